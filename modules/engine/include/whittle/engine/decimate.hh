@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/engine/quadric_term.hh"
+
+// Decimation of an indexed triangle mesh by contracting vertex pairs in order of cost:
+//
+//   for each vertex v: Q_v = the quadric of its faces and border edges
+//   queue every pair (edge) under the least cost it can ever have
+//   while no target is reached:
+//     take the pair of least cost; ties by (lower, higher) original vertex number
+//     if a guard refuses it: count the reason, let it wait until something it looked at changes
+//     else contract: the vertex of the lower original number survives, moves to v̄ and takes Q₀ + Q₁
+//
+// The order is exact: that of an algorithm which re-evaluates every pair after each contraction.
+
+namespace whittle {
+
+/// What ends a run: the first one reached. Unset ones don't count; none set reduces as far as the guards allow.
+struct DecimateTarget {
+  std::optional<std::uint64_t> faces;     ///< Stop once at most this many faces are left.
+  std::optional<std::uint64_t> vertices;  ///< Stop once at most this many vertices are left.
+  std::optional<double> max_cost;         ///< Contract only what costs at most this: distance² · area in model units
+                                          ///< (distance² with uniform weights). [0, inf).
+};
+
+/// What happens to edges with one face, and to their vertices.
+enum class Boundary {
+  weighted,  ///< held in place by planes of weight `QuadricOptions::boundary_weight`
+  locked,    ///< border vertices don't move by a bit, nor vanish
+  free       ///< nothing holds them
+};
+
+/// How far a run has come.
+struct Progress {
+  std::uint64_t n_vertices;     ///< left now
+  std::uint64_t n_faces;        ///< left now
+  double fraction;              ///< of the way to the nearest target, [0, 1]
+};
+
+/// One contraction, in the input's vertex numbers.
+struct Contraction {
+  Index survivor;
+  Index removed;
+  Vec3 position;  ///< of the survivor from now on, model units
+  double cost;    ///< as `DecimateTarget::max_cost`
+};
+
+struct DecimateOptions {
+  QuadricOptions quadric;
+  Boundary boundary = Boundary::weighted;
+
+  /// A contraction that turns the normal of a remaining face further than this is refused, degrees. (0, 180]; 180 = off.
+  double max_normal_flip_deg = 75;
+
+  /// V or empty; vertices with a non-zero entry neither move nor vanish. Their other neighbours may merge into them.
+  std::span<const std::uint8_t> locked;
+
+  /// Threads to use, 0 = all cores. No result depends on it.
+  unsigned threads = 0;
+
+  /// Called now and then from the calling thread; false ends the run with what is reached.
+  std::function<bool(const Progress&)> progress;
+
+  /// Called after each contraction, in order.
+  std::function<void(const Contraction&)> listener;
+};
+
+enum class StopReason {
+  target,     ///< a count was reached
+  cost,       ///< every contraction left costs more than `max_cost`
+  exhausted,  ///< every contraction left is refused by a guard, or none is left
+  cancelled   ///< the progress callback said so
+};
+/// "target", "cost", "exhausted", "cancelled".
+std::string_view to_string(StopReason reason);
+
+/// Why guards refused contractions. A pair refused, woken and refused again counts twice.
+struct Rejections {
+  std::uint64_t link = 0;    ///< it would change the topology (link condition)
+  std::uint64_t flip = 0;    ///< it would turn a face over, or make one without area
+  std::uint64_t locked = 0;  ///< both vertices are locked
+};
+
+/// What a run did. Counts are those of the mesh after it; vertices without a face don't count.
+struct DecimateResult {
+  std::uint64_t n_contractions = 0;
+  std::uint64_t n_vertices = 0;
+  std::uint64_t n_faces = 0;
+  double max_cost = 0;  ///< greatest cost of a contraction made; unit as `DecimateTarget::max_cost`
+  StopReason stop = StopReason::exhausted;
+  Rejections rejections;
+};
+
+/// The decimated mesh and where the input's vertices went.
+struct Decimation {
+  IndexedMesh mesh;  ///< vertices by ascending origin, faces in the input's order; unmoved vertices keep every bit
+  DecimateResult result;
+  std::vector<Index> vertex_map;  ///< input vertices → vertices of `mesh`; `invalid_index` where it was in no face
+};
+
+/// Decimates `mesh`. Colours are averaged over the vertices merged, normals computed anew where the input has them;
+/// texture coordinates and groups are not carried.
+/// Works on any triangle set. Results don't depend on the unit, on where the mesh lies, or on the number of threads.
+/// \throw std::invalid_argument for a face number out of range, a coordinate that isn't finite, an option out of its
+///        range, or `locked` of another length than the vertices.
+/// \throw std::length_error for more than 2³¹ faces or 2³² − 2 edges.
+Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options = {});
+
+}  // namespace whittle
