@@ -1,0 +1,21 @@
+#pragma once
+
+#include "whittle/engine/indexed_mesh.hh"
+
+namespace whittle::metrics {
+
+/// An axis-parallel box, in model units.
+struct Bounds {
+  Vec3 min = Vec3::Zero();
+  Vec3 max = Vec3::Zero();
+
+  Vec3 center() const { return min + 0.5 * (max - min); }
+  double diagonal() const { return (max - min).norm(); }
+};
+
+/// The box around the vertices that some face uses; vertices of no face don't count.
+/// \throw std::invalid_argument if the mesh has no faces, a face names a vertex that isn't there, or a position of a
+/// used vertex is not finite.
+Bounds bounds(const IndexedMesh& mesh);
+
+}  // namespace whittle::metrics

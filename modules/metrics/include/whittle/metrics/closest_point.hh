@@ -1,0 +1,100 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/metrics/bounds.hh"
+
+namespace whittle::metrics {
+
+/// Where a surface comes nearest to a point.
+struct ClosestPoint {
+  Index face = invalid_index;
+  Vec3 point = Vec3::Zero();  ///< On that face.
+  double distance_sq = 0.0;   ///< Model units squared.
+};
+
+/// A bounding volume hierarchy over the faces of a mesh, for exact closest points.
+///
+/// Any triangles will do: degenerate ones count as the segment or point they are, coincident ones are told apart by
+/// their number. Coordinates are kept relative to an origin near the mesh, so that a mesh far from zero loses nothing.
+/// The tree holds copies; the mesh may go away. Building costs O(F log F) time and about 200 bytes a face, a query
+/// O(log F) where the point is near the surface. All queries may run at the same time in any number of threads.
+class TriangleTree {
+ public:
+  /// \throw std::invalid_argument as `bounds`.
+  explicit TriangleTree(const IndexedMesh& mesh);
+  /// With an origin of the caller's choice, for queries against several trees in the same local coordinates.
+  TriangleTree(const IndexedMesh& mesh, const Vec3& origin);
+
+  /// The nearest point of the surface; of faces at exactly the same distance the one with the lowest number.
+  /// \param point finite, model units.
+  /// \param hint a face thought to be near, such as the answer for a neighbouring point; only the time depends on it.
+  /// `invalid_index`: none.
+  ClosestPoint nearest(const Vec3& point, Index hint = invalid_index) const;
+
+  /// The same in coordinates relative to `origin()`, for argument and answer.
+  ClosestPoint nearest_local(const Vec3& offset, Index hint = invalid_index) const;
+
+  const Vec3& origin() const { return origin_; }
+  std::size_t n_faces() const { return slot_of_face_.size(); }
+
+  /// Calls `visit(face)` for each face whose own box meets the closed box `local` (relative to `origin()`), in no
+  /// particular order.
+  template <class Visitor>
+  void visit_boxes(const Bounds& local, Visitor&& visit) const;
+
+ private:
+  struct Node {
+    Bounds box;
+    std::uint32_t first = 0;  ///< Of a leaf its first slot, else its first child; the second follows.
+    std::uint32_t count = 0;  ///< Of a leaf its number of slots, else 0.
+  };
+  /// A face with its corners by ascending vertex number, so that faces sharing an edge compute the same distance to it.
+  struct Slot {
+    Vec3 a, b, c;
+    Vec3 normal;  ///< (b − a) × (c − a); zero if the face is thinner than its normal could be trusted.
+    Index face;
+  };
+  struct Reference;
+
+  /// No path from the root is longer: where the split heuristic has gone 48 levels deep, medians take over.
+  static constexpr std::size_t max_depth = 48 + 32;
+  static constexpr std::uint32_t max_leaf = 4;
+
+  void build(std::uint32_t node, std::vector<Reference>& references, std::uint32_t begin, std::uint32_t end,
+             std::size_t depth);
+  static Vec3 nearest_in(const Slot& slot, const Vec3& point);
+
+  Vec3 origin_;
+  std::vector<Node> nodes_;
+  std::vector<Slot> slots_;
+  std::vector<std::uint32_t> slot_of_face_;
+};
+
+template <class Visitor>
+void TriangleTree::visit_boxes(const Bounds& local, Visitor&& visit) const {
+  const auto meet = [&](const Vec3& min, const Vec3& max) {
+    return (min.array() <= local.max.array()).all() && (max.array() >= local.min.array()).all();
+  };
+  std::array<std::uint32_t, max_depth + 2> stack;
+  std::size_t size = 0;
+  stack[size++] = 0;
+  while (size > 0) {
+    const Node& node = nodes_[stack[--size]];
+    if (!meet(node.box.min, node.box.max)) continue;
+    if (node.count == 0) {
+      stack[size++] = node.first + 1;
+      stack[size++] = node.first;
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      const Slot& slot = slots_[i];
+      if (meet(slot.a.cwiseMin(slot.b).cwiseMin(slot.c), slot.a.cwiseMax(slot.b).cwiseMax(slot.c))) visit(slot.face);
+    }
+  }
+}
+
+}  // namespace whittle::metrics

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+
+#include "whittle/engine/indexed_mesh.hh"
+
+namespace whittle::metrics {
+
+/// Numbers of edges at the inner vertices: the used ones without a boundary edge.
+struct ValenceStats {
+  std::size_t vertices = 0;                      ///< Inner vertices; if 0, so is all else.
+  std::size_t min = 0;                           ///< Smallest valence.
+  std::size_t max = 0;                           ///< Largest valence.
+  double share_5_to_7 = 0.0;                     ///< Share of valences 5, 6 and 7, in [0, 1].
+  std::map<std::size_t, std::size_t> histogram;  ///< Valence to number of vertices, no zeros.
+};
+
+/// How good the triangles of a mesh are.
+struct Shape {
+  /// Twice the radius of the inscribed over that of the circumscribed circle, 2r/R, in [0, 1]; equilateral 1,
+  /// degenerate 0.
+  double radius_ratio_mean = 0.0;
+  double radius_ratio_min = 0.0;
+  /// The least angle of each face, in [0, 60].
+  double min_angle_mean_deg = 0.0;
+  double min_angle_min_deg = 0.0;
+  /// Faces with a radius ratio below 1e-6, collapsed ones (the same vertex twice) included.
+  std::size_t degenerate_faces = 0;
+
+  ValenceStats valence;
+  double edge_length_mean = 0.0;  ///< Model units.
+  double edge_length_cv = 0.0;    ///< Standard deviation of the edge lengths over their mean.
+  /// Edges with two faces that nearly lie on each other: the cosine between their normals is below −0.94. Faces that
+  /// run along the edge the same way are compared as if one of them were turned.
+  std::size_t folds = 0;
+};
+
+/// O(F) time. Means are over all faces, edges or inner vertices alike.
+/// \throw std::invalid_argument as `bounds`.
+Shape shape(const IndexedMesh& mesh);
+
+}  // namespace whittle::metrics
