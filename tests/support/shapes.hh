@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+#include <whittle/engine/indexed_mesh.hh>
+
+/// Meshes made on the spot, each with its counts: V vertices, F faces, g the genus. Closed ones are oriented outwards.
+/// Without a word on it a mesh is manifold, connected and without duplicate, degenerate or isolated elements.
+/// Impossible arguments (fewer than three vertices around and so on) throw std::invalid_argument.
+namespace whittle::test {
+
+// Closed polyhedra ----------------------------------------------------------------------------------------------------
+
+/// The regular tetrahedron inside the cube (±1)³. V 4, F 4, g 0.
+IndexedMesh tetrahedron();
+/// V 6 on the axes at distance 1, F 8, g 0; every valence 4.
+IndexedMesh octahedron();
+/// V 12 on the unit sphere, F 20, g 0; every valence 5.
+IndexedMesh icosahedron();
+/// The cube (±1)³. V 8, F 12, g 0.
+IndexedMesh cube();
+/// The cube (±1)³, each side n × n squares cut in two. V 6n² + 2, F 12n², g 0. n at least 1.
+IndexedMesh tessellated_cube(int n);
+/// The torus of Császár: every two vertices share an edge, so no edge at all may be contracted. V 7, F 14, g 1.
+IndexedMesh csaszar_torus();
+
+// Closed, round -------------------------------------------------------------------------------------------------------
+
+/// The icosahedron with each face cut in four `levels` times, on the unit sphere. V 10·4ⁿ + 2, F 20·4ⁿ, g 0.
+IndexedMesh sphere(int levels);
+/// The unit sphere by latitude and longitude; both poles (0, 0, ±1) have valence n_lon.
+/// V (n_lat − 1)·n_lon + 2, F 2·n_lon·(n_lat − 1), g 0. n_lat at least 2, n_lon at least 3.
+IndexedMesh uv_sphere(int n_lat, int n_lon);
+/// V nu·nv, F 2·nu·nv, g 1; around the z axis, nu times about it and nv times about the tube. Every valence 6.
+IndexedMesh torus(int nu, int nv, double major_radius = 1.0, double minor_radius = 0.35);
+/// `torus` with each vertex moved along the normal by at most `amplitude`, at random.
+IndexedMesh noisy_torus(int nu, int nv, double major_radius, double minor_radius, double amplitude, std::uint64_t seed);
+/// `sphere` with each vertex moved along its radius by at most `amplitude`, at random.
+IndexedMesh noisy_sphere(int levels, double amplitude, std::uint64_t seed);
+/// A smooth lump: `sphere` with some soft bumps and dents, radius about 0.6 to 1.6, star-shaped. Counts as `sphere`.
+IndexedMesh blob(int levels, std::uint64_t seed);
+
+// Open ----------------------------------------------------------------------------------------------------------------
+
+/// The flat rectangle [0, nx] × [0, ny] at z = 0, normals up. V (nx + 1)(ny + 1), F 2·nx·ny, one border.
+IndexedMesh grid(int nx, int ny);
+/// `grid` with every vertex at its own random height in ±amplitude.
+IndexedMesh noisy_grid(int nx, int ny, double amplitude, std::uint64_t seed);
+/// A hilly height field over the unit square, rough at every scale. V (n + 1)², F 2n², one border.
+IndexedMesh terrain(int n, std::uint64_t seed);
+/// A tube of radius 1 about the z axis, z from 0 to 2. V n_around·(n_along + 1), F 2·n_around·n_along, two borders.
+IndexedMesh open_cylinder(int n_around, int n_along);
+/// Half twist, not orientable. V n_along·(n_across + 1), F 2·n_along·n_across, one border; Euler number 0.
+/// n_along at least 5.
+IndexedMesh moebius(int n_along, int n_across = 1);
+/// V 3, F 1.
+IndexedMesh single_triangle();
+/// Two faces with a common edge, not in one plane. V 4, F 2.
+IndexedMesh two_triangles();
+
+// With sharp edges ----------------------------------------------------------------------------------------------------
+
+/// A cone, base radius 1 and apex at z = height; the apex and the middle of the base have valence n. V n + 2, F 2n, g
+/// 0.
+IndexedMesh cone(int n_around, double height = 2.0);
+/// A cone cut off: radii 1 and 0.5, sides of one long thin pair of faces each. V 2n + 2, F 4n, g 0.
+IndexedMesh frustum(int n_around, double height = 20.0);
+/// An angle bracket: a plate with a round hole through it and a wall standing on its edge; flat sides, sharp edges.
+/// With n = `n_side` (at least 2) squares along a side: V 10n² + 12n + 2, F 20n² + 24n + 4, g 1.
+IndexedMesh bracket(int n_side);
+
+// Several parts -------------------------------------------------------------------------------------------------------
+
+/// Both meshes as the parts of one; attributes are dropped.
+IndexedMesh joined(const IndexedMesh& a, const IndexedMesh& b);
+/// `count` unit spheres in a row along x with `gap` between them; each as `sphere(levels)`.
+IndexedMesh spheres(int count, int levels, double gap = 0.5);
+/// nx × ny cubes of edge 2 in a square pattern with `gap` between neighbours. V 8·nx·ny, F 12·nx·ny.
+IndexedMesh boxes(int nx, int ny, double gap = 0.2);
+
+// Not manifold, or otherwise odd --------------------------------------------------------------------------------------
+
+/// Two tetrahedra with one common vertex, which has two fans. V 7, F 8.
+IndexedMesh bow_tie();
+/// Three faces with a common edge. V 5, F 3.
+IndexedMesh three_faces_on_an_edge();
+/// Two cubes with one common edge, which has four faces. V 14, F 24.
+IndexedMesh two_cubes_on_an_edge();
+/// Two faces on the same three vertices, back to back: closed, without volume. V 3, F 2, Euler number 2.
+IndexedMesh pillow();
+/// Every face with three vertices of its own (as STL has it). V 3F.
+IndexedMesh soup(const IndexedMesh& mesh);
+/// The first `count` faces once more at the end, starting at another corner each time.
+IndexedMesh with_duplicate_faces(const IndexedMesh& mesh, int count);
+/// `count` vertices that no face uses, spread among the others; attributes are dropped.
+IndexedMesh with_isolated_vertices(const IndexedMesh& mesh, int count, std::uint64_t seed);
+/// Every face turned over.
+IndexedMesh inside_out(const IndexedMesh& mesh);
+
+}  // namespace whittle::test

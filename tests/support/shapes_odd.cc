@@ -1,0 +1,146 @@
+// Shapes of several parts, shapes that are not manifold, and what spoils a good one.
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "support/random.hh"
+#include "support/shapes.hh"
+
+namespace whittle::test {
+namespace {
+
+void append(IndexedMesh& mesh, const IndexedMesh& part, const Vec3& offset) {
+  const auto first = static_cast<Index>(mesh.positions.size());
+  for (const Vec3& p : part.positions) mesh.positions.push_back(p + offset);
+  for (const auto& [a, b, c] : part.faces) mesh.faces.push_back({a + first, b + first, c + first});
+}
+
+}  // namespace
+
+IndexedMesh joined(const IndexedMesh& a, const IndexedMesh& b) {
+  IndexedMesh mesh;
+  append(mesh, a, Vec3::Zero());
+  append(mesh, b, Vec3::Zero());
+  return mesh;
+}
+
+IndexedMesh spheres(int count, int levels, double gap) {
+  const IndexedMesh one = sphere(levels);
+  IndexedMesh mesh;
+  for (int i = 0; i < count; ++i) append(mesh, one, Vec3((2 + gap) * i, 0, 0));
+  return mesh;
+}
+
+IndexedMesh boxes(int nx, int ny, double gap) {
+  const IndexedMesh one = cube();
+  IndexedMesh mesh;
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i) append(mesh, one, Vec3((2 + gap) * i, (2 + gap) * j, 0));
+  return mesh;
+}
+
+IndexedMesh bow_tie() {
+  // Vertex 0 of both tetrahedra is (1, 1, 1); the second is the first one's mirror image in that point.
+  IndexedMesh mesh = tetrahedron();
+  for (Index v = 1; v < 4; ++v) mesh.positions.push_back(2 * mesh.positions[0] - mesh.positions[v]);
+  const auto mirrored = [](Index v) { return v == 0 ? v : v + 3; };
+  for (Index f = 0; f < 4; ++f) {
+    const auto [a, b, c] = mesh.faces[f];
+    mesh.faces.push_back({mirrored(a), mirrored(c), mirrored(b)});
+  }
+  return mesh;
+}
+
+IndexedMesh three_faces_on_an_edge() {
+  IndexedMesh mesh;
+  mesh.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0.5}, {-0.5, 0.8, 0.5}, {-0.5, -0.8, 0.5}};
+  mesh.faces = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
+  return mesh;
+}
+
+IndexedMesh two_cubes_on_an_edge() {
+  // The second cube is moved by (2, 2, 0), so its edge (-1, -1, ±1) is the edge (1, 1, ±1) of the first: 0 is 2, 4
+  // is 6.
+  IndexedMesh mesh = cube();
+  const IndexedMesh one = cube();
+  std::vector<Index> number(8);
+  for (Index v = 0; v < 8; ++v) {
+    if (v == 0 || v == 4) {
+      number[v] = v + 2;
+      continue;
+    }
+    number[v] = static_cast<Index>(mesh.positions.size());
+    mesh.positions.push_back(one.positions[v] + Vec3(2, 2, 0));
+  }
+  for (const auto& [a, b, c] : one.faces) mesh.faces.push_back({number[a], number[b], number[c]});
+  return mesh;
+}
+
+IndexedMesh pillow() {
+  IndexedMesh mesh = single_triangle();
+  mesh.faces.push_back({0, 2, 1});
+  return mesh;
+}
+
+IndexedMesh soup(const IndexedMesh& mesh) {
+  IndexedMesh result;
+  for (const Triangle& face : mesh.faces) {
+    const auto first = static_cast<Index>(result.positions.size());
+    for (const Index v : face) result.positions.push_back(mesh.positions[v]);
+    result.faces.push_back({first, first + 1, first + 2});
+  }
+  return result;
+}
+
+IndexedMesh with_duplicate_faces(const IndexedMesh& mesh, int count) {
+  if (count < 0 || static_cast<std::size_t>(count) > mesh.faces.size())
+    throw std::invalid_argument("test shape: more duplicates than faces");
+  IndexedMesh result;
+  result.positions = mesh.positions;
+  result.faces = mesh.faces;
+  for (int f = 0; f < count; ++f) {
+    Triangle copy = mesh.faces[static_cast<std::size_t>(f)];
+    std::rotate(copy.begin(), copy.begin() + f % 3, copy.end());
+    result.faces.push_back(copy);
+  }
+  return result;
+}
+
+IndexedMesh with_isolated_vertices(const IndexedMesh& mesh, int count, std::uint64_t seed) {
+  Random random(seed);
+  const std::size_t n_old = mesh.positions.size();
+  const std::size_t n_new = n_old + static_cast<std::size_t>(count);
+  std::vector<bool> is_isolated(n_new, false);
+  std::fill(is_isolated.begin(), is_isolated.begin() + count, true);
+  for (std::size_t i = n_new; i > 1; --i) {
+    const auto j = static_cast<std::size_t>(random.below(i));
+    const bool other = is_isolated[j];
+    is_isolated[j] = is_isolated[i - 1];
+    is_isolated[i - 1] = other;
+  }
+  IndexedMesh result;
+  std::vector<Index> number;
+  for (std::size_t v = 0; v < n_new; ++v) {
+    if (is_isolated[v]) {
+      result.positions.emplace_back(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3));
+    } else {
+      result.positions.push_back(mesh.positions[number.size()]);
+      number.push_back(static_cast<Index>(v));
+    }
+  }
+  for (const auto& [a, b, c] : mesh.faces) result.faces.push_back({number[a], number[b], number[c]});
+  return result;
+}
+
+IndexedMesh inside_out(const IndexedMesh& mesh) {
+  IndexedMesh result = mesh;
+  for (Triangle& face : result.faces) std::swap(face[1], face[2]);
+  if (!result.corner_texcoords.empty())
+    for (std::size_t f = 0; f < result.faces.size(); ++f)
+      std::swap(result.corner_texcoords[3 * f + 1], result.corner_texcoords[3 * f + 2]);
+  for (auto& normal : result.normals)
+    for (float& x : normal) x = -x;
+  return result;
+}
+
+}  // namespace whittle::test

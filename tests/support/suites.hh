@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+#include <whittle/engine/indexed_mesh.hh>
+
+/// Small meshes by kind, for tests that loop over them; a few hundred faces at most, so that brute force is cheap.
+namespace whittle::test {
+
+struct NamedMesh {
+  std::string name;  ///< The call that made it, for failure messages.
+  IndexedMesh mesh;
+};
+
+/// Closed, manifold, oriented: organic, with sharp edges, of several genera and parts.
+std::vector<NamedMesh> closed_meshes();
+/// Manifold with a border (one of them not orientable).
+std::vector<NamedMesh> open_meshes();
+/// With edges of three or more faces, or vertices of several fans.
+std::vector<NamedMesh> nonmanifold_meshes();
+/// All of these.
+std::vector<NamedMesh> all_meshes();
+
+}  // namespace whittle::test
