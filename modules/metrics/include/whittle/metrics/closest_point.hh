@@ -61,12 +61,16 @@ class TriangleTree {
   };
   struct Reference;
 
-  /// No path from the root is longer: where the split heuristic has gone 48 levels deep, medians take over.
-  static constexpr std::size_t max_depth = 48 + 32;
+  /// Where the split heuristic has gone this deep, medians take over, which need at most 32 levels more.
+  static constexpr std::size_t max_heuristic_depth = 48;
+  static constexpr std::size_t max_depth = max_heuristic_depth + 32;
   static constexpr std::uint32_t max_leaf = 4;
 
   void build(std::uint32_t node, std::vector<Reference>& references, std::uint32_t begin, std::uint32_t end,
              std::size_t depth);
+  /// Orders the references so that those of the first child come first, and returns where the second's begin.
+  static std::uint32_t split(std::vector<Reference>& references, std::uint32_t begin, std::uint32_t end,
+                             const Bounds& centers, std::size_t depth);
   static Vec3 nearest_in(const Slot& slot, const Vec3& point);
 
   Vec3 origin_;

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace whittle::metrics {
+
+/// Calls `work(block)` once for each block below `n_blocks`, on up to `threads` threads (0 = all cores), in any order.
+/// Work that keeps its results apart by block gives the same answer for every number of threads. The first exception of
+/// a block is thrown again here, when all threads have ended.
+template <class Work>
+void for_each_block(std::size_t n_blocks, unsigned threads, const Work& work) {
+  const std::size_t wanted = threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t n_threads = std::min(wanted, n_blocks);
+  if (n_threads <= 1) {
+    for (std::size_t block = 0; block < n_blocks; ++block) work(block);
+    return;
+  }
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
+  const auto run = [&] {
+    try {
+      for (std::size_t block = next++; block < n_blocks; block = next++) work(block);
+    } catch (...) {
+      next = n_blocks;
+      const std::lock_guard lock(failure_mutex);
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> pool;
+    pool.reserve(n_threads - 1);
+    for (std::size_t i = 1; i < n_threads; ++i) pool.emplace_back(run);
+    run();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace whittle::metrics

@@ -1,0 +1,136 @@
+// One pass over the edges joins what hangs together: vertices into components, corners into fans (the corners two faces
+// have at a common edge belong to one fan), the ends of boundary edges into curves, faces into oriented patches.
+#include "whittle/metrics/topology.hh"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "checks.hh"
+#include "edges.hh"
+
+namespace whittle::metrics {
+
+namespace {
+
+/// Union-find over 0 … n − 1 with path halving.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+
+  std::size_t find(std::size_t x) {
+    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
+    return x;
+  }
+  /// Returns whether the two sets were different.
+  bool join(std::size_t x, std::size_t y) {
+    x = find(x), y = find(y);
+    if (x == y) return false;
+    parent_[std::max(x, y)] = std::min(x, y);
+    return true;
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+std::size_t corner_at(const IndexedMesh& mesh, Index face, Index vertex) {
+  const Triangle& corners = mesh.faces[face];
+  return 3 * std::size_t{face} + (corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2);
+}
+
+bool is_misoriented(const IndexedMesh& mesh, const EdgeTable& edges, std::size_t e) {
+  const auto faces = edges.faces(e);
+  const auto [low, high, first] = edges[e];
+  return faces.size() == 2 &&
+         runs_along(mesh.faces[faces[0]], low, high) == runs_along(mesh.faces[faces[1]], low, high);
+}
+
+/// Two nodes a face, one for each way to turn it; an edge joins the ways that go together. A face both ways of which
+/// are in one set can't be turned right.
+bool is_orientable(const IndexedMesh& mesh, const EdgeTable& edges) {
+  const std::size_t n = mesh.faces.size();
+  DisjointSets ways(2 * n);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto faces = edges.faces(e);
+    if (faces.size() != 2) continue;
+    const bool turned = is_misoriented(mesh, edges, e);
+    ways.join(faces[0], faces[1] + (turned ? n : 0));
+    ways.join(faces[0] + n, faces[1] + (turned ? 0 : n));
+  }
+  for (std::size_t f = 0; f < n; ++f) {
+    if (ways.find(f) == ways.find(f + n)) return false;
+  }
+  return true;
+}
+
+/// `fans`: the corners, joined. Of the boundary edges in a fan all are in the curve of the first one met.
+std::size_t count_boundary_loops(const IndexedMesh& mesh, const EdgeTable& edges, DisjointSets& fans) {
+  std::vector<std::size_t> first_in_fan(3 * mesh.faces.size(), edges.size());
+  DisjointSets curves(edges.size());
+  std::size_t loops = 0;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (edges.faces(e).size() != 1) continue;
+    ++loops;
+    const Index face = edges.faces(e)[0];
+    for (const Index vertex : {edges[e].low, edges[e].high}) {
+      std::size_t& first = first_in_fan[fans.find(corner_at(mesh, face, vertex))];
+      if (first == edges.size()) {
+        first = e;
+      } else if (curves.join(first, e)) {
+        --loops;
+      }
+    }
+  }
+  return loops;
+}
+
+}  // namespace
+
+Topology topology(const IndexedMesh& mesh) {
+  check_indices(mesh);
+  const EdgeTable edges(mesh);
+  Topology result;
+  result.edges = edges.size();
+
+  std::vector<std::size_t> n_fans(mesh.positions.size(), 0);  // first the corners of a vertex, less one for each join
+  for (const Triangle& face : mesh.faces) {
+    if (is_collapsed(face)) {
+      ++result.collapsed_faces;
+    } else {
+      ++result.faces;
+      for (const Index v : face) ++n_fans[v];
+    }
+  }
+  for (const std::size_t corners : n_fans) result.vertices += corners > 0 ? 1 : 0;
+
+  DisjointSets parts(mesh.positions.size()), fans(3 * mesh.faces.size());
+  result.components = result.vertices;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto [low, high, first] = edges[e];
+    const auto faces = edges.faces(e);
+    if (parts.join(low, high)) --result.components;
+    for (std::size_t i = 1; i < faces.size(); ++i) {
+      for (const Index v : {low, high}) {
+        if (fans.join(corner_at(mesh, faces[0], v), corner_at(mesh, faces[i], v))) --n_fans[v];
+      }
+    }
+    if (faces.size() == 1) ++result.boundary_edges;
+    if (faces.size() > 2) ++result.nonmanifold_edges;
+    if (is_misoriented(mesh, edges, e)) ++result.misoriented_edges;
+  }
+  for (const std::size_t n : n_fans) result.nonmanifold_vertices += n > 1 ? 1 : 0;
+  if (result.boundary_edges > 0) result.boundary_loops = count_boundary_loops(mesh, edges, fans);
+
+  result.euler = static_cast<long>(result.vertices) - static_cast<long>(result.edges) + static_cast<long>(result.faces);
+  result.manifold = result.nonmanifold_edges == 0 && result.nonmanifold_vertices == 0 && result.collapsed_faces == 0;
+  result.closed = result.faces > 0 && result.boundary_edges == 0;
+  result.oriented = result.misoriented_edges == 0;
+  result.orientable = result.oriented || is_orientable(mesh, edges);
+  if (result.manifold && result.closed && result.orientable) {
+    result.genus = static_cast<long>(result.components) - result.euler / 2;
+  }
+  return result;
+}
+
+}  // namespace whittle::metrics
