@@ -1,5 +1,6 @@
 #include "support/shapes.hh"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -24,6 +25,16 @@ Index index(int i) { return static_cast<Index>(i); }
 void add_square(IndexedMesh& mesh, Index a, Index b, Index c, Index d) {
   mesh.faces.push_back({a, b, c});
   mesh.faces.push_back({a, c, d});
+}
+
+/// The squares of nu × nv vertices in rows of nv, the last of each row and column joined to the first.
+void add_wrapped_squares(IndexedMesh& mesh, int nu, int nv) {
+  for (int i = 0; i < nu; ++i)
+    for (int j = 0; j < nv; ++j) {
+      const int next_i = (i + 1) % nu;
+      const int next_j = (j + 1) % nv;
+      add_square(mesh, index(i * nv + j), index(next_i * nv + j), index(next_i * nv + next_j), index(i * nv + next_j));
+    }
 }
 
 /// One round of cutting each face in four, new vertices at the middles of the edges.
@@ -65,12 +76,7 @@ IndexedMesh torus_with(int nu, int nv, double major_radius, RadiusAt radius_at) 
   for (int i = 0; i < nu; ++i)
     for (int j = 0; j < nv; ++j)
       mesh.positions.push_back(torus_point(2 * pi * i / nu, 2 * pi * j / nv, major_radius, radius_at()));
-  for (int i = 0; i < nu; ++i)
-    for (int j = 0; j < nv; ++j) {
-      const int next_i = (i + 1) % nu;
-      const int next_j = (j + 1) % nv;
-      add_square(mesh, index(i * nv + j), index(next_i * nv + j), index(next_i * nv + next_j), index(i * nv + next_j));
-    }
+  add_wrapped_squares(mesh, nu, nv);
   return mesh;
 }
 
@@ -187,6 +193,29 @@ IndexedMesh blob(int levels, std::uint64_t seed) {
     for (const Bump& bump : bumps) radius += bump.height * std::exp(bump.sharpness * (bump.direction.dot(p) - 1.0));
     p *= 1.1 + 0.5 * std::tanh((radius - 1.1) / 0.5);
   }
+  return mesh;
+}
+
+IndexedMesh knot(int n_along, int n_around) {
+  require(n_along >= 24 && n_around >= 3, "a knot needs 24 vertices along and three around");
+  IndexedMesh mesh;
+  for (int i = 0; i < n_along; ++i) {
+    const double t = 2 * pi * i / n_along;
+    // The curve winds three times about the tube of the torus of radii 2 and 1 while going twice about its axis.
+    const Vec3 outward(std::cos(3 * t) * std::cos(2 * t), std::cos(3 * t) * std::sin(2 * t), std::sin(3 * t));
+    const Vec3 centre = 2 * Vec3(std::cos(2 * t), std::sin(2 * t), 0) + outward;
+    const double ring = 2 + std::cos(3 * t);
+    const Vec3 along =
+        ring * 2 * Vec3(-std::sin(2 * t), std::cos(2 * t), 0) +
+        3 * Vec3(-std::sin(3 * t) * std::cos(2 * t), -std::sin(3 * t) * std::sin(2 * t), std::cos(3 * t));
+    const Vec3 sideways = along.normalized().cross(outward);
+    for (int j = 0; j < n_around; ++j) {
+      const double s = 2 * pi * j / n_around;
+      const double radius = 0.42 * (1 + 0.08 * std::cos(6 * s + 24 * t));
+      mesh.positions.push_back(centre + radius * (std::cos(s) * outward + std::sin(s) * sideways));
+    }
+  }
+  add_wrapped_squares(mesh, n_along, n_around);
   return mesh;
 }
 

@@ -39,6 +39,9 @@ IndexedMesh noisy_torus(int nu, int nv, double major_radius, double minor_radius
 IndexedMesh noisy_sphere(int levels, double amplitude, std::uint64_t seed);
 /// A smooth lump: `sphere` with some soft bumps and dents, radius about 0.6 to 1.6, star-shaped. Counts as `sphere`.
 IndexedMesh blob(int levels, std::uint64_t seed);
+/// A rope tied to a trefoil, with six ridges twisted around it, about 6 × 6 × 3 in size.
+/// V n_along·n_around, F 2·n_along·n_around, g 1. Every valence 6.
+IndexedMesh knot(int n_along, int n_around);
 
 // Open ----------------------------------------------------------------------------------------------------------------
 
@@ -84,12 +87,16 @@ IndexedMesh boxes(int nx, int ny, double gap = 0.2);
 IndexedMesh bow_tie();
 /// Three faces with a common edge. V 5, F 3.
 IndexedMesh three_faces_on_an_edge();
-/// Two cubes with one common edge, which has four faces. V 14, F 24.
-IndexedMesh two_cubes_on_an_edge();
+/// Two cubes with one common edge, each of its n pieces with four faces; sides of n × n squares.
+/// V 12n² − n + 3, F 24n².
+IndexedMesh two_cubes_on_an_edge(int n = 1);
 /// Two faces on the same three vertices, back to back: closed, without volume. V 3, F 2, Euler number 2.
 IndexedMesh pillow();
 /// Every face with three vertices of its own (as STL has it). V 3F.
 IndexedMesh soup(const IndexedMesh& mesh);
+/// Vertices at exactly the same position made one, whatever becomes of the surface; the first of them stays, attributes
+/// are dropped.
+IndexedMesh glued(const IndexedMesh& mesh);
 /// The first `count` faces once more at the end, starting at another corner each time.
 IndexedMesh with_duplicate_faces(const IndexedMesh& mesh, int count);
 /// `count` vertices that no face uses, spread among the others; attributes are dropped.

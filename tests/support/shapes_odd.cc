@@ -1,5 +1,7 @@
 // Shapes of several parts, shapes that are not manifold, and what spoils a good one.
 #include <algorithm>
+#include <array>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -58,22 +60,11 @@ IndexedMesh three_faces_on_an_edge() {
   return mesh;
 }
 
-IndexedMesh two_cubes_on_an_edge() {
-  // The second cube is moved by (2, 2, 0), so its edge (-1, -1, ±1) is the edge (1, 1, ±1) of the first: 0 is 2, 4
-  // is 6.
-  IndexedMesh mesh = cube();
-  const IndexedMesh one = cube();
-  std::vector<Index> number(8);
-  for (Index v = 0; v < 8; ++v) {
-    if (v == 0 || v == 4) {
-      number[v] = v + 2;
-      continue;
-    }
-    number[v] = static_cast<Index>(mesh.positions.size());
-    mesh.positions.push_back(one.positions[v] + Vec3(2, 2, 0));
-  }
-  for (const auto& [a, b, c] : one.faces) mesh.faces.push_back({number[a], number[b], number[c]});
-  return mesh;
+IndexedMesh two_cubes_on_an_edge(int n) {
+  // Moved by (2, 2, 0), the edge (-1, -1, z) of the second cube lies on the edge (1, 1, z) of the first, exactly.
+  IndexedMesh mesh = tessellated_cube(n);
+  append(mesh, tessellated_cube(n), Vec3(2, 2, 0));
+  return glued(mesh);
 }
 
 IndexedMesh pillow() {
@@ -89,6 +80,19 @@ IndexedMesh soup(const IndexedMesh& mesh) {
     for (const Index v : face) result.positions.push_back(mesh.positions[v]);
     result.faces.push_back({first, first + 1, first + 2});
   }
+  return result;
+}
+
+IndexedMesh glued(const IndexedMesh& mesh) {
+  std::map<std::array<double, 3>, Index> vertices;
+  IndexedMesh result;
+  std::vector<Index> number;
+  for (const Vec3& p : mesh.positions) {
+    const auto [it, is_new] = vertices.try_emplace({p.x(), p.y(), p.z()}, static_cast<Index>(result.positions.size()));
+    if (is_new) result.positions.push_back(p);
+    number.push_back(it->second);
+  }
+  for (const auto& [a, b, c] : mesh.faces) result.faces.push_back({number[a], number[b], number[c]});
   return result;
 }
 
