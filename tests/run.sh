@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# Every check of the project, from a fresh Debian 12 on: installs what it takes, checks the style, builds with both
+# compilers, runs the tests plain and under the sanitizers. The logs of all steps are in build/run/.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source apps/packages.sh
+
+logs=build/run
+jobs=$(nproc)
+
+# Not into "build.log" and so on: a name a step.
+configure() { quietly "$logs/configure-$1.log" cmake --preset "$1" "${@:2}"; }
+build() { quietly "$logs/build-$1.log" cmake --build "build/$1" --parallel "$jobs"; }
+
+check_format() {
+  git ls-files -z '*.hh' '*.cc' | xargs -0 clang-format-14 --dry-run -Werror
+}
+
+# The sources of the modules and the program; headers are checked where they are included.
+check_tidy() {
+  run-clang-tidy-14 -quiet -p build/clang -j "$jobs" "^$PWD/(modules|apps)/.*\.cc$"
+}
+
+started=$SECONDS
+step() { say "[$(((SECONDS - started) / 60)) min] $*"; }
+
+install_packages "$logs/packages.log" "${build_packages[@]}" clang-14 clang-format-14 clang-tidy-14 git
+
+step "Format: clang-format on every tracked .hh and .cc"
+quietly "$logs/format.log" check_format
+
+step "GCC: building everything optimised, warnings are errors"
+configure release
+build release
+
+step "Clang: building everything, warnings are errors"
+configure tidy -B build/clang -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_CXX_CLANG_TIDY=
+build clang
+
+step "clang-tidy on the modules and the program"
+quietly "$logs/tidy.log" check_tidy
+
+step "Sanitizers: building with asserts, address and undefined-behaviour checks"
+configure asan
+build asan
+step "Sanitizers: running the tests"
+quietly "$logs/test-asan.log" ctest --preset asan --parallel "$jobs"
+
+step "Running the tests of the optimised build"
+ctest --preset release --parallel "$jobs"
