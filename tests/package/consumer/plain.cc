@@ -1,0 +1,29 @@
+// A program of another project, without OpenMesh: decimates a torus, writes it, reads it again and looks at it.
+#include <cstdio>
+#include <sstream>
+#include <string>
+#include <whittle/engine/decimate.hh>
+#include <whittle/engine/indexed_mesh.hh>
+#include <whittle/io/read.hh>
+#include <whittle/io/write.hh>
+#include <whittle/metrics/topology.hh>
+
+#include "torus.hh"
+
+int main() {
+  const Torus torus(48, 24);
+  whittle::IndexedMesh mesh;
+  for (const auto& p : torus.points) mesh.positions.emplace_back(p[0], p[1], p[2]);
+  for (const auto& face : torus.faces) mesh.faces.push_back({face[0], face[1], face[2]});
+
+  const whittle::Decimation small = whittle::decimate(mesh, {.faces = 300});
+
+  std::ostringstream file;
+  whittle::io::write_mesh(file, whittle::io::Format::ply, small.mesh);
+  const std::string bytes = file.str();
+  const auto again = whittle::io::read_mesh(bytes, "torus.ply");
+  const whittle::metrics::Topology topology = whittle::metrics::topology(again.mesh);
+  std::printf("%zu faces became %zu, genus %ld\n", mesh.faces.size(), again.mesh.faces.size(),
+              topology.genus.value_or(-1));
+  return again.mesh.faces.size() == 300 && topology.genus == 1 ? 0 : 1;
+}
