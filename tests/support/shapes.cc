@@ -208,7 +208,7 @@ IndexedMesh knot(int n_along, int n_around) {
     const Vec3 along =
         ring * 2 * Vec3(-std::sin(2 * t), std::cos(2 * t), 0) +
         3 * Vec3(-std::sin(3 * t) * std::cos(2 * t), -std::sin(3 * t) * std::sin(2 * t), std::cos(3 * t));
-    const Vec3 sideways = along.normalized().cross(outward);
+    const Vec3 sideways = outward.cross(along.normalized());
     for (int j = 0; j < n_around; ++j) {
       const double s = 2 * pi * j / n_around;
       const double radius = 0.42 * (1 + 0.08 * std::cos(6 * s + 24 * t));
