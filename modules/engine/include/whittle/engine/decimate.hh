@@ -40,9 +40,9 @@ enum class Boundary {
 
 /// How far a run has come.
 struct Progress {
-  std::uint64_t n_vertices;     ///< left now
-  std::uint64_t n_faces;        ///< left now
-  double fraction;              ///< of the way to the nearest target, [0, 1]
+  std::uint64_t n_vertices;  ///< left now
+  std::uint64_t n_faces;     ///< left now
+  double fraction;           ///< of the way to the nearest target, [0, 1]
 };
 
 /// One contraction, in the input's vertex numbers.
@@ -57,7 +57,8 @@ struct DecimateOptions {
   QuadricOptions quadric;
   Boundary boundary = Boundary::weighted;
 
-  /// A contraction that turns the normal of a remaining face further than this is refused, degrees. (0, 180]; 180 = off.
+  /// A contraction that turns the normal of a remaining face further than this is refused, degrees. (0, 180]; 180 =
+  /// off.
   double max_normal_flip_deg = 75;
 
   /// V or empty; vertices with a non-zero entry neither move nor vanish. Their other neighbours may merge into them.
@@ -97,6 +98,7 @@ struct DecimateResult {
   double max_cost = 0;  ///< greatest cost of a contraction made; unit as `DecimateTarget::max_cost`
   StopReason stop = StopReason::exhausted;
   Rejections rejections;
+  std::uint64_t n_degenerate_faces = 0;  ///< faces of the input with two equal corners, left out from the start
 };
 
 /// The decimated mesh and where the input's vertices went.

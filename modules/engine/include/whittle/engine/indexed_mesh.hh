@@ -26,10 +26,10 @@ struct IndexedMesh {
   std::vector<Vec3> positions;  ///< V; finite, model units.
   std::vector<Triangle> faces;  ///< F; every number below V.
 
-  std::vector<std::array<float, 3>> normals;          ///< V; unit length (zero where undefined).
-  std::vector<Color> colors;                          ///< V.
-  std::vector<std::array<float, 2>> corner_texcoords; ///< 3F; corner c of face f at 3f + c.
-  std::vector<Index> face_groups;                     ///< F; the material or group, a number into `group_names`.
+  std::vector<std::array<float, 3>> normals;           ///< V; unit length (zero where undefined).
+  std::vector<Color> colors;                           ///< V.
+  std::vector<std::array<float, 2>> corner_texcoords;  ///< 3F; corner c of face f at 3f + c.
+  std::vector<Index> face_groups;                      ///< F; the material or group, a number into `group_names`.
   std::vector<std::string> group_names;
 
   /// V; the number each vertex had in the file or array it first came from, ascending. Welding keeps the lowest of the

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "whittle/engine/quadric.hh"
 
@@ -35,8 +36,8 @@ struct QuadricOptions {
   Weights weights = Weights::area;
   Placement placement = Placement::optimal;
 
-  /// ε, times the weight of a vertex's planes, times squared distance to the vertex: keeps the minimum unique and near on
-  /// flat and straight neighbourhoods. [0, inf). Measured: 1e-9 … 1e-7 best; 1e-5 costs 60 % error on CAD; 0 lets
+  /// ε, times the weight of a vertex's planes, times squared distance to the vertex: keeps the minimum unique and near
+  /// on flat and straight neighbourhoods. [0, inf). Measured: 1e-9 … 1e-7 best; 1e-5 costs 60 % error on CAD; 0 lets
   /// rounding decide on flat ground.
   double regularization = 1e-9;
 
@@ -55,14 +56,14 @@ struct PairEvaluation {
   Vec3 position;  ///< v̄
 };
 
-/// Farthest an optimal placement may lie from the middle of the pair, in lengths of the pair. The planes of a long, slightly conical
-/// surface all but meet at its distant tip: without a limit a contraction there makes a spike. Results do not change
-/// between 4 and 32 on scans; CAD wants a few.
+/// Farthest an optimal placement may lie from the middle of the pair, in lengths of the pair. The planes of a long,
+/// slightly conical surface all but meet at its distant tip: without a limit a contraction there makes a spike. Results
+/// do not change between 4 and 32 on scans; CAD wants a few.
 inline constexpr double max_placement_reach = 8;
 
 /// Cost and placement of contracting two vertices at p0 and p1 with quadrics q0, q1 about their own positions.
-/// Swapping the vertices gives the same bits, but where both ends cost the same: there the first one's position wins, so
-/// callers pass the vertex of the lower original number first.
+/// Swapping the vertices gives the same bits, but where both ends cost the same: there the first one's position wins,
+/// so callers pass the vertex of the lower original number first.
 inline PairEvaluation evaluate_pair(const Quadric& q0, const Vec3& p0, const Quadric& q1, const Vec3& p1,
                                     Placement placement, Pinned pinned = Pinned::none) {
   // Both about the midpoint: x = 0 there, −h at p0, +h at p1.
@@ -96,54 +97,60 @@ inline PairEvaluation evaluate_pair(const Quadric& q0, const Vec3& p0, const Qua
 }
 
 /// The quadric of the merged vertex about its position.
-inline Quadric merged_quadric(const Quadric& q0, const Vec3& p0, const Quadric& q1, const Vec3& p1, const Vec3& position) {
+inline Quadric merged_quadric(const Quadric& q0, const Vec3& p0, const Quadric& q1, const Vec3& p1,
+                              const Vec3& position) {
   Quadric q = q0.about(position - p0);
   q += q1.about(position - p1);
   q.c = std::max(0.0, q.c);
   return q;
 }
 
-/// Share of one face in the quadrics of its corners, each about its own corner, where it is a matrix alone.
-/// Corners given counter-clockwise; a face without area adds nothing.
-inline std::array<SymmetricMatrix, 3> face_quadrics(const std::array<Vec3, 3>& corners, const QuadricOptions& options) {
+/// The plane of a face: its unit normal, and its weight at each corner. Weights are zero for a face without area.
+struct FacePlane {
+  Vec3 normal = Vec3::Zero();
+  std::array<double, 3> weights{};
+};
+
+/// \param corners counter-clockwise
+inline FacePlane face_plane(const std::array<Vec3, 3>& corners, Weights weights) {
   const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   const double length = normal.norm();
   if (!(length > 0)) return {};
-  const Vec3 unit = normal / length;
-  const auto share = [&](double weight) {
-    return SymmetricMatrix::outer(unit, weight) + SymmetricMatrix::identity(options.regularization * weight);
-  };
-  switch (options.weights) {
-    case Weights::area: {
-      const SymmetricMatrix s = share(0.5 * length);
-      return {s, s, s};
-    }
-    case Weights::uniform: {
-      const SymmetricMatrix s = share(1);
-      return {s, s, s};
-    }
-    case Weights::area_angle: break;
-  }
-  std::array<SymmetricMatrix, 3> shares;
+  FacePlane plane{normal / length, {1, 1, 1}};
+  if (weights == Weights::uniform) return plane;
+  plane.weights.fill(0.5 * length);
+  if (weights == Weights::area) return plane;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 u = corners[(i + 1) % 3] - corners[i];
     const Vec3 v = corners[(i + 2) % 3] - corners[i];
-    const double angle = std::atan2(length, u.dot(v));
-    shares[i] = share(0.5 * length * angle / EIGEN_PI);
+    plane.weights[i] *= std::atan2(length, u.dot(v)) / std::numbers::pi;
   }
+  return plane;
+}
+
+/// The quadric of a plane through its vertex, about that vertex, where it is a matrix alone: w n nᵀ + ε w I.
+inline SymmetricMatrix plane_quadric(const Vec3& unit_normal, double weight, const QuadricOptions& options) {
+  return SymmetricMatrix::outer(unit_normal, weight) + SymmetricMatrix::identity(options.regularization * weight);
+}
+
+/// Share of one face in the quadrics of its corners, each about its own corner.
+inline std::array<SymmetricMatrix, 3> face_quadrics(const std::array<Vec3, 3>& corners, const QuadricOptions& options) {
+  const FacePlane plane = face_plane(corners, options.weights);
+  std::array<SymmetricMatrix, 3> shares;
+  for (std::size_t i = 0; i < 3; ++i) shares[i] = plane_quadric(plane.normal, plane.weights[i], options);
   return shares;
 }
 
 /// Share of a border edge in the quadrics of both its ends, each about itself: the plane through the edge perpendicular
 /// to its face, whose third corner is `opposite`. Zero for an edge or a face without extent.
-inline SymmetricMatrix border_quadric(const Vec3& from, const Vec3& to, const Vec3& opposite, const QuadricOptions& options) {
+inline SymmetricMatrix border_quadric(const Vec3& from, const Vec3& to, const Vec3& opposite,
+                                      const QuadricOptions& options) {
   const Vec3 edge = to - from;
   const Vec3 inward = edge.cross(opposite - from).cross(edge);
   const double length = inward.norm();
   if (!(length > 0)) return {};
   const double unit_weight = options.weights == Weights::uniform ? 1 : edge.squaredNorm();
-  const double weight = options.boundary_weight * unit_weight;
-  return SymmetricMatrix::outer(inward / length, weight) + SymmetricMatrix::identity(options.regularization * weight);
+  return plane_quadric(inward / length, options.boundary_weight * unit_weight, options);
 }
 
 }  // namespace whittle

@@ -1,0 +1,278 @@
+#include "contraction_loop.hh"
+
+#include <cmath>
+#include <numbers>
+
+namespace whittle {
+
+namespace {
+
+constexpr float not_raised = -1;
+/// Candidates between two calls of the progress callback: about a millisecond.
+constexpr std::uint64_t progress_interval = 2048;
+
+}  // namespace
+
+ContractionLoop::ContractionLoop(TriangleComplex& complex, std::vector<Quadric> quadrics,
+                                 const DecimateOptions& options, LoopSettings settings)
+    : complex_(complex),
+      quadrics_(std::move(quadrics)),
+      options_(options),
+      settings_(std::move(settings)),
+      min_flip_cosine_(std::cos(options.max_normal_flip_deg * std::numbers::pi / 180)),
+      cost_times_area_(options.quadric.weights != Weights::uniform),
+      n_initial_vertices_(complex.n_vertices()),
+      n_initial_faces_(complex.n_faces()),
+      pairs_(complex.edges()),
+      raised_(complex.n_vertex_slots()),
+      refused_(complex.n_vertex_slots()),
+      is_refused_(pairs_.size()) {}
+
+DecimateResult ContractionLoop::run() {
+  fill_queue();
+  std::optional<StopReason> stop;
+  for (std::uint64_t n_turns = 0; !stop; ++n_turns) {
+    if (target_reached()) {
+      stop = StopReason::target;
+    } else if (n_turns % progress_interval == 0 && !report_progress()) {
+      stop = StopReason::cancelled;
+    } else if (const std::optional<Candidate> candidate = next_candidate()) {
+      stop = take_turn(*candidate);
+    } else {
+      stop = StopReason::exhausted;
+    }
+  }
+  result_.stop = *stop;
+  result_.n_vertices = complex_.n_vertices();
+  result_.n_faces = complex_.n_faces();
+  result_.max_cost = settings_.frame.cost_to_model(result_.max_cost, cost_times_area_);
+  return result_;
+}
+
+bool ContractionLoop::target_reached() const {
+  const DecimateTarget& target = settings_.target;
+  return (target.faces && complex_.n_faces() <= *target.faces) ||
+         (target.vertices && complex_.n_vertices() <= *target.vertices);
+}
+
+bool ContractionLoop::report_progress() const {
+  if (!options_.progress) return true;
+  const auto share = [](std::uint64_t initial, std::uint64_t now, std::optional<std::uint64_t> target) {
+    if (!target || initial <= *target) return 0.0;
+    return static_cast<double>(initial - now) / static_cast<double>(initial - *target);
+  };
+  const double faces = share(n_initial_faces_, complex_.n_faces(), settings_.target.faces);
+  const double vertices = share(n_initial_vertices_, complex_.n_vertices(), settings_.target.vertices);
+  return options_.progress({complex_.n_vertices(), complex_.n_faces(), std::min(1.0, std::max(faces, vertices))});
+}
+
+void ContractionLoop::fill_queue() {
+  for (Index pair = 0; pair < pairs_.size(); ++pair) {
+    const auto [a, b] = pairs_[pair];
+    const PairEvaluation evaluation = evaluate(a, b);
+    note_raised(pair, a, b, evaluation);
+    queue_.push(pair, BucketQueue::bucket_of(evaluation.cost));
+  }
+}
+
+std::optional<ContractionLoop::Candidate> ContractionLoop::next_candidate() {
+  while (true) {
+    const bool in_batch = n_taken_ < batch_.size();
+    if (in_batch && (late_.empty() || batch_[n_taken_] < late_.top())) return batch_[n_taken_++];
+    if (!late_.empty()) {
+      const Candidate candidate = late_.top();
+      late_.pop();
+      return candidate;
+    }
+    if (!queue_.open_next(members_)) return std::nullopt;
+    open_bucket();
+  }
+}
+
+void ContractionLoop::open_bucket() {
+  batch_.clear();
+  n_taken_ = 0;
+  for (const Index pair : members_) {
+    Index a, b;
+    if (!find_vertices(pair, a, b)) continue;
+    const PairEvaluation evaluation = evaluate(a, b);
+    note_raised(pair, a, b, evaluation);
+    const BucketQueue::Bucket bucket = BucketQueue::bucket_of(evaluation.cost);
+    if (queue_.is_past(bucket)) {
+      batch_.push_back(candidate_of(pair, a, b, evaluation.cost));
+    } else {
+      queue_.push(pair, bucket);
+    }
+  }
+  std::sort(batch_.begin(), batch_.end());
+}
+
+/// The vertices that the pair's ends have been merged into; false if that is one and the same.
+bool ContractionLoop::find_vertices(Index pair, Index& a, Index& b) {
+  TriangleComplex::Pair& ends = pairs_[pair];
+  a = ends.first = complex_.representative(ends.first);
+  b = ends.second = complex_.representative(ends.second);
+  return a != b;
+}
+
+PairEvaluation ContractionLoop::evaluate(Index a, Index b) const {
+  const Pinned pinned = is_locked(a) ? Pinned::first : is_locked(b) ? Pinned::second : Pinned::none;
+  return evaluate_pair(quadrics_[a], complex_.position(a), quadrics_[b], complex_.position(b),
+                       options_.quadric.placement, pinned);
+}
+
+ContractionLoop::Candidate ContractionLoop::candidate_of(Index pair, Index a, Index b, double cost) const {
+  const auto [low, high] = std::minmax(complex_.origin(a), complex_.origin(b));
+  return {cost, low, high, pair};
+}
+
+void ContractionLoop::enqueue(const Candidate& candidate) {
+  const BucketQueue::Bucket bucket = BucketQueue::bucket_of(candidate.cost);
+  if (queue_.is_past(bucket)) {
+    late_.push(candidate);
+  } else {
+    queue_.push(candidate.pair, bucket);
+  }
+}
+
+std::optional<StopReason> ContractionLoop::take_turn(const Candidate& candidate) {
+  Index a, b;
+  if (!find_vertices(candidate.pair, a, b)) return std::nullopt;
+  if (complex_.origin(b) < complex_.origin(a)) std::swap(a, b);
+  const PairEvaluation evaluation = evaluate(a, b);
+  const Candidate now = candidate_of(candidate.pair, a, b, evaluation.cost);
+  if (candidate < now) {  // it has grown since it was sorted in
+    note_raised(candidate.pair, a, b, evaluation);
+    enqueue(now);
+    return std::nullopt;
+  }
+  if (settings_.target.max_cost && evaluation.cost > *settings_.target.max_cost) return StopReason::cost;
+  const Refusal refusal = find_refusal(a, b, evaluation.position);
+  if (refusal != Refusal::none) {
+    refuse(candidate.pair, a, b, refusal);
+  } else {
+    contract(a, b, evaluation);
+  }
+  return std::nullopt;
+}
+
+ContractionLoop::Refusal ContractionLoop::find_refusal(Index a, Index b, const Vec3& position) {
+  if (is_locked(a) && is_locked(b)) return Refusal::locked;
+  complex_.gather(a, b, star_);
+  if (!complex_.link_condition(a, b, star_)) return Refusal::link;
+  if (turns_a_face(star_.first, complex_.position(a), position)) return Refusal::flip;
+  if (turns_a_face(star_.second, complex_.position(b), position)) return Refusal::flip;
+  return Refusal::none;
+}
+
+/// Whether moving the common corner of `wings` turns one of them beyond the limit, or takes its area away. A face that
+/// has no area has no direction to keep.
+bool ContractionLoop::turns_a_face(const std::vector<PairStar::Wing>& wings, const Vec3& from, const Vec3& to) const {
+  for (const PairStar::Wing& wing : wings) {
+    const Vec3& x = complex_.position(wing.x);
+    const Vec3& y = complex_.position(wing.y);
+    const Vec3 before = (x - from).cross(y - from);
+    const Vec3 after = (x - to).cross(y - to);
+    const double product = before.squaredNorm() * after.squaredNorm();
+    if (product > 0 ? before.dot(after) < min_flip_cosine_ * std::sqrt(product) : before.squaredNorm() > 0) return true;
+  }
+  return false;
+}
+
+void ContractionLoop::contract(Index a, Index b, const PairEvaluation& evaluation) {
+  // The lower origin survives, unless the other one is locked.
+  Index survivor = a;
+  Index removed = b;
+  if (is_locked(b)) {
+    std::swap(survivor, removed);
+    std::swap(star_.first, star_.second);
+  }
+  quadrics_[survivor] =
+      merged_quadric(quadrics_[a], complex_.position(a), quadrics_[b], complex_.position(b), evaluation.position);
+  complex_.contract(survivor, removed, evaluation.position, star_);
+  ++result_.n_contractions;
+  result_.max_cost = std::max(result_.max_cost, evaluation.cost);
+  if (options_.listener) {
+    options_.listener({complex_.origin(survivor), complex_.origin(removed),
+                       settings_.frame.to_model(evaluation.position),
+                       settings_.frame.cost_to_model(evaluation.cost, cost_times_area_)});
+  }
+
+  wake_raised(survivor, removed);
+  wake_refused_at(survivor);
+  wake_refused_at(removed);
+  for (const auto* wings : {&star_.first, &star_.second}) {
+    for (const PairStar::Wing& wing : *wings) {
+      wake_refused_at(wing.x);
+      wake_refused_at(wing.y);
+    }
+  }
+  for (const PairStar::Shared& shared : star_.shared) wake_refused_at(shared.opposite);
+}
+
+void ContractionLoop::note_raised(Index pair, Index a, Index b, const PairEvaluation& evaluation) {
+  const bool is_raised = !raised_costs_.empty() && raised_costs_[pair] != not_raised;
+  if (is_raised) {
+    raised_costs_[pair] = static_cast<float>(evaluation.cost);
+    return;
+  }
+  if (evaluation.cost <= evaluation.bound) return;
+  if (raised_costs_.empty()) raised_costs_.assign(pairs_.size(), not_raised);
+  raised_costs_[pair] = static_cast<float>(evaluation.cost);
+  raised_.add(a, pair);
+  raised_.add(b, pair);
+}
+
+/// Queues anew those raised pairs at the merged vertex that have become cheaper.
+void ContractionLoop::wake_raised(Index survivor, Index removed) {
+  if (!raised_.any_at(survivor) && !raised_.any_at(removed)) return;
+  woken_.clear();
+  raised_.take(survivor, woken_);
+  raised_.take(removed, woken_);
+  for (const Index pair : woken_) {
+    Index a, b;
+    if (!find_vertices(pair, a, b)) continue;
+    raised_.add(survivor, pair);
+    const PairEvaluation evaluation = evaluate(a, b);
+    if (static_cast<float>(evaluation.cost) > raised_costs_[pair]) continue;
+    raised_costs_[pair] = static_cast<float>(evaluation.cost);
+    enqueue(candidate_of(pair, a, b, evaluation.cost));
+  }
+}
+
+void ContractionLoop::refuse(Index pair, Index a, Index b, Refusal refusal) {
+  switch (refusal) {
+    case Refusal::locked:
+      ++result_.rejections.locked;
+      return;  // for good
+    case Refusal::link:
+      ++result_.rejections.link;
+      break;
+    case Refusal::flip:
+      ++result_.rejections.flip;
+      break;
+    case Refusal::none:
+      return;
+  }
+  if (is_refused_[pair]) return;
+  is_refused_[pair] = true;
+  refused_.add(a, pair);
+  refused_.add(b, pair);
+}
+
+void ContractionLoop::wake_refused_at(Index v) {
+  if (!refused_.any_at(v)) return;
+  woken_.clear();
+  refused_.take(v, woken_);
+  for (const Index pair : woken_) {
+    if (!is_refused_[pair]) continue;  // woken from its other vertex before
+    is_refused_[pair] = false;
+    Index a, b;
+    if (!find_vertices(pair, a, b)) continue;
+    const PairEvaluation evaluation = evaluate(a, b);
+    note_raised(pair, a, b, evaluation);
+    enqueue(candidate_of(pair, a, b, evaluation.cost));
+  }
+}
+
+}  // namespace whittle

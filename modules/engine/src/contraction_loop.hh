@@ -1,0 +1,103 @@
+#pragma once
+
+#include <optional>
+#include <queue>
+#include <vector>
+
+#include "whittle/engine/bucket_queue.hh"
+#include "whittle/engine/decimate.hh"
+#include "whittle/engine/frame.hh"
+#include "whittle/engine/triangle_complex.hh"
+#include "whittle/engine/waiting_pairs.hh"
+
+namespace whittle {
+
+/// What the loop works with, all in the frame and in the complex's numbering.
+struct LoopSettings {
+  DecimateTarget target;
+  Frame frame;
+  std::vector<std::uint8_t> locked;  ///< per vertex, or empty
+};
+
+/// Contracts pairs in order of cost until a target is reached.
+///
+/// A pair's place in the queue is a lower bound of its cost (see `PairEvaluation::bound`), so a contraction touches no
+/// neighbour's entry. Pairs are evaluated when their bucket is opened, all of them in one go, and once more when their
+/// turn comes. Two kinds of pair can get cheaper, and wait at their vertices to be looked at again:
+///   raised    its cost is above its bound (pinned, or placed elsewhere than at the minimum): queued under its cost,
+///   until
+///             one of its vertices merges;
+///   refused   a guard refused it: in no queue, until one of its vertices or of their neighbours changes.
+class ContractionLoop {
+ public:
+  ContractionLoop(TriangleComplex& complex, std::vector<Quadric> quadrics, const DecimateOptions& options,
+                  LoopSettings settings);
+
+  DecimateResult run();
+
+ private:
+  /// A pair under its true cost; less is earlier.
+  struct Candidate {
+    double cost;
+    Index low, high;  ///< the origins of its vertices
+    Index pair;
+    friend bool operator<(const Candidate& a, const Candidate& b) {
+      if (a.cost != b.cost) return a.cost < b.cost;
+      if (a.low != b.low) return a.low < b.low;
+      if (a.high != b.high) return a.high < b.high;
+      return a.pair < b.pair;
+    }
+    friend bool operator>(const Candidate& a, const Candidate& b) { return b < a; }
+  };
+  enum class Refusal { none, link, flip, locked };
+
+  void fill_queue();
+  bool target_reached() const;
+  bool report_progress() const;
+
+  std::optional<Candidate> next_candidate();
+  void open_bucket();
+  void enqueue(const Candidate& candidate);
+
+  bool find_vertices(Index pair, Index& a, Index& b);
+  PairEvaluation evaluate(Index a, Index b) const;
+  Candidate candidate_of(Index pair, Index a, Index b, double cost) const;
+  std::optional<StopReason> take_turn(const Candidate& candidate);
+  Refusal find_refusal(Index a, Index b, const Vec3& position);
+  bool turns_a_face(const std::vector<PairStar::Wing>& wings, const Vec3& from, const Vec3& to) const;
+  void contract(Index survivor, Index removed, const PairEvaluation& evaluation);
+
+  void note_raised(Index pair, Index a, Index b, const PairEvaluation& evaluation);
+  void wake_raised(Index survivor, Index removed);
+  void refuse(Index pair, Index a, Index b, Refusal refusal);
+  void wake_refused_at(Index v);
+  bool is_locked(Index v) const { return !settings_.locked.empty() && settings_.locked[v] != 0; }
+
+  TriangleComplex& complex_;
+  std::vector<Quadric> quadrics_;
+  const DecimateOptions& options_;
+  LoopSettings settings_;
+  double min_flip_cosine_;
+  bool cost_times_area_;
+  std::uint64_t n_initial_vertices_;
+  std::uint64_t n_initial_faces_;
+
+  std::vector<TriangleComplex::Pair> pairs_;
+  BucketQueue queue_;
+  std::vector<Index> members_;    ///< of the bucket being opened
+  std::vector<Candidate> batch_;  ///< candidates of the open bucket, in order
+  std::size_t n_taken_ = 0;       ///< how many of them have had their turn
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> late_;  ///< for the open bucket or before it
+
+  WaitingPairs raised_;
+  std::vector<float>
+      raised_costs_;  ///< per pair, what a raised one is queued under; negative for others; empty if none
+  WaitingPairs refused_;
+  std::vector<bool> is_refused_;  ///< per pair
+  std::vector<Index> woken_;      ///< scratch
+
+  PairStar star_;
+  DecimateResult result_;
+};
+
+}  // namespace whittle

@@ -1,0 +1,195 @@
+#include "whittle/engine/decimate.hh"
+
+#include <stdexcept>
+
+#include "contraction_loop.hh"
+#include "initial_quadrics.hh"
+
+namespace whittle {
+namespace {
+
+void require(bool condition, const std::string& what) {
+  if (!condition) throw std::invalid_argument("decimate: " + what);
+}
+
+bool is_finite_and_not_negative(double x) { return x >= 0 && std::isfinite(x); }
+
+void check(const DecimateTarget& target, const DecimateOptions& options, std::size_t n_vertices) {
+  require(!target.max_cost || *target.max_cost >= 0, "max_cost is negative or not a number");
+  require(is_finite_and_not_negative(options.quadric.regularization), "regularization is negative or not finite");
+  require(is_finite_and_not_negative(options.quadric.boundary_weight), "boundary_weight is negative or not finite");
+  require(options.max_normal_flip_deg > 0 && options.max_normal_flip_deg <= 180,
+          "max_normal_flip_deg is not in (0, 180]");
+  require(options.locked.empty() || options.locked.size() == n_vertices, "locked has another length than the vertices");
+}
+
+void check(const IndexedMesh& mesh) {
+  if (mesh.faces.size() > (std::size_t{1} << 31)) throw std::length_error("decimate: more than 2^31 faces");
+  if (mesh.positions.size() >= invalid_index) throw std::length_error("decimate: more than 2^32 - 2 vertices");
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (const Index v : mesh.faces[f]) {
+      require(v < mesh.positions.size(), "face " + std::to_string(f) + " names vertex " + std::to_string(v) + " of " +
+                                             std::to_string(mesh.positions.size()));
+    }
+  }
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    require(mesh.positions[v].allFinite(), "vertex " + std::to_string(v) + " has a coordinate that is not finite");
+  }
+}
+
+Frame frame_of(const std::vector<Vec3>& positions) {
+  if (positions.empty()) return {};
+  Vec3 low = positions[0];
+  Vec3 high = positions[0];
+  for (const Vec3& p : positions) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return Frame::of_box(low, high);
+}
+
+std::vector<Vec3> in_frame(const std::vector<Vec3>& positions, const Frame& frame) {
+  std::vector<Vec3> result(positions.size());
+  for (std::size_t v = 0; v < positions.size(); ++v) result[v] = frame.to_frame(positions[v]);
+  return result;
+}
+
+LoopSettings loop_settings(const TriangleComplex& complex, const Frame& frame, const DecimateTarget& target,
+                           const DecimateOptions& options) {
+  LoopSettings settings{target, frame, {}};
+  if (target.max_cost) {
+    settings.target.max_cost = frame.cost_to_frame(*target.max_cost, options.quadric.weights != Weights::uniform);
+  }
+  if (options.locked.empty() && options.boundary != Boundary::locked) return settings;
+  settings.locked.resize(complex.n_vertex_slots());
+  for (Index v = 0; v < settings.locked.size(); ++v) {
+    const bool by_user = !options.locked.empty() && options.locked[complex.origin(v)] != 0;
+    const bool by_border = options.boundary == Boundary::locked && complex.order(v) != VertexOrder::regular;
+    settings.locked[v] = by_user || by_border;
+  }
+  return settings;
+}
+
+/// Where each input vertex went, as a vertex of the complex; `invalid_index` for those without a face.
+std::vector<Index> representatives(TriangleComplex& complex) {
+  std::vector<Index> result(complex.n_vertex_slots(), invalid_index);
+  for (Index v = 0; v < complex.n_vertex_slots(); ++v) {
+    const Index r = complex.representative(v);
+    if (!complex.faces_at(r).empty()) result[complex.origin(v)] = r;
+  }
+  return result;
+}
+
+/// Surviving faces by ascending origin, still in the complex's vertex numbers.
+std::vector<Triangle> surviving_faces(const TriangleComplex& complex, std::size_t n_input_faces) {
+  std::vector<Index> slot_of(n_input_faces, invalid_index);
+  for (Index f = 0; f < complex.n_face_slots(); ++f) {
+    if (complex.is_alive(f)) slot_of[complex.face_origin(f)] = f;
+  }
+  std::vector<Triangle> faces;
+  faces.reserve(complex.n_faces());
+  for (const Index f : slot_of) {
+    if (f != invalid_index) faces.push_back(complex.face(f));
+  }
+  return faces;
+}
+
+/// The mean colour of the vertices merged into each vertex of the result.
+std::vector<Color> merged_colors(const IndexedMesh& input, const std::vector<Index>& vertex_map,
+                                 std::size_t n_vertices) {
+  std::vector<std::array<double, 4>> sums(n_vertices);
+  std::vector<double> counts(n_vertices);
+  for (std::size_t v = 0; v < vertex_map.size(); ++v) {
+    if (vertex_map[v] == invalid_index) continue;
+    for (std::size_t channel = 0; channel < 4; ++channel) sums[vertex_map[v]][channel] += input.colors[v][channel];
+    ++counts[vertex_map[v]];
+  }
+  std::vector<Color> colors(n_vertices);
+  for (std::size_t v = 0; v < n_vertices; ++v) {
+    for (std::size_t channel = 0; channel < 4; ++channel) {
+      colors[v][channel] = static_cast<float>(sums[v][channel] / counts[v]);
+    }
+  }
+  return colors;
+}
+
+/// Unit normals: the sum of the faces' normals weighted by their areas.
+std::vector<std::array<float, 3>> vertex_normals(const IndexedMesh& mesh, const Frame& frame) {
+  std::vector<Vec3> sums(mesh.positions.size(), Vec3::Zero());
+  for (const Triangle& face : mesh.faces) {
+    const Vec3 p = frame.to_frame(mesh.positions[face[0]]);
+    const Vec3 normal =
+        (frame.to_frame(mesh.positions[face[1]]) - p).cross(frame.to_frame(mesh.positions[face[2]]) - p);
+    for (const Index v : face) sums[v] += normal;
+  }
+  std::vector<std::array<float, 3>> normals(sums.size());
+  for (std::size_t v = 0; v < sums.size(); ++v) {
+    const double length = sums[v].norm();
+    if (length > 0) sums[v] /= length;
+    normals[v] = {static_cast<float>(sums[v].x()), static_cast<float>(sums[v].y()), static_cast<float>(sums[v].z())};
+  }
+  return normals;
+}
+
+Decimation make_output(const IndexedMesh& input, TriangleComplex& complex, const Frame& frame) {
+  Decimation out;
+  out.vertex_map = representatives(complex);
+  std::vector<Index> output_of(complex.n_vertex_slots(), invalid_index);
+  IndexedMesh& mesh = out.mesh;
+  mesh.positions.reserve(complex.n_vertices());
+  mesh.origins.reserve(complex.n_vertices());
+  for (Index v = 0; v < out.vertex_map.size(); ++v) {
+    const Index r = out.vertex_map[v];
+    if (r == invalid_index || complex.origin(r) != v) continue;
+    output_of[r] = static_cast<Index>(mesh.positions.size());
+    mesh.positions.push_back(frame.to_model(complex.position(r)));
+    mesh.origins.push_back(input.origins.empty() ? v : input.origins[v]);
+  }
+  for (Index& r : out.vertex_map) {
+    if (r != invalid_index) r = output_of[r];
+  }
+  mesh.faces = surviving_faces(complex, input.faces.size());
+  for (Triangle& face : mesh.faces) {
+    for (Index& v : face) v = output_of[v];
+  }
+  if (!input.colors.empty()) mesh.colors = merged_colors(input, out.vertex_map, mesh.positions.size());
+  if (!input.normals.empty()) mesh.normals = vertex_normals(mesh, frame);
+  return out;
+}
+
+}  // namespace
+
+std::string_view to_string(StopReason reason) {
+  switch (reason) {
+    case StopReason::target:
+      return "target";
+    case StopReason::cost:
+      return "cost";
+    case StopReason::exhausted:
+      return "exhausted";
+    case StopReason::cancelled:
+      return "cancelled";
+  }
+  return "";
+}
+
+Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options) {
+  check(target, options, mesh.positions.size());
+  check(mesh);
+  const Frame frame = frame_of(mesh.positions);
+  TriangleComplex complex(in_frame(mesh.positions, frame), mesh.faces);
+  QuadricOptions quadric = options.quadric;
+  if (options.boundary == Boundary::free) quadric.boundary_weight = 0;
+  DecimateResult result;
+  {
+    ContractionLoop loop(complex, initial_quadrics(complex, quadric), options,
+                         loop_settings(complex, frame, target, options));
+    result = loop.run();
+  }
+  result.n_degenerate_faces = complex.n_degenerate_faces();
+  Decimation out = make_output(mesh, complex, frame);
+  out.result = result;
+  return out;
+}
+
+}  // namespace whittle

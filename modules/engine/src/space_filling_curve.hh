@@ -1,0 +1,13 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "whittle/engine/indexed_mesh.hh"
+
+namespace whittle {
+
+/// The positions' numbers along a Morton curve through their bounding box, 1024 cells a side; equal cells by number.
+std::vector<Index> morton_order(std::span<const Vec3> positions);
+
+}  // namespace whittle

@@ -1,0 +1,276 @@
+#include "whittle/engine/triangle_complex.hh"
+
+#include <algorithm>
+
+#include "space_filling_curve.hh"
+
+namespace whittle {
+
+void FaceLists::push_back(Index v, Index face) {
+  List& list = lists_[v];
+  if (list.count < inline_capacity) {
+    list.faces[list.count++] = face;
+    return;
+  }
+  if (list.count == inline_capacity) {
+    Index slot;
+    if (free_overflow_.empty()) {
+      slot = static_cast<Index>(overflow_.size());
+      overflow_.emplace_back();
+    } else {
+      slot = free_overflow_.back();
+      free_overflow_.pop_back();
+    }
+    overflow_[slot].assign(list.faces.begin(), list.faces.end());
+    list.faces[0] = slot;
+  }
+  overflow_[list.faces[0]].push_back(face);
+  ++list.count;
+}
+
+void FaceLists::truncate(Index v, std::size_t count) {
+  List& list = lists_[v];
+  if (list.count > inline_capacity) {
+    const Index slot = list.faces[0];
+    std::vector<Index>& faces = overflow_[slot];
+    faces.resize(count);
+    if (count <= inline_capacity) {
+      std::copy(faces.begin(), faces.end(), list.faces.begin());
+      faces = {};
+      free_overflow_.push_back(slot);
+    }
+  }
+  list.count = static_cast<Index>(count);
+}
+
+TriangleComplex::TriangleComplex(std::vector<Vec3> positions, std::span<const Triangle> faces) {
+  std::vector<Index> number_of;
+  number_vertices(positions, number_of);
+  positions = {};
+  number_faces(faces, number_of);
+  ring_place_.resize(positions_.size());
+  list_faces();
+  classify_vertices();
+}
+
+void TriangleComplex::number_vertices(const std::vector<Vec3>& positions, std::vector<Index>& number_of) {
+  origins_ = morton_order(positions);
+  number_of.resize(positions.size());
+  positions_.resize(positions.size());
+  parents_.resize(positions.size());
+  for (Index v = 0; v < origins_.size(); ++v) {
+    number_of[origins_[v]] = v;
+    positions_[v] = positions[origins_[v]];
+    parents_[v] = v;
+  }
+}
+
+/// Faces by their lowest vertex number; where that is equal, in the input's order.
+void TriangleComplex::number_faces(std::span<const Triangle> faces, const std::vector<Index>& number_of) {
+  const auto renumbered = [&](const Triangle& f) {
+    return Triangle{number_of[f[0]], number_of[f[1]], number_of[f[2]]};
+  };
+  const auto is_degenerate = [](const Triangle& f) { return f[0] == f[1] || f[1] == f[2] || f[2] == f[0]; };
+  std::vector<Index> starts(positions_.size() + 1);
+  for (const Triangle& face : faces) {
+    if (is_degenerate(face)) {
+      ++n_degenerate_faces_;
+    } else {
+      ++starts[std::ranges::min(renumbered(face)) + 1];
+    }
+  }
+  for (std::size_t v = 1; v < starts.size(); ++v) starts[v] += starts[v - 1];
+  n_faces_ = faces.size() - n_degenerate_faces_;
+  faces_.resize(n_faces_);
+  face_origins_.resize(n_faces_);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (is_degenerate(faces[f])) continue;
+    const Triangle face = renumbered(faces[f]);
+    const Index place = starts[std::ranges::min(face)]++;
+    faces_[place] = face;
+    face_origins_[place] = static_cast<Index>(f);
+  }
+}
+
+/// Each vertex's faces, in the input's order, so that sums over them do not depend on the numbering in here.
+void TriangleComplex::list_faces() {
+  face_lists_ = FaceLists(positions_.size());
+  for (Index f = 0; f < faces_.size(); ++f) {
+    for (const Index v : faces_[f]) face_lists_.push_back(v, f);
+  }
+  const auto by_origin = [&](Index f, Index g) { return face_origins_[f] < face_origins_[g]; };
+  for (Index v = 0; v < positions_.size(); ++v) {
+    const std::span<Index> list = face_lists_.of(v);
+    if (!list.empty()) ++n_vertices_;
+    if (!std::is_sorted(list.begin(), list.end(), by_origin)) std::sort(list.begin(), list.end(), by_origin);
+  }
+}
+
+Index TriangleComplex::place_in_ring(Index v) {
+  const Index place = ring_place_[v];
+  if (place < ring_.size() && ring_[place].vertex == v) return place;
+  ring_place_[v] = static_cast<Index>(ring_.size());
+  ring_.push_back({.vertex = v});
+  return ring_place_[v];
+}
+
+namespace {
+
+/// The corners of `face` after v, in order.
+std::array<Index, 2> others(const Triangle& face, Index v) {
+  if (face[0] == v) return {face[1], face[2]};
+  if (face[1] == v) return {face[2], face[0]};
+  return {face[0], face[1]};
+}
+
+}  // namespace
+
+void TriangleComplex::classify_vertices() {
+  orders_.resize(positions_.size());
+  for (Index v = 0; v < positions_.size(); ++v) orders_[v] = classify(v);
+}
+
+VertexOrder TriangleComplex::classify(Index v) {
+  ring_.clear();
+  const auto join = [&](Index from, Index to) {
+    RingEntry& entry = ring_[from];
+    if (entry.n_faces[0] < 2) entry.next[entry.n_faces[0]] = to;
+    ++entry.n_faces[0];
+  };
+  for (const Index f : face_lists_.of(v)) {
+    const auto [x, y] = others(faces_[f], v);
+    const Index at_x = place_in_ring(x);
+    const Index at_y = place_in_ring(y);
+    join(at_x, at_y);
+    join(at_y, at_x);
+  }
+  std::size_t n_ends = 0;
+  Index start = 0;
+  for (Index i = 0; i < ring_.size(); ++i) {
+    if (ring_[i].n_faces[0] > 2) return VertexOrder::junction;
+    if (ring_[i].n_faces[0] == 1) {
+      ++n_ends;
+      start = i;
+    }
+  }
+  if (ring_.empty()) return VertexOrder::regular;
+  if (n_ends != 0 && n_ends != 2) return VertexOrder::junction;
+  // The link is a union of closed polygons and at most one open one: a single one if a walk along it meets them all.
+  std::size_t n_met = 1;
+  Index previous = start;
+  Index here = ring_[start].next[0];
+  while (here != start) {
+    ++n_met;
+    const auto& next = ring_[here].next;
+    const Index ahead = next[0] == previous ? next[1] : next[0];
+    if (ahead == invalid_index) break;
+    previous = here;
+    here = ahead;
+  }
+  if (n_met != ring_.size()) return VertexOrder::junction;
+  return n_ends == 0 ? VertexOrder::regular : VertexOrder::line;
+}
+
+std::vector<TriangleComplex::Pair> TriangleComplex::edges() {
+  std::vector<Pair> pairs;
+  pairs.reserve(n_faces_ + n_faces_ / 2 + 16);
+  for (Index v = 0; v < positions_.size(); ++v) {
+    ring_.clear();
+    for (const Index f : face_lists_.of(v)) {
+      for (const Index w : others(faces_[f], v)) {
+        if (w > v) place_in_ring(w);
+      }
+    }
+    for (const RingEntry& entry : ring_) pairs.push_back({v, entry.vertex});
+  }
+  return pairs;
+}
+
+std::size_t TriangleComplex::n_edge_faces(Index v, Index w) const {
+  const auto has_w = [&](Index f) { return faces_[f][0] == w || faces_[f][1] == w || faces_[f][2] == w; };
+  const std::span<const Index> list = face_lists_.of(v);
+  return static_cast<std::size_t>(std::count_if(list.begin(), list.end(), has_w));
+}
+
+void TriangleComplex::gather_one(Index v, Index other, std::vector<PairStar::Wing>& wings,
+                                 std::vector<PairStar::Shared>* shared) {
+  wings.clear();
+  const std::span<Index> list = face_lists_.of(v);
+  std::size_t n_alive = 0;
+  for (const Index f : list) {
+    if (!is_alive(f)) continue;
+    list[n_alive++] = f;
+    const auto [x, y] = others(faces_[f], v);
+    if (x != other && y != other) {
+      wings.push_back({f, x, y});
+    } else if (shared) {
+      shared->push_back({f, x == other ? y : x});
+    }
+  }
+  if (n_alive != list.size()) face_lists_.truncate(v, n_alive);
+}
+
+void TriangleComplex::gather(Index a, Index b, PairStar& star) {
+  star.shared.clear();
+  gather_one(a, b, star.first, &star.shared);
+  gather_one(b, a, star.second, nullptr);
+}
+
+bool TriangleComplex::link_condition(Index a, Index b, const PairStar& star) {
+  ring_.clear();
+  const auto count_faces = [&](const std::vector<PairStar::Wing>& wings, std::size_t side) {
+    for (const PairStar::Wing& wing : wings) {
+      ++ring_[place_in_ring(wing.x)].n_faces[side];
+      ++ring_[place_in_ring(wing.y)].n_faces[side];
+    }
+  };
+  for (const PairStar::Shared& shared : star.shared) {
+    RingEntry& entry = ring_[place_in_ring(shared.opposite)];
+    entry.opposite = true;
+    ++entry.n_faces[0];
+    ++entry.n_faces[1];
+  }
+  const std::size_t n_opposite = ring_.size();
+  count_faces(star.first, 0);
+  count_faces(star.second, 1);
+
+  // A common neighbour that makes no face with the pair: a tunnel or a fold would close.
+  for (std::size_t i = n_opposite; i < ring_.size(); ++i) {
+    if (ring_[i].n_faces[0] != 0 && ring_[i].n_faces[1] != 0) return false;
+  }
+  // Two faces, one at each vertex, over the same edge of the link: they would coincide (a tetrahedron).
+  const auto is_opposite = [&](Index v) { return ring_[place_in_ring(v)].opposite; };
+  for (const PairStar::Wing& wing : star.first) {
+    if (!is_opposite(wing.x) || !is_opposite(wing.y)) continue;
+    for (const PairStar::Wing& other : star.second) {
+      if ((other.x == wing.x && other.y == wing.y) || (other.x == wing.y && other.y == wing.x)) return false;
+    }
+  }
+  // The cone vertex over irregular edges: two such vertices may only merge along such an edge, not when a third one
+  // makes a triangle of such edges with them (a hole of three edges, a lone face), and not when both are junctions.
+  if (orders_[a] == VertexOrder::regular || orders_[b] == VertexOrder::regular) return true;
+  if (star.shared.size() == 2) return false;
+  if (orders_[a] == VertexOrder::junction && orders_[b] == VertexOrder::junction) return false;
+  return std::none_of(ring_.begin(), ring_.begin() + static_cast<std::ptrdiff_t>(n_opposite),
+                      [](const RingEntry& entry) { return entry.n_faces[0] != 2 && entry.n_faces[1] != 2; });
+}
+
+void TriangleComplex::contract(Index survivor, Index removed, const Vec3& position, const PairStar& star) {
+  for (const PairStar::Shared& shared : star.shared) faces_[shared.face][0] = invalid_index;
+  face_lists_.clear(survivor);
+  for (const PairStar::Wing& wing : star.first) face_lists_.push_back(survivor, wing.face);
+  for (const PairStar::Wing& wing : star.second) {
+    for (Index& corner : faces_[wing.face]) {
+      if (corner == removed) corner = survivor;
+    }
+    face_lists_.push_back(survivor, wing.face);
+  }
+  face_lists_.clear(removed);
+  parents_[removed] = survivor;
+  positions_[survivor] = position;
+  orders_[survivor] = std::max(orders_[survivor], orders_[removed]);
+  n_faces_ -= star.shared.size();
+  --n_vertices_;
+}
+
+}  // namespace whittle
