@@ -139,7 +139,7 @@ IndexedMesh uv_sphere(int n_lat, int n_lon) {
       const double lon = 2 * pi * j / n_lon;
       mesh.positions.emplace_back(std::sin(lat) * std::cos(lon), std::sin(lat) * std::sin(lon), std::cos(lat));
     }
-  const Index north = static_cast<Index>(mesh.positions.size());
+  const auto north = static_cast<Index>(mesh.positions.size());
   const Index south = north + 1;
   mesh.positions.emplace_back(0, 0, 1);
   mesh.positions.emplace_back(0, 0, -1);
