@@ -122,8 +122,9 @@ PairEvaluation ContractionLoop::evaluate(Index a, Index b) const {
 }
 
 ContractionLoop::Candidate ContractionLoop::candidate_of(Index pair, Index a, Index b, double cost) const {
-  const auto [low, high] = std::minmax(complex_.origin(a), complex_.origin(b));
-  return {cost, low, high, pair};
+  const Index origin_a = complex_.origin(a);
+  const Index origin_b = complex_.origin(b);
+  return {cost, std::min(origin_a, origin_b), std::max(origin_a, origin_b), pair};
 }
 
 void ContractionLoop::enqueue(const Candidate& candidate) {
@@ -180,11 +181,12 @@ bool ContractionLoop::turns_a_face(const std::vector<PairStar::Wing>& wings, con
 }
 
 void ContractionLoop::contract(Index a, Index b, const PairEvaluation& evaluation) {
-  // The lower origin survives, unless the other one is locked.
-  Index survivor = a;
-  Index removed = b;
-  if (is_locked(b)) {
+  // The higher origin survives, so that no pair's place among ties moves forward; but a locked vertex stays.
+  Index survivor = b;
+  Index removed = a;
+  if (is_locked(a)) {
     std::swap(survivor, removed);
+  } else {
     std::swap(star_.first, star_.second);
   }
   quadrics_[survivor] =

@@ -217,6 +217,8 @@ void TriangleComplex::gather(Index a, Index b, PairStar& star) {
 }
 
 bool TriangleComplex::link_condition(Index a, Index b, const PairStar& star) {
+  if (star.shared.empty()) return false;                        // not an edge
+  if (star.first.empty() && star.second.empty()) return false;  // the part would vanish
   ring_.clear();
   const auto count_faces = [&](const std::vector<PairStar::Wing>& wings, std::size_t side) {
     for (const PairStar::Wing& wing : wings) {

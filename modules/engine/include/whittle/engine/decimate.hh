@@ -17,7 +17,8 @@
 //   while no target is reached:
 //     take the pair of least cost; ties by (lower, higher) original vertex number
 //     if a guard refuses it: count the reason, let it wait until something it looked at changes
-//     else contract: the vertex of the lower original number survives, moves to v̄ and takes Q₀ + Q₁
+//     else contract: the vertex of the higher original number survives, moves to v̄ and takes Q₀ + Q₁
+//       (a locked vertex survives in any case)
 //
 // The order is exact: that of an algorithm which re-evaluates every pair after each contraction.
 
