@@ -6,6 +6,7 @@
 // Construction of SAH-based Bounding Volume Hierarchies, 2007).
 #include "whittle/metrics/closest_point.hh"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <stdexcept>

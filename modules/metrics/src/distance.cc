@@ -2,6 +2,7 @@
 // numbers, no state carried from block to block), and the blocks are summed in order. So the thread count can't show.
 #include "whittle/metrics/distance.hh"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

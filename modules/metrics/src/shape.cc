@@ -2,6 +2,7 @@
 // R = abc/(4A).
 #include "whittle/metrics/shape.hh"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

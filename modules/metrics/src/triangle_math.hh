@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "whittle/engine/indexed_mesh.hh"
