@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <iosfwd>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "whittle/engine/indexed_mesh.hh"
 #include "whittle/io/errors.hh"
@@ -20,16 +22,20 @@ struct WriteOptions {
   std::optional<Format> format{};
 };
 
-/// Writes a mesh: positions exactly (PLY with 64-bit coordinates as soon as 32 bits would lose something; STL rounds
-/// to 32 bits, as the format has it), normals and colours where the format has them.
-/// Goes to a temporary file beside `path` that is renamed when complete, so neither a failure nor a reader ever meets a
-/// half-written file; a symbolic link is followed; a device or pipe is written directly.
+struct WriteResult {
+  /// One line each, without a full stop: what the mesh has and the file doesn't (STL rounds, has no normals…).
+  std::vector<std::string> warnings;
+};
+
+/// Writes a mesh: positions exactly (PLY with 64-bit coordinates as soon as 32 bits would lose something; only binary
+/// STL, which has 32 bits, rounds them), normals and colours where the format has them.
+/// Goes to a temporary file beside `path` that is renamed when complete (`OutputFile`).
 /// \throw std::invalid_argument if the ending names no format that is written (`format_of`).
-/// \throw WriteError if the file can't be written.
-void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, const WriteOptions& options = {});
+/// \throw WriteError if the file can't be written, or a coordinate is too large for binary STL.
+WriteResult write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, const WriteOptions& options = {});
 
 /// Likewise to a stream opened in binary mode; `options.format` is ignored.
 /// \throw WriteError with the name "output" when the stream fails.
-void write_mesh(std::ostream& out, Format format, const IndexedMesh& mesh, const WriteOptions& options = {});
+WriteResult write_mesh(std::ostream& out, Format format, const IndexedMesh& mesh, const WriteOptions& options = {});
 
 }  // namespace whittle::io

@@ -1,0 +1,76 @@
+#include "whittle/io/read.hh"
+
+#include <stdexcept>
+
+#include "file_bytes.hh"
+#include "mesh_builder.hh"
+#include "readers.hh"
+
+namespace whittle::io {
+
+namespace {
+
+Format choose_format(std::string_view name, const ReadOptions& options) {
+  if (options.format) return *options.format;
+  try {
+    return format_of(std::filesystem::path(name));
+  } catch (const std::invalid_argument& problem) {
+    throw ReadError(std::string(name), problem.what());
+  }
+}
+
+ReadResult parse(std::string_view bytes, std::string_view name, Format format) {
+  refuse_foreign_content(bytes, name, format);
+  switch (format) {
+    case Format::obj:
+      return read_obj(bytes, name);
+    case Format::off:
+      return read_off(bytes, name);
+    case Format::ply:
+      return read_ply(bytes, name);
+    case Format::stl:
+      return read_stl(bytes, name);
+  }
+  throw std::invalid_argument("not a format");
+}
+
+void finish(ReadResult& result, std::string_view name, const ReadOptions& options, Format format) {
+  result.format = format;
+  if (result.file_faces == 0) {
+    throw ReadError(std::string(name), result.file_vertices == 0
+                                           ? "the file has no faces"
+                                           : "the file has " + std::to_string(result.file_vertices) +
+                                                 " vertices but no faces; point clouds are not supported");
+  }
+  if (result.mesh.faces.size() > most_elements) {
+    throw ReadError(std::string(name),
+                    "the polygons have more than the " + std::to_string(most_elements) + " triangles a mesh can have");
+  }
+  result.repairs += repair(result.mesh, options.weld);
+  if (result.mesh.faces.empty()) {
+    throw ReadError(std::string(name), "no face is left of " + std::to_string(result.file_faces) +
+                                           ": all are degenerate (" + to_string(result.repairs) + ")");
+  }
+}
+
+}  // namespace
+
+ReadResult read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
+  const std::string name = path.string();
+  const Format format = choose_format(name, options);
+  ReadResult result = [&] {
+    const FileBytes file(path);  // gone before the repairs need memory
+    return parse(file.view(), name, format);
+  }();
+  finish(result, name, options, format);
+  return result;
+}
+
+ReadResult read_mesh(std::span<const char> bytes, std::string_view name, const ReadOptions& options) {
+  const Format format = choose_format(name, options);
+  ReadResult result = parse(std::string_view(bytes.data(), bytes.size()), name, format);
+  finish(result, name, options, format);
+  return result;
+}
+
+}  // namespace whittle::io
