@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -205,7 +206,7 @@ DirectedDistance summarize(const Sums& sums) {
   result.max = std::sqrt(sums.max_sq);
   if (sums.normals > 0) {
     const auto n_normals = static_cast<double>(sums.normals);
-    result.normal_deviation_deg = sums.angle / n_normals * (180.0 / std::numbers::pi);
+    result.normal_deviation_deg = std::min(180.0, sums.angle / n_normals * (180.0 / std::numbers::pi));
     result.flipped_percent = 100.0 * static_cast<double>(sums.flipped) / n_normals;
   }
   return result;
@@ -221,9 +222,12 @@ SurfaceDistance surface_distance(const IndexedMesh& reference, const IndexedMesh
   const Bounds reference_box = bounds(reference), test_box = bounds(test);
   const Vec3 origin = reference_box.center();
   const double noise = noise_rel * std::max(reference_box.diagonal(), test_box.diagonal());
-  const TriangleTree reference_tree(reference, origin), test_tree(test, origin);
-  const Sums forward = measure({reference, test, test_tree, noise * noise}, options, 0);
-  const Sums backward = measure({test, reference, reference_tree, noise * noise}, options, 1);
+  std::optional<TriangleTree> reference_tree, test_tree;
+  for_each_block(2, options.threads, [&](std::size_t side) {
+    (side == 0 ? reference_tree : test_tree).emplace(side == 0 ? reference : test, origin);
+  });
+  const Sums forward = measure({reference, test, *test_tree, noise * noise}, options, 0);
+  const Sums backward = measure({test, reference, *reference_tree, noise * noise}, options, 1);
 
   SurfaceDistance result;
   result.diagonal = reference_box.diagonal();

@@ -22,7 +22,8 @@ struct ClosestPoint {
 /// Any triangles will do: degenerate ones count as the segment or point they are, coincident ones are told apart by
 /// their number. Coordinates are kept relative to an origin near the mesh, so that a mesh far from zero loses nothing.
 /// The tree holds copies; the mesh may go away. Building costs O(F log F) time and about 200 bytes a face, a query
-/// O(log F) where the point is near the surface. All queries may run at the same time in any number of threads.
+/// O(log F) where the point is near the surface. Extents and distances have to be within 1e-70 … 1e70 (fourth powers of
+/// them are taken). All queries may run at the same time in any number of threads.
 class TriangleTree {
  public:
   /// \throw std::invalid_argument as `bounds`.

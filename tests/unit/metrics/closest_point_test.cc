@@ -1,0 +1,340 @@
+#include "whittle/metrics/closest_point.hh"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "support/random.hh"
+#include "support/shapes.hh"
+#include "support/suites.hh"
+#include "support/transforms.hh"
+
+namespace whittle::metrics {
+namespace {
+
+using test::Random;
+using Wide = Eigen::Matrix<long double, 3, 1>;
+
+/// The distance by another route than the one tested, in long double: the least over the corners, the feet on the lines
+/// of the sides and the foot on the plane, as far as they lie in the triangle.
+long double distance_by_features(const Wide& p, const Wide& a, const Wide& b, const Wide& c) {
+  long double best_sq = std::min({(p - a).squaredNorm(), (p - b).squaredNorm(), (p - c).squaredNorm()});
+  const auto side = [&](const Wide& from, const Wide& to) {
+    const Wide along = to - from;
+    const long double t = along.dot(p - from) / along.squaredNorm();
+    if (t > 0 && t < 1) best_sq = std::min(best_sq, (p - from - t * along).squaredNorm());
+  };
+  side(a, b), side(b, c), side(c, a);
+  // Barycentric coordinates of the foot from the normal equations.
+  const Wide u = b - a, v = c - a, w = p - a;
+  const long double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), uw = u.dot(w), vw = v.dot(w);
+  const long double det = uu * vv - uv * uv;
+  const long double s = (vv * uw - uv * vw) / det, t = (uu * vw - uv * uw) / det;
+  if (det > 0 && s > 0 && t > 0 && s + t < 1) best_sq = std::min(best_sq, (w - s * u - t * v).squaredNorm());
+  return std::sqrt(best_sq);
+}
+
+long double brute_force_distance(const IndexedMesh& mesh, const Vec3& point) {
+  long double best = std::numeric_limits<long double>::infinity();
+  for (const auto& [a, b, c] : mesh.faces) {
+    best = std::min(best,
+                    distance_by_features(point.cast<long double>(), mesh.positions[a].cast<long double>(),
+                                         mesh.positions[b].cast<long double>(), mesh.positions[c].cast<long double>()));
+  }
+  return best;
+}
+
+Vec3 random_point(Random& random, double low, double high) {
+  const double x = random.uniform(low, high), y = random.uniform(low, high), z = random.uniform(low, high);
+  return {x, y, z};
+}
+
+/// Triangles with corners of their own around random centres in the unit cube; the size of each is 10 to a random
+/// power.
+IndexedMesh random_triangles(std::size_t n, double min_log_size, double max_log_size, std::uint64_t seed) {
+  Random random(seed);
+  IndexedMesh mesh;
+  for (std::size_t f = 0; f < n; ++f) {
+    const Vec3 center = random_point(random, 0.0, 1.0);
+    const double size = std::pow(10.0, random.uniform(min_log_size, max_log_size));
+    const auto first = static_cast<Index>(mesh.positions.size());
+    for (int c = 0; c < 3; ++c) mesh.positions.emplace_back(center + size * random_point(random, -1.0, 1.0));
+    mesh.faces.push_back({first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
+/// Among others: points, segments, needles (two corners close by), caps (a corner near the middle of the opposite
+/// side).
+IndexedMesh random_thin_triangles(std::size_t n, double thickness, std::uint64_t seed) {
+  Random random(seed);
+  IndexedMesh mesh = random_triangles(n, -1.5, 0.0, seed);
+  for (std::size_t f = 0; f < n; ++f) {
+    Vec3 &a = mesh.positions[3 * f], &b = mesh.positions[3 * f + 1], &c = mesh.positions[3 * f + 2];
+    const Vec3 off = thickness * random_point(random, -1.0, 1.0);
+    switch (f % 4) {
+      case 0:
+        c = b + off;
+        break;
+      case 1:
+        c = a + random.uniform() * (b - a) + off;
+        break;
+      case 2:
+        b = a;
+        break;
+      default:
+        b = c = a;
+    }
+  }
+  return mesh;
+}
+
+/// Tolerance: point, corners and origin are rounded once each (2^-53 of the extent), the foot on a side or plane is off
+/// by a few such units; 32 in all, against the extent of what is involved.
+void expect_agrees_with_brute_force(const IndexedMesh& mesh, const std::string& what, std::uint64_t seed) {
+  const Bounds box = bounds(mesh);
+  const TriangleTree tree(mesh);
+  Random random(seed);
+  for (int i = 0; i < 400; ++i) {
+    // Near, around and far outside.
+    const double reach = i % 4 == 3 ? 10.0 : 0.6;
+    const Vec3 point = box.center() + reach * (box.max - box.min).cwiseProduct(random_point(random, -1.0, 1.0));
+    const ClosestPoint found = tree.nearest(point);
+    const double distance = std::sqrt(found.distance_sq);
+    const auto expected = static_cast<double>(brute_force_distance(mesh, point));
+    const double tolerance = 32 * 0x1p-53 * (box.diagonal() + expected + box.center().norm() * 0.25);
+    ASSERT_NEAR(distance, expected, tolerance) << what << ", seed " << seed << ", query " << i;
+    // The point is on the face, and as far away as said.
+    const auto [a, b, c] = mesh.faces[found.face];
+    ASSERT_LE(static_cast<double>(
+                  distance_by_features(found.point.cast<long double>(), mesh.positions[a].cast<long double>(),
+                                       mesh.positions[b].cast<long double>(), mesh.positions[c].cast<long double>())),
+              1e-10 * box.diagonal() + tolerance)
+        << what << ", seed " << seed << ", query " << i;
+    ASSERT_NEAR((found.point - point).norm(), distance, tolerance) << what << ", seed " << seed << ", query " << i;
+  }
+}
+
+TEST(TriangleTree, AgreesWithBruteForceOnRandomTriangles) {
+  expect_agrees_with_brute_force(random_triangles(300, -1.0, -1.0, 1), "equal sizes", 1);
+  expect_agrees_with_brute_force(random_triangles(300, -6.0, 0.0, 2), "sizes from 1e-6 to 1", 2);
+  expect_agrees_with_brute_force(random_triangles(300, -3.0, 3.0, 3), "sizes from 1e-3 to 1e3", 3);
+  expect_agrees_with_brute_force(random_triangles(1, -1.0, -1.0, 4), "one face", 4);
+}
+
+TEST(TriangleTree, AgreesWithBruteForceOnThinAndDegenerateTriangles) {
+  for (const double thickness : {1e-3, 1e-6, 1e-8, 0.0}) {
+    expect_agrees_with_brute_force(random_thin_triangles(200, thickness, 5), "thickness " + std::to_string(thickness),
+                                   5);
+  }
+}
+
+TEST(TriangleTree, AgreesWithBruteForceOnNamedMeshes) {
+  for (const auto& [name, mesh] : test::all_meshes()) expect_agrees_with_brute_force(mesh, name, 6);
+}
+
+TEST(TriangleTree, AgreesWithBruteForceAtAnySizeAndPlace) {
+  const IndexedMesh mesh = random_triangles(200, -3.0, 0.0, 7);
+  expect_agrees_with_brute_force(test::scaled(mesh, 1e-9), "scaled 1e-9", 7);
+  expect_agrees_with_brute_force(test::scaled(mesh, 1e9), "scaled 1e9", 7);
+  expect_agrees_with_brute_force(test::scaled(mesh, 1e-40), "scaled 1e-40", 7);
+  // The tolerance grows with the place, as a quarter of the coordinates' own rounding; see below for the rest.
+  expect_agrees_with_brute_force(test::moved(mesh, Vec3(1e6, -2e6, 3e6)), "moved far", 7);
+}
+
+TEST(TriangleTree, LosesNothingFarFromTheOrigin) {
+  // Coordinates that are exact both here and there, so that the distances have to be the same to the last bit.
+  Random random(8);
+  IndexedMesh here = test::sphere(2);
+  for (Vec3& p : here.positions) p = (p * 0x1p20).array().round() * 0x1p-20;
+  const Vec3 offset(0x1p30, -0x1p31, 0x1p29);
+  const IndexedMesh there = test::moved(here, offset);
+  const TriangleTree near(here, Vec3::Zero()), far(there, offset);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 point = (random_point(random, -1.5, 1.5) * 0x1p20).array().round() * 0x1p-20;
+    const ClosestPoint a = near.nearest(point), b = far.nearest(point + offset);
+    ASSERT_EQ(a.distance_sq, b.distance_sq) << "query " << i;
+    ASSERT_EQ(a.face, b.face) << "query " << i;
+  }
+}
+
+TEST(TriangleTree, FindsVerticesAtDistanceZero) {
+  for (const auto& [name, mesh] : test::all_meshes()) {
+    const TriangleTree tree(mesh);
+    for (const Triangle& face : mesh.faces) {
+      for (const Index v : face) {
+        // The foot on the plane of a face may be off by some units in the last place.
+        ASSERT_LE(std::sqrt(tree.nearest(mesh.positions[v]).distance_sq), 4 * 0x1p-52 * bounds(mesh).diagonal())
+            << name << ", vertex " << v;
+      }
+    }
+  }
+}
+
+TEST(TriangleTree, PrefersTheLowestOfCoincidentFaces) {
+  const IndexedMesh once = test::blob(2, 3);
+  const std::size_t n = once.faces.size();
+  IndexedMesh thrice = once;
+  for (std::size_t f = 0; f < 2 * n; ++f) {
+    const auto& [a, b, c] = once.faces[n - 1 - f % n];
+    thrice.faces.push_back(f < n ? Triangle{b, c, a} : Triangle{c, b, a});
+  }
+  const TriangleTree tree(thrice);
+  Random random(9);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 point = random_point(random, -2.0, 2.0);
+    ASSERT_LT(tree.nearest(point).face, n) << "query " << i;
+  }
+}
+
+TEST(TriangleTree, PrefersTheLowestOfFacesAroundAnEdge) {
+  // Outside of a convex edge both faces are equally near, through the same edge; likewise at a corner.
+  const IndexedMesh cube = test::tessellated_cube(4);
+  const TriangleTree tree(cube);
+  Random random(10);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 point(random.uniform(1.1, 2.0), random.uniform(1.1, 2.0), i % 2 == 0 ? 1.5 : random.uniform(-1.0, 1.0));
+    const ClosestPoint found = tree.nearest(point);
+    for (Index f = 0; f < found.face; ++f) {
+      IndexedMesh alone;
+      alone.positions = cube.positions;
+      alone.faces = {cube.faces[f]};
+      ASSERT_GT(TriangleTree(alone, tree.origin()).nearest(point).distance_sq, found.distance_sq)
+          << "query " << i << ", face " << f;
+    }
+  }
+}
+
+TEST(TriangleTree, AnswersTheSameWithAnyHint) {
+  for (const auto& [name, mesh] : test::all_meshes()) {
+    const TriangleTree tree(mesh);
+    Random random(11);
+    for (int i = 0; i < 50; ++i) {
+      const Vec3 point = random_point(random, -2.0, 2.0);
+      const ClosestPoint plain = tree.nearest(point);
+      for (Index hint = 0; hint <= mesh.faces.size(); ++hint) {  // the last one is no face at all
+        const ClosestPoint hinted = tree.nearest(point, hint);
+        ASSERT_EQ(hinted.face, plain.face) << name << ", query " << i << ", hint " << hint;
+        ASSERT_EQ(hinted.distance_sq, plain.distance_sq) << name << ", query " << i << ", hint " << hint;
+        ASSERT_EQ(hinted.point, plain.point) << name << ", query " << i << ", hint " << hint;
+      }
+    }
+  }
+}
+
+TEST(TriangleTree, AnswersManyThreadsAtOnce) {
+  const IndexedMesh mesh = test::blob(4, 5);
+  const TriangleTree tree(mesh);
+  Random random(12);
+  std::vector<Vec3> points(2000);
+  for (Vec3& point : points) point = random_point(random, -2.0, 2.0);
+  std::vector<std::vector<ClosestPoint>> answers(4);
+  {
+    std::vector<std::jthread> threads;
+    for (auto& own : answers) {
+      threads.emplace_back([&] {
+        for (const Vec3& point : points) own.push_back(tree.nearest(point));
+      });
+    }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const ClosestPoint alone = tree.nearest(points[i]);
+    for (const auto& own : answers) {
+      ASSERT_EQ(own[i].face, alone.face) << "query " << i;
+      ASSERT_EQ(own[i].distance_sq, alone.distance_sq) << "query " << i;
+    }
+  }
+}
+
+TEST(TriangleTree, CopesWithSizesThatHalveForever) {
+  // Each face is half as large and half as near to zero as the one before: no split by area ever balances.
+  constexpr int n = 220;
+  IndexedMesh mesh;
+  for (int i = 0; i < n; ++i) {
+    const double size = std::ldexp(1.0, -i);
+    const auto first = static_cast<Index>(mesh.positions.size());
+    mesh.positions.emplace_back(size, 0.0, 0.0);
+    mesh.positions.emplace_back(size, 0.25 * size, 0.0);
+    mesh.positions.emplace_back(size, 0.0, 0.25 * size);
+    mesh.faces.push_back({first, first + 1, first + 2});
+  }
+  const TriangleTree tree(mesh, Vec3::Zero());
+  for (int i = 0; i < n; ++i) {
+    const double size = std::ldexp(1.0, -i);
+    const ClosestPoint found = tree.nearest(Vec3(1.125 * size, 0.0625 * size, 0.0625 * size));
+    EXPECT_EQ(found.face, static_cast<Index>(i));
+    EXPECT_DOUBLE_EQ(std::sqrt(found.distance_sq), 0.125 * size) << "face " << i;
+  }
+}
+
+TEST(TriangleTree, CopesWithThousandsOfFacesInOnePlace) {
+  IndexedMesh mesh = test::single_triangle();
+  mesh.faces.assign(5000, mesh.faces[0]);
+  const ClosestPoint found = TriangleTree(mesh).nearest(mesh.positions[0] + Vec3(0.0, 0.0, 2.0));
+  EXPECT_EQ(found.face, 0U);
+  EXPECT_DOUBLE_EQ(found.distance_sq, 4.0);
+}
+
+TEST(TriangleTree, VisitsExactlyTheFacesWhoseBoxesMeet) {
+  const IndexedMesh mesh = random_triangles(300, -3.0, 0.0, 13);
+  const TriangleTree tree(mesh, Vec3::Zero());
+  Random random(13);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 p = random_point(random, -0.5, 1.5), q = random_point(random, -0.5, 1.5);
+    const Bounds box{p.cwiseMin(q), p.cwiseMax(q)};
+    std::vector<Index> visited, expected;
+    tree.visit_boxes(box, [&](Index face) { visited.push_back(face); });
+    std::sort(visited.begin(), visited.end());
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      const Vec3 &a = mesh.positions[3 * f], &b = mesh.positions[3 * f + 1], &c = mesh.positions[3 * f + 2];
+      const Vec3 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+      if ((low.array() <= box.max.array()).all() && (high.array() >= box.min.array()).all()) {
+        expected.push_back(static_cast<Index>(f));
+      }
+    }
+    ASSERT_EQ(visited, expected) << "box " << i;
+  }
+}
+
+TEST(TriangleTree, RejectsWhatIsNoSurface) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(TriangleTree(IndexedMesh{}), std::invalid_argument);
+  IndexedMesh mesh = test::cube();
+  EXPECT_THROW(TriangleTree(mesh, Vec3(0.0, nan, 0.0)), std::invalid_argument);
+  mesh.positions[3].y() = nan;
+  EXPECT_THROW(TriangleTree{mesh}, std::invalid_argument);
+  mesh = test::cube();
+  mesh.faces[5][2] = 8;
+  EXPECT_THROW(TriangleTree{mesh}, std::invalid_argument);
+}
+
+TEST(Bounds, LookAtUsedVerticesOnly) {
+  IndexedMesh mesh = test::cube();
+  mesh.positions.emplace_back(100.0, 0.0, 0.0);
+  mesh.positions.emplace_back(std::numeric_limits<double>::infinity(), 0.0, 0.0);
+  const Bounds box = bounds(mesh);
+  EXPECT_EQ(box.min, Vec3(-1.0, -1.0, -1.0));
+  EXPECT_EQ(box.max, Vec3(1.0, 1.0, 1.0));
+  EXPECT_EQ(box.center(), Vec3(0.0, 0.0, 0.0));
+  EXPECT_DOUBLE_EQ(box.diagonal(), std::sqrt(12.0));
+}
+
+TEST(Bounds, RejectMissingAndInfiniteVertices) {
+  EXPECT_THROW(bounds(IndexedMesh{}), std::invalid_argument);
+  IndexedMesh mesh = test::cube();
+  mesh.positions[0].z() = -std::numeric_limits<double>::infinity();
+  EXPECT_THROW(bounds(mesh), std::invalid_argument);
+  mesh = test::cube();
+  mesh.faces[0][0] = invalid_index;
+  EXPECT_THROW(bounds(mesh), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace whittle::metrics

@@ -1,0 +1,258 @@
+#include "whittle/metrics/self_intersections.hh"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "support/random.hh"
+#include "support/shapes.hh"
+#include "support/suites.hh"
+#include "support/transforms.hh"
+
+namespace whittle::metrics {
+namespace {
+
+using test::Random;
+using Pairs = std::vector<std::array<Index, 2>>;
+__extension__ using Wide = __int128;
+
+/// (x, y, z) over w > 0, without a common divisor.
+struct RationalPoint {
+  Wide x, y, z, w;
+  bool operator==(const RationalPoint&) const = default;
+};
+
+Wide gcd(Wide a, Wide b) {
+  if (a < 0) a = -a;
+  if (b < 0) b = -b;
+  while (b != 0) {
+    a %= b;
+    std::swap(a, b);
+  }
+  return a;
+}
+
+RationalPoint reduced(Wide x, Wide y, Wide z, Wide w) {
+  Wide d = gcd(gcd(x, y), gcd(z, w));
+  if (w < 0) d = -d;
+  return {x / d, y / d, z / d, w / d};
+}
+
+struct IntegerVector {
+  std::int64_t x, y, z;
+};
+IntegerVector operator-(const IntegerVector& a, const IntegerVector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+IntegerVector cross(const IntegerVector& a, const IntegerVector& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+bool is_zero(const IntegerVector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+
+/// w times the product of `normal` with p − through.
+Wide height(const RationalPoint& p, const IntegerVector& normal, const IntegerVector& through) {
+  return normal.x * (p.x - through.x * p.w) + normal.y * (p.y - through.y * p.w) + normal.z * (p.z - through.z * p.w);
+}
+
+/// The part of a convex polygon (also a segment or a point) where `normal` · (p − through) >= 0.
+std::vector<RationalPoint> clipped(const std::vector<RationalPoint>& polygon, const IntegerVector& normal,
+                                   const IntegerVector& through) {
+  std::vector<RationalPoint> result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const RationalPoint &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const Wide hp = height(p, normal, through), hq = height(q, normal, through);
+    if (hp >= 0) result.push_back(p);
+    if ((hp > 0 && hq < 0) || (hp < 0 && hq > 0)) {
+      // p/p.w and q/q.w weighted by the other's height over its w.
+      result.push_back(reduced(q.x * hp - p.x * hq, q.y * hp - p.y * hq, q.z * hp - p.z * hq, q.w * hp - p.w * hq));
+    }
+  }
+  return result;
+}
+
+/// All pairs, each by clipping one face to the other in rational numbers. Positions have to be small integers.
+Pairs by_clipping(const IndexedMesh& mesh) {
+  const auto corner = [&](std::size_t face, std::size_t c) {
+    const Vec3& p = mesh.positions[mesh.faces[face][c]];
+    return IntegerVector{static_cast<std::int64_t>(p.x()), static_cast<std::int64_t>(p.y()),
+                         static_cast<std::int64_t>(p.z())};
+  };
+  const auto normal = [&](std::size_t face) {
+    return cross(corner(face, 1) - corner(face, 0), corner(face, 2) - corner(face, 0));
+  };
+  const auto as_rational = [](const IntegerVector& p) { return RationalPoint{p.x, p.y, p.z, 1}; };
+  Pairs pairs;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (std::size_t g = f + 1; g < mesh.faces.size(); ++g) {
+      const IntegerVector n = normal(g);
+      if (is_zero(n) || is_zero(normal(f))) continue;
+      std::vector<RationalPoint> common, polygon;
+      for (std::size_t c = 0; c < 3; ++c) polygon.push_back(as_rational(corner(f, c)));
+      for (const RationalPoint& p : polygon) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          if (p == as_rational(corner(g, c))) common.push_back(p);
+        }
+      }
+      polygon = clipped(polygon, n, corner(g, 0));
+      polygon = clipped(polygon, {-n.x, -n.y, -n.z}, corner(g, 0));
+      for (std::size_t c = 0; c < 3; ++c) {
+        polygon = clipped(polygon, cross(n, corner(g, (c + 1) % 3) - corner(g, c)), corner(g, c));
+      }
+      const bool more = std::any_of(polygon.begin(), polygon.end(), [&](const RationalPoint& p) {
+        if (common.empty()) return true;
+        if (common.size() == 1) return !(p == common[0]);
+        if (common.size() == 3) return true;
+        // Off the line through both common corners, which are integers.
+        const RationalPoint &a = common[0], &b = common[1];
+        const Wide dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
+        const Wide px = p.x - a.x * p.w, py = p.y - a.y * p.w, pz = p.z - a.z * p.w;
+        return dy * pz != dz * py || dz * px != dx * pz || dx * py != dy * px;
+      });
+      if (more) pairs.push_back({static_cast<Index>(f), static_cast<Index>(g)});
+    }
+  }
+  return pairs;
+}
+
+IndexedMesh random_integer_mesh(std::uint64_t n_vertices, std::uint64_t n_faces, std::uint64_t size, bool flat,
+                                std::uint64_t seed) {
+  Random random(seed);
+  IndexedMesh mesh;
+  for (std::uint64_t v = 0; v < n_vertices; ++v) {
+    const auto x = static_cast<double>(random.below(size)), y = static_cast<double>(random.below(size));
+    mesh.positions.emplace_back(x, y, flat ? 0.0 : static_cast<double>(random.below(size)));
+  }
+  for (std::uint64_t f = 0; f < n_faces; ++f) {
+    Triangle face{};
+    for (Index& v : face) v = static_cast<Index>(random.below(n_vertices));
+    mesh.faces.push_back(face);
+  }
+  return mesh;
+}
+
+/// Two faces: (0,0,0), (4,0,0), (0,4,0) and the one given.
+Pairs with_base(const Vec3& a, const Vec3& b, const Vec3& c) {
+  IndexedMesh mesh;
+  mesh.positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, a, b, c};
+  mesh.faces = {{0, 1, 2}, {3, 4, 5}};
+  return self_intersections(mesh);
+}
+
+const Pairs none{};
+const Pairs one{{0, 1}};
+
+TEST(SelfIntersections, OfFacesApart) {
+  EXPECT_EQ(with_base({1, 1, -1}, {1, 1, 1}, {9, 9, 0}), one) << "pierced";
+  EXPECT_EQ(with_base({1, 1, 1}, {1, 2, 1}, {9, 9, 2}), none) << "above";
+  EXPECT_EQ(with_base({3, 3, -1}, {3, 3, 1}, {9, 9, 0}), none) << "beside";
+  EXPECT_EQ(with_base({1, 1, 0}, {1, 1, 1}, {9, 9, 1}), one) << "a corner in the face";
+  EXPECT_EQ(with_base({2, 0, 0}, {1, -1, 1}, {3, -1, 1}), one) << "a corner on the side";
+  EXPECT_EQ(with_base({1, 0, -1}, {1, 0, 1}, {1, -5, 0}), one) << "side on side";
+  EXPECT_EQ(with_base({-1, 2, 0}, {2, -1, 0}, {-5, -5, 0}), one) << "overlapping in one plane";
+  EXPECT_EQ(with_base({1, 1, 0}, {2, 1, 0}, {1, 2, 0}), one) << "inside in one plane";
+  EXPECT_EQ(with_base({-9, -9, 0}, {29, -9, 0}, {-9, 29, 0}), one) << "around in one plane";
+  EXPECT_EQ(with_base({5, 0, 0}, {9, 0, 0}, {5, 4, 0}), none) << "beside in one plane";
+  EXPECT_EQ(with_base({4, 1, 0}, {9, 1, 0}, {3, 1.5, 0}), none) << "close by in one plane";
+}
+
+TEST(SelfIntersections, OfFacesWithACommonCorner) {
+  EXPECT_EQ(with_base({0, 0, 0}, {-1, -1, 0}, {-1, -1, 1}), none);
+  EXPECT_EQ(with_base({0, 0, 0}, {1, 0, 1}, {0, 1, 1}), none) << "above";
+  EXPECT_EQ(with_base({0, 0, 0}, {1, 1, 1}, {1, 1, -1}), one) << "through the face";
+  EXPECT_EQ(with_base({0, 0, 0}, {9, 9, 1}, {9, 9, -1}), one) << "through the opposite side";
+  EXPECT_EQ(with_base({0, 0, 0}, {5, 0, 0}, {5, 0, 5}), one) << "along a side";
+  EXPECT_EQ(with_base({0, 0, 0}, {-1, 0, 0}, {0, -1, 0}), none) << "opposite in one plane";
+  EXPECT_EQ(with_base({0, 0, 0}, {1, 2, 0}, {2, 1, 0}), one) << "inside in one plane";
+}
+
+TEST(SelfIntersections, OfFacesWithACommonEdge) {
+  EXPECT_EQ(with_base({0, 0, 0}, {4, 0, 0}, {0, -4, 0}), none) << "flat";
+  EXPECT_EQ(with_base({0, 0, 0}, {4, 0, 0}, {0, 4, 1e-300}), none) << "hardly open";
+  EXPECT_EQ(with_base({0, 0, 0}, {4, 0, 0}, {9, 9, 0}), one) << "folded over";
+  EXPECT_EQ(with_base({0, 0, 0}, {4, 0, 0}, {0, 4, 0}), one) << "the same face";
+  EXPECT_EQ(with_base({0, 4, 0}, {4, 0, 0}, {0, 0, 0}), one) << "the same face, turned over";
+}
+
+TEST(SelfIntersections, KnowCornersByPosition) {
+  EXPECT_EQ(with_base({-0.0, 0, -0.0}, {4, 0, 0}, {0, -4, 0}), none) << "minus zero is zero";
+  for (const auto& [name, mesh] : test::closed_meshes()) {
+    EXPECT_EQ(self_intersections(test::soup(mesh)), self_intersections(mesh)) << name;
+  }
+}
+
+TEST(SelfIntersections, NamedMeshesHaveNone) {
+  // Sheets and solids that don't run into each other; two cubes meeting in a common edge share just that.
+  for (const auto& [name, mesh] : test::closed_meshes()) {
+    if (name.rfind("csaszar", 0) == 0) continue;  // below
+    EXPECT_EQ(self_intersections(mesh), none) << name;
+  }
+  for (const auto& [name, mesh] : test::open_meshes()) EXPECT_EQ(self_intersections(mesh), none) << name;
+  EXPECT_EQ(self_intersections(test::bow_tie()), none);
+  EXPECT_EQ(self_intersections(test::two_cubes_on_an_edge()), none);
+  EXPECT_EQ(self_intersections(test::csaszar_torus()), by_clipping(test::csaszar_torus()));
+}
+
+TEST(SelfIntersections, LeaveFacesWithoutAreaOut) {
+  EXPECT_EQ(with_base({1, 1, -1}, {1, 1, 1}, {1, 1, 5}), none) << "a segment through the face";
+  EXPECT_EQ(with_base({1, 1, 0}, {1, 1, 0}, {1, 1, 0}), none) << "a point in the face";
+}
+
+TEST(SelfIntersections, CountDuplicatesOnce) {
+  EXPECT_EQ(self_intersections(test::with_duplicate_faces(test::sphere(1), 5)).size(), 5U);
+}
+
+TEST(SelfIntersections, AgreeWithRationalClipping) {
+  std::size_t n_pairs = 0;
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    const std::uint64_t size = 2 + seed % 6;
+    const bool flat = seed % 5 == 0;
+    const IndexedMesh mesh = random_integer_mesh(6 + seed % 30, 14, size, flat, seed);
+    const Pairs expected = by_clipping(mesh);
+    n_pairs += expected.size();
+    ASSERT_EQ(self_intersections(mesh), expected) << "seed " << seed << ", size " << size << ", flat " << flat;
+  }
+  EXPECT_GT(n_pairs, 1000U);
+}
+
+TEST(SelfIntersections, DontDependOnUnitPlaceOrOrder) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const IndexedMesh mesh = random_integer_mesh(20, 30, 6, seed % 5 == 0, seed);
+    const Pairs expected = self_intersections(mesh);
+    EXPECT_EQ(self_intersections(test::scaled(mesh, 0x1p-60)), expected) << "seed " << seed;
+    EXPECT_EQ(self_intersections(test::scaled(mesh, 0x1p60)), expected) << "seed " << seed;
+    EXPECT_EQ(self_intersections(test::scaled(mesh, 1000.0)), expected) << "seed " << seed;
+    EXPECT_EQ(self_intersections(test::moved(mesh, Vec3(0x1p40, -0x1p45, 0x1p30))), expected) << "seed " << seed;
+    IndexedMesh sheared = mesh;  // exact, and no plane is along the axes any more
+    for (Vec3& p : sheared.positions) p = Vec3(p.x() + 3.0 * p.y(), p.y() - 2.0 * p.z(), p.z() + 5.0 * p.x());
+    EXPECT_EQ(self_intersections(sheared), expected) << "seed " << seed;
+
+    const test::Permuted permuted = test::permuted(mesh, seed);
+    Pairs back;
+    for (const auto& [f, g] : self_intersections(permuted.mesh)) {
+      const auto [low, high] = std::minmax(permuted.old_face[f], permuted.old_face[g]);
+      back.push_back({low, high});
+    }
+    std::sort(back.begin(), back.end());
+    EXPECT_EQ(back, expected) << "seed " << seed;
+  }
+}
+
+TEST(SelfIntersections, AreTheSameForAnyNumberOfThreads) {
+  const IndexedMesh sphere = test::sphere(4);
+  const IndexedMesh mesh = test::joined(sphere, test::moved(sphere, Vec3(0.7, 0.2, 0.1)));
+  const Pairs expected = self_intersections(mesh, 1);
+  EXPECT_GT(expected.size(), 50U);
+  EXPECT_TRUE(std::is_sorted(expected.begin(), expected.end()));
+  for (const unsigned threads : {2U, 3U, 8U, 0U}) EXPECT_EQ(self_intersections(mesh, threads), expected) << threads;
+}
+
+TEST(SelfIntersections, RejectWhatIsNoSurface) {
+  EXPECT_THROW(self_intersections(IndexedMesh{}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace whittle::metrics
