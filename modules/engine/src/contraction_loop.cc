@@ -23,10 +23,9 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, std::vector<Quadric> 
       cost_times_area_(options.quadric.weights != Weights::uniform),
       n_initial_vertices_(complex.n_vertices()),
       n_initial_faces_(complex.n_faces()),
-      pairs_(complex.edges()),
       raised_(complex.n_vertex_slots()),
       refused_(complex.n_vertex_slots()),
-      is_refused_(pairs_.size()) {}
+      is_refused_(complex.n_edge_slots()) {}
 
 DecimateResult ContractionLoop::run() {
   fill_queue();
@@ -67,8 +66,9 @@ bool ContractionLoop::report_progress() const {
 }
 
 void ContractionLoop::fill_queue() {
-  for (Index pair = 0; pair < pairs_.size(); ++pair) {
-    const auto [a, b] = pairs_[pair];
+  queue_.reserve(complex_.n_edge_slots());
+  for (Index pair = 0; pair < complex_.n_edge_slots(); ++pair) {
+    const auto [a, b] = complex_.ends(pair);
     const PairEvaluation evaluation = evaluate(a, b);
     note_raised(pair, a, b, evaluation);
     queue_.push(pair, BucketQueue::bucket_of(evaluation.cost));
@@ -78,7 +78,10 @@ void ContractionLoop::fill_queue() {
 std::optional<ContractionLoop::Candidate> ContractionLoop::next_candidate() {
   while (true) {
     const bool in_batch = n_taken_ < batch_.size();
-    if (in_batch && (late_.empty() || batch_[n_taken_] < late_.top())) return batch_[n_taken_++];
+    if (in_batch && (late_.empty() || batch_[n_taken_] < late_.top())) {
+      prefetch_turns();
+      return batch_[n_taken_++];
+    }
     if (!late_.empty()) {
       const Candidate candidate = late_.top();
       late_.pop();
@@ -89,12 +92,17 @@ std::optional<ContractionLoop::Candidate> ContractionLoop::next_candidate() {
   }
 }
 
+/// Makes the members of the bucket just opened candidates; those that have grown beyond it go to a later one.
 void ContractionLoop::open_bucket() {
+  resolve_members();
   batch_.clear();
   n_taken_ = 0;
-  for (const Index pair : members_) {
-    Index a, b;
-    if (!find_vertices(pair, a, b)) continue;
+  for (std::size_t i = 0; i < resolved_.size(); ++i) {
+    if (i + 8 < resolved_.size()) {
+      prefetch_vertex(resolved_[i + 8].a);
+      prefetch_vertex(resolved_[i + 8].b);
+    }
+    const auto [pair, a, b] = resolved_[i];
     const PairEvaluation evaluation = evaluate(a, b);
     note_raised(pair, a, b, evaluation);
     const BucketQueue::Bucket bucket = BucketQueue::bucket_of(evaluation.cost);
@@ -107,12 +115,23 @@ void ContractionLoop::open_bucket() {
   std::sort(batch_.begin(), batch_.end());
 }
 
-/// The vertices that the pair's ends have been merged into; false if that is one and the same.
-bool ContractionLoop::find_vertices(Index pair, Index& a, Index& b) {
-  TriangleComplex::Pair& ends = pairs_[pair];
-  a = ends.first = complex_.representative(ends.first);
-  b = ends.second = complex_.representative(ends.second);
-  return a != b;
+/// Finds the vertices of the members that still are pairs.
+void ContractionLoop::resolve_members() {
+  resolved_.clear();
+  std::erase_if(members_, [&](Index pair) { return !complex_.is_edge_alive(pair); });
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    if (i + 16 < members_.size()) complex_.prefetch_edge(members_[i + 16]);
+    if (i + 8 < members_.size()) complex_.prefetch_parents(members_[i + 8]);
+    const auto [a, b] = complex_.ends(members_[i]);
+    resolved_.push_back({members_[i], a, b});
+  }
+}
+
+void ContractionLoop::prefetch_vertex(Index v) const {
+  complex_.prefetch_position(v);
+  const char* quadric = reinterpret_cast<const char*>(&quadrics_[v]);
+  __builtin_prefetch(quadric);
+  __builtin_prefetch(quadric + 64);
 }
 
 PairEvaluation ContractionLoop::evaluate(Index a, Index b) const {
@@ -124,7 +143,7 @@ PairEvaluation ContractionLoop::evaluate(Index a, Index b) const {
 ContractionLoop::Candidate ContractionLoop::candidate_of(Index pair, Index a, Index b, double cost) const {
   const Index origin_a = complex_.origin(a);
   const Index origin_b = complex_.origin(b);
-  return {cost, std::min(origin_a, origin_b), std::max(origin_a, origin_b), pair};
+  return {cost, std::min(origin_a, origin_b), std::max(origin_a, origin_b), pair, a, b};
 }
 
 void ContractionLoop::enqueue(const Candidate& candidate) {
@@ -136,9 +155,21 @@ void ContractionLoop::enqueue(const Candidate& candidate) {
   }
 }
 
+/// Brings near what the turns to come will look at: first the lists, then the faces on them, then their corners.
+void ContractionLoop::prefetch_turns() const {
+  const auto candidate_ahead = [&](std::size_t n, auto prefetch) {
+    if (n_taken_ + n >= batch_.size()) return;
+    prefetch(batch_[n_taken_ + n].a);
+    prefetch(batch_[n_taken_ + n].b);
+  };
+  candidate_ahead(12, [&](Index v) { complex_.prefetch_face_list(v); });
+  candidate_ahead(8, [&](Index v) { complex_.prefetch_faces(v); });
+  candidate_ahead(4, [&](Index v) { complex_.prefetch_neighbours(v); });
+}
+
 std::optional<StopReason> ContractionLoop::take_turn(const Candidate& candidate) {
-  Index a, b;
-  if (!find_vertices(candidate.pair, a, b)) return std::nullopt;
+  if (!complex_.is_edge_alive(candidate.pair)) return std::nullopt;
+  auto [a, b] = complex_.ends(candidate.pair);
   if (complex_.origin(b) < complex_.origin(a)) std::swap(a, b);
   const PairEvaluation evaluation = evaluate(a, b);
   const Candidate now = candidate_of(candidate.pair, a, b, evaluation.cost);
@@ -219,7 +250,7 @@ void ContractionLoop::note_raised(Index pair, Index a, Index b, const PairEvalua
     return;
   }
   if (evaluation.cost <= evaluation.bound) return;
-  if (raised_costs_.empty()) raised_costs_.assign(pairs_.size(), not_raised);
+  if (raised_costs_.empty()) raised_costs_.assign(complex_.n_edge_slots(), not_raised);
   raised_costs_[pair] = static_cast<float>(evaluation.cost);
   raised_.add(a, pair);
   raised_.add(b, pair);
@@ -232,8 +263,8 @@ void ContractionLoop::wake_raised(Index survivor, Index removed) {
   raised_.take(survivor, woken_);
   raised_.take(removed, woken_);
   for (const Index pair : woken_) {
-    Index a, b;
-    if (!find_vertices(pair, a, b)) continue;
+    if (!complex_.is_edge_alive(pair)) continue;
+    const auto [a, b] = complex_.ends(pair);
     raised_.add(survivor, pair);
     const PairEvaluation evaluation = evaluate(a, b);
     if (static_cast<float>(evaluation.cost) > raised_costs_[pair]) continue;
@@ -269,8 +300,8 @@ void ContractionLoop::wake_refused_at(Index v) {
   for (const Index pair : woken_) {
     if (!is_refused_[pair]) continue;  // woken from its other vertex before
     is_refused_[pair] = false;
-    Index a, b;
-    if (!find_vertices(pair, a, b)) continue;
+    if (!complex_.is_edge_alive(pair)) continue;
+    const auto [a, b] = complex_.ends(pair);
     const PairEvaluation evaluation = evaluate(a, b);
     note_raised(pair, a, b, evaluation);
     enqueue(candidate_of(pair, a, b, evaluation.cost));

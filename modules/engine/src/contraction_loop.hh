@@ -41,6 +41,7 @@ class ContractionLoop {
     double cost;
     Index low, high;  ///< the origins of its vertices
     Index pair;
+    Index a, b;  ///< its vertices when it was made a candidate
     friend bool operator<(const Candidate& a, const Candidate& b) {
       if (a.cost != b.cost) return a.cost < b.cost;
       if (a.low != b.low) return a.low < b.low;
@@ -57,9 +58,11 @@ class ContractionLoop {
 
   std::optional<Candidate> next_candidate();
   void open_bucket();
+  void resolve_members();
+  void prefetch_vertex(Index v) const;
+  void prefetch_turns() const;
   void enqueue(const Candidate& candidate);
 
-  bool find_vertices(Index pair, Index& a, Index& b);
   PairEvaluation evaluate(Index a, Index b) const;
   Candidate candidate_of(Index pair, Index a, Index b, double cost) const;
   std::optional<StopReason> take_turn(const Candidate& candidate);
@@ -82,11 +85,14 @@ class ContractionLoop {
   std::uint64_t n_initial_vertices_;
   std::uint64_t n_initial_faces_;
 
-  std::vector<TriangleComplex::Pair> pairs_;
   BucketQueue queue_;
-  std::vector<Index> members_;    ///< of the bucket being opened
-  std::vector<Candidate> batch_;  ///< candidates of the open bucket, in order
-  std::size_t n_taken_ = 0;       ///< how many of them have had their turn
+  struct Resolved {
+    Index pair, a, b;
+  };
+  std::vector<Index> members_;      ///< of the bucket being opened
+  std::vector<Resolved> resolved_;  ///< those that still are pairs
+  std::vector<Candidate> batch_;    ///< candidates of the open bucket, in order
+  std::size_t n_taken_ = 0;         ///< how many of them have had their turn
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> late_;  ///< for the open bucket or before it
 
   WaitingPairs raised_;

@@ -7,17 +7,18 @@ namespace {
 std::size_t corner_of(const Triangle& face, Index v) { return face[0] == v ? 0 : face[1] == v ? 1 : 2; }
 
 void add_border_planes(const TriangleComplex& complex, Index v, const QuadricOptions& options, SymmetricMatrix& sum) {
-  const auto add_if_border = [&](Index from, Index to, Index opposite) {
-    if (complex.n_edge_faces(from, to) != 1) return;
-    sum += border_quadric(complex.position(from), complex.position(to), complex.position(opposite), options);
+  const auto add_if_border = [&](Index f, std::size_t from, std::size_t to, std::size_t opposite) {
+    if (complex.n_initial_edge_faces(complex.face_edge(f, from)) != 1) return;
+    const Triangle& face = complex.face(f);
+    sum += border_quadric(complex.position(face[from]), complex.position(face[to]), complex.position(face[opposite]),
+                          options);
   };
   for (const Index f : complex.faces_at(v)) {
-    const Triangle& face = complex.face(f);
-    const std::size_t i = corner_of(face, v);
-    const Index next = face[(i + 1) % 3];
-    const Index previous = face[(i + 2) % 3];
-    add_if_border(v, next, previous);
-    add_if_border(previous, v, next);
+    const std::size_t corner = corner_of(complex.face(f), v);
+    const std::size_t next = (corner + 1) % 3;
+    const std::size_t previous = (corner + 2) % 3;
+    add_if_border(f, corner, next, previous);
+    add_if_border(f, previous, corner, next);
   }
 }
 

@@ -50,7 +50,7 @@ TriangleComplex::TriangleComplex(std::vector<Vec3> positions, std::span<const Tr
   number_faces(faces, number_of);
   ring_place_.resize(positions_.size());
   list_faces();
-  classify_vertices();
+  look_at_stars();
 }
 
 void TriangleComplex::number_vertices(const std::vector<Vec3>& positions, std::vector<Index>& number_of) {
@@ -125,12 +125,21 @@ std::array<Index, 2> others(const Triangle& face, Index v) {
 
 }  // namespace
 
-void TriangleComplex::classify_vertices() {
+/// Finds each vertex's order, and numbers the edges.
+void TriangleComplex::look_at_stars() {
   orders_.resize(positions_.size());
-  for (Index v = 0; v < positions_.size(); ++v) orders_[v] = classify(v);
+  edges_.reserve(n_faces_ + n_faces_ / 2 + 16);
+  n_edge_faces_.reserve(edges_.capacity());
+  face_edges_.resize(n_faces_);
+  for (Index v = 0; v < positions_.size(); ++v) {
+    gather_ring(v);
+    orders_[v] = order_of_ring();
+    number_edges_up(v);
+  }
+  edge_alive_.assign(edges_.size(), true);
 }
 
-VertexOrder TriangleComplex::classify(Index v) {
+void TriangleComplex::gather_ring(Index v) {
   ring_.clear();
   const auto join = [&](Index from, Index to) {
     RingEntry& entry = ring_[from];
@@ -144,6 +153,9 @@ VertexOrder TriangleComplex::classify(Index v) {
     join(at_x, at_y);
     join(at_y, at_x);
   }
+}
+
+VertexOrder TriangleComplex::order_of_ring() const {
   std::size_t n_ends = 0;
   Index start = 0;
   for (Index i = 0; i < ring_.size(); ++i) {
@@ -171,25 +183,29 @@ VertexOrder TriangleComplex::classify(Index v) {
   return n_ends == 0 ? VertexOrder::regular : VertexOrder::line;
 }
 
-std::vector<TriangleComplex::Pair> TriangleComplex::edges() {
-  std::vector<Pair> pairs;
-  pairs.reserve(n_faces_ + n_faces_ / 2 + 16);
-  for (Index v = 0; v < positions_.size(); ++v) {
-    ring_.clear();
-    for (const Index f : face_lists_.of(v)) {
-      for (const Index w : others(faces_[f], v)) {
-        if (w > v) place_in_ring(w);
-      }
-    }
-    for (const RingEntry& entry : ring_) pairs.push_back({v, entry.vertex});
+/// Numbers the edges from v, whose ring has been gathered, to vertices of a higher number.
+void TriangleComplex::number_edges_up(Index v) {
+  for (RingEntry& entry : ring_) {
+    if (entry.vertex < v) continue;
+    entry.edge = static_cast<Index>(edges_.size());
+    edges_.push_back({v, entry.vertex});
+    n_edge_faces_.push_back(static_cast<std::uint8_t>(std::min<Index>(entry.n_faces[0], 255)));
   }
-  return pairs;
+  for (const Index f : face_lists_.of(v)) {
+    const Triangle& face = faces_[f];
+    const std::size_t corner = face[0] == v ? 0 : face[1] == v ? 1 : 2;
+    const std::size_t next = (corner + 1) % 3;
+    const std::size_t previous = (corner + 2) % 3;
+    if (face[next] > v) face_edges_[f][corner] = ring_[ring_place_[face[next]]].edge;
+    if (face[previous] > v) face_edges_[f][previous] = ring_[ring_place_[face[previous]]].edge;
+  }
 }
 
-std::size_t TriangleComplex::n_edge_faces(Index v, Index w) const {
-  const auto has_w = [&](Index f) { return faces_[f][0] == w || faces_[f][1] == w || faces_[f][2] == w; };
-  const std::span<const Index> list = face_lists_.of(v);
-  return static_cast<std::size_t>(std::count_if(list.begin(), list.end(), has_w));
+void TriangleComplex::prefetch_neighbours(Index v) const {
+  for (const Index f : face_lists_.of(v)) {
+    if (!is_alive(f)) continue;
+    for (const Index w : faces_[f]) prefetch_position(w);
+  }
 }
 
 void TriangleComplex::gather_one(Index v, Index other, std::vector<PairStar::Wing>& wings,
@@ -257,8 +273,31 @@ bool TriangleComplex::link_condition(Index a, Index b, const PairStar& star) {
                       [](const RingEntry& entry) { return entry.n_faces[0] != 2 && entry.n_faces[1] != 2; });
 }
 
+/// Of the edges of a face that vanishes, that between the pair goes, and that of the removed vertex becomes one with
+/// that of the survivor.
+void TriangleComplex::merge_edges(const PairStar::Shared& shared, Index survivor, Index removed, const PairStar& star) {
+  const auto edge_between = [&](Index f, Index v, Index w) -> Index& {
+    const Triangle& face = faces_[f];
+    for (std::size_t i = 0; i < 2; ++i) {
+      if ((face[i] == v && face[i + 1] == w) || (face[i] == w && face[i + 1] == v)) return face_edges_[f][i];
+    }
+    return face_edges_[f][2];
+  };
+  const Index kept = edge_between(shared.face, survivor, shared.opposite);
+  const Index gone = edge_between(shared.face, removed, shared.opposite);
+  edge_alive_[edge_between(shared.face, survivor, removed)] = false;
+  edge_alive_[gone] = false;
+  for (const PairStar::Wing& wing : star.second) {
+    if (wing.x == shared.opposite || wing.y == shared.opposite)
+      edge_between(wing.face, removed, shared.opposite) = kept;
+  }
+}
+
 void TriangleComplex::contract(Index survivor, Index removed, const Vec3& position, const PairStar& star) {
-  for (const PairStar::Shared& shared : star.shared) faces_[shared.face][0] = invalid_index;
+  for (const PairStar::Shared& shared : star.shared) {
+    merge_edges(shared, survivor, removed, star);
+    faces_[shared.face][0] = invalid_index;
+  }
   face_lists_.clear(survivor);
   for (const PairStar::Wing& wing : star.first) face_lists_.push_back(survivor, wing.face);
   for (const PairStar::Wing& wing : star.second) {

@@ -28,6 +28,9 @@ class BucketQueue {
     return bits <= first ? 0 : static_cast<Bucket>(std::min<std::uint64_t>(bits - first, n_buckets - 1));
   }
 
+  /// Makes room for `n_members`.
+  void reserve(std::size_t n_members) { blocks_.reserve(n_members / block_capacity + 1024); }
+
   /// \pre bucket is the open one or later.
   void push(Index member, Bucket bucket) {
     assert(bucket >= next_bucket_);

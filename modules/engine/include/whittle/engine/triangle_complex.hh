@@ -68,7 +68,8 @@ enum class VertexOrder : std::uint8_t {
 /// dropped from the lists of their third corners when those are next looked at.
 class TriangleComplex {
  public:
-  struct Pair {
+  /// The ends of an edge.
+  struct Edge {
     Index first, second;
   };
 
@@ -97,10 +98,19 @@ class TriangleComplex {
     return v;
   }
 
-  /// Every edge once, ascending in its first end. For use before the first contraction.
-  std::vector<Pair> edges();
-  /// Number of faces at the edge (v, w). Walks v's faces.
-  std::size_t n_edge_faces(Index v, Index w) const;
+  /// Edges are numbered along the vertices. Where a contraction makes one of two edges, one of them lives on.
+  std::size_t n_edge_slots() const { return edges_.size(); }
+  bool is_edge_alive(Index e) const { return edge_alive_[e]; }
+  /// The vertices that the ends of e have been merged into.
+  Edge ends(Index e) {
+    Edge& edge = edges_[e];
+    edge = {representative(edge.first), representative(edge.second)};
+    return edge;
+  }
+  /// The edge from corner i of face f to the next.
+  Index face_edge(Index f, std::size_t i) const { return face_edges_[f][i]; }
+  /// Number of faces at an edge of the input, at most 255.
+  unsigned n_initial_edge_faces(Index e) const { return n_edge_faces_[e]; }
 
   void gather(Index a, Index b, PairStar& star);
 
@@ -111,19 +121,29 @@ class TriangleComplex {
   /// Merges `removed` into `survivor`, which moves to `position`. `star` as gathered for (survivor, removed).
   void contract(Index survivor, Index removed, const Vec3& position, const PairStar& star);
 
-  void prefetch_vertex(Index v) const { __builtin_prefetch(&positions_[v]); }
-  void prefetch_parent(Index v) const { __builtin_prefetch(&parents_[v]); }
-  void prefetch_faces(Index v) const { face_lists_.prefetch(v); }
+  void prefetch_edge(Index e) const { __builtin_prefetch(&edges_[e]); }
+  void prefetch_parents(Index e) const {
+    __builtin_prefetch(&parents_[edges_[e].first]);
+    __builtin_prefetch(&parents_[edges_[e].second]);
+  }
+  void prefetch_position(Index v) const { __builtin_prefetch(&positions_[v]); }
+  void prefetch_face_list(Index v) const { face_lists_.prefetch(v); }
+  void prefetch_faces(Index v) const {
+    for (const Index f : face_lists_.of(v)) __builtin_prefetch(&faces_[f]);
+  }
+  void prefetch_neighbours(Index v) const;
 
  private:
   void number_vertices(const std::vector<Vec3>& positions, std::vector<Index>& number_of);
   void number_faces(std::span<const Triangle> faces, const std::vector<Index>& number_of);
   void list_faces();
-  void classify_vertices();
-  VertexOrder classify(Index v);
-  struct RingEntry;
+  void look_at_stars();
+  void gather_ring(Index v);
+  VertexOrder order_of_ring() const;
+  void number_edges_up(Index v);
   Index place_in_ring(Index v);
   void gather_one(Index v, Index other, std::vector<PairStar::Wing>& wings, std::vector<PairStar::Shared>* shared);
+  void merge_edges(const PairStar::Shared& shared, Index survivor, Index removed, const PairStar& star);
 
   std::vector<Vec3> positions_;
   std::vector<Index> parents_;
@@ -132,6 +152,10 @@ class TriangleComplex {
   std::vector<Triangle> faces_;  ///< first corner `invalid_index` once removed
   std::vector<Index> face_origins_;
   FaceLists face_lists_;
+  std::vector<Edge> edges_;  ///< ends as last looked up
+  std::vector<bool> edge_alive_;
+  std::vector<std::uint8_t> n_edge_faces_;
+  std::vector<std::array<Index, 3>> face_edges_;
   std::uint64_t n_vertices_ = 0;
   std::uint64_t n_faces_ = 0;
   std::uint64_t n_degenerate_faces_ = 0;
@@ -142,6 +166,7 @@ class TriangleComplex {
     std::array<Index, 2> n_faces{};                           ///< at the edge to the first and the second vertex
     std::array<Index, 2> next{invalid_index, invalid_index};  ///< places of up to two neighbours in the link
     bool opposite = false;                                    ///< corner of a face of the pair
+    Index edge = invalid_index;
   };
   /// Scratch: the neighbours under look, and each vertex's place among them, right only if the entry there names it.
   std::vector<RingEntry> ring_;
