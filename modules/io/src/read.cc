@@ -34,6 +34,14 @@ ReadResult parse(std::string_view bytes, std::string_view name, Format format) {
   throw std::invalid_argument("not a format");
 }
 
+/// Where each vertex of the file is in the mesh, whose origins are numbers of the file.
+std::vector<Index> vertex_map(const ReadResult& result, const std::vector<Index>& joined_to) {
+  std::vector<Index> map(result.file_vertices, invalid_index);
+  for (std::size_t v = 0; v < result.mesh.origins.size(); ++v) map[result.mesh.origins[v]] = static_cast<Index>(v);
+  for (std::size_t v = 0; v < joined_to.size(); ++v) map[v] = map[joined_to[v]];
+  return map;
+}
+
 void finish(ReadResult& result, std::string_view name, const ReadOptions& options, Format format) {
   result.format = format;
   if (result.file_faces == 0) {
@@ -46,11 +54,13 @@ void finish(ReadResult& result, std::string_view name, const ReadOptions& option
     throw ReadError(std::string(name),
                     "the polygons have more than the " + std::to_string(most_elements) + " triangles a mesh can have");
   }
-  result.repairs += repair(result.mesh, options.weld);
+  std::vector<Index> joined_to;
+  result.repairs += repair(result.mesh, options.weld, &joined_to);
   if (result.mesh.faces.empty()) {
     throw ReadError(std::string(name), "no face is left of " + std::to_string(result.file_faces) +
                                            ": all are degenerate (" + to_string(result.repairs) + ")");
   }
+  result.vertex_map = vertex_map(result, joined_to);
 }
 
 }  // namespace

@@ -32,10 +32,13 @@ Repairs& Repairs::operator+=(const Repairs& more) {
 
 std::string to_string(const Repairs& repairs) {
   std::string text;
+  std::string_view last_verb;
   const auto say = [&](std::string_view verb, std::size_t count, std::string_view one, std::string_view many) {
     if (count == 0) return;
     if (!text.empty()) text += ", ";
-    text += std::string(verb) + ' ' + std::to_string(count) + ' ' + std::string(count == 1 ? one : many);
+    if (verb != last_verb) text += std::string(verb) + ' ';
+    text += std::to_string(count) + ' ' + std::string(count == 1 ? one : many);
+    last_verb = verb;
   };
   say("triangulated", repairs.triangulated_polygons, "polygon", "polygons");
   say("welded", repairs.welded_vertices, "vertex", "vertices");
@@ -114,12 +117,13 @@ std::size_t drop_isolated_vertices(IndexedMesh& mesh) {
   return count - kept;
 }
 
-Repairs repair(IndexedMesh& mesh, bool weld) {
+Repairs repair(IndexedMesh& mesh, bool weld, std::vector<Index>* joined_to) {
   Repairs done;
+  if (joined_to != nullptr) joined_to->clear();
   done.degenerate_faces = drop_degenerate_faces(mesh);
   done.duplicate_faces = drop_duplicate_faces(mesh);
   if (weld) {
-    done += weld_borders(mesh);
+    done += weld_borders(mesh, joined_to);
     if (done.welded_vertices > 0) {
       done.degenerate_faces += drop_degenerate_faces(mesh);
       done.duplicate_faces += drop_duplicate_faces(mesh);

@@ -1,10 +1,11 @@
-// Welding in two steps. First every position on open borders is taken for one vertex; edges then have faces by
-// position. Where no edge gets a third face by that, it is the answer. The other edges are *doubtful*, and so are the
-// positions at their ends; there the vertices start apart, and `Resolver` joins them.
+// Welding in two steps. First all candidates at a position are taken for one vertex; edges then have faces by position.
+// Where no edge gets a third face by that, it is the answer. The other edges are *doubtful*, and so are the positions
+// at their ends; there the vertices start apart, and `WeldResolver` joins them.
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 
 #include "buckets.hh"
 #include "repair_detail.hh"
@@ -15,20 +16,24 @@ namespace whittle::io {
 
 namespace {
 
+// Why a face is left out.
+constexpr char dropped_as_duplicate = 1;
+constexpr char dropped_as_degenerate = 2;
+
 struct EdgeEnd {
   Index higher;
   Index face;
   auto operator<=>(const EdgeEnd&) const = default;
 };
 
-// Calls visit(lower, higher, faces) for every edge, in ascending order, the faces ascending.
-template <class Visit>
-void for_each_edge(const std::vector<Triangle>& faces, std::size_t vertices, const std::vector<char>& is_dropped,
+// Calls visit(lower, higher, faces) for every edge of the chosen faces, in ascending order, the faces ascending.
+template <class Choose, class Visit>
+void for_each_edge(const std::vector<Triangle>& faces, std::size_t vertices, const Choose& is_chosen,
                    const Visit& visit) {
   Buckets<EdgeEnd> by_lower(vertices, [&](const auto& emit) {
     for (std::size_t f = 0; f < faces.size(); ++f) {
+      if (!is_chosen(f)) continue;
       const Triangle& t = faces[f];
-      if (is_degenerate(t) || (!is_dropped.empty() && is_dropped[f] != 0)) continue;
       for (std::size_t c = 0; c < 3; ++c) {
         const auto [lower, higher] = std::minmax(t[c], t[(c + 1) % 3]);
         emit(lower, EdgeEnd{higher, static_cast<Index>(f)});
@@ -47,12 +52,45 @@ void for_each_edge(const std::vector<Triangle>& faces, std::size_t vertices, con
   }
 }
 
-std::vector<char> find_border_vertices(const IndexedMesh& mesh) {
-  std::vector<char> is_border(mesh.positions.size(), 0);
-  for_each_edge(mesh.faces, mesh.positions.size(), {}, [&](Index a, Index b, std::span<const EdgeEnd> faces) {
-    if (faces.size() == 1) is_border[a] = is_border[b] = 1;
+std::vector<std::uint8_t> count_uses_up_to_two(const IndexedMesh& mesh) {
+  std::vector<std::uint8_t> uses(mesh.positions.size(), 0);
+  for (const Triangle& face : mesh.faces) {
+    if (is_degenerate(face)) continue;
+    for (const Index v : face) uses[v] = static_cast<std::uint8_t>(std::min(uses[v] + 1, 2));
+  }
+  return uses;
+}
+
+// Vertices on open borders, and the ends of edges without length: the faces at such an edge are degenerate but for the
+// two numbers, and welding takes them away.
+std::vector<char> find_candidates(const IndexedMesh& mesh) {
+  const std::size_t vertices = mesh.positions.size();
+  const std::vector<std::uint8_t> uses = count_uses_up_to_two(mesh);
+  std::vector<char> is_candidate(vertices, 0);
+  // Only an edge both ends of which have several faces can have two; a soup has none.
+  Buckets<Index> by_lower(vertices, [&](const auto& emit) {
+    for (const Triangle& t : mesh.faces) {
+      if (is_degenerate(t)) continue;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto [lower, higher] = std::minmax(t[c], t[(c + 1) % 3]);
+        if (uses[lower] > 1 && uses[higher] > 1) {
+          emit(lower, higher);
+        } else {
+          is_candidate[lower] = is_candidate[higher] = 1;
+        }
+      }
+    }
   });
-  return is_border;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const std::span<Index> ends = by_lower[v];
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const bool is_alone = (i == 0 || ends[i - 1] != ends[i]) && (i + 1 == ends.size() || ends[i + 1] != ends[i]);
+      const bool has_no_length = mesh.positions[v] == mesh.positions[ends[i]];
+      if (is_alone || has_no_length) is_candidate[v] = is_candidate[ends[i]] = 1;
+    }
+  }
+  return is_candidate;
 }
 
 std::uint64_t hash_of(const Vec3& p) {
@@ -65,15 +103,15 @@ std::uint64_t hash_of(const Vec3& p) {
   return hash;
 }
 
-// For each vertex the lowest border vertex at its position; for vertices not on a border, the vertex itself.
-std::vector<Index> group_by_position(const std::vector<Vec3>& positions, const std::vector<char>& is_border) {
+// For each candidate the lowest candidate at its position; for any other vertex, itself.
+std::vector<Index> group_by_position(const std::vector<Vec3>& positions, const std::vector<char>& is_candidate) {
   std::vector<Index> group(positions.size());
   std::iota(group.begin(), group.end(), Index{0});
-  const auto members = static_cast<std::size_t>(std::count(is_border.begin(), is_border.end(), 1));
+  const auto members = static_cast<std::size_t>(std::count(is_candidate.begin(), is_candidate.end(), 1));
   const std::size_t slots = std::bit_ceil(2 * members + 1);
   std::vector<Index> table(slots, invalid_index);
   for (std::size_t v = 0; v < positions.size(); ++v) {
-    if (!is_border[v]) continue;
+    if (!is_candidate[v]) continue;
     std::size_t slot = hash_of(positions[v]) & (slots - 1);
     while (table[slot] != invalid_index && positions[table[slot]] != positions[v]) slot = (slot + 1) & (slots - 1);
     if (table[slot] == invalid_index) table[slot] = static_cast<Index>(v);
@@ -110,38 +148,38 @@ bool is_doubtful(const IndexedMesh& mesh, const std::vector<Triangle>& grouped, 
   });
 }
 
-bool has_doubtful_edge(const IndexedMesh& mesh, const std::vector<Triangle>& grouped) {
-  bool found = false;
-  for_each_edge(grouped, mesh.positions.size(), {}, [&](Index a, Index b, std::span<const EdgeEnd> faces) {
-    found = found || is_doubtful(mesh, grouped, a, b, faces);
+// Flags the positions at the ends of doubtful edges. \param is_chosen the faces that count.
+template <class Choose>
+std::vector<char> find_doubtful_groups(const IndexedMesh& mesh, const std::vector<Triangle>& grouped,
+                                       const Choose& is_chosen) {
+  std::vector<char> is_doubtful_group(mesh.positions.size(), 0);
+  for_each_edge(grouped, mesh.positions.size(), is_chosen, [&](Index a, Index b, std::span<const EdgeEnd> faces) {
+    if (is_doubtful(mesh, grouped, a, b, faces)) is_doubtful_group[a] = is_doubtful_group[b] = 1;
   });
-  return found;
+  return is_doubtful_group;
 }
 
+bool has_any(const std::vector<char>& flags) { return std::find(flags.begin(), flags.end(), 1) != flags.end(); }
+
 // Joins what can be joined; `group` becomes the lowest vertex of each joined set.
+template <class Choose>
 void resolve_doubtful(const IndexedMesh& mesh, const std::vector<Triangle>& grouped,
-                      const std::vector<char>& is_dropped, std::vector<Index>& group) {
+                      const std::vector<char>& is_doubtful_group, const Choose& is_chosen, std::vector<Index>& group) {
   const std::size_t vertices = mesh.positions.size();
-  std::vector<char> is_doubtful_group(vertices, 0);
   WeldResolver resolver;
-  for_each_edge(grouped, vertices, is_dropped, [&](Index a, Index b, std::span<const EdgeEnd> faces) {
-    if (!is_doubtful(mesh, grouped, a, b, faces)) return;
-    is_doubtful_group[a] = is_doubtful_group[b] = 1;
-  });
   for (std::size_t v = 0; v < vertices; ++v) {
     if (is_doubtful_group[group[v]]) resolver.add_vertex(static_cast<Index>(v));
   }
-  for_each_edge(grouped, vertices, is_dropped, [&](Index a, Index b, std::span<const EdgeEnd> faces) {
+  for_each_edge(grouped, vertices, is_chosen, [&](Index a, Index b, std::span<const EdgeEnd> faces) {
     if (!is_doubtful(mesh, grouped, a, b, faces)) return;
     resolver.begin_edge();
     for (const EdgeEnd& end : faces) {
       const Triangle& face = grouped[end.face];
-      const auto [at_a, at_b] = stored_edge(mesh.faces[end.face], face, a, b);
       const auto corner = static_cast<std::size_t>(std::find(face.begin(), face.end(), a) - face.begin());
-      resolver.add_face({at_a, at_b}, face[(corner + 1) % 3] == b);
+      resolver.add_face(stored_edge(mesh.faces[end.face], face, a, b), face[(corner + 1) % 3] == b);
     }
   });
-  for_each_edge(grouped, vertices, is_dropped, [&](Index a, Index b, std::span<const EdgeEnd> faces) {
+  for_each_edge(grouped, vertices, is_chosen, [&](Index a, Index b, std::span<const EdgeEnd> faces) {
     if (faces.size() != 2) return;
     const auto first = stored_edge(mesh.faces[faces[0].face], grouped[faces[0].face], a, b);
     const auto second = stored_edge(mesh.faces[faces[1].face], grouped[faces[1].face], a, b);
@@ -154,38 +192,83 @@ void resolve_doubtful(const IndexedMesh& mesh, const std::vector<Triangle>& grou
   }
 }
 
+// Faces that were left out because two corners are at one position, but whose corners stayed apart, close the surface
+// there: they come back unless an edge would get a third face by it.
+void bring_back(const IndexedMesh& mesh, const std::vector<Index>& group, std::vector<char>& is_dropped) {
+  const std::vector<Triangle> welded = renumber(mesh.faces, group);
+  std::vector<char> is_back(welded.size(), 0);
+  for (std::size_t f = 0; f < welded.size(); ++f) {
+    is_back[f] = is_dropped[f] == dropped_as_degenerate && !is_degenerate(welded[f]);
+  }
+  if (!has_any(is_back)) return;
+  for (std::size_t f = 0; f < welded.size(); ++f) {
+    if (is_back[f]) is_dropped[f] = 0;
+  }
+  for_each_edge(
+      welded, mesh.positions.size(), [&](std::size_t f) { return !is_dropped[f] && !is_degenerate(welded[f]); },
+      [&](Index a, Index b, std::span<const EdgeEnd> faces) {
+        if (!is_doubtful(mesh, welded, a, b, faces)) return;
+        for (const EdgeEnd& end : faces) {
+          if (is_back[end.face]) is_dropped[end.face] = dropped_as_degenerate;
+        }
+      });
+}
+
+std::size_t count_welded(const std::vector<Index>& group) {
+  std::size_t welded = 0;
+  for (std::size_t v = 0; v < group.size(); ++v) welded += group[v] != v;
+  return welded;
+}
+
+// The faces that welding changes: those with a corner that isn't alone at its position.
+std::vector<char> find_touched_faces(const std::vector<Triangle>& faces, const std::vector<Index>& group) {
+  std::vector<char> is_shared(group.size(), 0);
+  for (std::size_t v = 0; v < group.size(); ++v) {
+    if (group[v] != v) is_shared[v] = is_shared[group[v]] = 1;
+  }
+  std::vector<char> is_touched(faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    is_touched[f] = static_cast<char>(is_shared[faces[f][0]] | is_shared[faces[f][1]] | is_shared[faces[f][2]]);
+  }
+  return is_touched;
+}
+
 }  // namespace
 
-Repairs weld_borders(IndexedMesh& mesh) {
+Repairs weld_borders(IndexedMesh& mesh, std::vector<Index>* joined_to) {
   Repairs done;
-  const std::vector<char> is_border = find_border_vertices(mesh);
-  if (std::find(is_border.begin(), is_border.end(), 1) == is_border.end()) return done;
-  std::vector<Index> group = group_by_position(mesh.positions, is_border);
-  const auto count_welded = [&] {
-    std::size_t welded = 0;
-    for (std::size_t v = 0; v < group.size(); ++v) welded += group[v] != v;
-    return welded;
-  };
-  if (count_welded() == 0) return done;
+  if (joined_to != nullptr) joined_to->clear();
+  std::vector<Index> group = group_by_position(mesh.positions, find_candidates(mesh));
+  done.welded_vertices = count_welded(group);
+  if (done.welded_vertices == 0) return done;
 
   const std::vector<Triangle> grouped = renumber(mesh.faces, group);
-  if (!has_doubtful_edge(mesh, grouped)) {
+  const std::vector<char> is_touched = find_touched_faces(mesh.faces, group);
+  const auto counts = [&](std::size_t f) { return is_touched[f] && !is_degenerate(grouped[f]); };
+  if (!has_any(find_doubtful_groups(mesh, grouped, counts))) {
     mesh.faces = grouped;
-    done.welded_vertices = count_welded();
+    if (joined_to != nullptr) *joined_to = std::move(group);
     return done;
   }
+
   // A face that lies twice at the same place would make all its edges doubtful.
   std::vector<char> is_dropped = find_duplicate_faces(grouped, mesh.positions.size());
-  done.duplicate_faces = static_cast<std::size_t>(std::count(is_dropped.begin(), is_dropped.end(), 1));
   for (std::size_t f = 0; f < grouped.size(); ++f) {
-    if (!is_degenerate(grouped[f])) continue;
-    is_dropped[f] = 1;
-    ++done.degenerate_faces;
+    if (is_degenerate(grouped[f])) is_dropped[f] = dropped_as_degenerate;
   }
-  resolve_doubtful(mesh, grouped, is_dropped, group);
-  done.welded_vertices = count_welded();
+  const auto still_counts = [&](std::size_t f) { return is_touched[f] && !is_dropped[f]; };
+  const std::vector<char> is_doubtful_group = find_doubtful_groups(mesh, grouped, still_counts);
+  resolve_doubtful(mesh, grouped, is_doubtful_group, still_counts, group);
+  bring_back(mesh, group, is_dropped);
+
+  done.welded_vertices = count_welded(group);
+  done.degenerate_faces =
+      static_cast<std::size_t>(std::count(is_dropped.begin(), is_dropped.end(), dropped_as_degenerate));
+  done.duplicate_faces =
+      static_cast<std::size_t>(std::count(is_dropped.begin(), is_dropped.end(), dropped_as_duplicate));
   mesh.faces = renumber(mesh.faces, group);
   drop_faces(mesh, [&](std::size_t f) { return is_dropped[f] != 0; });
+  if (joined_to != nullptr && done.welded_vertices > 0) *joined_to = std::move(group);
   return done;
 }
 

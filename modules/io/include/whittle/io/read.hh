@@ -26,6 +26,9 @@ struct ReadResult {
   /// At least one face; every vertex is referenced; `origins` is filled and ascending (the number of the vertex in the
   /// file, from 0; in STL, of the corner). Normals and colours are filled when the file has them for vertices.
   IndexedMesh mesh;
+  /// `file_vertices` numbers: the vertex of `mesh` each vertex of the file became, `invalid_index` for those dropped.
+  /// Vertices welded together became the same.
+  std::vector<Index> vertex_map;
   /// What was repaired, kind by kind.
   Repairs repairs;
   /// One line each, without a full stop: what the file has and the mesh doesn't carry, what was read leniently.

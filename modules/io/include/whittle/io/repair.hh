@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "whittle/engine/indexed_mesh.hh"
 
@@ -24,16 +25,18 @@ struct Repairs {
   Repairs& operator+=(const Repairs& more);
 };
 
-/// "welded 2100 vertices, dropped 108 degenerate faces"; empty when nothing was repaired.
+/// "welded 2100 vertices, dropped 108 degenerate faces, 2 isolated vertices"; empty when nothing was repaired.
 std::string to_string(const Repairs& repairs);
 
 /// Everything below in one: degenerate and duplicate faces, welding if asked, what welding made degenerate or
 /// duplicate, and last isolated vertices (those that were welded to another aren't counted again).
 /// \pre positions are finite, every corner number is below V, attribute arrays are empty or full.
-Repairs repair(IndexedMesh& mesh, bool weld = true);
+/// \param joined_to as for `weld_borders`.
+Repairs repair(IndexedMesh& mesh, bool weld = true, std::vector<Index>* joined_to = nullptr);
 
-/// Makes vertices with exactly equal positions (0.0 equals −0.0) that lie on open borders one: the lowest numbered,
-/// whose attributes and origin stay; those joined to it are left isolated. An open border is an edge with one face.
+/// Makes vertices with exactly equal positions (0.0 equals −0.0) one, if they lie on open borders (edges with one face)
+/// or at the ends of an edge without length: the lowest numbered, whose attributes and origin stay; those joined to it
+/// are left isolated. Other coincident vertices stay apart: there two closed parts touch.
 ///
 /// Where joining all of them would give an edge a third face, the vertices at both ends of this edge are first joined
 /// only as far as their faces hang together across other edges; then the pieces left open are joined pair by pair, in
@@ -43,11 +46,13 @@ Repairs repair(IndexedMesh& mesh, bool weld = true);
 ///
 /// Only where edges are in doubt are faces dropped here: those that have two corners, or all three and their order, at
 /// the same positions. Otherwise this is left to the functions below.
-/// \return counts of welded vertices, degenerate and duplicate faces.
-Repairs weld_borders(IndexedMesh& mesh);
+/// \param joined_to if given, becomes V numbers: the vertex each was joined to, itself if none; empty if none was
+/// joined. \return counts of welded vertices, degenerate and duplicate faces.
+Repairs weld_borders(IndexedMesh& mesh, std::vector<Index>* joined_to = nullptr);
 
-/// Drops faces two corners of which are the same vertex. Faces without area but with three different vertices stay:
-/// dropping them would open the surface. \return the number dropped.
+/// Drops faces two corners of which are the same vertex. Faces without area but with three different vertices (their
+/// corners in a line, or at one position but not welded) stay: dropping them would open the surface.
+/// \return the number dropped.
 std::size_t drop_degenerate_faces(IndexedMesh& mesh);
 
 /// Drops each face that has the same vertices as an earlier one in the same cyclic order. Coincident faces that look to
