@@ -69,7 +69,9 @@ TEST(Data, ShowsWhatItsTableSays) {
     EXPECT_EQ(t.components, c.components) << c.name << ' ' << t;
     EXPECT_EQ(t.border_loops, c.border_loops) << c.name << ' ' << t;
     EXPECT_EQ(t.misoriented_edges, 0) << c.name << ' ' << t;
-    if (c.genus) EXPECT_EQ(t.genus(), *c.genus) << c.name << ' ' << t;
+    if (c.genus) {
+      EXPECT_EQ(t.genus(), *c.genus) << c.name << " " << t;
+    }
   }
 }
 

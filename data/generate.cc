@@ -29,10 +29,11 @@ struct DataMesh {
   bool ascii = false;
 };
 
-/// Coordinates of six decimals: short files, and the last bit of somebody's sine doesn't show. Text only.
+/// Coordinates of six decimals, 0 without a sign: short files, and the last bit of somebody's sine doesn't show. For
+/// text.
 IndexedMesh with_decimals(IndexedMesh mesh) {
   for (Vec3& p : mesh.positions)
-    for (double& x : p) x = std::round(x * 1e6) / 1e6;
+    for (double& x : p) x = std::round(x * 1e6) / 1e6 + 0.0;
   return mesh;
 }
 
