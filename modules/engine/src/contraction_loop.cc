@@ -7,7 +7,6 @@ namespace whittle {
 
 namespace {
 
-constexpr float not_raised = -1;
 /// Candidates between two calls of the progress callback: about a millisecond.
 constexpr std::uint64_t progress_interval = 2048;
 
@@ -25,6 +24,7 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, std::vector<Quadric> 
       n_initial_faces_(complex.n_faces()),
       raised_(complex.n_vertex_slots()),
       refused_(complex.n_vertex_slots()),
+      is_raised_(complex.n_edge_slots()),
       is_refused_(complex.n_edge_slots()) {}
 
 DecimateResult ContractionLoop::run() {
@@ -244,16 +244,15 @@ void ContractionLoop::contract(Index a, Index b, const PairEvaluation& evaluatio
 }
 
 void ContractionLoop::note_raised(Index pair, Index a, Index b, const PairEvaluation& evaluation) {
-  const bool is_raised = !raised_costs_.empty() && raised_costs_[pair] != not_raised;
-  if (is_raised) {
+  if (is_raised_[pair]) {
     raised_costs_[pair] = static_cast<float>(evaluation.cost);
-    return;
+  } else if (evaluation.cost > evaluation.bound) {
+    is_raised_[pair] = true;
+    raised_costs_.resize(complex_.n_edge_slots());
+    raised_costs_[pair] = static_cast<float>(evaluation.cost);
+    raised_.add(a, pair);
+    raised_.add(b, pair);
   }
-  if (evaluation.cost <= evaluation.bound) return;
-  if (raised_costs_.empty()) raised_costs_.assign(complex_.n_edge_slots(), not_raised);
-  raised_costs_[pair] = static_cast<float>(evaluation.cost);
-  raised_.add(a, pair);
-  raised_.add(b, pair);
 }
 
 /// Queues anew those raised pairs at the merged vertex that have become cheaper.

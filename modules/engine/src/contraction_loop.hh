@@ -96,8 +96,8 @@ class ContractionLoop {
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> late_;  ///< for the open bucket or before it
 
   WaitingPairs raised_;
-  std::vector<float>
-      raised_costs_;  ///< per pair, what a raised one is queued under; negative for others; empty if none
+  std::vector<bool> is_raised_;      ///< per pair
+  std::vector<float> raised_costs_;  ///< per pair, what a raised one is queued under; empty while there is none
   WaitingPairs refused_;
   std::vector<bool> is_refused_;  ///< per pair
   std::vector<Index> woken_;      ///< scratch

@@ -8,8 +8,8 @@
 namespace whittle {
 namespace {
 
-void require(bool condition, const std::string& what) {
-  if (!condition) throw std::invalid_argument("decimate: " + what);
+void require(bool condition, const char* what) {
+  if (!condition) throw std::invalid_argument(std::string("decimate: ") + what);
 }
 
 bool is_finite_and_not_negative(double x) { return x >= 0 && std::isfinite(x); }
@@ -26,14 +26,17 @@ void check(const DecimateTarget& target, const DecimateOptions& options, std::si
 void check(const IndexedMesh& mesh) {
   if (mesh.faces.size() > (std::size_t{1} << 31)) throw std::length_error("decimate: more than 2^31 faces");
   if (mesh.positions.size() >= invalid_index) throw std::length_error("decimate: more than 2^32 - 2 vertices");
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    for (const Index v : mesh.faces[f]) {
-      require(v < mesh.positions.size(), "face " + std::to_string(f) + " names vertex " + std::to_string(v) + " of " +
-                                             std::to_string(mesh.positions.size()));
+  for (const Triangle& face : mesh.faces) {
+    for (const Index v : face) {
+      if (v < mesh.positions.size()) continue;
+      throw std::invalid_argument("decimate: face " + std::to_string(&face - mesh.faces.data()) + " names vertex " +
+                                  std::to_string(v) + " of " + std::to_string(mesh.positions.size()));
     }
   }
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    require(mesh.positions[v].allFinite(), "vertex " + std::to_string(v) + " has a coordinate that is not finite");
+  for (const Vec3& p : mesh.positions) {
+    if (p.allFinite()) continue;
+    throw std::invalid_argument("decimate: vertex " + std::to_string(&p - mesh.positions.data()) +
+                                " has a coordinate that is not finite");
   }
 }
 

@@ -36,7 +36,7 @@ void FaceLists::truncate(Index v, std::size_t count) {
     faces.resize(count);
     if (count <= inline_capacity) {
       std::copy(faces.begin(), faces.end(), list.faces.begin());
-      faces = {};
+      faces.clear();
       free_overflow_.push_back(slot);
     }
   }
@@ -298,7 +298,7 @@ void TriangleComplex::contract(Index survivor, Index removed, const Vec3& positi
     merge_edges(shared, survivor, removed, star);
     faces_[shared.face][0] = invalid_index;
   }
-  face_lists_.clear(survivor);
+  face_lists_.truncate(survivor, 0);
   for (const PairStar::Wing& wing : star.first) face_lists_.push_back(survivor, wing.face);
   for (const PairStar::Wing& wing : star.second) {
     for (Index& corner : faces_[wing.face]) {
@@ -306,7 +306,7 @@ void TriangleComplex::contract(Index survivor, Index removed, const Vec3& positi
     }
     face_lists_.push_back(survivor, wing.face);
   }
-  face_lists_.clear(removed);
+  face_lists_.truncate(removed, 0);
   parents_[removed] = survivor;
   positions_[survivor] = position;
   orders_[survivor] = std::max(orders_[survivor], orders_[removed]);

@@ -23,7 +23,6 @@ class FaceLists {
   void push_back(Index v, Index face);
   /// Keeps the first `count` of v's faces.
   void truncate(Index v, std::size_t count);
-  void clear(Index v) { truncate(v, 0); }
 
   void prefetch(Index v) const { __builtin_prefetch(&lists_[v]); }
 
