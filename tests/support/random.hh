@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <random>
+#include <whittle/engine/indexed_mesh.hh>
 
 namespace whittle::test {
 
@@ -13,6 +14,13 @@ class Random {
   /// Uniform in [low, high).
   double uniform(double low = 0.0, double high = 1.0) {
     return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+  }
+
+  /// Uniform in [low, high)³, x drawn first: arguments of a call are evaluated in an order that differs by compiler.
+  Vec3 uniform_vector(double low, double high) {
+    Vec3 v;
+    for (double& x : v) x = uniform(low, high);
+    return v;
   }
 
   /// Uniform in [0, count); count at least 1. The bias of the remainder is below count / 2^64.

@@ -58,7 +58,7 @@ void subdivide(IndexedMesh& mesh) {
 
 Vec3 random_direction(Random& random) {
   while (true) {
-    const Vec3 v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    const Vec3 v = random.uniform_vector(-1, 1);
     if (v.squaredNorm() > 0.01 && v.squaredNorm() < 1.0) return v.normalized();
   }
 }

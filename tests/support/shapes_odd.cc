@@ -126,7 +126,7 @@ IndexedMesh with_isolated_vertices(const IndexedMesh& mesh, int count, std::uint
   std::vector<Index> number;
   for (std::size_t v = 0; v < n_new; ++v) {
     if (is_isolated[v]) {
-      result.positions.emplace_back(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3));
+      result.positions.push_back(random.uniform_vector(-3, 3));
     } else {
       result.positions.push_back(mesh.positions[number.size()]);
       number.push_back(static_cast<Index>(v));

@@ -43,8 +43,9 @@ IndexedMesh rotated(const IndexedMesh& mesh, const Vec3& axis, double angle_deg)
 IndexedMesh rotated(const IndexedMesh& mesh, std::uint64_t seed) {
   Random random(seed);
   // The third coordinate keeps away from 0, so that the axis has a length; which axes are likelier doesn't matter.
-  const Vec3 axis(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.1, 1));
-  return rotated(mesh, axis, random.uniform(20, 340));
+  const Vec3 axis = random.uniform_vector(-1, 1) + Vec3(0, 0, 1.1);
+  const double angle_deg = random.uniform(20, 340);
+  return rotated(mesh, axis, angle_deg);
 }
 
 IndexedMesh scaled(const IndexedMesh& mesh, double factor) {
