@@ -121,14 +121,14 @@ void ContractionLoop::resolve_members() {
   std::erase_if(members_, [&](Index pair) { return !complex_.is_edge_alive(pair); });
   for (std::size_t i = 0; i < members_.size(); ++i) {
     if (i + 16 < members_.size()) complex_.prefetch_edge(members_[i + 16]);
-    if (i + 8 < members_.size()) complex_.prefetch_parents(members_[i + 8]);
+    if (i + 8 < members_.size()) complex_.prefetch_ends(members_[i + 8]);
     const auto [a, b] = complex_.ends(members_[i]);
     resolved_.push_back({members_[i], a, b});
   }
 }
 
 void ContractionLoop::prefetch_vertex(Index v) const {
-  complex_.prefetch_position(v);
+  complex_.prefetch_vertex(v);
   const char* quadric = reinterpret_cast<const char*>(&quadrics_[v]);
   __builtin_prefetch(quadric);
   __builtin_prefetch(quadric + 64);

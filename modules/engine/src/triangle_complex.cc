@@ -48,7 +48,6 @@ TriangleComplex::TriangleComplex(std::vector<Vec3> positions, std::span<const Tr
   number_vertices(positions, number_of);
   positions = {};
   number_faces(faces, number_of);
-  ring_place_.resize(positions_.size());
   list_faces();
   look_at_stars();
 }
@@ -56,12 +55,10 @@ TriangleComplex::TriangleComplex(std::vector<Vec3> positions, std::span<const Tr
 void TriangleComplex::number_vertices(const std::vector<Vec3>& positions, std::vector<Index>& number_of) {
   origins_ = morton_order(positions);
   number_of.resize(positions.size());
-  positions_.resize(positions.size());
-  parents_.resize(positions.size());
+  vertices_.resize(positions.size());
   for (Index v = 0; v < origins_.size(); ++v) {
     number_of[origins_[v]] = v;
-    positions_[v] = positions[origins_[v]];
-    parents_[v] = v;
+    vertices_[v] = {positions[origins_[v]], v, 0};
   }
 }
 
@@ -71,7 +68,7 @@ void TriangleComplex::number_faces(std::span<const Triangle> faces, const std::v
     return Triangle{number_of[f[0]], number_of[f[1]], number_of[f[2]]};
   };
   const auto is_degenerate = [](const Triangle& f) { return f[0] == f[1] || f[1] == f[2] || f[2] == f[0]; };
-  std::vector<Index> starts(positions_.size() + 1);
+  std::vector<Index> starts(vertices_.size() + 1);
   for (const Triangle& face : faces) {
     if (is_degenerate(face)) {
       ++n_degenerate_faces_;
@@ -87,19 +84,19 @@ void TriangleComplex::number_faces(std::span<const Triangle> faces, const std::v
     if (is_degenerate(faces[f])) continue;
     const Triangle face = renumbered(faces[f]);
     const Index place = starts[std::ranges::min(face)]++;
-    faces_[place] = face;
+    faces_[place].corners = face;
     face_origins_[place] = static_cast<Index>(f);
   }
 }
 
 /// Each vertex's faces, in the input's order, so that sums over them do not depend on the numbering in here.
 void TriangleComplex::list_faces() {
-  face_lists_ = FaceLists(positions_.size());
+  face_lists_ = FaceLists(vertices_.size());
   for (Index f = 0; f < faces_.size(); ++f) {
-    for (const Index v : faces_[f]) face_lists_.push_back(v, f);
+    for (const Index v : faces_[f].corners) face_lists_.push_back(v, f);
   }
   const auto by_origin = [&](Index f, Index g) { return face_origins_[f] < face_origins_[g]; };
-  for (Index v = 0; v < positions_.size(); ++v) {
+  for (Index v = 0; v < vertices_.size(); ++v) {
     const std::span<Index> list = face_lists_.of(v);
     if (!list.empty()) ++n_vertices_;
     if (!std::is_sorted(list.begin(), list.end(), by_origin)) std::sort(list.begin(), list.end(), by_origin);
@@ -107,11 +104,11 @@ void TriangleComplex::list_faces() {
 }
 
 Index TriangleComplex::place_in_ring(Index v) {
-  const Index place = ring_place_[v];
+  Index& place = vertices_[v].ring_place;
   if (place < ring_.size() && ring_[place].vertex == v) return place;
-  ring_place_[v] = static_cast<Index>(ring_.size());
+  place = static_cast<Index>(ring_.size());
   ring_.push_back({.vertex = v});
-  return ring_place_[v];
+  return place;
 }
 
 namespace {
@@ -127,11 +124,10 @@ std::array<Index, 2> others(const Triangle& face, Index v) {
 
 /// Finds each vertex's order, and numbers the edges.
 void TriangleComplex::look_at_stars() {
-  orders_.resize(positions_.size());
+  orders_.resize(vertices_.size());
   edges_.reserve(n_faces_ + n_faces_ / 2 + 16);
   n_edge_faces_.reserve(edges_.capacity());
-  face_edges_.resize(n_faces_);
-  for (Index v = 0; v < positions_.size(); ++v) {
+  for (Index v = 0; v < vertices_.size(); ++v) {
     gather_ring(v);
     orders_[v] = order_of_ring();
     number_edges_up(v);
@@ -147,7 +143,7 @@ void TriangleComplex::gather_ring(Index v) {
     ++entry.n_faces[0];
   };
   for (const Index f : face_lists_.of(v)) {
-    const auto [x, y] = others(faces_[f], v);
+    const auto [x, y] = others(faces_[f].corners, v);
     const Index at_x = place_in_ring(x);
     const Index at_y = place_in_ring(y);
     join(at_x, at_y);
@@ -192,19 +188,12 @@ void TriangleComplex::number_edges_up(Index v) {
     n_edge_faces_.push_back(static_cast<std::uint8_t>(std::min<Index>(entry.n_faces[0], 255)));
   }
   for (const Index f : face_lists_.of(v)) {
-    const Triangle& face = faces_[f];
+    auto& [face, edges] = faces_[f];
     const std::size_t corner = face[0] == v ? 0 : face[1] == v ? 1 : 2;
     const std::size_t next = (corner + 1) % 3;
     const std::size_t previous = (corner + 2) % 3;
-    if (face[next] > v) face_edges_[f][corner] = ring_[ring_place_[face[next]]].edge;
-    if (face[previous] > v) face_edges_[f][previous] = ring_[ring_place_[face[previous]]].edge;
-  }
-}
-
-void TriangleComplex::prefetch_neighbours(Index v) const {
-  for (const Index f : face_lists_.of(v)) {
-    if (!is_alive(f)) continue;
-    for (const Index w : faces_[f]) prefetch_position(w);
+    if (face[next] > v) edges[corner] = ring_[vertices_[face[next]].ring_place].edge;
+    if (face[previous] > v) edges[previous] = ring_[vertices_[face[previous]].ring_place].edge;
   }
 }
 
@@ -216,7 +205,7 @@ void TriangleComplex::gather_one(Index v, Index other, std::vector<PairStar::Win
   for (const Index f : list) {
     if (!is_alive(f)) continue;
     list[n_alive++] = f;
-    const auto [x, y] = others(faces_[f], v);
+    const auto [x, y] = others(faces_[f].corners, v);
     if (x != other && y != other) {
       wings.push_back({f, x, y});
     } else if (shared) {
@@ -277,11 +266,11 @@ bool TriangleComplex::link_condition(Index a, Index b, const PairStar& star) {
 /// that of the survivor.
 void TriangleComplex::merge_edges(const PairStar::Shared& shared, Index survivor, Index removed, const PairStar& star) {
   const auto edge_between = [&](Index f, Index v, Index w) -> Index& {
-    const Triangle& face = faces_[f];
+    auto& [face, edges] = faces_[f];
     for (std::size_t i = 0; i < 2; ++i) {
-      if ((face[i] == v && face[i + 1] == w) || (face[i] == w && face[i + 1] == v)) return face_edges_[f][i];
+      if ((face[i] == v && face[i + 1] == w) || (face[i] == w && face[i + 1] == v)) return edges[i];
     }
-    return face_edges_[f][2];
+    return edges[2];
   };
   const Index kept = edge_between(shared.face, survivor, shared.opposite);
   const Index gone = edge_between(shared.face, removed, shared.opposite);
@@ -296,19 +285,19 @@ void TriangleComplex::merge_edges(const PairStar::Shared& shared, Index survivor
 void TriangleComplex::contract(Index survivor, Index removed, const Vec3& position, const PairStar& star) {
   for (const PairStar::Shared& shared : star.shared) {
     merge_edges(shared, survivor, removed, star);
-    faces_[shared.face][0] = invalid_index;
+    faces_[shared.face].corners[0] = invalid_index;
   }
   face_lists_.truncate(survivor, 0);
   for (const PairStar::Wing& wing : star.first) face_lists_.push_back(survivor, wing.face);
   for (const PairStar::Wing& wing : star.second) {
-    for (Index& corner : faces_[wing.face]) {
+    for (Index& corner : faces_[wing.face].corners) {
       if (corner == removed) corner = survivor;
     }
     face_lists_.push_back(survivor, wing.face);
   }
   face_lists_.truncate(removed, 0);
-  parents_[removed] = survivor;
-  positions_[survivor] = position;
+  vertices_[removed].parent = survivor;
+  vertices_[survivor].position = position;
   orders_[survivor] = std::max(orders_[survivor], orders_[removed]);
   n_faces_ -= star.shared.size();
   --n_vertices_;

@@ -75,17 +75,17 @@ class TriangleComplex {
   /// Takes the faces' vertex numbers as checked. Faces with two equal corners are left out.
   TriangleComplex(std::vector<Vec3> positions, std::span<const Triangle> faces);
 
-  std::size_t n_vertex_slots() const { return positions_.size(); }
+  std::size_t n_vertex_slots() const { return vertices_.size(); }
   std::size_t n_face_slots() const { return faces_.size(); }
   std::uint64_t n_vertices() const { return n_vertices_; }  ///< with at least one face
   std::uint64_t n_faces() const { return n_faces_; }
   std::uint64_t n_degenerate_faces() const { return n_degenerate_faces_; }  ///< left out at the start
 
-  const Vec3& position(Index v) const { return positions_[v]; }
+  const Vec3& position(Index v) const { return vertices_[v].position; }
   Index origin(Index v) const { return origins_[v]; }
   Index face_origin(Index f) const { return face_origins_[f]; }
-  bool is_alive(Index f) const { return faces_[f][0] != invalid_index; }
-  const Triangle& face(Index f) const { return faces_[f]; }
+  bool is_alive(Index f) const { return faces_[f].corners[0] != invalid_index; }
+  const Triangle& face(Index f) const { return faces_[f].corners; }
   VertexOrder order(Index v) const { return orders_[v]; }
   /// The faces at v; before the first contraction exactly those, in the input's order, later with removed ones among
   /// them.
@@ -93,7 +93,10 @@ class TriangleComplex {
 
   /// The vertex that v has been merged into, v itself if none. Shortens the path.
   Index representative(Index v) {
-    while (parents_[v] != v) v = parents_[v] = parents_[parents_[v]];
+    while (vertices_[v].parent != v) {
+      Index& parent = vertices_[v].parent;
+      v = parent = vertices_[parent].parent;
+    }
     return v;
   }
 
@@ -107,7 +110,7 @@ class TriangleComplex {
     return edge;
   }
   /// The edge from corner i of face f to the next.
-  Index face_edge(Index f, std::size_t i) const { return face_edges_[f][i]; }
+  Index face_edge(Index f, std::size_t i) const { return faces_[f].edges[i]; }
   /// Number of faces at an edge of the input, at most 255.
   unsigned n_initial_edge_faces(Index e) const { return n_edge_faces_[e]; }
 
@@ -121,16 +124,21 @@ class TriangleComplex {
   void contract(Index survivor, Index removed, const Vec3& position, const PairStar& star);
 
   void prefetch_edge(Index e) const { __builtin_prefetch(&edges_[e]); }
-  void prefetch_parents(Index e) const {
-    __builtin_prefetch(&parents_[edges_[e].first]);
-    __builtin_prefetch(&parents_[edges_[e].second]);
+  void prefetch_ends(Index e) const {
+    __builtin_prefetch(&vertices_[edges_[e].first]);
+    __builtin_prefetch(&vertices_[edges_[e].second]);
   }
-  void prefetch_position(Index v) const { __builtin_prefetch(&positions_[v]); }
+  void prefetch_vertex(Index v) const { __builtin_prefetch(&vertices_[v]); }
   void prefetch_face_list(Index v) const { face_lists_.prefetch(v); }
   void prefetch_faces(Index v) const {
     for (const Index f : face_lists_.of(v)) __builtin_prefetch(&faces_[f]);
   }
-  void prefetch_neighbours(Index v) const;
+  void prefetch_neighbours(Index v) const {
+    for (const Index f : face_lists_.of(v)) {
+      if (!is_alive(f)) continue;
+      for (const Index w : faces_[f].corners) prefetch_vertex(w);
+    }
+  }
 
  private:
   void number_vertices(const std::vector<Vec3>& positions, std::vector<Index>& number_of);
@@ -144,17 +152,25 @@ class TriangleComplex {
   void gather_one(Index v, Index other, std::vector<PairStar::Wing>& wings, std::vector<PairStar::Shared>* shared);
   void merge_edges(const PairStar::Shared& shared, Index survivor, Index removed, const PairStar& star);
 
-  std::vector<Vec3> positions_;
-  std::vector<Index> parents_;
+  /// What is looked at together lies together: two vertices a cache line.
+  struct alignas(32) Vertex {
+    Vec3 position;
+    Index parent;      ///< towards the vertex it was merged into; itself if none
+    Index ring_place;  ///< scratch: its place in `ring_`, right only if the entry there names it
+  };
+  struct Face {
+    Triangle corners;            ///< the first is `invalid_index` once removed
+    std::array<Index, 3> edges;  ///< from each corner to the next
+  };
+  std::vector<Vertex> vertices_;
   std::vector<Index> origins_;
   std::vector<VertexOrder> orders_;
-  std::vector<Triangle> faces_;  ///< first corner `invalid_index` once removed
+  std::vector<Face> faces_;
   std::vector<Index> face_origins_;
   FaceLists face_lists_;
   std::vector<Edge> edges_;  ///< ends as last looked up
   std::vector<bool> edge_alive_;
   std::vector<std::uint8_t> n_edge_faces_;
-  std::vector<std::array<Index, 3>> face_edges_;
   std::uint64_t n_vertices_ = 0;
   std::uint64_t n_faces_ = 0;
   std::uint64_t n_degenerate_faces_ = 0;
@@ -167,9 +183,7 @@ class TriangleComplex {
     bool opposite = false;                                    ///< corner of a face of the pair
     Index edge = invalid_index;
   };
-  /// Scratch: the neighbours under look, and each vertex's place among them, right only if the entry there names it.
-  std::vector<RingEntry> ring_;
-  std::vector<Index> ring_place_;
+  std::vector<RingEntry> ring_;  ///< scratch: the neighbours under look
 };
 
 }  // namespace whittle
