@@ -97,8 +97,9 @@ IndexedMesh random_thin_triangles(std::size_t n, double thickness, std::uint64_t
 }
 
 /// Tolerance: point, corners and origin are rounded once each (2^-53 of the extent), the foot on a side or plane is off
-/// by a few such units; 32 in all, against the extent of what is involved.
-void expect_agrees_with_brute_force(const IndexedMesh& mesh, const std::string& what, std::uint64_t seed) {
+/// by a few such units; 32 in all, against the extent of what is involved. `extra` is relative to the same.
+void expect_agrees_with_brute_force(const IndexedMesh& mesh, const std::string& what, std::uint64_t seed,
+                                    double extra = 0.0) {
   const Bounds box = bounds(mesh);
   const TriangleTree tree(mesh);
   Random random(seed);
@@ -109,7 +110,7 @@ void expect_agrees_with_brute_force(const IndexedMesh& mesh, const std::string& 
     const ClosestPoint found = tree.nearest(point);
     const double distance = std::sqrt(found.distance_sq);
     const auto expected = static_cast<double>(brute_force_distance(mesh, point));
-    const double tolerance = 32 * 0x1p-53 * (box.diagonal() + expected + box.center().norm() * 0.25);
+    const double tolerance = (32 * 0x1p-53 + extra) * (box.diagonal() + expected + box.center().norm() * 0.25);
     ASSERT_NEAR(distance, expected, tolerance) << what << ", seed " << seed << ", query " << i;
     // The point is on the face, and as far away as said.
     const auto [a, b, c] = mesh.faces[found.face];
@@ -130,9 +131,38 @@ TEST(TriangleTree, AgreesWithBruteForceOnRandomTriangles) {
 }
 
 TEST(TriangleTree, AgreesWithBruteForceOnThinAndDegenerateTriangles) {
-  for (const double thickness : {1e-3, 1e-6, 1e-8, 0.0}) {
-    expect_agrees_with_brute_force(random_thin_triangles(200, thickness, 5), "thickness " + std::to_string(thickness),
+  for (const double thickness : {1e-3, 1e-6, 0.0}) {
+    expect_agrees_with_brute_force(random_thin_triangles(200, thickness, 5), "thin, case " + std::to_string(thickness),
                                    5);
+  }
+  // A face that is hardly more than a line is taken for its sides: half of 1e-11 off, as triangle_math.hh says.
+  for (int exponent = 8; exponent <= 16; ++exponent) {
+    expect_agrees_with_brute_force(random_thin_triangles(200, std::pow(10.0, -exponent), 5),
+                                   "thickness 1e-" + std::to_string(exponent), 5, 5e-12);
+  }
+}
+
+TEST(TriangleTree, IsAccurateRightAboveThinTriangles) {
+  // Where the foot on the plane lies inside the face, which no random point would ever hit.
+  for (int exponent = 3; exponent <= 17; ++exponent) {
+    const IndexedMesh mesh = random_thin_triangles(200, std::pow(10.0, -exponent), 16);
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      if (f % 4 > 1) continue;  // these are lines and points
+      const auto& [ia, ib, ic] = mesh.faces[f];
+      const Wide a = mesh.positions[ia].cast<long double>(), b = mesh.positions[ib].cast<long double>();
+      const Wide c = mesh.positions[ic].cast<long double>();
+      const Wide normal = (b - a).cross(c - a).normalized();
+      if (!normal.allFinite()) continue;
+      const double reach = f % 8 < 4 ? 1.0 : 1e-3;
+      const Vec3 point = ((a + b + c) / 3.0L + reach * normal).cast<double>();
+      IndexedMesh alone;
+      alone.positions = mesh.positions;
+      alone.faces = {mesh.faces[f]};
+      const double found = std::sqrt(TriangleTree(alone, Vec3::Zero()).nearest(point).distance_sq);
+      const auto expected = static_cast<double>(distance_by_features(point.cast<long double>(), a, b, c));
+      ASSERT_NEAR(found, expected, 5e-12 * (bounds(alone).diagonal() + reach))
+          << "thickness 1e-" << exponent << ", face " << f;
+    }
   }
 }
 
@@ -229,6 +259,41 @@ TEST(TriangleTree, AnswersTheSameWithAnyHint) {
   }
 }
 
+TEST(TriangleTree, AnswersTheSameWithAnyHintWhereRoundingMatters) {
+  // Points on and close to the faces, sides and corners of a turned mesh, where the foot may round to outside of the
+  // box.
+  const IndexedMesh mesh = test::rotated(test::joined(test::tessellated_cube(6), test::sphere(2)), 14);
+  const TriangleTree tree(mesh, Vec3::Zero());
+  Random random(14);
+  for (int i = 0; i < 20'000; ++i) {
+    const auto& [a, b, c] = mesh.faces[random.below(mesh.faces.size())];
+    const double u = i % 3 == 0 ? 0.0 : random.uniform(), v = i % 5 == 0 ? 0.0 : random.uniform(0.0, 1.0 - u);
+    const Vec3 on = (1.0 - u - v) * mesh.positions[a] + u * mesh.positions[b] + v * mesh.positions[c];
+    const Vec3 point = on * (i % 2 == 0 ? 1.0 : 1.0 + 1e-15);
+    const ClosestPoint plain = tree.nearest(point);
+    for (int j = 0; j < 4; ++j) {
+      const auto hint = static_cast<Index>(random.below(mesh.faces.size()));
+      const ClosestPoint hinted = tree.nearest(point, hint);
+      ASSERT_EQ(hinted.face, plain.face) << "query " << i << ", hint " << hint;
+      ASSERT_EQ(hinted.distance_sq, plain.distance_sq) << "query " << i << ", hint " << hint;
+    }
+  }
+}
+
+TEST(TriangleTree, AnswersTheSameWithAnyHintAboveAFlatGrid) {
+  // Above a vertex of an axis-parallel plane six faces are equally near, and as near as their boxes: the foot on the
+  // plane must not round to nearer than that, or the others are not looked at.
+  const IndexedMesh mesh = test::moved(test::scaled(test::grid(6, 6), 0.37), Vec3(0.0, 0.0, 0.1));
+  const TriangleTree tree(mesh, Vec3::Zero());
+  Random random(15);
+  for (int i = 0; i < 20'000; ++i) {
+    const Vec3 point = mesh.positions[random.below(mesh.positions.size())] + Vec3(0.0, 0.0, random.uniform());
+    const ClosestPoint plain = tree.nearest(point);
+    const ClosestPoint hinted = tree.nearest(point, static_cast<Index>(random.below(mesh.faces.size())));
+    ASSERT_EQ(hinted.face, plain.face) << "query " << i;
+  }
+}
+
 TEST(TriangleTree, AnswersManyThreadsAtOnce) {
   const IndexedMesh mesh = test::blob(4, 5);
   const TriangleTree tree(mesh);
@@ -253,12 +318,13 @@ TEST(TriangleTree, AnswersManyThreadsAtOnce) {
   }
 }
 
-TEST(TriangleTree, CopesWithSizesThatHalveForever) {
-  // Each face is half as large and half as near to zero as the one before: no split by area ever balances.
-  constexpr int n = 220;
+TEST(TriangleTree, CopesWithSizesThatShrinkForever) {
+  // Each face is a sixteenth as large and as near to zero as the one before: any split by area takes off just the
+  // largest.
+  constexpr int n = 116;
   IndexedMesh mesh;
   for (int i = 0; i < n; ++i) {
-    const double size = std::ldexp(1.0, -i);
+    const double size = std::ldexp(1.0, 4 * (n / 2 - i));
     const auto first = static_cast<Index>(mesh.positions.size());
     mesh.positions.emplace_back(size, 0.0, 0.0);
     mesh.positions.emplace_back(size, 0.25 * size, 0.0);
@@ -267,7 +333,7 @@ TEST(TriangleTree, CopesWithSizesThatHalveForever) {
   }
   const TriangleTree tree(mesh, Vec3::Zero());
   for (int i = 0; i < n; ++i) {
-    const double size = std::ldexp(1.0, -i);
+    const double size = std::ldexp(1.0, 4 * (n / 2 - i));
     const ClosestPoint found = tree.nearest(Vec3(1.125 * size, 0.0625 * size, 0.0625 * size));
     EXPECT_EQ(found.face, static_cast<Index>(i));
     EXPECT_DOUBLE_EQ(std::sqrt(found.distance_sq), 0.125 * size) << "face " << i;

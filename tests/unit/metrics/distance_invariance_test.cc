@@ -68,6 +68,30 @@ TEST(SurfaceDistance, ChangesWithTheSeedWithinItsSamplingError) {
   EXPECT_NEAR(first.mean, second.mean, 5.0 * first.rms / std::sqrt(30'000.0));
 }
 
+TEST(SurfaceDistance, OfASingleSampleIsRightOnAverage) {
+  // The one sample may lie anywhere on the whole surface: see the squares in distance_test.cc for the mean.
+  const auto square = [](double low, double high) {
+    IndexedMesh mesh;
+    mesh.positions = {{low, low, 0.0}, {high, low, 0.0}, {high, high, 0.0}, {low, high, 0.0}};
+    mesh.faces = {{0, 1, 2}, {0, 2, 3}};
+    return mesh;
+  };
+  const IndexedMesh small = square(0.0, 1.0);
+  IndexedMesh large = square(-1.0, 2.0);
+  large.faces = {{0, 2, 3}, {0, 1, 2}};  // as good, and a sampler that starts with the first face gets the other one
+  constexpr int n = 4000;
+  double sum = 0.0, above = 0.0;
+  for (std::uint64_t seed = 1; seed <= n; ++seed) {
+    sum += surface_distance(small, large, {.samples = 1, .seed = seed, .threads = 1}).backward.mean;
+    // Against the half above the diagonal, the points below it are off: those above are just as many.
+    IndexedMesh half = large;
+    half.faces.resize(1);
+    above += surface_distance(half, large, {.samples = 1, .seed = seed, .threads = 1}).backward.mean == 0.0 ? 1.0 : 0.0;
+  }
+  EXPECT_NEAR(sum / n, 0.5623, 5.0 * 0.36 / std::sqrt(n));
+  EXPECT_NEAR(above / n, 0.5, 5.0 * 0.5 / std::sqrt(n));
+}
+
 TEST(SurfaceDistance, ConvergesAtAnyNumberOfSamples) {
   const SurfaceDistance fine = surface_distance(reference(), approximation(), {.samples = 200'000});
   for (const std::size_t samples : {std::size_t{1}, std::size_t{2047}, std::size_t{2049}, std::size_t{20'000}}) {
