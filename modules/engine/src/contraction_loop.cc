@@ -232,15 +232,22 @@ void ContractionLoop::contract(Index a, Index b, const PairEvaluation& evaluatio
   }
 
   wake_raised(survivor, removed);
-  wake_refused_at(survivor);
-  wake_refused_at(removed);
+  wake_refused_around(survivor, removed);
+}
+
+void ContractionLoop::wake_refused_around(Index survivor, Index removed) {
+  const auto wake = [&](Index v) {
+    if (refused_.any_at(v)) wake_refused_at(v);
+  };
+  wake(survivor);
+  wake(removed);
   for (const auto* wings : {&star_.first, &star_.second}) {
     for (const PairStar::Wing& wing : *wings) {
-      wake_refused_at(wing.x);
-      wake_refused_at(wing.y);
+      wake(wing.x);
+      wake(wing.y);
     }
   }
-  for (const PairStar::Shared& shared : star_.shared) wake_refused_at(shared.opposite);
+  for (const PairStar::Shared& shared : star_.shared) wake(shared.opposite);
 }
 
 void ContractionLoop::note_raised(Index pair, Index a, Index b, const PairEvaluation& evaluation) {
@@ -293,7 +300,6 @@ void ContractionLoop::refuse(Index pair, Index a, Index b, Refusal refusal) {
 }
 
 void ContractionLoop::wake_refused_at(Index v) {
-  if (!refused_.any_at(v)) return;
   woken_.clear();
   refused_.take(v, woken_);
   for (const Index pair : woken_) {

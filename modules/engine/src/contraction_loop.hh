@@ -73,6 +73,7 @@ class ContractionLoop {
   void note_raised(Index pair, Index a, Index b, const PairEvaluation& evaluation);
   void wake_raised(Index survivor, Index removed);
   void refuse(Index pair, Index a, Index b, Refusal refusal);
+  void wake_refused_around(Index survivor, Index removed);
   void wake_refused_at(Index v);
   bool is_locked(Index v) const { return !settings_.locked.empty() && settings_.locked[v] != 0; }
 

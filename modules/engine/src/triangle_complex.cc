@@ -6,12 +6,7 @@
 
 namespace whittle {
 
-void FaceLists::push_back(Index v, Index face) {
-  List& list = lists_[v];
-  if (list.count < inline_capacity) {
-    list.faces[list.count++] = face;
-    return;
-  }
+void FaceLists::push_back_to_overflow(List& list, Index face) {
   if (list.count == inline_capacity) {
     Index slot;
     if (free_overflow_.empty()) {
@@ -28,19 +23,14 @@ void FaceLists::push_back(Index v, Index face) {
   ++list.count;
 }
 
-void FaceLists::truncate(Index v, std::size_t count) {
-  List& list = lists_[v];
-  if (list.count > inline_capacity) {
-    const Index slot = list.faces[0];
-    std::vector<Index>& faces = overflow_[slot];
-    faces.resize(count);
-    if (count <= inline_capacity) {
-      std::copy(faces.begin(), faces.end(), list.faces.begin());
-      faces.clear();
-      free_overflow_.push_back(slot);
-    }
-  }
-  list.count = static_cast<Index>(count);
+void FaceLists::shrink_overflow(List& list, std::size_t count) {
+  const Index slot = list.faces[0];
+  std::vector<Index>& faces = overflow_[slot];
+  faces.resize(count);
+  if (count > inline_capacity) return;
+  std::copy(faces.begin(), faces.end(), list.faces.begin());
+  faces.clear();
+  free_overflow_.push_back(slot);
 }
 
 TriangleComplex::TriangleComplex(std::vector<Vec3> positions, std::span<const Triangle> faces) {
@@ -199,19 +189,21 @@ void TriangleComplex::number_edges_up(Index v) {
 
 void TriangleComplex::gather_one(Index v, Index other, std::vector<PairStar::Wing>& wings,
                                  std::vector<PairStar::Shared>* shared) {
-  wings.clear();
   const std::span<Index> list = face_lists_.of(v);
+  wings.resize(list.size());
   std::size_t n_alive = 0;
+  std::size_t n_wings = 0;
   for (const Index f : list) {
     if (!is_alive(f)) continue;
     list[n_alive++] = f;
     const auto [x, y] = others(faces_[f].corners, v);
     if (x != other && y != other) {
-      wings.push_back({f, x, y});
+      wings[n_wings++] = {f, x, y};
     } else if (shared) {
       shared->push_back({f, x == other ? y : x});
     }
   }
+  wings.resize(n_wings);
   if (n_alive != list.size()) face_lists_.truncate(v, n_alive);
 }
 
@@ -221,7 +213,25 @@ void TriangleComplex::gather(Index a, Index b, PairStar& star) {
   gather_one(b, a, star.second, nullptr);
 }
 
-bool TriangleComplex::link_condition(Index a, Index b, const PairStar& star) {
+/// The common case without a look at any neighbour: an inner edge, and by a coarse signature no common neighbour beside
+/// the two opposite corners. False means no more than that a closer look is due.
+bool TriangleComplex::obviously_keeps_topology(Index a, Index b, const PairStar& star) const {
+  if (star.shared.size() != 2 || orders_[a] != VertexOrder::regular || orders_[b] != VertexOrder::regular) return false;
+  // With one face each beside the common ones, both would lie over the same edge: a tetrahedron.
+  if (star.first.size() < 2 && star.second.size() < 2) return false;
+  const Index c = star.shared[0].opposite;
+  const Index d = star.shared[1].opposite;
+  if (c == d) return false;
+  const auto signature = [c, d](const std::vector<PairStar::Wing>& wings) {
+    const auto bit = [c, d](Index v) { return v == c || v == d ? 0 : std::uint64_t{1} << (v & 63); };
+    std::uint64_t bits = 0;
+    for (const PairStar::Wing& wing : wings) bits |= bit(wing.x) | bit(wing.y);
+    return bits;
+  };
+  return (signature(star.first) & signature(star.second)) == 0;
+}
+
+bool TriangleComplex::link_condition_of_any(Index a, Index b, const PairStar& star) {
   if (star.shared.empty()) return false;                        // not an edge
   if (star.first.empty() && star.second.empty()) return false;  // the part would vanish
   ring_.clear();

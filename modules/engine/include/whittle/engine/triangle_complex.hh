@@ -20,9 +20,20 @@ class FaceLists {
   }
   std::span<const Index> of(Index v) const { return const_cast<FaceLists*>(this)->of(v); }
 
-  void push_back(Index v, Index face);
+  void push_back(Index v, Index face) {
+    List& list = lists_[v];
+    if (list.count < inline_capacity) {
+      list.faces[list.count++] = face;
+    } else {
+      push_back_to_overflow(list, face);
+    }
+  }
   /// Keeps the first `count` of v's faces.
-  void truncate(Index v, std::size_t count);
+  void truncate(Index v, std::size_t count) {
+    List& list = lists_[v];
+    if (list.count > inline_capacity) shrink_overflow(list, count);
+    list.count = static_cast<Index>(count);
+  }
 
   void prefetch(Index v) const { __builtin_prefetch(&lists_[v]); }
 
@@ -33,6 +44,9 @@ class FaceLists {
     std::array<Index, inline_capacity>
         faces{};  ///< the faces; with more, faces[0] is the number of the list in `overflow_`
   };
+  void push_back_to_overflow(List& list, Index face);
+  void shrink_overflow(List& list, std::size_t count);
+
   std::vector<List> lists_;
   std::vector<std::vector<Index>> overflow_;
   std::vector<Index> free_overflow_;
@@ -118,7 +132,9 @@ class TriangleComplex {
 
   /// Whether contracting (a, b) leaves the topology as it is: Lk a ∩ Lk b = Lk ab, borders and non-manifold lines seen
   /// as joined to a cone vertex. \cite dey_1999_topology
-  bool link_condition(Index a, Index b, const PairStar& star);
+  bool link_condition(Index a, Index b, const PairStar& star) {
+    return obviously_keeps_topology(a, b, star) || link_condition_of_any(a, b, star);
+  }
 
   /// Merges `removed` into `survivor`, which moves to `position`. `star` as gathered for (survivor, removed).
   void contract(Index survivor, Index removed, const Vec3& position, const PairStar& star);
@@ -150,6 +166,8 @@ class TriangleComplex {
   void number_edges_up(Index v);
   Index place_in_ring(Index v);
   void gather_one(Index v, Index other, std::vector<PairStar::Wing>& wings, std::vector<PairStar::Shared>* shared);
+  bool link_condition_of_any(Index a, Index b, const PairStar& star);
+  bool obviously_keeps_topology(Index a, Index b, const PairStar& star) const;
   void merge_edges(const PairStar::Shared& shared, Index survivor, Index removed, const PairStar& star);
 
   /// What is looked at together lies together: two vertices a cache line.
