@@ -1,0 +1,109 @@
+#pragma once
+
+#include <OpenMesh/Core/Mesh/Handles.hh>
+#include <cstdint>
+#include <optional>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+#include "whittle/engine/decimate.hh"
+#include "whittle/openmesh/link_condition.hh"
+
+namespace whittle {
+
+template <class MeshT>
+class PairDecimaterT;
+
+/// The mesh driver of `PairDecimaterT`: contractions in exact order on OpenMesh's connectivity.
+///
+/// A candidate is an edge, named by its first halfedge, when the cost module places the merged vertex; with a foreign
+/// cost it is a halfedge, from the vertex that would vanish. It is in one of three states:
+///   queued    under its cost. Whatever may lower the cost queues it anew, which invalidates the old entry;
+///   waiting   a guard or a module refused it. Woken when a vertex at or beside it changes;
+///   gone      its edge is deleted.
+template <class MeshT>
+class MeshContractionLoopT {
+ public:
+  /// \param target.max_cost in model units, and only if the cost module is ours
+  MeshContractionLoopT(PairDecimaterT<MeshT>& decimater, const DecimateTarget& target, bool only_selected);
+
+  DecimateResult run();
+
+ private:
+  using VertexHandle = OpenMesh::VertexHandle;
+  using HalfedgeHandle = OpenMesh::HalfedgeHandle;
+  using Module = typename PairDecimaterT<MeshT>::Module;
+  using CollapseInfo = typename PairDecimaterT<MeshT>::CollapseInfo;
+
+  struct Entry {
+    double cost;
+    int low, high;  ///< vertex indices
+    int survivor;
+    HalfedgeHandle candidate;
+    std::uint32_t version;  ///< of the candidate; an entry with an older one is void
+    friend bool operator>(const Entry& a, const Entry& b) {
+      return std::tie(a.cost, a.low, a.high, a.survivor) > std::tie(b.cost, b.low, b.high, b.survivor);
+    }
+  };
+
+  /// Who of two vertices moves.
+  enum class Rule {
+    free,
+    first_stays,
+    second_stays,
+    along_feature,  ///< v̄ is one of both ends
+    refused         ///< neither may vanish
+  };
+
+  /// What a candidate would do.
+  struct Move {
+    HalfedgeHandle to_survivor;
+    PairEvaluation evaluation;  ///< in the cost module's frame; model units if it is foreign
+  };
+
+  enum class Refusal { none, locked, link, flip, module };
+
+  void fill_queue();
+  void enqueue(HalfedgeHandle candidate);
+  bool target_reached() const;
+  std::optional<Entry> next_entry();
+  std::optional<StopReason> take_turn(const Entry& entry);
+
+  Rule rule_of(VertexHandle first, VertexHandle second, HalfedgeHandle edge) const;
+  PairEvaluation evaluate(VertexHandle first, VertexHandle second, Rule rule) const;
+  Move move_by_own_cost(HalfedgeHandle candidate) const;
+  /// Nothing, and counted, where the module or OpenMesh's rules refuse.
+  std::optional<Move> move_by_foreign_cost(HalfedgeHandle candidate);
+  std::optional<Move> move_of(HalfedgeHandle candidate) {
+    return is_foreign() ? move_by_foreign_cost(candidate) : move_by_own_cost(candidate);
+  }
+
+  Refusal find_refusal(const Move& move);
+  bool turns_a_face(const CollapseInfo& collapse, const Vec3& to) const;
+  bool modules_refuse(const CollapseInfo& collapse, const Vec3& to);
+  void count(Refusal refusal);
+  void contract(const Move& move);
+  void find_affected(VertexHandle survivor);
+
+  bool is_foreign() const { return decimater_.foreign_cost_ != nullptr; }
+  Vec3 position_of(VertexHandle v) const;
+  Vec3 to_model(const Vec3& position) const;
+
+  PairDecimaterT<MeshT>& decimater_;
+  MeshT& mesh_;
+  DecimateTarget target_;  ///< max_cost in the cost module's frame
+  bool only_selected_;
+  double min_flip_cosine_;
+  LinkConditionT<MeshT> link_condition_;
+
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+  std::vector<std::uint32_t> versions_;  ///< by halfedge
+  std::vector<bool> is_waiting_;         ///< by halfedge
+  std::vector<HalfedgeHandle> affected_;
+  DecimateResult result_;
+};
+
+}  // namespace whittle
+
+#include "whittle/openmesh/mesh_contraction_loop_impl.hh"

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <OpenMesh/Core/Mesh/Handles.hh>
+#include <OpenMesh/Tools/Decimater/CollapseInfoT.hh>
+#include <optional>
+
+#include "whittle/engine/frame.hh"
+#include "whittle/engine/quadric_term.hh"
+
+namespace whittle {
+
+/// What a cost module of ours knows beyond OpenMesh's interface: cost *and place* of a pair, in double.
+///
+/// A decimater can't be asked for the interfaces of its modules; `PairDecimaterT` looks for this one when a module is
+/// added, and `ModFlipGuardT` is told. Positions are in the module's frame, costs in its unit.
+template <class MeshT>
+class PairCostModuleT {
+ public:
+  virtual ~PairCostModuleT() = default;
+
+  /// Whether the module places the merged vertex. If not, it is to be used through OpenMesh's interface alone.
+  virtual bool has_placement() const = 0;
+
+  virtual const Frame& frame() const = 0;
+  /// Whether costs are distance² · area; distance² otherwise.
+  virtual bool cost_times_area() const = 0;
+  /// Largest cost allowed, model units.
+  virtual std::optional<double> max_cost() const = 0;
+
+  /// Where a vertex is, before its coordinates were rounded to the scalar of the mesh.
+  virtual Vec3 position(OpenMesh::VertexHandle v) const = 0;
+  /// Cost and place of merging two vertices. \pre first < second
+  virtual PairEvaluation evaluate(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second, Pinned pinned) const = 0;
+  /// The same for a collapse in one of OpenMesh's decimaters, where v1 stays in its place if it is locked or a feature.
+  virtual PairEvaluation evaluate(const OpenMesh::Decimater::CollapseInfoT<MeshT>& collapse) const = 0;
+
+  /// The next collapse goes there, and not where `evaluate(collapse)` says.
+  virtual void place_next(const PairEvaluation& evaluation) = 0;
+
+  /// What the engine needs to contract by the same costs; nothing if it can't.
+  virtual std::optional<QuadricOptions> engine_options() const = 0;
+};
+
+}  // namespace whittle

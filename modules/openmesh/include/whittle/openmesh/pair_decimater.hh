@@ -1,0 +1,165 @@
+#pragma once
+
+#include <algorithm>  // before OpenMesh's headers, which use std::find without it
+
+#include <OpenMesh/Tools/Decimater/BaseDecimaterT.hh>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "whittle/engine/decimate.hh"
+#include "whittle/openmesh/mod_flip_guard.hh"
+#include "whittle/openmesh/pair_cost_module.hh"
+
+// A decimater over pairs for OpenMesh meshes: exact order, placement, both drivers the same contractions.
+//
+//   mesh driver:   queue every edge under (cost, lower, higher vertex index), in doubles
+//                  while no target is reached:
+//                    take the first; evaluate it again, and put it back if it has become dearer
+//                    if a guard or a module refuses it: it waits until a vertex of its neighbourhood changes
+//                    else contract it onto the higher index, or onto the vertex that may not move
+//                    evaluate anew the edges at the merged vertex; wake what waits around it
+//   engine driver: whittle::decimate on a copy of the geometry, then the same contractions on the mesh, in order
+
+namespace whittle {
+
+/// What does the work in `PairDecimaterT`.
+enum class Driver {
+  automatic,  ///< the engine where it can, else the mesh driver
+  engine,     ///< flat arrays, many times faster. Modules of ours alone, no feature vertices, directly after
+              ///< `initialize()`
+  mesh        ///< OpenMesh's connectivity; any modules
+};
+
+/// How often a module refused a contraction.
+struct ModuleRejections {
+  std::string module;  ///< its name
+  std::uint64_t count = 0;
+};
+
+template <class MeshT>
+class MeshContractionLoopT;
+
+/// Has the calls of OpenMesh's `DecimaterT` and takes the same modules. Differences in short (docs/dev/openmesh.md has
+/// them all):
+///   - The cost module is `ModGarlandHeckbertT`, or any non-binary module of OpenMesh's: then v1 keeps its place, both
+///     directions of an edge are candidates, and OpenMesh's own legality rules hold.
+///   - A flip guard over both stars is always on, 75° unless a `ModFlipGuardT` says otherwise. Other binary modules are
+///     asked about both stars where the merged vertex moves, with v̄ as `p1`.
+///   - Of a pair with one locked vertex the other one vanishes; with `only_selected`, vertices that aren't selected
+///     count as locked. A feature vertex moves along feature edges only, from vertex to vertex.
+///   - Counts are those of what isn't deleted. Vertices without a face don't count.
+///
+/// As in the stock, surviving handles and their properties persist, and removed elements are marked deleted until
+/// `garbage_collection()`. *The engine driver writes to the mesh at the end only (or when aborted):* until then an
+/// observer or listener sees it as it was.
+template <class MeshT>
+class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
+ public:
+  using Base = OpenMesh::Decimater::BaseDecimaterT<MeshT>;
+  using Mesh = MeshT;
+  using Module = OpenMesh::Decimater::ModBaseT<MeshT>;
+  using CollapseInfo = OpenMesh::Decimater::CollapseInfoT<MeshT>;
+
+  /// \param mesh must outlive the decimater
+  explicit PairDecimaterT(MeshT& mesh) : Base(mesh), mesh_(mesh) {}
+
+  /// As the base's; call these two on a `PairDecimaterT`, not through the base, which can't be overridden.
+  template <class ModuleT>
+  bool add(OpenMesh::Decimater::ModHandleT<ModuleT>& handle);
+  template <class ModuleT>
+  bool remove(OpenMesh::Decimater::ModHandleT<ModuleT>& handle);
+
+  /// Initializes every module for the mesh as it is; a second call starts anew. Needed after adding modules, setting
+  /// their options, or changing the mesh; *not* between calls of `decimate`, the next goes on where the last one ended.
+  /// \return false unless exactly one module ranks (isn't binary)
+  bool initialize();
+
+  /// Default automatic.
+  void set_driver(Driver driver) { driver_ = driver; }
+  Driver driver() const { return driver_; }
+  /// Why the engine driver can't run now; empty if it can.
+  std::string engine_obstacle() const;
+  /// The one that ran last: engine or mesh.
+  Driver last_driver() const { return last_driver_; }
+
+  /// Threads of the engine driver, 0 (default) = all cores. No result depends on it.
+  void set_threads(unsigned threads) { threads_ = threads; }
+
+  /// Called after each contraction, in order; vertices are handle indices. (The observer is told counts, and may
+  /// abort.)
+  void set_listener(std::function<void(const Contraction&)> listener) { listener_ = std::move(listener); }
+
+  /// Contracts until a target is reached; the cost module's `max_cost` counts as one.
+  /// \param only_selected vertices that aren't selected neither move nor vanish
+  /// \throw std::logic_error if not initialized, or if the engine was asked for and can't (see `engine_obstacle`)
+  /// \throw std::invalid_argument if `target.max_cost` is negative, not a number, or given with a cost module that
+  ///        isn't ours
+  DecimateResult decimate(const DecimateTarget& target, bool only_selected = false);
+
+  /// At most `n_contractions`, 0 = as many as possible. \return how many there were
+  std::size_t decimate(std::size_t n_contractions = 0, bool only_selected = false);
+  /// Until at most `n_vertices` are left. \return the number of contractions
+  std::size_t decimate_to(std::size_t n_vertices, bool only_selected = false);
+  /// Until at most `n_vertices` or at most `n_faces` are left. \return the number of contractions
+  std::size_t decimate_to_faces(std::size_t n_vertices = 0, std::size_t n_faces = 0, bool only_selected = false);
+
+  /// Of the last run.
+  const DecimateResult& result() const { return result_; }
+  /// Of the last run: what modules other than `ModFlipGuardT` refused; those that did.
+  const std::vector<ModuleRejections>& module_rejections() const { return module_rejections_; }
+
+ private:
+  friend class MeshContractionLoopT<MeshT>;
+  using VertexHandle = OpenMesh::VertexHandle;
+  using HalfedgeHandle = OpenMesh::HalfedgeHandle;
+
+  /// A module, with the interfaces of ours that it has.
+  struct Attached {
+    Module* module;
+    PairCostModuleT<MeshT>* cost;
+    ModFlipGuardT<MeshT>* flip_guard;
+  };
+  struct Counts {
+    std::uint64_t vertices = 0;
+    std::uint64_t faces = 0;
+  };
+
+  void assign_roles();
+  void require_initialized() const;
+  DecimateTarget checked(const DecimateTarget& target) const;
+  Counts count_elements() const;
+  double min_flip_cosine() const { return std::cos(max_normal_flip_deg() * std::numbers::pi / 180); }
+  double max_normal_flip_deg() const { return flip_guard_ ? flip_guard_->max_normal_flip_deg() : 75; }
+  bool is_fixed(VertexHandle v, bool only_selected) const;
+
+  DecimateResult run_engine(const DecimateTarget& target, bool only_selected);
+  void apply(const std::vector<Contraction>& contractions, bool only_selected, DecimateResult& result);
+  std::uint64_t contract(HalfedgeHandle to_survivor, const PairEvaluation& evaluation);
+  void carry_features(const CollapseInfo& collapse);
+  void count_rejection(const Module& module);
+
+  MeshT& mesh_;
+  std::vector<Attached> attached_;
+  bool is_ready_ = false;  ///< our side of `is_initialized()`
+  bool is_fresh_ = false;  ///< nothing contracted since `initialize()`
+
+  // Roles, since `initialize()`. One of the first two is null.
+  PairCostModuleT<MeshT>* cost_ = nullptr;
+  Module* foreign_cost_ = nullptr;
+  ModFlipGuardT<MeshT>* flip_guard_ = nullptr;
+  std::vector<Module*> foreign_guards_;
+
+  Driver driver_ = Driver::automatic;
+  Driver last_driver_ = Driver::automatic;
+  unsigned threads_ = 0;
+  std::function<void(const Contraction&)> listener_;
+  DecimateResult result_;
+  std::vector<ModuleRejections> module_rejections_;
+};
+
+}  // namespace whittle
+
+#include "whittle/openmesh/pair_decimater_impl.hh"

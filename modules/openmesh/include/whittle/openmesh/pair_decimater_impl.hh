@@ -1,0 +1,255 @@
+#pragma once
+
+#include <stdexcept>
+#include <utility>
+
+#include "whittle/openmesh/conversions.hh"
+#include "whittle/openmesh/mesh_contraction_loop.hh"
+#include "whittle/openmesh/pair_decimater.hh"
+
+namespace whittle {
+
+// Modules -------------------------------------------------------------------------------------------------------------
+
+template <class MeshT>
+template <class ModuleT>
+bool PairDecimaterT<MeshT>::add(OpenMesh::Decimater::ModHandleT<ModuleT>& handle) {
+  if (!Base::add(handle)) return false;
+  ModuleT& module = Base::module(handle);
+  Attached attached{&module, nullptr, nullptr};
+  if constexpr (std::is_base_of_v<PairCostModuleT<MeshT>, ModuleT>) attached.cost = &module;
+  if constexpr (std::is_base_of_v<ModFlipGuardT<MeshT>, ModuleT>) attached.flip_guard = &module;
+  attached_.push_back(attached);
+  is_ready_ = false;
+  return true;
+}
+
+template <class MeshT>
+template <class ModuleT>
+bool PairDecimaterT<MeshT>::remove(OpenMesh::Decimater::ModHandleT<ModuleT>& handle) {
+  const Module* module = handle.is_valid() ? &Base::module(handle) : nullptr;
+  if (!Base::remove(handle)) return false;
+  std::erase_if(attached_, [module](const Attached& attached) { return attached.module == module; });
+  is_ready_ = false;
+  return true;
+}
+
+template <class MeshT>
+bool PairDecimaterT<MeshT>::initialize() {
+  this->set_uninitialized();  // the base does nothing a second time, and after a mere reset() lists its modules twice
+  is_ready_ = Base::initialize();
+  is_fresh_ = is_ready_;
+  if (is_ready_) assign_roles();
+  return is_ready_;
+}
+
+template <class MeshT>
+void PairDecimaterT<MeshT>::assign_roles() {
+  cost_ = nullptr;
+  foreign_cost_ = nullptr;
+  flip_guard_ = nullptr;
+  foreign_guards_.clear();
+  // The base's rule: the module that isn't binary; failing that, the one called "Quadric".
+  auto ranking =
+      std::find_if(attached_.begin(), attached_.end(), [](const Attached& a) { return !a.module->is_binary(); });
+  if (ranking == attached_.end()) {
+    const auto is_quadric = [](const Attached& a) { return a.module->name() == "Quadric"; };
+    ranking = std::find_if(attached_.begin(), attached_.end(), is_quadric);
+  }
+  for (auto it = attached_.begin(); it != attached_.end(); ++it) {
+    if (it == ranking && it->cost && it->cost->has_placement()) {
+      cost_ = it->cost;
+    } else if (it == ranking) {
+      foreign_cost_ = it->module;
+    } else if (it->flip_guard) {
+      flip_guard_ = it->flip_guard;
+    } else {
+      foreign_guards_.push_back(it->module);
+    }
+  }
+}
+
+template <class MeshT>
+std::string PairDecimaterT<MeshT>::engine_obstacle() const {
+  if (!is_ready_) return "not initialized";
+  if (foreign_cost_) return "the costs are those of module " + foreign_cost_->name();
+  if (!foreign_guards_.empty()) return "module " + foreign_guards_.front()->name() + " works on the mesh alone";
+  if (!cost_->engine_options()) return "the engine doesn't know these costs";
+  if (!is_fresh_) return "contractions were made since initialize(), and the engine starts anew";
+  const auto is_feature = [this](VertexHandle v) { return mesh_.status(v).feature(); };
+  const auto vertices = mesh_.vertices();
+  if (std::any_of(vertices.begin(), vertices.end(), is_feature)) return "some vertices are features";
+  return {};
+}
+
+// Runs ----------------------------------------------------------------------------------------------------------------
+
+template <class MeshT>
+void PairDecimaterT<MeshT>::require_initialized() const {
+  if (is_ready_ && this->is_initialized()) return;
+  throw std::logic_error("PairDecimaterT: not initialized; initialize() must have returned true since the last add()");
+}
+
+template <class MeshT>
+DecimateTarget PairDecimaterT<MeshT>::checked(const DecimateTarget& target) const {
+  DecimateTarget result = target;
+  if (target.max_cost && !(*target.max_cost >= 0)) {
+    throw std::invalid_argument("PairDecimaterT: max_cost is negative or not a number");
+  }
+  if (target.max_cost && !cost_) {
+    throw std::invalid_argument("PairDecimaterT: max_cost needs ModGarlandHeckbertT; limit " + foreign_cost_->name() +
+                                " by its own settings");
+  }
+  const std::optional<double> limit = cost_ ? cost_->max_cost() : std::nullopt;
+  if (limit) result.max_cost = std::min(*limit, target.max_cost.value_or(*limit));
+  return result;
+}
+
+template <class MeshT>
+DecimateResult PairDecimaterT<MeshT>::decimate(const DecimateTarget& target, bool only_selected) {
+  require_initialized();
+  const DecimateTarget effective = checked(target);
+  const std::string obstacle = driver_ == Driver::mesh ? "not asked for" : engine_obstacle();
+  if (driver_ == Driver::engine && !obstacle.empty()) {
+    throw std::logic_error("PairDecimaterT: the engine driver can't be used: " + obstacle);
+  }
+  module_rejections_.clear();
+  last_driver_ = obstacle.empty() ? Driver::engine : Driver::mesh;
+  result_ = last_driver_ == Driver::engine ? run_engine(effective, only_selected)
+                                           : MeshContractionLoopT<MeshT>(*this, effective, only_selected).run();
+  return result_;
+}
+
+template <class MeshT>
+std::size_t PairDecimaterT<MeshT>::decimate(std::size_t n_contractions, bool only_selected) {
+  require_initialized();
+  DecimateTarget target;
+  const std::uint64_t n_vertices = count_elements().vertices;
+  if (n_contractions > 0 && n_contractions < n_vertices) target.vertices = n_vertices - n_contractions;
+  return decimate(target, only_selected).n_contractions;
+}
+
+template <class MeshT>
+std::size_t PairDecimaterT<MeshT>::decimate_to(std::size_t n_vertices, bool only_selected) {
+  DecimateTarget target;
+  target.vertices = n_vertices;
+  return decimate(target, only_selected).n_contractions;
+}
+
+template <class MeshT>
+std::size_t PairDecimaterT<MeshT>::decimate_to_faces(std::size_t n_vertices, std::size_t n_faces, bool only_selected) {
+  DecimateTarget target;
+  target.vertices = n_vertices;
+  target.faces = n_faces;
+  return decimate(target, only_selected).n_contractions;
+}
+
+template <class MeshT>
+typename PairDecimaterT<MeshT>::Counts PairDecimaterT<MeshT>::count_elements() const {
+  Counts counts;
+  for (const VertexHandle v : mesh_.vertices()) counts.vertices += !mesh_.is_isolated(v);
+  for ([[maybe_unused]] const OpenMesh::FaceHandle f : mesh_.faces()) ++counts.faces;
+  return counts;
+}
+
+template <class MeshT>
+bool PairDecimaterT<MeshT>::is_fixed(VertexHandle v, bool only_selected) const {
+  const auto& status = mesh_.status(v);
+  return status.locked() || (only_selected && !status.selected());
+}
+
+// The engine driver ---------------------------------------------------------------------------------------------------
+
+template <class MeshT>
+DecimateResult PairDecimaterT<MeshT>::run_engine(const DecimateTarget& target, bool only_selected) {
+  const IndexedMesh input = geometry_of(mesh_);
+  const auto handle_index = [&input](Index v) { return input.origins.empty() ? v : input.origins[v]; };
+  std::vector<std::uint8_t> locked(input.positions.size());
+  for (Index v = 0; v < locked.size(); ++v) {
+    locked[v] = is_fixed(VertexHandle(static_cast<int>(handle_index(v))), only_selected);
+  }
+
+  std::vector<Contraction> contractions;
+  bool is_aborted = false;
+  DecimateOptions options;
+  options.quadric = *cost_->engine_options();
+  options.max_normal_flip_deg = max_normal_flip_deg();
+  options.locked = locked;
+  options.threads = threads_;
+  options.progress = [&is_aborted](const Progress&) { return !is_aborted; };
+  options.listener = [&](const Contraction& made) {
+    if (is_aborted) return;  // the engine asks about progress now and then only
+    contractions.push_back({handle_index(made.survivor), handle_index(made.removed), made.position, made.cost});
+    if (listener_) listener_(contractions.back());
+    is_aborted = !this->notify_observer(contractions.size());
+  };
+  DecimateResult result = whittle::decimate(input, target, options).result;
+  if (is_aborted) result.stop = StopReason::cancelled;
+  apply(contractions, only_selected, result);
+  return result;
+}
+
+template <class MeshT>
+void PairDecimaterT<MeshT>::apply(const std::vector<Contraction>& contractions, bool only_selected,
+                                  DecimateResult& result) {
+  const Counts before = count_elements();
+  result.n_contractions = contractions.size();
+  result.n_vertices = before.vertices - contractions.size();
+  result.n_faces = before.faces;
+  result.max_cost = 0;
+  for (const Contraction& made : contractions) {
+    const VertexHandle survivor(static_cast<int>(made.survivor));
+    const VertexHandle removed(static_cast<int>(made.removed));
+    const auto [first, second] = std::minmax(survivor, removed);
+    const Pinned pinned = is_fixed(first, only_selected)    ? Pinned::first
+                          : is_fixed(second, only_selected) ? Pinned::second
+                                                            : Pinned::none;
+    // The module's quadrics follow, so that the next run can go on. Where this translation unit rounds otherwise than
+    // the library (fused multiply-add), the engine's word counts.
+    PairEvaluation evaluation = cost_->evaluate(first, second, pinned);
+    if (cost_->frame().to_model(evaluation.position) != made.position) {
+      evaluation.position = cost_->frame().to_frame(made.position);
+    }
+    result.n_faces -= contract(mesh_.find_halfedge(removed, survivor), evaluation);
+    result.max_cost = std::max(result.max_cost, made.cost);
+  }
+}
+
+// Contractions --------------------------------------------------------------------------------------------------------
+
+/// \param evaluation its position is that of `cost_`; with a foreign cost v1 keeps its place. \return faces removed
+template <class MeshT>
+std::uint64_t PairDecimaterT<MeshT>::contract(HalfedgeHandle to_survivor, const PairEvaluation& evaluation) {
+  CollapseInfo collapse(mesh_, to_survivor);
+  is_fresh_ = false;
+  if (cost_) cost_->place_next(evaluation);
+  Base::preprocess_collapse(collapse);
+  carry_features(collapse);
+  mesh_.collapse(to_survivor);
+  if (mesh_.has_face_normals()) {
+    for (const OpenMesh::FaceHandle f : mesh_.vf_range(collapse.v1)) mesh_.set_normal(f, mesh_.calc_face_normal(f));
+  }
+  Base::postprocess_collapse(collapse);
+  return std::uint64_t{collapse.fl.is_valid()} + std::uint64_t{collapse.fr.is_valid()};
+}
+
+/// Of the two edges that a collapse makes one, OpenMesh keeps v1's: it becomes a feature if either was.
+template <class MeshT>
+void PairDecimaterT<MeshT>::carry_features(const CollapseInfo& collapse) {
+  const auto carry = [this](HalfedgeHandle from, HalfedgeHandle to) {
+    if (!from.is_valid() || !mesh_.status(mesh_.edge_handle(from)).feature()) return;
+    mesh_.status(mesh_.edge_handle(to)).set_feature(true);
+  };
+  carry(collapse.v0vl, collapse.vlv1);
+  carry(collapse.vrv0, collapse.v1vr);
+}
+
+template <class MeshT>
+void PairDecimaterT<MeshT>::count_rejection(const Module& module) {
+  const auto has_name = [&module](const ModuleRejections& entry) { return entry.module == module.name(); };
+  auto entry = std::find_if(module_rejections_.begin(), module_rejections_.end(), has_name);
+  if (entry == module_rejections_.end()) entry = module_rejections_.insert(entry, {module.name(), 0});
+  ++entry->count;
+}
+
+}  // namespace whittle

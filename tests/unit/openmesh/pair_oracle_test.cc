@@ -1,0 +1,92 @@
+// The mesh driver against brute force, on every small manifold shape: the same contractions, in every bit, ties and
+// flat ground included, since both evaluate the same pairs from the same numbers.
+#include <gtest/gtest.h>
+
+#include <whittle/openmesh/mod_garland_heckbert.hh>
+
+#include "meshes.hh"
+#include "support/brute_force.hh"
+#include "support/shapes.hh"
+#include "support/transforms.hh"
+
+namespace whittle::test {
+namespace {
+
+std::vector<Contraction> by_mesh_driver(const IndexedMesh& shape, const DecimateTarget& target,
+                                        const DecimateOptions& options) {
+  DoubleMesh mesh = open_mesh<DoubleMesh>(shape);
+  PairDecimaterT<DoubleMesh> decimater(mesh);
+  ModGarlandHeckbertT<DoubleMesh>::Handle cost;
+  ModFlipGuardT<DoubleMesh>::Handle guard;
+  decimater.add(cost);
+  decimater.add(guard);
+  decimater.module(cost).set_options(options.quadric);
+  decimater.module(guard).set_max_normal_flip_deg(options.max_normal_flip_deg);
+  for (const OpenMesh::VertexHandle v : mesh.vertices()) {
+    const auto number = static_cast<std::size_t>(v.idx());
+    mesh.status(v).set_locked(!options.locked.empty() && options.locked[number] != 0);
+  }
+  std::vector<Contraction> contractions;
+  decimater.set_listener([&](const Contraction& made) { contractions.push_back(made); });
+  decimater.set_driver(Driver::mesh);
+  EXPECT_TRUE(decimater.initialize());
+  const DecimateResult result = decimater.decimate(target);
+  EXPECT_EQ(result.n_contractions, contractions.size());
+  expect_sound(mesh, "after the run");
+  const IndexedMesh after = geometry_of(mesh);
+  EXPECT_EQ(result.n_faces, after.faces.size());
+  expect_same_topology(shape, after, "after the run");
+  return contractions;
+}
+
+TEST(PairDecimaterOracle, EveryShapeIsContractedAsByBruteForce) {
+  for (const auto& [name, shape] : holdable_meshes()) {
+    expect_same_contractions(BruteForceDecimater(shape, {}).run({}), by_mesh_driver(shape, {}, {}), name);
+  }
+}
+
+TEST(PairDecimaterOracle, SoItIsUnderAllWeightsAndPlacements) {
+  for (const Weights weights : {Weights::area, Weights::uniform, Weights::area_angle}) {
+    for (const Placement placement : {Placement::optimal, Placement::midpoint, Placement::endpoint}) {
+      for (const double regularization : {0.0, 1e-6}) {
+        DecimateOptions options;
+        options.quadric = {.weights = weights, .placement = placement, .regularization = regularization};
+        options.max_normal_flip_deg = 110;
+        for (const auto& shape : {noisy_sphere(2, 0.1, 3), noisy_grid(7, 7, 0.3, 4), frustum(9)}) {
+          const std::string context = "weights " + std::to_string(static_cast<int>(weights)) + ", placement " +
+                                      std::to_string(static_cast<int>(placement)) + ", regularization " +
+                                      std::to_string(regularization) + ", " + std::to_string(shape.faces.size()) +
+                                      " faces";
+          expect_same_contractions(BruteForceDecimater(shape, options).run({}), by_mesh_driver(shape, {}, options),
+                                   context);
+        }
+      }
+    }
+  }
+}
+
+TEST(PairDecimaterOracle, SoItIsWithLockedVerticesAndFreeBorders) {
+  for (const auto& [name, shape] : holdable_meshes()) {
+    std::vector<std::uint8_t> locked(shape.positions.size());
+    for (std::size_t v = 0; v < locked.size(); ++v) locked[v] = v % 7 == 2 || v % 11 < 2;
+    DecimateOptions options;
+    options.quadric.boundary_weight = 0;
+    options.locked = locked;
+    expect_same_contractions(BruteForceDecimater(shape, options).run({}), by_mesh_driver(shape, {}, options), name);
+  }
+}
+
+TEST(PairDecimaterOracle, TargetsStopAtTheSameContraction) {
+  const IndexedMesh shape = moved(scaled(blob(2, 9), 1000), Vec3(3e4, -1e5, 2e5));
+  const double middle_cost = BruteForceDecimater(shape, {}).run(to_faces(160)).back().cost;
+  DecimateTarget all = to_faces(200);
+  all.vertices = 50;
+  all.max_cost = middle_cost / 2;
+  for (const DecimateTarget& target : {to_faces(101), to_vertices(77), to_cost(middle_cost), all}) {
+    expect_same_contractions(BruteForceDecimater(shape, {}).run(target), by_mesh_driver(shape, target, {}),
+                             "faces " + std::to_string(target.faces.value_or(0)));
+  }
+}
+
+}  // namespace
+}  // namespace whittle::test
