@@ -34,11 +34,14 @@ OffHeader read_header(TextCursor& cursor) {
   cursor.skip_space('#');
   const char* const start = cursor.position();
   if (cursor.at_end()) cursor.fail("the file holds nothing but comments");
-  const char first = cursor.peek();
-  if ((first >= '0' && first <= '9') || first == '+' || first == '-') return header;
-  const std::string_view keyword = cursor.token();
+  TextCursor after = cursor;
+  const std::string_view keyword = after.token();
   std::string_view prefix = keyword;
-  if (!prefix.ends_with("OFF")) cursor.fail(start, "not an OFF file: it doesn't begin with OFF");
+  if (!prefix.ends_with("OFF")) {
+    if (keyword.find_first_not_of("+-0123456789") == std::string_view::npos) return header;
+    cursor.fail(start, "not an OFF file: it doesn't begin with OFF");
+  }
+  cursor = after;
   prefix.remove_suffix(3);
   while (!prefix.empty()) {
     if (prefix.starts_with("ST")) {
@@ -47,7 +50,7 @@ OffHeader read_header(TextCursor& cursor) {
       continue;
     }
     if (prefix.front() == '4' || prefix.front() == 'n') {
-      cursor.fail(start, "\"" + std::string(keyword) + "\": only three-dimensional OFF is read");
+      cursor.fail(start, '"' + std::string(keyword) + "\": only three-dimensional OFF is read");
     }
     if (prefix.front() != 'C' && prefix.front() != 'N') {
       cursor.fail(start, "not an OFF file: unknown keyword \"" + cursor.excerpt(start) + '"');
@@ -168,7 +171,7 @@ class AsciiOffReader {
     cursor_.skip_space('#');
     const char* const start = cursor_.position();
     const std::int64_t corners = cursor_.whole_integer("a face's number of corners");
-    if (corners < 0 || static_cast<std::uint64_t>(corners) > (cursor_.bytes_left() + 1) / 2) {
+    if (corners < 1 || static_cast<std::uint64_t>(corners) > (cursor_.bytes_left() + 1) / 2) {
       cursor_.fail(start, "a face of " + std::to_string(corners) + " corners; the file is truncated or invalid");
     }
     corners_.clear();
@@ -296,7 +299,7 @@ class BinaryOffReader {
   std::int32_t read_corner_count() {
     const std::size_t start = cursor_.offset();
     const auto corners = cursor_.read<std::int32_t>("a face's number of corners");
-    if (corners < 0 || static_cast<std::size_t>(corners) > cursor_.bytes_left() / sizeof(std::int32_t)) {
+    if (corners < 1 || static_cast<std::size_t>(corners) > cursor_.bytes_left() / sizeof(std::int32_t)) {
       cursor_.fail(start, "a face of " + std::to_string(corners) + " corners; the file is truncated or invalid");
     }
     return corners;

@@ -161,6 +161,16 @@ std::vector<char> find_doubtful_groups(const IndexedMesh& mesh, const std::vecto
 
 bool has_any(const std::vector<char>& flags) { return std::find(flags.begin(), flags.end(), 1) != flags.end(); }
 
+// The ends of a face's edges that have no length, unless they may be joined without asking.
+void join_ends_without_length(WeldResolver& resolver, const std::vector<char>& is_doubtful_group,
+                              const Triangle& stored, const Triangle& grouped) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t next = (c + 1) % 3;
+    const bool asks = grouped[c] == grouped[next] && is_doubtful_group[grouped[c]];
+    if (asks) resolver.join(stored[c], stored[next]);
+  }
+}
+
 // Joins what can be joined; `group` becomes the lowest vertex of each joined set.
 template <class Choose>
 void resolve_doubtful(const IndexedMesh& mesh, const std::vector<Triangle>& grouped,
@@ -186,6 +196,9 @@ void resolve_doubtful(const IndexedMesh& mesh, const std::vector<Triangle>& grou
     if (is_doubtful_group[a]) resolver.join(first[0], second[0]);
     if (is_doubtful_group[b]) resolver.join(first[1], second[1]);
   });
+  for (std::size_t f = 0; f < grouped.size(); ++f) {
+    if (is_degenerate(grouped[f])) join_ends_without_length(resolver, is_doubtful_group, mesh.faces[f], grouped[f]);
+  }
   resolver.join_open_edges();
   for (std::size_t v = 0; v < vertices; ++v) {
     if (is_doubtful_group[group[v]]) group[v] = resolver.lowest_joined(static_cast<Index>(v));

@@ -1,0 +1,138 @@
+#include "whittle/io/output_file.hh"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "support/shapes.hh"
+#include "whittle/io/read.hh"
+#include "whittle/io/write.hh"
+
+namespace whittle::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OutputFileTest : public testing::Test {
+ protected:
+  OutputFileTest() : folder_(fs::path(testing::TempDir()) / ("whittle_output_" + std::to_string(::getpid()))) {
+    fs::remove_all(folder_);
+    fs::create_directory(folder_);
+  }
+  ~OutputFileTest() override { fs::remove_all(folder_); }
+
+  static std::string content(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream out;
+    out << in.rdbuf();
+    return out.str();
+  }
+
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(OutputFileTest, AppearsWhenCommitted) {
+  const fs::path path = folder_ / "a.txt";
+  OutputFile file(path);
+  file.stream() << "text";
+  EXPECT_FALSE(fs::exists(path));
+  file.commit();
+  EXPECT_EQ(content(path), "text");
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(OutputFileTest, LeavesNothingWhenNotCommitted) {
+  try {
+    OutputFile file(folder_ / "a.txt");
+    file.stream() << "text";
+    throw std::runtime_error("cancelled");
+  } catch (const std::runtime_error&) {
+  }
+  EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(OutputFileTest, LeavesTheOldFileUntilCommitted) {
+  const fs::path path = folder_ / "a.txt";
+  std::ofstream(path) << "old";
+  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
+  {
+    OutputFile file(path);
+    file.stream() << "new";
+    EXPECT_EQ(content(path), "old");
+  }
+  EXPECT_EQ(content(path), "old");
+  OutputFile file(path);
+  file.stream() << "new";
+  file.commit();
+  EXPECT_EQ(content(path), "new");
+  EXPECT_EQ(fs::status(path).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(OutputFileTest, FollowsSymbolicLinks) {
+  const fs::path target = folder_ / "target.txt";
+  const fs::path link = folder_ / "link.txt";
+  fs::create_symlink("target.txt", link);  // to nothing yet
+  for (const std::string text : {"first", "second"}) {
+    OutputFile file(link);
+    file.stream() << text;
+    file.commit();
+    EXPECT_TRUE(fs::is_symlink(link));
+    EXPECT_EQ(content(target), text);
+  }
+}
+
+TEST_F(OutputFileTest, WritesDevicesDirectlyAndLeavesThemThere) {
+  const fs::path null = "/dev/null";
+  if (!fs::is_character_file(null)) GTEST_SKIP() << "no /dev/null";
+  write_mesh(null, whittle::test::cube(), {.format = Format::ply});
+  EXPECT_TRUE(fs::is_character_file(null));
+}
+
+TEST_F(OutputFileTest, ReportsAFullDisk) {
+  const fs::path full = "/dev/full";
+  if (!fs::is_character_file(full)) GTEST_SKIP() << "no /dev/full";
+  try {
+    write_mesh(full, whittle::test::cube(), {.format = Format::ply});
+    FAIL() << "written";
+  } catch (const WriteError& error) {
+    EXPECT_STREQ(error.what(), "/dev/full: writing failed: No space left on device");
+  }
+}
+
+TEST_F(OutputFileTest, ReportsWhatCannotBeOpened) {
+  try {
+    write_mesh(folder_ / "none" / "a.obj", whittle::test::cube());
+    FAIL() << "written";
+  } catch (const WriteError& error) {
+    EXPECT_NE(std::string(error.what()).find("cannot be written: No such file or directory"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_THROW(OutputFile{folder_}, WriteError);
+}
+
+TEST_F(OutputFileTest, IsNotTouchedWhenTheFormatIsUnknown) {
+  EXPECT_THROW(write_mesh(folder_ / "a.glb", whittle::test::cube()), std::invalid_argument);
+  EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(OutputFileTest, HoldsTheMeshInEveryFormat) {
+  for (const Format format : all_formats) {
+    const fs::path path = folder_ / ("cube." + std::string(name_of(format)));
+    write_mesh(path, whittle::test::cube());
+    const ReadResult back = read_mesh(path);
+    EXPECT_EQ(back.mesh.positions.size(), 8U) << path;
+    EXPECT_EQ(back.mesh.faces.size(), 12U) << path;
+    EXPECT_EQ(back.format, format);
+  }
+}
+
+}  // namespace
+}  // namespace whittle::io

@@ -1,0 +1,72 @@
+// Files cut off at every byte: an error or a valid mesh, never anything else; in binary formats always an error.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "io_test_tools.hh"
+#include "support/shapes.hh"
+#include "whittle/io/write.hh"
+
+namespace whittle::io {
+namespace {
+
+IndexedMesh sample() {
+  IndexedMesh mesh = whittle::test::octahedron();
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    mesh.normals.push_back({0, 0, 1});
+    mesh.colors.push_back({0.2F, 0.4F, 0.6F, 0.8F});
+    mesh.positions[v] *= 1.25e-3;
+  }
+  return mesh;
+}
+
+std::string written(Format format, bool ascii) {
+  std::ostringstream out;
+  write_mesh(out, format, sample(), {.ascii = ascii});
+  return out.str();
+}
+
+struct Case {
+  std::string name;
+  Format format;
+  bool ascii;
+};
+
+class Truncation : public testing::TestWithParam<Case> {};
+
+TEST_P(Truncation, GivesAnErrorOrAValidMesh) {
+  const std::string whole = written(GetParam().format, GetParam().ascii);
+  const std::string name = "a." + std::string(name_of(GetParam().format));
+  const std::size_t faces = test::read(whole, name).mesh.faces.size();
+  EXPECT_EQ(faces, 8U);
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    const std::string what = name + " cut after " + std::to_string(length) + " of " + std::to_string(whole.size());
+    try {
+      const ReadResult result = test::read(std::string_view(whole).substr(0, length), name);
+      test::expect_valid(result, what);
+      EXPECT_TRUE(GetParam().ascii) << what << ": read although truncated";
+    } catch (const ReadError& error) {
+      EXPECT_EQ(error.file(), name) << what;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, Truncation,
+                         testing::Values(Case{"Obj", Format::obj, true}, Case{"Off", Format::off, true},
+                                         Case{"PlyText", Format::ply, true}, Case{"PlyBinary", Format::ply, false},
+                                         Case{"StlText", Format::stl, true}, Case{"StlBinary", Format::stl, false}),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(Truncation, OfBinaryOffIsAlwaysAnError) {
+  const auto big = std::endian::big;
+  const std::string whole = "OFF BINARY\n" + test::all_bytes_of(big, 3, 2, 0) +
+                            test::all_bytes_of(big, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F) +
+                            test::all_bytes_of(big, 3, 0, 1, 2, 0, 3, 0, 2, 1, 0);
+  EXPECT_EQ(test::read(whole, "a.off").mesh.faces.size(), 2U);
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    EXPECT_NE(test::error_of(whole.substr(0, length), "a.off"), std::nullopt) << length;
+  }
+}
+
+}  // namespace
+}  // namespace whittle::io
