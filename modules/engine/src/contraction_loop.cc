@@ -10,6 +10,8 @@ namespace {
 /// Candidates between two calls of the progress callback: about a millisecond.
 constexpr std::uint64_t progress_interval = 2048;
 
+double signed_square(double x) { return x * std::abs(x); }
+
 }  // namespace
 
 ContractionLoop::ContractionLoop(TriangleComplex& complex, std::vector<Quadric> quadrics,
@@ -18,7 +20,7 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, std::vector<Quadric> 
       quadrics_(std::move(quadrics)),
       options_(options),
       settings_(std::move(settings)),
-      min_flip_cosine_(std::cos(options.max_normal_flip_deg * std::numbers::pi / 180)),
+      signed_min_flip_cosine_sq_(signed_square(std::cos(options.max_normal_flip_deg * std::numbers::pi / 180))),
       cost_times_area_(options.quadric.weights != Weights::uniform),
       n_initial_vertices_(complex.n_vertices()),
       n_initial_faces_(complex.n_faces()),
@@ -202,11 +204,15 @@ ContractionLoop::Refusal ContractionLoop::find_refusal(Index a, Index b, const V
 bool ContractionLoop::turns_a_face(const std::vector<PairStar::Wing>& wings, const Vec3& from, const Vec3& to) const {
   for (const PairStar::Wing& wing : wings) {
     const Vec3& x = complex_.position(wing.x);
-    const Vec3& y = complex_.position(wing.y);
-    const Vec3 before = (x - from).cross(y - from);
-    const Vec3 after = (x - to).cross(y - to);
-    const double product = before.squaredNorm() * after.squaredNorm();
-    if (product > 0 ? before.dot(after) < min_flip_cosine_ * std::sqrt(product) : before.squaredNorm() > 0) return true;
+    const Vec3 opposite = complex_.position(wing.y) - x;
+    const Vec3 before = (x - from).cross(opposite);
+    const Vec3 after = (x - to).cross(opposite);
+    const double before_sq = before.squaredNorm();
+    const double after_sq = after.squaredNorm();
+    const double dot = before.dot(after);
+    // dot < cos · |before| |after|, without the root.
+    const double difference = signed_square(dot) - signed_min_flip_cosine_sq_ * (before_sq * after_sq);
+    if (difference < 0 || (after_sq == 0 && before_sq > 0)) return true;
   }
   return false;
 }
@@ -250,16 +256,13 @@ void ContractionLoop::wake_refused_around(Index survivor, Index removed) {
   for (const PairStar::Shared& shared : star_.shared) wake(shared.opposite);
 }
 
-void ContractionLoop::note_raised(Index pair, Index a, Index b, const PairEvaluation& evaluation) {
-  if (is_raised_[pair]) {
-    raised_costs_[pair] = static_cast<float>(evaluation.cost);
-  } else if (evaluation.cost > evaluation.bound) {
-    is_raised_[pair] = true;
-    raised_costs_.resize(complex_.n_edge_slots());
-    raised_costs_[pair] = static_cast<float>(evaluation.cost);
-    raised_.add(a, pair);
-    raised_.add(b, pair);
-  }
+void ContractionLoop::add_raised(Index pair, Index a, Index b, double cost) {
+  raised_costs_.resize(complex_.n_edge_slots());
+  raised_costs_[pair] = static_cast<float>(cost);
+  if (is_raised_[pair]) return;
+  is_raised_[pair] = true;
+  raised_.add(a, pair);
+  raised_.add(b, pair);
 }
 
 /// Queues anew those raised pairs at the merged vertex that have become cheaper.

@@ -70,7 +70,10 @@ class ContractionLoop {
   bool turns_a_face(const std::vector<PairStar::Wing>& wings, const Vec3& from, const Vec3& to) const;
   void contract(Index survivor, Index removed, const PairEvaluation& evaluation);
 
-  void note_raised(Index pair, Index a, Index b, const PairEvaluation& evaluation);
+  void note_raised(Index pair, Index a, Index b, const PairEvaluation& evaluation) {
+    if (evaluation.cost > evaluation.bound || is_raised_[pair]) add_raised(pair, a, b, evaluation.cost);
+  }
+  void add_raised(Index pair, Index a, Index b, double cost);
   void wake_raised(Index survivor, Index removed);
   void refuse(Index pair, Index a, Index b, Refusal refusal);
   void wake_refused_around(Index survivor, Index removed);
@@ -81,7 +84,7 @@ class ContractionLoop {
   std::vector<Quadric> quadrics_;
   const DecimateOptions& options_;
   LoopSettings settings_;
-  double min_flip_cosine_;
+  double signed_min_flip_cosine_sq_;  ///< cos·|cos|
   bool cost_times_area_;
   std::uint64_t n_initial_vertices_;
   std::uint64_t n_initial_faces_;

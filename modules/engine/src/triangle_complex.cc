@@ -39,7 +39,8 @@ TriangleComplex::TriangleComplex(std::vector<Vec3> positions, std::span<const Tr
   positions = {};
   number_faces(faces, number_of);
   list_faces();
-  look_at_stars();
+  number_edges();
+  find_orders();
 }
 
 void TriangleComplex::number_vertices(const std::vector<Vec3>& positions, std::vector<Index>& number_of) {
@@ -103,26 +104,79 @@ Index TriangleComplex::place_in_ring(Index v) {
 
 namespace {
 
+/// The corner of `face` that v is. Without branches: which one it is can't be foretold.
+std::size_t corner_of(const Triangle& face, Index v) {
+  return static_cast<std::size_t>(face[1] == v) + 2 * static_cast<std::size_t>(face[2] == v);
+}
+constexpr std::array<std::size_t, 5> corner_after{0, 1, 2, 0, 1};
+
 /// The corners of `face` after v, in order.
 std::array<Index, 2> others(const Triangle& face, Index v) {
-  if (face[0] == v) return {face[1], face[2]};
-  if (face[1] == v) return {face[2], face[0]};
-  return {face[0], face[1]};
+  const std::size_t i = corner_of(face, v);
+  return {face[corner_after[i + 1]], face[corner_after[i + 2]]};
 }
 
 }  // namespace
 
-/// Finds each vertex's order, and numbers the edges.
-void TriangleComplex::look_at_stars() {
-  orders_.resize(vertices_.size());
+void TriangleComplex::number_edges() {
   edges_.reserve(n_faces_ + n_faces_ / 2 + 16);
   n_edge_faces_.reserve(edges_.capacity());
   for (Index v = 0; v < vertices_.size(); ++v) {
-    gather_ring(v);
-    orders_[v] = order_of_ring();
-    number_edges_up(v);
+    const std::size_t first = edges_.size();
+    for (const Index f : face_lists_.of(v)) {
+      auto& [corners, edges] = faces_[f];
+      const std::size_t here = corner_of(corners, v);
+      const std::size_t next = corner_after[here + 1];
+      const std::size_t previous = corner_after[here + 2];
+      if (corners[next] > v) edges[here] = number_edge(v, corners[next], first);
+      if (corners[previous] > v) edges[previous] = number_edge(v, corners[previous], first);
+    }
   }
   edge_alive_.assign(edges_.size(), true);
+}
+
+/// The number of the edge (v, w), one more face at it; a new number unless it is among the edges from `first` on.
+Index TriangleComplex::number_edge(Index v, Index w, std::size_t first) {
+  Index& place = vertices_[w].ring_place;
+  if (place < first || place >= edges_.size() || edges_[place].second != w) {
+    place = static_cast<Index>(edges_.size());
+    edges_.push_back({v, w});
+    n_edge_faces_.push_back(0);
+  }
+  if (n_edge_faces_[place] < 255) ++n_edge_faces_[place];
+  return place;
+}
+
+void TriangleComplex::find_orders() {
+  orders_.resize(vertices_.size(), VertexOrder::regular);
+  for (Index v = 0; v < vertices_.size(); ++v) {
+    if (is_small_closed_fan(v)) continue;
+    gather_ring(v);
+    orders_[v] = order_of_ring();
+  }
+}
+
+/// Whether the faces at v, if they are few, are one fan around it with two at each edge. The common case, decided by
+/// sorting them into a fan.
+bool TriangleComplex::is_small_closed_fan(Index v) const {
+  constexpr std::size_t few = 12;
+  const std::span<const Index> list = face_lists_.of(v);
+  if (list.size() < 3 || list.size() > few) return false;
+  std::array<std::array<Index, 2>, few> fan;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const auto& [corners, edges] = faces_[list[i]];
+    const std::size_t here = corner_of(corners, v);
+    if (n_edge_faces_[edges[here]] != 2 || n_edge_faces_[edges[corner_after[here + 2]]] != 2) return false;
+    fan[i] = {corners[corner_after[here + 1]], corners[corner_after[here + 2]]};
+  }
+  for (std::size_t i = 1; i < list.size(); ++i) {
+    const Index end = fan[i - 1][1];
+    std::size_t j = i;
+    while (j < list.size() && fan[j][0] != end) ++j;
+    if (j == list.size()) return false;  // of several fans, or not all of one orientation
+    std::swap(fan[i], fan[j]);
+  }
+  return fan[list.size() - 1][1] == fan[0][0];
 }
 
 void TriangleComplex::gather_ring(Index v) {
@@ -167,24 +221,6 @@ VertexOrder TriangleComplex::order_of_ring() const {
   }
   if (n_met != ring_.size()) return VertexOrder::junction;
   return n_ends == 0 ? VertexOrder::regular : VertexOrder::line;
-}
-
-/// Numbers the edges from v, whose ring has been gathered, to vertices of a higher number.
-void TriangleComplex::number_edges_up(Index v) {
-  for (RingEntry& entry : ring_) {
-    if (entry.vertex < v) continue;
-    entry.edge = static_cast<Index>(edges_.size());
-    edges_.push_back({v, entry.vertex});
-    n_edge_faces_.push_back(static_cast<std::uint8_t>(std::min<Index>(entry.n_faces[0], 255)));
-  }
-  for (const Index f : face_lists_.of(v)) {
-    auto& [face, edges] = faces_[f];
-    const std::size_t corner = face[0] == v ? 0 : face[1] == v ? 1 : 2;
-    const std::size_t next = (corner + 1) % 3;
-    const std::size_t previous = (corner + 2) % 3;
-    if (face[next] > v) edges[corner] = ring_[vertices_[face[next]].ring_place].edge;
-    if (face[previous] > v) edges[previous] = ring_[vertices_[face[previous]].ring_place].edge;
-  }
 }
 
 void TriangleComplex::gather_one(Index v, Index other, std::vector<PairStar::Wing>& wings,
@@ -276,11 +312,9 @@ bool TriangleComplex::link_condition_of_any(Index a, Index b, const PairStar& st
 /// that of the survivor.
 void TriangleComplex::merge_edges(const PairStar::Shared& shared, Index survivor, Index removed, const PairStar& star) {
   const auto edge_between = [&](Index f, Index v, Index w) -> Index& {
-    auto& [face, edges] = faces_[f];
-    for (std::size_t i = 0; i < 2; ++i) {
-      if ((face[i] == v && face[i + 1] == w) || (face[i] == w && face[i + 1] == v)) return edges[i];
-    }
-    return edges[2];
+    auto& [corners, edges] = faces_[f];
+    const std::size_t i = corner_of(corners, v);
+    return edges[corners[corner_after[i + 1]] == w ? i : corner_after[i + 2]];
   };
   const Index kept = edge_between(shared.face, survivor, shared.opposite);
   const Index gone = edge_between(shared.face, removed, shared.opposite);

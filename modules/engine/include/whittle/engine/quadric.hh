@@ -38,19 +38,19 @@ struct SymmetricMatrix {
   /// rounding decides, and the caller falls back to another placement.
   std::optional<Vec3> solve(const Vec3& rhs) const {
     const double smallest_pivot = 1e-13 * trace();
-    if (!(xx > smallest_pivot)) return std::nullopt;
-    const double l10 = xy / xx;
-    const double l20 = xz / xx;
+    const double inverse_d0 = 1 / xx;
+    const double l10 = xy * inverse_d0;
+    const double l20 = xz * inverse_d0;
     const double d1 = yy - l10 * xy;
-    if (!(d1 > smallest_pivot)) return std::nullopt;
+    const double inverse_d1 = 1 / d1;
     const double e21 = yz - l20 * xy;
-    const double l21 = e21 / d1;
+    const double l21 = e21 * inverse_d1;
     const double d2 = zz - l20 * xz - l21 * e21;
-    if (!(d2 > smallest_pivot)) return std::nullopt;
+    if (!(xx > smallest_pivot && d1 > smallest_pivot && d2 > smallest_pivot)) return std::nullopt;
     const double y1 = rhs.y() - l10 * rhs.x();
     const double z = (rhs.z() - l20 * rhs.x() - l21 * y1) / d2;
-    const double y = y1 / d1 - l21 * z;
-    const double x = rhs.x() / xx - l10 * y - l20 * z;
+    const double y = y1 * inverse_d1 - l21 * z;
+    const double x = rhs.x() * inverse_d0 - l10 * y - l20 * z;
     return Vec3(x, y, z);
   }
 };

@@ -68,9 +68,11 @@ inline PairEvaluation evaluate_pair(const Quadric& q0, const Vec3& p0, const Qua
                                     Placement placement, Pinned pinned = Pinned::none) {
   // Both about the midpoint: x = 0 there, −h at p0, +h at p1.
   const Vec3 h = 0.5 * (p1 - p0);
+  const Vec3 a0_h = q0.a * h;
+  const Vec3 a1_h = q1.a * h;
   const SymmetricMatrix a = q0.a + q1.a;
-  const Vec3 b = (q0.b + q1.b) + (q0.a - q1.a) * h;
-  const double c = (q0.c + q1.c) + (2 * (q0.b - q1.b)).dot(h) + h.dot(a * h);
+  const Vec3 b = (q0.b + q1.b) + (a0_h - a1_h);
+  const double c = (q0.c + q1.c) + h.dot(2 * (q0.b - q1.b) + (a0_h + a1_h));
   const Vec3 middle = 0.5 * (p0 + p1);
   const auto cost_at = [&](const Vec3& x) { return std::max(0.0, c + x.dot(2 * b + a * x)); };
 

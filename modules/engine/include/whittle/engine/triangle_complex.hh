@@ -160,10 +160,12 @@ class TriangleComplex {
   void number_vertices(const std::vector<Vec3>& positions, std::vector<Index>& number_of);
   void number_faces(std::span<const Triangle> faces, const std::vector<Index>& number_of);
   void list_faces();
-  void look_at_stars();
+  void number_edges();
+  Index number_edge(Index v, Index w, std::size_t first);
+  void find_orders();
+  bool is_small_closed_fan(Index v) const;
   void gather_ring(Index v);
   VertexOrder order_of_ring() const;
-  void number_edges_up(Index v);
   Index place_in_ring(Index v);
   void gather_one(Index v, Index other, std::vector<PairStar::Wing>& wings, std::vector<PairStar::Shared>* shared);
   bool link_condition_of_any(Index a, Index b, const PairStar& star);
@@ -174,7 +176,7 @@ class TriangleComplex {
   struct alignas(32) Vertex {
     Vec3 position;
     Index parent;      ///< towards the vertex it was merged into; itself if none
-    Index ring_place;  ///< scratch: its place in `ring_`, right only if the entry there names it
+    Index ring_place;  ///< scratch: its place in `ring_` (at first in `edges_`), right only if the entry there names it
   };
   struct Face {
     Triangle corners;            ///< the first is `invalid_index` once removed
@@ -199,7 +201,6 @@ class TriangleComplex {
     std::array<Index, 2> n_faces{};                           ///< at the edge to the first and the second vertex
     std::array<Index, 2> next{invalid_index, invalid_index};  ///< places of up to two neighbours in the link
     bool opposite = false;                                    ///< corner of a face of the pair
-    Index edge = invalid_index;
   };
   std::vector<RingEntry> ring_;  ///< scratch: the neighbours under look
 };
