@@ -1,14 +1,16 @@
-// A program of another project that has an OpenMesh mesh: Whittle's module in OpenMesh's own decimater, beside the
-// engine on the same mesh.
+// A program of another project that has an OpenMesh mesh: Whittle's module in OpenMesh's own decimater, the same module
+// in Whittle's decimater, and the engine on plain arrays.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <cstdio>
-#include <vector>
 #include <whittle/engine/decimate.hh>
 #include <whittle/engine/indexed_mesh.hh>
 #include <whittle/openmesh/mod_garland_heckbert.hh>
+#include <whittle/openmesh/pair_decimater.hh>
 
 #include "torus.hh"
+
+namespace {
 
 struct Traits : OpenMesh::DefaultTraits {
   VertexAttributes(OpenMesh::Attributes::Status);
@@ -18,32 +20,45 @@ struct Traits : OpenMesh::DefaultTraits {
 };
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
-int main() {
-  const Torus torus(48, 24);
-  constexpr std::size_t target = 300;
-
+Mesh openmesh_of(const Torus& torus) {
   Mesh mesh;
   for (const auto& p : torus.points)
     mesh.add_vertex(Mesh::Point(static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])));
   for (const auto& face : torus.faces)
     mesh.add_face(mesh.vertex_handle(face[0]), mesh.vertex_handle(face[1]), mesh.vertex_handle(face[2]));
+  return mesh;
+}
 
-  whittle::IndexedMesh copy;
-  for (const auto vertex : mesh.vertices()) {
-    const Mesh::Point& p = mesh.point(vertex);
-    copy.positions.emplace_back(p[0], p[1], p[2]);
-  }
-  for (const auto& face : torus.faces) copy.faces.push_back({face[0], face[1], face[2]});
+whittle::IndexedMesh arrays_of(const Torus& torus) {
+  whittle::IndexedMesh mesh;
+  for (const auto& p : torus.points) mesh.positions.emplace_back(p[0], p[1], p[2]);
+  for (const auto& face : torus.faces) mesh.faces.push_back({face[0], face[1], face[2]});
+  return mesh;
+}
 
-  OpenMesh::Decimater::DecimaterT<Mesh> decimater(mesh);
-  whittle::ModGarlandHeckbertT<Mesh>::Handle module;
-  if (!decimater.add(module) || !decimater.initialize()) return 1;
+template <class Decimater>
+std::size_t faces_after(Decimater&& decimater, Mesh& mesh, std::size_t target) {
+  typename whittle::ModGarlandHeckbertT<Mesh>::Handle module;
+  decimater.add(module);
+  decimater.initialize();
   decimater.decimate_to_faces(0, target);
   mesh.garbage_collection();
+  return mesh.n_faces();
+}
 
-  const whittle::Decimation decimation = whittle::decimate(copy, {.faces = target});
+}  // namespace
 
-  std::printf("%zu faces became %zu in OpenMesh's decimater and %zu in the engine\n", torus.faces.size(),
-              mesh.n_faces(), decimation.mesh.faces.size());
-  return mesh.n_faces() == target && decimation.mesh.faces.size() == target ? 0 : 1;
+int main() {
+  const Torus torus(48, 24);
+  constexpr std::size_t target = 300;
+
+  Mesh first = openmesh_of(torus);
+  const std::size_t stock = faces_after(OpenMesh::Decimater::DecimaterT<Mesh>(first), first, target);
+  Mesh second = openmesh_of(torus);
+  const std::size_t pairs = faces_after(whittle::PairDecimaterT<Mesh>(second), second, target);
+  const std::size_t engine = whittle::decimate(arrays_of(torus), {.faces = target}).mesh.faces.size();
+
+  std::printf("%zu faces became %zu in OpenMesh's decimater, %zu in Whittle's, %zu in the engine\n", torus.faces.size(),
+              stock, pairs, engine);
+  return stock == target && pairs == target && engine == target ? 0 : 1;
 }
