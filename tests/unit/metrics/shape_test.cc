@@ -54,11 +54,14 @@ TEST(Shape, OfRightTriangles) {
 }
 
 TEST(Shape, OfThinFaces) {
-  // A needle of height h: 2r/R is about 2h·h/1, its angle h.
+  // A needle of width h has 2r/R near 2h (8 A² / (s a b c) with A = h/2, sides h, 1, 1), a cap of height h near 8h².
   const double h = 1e-4;
   const Shape needle = shape(triangle({0, 0, 0}, {1, 0, 0}, {1, h, 0}));
   EXPECT_NEAR(needle.min_angle_min_deg, std::atan(h) * 180.0 / std::numbers::pi, 1e-14);
+  EXPECT_NEAR(needle.radius_ratio_min, 2.0 * h, 2.0 * h * h);
   EXPECT_EQ(needle.degenerate_faces, 0U);
+  const Shape cap = shape(triangle({0, 0, 0}, {1, 0, 0}, {0.5, 0.01, 0}));
+  EXPECT_NEAR(cap.radius_ratio_min, 8.0 * 0.01 * 0.01, 1e-6);
   EXPECT_EQ(shape(triangle({0, 0, 0}, {1, 0, 0}, {0.5, 1e-8, 0})).degenerate_faces, 1U);
 }
 
@@ -152,7 +155,9 @@ TEST(Shape, ValencesAddUpToTwiceTheEdges) {
 }
 
 TEST(Shape, DoesNotDependOnUnitPlaceOrOrder) {
-  for (const auto& [name, mesh] : test::all_meshes()) {
+  for (const test::NamedMesh& entry : test::all_meshes()) {
+    const std::string& name = entry.name;
+    const IndexedMesh& mesh = entry.mesh;
     const Shape expected = shape(mesh);
     const auto expect_same = [&](const IndexedMesh& other, double tolerance, const std::string& what) {
       const Shape s = shape(other);
