@@ -1,0 +1,10 @@
+#pragma once
+
+#include <cstddef>
+
+namespace whittle::test {
+
+/// Bytes of the largest single allocation by `new` in this program since it was last set to 0.
+extern std::size_t largest_allocation;
+
+}  // namespace whittle::test
