@@ -132,8 +132,8 @@ void ContractionLoop::resolve_members() {
 void ContractionLoop::prefetch_vertex(Index v) const {
   complex_.prefetch_vertex(v);
   const char* quadric = reinterpret_cast<const char*>(&quadrics_[v]);
-  __builtin_prefetch(quadric);
-  __builtin_prefetch(quadric + 64);
+  prefetch(quadric);
+  prefetch(quadric + 64);
 }
 
 PairEvaluation ContractionLoop::evaluate(Index a, Index b) const {

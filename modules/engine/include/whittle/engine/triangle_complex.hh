@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "whittle/engine/indexed_mesh.hh"
+#include "whittle/engine/prefetch.hh"
 
 namespace whittle {
 
@@ -35,7 +36,7 @@ class FaceLists {
     list.count = static_cast<Index>(count);
   }
 
-  void prefetch(Index v) const { __builtin_prefetch(&lists_[v]); }
+  void prefetch(Index v) const { whittle::prefetch(&lists_[v]); }
 
  private:
   static constexpr Index inline_capacity = 15;
@@ -139,15 +140,15 @@ class TriangleComplex {
   /// Merges `removed` into `survivor`, which moves to `position`. `star` as gathered for (survivor, removed).
   void contract(Index survivor, Index removed, const Vec3& position, const PairStar& star);
 
-  void prefetch_edge(Index e) const { __builtin_prefetch(&edges_[e]); }
+  void prefetch_edge(Index e) const { prefetch(&edges_[e]); }
   void prefetch_ends(Index e) const {
-    __builtin_prefetch(&vertices_[edges_[e].first]);
-    __builtin_prefetch(&vertices_[edges_[e].second]);
+    prefetch(&vertices_[edges_[e].first]);
+    prefetch(&vertices_[edges_[e].second]);
   }
-  void prefetch_vertex(Index v) const { __builtin_prefetch(&vertices_[v]); }
+  void prefetch_vertex(Index v) const { prefetch(&vertices_[v]); }
   void prefetch_face_list(Index v) const { face_lists_.prefetch(v); }
   void prefetch_faces(Index v) const {
-    for (const Index f : face_lists_.of(v)) __builtin_prefetch(&faces_[f]);
+    for (const Index f : face_lists_.of(v)) prefetch(&faces_[f]);
   }
   void prefetch_neighbours(Index v) const {
     for (const Index f : face_lists_.of(v)) {
