@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Every check of the project, from a fresh Debian 12 on: installs what it takes, checks the style, builds with both
-# compilers, runs the tests plain and under the sanitizers. The logs of all steps are in build/run/.
+# compilers and runs the tests of each, under the sanitizers too. The logs of all steps are in build/run/.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source apps/packages.sh
@@ -8,9 +8,10 @@ source apps/packages.sh
 logs=build/run
 jobs=$(nproc)
 
-# Not into "build.log" and so on: a name a step.
 configure() { quietly "$logs/configure-$1.log" cmake --preset "$1" "${@:2}"; }
 build() { quietly "$logs/build-$1.log" cmake --build "build/$1" --parallel "$jobs"; }
+
+test_quietly() { quietly "$logs/test-$1.log" ctest --test-dir "build/$1" --output-on-failure --parallel "$jobs"; }
 
 check_format() {
   git ls-files -z '*.hh' '*.cc' | xargs -0 clang-format-14 --dry-run -Werror
@@ -33,9 +34,12 @@ step "GCC: building everything optimised, warnings are errors"
 configure release
 build release
 
+# With asserts and little optimised, so that this one also finds what only another compiler's choices show.
 step "Clang: building everything, warnings are errors"
-configure tidy -B build/clang -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_CXX_CLANG_TIDY=
+configure dev -B build/clang -DCMAKE_CXX_COMPILER=clang++-14
 build clang
+step "Clang: running the tests"
+test_quietly clang
 
 step "clang-tidy on the modules and the program"
 quietly "$logs/tidy.log" check_tidy
@@ -44,7 +48,7 @@ step "Sanitizers: building with asserts, address and undefined-behaviour checks"
 configure asan
 build asan
 step "Sanitizers: running the tests"
-quietly "$logs/test-asan.log" ctest --preset asan --parallel "$jobs"
+test_quietly asan
 
 step "Running the tests of the optimised build"
 ctest --preset release --parallel "$jobs"
