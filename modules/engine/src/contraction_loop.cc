@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "whittle/engine/parallel.hh"
+
 namespace whittle {
 
 namespace {
@@ -68,12 +70,25 @@ bool ContractionLoop::report_progress() const {
 }
 
 void ContractionLoop::fill_queue() {
-  queue_.reserve(complex_.n_edge_slots());
-  for (Index pair = 0; pair < complex_.n_edge_slots(); ++pair) {
-    const auto [a, b] = complex_.ends(pair);
-    const PairEvaluation evaluation = evaluate(a, b);
-    note_raised(pair, a, b, evaluation);
-    queue_.push(pair, BucketQueue::bucket_of(evaluation.cost));
+  const std::size_t n_pairs = complex_.n_edge_slots();
+  queue_.reserve(n_pairs);
+  struct Place {
+    BucketQueue::Bucket bucket;
+    bool is_raised;
+  };
+  std::vector<Place> places(n_pairs);
+  for_each_range(n_pairs, options_.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t pair = begin; pair < end; ++pair) {
+      const auto [a, b] = complex_.initial_ends(static_cast<Index>(pair));
+      const PairEvaluation evaluation = evaluate(a, b);
+      places[pair] = {BucketQueue::bucket_of(evaluation.cost), evaluation.cost > evaluation.bound};
+    }
+  });
+  for (Index pair = 0; pair < n_pairs; ++pair) {
+    queue_.push(pair, places[pair].bucket);
+    if (!places[pair].is_raised) continue;
+    const auto [a, b] = complex_.initial_ends(pair);
+    add_raised(pair, a, b, evaluate(a, b).cost);
   }
 }
 
@@ -100,9 +115,9 @@ void ContractionLoop::open_bucket() {
   batch_.clear();
   n_taken_ = 0;
   for (std::size_t i = 0; i < resolved_.size(); ++i) {
-    if (i + 8 < resolved_.size()) {
-      prefetch_vertex(resolved_[i + 8].a);
-      prefetch_vertex(resolved_[i + 8].b);
+    if (i + 16 < resolved_.size()) {
+      prefetch_vertex(resolved_[i + 16].a);
+      prefetch_vertex(resolved_[i + 16].b);
     }
     const auto [pair, a, b] = resolved_[i];
     const PairEvaluation evaluation = evaluate(a, b);
@@ -122,8 +137,8 @@ void ContractionLoop::resolve_members() {
   resolved_.clear();
   std::erase_if(members_, [&](Index pair) { return !complex_.is_edge_alive(pair); });
   for (std::size_t i = 0; i < members_.size(); ++i) {
-    if (i + 16 < members_.size()) complex_.prefetch_edge(members_[i + 16]);
-    if (i + 8 < members_.size()) complex_.prefetch_ends(members_[i + 8]);
+    if (i + 32 < members_.size()) complex_.prefetch_edge(members_[i + 32]);
+    if (i + 16 < members_.size()) complex_.prefetch_ends(members_[i + 16]);
     const auto [a, b] = complex_.ends(members_[i]);
     resolved_.push_back({members_[i], a, b});
   }

@@ -185,7 +185,7 @@ Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const
   if (options.boundary == Boundary::free) quadric.boundary_weight = 0;
   DecimateResult result;
   {
-    ContractionLoop loop(complex, initial_quadrics(complex, quadric), options,
+    ContractionLoop loop(complex, initial_quadrics(complex, quadric, options.threads), options,
                          loop_settings(complex, frame, target, options));
     result = loop.run();
   }

@@ -1,10 +1,17 @@
 #include "initial_quadrics.hh"
 
+#include "whittle/engine/parallel.hh"
+
 namespace whittle {
 namespace {
 
 /// The corner of `face` that v is: 0, 1 or 2.
 std::size_t corner_of(const Triangle& face, Index v) { return face[0] == v ? 0 : face[1] == v ? 1 : 2; }
+
+FacePlane plane_of(const TriangleComplex& complex, Index f, Weights weights) {
+  const Triangle& face = complex.face(f);
+  return face_plane({complex.position(face[0]), complex.position(face[1]), complex.position(face[2])}, weights);
+}
 
 void add_border_planes(const TriangleComplex& complex, Index v, const QuadricOptions& options, SymmetricMatrix& sum) {
   const auto add_if_border = [&](Index f, std::size_t from, std::size_t to, std::size_t opposite) {
@@ -24,23 +31,26 @@ void add_border_planes(const TriangleComplex& complex, Index v, const QuadricOpt
 
 }  // namespace
 
-std::vector<Quadric> initial_quadrics(const TriangleComplex& complex, const QuadricOptions& options) {
+std::vector<Quadric> initial_quadrics(const TriangleComplex& complex, const QuadricOptions& options, unsigned threads) {
   std::vector<FacePlane> planes(complex.n_face_slots());
-  for (Index f = 0; f < planes.size(); ++f) {
-    const Triangle& face = complex.face(f);
-    planes[f] =
-        face_plane({complex.position(face[0]), complex.position(face[1]), complex.position(face[2])}, options.weights);
-  }
+  for_each_range(planes.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) planes[f] = plane_of(complex, static_cast<Index>(f), options.weights);
+  });
+
   std::vector<Quadric> quadrics(complex.n_vertex_slots());
-  for (Index v = 0; v < quadrics.size(); ++v) {
-    SymmetricMatrix& sum = quadrics[v].a;
+  const auto sum_at = [&](Index v) {
+    SymmetricMatrix sum;
     for (const Index f : complex.faces_at(v)) {
       sum += plane_quadric(planes[f].normal, planes[f].weights[corner_of(complex.face(f), v)], options);
     }
     if (options.boundary_weight > 0 && complex.order(v) != VertexOrder::regular) {
       add_border_planes(complex, v, options, sum);
     }
-  }
+    return sum;
+  };
+  for_each_range(quadrics.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) quadrics[v].a = sum_at(static_cast<Index>(v));
+  });
   return quadrics;
 }
 

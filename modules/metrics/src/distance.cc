@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "parallel.hh"
 #include "triangle_math.hh"
+#include "whittle/engine/parallel.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/closest_point.hh"
 

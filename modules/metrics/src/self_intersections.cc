@@ -9,8 +9,8 @@
 #include <numeric>
 #include <utility>
 
-#include "parallel.hh"
 #include "predicates.hh"
+#include "whittle/engine/parallel.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/closest_point.hh"
 

@@ -124,6 +124,8 @@ class TriangleComplex {
     edge = {representative(edge.first), representative(edge.second)};
     return edge;
   }
+  /// The same before the first contraction.
+  Edge initial_ends(Index e) const { return edges_[e]; }
   /// The edge from corner i of face f to the next.
   Index face_edge(Index f, std::size_t i) const { return faces_[f].edges[i]; }
   /// Number of faces at an edge of the input, at most 255.

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace whittle::metrics {
+namespace whittle {
 
 /// Calls `work(block)` once for each block below `n_blocks`, on up to `threads` threads (0 = all cores), in any order.
 /// Work that keeps its results apart by block gives the same answer for every number of threads. The first exception of
@@ -42,4 +42,13 @@ void for_each_block(std::size_t n_blocks, unsigned threads, const Work& work) {
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace whittle::metrics
+/// Calls `work(begin, end)` for ranges that together make up 0 … n, in any order. Work that keeps its results apart by
+/// element gives the same answer for every number of threads.
+template <class Work>
+void for_each_range(std::size_t n, unsigned threads, const Work& work) {
+  constexpr std::size_t length = 16384;  // some hundred microseconds of the work here; short against a whole array
+  for_each_block((n + length - 1) / length, threads,
+                 [&](std::size_t block) { work(block * length, std::min(n, (block + 1) * length)); });
+}
+
+}  // namespace whittle
