@@ -211,6 +211,7 @@ TEST(TriangleTree, FindsVerticesAtDistanceZero) {
 TEST(TriangleTree, PrefersTheLowestOfCoincidentFaces) {
   const IndexedMesh once = test::blob(2, 3);
   const std::size_t n = once.faces.size();
+  ASSERT_GT(n, 0U);
   IndexedMesh thrice = once;
   for (std::size_t f = 0; f < 2 * n; ++f) {
     const auto& [a, b, c] = once.faces[n - 1 - f % n];
@@ -303,6 +304,7 @@ TEST(TriangleTree, AnswersManyThreadsAtOnce) {
   std::vector<std::vector<ClosestPoint>> answers(4);
   {
     std::vector<std::jthread> threads;
+    threads.reserve(answers.size());
     for (auto& own : answers) {
       threads.emplace_back([&] {
         for (const Vec3& point : points) own.push_back(tree.nearest(point));
