@@ -27,8 +27,8 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, std::vector<Quadric> 
       n_initial_vertices_(complex.n_vertices()),
       n_initial_faces_(complex.n_faces()),
       raised_(complex.n_vertex_slots()),
-      refused_(complex.n_vertex_slots()),
       is_raised_(complex.n_edge_slots()),
+      refused_(complex.n_vertex_slots()),
       is_refused_(complex.n_edge_slots()) {}
 
 DecimateResult ContractionLoop::run() {
