@@ -26,10 +26,10 @@ namespace whittle {
 
 /// What ends a run: the first one reached. Unset ones don't count; none set reduces as far as the guards allow.
 struct DecimateTarget {
-  std::optional<std::uint64_t> faces;     ///< Stop once at most this many faces are left.
-  std::optional<std::uint64_t> vertices;  ///< Stop once at most this many vertices are left.
-  std::optional<double> max_cost;         ///< Contract only what costs at most this: distance² · area in model units
-                                          ///< (distance² with uniform weights). [0, inf).
+  std::optional<std::uint64_t> faces{};     ///< Stop once at most this many faces are left.
+  std::optional<std::uint64_t> vertices{};  ///< Stop once at most this many vertices are left.
+  std::optional<double> max_cost{};  ///< Contract only what costs at most this: distance² · area in model units
+                                     ///< (distance² with uniform weights). [0, inf).
 };
 
 /// What happens to edges with one face, and to their vertices.

@@ -1,0 +1,370 @@
+#include "whittle/engine/decimate.hh"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+
+#include "support/random.hh"
+#include "support/shapes.hh"
+#include "support/suites.hh"
+#include "support/topology.hh"
+#include "support/transforms.hh"
+
+namespace whittle::test {
+namespace {
+
+DecimateTarget faces(std::uint64_t n) { return {.faces = n}; }
+
+TEST(Decimate, StopsAtTheFirstCountNotAboveTheTarget) {
+  const IndexedMesh mesh = blob(3, 1);  // closed: faces go in twos
+  for (const std::uint64_t target : {1279U, 1001U, 1000U, 300U, 51U}) {
+    const Decimation d = decimate(mesh, faces(target));
+    EXPECT_EQ(d.result.n_faces, target - target % 2) << "target " << target;
+    EXPECT_EQ(d.mesh.faces.size(), d.result.n_faces);
+    EXPECT_EQ(d.mesh.positions.size(), d.result.n_vertices);
+    EXPECT_EQ(d.result.n_vertices, 2 + d.result.n_faces / 2);
+    EXPECT_EQ(d.result.stop, StopReason::target);
+    EXPECT_EQ(d.result.n_contractions, mesh.positions.size() - d.result.n_vertices);
+  }
+  for (const std::uint64_t target : {641U, 500U, 37U}) {
+    EXPECT_EQ(decimate(mesh, {.vertices = target}).result.n_vertices, target);
+  }
+}
+
+TEST(Decimate, DoesNothingWhereTheTargetIsMetAlready) {
+  const IndexedMesh mesh = terrain(8, 1);
+  const Decimation d = decimate(mesh, faces(mesh.faces.size()));
+  EXPECT_EQ(d.result.n_contractions, 0U);
+  EXPECT_EQ(d.mesh.faces, mesh.faces);
+  EXPECT_EQ(d.mesh.positions, mesh.positions);
+}
+
+TEST(Decimate, TakesTheFirstTargetReached) {
+  const IndexedMesh mesh = blob(3, 2);
+  EXPECT_EQ(decimate(mesh, {.faces = 200, .vertices = 400}).result.n_vertices, 400U);
+  EXPECT_EQ(decimate(mesh, {.faces = 900, .vertices = 20}).result.n_faces, 900U);
+}
+
+TEST(Decimate, RespectsTheCostLimit) {
+  const IndexedMesh mesh = blob(3, 3);
+  std::vector<double> costs;
+  DecimateOptions options;
+  options.listener = [&](const Contraction& c) { costs.push_back(c.cost); };
+  decimate(mesh, faces(100), options);
+  const double limit = costs[costs.size() / 2];
+  const Decimation d = decimate(mesh, {.max_cost = limit});
+  EXPECT_EQ(d.result.stop, StopReason::cost);
+  EXPECT_LE(d.result.max_cost, limit);
+  EXPECT_GT(d.result.n_contractions, costs.size() / 4);
+  EXPECT_EQ(decimate(mesh, {.max_cost = 0.0}).result.n_contractions, 0U);
+}
+
+TEST(Decimate, WithoutATargetGoesAsFarAsTheGuardsAllow) {
+  const Decimation d = decimate(blob(3, 4), {});
+  EXPECT_EQ(d.result.stop, StopReason::exhausted);
+  EXPECT_GE(d.result.n_faces, 4U);
+  EXPECT_GT(d.result.rejections.link + d.result.rejections.flip, 0U);
+  EXPECT_TRUE(topology(d.mesh).closed());
+}
+
+TEST(Decimate, FlatGroundKeepsItsOutline) {
+  const Decimation d = decimate(grid(20, 10), faces(2));
+  EXPECT_EQ(d.result.n_faces, 2U);
+  EXPECT_NEAR(surface_area(d.mesh), 200, 200 * 1e-8);  // the regularisation, 1e-9, pulls corners inwards
+}
+
+TEST(Decimate, TessellatedCubeBecomesTheCube) {
+  const Decimation d = decimate(tessellated_cube(8), faces(12));
+  ASSERT_EQ(d.result.n_faces, 12U);
+  for (const Vec3& p : d.mesh.positions) {
+    EXPECT_NEAR(p.cwiseAbs().minCoeff(), 1, 1e-6);
+    EXPECT_NEAR(p.cwiseAbs().maxCoeff(), 1, 1e-6);
+  }
+  EXPECT_NEAR(signed_volume(d.mesh), 8, 1e-5);
+}
+
+TEST(Decimate, KeepsTheTopologyOfEveryManifoldMesh) {
+  std::vector<NamedMesh> meshes = closed_meshes();
+  for (NamedMesh& m : open_meshes()) meshes.push_back(std::move(m));
+  for (const auto& [name, mesh] : meshes) {
+    SCOPED_TRACE(name);
+    const Topology before = topology(mesh);
+    for (const double ratio : {0.5, 0.2, 0.0}) {
+      SCOPED_TRACE(ratio);
+      const auto target = static_cast<std::uint64_t>(ratio * static_cast<double>(mesh.faces.size()));
+      const Topology after = topology(decimate(mesh, faces(target)).mesh);
+      EXPECT_EQ(after.euler(), before.euler());
+      EXPECT_EQ(after.components, before.components);
+      EXPECT_EQ(after.border_loops, before.border_loops);
+      if (before.misoriented_edges == 0) EXPECT_EQ(after.misoriented_edges, 0);
+      EXPECT_TRUE(after.manifold());
+    }
+  }
+}
+
+TEST(Decimate, NeverMakesANonManifoldMeshWorse) {
+  for (const auto& [name, mesh] : nonmanifold_meshes()) {
+    SCOPED_TRACE(name);
+    const Topology before = topology(mesh);
+    const Topology after = topology(decimate(mesh, {}).mesh);
+    EXPECT_LE(after.nonmanifold_edges, before.nonmanifold_edges);
+    EXPECT_LE(after.nonmanifold_vertices, before.nonmanifold_vertices);
+    EXPECT_EQ(after.components, before.components);
+    EXPECT_EQ(after.euler(), before.euler());
+  }
+}
+
+TEST(Decimate, LockedVerticesKeepEveryBit) {
+  Random random(1);
+  for (const auto& [name, mesh] : all_meshes()) {
+    SCOPED_TRACE(name);
+    std::vector<std::uint8_t> locked(mesh.positions.size());
+    for (auto& l : locked) l = random.below(3) == 0;
+    DecimateOptions options;
+    options.locked = locked;
+    const Decimation d = decimate(mesh, {}, options);
+    for (Index v = 0; v < locked.size(); ++v) {
+      if (!locked[v] || d.vertex_map[v] == invalid_index) continue;
+      EXPECT_EQ(d.mesh.positions[d.vertex_map[v]], mesh.positions[v]);
+      EXPECT_EQ(d.mesh.origins[d.vertex_map[v]], v);
+    }
+  }
+}
+
+TEST(Decimate, LockedBordersKeepEveryBit) {
+  DecimateOptions options;
+  options.boundary = Boundary::locked;
+  const IndexedMesh mesh = moved(terrain(16, 2), {1e5, -3e4, 7});
+  const Decimation d = decimate(mesh, faces(100), options);
+  EXPECT_EQ(topology(d.mesh).border_edges, topology(mesh).border_edges);
+  std::size_t n_border = 0;
+  for (std::size_t v = 0; v < d.mesh.positions.size(); ++v) {
+    const Vec3& p = mesh.positions[d.mesh.origins[v]];
+    const Vec3 at = p - Vec3(1e5, -3e4, 7);
+    const auto is_side = [](double x) { return x < 1e-9 || x > 1 - 1e-9; };
+    if (!is_side(at.x()) && !is_side(at.y())) continue;
+    ++n_border;
+    EXPECT_EQ(d.mesh.positions[v], p);
+  }
+  EXPECT_EQ(n_border, 64U);
+}
+
+TEST(Decimate, EndpointPlacementTakesPositionsOfTheInput) {
+  const IndexedMesh mesh = moved(scaled(blob(3, 5), 1.0 / 3), {12.3, -45.6, 1e4});
+  const auto before = [](const Vec3& a, const Vec3& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  };
+  const std::set<Vec3, decltype(before)> positions(mesh.positions.begin(), mesh.positions.end(), before);
+  DecimateOptions options;
+  options.quadric.placement = Placement::endpoint;
+  for (const Vec3& p : decimate(mesh, faces(100), options).mesh.positions) EXPECT_TRUE(positions.contains(p)) << p;
+}
+
+TEST(Decimate, VertexMapIsTotalAndSaysWhoMerged) {
+  const IndexedMesh mesh = with_isolated_vertices(blob(3, 6), 40, 1);
+  std::vector<Index> into(mesh.positions.size());
+  for (Index v = 0; v < into.size(); ++v) into[v] = v;
+  DecimateOptions options;
+  options.listener = [&](const Contraction& c) {
+    for (Index& r : into) {
+      if (r == c.removed) r = c.survivor;
+    }
+  };
+  const Decimation d = decimate(mesh, faces(200), options);
+  std::set<Index> used;
+  for (const Triangle& f : mesh.faces) used.insert(f.begin(), f.end());
+  ASSERT_EQ(d.vertex_map.size(), mesh.positions.size());
+  for (Index v = 0; v < mesh.positions.size(); ++v) {
+    if (used.contains(v)) {
+      EXPECT_EQ(d.mesh.origins[d.vertex_map[v]], into[v]);
+    } else {
+      EXPECT_EQ(d.vertex_map[v], invalid_index);
+    }
+  }
+  EXPECT_TRUE(std::is_sorted(d.mesh.origins.begin(), d.mesh.origins.end()));
+}
+
+TEST(Decimate, OriginsGoThroughFromTheInput) {
+  IndexedMesh mesh = blob(2, 7);
+  for (Index v = 0; v < mesh.positions.size(); ++v) mesh.origins.push_back(3 * v + 5);
+  const Decimation d = decimate(mesh, faces(100));
+  for (Index v = 0; v < mesh.positions.size(); ++v) {
+    if (d.mesh.origins[d.vertex_map[v]] == mesh.origins[v]) return;  // at least the survivors
+  }
+  FAIL() << "no origin of the input is left";
+}
+
+TEST(Decimate, AveragesColorsAndMakesNormalsAnew) {
+  IndexedMesh mesh = grid(10, 10);
+  for (const Vec3& p : mesh.positions) {
+    mesh.colors.push_back({static_cast<float>(p.x() / 10), 0.25F, 1, 1});
+    mesh.normals.push_back({1, 0, 0});
+  }
+  const Decimation d = decimate(mesh, faces(20));
+  std::vector<double> sums(d.mesh.positions.size());
+  std::vector<int> counts(d.mesh.positions.size());
+  for (std::size_t v = 0; v < d.vertex_map.size(); ++v) {
+    sums[d.vertex_map[v]] += mesh.colors[v][0];
+    ++counts[d.vertex_map[v]];
+  }
+  ASSERT_EQ(d.mesh.colors.size(), d.mesh.positions.size());
+  for (std::size_t v = 0; v < sums.size(); ++v) {
+    EXPECT_NEAR(d.mesh.colors[v][0], sums[v] / counts[v], 1e-6);
+    EXPECT_EQ(d.mesh.colors[v][1], 0.25F);
+    EXPECT_NEAR(d.mesh.normals[v][2], 1, 1e-6);
+  }
+}
+
+TEST(Decimate, LeavesOutDegenerateFacesAndCountsThem) {
+  IndexedMesh mesh = blob(1, 8);
+  mesh.faces.insert(mesh.faces.begin() + 3, Triangle{4, 4, 7});
+  mesh.faces.push_back({1, 2, 1});
+  const Decimation d = decimate(mesh, faces(80));
+  EXPECT_EQ(d.result.n_degenerate_faces, 2U);
+  EXPECT_EQ(d.result.n_faces, 80U);
+}
+
+TEST(Decimate, TakesAnyValence) {
+  for (const int n : {14, 15, 16, 17, 400}) {
+    const Decimation d = decimate(uv_sphere(8, n), faces(100));
+    EXPECT_EQ(d.result.n_faces, 100U) << n;
+    EXPECT_EQ(topology(d.mesh).euler(), 2) << n;
+  }
+  EXPECT_EQ(decimate(cone(3000), faces(300)).result.n_faces, 300U);
+}
+
+TEST(Decimate, TakesEmptyAndTinyMeshes) {
+  EXPECT_EQ(decimate(IndexedMesh{}, faces(0)).mesh.faces.size(), 0U);
+  EXPECT_EQ(decimate(single_triangle(), faces(0)).mesh.faces.size(), 1U);
+  EXPECT_EQ(decimate(tetrahedron(), faces(0)).mesh.faces.size(), 4U);
+  IndexedMesh point = single_triangle();
+  for (Vec3& p : point.positions) p = Vec3(1, 2, 3);
+  EXPECT_EQ(decimate(point, faces(0)).mesh.faces.size(), 1U);
+}
+
+TEST(Decimate, CanBeCancelled) {
+  const IndexedMesh mesh = blob(4, 9);
+  DecimateOptions options;
+  int n_calls = 0;
+  double fraction = -1;
+  options.progress = [&](const Progress& p) {
+    EXPECT_GE(p.fraction, fraction);
+    EXPECT_LE(p.fraction, 1);
+    fraction = p.fraction;
+    return ++n_calls < 2;
+  };
+  const Decimation d = decimate(mesh, faces(4), options);
+  EXPECT_EQ(d.result.stop, StopReason::cancelled);
+  EXPECT_EQ(n_calls, 2);
+  EXPECT_LT(d.result.n_faces, mesh.faces.size());
+  EXPECT_GT(d.result.n_faces, 100U);
+  EXPECT_EQ(topology(d.mesh).euler(), 2);
+}
+
+TEST(Decimate, RefusesWhatIsNoMeshOrNoOption) {
+  const auto refused = [](const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options) {
+    try {
+      decimate(mesh, target, options);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  IndexedMesh mesh = tetrahedron();
+  mesh.faces[2][1] = 4;
+  EXPECT_EQ(refused(mesh, faces(2), {}), "decimate: face 2 names vertex 4 of 4");
+  for (const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    mesh = tetrahedron();
+    mesh.positions[1].y() = x;
+    EXPECT_EQ(refused(mesh, faces(2), {}), "decimate: vertex 1 has a coordinate that is not finite");
+  }
+  mesh = tetrahedron();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(refused(mesh, {.max_cost = -1.0}, {}), "accepted");
+  EXPECT_NE(refused(mesh, {.max_cost = nan}, {}), "accepted");
+  for (const double flip : {0.0, -5.0, 180.1, nan}) {
+    DecimateOptions options;
+    options.max_normal_flip_deg = flip;
+    EXPECT_NE(refused(mesh, {}, options), "accepted") << flip;
+  }
+  for (const double bad : {-1e-9, nan}) {
+    DecimateOptions options;
+    options.quadric.regularization = bad;
+    EXPECT_NE(refused(mesh, {}, options), "accepted") << bad;
+    options = {};
+    options.quadric.boundary_weight = bad;
+    EXPECT_NE(refused(mesh, {}, options), "accepted") << bad;
+  }
+  const std::vector<std::uint8_t> locked(3);
+  DecimateOptions options;
+  options.locked = locked;
+  EXPECT_NE(refused(mesh, {}, options), "accepted");
+}
+
+// What no result may depend on ----------------------------------------------------------------------------------------
+
+std::vector<Contraction> contractions(const IndexedMesh& mesh, DecimateOptions options = {}) {
+  std::vector<Contraction> done;
+  options.listener = [&](const Contraction& c) { done.push_back(c); };
+  decimate(mesh, faces(mesh.faces.size() / 10), options);
+  return done;
+}
+
+bool same_pairs(const std::vector<Contraction>& a, const std::vector<Contraction>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Contraction& x, const Contraction& y) {
+    return x.survivor == y.survivor && x.removed == y.removed;
+  });
+}
+
+TEST(DecimateInvariance, PowersOfTwoAsTheUnitChangeNoBit) {
+  for (const auto& [name, mesh] : all_meshes()) {
+    const std::vector<Contraction> here = contractions(mesh);
+    for (const double factor : {0x1p10, 0x1p-10, 0x1p200, 0x1p-200}) {
+      const std::vector<Contraction> there = contractions(scaled(mesh, factor));
+      ASSERT_TRUE(same_pairs(here, there)) << name << " × " << factor;
+      for (std::size_t i = 0; i < here.size(); ++i) ASSERT_EQ(there[i].position, here[i].position * factor) << name;
+    }
+  }
+}
+
+TEST(DecimateInvariance, OtherUnitsTurnsAndPlacesGiveTheSameContractions) {
+  // Random heights, so that no two costs are within rounding of each other.
+  const IndexedMesh mesh = noisy_sphere(4, 0.02, 10);
+  const std::vector<Contraction> here = contractions(mesh);
+  for (const double factor : {1000.0, 0.001})
+    EXPECT_TRUE(same_pairs(here, contractions(scaled(mesh, factor)))) << factor;
+  for (const std::uint64_t seed : {1U, 2U, 3U})
+    EXPECT_TRUE(same_pairs(here, contractions(rotated(mesh, seed)))) << seed;
+  EXPECT_TRUE(same_pairs(here, contractions(moved(mesh, {3e3, -2e3, 5e3}))));
+}
+
+TEST(DecimateInvariance, AnotherOrderOfVerticesAndFacesGivesTheSameSurface) {
+  const IndexedMesh mesh = noisy_sphere(4, 0.02, 11);
+  const Decimation here = decimate(mesh, faces(500));
+  const Permuted other = permuted(mesh, 12);
+  const Decimation there = decimate(other.mesh, faces(500));
+  ASSERT_EQ(there.mesh.positions.size(), here.mesh.positions.size());
+  for (Index v = 0; v < other.old_vertex.size(); ++v) {
+    const Vec3& p = there.mesh.positions[there.vertex_map[v]];
+    const Vec3& q = here.mesh.positions[here.vertex_map[other.old_vertex[v]]];
+    // Sums in another order: rounding, amplified by the condition of the solve (1 / regularisation at worst).
+    ASSERT_NEAR((p - q).norm(), 0, 1e-6) << "vertex " << v;
+  }
+}
+
+TEST(DecimateInvariance, ThreadsChangeNoBit) {
+  const IndexedMesh mesh = noisy_sphere(6, 0.01, 13);
+  DecimateOptions options;
+  options.threads = 1;
+  const Decimation one = decimate(mesh, faces(5000), options);
+  for (const unsigned threads : {2U, 3U, 8U, 0U}) {
+    options.threads = threads;
+    const Decimation many = decimate(mesh, faces(5000), options);
+    EXPECT_EQ(many.mesh.positions, one.mesh.positions) << threads;
+    EXPECT_EQ(many.mesh.faces, one.mesh.faces) << threads;
+  }
+}
+
+}  // namespace
+}  // namespace whittle::test

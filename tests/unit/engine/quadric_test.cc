@@ -1,0 +1,204 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "support/random.hh"
+#include "support/shapes.hh"
+#include "whittle/engine/quadric_term.hh"
+
+namespace whittle::test {
+namespace {
+
+Vec3 random_vector(Random& random) { return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}; }
+
+Eigen::Matrix3d dense(const SymmetricMatrix& m) {
+  return (Eigen::Matrix3d() << m.xx, m.xy, m.xz, m.xy, m.yy, m.yz, m.xz, m.yz, m.zz).finished();
+}
+
+/// The sum of a few planes through points near the origin, as a quadric about the origin.
+Quadric random_quadric(Random& random, int n_planes) {
+  Quadric q;
+  for (int i = 0; i < n_planes; ++i) {
+    const Quadric plane{SymmetricMatrix::outer(random_vector(random).normalized(), random.uniform(0.1, 2)),
+                        Vec3::Zero(), 0};
+    q += plane.about(random_vector(random));
+  }
+  return q;
+}
+
+/// Garland & Heckbert's 4 × 4 matrix K_p of a plane ax + by + cz + d = 0.
+Eigen::Matrix4d plane_matrix(const Vec3& normal, const Vec3& point) {
+  const Eigen::Vector4d plane(normal.x(), normal.y(), normal.z(), -normal.dot(point));
+  return plane * plane.transpose();
+}
+
+TEST(SymmetricMatrix, SolvesAsEigenDoes) {
+  Random random(1);
+  for (int i = 0; i < 1000; ++i) {
+    const SymmetricMatrix m = random_quadric(random, 3 + i % 4).a + SymmetricMatrix::identity(1e-9);
+    const Vec3 rhs = random_vector(random);
+    const auto x = m.solve(rhs);
+    ASSERT_TRUE(x) << "matrix " << i << ":\n" << dense(m);
+    // Backward stable: the residual is rounding of |M||x|, however ill-conditioned M is.
+    EXPECT_LE((dense(m) * *x - rhs).norm(), 1e-13 * (1 + dense(m).norm() * x->norm())) << "matrix " << i;
+  }
+}
+
+TEST(SymmetricMatrix, RefusesToSolveAlongFlatDirections) {
+  const Vec3 n = Vec3(1, 2, 3).normalized();
+  const Vec3 m = Vec3(3, -1, 0.5).normalized();
+  EXPECT_FALSE(SymmetricMatrix{}.solve(n));
+  EXPECT_FALSE(SymmetricMatrix::outer(n, 1).solve(n));
+  EXPECT_FALSE((SymmetricMatrix::outer(n, 1) + SymmetricMatrix::outer(m, 5)).solve(n));
+  EXPECT_TRUE((SymmetricMatrix::outer(n, 1) + SymmetricMatrix::identity(1e-9)).solve(n));
+}
+
+TEST(Quadric, AboutAnotherOriginIsTheSameFunction) {
+  Random random(2);
+  for (int i = 0; i < 100; ++i) {
+    const Quadric q = random_quadric(random, 5);
+    const Vec3 t = random_vector(random);
+    const Vec3 x = random_vector(random);
+    EXPECT_NEAR(q.about(t)(x), q(x + t), 1e-13 * (1 + q(x + t)));
+  }
+}
+
+/// The cube (±1)³ with uniform weights: each of the corner's faces adds a unit plane of one of its three sides, which
+/// meet at the corner (1, 1, 1)·s.
+TEST(FaceQuadrics, OfACubesCornerIsTheMatrixByHand) {
+  const IndexedMesh mesh = cube();
+  const QuadricOptions options{.weights = Weights::uniform, .regularization = 0};
+  for (Index v = 0; v < mesh.positions.size(); ++v) {
+    const Vec3& corner = mesh.positions[v];
+    SymmetricMatrix sum;
+    std::array<double, 3> n_sides{};  // triangles of the side perpendicular to x, y, z at this corner: one or two
+    for (const Triangle& f : mesh.faces) {
+      const auto i = std::find(f.begin(), f.end(), v);
+      if (i == f.end()) continue;
+      const std::array<Vec3, 3> corners{mesh.positions[f[0]], mesh.positions[f[1]], mesh.positions[f[2]]};
+      sum += face_quadrics(corners, options)[static_cast<std::size_t>(i - f.begin())];
+      for (int axis = 0; axis < 3; ++axis) {
+        if (corners[0][axis] == corners[1][axis] && corners[1][axis] == corners[2][axis]) {
+          ++n_sides[static_cast<std::size_t>(axis)];
+        }
+      }
+    }
+    // About the world's origin: Σ n_k (x_k − s_k)², that is diag(n), −n_k s_k and Σ n_k.
+    const Quadric q = Quadric{sum, Vec3::Zero(), 0}.about(-corner);
+    EXPECT_EQ(dense(q.a), Eigen::Matrix3d(Vec3(n_sides[0], n_sides[1], n_sides[2]).asDiagonal())) << "corner " << v;
+    EXPECT_EQ(q.b, Vec3(-n_sides[0] * corner.x(), -n_sides[1] * corner.y(), -n_sides[2] * corner.z()));
+    EXPECT_EQ(q.c, n_sides[0] + n_sides[1] + n_sides[2]);
+  }
+}
+
+TEST(FaceQuadrics, AreGarlandAndHeckbertsPlaneMatrices) {
+  Random random(3);
+  const std::array<Vec3, 3> corners{random_vector(random), random_vector(random), random_vector(random)};
+  const Vec3 cross = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const double area = 0.5 * cross.norm();
+  for (const Weights weights : {Weights::area, Weights::uniform, Weights::area_angle}) {
+    const auto shares = face_quadrics(corners, {.weights = weights, .regularization = 0});
+    double sum_of_weights = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double weight = shares[i].trace();  // n is a unit vector
+      sum_of_weights += weight;
+      const Quadric q = Quadric{shares[i], Vec3::Zero(), 0}.about(-corners[i]);
+      const Eigen::Matrix4d expected = weight * plane_matrix(cross.normalized(), corners[0]);
+      EXPECT_TRUE(dense(q.a).isApprox(expected.topLeftCorner<3, 3>(), 1e-14));
+      EXPECT_TRUE(q.b.isApprox(expected.topRightCorner<3, 1>(), 1e-13));
+      EXPECT_NEAR(q.c, expected(3, 3), 1e-14);
+    }
+    // The angles of a triangle sum to π.
+    EXPECT_NEAR(sum_of_weights, weights == Weights::uniform ? 3 : weights == Weights::area ? 3 * area : area, 1e-14);
+  }
+}
+
+TEST(BorderQuadric, IsThePlaneThroughTheEdgePerpendicularToTheFace) {
+  const QuadricOptions options{.regularization = 0, .boundary_weight = 7};
+  // The edge lies along x, length 2; the face in the plane z = 0.
+  const SymmetricMatrix q = border_quadric({0, 0, 0}, {2, 0, 0}, {0.3, 1.7, 0}, options);
+  EXPECT_TRUE(dense(q).isApprox(Eigen::Matrix3d(Vec3(0, 7 * 4, 0).asDiagonal()), 1e-15)) << dense(q);
+  EXPECT_TRUE(dense(border_quadric({1, 1, 1}, {1, 1, 1}, {2, 0, 0}, options)).isZero());
+  EXPECT_TRUE(dense(border_quadric({0, 0, 0}, {1, 0, 0}, {2, 0, 0}, options)).isZero());
+}
+
+TEST(EvaluatePair, FindsTheMinimumOfTheSum) {
+  Random random(4);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 p0 = random_vector(random);
+    const Vec3 p1 = p0 + random_vector(random);
+    const Quadric q0 = random_quadric(random, 3 + i % 3);
+    const Quadric q1 = random_quadric(random, 3 + i % 3);
+    const PairEvaluation e = evaluate_pair(q0, p0, q1, p1, Placement::optimal);
+    const auto sum = [&](const Vec3& x) { return q0(x - p0) + q1(x - p1); };
+    EXPECT_NEAR(sum(e.position), e.cost, 1e-12 * (1 + sum(p0))) << "pair " << i;
+    EXPECT_LE(e.bound, e.cost);
+    for (int j = 0; j < 20; ++j) EXPECT_GE(sum(e.position + 0.1 * random_vector(random)), e.bound * (1 - 1e-12));
+  }
+}
+
+TEST(EvaluatePair, DoesNotCareWhichVertexIsFirst) {
+  Random random(5);
+  for (const Placement placement : {Placement::optimal, Placement::midpoint, Placement::endpoint}) {
+    for (int i = 0; i < 300; ++i) {
+      const Vec3 p0 = random_vector(random);
+      const Vec3 p1 = random_vector(random);
+      const Quadric q0 = random_quadric(random, 1 + i % 4);
+      const Quadric q1 = random_quadric(random, 1 + i % 4);
+      const PairEvaluation a = evaluate_pair(q0, p0, q1, p1, placement);
+      const PairEvaluation b = evaluate_pair(q1, p1, q0, p0, placement);
+      EXPECT_EQ(a.cost, b.cost);
+      EXPECT_EQ(a.bound, b.bound);
+      EXPECT_EQ(a.position, b.position);
+    }
+  }
+}
+
+TEST(EvaluatePair, NeverGetsCheaperBoundsByMerging) {
+  Random random(6);
+  for (int i = 0; i < 1000; ++i) {
+    std::array<Vec3, 3> p{random_vector(random), random_vector(random), random_vector(random)};
+    std::array<Quadric, 3> q{random_quadric(random, 3), random_quadric(random, 4), random_quadric(random, 2)};
+    const double before = evaluate_pair(q[0], p[0], q[1], p[1], Placement::optimal).bound;
+    const PairEvaluation merge = evaluate_pair(q[1], p[1], q[2], p[2], Placement::optimal);
+    const Quadric merged = merged_quadric(q[1], p[1], q[2], p[2], merge.position);
+    EXPECT_NEAR(merged.c, merge.cost, 1e-12 * (1 + merge.cost));
+    EXPECT_GE(evaluate_pair(q[0], p[0], merged, merge.position, Placement::optimal).bound, before * (1 - 1e-12));
+  }
+}
+
+TEST(EvaluatePair, HonoursThePlacement) {
+  Random random(7);
+  const Vec3 p0(0, 0, 0);
+  const Vec3 p1(1, 0, 0);
+  const Quadric q0 = random_quadric(random, 4);
+  const Quadric q1 = random_quadric(random, 4);
+  const auto sum = [&](const Vec3& x) { return q0(x - p0) + q1(x - p1); };
+  const PairEvaluation midpoint = evaluate_pair(q0, p0, q1, p1, Placement::midpoint);
+  EXPECT_EQ(midpoint.position, Vec3(0.5, 0, 0));
+  EXPECT_NEAR(midpoint.cost, sum(midpoint.position), 1e-13);
+  const PairEvaluation endpoint = evaluate_pair(q0, p0, q1, p1, Placement::endpoint);
+  EXPECT_EQ(endpoint.position, sum(p0) < sum(p1) ? p0 : p1);
+  EXPECT_NEAR(endpoint.cost, std::min(sum(p0), sum(p1)), 1e-13);
+  EXPECT_EQ(evaluate_pair(q0, p0, q1, p1, Placement::optimal, Pinned::first).position, p0);
+  EXPECT_EQ(evaluate_pair(q0, p0, q1, p1, Placement::optimal, Pinned::second).position, p1);
+}
+
+/// All planes are those of a long cone: they meet at its tip, 1000 pair lengths away.
+TEST(EvaluatePair, MakesNoSpikeTowardsADistantMinimum) {
+  const Vec3 tip(0, 0, 1000);
+  Quadric q;
+  for (const double angle : {0.0, 0.3, -0.3}) {
+    const Vec3 on_side(std::cos(angle), std::sin(angle), 0);
+    const Vec3 along = tip - on_side;
+    const Vec3 around(-std::sin(angle), std::cos(angle), 0);
+    q += Quadric{SymmetricMatrix::outer(along.cross(around).normalized(), 1), Vec3::Zero(), 0}.about(Vec3(1, 0, 0) -
+                                                                                                     on_side);
+  }
+  const PairEvaluation e = evaluate_pair(q, Vec3(1, 0, 0), q, Vec3(1, 0, 1), Placement::optimal);
+  EXPECT_LE((e.position - Vec3(1, 0, 0.5)).norm(), max_placement_reach);
+  EXPECT_GE(e.cost, e.bound);
+}
+
+}  // namespace
+}  // namespace whittle::test
