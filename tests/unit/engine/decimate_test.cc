@@ -97,7 +97,9 @@ TEST(Decimate, KeepsTheTopologyOfEveryManifoldMesh) {
       EXPECT_EQ(after.euler(), before.euler());
       EXPECT_EQ(after.components, before.components);
       EXPECT_EQ(after.border_loops, before.border_loops);
-      if (before.misoriented_edges == 0) EXPECT_EQ(after.misoriented_edges, 0);
+      if (before.misoriented_edges == 0) {
+        EXPECT_EQ(after.misoriented_edges, 0);
+      }
       EXPECT_TRUE(after.manifold());
     }
   }
