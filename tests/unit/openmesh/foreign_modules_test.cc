@@ -102,9 +102,8 @@ class BruteForce : public BaseDecimaterT<Mesh> {
       if (!link_condition(h) || !is_collapse_legal(collapse)) continue;
       const float priority = collapse_priority(collapse);
       const auto position = [this](VertexHandle v) { return to_vec3(mesh().point(v)); };
-      const double min_cosine = std::cos(75 * std::numbers::pi / 180);
       if (!(priority >= 0)) continue;
-      if (star_turns_too_far(mesh(), collapse.v0, collapse.v1, to_vec3(collapse.p1), min_cosine, position)) continue;
+      if (FlipLimit(75).is_exceeded(mesh(), collapse.v0, collapse.v1, to_vec3(collapse.p1), position)) continue;
       const auto [low, high] = std::minmax({collapse.v0.idx(), collapse.v1.idx()});
       const Key key(priority, low, high, collapse.v1.idx());
       if (!best || key < best->first) best.emplace(key, h);
@@ -157,7 +156,9 @@ TEST_P(ForeignModules, CollapseAsByBruteForce) {
                                                                    {"bracket", bracket(2)},
                                                                    {"open_cylinder", open_cylinder(12, 5)}};
   std::size_t n_total = 0;
-  for (const auto& [name, shape] : shapes) {
+  for (const auto& entry : shapes) {  // named apart: Clang 14 captures no structured binding
+    const std::string& name = entry.first;
+    const IndexedMesh& shape = entry.second;
     Mesh expected_mesh = with_normals(shape);
     BruteForce brute_force(expected_mesh);
     GetParam().modules.add_to(brute_force);

@@ -24,7 +24,9 @@ template <class PointT>
 PointT to_point(const Vec3& p) {
   using Scalar = typename OpenMesh::vector_traits<PointT>::value_type;
   PointT result;
-  for (int axis = 0; axis < 3; ++axis) result[axis] = static_cast<Scalar>(p[axis]);
+  result[0] = static_cast<Scalar>(p.x());
+  result[1] = static_cast<Scalar>(p.y());
+  result[2] = static_cast<Scalar>(p.z());
   return result;
 }
 

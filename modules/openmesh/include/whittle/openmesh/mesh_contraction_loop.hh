@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "whittle/engine/decimate.hh"
+#include "whittle/openmesh/flip_limit.hh"
 #include "whittle/openmesh/link_condition.hh"
 
 namespace whittle {
@@ -94,7 +95,7 @@ class MeshContractionLoopT {
   MeshT& mesh_;
   DecimateTarget target_;  ///< max_cost in the cost module's frame
   bool only_selected_;
-  double min_flip_cosine_;
+  FlipLimit flip_limit_;
   LinkConditionT<MeshT> link_condition_;
 
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "whittle/openmesh/conversions.hh"
-#include "whittle/openmesh/flip_test.hh"
 #include "whittle/openmesh/mesh_contraction_loop.hh"
 #include "whittle/openmesh/pair_decimater.hh"
 
@@ -17,7 +16,7 @@ MeshContractionLoopT<MeshT>::MeshContractionLoopT(PairDecimaterT<MeshT>& decimat
       mesh_(decimater.mesh()),
       target_(target),
       only_selected_(only_selected),
-      min_flip_cosine_(decimater.min_flip_cosine()),
+      flip_limit_(decimater.max_normal_flip_deg()),
       link_condition_(mesh_),
       versions_(mesh_.n_halfedges()),
       is_waiting_(mesh_.n_halfedges()) {
@@ -199,8 +198,8 @@ typename MeshContractionLoopT<MeshT>::Refusal MeshContractionLoopT<MeshT>::find_
 template <class MeshT>
 bool MeshContractionLoopT<MeshT>::turns_a_face(const CollapseInfo& collapse, const Vec3& to) const {
   const auto position = [this](VertexHandle v) { return position_of(v); };
-  return star_turns_too_far(mesh_, collapse.v0, collapse.v1, to, min_flip_cosine_, position) ||
-         star_turns_too_far(mesh_, collapse.v1, collapse.v0, to, min_flip_cosine_, position);
+  return flip_limit_.is_exceeded(mesh_, collapse.v0, collapse.v1, to, position) ||
+         flip_limit_.is_exceeded(mesh_, collapse.v1, collapse.v0, to, position);
 }
 
 /// A guard of OpenMesh's looks at the faces of v0 with v0 at p1. So it is asked with v̄ for p1; and where v1 moves,

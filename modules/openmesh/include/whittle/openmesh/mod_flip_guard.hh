@@ -1,12 +1,10 @@
 #pragma once
 
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
-#include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "whittle/openmesh/conversions.hh"
-#include "whittle/openmesh/flip_test.hh"
+#include "whittle/openmesh/flip_limit.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
 
 namespace whittle {
@@ -35,7 +33,6 @@ class ModFlipGuardT : public OpenMesh::Decimater::ModBaseT<MeshT> {
     max_normal_flip_deg_ = angle;
   }
   double max_normal_flip_deg() const { return max_normal_flip_deg_ * this->error_tolerance_factor_; }
-  double min_cosine() const { return std::cos(max_normal_flip_deg() * std::numbers::pi / 180); }
 
   /// The module that places the merged vertex, of the same decimater; null, the default: v1 keeps its place. In a stock
   /// decimater a guard has no other way to know; `PairDecimaterT` knows by itself.
@@ -59,9 +56,9 @@ class ModFlipGuardT : public OpenMesh::Decimater::ModBaseT<MeshT> {
 
   template <class PositionOf>
   bool turns_a_face(const CollapseInfo& collapse, const Vec3& to, const PositionOf& position_of) const {
-    const double limit = min_cosine();
-    return star_turns_too_far(mesh_, collapse.v0, collapse.v1, to, limit, position_of) ||
-           star_turns_too_far(mesh_, collapse.v1, collapse.v0, to, limit, position_of);
+    const FlipLimit limit(max_normal_flip_deg());
+    return limit.is_exceeded(mesh_, collapse.v0, collapse.v1, to, position_of) ||
+           limit.is_exceeded(mesh_, collapse.v1, collapse.v0, to, position_of);
   }
 
   const MeshT& mesh_;

@@ -131,7 +131,6 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   void require_initialized() const;
   DecimateTarget checked(const DecimateTarget& target) const;
   Counts count_elements() const;
-  double min_flip_cosine() const { return std::cos(max_normal_flip_deg() * std::numbers::pi / 180); }
   double max_normal_flip_deg() const { return flip_guard_ ? flip_guard_->max_normal_flip_deg() : 75; }
   bool is_fixed(VertexHandle v, bool only_selected) const;
 
