@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "support/meshes.hh"
+#include "support/transforms.hh"
+#include "whittle/engine/decimate.hh"
+#include "whittle/io/read.hh"
+#include "whittle/metrics/distance.hh"
+
+// The bunny in other units, turned and far away: nothing that a user sees may change.
+
+namespace whittle::test {
+namespace {
+
+struct Run {
+  std::vector<std::array<Index, 2>> pairs;  ///< survivor, removed
+  Decimation decimation;
+  double mean_error_rel = 0;  ///< of the diagonal
+};
+
+Run run(const IndexedMesh& mesh) {
+  Run run;
+  DecimateOptions options;
+  options.listener = [&](const Contraction& c) { run.pairs.push_back({c.survivor, c.removed}); };
+  run.decimation = decimate(mesh, {.faces = mesh.faces.size() / 10}, options);
+  const metrics::SurfaceDistance distance = metrics::surface_distance(mesh, run.decimation.mesh);
+  run.mean_error_rel = distance.mean / distance.diagonal;
+  return run;
+}
+
+class BunnyInvariance : public testing::Test {
+ protected:
+  void SetUp() override {
+    WHITTLE_REAL_MESH_OR_SKIP(path, "bunny.obj");
+    mesh_ = io::read_mesh(path).mesh;
+    here_ = run(mesh_);
+    std::cout << "as it is: " << here_.decimation.result.n_faces << " faces, mean error " << here_.mean_error_rel
+              << " of the diagonal\n";
+  }
+  void expect_near(const std::string& what, const Run& there, double tolerance) const {
+    std::cout << what << ": " << there.decimation.result.n_faces << " faces, mean error " << there.mean_error_rel
+              << "\n";
+    EXPECT_EQ(there.decimation.result.n_faces, here_.decimation.result.n_faces) << what;
+    EXPECT_NEAR(there.mean_error_rel, here_.mean_error_rel, tolerance * here_.mean_error_rel) << what;
+  }
+
+  IndexedMesh mesh_;
+  Run here_;
+};
+
+TEST_F(BunnyInvariance, PowersOfTwoGiveTheSameBits) {
+  for (const double factor : {1024.0, 1.0 / 1024}) {
+    const Run there = run(scaled(mesh_, factor));
+    EXPECT_EQ(there.pairs, here_.pairs);
+    const auto& positions = there.decimation.mesh.positions;
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+      ASSERT_EQ(positions[v], here_.decimation.mesh.positions[v] * factor) << v;
+    }
+  }
+}
+
+TEST_F(BunnyInvariance, PowersOfTenGiveTheSameErrorWithinHalfAPercent) {
+  expect_near("x 1000", run(scaled(mesh_, 1000)), 0.005);
+  expect_near("/ 1000", run(scaled(mesh_, 0.001)), 0.005);
+}
+
+TEST_F(BunnyInvariance, TurnsGiveTheSameErrorWithinHalfAPercent) {
+  for (const std::uint64_t seed : {1U, 2U}) expect_near("turned", run(rotated(mesh_, seed)), 0.005);
+}
+
+TEST_F(BunnyInvariance, AMillionDiagonalsAwayTheErrorIsWithinFivePercent) {
+  const double distance = 1e6 * diagonal(mesh_);
+  expect_near("far away", run(moved(mesh_, Vec3(distance, -distance, distance))), 0.05);
+}
+
+}  // namespace
+}  // namespace whittle::test
