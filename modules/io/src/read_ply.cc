@@ -208,7 +208,7 @@ class BodyReader {
 
   std::uint64_t read_length(PlyType type, const std::string& list) {
     const Place at = source_.place();
-    const std::int64_t length = source_.length(type, list_length_);
+    const std::int64_t length = source_.length(type, "the length of a list");
     if (length < 0 || static_cast<std::uint64_t>(length) > source_.bytes_left()) {
       source_.fail(at,
                    "a list " + list + " of length " + std::to_string(length) + "; the file is truncated or invalid");
@@ -393,8 +393,6 @@ class BodyReader {
       b = c;
     }
   }
-
-  static constexpr std::string_view list_length_ = "the length of a list";
 
   const PlyHeader& header_;
   Source source_;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t tests_per_corner = 2000;
 
 Vec3 newell_normal(std::span<const Index> polygon, const std::vector<Vec3>& positions) {
-  const Vec3 origin = positions[polygon[0]];  // far from zero the products would lose the polygon's shape
+  const Vec3& origin = positions[polygon[0]];  // far from zero the products would lose the polygon's shape
   Vec3 normal = Vec3::Zero();
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     normal += (positions[polygon[i]] - origin).cross(positions[polygon[i + 1]] - origin);

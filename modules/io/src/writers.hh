@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "byte_sink.hh"
 #include "whittle/io/write.hh"
 
@@ -15,7 +17,7 @@ void write_stl(ByteSink& sink, const IndexedMesh& mesh, const WriteOptions& opti
 
 /// The nearest of 0…255 for an intensity of 0…1.
 inline unsigned to_byte(float intensity) {
-  return intensity > 0 ? static_cast<unsigned>((intensity < 1 ? intensity : 1.0F) * 255.0F + 0.5F) : 0U;
+  return intensity > 0 ? static_cast<unsigned>(std::lround(std::min(intensity, 1.0F) * 255.0F)) : 0U;
 }
 
 /// Some colour is not opaque.

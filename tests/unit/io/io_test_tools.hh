@@ -67,6 +67,14 @@ inline void expect_valid(const ReadResult& result, const std::string& what) {
   }
 }
 
+/// All parts, one after the other.
+template <class... Parts>
+std::string cat(const Parts&... parts) {
+  std::string all;
+  ((all += parts), ...);
+  return all;
+}
+
 /// The bytes of a number in the given order.
 template <class Number>
 std::string bytes_of(Number value, std::endian order = std::endian::little) {

@@ -5,6 +5,7 @@
 namespace whittle::io {
 namespace {
 
+using test::cat;
 using test::error_of;
 using test::expect_error;
 using test::read;
@@ -33,8 +34,8 @@ TEST(ObjReader, CountsNegativeNumbersFromTheLastVertex) {
 TEST(ObjReader, TakesEveryFormOfACorner) {
   const std::string start = tetrahedron + "vt 0 0\nvn 0 0 1\n";
   for (const std::string corner : {"", "/", "/1", "//1", "/1/1", "/-1/-1", "/1/"}) {
-    const std::string face = "f 1" + corner + " 2" + corner + " 3" + corner + "\n";
-    const ReadResult result = read(start + face + tetrahedron_faces, "a.obj");
+    const std::string face = cat("f 1", corner, " 2", corner, " 3", corner, "\n");
+    const ReadResult result = read(cat(start, face, tetrahedron_faces), "a.obj");
     EXPECT_EQ(result.mesh.faces[0], (Triangle{0, 1, 2})) << face;
   }
 }
@@ -105,7 +106,7 @@ TEST(ObjReader, AveragesNormalsThatDifferBetweenCorners) {
 TEST(ObjReader, IgnoresNormalsItCannotFindAndSaysSo) {
   for (const std::string number : {"9", "0", "-9"}) {
     const ReadResult result =
-        read(tetrahedron + "vn 0 0 1\n" + tetrahedron_faces + "f 1//1 2//1 3//" + number, "a.obj");
+        read(cat(tetrahedron, "vn 0 0 1\n", tetrahedron_faces, "f 1//1 2//1 3//", number), "a.obj");
     EXPECT_TRUE(result.mesh.normals.empty());
     ASSERT_EQ(result.warnings.size(), 1U) << number;
     EXPECT_NE(result.warnings[0].find("normals are ignored"), std::string::npos);

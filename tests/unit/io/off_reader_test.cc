@@ -6,7 +6,7 @@ namespace whittle::io {
 namespace {
 
 using test::all_bytes_of;
-using test::error_of;
+using test::cat;
 using test::expect_error;
 using test::read;
 
@@ -25,7 +25,7 @@ TEST(OffReader, TakesTheHeadersThatAreAbout) {
   for (const std::string header :
        {"OFF\n4 4 0\n", "OFF 4 4 0\n", "4 4 0\n", "OFF\n4 4\n", "OFF\r\n4 4 0\r\n",
         "# made by hand\n\nOFF # here\n# counts\n4 4 0 # six edges really\n\n", "\xEF\xBB\xBFOFF\n4 4 0\n"}) {
-    EXPECT_EQ(read(header + vertices + faces, "a.off").mesh.faces.size(), 4U) << header;
+    EXPECT_EQ(read(cat(header, vertices, faces), "a.off").mesh.faces.size(), 4U) << header;
   }
 }
 

@@ -10,6 +10,7 @@ namespace {
 
 using test::all_bytes_of;
 using test::bytes_of;
+using test::cat;
 using test::error_of;
 using test::expect_error;
 using test::read;
@@ -60,8 +61,8 @@ TEST(PlyReader, ReadsCoordinatesOfEveryTypeInBothByteOrders) {
   for (const std::endian order : {std::endian::little, std::endian::big}) {
     for (const Type& type : all_types) {
       const std::string format = order == std::endian::little ? "binary_little_endian" : "binary_big_endian";
-      std::string bytes = "ply\nformat " + format + " 1.0\nelement vertex 3\nproperty " + type.name + " x\nproperty " +
-                          type.name + " y\nproperty " + type.name + " z\n" + one_face + end;
+      std::string bytes = cat("ply\nformat ", format, " 1.0\nelement vertex 3\nproperty ", type.name, " x\nproperty ",
+                              type.name, " y\nproperty ", type.name, " z\n", one_face, end);
       for (const double x : {1, 2, 3, 40, 50, 60, 7, 8, 100}) type.put(bytes, order, x);
       bytes += bytes_of(std::uint8_t{3}) + all_bytes_of(order, 0, 1, 2);
       const ReadResult result = read(bytes, "a.ply");
@@ -76,9 +77,9 @@ TEST(PlyReader, ReadsListsOfEveryTypeInBothByteOrders) {
     for (const Type& length_type : all_types) {
       for (const Type& type : all_types) {
         const std::string format = order == std::endian::little ? "binary_little_endian" : "binary_big_endian";
-        std::string bytes = "ply\nformat " + format + " 1.0\n" + three_vertices + "element face 1\nproperty list " +
-                            length_type.name + " " + type.name + " vertex_index\n" + end +
-                            all_bytes_of(order, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F);
+        std::string bytes = cat("ply\nformat ", format, " 1.0\n", three_vertices, "element face 1\nproperty list ",
+                                length_type.name, " ", type.name, " vertex_index\n", end,
+                                all_bytes_of(order, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F));
         length_type.put(bytes, order, 3);
         for (const double corner : {2, 0, 1}) type.put(bytes, order, corner);
         EXPECT_EQ(read(bytes, "a.ply").mesh.faces[0], (Triangle{2, 0, 1})) << length_type.name << " " << type.name;
@@ -247,7 +248,7 @@ TEST(PlyReader, RejectsAbsurdCountsBeforeItAllocates) {
   const std::string vertices = "element vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\n";
   for (const std::string format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
     const auto error =
-        error_of("ply\nformat " + format + " 1.0\n" + vertices + one_face + end + "0 0 0\n1 0 0\n", "a.ply");
+        error_of(cat("ply\nformat ", format, " 1.0\n", vertices, one_face, end, "0 0 0\n1 0 0\n"), "a.ply");
     EXPECT_NE(std::string(error->what()).find("too short for 4000000000 elements \"vertex\""), std::string::npos)
         << error->what();
   }

@@ -85,6 +85,7 @@ TEST(Triangulation, KeepsBothTrianglesOfAnArrowOnTheSameSide) {
 
 TEST(Triangulation, FansAConvexPolygon) {
   std::vector<Vec3> positions;
+  positions.reserve(6);
   for (int i = 0; i < 6; ++i) positions.push_back(flat.at(std::cos(i), std::sin(i)));
   EXPECT_EQ(triangulate(positions), (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}));
 }
@@ -128,6 +129,7 @@ TEST(Triangulation, CoversCombsAndSpirals) {
 TEST(Triangulation, CoversASquareWithCornersAlongItsSides) {
   std::vector<Vec3> positions;
   const int n = 8;
+  positions.reserve(4 * n);
   for (int i = 0; i < n; ++i) positions.push_back(flat.at(i, 0));
   for (int i = 0; i < n; ++i) positions.push_back(flat.at(n, i));
   for (int i = 0; i < n; ++i) positions.push_back(flat.at(n - i, n));
@@ -162,6 +164,7 @@ TEST(Triangulation, DoesNotDependOnUnitsOrPlace) {
 
 TEST(Triangulation, OfAPolygonThatCrossesItselfStillHasNMinusTwoTriangles) {
   std::vector<Vec3> star;
+  star.reserve(5);
   for (int i = 0; i < 5; ++i) star.push_back(flat.at(std::cos(2.513 * i), std::sin(2.513 * i)));
   for (const Triangle& t : triangulate(star)) EXPECT_TRUE(t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
   std::vector<Vec3> point(7, Vec3(1, 2, 3));
@@ -183,6 +186,7 @@ TEST(Triangulation, EndsSoonOnAHostilePolygon) {
   // Zigzags across each other: hardly an ear anywhere.
   Random random(1);
   std::vector<Vec3> positions;
+  positions.reserve(5000);
   for (int i = 0; i < 5000; ++i) positions.push_back(flat.at(random.uniform(), random.uniform()));
   EXPECT_EQ(triangulate(positions).size(), positions.size() - 2);
 }

@@ -8,6 +8,7 @@
 namespace whittle::io {
 namespace {
 
+using test::cat;
 using test::error_of;
 using test::expect_error;
 using test::read;
@@ -37,8 +38,8 @@ TEST(WrongContent, IsToldByItsFormatWhateverTheEnding) {
         continue;
       }
       expect_error(sample.content, name,
-                   name + ": the content is " + real + ", not " + std::string(name_of(named)) + "; rename it to ." +
-                       real + " or give --format " + real);
+                   cat(name, ": the content is ", real, ", not ", name_of(named), "; rename it to .", real,
+                       " or give --format ", real));
     }
   }
 }
