@@ -1,7 +1,7 @@
 #include "contraction_loop.hh"
 
-#include <cmath>
-#include <numbers>
+#include <algorithm>
+#include <array>
 
 #include "whittle/engine/parallel.hh"
 
@@ -12,8 +12,6 @@ namespace {
 /// Candidates between two calls of the progress callback: about a millisecond.
 constexpr std::uint64_t progress_interval = 2048;
 
-double signed_square(double x) { return x * std::abs(x); }
-
 }  // namespace
 
 ContractionLoop::ContractionLoop(TriangleComplex& complex, std::vector<Quadric> quadrics,
@@ -22,7 +20,7 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, std::vector<Quadric> 
       quadrics_(std::move(quadrics)),
       options_(options),
       settings_(std::move(settings)),
-      signed_min_flip_cosine_sq_(signed_square(std::cos(options.max_normal_flip_deg * std::numbers::pi / 180))),
+      flip_limit_(options.max_normal_flip_deg),
       cost_times_area_(options.quadric.weights != Weights::uniform),
       n_initial_vertices_(complex.n_vertices()),
       n_initial_faces_(complex.n_faces()),
@@ -95,7 +93,7 @@ void ContractionLoop::fill_queue() {
 std::optional<ContractionLoop::Candidate> ContractionLoop::next_candidate() {
   while (true) {
     const bool in_batch = n_taken_ < batch_.size();
-    if (in_batch && (late_.empty() || batch_[n_taken_] < late_.top())) {
+    if (in_batch && (late_.empty() || is_before(batch_[n_taken_], late_.top()))) {
       prefetch_turns();
       return batch_[n_taken_++];
     }
@@ -124,12 +122,12 @@ void ContractionLoop::open_bucket() {
     note_raised(pair, a, b, evaluation);
     const BucketQueue::Bucket bucket = BucketQueue::bucket_of(evaluation.cost);
     if (queue_.is_past(bucket)) {
-      batch_.push_back(candidate_of(pair, a, b, evaluation.cost));
+      batch_.push_back({evaluation.cost, pair, a, b});
     } else {
       queue_.push(pair, bucket);
     }
   }
-  std::sort(batch_.begin(), batch_.end());
+  std::sort(batch_.begin(), batch_.end(), [this](const Candidate& x, const Candidate& y) { return is_before(x, y); });
 }
 
 /// Finds the vertices of the members that still are pairs.
@@ -157,10 +155,14 @@ PairEvaluation ContractionLoop::evaluate(Index a, Index b) const {
                        options_.quadric.placement, pinned);
 }
 
-ContractionLoop::Candidate ContractionLoop::candidate_of(Index pair, Index a, Index b, double cost) const {
-  const Index origin_a = complex_.origin(a);
-  const Index origin_b = complex_.origin(b);
-  return {cost, std::min(origin_a, origin_b), std::max(origin_a, origin_b), pair, a, b};
+/// Ties go by the lower, then the higher original number of the two vertices.
+bool ContractionLoop::is_before_at_equal_cost(const Candidate& x, const Candidate& y) const {
+  const auto key = [this](const Candidate& c) {
+    const Index origin_a = complex_.origin(c.a);
+    const Index origin_b = complex_.origin(c.b);
+    return std::array{std::min(origin_a, origin_b), std::max(origin_a, origin_b), c.pair};
+  };
+  return key(x) < key(y);
 }
 
 void ContractionLoop::enqueue(const Candidate& candidate) {
@@ -189,8 +191,8 @@ std::optional<StopReason> ContractionLoop::take_turn(const Candidate& candidate)
   auto [a, b] = complex_.ends(candidate.pair);
   if (complex_.origin(b) < complex_.origin(a)) std::swap(a, b);
   const PairEvaluation evaluation = evaluate(a, b);
-  const Candidate now = candidate_of(candidate.pair, a, b, evaluation.cost);
-  if (candidate < now) {  // it has grown since it was sorted in
+  const Candidate now{evaluation.cost, candidate.pair, a, b};
+  if (is_before(candidate, now)) {  // it has grown since it was sorted in
     note_raised(candidate.pair, a, b, evaluation);
     enqueue(now);
     return std::nullopt;
@@ -214,22 +216,11 @@ ContractionLoop::Refusal ContractionLoop::find_refusal(Index a, Index b, const V
   return Refusal::none;
 }
 
-/// Whether moving the common corner of `wings` turns one of them beyond the limit, or takes its area away. A face that
-/// has no area has no direction to keep.
+/// Whether moving the common corner of `wings` turns one of them too far.
 bool ContractionLoop::turns_a_face(const std::vector<PairStar::Wing>& wings, const Vec3& from, const Vec3& to) const {
-  for (const PairStar::Wing& wing : wings) {
-    const Vec3& x = complex_.position(wing.x);
-    const Vec3 opposite = complex_.position(wing.y) - x;
-    const Vec3 before = (x - from).cross(opposite);
-    const Vec3 after = (x - to).cross(opposite);
-    const double before_sq = before.squaredNorm();
-    const double after_sq = after.squaredNorm();
-    const double dot = before.dot(after);
-    // dot < cos · |before| |after|, without the root.
-    const double difference = signed_square(dot) - signed_min_flip_cosine_sq_ * (before_sq * after_sq);
-    if (difference < 0 || (after_sq == 0 && before_sq > 0)) return true;
-  }
-  return false;
+  return std::any_of(wings.begin(), wings.end(), [&](const PairStar::Wing& wing) {
+    return flip_limit_.is_exceeded(from, to, complex_.position(wing.x), complex_.position(wing.y));
+  });
 }
 
 void ContractionLoop::contract(Index a, Index b, const PairEvaluation& evaluation) {
@@ -293,7 +284,7 @@ void ContractionLoop::wake_raised(Index survivor, Index removed) {
     const PairEvaluation evaluation = evaluate(a, b);
     if (static_cast<float>(evaluation.cost) > raised_costs_[pair]) continue;
     raised_costs_[pair] = static_cast<float>(evaluation.cost);
-    enqueue(candidate_of(pair, a, b, evaluation.cost));
+    enqueue({evaluation.cost, pair, a, b});
   }
 }
 
@@ -327,7 +318,7 @@ void ContractionLoop::wake_refused_at(Index v) {
     const auto [a, b] = complex_.ends(pair);
     const PairEvaluation evaluation = evaluate(a, b);
     note_raised(pair, a, b, evaluation);
-    enqueue(candidate_of(pair, a, b, evaluation.cost));
+    enqueue({evaluation.cost, pair, a, b});
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "whittle/engine/bucket_queue.hh"
 #include "whittle/engine/decimate.hh"
+#include "whittle/engine/flip_limit.hh"
 #include "whittle/engine/frame.hh"
 #include "whittle/engine/triangle_complex.hh"
 #include "whittle/engine/waiting_pairs.hh"
@@ -36,19 +37,19 @@ class ContractionLoop {
   DecimateResult run();
 
  private:
-  /// A pair under its true cost; less is earlier.
+  /// A pair under its true cost.
   struct Candidate {
     double cost;
-    Index low, high;  ///< the origins of its vertices
     Index pair;
-    Index a, b;  ///< its vertices when it was made a candidate
-    friend bool operator<(const Candidate& a, const Candidate& b) {
-      if (a.cost != b.cost) return a.cost < b.cost;
-      if (a.low != b.low) return a.low < b.low;
-      if (a.high != b.high) return a.high < b.high;
-      return a.pair < b.pair;
-    }
-    friend bool operator>(const Candidate& a, const Candidate& b) { return b < a; }
+    Index a, b;  ///< its vertices at that cost
+  };
+  bool is_before(const Candidate& x, const Candidate& y) const {
+    return x.cost != y.cost ? x.cost < y.cost : is_before_at_equal_cost(x, y);
+  }
+  bool is_before_at_equal_cost(const Candidate& x, const Candidate& y) const;
+  struct IsAfter {
+    const ContractionLoop* loop;
+    bool operator()(const Candidate& x, const Candidate& y) const { return loop->is_before(y, x); }
   };
   enum class Refusal { none, link, flip, locked };
 
@@ -64,7 +65,6 @@ class ContractionLoop {
   void enqueue(const Candidate& candidate);
 
   PairEvaluation evaluate(Index a, Index b) const;
-  Candidate candidate_of(Index pair, Index a, Index b, double cost) const;
   std::optional<StopReason> take_turn(const Candidate& candidate);
   Refusal find_refusal(Index a, Index b, const Vec3& position);
   bool turns_a_face(const std::vector<PairStar::Wing>& wings, const Vec3& from, const Vec3& to) const;
@@ -84,7 +84,7 @@ class ContractionLoop {
   std::vector<Quadric> quadrics_;
   const DecimateOptions& options_;
   LoopSettings settings_;
-  double signed_min_flip_cosine_sq_;  ///< cos·|cos|
+  FlipLimit flip_limit_;
   bool cost_times_area_;
   std::uint64_t n_initial_vertices_;
   std::uint64_t n_initial_faces_;
@@ -97,7 +97,8 @@ class ContractionLoop {
   std::vector<Resolved> resolved_;  ///< those that still are pairs
   std::vector<Candidate> batch_;    ///< candidates of the open bucket, in order
   std::size_t n_taken_ = 0;         ///< how many of them have had their turn
-  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> late_;  ///< for the open bucket or before it
+  std::priority_queue<Candidate, std::vector<Candidate>, IsAfter> late_{
+      IsAfter{this}};  ///< for the open bucket or before it
 
   WaitingPairs raised_;
   std::vector<bool> is_raised_;      ///< per pair

@@ -8,9 +8,21 @@ namespace {
 /// The corner of `face` that v is: 0, 1 or 2.
 std::size_t corner_of(const Triangle& face, Index v) { return face[0] == v ? 0 : face[1] == v ? 1 : 2; }
 
-FacePlane plane_of(const TriangleComplex& complex, Index f, Weights weights) {
+std::array<Vec3, 3> corners_of(const TriangleComplex& complex, Index f) {
   const Triangle& face = complex.face(f);
-  return face_plane({complex.position(face[0]), complex.position(face[1]), complex.position(face[2])}, weights);
+  return {complex.position(face[0]), complex.position(face[1]), complex.position(face[2])};
+}
+
+/// √w n of every face, computed once where it is the same at all its corners.
+std::vector<Vec3> face_normals(const TriangleComplex& complex, const QuadricOptions& options, unsigned threads) {
+  if (options.weights == Weights::area_angle) return {};
+  std::vector<Vec3> normals(complex.n_face_slots());
+  for_each_range(normals.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      normals[f] = weighted_normal(corners_of(complex, static_cast<Index>(f)), options.weights);
+    }
+  });
+  return normals;
 }
 
 void add_border_planes(const TriangleComplex& complex, Index v, const QuadricOptions& options, SymmetricMatrix& sum) {
@@ -32,22 +44,20 @@ void add_border_planes(const TriangleComplex& complex, Index v, const QuadricOpt
 }  // namespace
 
 std::vector<Quadric> initial_quadrics(const TriangleComplex& complex, const QuadricOptions& options, unsigned threads) {
-  std::vector<FacePlane> planes(complex.n_face_slots());
-  for_each_range(planes.size(), threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) planes[f] = plane_of(complex, static_cast<Index>(f), options.weights);
-  });
-
-  std::vector<Quadric> quadrics(complex.n_vertex_slots());
+  const std::vector<Vec3> normals = face_normals(complex, options, threads);
+  const auto share_of = [&](Index f, Index v) {
+    if (!normals.empty()) return plane_quadric(normals[f], options);
+    return face_quadrics(corners_of(complex, f), options)[corner_of(complex.face(f), v)];
+  };
   const auto sum_at = [&](Index v) {
     SymmetricMatrix sum;
-    for (const Index f : complex.faces_at(v)) {
-      sum += plane_quadric(planes[f].normal, planes[f].weights[corner_of(complex.face(f), v)], options);
-    }
+    for (const Index f : complex.faces_at(v)) sum += share_of(f, v);
     if (options.boundary_weight > 0 && complex.order(v) != VertexOrder::regular) {
       add_border_planes(complex, v, options, sum);
     }
     return sum;
   };
+  std::vector<Quadric> quadrics(complex.n_vertex_slots());
   for_each_range(quadrics.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) quadrics[v].a = sum_at(static_cast<Index>(v));
   });

@@ -57,8 +57,9 @@ struct PairEvaluation {
 };
 
 /// Farthest an optimal placement may lie from the middle of the pair, in lengths of the pair. The planes of a long,
-/// slightly conical surface all but meet at its distant tip: without a limit a contraction there makes a spike. Results
-/// do not change between 4 and 32 on scans; CAD wants a few.
+/// slightly conical surface all but meet at its distant tip: without a limit a contraction there makes a spike.
+/// Elsewhere it hardly matters: the mean error over six scans and CAD parts at 10 % and 1 % of the faces, as a share of
+/// ModQuadric's, was 0.6515, 0.6509 and 0.6509 for a reach of 2, 8 and 1000.
 inline constexpr double max_placement_reach = 8;
 
 /// Cost and placement of contracting two vertices at p0 and p1 with quadrics q0, q1 about their own positions.
@@ -107,39 +108,37 @@ inline Quadric merged_quadric(const Quadric& q0, const Vec3& p0, const Quadric& 
   return q;
 }
 
-/// The plane of a face: its unit normal, and its weight at each corner. Weights are zero for a face without area.
-struct FacePlane {
-  Vec3 normal = Vec3::Zero();
-  std::array<double, 3> weights{};
-};
-
-/// \param corners counter-clockwise
-inline FacePlane face_plane(const std::array<Vec3, 3>& corners, Weights weights) {
-  const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  const double length = normal.norm();
-  if (!(length > 0)) return {};
-  FacePlane plane{normal / length, {1, 1, 1}};
-  if (weights == Weights::uniform) return plane;
-  plane.weights.fill(0.5 * length);
-  if (weights == Weights::area) return plane;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 u = corners[(i + 1) % 3] - corners[i];
-    const Vec3 v = corners[(i + 2) % 3] - corners[i];
-    plane.weights[i] *= std::atan2(length, u.dot(v)) / std::numbers::pi;
-  }
-  return plane;
+/// The quadric of a plane through its vertex, about that vertex, where it is a matrix alone: w n nᵀ + ε w I.
+/// \param normal √w n: perpendicular to the plane, its squared length the weight.
+inline SymmetricMatrix plane_quadric(const Vec3& normal, const QuadricOptions& options) {
+  return SymmetricMatrix::outer(normal, 1) + SymmetricMatrix::identity(options.regularization * normal.squaredNorm());
 }
 
-/// The quadric of a plane through its vertex, about that vertex, where it is a matrix alone: w n nᵀ + ε w I.
-inline SymmetricMatrix plane_quadric(const Vec3& unit_normal, double weight, const QuadricOptions& options) {
-  return SymmetricMatrix::outer(unit_normal, weight) + SymmetricMatrix::identity(options.regularization * weight);
+/// √w n of a face with its normal n and its weight w at each corner, `area` or `uniform`; zero for a face without area.
+/// \param corners counter-clockwise
+inline Vec3 weighted_normal(const std::array<Vec3, 3>& corners, Weights weights) {
+  const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const double length = normal.norm();  // twice the area
+  if (!(length > 0)) return Vec3::Zero();
+  return normal / (weights == Weights::uniform ? length : std::sqrt(2 * length));
+}
+
+/// The share of a corner's angle in π, by which `area_angle` weights a face at its corner i.
+inline double angle_share(const std::array<Vec3, 3>& corners, std::size_t i) {
+  const Vec3 u = corners[(i + 1) % 3] - corners[i];
+  const Vec3 v = corners[(i + 2) % 3] - corners[i];
+  return std::atan2(u.cross(v).norm(), u.dot(v)) / std::numbers::pi;
 }
 
 /// Share of one face in the quadrics of its corners, each about its own corner.
 inline std::array<SymmetricMatrix, 3> face_quadrics(const std::array<Vec3, 3>& corners, const QuadricOptions& options) {
-  const FacePlane plane = face_plane(corners, options.weights);
+  const Vec3 normal = weighted_normal(corners, options.weights);
+  if (options.weights != Weights::area_angle) {
+    const SymmetricMatrix share = plane_quadric(normal, options);
+    return {share, share, share};
+  }
   std::array<SymmetricMatrix, 3> shares;
-  for (std::size_t i = 0; i < 3; ++i) shares[i] = plane_quadric(plane.normal, plane.weights[i], options);
+  for (std::size_t i = 0; i < 3; ++i) shares[i] = plane_quadric(normal * std::sqrt(angle_share(corners, i)), options);
   return shares;
 }
 
@@ -152,7 +151,7 @@ inline SymmetricMatrix border_quadric(const Vec3& from, const Vec3& to, const Ve
   const double length = inward.norm();
   if (!(length > 0)) return {};
   const double unit_weight = options.weights == Weights::uniform ? 1 : edge.squaredNorm();
-  return plane_quadric(inward / length, options.boundary_weight * unit_weight, options);
+  return plane_quadric(inward * (std::sqrt(options.boundary_weight * unit_weight) / length), options);
 }
 
 }  // namespace whittle

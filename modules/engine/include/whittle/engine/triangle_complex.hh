@@ -41,9 +41,9 @@ class FaceLists {
  private:
   static constexpr Index inline_capacity = 15;
   struct alignas(64) List {
-    Index count = 0;
+    Index count;
     std::array<Index, inline_capacity>
-        faces{};  ///< the faces; with more, faces[0] is the number of the list in `overflow_`
+        faces;  ///< the faces; with more, faces[0] is the number of the list in `overflow_`
   };
   void push_back_to_overflow(List& list, Index face);
   void shrink_overflow(List& list, std::size_t count);

@@ -198,8 +198,8 @@ typename MeshContractionLoopT<MeshT>::Refusal MeshContractionLoopT<MeshT>::find_
 template <class MeshT>
 bool MeshContractionLoopT<MeshT>::turns_a_face(const CollapseInfo& collapse, const Vec3& to) const {
   const auto position = [this](VertexHandle v) { return position_of(v); };
-  return flip_limit_.is_exceeded(mesh_, collapse.v0, collapse.v1, to, position) ||
-         flip_limit_.is_exceeded(mesh_, collapse.v1, collapse.v0, to, position);
+  return is_exceeded_around(flip_limit_, mesh_, collapse.v0, collapse.v1, to, position) ||
+         is_exceeded_around(flip_limit_, mesh_, collapse.v1, collapse.v0, to, position);
 }
 
 /// A guard of OpenMesh's looks at the faces of v0 with v0 at p1. So it is asked with v̄ for p1; and where v1 moves,

@@ -57,8 +57,8 @@ class ModFlipGuardT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   template <class PositionOf>
   bool turns_a_face(const CollapseInfo& collapse, const Vec3& to, const PositionOf& position_of) const {
     const FlipLimit limit(max_normal_flip_deg());
-    return limit.is_exceeded(mesh_, collapse.v0, collapse.v1, to, position_of) ||
-           limit.is_exceeded(mesh_, collapse.v1, collapse.v0, to, position_of);
+    return is_exceeded_around(limit, mesh_, collapse.v0, collapse.v1, to, position_of) ||
+           is_exceeded_around(limit, mesh_, collapse.v1, collapse.v0, to, position_of);
   }
 
   const MeshT& mesh_;
