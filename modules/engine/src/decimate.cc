@@ -180,7 +180,7 @@ Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const
   check(target, options, mesh.positions.size());
   check(mesh);
   const Frame frame = frame_of(mesh.positions);
-  TriangleComplex complex(in_frame(mesh.positions, frame), mesh.faces);
+  TriangleComplex complex(in_frame(mesh.positions, frame), mesh.faces, options.threads);
   QuadricOptions quadric = options.quadric;
   if (options.boundary == Boundary::free) quadric.boundary_weight = 0;
   DecimateResult result;

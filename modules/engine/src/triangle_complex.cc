@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "space_filling_curve.hh"
+#include "whittle/engine/parallel.hh"
 
 namespace whittle {
 
@@ -33,23 +34,24 @@ void FaceLists::shrink_overflow(List& list, std::size_t count) {
   free_overflow_.push_back(slot);
 }
 
-TriangleComplex::TriangleComplex(std::vector<Vec3> positions, std::span<const Triangle> faces) {
+TriangleComplex::TriangleComplex(std::vector<Vec3> positions, std::span<const Triangle> faces, unsigned threads) {
   std::vector<Index> number_of;
   number_vertices(positions, number_of);
   positions = {};
   number_faces(faces, number_of);
-  list_faces();
+  list_faces(threads);
   number_edges();
-  find_orders();
+  find_orders(threads);
 }
 
 void TriangleComplex::number_vertices(const std::vector<Vec3>& positions, std::vector<Index>& number_of) {
-  origins_ = morton_order(positions);
+  const std::vector<Index> order = morton_order(positions);
+  ring_place_.resize(positions.size());
   number_of.resize(positions.size());
   vertices_.resize(positions.size());
-  for (Index v = 0; v < origins_.size(); ++v) {
-    number_of[origins_[v]] = v;
-    vertices_[v] = {positions[origins_[v]], v, 0};
+  for (Index v = 0; v < order.size(); ++v) {
+    number_of[order[v]] = v;
+    vertices_[v] = {positions[order[v]], v, order[v]};
   }
 }
 
@@ -81,21 +83,23 @@ void TriangleComplex::number_faces(std::span<const Triangle> faces, const std::v
 }
 
 /// Each vertex's faces, in the input's order, so that sums over them do not depend on the numbering in here.
-void TriangleComplex::list_faces() {
+void TriangleComplex::list_faces(unsigned threads) {
   face_lists_ = FaceLists(vertices_.size());
   for (Index f = 0; f < faces_.size(); ++f) {
     for (const Index v : faces_[f].corners) face_lists_.push_back(v, f);
   }
   const auto by_origin = [&](Index f, Index g) { return face_origins_[f] < face_origins_[g]; };
-  for (Index v = 0; v < vertices_.size(); ++v) {
-    const std::span<Index> list = face_lists_.of(v);
-    if (!list.empty()) ++n_vertices_;
-    if (!std::is_sorted(list.begin(), list.end(), by_origin)) std::sort(list.begin(), list.end(), by_origin);
-  }
+  for_each_range(vertices_.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const std::span<Index> list = face_lists_.of(static_cast<Index>(v));
+      if (!std::is_sorted(list.begin(), list.end(), by_origin)) std::sort(list.begin(), list.end(), by_origin);
+    }
+  });
+  for (Index v = 0; v < vertices_.size(); ++v) n_vertices_ += face_lists_.of(v).empty() ? 0 : 1;
 }
 
 Index TriangleComplex::place_in_ring(Index v) {
-  Index& place = vertices_[v].ring_place;
+  Index& place = ring_place_[v];
   if (place < ring_.size() && ring_[place].vertex == v) return place;
   place = static_cast<Index>(ring_.size());
   ring_.push_back({.vertex = v});
@@ -137,7 +141,7 @@ void TriangleComplex::number_edges() {
 
 /// The number of the edge (v, w), one more face at it; a new number unless it is among the edges from `first` on.
 Index TriangleComplex::number_edge(Index v, Index w, std::size_t first) {
-  Index& place = vertices_[w].ring_place;
+  Index& place = ring_place_[w];
   if (place < first || place >= edges_.size() || edges_[place].second != w) {
     place = static_cast<Index>(edges_.size());
     edges_.push_back({v, w});
@@ -147,10 +151,15 @@ Index TriangleComplex::number_edge(Index v, Index w, std::size_t first) {
   return place;
 }
 
-void TriangleComplex::find_orders() {
-  orders_.resize(vertices_.size(), VertexOrder::regular);
+void TriangleComplex::find_orders(unsigned threads) {
+  orders_.resize(vertices_.size());
+  for_each_range(vertices_.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      orders_[v] = is_small_closed_fan(static_cast<Index>(v)) ? VertexOrder::regular : VertexOrder::junction;
+    }
+  });
   for (Index v = 0; v < vertices_.size(); ++v) {
-    if (is_small_closed_fan(v)) continue;
+    if (orders_[v] == VertexOrder::regular) continue;
     gather_ring(v);
     orders_[v] = order_of_ring();
   }

@@ -88,7 +88,8 @@ class TriangleComplex {
   };
 
   /// Takes the faces' vertex numbers as checked. Faces with two equal corners are left out.
-  TriangleComplex(std::vector<Vec3> positions, std::span<const Triangle> faces);
+  /// \param threads 0 = all cores; the result is the same.
+  TriangleComplex(std::vector<Vec3> positions, std::span<const Triangle> faces, unsigned threads);
 
   std::size_t n_vertex_slots() const { return vertices_.size(); }
   std::size_t n_face_slots() const { return faces_.size(); }
@@ -97,7 +98,7 @@ class TriangleComplex {
   std::uint64_t n_degenerate_faces() const { return n_degenerate_faces_; }  ///< left out at the start
 
   const Vec3& position(Index v) const { return vertices_[v].position; }
-  Index origin(Index v) const { return origins_[v]; }
+  Index origin(Index v) const { return vertices_[v].origin; }
   Index face_origin(Index f) const { return face_origins_[f]; }
   bool is_alive(Index f) const { return faces_[f].corners[0] != invalid_index; }
   const Triangle& face(Index f) const { return faces_[f].corners; }
@@ -162,10 +163,10 @@ class TriangleComplex {
  private:
   void number_vertices(const std::vector<Vec3>& positions, std::vector<Index>& number_of);
   void number_faces(std::span<const Triangle> faces, const std::vector<Index>& number_of);
-  void list_faces();
+  void list_faces(unsigned threads);
   void number_edges();
   Index number_edge(Index v, Index w, std::size_t first);
-  void find_orders();
+  void find_orders(unsigned threads);
   bool is_small_closed_fan(Index v) const;
   void gather_ring(Index v);
   VertexOrder order_of_ring() const;
@@ -178,15 +179,14 @@ class TriangleComplex {
   /// What is looked at together lies together: two vertices a cache line.
   struct alignas(32) Vertex {
     Vec3 position;
-    Index parent;      ///< towards the vertex it was merged into; itself if none
-    Index ring_place;  ///< scratch: its place in `ring_` (at first in `edges_`), right only if the entry there names it
+    Index parent;  ///< towards the vertex it was merged into; itself if none
+    Index origin;
   };
   struct Face {
     Triangle corners;            ///< the first is `invalid_index` once removed
     std::array<Index, 3> edges;  ///< from each corner to the next
   };
   std::vector<Vertex> vertices_;
-  std::vector<Index> origins_;
   std::vector<VertexOrder> orders_;
   std::vector<Face> faces_;
   std::vector<Index> face_origins_;
@@ -205,7 +205,10 @@ class TriangleComplex {
     std::array<Index, 2> next{invalid_index, invalid_index};  ///< places of up to two neighbours in the link
     bool opposite = false;                                    ///< corner of a face of the pair
   };
-  std::vector<RingEntry> ring_;  ///< scratch: the neighbours under look
+  /// Scratch: the neighbours under look, and each vertex's place among them (at first: among the edges), right only if
+  /// the entry there names it.
+  std::vector<RingEntry> ring_;
+  std::vector<Index> ring_place_;
 };
 
 }  // namespace whittle
