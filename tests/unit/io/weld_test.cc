@@ -233,6 +233,22 @@ TEST(WeldBorders, LeavesNoTwoOpenEdgesThatCouldBeOne) {
   EXPECT_GT(refused, 100U);
 }
 
+TEST(WeldBorders, LeavesNoEdgeWithoutLengthThatCouldBeClosed) {
+  std::size_t refused = 0;
+  for_random_meshes([&](const IndexedMesh& before, const IndexedMesh& after, const std::vector<Index>&, const Repairs&,
+                        const std::string& what) {
+    for (const Triangle& face : after.faces) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto [a, b] = edge_of(face, c);
+        if (a == b || before.positions[a] != before.positions[b]) continue;
+        EXPECT_TRUE(would_be_wrong(before, after, {{a, b}})) << what << ": edge " << a << '-' << b;
+        ++refused;
+      }
+    }
+  });
+  EXPECT_GT(refused, 20U);
+}
+
 TEST(WeldBorders, MakesSoupsTheSurfacesTheyCameFrom) {
   std::vector<NamedMesh> meshes = whittle::test::closed_meshes();
   for (NamedMesh& open : whittle::test::open_meshes()) meshes.push_back(std::move(open));
@@ -264,6 +280,19 @@ TEST(WeldBorders, KeepsPartsApartThatTouchAlongAnEdge) {
     const Topology t = topology(mesh);
     EXPECT_TRUE(t.closed() && t.manifold()) << t;
     EXPECT_EQ(t.components, 2) << t;
+  }
+}
+
+TEST(WeldBorders, DecidesAlikeAllAlongALineWherePartsTouch) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    IndexedMesh mesh = whittle::test::two_cubes_on_an_edge(6);
+    Random random(seed);
+    for (std::size_t f = mesh.faces.size(); f > 1; --f) std::swap(mesh.faces[f - 1], mesh.faces[random.below(f)]);
+    IndexedMesh welded = soup(mesh);
+    repair(welded);
+    const Topology t = topology(welded);
+    EXPECT_TRUE(t.closed() && t.manifold()) << "seed " << seed << ": " << t;
+    EXPECT_EQ(t.components, 2) << "seed " << seed << ": " << t;
   }
 }
 
@@ -335,6 +364,16 @@ TEST(WeldBorders, ClosesEdgesWithoutLengthInsideASurface) {
   EXPECT_EQ(repairs.welded_vertices, 1U);
   EXPECT_EQ(repairs.degenerate_faces, 2U);
   EXPECT_EQ(topology(mesh), topology(whittle::test::octahedron()));
+}
+
+TEST(WeldBorders, KeepsASurfaceClosedWhereAnEdgeWithoutLengthMustStay) {
+  // Two pyramids base to base, without the base 0 1 2: to close the edge 0–1 would give the edge to 2 four faces.
+  IndexedMesh mesh;
+  mesh.positions = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, -1}};
+  mesh.faces = {{3, 0, 1}, {3, 1, 2}, {3, 2, 0}, {4, 1, 0}, {4, 2, 1}, {4, 0, 2}};
+  const std::vector<Triangle> before = mesh.faces;
+  EXPECT_FALSE(repair(mesh).any());
+  EXPECT_EQ(mesh.faces, before);
 }
 
 TEST(WeldBorders, KeepsAttributesAndOriginOfTheLowestVertex) {
