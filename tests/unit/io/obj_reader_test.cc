@@ -26,6 +26,13 @@ TEST(ObjReader, ReadsPositionsAndFaces) {
   EXPECT_TRUE(result.warnings.empty());
 }
 
+TEST(ObjReader, SaysWhereEachVertexOfTheFileWent) {
+  const ReadResult result = read("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 8 8 8\nv 0 1 0\nf 2 3 5\n", "a.obj");
+  EXPECT_EQ(result.vertex_map, (std::vector<Index>{invalid_index, 0, 1, invalid_index, 2}));
+  EXPECT_EQ(result.mesh.origins, (std::vector<Index>{1, 2, 4}));
+  EXPECT_EQ(result.repairs.isolated_vertices, 2U);
+}
+
 TEST(ObjReader, CountsNegativeNumbersFromTheLastVertex) {
   const ReadResult result = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 0 0 1\nf -4 -1 -3\n", "a.obj");
   EXPECT_EQ(result.mesh.faces, (std::vector<Triangle>{{0, 1, 2}, {0, 3, 1}}));

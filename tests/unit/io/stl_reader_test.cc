@@ -43,6 +43,7 @@ TEST(StlReader, ReadsText) {
   EXPECT_EQ(result.mesh.positions.size(), 4U);
   EXPECT_EQ(result.mesh.faces, (std::vector<Triangle>{{0, 1, 2}, {1, 3, 2}}));
   EXPECT_EQ(result.mesh.origins, (std::vector<Index>{0, 1, 2, 4}));
+  EXPECT_EQ(result.vertex_map, (std::vector<Index>{0, 1, 2, 1, 3, 2}));
   EXPECT_EQ(result.repairs.welded_vertices, 2U);
   EXPECT_TRUE(result.warnings.empty());
 }
