@@ -179,8 +179,8 @@ bool BruteForceDecimater::keeps_normals(Index v, Index other, const Vec3& to) co
     const Vec3 before = (x - positions_[v]).cross(y - positions_[v]);
     const Vec3 after = (x - to).cross(y - to);
     // No area: a sine of at most 1e-10 at x.
-    const auto has_area = [&](const Vec3& normal, const Vec3& corner) {
-      return normal.norm() > 1e-10 * (x - corner).norm() * (x - y).norm();
+    const auto has_area = [&](const Vec3& normal, const Vec3& apex) {
+      return normal.norm() > 1e-10 * (x - apex).norm() * (x - y).norm();
     };
     if (!has_area(before, positions_[v])) continue;
     if (!has_area(after, to) || before.dot(after) < least_cosine * before.norm() * after.norm()) return false;
