@@ -103,7 +103,7 @@ class BruteForce : public BaseDecimaterT<Mesh> {
       const float priority = collapse_priority(collapse);
       const auto position = [this](VertexHandle v) { return to_vec3(mesh().point(v)); };
       if (!(priority >= 0)) continue;
-      if (FlipLimit(75).is_exceeded(mesh(), collapse.v0, collapse.v1, to_vec3(collapse.p1), position)) continue;
+      if (is_exceeded_around(FlipLimit(75), mesh(), collapse.v0, collapse.v1, to_vec3(collapse.p1), position)) continue;
       const auto [low, high] = std::minmax({collapse.v0.idx(), collapse.v1.idx()});
       const Key key(priority, low, high, collapse.v1.idx());
       if (!best || key < best->first) best.emplace(key, h);

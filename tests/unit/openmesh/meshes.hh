@@ -14,8 +14,10 @@
 #include <whittle/openmesh/conversions.hh>
 #include <whittle/openmesh/pair_decimater.hh>
 
+#include "support/shapes.hh"
 #include "support/suites.hh"
 #include "support/topology.hh"
+#include "support/transforms.hh"
 
 namespace whittle::test {
 
@@ -50,11 +52,17 @@ inline std::vector<NamedMesh> holdable(std::vector<NamedMesh> meshes) {
   return meshes;
 }
 
-/// All closed and open shapes that a half-edge mesh holds.
+/// All closed and open shapes that a half-edge mesh holds, and one more.
 inline std::vector<NamedMesh> holdable_meshes() {
   std::vector<NamedMesh> result = closed_meshes();
   for (NamedMesh& entry : open_meshes()) result.push_back(std::move(entry));
-  return holdable(std::move(result));
+  result = holdable(std::move(result));
+  // Not manifold, but held: a vertex with two open fans.
+  const IndexedMesh first = noisy_grid(5, 5, 0.3, 1);
+  IndexedMesh second = moved(noisy_grid(5, 4, 0.3, 2), first.positions.back());
+  second.positions.front() = first.positions.back();
+  result.push_back({"two grids with a common corner", glued(joined(first, second))});
+  return result;
 }
 
 /// Checks every handle of what isn't deleted against its neighbours.
