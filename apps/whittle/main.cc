@@ -1,0 +1,100 @@
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "errors.hh"
+#include "exit_code.hh"
+#include "help.hh"
+#include "interruption.hh"
+#include "output.hh"
+#include "report.hh"
+#include "subcommands.hh"
+#include "talk.hh"
+#include "whittle/io/errors.hh"
+
+namespace whittle::app {
+namespace {
+
+const Talk errors(Volume::quiet);
+
+int fail(ExitCode code, const std::string& problem) {
+  errors.error(problem);
+  return static_cast<int>(code);
+}
+
+std::string called_subcommand(const CLI::App& app) {
+  const std::vector<CLI::App*> called = app.get_subcommands();
+  return called.empty() ? std::string() : called.front()->get_name();
+}
+
+int fail_usage(const CLI::App& app, const std::string& problem) {
+  const std::string sub = called_subcommand(app);
+  return fail(ExitCode::usage, problem + "; see 'whittle " + (sub.empty() ? "" : sub + ' ') + "--help'");
+}
+
+std::string no_subcommand(const CLI::App& app, int argc, char** argv) {
+  std::string names;
+  for (const CLI::App* sub : app.get_subcommands({})) names += (names.empty() ? "" : ", ") + sub->get_name();
+  if (argc < 2) return "a subcommand is missing: one of " + names;
+  return std::string("'") + argv[1] + "' is not a subcommand: one of " + names;
+}
+
+int parse_and_run(CLI::App& app, const Command& command, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    std::ostringstream text;
+    app.exit(success, text, text);
+    print(text.str());
+    return static_cast<int>(ExitCode::done);
+  } catch (const CLI::ParseError& error) {
+    return fail_usage(app, called_subcommand(app).empty() ? no_subcommand(app, argc, argv) : error.what());
+  }
+  try {
+    return static_cast<int>(command());
+  } catch (const UsageError& error) {
+    return fail_usage(app, error.what());
+  } catch (const io::ReadError& error) {
+    return fail(ExitCode::unreadable, error.what());
+  } catch (const UnsupportedMesh& error) {
+    return fail(ExitCode::unreadable, error.what());
+  } catch (const Interrupted& interruption) {
+    std::cerr << interrupted_message;
+    return 128 + interruption.signal();
+  }
+}
+
+}  // namespace
+}  // namespace whittle::app
+
+int main(int argc, char** argv) {
+  using namespace whittle::app;
+  std::ios::sync_with_stdio(false);
+  try {
+    handle_signals();
+    CLI::App app("Makes triangle meshes smaller and keeps their shape.", "whittle");
+    app.formatter(std::make_shared<HelpFormatter>());
+    app.set_help_flag("-h,--help", "print this help");
+    app.set_version_flag("--version", program_and_version(), "print the version");
+    app.require_subcommand(1);
+    Command command;
+    setup_simplify(app, command);
+    setup_measure(app, command);
+    setup_info(app, command);
+    setup_compare(app, command);
+    app.footer(
+        "'whittle SUBCOMMAND --help' tells the options of each.\n"
+        "Exit status: 0 done, 1 failure, 2 usage, 3 target not met (--strict), 4 input unreadable or invalid,\n"
+        "130 interrupted.");
+    return parse_and_run(app, command, argc, argv);
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::failure, "out of memory; try a machine with more, or a smaller part of the mesh");
+  } catch (const std::exception& error) {
+    return fail(ExitCode::failure, error.what());
+  }
+}

@@ -1,0 +1,110 @@
+#include "report.hh"
+
+#include <sys/resource.h>
+
+#include <ostream>
+
+#include "output.hh"
+#include "table.hh"
+
+namespace whittle::app {
+namespace {
+
+Json over_diagonal(double value, double diagonal) { return diagonal > 0 ? Json(value / diagonal) : Json(nullptr); }
+
+void add_length(Json& json, const std::string& key, double value, double diagonal) {
+  json[key] = value;
+  json[key + "_rel"] = over_diagonal(value, diagonal);
+}
+
+Json directed(const metrics::DirectedDistance& distance, double diagonal) {
+  Json json;
+  add_length(json, "mean", distance.mean, diagonal);
+  add_length(json, "rms", distance.rms, diagonal);
+  add_length(json, "max", distance.max, diagonal);
+  json["normal_deviation_deg"] = distance.normal_deviation_deg;
+  json["flipped_percent"] = distance.flipped_percent;
+  return json;
+}
+
+}  // namespace
+
+std::string program_and_version() { return "whittle " WHITTLE_VERSION; }
+
+Json new_report() { return {{"schema", 1}, {"program", program_and_version()}}; }
+
+std::string to_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
+
+Json repairs_json(const io::Repairs& repairs) {
+  Json json = Json::object();
+  for (const auto& [name, count] : repairs.entries()) json[std::string(name)] = count;
+  return json;
+}
+
+void add_topology(Json& json, const metrics::Topology& topology) {
+  json["manifold"] = topology.manifold;
+  json["closed"] = topology.closed;
+  json["components"] = topology.components;
+  json["boundary_loops"] = topology.boundary_loops;
+  json["genus"] = topology.genus ? Json(*topology.genus) : Json(nullptr);
+  json["nonmanifold_edges"] = topology.nonmanifold_edges;
+  json["nonmanifold_vertices"] = topology.nonmanifold_vertices;
+}
+
+void add_distance(Json& json, const metrics::SurfaceDistance& distance) {
+  const double diagonal = distance.diagonal;
+  add_length(json, "mean", distance.mean, diagonal);
+  add_length(json, "rms", distance.rms, diagonal);
+  add_length(json, "max", distance.max, diagonal);
+  json["garland_heckbert"] = distance.garland_heckbert;
+  json["garland_heckbert_rel"] = over_diagonal(distance.garland_heckbert, diagonal * diagonal);
+  json["forward"] = directed(distance.forward, diagonal);
+  json["backward"] = directed(distance.backward, diagonal);
+  json["normal_deviation_deg"] = distance.normal_deviation_deg;
+  json["flipped_percent"] = distance.flipped_percent;
+}
+
+void add_shape(Json& json, const metrics::Shape& shape) {
+  json["radius_ratio"] = {{"mean", shape.radius_ratio_mean}, {"min", shape.radius_ratio_min}};
+  json["min_angle_deg"] = {{"mean", shape.min_angle_mean_deg}, {"min", shape.min_angle_min_deg}};
+  Json histogram = Json::object();
+  for (const auto& [valence, count] : shape.valence.histogram) histogram[std::to_string(valence)] = count;
+  json["valence"] = {{"min", shape.valence.min},
+                     {"max", shape.valence.max},
+                     {"share_5_to_7", shape.valence.share_5_to_7},
+                     {"histogram", std::move(histogram)}};
+  json["edge_length_cv"] = shape.edge_length_cv;
+  json["folds"] = shape.folds;
+  json["degenerate_faces"] = shape.degenerate_faces;
+}
+
+Json input_json(const Input& input, double diagonal) {
+  return {{"path", input.path},
+          {"vertices", input.read.mesh.positions.size()},
+          {"faces", input.read.mesh.faces.size()},
+          {"diagonal", diagonal},
+          {"repairs", repairs_json(input.read.repairs)}};
+}
+
+std::uint64_t peak_memory_bytes() {
+  rusage usage = {};
+  if (::getrusage(RUSAGE_SELF, &usage) != 0) return 0;
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+void say_effort(const Talk& talk, double seconds) {
+  talk.detail(seconds_text(seconds) + " in all, " + std::to_string(peak_memory_bytes() >> 20) +
+              " MiB of memory at most");
+}
+
+void write_report(const CommonOptions& options, const Json& json, const std::string& text) {
+  if (options.json == standard_stream) return print(to_text(json));
+  if (options.json) {
+    OutputFiles files;
+    files.write(*options.json, [&json](std::ostream& out) { out << to_text(json); });
+    files.commit();
+  }
+  print(text);
+}
+
+}  // namespace whittle::app

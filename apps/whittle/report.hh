@@ -1,0 +1,53 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "command_line.hh"
+#include "input.hh"
+#include "whittle/metrics/bounds.hh"
+#include "whittle/metrics/distance.hh"
+#include "whittle/metrics/shape.hh"
+#include "whittle/metrics/topology.hh"
+
+// The JSON reports: schema 1. Keys are never renamed nor removed within a schema; more may be added.
+
+namespace whittle::app {
+
+using Json = nlohmann::ordered_json;
+
+/// "whittle 0.1.0"
+std::string program_and_version();
+
+/// {"schema": 1, "program": …}
+Json new_report();
+
+/// As text with a line break at the end. Bytes of file names that aren't UTF-8 become U+FFFD.
+std::string to_text(const Json& json);
+
+/// Key `repairs`: a count for every kind.
+Json repairs_json(const io::Repairs& repairs);
+
+/// Adds "manifold", "closed", "components", "boundary_loops", "genus", "nonmanifold_edges", "nonmanifold_vertices".
+void add_topology(Json& json, const metrics::Topology& topology);
+
+/// Adds "mean", "rms", "max", "garland_heckbert" with "…_rel", "forward", "backward", "normal_deviation_deg",
+/// "flipped_percent".
+void add_distance(Json& json, const metrics::SurfaceDistance& distance);
+
+/// Adds "radius_ratio", "min_angle_deg", "valence", "edge_length_cv", "folds", "degenerate_faces".
+void add_shape(Json& json, const metrics::Shape& shape);
+
+/// {"path", "vertices", "faces", "diagonal", "repairs"}
+Json input_json(const Input& input, double diagonal);
+
+/// Largest amount of memory the program had so far.
+std::uint64_t peak_memory_bytes();
+
+/// Says, when verbose, how long it took and how much memory.
+void say_effort(const Talk& talk, double seconds);
+
+/// Writes the report where --json says; `text`, the same for people, to standard output unless the report goes there.
+void write_report(const CommonOptions& options, const Json& json, const std::string& text);
+
+}  // namespace whittle::app

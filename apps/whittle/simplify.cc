@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "input.hh"
+#include "interruption.hh"
+#include "openmesh_engine.hh"
+#include "output.hh"
+#include "progress_bar.hh"
+#include "report.hh"
+#include "simplify_options.hh"
+#include "stopwatch.hh"
+#include "subcommands.hh"
+#include "table.hh"
+#include "values.hh"
+#include "whittle/io/write.hh"
+
+namespace whittle::app {
+namespace {
+
+struct Seconds {
+  double read = 0;
+  double decimate = 0;
+  double write = 0;
+  double total = 0;
+};
+
+/// A run and what is said about it.
+struct Run {
+  Input input;
+  DecimateTarget target;
+  Decimation decimation;
+  bool met = false;
+  std::vector<std::string> warnings;
+  Seconds seconds;
+};
+
+Decimation decimate_input(const SimplifyOptions& options, const Talk& talk, const Run& run) {
+  ProgressBar bar(talk, "decimating");
+  DecimateOptions engine_options = options.decimate;
+  engine_options.threads = options.common.threads;
+  engine_options.progress = [&bar](const Progress& progress) {
+    bar.update(progress.fraction, std::to_string(progress.n_faces) + " faces");
+    return !SignalsWait::pending();
+  };
+  const IndexedMesh& mesh = run.input.read.mesh;
+  // OpenMesh is silent for too long while it fills its heap; and there is nothing to tidy up yet.
+  if (options.engine == Engine::openmesh) return decimate_in_openmesh(mesh, run.input.name, run.target, engine_options);
+  const SignalsWait signals_wait;
+  Decimation decimation = decimate(mesh, run.target, engine_options);
+  SignalsWait::throw_if_pending();
+  return decimation;
+}
+
+std::string shown_output(const SimplifyOptions& options) {
+  return options.output == standard_stream ? standard_output_name : options.output;
+}
+
+/// A line for every vertex of the file: its number in the result, or -1.
+void write_map(std::ostream& out, const Run& run) {
+  for (const Index read : run.input.read.vertex_map) {
+    const Index written = read == invalid_index ? invalid_index : run.decimation.vertex_map[read];
+    if (written == invalid_index) {
+      out << "-1\n";
+    } else {
+      out << written << '\n';
+    }
+  }
+}
+
+std::string advice(const SimplifyOptions& options, const Rejections& rejections) {
+  if (options.engine == Engine::openmesh) return "--engine flat may get further";
+  if (rejections.flip >= std::max(rejections.link, rejections.locked) && rejections.flip > 0 &&
+      options.decimate.max_normal_flip_deg < 180) {
+    return "a greater --max-normal-flip lets faces turn further";
+  }
+  if (rejections.locked > rejections.link) return "'--boundary weighted' lets borders shrink";
+  if (rejections.link > 0) return "anything smaller would change the topology of the surface";
+  return "nothing is left that may be contracted";
+}
+
+std::string refusals(const SimplifyOptions& options, const Rejections& refused) {
+  if (options.engine == Engine::openmesh) return "OpenMesh doesn't say what it refused";
+  return "refused: " + std::to_string(refused.link) + " by topology, " + std::to_string(refused.flip) +
+         " by turning a face, " + std::to_string(refused.locked) + " locked";
+}
+
+std::string shortfall(const SimplifyOptions& options, const Run& run) {
+  const DecimateResult& result = run.decimation.result;
+  return run.input.name + ": target not met: " + to_string(run.target) + " asked, " + std::to_string(result.n_faces) +
+         " faces and " + std::to_string(result.n_vertices) + " vertices reached; " +
+         refusals(options, result.rejections) + "; " + advice(options, result.rejections);
+}
+
+Json output_json(const SimplifyOptions& options, const Run& run, const metrics::Topology& topology) {
+  Json json = {{"path", options.output}, {"vertices", topology.vertices}, {"faces", topology.faces}};
+  add_topology(json, topology);
+  // An edge contraction neither joins nor divides parts: fewer means that some are gone.
+  const std::size_t before = metrics::topology(run.input.read.mesh).components;
+  json["vanished_components"] = before - std::min(before, topology.components);
+  return json;
+}
+
+/// OpenMesh's decimater doesn't say what it refused, and why.
+Json rejections_json(const SimplifyOptions& options, const Rejections& refused) {
+  if (options.engine == Engine::openmesh) return {{"flip", nullptr}, {"link", nullptr}, {"locked", nullptr}};
+  return {{"flip", refused.flip}, {"link", refused.link}, {"locked", refused.locked}};
+}
+
+Json simplify_json(const SimplifyOptions& options, const Run& run) {
+  const IndexedMesh& mesh = run.decimation.mesh;
+  const DecimateResult& result = run.decimation.result;
+  Json json = new_report();
+  json["input"] = input_json(run.input, metrics::bounds(run.input.read.mesh).diagonal());
+  json["options"] = options_json(options);
+  json["output"] = output_json(options, run, metrics::topology(mesh));
+  json["target"] = target_json(options.targets, run.target);
+  json["target"]["met"] = run.met;
+  json["stop"] = to_string(result.stop);
+  json["contractions"] = result.n_contractions;
+  json["threshold_pairs"] = {{"considered", 0}, {"contracted", 0}, {"threshold", 0.0}, {"capped", false}};
+  json["max_cost"] = result.max_cost;
+  json["rejections"] = rejections_json(options, result.rejections);
+  json["seconds"] = {{"read", run.seconds.read},
+                     {"decimate", run.seconds.decimate},
+                     {"polish", 0.0},
+                     {"write", run.seconds.write},
+                     {"total", run.seconds.total}};
+  json["peak_rss_bytes"] = peak_memory_bytes();
+  json["warnings"] = run.warnings;
+  return json;
+}
+
+/// Writes the result, the map and the report; all of them appear, or none does.
+void write_files(const SimplifyOptions& options, const Talk& talk, const Stopwatch& since_start, Run& run) {
+  const Stopwatch watch;
+  OutputFiles files;
+  files.write(options.output, [&](std::ostream& out) {
+    const io::Format format = format_for_output(options.output, options.reading.format);
+    for (const std::string& warning : io::write_mesh(out, format, run.decimation.mesh).warnings) {
+      run.warnings.push_back(about(shown_output(options), warning));
+      talk.warning(run.warnings.back());
+    }
+  });
+  if (options.map) files.write(*options.map, [&run](std::ostream& out) { write_map(out, run); });
+  run.seconds.write = watch.seconds();
+  run.seconds.total = since_start.seconds();
+  const std::string json = options.common.json ? to_text(simplify_json(options, run)) : std::string();
+  const bool json_to_file = options.common.json && *options.common.json != standard_stream;
+  if (json_to_file) files.write(*options.common.json, [&json](std::ostream& out) { out << json; });
+  files.commit();
+  if (!json_to_file) print(json);
+}
+
+void say_details(const SimplifyOptions& options, const Talk& talk, const Run& run) {
+  if (!talk.is_verbose()) return;
+  const DecimateResult& result = run.decimation.result;
+  talk.detail("contractions: " + std::to_string(result.n_contractions) + ", greatest cost " +
+              significant(result.max_cost) + ", stopped by: " + std::string(to_string(result.stop)));
+  talk.detail(refusals(options, result.rejections));
+  talk.detail("read " + seconds_text(run.seconds.read) + ", decimate " + seconds_text(run.seconds.decimate) +
+              ", write " + seconds_text(run.seconds.write));
+  say_effort(talk, run.seconds.total);
+}
+
+std::string summary(const SimplifyOptions& options, const Run& run) {
+  const IndexedMesh& before = run.input.read.mesh;
+  const DecimateResult& after = run.decimation.result;
+  return shown_output(options) + ": " + std::to_string(before.faces.size()) + " -> " + std::to_string(after.n_faces) +
+         " faces, " + std::to_string(before.positions.size()) + " -> " + std::to_string(after.n_vertices) +
+         " vertices in " + seconds_text(run.seconds.total);
+}
+
+std::vector<std::string> lost_in_openmesh(const Input& input) {
+  std::vector<std::string> warnings;
+  const auto add = [&](const char* what) {
+    warnings.push_back(input.name + ": " + what + " are not carried by --engine openmesh");
+  };
+  if (!input.read.mesh.normals.empty()) add("vertex normals");
+  if (!input.read.mesh.colors.empty()) add("vertex colours");
+  return warnings;
+}
+
+ExitCode run_simplify(const CLI::App& app, const SimplifyOptions& options) {
+  check(app, options);
+  const Talk talk(options.common.volume());
+  const Stopwatch watch;
+  Run run;
+  run.input = read_input(options.input, options.reading, talk);
+  run.seconds.read = run.input.seconds;
+  run.warnings = run.input.warnings;
+  if (options.engine == Engine::openmesh) {
+    for (const std::string& lost : lost_in_openmesh(run.input)) {
+      run.warnings.push_back(lost);
+      talk.warning(lost);
+    }
+  }
+  run.target = resolve(options.targets, run.input.read.mesh.positions.size());
+
+  const Stopwatch decimating;
+  run.decimation = decimate_input(options, talk, run);
+  run.seconds.decimate = decimating.seconds();
+  run.met = is_met(run.target, run.decimation.result.stop);
+
+  const std::string missed = run.met ? std::string() : shortfall(options, run);
+  if (!run.met) run.warnings.push_back(missed);
+  write_files(options, talk, watch, run);
+
+  say_details(options, talk, run);
+  talk.say(summary(options, run));
+  if (run.met) return ExitCode::done;
+  if (!options.strict) {
+    talk.warning(missed);
+    return ExitCode::done;
+  }
+  talk.error(missed);
+  return ExitCode::target_not_met;
+}
+
+}  // namespace
+
+void setup_simplify(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<SimplifyOptions>();
+  CLI::App* sub = app.add_subcommand("simplify", "Make a mesh smaller and keep its shape.");
+  add_simplify_options(*sub, *options);
+  set_usage(*sub, "IN -o OUT TARGET... [OPTION]...");
+  sub->footer(
+      "Examples:\n"
+      "  whittle simplify dragon.ply -o small.ply --ratio 10%\n"
+      "  whittle simplify part.stl -o part.obj --faces 5000 --strict --json report.json\n"
+      "  whittle simplify - -o - --format ply --faces 5000 < in.ply > out.ply");
+  sub->callback([sub, options, &command] { command = [sub, options] { return run_simplify(*sub, *options); }; });
+}
+
+}  // namespace whittle::app

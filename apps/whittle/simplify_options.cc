@@ -1,0 +1,120 @@
+#include "simplify_options.hh"
+
+#include <array>
+#include <vector>
+
+#include "input.hh"
+#include "output.hh"
+#include "values.hh"
+
+namespace whittle::app {
+namespace {
+
+constexpr std::array<Choice<Weights>, 3> weights{
+    {{"area", Weights::area}, {"uniform", Weights::uniform}, {"area-angle", Weights::area_angle}}};
+constexpr std::array<Choice<Placement>, 3> placements{
+    {{"optimal", Placement::optimal}, {"midpoint", Placement::midpoint}, {"endpoint", Placement::endpoint}}};
+constexpr std::array<Choice<Boundary>, 3> boundaries{
+    {{"weighted", Boundary::weighted}, {"locked", Boundary::locked}, {"free", Boundary::free}}};
+constexpr std::array<Choice<Engine>, 2> engines{{{"flat", Engine::flat}, {"openmesh", Engine::openmesh}}};
+
+constexpr std::array<Conflict, 2> conflicts{
+    {{"--boundary-weight", "--boundary free", "nothing holds borders that are free"},
+     {"--max-cost", "--engine openmesh", "OpenMesh looks at a cost when it is queued, not when its turn comes"}}};
+
+constexpr char cost_group[] = "Cost and guards";
+constexpr char file_group[] = "Files";
+
+template <class E, std::size_t N>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, E& target, const std::array<Choice<E>, N>& choices,
+                        const std::string& description) {
+  const std::span<const Choice<E>> all(choices);
+  return add_value(
+             app, name, words_of(all), target, [all](std::string_view text) { return parse_choice(text, all); },
+             description)
+      ->default_str(std::string(word_of(all, target)));
+}
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, const std::string& value_name, double& target,
+                        const Range& range, const std::string& description) {
+  return add_value(
+             app, name, value_name, target,
+             [range, value_name](std::string_view text) { return parse_number(text, range, value_name); },
+             description + ", " + to_string(range, value_name))
+      ->default_str(shortest(target));
+}
+
+void add_cost_options(CLI::App& app, SimplifyOptions& options) {
+  QuadricOptions& quadric = options.decimate.quadric;
+  add_choice<Weights>(
+      app, "--weights", quadric.weights, weights,
+      "how much the plane of a face counts at its corners: its area, 1, or its area times the angle over pi")
+      ->group(cost_group);
+  add_choice<Placement>(app, "--placement", quadric.placement, placements,
+                        "where the merged vertex goes: where the cost is least, halfway, or to the better end")
+      ->group(cost_group);
+  add_choice<Boundary>(app, "--boundary", options.decimate.boundary, boundaries,
+                       "open borders are held by a weight, don't move at all, or move freely")
+      ->group(cost_group);
+  add_number(app, "--boundary-weight", "W", quadric.boundary_weight, {0},
+             "how firmly weighted borders are held, a factor on the squared length of a border edge")
+      ->group(cost_group);
+  add_number(app, "--max-normal-flip", "DEG", options.decimate.max_normal_flip_deg, {0, 180, false},
+             "refuse a contraction that turns a face further than DEG degrees (180: never)")
+      ->group(cost_group);
+  add_choice<Engine>(app, "--engine", options.engine, engines,
+                     "where the work is done; openmesh: the same cost as a module in OpenMesh's own decimater")
+      ->group(cost_group);
+}
+
+}  // namespace
+
+void add_simplify_options(CLI::App& app, SimplifyOptions& options) {
+  add_file(app, "IN", options.input, "the mesh: an OBJ, OFF, PLY or STL file, or '-' for standard input");
+  add_target_options(app, options.targets);
+  app.add_flag("--strict", options.strict, "end with status 3 when the target was not met")
+      ->default_str("off")
+      ->group(target_group);
+  add_value(
+      app, "-o,--output", "OUT", options.output, [](std::string_view text) { return std::string(text); },
+      "the result: a file, replaced if it exists, or '-' for standard output")
+      ->required()
+      ->group(file_group);
+  add_format(app, options.reading)->group(file_group);
+  add_no_weld(app, options.reading)->group(file_group);
+  add_value(
+      app, "--map", "FILE", options.map, [](std::string_view text) { return std::string(text); },
+      "write where each vertex of IN went: a line a vertex, its new number from 0, or -1")
+      ->default_str("off")
+      ->group(file_group);
+  add_cost_options(app, options);
+  add_common_options(app, options.common);
+}
+
+void check(const CLI::App& app, const SimplifyOptions& options) {
+  check_targets(options.targets);
+  check_conflicts(app, common_conflicts());
+  check_conflicts(app, conflicts);
+  check_inputs({options.input}, {options.output}, options.reading.format);
+  format_for_output(options.output, options.reading.format);
+  std::vector<Output> outputs{{"--output", options.output}};
+  if (options.map) outputs.push_back({"--map", *options.map});
+  if (options.common.json) outputs.push_back({"--json", *options.common.json});
+  check_outputs(outputs, {options.input}, options.common.force);
+}
+
+nlohmann::ordered_json options_json(const SimplifyOptions& options) {
+  const QuadricOptions& quadric = options.decimate.quadric;
+  return {{"weld", options.reading.weld},
+          {"weights", word_of<Weights>(weights, quadric.weights)},
+          {"placement", word_of<Placement>(placements, quadric.placement)},
+          {"boundary", word_of<Boundary>(boundaries, options.decimate.boundary)},
+          {"boundary_weight", quadric.boundary_weight},
+          {"regularization", quadric.regularization},
+          {"max_normal_flip_deg", options.decimate.max_normal_flip_deg},
+          {"engine", word_of<Engine>(engines, options.engine)},
+          {"strict", options.strict},
+          {"threads", options.common.threads}};
+}
+
+}  // namespace whittle::app

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "command_line.hh"
+#include "targets.hh"
+#include "whittle/engine/decimate.hh"
+
+namespace whittle::app {
+
+/// Where the contraction loop runs.
+enum class Engine {
+  flat,     ///< on the engine's arrays
+  openmesh  ///< the module of the same cost in OpenMesh's stock decimater
+};
+
+struct SimplifyOptions {
+  std::string input;
+  std::string output;
+  TargetOptions targets;
+  InputOptions reading;
+  DecimateOptions decimate;
+  Engine engine = Engine::flat;
+  std::optional<std::string> map;  ///< file for the vertex map
+  bool strict = false;
+  CommonOptions common;
+};
+
+void add_simplify_options(CLI::App& app, SimplifyOptions& options);
+
+/// \throw UsageError for what is missing, contradictory, or would overwrite an input.
+void check(const CLI::App& app, const SimplifyOptions& options);
+
+/// Key `options` of the report: every option but the targets and those of the conversation.
+nlohmann::ordered_json options_json(const SimplifyOptions& options);
+
+}  // namespace whittle::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string_view>
+
+namespace whittle::app {
+
+/// How much the program says on stderr.
+enum class Volume {
+  quiet,   ///< errors only
+  normal,  ///< also warnings, repairs, a summary; a progress bar on a terminal
+  verbose  ///< also how each step went
+};
+
+/// What the program says on stderr, a line at a time, each beginning with "whittle: ".
+class Talk {
+ public:
+  explicit Talk(Volume volume) : volume_(volume) {}
+
+  void error(std::string_view line) const;
+  void warning(std::string_view line) const;
+  void say(std::string_view line) const;
+  void detail(std::string_view line) const;
+
+  bool is_verbose() const { return volume_ == Volume::verbose; }
+  /// Not when quiet, and only where stderr is a terminal.
+  bool shows_progress() const;
+
+ private:
+  Volume volume_;
+};
+
+}  // namespace whittle::app

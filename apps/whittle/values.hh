@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+// How the values of options are written. Every parser takes the whole text or throws std::invalid_argument with what is
+// wrong and what would do; the message doesn't name the option.
+
+namespace whittle::app {
+
+/// Where a real number may lie; finite in any case.
+struct Range {
+  double low;
+  double high = std::numeric_limits<double>::infinity();
+  bool low_included = true;
+  bool high_included = true;
+
+  bool contains(double x) const {
+    return (low_included ? x >= low : x > low) && (high_included ? x <= high : x < high) &&
+           x < std::numeric_limits<double>::infinity();
+  }
+};
+
+/// "0 < X <= 180", "X >= 0" with the name of the value for X.
+std::string to_string(const Range& range, std::string_view name);
+
+double parse_number(std::string_view text, const Range& range, std::string_view name);
+
+/// A whole number in [low, high], in decimal digits.
+std::uint64_t parse_count(std::string_view text, std::uint64_t low = 1,
+                          std::uint64_t high = std::numeric_limits<std::uint64_t>::max());
+
+/// A share in (0, 1): "0.3" or "30%".
+double parse_ratio(std::string_view text);
+
+/// floor(ratio · n), where a product that is a whole number but for rounding (0.29 · 100) counts as that number.
+std::uint64_t share_of(double ratio, std::uint64_t n);
+
+/// The shortest decimal number that reads back as x: "75", "0.3", "1e-09".
+std::string shortest(double x);
+
+/// One of the words an option takes.
+template <class E>
+struct Choice {
+  std::string_view word;
+  E value;
+};
+
+template <class E>
+std::string_view word_of(std::span<const Choice<E>> choices, E value) {
+  for (const Choice<E>& choice : choices) {
+    if (choice.value == value) return choice.word;
+  }
+  throw std::logic_error("a choice without a word");
+}
+
+/// "area|uniform|area-angle"
+template <class E>
+std::string words_of(std::span<const Choice<E>> choices) {
+  std::string words;
+  for (const Choice<E>& choice : choices) {
+    if (!words.empty()) words += '|';
+    words += choice.word;
+  }
+  return words;
+}
+
+template <class E>
+E parse_choice(std::string_view text, std::span<const Choice<E>> choices) {
+  for (const Choice<E>& choice : choices) {
+    if (choice.word == text) return choice.value;
+  }
+  throw std::invalid_argument("'" + std::string(text) + "' is none of " + words_of(choices));
+}
+
+}  // namespace whittle::app
