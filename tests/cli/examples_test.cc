@@ -1,0 +1,116 @@
+// The examples of docs/user are run as they stand: each block that begins with "```console" in a new folder with the
+// meshes of data/ in it. What is printed there is what the program prints, but for times and memory.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "help_text.hh"
+#include "program.hh"
+
+namespace whittle::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A command and what the page says it prints.
+struct Example {
+  std::string command;
+  std::vector<std::string> printed;
+};
+
+std::vector<std::vector<Example>> blocks_of(const std::string& page) {
+  std::vector<std::vector<Example>> blocks;
+  bool inside = false;
+  for (const std::string& line : lines_of(page)) {
+    if (line == "```console") {
+      inside = true;
+      blocks.emplace_back();
+    } else if (line == "```") {
+      inside = false;
+    } else if (inside && line.rfind("$ ", 0) == 0) {
+      blocks.back().push_back({line.substr(2), {}});
+    } else if (inside) {
+      blocks.back().back().printed.push_back(line);
+    }
+  }
+  return blocks;
+}
+
+/// A line without what differs from run to run; columns of tables move with the width of the times in them.
+std::string steady(const std::string& line) {
+  std::string text = std::regex_replace(line, std::regex(R"(\d+\.\d+ s\b)"), "T s");
+  text = std::regex_replace(text, std::regex(R"(\d+ MiB)"), "M MiB");
+  text = std::regex_replace(text, std::regex(R"((T s +T s +)\S+)"), "$1R");
+  text = std::regex_replace(text, std::regex(R"(\S+ times as fast)"), "X times as fast");
+  return std::regex_replace(text, std::regex(" +"), " ");
+}
+
+std::vector<std::string> steady(std::vector<std::string> lines) {
+  for (std::string& line : lines) line = steady(line);
+  return lines;
+}
+
+void run_block(const std::vector<Example>& block) {
+  const TemporaryFolder folder;
+  for (const auto& entry : fs::directory_iterator(fs::path(data_file("knot.ply")).parent_path())) {
+    if (entry.is_regular_file()) fs::copy_file(entry.path(), folder.path() / entry.path().filename());
+  }
+  RunOptions options;
+  options.folder = folder.path();
+  std::string script;
+  for (const Example& example : block)
+    script += "{ " + example.command + "\n} 2>&1; status=$?; echo \"==$status==\"; (exit $status)\n";
+  const Outcome outcome = run({"bash", "-c", script}, options);
+  EXPECT_EQ(outcome.err, "");
+
+  std::vector<std::vector<std::string>> printed(1);
+  for (const std::string& line : lines_of(outcome.out)) {
+    if (std::regex_match(line, std::regex("==[0-9]+=="))) {
+      printed.emplace_back();
+    } else {
+      printed.back().push_back(line);
+    }
+  }
+  ASSERT_EQ(printed.size(), block.size() + 1) << outcome;
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    EXPECT_EQ(steady(printed[i]), steady(block[i].printed)) << "$ " << block[i].command;
+  }
+}
+
+TEST(Examples, PrintWhatTheDocumentationSays) {
+  std::size_t n_commands = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(WHITTLE_DOCS_DIR) / "user")) {
+    SCOPED_TRACE(entry.path().filename().string());
+    for (const std::vector<Example>& block : blocks_of(read_text(entry.path()))) {
+      run_block(block);
+      n_commands += block.size();
+    }
+  }
+  EXPECT_GE(n_commands, 10U);
+}
+
+TEST(Examples, AreThereForEverySubcommand) {
+  for (const std::string sub : {"simplify", "measure", "info", "compare"}) {
+    std::size_t n_calls = 0;
+    for (const auto& block : blocks_of(read_text(fs::path(WHITTLE_DOCS_DIR) / "user" / (sub + ".md")))) {
+      for (const Example& example : block) n_calls += example.command.find("whittle " + sub) != std::string::npos;
+    }
+    EXPECT_GE(n_calls, 2U) << sub;
+  }
+}
+
+TEST(Examples, NameEveryPageInTheIndex) {
+  const std::string index = read_text(fs::path(WHITTLE_DOCS_DIR) / "user" / "README.md");
+  for (const auto& entry : fs::directory_iterator(fs::path(WHITTLE_DOCS_DIR) / "user")) {
+    const std::string name = entry.path().filename().string();
+    if (name == "README.md") continue;
+    EXPECT_NE(index.find("(" + name + ")"), std::string::npos) << name;
+  }
+}
+
+}  // namespace
+}  // namespace whittle::test

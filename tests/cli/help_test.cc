@@ -1,0 +1,104 @@
+// The help, and that the tables of docs/user say the same.
+#include "help_text.hh"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "program.hh"
+
+namespace whittle::test {
+namespace {
+
+const std::vector<std::string> subcommands{"simplify", "measure", "info", "compare"};
+
+std::string page(const std::string& subcommand) {
+  return read_text(std::string(WHITTLE_DOCS_DIR) + "/user/" + subcommand + ".md");
+}
+
+/// "W", "FILE"
+bool is_placeholder(const std::string& word) {
+  return std::all_of(word.begin(), word.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
+}
+
+TEST(Help, IsPrintedOnStandardOutput) {
+  for (const std::string& flag : {std::string("-h"), std::string("--help")}) {
+    const Outcome top = whittle({flag});
+    EXPECT_EQ(top.exit_code, 0) << top;
+    EXPECT_EQ(top.err, "") << top;
+    for (const std::string& sub : subcommands) {
+      EXPECT_NE(top.out.find("\n  " + sub + " "), std::string::npos) << top;
+      const Outcome help = whittle({sub, flag});
+      EXPECT_EQ(help.exit_code, 0) << help;
+      EXPECT_EQ(help.err, "") << help;
+      EXPECT_NE(help.out.find("Usage: whittle " + sub), std::string::npos) << help;
+      EXPECT_NE(help.out.find("Examples:\n"), std::string::npos) << help;
+    }
+  }
+}
+
+TEST(Help, FitsAHundredColumns) {
+  for (const std::string& sub : subcommands) {
+    for (const std::string& line : lines_of(whittle({sub, "--help"}).out)) EXPECT_LE(line.size(), 100U) << line;
+  }
+}
+
+TEST(Help, GivesEveryOptionADefault) {
+  for (const std::string& sub : subcommands) {
+    const std::vector<OptionText> options = options_of_help(whittle({sub, "--help"}).out);
+    EXPECT_GE(options.size(), 7U) << sub;
+    for (const OptionText& option : options) {
+      EXPECT_FALSE(option.meaning.empty()) << option.name;
+      EXPECT_TRUE(!option.standard.empty() || option.name == "-h, --help") << option.name;
+    }
+  }
+}
+
+TEST(Help, SaysWhatTheDocumentationSays) {
+  for (const std::string& sub : subcommands) {
+    const std::string help = whittle({sub, "--help"}).out;
+    EXPECT_EQ(table_of(options_of_help(help)), table_of(options_of_page(page(sub))))
+        << "docs/user/" << sub << ".md should have the table of the first kind";
+  }
+}
+
+TEST(Help, DocumentsEveryConflict) {
+  const TemporaryFolder folder;
+  std::size_t n_conflicts = 0;
+  for (const std::string& sub : subcommands) {
+    for (const auto& [first, second] : conflicts_of_page(page(sub))) {
+      const std::string mesh = data_file("cubes.obj");
+      std::vector<std::string> arguments{sub, mesh};
+      if (sub == "measure") arguments.push_back(mesh);
+      if (sub == "simplify" || sub == "compare") arguments.insert(arguments.end(), {"--faces", "150"});
+      const bool names_output = first.starts_with("--output") || second.starts_with("--output");
+      if (sub == "simplify" && !names_output) arguments.insert(arguments.end(), {"-o", folder / "out.obj"});
+      if (names_output) arguments.insert(arguments.end(), {"--format", "obj"});
+      for (const std::string& side : {first, second}) {
+        for (const std::string& word : words_of(side)) arguments.push_back(is_placeholder(word) ? "1" : word);
+      }
+      const Outcome outcome = whittle(arguments);
+      EXPECT_EQ(outcome.exit_code, 2) << outcome;
+      EXPECT_NE(outcome.err.find("doesn't go with"), std::string::npos) << outcome;
+      for (const std::string& side : {first, second}) {
+        for (const std::string& word : words_of(side)) {
+          EXPECT_TRUE(is_placeholder(word) || outcome.err.find(word) != std::string::npos) << word << '\n' << outcome;
+        }
+      }
+      ++n_conflicts;
+    }
+  }
+  EXPECT_GE(n_conflicts, 5U);
+}
+
+TEST(Version, IsOneLineOnStandardOutput) {
+  const Outcome outcome = whittle({"--version"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_EQ(outcome.out, "whittle " WHITTLE_VERSION "\n") << outcome;
+  EXPECT_EQ(outcome.err, "") << outcome;
+}
+
+}  // namespace
+}  // namespace whittle::test

@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "program.hh"
+#include "support/shapes.hh"
+#include "support/transforms.hh"
+#include "whittle/io/write.hh"
+
+namespace whittle::test {
+namespace {
+
+nlohmann::json measured(const std::string& reference, const std::string& test, std::vector<std::string> more = {}) {
+  std::vector<std::string> arguments{"measure", reference, test, "--json", "-"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Outcome outcome = whittle(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome;
+  return parse_json(outcome.out);
+}
+
+TEST(Measure, HasEveryKeyOfItsSchema) {
+  const auto json = measured(data_file("blob.obj"), data_file("blob.obj"), {"--samples", "1000"});
+  for (const char* key : {"schema",
+                          "program",
+                          "reference",
+                          "test",
+                          "diagonal",
+                          "mean",
+                          "mean_rel",
+                          "rms",
+                          "rms_rel",
+                          "max",
+                          "max_rel",
+                          "garland_heckbert",
+                          "garland_heckbert_rel",
+                          "forward",
+                          "backward",
+                          "normal_deviation_deg",
+                          "flipped_percent",
+                          "radius_ratio",
+                          "min_angle_deg",
+                          "valence",
+                          "edge_length_cv",
+                          "folds",
+                          "self_intersections",
+                          "degenerate_faces",
+                          "manifold",
+                          "closed",
+                          "components"}) {
+    EXPECT_TRUE(json.contains(key)) << key;
+  }
+  for (const char* way : {"forward", "backward"}) {
+    for (const char* key :
+         {"mean", "mean_rel", "rms", "rms_rel", "max", "max_rel", "normal_deviation_deg", "flipped_percent"}) {
+      EXPECT_TRUE(json[way].contains(key)) << way << ' ' << key;
+    }
+  }
+  for (const char* key : {"mean", "min"}) {
+    EXPECT_TRUE(json["radius_ratio"].contains(key)) << key;
+    EXPECT_TRUE(json["min_angle_deg"].contains(key)) << key;
+  }
+  for (const char* key : {"min", "share_5_to_7", "histogram"}) EXPECT_TRUE(json["valence"].contains(key)) << key;
+  EXPECT_EQ(json["schema"], 1);
+  EXPECT_EQ(json["closed"], true);
+  EXPECT_EQ(json["components"], 1);
+}
+
+TEST(Measure, FindsNothingBetweenAMeshAndItself) {
+  const auto json = measured(data_file("blob.obj"), data_file("blob.obj"));
+  for (const char* key : {"mean", "rms", "max", "garland_heckbert", "normal_deviation_deg", "flipped_percent"}) {
+    EXPECT_EQ(json[key], 0.0) << key;
+  }
+}
+
+TEST(Measure, GivesTheDistanceOfParallelPlanes) {
+  const TemporaryFolder folder;
+  io::write_mesh(folder / "moved.off", moved(grid(24, 24), Vec3(0, 0, 0.5)));
+  const auto json = measured(data_file("flat.off"), folder / "moved.off");
+  const double diagonal = std::hypot(24.0, 24.0);
+  EXPECT_DOUBLE_EQ(json["diagonal"].get<double>(), diagonal);
+  for (const char* key : {"mean", "rms", "max"}) {
+    EXPECT_NEAR(json[key].get<double>(), 0.5, 1e-12) << key;
+    EXPECT_NEAR(json["forward"][key].get<double>(), 0.5, 1e-12) << key;
+    EXPECT_NEAR(json[std::string(key) + "_rel"].get<double>(), 0.5 / diagonal, 1e-12) << key;
+  }
+  EXPECT_NEAR(json["garland_heckbert"].get<double>(), 0.25, 1e-12);
+  EXPECT_NEAR(json["garland_heckbert_rel"].get<double>(), 0.25 / diagonal / diagonal, 1e-12);
+}
+
+TEST(Measure, PrintsATableAndWritesTheReportBesideIt) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      whittle({"measure", data_file("blob.obj"), data_file("blob.obj"), "--json", folder / "report.json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_EQ(outcome.err, "") << outcome;
+  for (const char* said : {"REF: ", "TEST: ", "mean distance", "rms distance", "largest distance", "Garland-Heckbert",
+                           "radius ratio", "valence", "self-intersections", "manifold"}) {
+    EXPECT_NE(outcome.out.find(said), std::string::npos) << "not said: " << said << '\n' << outcome;
+  }
+  EXPECT_EQ(parse_json(read_text(folder / "report.json")), measured(data_file("blob.obj"), data_file("blob.obj")));
+}
+
+TEST(Measure, GivesTheSameNumbersForTheSameSeedAndAnyThreads) {
+  const TemporaryFolder folder;
+  const std::string small = folder / "small.ply";
+  ASSERT_EQ(whittle({"simplify", data_file("knot.ply"), "-o", small, "-r", "10%"}).exit_code, 0);
+  const auto first = measured(data_file("knot.ply"), small, {"--samples", "20000", "--threads", "1"});
+  EXPECT_EQ(measured(data_file("knot.ply"), small, {"--samples", "20000", "--threads", "3"}), first);
+  const auto other = measured(data_file("knot.ply"), small, {"--samples", "20000", "--seed", "2"});
+  EXPECT_NE(other["mean"], first["mean"]);
+  EXPECT_NEAR(other["mean"].get<double>(), first["mean"].get<double>(), 0.05 * first["mean"].get<double>());
+}
+
+TEST(Measure, ReadsOneMeshFromStandardInput) {
+  RunOptions options;
+  options.input = read_text(data_file("cubes.obj"));
+  const Outcome outcome = whittle({"measure", data_file("cubes.obj"), "-", "--format", "obj", "--json", "-"}, options);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_EQ(parse_json(outcome.out)["max"], 0.0);
+}
+
+TEST(Measure, WeldsUnlessToldNotTo) {
+  EXPECT_EQ(measured(data_file("bracket.stl"), data_file("bracket.stl"))["components"], 1);
+  EXPECT_EQ(measured(data_file("bracket.stl"), data_file("bracket.stl"), {"--no-weld"})["components"], 1476);
+}
+
+}  // namespace
+}  // namespace whittle::test

@@ -1,0 +1,242 @@
+// What `simplify` does with a mesh: targets, options, engines.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "program.hh"
+#include "whittle/io/read.hh"
+
+namespace whittle::test {
+namespace {
+
+/// A run that is expected to succeed: its report and its result.
+struct Simplified {
+  Outcome outcome;
+  nlohmann::json report;
+  IndexedMesh mesh;
+};
+
+Simplified simplify(const std::string& input, const std::vector<std::string>& more) {
+  const TemporaryFolder folder;
+  std::vector<std::string> arguments{"simplify", input, "-o", folder / "out.ply", "--json", "-"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  Simplified result;
+  result.outcome = whittle(arguments);
+  EXPECT_EQ(result.outcome.exit_code, 0) << result.outcome;
+  result.report = parse_json(result.outcome.out);
+  result.mesh = io::read_mesh(folder / "out.ply", {.weld = false}).mesh;
+  EXPECT_EQ(result.report["output"]["faces"], result.mesh.faces.size());
+  EXPECT_EQ(result.report["output"]["vertices"], result.mesh.positions.size());
+  return result;
+}
+
+std::size_t n_faces(const Simplified& result) { return result.mesh.faces.size(); }
+std::size_t n_vertices(const Simplified& result) { return result.mesh.positions.size(); }
+
+std::set<std::array<double, 3>> positions_of(const IndexedMesh& mesh) {
+  std::set<std::array<double, 3>> positions;
+  for (const Vec3& p : mesh.positions) positions.insert({p.x(), p.y(), p.z()});
+  return positions;
+}
+
+TEST(Simplify, ReachesTheNumberOfFaces) {
+  for (const std::size_t faces : {5000U, 1000U, 300U}) {
+    const Simplified result = simplify(data_file("blob.obj"), {"--faces", std::to_string(faces)});
+    EXPECT_EQ(n_faces(result), faces);
+    EXPECT_EQ(result.report["target"], (nlohmann::json{{"faces", faces}, {"met", true}}));
+    EXPECT_EQ(result.report["stop"], "target");
+  }
+  // Faces of a closed mesh go in twos.
+  EXPECT_EQ(n_faces(simplify(data_file("blob.obj"), {"--faces", "301"})), 300U);
+}
+
+TEST(Simplify, ReachesTheNumberOfVertices) {
+  const Simplified result = simplify(data_file("blob.obj"), {"--vertices", "777"});
+  EXPECT_EQ(n_vertices(result), 777U);
+  EXPECT_EQ(result.report["target"], (nlohmann::json{{"vertices", 777}, {"met", true}}));
+}
+
+TEST(Simplify, KeepsTheShareOfTheVerticesRoundedDown) {
+  // 2562 vertices.
+  EXPECT_EQ(n_vertices(simplify(data_file("blob.obj"), {"--ratio", "0.3"})), 768U);
+  EXPECT_EQ(n_vertices(simplify(data_file("blob.obj"), {"-r", "30%"})), 768U);
+  EXPECT_EQ(n_vertices(simplify(data_file("blob.obj"), {"-r0.5"})), 1281U);
+  // 200 vertices: 0.29 · 200 is a little below 58 in binary.
+  const Simplified result = simplify(data_file("cubes.obj"), {"--ratio", "0.58"});
+  EXPECT_EQ(result.report["target"]["vertices"], 116);
+  EXPECT_EQ(simplify(data_file("flat.off"), {"--ratio", "0.29"}).report["target"]["vertices"], 181);
+  EXPECT_EQ(result.report["target"]["ratio"], 0.58);
+}
+
+TEST(Simplify, CountsAfterTheRepairs) {
+  // 4428 corners in the file, 738 vertices.
+  const Simplified result = simplify(data_file("bracket.stl"), {"--ratio", "0.5"});
+  EXPECT_EQ(n_vertices(result), 369U);
+  EXPECT_EQ(result.report["input"]["vertices"], 738);
+  EXPECT_EQ(result.report["input"]["repairs"]["welded_vertices"], 3690);
+}
+
+TEST(Simplify, StopsAtTheFirstTargetReached) {
+  EXPECT_EQ(n_faces(simplify(data_file("blob.obj"), {"--faces", "1000", "--vertices", "100"})), 1000U);
+  EXPECT_EQ(n_vertices(simplify(data_file("blob.obj"), {"--faces", "100", "--vertices", "1000"})), 1000U);
+  EXPECT_EQ(n_vertices(simplify(data_file("blob.obj"), {"--ratio", "0.3", "--vertices", "100"})), 768U);
+  const Simplified result = simplify(data_file("blob.obj"), {"--faces", "4", "--max-cost", "1e-6"});
+  EXPECT_GT(n_faces(result), 4U);
+  EXPECT_EQ(result.report["stop"], "cost");
+  EXPECT_EQ(result.report["target"]["met"], true);
+}
+
+TEST(Simplify, KeepsToTheCostLimit) {
+  std::size_t before = 5120;
+  for (const std::string limit : {"1e-8", "1e-6", "1e-4"}) {
+    const Simplified result = simplify(data_file("blob.obj"), {"--max-cost", limit});
+    EXPECT_LE(result.report["max_cost"].get<double>(), std::stod(limit));
+    EXPECT_LT(n_faces(result), before) << "a greater limit leaves fewer faces; limit " << limit;
+    before = n_faces(result);
+  }
+}
+
+TEST(Simplify, LeavesAMeshAloneThatIsSmallEnough) {
+  const Simplified result = simplify(data_file("cubes.obj"), {"--faces", "300"});
+  EXPECT_EQ(result.report["contractions"], 0);
+  EXPECT_EQ(result.report["target"]["met"], true);
+  EXPECT_EQ(positions_of(result.mesh), positions_of(io::read_mesh(data_file("cubes.obj")).mesh));
+}
+
+TEST(Simplify, KeepsAClosedSurfaceClosed) {
+  for (const char* name : {"knot.ply", "blob.obj", "bracket.stl"}) {
+    const Simplified result = simplify(data_file(name), {"--ratio", "0.1"});
+    const auto& output = result.report["output"];
+    EXPECT_EQ(output["closed"], true) << name;
+    EXPECT_EQ(output["manifold"], true) << name;
+    EXPECT_EQ(output["components"], 1) << name;
+    EXPECT_EQ(output["genus"], std::string(name) == "blob.obj" ? 0 : 1) << name;
+    EXPECT_EQ(output["vanished_components"], 0) << name;
+  }
+}
+
+TEST(Simplify, PlacesVerticesAsAsked) {
+  const IndexedMesh input = io::read_mesh(data_file("blob.obj")).mesh;
+  const auto n_old = [before = positions_of(input)](const Simplified& result) {
+    std::size_t count = 0;
+    for (const auto& p : positions_of(result.mesh)) count += before.count(p);
+    return count;
+  };
+  const Simplified endpoint = simplify(data_file("blob.obj"), {"--faces", "500", "--placement", "endpoint"});
+  EXPECT_EQ(n_old(endpoint), n_vertices(endpoint));
+  const Simplified midpoint = simplify(data_file("blob.obj"), {"--faces", "500", "--placement", "midpoint"});
+  const Simplified optimal = simplify(data_file("blob.obj"), {"--faces", "500", "--placement", "optimal"});
+  EXPECT_LT(n_old(midpoint), n_vertices(midpoint) / 2);
+  EXPECT_LT(n_old(optimal), n_vertices(optimal) / 2);
+  EXPECT_NE(positions_of(midpoint.mesh), positions_of(optimal.mesh));
+}
+
+TEST(Simplify, WeighsFacesAsAsked) {
+  std::set<std::set<std::array<double, 3>>> results;
+  for (const char* weights : {"area", "uniform", "area-angle"}) {
+    const Simplified result = simplify(data_file("blob.obj"), {"--faces", "500", "--weights", weights});
+    EXPECT_EQ(result.report["options"]["weights"], weights);
+    results.insert(positions_of(result.mesh));
+  }
+  EXPECT_EQ(results.size(), 3U) << "each kind of weights gives another result";
+}
+
+/// The length of all edges with one face.
+double border_length(const IndexedMesh& mesh) {
+  std::set<std::pair<Index, Index>> directed;
+  for (const Triangle& face : mesh.faces) {
+    for (std::size_t c = 0; c < 3; ++c) directed.insert({face[c], face[(c + 1) % 3]});
+  }
+  double length = 0;
+  for (const auto& [from, to] : directed) {
+    if (directed.count({to, from}) == 0) length += (mesh.positions[to] - mesh.positions[from]).norm();
+  }
+  return length;
+}
+
+TEST(Simplify, TreatsBordersAsAsked) {
+  const IndexedMesh input = io::read_mesh(data_file("terrain.ply")).mesh;
+  const double before = border_length(input);
+  const std::vector<std::string> target{"--faces", "400"};
+  const auto with = [&target](std::vector<std::string> more) {
+    more.insert(more.begin(), target.begin(), target.end());
+    return simplify(data_file("terrain.ply"), more);
+  };
+  const Simplified locked = with({"--boundary", "locked"});
+  EXPECT_DOUBLE_EQ(border_length(locked.mesh), before);
+  const double weighted = border_length(with({"--boundary", "weighted"}).mesh);
+  const double free = border_length(with({"--boundary", "free"}).mesh);
+  EXPECT_LT(free, weighted);
+  EXPECT_LT(weighted, before);
+  const double held = border_length(with({"--boundary-weight", "1e6"}).mesh);
+  EXPECT_GT(held, weighted) << "held more firmly, a border keeps more of its length";
+}
+
+TEST(Simplify, RefusesToTurnFacesFurtherThanAsked) {
+  const auto flips = [](const char* degrees) {
+    return simplify(data_file("knot.ply"), {"--ratio", "0.05", "--max-normal-flip", degrees})
+        .report["rejections"]["flip"]
+        .get<std::size_t>();
+  };
+  EXPECT_GT(flips("10"), 10 * flips("75"));
+  EXPECT_GE(flips("75"), flips("180"));
+}
+
+TEST(Simplify, WeldsUnlessToldNotTo) {
+  EXPECT_EQ(simplify(data_file("bracket.stl"), {"--faces", "700"}).report["output"]["closed"], true);
+  const Simplified apart = simplify(data_file("bracket.stl"), {"--faces", "700", "--no-weld"});
+  EXPECT_EQ(apart.report["input"]["vertices"], 4428);
+  EXPECT_EQ(apart.report["options"]["weld"], false);
+  EXPECT_EQ(apart.report["target"]["met"], false) << "single triangles can't be contracted";
+}
+
+TEST(Simplify, GivesTheSameBytesForAnyNumberOfThreads) {
+  const TemporaryFolder folder;
+  for (const char* threads : {"1", "2", "7"}) {
+    const std::string out = folder / (std::string("out") + threads + ".ply");
+    EXPECT_EQ(whittle({"simplify", data_file("knot.ply"), "-o", out, "-r", "10%", "--threads", threads}).exit_code, 0);
+    EXPECT_EQ(read_text(out), read_text(folder / "out1.ply")) << threads << " threads";
+  }
+}
+
+TEST(Simplify, CarriesColours) {
+  const Simplified result = simplify(data_file("terrain.ply"), {"--ratio", "0.2"});
+  EXPECT_EQ(result.mesh.colors.size(), n_vertices(result));
+  EXPECT_EQ(result.report["warnings"].size(), 0U);
+}
+
+TEST(Simplify, NamesWhatItDoesNotCarry) {
+  const TemporaryFolder folder;
+  write_text(folder / "uv.obj",
+             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\nf 2/2 4/1 3/3\n");
+  const Outcome outcome =
+      whittle({"simplify", folder / "uv.obj", "-o", folder / "out.obj", "--faces", "2", "--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_NE(outcome.err.find("whittle: warning: " + folder / "uv.obj" + ": "), std::string::npos) << outcome;
+  EXPECT_NE(outcome.err.find("texture"), std::string::npos) << outcome;
+  EXPECT_EQ(parse_json(outcome.out)["warnings"].size(), 1U);
+}
+
+TEST(Simplify, WorksInOpenMeshToo) {
+  const Simplified flat = simplify(data_file("blob.obj"), {"--faces", "500"});
+  const Simplified openmesh = simplify(data_file("blob.obj"), {"--faces", "500", "--engine", "openmesh"});
+  EXPECT_EQ(n_faces(openmesh), 500U);
+  EXPECT_EQ(openmesh.report["options"]["engine"], "openmesh");
+  EXPECT_EQ(openmesh.report["output"]["closed"], true);
+  EXPECT_EQ(openmesh.report["contractions"], flat.report["contractions"]);
+  EXPECT_EQ(openmesh.report["rejections"]["link"], nullptr) << "OpenMesh doesn't say";
+  EXPECT_GE(openmesh.report["max_cost"], flat.report["max_cost"]) << "its order is less exact";
+
+  EXPECT_EQ(simplify(data_file("blob.obj"), {"--vertices", "300", "--engine", "openmesh"}).mesh.positions.size(), 300U);
+  const Simplified locked =
+      simplify(data_file("terrain.ply"), {"--faces", "1000", "--boundary", "locked", "--engine", "openmesh"});
+  EXPECT_DOUBLE_EQ(border_length(locked.mesh), border_length(io::read_mesh(data_file("terrain.ply")).mesh));
+  EXPECT_EQ(locked.report["warnings"].size(), 1U) << "colours are not carried there";
+}
+
+}  // namespace
+}  // namespace whittle::test
