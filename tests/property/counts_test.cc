@@ -70,8 +70,8 @@ INSTANTIATE_TEST_SUITE_P(Seeds, Counts,
                                          Case{"bunny.obj", {0.5, 0.3, 0.1, 0.01}, {}},
                                          Case{"ankylosaurus.obj", {0.5, 0.2, 0.01}, {}}, Case{"cow.off", {}, {295}},
                                          Case{"dragon_vrip.ply", {}, {144'106}}),
-                         [](const auto& info) {
-                           return info.param.name.substr(0, info.param.name.find_first_of("._"));
+                         [](const auto& test) {
+                           return test.param.name.substr(0, test.param.name.find_first_of("._"));
                          });
 
 TEST(Counts, DragonIsWhatItsWeldedFileHolds) {

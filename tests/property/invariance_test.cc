@@ -13,20 +13,20 @@
 namespace whittle::test {
 namespace {
 
-struct Run {
+struct Outcome {
   std::vector<std::array<Index, 2>> pairs;  ///< survivor, removed
   Decimation decimation;
   double mean_error_rel = 0;  ///< of the diagonal
 };
 
-Run run(const IndexedMesh& mesh) {
-  Run run;
+Outcome outcome_of(const IndexedMesh& mesh) {
+  Outcome outcome;
   DecimateOptions options;
-  options.listener = [&](const Contraction& c) { run.pairs.push_back({c.survivor, c.removed}); };
-  run.decimation = decimate(mesh, {.faces = mesh.faces.size() / 10}, options);
-  const metrics::SurfaceDistance distance = metrics::surface_distance(mesh, run.decimation.mesh);
-  run.mean_error_rel = distance.mean / distance.diagonal;
-  return run;
+  options.listener = [&](const Contraction& c) { outcome.pairs.push_back({c.survivor, c.removed}); };
+  outcome.decimation = decimate(mesh, {.faces = mesh.faces.size() / 10}, options);
+  const metrics::SurfaceDistance distance = metrics::surface_distance(mesh, outcome.decimation.mesh);
+  outcome.mean_error_rel = distance.mean / distance.diagonal;
+  return outcome;
 }
 
 class BunnyInvariance : public testing::Test {
@@ -34,11 +34,11 @@ class BunnyInvariance : public testing::Test {
   void SetUp() override {
     WHITTLE_REAL_MESH_OR_SKIP(path, "bunny.obj");
     mesh_ = io::read_mesh(path).mesh;
-    here_ = run(mesh_);
+    here_ = outcome_of(mesh_);
     std::cout << "as it is: " << here_.decimation.result.n_faces << " faces, mean error " << here_.mean_error_rel
               << " of the diagonal\n";
   }
-  void expect_near(const std::string& what, const Run& there, double tolerance) const {
+  void expect_near(const std::string& what, const Outcome& there, double tolerance) const {
     std::cout << what << ": " << there.decimation.result.n_faces << " faces, mean error " << there.mean_error_rel
               << "\n";
     EXPECT_EQ(there.decimation.result.n_faces, here_.decimation.result.n_faces) << what;
@@ -46,12 +46,12 @@ class BunnyInvariance : public testing::Test {
   }
 
   IndexedMesh mesh_;
-  Run here_;
+  Outcome here_;
 };
 
 TEST_F(BunnyInvariance, PowersOfTwoGiveTheSameBits) {
   for (const double factor : {1024.0, 1.0 / 1024}) {
-    const Run there = run(scaled(mesh_, factor));
+    const Outcome there = outcome_of(scaled(mesh_, factor));
     EXPECT_EQ(there.pairs, here_.pairs);
     const auto& positions = there.decimation.mesh.positions;
     for (std::size_t v = 0; v < positions.size(); ++v) {
@@ -61,17 +61,17 @@ TEST_F(BunnyInvariance, PowersOfTwoGiveTheSameBits) {
 }
 
 TEST_F(BunnyInvariance, PowersOfTenGiveTheSameErrorWithinHalfAPercent) {
-  expect_near("x 1000", run(scaled(mesh_, 1000)), 0.005);
-  expect_near("/ 1000", run(scaled(mesh_, 0.001)), 0.005);
+  expect_near("x 1000", outcome_of(scaled(mesh_, 1000)), 0.005);
+  expect_near("/ 1000", outcome_of(scaled(mesh_, 0.001)), 0.005);
 }
 
 TEST_F(BunnyInvariance, TurnsGiveTheSameErrorWithinHalfAPercent) {
-  for (const std::uint64_t seed : {1U, 2U}) expect_near("turned", run(rotated(mesh_, seed)), 0.005);
+  for (const std::uint64_t seed : {1U, 2U}) expect_near("turned", outcome_of(rotated(mesh_, seed)), 0.005);
 }
 
 TEST_F(BunnyInvariance, AMillionDiagonalsAwayTheErrorIsWithinFivePercent) {
   const double distance = 1e6 * diagonal(mesh_);
-  expect_near("far away", run(moved(mesh_, Vec3(distance, -distance, distance))), 0.05);
+  expect_near("far away", outcome_of(moved(mesh_, Vec3(distance, -distance, distance))), 0.05);
 }
 
 }  // namespace

@@ -118,8 +118,8 @@ TEST_P(ContractionOrder, IsThatOfBruteForce) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, ContractionOrder, testing::ValuesIn(all_shapes()), [](const auto& info) {
-  std::string name = info.param.name;
+INSTANTIATE_TEST_SUITE_P(Shapes, ContractionOrder, testing::ValuesIn(all_shapes()), [](const auto& test) {
+  std::string name = test.param.name;
   std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
   return name;
 });
