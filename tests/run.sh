@@ -11,7 +11,10 @@ jobs=$(nproc)
 configure() { quietly "$logs/configure-$1.log" cmake --preset "$1" "${@:2}"; }
 build() { quietly "$logs/build-$1.log" cmake --build "build/$1" --parallel "$jobs"; }
 
-test_quietly() { quietly "$logs/test-$1.log" ctest --test-dir "build/$1" --output-on-failure --parallel "$jobs"; }
+# Without the comparison with OpenMesh, whose decimater takes minutes on the dragon when it is not optimised.
+test_quietly() {
+  quietly "$logs/test-$1.log" ctest --test-dir "build/$1" --output-on-failure --parallel "$jobs" -E '^Accuracy\.'
+}
 
 check_format() {
   git ls-files -z '*.hh' '*.cc' | xargs -0 clang-format-14 --dry-run -Werror
