@@ -34,8 +34,8 @@ TEST(Accuracy, BeatsModQuadricByMoreThanAQuarter) {
       const double speed =
           stock.at("seconds").at("decimate").get<double>() / ours.at("seconds").at("decimate").get<double>();
       std::cout << "  " << std::left << std::setw(20) << name << std::right << std::setw(5) << share << std::setw(8)
-                << ours.at("faces") << " /" << std::setw(6) << stock.at("faces") << " faces, mean error "
-                << std::setprecision(3) << ratio << ", " << speed << " x\n";
+                << ours.at("faces").get<int>() << " /" << std::setw(6) << stock.at("faces").get<int>()
+                << " faces, mean error " << std::setprecision(3) << ratio << ", " << speed << " x\n";
       EXPECT_LE(ours.at("faces"), target);
       EXPECT_LE(ratio, name == "cow.off" && share == 0.01 ? 1.0 : 0.80) << name << " " << share;
       sum_of_logs += std::log(ratio);
