@@ -68,7 +68,7 @@ class ContractionLoop {
   std::optional<StopReason> take_turn(const Candidate& candidate);
   Refusal find_refusal(Index a, Index b, const Vec3& position);
   bool turns_a_face(const std::vector<PairStar::Wing>& wings, const Vec3& from, const Vec3& to) const;
-  void contract(Index survivor, Index removed, const PairEvaluation& evaluation);
+  void contract(Index a, Index b, const PairEvaluation& evaluation);
 
   void note_raised(Index pair, Index a, Index b, const PairEvaluation& evaluation) {
     if (evaluation.cost > evaluation.bound || is_raised_[pair]) add_raised(pair, a, b, evaluation.cost);

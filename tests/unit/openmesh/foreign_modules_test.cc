@@ -116,7 +116,7 @@ class BruteForce : public BaseDecimaterT<Mesh> {
 struct ForeignCase {
   std::string name;
   Modules modules;
-  friend void PrintTo(const ForeignCase& c, std::ostream* out) { *out << c.name; }
+  friend std::ostream& operator<<(std::ostream& out, const ForeignCase& c) { return out << c.name; }
 };
 
 std::vector<ForeignCase> foreign_cases() {
