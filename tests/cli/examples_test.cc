@@ -2,7 +2,7 @@
 // meshes of data/ in it. What is printed there is what the program prints, but for times and memory.
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <regex>
 #include <string>
@@ -21,23 +21,47 @@ struct Example {
   std::string command;
   std::vector<std::string> printed;
 };
+using Block = std::vector<Example>;
 
-std::vector<std::vector<Example>> blocks_of(const std::string& page) {
-  std::vector<std::vector<Example>> blocks;
+/// A page, cut at its blocks of examples: text, block, text, …, text.
+struct Page {
+  std::vector<std::string> texts{1};
+  std::vector<Block> blocks;
+};
+
+Page page_of(const std::string& content) {
+  Page page;
   bool inside = false;
-  for (const std::string& line : lines_of(page)) {
+  for (const std::string& line : lines_of(content)) {
+    if (inside && line == "```") {
+      inside = false;
+      page.texts.emplace_back();
+    }
+    if (!inside) {
+      page.texts.back() += line + '\n';
+    } else if (line.rfind("$ ", 0) == 0) {
+      page.blocks.back().push_back({line.substr(2), {}});
+    } else {
+      page.blocks.back().back().printed.push_back(line);
+    }
     if (line == "```console") {
       inside = true;
-      blocks.emplace_back();
-    } else if (line == "```") {
-      inside = false;
-    } else if (inside && line.rfind("$ ", 0) == 0) {
-      blocks.back().push_back({line.substr(2), {}});
-    } else if (inside) {
-      blocks.back().back().printed.push_back(line);
+      page.blocks.emplace_back();
     }
   }
-  return blocks;
+  return page;
+}
+
+std::string content_of(const Page& page) {
+  std::string content = page.texts[0];
+  for (std::size_t i = 0; i < page.blocks.size(); ++i) {
+    for (const Example& example : page.blocks[i]) {
+      content += "$ " + example.command + '\n';
+      for (const std::string& line : example.printed) content += line + '\n';
+    }
+    content += page.texts[i + 1];
+  }
+  return content;
 }
 
 /// A line without what differs from run to run; columns of tables move with the width of the times in them.
@@ -54,7 +78,8 @@ std::vector<std::string> steady(std::vector<std::string> lines) {
   return lines;
 }
 
-void run_block(const std::vector<Example>& block) {
+/// What the commands of a block print, run one after the other in a new folder.
+std::vector<std::vector<std::string>> printed_by(const Block& block) {
   const TemporaryFolder folder;
   for (const auto& entry : fs::directory_iterator(fs::path(data_file("knot.ply")).parent_path())) {
     if (entry.is_regular_file()) fs::copy_file(entry.path(), folder.path() / entry.path().filename());
@@ -62,11 +87,11 @@ void run_block(const std::vector<Example>& block) {
   RunOptions options;
   options.folder = folder.path();
   std::string script;
-  for (const Example& example : block)
+  for (const Example& example : block) {
     script += "{ " + example.command + "\n} 2>&1; status=$?; echo \"==$status==\"; (exit $status)\n";
+  }
   const Outcome outcome = run({"bash", "-c", script}, options);
   EXPECT_EQ(outcome.err, "");
-
   std::vector<std::vector<std::string>> printed(1);
   for (const std::string& line : lines_of(outcome.out)) {
     if (std::regex_match(line, std::regex("==[0-9]+=="))) {
@@ -75,20 +100,35 @@ void run_block(const std::vector<Example>& block) {
       printed.back().push_back(line);
     }
   }
-  ASSERT_EQ(printed.size(), block.size() + 1) << outcome;
-  for (std::size_t i = 0; i < block.size(); ++i) {
-    EXPECT_EQ(steady(printed[i]), steady(block[i].printed)) << "$ " << block[i].command;
+  EXPECT_EQ(printed.size(), block.size() + 1) << outcome;
+  printed.resize(block.size());
+  return printed;
+}
+
+/// Runs all examples of a page. With WHITTLE_UPDATE_DOCS in the environment, writes what they print into the page.
+/// \return the number of commands.
+std::size_t check(const fs::path& path) {
+  std::size_t n_commands = 0;
+  Page page = page_of(read_text(path));
+  EXPECT_EQ(content_of(page), read_text(path));
+  for (Block& block : page.blocks) {
+    const auto printed = printed_by(block);
+    for (std::size_t i = 0; i < block.size(); ++i, ++n_commands) {
+      if (steady(printed[i]) == steady(block[i].printed)) continue;
+      EXPECT_EQ(steady(printed[i]), steady(block[i].printed))
+          << "$ " << block[i].command << "\nWHITTLE_UPDATE_DOCS=1 writes what it prints into " << path;
+      block[i].printed = printed[i];
+    }
   }
+  if (std::getenv("WHITTLE_UPDATE_DOCS") != nullptr) write_text(path, content_of(page));
+  return n_commands;
 }
 
 TEST(Examples, PrintWhatTheDocumentationSays) {
   std::size_t n_commands = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(WHITTLE_DOCS_DIR) / "user")) {
     SCOPED_TRACE(entry.path().filename().string());
-    for (const std::vector<Example>& block : blocks_of(read_text(entry.path()))) {
-      run_block(block);
-      n_commands += block.size();
-    }
+    n_commands += check(entry.path());
   }
   EXPECT_GE(n_commands, 10U);
 }
@@ -96,7 +136,7 @@ TEST(Examples, PrintWhatTheDocumentationSays) {
 TEST(Examples, AreThereForEverySubcommand) {
   for (const std::string sub : {"simplify", "measure", "info", "compare"}) {
     std::size_t n_calls = 0;
-    for (const auto& block : blocks_of(read_text(fs::path(WHITTLE_DOCS_DIR) / "user" / (sub + ".md")))) {
+    for (const Block& block : page_of(read_text(fs::path(WHITTLE_DOCS_DIR) / "user" / (sub + ".md"))).blocks) {
       for (const Example& example : block) n_calls += example.command.find("whittle " + sub) != std::string::npos;
     }
     EXPECT_GE(n_calls, 2U) << sub;
