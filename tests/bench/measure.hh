@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "peer.hh"
+
+namespace whittle::bench {
+
+enum class Clock { wall, cpu };
+
+/// What a peer did in a process of its own, which is forked for it: what it takes from the system is its own, and
+/// nobody else falls with it.
+struct FirstRun {
+  std::optional<IndexedMesh> answer;
+  double ms = 0;                            ///< on cold memory; 0 without an answer
+  std::optional<std::uint64_t> peak_bytes;  ///< see `Meter`
+  std::string failure;                      ///< why there is no answer
+};
+/// \param limit_s seconds after which the process is ended, everything it does counted
+FirstRun first_run(const Peer& peer, const IndexedMesh& input, std::size_t n_faces, Clock clock, double limit_s);
+
+/// Milliseconds of each peer in each round: all peers once, one after the other, in this process. One more round comes
+/// first and doesn't count.
+/// \return a row a peer, a number a round
+std::vector<std::vector<double>> time_interleaved(const std::vector<const Peer*>& peers, const IndexedMesh& input,
+                                                  std::size_t n_faces, Clock clock, int rounds);
+
+struct Spread {
+  double min = 0;
+  double median = 0;
+  double max = 0;
+};
+/// \pre at least one value
+Spread spread_of(std::vector<double> values);
+
+/// Median of a[i] / b[i], round by round; the quotient of the medians where one of them was timed in fewer rounds.
+/// \pre both have at least one value
+double median_ratio(const std::vector<double>& a, const std::vector<double>& b);
+
+}  // namespace whittle::bench

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meter.hh"
+#include "whittle/engine/indexed_mesh.hh"
+
+namespace whittle::bench {
+
+/// A decimater that is measured: ours, or somebody else's.
+class Peer {
+ public:
+  Peer() = default;
+  virtual ~Peer() = default;
+  Peer(const Peer&) = delete;
+  Peer& operator=(const Peer&) = delete;
+
+  /// Decimates until at most `n_faces` faces are left, by the peer's own defaults otherwise.
+  /// \param meter is started when the input is in the form that the peer takes, and stopped when the result is in the
+  ///        form that it gives
+  /// \throw std::runtime_error if the peer can't hold the mesh
+  virtual IndexedMesh decimate(const IndexedMesh& input, std::size_t n_faces, Meter& meter) const = 0;
+
+  /// Name of the peer whose answer this one's must equal in every byte; empty = none.
+  virtual std::string twin() const { return {}; }
+  /// Whether a wrong answer is a fault of Whittle's.
+  virtual bool is_ours() const { return false; }
+};
+
+/// The names `make_peer` knows, in the order of the table: those that were asked for when the benchmark was built.
+/// "whittle:N" is whittle on N threads.
+std::vector<std::string> peer_names();
+/// \throw std::invalid_argument for a name that isn't among them
+std::unique_ptr<Peer> make_peer(std::string_view name);
+
+// One file each.
+std::unique_ptr<Peer> make_whittle(unsigned threads);
+std::unique_ptr<Peer> make_meshoptimizer();
+std::unique_ptr<Peer> make_openmesh();
+
+}  // namespace whittle::bench
