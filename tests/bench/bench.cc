@@ -165,7 +165,10 @@ void set_up(CLI::App& app, Options& options) {
       ->type_name("N")
       ->capture_default_str();
   app.add_flag("--cpu-time", options.cpu_time, "processor time (of all threads together) instead of wall-clock time");
-  app.add_option("--csv", options.csv, "where the rows are saved")->type_name("FILE")->capture_default_str();
+  app.add_option("--csv", options.csv, "where the rows are saved")
+      ->type_name("FILE")
+      ->take_last()
+      ->capture_default_str();
   app.add_option("--commit", options.commit, "of the sources, for the rows")->type_name("ID");
 }
 

@@ -38,9 +38,14 @@ std::vector<std::string> peer_names();
 /// \throw std::invalid_argument for a name that isn't among them
 std::unique_ptr<Peer> make_peer(std::string_view name);
 
-// One file each.
+// A file each; both of CGAL in one.
 std::unique_ptr<Peer> make_whittle(unsigned threads);
 std::unique_ptr<Peer> make_meshoptimizer();
 std::unique_ptr<Peer> make_openmesh();
+std::unique_ptr<Peer> make_pair_decimater();
+std::unique_ptr<Peer> make_cgal_lindstrom_turk();
+std::unique_ptr<Peer> make_cgal_garland_heckbert();
+std::unique_ptr<Peer> make_vtk();
+std::unique_ptr<Peer> make_open3d();
 
 }  // namespace whittle::bench

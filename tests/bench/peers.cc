@@ -16,8 +16,17 @@ const std::vector<std::pair<std::string, Factory>>& factories() {
 #ifdef WHITTLE_BENCH_HAS_MESHOPTIMIZER
       {"meshoptimizer", make_meshoptimizer},
 #endif
-#ifdef WHITTLE_BENCH_HAS_OPENMESH
       {"openmesh", make_openmesh},
+      {"pair-decimater", make_pair_decimater},
+#ifdef WHITTLE_BENCH_HAS_CGAL
+      {"cgal-lindstrom-turk", make_cgal_lindstrom_turk},
+      {"cgal-garland-heckbert", make_cgal_garland_heckbert},
+#endif
+#ifdef WHITTLE_BENCH_HAS_VTK
+      {"vtk", make_vtk},
+#endif
+#ifdef WHITTLE_BENCH_HAS_OPEN3D
+      {"open3d", make_open3d},
 #endif
   };
   return all;
