@@ -10,6 +10,7 @@
 #include "peer.hh"
 #include "report.hh"
 #include "run_case.hh"
+#include "statistics.hh"
 #include "support/meshes.hh"
 
 // Whittle's engine beside other decimaters, on the same arrays, in one process. run.sh builds and calls it.

@@ -6,11 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "clock.hh"
 #include "peer.hh"
 
 namespace whittle::bench {
-
-enum class Clock { wall, cpu };
 
 /// What a peer did in a process of its own, which is forked for it: what it takes from the system is its own, and
 /// nobody else falls with it.
@@ -28,17 +27,5 @@ FirstRun first_run(const Peer& peer, const IndexedMesh& input, std::size_t n_fac
 /// \return a row a peer, a number a round
 std::vector<std::vector<double>> time_interleaved(const std::vector<const Peer*>& peers, const IndexedMesh& input,
                                                   std::size_t n_faces, Clock clock, int rounds);
-
-struct Spread {
-  double min = 0;
-  double median = 0;
-  double max = 0;
-};
-/// \pre at least one value
-Spread spread_of(std::vector<double> values);
-
-/// Median of a[i] / b[i], round by round; the quotient of the medians where one of them was timed in fewer rounds.
-/// \pre both have at least one value
-double median_ratio(const std::vector<double>& a, const std::vector<double>& b);
 
 }  // namespace whittle::bench

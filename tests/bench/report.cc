@@ -1,47 +1,17 @@
 #include "report.hh"
 
-#include <array>
-#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
+#include "csv.hh"
+#include "statistics.hh"
 #include "table.hh"
 
 namespace whittle::bench {
 namespace {
 
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-  std::array<char, 64> text{};
-  const int size = std::snprintf(text.data(), text.size(), format, values...);
-  return {text.data(), static_cast<std::size_t>(size)};
-}
-
 /// Tenths where they say something.
 std::string ms_text(double ms) { return formatted(ms < 100 ? "%.1f" : "%.0f", ms); }
-
-std::string text_or_dash(const std::optional<double>& value, const char* format) {
-  return value ? formatted(format, *value) : "-";
-}
-
-/// Quoted where it has to be.
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
-std::string csv_number(const std::optional<double>& value) { return value ? formatted("%.6g", *value) : ""; }
-
-std::string csv_line(const std::vector<std::string>& cells) {
-  std::string line;
-  for (const std::string& cell : cells) {
-    if (!line.empty()) line += ',';
-    line += csv_cell(cell);
-  }
-  return line + '\n';
-}
 
 /// Adds min, median and max, or `none` three times.
 template <class ToText>
@@ -100,7 +70,7 @@ void CsvFile::add(const Row& row) {
   cells.push_back(row.answer ? std::to_string(answer.n_faces) : "");
   add_spread(cells, row.ms, "", [](double ms) { return csv_number(ms); });
   cells.push_back(std::to_string(row.ms.size()));
-  cells.push_back(setting_.clock == Clock::wall ? "wall" : "cpu");
+  cells.push_back(to_string(setting_.clock));
   for (const auto& value : {row.ratio_to_meshoptimizer, row.ratio_to_whittle, row.peak_bytes_per_face,
                             answer.mean_error_rel, answer.max_error_rel})
     cells.push_back(csv_number(value));

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "answer.hh"
-#include "measure.hh"
+#include "clock.hh"
 
 namespace whittle::bench {
 

@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# Times Whittle beside other decimaters: installs the Debian packages of those that are asked for (--peers), builds them
-# and ours, and runs them on the same meshes. Options are those of whittle_bench (--help tells them). Without --mesh and
-# --case it is the dragon, the bunny where it is to be had, and all made meshes. Rows are saved in build/bench/results.csv.
+# Times Whittle beside other decimaters, on the same meshes, and installs and builds what that takes:
+#   run.sh [OPTION]...             the engine beside the libraries of --peers; options are those of whittle_bench
+#   run.sh --programs [OPTION]...  `whittle simplify` beside other programs; options are those of whittle_bench_programs
+# Without --mesh (and --case) it is the dragon; in the first form also the bunny, where it is to be had, and all made
+# meshes. --help after either tells the options. Rows are saved in build/bench/results.csv and programs.csv.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source apps/packages.sh
@@ -9,9 +11,30 @@ source apps/dragon.sh
 
 work=build/bench
 logs=$work/logs
+bin=$work/tests/bench
 peers=whittle,whittle:2,whittle:3,whittle:8,meshoptimizer,openmesh,pair-decimater
-meshes_are_chosen=false
+measures_programs=false
+mesh_is_chosen=false
 arguments=()
+
+while [ $# -gt 0 ]; do
+  case $1 in
+    --programs) measures_programs=true ;;
+    --peers)
+      peers=${2:?--peers needs a list}
+      shift
+      ;;
+    --peers=*) peers=${1#*=} ;;
+    --mesh | --case | --mesh=* | --case=*)
+      mesh_is_chosen=true
+      arguments+=("$1")
+      ;;
+    *) arguments+=("$1") ;;
+  esac
+  shift
+done
+commit=$(git describe --always --dirty 2>/dev/null || echo unknown)
+arguments+=(--commit "$commit")
 
 # what_it_takes PEER: the name it has for CMake and its Debian package; nothing for what the project has anyway.
 what_it_takes() {
@@ -26,49 +49,69 @@ what_it_takes() {
   esac
 }
 
-while [ $# -gt 0 ]; do
-  case $1 in
-    --peers)
-      peers=${2:?--peers needs a list}
-      shift
-      ;;
-    --peers=*) peers=${1#*=} ;;
-    --mesh | --case | --mesh=* | --case=*)
-      meshes_are_chosen=true
-      arguments+=("$1")
-      ;;
-    *) arguments+=("$1") ;;
-  esac
+# build_with PEERS TARGET...: PEERS as CMake has them, separated by semicolons.
+build_with() {
+  local built=$1
   shift
-done
+  say "Building (preset release, into $work)"
+  quietly "$logs/configure.log" cmake --preset release -B "$work" "-DWHITTLE_BENCH_PEERS=$built"
+  quietly "$logs/build.log" cmake --build "$work" --parallel "$(nproc)" --target "$@"
+}
 
-packages=()
-built=()
-for peer in ${peers//,/ }; do
-  needed=$(what_it_takes "$peer") || exit 1
-  [ -n "$needed" ] || continue
-  built+=("${needed% *}")
-  packages+=("${needed#* }")
-done
-install_packages "$logs/packages.log" "${build_packages[@]}" "${packages[@]}"
-
-say "Building (preset release, into $work)"
-configure=(cmake --preset release -B "$work" "-DWHITTLE_BENCH_PEERS=$(IFS=';' && echo "${built[*]}")")
-quietly "$logs/configure.log" "${configure[@]}"
-quietly "$logs/build.log" cmake --build "$work" --parallel "$(nproc)" --target whittle_bench
-
-if ! $meshes_are_chosen; then
-  arguments+=(--case all)
+choose_dragon() {
   if get_dragon build/demo; then
     arguments+=(--mesh build/demo/dragon_vrip.ply)
   else
     say "The dragon is not to be had (logs in build/demo): going without"
+    return 1
   fi
-  bunny=../shared/data/meshes/bunny.obj
-  [ ! -f "$bunny" ] || arguments+=(--mesh "$bunny")
-fi
+}
 
-commit=$(git describe --always --dirty 2>/dev/null || echo unknown)
-say "Measuring; the rows go to $work/results.csv"
-# Peers that could work on several threads are measured on one, as ours is.
-OMP_NUM_THREADS=1 "$work/tests/bench/whittle_bench" --peers "$peers" --csv "$work/results.csv" --commit "$commit" "${arguments[@]}"
+choose_meshes() {
+  local bunny=../shared/data/meshes/bunny.obj
+  arguments+=(--case all)
+  choose_dragon || true
+  [ ! -f "$bunny" ] || arguments+=(--mesh "$bunny")
+}
+
+measure_engine() {
+  local peer needed
+  local -a packages=() built=()
+  for peer in ${peers//,/ }; do
+    needed=$(what_it_takes "$peer") || exit 1
+    [ -n "$needed" ] || continue
+    built+=("${needed% *}")
+    packages+=("${needed#* }")
+  done
+  install_packages "$logs/packages.log" "${build_packages[@]}" "${packages[@]}"
+  build_with "$(IFS=';' && echo "${built[*]}")" whittle_bench
+  $mesh_is_chosen || choose_meshes
+  say "Measuring; the rows go to $work/results.csv"
+  # Peers that could work on several threads are measured on one, as ours is.
+  OMP_NUM_THREADS=1 "$bin/whittle_bench" --peers "$peers" --csv "$work/results.csv" "${arguments[@]}"
+}
+
+# gltfpack comes as an npm package (1 MB).
+get_gltfpack() {
+  [ ! -x "$work/npm/node_modules/.bin/gltfpack" ] || return 0
+  if ! command -v npm >/dev/null; then
+    (install_packages "$logs/npm-packages.log" npm ca-certificates) || return 1
+  fi
+  npm install --prefix "$work/npm" --fetch-retries=1 gltfpack@1.3.0 </dev/null >"$logs/npm.log" 2>&1
+}
+
+measure_programs() {
+  install_packages "$logs/packages.log" "${build_packages[@]}" libmeshoptimizer-dev libopenmesh-apps
+  build_with meshoptimizer whittle whittle_bench_programs meshoptimizer_obj
+  if get_gltfpack; then
+    arguments+=(--gltfpack "$work/npm/node_modules/.bin/gltfpack")
+  else
+    say "gltfpack is not to be had (log in $logs): going without"
+  fi
+  if ! $mesh_is_chosen && ! choose_dragon; then arguments+=(--mesh data/knot.ply); fi
+  say "Measuring; the rows go to $work/programs.csv"
+  "$bin/whittle_bench_programs" --whittle "$work/bin/whittle" --openmesh OpenMesh-commandlineDecimater \
+    --meshoptimizer "$bin/meshoptimizer_obj" --folder "$work/programs" --csv "$work/programs.csv" "${arguments[@]}"
+}
+
+if $measures_programs; then measure_programs; else measure_engine; fi

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "answer.hh"
+#include "statistics.hh"
 
 namespace whittle::bench {
 namespace {
