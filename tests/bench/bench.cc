@@ -6,12 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "csv.hh"
 #include "meshes.hh"
 #include "peer.hh"
+#include "plots.hh"
 #include "report.hh"
 #include "run_case.hh"
 #include "statistics.hh"
 #include "support/meshes.hh"
+#include "table.hh"
 
 // Whittle's engine beside other decimaters, on the same arrays, in one process. run.sh builds and calls it.
 
@@ -29,6 +32,7 @@ struct Options {
   bool cpu_time = false;
   RunOptions run;
   std::string csv = "bench.csv";
+  std::string plots;  ///< folder; empty = none
   std::string commit = "unknown";
 };
 
@@ -83,20 +87,30 @@ std::vector<NamedPeer> chosen_peers(const Options& options) {
   return peers;
 }
 
+/// Whether both rows are of one peer, on the smaller and the larger of the spheres, at the same share of faces.
+bool shows_growth(const Row& small, const Row& large) {
+  if (small.peer != large.peer || small.mesh != "sphere-70k" || large.mesh != "sphere-1394k") return false;
+  const auto share = [](const Row& row) {
+    return static_cast<double>(row.n_wanted) / static_cast<double>(row.n_faces);
+  };
+  return !small.ms.empty() && !large.ms.empty() && std::abs(share(small) / share(large) - 1) < 0.01;
+}
+
 /// How the time of each peer grows between the two spheres, as the exponent of the number of faces.
 std::string growth_text(const std::vector<Row>& rows) {
-  std::string text;
+  app::Table table;
+  table.add({"growth from sphere-70k to sphere-1394k", "exponent"});
+  bool is_known = false;
   for (const Row& small : rows) {
     for (const Row& large : rows) {
-      const bool is_pair = small.mesh == "sphere-70k" && large.mesh == "sphere-1394k" && small.peer == large.peer;
-      if (!is_pair || small.ms.empty() || large.ms.empty()) continue;
+      if (!shows_growth(small, large)) continue;
       const double times = spread_of(large.ms).median / spread_of(small.ms).median;
       const double faces = static_cast<double>(large.n_faces) / static_cast<double>(small.n_faces);
-      if (static_cast<double>(small.n_wanted) / static_cast<double>(large.n_wanted) * faces < 0.99) continue;
-      text += "  " + small.peer + ": " + std::to_string(std::log(times) / std::log(faces)) + '\n';
+      table.add({small.peer, formatted("%.3f", std::log(times) / std::log(faces))});
+      is_known = true;
     }
   }
-  return text.empty() ? text : "Growth from sphere-70k to sphere-1394k, exponent:\n" + text;
+  return is_known ? table.text() : "";
 }
 
 /// Whether one of ours gave a wrong answer.
@@ -124,6 +138,9 @@ int run(const Options& options) {
     }
   }
   std::cout << growth_text(all_rows);
+  if (!options.plots.empty())
+    for (const auto& file : write_plots(options.plots, all_rows, options.run.clock))
+      std::cout << "drawn: " << file.string() << '\n';
   if (!is_right) std::cerr << "error: an answer of Whittle's is wrong, see above\n";
   return is_right ? 0 : 1;
 }
@@ -170,6 +187,8 @@ void set_up(CLI::App& app, Options& options) {
       ->type_name("FILE")
       ->take_last()
       ->capture_default_str();
+  app.add_option("--plot", options.plots, "draws time and error against faces, as SVG files in FOLDER")
+      ->type_name("FOLDER");
   app.add_option("--commit", options.commit, "of the sources, for the rows")->type_name("ID");
 }
 

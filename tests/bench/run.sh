@@ -3,7 +3,8 @@
 #   run.sh [OPTION]...             the engine beside the libraries of --peers; options are those of whittle_bench
 #   run.sh --programs [OPTION]...  `whittle simplify` beside other programs; options are those of whittle_bench_programs
 # Without --mesh (and --case) it is the dragon; in the first form also the bunny, where it is to be had, and all made
-# meshes. --help after either tells the options. Rows are saved in build/bench/results.csv and programs.csv.
+# meshes. --help after either tells the options. Rows are saved in build/bench/results.csv and programs.csv; --plot, here
+# without a folder, draws the former in build/bench/plots.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source apps/packages.sh
@@ -24,6 +25,7 @@ while [ $# -gt 0 ]; do
       peers=${2:?--peers needs a list}
       shift
       ;;
+    --plot) arguments+=(--plot "$work/plots") ;;
     --peers=*) peers=${1#*=} ;;
     --mesh | --case | --mesh=* | --case=*)
       mesh_is_chosen=true
