@@ -103,7 +103,9 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
     SymmetricMatrix& sum = quadrics_[v].a;
     for (const Triangle& f : faces_) {
       if (!has(f, v)) continue;
-      sum += face_quadrics({positions_[f[0]], positions_[f[1]], positions_[f[2]]}, options_.quadric)[corner_of(f, v)];
+      const std::size_t corner = corner_of(f, v);
+      sum += corner_quadric(positions_[v], positions_[f[(corner + 1) % 3]], positions_[f[(corner + 2) % 3]],
+                            options_.quadric);
     }
     for (const Triangle& f : faces_) {
       if (!has(f, v)) continue;
@@ -132,9 +134,8 @@ std::vector<BruteForceDecimater::Choice> BruteForceDecimater::choices() const {
   for (const auto& [ends, count] : count_edge_faces(faces_)) {
     const auto [a, b] = ends;
     const Pinned pinned = is_locked(a) ? Pinned::first : is_locked(b) ? Pinned::second : Pinned::none;
-    const PairEvaluation e =
-        evaluate_pair(quadrics_[a], positions_[a], quadrics_[b], positions_[b], options_.quadric.placement, pinned);
-    choices.push_back({e.cost, a, b, e.position});
+    const PairEvaluation e = evaluate_pair(placed(a), placed(b), options_.quadric.placement, pinned);
+    choices.push_back({e.cost, a, b, e.position, e.is_minimum});
   }
   std::ranges::sort(choices, [](const Choice& a, const Choice& b) {
     return std::tie(a.cost, a.low, a.high) < std::tie(b.cost, b.low, b.high);
@@ -189,8 +190,7 @@ bool BruteForceDecimater::keeps_normals(Index v, Index other, const Vec3& to) co
 }
 
 void BruteForceDecimater::contract(const Choice& choice, Index survivor, Index removed) {
-  quadrics_[survivor] = merged_quadric(quadrics_[choice.low], positions_[choice.low], quadrics_[choice.high],
-                                       positions_[choice.high], choice.position);
+  quadrics_[survivor] = merged(placed(choice.low), placed(choice.high), choice.position, choice.is_minimum).quadric;
   positions_[survivor] = choice.position;
   std::erase_if(faces_, [&](const Triangle& f) { return has(f, choice.low) && has(f, choice.high); });
   for (Triangle& f : faces_) std::ranges::replace(f, removed, survivor);

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <vector>
-#include <whittle/engine/decimate.hh>
-#include <whittle/engine/frame.hh>
+#include "whittle/engine/decimate.hh"
+#include "whittle/engine/frame.hh"
+#include "whittle/engine/pair_evaluation.hh"
 
 namespace whittle::test {
 
@@ -10,7 +11,7 @@ namespace whittle::test {
 /// evaluated, and the least (cost, lower, higher vertex number) that is allowed is contracted. No queue, no bounds, no
 /// memory of refusals; the topology is looked at through the definition of links. Takes O(F²) or worse.
 ///
-/// Shares with the engine the arithmetic of one pair (`evaluate_pair`, `merged_quadric`) and the frame, nothing else.
+/// Shares with the engine the arithmetic of one pair (`evaluate_pair`, `merged`) and the frame, nothing else.
 class BruteForceDecimater {
  public:
   BruteForceDecimater(const IndexedMesh& mesh, const DecimateOptions& options);
@@ -26,7 +27,9 @@ class BruteForceDecimater {
     double cost;
     Index low, high;
     Vec3 position;
+    bool is_minimum;
   };
+  PlacedQuadric placed(Index v) const { return {positions_[v], quadrics_[v]}; }
   std::vector<Choice> choices() const;
   bool keeps_topology(Index a, Index b) const;
   bool keeps_normals(Index v, Index other, const Vec3& to) const;

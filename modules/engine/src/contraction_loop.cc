@@ -14,10 +14,8 @@ constexpr std::uint64_t progress_interval = 2048;
 
 }  // namespace
 
-ContractionLoop::ContractionLoop(TriangleComplex& complex, std::vector<Quadric> quadrics,
-                                 const DecimateOptions& options, LoopSettings settings)
+ContractionLoop::ContractionLoop(TriangleComplex& complex, const DecimateOptions& options, LoopSettings settings)
     : complex_(complex),
-      quadrics_(std::move(quadrics)),
       options_(options),
       settings_(std::move(settings)),
       flip_limit_(options.max_normal_flip_deg),
@@ -69,24 +67,52 @@ bool ContractionLoop::report_progress() const {
 
 void ContractionLoop::fill_queue() {
   const std::size_t n_pairs = complex_.n_edge_slots();
-  queue_.reserve(n_pairs);
-  struct Place {
-    BucketQueue::Bucket bucket;
-    bool is_raised;
+  std::vector<BucketQueue::Bucket> buckets(n_pairs);
+  std::vector<std::uint8_t> is_raised(n_pairs);
+  const auto initial_pair = [&](std::size_t pair) {
+    const auto edge = static_cast<Index>(pair);
+    return in_order(edge, complex_.initial_ends(edge));
   };
-  std::vector<Place> places(n_pairs);
   for_each_range(n_pairs, options_.threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t pair = begin; pair < end; ++pair) {
-      const auto [a, b] = complex_.initial_ends(static_cast<Index>(pair));
-      const PairEvaluation evaluation = evaluate(a, b);
-      places[pair] = {BucketQueue::bucket_of(evaluation.cost), evaluation.cost > evaluation.bound};
-    }
+    for_each_evaluation(begin, end, initial_pair, [&](const Pair& pair, const PairEvaluation& evaluation) {
+      buckets[pair.edge] = BucketQueue::bucket_of(evaluation.cost);
+      is_raised[pair.edge] = evaluation.cost > evaluation.bound;
+    });
   });
+  queue_.fill(buckets);
   for (Index pair = 0; pair < n_pairs; ++pair) {
-    queue_.push(pair, places[pair].bucket);
-    if (!places[pair].is_raised) continue;
-    const auto [a, b] = complex_.initial_ends(pair);
-    add_raised(pair, a, b, evaluate(a, b).cost);
+    if (is_raised[pair] != 0) add_raised(initial_pair(pair), evaluate(initial_pair(pair)).cost);
+  }
+}
+
+/// Calls `use(pair, evaluation)` for the pairs that `pair_at` gives for begin … end, in order, evaluating two at once.
+template <class PairAt, class Use>
+void ContractionLoop::for_each_evaluation(std::size_t begin, std::size_t end, const PairAt& pair_at,
+                                          const Use& use) const {
+  const auto use_lane = [&](const Pair& pair, const PairMinimum<Double2>& minima, int lane) {
+    if (minima.is_near[lane] != 0 && wants_minimum(pair)) {
+      const Vec3 position(minima.x[lane], minima.y[lane], minima.z[lane]);
+      use(pair, PairEvaluation{minima.value[lane], minima.value[lane], position, true});
+    } else {
+      use(pair, evaluate(pair));
+    }
+  };
+  std::size_t i = begin;
+  for (; i + 1 < end; i += 2) {
+    const Pair x = pair_at(i);
+    const Pair y = pair_at(i + 1);
+    if (complex_.is_level(x.a) && complex_.is_level(x.b) && complex_.is_level(y.a) && complex_.is_level(y.b)) {
+      const auto minima = pair_minimum(complex_.placed_level(x.a, y.a), complex_.placed_level(x.b, y.b));
+      use_lane(x, minima, 0);
+      use_lane(y, minima, 1);
+    } else {
+      use(x, evaluate(x));
+      use(y, evaluate(y));
+    }
+  }
+  if (i < end) {
+    const Pair last = pair_at(i);
+    use(last, evaluate(last));
   }
 }
 
@@ -109,60 +135,62 @@ std::optional<ContractionLoop::Candidate> ContractionLoop::next_candidate() {
 
 /// Makes the members of the bucket just opened candidates; those that have grown beyond it go to a later one.
 void ContractionLoop::open_bucket() {
-  resolve_members();
   batch_.clear();
+  placements_.clear();
   n_taken_ = 0;
-  for (std::size_t i = 0; i < resolved_.size(); ++i) {
-    if (i + 16 < resolved_.size()) {
-      prefetch_vertex(resolved_[i + 16].a);
-      prefetch_vertex(resolved_[i + 16].b);
-    }
-    const auto [pair, a, b] = resolved_[i];
-    const PairEvaluation evaluation = evaluate(a, b);
-    note_raised(pair, a, b, evaluation);
+  n_done_at_opening_ = complex_.n_contractions();
+  std::erase_if(members_, [&](Index pair) { return !complex_.is_edge_alive(pair); });
+  const auto member = [this](std::size_t i) {
+    prefetch_members(i);
+    return in_order(members_[i], complex_.ends(members_[i]));
+  };
+  for_each_evaluation(0, members_.size(), member, [this](const Pair& pair, const PairEvaluation& evaluation) {
+    note_raised(pair, evaluation);
     const BucketQueue::Bucket bucket = BucketQueue::bucket_of(evaluation.cost);
     if (queue_.is_past(bucket)) {
-      batch_.push_back({evaluation.cost, pair, a, b});
+      batch_.push_back(candidate(pair, evaluation.cost));
+      batch_.back().placement = static_cast<Index>(placements_.size());
+      placements_.push_back({evaluation.position, evaluation.is_minimum});
+      complex_.prefetch_star(pair.a);
+      complex_.prefetch_star(pair.b);
     } else {
-      queue_.push(pair, bucket);
+      queue_.push(pair.edge, bucket);
     }
+  });
+  std::sort(batch_.begin(), batch_.end(), is_before);
+}
+
+/// Brings near what the members after the i-th will ask for: first their edges, then what the ends of those have
+/// become, then these.
+void ContractionLoop::prefetch_members(std::size_t i) {
+  if (i + 32 < members_.size()) complex_.prefetch_edge(members_[i + 32]);
+  if (i + 24 < members_.size()) complex_.prefetch_ends(members_[i + 24]);
+  if (i + 12 < members_.size()) {
+    const auto [a, b] = complex_.ends(members_[i + 12]);
+    complex_.prefetch_placed(a);
+    complex_.prefetch_placed(b);
   }
-  std::sort(batch_.begin(), batch_.end(), [this](const Candidate& x, const Candidate& y) { return is_before(x, y); });
 }
 
-/// Finds the vertices of the members that still are pairs.
-void ContractionLoop::resolve_members() {
-  resolved_.clear();
-  std::erase_if(members_, [&](Index pair) { return !complex_.is_edge_alive(pair); });
-  for (std::size_t i = 0; i < members_.size(); ++i) {
-    if (i + 32 < members_.size()) complex_.prefetch_edge(members_[i + 32]);
-    if (i + 16 < members_.size()) complex_.prefetch_ends(members_[i + 16]);
-    const auto [a, b] = complex_.ends(members_[i]);
-    resolved_.push_back({members_[i], a, b});
-  }
+ContractionLoop::Pair ContractionLoop::in_order(Index pair, TriangleComplex::Edge ends) const {
+  const auto [a, b] = ends;
+  return complex_.origin(a) < complex_.origin(b) ? Pair{pair, a, b} : Pair{pair, b, a};
 }
 
-void ContractionLoop::prefetch_vertex(Index v) const {
-  complex_.prefetch_vertex(v);
-  const char* quadric = reinterpret_cast<const char*>(&quadrics_[v]);
-  prefetch(quadric);
-  prefetch(quadric + 64);
+ContractionLoop::Candidate ContractionLoop::candidate(const Pair& pair, double cost) const {
+  return {cost, std::uint64_t{complex_.origin(pair.a)} << 32 | complex_.origin(pair.b), pair};
 }
 
-PairEvaluation ContractionLoop::evaluate(Index a, Index b) const {
-  const Pinned pinned = is_locked(a) ? Pinned::first : is_locked(b) ? Pinned::second : Pinned::none;
-  return evaluate_pair(quadrics_[a], complex_.position(a), quadrics_[b], complex_.position(b),
-                       options_.quadric.placement, pinned);
+Pinned ContractionLoop::pinned(const Pair& pair) const {
+  return is_locked(pair.a) ? Pinned::first : is_locked(pair.b) ? Pinned::second : Pinned::none;
 }
 
-/// Ties go by the lower, then the higher original number of the two vertices.
-bool ContractionLoop::is_before_at_equal_cost(const Candidate& x, const Candidate& y) const {
-  const auto key = [this](const Candidate& c) {
-    const Index origin_a = complex_.origin(c.a);
-    const Index origin_b = complex_.origin(c.b);
-    return std::array{std::min(origin_a, origin_b), std::max(origin_a, origin_b), c.pair};
-  };
-  return key(x) < key(y);
+bool ContractionLoop::wants_minimum(const Pair& pair) const {
+  return options_.quadric.placement == Placement::optimal && pinned(pair) == Pinned::none;
+}
+
+PairEvaluation ContractionLoop::evaluate(const Pair& pair) const {
+  return evaluate_pair(complex_.placed(pair.a), complex_.placed(pair.b), options_.quadric.placement, pinned(pair));
 }
 
 void ContractionLoop::enqueue(const Candidate& candidate) {
@@ -170,39 +198,52 @@ void ContractionLoop::enqueue(const Candidate& candidate) {
   if (queue_.is_past(bucket)) {
     late_.push(candidate);
   } else {
-    queue_.push(candidate.pair, bucket);
+    queue_.push(candidate.pair.edge, bucket);
   }
 }
 
-/// Brings near what the turns to come will look at: first the lists, then the faces on them, then their corners.
-void ContractionLoop::prefetch_turns() const {
+/// Brings near what the turns to come will look at: first the lists, then the neighbours on them.
+void ContractionLoop::prefetch_turns() {
   const auto candidate_ahead = [&](std::size_t n, auto prefetch) {
     if (n_taken_ + n >= batch_.size()) return;
-    prefetch(batch_[n_taken_ + n].a);
-    prefetch(batch_[n_taken_ + n].b);
+    prefetch(batch_[n_taken_ + n].pair.a);
+    prefetch(batch_[n_taken_ + n].pair.b);
   };
-  candidate_ahead(12, [&](Index v) { complex_.prefetch_face_list(v); });
-  candidate_ahead(8, [&](Index v) { complex_.prefetch_faces(v); });
+  candidate_ahead(8, [&](Index v) { complex_.prefetch_corners(v); });
   candidate_ahead(4, [&](Index v) { complex_.prefetch_neighbours(v); });
 }
 
-std::optional<StopReason> ContractionLoop::take_turn(const Candidate& candidate) {
-  if (!complex_.is_edge_alive(candidate.pair)) return std::nullopt;
-  auto [a, b] = complex_.ends(candidate.pair);
-  if (complex_.origin(b) < complex_.origin(a)) std::swap(a, b);
-  const PairEvaluation evaluation = evaluate(a, b);
-  const Candidate now{evaluation.cost, candidate.pair, a, b};
-  if (is_before(candidate, now)) {  // it has grown since it was sorted in
-    note_raised(candidate.pair, a, b, evaluation);
-    enqueue(now);
-    return std::nullopt;
-  }
-  if (settings_.target.max_cost && evaluation.cost > *settings_.target.max_cost) return StopReason::cost;
-  const Refusal refusal = find_refusal(a, b, evaluation.position);
-  if (refusal != Refusal::none) {
-    refuse(candidate.pair, a, b, refusal);
+/// Whether the candidate's cost and placement are what an evaluation would give now.
+bool ContractionLoop::is_unchanged(const Candidate& candidate) const {
+  return candidate.placement != invalid_index && complex_.last_change(candidate.pair.a) <= n_done_at_opening_ &&
+         complex_.last_change(candidate.pair.b) <= n_done_at_opening_;
+}
+
+std::optional<StopReason> ContractionLoop::take_turn(const Candidate& then) {
+  if (!complex_.is_edge_alive(then.pair.edge)) return std::nullopt;
+  Pair pair = then.pair;
+  double cost = then.cost;
+  Placed placement;
+  if (is_unchanged(then)) {
+    placement = placements_[then.placement];
   } else {
-    contract(a, b, evaluation);
+    pair = in_order(pair.edge, complex_.ends(pair.edge));
+    const PairEvaluation evaluation = evaluate(pair);
+    const Candidate now = candidate(pair, evaluation.cost);
+    if (is_before(then, now)) {  // it has grown since it was sorted in
+      note_raised(pair, evaluation);
+      enqueue(now);
+      return std::nullopt;
+    }
+    cost = evaluation.cost;
+    placement = {evaluation.position, evaluation.is_minimum};
+  }
+  if (settings_.target.max_cost && cost > *settings_.target.max_cost) return StopReason::cost;
+  const Refusal refusal = find_refusal(pair.a, pair.b, placement.position);
+  if (refusal != Refusal::none) {
+    refuse(pair, refusal);
+  } else {
+    contract(pair, cost, placement);
   }
   return std::nullopt;
 }
@@ -217,14 +258,21 @@ ContractionLoop::Refusal ContractionLoop::find_refusal(Index a, Index b, const V
 }
 
 /// Whether moving the common corner of `wings` turns one of them too far.
-bool ContractionLoop::turns_a_face(const std::vector<PairStar::Wing>& wings, const Vec3& from, const Vec3& to) const {
-  return std::any_of(wings.begin(), wings.end(), [&](const PairStar::Wing& wing) {
-    return flip_limit_.is_exceeded(from, to, complex_.position(wing.x), complex_.position(wing.y));
-  });
+bool ContractionLoop::turns_a_face(std::span<const Corner> wings, const Vec3& from, const Vec3& to) const {
+  const auto at = [this](Index v) { return &complex_.position(v); };
+  std::size_t i = 0;
+  for (; i + 1 < wings.size(); i += 2) {
+    if (flip_limit_.is_exceeded_by_any(from, to, {at(wings[i].next), at(wings[i + 1].next)},
+                                       {at(wings[i].previous), at(wings[i + 1].previous)})) {
+      return true;
+    }
+  }
+  return i < wings.size() && flip_limit_.is_exceeded(from, to, *at(wings[i].next), *at(wings[i].previous));
 }
 
-void ContractionLoop::contract(Index a, Index b, const PairEvaluation& evaluation) {
+void ContractionLoop::contract(const Pair& pair, double cost, const Placed& placement) {
   // The higher origin survives, so that no pair's place among ties moves forward; but a locked vertex stays.
+  const auto [edge, a, b] = pair;
   Index survivor = b;
   Index removed = a;
   if (is_locked(a)) {
@@ -232,17 +280,15 @@ void ContractionLoop::contract(Index a, Index b, const PairEvaluation& evaluatio
   } else {
     std::swap(star_.first, star_.second);
   }
-  quadrics_[survivor] =
-      merged_quadric(quadrics_[a], complex_.position(a), quadrics_[b], complex_.position(b), evaluation.position);
-  complex_.contract(survivor, removed, evaluation.position, star_);
+  complex_.contract(edge, survivor, removed,
+                    merged(complex_.placed(a), complex_.placed(b), placement.position, placement.is_minimum), star_);
   ++result_.n_contractions;
-  result_.max_cost = std::max(result_.max_cost, evaluation.cost);
+  result_.max_cost = std::max(result_.max_cost, cost);
   if (options_.listener) {
     options_.listener({complex_.origin(survivor), complex_.origin(removed),
-                       settings_.frame.to_model(evaluation.position),
-                       settings_.frame.cost_to_model(evaluation.cost, cost_times_area_)});
+                       settings_.frame.to_model(placement.position),
+                       settings_.frame.cost_to_model(cost, cost_times_area_)});
   }
-
   wake_raised(survivor, removed);
   wake_refused_around(survivor, removed);
 }
@@ -253,22 +299,21 @@ void ContractionLoop::wake_refused_around(Index survivor, Index removed) {
   };
   wake(survivor);
   wake(removed);
-  for (const auto* wings : {&star_.first, &star_.second}) {
-    for (const PairStar::Wing& wing : *wings) {
-      wake(wing.x);
-      wake(wing.y);
-    }
+  for (const Corner& corner : complex_.corners(survivor)) {
+    wake(corner.next);
+    wake(corner.previous);
   }
-  for (const PairStar::Shared& shared : star_.shared) wake(shared.opposite);
+  for (const Index opposite : star_.opposites) wake(opposite);
 }
 
-void ContractionLoop::add_raised(Index pair, Index a, Index b, double cost) {
+void ContractionLoop::add_raised(const Pair& pair, double cost) {
+  const auto [edge, a, b] = pair;
   raised_costs_.resize(complex_.n_edge_slots());
-  raised_costs_[pair] = static_cast<float>(cost);
-  if (is_raised_[pair]) return;
-  is_raised_[pair] = true;
-  raised_.add(a, pair);
-  raised_.add(b, pair);
+  raised_costs_[edge] = static_cast<float>(cost);
+  if (is_raised_[edge]) return;
+  is_raised_[edge] = true;
+  raised_.add(a, edge);
+  raised_.add(b, edge);
 }
 
 /// Queues anew those raised pairs at the merged vertex that have become cheaper.
@@ -279,16 +324,16 @@ void ContractionLoop::wake_raised(Index survivor, Index removed) {
   raised_.take(removed, woken_);
   for (const Index pair : woken_) {
     if (!complex_.is_edge_alive(pair)) continue;
-    const auto [a, b] = complex_.ends(pair);
     raised_.add(survivor, pair);
-    const PairEvaluation evaluation = evaluate(a, b);
+    const Pair now = in_order(pair, complex_.ends(pair));
+    const PairEvaluation evaluation = evaluate(now);
     if (static_cast<float>(evaluation.cost) > raised_costs_[pair]) continue;
     raised_costs_[pair] = static_cast<float>(evaluation.cost);
-    enqueue({evaluation.cost, pair, a, b});
+    enqueue(candidate(now, evaluation.cost));
   }
 }
 
-void ContractionLoop::refuse(Index pair, Index a, Index b, Refusal refusal) {
+void ContractionLoop::refuse(const Pair& pair, Refusal refusal) {
   switch (refusal) {
     case Refusal::locked:
       ++result_.rejections.locked;
@@ -302,10 +347,11 @@ void ContractionLoop::refuse(Index pair, Index a, Index b, Refusal refusal) {
     case Refusal::none:
       return;
   }
-  if (is_refused_[pair]) return;
-  is_refused_[pair] = true;
-  refused_.add(a, pair);
-  refused_.add(b, pair);
+  const auto [edge, a, b] = pair;
+  if (is_refused_[edge]) return;
+  is_refused_[edge] = true;
+  refused_.add(a, edge);
+  refused_.add(b, edge);
 }
 
 void ContractionLoop::wake_refused_at(Index v) {
@@ -315,10 +361,10 @@ void ContractionLoop::wake_refused_at(Index v) {
     if (!is_refused_[pair]) continue;  // woken from its other vertex before
     is_refused_[pair] = false;
     if (!complex_.is_edge_alive(pair)) continue;
-    const auto [a, b] = complex_.ends(pair);
-    const PairEvaluation evaluation = evaluate(a, b);
-    note_raised(pair, a, b, evaluation);
-    enqueue({evaluation.cost, pair, a, b});
+    const Pair now = in_order(pair, complex_.ends(pair));
+    const PairEvaluation evaluation = evaluate(now);
+    note_raised(now, evaluation);
+    enqueue(candidate(now, evaluation.cost));
   }
 }
 

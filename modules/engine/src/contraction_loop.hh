@@ -8,6 +8,7 @@
 #include "whittle/engine/decimate.hh"
 #include "whittle/engine/flip_limit.hh"
 #include "whittle/engine/frame.hh"
+#include "whittle/engine/pair_evaluation.hh"
 #include "whittle/engine/triangle_complex.hh"
 #include "whittle/engine/waiting_pairs.hh"
 
@@ -31,25 +32,33 @@ struct LoopSettings {
 ///   refused   a guard refused it: in no queue, until one of its vertices or of their neighbours changes.
 class ContractionLoop {
  public:
-  ContractionLoop(TriangleComplex& complex, std::vector<Quadric> quadrics, const DecimateOptions& options,
-                  LoopSettings settings);
+  ContractionLoop(TriangleComplex& complex, const DecimateOptions& options, LoopSettings settings);
 
   DecimateResult run();
 
  private:
+  /// A pair with its vertices, that of the lower original number first.
+  struct Pair {
+    Index edge;
+    Index a, b;
+  };
   /// A pair under its true cost.
   struct Candidate {
     double cost;
-    Index pair;
-    Index a, b;  ///< its vertices at that cost
+    std::uint64_t tie;  ///< the lower, then the higher original number of the two vertices
+    Pair pair;
+    Index placement = invalid_index;  ///< its number among `placements_`, if there
   };
-  bool is_before(const Candidate& x, const Candidate& y) const {
-    return x.cost != y.cost ? x.cost < y.cost : is_before_at_equal_cost(x, y);
+  static bool is_before(const Candidate& x, const Candidate& y) {
+    return x.cost != y.cost ? x.cost < y.cost : x.tie < y.tie;
   }
-  bool is_before_at_equal_cost(const Candidate& x, const Candidate& y) const;
+  /// Where a pair would go.
+  struct Placed {
+    Vec3 position;
+    bool is_minimum;
+  };
   struct IsAfter {
-    const ContractionLoop* loop;
-    bool operator()(const Candidate& x, const Candidate& y) const { return loop->is_before(y, x); }
+    bool operator()(const Candidate& x, const Candidate& y) const { return is_before(y, x); }
   };
   enum class Refusal { none, link, flip, locked };
 
@@ -59,29 +68,34 @@ class ContractionLoop {
 
   std::optional<Candidate> next_candidate();
   void open_bucket();
-  void resolve_members();
-  void prefetch_vertex(Index v) const;
-  void prefetch_turns() const;
+  void prefetch_members(std::size_t i);
+  void prefetch_turns();
   void enqueue(const Candidate& candidate);
 
-  PairEvaluation evaluate(Index a, Index b) const;
+  Pair in_order(Index pair, TriangleComplex::Edge ends) const;
+  Candidate candidate(const Pair& pair, double cost) const;
+  Pinned pinned(const Pair& pair) const;
+  bool wants_minimum(const Pair& pair) const;
+  PairEvaluation evaluate(const Pair& pair) const;
+  template <class PairAt, class Use>
+  void for_each_evaluation(std::size_t begin, std::size_t end, const PairAt& pair_at, const Use& use) const;
+  bool is_unchanged(const Candidate& candidate) const;
   std::optional<StopReason> take_turn(const Candidate& candidate);
   Refusal find_refusal(Index a, Index b, const Vec3& position);
-  bool turns_a_face(const std::vector<PairStar::Wing>& wings, const Vec3& from, const Vec3& to) const;
-  void contract(Index a, Index b, const PairEvaluation& evaluation);
+  bool turns_a_face(std::span<const Corner> wings, const Vec3& from, const Vec3& to) const;
+  void contract(const Pair& pair, double cost, const Placed& placement);
 
-  void note_raised(Index pair, Index a, Index b, const PairEvaluation& evaluation) {
-    if (evaluation.cost > evaluation.bound || is_raised_[pair]) add_raised(pair, a, b, evaluation.cost);
+  void note_raised(const Pair& pair, const PairEvaluation& evaluation) {
+    if (evaluation.cost > evaluation.bound || is_raised_[pair.edge]) add_raised(pair, evaluation.cost);
   }
-  void add_raised(Index pair, Index a, Index b, double cost);
+  void add_raised(const Pair& pair, double cost);
   void wake_raised(Index survivor, Index removed);
-  void refuse(Index pair, Index a, Index b, Refusal refusal);
+  void refuse(const Pair& pair, Refusal refusal);
   void wake_refused_around(Index survivor, Index removed);
   void wake_refused_at(Index v);
   bool is_locked(Index v) const { return !settings_.locked.empty() && settings_.locked[v] != 0; }
 
   TriangleComplex& complex_;
-  std::vector<Quadric> quadrics_;
   const DecimateOptions& options_;
   LoopSettings settings_;
   FlipLimit flip_limit_;
@@ -90,15 +104,12 @@ class ContractionLoop {
   std::uint64_t n_initial_faces_;
 
   BucketQueue queue_;
-  struct Resolved {
-    Index pair, a, b;
-  };
-  std::vector<Index> members_;      ///< of the bucket being opened
-  std::vector<Resolved> resolved_;  ///< those that still are pairs
-  std::vector<Candidate> batch_;    ///< candidates of the open bucket, in order
-  std::size_t n_taken_ = 0;         ///< how many of them have had their turn
-  std::priority_queue<Candidate, std::vector<Candidate>, IsAfter> late_{
-      IsAfter{this}};  ///< for the open bucket or before it
+  std::vector<Index> members_;                                            ///< of the bucket being opened
+  std::vector<Candidate> batch_;                                          ///< candidates of the open bucket, in order
+  std::vector<Placed> placements_;                                        ///< where they would go
+  Index n_done_at_opening_ = 0;                                           ///< contractions before it was opened
+  std::size_t n_taken_ = 0;                                               ///< how many of the batch have had their turn
+  std::priority_queue<Candidate, std::vector<Candidate>, IsAfter> late_;  ///< for the open bucket or before it
 
   WaitingPairs raised_;
   std::vector<bool> is_raised_;      ///< per pair

@@ -51,12 +51,6 @@ Frame frame_of(const std::vector<Vec3>& positions) {
   return Frame::of_box(low, high);
 }
 
-std::vector<Vec3> in_frame(const std::vector<Vec3>& positions, const Frame& frame) {
-  std::vector<Vec3> result(positions.size());
-  for (std::size_t v = 0; v < positions.size(); ++v) result[v] = frame.to_frame(positions[v]);
-  return result;
-}
-
 LoopSettings loop_settings(const TriangleComplex& complex, const Frame& frame, const DecimateTarget& target,
                            const DecimateOptions& options) {
   LoopSettings settings{target, frame, {}};
@@ -78,23 +72,21 @@ std::vector<Index> representatives(TriangleComplex& complex) {
   std::vector<Index> result(complex.n_vertex_slots(), invalid_index);
   for (Index v = 0; v < complex.n_vertex_slots(); ++v) {
     const Index r = complex.representative(v);
-    if (!complex.faces_at(r).empty()) result[complex.origin(v)] = r;
+    if (complex.has_faces(r)) result[complex.origin(v)] = r;
   }
   return result;
 }
 
-/// Surviving faces by ascending origin, still in the complex's vertex numbers.
-std::vector<Triangle> surviving_faces(const TriangleComplex& complex, std::size_t n_input_faces) {
-  std::vector<Index> slot_of(n_input_faces, invalid_index);
-  for (Index f = 0; f < complex.n_face_slots(); ++f) {
-    if (complex.is_alive(f)) slot_of[complex.face_origin(f)] = f;
+/// The faces whose corners are still three vertices.
+std::vector<Triangle> surviving_faces(std::span<const Triangle> faces, const std::vector<Index>& vertex_map,
+                                      std::size_t n_surviving) {
+  std::vector<Triangle> result;
+  result.reserve(n_surviving);
+  for (const Triangle& f : faces) {
+    const Triangle face{vertex_map[f[0]], vertex_map[f[1]], vertex_map[f[2]]};
+    if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) result.push_back(face);
   }
-  std::vector<Triangle> faces;
-  faces.reserve(complex.n_faces());
-  for (const Index f : slot_of) {
-    if (f != invalid_index) faces.push_back(complex.face(f));
-  }
-  return faces;
+  return result;
 }
 
 /// The mean colour of the vertices merged into each vertex of the result.
@@ -151,10 +143,7 @@ Decimation make_output(const IndexedMesh& input, TriangleComplex& complex, const
   for (Index& r : out.vertex_map) {
     if (r != invalid_index) r = output_of[r];
   }
-  mesh.faces = surviving_faces(complex, input.faces.size());
-  for (Triangle& face : mesh.faces) {
-    for (Index& v : face) v = output_of[v];
-  }
+  mesh.faces = surviving_faces(input.faces, out.vertex_map, complex.n_faces());
   if (!input.colors.empty()) mesh.colors = merged_colors(input, out.vertex_map, mesh.positions.size());
   if (!input.normals.empty()) mesh.normals = vertex_normals(mesh, frame);
   return out;
@@ -180,15 +169,11 @@ Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const
   check(target, options, mesh.positions.size());
   check(mesh);
   const Frame frame = frame_of(mesh.positions);
-  TriangleComplex complex(in_frame(mesh.positions, frame), mesh.faces, options.threads);
+  TriangleComplex complex(mesh.positions, mesh.faces, frame, options.threads);
   QuadricOptions quadric = options.quadric;
   if (options.boundary == Boundary::free) quadric.boundary_weight = 0;
-  DecimateResult result;
-  {
-    ContractionLoop loop(complex, initial_quadrics(complex, quadric, options.threads), options,
-                         loop_settings(complex, frame, target, options));
-    result = loop.run();
-  }
+  set_initial_quadrics(complex, quadric, options.threads);
+  DecimateResult result = ContractionLoop(complex, options, loop_settings(complex, frame, target, options)).run();
   result.n_degenerate_faces = complex.n_degenerate_faces();
   Decimation out = make_output(mesh, complex, frame);
   out.result = result;

@@ -33,11 +33,12 @@ void radix_sort(std::vector<CurvePoint>& points) {
 
 }  // namespace
 
-std::vector<Index> morton_order(std::span<const Vec3> positions) {
+std::vector<Index> morton_order(std::span<const Vec3> positions, const Frame& frame) {
   if (positions.empty()) return {};
-  Vec3 low = positions[0];
-  Vec3 high = positions[0];
-  for (const Vec3& p : positions) {
+  Vec3 low = frame.to_frame(positions[0]);
+  Vec3 high = low;
+  for (const Vec3& position : positions) {
+    const Vec3 p = frame.to_frame(position);
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
@@ -45,7 +46,7 @@ std::vector<Index> morton_order(std::span<const Vec3> positions) {
   const double cells_per_unit = extent > 0 ? 1023.0 / extent : 0;
   std::vector<CurvePoint> points(positions.size());
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const Vec3 cell = (positions[i] - low) * cells_per_unit;
+    const Vec3 cell = (frame.to_frame(positions[i]) - low) * cells_per_unit;
     const auto bits = [&](int axis) { return spread_bits(static_cast<std::uint32_t>(cell[axis])); };
     points[i] = {bits(0) | bits(1) << 1 | bits(2) << 2, static_cast<Index>(i)};
   }

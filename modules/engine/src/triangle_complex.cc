@@ -1,101 +1,176 @@
 #include "whittle/engine/triangle_complex.hh"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "space_filling_curve.hh"
 #include "whittle/engine/parallel.hh"
 
 namespace whittle {
+namespace {
 
-void FaceLists::push_back_to_overflow(List& list, Index face) {
-  if (list.count == inline_capacity) {
-    Index slot;
-    if (free_overflow_.empty()) {
-      slot = static_cast<Index>(overflow_.size());
-      overflow_.emplace_back();
-    } else {
-      slot = free_overflow_.back();
-      free_overflow_.pop_back();
-    }
-    overflow_[slot].assign(list.faces.begin(), list.faces.end());
-    list.faces[0] = slot;
-  }
-  overflow_[list.faces[0]].push_back(face);
-  ++list.count;
-}
+constexpr std::ptrdiff_t few_edges = 8;  ///< so many are searched one by one
 
-void FaceLists::shrink_overflow(List& list, std::size_t count) {
-  const Index slot = list.faces[0];
-  std::vector<Index>& faces = overflow_[slot];
-  faces.resize(count);
-  if (count > inline_capacity) return;
-  std::copy(faces.begin(), faces.end(), list.faces.begin());
-  faces.clear();
-  free_overflow_.push_back(slot);
-}
+}  // namespace
 
-TriangleComplex::TriangleComplex(std::vector<Vec3> positions, std::span<const Triangle> faces, unsigned threads) {
+TriangleComplex::TriangleComplex(std::span<const Vec3> positions, std::span<const Triangle> faces, const Frame& frame,
+                                 unsigned threads) {
   std::vector<Index> number_of;
-  number_vertices(positions, number_of);
-  positions = {};
-  number_faces(faces, number_of);
-  list_faces(threads);
-  number_edges();
+  number_vertices(positions, frame, number_of);
+  list_corners(faces, number_of);
+  number_edges(threads);
   find_orders(threads);
 }
 
-void TriangleComplex::number_vertices(const std::vector<Vec3>& positions, std::vector<Index>& number_of) {
-  const std::vector<Index> order = morton_order(positions);
-  ring_place_.resize(positions.size());
+void TriangleComplex::number_vertices(std::span<const Vec3> positions, const Frame& frame,
+                                      std::vector<Index>& number_of) {
+  const std::vector<Index> order = morton_order(positions, frame);
   number_of.resize(positions.size());
   vertices_.resize(positions.size());
+  parents_.resize(positions.size());
+  quadrics_.resize(positions.size());
   for (Index v = 0; v < order.size(); ++v) {
     number_of[order[v]] = v;
-    vertices_[v] = {positions[order[v]], v, order[v]};
+    vertices_[v] = {frame.to_frame(positions[order[v]]), order[v]};
+    parents_[v] = v;
   }
 }
 
-/// Faces by their lowest vertex number; where that is equal, in the input's order.
-void TriangleComplex::number_faces(std::span<const Triangle> faces, const std::vector<Index>& number_of) {
-  const auto renumbered = [&](const Triangle& f) {
-    return Triangle{number_of[f[0]], number_of[f[1]], number_of[f[2]]};
-  };
+/// Each vertex's corners in the input's order of faces, so that sums over them do not depend on the numbering in here.
+void TriangleComplex::list_corners(std::span<const Triangle> faces, const std::vector<Index>& number_of) {
   const auto is_degenerate = [](const Triangle& f) { return f[0] == f[1] || f[1] == f[2] || f[2] == f[0]; };
-  std::vector<Index> starts(vertices_.size() + 1);
+  std::vector<Index> sizes(vertices_.size());
   for (const Triangle& face : faces) {
     if (is_degenerate(face)) {
       ++n_degenerate_faces_;
     } else {
-      ++starts[std::ranges::min(renumbered(face)) + 1];
+      for (const Index v : face) ++sizes[number_of[v]];
     }
   }
-  for (std::size_t v = 1; v < starts.size(); ++v) starts[v] += starts[v - 1];
   n_faces_ = faces.size() - n_degenerate_faces_;
-  faces_.resize(n_faces_);
-  face_origins_.resize(n_faces_);
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (is_degenerate(faces[f])) continue;
-    const Triangle face = renumbered(faces[f]);
-    const Index place = starts[std::ranges::min(face)]++;
-    faces_[place].corners = face;
-    face_origins_[place] = static_cast<Index>(f);
+  corner_lists_ = CornerLists(sizes);
+  stars_.resize(vertices_.size());
+  std::vector<Corner*> ends(vertices_.size());
+  for (Index v = 0; v < vertices_.size(); ++v) {
+    stars_[v].corners = corner_lists_.allocate(sizes[v]);
+    stars_[v].corners.size = sizes[v];
+    ends[v] = corner_lists_.of(stars_[v].corners).data();
+    n_vertices_ += sizes[v] > 0 ? 1 : 0;
+  }
+  for (const Triangle& face : faces) {
+    if (is_degenerate(face)) continue;
+    const auto [a, b, c] = Triangle{number_of[face[0]], number_of[face[1]], number_of[face[2]]};
+    *ends[a]++ = {b, c, invalid_index};
+    *ends[b]++ = {c, a, invalid_index};
+    *ends[c]++ = {a, b, invalid_index};
   }
 }
 
-/// Each vertex's faces, in the input's order, so that sums over them do not depend on the numbering in here.
-void TriangleComplex::list_faces(unsigned threads) {
-  face_lists_ = FaceLists(vertices_.size());
-  for (Index f = 0; f < faces_.size(); ++f) {
-    for (const Index v : faces_[f].corners) face_lists_.push_back(v, f);
+/// Edges by their lower, then their higher vertex; the number of faces at each.
+void TriangleComplex::number_edges(unsigned threads) {
+  edges_.reserve(n_faces_ + n_faces_ / 2 + 16);
+  n_edge_faces_.reserve(edges_.capacity());
+  std::vector<Index> starts(vertices_.size() + 1);
+  ring_place_.resize(vertices_.size());
+  for (Index v = 0; v < vertices_.size(); ++v) {
+    const std::size_t first = edges_.size();
+    const auto count = [&](Index w) {
+      Index& place = ring_place_[w];
+      if (place < first || place >= edges_.size() || edges_[place].second != w) {
+        place = static_cast<Index>(edges_.size());
+        edges_.push_back({v, w});
+        n_edge_faces_.push_back(0);
+      }
+      if (n_edge_faces_[place] < 255) ++n_edge_faces_[place];
+      return place;
+    };
+    for (Corner& corner : corner_lists_.of(stars_[v].corners)) {
+      if (corner.next > v) corner.edge = count(corner.next);
+      if (corner.previous > v) count(corner.previous);
+    }
+    if (std::ssize(edges_) - static_cast<std::ptrdiff_t>(first) > few_edges) sort_edges(v, first);
+    if (edges_.size() >= invalid_index) throw std::length_error("decimate: more than 2^32 - 2 edges");
+    starts[v + 1] = static_cast<Index>(edges_.size());
   }
-  const auto by_origin = [&](Index f, Index g) { return face_origins_[f] < face_origins_[g]; };
+  edge_alive_.assign(edges_.size() / 64 + 1, ~std::uint64_t{0});
+
+  const auto edge_from_lower = [&](Index v, Index w) {
+    const auto begin = edges_.begin() + starts[v];
+    const auto end = edges_.begin() + starts[v + 1];
+    const auto edge =
+        end - begin <= few_edges
+            ? std::find_if(begin, end, [w](const Edge& e) { return e.second == w; })
+            : std::lower_bound(begin, end, w, [](const Edge& e, Index sought) { return e.second < sought; });
+    return static_cast<Index>(edge - edges_.begin());
+  };
   for_each_range(vertices_.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
-      const std::span<Index> list = face_lists_.of(static_cast<Index>(v));
-      if (!std::is_sorted(list.begin(), list.end(), by_origin)) std::sort(list.begin(), list.end(), by_origin);
+      for (Corner& corner : corner_lists_.of(stars_[v].corners)) {
+        if (corner.next < v) corner.edge = edge_from_lower(corner.next, static_cast<Index>(v));
+      }
     }
   });
-  for (Index v = 0; v < vertices_.size(); ++v) n_vertices_ += face_lists_.of(v).empty() ? 0 : 1;
+}
+
+/// Renumbers the edges from `first` on, all those from v to higher vertices, by the higher one.
+void TriangleComplex::sort_edges(Index v, std::size_t first) {
+  struct Numbered {
+    Index vertex;
+    std::uint8_t n_faces;
+  };
+  std::vector<Numbered> sorted;
+  for (std::size_t e = first; e < edges_.size(); ++e) sorted.push_back({edges_[e].second, n_edge_faces_[e]});
+  std::sort(sorted.begin(), sorted.end(), [](const Numbered& x, const Numbered& y) { return x.vertex < y.vertex; });
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const std::size_t e = first + i;
+    edges_[e] = {v, sorted[i].vertex};
+    n_edge_faces_[e] = sorted[i].n_faces;
+    ring_place_[sorted[i].vertex] = static_cast<Index>(e);
+  }
+  for (Corner& corner : corner_lists_.of(stars_[v].corners)) {
+    if (corner.next > v) corner.edge = ring_place_[corner.next];
+  }
+}
+
+unsigned TriangleComplex::n_initial_faces_between(Index v, Index w) { return n_edge_faces_[edge_between(v, w)]; }
+
+void TriangleComplex::find_orders(unsigned threads) {
+  for_each_range(vertices_.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      stars_[v].order = is_small_closed_fan(static_cast<Index>(v)) ? VertexOrder::regular : VertexOrder::junction;
+    }
+  });
+  for (Index v = 0; v < vertices_.size(); ++v) {
+    if (stars_[v].order == VertexOrder::regular) continue;
+    gather_ring(v);
+    stars_[v].order = order_of_ring();
+  }
+}
+
+/// Whether the faces at v, if they are few, are one fan around it with two at each edge. The common case, decided by
+/// sorting them into a fan.
+bool TriangleComplex::is_small_closed_fan(Index v) const {
+  constexpr std::size_t few = 12;
+  const std::span<const Corner> list = corners(v);
+  if (list.size() < 3 || list.size() > few) return false;
+  std::array<Corner, few> fan;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (n_edge_faces_[list[i].edge] != 2) return false;
+    fan[i] = list[i];
+  }
+  for (std::size_t i = 1; i < list.size(); ++i) {
+    const Index end = fan[i - 1].previous;
+    std::size_t j = i;
+    while (j < list.size() && fan[j].next != end) ++j;
+    if (j == list.size()) return false;  // of several fans, or not all of one orientation
+    std::swap(fan[i], fan[j]);
+  }
+  return fan[list.size() - 1].previous == fan[0].next;
+}
+
+Index TriangleComplex::root(Index v) {
+  while (parents_[v] != v) v = parents_[v] = parents_[parents_[v]];
+  return v;
 }
 
 Index TriangleComplex::place_in_ring(Index v) {
@@ -106,88 +181,6 @@ Index TriangleComplex::place_in_ring(Index v) {
   return place;
 }
 
-namespace {
-
-/// The corner of `face` that v is. Without branches: which one it is can't be foretold.
-std::size_t corner_of(const Triangle& face, Index v) {
-  return static_cast<std::size_t>(face[1] == v) + 2 * static_cast<std::size_t>(face[2] == v);
-}
-constexpr std::array<std::size_t, 5> corner_after{0, 1, 2, 0, 1};
-
-/// The corners of `face` after v, in order.
-std::array<Index, 2> others(const Triangle& face, Index v) {
-  const std::size_t i = corner_of(face, v);
-  return {face[corner_after[i + 1]], face[corner_after[i + 2]]};
-}
-
-}  // namespace
-
-void TriangleComplex::number_edges() {
-  edges_.reserve(n_faces_ + n_faces_ / 2 + 16);
-  n_edge_faces_.reserve(edges_.capacity());
-  for (Index v = 0; v < vertices_.size(); ++v) {
-    const std::size_t first = edges_.size();
-    for (const Index f : face_lists_.of(v)) {
-      auto& [corners, edges] = faces_[f];
-      const std::size_t here = corner_of(corners, v);
-      const std::size_t next = corner_after[here + 1];
-      const std::size_t previous = corner_after[here + 2];
-      if (corners[next] > v) edges[here] = number_edge(v, corners[next], first);
-      if (corners[previous] > v) edges[previous] = number_edge(v, corners[previous], first);
-    }
-  }
-  edge_alive_.assign(edges_.size(), true);
-}
-
-/// The number of the edge (v, w), one more face at it; a new number unless it is among the edges from `first` on.
-Index TriangleComplex::number_edge(Index v, Index w, std::size_t first) {
-  Index& place = ring_place_[w];
-  if (place < first || place >= edges_.size() || edges_[place].second != w) {
-    place = static_cast<Index>(edges_.size());
-    edges_.push_back({v, w});
-    n_edge_faces_.push_back(0);
-  }
-  if (n_edge_faces_[place] < 255) ++n_edge_faces_[place];
-  return place;
-}
-
-void TriangleComplex::find_orders(unsigned threads) {
-  orders_.resize(vertices_.size());
-  for_each_range(vertices_.size(), threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      orders_[v] = is_small_closed_fan(static_cast<Index>(v)) ? VertexOrder::regular : VertexOrder::junction;
-    }
-  });
-  for (Index v = 0; v < vertices_.size(); ++v) {
-    if (orders_[v] == VertexOrder::regular) continue;
-    gather_ring(v);
-    orders_[v] = order_of_ring();
-  }
-}
-
-/// Whether the faces at v, if they are few, are one fan around it with two at each edge. The common case, decided by
-/// sorting them into a fan.
-bool TriangleComplex::is_small_closed_fan(Index v) const {
-  constexpr std::size_t few = 12;
-  const std::span<const Index> list = face_lists_.of(v);
-  if (list.size() < 3 || list.size() > few) return false;
-  std::array<std::array<Index, 2>, few> fan;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const auto& [corners, edges] = faces_[list[i]];
-    const std::size_t here = corner_of(corners, v);
-    if (n_edge_faces_[edges[here]] != 2 || n_edge_faces_[edges[corner_after[here + 2]]] != 2) return false;
-    fan[i] = {corners[corner_after[here + 1]], corners[corner_after[here + 2]]};
-  }
-  for (std::size_t i = 1; i < list.size(); ++i) {
-    const Index end = fan[i - 1][1];
-    std::size_t j = i;
-    while (j < list.size() && fan[j][0] != end) ++j;
-    if (j == list.size()) return false;  // of several fans, or not all of one orientation
-    std::swap(fan[i], fan[j]);
-  }
-  return fan[list.size() - 1][1] == fan[0][0];
-}
-
 void TriangleComplex::gather_ring(Index v) {
   ring_.clear();
   const auto join = [&](Index from, Index to) {
@@ -195,12 +188,11 @@ void TriangleComplex::gather_ring(Index v) {
     if (entry.n_faces[0] < 2) entry.next[entry.n_faces[0]] = to;
     ++entry.n_faces[0];
   };
-  for (const Index f : face_lists_.of(v)) {
-    const auto [x, y] = others(faces_[f].corners, v);
-    const Index at_x = place_in_ring(x);
-    const Index at_y = place_in_ring(y);
-    join(at_x, at_y);
-    join(at_y, at_x);
+  for (const Corner& corner : corners(v)) {
+    const Index at_next = place_in_ring(corner.next);
+    const Index at_previous = place_in_ring(corner.previous);
+    join(at_next, at_previous);
+    join(at_previous, at_next);
   }
 }
 
@@ -232,62 +224,67 @@ VertexOrder TriangleComplex::order_of_ring() const {
   return n_ends == 0 ? VertexOrder::regular : VertexOrder::line;
 }
 
-void TriangleComplex::gather_one(Index v, Index other, std::vector<PairStar::Wing>& wings,
-                                 std::vector<PairStar::Shared>* shared) {
-  const std::span<Index> list = face_lists_.of(v);
-  wings.resize(list.size());
-  std::size_t n_alive = 0;
-  std::size_t n_wings = 0;
-  for (const Index f : list) {
-    if (!is_alive(f)) continue;
-    list[n_alive++] = f;
-    const auto [x, y] = others(faces_[f].corners, v);
-    if (x != other && y != other) {
-      wings[n_wings++] = {f, x, y};
-    } else if (shared) {
-      shared->push_back({f, x == other ? y : x});
+/// Brings v's list up to date: first the corners of faces without `other`, which are returned, then those with it,
+/// which are left in `shared_` too.
+std::span<const Corner> TriangleComplex::gather_one(Index v, Index other) {
+  const std::span<Corner> list = corner_lists_.of(stars_[v].corners);
+  shared_.clear();
+  std::size_t n = 0;
+  for (const Corner& then : list) {
+    const Corner corner{representative(then.next), representative(then.previous), then.edge};
+    prefetch(&edge_alive_[corner.edge / 64]);
+    if (corner.next == corner.previous || corner.next == v || corner.previous == v) continue;
+    if (corner.next == other || corner.previous == other) {
+      shared_.push_back(corner);
+    } else {
+      list[n++] = corner;
     }
   }
-  wings.resize(n_wings);
-  if (n_alive != list.size()) face_lists_.truncate(v, n_alive);
+  std::copy(shared_.begin(), shared_.end(), list.begin() + static_cast<std::ptrdiff_t>(n));
+  stars_[v].corners.size = static_cast<Index>(n + shared_.size());
+  return list.first(n);
 }
 
 void TriangleComplex::gather(Index a, Index b, PairStar& star) {
-  star.shared.clear();
-  gather_one(a, b, star.first, &star.shared);
-  gather_one(b, a, star.second, nullptr);
+  star.second = gather_one(b, a);
+  star.first = gather_one(a, b);
+  star.opposites.clear();
+  for (const Corner& corner : shared_) star.opposites.push_back(corner.next == b ? corner.previous : corner.next);
 }
 
 /// The common case without a look at any neighbour: an inner edge, and by a coarse signature no common neighbour beside
 /// the two opposite corners. False means no more than that a closer look is due.
 bool TriangleComplex::obviously_keeps_topology(Index a, Index b, const PairStar& star) const {
-  if (star.shared.size() != 2 || orders_[a] != VertexOrder::regular || orders_[b] != VertexOrder::regular) return false;
+  if (star.opposites.size() != 2 || stars_[a].order != VertexOrder::regular ||
+      stars_[b].order != VertexOrder::regular) {
+    return false;
+  }
   // With one face each beside the common ones, both would lie over the same edge: a tetrahedron.
   if (star.first.size() < 2 && star.second.size() < 2) return false;
-  const Index c = star.shared[0].opposite;
-  const Index d = star.shared[1].opposite;
+  const Index c = star.opposites[0];
+  const Index d = star.opposites[1];
   if (c == d) return false;
-  const auto signature = [c, d](const std::vector<PairStar::Wing>& wings) {
+  const auto signature = [c, d](std::span<const Corner> wings) {
     const auto bit = [c, d](Index v) { return v == c || v == d ? 0 : std::uint64_t{1} << (v & 63); };
     std::uint64_t bits = 0;
-    for (const PairStar::Wing& wing : wings) bits |= bit(wing.x) | bit(wing.y);
+    for (const Corner& wing : wings) bits |= bit(wing.next) | bit(wing.previous);
     return bits;
   };
   return (signature(star.first) & signature(star.second)) == 0;
 }
 
 bool TriangleComplex::link_condition_of_any(Index a, Index b, const PairStar& star) {
-  if (star.shared.empty()) return false;                        // not an edge
+  if (star.opposites.empty()) return false;                     // not an edge
   if (star.first.empty() && star.second.empty()) return false;  // the part would vanish
   ring_.clear();
-  const auto count_faces = [&](const std::vector<PairStar::Wing>& wings, std::size_t side) {
-    for (const PairStar::Wing& wing : wings) {
-      ++ring_[place_in_ring(wing.x)].n_faces[side];
-      ++ring_[place_in_ring(wing.y)].n_faces[side];
+  const auto count_faces = [&](std::span<const Corner> wings, std::size_t side) {
+    for (const Corner& wing : wings) {
+      ++ring_[place_in_ring(wing.next)].n_faces[side];
+      ++ring_[place_in_ring(wing.previous)].n_faces[side];
     }
   };
-  for (const PairStar::Shared& shared : star.shared) {
-    RingEntry& entry = ring_[place_in_ring(shared.opposite)];
+  for (const Index opposite : star.opposites) {
+    RingEntry& entry = ring_[place_in_ring(opposite)];
     entry.opposite = true;
     ++entry.n_faces[0];
     ++entry.n_faces[1];
@@ -302,58 +299,100 @@ bool TriangleComplex::link_condition_of_any(Index a, Index b, const PairStar& st
   }
   // Two faces, one at each vertex, over the same edge of the link: they would coincide (a tetrahedron).
   const auto is_opposite = [&](Index v) { return ring_[place_in_ring(v)].opposite; };
-  for (const PairStar::Wing& wing : star.first) {
-    if (!is_opposite(wing.x) || !is_opposite(wing.y)) continue;
-    for (const PairStar::Wing& other : star.second) {
-      if ((other.x == wing.x && other.y == wing.y) || (other.x == wing.y && other.y == wing.x)) return false;
+  for (const Corner& wing : star.first) {
+    if (!is_opposite(wing.next) || !is_opposite(wing.previous)) continue;
+    for (const Corner& other : star.second) {
+      if (std::minmax(other.next, other.previous) == std::minmax(wing.next, wing.previous)) return false;
     }
   }
   // The cone vertex over irregular edges: two such vertices may only merge along such an edge, not when a third one
   // makes a triangle of such edges with them (a hole of three edges, a lone face), and not when both are junctions.
-  if (orders_[a] == VertexOrder::regular || orders_[b] == VertexOrder::regular) return true;
-  if (star.shared.size() == 2) return false;
-  if (orders_[a] == VertexOrder::junction && orders_[b] == VertexOrder::junction) return false;
+  if (stars_[a].order == VertexOrder::regular || stars_[b].order == VertexOrder::regular) return true;
+  if (star.opposites.size() == 2) return false;
+  if (stars_[a].order == VertexOrder::junction && stars_[b].order == VertexOrder::junction) return false;
   return std::none_of(ring_.begin(), ring_.begin() + static_cast<std::ptrdiff_t>(n_opposite),
                       [](const RingEntry& entry) { return entry.n_faces[0] != 2 && entry.n_faces[1] != 2; });
 }
 
-/// Of the edges of a face that vanishes, that between the pair goes, and that of the removed vertex becomes one with
-/// that of the survivor.
-void TriangleComplex::merge_edges(const PairStar::Shared& shared, Index survivor, Index removed, const PairStar& star) {
-  const auto edge_between = [&](Index f, Index v, Index w) -> Index& {
-    auto& [corners, edges] = faces_[f];
-    const std::size_t i = corner_of(corners, v);
-    return edges[corners[corner_after[i + 1]] == w ? i : corner_after[i + 2]];
-  };
-  const Index kept = edge_between(shared.face, survivor, shared.opposite);
-  const Index gone = edge_between(shared.face, removed, shared.opposite);
-  edge_alive_[edge_between(shared.face, survivor, removed)] = false;
-  edge_alive_[gone] = false;
-  for (const PairStar::Wing& wing : star.second) {
-    if (wing.x == shared.opposite || wing.y == shared.opposite)
-      edge_between(wing.face, removed, shared.opposite) = kept;
-  }
+/// The edge that e has become by merging.
+Index TriangleComplex::live_edge(Index e) {
+  while (!is_edge_alive(e)) e = edges_[e].first;
+  return e;
 }
 
-void TriangleComplex::contract(Index survivor, Index removed, const Vec3& position, const PairStar& star) {
-  for (const PairStar::Shared& shared : star.shared) {
-    merge_edges(shared, survivor, removed, star);
-    faces_[shared.face].corners[0] = invalid_index;
+/// The edge between two neighbours, v's list up to date.
+Index TriangleComplex::edge_between(Index v, Index w) {
+  for (const Corner& corner : corners(v)) {
+    if (corner.next == w) return live_edge(corner.edge);
   }
-  face_lists_.truncate(survivor, 0);
-  for (const PairStar::Wing& wing : star.first) face_lists_.push_back(survivor, wing.face);
-  for (const PairStar::Wing& wing : star.second) {
-    for (Index& corner : faces_[wing.face].corners) {
-      if (corner == removed) corner = survivor;
-    }
-    face_lists_.push_back(survivor, wing.face);
+  for (const Corner& corner : corners(w)) {  // where v's side of the edge has no face, or one of another orientation
+    if (representative(corner.next) == v) return live_edge(corner.edge);
   }
-  face_lists_.truncate(removed, 0);
-  vertices_[removed].parent = survivor;
-  vertices_[survivor].position = position;
-  orders_[survivor] = std::max(orders_[survivor], orders_[removed]);
-  n_faces_ -= star.shared.size();
+  return invalid_index;
+}
+
+/// Of the edges of a face that vanishes, that of the removed vertex becomes one with that of the survivor.
+void TriangleComplex::merge_edges(Index survivor, Index removed, Index opposite) {
+  const Index kept = edge_between(survivor, opposite);
+  const Index gone = edge_between(removed, opposite);
+  if (kept == gone) return;
+  remove_edge(gone);
+  edges_[gone].first = kept;
+}
+
+void TriangleComplex::merge_corners(Index survivor, Index removed, const PairStar& star) {
+  CornerLists::List& kept = stars_[survivor].corners;
+  CornerLists::List& other = stars_[removed].corners;
+  const auto n_first = static_cast<Index>(star.first.size());
+  const auto n_second = static_cast<Index>(star.second.size());
+  const Index n = n_first + n_second;
+  const auto append = [this](CornerLists::List& list, std::span<const Corner> wings) {
+    list.size += static_cast<Index>(wings.size());
+    std::copy(wings.begin(), wings.end(), corner_lists_.of(list).end() - static_cast<std::ptrdiff_t>(wings.size()));
+  };
+  kept.size = n_first;
+  other.size = n_second;
+  if (n <= kept.capacity) {
+    append(kept, star.second);
+  } else if (n <= other.capacity) {
+    append(other, star.first);
+    std::swap(kept, other);
+  } else {
+    CornerLists::List merged = corner_lists_.allocate(n);
+    append(merged, corner_lists_.of(kept));
+    append(merged, corner_lists_.of(other));
+    corner_lists_.release(kept);
+    kept = merged;
+  }
+  corner_lists_.release(other);
+  other = {};
+}
+
+void TriangleComplex::contract(Index edge, Index survivor, Index removed, const PlacedQuadric& merged,
+                               const PairStar& star) {
+  for (const Index opposite : star.opposites) merge_edges(survivor, removed, opposite);
+  remove_edge(edge);
+  merge_corners(survivor, removed, star);
+  n_faces_ -= star.opposites.size();
   --n_vertices_;
+  ++n_contractions_;
+  parents_[removed] = survivor;
+  vertices_[survivor].position = merged.position;
+  stars_[survivor].order = std::max(stars_[survivor].order, stars_[removed].order);
+  quadrics_[removed].last_change = n_contractions_;
+  quadrics_[survivor] = {merged.quadric.a, merged.quadric.c, store_slope(merged.quadric.b, survivor), n_contractions_};
+}
+
+/// In the place of v's old one, if it had one.
+Index TriangleComplex::store_slope(const Vec3& slope, Index v) {
+  if (slope.isZero(0)) return invalid_index;
+  Index place = quadrics_[v].slope;
+  if (place == invalid_index) {
+    place = static_cast<Index>(slopes_.size());
+    slopes_.emplace_back();
+  }
+  slopes_[place] = slope;
+  return place;
 }
 
 }  // namespace whittle

@@ -5,16 +5,18 @@
 #include <bit>
 #include <cassert>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "whittle/engine/indexed_mesh.hh"
+#include "whittle/engine/large_array.hh"
 
 namespace whittle {
 
 /// A monotone queue of numbers by cost, in buckets 1/128 of an octave wide. Holds no costs: whoever opens a bucket
 /// evaluates its members anew.
 ///
-/// Push and open cost a constant; memory is 4.3 bytes a member, reused.
+/// Push and open cost a constant; memory is 4 to 8.3 bytes a member.
 class BucketQueue {
  public:
   using Bucket = std::uint32_t;
@@ -28,8 +30,15 @@ class BucketQueue {
     return bits <= first ? 0 : static_cast<Bucket>(std::min<std::uint64_t>(bits - first, n_buckets - 1));
   }
 
-  /// Makes room for `n_members`.
-  void reserve(std::size_t n_members) { blocks_.reserve(n_members / block_capacity + 1024); }
+  /// Puts in the first members, numbered from 0: one a bucket given.
+  void fill(std::span<const Bucket> buckets) {
+    starts_.assign(n_buckets + 1, 0);
+    for (const Bucket bucket : buckets) ++starts_[bucket + 1];
+    for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
+    first_members_.resize(buckets.size());
+    std::vector<Index> ends(starts_.begin(), starts_.end() - 1);
+    for (Index member = 0; member < buckets.size(); ++member) first_members_[ends[buckets[member]]++] = member;
+  }
 
   /// \pre bucket is the open one or later.
   void push(Index member, Bucket bucket) {
@@ -47,14 +56,15 @@ class BucketQueue {
   /// pushed to. False when the queue is empty.
   bool open_next(std::vector<Index>& members) {
     members.clear();
-    while (next_bucket_ < n_buckets && heads_[next_bucket_].n_in_block == 0) ++next_bucket_;
+    while (next_bucket_ < n_buckets && is_empty(next_bucket_)) ++next_bucket_;
     if (next_bucket_ == n_buckets) return false;
+    const auto first = first_members_.begin();
+    members.assign(first + starts_[next_bucket_], first + starts_[next_bucket_ + 1]);
     const Head head = heads_[next_bucket_];
     heads_[next_bucket_] = {};
     std::size_t n = head.n_in_block;
     for (Index block = head.block; block != invalid_index;) {
-      members.insert(members.end(), blocks_[block].members.begin(),
-                     blocks_[block].members.begin() + static_cast<std::ptrdiff_t>(n));
+      for (std::size_t i = 0; i < n; ++i) members.push_back(blocks_[block].members[i]);
       n = block_capacity;
       const Index next = blocks_[block].next;
       free_blocks_.push_back(block);
@@ -80,6 +90,9 @@ class BucketQueue {
     std::uint32_t n_in_block = 0;  ///< 0 only when the bucket is empty
   };
 
+  bool is_empty(Bucket bucket) const {
+    return heads_[bucket].n_in_block == 0 && starts_[bucket] == starts_[bucket + 1];
+  }
   Index allocate() {
     if (free_blocks_.empty()) {
       blocks_.emplace_back();
@@ -90,6 +103,8 @@ class BucketQueue {
     return block;
   }
 
+  std::vector<Index> starts_ = std::vector<Index>(n_buckets + 1);  ///< of each bucket's first members
+  LargeArray<Index> first_members_;
   std::vector<Head> heads_ = std::vector<Head>(n_buckets);
   std::vector<Block> blocks_;
   std::vector<Index> free_blocks_;

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/engine/lanes.hh"
 
 namespace whittle {
 
@@ -12,31 +13,63 @@ class FlipLimit {
  public:
   /// \param max_angle_deg (0, 180]; at 180 only a face that loses its area is too much
   explicit FlipLimit(double max_angle_deg)
-      : signed_min_cosine_sq_(signed_square(std::cos(max_angle_deg * std::numbers::pi / 180))) {}
+      : signed_min_cosine_sq_(signed_square<double>(std::cos(max_angle_deg * std::numbers::pi / 180))) {}
 
   /// Whether the face (corner, x, y) turns further, or loses its area, when its corner moves. A face that has no area
   /// has no direction to keep.
   bool is_exceeded(const Vec3& from, const Vec3& to, const Vec3& x, const Vec3& y) const {
-    const Vec3 opposite = y - x;
-    const Vec3 arm_before = x - from;
-    const Vec3 arm_after = x - to;
-    const Vec3 before = arm_before.cross(opposite);
-    const Vec3 after = arm_after.cross(opposite);
-    const double before_sq = before.squaredNorm();
-    const double after_sq = after.squaredNorm();
-    const double no_area_sq = no_area_sine_sq * opposite.squaredNorm();
-    if (before_sq <= no_area_sq * arm_before.squaredNorm()) return false;
-    if (after_sq <= no_area_sq * arm_after.squaredNorm()) return true;
-    // before · after < cos · |before| |after|, without the root.
-    return signed_square(before.dot(after)) < signed_min_cosine_sq_ * (before_sq * after_sq);
+    return is_exceeded_at(point_lanes<double>(from), point_lanes<double>(to), point_lanes<double>(x),
+                          point_lanes<double>(y));
+  }
+  /// The same for two faces at once.
+  bool is_exceeded_by_any(const Vec3& from, const Vec3& to, const std::array<const Vec3*, 2>& x,
+                          const std::array<const Vec3*, 2>& y) const {
+    const auto exceeded = is_exceeded_at(point_lanes<Double2>(from, from), point_lanes<Double2>(to, to),
+                                         point_lanes<Double2>(*x[0], *x[1]), point_lanes<Double2>(*y[0], *y[1]));
+    return (exceeded[0] | exceeded[1]) != 0;
   }
 
  private:
+  template <class Real>
+  struct Point {
+    Real x, y, z;
+
+    friend Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    Point cross(const Point& o) const { return {y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x}; }
+    Real dot(const Point& o) const { return x * o.x + y * o.y + z * o.z; }
+  };
+  template <class Real, class... P>
+  static Point<Real> point_lanes(const P&... p) {
+    return {Real{p.x()...}, Real{p.y()...}, Real{p.z()...}};
+  }
+
+  template <class Real>
+  LaneMask<Real> is_exceeded_at(const Point<Real>& from, const Point<Real>& to, const Point<Real>& x,
+                                const Point<Real>& y) const {
+    const auto opposite = y - x;
+    const auto arm_before = x - from;
+    const auto arm_after = x - to;
+    const auto before = arm_before.cross(opposite);
+    const auto after = arm_after.cross(opposite);
+    const Real before_sq = before.dot(before);
+    const Real after_sq = after.dot(after);
+    // before · after < cos · |before| |after|, without the root.
+    const Real cosine = before.dot(after);
+    const auto turns = signed_square(cosine) < signed_min_cosine_sq_ * (before_sq * after_sq);
+    const Real no_area_sq = no_area_sine_sq * opposite.dot(opposite);
+    const auto has_area = before_sq > no_area_sq * arm_before.dot(arm_before);
+    const auto loses_area = after_sq <= no_area_sq * arm_after.dot(arm_after);
+    return (has_area & (turns | loses_area)) != 0;
+  }
+
   /// Square of the sine of a corner's angle below which a face has no area: its normal would be mostly rounding, which
   /// is about 1e-16 over the sine.
   static constexpr double no_area_sine_sq = 1e-20;
 
-  static double signed_square(double x) { return x * std::abs(x); }
+  template <class Real>
+  static Real signed_square(const Real& x) {
+    return x * (x < 0 ? -x : x);
+  }
 
   double signed_min_cosine_sq_;
 };

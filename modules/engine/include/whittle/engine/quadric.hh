@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 
 #include "whittle/engine/indexed_mesh.hh"
 
@@ -32,27 +31,6 @@ struct SymmetricMatrix {
             m.xz * v.x() + m.yz * v.y() + m.zz * v.z()};
   }
   double trace() const { return xx + yy + zz; }
-
-  /// The x with M x = rhs for a positive definite M, by LDLᵀ (backward stable, unlike the adjugate, which loses the
-  /// small eigenvalue of a nearly flat neighbourhood). Nothing where a pivot is below 1e-13 of the trace: there
-  /// rounding decides, and the caller falls back to another placement.
-  std::optional<Vec3> solve(const Vec3& rhs) const {
-    const double smallest_pivot = 1e-13 * trace();
-    const double inverse_d0 = 1 / xx;
-    const double l10 = xy * inverse_d0;
-    const double l20 = xz * inverse_d0;
-    const double d1 = yy - l10 * xy;
-    const double inverse_d1 = 1 / d1;
-    const double e21 = yz - l20 * xy;
-    const double l21 = e21 * inverse_d1;
-    const double d2 = zz - l20 * xz - l21 * e21;
-    if (!(xx > smallest_pivot && d1 > smallest_pivot && d2 > smallest_pivot)) return std::nullopt;
-    const double y1 = rhs.y() - l10 * rhs.x();
-    const double z = (rhs.z() - l20 * rhs.x() - l21 * y1) / d2;
-    const double y = y1 * inverse_d1 - l21 * z;
-    const double x = rhs.x() * inverse_d0 - l10 * y - l20 * z;
-    return Vec3(x, y, z);
-  }
 };
 
 /// A quadric error function about a local origin o: E(o + x) = xᵀ A x + 2 bᵀ x + c, in weight · distance².
@@ -79,6 +57,12 @@ struct Quadric {
     const Vec3 at = a * t;
     return {a, b + at, c + t.dot(2 * b + at)};
   }
+};
+
+/// A vertex as its cost sees it.
+struct PlacedQuadric {
+  Vec3 position = Vec3::Zero();
+  Quadric quadric;  ///< about `position`
 };
 
 }  // namespace whittle

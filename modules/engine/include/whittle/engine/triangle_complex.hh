@@ -1,71 +1,20 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "whittle/engine/indexed_mesh.hh"
-#include "whittle/engine/prefetch.hh"
+#include "whittle/engine/corner_lists.hh"
+#include "whittle/engine/frame.hh"
+#include "whittle/engine/pair_minimum.hh"
 
 namespace whittle {
 
-/// The faces at each vertex. Up to 15 lie in one cache line with their count; longer lists are rare and lie elsewhere.
-class FaceLists {
- public:
-  FaceLists() = default;
-  explicit FaceLists(std::size_t n_vertices) : lists_(n_vertices) {}
-
-  std::span<Index> of(Index v) {
-    List& list = lists_[v];
-    if (list.count <= inline_capacity) return {list.faces.data(), list.count};
-    return overflow_[list.faces[0]];
-  }
-  std::span<const Index> of(Index v) const { return const_cast<FaceLists*>(this)->of(v); }
-
-  void push_back(Index v, Index face) {
-    List& list = lists_[v];
-    if (list.count < inline_capacity) {
-      list.faces[list.count++] = face;
-    } else {
-      push_back_to_overflow(list, face);
-    }
-  }
-  /// Keeps the first `count` of v's faces.
-  void truncate(Index v, std::size_t count) {
-    List& list = lists_[v];
-    if (list.count > inline_capacity) shrink_overflow(list, count);
-    list.count = static_cast<Index>(count);
-  }
-
-  void prefetch(Index v) const { whittle::prefetch(&lists_[v]); }
-
- private:
-  static constexpr Index inline_capacity = 15;
-  struct alignas(64) List {
-    Index count;
-    std::array<Index, inline_capacity>
-        faces;  ///< the faces; with more, faces[0] is the number of the list in `overflow_`
-  };
-  void push_back_to_overflow(List& list, Index face);
-  void shrink_overflow(List& list, std::size_t count);
-
-  std::vector<List> lists_;
-  std::vector<std::vector<Index>> overflow_;
-  std::vector<Index> free_overflow_;
-};
-
-/// The two stars of a pair (a, b), as far as a contraction looks at them.
+/// The two stars of a pair (a, b), as far as a contraction looks at them. Valid until the next contraction.
 struct PairStar {
-  struct Wing {
-    Index face;
-    Index x, y;  ///< the other two corners, in the face's orientation
-  };
-  struct Shared {
-    Index face;
-    Index opposite;  ///< the corner that is neither a nor b
-  };
-  std::vector<Wing> first;     ///< faces at a without b
-  std::vector<Wing> second;    ///< faces at b without a
-  std::vector<Shared> shared;  ///< faces at a and b
+  std::span<const Corner> first;   ///< faces at a without b
+  std::span<const Corner> second;  ///< faces at b without a
+  std::vector<Index> opposites;    ///< of each face at a and b, the corner that is neither
 };
 
 /// How a vertex lies in the surface. An edge is regular when it has exactly two faces.
@@ -75,11 +24,12 @@ enum class VertexOrder : std::uint8_t {
   junction,  ///< anything else: bow-ties, meeting lines
 };
 
-/// Any set of triangles under contraction: flat arrays, a face list per vertex, merged vertices as a forest.
+/// Any set of triangles under contraction: flat arrays, each vertex with a list of its faces' other corners, merged
+/// vertices and edges as forests.
 ///
-/// Vertices and faces are numbered along a space-filling curve, so that neighbours lie close in memory; `origin` gives
-/// the number in the input. Positions are in the frame handed in by the caller. Faces that a contraction removes are
-/// dropped from the lists of their third corners when those are next looked at.
+/// Vertices are numbered along a space-filling curve, so that neighbours lie close in memory; `origin` gives the number
+/// in the input. A contraction changes the lists of its own two vertices only: the others' name merged vertices, and
+/// faces that have vanished, until they are next gathered. A face has vanished when two of its corners are one.
 class TriangleComplex {
  public:
   /// The ends of an edge.
@@ -88,38 +38,63 @@ class TriangleComplex {
   };
 
   /// Takes the faces' vertex numbers as checked. Faces with two equal corners are left out.
+  /// \param positions in model units; all in here is in the frame.
   /// \param threads 0 = all cores; the result is the same.
-  TriangleComplex(std::vector<Vec3> positions, std::span<const Triangle> faces, unsigned threads);
+  TriangleComplex(std::span<const Vec3> positions, std::span<const Triangle> faces, const Frame& frame,
+                  unsigned threads);
 
   std::size_t n_vertex_slots() const { return vertices_.size(); }
-  std::size_t n_face_slots() const { return faces_.size(); }
   std::uint64_t n_vertices() const { return n_vertices_; }  ///< with at least one face
   std::uint64_t n_faces() const { return n_faces_; }
   std::uint64_t n_degenerate_faces() const { return n_degenerate_faces_; }  ///< left out at the start
 
   const Vec3& position(Index v) const { return vertices_[v].position; }
+  /// With its quadric, undefined until set.
+  PlacedQuadric placed(Index v) const {
+    const StoredQuadric& q = quadrics_[v];
+    return {vertices_[v].position, {q.a, q.slope == invalid_index ? Vec3::Zero() : slopes_[q.slope], q.c}};
+  }
+  /// Whether v lies where its quadric is least, as most do: then its slope is zero.
+  bool is_level(Index v) const { return quadrics_[v].slope == invalid_index; }
+  /// Two level vertices side by side.
+  QuadricLanes<Double2> placed_level(Index v, Index w) const {
+    const auto beside = [](double x, double y) { return Double2{x, y}; };
+    const Vec3& p = vertices_[v].position;
+    const Vec3& q = vertices_[w].position;
+    const StoredQuadric& s = quadrics_[v];
+    const StoredQuadric& t = quadrics_[w];
+    QuadricLanes<Double2> lanes{};
+    lanes.px = beside(p.x(), q.x());
+    lanes.py = beside(p.y(), q.y());
+    lanes.pz = beside(p.z(), q.z());
+    lanes.xx = beside(s.a.xx, t.a.xx);
+    lanes.xy = beside(s.a.xy, t.a.xy);
+    lanes.xz = beside(s.a.xz, t.a.xz);
+    lanes.yy = beside(s.a.yy, t.a.yy);
+    lanes.yz = beside(s.a.yz, t.a.yz);
+    lanes.zz = beside(s.a.zz, t.a.zz);
+    lanes.c = beside(s.c, t.c);
+    return lanes;
+  }
+  void set_quadric(Index v, const SymmetricMatrix& a) { quadrics_[v] = {a, 0, invalid_index, 0}; }
   Index origin(Index v) const { return vertices_[v].origin; }
-  Index face_origin(Index f) const { return face_origins_[f]; }
-  bool is_alive(Index f) const { return faces_[f].corners[0] != invalid_index; }
-  const Triangle& face(Index f) const { return faces_[f].corners; }
-  VertexOrder order(Index v) const { return orders_[v]; }
-  /// The faces at v; before the first contraction exactly those, in the input's order, later with removed ones among
-  /// them.
-  std::span<const Index> faces_at(Index v) const { return face_lists_.of(v); }
+  VertexOrder order(Index v) const { return stars_[v].order; }
+  /// Whether v was ever in a face.
+  bool has_faces(Index v) const { return stars_[v].corners.size > 0; }
+  /// The corners of v before the first contraction, in the input's order of faces.
+  std::span<const Corner> corners(Index v) const { return corner_lists_.of(stars_[v].corners); }
 
   /// The vertex that v has been merged into, v itself if none. Shortens the path.
   Index representative(Index v) {
-    while (vertices_[v].parent != v) {
-      Index& parent = vertices_[v].parent;
-      v = parent = vertices_[parent].parent;
-    }
-    return v;
+    const Index parent = parents_[v];
+    return parents_[parent] == parent ? parent : parents_[v] = root(parent);
   }
 
-  /// Edges are numbered along the vertices. Where a contraction makes one of two edges, one of them lives on.
+  /// Edges are numbered by their lower vertex. Where a contraction makes one of two edges, one of
+  /// them lives on.
   std::size_t n_edge_slots() const { return edges_.size(); }
-  bool is_edge_alive(Index e) const { return edge_alive_[e]; }
-  /// The vertices that the ends of e have been merged into.
+  bool is_edge_alive(Index e) const { return (edge_alive_[e / 64] >> (e % 64) & 1) != 0; }
+  /// The vertices that the ends of a living e have been merged into.
   Edge ends(Index e) {
     Edge& edge = edges_[e];
     edge = {representative(edge.first), representative(edge.second)};
@@ -127,10 +102,10 @@ class TriangleComplex {
   }
   /// The same before the first contraction.
   Edge initial_ends(Index e) const { return edges_[e]; }
-  /// The edge from corner i of face f to the next.
-  Index face_edge(Index f, std::size_t i) const { return faces_[f].edges[i]; }
-  /// Number of faces at an edge of the input, at most 255.
-  unsigned n_initial_edge_faces(Index e) const { return n_edge_faces_[e]; }
+  /// Number of faces at the edge (v, w) before the first contraction, at most 255.
+  unsigned n_initial_faces_between(Index v, Index w);
+  /// What only the questions about the time before the first contraction need.
+  void forget_initial_state() { n_edge_faces_ = {}; }
 
   void gather(Index a, Index b, PairStar& star);
 
@@ -140,63 +115,80 @@ class TriangleComplex {
     return obviously_keeps_topology(a, b, star) || link_condition_of_any(a, b, star);
   }
 
-  /// Merges `removed` into `survivor`, which moves to `position`. `star` as gathered for (survivor, removed).
-  void contract(Index survivor, Index removed, const Vec3& position, const PairStar& star);
+  /// Merges `removed` into `survivor`, which becomes `merged`. `star` as gathered for (survivor, removed), `edge` the
+  /// one between them.
+  void contract(Index edge, Index survivor, Index removed, const PlacedQuadric& merged, const PairStar& star);
+
+  Index n_contractions() const { return n_contractions_; }
+  /// The number of contractions done when v last changed.
+  Index last_change(Index v) const { return quadrics_[v].last_change; }
 
   void prefetch_edge(Index e) const { prefetch(&edges_[e]); }
   void prefetch_ends(Index e) const {
-    prefetch(&vertices_[edges_[e].first]);
-    prefetch(&vertices_[edges_[e].second]);
+    prefetch(&parents_[edges_[e].first]);
+    prefetch(&parents_[edges_[e].second]);
   }
-  void prefetch_vertex(Index v) const { prefetch(&vertices_[v]); }
-  void prefetch_face_list(Index v) const { face_lists_.prefetch(v); }
-  void prefetch_faces(Index v) const {
-    for (const Index f : face_lists_.of(v)) prefetch(&faces_[f]);
+  void prefetch_placed(Index v) const {
+    prefetch(&vertices_[v]);
+    prefetch(&quadrics_[v]);
   }
-  void prefetch_neighbours(Index v) const {
-    for (const Index f : face_lists_.of(v)) {
-      if (!is_alive(f)) continue;
-      for (const Index w : faces_[f].corners) prefetch_vertex(w);
-    }
+  void prefetch_star(Index v) const { prefetch(&stars_[v]); }
+  void prefetch_corners(Index v) const { corner_lists_.prefetch(stars_[v].corners); }
+  void prefetch_neighbours(Index v) {
+    for (const Corner& corner : corners(v)) prefetch(&vertices_[representative(corner.next)]);
   }
 
  private:
-  void number_vertices(const std::vector<Vec3>& positions, std::vector<Index>& number_of);
-  void number_faces(std::span<const Triangle> faces, const std::vector<Index>& number_of);
-  void list_faces(unsigned threads);
-  void number_edges();
-  Index number_edge(Index v, Index w, std::size_t first);
+  Index root(Index v);
+  void number_vertices(std::span<const Vec3> positions, const Frame& frame, std::vector<Index>& number_of);
+  void list_corners(std::span<const Triangle> faces, const std::vector<Index>& number_of);
+  void number_edges(unsigned threads);
   void find_orders(unsigned threads);
   bool is_small_closed_fan(Index v) const;
   void gather_ring(Index v);
   VertexOrder order_of_ring() const;
   Index place_in_ring(Index v);
-  void gather_one(Index v, Index other, std::vector<PairStar::Wing>& wings, std::vector<PairStar::Shared>* shared);
+  std::span<const Corner> gather_one(Index v, Index other);
   bool link_condition_of_any(Index a, Index b, const PairStar& star);
   bool obviously_keeps_topology(Index a, Index b, const PairStar& star) const;
-  void merge_edges(const PairStar::Shared& shared, Index survivor, Index removed, const PairStar& star);
+  void remove_edge(Index e) { edge_alive_[e / 64] &= ~(std::uint64_t{1} << (e % 64)); }
+  void sort_edges(Index v, std::size_t first);
+  Index live_edge(Index e);
+  Index edge_between(Index v, Index w);
+  void merge_edges(Index survivor, Index removed, Index opposite);
+  Index store_slope(const Vec3& slope, Index v);
+  void merge_corners(Index survivor, Index removed, const PairStar& star);
 
-  /// What is looked at together lies together: two vertices a cache line.
+  /// One cache line. The slope b, three more numbers, is zero but for the few vertices that are not where their quadric
+  /// is least.
+  struct alignas(64) StoredQuadric {
+    SymmetricMatrix a;
+    double c;
+    Index slope;  ///< its number among `slopes_`, or `invalid_index`
+    Index last_change;
+  };
+  struct Star {
+    CornerLists::List corners;
+    VertexOrder order;
+  };
+  /// What is asked of a neighbour, and no more: two vertices a cache line.
   struct alignas(32) Vertex {
     Vec3 position;
-    Index parent;  ///< towards the vertex it was merged into; itself if none
     Index origin;
   };
-  struct Face {
-    Triangle corners;            ///< the first is `invalid_index` once removed
-    std::array<Index, 3> edges;  ///< from each corner to the next
-  };
-  std::vector<Vertex> vertices_;
-  std::vector<VertexOrder> orders_;
-  std::vector<Face> faces_;
-  std::vector<Index> face_origins_;
-  FaceLists face_lists_;
-  std::vector<Edge> edges_;  ///< ends as last looked up
-  std::vector<bool> edge_alive_;
+  LargeArray<Vertex> vertices_;
+  std::vector<Index> parents_;  ///< towards the vertex it was merged into; itself if none
+  LargeArray<StoredQuadric> quadrics_;
+  LargeArray<Vec3> slopes_;
+  LargeArray<Star> stars_;
+  CornerLists corner_lists_;
+  LargeArray<Edge> edges_;                 ///< ends as last looked up; `first` of one merged into another: that
+  std::vector<std::uint64_t> edge_alive_;  ///< a bit an edge
   std::vector<std::uint8_t> n_edge_faces_;
   std::uint64_t n_vertices_ = 0;
   std::uint64_t n_faces_ = 0;
   std::uint64_t n_degenerate_faces_ = 0;
+  Index n_contractions_ = 0;
 
   /// A neighbour of one vertex or of a pair, with the number of faces at its edges to them.
   struct RingEntry {
@@ -205,10 +197,10 @@ class TriangleComplex {
     std::array<Index, 2> next{invalid_index, invalid_index};  ///< places of up to two neighbours in the link
     bool opposite = false;                                    ///< corner of a face of the pair
   };
-  /// Scratch: the neighbours under look, and each vertex's place among them (at first: among the edges), right only if
-  /// the entry there names it.
+  /// Scratch: the neighbours under look, and each vertex's place among them, right only if the entry there names it.
   std::vector<RingEntry> ring_;
   std::vector<Index> ring_place_;
+  std::vector<Corner> shared_;  ///< corners of faces of the pair
 };
 
 }  // namespace whittle

@@ -82,12 +82,6 @@ class ModGarlandHeckbertT : public OpenMesh::Decimater::ModBaseT<MeshT>, public 
  private:
   using VertexHandle = OpenMesh::VertexHandle;
 
-  /// In the frame.
-  struct VertexState {
-    Vec3 position = Vec3::Zero();
-    Quadric quadric;  ///< about the position
-  };
-
   void set_binary(bool) {}  // it ranks: never binary
 
   void place_vertices();
@@ -101,7 +95,7 @@ class ModGarlandHeckbertT : public OpenMesh::Decimater::ModBaseT<MeshT>, public 
 
   QuadricOptions active_;  ///< those of the last `initialize()`
   Frame frame_;
-  OpenMesh::VProp<VertexState> vertices_;
+  OpenMesh::VProp<PlacedQuadric> vertices_;
   std::optional<PairEvaluation> pending_;      ///< of the collapse under way
   std::optional<StockQuadricT<MeshT>> stock_;  ///< with stock arithmetic, in place of all that
 };

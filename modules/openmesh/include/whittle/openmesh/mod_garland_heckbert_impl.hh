@@ -76,8 +76,10 @@ template <class MeshT>
 void ModGarlandHeckbertT<MeshT>::add_face_planes() {
   for (const OpenMesh::FaceHandle f : mesh_.faces()) {
     const auto corners = face_corners(mesh_, f);
-    const auto shares = face_quadrics({position(corners[0]), position(corners[1]), position(corners[2])}, active_);
-    for (std::size_t i = 0; i < 3; ++i) vertices_[corners[i]].quadric.a += shares[i];
+    for (std::size_t i = 0; i < 3; ++i) {
+      vertices_[corners[i]].quadric.a +=
+          corner_quadric(position(corners[i]), position(corners[(i + 1) % 3]), position(corners[(i + 2) % 3]), active_);
+    }
   }
 }
 
@@ -102,9 +104,7 @@ void ModGarlandHeckbertT<MeshT>::add_border_planes() {
 
 template <class MeshT>
 PairEvaluation ModGarlandHeckbertT<MeshT>::evaluate(VertexHandle first, VertexHandle second, Pinned pinned) const {
-  const VertexState& a = vertices_[first];
-  const VertexState& b = vertices_[second];
-  return evaluate_pair(a.quadric, a.position, b.quadric, b.position, active_.placement, pinned);
+  return evaluate_pair(vertices_[first], vertices_[second], active_.placement, pinned);
 }
 
 template <class MeshT>
@@ -146,11 +146,8 @@ template <class MeshT>
 void ModGarlandHeckbertT<MeshT>::postprocess_collapse(const CollapseInfo& collapse) {
   if (stock_) return stock_->merge(collapse);
   const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
-  const VertexState& a = vertices_[first];
-  const VertexState& b = vertices_[second];
-  const Vec3 merged_position = pending_.value().position;
-  vertices_[collapse.v1] = {merged_position,
-                            merged_quadric(a.quadric, a.position, b.quadric, b.position, merged_position)};
+  const PairEvaluation& evaluation = pending_.value();
+  vertices_[collapse.v1] = merged(vertices_[first], vertices_[second], evaluation.position, evaluation.is_minimum);
   pending_.reset();
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "whittle/engine/frame.hh"
-#include "whittle/engine/quadric_term.hh"
+#include "whittle/engine/pair_evaluation.hh"
 
 namespace whittle {
 
