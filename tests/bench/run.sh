@@ -3,8 +3,9 @@
 #   run.sh [OPTION]...             the engine beside the libraries of --peers; options are those of whittle_bench
 #   run.sh --programs [OPTION]...  `whittle simplify` beside other programs; options are those of whittle_bench_programs
 # Without --mesh (and --case) it is the dragon; in the first form also the bunny, where it is to be had, and all made
-# meshes. --help after either tells the options. Rows are saved in build/bench/results.csv and programs.csv; --plot, here
-# without a folder, draws the former in build/bench/plots.
+# meshes, each of them in random order too, in a quarter of an hour. --help after either tells the options. Rows are
+# saved in build/bench/results.csv and programs.csv; --plot, here without a folder, draws the former in
+# build/bench/plots.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source apps/packages.sh
@@ -71,7 +72,7 @@ choose_dragon() {
 
 choose_meshes() {
   local bunny=../shared/data/meshes/bunny.obj
-  arguments+=(--case all)
+  arguments+=(--case all --permuted)
   choose_dragon || true
   [ ! -f "$bunny" ] || arguments+=(--mesh "$bunny")
 }

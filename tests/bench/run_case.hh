@@ -18,8 +18,8 @@ struct NamedPeer {
 
 struct RunOptions {
   Clock clock = Clock::wall;
-  int rounds = 7;
-  double slow_s = 2;             ///< peers that take longer are timed once, in their first run
+  int rounds = 5;
+  double slow_s = 4;             ///< peers that take longer are timed once, in their first run
   double limit_s = 120;          ///< see `first_run`
   std::size_t samples = 50'000;  ///< of the distance, beside all vertices; 0 = the error is not measured
 };
