@@ -24,6 +24,7 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, const DecimateOptions
       n_initial_faces_(complex.n_faces()),
       raised_(complex.n_vertex_slots()),
       is_raised_(complex.n_edge_slots()),
+      raised_costs_(std::make_unique_for_overwrite<float[]>(complex.n_edge_slots())),
       refused_(complex.n_vertex_slots()),
       is_refused_(complex.n_edge_slots()) {}
 
@@ -90,18 +91,20 @@ template <class PairAt, class Use>
 void ContractionLoop::for_each_evaluation(std::size_t begin, std::size_t end, const PairAt& pair_at,
                                           const Use& use) const {
   const auto use_lane = [&](const Pair& pair, const PairMinimum<Double2>& minima, int lane) {
-    if (minima.is_near[lane] != 0 && wants_minimum(pair)) {
+    if (minima.is_near[lane] != 0) {
       const Vec3 position(minima.x[lane], minima.y[lane], minima.z[lane]);
       use(pair, PairEvaluation{minima.value[lane], minima.value[lane], position, true});
     } else {
       use(pair, evaluate(pair));
     }
   };
+  const bool wants_minimum = options_.quadric.placement == Placement::optimal && settings_.locked.empty();
   std::size_t i = begin;
   for (; i + 1 < end; i += 2) {
     const Pair x = pair_at(i);
     const Pair y = pair_at(i + 1);
-    if (complex_.is_level(x.a) && complex_.is_level(x.b) && complex_.is_level(y.a) && complex_.is_level(y.b)) {
+    if (wants_minimum && complex_.is_level(x.a) && complex_.is_level(x.b) && complex_.is_level(y.a) &&
+        complex_.is_level(y.b)) {
       const auto minima = pair_minimum(complex_.placed_level(x.a, y.a), complex_.placed_level(x.b, y.b));
       use_lane(x, minima, 0);
       use_lane(y, minima, 1);
@@ -185,10 +188,6 @@ Pinned ContractionLoop::pinned(const Pair& pair) const {
   return is_locked(pair.a) ? Pinned::first : is_locked(pair.b) ? Pinned::second : Pinned::none;
 }
 
-bool ContractionLoop::wants_minimum(const Pair& pair) const {
-  return options_.quadric.placement == Placement::optimal && pinned(pair) == Pinned::none;
-}
-
 PairEvaluation ContractionLoop::evaluate(const Pair& pair) const {
   return evaluate_pair(complex_.placed(pair.a), complex_.placed(pair.b), options_.quadric.placement, pinned(pair));
 }
@@ -259,15 +258,13 @@ ContractionLoop::Refusal ContractionLoop::find_refusal(Index a, Index b, const V
 
 /// Whether moving the common corner of `wings` turns one of them too far.
 bool ContractionLoop::turns_a_face(std::span<const Corner> wings, const Vec3& from, const Vec3& to) const {
-  const auto at = [this](Index v) { return &complex_.position(v); };
-  std::size_t i = 0;
-  for (; i + 1 < wings.size(); i += 2) {
-    if (flip_limit_.is_exceeded_by_any(from, to, {at(wings[i].next), at(wings[i + 1].next)},
-                                       {at(wings[i].previous), at(wings[i + 1].previous)})) {
-      return true;
-    }
+  const auto at = [this](Index v) -> const Vec3& { return complex_.position(v); };
+  for (std::size_t i = 0; i < wings.size(); i += 2) {
+    const Corner& x = wings[i];
+    const Corner& y = wings[std::min(i + 1, wings.size() - 1)];
+    if (flip_limit_.is_exceeded_by_any(from, to, at(x.next), at(x.previous), at(y.next), at(y.previous))) return true;
   }
-  return i < wings.size() && flip_limit_.is_exceeded(from, to, *at(wings[i].next), *at(wings[i].previous));
+  return false;
 }
 
 void ContractionLoop::contract(const Pair& pair, double cost, const Placed& placement) {
@@ -303,12 +300,11 @@ void ContractionLoop::wake_refused_around(Index survivor, Index removed) {
     wake(corner.next);
     wake(corner.previous);
   }
-  for (const Index opposite : star_.opposites) wake(opposite);
+  for (const PairStar::Opposite& opposite : star_.opposites) wake(opposite.vertex);
 }
 
 void ContractionLoop::add_raised(const Pair& pair, double cost) {
   const auto [edge, a, b] = pair;
-  raised_costs_.resize(complex_.n_edge_slots());
   raised_costs_[edge] = static_cast<float>(cost);
   if (is_raised_[edge]) return;
   is_raised_[edge] = true;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <queue>
 #include <vector>
@@ -75,7 +76,6 @@ class ContractionLoop {
   Pair in_order(Index pair, TriangleComplex::Edge ends) const;
   Candidate candidate(const Pair& pair, double cost) const;
   Pinned pinned(const Pair& pair) const;
-  bool wants_minimum(const Pair& pair) const;
   PairEvaluation evaluate(const Pair& pair) const;
   template <class PairAt, class Use>
   void for_each_evaluation(std::size_t begin, std::size_t end, const PairAt& pair_at, const Use& use) const;
@@ -112,8 +112,8 @@ class ContractionLoop {
   std::priority_queue<Candidate, std::vector<Candidate>, IsAfter> late_;  ///< for the open bucket or before it
 
   WaitingPairs raised_;
-  std::vector<bool> is_raised_;      ///< per pair
-  std::vector<float> raised_costs_;  ///< per pair, what a raised one is queued under; empty while there is none
+  std::vector<bool> is_raised_;            ///< per pair
+  std::unique_ptr<float[]> raised_costs_;  ///< per pair, what a raised one is queued under; undefined for others
   WaitingPairs refused_;
   std::vector<bool> is_refused_;  ///< per pair
   std::vector<Index> woken_;      ///< scratch

@@ -5,14 +5,34 @@
 
 #include "space_filling_curve.hh"
 #include "whittle/engine/parallel.hh"
+#include "whittle/engine/select.hh"
 
 namespace whittle {
 namespace {
 
 constexpr std::ptrdiff_t few_edges = 8;  ///< so many are searched one by one
 
-}  // namespace
+/// Calls `use(corner)` for those for which `is_chosen(corner)`. As that can't be foretold, short lists are sifted
+/// first, without a branch.
+template <class IsChosen, class Use>
+void for_each_chosen(std::span<Corner> list, const IsChosen& is_chosen, const Use& use) {
+  constexpr std::size_t few = 16;
+  if (list.size() > few) {
+    for (Corner& corner : list) {
+      if (is_chosen(corner)) use(corner);
+    }
+    return;
+  }
+  std::array<Corner*, few> chosen;
+  std::size_t n = 0;
+  for (Corner& corner : list) {
+    chosen[n] = &corner;
+    n += static_cast<std::size_t>(is_chosen(corner));
+  }
+  for (std::size_t i = 0; i < n; ++i) use(*chosen[i]);
+}
 
+}  // namespace
 TriangleComplex::TriangleComplex(std::span<const Vec3> positions, std::span<const Triangle> faces, const Frame& frame,
                                  unsigned threads) {
   std::vector<Index> number_of;
@@ -84,10 +104,13 @@ void TriangleComplex::number_edges(unsigned threads) {
       if (n_edge_faces_[place] < 255) ++n_edge_faces_[place];
       return place;
     };
-    for (Corner& corner : corner_lists_.of(stars_[v].corners)) {
-      if (corner.next > v) corner.edge = count(corner.next);
-      if (corner.previous > v) count(corner.previous);
-    }
+    const std::span<Corner> list = corner_lists_.of(stars_[v].corners);
+    for_each_chosen(
+        list, [v](const Corner& corner) { return corner.next > v; },
+        [&](Corner& corner) { corner.edge = count(corner.next); });
+    for_each_chosen(
+        list, [v](const Corner& corner) { return corner.previous > v; },
+        [&](Corner& corner) { count(corner.previous); });
     if (std::ssize(edges_) - static_cast<std::ptrdiff_t>(first) > few_edges) sort_edges(v, first);
     if (edges_.size() >= invalid_index) throw std::length_error("decimate: more than 2^32 - 2 edges");
     starts[v + 1] = static_cast<Index>(edges_.size());
@@ -105,9 +128,9 @@ void TriangleComplex::number_edges(unsigned threads) {
   };
   for_each_range(vertices_.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
-      for (Corner& corner : corner_lists_.of(stars_[v].corners)) {
-        if (corner.next < v) corner.edge = edge_from_lower(corner.next, static_cast<Index>(v));
-      }
+      for_each_chosen(
+          corner_lists_.of(stars_[v].corners), [v](const Corner& corner) { return corner.next < v; },
+          [&](Corner& corner) { corner.edge = edge_from_lower(corner.next, static_cast<Index>(v)); });
     }
   });
 }
@@ -159,9 +182,8 @@ bool TriangleComplex::is_small_closed_fan(Index v) const {
     fan[i] = list[i];
   }
   for (std::size_t i = 1; i < list.size(); ++i) {
-    const Index end = fan[i - 1].previous;
     std::size_t j = i;
-    while (j < list.size() && fan[j].next != end) ++j;
+    while (j < list.size() && fan[j].next != fan[i - 1].previous) ++j;
     if (j == list.size()) return false;  // of several fans, or not all of one orientation
     std::swap(fan[i], fan[j]);
   }
@@ -224,35 +246,41 @@ VertexOrder TriangleComplex::order_of_ring() const {
   return n_ends == 0 ? VertexOrder::regular : VertexOrder::line;
 }
 
-/// Brings v's list up to date: first the corners of faces without `other`, which are returned, then those with it,
-/// which are left in `shared_` too.
-std::span<const Corner> TriangleComplex::gather_one(Index v, Index other) {
+/// Brings v's list up to date: first the corners of faces without `other`, whose number it returns, then those with it.
+/// Which are which can't be foretold, so there is no branch on it: each corner is written to both places, and stays in
+/// one.
+std::size_t TriangleComplex::gather_one(Index v, Index other) {
   const std::span<Corner> list = corner_lists_.of(stars_[v].corners);
-  shared_.clear();
+  if (shared_.size() < list.size() + 1) shared_.resize(2 * list.size() + 1);
   std::size_t n = 0;
+  std::size_t n_shared = 0;
   for (const Corner& then : list) {
     const Corner corner{representative(then.next), representative(then.previous), then.edge};
     prefetch(&edge_alive_[corner.edge / 64]);
-    if (corner.next == corner.previous || corner.next == v || corner.previous == v) continue;
-    if (corner.next == other || corner.previous == other) {
-      shared_.push_back(corner);
-    } else {
-      list[n++] = corner;
-    }
+    const bool is_there = (corner.next != corner.previous) & (corner.next != v) & (corner.previous != v);
+    const bool is_shared = (corner.next == other) | (corner.previous == other);
+    list[n] = corner;
+    shared_[n_shared] = corner;
+    n += static_cast<std::size_t>(is_there & !is_shared);
+    n_shared += static_cast<std::size_t>(is_there & is_shared);
   }
-  std::copy(shared_.begin(), shared_.end(), list.begin() + static_cast<std::ptrdiff_t>(n));
-  stars_[v].corners.size = static_cast<Index>(n + shared_.size());
-  return list.first(n);
+  for (std::size_t i = 0; i < n_shared; ++i) list[n + i] = shared_[i];
+  stars_[v].corners.size = static_cast<Index>(n + n_shared);
+  return n;
 }
 
 void TriangleComplex::gather(Index a, Index b, PairStar& star) {
-  star.second = gather_one(b, a);
-  star.first = gather_one(a, b);
+  star.first = corners(a).first(gather_one(a, b));
+  star.second = corners(b).first(gather_one(b, a));
   star.opposites.clear();
-  for (const Corner& corner : shared_) star.opposites.push_back(corner.next == b ? corner.previous : corner.next);
+  for (const Corner& corner : corners(a).subspan(star.first.size())) {
+    const Index opposite = corner.next == b ? corner.previous : corner.next;
+    star.opposites.push_back({opposite, {edge_between(a, opposite), edge_between(b, opposite)}});
+    for (const Index e : star.opposites.back().edges) prefetch_edge(e);  // in case it is merged into another
+  }
 }
 
-/// The common case without a look at any neighbour: an inner edge, and by a coarse signature no common neighbour beside
+/// The common case without a look at any neighbour: an inner edge, and by a coarse look no common neighbour beside
 /// the two opposite corners. False means no more than that a closer look is due.
 bool TriangleComplex::obviously_keeps_topology(Index a, Index b, const PairStar& star) const {
   if (star.opposites.size() != 2 || stars_[a].order != VertexOrder::regular ||
@@ -261,16 +289,28 @@ bool TriangleComplex::obviously_keeps_topology(Index a, Index b, const PairStar&
   }
   // With one face each beside the common ones, both would lie over the same edge: a tetrahedron.
   if (star.first.size() < 2 && star.second.size() < 2) return false;
-  const Index c = star.opposites[0];
-  const Index d = star.opposites[1];
+  const Index c = star.opposites[0].vertex;
+  const Index d = star.opposites[1].vertex;
   if (c == d) return false;
+  struct Signature {
+    std::uint64_t low = 0, high = 0;  // a bit for each vertex, by the lowest six bits of its number and the next six
+  };
   const auto signature = [c, d](std::span<const Corner> wings) {
-    const auto bit = [c, d](Index v) { return v == c || v == d ? 0 : std::uint64_t{1} << (v & 63); };
-    std::uint64_t bits = 0;
-    for (const Corner& wing : wings) bits |= bit(wing.next) | bit(wing.previous);
+    Signature bits;
+    const auto add = [&](Index v) {
+      const auto bit = static_cast<std::uint64_t>((v != c) & (v != d));
+      bits.low |= bit << (v & 63);
+      bits.high |= bit << (v >> 6 & 63);
+    };
+    for (const Corner& wing : wings) {
+      add(wing.next);
+      add(wing.previous);
+    }
     return bits;
   };
-  return (signature(star.first) & signature(star.second)) == 0;
+  const Signature first = signature(star.first);
+  const Signature second = signature(star.second);
+  return (first.low & second.low) == 0 || (first.high & second.high) == 0;
 }
 
 bool TriangleComplex::link_condition_of_any(Index a, Index b, const PairStar& star) {
@@ -283,8 +323,8 @@ bool TriangleComplex::link_condition_of_any(Index a, Index b, const PairStar& st
       ++ring_[place_in_ring(wing.previous)].n_faces[side];
     }
   };
-  for (const Index opposite : star.opposites) {
-    RingEntry& entry = ring_[place_in_ring(opposite)];
+  for (const PairStar::Opposite& opposite : star.opposites) {
+    RingEntry& entry = ring_[place_in_ring(opposite.vertex)];
     entry.opposite = true;
     ++entry.n_faces[0];
     ++entry.n_faces[1];
@@ -315,62 +355,59 @@ bool TriangleComplex::link_condition_of_any(Index a, Index b, const PairStar& st
 }
 
 /// The edge that e has become by merging.
-Index TriangleComplex::live_edge(Index e) {
+Index TriangleComplex::live_edge(Index e) const {
   while (!is_edge_alive(e)) e = edges_[e].first;
   return e;
 }
 
-/// The edge between two neighbours, v's list up to date.
+/// The edge between two neighbours, v's list up to date, as its face has it: it may have been merged into another.
 Index TriangleComplex::edge_between(Index v, Index w) {
-  for (const Corner& corner : corners(v)) {
-    if (corner.next == w) return live_edge(corner.edge);
-  }
+  Index edge = invalid_index;
+  for (const Corner& corner : corners(v)) edge = select(corner.next == w, corner.edge, edge);
+  if (edge != invalid_index) return edge;
   for (const Corner& corner : corners(w)) {  // where v's side of the edge has no face, or one of another orientation
-    if (representative(corner.next) == v) return live_edge(corner.edge);
+    if (representative(corner.next) == v) return corner.edge;
   }
   return invalid_index;
 }
 
-/// Of the edges of a face that vanishes, that of the removed vertex becomes one with that of the survivor.
-void TriangleComplex::merge_edges(Index survivor, Index removed, Index opposite) {
-  const Index kept = edge_between(survivor, opposite);
-  const Index gone = edge_between(removed, opposite);
+/// Of the two edges that become one, the first lives on.
+void TriangleComplex::merge_edges(const PairStar::Opposite& opposite) {
+  const Index kept = live_edge(opposite.edges[0]);
+  const Index gone = live_edge(opposite.edges[1]);
   if (kept == gone) return;
   remove_edge(gone);
   edges_[gone].first = kept;
 }
 
+/// The survivor gets the corners of faces without the other vertex.
 void TriangleComplex::merge_corners(Index survivor, Index removed, const PairStar& star) {
   CornerLists::List& kept = stars_[survivor].corners;
   CornerLists::List& other = stars_[removed].corners;
-  const auto n_first = static_cast<Index>(star.first.size());
-  const auto n_second = static_cast<Index>(star.second.size());
-  const Index n = n_first + n_second;
-  const auto append = [this](CornerLists::List& list, std::span<const Corner> wings) {
-    list.size += static_cast<Index>(wings.size());
-    std::copy(wings.begin(), wings.end(), corner_lists_.of(list).end() - static_cast<std::ptrdiff_t>(wings.size()));
+  const auto n = static_cast<Index>(star.first.size() + star.second.size());
+  CornerLists::List merged = kept;
+  if (n > kept.capacity) merged = n <= other.capacity ? other : corner_lists_.allocate(n);
+  merged.size = n;
+  const std::span<Corner> corners = corner_lists_.of(merged);
+  const bool is_removed_ones = merged.begin == other.begin && other.capacity > 0;
+  const auto wings_of = [this](const CornerLists::List& list, std::size_t n_wings) {
+    return corner_lists_.of(list).first(n_wings);
   };
-  kept.size = n_first;
-  other.size = n_second;
-  if (n <= kept.capacity) {
-    append(kept, star.second);
-  } else if (n <= other.capacity) {
-    append(other, star.first);
-    std::swap(kept, other);
-  } else {
-    CornerLists::List merged = corner_lists_.allocate(n);
-    append(merged, corner_lists_.of(kept));
-    append(merged, corner_lists_.of(other));
-    corner_lists_.release(kept);
-    kept = merged;
-  }
-  corner_lists_.release(other);
+  auto near = wings_of(kept, star.first.size());
+  auto far = wings_of(other, star.second.size());
+  if (is_removed_ones) std::swap(near, far);
+  std::size_t place = 0;
+  for (const Corner& corner : near) corners[place++] = corner;
+  for (const Corner& corner : far) corners[place++] = corner;
+  if (merged.begin != kept.begin) corner_lists_.release(kept);
+  if (!is_removed_ones) corner_lists_.release(other);
+  kept = merged;
   other = {};
 }
 
 void TriangleComplex::contract(Index edge, Index survivor, Index removed, const PlacedQuadric& merged,
                                const PairStar& star) {
-  for (const Index opposite : star.opposites) merge_edges(survivor, removed, opposite);
+  for (const PairStar::Opposite& opposite : star.opposites) merge_edges(opposite);
   remove_edge(edge);
   merge_corners(survivor, removed, star);
   n_faces_ -= star.opposites.size();

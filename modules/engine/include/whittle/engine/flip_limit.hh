@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -21,11 +20,11 @@ class FlipLimit {
     return is_exceeded_at(point_lanes<double>(from), point_lanes<double>(to), point_lanes<double>(x),
                           point_lanes<double>(y));
   }
-  /// The same for two faces at once.
-  bool is_exceeded_by_any(const Vec3& from, const Vec3& to, const std::array<const Vec3*, 2>& x,
-                          const std::array<const Vec3*, 2>& y) const {
-    const auto exceeded = is_exceeded_at(point_lanes<Double2>(from, from), point_lanes<Double2>(to, to),
-                                         point_lanes<Double2>(*x[0], *x[1]), point_lanes<Double2>(*y[0], *y[1]));
+  /// The same for two faces at once, (corner, x0, y0) and (corner, x1, y1).
+  bool is_exceeded_by_any(const Vec3& from, const Vec3& to, const Vec3& x0, const Vec3& y0, const Vec3& x1,
+                          const Vec3& y1) const {
+    const LaneMask<Double2> exceeded = is_exceeded_at(point_lanes<Double2>(from, from), point_lanes<Double2>(to, to),
+                                                      point_lanes<Double2>(x0, x1), point_lanes<Double2>(y0, y1));
     return (exceeded[0] | exceeded[1]) != 0;
   }
 

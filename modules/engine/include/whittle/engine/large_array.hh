@@ -29,7 +29,7 @@ struct LargeAllocator {
     void* memory = std::aligned_alloc(alignment, size);
     if (!memory) throw std::bad_alloc();
 #ifdef __linux__
-    if (is_large) madvise(memory, size, MADV_HUGEPAGE);  // no matter if it fails
+    if (is_large) madvise(memory, n * sizeof(T) / huge_page * huge_page, MADV_HUGEPAGE);  // no matter if it fails
 #endif
     return static_cast<T*>(memory);
   }

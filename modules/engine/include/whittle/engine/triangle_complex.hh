@@ -12,9 +12,14 @@ namespace whittle {
 
 /// The two stars of a pair (a, b), as far as a contraction looks at them. Valid until the next contraction.
 struct PairStar {
+  /// Of a face at a and b, the corner that is neither.
+  struct Opposite {
+    Index vertex;
+    std::array<Index, 2> edges;  ///< from the pair's vertices to it, or what has been merged into those
+  };
   std::span<const Corner> first;   ///< faces at a without b
   std::span<const Corner> second;  ///< faces at b without a
-  std::vector<Index> opposites;    ///< of each face at a and b, the corner that is neither
+  std::vector<Opposite> opposites;
 };
 
 /// How a vertex lies in the surface. An edge is regular when it has exactly two faces.
@@ -148,14 +153,14 @@ class TriangleComplex {
   void gather_ring(Index v);
   VertexOrder order_of_ring() const;
   Index place_in_ring(Index v);
-  std::span<const Corner> gather_one(Index v, Index other);
+  std::size_t gather_one(Index v, Index other);
   bool link_condition_of_any(Index a, Index b, const PairStar& star);
   bool obviously_keeps_topology(Index a, Index b, const PairStar& star) const;
   void remove_edge(Index e) { edge_alive_[e / 64] &= ~(std::uint64_t{1} << (e % 64)); }
   void sort_edges(Index v, std::size_t first);
-  Index live_edge(Index e);
+  Index live_edge(Index e) const;
   Index edge_between(Index v, Index w);
-  void merge_edges(Index survivor, Index removed, Index opposite);
+  void merge_edges(const PairStar::Opposite& opposite);
   Index store_slope(const Vec3& slope, Index v);
   void merge_corners(Index survivor, Index removed, const PairStar& star);
 
@@ -200,7 +205,7 @@ class TriangleComplex {
   /// Scratch: the neighbours under look, and each vertex's place among them, right only if the entry there names it.
   std::vector<RingEntry> ring_;
   std::vector<Index> ring_place_;
-  std::vector<Corner> shared_;  ///< corners of faces of the pair
+  std::vector<Corner> shared_;  ///< scratch of `gather_one`
 };
 
 }  // namespace whittle

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <concepts>
+
+namespace whittle {
+
+/// `condition ? yes : no` without a branch, for conditions that can't be foretold.
+template <std::unsigned_integral T>
+T select(bool condition, T yes, T no) {
+  return no ^ ((no ^ yes) & (T{0} - T{condition}));
+}
+
+}  // namespace whittle
