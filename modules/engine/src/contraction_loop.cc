@@ -12,6 +12,9 @@ namespace {
 /// Candidates between two calls of the progress callback: about a millisecond.
 constexpr std::uint64_t progress_interval = 2048;
 
+/// Members of a bucket that a thread evaluates at a time: some microseconds.
+constexpr std::size_t members_per_range = 64;
+
 }  // namespace
 
 ContractionLoop::ContractionLoop(TriangleComplex& complex, const DecimateOptions& options, LoopSettings settings)
@@ -20,6 +23,7 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, const DecimateOptions
       settings_(std::move(settings)),
       flip_limit_(options.max_normal_flip_deg),
       cost_times_area_(options.quadric.weights != Weights::uniform),
+      crew_(options.threads),
       n_initial_vertices_(complex.n_vertices()),
       n_initial_faces_(complex.n_faces()),
       raised_(complex.n_vertex_slots()),
@@ -72,7 +76,7 @@ void ContractionLoop::fill_queue() {
   std::vector<std::uint8_t> is_raised(n_pairs);
   const auto initial_pair = [&](std::size_t pair) {
     const auto edge = static_cast<Index>(pair);
-    return in_order(edge, complex_.initial_ends(edge));
+    return in_order(edge, complex_.find_ends(edge));
   };
   for_each_range(n_pairs, options_.threads, [&](std::size_t begin, std::size_t end) {
     for_each_evaluation(begin, end, initial_pair, [&](const Pair& pair, const PairEvaluation& evaluation) {
@@ -143,33 +147,57 @@ void ContractionLoop::open_bucket() {
   n_taken_ = 0;
   n_done_at_opening_ = complex_.n_contractions();
   std::erase_if(members_, [&](Index pair) { return !complex_.is_edge_alive(pair); });
-  const auto member = [this](std::size_t i) {
-    prefetch_members(i);
-    return in_order(members_[i], complex_.ends(members_[i]));
-  };
-  for_each_evaluation(0, members_.size(), member, [this](const Pair& pair, const PairEvaluation& evaluation) {
-    note_raised(pair, evaluation);
-    const BucketQueue::Bucket bucket = BucketQueue::bucket_of(evaluation.cost);
-    if (queue_.is_past(bucket)) {
-      batch_.push_back(candidate(pair, evaluation.cost));
-      batch_.back().placement = static_cast<Index>(placements_.size());
-      placements_.push_back({evaluation.position, evaluation.is_minimum});
-      complex_.prefetch_star(pair.a);
-      complex_.prefetch_star(pair.b);
-    } else {
-      queue_.push(pair.edge, bucket);
+  if (crew_.n_helpers() == 0 || members_.size() < 4 * members_per_range) {
+    const auto member = [this](std::size_t i) {
+      prefetch_members(i, members_.size());
+      return in_order(members_[i], complex_.ends(members_[i]));
+    };
+    for_each_evaluation(0, members_.size(), member,
+                        [this](const Pair& pair, const PairEvaluation& evaluation) { sort_in(pair, evaluation); });
+  } else {
+    evaluate_members();
+    for (const Evaluated& member : evaluated_) {
+      complex_.remember_ends(member.pair.edge, {member.pair.a, member.pair.b});
+      sort_in(member.pair, member.evaluation);
     }
-  });
+  }
   std::sort(batch_.begin(), batch_.end(), is_before);
+}
+
+/// On all threads, which change nothing but each its own range of `evaluated_`.
+void ContractionLoop::evaluate_members() {
+  evaluated_.resize(members_.size());
+  crew_.for_each_range(members_.size(), members_per_range, [this](std::size_t begin, std::size_t end) {
+    const auto member = [this, end](std::size_t i) {
+      prefetch_members(i, end);
+      return in_order(members_[i], complex_.find_ends(members_[i]));
+    };
+    Evaluated* place = &evaluated_[begin];
+    for_each_evaluation(begin, end, member, [&place](const Pair& pair, const PairEvaluation& evaluation) {
+      *place++ = {pair, evaluation};
+    });
+  });
+}
+
+/// Into the batch, or, if it has grown, into a later bucket.
+void ContractionLoop::sort_in(const Pair& pair, const PairEvaluation& evaluation) {
+  note_raised(pair, evaluation);
+  const BucketQueue::Bucket bucket = BucketQueue::bucket_of(evaluation.cost);
+  if (!queue_.is_past(bucket)) return queue_.push(pair.edge, bucket);
+  batch_.push_back(candidate(pair, evaluation.cost));
+  batch_.back().placement = static_cast<Index>(placements_.size());
+  placements_.push_back({evaluation.position, evaluation.is_minimum});
+  complex_.prefetch_star(pair.a);
+  complex_.prefetch_star(pair.b);
 }
 
 /// Brings near what the members after the i-th will ask for: first their edges, then what the ends of those have
 /// become, then these.
-void ContractionLoop::prefetch_members(std::size_t i) {
-  if (i + 32 < members_.size()) complex_.prefetch_edge(members_[i + 32]);
-  if (i + 24 < members_.size()) complex_.prefetch_ends(members_[i + 24]);
-  if (i + 12 < members_.size()) {
-    const auto [a, b] = complex_.ends(members_[i + 12]);
+void ContractionLoop::prefetch_members(std::size_t i, std::size_t end) const {
+  if (i + 32 < end) complex_.prefetch_edge(members_[i + 32]);
+  if (i + 24 < end) complex_.prefetch_ends(members_[i + 24]);
+  if (i + 12 < end) {
+    const auto [a, b] = complex_.find_ends(members_[i + 12]);
     complex_.prefetch_placed(a);
     complex_.prefetch_placed(b);
   }

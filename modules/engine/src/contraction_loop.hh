@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "whittle/engine/bucket_queue.hh"
+#include "whittle/engine/crew.hh"
 #include "whittle/engine/decimate.hh"
 #include "whittle/engine/flip_limit.hh"
 #include "whittle/engine/frame.hh"
@@ -58,6 +59,10 @@ class ContractionLoop {
     Vec3 position;
     bool is_minimum;
   };
+  struct Evaluated {
+    Pair pair;
+    PairEvaluation evaluation;
+  };
   struct IsAfter {
     bool operator()(const Candidate& x, const Candidate& y) const { return is_before(y, x); }
   };
@@ -69,7 +74,9 @@ class ContractionLoop {
 
   std::optional<Candidate> next_candidate();
   void open_bucket();
-  void prefetch_members(std::size_t i);
+  void evaluate_members();
+  void sort_in(const Pair& pair, const PairEvaluation& evaluation);
+  void prefetch_members(std::size_t i, std::size_t end) const;
   void prefetch_turns();
   void enqueue(const Candidate& candidate);
 
@@ -100,11 +107,13 @@ class ContractionLoop {
   LoopSettings settings_;
   FlipLimit flip_limit_;
   bool cost_times_area_;
+  Crew crew_;
   std::uint64_t n_initial_vertices_;
   std::uint64_t n_initial_faces_;
 
   BucketQueue queue_;
   std::vector<Index> members_;                                            ///< of the bucket being opened
+  std::vector<Evaluated> evaluated_;                                      ///< scratch
   std::vector<Candidate> batch_;                                          ///< candidates of the open bucket, in order
   std::vector<Placed> placements_;                                        ///< where they would go
   Index n_done_at_opening_ = 0;                                           ///< contractions before it was opened

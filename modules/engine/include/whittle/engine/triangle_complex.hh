@@ -105,8 +105,12 @@ class TriangleComplex {
     edge = {representative(edge.first), representative(edge.second)};
     return edge;
   }
-  /// The same before the first contraction.
-  Edge initial_ends(Index e) const { return edges_[e]; }
+  /// The same without remembering it, so that several threads may ask.
+  Edge find_ends(Index e) const {
+    return {find_representative(edges_[e].first), find_representative(edges_[e].second)};
+  }
+  /// What `find_ends` found, so that the next one has less to do.
+  void remember_ends(Index e, const Edge& ends) { edges_[e] = ends; }
   /// Number of faces at the edge (v, w) before the first contraction, at most 255.
   unsigned n_initial_faces_between(Index v, Index w);
   /// What only the questions about the time before the first contraction need.
@@ -145,6 +149,10 @@ class TriangleComplex {
 
  private:
   Index root(Index v);
+  Index find_representative(Index v) const {
+    while (parents_[v] != v) v = parents_[v];
+    return v;
+  }
   void number_vertices(std::span<const Vec3> positions, const Frame& frame, std::vector<Index>& number_of);
   void list_corners(std::span<const Triangle> faces, const std::vector<Index>& number_of);
   void number_edges(unsigned threads);

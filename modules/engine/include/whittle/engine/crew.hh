@@ -1,0 +1,47 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace whittle {
+
+/// Threads that stand by, for work too short to start threads for: tens of microseconds, again and again.
+///
+/// A helper takes part if it is awake in time; the caller never waits for one to come, only for those at work to
+/// finish. There are no more threads than cores.
+class Crew {
+ public:
+  /// \param threads at most so many, the caller's included; 0 = all cores
+  explicit Crew(unsigned threads);
+  ~Crew();
+  Crew(const Crew&) = delete;
+  Crew& operator=(const Crew&) = delete;
+
+  std::size_t n_helpers() const { return helpers_.size(); }
+
+  /// Calls `work(begin, end)` for ranges that together make up 0 … n, each at most `length` long, in any order and on
+  /// any thread; returns when all is done. `work` must not throw.
+  template <class Work>
+  void for_each_range(std::size_t n, std::size_t length, const Work& work) {
+    run((n + length - 1) / length, [&](std::size_t block) { work(block * length, std::min(n, (block + 1) * length)); });
+  }
+
+ private:
+  void run(std::size_t n_blocks, const std::function<void(std::size_t)>& work);
+  void take_blocks();
+  void help();
+
+  const std::function<void(std::size_t)>* work_ = nullptr;
+  std::size_t n_blocks_ = 0;
+  std::atomic<std::size_t> next_block_{0};
+  std::atomic<unsigned> n_at_work_{0};  ///< helpers that look at the job, or have a part in it
+  std::atomic<unsigned> job_{0};        ///< odd while there is one
+  std::atomic<bool> is_over_{false};
+  std::vector<std::thread> helpers_;
+};
+
+}  // namespace whittle
