@@ -1,4 +1,4 @@
-// The examples of docs/user are run as they stand: each block that begins with "```console" in a new folder with the
+// The examples of docs/user and of the README are run as they stand: each block that begins with "```console" in a new folder with the
 // meshes of data/ in it. What is printed there is what the program prints, but for times and memory.
 #include <gtest/gtest.h>
 
@@ -130,6 +130,7 @@ TEST(Examples, PrintWhatTheDocumentationSays) {
     SCOPED_TRACE(entry.path().filename().string());
     n_commands += check(entry.path());
   }
+  n_commands += check(fs::path(WHITTLE_DOCS_DIR).parent_path() / "README.md");
   EXPECT_GE(n_commands, 10U);
 }
 
