@@ -1,5 +1,5 @@
-// The examples of docs/user and of the README are run as they stand: each block that begins with "```console" in a new folder with the
-// meshes of data/ in it. What is printed there is what the program prints, but for times and memory.
+// The examples of docs/user and of the README are run as they stand: each block that begins with "```console" in a new
+// folder with the meshes of data/ in it. What is printed there is what the program prints, but for times and memory.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
