@@ -11,19 +11,18 @@
 
 namespace whittle::bench {
 
-/// What a peer did in a process of its own, which is forked for it: what it takes from the system is its own, and
-/// nobody else falls with it.
+/// What a peer did in a process of its own (`run_forked`).
 struct FirstRun {
   std::optional<IndexedMesh> answer;
   double ms = 0;                            ///< on cold memory; 0 without an answer
   std::optional<std::uint64_t> peak_bytes;  ///< see `Meter`
   std::string failure;                      ///< why there is no answer
 };
-/// \param limit_s seconds after which the process is ended, everything it does counted
+/// \param limit_s seconds after which it is ended, everything it does counted
 FirstRun first_run(const Peer& peer, const IndexedMesh& input, std::size_t n_faces, Clock clock, double limit_s);
 
-/// Milliseconds of each peer in each round: all peers once, one after the other, in this process. One more round comes
-/// first and doesn't count.
+/// Milliseconds of each peer in each round: all peers once, one after the other, in one process, forked for it. One
+/// more round comes first and doesn't count.
 /// \return a row a peer, a number a round
 std::vector<std::vector<double>> time_interleaved(const std::vector<const Peer*>& peers, const IndexedMesh& input,
                                                   std::size_t n_faces, Clock clock, int rounds);

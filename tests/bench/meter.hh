@@ -12,8 +12,8 @@ class Meter {
  public:
   enum class Memory {
     ignored,
-    /// Gives freed memory back to the system at the start, so that all of what is used counts as new. The clocks are
-    /// right all the same, but a peer that meets its own freed memory is faster.
+    /// Gives freed memory back to the system at the start, so that all of what is used counts as new. A peer that
+    /// meets its own freed memory is faster.
     watched
   };
   explicit Meter(Memory memory = Memory::ignored) : memory_(memory) {}
