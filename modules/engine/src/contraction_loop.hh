@@ -27,11 +27,11 @@ struct LoopSettings {
 ///
 /// A pair's place in the queue is a lower bound of its cost (see `PairEvaluation::bound`), so a contraction touches no
 /// neighbour's entry. Pairs are evaluated when their bucket is opened, all of them in one go, and once more when their
-/// turn comes. Two kinds of pair can get cheaper, and wait at their vertices to be looked at again:
-///   raised    its cost is above its bound (pinned, or placed elsewhere than at the minimum): queued under its cost,
-///   until
-///             one of its vertices merges;
-///   refused   a guard refused it: in no queue, until one of its vertices or of their neighbours changes.
+/// turn comes if one of their vertices has changed. Two kinds of pair can get cheaper, and wait at their vertices to be
+/// looked at again:
+/// - raised: its cost is above its bound (pinned, or placed elsewhere than at the minimum). It is queued under its
+///   cost, until one of its vertices merges.
+/// - refused: a guard refused it. It is in no queue, until one of its vertices or of their neighbours changes.
 class ContractionLoop {
  public:
   ContractionLoop(TriangleComplex& complex, const DecimateOptions& options, LoopSettings settings);

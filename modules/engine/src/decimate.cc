@@ -173,7 +173,7 @@ Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const
   QuadricOptions quadric = options.quadric;
   if (options.boundary == Boundary::free) quadric.boundary_weight = 0;
   set_initial_quadrics(complex, quadric, options.threads);
-  complex.forget_initial_state();
+  complex.forget_initial_faces();
   DecimateResult result = ContractionLoop(complex, options, loop_settings(complex, frame, target, options)).run();
   result.n_degenerate_faces = complex.n_degenerate_faces();
   Decimation out = make_output(mesh, complex, frame);

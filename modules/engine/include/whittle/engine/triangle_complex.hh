@@ -30,7 +30,7 @@ enum class VertexOrder : std::uint8_t {
 };
 
 /// Any set of triangles under contraction: flat arrays, each vertex with a list of its faces' other corners, merged
-/// vertices and edges as forests.
+/// vertices and edges as forests. docs/dev/engine.md says what lies where, and why.
 ///
 /// Vertices are numbered along a space-filling curve, so that neighbours lie close in memory; `origin` gives the number
 /// in the input. A contraction changes the lists of its own two vertices only: the others' name merged vertices, and
@@ -86,7 +86,7 @@ class TriangleComplex {
   VertexOrder order(Index v) const { return stars_[v].order; }
   /// Whether v was ever in a face.
   bool has_faces(Index v) const { return stars_[v].corners.size > 0; }
-  /// The corners of v before the first contraction, in the input's order of faces.
+  /// The corners of v: before the first contraction in the input's order of faces, later as last gathered.
   std::span<const Corner> corners(Index v) const { return corner_lists_.of(stars_[v].corners); }
 
   /// The vertex that v has been merged into, v itself if none. Shortens the path.
@@ -95,8 +95,7 @@ class TriangleComplex {
     return parents_[parent] == parent ? parent : parents_[v] = root(parent);
   }
 
-  /// Edges are numbered by their lower vertex. Where a contraction makes one of two edges, one of
-  /// them lives on.
+  /// Edges are numbered along their lower vertices. Where a contraction makes one of two edges, one of them lives on.
   std::size_t n_edge_slots() const { return edges_.size(); }
   bool is_edge_alive(Index e) const { return (edge_alive_[e / 64] >> (e % 64) & 1) != 0; }
   /// The vertices that the ends of a living e have been merged into.
@@ -113,8 +112,8 @@ class TriangleComplex {
   void remember_ends(Index e, const Edge& ends) { edges_[e] = ends; }
   /// Number of faces at the edge (v, w) before the first contraction, at most 255.
   unsigned n_initial_faces_between(Index v, Index w);
-  /// What only the questions about the time before the first contraction need.
-  void forget_initial_state() { n_edge_faces_ = {}; }
+  /// Gives back the memory of `n_initial_faces_between`, which may not be asked any more.
+  void forget_initial_faces() { n_edge_faces_ = {}; }
 
   void gather(Index a, Index b, PairStar& star);
 
