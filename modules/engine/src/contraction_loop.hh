@@ -87,7 +87,7 @@ class ContractionLoop {
   template <class PairAt, class Use>
   void for_each_evaluation(std::size_t begin, std::size_t end, const PairAt& pair_at, const Use& use) const;
   bool is_unchanged(const Candidate& candidate) const;
-  std::optional<StopReason> take_turn(const Candidate& candidate);
+  std::optional<StopReason> take_turn(const Candidate& then);
   Refusal find_refusal(Index a, Index b, const Vec3& position);
   bool turns_a_face(std::span<const Corner> wings, const Vec3& from, const Vec3& to) const;
   void contract(const Pair& pair, double cost, const Placed& placement);

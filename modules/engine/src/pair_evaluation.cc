@@ -13,7 +13,7 @@ PairEvaluation evaluate_at_candidates(const PlacedQuadric& v0, const PlacedQuadr
   const PairEvaluation first = at(Vec3::Zero(), v0.position);
   const PairEvaluation second = at(d, v1.position);
   if (pinned != Pinned::none) return pinned == Pinned::first ? first : second;
-  const PairEvaluation middle = at(0.5 * d, 0.5 * (v0.position + v1.position));
+  PairEvaluation middle = at(0.5 * d, 0.5 * (v0.position + v1.position));
   if (placement == Placement::midpoint) return middle;
   const PairEvaluation& better_end = first.cost <= second.cost ? first : second;
   return placement == Placement::optimal && middle.cost <= better_end.cost ? middle : better_end;

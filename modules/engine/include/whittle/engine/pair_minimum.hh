@@ -86,7 +86,7 @@ template <class Real>
   const Real mz = z - 0.5 * dz;
   const Real reach_sq = (max_placement_reach * max_placement_reach) * (dx * dx + dy * dy + dz * dz);
   const LaneMask<Real> is_near = (exists & (mx * mx + my * my + mz * mz <= reach_sq)) != 0;
-  return {exists & (value > 0) ? value : Real{}, q0.px + x, q0.py + y, q0.pz + z, is_near};
+  return {(exists & (value > 0)) ? value : Real{}, q0.px + x, q0.py + y, q0.pz + z, is_near};
 }
 
 }  // namespace whittle
