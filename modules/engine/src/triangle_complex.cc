@@ -292,25 +292,19 @@ bool TriangleComplex::obviously_keeps_topology(Index a, Index b, const PairStar&
   const Index c = star.opposites[0].vertex;
   const Index d = star.opposites[1].vertex;
   if (c == d) return false;
-  struct Signature {
-    std::uint64_t low = 0, high = 0;  // a bit for each vertex, by the lowest six bits of its number and the next six
-  };
-  const auto signature = [c, d](std::span<const Corner> wings) {
-    Signature bits;
-    const auto add = [&](Index v) {
-      const auto bit = static_cast<std::uint64_t>((v != c) & (v != d));
-      bits.low |= bit << (v & 63);
-      bits.high |= bit << (v >> 6 & 63);
+  // A bit for each vertex, by six bits of its number: first the lowest six, then, if those collide, the next.
+  const auto are_apart = [&](unsigned shift) {
+    const auto signature = [c, d, shift](std::span<const Corner> wings) {
+      const auto bit = [c, d, shift](Index v) {
+        return static_cast<std::uint64_t>((v != c) & (v != d)) << (v >> shift & 63);
+      };
+      std::uint64_t bits = 0;
+      for (const Corner& wing : wings) bits |= bit(wing.next) | bit(wing.previous);
+      return bits;
     };
-    for (const Corner& wing : wings) {
-      add(wing.next);
-      add(wing.previous);
-    }
-    return bits;
+    return (signature(star.first) & signature(star.second)) == 0;
   };
-  const Signature first = signature(star.first);
-  const Signature second = signature(star.second);
-  return (first.low & second.low) == 0 || (first.high & second.high) == 0;
+  return are_apart(0) || are_apart(6);
 }
 
 bool TriangleComplex::link_condition_of_any(Index a, Index b, const PairStar& star) {
