@@ -15,6 +15,9 @@ constexpr std::uint64_t progress_interval = 2048;
 /// Members of a bucket that a thread evaluates at a time: some microseconds.
 constexpr std::size_t members_per_range = 64;
 
+/// Members whose evaluations are kept in memory. On flat ground all pairs may be in one bucket.
+constexpr std::size_t members_at_once = 8192;
+
 }  // namespace
 
 ContractionLoop::ContractionLoop(TriangleComplex& complex, const DecimateOptions& options, LoopSettings settings)
@@ -147,35 +150,43 @@ void ContractionLoop::open_bucket() {
   n_taken_ = 0;
   n_done_at_opening_ = complex_.n_contractions();
   std::erase_if(members_, [&](Index pair) { return !complex_.is_edge_alive(pair); });
-  if (crew_.n_helpers() == 0 || members_.size() < 4 * members_per_range) {
-    const auto member = [this](std::size_t i) {
-      prefetch_members(i, members_.size());
-      return in_order(members_[i], complex_.ends(members_[i]));
-    };
-    for_each_evaluation(0, members_.size(), member,
-                        [this](const Pair& pair, const PairEvaluation& evaluation) { sort_in(pair, evaluation); });
-  } else {
-    evaluate_members();
-    for (const Evaluated& member : evaluated_) {
-      complex_.remember_ends(member.pair.edge, {member.pair.a, member.pair.b});
-      sort_in(member.pair, member.evaluation);
+  for (std::size_t begin = 0; begin < members_.size(); begin += members_at_once) {
+    const std::size_t end = std::min(members_.size(), begin + members_at_once);
+    if (crew_.n_helpers() == 0 || end - begin < 4 * members_per_range) {
+      evaluate_and_sort_in(begin, end);
+    } else {
+      evaluate_on_all_threads(begin, end);
+      for (const Evaluated& member : evaluated_) {
+        complex_.remember_ends(member.pair.edge, {member.pair.a, member.pair.b});
+        sort_in(member.pair, member.evaluation);
+      }
     }
   }
   std::sort(batch_.begin(), batch_.end(), is_before);
 }
 
-/// On all threads, which change nothing but each its own range of `evaluated_`.
-void ContractionLoop::evaluate_members() {
-  evaluated_.resize(members_.size());
-  crew_.for_each_range(members_.size(), members_per_range, [this](std::size_t begin, std::size_t end) {
-    const auto member = [this, end](std::size_t i) {
+void ContractionLoop::evaluate_and_sort_in(std::size_t begin, std::size_t end) {
+  const auto member = [this, end](std::size_t i) {
+    prefetch_members(i, end);
+    return in_order(members_[i], complex_.ends(members_[i]));
+  };
+  for_each_evaluation(begin, end, member,
+                      [this](const Pair& pair, const PairEvaluation& evaluation) { sort_in(pair, evaluation); });
+}
+
+/// The threads change nothing but each its own range of `evaluated_`.
+void ContractionLoop::evaluate_on_all_threads(std::size_t begin, std::size_t end) {
+  evaluated_.resize(end - begin);
+  crew_.for_each_range(end - begin, members_per_range, [this, begin](std::size_t first, std::size_t last) {
+    const auto member = [this, end = begin + last](std::size_t i) {
       prefetch_members(i, end);
       return in_order(members_[i], complex_.find_ends(members_[i]));
     };
-    Evaluated* place = &evaluated_[begin];
-    for_each_evaluation(begin, end, member, [&place](const Pair& pair, const PairEvaluation& evaluation) {
-      *place++ = {pair, evaluation};
-    });
+    Evaluated* place = &evaluated_[first];
+    for_each_evaluation(begin + first, begin + last, member,
+                        [&place](const Pair& pair, const PairEvaluation& evaluation) {
+                          *place++ = {pair, evaluation};
+                        });
   });
 }
 
@@ -185,8 +196,10 @@ void ContractionLoop::sort_in(const Pair& pair, const PairEvaluation& evaluation
   const BucketQueue::Bucket bucket = BucketQueue::bucket_of(evaluation.cost);
   if (!queue_.is_past(bucket)) return queue_.push(pair.edge, bucket);
   batch_.push_back(candidate(pair, evaluation.cost));
-  batch_.back().placement = static_cast<Index>(placements_.size());
-  placements_.push_back({evaluation.position, evaluation.is_minimum});
+  if (placements_.size() < members_at_once) {
+    batch_.back().placement = static_cast<Index>(placements_.size());
+    placements_.push_back({evaluation.position, evaluation.is_minimum});
+  }
   complex_.prefetch_star(pair.a);
   complex_.prefetch_star(pair.b);
 }

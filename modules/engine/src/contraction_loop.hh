@@ -74,7 +74,8 @@ class ContractionLoop {
 
   std::optional<Candidate> next_candidate();
   void open_bucket();
-  void evaluate_members();
+  void evaluate_and_sort_in(std::size_t begin, std::size_t end);
+  void evaluate_on_all_threads(std::size_t begin, std::size_t end);
   void sort_in(const Pair& pair, const PairEvaluation& evaluation);
   void prefetch_members(std::size_t i, std::size_t end) const;
   void prefetch_turns();

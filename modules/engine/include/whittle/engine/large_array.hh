@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdlib>
+#include <cstdint>
 #include <new>
+#include <utility>
 #include <vector>
 
 #ifdef __linux__
@@ -23,17 +24,20 @@ struct LargeAllocator {
 
   T* allocate(std::size_t n) {
     if (n > (~std::size_t{0} - huge_page) / sizeof(T)) throw std::bad_array_new_length();
-    const bool is_large = n * sizeof(T) >= huge_page;
-    const std::size_t alignment = is_large ? huge_page : 64;
-    const std::size_t size = (n * sizeof(T) + alignment - 1) / alignment * alignment;
-    void* memory = std::aligned_alloc(alignment, size);
-    if (!memory) throw std::bad_alloc();
 #ifdef __linux__
-    if (is_large) madvise(memory, n * sizeof(T) / huge_page * huge_page, MADV_HUGEPAGE);  // no matter if it fails
+    if (is_large(n)) return static_cast<T*>(map(n * sizeof(T)));
 #endif
-    return static_cast<T*>(memory);
+    return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{64}));
   }
-  void deallocate(T* memory, std::size_t) { std::free(memory); }
+  void deallocate(T* memory, std::size_t n) {
+#ifdef __linux__
+    if (is_large(n)) {
+      munmap(memory, n * sizeof(T));
+      return;
+    }
+#endif
+    ::operator delete (memory, std::align_val_t{64});
+  }
 
   /// Elements not given a value are left without one.
   template <class U>
@@ -49,6 +53,26 @@ struct LargeAllocator {
   bool operator==(const LargeAllocator<U>&) const {
     return true;
   }
+
+ private:
+#ifdef __linux__
+  static bool is_large(std::size_t n) { return n * sizeof(T) >= 2 * huge_page; }
+
+  /// Pages of its own, so that they are small again for whoever gets the memory next; from a huge page's beginning on.
+  static void* map(std::size_t size) {
+    const std::size_t reserved = size + huge_page;
+    void* begin = mmap(nullptr, reserved, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (begin == MAP_FAILED) throw std::bad_alloc();
+    auto* const bytes = static_cast<char*>(begin);
+    const std::size_t before = (huge_page - reinterpret_cast<std::uintptr_t>(begin) % huge_page) % huge_page;
+    if (before > 0) munmap(bytes, before);
+    const std::size_t page = 4096;
+    const std::size_t end = before + (size + page - 1) / page * page;
+    if (end < reserved) munmap(bytes + end, reserved - end);
+    madvise(bytes + before, size / huge_page * huge_page, MADV_HUGEPAGE);  // no matter if it fails
+    return bytes + before;
+  }
+#endif
 };
 
 /// A vector for large arrays; `resize` leaves new elements of plain types undefined.
