@@ -1,11 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <exception>
 #include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "command_line.hh"
 #include "csv.hh"
 #include "meshes.hh"
 #include "peer.hh"
@@ -29,11 +29,9 @@ struct Options {
   std::string base;
   bool permuted = false;
   std::uint64_t seed = 1;
-  bool cpu_time = false;
   RunOptions run;
-  std::string csv = "bench.csv";
+  RowsFile rows{.csv = "bench.csv"};
   std::string plots;  ///< folder; empty = none
-  std::string commit = "unknown";
 };
 
 constexpr char all_cases[] = "all";
@@ -123,7 +121,7 @@ bool has_fault_of_ours(const std::vector<Row>& rows, const std::vector<NamedPeer
 int run(const Options& options) {
   const std::vector<Case> cases = chosen_cases(options);
   const std::vector<NamedPeer> peers = chosen_peers(options);
-  CsvFile csv(options.csv, {options.run.clock, WHITTLE_BENCH_COMPILER, options.commit});
+  CsvFile csv(options.rows.csv, {options.run.rounds.clock, WHITTLE_BENCH_COMPILER, options.rows.commit});
   std::vector<Row> all_rows;
   bool is_right = true;
   for (const Case& chosen : cases) {
@@ -139,7 +137,7 @@ int run(const Options& options) {
   }
   std::cout << growth_text(all_rows);
   if (!options.plots.empty())
-    for (const auto& file : write_plots(options.plots, all_rows, options.run.clock))
+    for (const auto& file : write_plots(options.plots, all_rows, options.run.rounds.clock))
       std::cout << "drawn: " << file.string() << '\n';
   if (!is_right) std::cerr << "error: an answer of Whittle's is wrong, see above\n";
   return is_right ? 0 : 1;
@@ -167,29 +165,13 @@ void set_up(CLI::App& app, Options& options) {
       ->delimiter(',')
       ->check(CLI::Range(1e-6, 0.999))
       ->capture_default_str();
-  app.add_option("--repetitions", options.run.rounds, "rounds that count")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app.add_option("--slow", options.run.slow_s, "peers that take longer than this are run once, seconds")
-      ->type_name("S")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--limit", options.run.limit_s, "peers that take longer than this are stopped, seconds")
-      ->type_name("S")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  add_options(app, options.run.rounds, "peers");
   app.add_option("--samples", options.run.samples, "points for the error, beside all vertices; 0: don't measure it")
       ->type_name("N")
       ->capture_default_str();
-  app.add_flag("--cpu-time", options.cpu_time, "processor time (of all threads together) instead of wall-clock time");
-  app.add_option("--csv", options.csv, "where the rows are saved")
-      ->type_name("FILE")
-      ->take_last()
-      ->capture_default_str();
   app.add_option("--plot", options.plots, "draws time and error against faces, as SVG files in FOLDER")
       ->type_name("FOLDER");
-  app.add_option("--commit", options.commit, "of the sources, for the rows")->type_name("ID");
+  add_options(app, options.rows);
 }
 
 }  // namespace
@@ -200,15 +182,8 @@ int main(int argc, char** argv) {
   CLI::App app("Times Whittle's engine beside other decimaters.", "whittle_bench");
   Options options;
   set_up(app, options);
-  try {
-    app.parse(argc, argv);
+  return run_program(app, argc, argv, [&options] {
     if (options.files.empty() && options.cases.empty()) options.cases = {all_cases};
-    if (options.cpu_time) options.run.clock = Clock::cpu;
     return run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::cerr << "error: " << error.what() << '\n';
-    return 1;
-  }
+  });
 }

@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "clock.hh"
+#include "command_line.hh"
 #include "csv.hh"
 #include "process.hh"
 #include "statistics.hh"
@@ -31,13 +31,9 @@ using Json = nlohmann::json;
 struct Options {
   std::string mesh;
   double ratio = 0.1;
-  int rounds = 5;
-  double slow_s = 5;
-  double limit_s = 300;
-  bool cpu_time = false;
+  Rounds rounds;
   std::string folder = "bench-programs";
-  std::string csv = "programs.csv";
-  std::string commit = "unknown";
+  RowsFile rows{.csv = "programs.csv"};
   // Where the programs are; those without a path don't take part.
   std::string whittle;
   std::string openmesh;
@@ -183,9 +179,9 @@ double run_once(const Program& program, const Options& options, bool with_report
   fs::remove(program.output);
   std::vector<std::string> command = program.command;
   if (with_report) command.insert(command.end(), program.report_option.begin(), program.report_option.end());
-  const ProcessRun run = run_process(command, fs::path(options.folder) / "log.txt", options.limit_s);
+  const ProcessRun run = run_process(command, fs::path(options.folder) / "log.txt", options.rounds.limit_s);
   if (result.failure.empty()) result.failure = run.failure;
-  return options.cpu_time ? run.cpu_s : run.wall_s;
+  return options.rounds.clock == Clock::cpu ? run.cpu_s : run.wall_s;
 }
 
 /// Runs it once and looks at what it has made. Its time is that of this run until there are rounds.
@@ -218,12 +214,12 @@ std::vector<Result> results_of(const std::vector<Program>& programs, const Input
   for (const Program& program : programs) {
     results.push_back(first_result(program, input, options));
     Result& result = results.back();
-    if (!result.failure.empty() || result.seconds.front() > options.slow_s) continue;
+    if (!result.failure.empty() || result.seconds.front() > options.rounds.slow_s) continue;
     timed.push_back(results.size() - 1);
     result.seconds.clear();
   }
-  std::cerr << "   " << options.rounds << " rounds" << std::endl;
-  for (int round = 0; round < options.rounds; ++round) {
+  std::cerr << "   " << options.rounds.n << " rounds" << std::endl;
+  for (int round = 0; round < options.rounds.n; ++round) {
     for (const std::size_t i : timed) add_round(programs[i], options, results[i]);
   }
   return results;
@@ -288,7 +284,7 @@ std::string to_text(const std::vector<Row>& rows) {
 }
 
 void write_csv(const std::vector<Row>& rows, const Input& input, const Options& options) {
-  std::ofstream file(options.csv);
+  std::ofstream file(options.rows.csv);
   file << csv_line({"program", "formats", "mesh", "faces", "result_faces", "s_min", "s_median", "s_max", "rounds",
                     "clock", "ratio_to_whittle", "s_read", "s_decimate", "s_write", "files_to_decimation", "answer",
                     "compiler", "commit"});
@@ -298,16 +294,16 @@ void write_csv(const std::vector<Row>& rows, const Input& input, const Options& 
     for (double Spread::*member : {&Spread::min, &Spread::median, &Spread::max})
       cells.push_back(row.spread ? csv_number(*row.spread.*member) : "");
     cells.push_back(std::to_string(row.result.seconds.size()));
-    cells.push_back(to_string(options.cpu_time ? Clock::cpu : Clock::wall));
+    cells.push_back(to_string(options.rounds.clock));
     cells.push_back(csv_number(row.ratio_to_whittle));
     for (double Stages::*member : {&Stages::read, &Stages::decimate, &Stages::write})
       cells.push_back(csv_number(stage(row.result, member)));
     cells.push_back(csv_number(share_of_files(row.result)));
     cells.insert(cells.end(),
-                 {row.result.failure.empty() ? "ok" : row.result.failure, WHITTLE_BENCH_COMPILER, options.commit});
+                 {row.result.failure.empty() ? "ok" : row.result.failure, WHITTLE_BENCH_COMPILER, options.rows.commit});
     file << csv_line(cells);
   }
-  if (!file.flush()) throw std::runtime_error("can't write " + options.csv);
+  if (!file.flush()) throw std::runtime_error("can't write " + options.rows.csv);
 }
 
 int run(const Options& options) {
@@ -330,25 +326,9 @@ void set_up(CLI::App& app, Options& options) {
       ->type_name("R")
       ->check(CLI::Range(1e-6, 0.999))
       ->capture_default_str();
-  app.add_option("--repetitions", options.rounds, "rounds that count")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app.add_option("--slow", options.slow_s, "programs that take longer than this are run once, seconds")
-      ->type_name("S")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--limit", options.limit_s, "programs that take longer than this are stopped, seconds")
-      ->type_name("S")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_flag("--cpu-time", options.cpu_time, "processor time (of all threads together) instead of wall-clock time");
+  add_options(app, options.rounds, "programs");
   app.add_option("--folder", options.folder, "for inputs and outputs")->type_name("FOLDER")->capture_default_str();
-  app.add_option("--csv", options.csv, "where the rows are saved")
-      ->type_name("FILE")
-      ->take_last()
-      ->capture_default_str();
-  app.add_option("--commit", options.commit, "of the sources, for the rows")->type_name("ID");
+  add_options(app, options.rows);
   app.add_option("--whittle", options.whittle, "the program")->type_name("FILE")->required();
   app.add_option("--openmesh", options.openmesh, "OpenMesh's commandlineDecimater")->type_name("FILE");
   app.add_option("--meshoptimizer", options.meshoptimizer, "meshoptimizer_obj")->type_name("FILE");
@@ -363,13 +343,5 @@ int main(int argc, char** argv) {
   CLI::App app("Times whittle beside other programs, from file to file.", "whittle_bench_programs");
   Options options;
   set_up(app, options);
-  try {
-    app.parse(argc, argv);
-    return run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::cerr << "error: " << error.what() << '\n';
-    return 1;
-  }
+  return run_program(app, argc, argv, [&options] { return run(options); });
 }

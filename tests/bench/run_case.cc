@@ -35,7 +35,7 @@ Row first_row(const NamedPeer& contender, const Question& question, const RunOpt
   row.peer = name;
   row.n_faces = question.input.faces.size();
   row.n_wanted = question.n_faces;
-  FirstRun run = first_run(*peer, question.input, question.n_faces, options.clock, options.limit_s);
+  FirstRun run = first_run(*peer, question.input, question.n_faces, options.rounds.clock, options.rounds.limit_s);
   row.problem = run.failure;
   if (run.peak_bytes) row.peak_bytes_per_face = static_cast<double>(*run.peak_bytes) / static_cast<double>(row.n_faces);
   if (!run.answer) return row;
@@ -52,13 +52,13 @@ void time_in_rounds(std::vector<Row>& rows, const std::vector<NamedPeer>& peers,
   std::vector<const Peer*> timed;
   std::vector<Row*> timed_rows;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].ms.empty() || rows[i].ms.front() > 1e3 * options.slow_s) continue;
+    if (rows[i].ms.empty() || rows[i].ms.front() > 1e3 * options.rounds.slow_s) continue;
     timed.push_back(peers[i].peer.get());
     timed_rows.push_back(&rows[i]);
   }
   if (timed.empty()) return;
-  say_progress(std::to_string(options.rounds) + " rounds");
-  auto times = time_interleaved(timed, input, rows.front().n_wanted, options.clock, options.rounds);
+  say_progress(std::to_string(options.rounds.n) + " rounds");
+  auto times = time_interleaved(timed, input, rows.front().n_wanted, options.rounds.clock, options.rounds.n);
   for (std::size_t i = 0; i < timed.size(); ++i) timed_rows[i]->ms = std::move(times[i]);
 }
 

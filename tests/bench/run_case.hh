@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "command_line.hh"
 #include "measure.hh"
 #include "peer.hh"
 #include "report.hh"
@@ -17,10 +18,7 @@ struct NamedPeer {
 };
 
 struct RunOptions {
-  Clock clock = Clock::wall;
-  int rounds = 5;
-  double slow_s = 4;             ///< peers that take longer are timed once, in their first run
-  double limit_s = 120;          ///< see `first_run`
+  Rounds rounds{.slow_s = 4, .limit_s = 120};
   std::size_t samples = 50'000;  ///< of the distance, beside all vertices; 0 = the error is not measured
 };
 

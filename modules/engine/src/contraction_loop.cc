@@ -50,6 +50,7 @@ DecimateResult ContractionLoop::run() {
     }
   }
   result_.stop = *stop;
+  result_.n_contractions = complex_.n_contractions();
   result_.n_vertices = complex_.n_vertices();
   result_.n_faces = complex_.n_faces();
   result_.max_cost = settings_.frame.cost_to_model(result_.max_cost, cost_times_area_);
@@ -84,12 +85,14 @@ void ContractionLoop::fill_queue() {
   for_each_range(n_pairs, options_.threads, [&](std::size_t begin, std::size_t end) {
     for_each_evaluation(begin, end, initial_pair, [&](const Pair& pair, const PairEvaluation& evaluation) {
       buckets[pair.edge] = BucketQueue::bucket_of(evaluation.cost);
-      is_raised[pair.edge] = evaluation.cost > evaluation.bound;
+      if (evaluation.cost <= evaluation.bound) return;
+      is_raised[pair.edge] = 1;
+      raised_costs_[pair.edge] = static_cast<float>(evaluation.cost);
     });
   });
   queue_.fill(buckets);
   for (Index pair = 0; pair < n_pairs; ++pair) {
-    if (is_raised[pair] != 0) add_raised(initial_pair(pair), evaluate(initial_pair(pair)).cost);
+    if (is_raised[pair] != 0) add_raised(initial_pair(pair), raised_costs_[pair]);
   }
 }
 
@@ -320,7 +323,6 @@ void ContractionLoop::contract(const Pair& pair, double cost, const Placed& plac
   }
   complex_.contract(edge, survivor, removed,
                     merged(complex_.placed(a), complex_.placed(b), placement.position, placement.is_minimum), star_);
-  ++result_.n_contractions;
   result_.max_cost = std::max(result_.max_cost, cost);
   if (options_.listener) {
     options_.listener({complex_.origin(survivor), complex_.origin(removed),

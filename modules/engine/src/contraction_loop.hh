@@ -113,13 +113,14 @@ class ContractionLoop {
   std::uint64_t n_initial_faces_;
 
   BucketQueue queue_;
-  std::vector<Index> members_;                                            ///< of the bucket being opened
-  std::vector<Evaluated> evaluated_;                                      ///< scratch
-  std::vector<Candidate> batch_;                                          ///< candidates of the open bucket, in order
-  std::vector<Placed> placements_;                                        ///< where they would go
-  Index n_done_at_opening_ = 0;                                           ///< contractions before it was opened
-  std::size_t n_taken_ = 0;                                               ///< how many of the batch have had their turn
-  std::priority_queue<Candidate, std::vector<Candidate>, IsAfter> late_;  ///< for the open bucket or before it
+  std::vector<Index> members_;        ///< of the bucket being opened
+  std::vector<Evaluated> evaluated_;  ///< scratch
+  std::vector<Candidate> batch_;      ///< candidates of the open bucket, in order
+  std::vector<Placed> placements_;    ///< where they would go
+  Index n_done_at_opening_ = 0;       ///< contractions before it was opened
+  std::size_t n_taken_ = 0;           ///< how many of the batch have had their turn
+  /// Those for the open bucket, or one before it, that turned up after it was opened.
+  std::priority_queue<Candidate, std::vector<Candidate>, IsAfter> late_;
 
   WaitingPairs raised_;
   std::vector<bool> is_raised_;            ///< per pair

@@ -33,6 +33,7 @@ void for_each_chosen(std::span<Corner> list, const IsChosen& is_chosen, const Us
 }
 
 }  // namespace
+
 TriangleComplex::TriangleComplex(std::span<const Vec3> positions, std::span<const Triangle> faces, const Frame& frame,
                                  unsigned threads) {
   std::vector<Index> number_of;
@@ -374,29 +375,25 @@ void TriangleComplex::merge_edges(const PairStar::Opposite& opposite) {
   edges_[gone].first = kept;
 }
 
-/// The survivor gets the corners of faces without the other vertex.
+/// The survivor gets the corners of faces without the other vertex, in the first list, the second or a new one,
+/// whichever is the first to have room.
 void TriangleComplex::merge_corners(Index survivor, Index removed, const PairStar& star) {
-  CornerLists::List& kept = stars_[survivor].corners;
-  CornerLists::List& other = stars_[removed].corners;
-  const auto n = static_cast<Index>(star.first.size() + star.second.size());
-  CornerLists::List merged = kept;
-  if (n > kept.capacity) merged = n <= other.capacity ? other : corner_lists_.allocate(n);
-  merged.size = n;
-  const std::span<Corner> corners = corner_lists_.of(merged);
-  const bool is_removed_ones = merged.begin == other.begin && other.capacity > 0;
-  const auto wings_of = [this](const CornerLists::List& list, std::size_t n_wings) {
-    return corner_lists_.of(list).first(n_wings);
-  };
-  auto near = wings_of(kept, star.first.size());
-  auto far = wings_of(other, star.second.size());
-  if (is_removed_ones) std::swap(near, far);
-  std::size_t place = 0;
-  for (const Corner& corner : near) corners[place++] = corner;
-  for (const Corner& corner : far) corners[place++] = corner;
-  if (merged.begin != kept.begin) corner_lists_.release(kept);
-  if (!is_removed_ones) corner_lists_.release(other);
-  kept = merged;
-  other = {};
+  CornerLists::List kept = stars_[survivor].corners;
+  CornerLists::List other = stars_[removed].corners;
+  kept.size = static_cast<Index>(star.first.size());
+  other.size = static_cast<Index>(star.second.size());
+  const Index n = kept.size + other.size;
+  if (n > kept.capacity && n <= other.capacity) std::swap(kept, other);
+  if (n > kept.capacity) {
+    CornerLists::List longer = corner_lists_.allocate(n);
+    corner_lists_.append(longer, kept);
+    corner_lists_.release(kept);
+    kept = longer;
+  }
+  corner_lists_.append(kept, other);
+  corner_lists_.release(other);
+  stars_[survivor].corners = kept;
+  stars_[removed].corners = {};
 }
 
 void TriangleComplex::contract(Index edge, Index survivor, Index removed, const PlacedQuadric& merged,

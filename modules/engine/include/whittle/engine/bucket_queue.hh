@@ -40,9 +40,9 @@ class BucketQueue {
     for (Index member = 0; member < buckets.size(); ++member) first_members_[ends[buckets[member]]++] = member;
   }
 
-  /// \pre bucket is the open one or later.
+  /// \pre !is_past(bucket)
   void push(Index member, Bucket bucket) {
-    assert(bucket >= next_bucket_);
+    assert(!is_past(bucket));
     Head& head = heads_[bucket];
     if (head.n_in_block == 0 || head.n_in_block == block_capacity) {
       const Index block = allocate();
@@ -70,12 +70,11 @@ class BucketQueue {
       free_blocks_.push_back(block);
       block = next;
     }
-    open_bucket_ = next_bucket_++;
+    ++next_bucket_;
     return true;
   }
 
-  /// The bucket opened last. Whatever costs no more than its members is not for this queue any more.
-  Bucket open_bucket() const { return open_bucket_; }
+  /// Whether the bucket is the open one or before it: what costs so little is not for this queue any more.
   bool is_past(Bucket bucket) const { return bucket < next_bucket_; }
 
  private:
@@ -108,8 +107,7 @@ class BucketQueue {
   std::vector<Head> heads_ = std::vector<Head>(n_buckets);
   std::vector<Block> blocks_;
   std::vector<Index> free_blocks_;
-  Bucket next_bucket_ = 0;
-  Bucket open_bucket_ = 0;
+  Bucket next_bucket_ = 0;  ///< the first that has not been opened
 };
 
 }  // namespace whittle

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <span>
 #include <vector>
 
@@ -38,6 +39,12 @@ class CornerLists {
   /// An empty list with room for `size` corners. Spans of other lists end here.
   List allocate(Index size);
   void release(const List& list);
+  /// Copies `from` to the end of `to`, which has room for it.
+  void append(List& to, const List& from) {
+    assert(from.size <= to.capacity - to.size);
+    std::copy_n(corners_.data() + place(from), from.size, corners_.data() + place(to) + to.size);
+    to.size += from.size;
+  }
 
   void prefetch(const List& list) const {
     const Corner* corners = corners_.data() + place(list);

@@ -23,9 +23,6 @@ struct SymmetricMatrix {
     return *this;
   }
   friend SymmetricMatrix operator+(SymmetricMatrix a, const SymmetricMatrix& b) { return a += b; }
-  friend SymmetricMatrix operator-(const SymmetricMatrix& a, const SymmetricMatrix& b) {
-    return {a.xx - b.xx, a.xy - b.xy, a.xz - b.xz, a.yy - b.yy, a.yz - b.yz, a.zz - b.zz};
-  }
   friend Vec3 operator*(const SymmetricMatrix& m, const Vec3& v) {
     return {m.xx * v.x() + m.xy * v.y() + m.xz * v.z(), m.xy * v.x() + m.yy * v.y() + m.yz * v.z(),
             m.xz * v.x() + m.yz * v.y() + m.zz * v.z()};

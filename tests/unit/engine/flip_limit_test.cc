@@ -1,0 +1,59 @@
+#include "whittle/engine/flip_limit.hh"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+namespace whittle::test {
+namespace {
+
+/// The corner of a face over the edge (x, y), turned by an angle about it.
+Vec3 turned_corner(double angle_deg) {
+  const double angle = angle_deg * std::numbers::pi / 180;
+  return Vec3(0.3, std::cos(angle), std::sin(angle));
+}
+const Vec3 x(0, 0, 0);
+const Vec3 y(1, 0, 0);
+
+TEST(FlipLimit, IsTheAngleTheNormalTurnsBy) {
+  for (const double limit : {5.0, 45.0, 89.0, 90.0, 91.0, 120.0, 179.0}) {
+    const FlipLimit flip_limit(limit);
+    EXPECT_FALSE(flip_limit.is_exceeded(turned_corner(0), turned_corner(limit - 0.01), x, y)) << limit;
+    EXPECT_TRUE(flip_limit.is_exceeded(turned_corner(0), turned_corner(limit + 0.01), x, y)) << limit;
+    EXPECT_TRUE(flip_limit.is_exceeded(turned_corner(0), turned_corner(-limit - 0.01), x, y)) << limit;
+  }
+}
+
+TEST(FlipLimit, At180DegreesOnlyALostAreaIsTooMuch) {
+  const FlipLimit flip_limit(180);
+  EXPECT_FALSE(flip_limit.is_exceeded(turned_corner(0), turned_corner(180), x, y));
+  EXPECT_TRUE(flip_limit.is_exceeded(turned_corner(0), Vec3(0.4, 0, 0), x, y)) << "on the edge";
+  EXPECT_TRUE(flip_limit.is_exceeded(turned_corner(0), x, x, y)) << "on a corner";
+}
+
+TEST(FlipLimit, AFaceWithoutAreaHasNoDirectionToKeep) {
+  const FlipLimit flip_limit(10);
+  for (const double angle : {0.0, 90.0, 180.0}) {
+    EXPECT_FALSE(flip_limit.is_exceeded(Vec3(0.4, 0, 0), turned_corner(angle), x, y)) << angle;
+  }
+}
+
+TEST(FlipLimit, TwoFacesAtOnceAreTwoFaces) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> small(-3, 3);  // so that faces without area are among them
+  const auto point = [&] { return Vec3(small(random), small(random), small(random)); };
+  int n_exceeded = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const FlipLimit flip_limit(30.0 * (1 + i % 6));
+    const Vec3 from = point(), to = point(), x0 = point(), y0 = point(), x1 = point(), y1 = point();
+    const bool expected = flip_limit.is_exceeded(from, to, x0, y0) || flip_limit.is_exceeded(from, to, x1, y1);
+    ASSERT_EQ(flip_limit.is_exceeded_by_any(from, to, x0, y0, x1, y1), expected) << i;
+    n_exceeded += expected ? 1 : 0;
+  }
+  EXPECT_GT(n_exceeded, 5000);
+  EXPECT_LT(n_exceeded, 19'000);
+}
+
+}  // namespace
+}  // namespace whittle::test

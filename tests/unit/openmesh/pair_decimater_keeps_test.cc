@@ -1,0 +1,189 @@
+// What PairDecimaterT leaves as it is, whichever driver runs: handles, properties, locked and feature elements.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "decimation.hh"
+#include "meshes.hh"
+#include "support/shapes.hh"
+#include "support/transforms.hh"
+
+namespace whittle::test {
+namespace {
+
+using OpenMesh::VertexHandle;
+
+class PairDecimaterKeeps : public EachDriver {};
+INSTANTIATE_TEST_SUITE_P(Drivers, PairDecimaterKeeps, each_driver, driver_name);
+
+// Mesh state ----------------------------------------------------------------------------------------------------------
+
+TEST_P(PairDecimaterKeeps, SurvivorsKeepHandlesAndProperties) {
+  const IndexedMesh shape = blob(3, 4);
+  Decimation<DoubleMesh> set(shape, GetParam());
+  OpenMesh::VProp<int> vertex_number(set.mesh);
+  OpenMesh::FProp<int> face_number(set.mesh);
+  for (const VertexHandle v : set.mesh.vertices()) vertex_number[v] = v.idx() * 3;
+  for (const OpenMesh::FaceHandle f : set.mesh.faces()) face_number[f] = f.idx() * 5;
+  set.decimater.decimate_to_faces(0, 300);
+  EXPECT_EQ(set.mesh.n_vertices(), 642U) << "elements are marked, not removed";
+  for (const VertexHandle v : set.mesh.vertices()) EXPECT_EQ(vertex_number[v], v.idx() * 3);
+  for (const Contraction& made : set.contractions) {
+    EXPECT_TRUE(set.mesh.status(VertexHandle(static_cast<int>(made.removed))).deleted());
+  }
+
+  std::map<int, Vec3> places;
+  for (const VertexHandle v : set.mesh.vertices()) places[vertex_number[v]] = to_vec3(set.mesh.point(v));
+  set.mesh.garbage_collection();
+  EXPECT_EQ(set.mesh.n_faces(), 300U);
+  EXPECT_EQ(set.mesh.n_vertices(), 152U);
+  for (const VertexHandle v : set.mesh.vertices()) EXPECT_EQ(to_vec3(set.mesh.point(v)), places.at(vertex_number[v]));
+  for (const OpenMesh::FaceHandle f : set.mesh.faces()) EXPECT_EQ(face_number[f] % 5, 0);
+  expect_sound(set.mesh, "after garbage collection");
+
+  // The module's own properties moved along: the next run goes on.
+  set.decimater.set_driver(Driver::automatic);
+  EXPECT_EQ(set.decimater.decimate_to(100), 52U);
+  expect_sound(set.mesh, "after the second run");
+}
+
+TEST_P(PairDecimaterKeeps, DeletedElementsBeforeTheRunDoNotCount) {
+  const IndexedMesh shape = noisy_sphere(3, 0.04, 8);
+  DoubleMesh holed = open_mesh<DoubleMesh>(shape);
+  holed.request_vertex_status();
+  holed.request_edge_status();
+  holed.request_face_status();
+  for (const int v : {3, 100, 500}) holed.delete_vertex(VertexHandle(v), false);
+  const IndexedMesh rest = geometry_of(holed);
+
+  PairDecimaterT<DoubleMesh> decimater(holed);
+  ModGarlandHeckbertT<DoubleMesh>::Handle cost;
+  decimater.add(cost);
+  decimater.set_driver(GetParam());
+  std::vector<Contraction> contractions;
+  decimater.set_listener([&](const Contraction& made) { contractions.push_back(made); });
+  ASSERT_TRUE(decimater.initialize());
+  EXPECT_EQ(decimater.decimate_to_faces(0, rest.faces.size()), 0U);
+  EXPECT_EQ(decimater.decimate_to(600), 39U) << "639 of 642 vertices are there";
+  expect_sound(holed, "after the run");
+
+  // The same as on a mesh that never had them, but for the numbers.
+  Decimation<DoubleMesh> clean(rest, GetParam());
+  clean.decimater.decimate_to(600);
+  ASSERT_EQ(clean.contractions.size(), contractions.size());
+  for (std::size_t i = 0; i < contractions.size(); ++i) {
+    EXPECT_EQ(contractions[i].survivor, rest.origins[clean.contractions[i].survivor]) << i;
+    EXPECT_EQ(contractions[i].removed, rest.origins[clean.contractions[i].removed]) << i;
+    EXPECT_EQ(contractions[i].position, clean.contractions[i].position) << i;
+  }
+}
+
+TEST_P(PairDecimaterKeeps, EmptyAndTinyMeshesEndAtOnce) {
+  for (const IndexedMesh& shape : {IndexedMesh{}, single_triangle(), tetrahedron(), csaszar_torus()}) {
+    Decimation<DoubleMesh> set(shape, GetParam());
+    EXPECT_EQ(set.decimater.decimate(), 0U) << shape.faces.size() << " faces";
+    EXPECT_EQ(set.decimater.result().n_faces, shape.faces.size());
+    EXPECT_EQ(set.decimater.result().stop, StopReason::exhausted);
+  }
+}
+
+TEST_P(PairDecimaterKeeps, IsolatedVerticesAreLeftAlone) {
+  const IndexedMesh shape = with_isolated_vertices(blob(2, 2), 9, 4);
+  Decimation<DoubleMesh> set(shape, GetParam());
+  EXPECT_EQ(set.decimater.decimate(to_vertices(100)).n_vertices, 100U);
+  set.mesh.garbage_collection();
+  EXPECT_EQ(set.mesh.n_vertices(), 109U);
+}
+
+TEST_P(PairDecimaterKeeps, FaceNormalsAreRightAtTheEnd) {
+  DoubleMesh mesh = open_mesh<DoubleMesh>(noisy_sphere(3, 0.1, 6));
+  mesh.request_face_normals();
+  mesh.update_face_normals();
+  PairDecimaterT<DoubleMesh> decimater(mesh);
+  ModGarlandHeckbertT<DoubleMesh>::Handle cost;
+  decimater.add(cost);
+  decimater.set_driver(GetParam());
+  ASSERT_TRUE(decimater.initialize());
+  decimater.decimate(500);
+  for (const OpenMesh::FaceHandle f : mesh.faces()) EXPECT_EQ(mesh.normal(f), mesh.calc_face_normal(f));
+}
+
+// Status bits and selection -------------------------------------------------------------------------------------------
+
+template <class MeshT>
+bool unmoved(const MeshT& mesh, const IndexedMesh& before, VertexHandle v) {
+  return !mesh.status(v).deleted() && to_vec3(mesh.point(v)) == before.positions[static_cast<std::size_t>(v.idx())];
+}
+
+TEST_P(PairDecimaterKeeps, LockedVerticesKeepEveryBitAndOthersMergeIntoThem) {
+  const IndexedMesh shape = moved(blob(3, 5), Vec3(0.1, 7, -3));
+  Decimation<DoubleMesh> set(shape, GetParam());
+  for (const VertexHandle v : set.mesh.vertices()) set.mesh.status(v).set_locked(v.idx() % 4 == 1);
+  const DecimateResult result = set.decimater.decimate(DecimateTarget{});
+  for (int v = 1; v < 642; v += 4) EXPECT_TRUE(unmoved(set.mesh, shape, VertexHandle(v))) << v;
+  const auto into_locked = [](const Contraction& made) { return made.survivor % 4 == 1; };
+  EXPECT_GT(std::count_if(set.contractions.begin(), set.contractions.end(), into_locked), 100);
+  EXPECT_GT(result.n_contractions, 350U);
+  EXPECT_GT(result.rejections.locked, 0U);
+  expect_sound(set.mesh, "after the run");
+}
+
+TEST_P(PairDecimaterKeeps, OnlySelectedVerticesMoveOrVanish) {
+  const IndexedMesh shape = noisy_grid(20, 20, 0.2, 9);
+  Decimation<DoubleMesh> set(shape, GetParam());
+  for (const VertexHandle v : set.mesh.vertices()) set.mesh.status(v).set_selected(set.mesh.point(v)[0] < 8.5);
+  EXPECT_GT(set.decimater.decimate(0, true), 100U);
+  for (int v = 0; v < 441; ++v) {
+    if (shape.positions[static_cast<std::size_t>(v)].x() > 8.5) {
+      EXPECT_TRUE(unmoved(set.mesh, shape, VertexHandle(v))) << v;
+    }
+  }
+  Decimation<DoubleMesh> none(shape, GetParam());
+  EXPECT_EQ(none.decimater.decimate(0, true), 0U) << "nothing is selected";
+  EXPECT_GT(none.decimater.decimate(10, false), 0U);
+}
+
+TEST(PairDecimaterFeatures, AFeatureLineKeepsToItsVerticesAndItsEdges) {
+  // The rim of the cylinder's middle, and the vertices on it.
+  const IndexedMesh shape = open_cylinder(24, 8);
+  Decimation<DoubleMesh> set(shape);
+  DoubleMesh& mesh = set.mesh;
+  const auto on_ring = [&](VertexHandle v) { return std::abs(mesh.point(v)[2] - 1) < 1e-9; };
+  for (const VertexHandle v : mesh.vertices()) mesh.status(v).set_feature(on_ring(v));
+  for (const auto e : mesh.edges()) {
+    const bool is_feature = on_ring(e.v0()) && on_ring(e.v1());
+    mesh.status(e).set_feature(is_feature);
+  }
+  ASSERT_TRUE(set.decimater.initialize());
+  set.decimater.decimate();
+  EXPECT_EQ(set.decimater.last_driver(), Driver::mesh);
+  int n_on_ring = 0;
+  for (const VertexHandle v : mesh.vertices()) {
+    if (!mesh.status(v).feature()) continue;
+    ++n_on_ring;
+    // Each feature vertex lies where one of them was, and the ring is still one closed line of feature edges.
+    const Vec3 p = to_vec3(mesh.point(v));
+    EXPECT_TRUE(std::count(shape.positions.begin(), shape.positions.end(), p)) << p.transpose();
+    EXPECT_NEAR(p.z(), 1, 1e-9);
+    const auto edges = mesh.ve_range(v);
+    EXPECT_EQ(std::count_if(edges.begin(), edges.end(), [&](auto e) { return mesh.status(e).feature(); }), 2);
+  }
+  EXPECT_LT(n_on_ring, 24) << "nothing was contracted along the line";
+  EXPECT_GE(n_on_ring, 3);
+  expect_sound(mesh, "after the run");
+}
+
+TEST(PairDecimaterFeatures, WithoutFeatureEdgesFeatureVerticesAreCorners) {
+  const IndexedMesh shape = blob(3, 5);
+  Decimation<DoubleMesh> set(shape);
+  for (const VertexHandle v : set.mesh.vertices()) set.mesh.status(v).set_feature(v.idx() % 5 == 0);
+  set.decimater.decimate();
+  for (int v = 0; v < 642; v += 5) EXPECT_TRUE(unmoved(set.mesh, shape, VertexHandle(v))) << v;
+  EXPECT_GT(set.decimater.result().n_contractions, 300U);
+}
+
+}  // namespace
+}  // namespace whittle::test
