@@ -252,7 +252,7 @@ void ContractionLoop::prefetch_turns() {
     prefetch(batch_[n_taken_ + n].pair.a);
     prefetch(batch_[n_taken_ + n].pair.b);
   };
-  candidate_ahead(8, [&](Index v) { complex_.prefetch_corners(v); });
+  candidate_ahead(8, [&](Index v) { complex_.prefetch_spokes(v); });
   candidate_ahead(4, [&](Index v) { complex_.prefetch_neighbours(v); });
 }
 
@@ -301,12 +301,12 @@ ContractionLoop::Refusal ContractionLoop::find_refusal(Index a, Index b, const V
 }
 
 /// Whether moving the common corner of `wings` turns one of them too far.
-bool ContractionLoop::turns_a_face(std::span<const Corner> wings, const Vec3& from, const Vec3& to) const {
+bool ContractionLoop::turns_a_face(const Wings& wings, const Vec3& from, const Vec3& to) const {
   const auto at = [this](Index v) -> const Vec3& { return complex_.position(v); };
   for (std::size_t i = 0; i < wings.size(); i += 2) {
-    const Corner& x = wings[i];
-    const Corner& y = wings[std::min(i + 1, wings.size() - 1)];
-    if (flip_limit_.is_exceeded_by_any(from, to, at(x.next), at(x.previous), at(y.next), at(y.previous))) return true;
+    const auto [x0, y0] = wings[i];
+    const auto [x1, y1] = wings[std::min(i + 1, wings.size() - 1)];
+    if (flip_limit_.is_exceeded_by_any(from, to, at(x0), at(y0), at(x1), at(y1))) return true;
   }
   return false;
 }
@@ -339,10 +339,7 @@ void ContractionLoop::wake_refused_around(Index survivor, Index removed) {
   };
   wake(survivor);
   wake(removed);
-  for (const Corner& corner : complex_.corners(survivor)) {
-    wake(corner.next);
-    wake(corner.previous);
-  }
+  for (const Spoke& spoke : complex_.neighbours(survivor)) wake(spoke.vertex);
   for (const PairStar::Opposite& opposite : star_.opposites) wake(opposite.vertex);
 }
 

@@ -90,7 +90,7 @@ class ContractionLoop {
   bool is_unchanged(const Candidate& candidate) const;
   std::optional<StopReason> take_turn(const Candidate& then);
   Refusal find_refusal(Index a, Index b, const Vec3& position);
-  bool turns_a_face(std::span<const Corner> wings, const Vec3& from, const Vec3& to) const;
+  bool turns_a_face(const Wings& wings, const Vec3& from, const Vec3& to) const;
   void contract(const Pair& pair, double cost, const Placed& placement);
 
   void note_raised(const Pair& pair, const PairEvaluation& evaluation) {

@@ -3,7 +3,6 @@
 #include <stdexcept>
 
 #include "contraction_loop.hh"
-#include "initial_quadrics.hh"
 
 namespace whittle {
 namespace {
@@ -169,11 +168,9 @@ Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const
   check(target, options, mesh.positions.size());
   check(mesh);
   const Frame frame = frame_of(mesh.positions);
-  TriangleComplex complex(mesh.positions, mesh.faces, frame, options.threads);
   QuadricOptions quadric = options.quadric;
   if (options.boundary == Boundary::free) quadric.boundary_weight = 0;
-  set_initial_quadrics(complex, quadric, options.threads);
-  complex.forget_initial_faces();
+  TriangleComplex complex(mesh.positions, mesh.faces, frame, quadric, options.threads);
   DecimateResult result = ContractionLoop(complex, options, loop_settings(complex, frame, target, options)).run();
   result.n_degenerate_faces = complex.n_degenerate_faces();
   Decimation out = make_output(mesh, complex, frame);

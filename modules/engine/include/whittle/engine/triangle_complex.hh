@@ -4,11 +4,40 @@
 #include <span>
 #include <vector>
 
-#include "whittle/engine/corner_lists.hh"
 #include "whittle/engine/frame.hh"
 #include "whittle/engine/pair_minimum.hh"
+#include "whittle/engine/quadric_term.hh"
+#include "whittle/engine/spoke_lists.hh"
 
 namespace whittle {
+
+/// Faces at a vertex, each by its two other corners.
+class Wings {
+ public:
+  struct Wing {
+    Index x, y;
+  };
+
+  Wings() = default;
+  /// Each two neighbours in `fan` are those of a face.
+  static Wings of_fan(std::span<const Spoke> fan) { return {fan, 1, fan.empty() ? 0 : fan.size() - 1}; }
+  /// The first two of `pairs` are those of a face, then the next two, and so on.
+  static Wings of_pairs(std::span<const Spoke> pairs) { return {pairs, 2, pairs.size() / 2}; }
+
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  Wing operator[](std::size_t i) const { return {spokes_[i * stride_].vertex, spokes_[i * stride_ + 1].vertex}; }
+  std::span<const Spoke> spokes() const { return spokes_; }
+  std::size_t stride() const { return stride_; }  ///< spokes from one face to the next
+
+ private:
+  Wings(std::span<const Spoke> spokes, std::size_t stride, std::size_t size)
+      : spokes_(spokes), stride_(stride), size_(size) {}
+
+  std::span<const Spoke> spokes_;
+  std::size_t stride_ = 1;
+  std::size_t size_ = 0;
+};
 
 /// The two stars of a pair (a, b), as far as a contraction looks at them. Valid until the next contraction.
 struct PairStar {
@@ -17,8 +46,8 @@ struct PairStar {
     Index vertex;
     std::array<Index, 2> edges;  ///< from the pair's vertices to it, or what has been merged into those
   };
-  std::span<const Corner> first;   ///< faces at a without b
-  std::span<const Corner> second;  ///< faces at b without a
+  Wings first;   ///< faces at a without b
+  Wings second;  ///< faces at b without a
   std::vector<Opposite> opposites;
 };
 
@@ -29,8 +58,11 @@ enum class VertexOrder : std::uint8_t {
   junction,  ///< anything else: bow-ties, meeting lines
 };
 
-/// Any set of triangles under contraction: flat arrays, each vertex with a list of its faces' other corners, merged
-/// vertices and edges as forests. docs/dev/engine.md says what lies where, and why.
+/// Any set of triangles under contraction: flat arrays, each vertex with its quadric and a list of its neighbours,
+/// merged vertices and edges as forests. docs/dev/engine.md says what lies where, and why.
+///
+/// A regular vertex has its neighbours in a ring, so that each two that follow each other, the last and the first too,
+/// are those of a face. Any other has them in pairs, two for a face.
 ///
 /// Vertices are numbered along a space-filling curve, so that neighbours lie close in memory; `origin` gives the number
 /// in the input. A contraction changes the lists of its own two vertices only: the others' name merged vertices, and
@@ -44,9 +76,10 @@ class TriangleComplex {
 
   /// Takes the faces' vertex numbers as checked. Faces with two equal corners are left out.
   /// \param positions in model units; all in here is in the frame.
+  /// \param quadric what the vertices' quadrics are made of, each summed in the input's order of faces
   /// \param threads 0 = all cores; the result is the same.
   TriangleComplex(std::span<const Vec3> positions, std::span<const Triangle> faces, const Frame& frame,
-                  unsigned threads);
+                  const QuadricOptions& quadric, unsigned threads);
 
   std::size_t n_vertex_slots() const { return vertices_.size(); }
   std::uint64_t n_vertices() const { return n_vertices_; }  ///< with at least one face
@@ -54,7 +87,6 @@ class TriangleComplex {
   std::uint64_t n_degenerate_faces() const { return n_degenerate_faces_; }  ///< left out at the start
 
   const Vec3& position(Index v) const { return vertices_[v].position; }
-  /// With its quadric, undefined until set.
   PlacedQuadric placed(Index v) const {
     const StoredQuadric& q = quadrics_[v];
     return {vertices_[v].position, {q.a, q.slope == invalid_index ? Vec3::Zero() : slopes_[q.slope], q.c}};
@@ -81,13 +113,12 @@ class TriangleComplex {
     lanes.c = beside(s.c, t.c);
     return lanes;
   }
-  void set_quadric(Index v, const SymmetricMatrix& a) { quadrics_[v] = {a, 0, invalid_index, 0}; }
   Index origin(Index v) const { return vertices_[v].origin; }
   VertexOrder order(Index v) const { return stars_[v].order; }
   /// Whether v was ever in a face.
-  bool has_faces(Index v) const { return stars_[v].corners.size > 0; }
-  /// The corners of v: before the first contraction in the input's order of faces, later as last gathered.
-  std::span<const Corner> corners(Index v) const { return corner_lists_.of(stars_[v].corners); }
+  bool has_faces(Index v) const { return stars_[v].spokes.size > 0; }
+  /// The neighbours of v as last gathered, those of an irregular vertex as often as it has faces with them.
+  std::span<const Spoke> neighbours(Index v) const { return spoke_lists_.of(stars_[v].spokes); }
 
   /// The vertex that v has been merged into, v itself if none. Shortens the path.
   Index representative(Index v) {
@@ -110,11 +141,6 @@ class TriangleComplex {
   }
   /// What `find_ends` found, so that the next one has less to do.
   void remember_ends(Index e, const Edge& ends) { edges_[e] = ends; }
-  /// Number of faces at the edge (v, w) before the first contraction, at most 255.
-  unsigned n_initial_faces_between(Index v, Index w);
-  /// Gives back the memory of `n_initial_faces_between`, which may not be asked any more.
-  void forget_initial_faces() { n_edge_faces_ = {}; }
-
   void gather(Index a, Index b, PairStar& star);
 
   /// Whether contracting (a, b) leaves the topology as it is: Lk a ∩ Lk b = Lk ab, borders and non-manifold lines seen
@@ -141,9 +167,9 @@ class TriangleComplex {
     prefetch(&quadrics_[v]);
   }
   void prefetch_star(Index v) const { prefetch(&stars_[v]); }
-  void prefetch_corners(Index v) const { corner_lists_.prefetch(stars_[v].corners); }
+  void prefetch_spokes(Index v) const { spoke_lists_.prefetch(stars_[v].spokes); }
   void prefetch_neighbours(Index v) {
-    for (const Corner& corner : corners(v)) prefetch(&vertices_[representative(corner.next)]);
+    for (const Spoke& spoke : neighbours(v)) prefetch(&vertices_[representative(spoke.vertex)]);
   }
 
  private:
@@ -153,23 +179,32 @@ class TriangleComplex {
     return v;
   }
   void number_vertices(std::span<const Vec3> positions, const Frame& frame, std::vector<Index>& number_of);
-  void list_corners(std::span<const Triangle> faces, const std::vector<Index>& number_of);
+  void list_faces(std::span<const Triangle> faces, const std::vector<Index>& number_of);
+  void set_up_stars(const QuadricOptions& options, unsigned threads);
+  SymmetricMatrix sum_of_planes(Index v, const QuadricOptions& options) const;
+  SymmetricMatrix with_border_planes(SymmetricMatrix sum, Index v, const QuadricOptions& options);
+  bool make_small_ring(Index v);
+  void make_ring(Index v);
+  void make_pairs(Index v);
+  void gather_link(Index v);
+  VertexOrder order_of_link() const;
   void number_edges(unsigned threads);
-  void find_orders(unsigned threads);
-  bool is_small_closed_fan(Index v) const;
-  void gather_ring(Index v);
-  VertexOrder order_of_ring() const;
-  Index place_in_ring(Index v);
-  std::size_t gather_one(Index v, Index other);
+  void sort_edges(Index v, std::size_t first);
+
+  Index place_in_link(Index v);
+  bool is_ring(Index v) const { return stars_[v].order == VertexOrder::regular; }
+  Wings gather_one(Index v, Index other, std::vector<Spoke>& opposites);
+  Wings gather_ring(Index v, Index other, std::vector<Spoke>& opposites);
+  Wings gather_pairs(Index v, Index other, std::vector<Spoke>& opposites);
   bool link_condition_of_any(Index a, Index b, const PairStar& star);
   bool obviously_keeps_topology(Index a, Index b, const PairStar& star) const;
   void remove_edge(Index e) { edge_alive_[e / 64] &= ~(std::uint64_t{1} << (e % 64)); }
-  void sort_edges(Index v, std::size_t first);
   Index live_edge(Index e) const;
-  Index edge_between(Index v, Index w);
   void merge_edges(const PairStar::Opposite& opposite);
   Index store_slope(const Vec3& slope, Index v);
-  void merge_corners(Index survivor, Index removed, const PairStar& star);
+  void merge_stars(Index survivor, Index removed, const PairStar& star);
+  void join_rings(const PairStar& star);
+  void join_pairs(const PairStar& star);
 
   /// One cache line. The slope b, three more numbers, is zero but for the few vertices that are not where their quadric
   /// is least.
@@ -180,7 +215,7 @@ class TriangleComplex {
     Index last_change;
   };
   struct Star {
-    CornerLists::List corners;
+    SpokeLists::List spokes;
     VertexOrder order;
   };
   /// What is asked of a neighbour, and no more: two vertices a cache line.
@@ -193,26 +228,26 @@ class TriangleComplex {
   LargeArray<StoredQuadric> quadrics_;
   LargeArray<Vec3> slopes_;
   LargeArray<Star> stars_;
-  CornerLists corner_lists_;
+  SpokeLists spoke_lists_;
   LargeArray<Edge> edges_;                 ///< ends as last looked up; `first` of one merged into another: that
   std::vector<std::uint64_t> edge_alive_;  ///< a bit an edge
-  std::vector<std::uint8_t> n_edge_faces_;
   std::uint64_t n_vertices_ = 0;
   std::uint64_t n_faces_ = 0;
   std::uint64_t n_degenerate_faces_ = 0;
   Index n_contractions_ = 0;
 
   /// A neighbour of one vertex or of a pair, with the number of faces at its edges to them.
-  struct RingEntry {
+  struct LinkEntry {
     Index vertex;
     std::array<Index, 2> n_faces{};                           ///< at the edge to the first and the second vertex
     std::array<Index, 2> next{invalid_index, invalid_index};  ///< places of up to two neighbours in the link
     bool opposite = false;                                    ///< corner of a face of the pair
   };
   /// Scratch: the neighbours under look, and each vertex's place among them, right only if the entry there names it.
-  std::vector<RingEntry> ring_;
-  std::vector<Index> ring_place_;
-  std::vector<Corner> shared_;  ///< scratch of `gather_one`
+  std::vector<LinkEntry> link_;
+  std::vector<Index> link_place_;
+  std::array<std::vector<Spoke>, 2> opposites_;  ///< scratch of `gather`: of the faces at a and b, as each of them sees
+  std::vector<Spoke> joined_;                    ///< scratch: pairs under look; the merged star
 };
 
 }  // namespace whittle

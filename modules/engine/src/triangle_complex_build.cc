@@ -1,0 +1,302 @@
+#include <algorithm>
+#include <bit>
+#include <stdexcept>
+#include <utility>
+
+#include "space_filling_curve.hh"
+#include "whittle/engine/parallel.hh"
+#include "whittle/engine/triangle_complex.hh"
+
+// How a complex comes to be. Its stars are listed twice in the same place: first the two other corners of each face, in
+// the input's order of faces, so that sums over them do not depend on the numbering in here; then the neighbours.
+
+namespace whittle {
+namespace {
+
+/// A face as one of its corners v sees it: (v, next, previous) is counter-clockwise.
+struct Corner {
+  Index next, previous;
+};
+Spoke as_spoke(const Corner& corner) { return {corner.next, corner.previous}; }
+Corner as_corner(const Spoke& spoke) { return {spoke.vertex, spoke.edge}; }
+
+constexpr std::ptrdiff_t few_edges = 8;  ///< so many are searched one by one
+
+/// Calls `use(spoke)` for those for which `is_chosen(spoke)`. As that can't be foretold, short lists are sifted
+/// first, without a branch.
+template <class IsChosen, class Use>
+void for_each_chosen(std::span<Spoke> list, const IsChosen& is_chosen, const Use& use) {
+  constexpr std::size_t few = 16;
+  if (list.size() > few) {
+    for (Spoke& spoke : list) {
+      if (is_chosen(spoke)) use(spoke);
+    }
+    return;
+  }
+  std::array<Spoke*, few> chosen;
+  std::size_t n = 0;
+  for (Spoke& spoke : list) {
+    chosen[n] = &spoke;
+    n += static_cast<std::size_t>(is_chosen(spoke));
+  }
+  for (std::size_t i = 0; i < n; ++i) use(*chosen[i]);
+}
+
+/// Whether no two of these are equal.
+bool are_distinct(std::span<const Index> numbers) {
+  std::uint64_t bits = 0;
+  for (const Index number : numbers) bits |= std::uint64_t{1} << (number & 63);
+  if (std::cmp_equal(std::popcount(bits), numbers.size())) return true;
+  for (std::size_t i = 1; i < numbers.size(); ++i) {
+    const auto before = numbers.first(i);
+    if (std::find(before.begin(), before.end(), numbers[i]) != before.end()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TriangleComplex::TriangleComplex(std::span<const Vec3> positions, std::span<const Triangle> faces, const Frame& frame,
+                                 const QuadricOptions& quadric, unsigned threads) {
+  std::vector<Index> number_of;
+  number_vertices(positions, frame, number_of);
+  list_faces(faces, number_of);
+  number_of = {};
+  set_up_stars(quadric, threads);
+  number_edges(threads);
+}
+
+void TriangleComplex::number_vertices(std::span<const Vec3> positions, const Frame& frame,
+                                      std::vector<Index>& number_of) {
+  const std::vector<Index> order = morton_order(positions, frame);
+  number_of.resize(positions.size());
+  vertices_.resize(positions.size());
+  parents_.resize(positions.size());
+  quadrics_.resize(positions.size());
+  for (Index v = 0; v < order.size(); ++v) {
+    number_of[order[v]] = v;
+    vertices_[v] = {frame.to_frame(positions[order[v]]), order[v]};
+    parents_[v] = v;
+  }
+}
+
+/// Lists each vertex's faces, as corners.
+void TriangleComplex::list_faces(std::span<const Triangle> faces, const std::vector<Index>& number_of) {
+  const auto is_degenerate = [](const Triangle& f) { return f[0] == f[1] || f[1] == f[2] || f[2] == f[0]; };
+  std::vector<Index> sizes(vertices_.size());
+  for (const Triangle& face : faces) {
+    if (is_degenerate(face)) {
+      ++n_degenerate_faces_;
+    } else {
+      for (const Index v : face) ++sizes[number_of[v]];
+    }
+  }
+  n_faces_ = faces.size() - n_degenerate_faces_;
+  spoke_lists_ = SpokeLists(sizes);
+  stars_.resize(vertices_.size());
+  std::vector<Spoke*> ends(vertices_.size());
+  for (Index v = 0; v < vertices_.size(); ++v) {
+    stars_[v].spokes = spoke_lists_.allocate(sizes[v]);
+    stars_[v].spokes.size = sizes[v];
+    ends[v] = spoke_lists_.of(stars_[v].spokes).data();
+    n_vertices_ += sizes[v] > 0 ? 1 : 0;
+  }
+  for (const Triangle& face : faces) {
+    if (is_degenerate(face)) continue;
+    const auto [a, b, c] = Triangle{number_of[face[0]], number_of[face[1]], number_of[face[2]]};
+    *ends[a]++ = as_spoke({b, c});
+    *ends[b]++ = as_spoke({c, a});
+    *ends[c]++ = as_spoke({a, b});
+  }
+}
+
+/// Sums each vertex's quadric over its faces and turns its list of corners into one of neighbours.
+void TriangleComplex::set_up_stars(const QuadricOptions& options, unsigned threads) {
+  for_each_range(vertices_.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto v = static_cast<Index>(i);
+      quadrics_[v] = {sum_of_planes(v, options), 0, invalid_index, 0};
+      stars_[v].order = make_small_ring(v) ? VertexOrder::regular : VertexOrder::junction;
+    }
+  });
+  link_place_.resize(vertices_.size());
+  for (Index v = 0; v < vertices_.size(); ++v) {
+    if (stars_[v].order == VertexOrder::regular) continue;
+    gather_link(v);
+    stars_[v].order = order_of_link();
+    if (stars_[v].order == VertexOrder::regular) {
+      make_ring(v);
+    } else {
+      quadrics_[v].a = with_border_planes(quadrics_[v].a, v, options);
+      make_pairs(v);
+    }
+  }
+}
+
+SymmetricMatrix TriangleComplex::sum_of_planes(Index v, const QuadricOptions& options) const {
+  SymmetricMatrix sum;
+  for (const Spoke& spoke : neighbours(v)) {
+    const auto [next, previous] = as_corner(spoke);
+    sum += corner_quadric(position(v), position(next), position(previous), options);
+  }
+  return sum;
+}
+
+/// \pre v's link is gathered.
+SymmetricMatrix TriangleComplex::with_border_planes(SymmetricMatrix sum, Index v, const QuadricOptions& options) {
+  if (options.boundary_weight == 0) return sum;
+  const auto is_border = [this](Index w) { return link_[place_in_link(w)].n_faces[0] == 1; };
+  for (const Spoke& spoke : neighbours(v)) {
+    const auto [next, previous] = as_corner(spoke);
+    if (is_border(next)) sum += border_quadric(position(v), position(next), position(previous), options);
+    if (is_border(previous)) sum += border_quadric(position(previous), position(v), position(next), options);
+  }
+  return sum;
+}
+
+/// Sorts v's corners into a ring, if they are few and make one. The common case; else the list stays as it is.
+bool TriangleComplex::make_small_ring(Index v) {
+  constexpr std::size_t few = 12;
+  const std::span<Spoke> list = spoke_lists_.of(stars_[v].spokes);
+  const std::size_t n = list.size();
+  if (n < 3 || n > few) return false;
+  std::array<Corner, few> fan;
+  std::array<Index, few> ring;
+  std::transform(list.begin(), list.end(), fan.begin(), as_corner);
+  for (std::size_t i = 1; i < n; ++i) {
+    std::size_t j = i;
+    while (j < n && fan[j].next != fan[i - 1].previous) ++j;
+    if (j == n) return false;  // of several fans, or not all of one orientation
+    std::swap(fan[i], fan[j]);
+  }
+  for (std::size_t i = 0; i < n; ++i) ring[i] = fan[i].next;
+  if (fan[n - 1].previous != ring[0] || !are_distinct(std::span(ring).first(n))) return false;
+  for (std::size_t i = 0; i < n; ++i) list[i].vertex = ring[i];
+  return true;
+}
+
+/// \pre v is regular, and its link gathered.
+void TriangleComplex::make_ring(Index v) {
+  Index previous = 0;
+  Index here = 0;
+  for (Spoke& spoke : spoke_lists_.of(stars_[v].spokes)) {
+    spoke.vertex = link_[here].vertex;
+    const auto& next = link_[here].next;
+    const Index ahead = next[0] == previous ? next[1] : next[0];
+    previous = std::exchange(here, ahead);
+  }
+}
+
+/// Takes the list's room for one twice as long.
+void TriangleComplex::make_pairs(Index v) {
+  SpokeLists::List& list = stars_[v].spokes;
+  joined_.clear();
+  for (const Spoke& spoke : neighbours(v)) {
+    const auto [next, previous] = as_corner(spoke);
+    joined_.push_back({next, invalid_index});
+    joined_.push_back({previous, invalid_index});
+  }
+  spoke_lists_.release(list);
+  list = spoke_lists_.allocate(static_cast<Index>(joined_.size()));
+  list.size = static_cast<Index>(joined_.size());
+  std::copy(joined_.begin(), joined_.end(), spoke_lists_.of(list).begin());
+}
+
+void TriangleComplex::gather_link(Index v) {
+  link_.clear();
+  const auto join = [&](Index from, Index to) {
+    LinkEntry& entry = link_[from];
+    if (entry.n_faces[0] < 2) entry.next[entry.n_faces[0]] = to;
+    ++entry.n_faces[0];
+  };
+  for (const Spoke& spoke : neighbours(v)) {
+    const auto [next, previous] = as_corner(spoke);
+    const Index at_next = place_in_link(next);
+    const Index at_previous = place_in_link(previous);
+    join(at_next, at_previous);
+    join(at_previous, at_next);
+  }
+}
+
+VertexOrder TriangleComplex::order_of_link() const {
+  std::size_t n_ends = 0;
+  Index start = 0;
+  for (Index i = 0; i < link_.size(); ++i) {
+    if (link_[i].n_faces[0] > 2) return VertexOrder::junction;
+    if (link_[i].n_faces[0] == 1) {
+      ++n_ends;
+      start = i;
+    }
+  }
+  if (link_.empty()) return VertexOrder::regular;
+  if (n_ends != 0 && n_ends != 2) return VertexOrder::junction;
+  // The link is a union of closed polygons and at most one open one: a single one if a walk along it meets them all.
+  std::size_t n_met = 1;
+  Index previous = start;
+  Index here = link_[start].next[0];
+  while (here != start) {
+    ++n_met;
+    const auto& next = link_[here].next;
+    const Index ahead = next[0] == previous ? next[1] : next[0];
+    if (ahead == invalid_index) break;
+    previous = here;
+    here = ahead;
+  }
+  if (n_met != link_.size()) return VertexOrder::junction;
+  return n_ends == 0 ? VertexOrder::regular : VertexOrder::line;
+}
+
+/// Edges by their lower, then their higher vertex.
+void TriangleComplex::number_edges(unsigned threads) {
+  edges_.reserve(n_faces_ + n_faces_ / 2 + 16);
+  std::vector<Index> starts(vertices_.size() + 1);
+  for (Index v = 0; v < vertices_.size(); ++v) {
+    const std::size_t first = edges_.size();
+    const auto add = [&](Index w) {
+      edges_.push_back({v, w});
+      return static_cast<Index>(edges_.size() - 1);
+    };
+    const auto find_or_add = [&](Index w) {
+      const Index place = link_place_[w];
+      if (place >= first && place < edges_.size() && edges_[place].second == w) return place;
+      return link_place_[w] = add(w);
+    };
+    const bool occurs_once = is_ring(v);
+    for_each_chosen(
+        spoke_lists_.of(stars_[v].spokes), [v](const Spoke& spoke) { return spoke.vertex > v; },
+        [&](Spoke& spoke) { spoke.edge = occurs_once ? add(spoke.vertex) : find_or_add(spoke.vertex); });
+    if (std::ssize(edges_) - static_cast<std::ptrdiff_t>(first) > few_edges) sort_edges(v, first);
+    if (edges_.size() >= invalid_index) throw std::length_error("decimate: more than 2^32 - 2 edges");
+    starts[v + 1] = static_cast<Index>(edges_.size());
+  }
+  edge_alive_.assign(edges_.size() / 64 + 1, ~std::uint64_t{0});
+
+  const auto edge_from_lower = [&](Index v, Index w) {
+    const auto begin = edges_.begin() + starts[v];
+    const auto end = edges_.begin() + starts[v + 1];
+    const auto edge =
+        end - begin <= few_edges
+            ? std::find_if(begin, end, [w](const Edge& e) { return e.second == w; })
+            : std::lower_bound(begin, end, w, [](const Edge& e, Index sought) { return e.second < sought; });
+    return static_cast<Index>(edge - edges_.begin());
+  };
+  for_each_range(vertices_.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      for_each_chosen(
+          spoke_lists_.of(stars_[v].spokes), [v](const Spoke& spoke) { return spoke.vertex < v; },
+          [&](Spoke& spoke) { spoke.edge = edge_from_lower(spoke.vertex, static_cast<Index>(v)); });
+    }
+  });
+}
+
+/// Renumbers the edges from `first` on, all those from v to higher vertices, by the higher one.
+void TriangleComplex::sort_edges(Index v, std::size_t first) {
+  std::sort(edges_.begin() + static_cast<std::ptrdiff_t>(first), edges_.end(),
+            [](const Edge& x, const Edge& y) { return x.second < y.second; });
+  for (std::size_t e = first; e < edges_.size(); ++e) link_place_[edges_[e].second] = static_cast<Index>(e);
+  for (Spoke& spoke : spoke_lists_.of(stars_[v].spokes)) {
+    if (spoke.vertex > v) spoke.edge = link_place_[spoke.vertex];
+  }
+}
+
+}  // namespace whittle
