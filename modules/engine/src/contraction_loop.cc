@@ -12,8 +12,8 @@ namespace {
 /// Candidates between two calls of the progress callback: about a millisecond.
 constexpr std::uint64_t progress_interval = 2048;
 
-/// Members of a bucket that a thread evaluates at a time: some microseconds.
-constexpr std::size_t members_per_range = 64;
+/// Pairs that a thread evaluates at a time: some microseconds.
+constexpr std::size_t pairs_per_range = 64;
 
 /// Members whose evaluations are kept in memory. On flat ground all pairs may be in one bucket.
 constexpr std::size_t members_at_once = 8192;
@@ -80,7 +80,7 @@ void ContractionLoop::fill_queue() {
   std::vector<std::uint8_t> is_raised(n_pairs);
   const auto initial_pair = [&](std::size_t pair) {
     const auto edge = static_cast<Index>(pair);
-    return in_order(edge, complex_.find_ends(edge));
+    return in_order(edge, complex_.initial_ends(edge));
   };
   for_each_range(n_pairs, options_.threads, [&](std::size_t begin, std::size_t end) {
     for_each_evaluation(begin, end, initial_pair, [&](const Pair& pair, const PairEvaluation& evaluation) {
@@ -152,44 +152,51 @@ void ContractionLoop::open_bucket() {
   placements_.clear();
   n_taken_ = 0;
   n_done_at_opening_ = complex_.n_contractions();
-  std::erase_if(members_, [&](Index pair) { return !complex_.is_edge_alive(pair); });
   for (std::size_t begin = 0; begin < members_.size(); begin += members_at_once) {
-    const std::size_t end = std::min(members_.size(), begin + members_at_once);
-    if (crew_.n_helpers() == 0 || end - begin < 4 * members_per_range) {
-      evaluate_and_sort_in(begin, end);
+    find_pairs(std::span(members_).subspan(begin, std::min(members_.size() - begin, members_at_once)));
+    if (crew_.n_helpers() == 0 || pairs_.size() < 4 * pairs_per_range) {
+      for_each_evaluation(
+          0, pairs_.size(), [this](std::size_t i) { return pair_at(i); },
+          [this](const Pair& pair, const PairEvaluation& evaluation) { sort_in(pair, evaluation); });
     } else {
-      evaluate_on_all_threads(begin, end);
-      for (const Evaluated& member : evaluated_) {
-        complex_.remember_ends(member.pair.edge, {member.pair.a, member.pair.b});
-        sort_in(member.pair, member.evaluation);
-      }
+      evaluate_on_all_threads();
+      for (const Evaluated& member : evaluated_) sort_in(member.pair, member.evaluation);
     }
   }
   std::sort(batch_.begin(), batch_.end(), is_before);
 }
 
-void ContractionLoop::evaluate_and_sort_in(std::size_t begin, std::size_t end) {
-  const auto member = [this, end](std::size_t i) {
-    prefetch_members(i, end);
-    return in_order(members_[i], complex_.ends(members_[i]));
-  };
-  for_each_evaluation(begin, end, member,
-                      [this](const Pair& pair, const PairEvaluation& evaluation) { sort_in(pair, evaluation); });
+/// Looks up the ends of those members that are still edges. Brings near what that will ask for: first the edges, then
+/// what their ends have become.
+void ContractionLoop::find_pairs(std::span<const Index> members) {
+  pairs_.clear();
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (i + 16 < members.size()) complex_.prefetch_edge(members[i + 16]);
+    if (i + 8 < members.size()) complex_.prefetch_ends(members[i + 8]);
+    if (!complex_.is_edge_alive(members[i])) continue;
+    const auto [a, b] = complex_.ends(members[i]);
+    pairs_.push_back({members[i], a, b});
+  }
+}
+
+ContractionLoop::Pair ContractionLoop::pair_at(std::size_t i) const {
+  if (i + 12 < pairs_.size()) {
+    complex_.prefetch_placed(pairs_[i + 12].a);
+    complex_.prefetch_placed(pairs_[i + 12].b);
+  }
+  return in_order(pairs_[i].edge, {pairs_[i].a, pairs_[i].b});
 }
 
 /// The threads change nothing but each its own range of `evaluated_`.
-void ContractionLoop::evaluate_on_all_threads(std::size_t begin, std::size_t end) {
-  evaluated_.resize(end - begin);
-  crew_.for_each_range(end - begin, members_per_range, [this, begin](std::size_t first, std::size_t last) {
-    const auto member = [this, end = begin + last](std::size_t i) {
-      prefetch_members(i, end);
-      return in_order(members_[i], complex_.find_ends(members_[i]));
-    };
-    Evaluated* place = &evaluated_[first];
-    for_each_evaluation(begin + first, begin + last, member,
-                        [&place](const Pair& pair, const PairEvaluation& evaluation) {
-                          *place++ = {pair, evaluation};
-                        });
+void ContractionLoop::evaluate_on_all_threads() {
+  evaluated_.resize(pairs_.size());
+  crew_.for_each_range(pairs_.size(), pairs_per_range, [this](std::size_t begin, std::size_t end) {
+    Evaluated* place = &evaluated_[begin];
+    for_each_evaluation(
+        begin, end, [this](std::size_t i) { return pair_at(i); },
+        [&place](const Pair& pair, const PairEvaluation& evaluation) {
+          *place++ = {pair, evaluation};
+        });
   });
 }
 
@@ -205,18 +212,6 @@ void ContractionLoop::sort_in(const Pair& pair, const PairEvaluation& evaluation
   }
   complex_.prefetch_star(pair.a);
   complex_.prefetch_star(pair.b);
-}
-
-/// Brings near what the members after the i-th will ask for: first their edges, then what the ends of those have
-/// become, then these.
-void ContractionLoop::prefetch_members(std::size_t i, std::size_t end) const {
-  if (i + 32 < end) complex_.prefetch_edge(members_[i + 32]);
-  if (i + 24 < end) complex_.prefetch_ends(members_[i + 24]);
-  if (i + 12 < end) {
-    const auto [a, b] = complex_.find_ends(members_[i + 12]);
-    complex_.prefetch_placed(a);
-    complex_.prefetch_placed(b);
-  }
 }
 
 ContractionLoop::Pair ContractionLoop::in_order(Index pair, TriangleComplex::Edge ends) const {

@@ -74,10 +74,10 @@ class ContractionLoop {
 
   std::optional<Candidate> next_candidate();
   void open_bucket();
-  void evaluate_and_sort_in(std::size_t begin, std::size_t end);
-  void evaluate_on_all_threads(std::size_t begin, std::size_t end);
+  void find_pairs(std::span<const Index> members);
+  Pair pair_at(std::size_t i) const;
+  void evaluate_on_all_threads();
   void sort_in(const Pair& pair, const PairEvaluation& evaluation);
-  void prefetch_members(std::size_t i, std::size_t end) const;
   void prefetch_turns();
   void enqueue(const Candidate& candidate);
 
@@ -114,6 +114,7 @@ class ContractionLoop {
 
   BucketQueue queue_;
   std::vector<Index> members_;        ///< of the bucket being opened
+  std::vector<Pair> pairs_;           ///< scratch: some of them, not yet in order
   std::vector<Evaluated> evaluated_;  ///< scratch
   std::vector<Candidate> batch_;      ///< candidates of the open bucket, in order
   std::vector<Placed> placements_;    ///< where they would go

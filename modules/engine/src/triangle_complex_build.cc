@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 #include <stdexcept>
 #include <utility>
 
@@ -42,17 +41,35 @@ void for_each_chosen(std::span<Spoke> list, const IsChosen& is_chosen, const Use
   for (std::size_t i = 0; i < n; ++i) use(*chosen[i]);
 }
 
-/// Whether no two of these are equal.
-bool are_distinct(std::span<const Index> numbers) {
-  std::uint64_t bits = 0;
-  for (const Index number : numbers) bits |= std::uint64_t{1} << (number & 63);
-  if (std::cmp_equal(std::popcount(bits), numbers.size())) return true;
-  for (std::size_t i = 1; i < numbers.size(); ++i) {
-    const auto before = numbers.first(i);
-    if (std::find(before.begin(), before.end(), numbers[i]) != before.end()) return false;
+/// Puts the corners of a closed fan in its order, without a branch that can't be foretold: each names the one after it,
+/// which is looked up by the low bits of its number.
+class FanSorter {
+ public:
+  static constexpr std::size_t max_corners = 12;
+
+  /// Writes the neighbours in the fan's order to `ring`. False if the corners, up to `max_corners`, are not one closed
+  /// fan, each neighbour once, all of one orientation; or if the low bits of two neighbours are the same.
+  bool sort(std::span<const Spoke> corners, std::span<Index> ring) {
+    const std::size_t n = corners.size();
+    for (std::size_t i = 0; i < n; ++i) place(as_corner(corners[i]).next) = static_cast<std::uint8_t>(i);
+    bool is_ring = true;
+    for (std::size_t i = 0; i < n; ++i) is_ring &= place(as_corner(corners[i]).next) == i;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Corner here = as_corner(corners[at]);
+      ring[i] = here.next;
+      at = std::min<std::size_t>(place(here.previous), n - 1);
+      is_ring &= as_corner(corners[at]).next == here.previous;
+      is_ring &= (at == 0) == (i + 1 == n);
+    }
+    return is_ring;
   }
-  return true;
-}
+
+ private:
+  std::uint8_t& place(Index v) { return places_[v % places_.size()]; }
+
+  std::array<std::uint8_t, 256> places_{};  ///< right only if the corner there is the one sought
+};
 
 }  // namespace
 
@@ -113,10 +130,16 @@ void TriangleComplex::list_faces(std::span<const Triangle> faces, const std::vec
 /// Sums each vertex's quadric over its faces and turns its list of corners into one of neighbours.
 void TriangleComplex::set_up_stars(const QuadricOptions& options, unsigned threads) {
   for_each_range(vertices_.size(), threads, [&](std::size_t begin, std::size_t end) {
+    FanSorter sorter;
+    std::array<Index, FanSorter::max_corners> ring;
     for (std::size_t i = begin; i < end; ++i) {
       const auto v = static_cast<Index>(i);
       quadrics_[v] = {sum_of_planes(v, options), 0, invalid_index, 0};
-      stars_[v].order = make_small_ring(v) ? VertexOrder::regular : VertexOrder::junction;
+      const std::span<Spoke> list = spoke_lists_.of(stars_[v].spokes);
+      const bool is_small_ring = list.size() >= 3 && list.size() <= ring.size() && sorter.sort(list, ring);
+      stars_[v].order = is_small_ring ? VertexOrder::regular : VertexOrder::junction;
+      if (!is_small_ring) continue;  // the others are looked at more closely below
+      for (std::size_t k = 0; k < list.size(); ++k) list[k].vertex = ring[k];
     }
   });
   link_place_.resize(vertices_.size());
@@ -152,27 +175,6 @@ SymmetricMatrix TriangleComplex::with_border_planes(SymmetricMatrix sum, Index v
     if (is_border(previous)) sum += border_quadric(position(previous), position(v), position(next), options);
   }
   return sum;
-}
-
-/// Sorts v's corners into a ring, if they are few and make one. The common case; else the list stays as it is.
-bool TriangleComplex::make_small_ring(Index v) {
-  constexpr std::size_t few = 12;
-  const std::span<Spoke> list = spoke_lists_.of(stars_[v].spokes);
-  const std::size_t n = list.size();
-  if (n < 3 || n > few) return false;
-  std::array<Corner, few> fan;
-  std::array<Index, few> ring;
-  std::transform(list.begin(), list.end(), fan.begin(), as_corner);
-  for (std::size_t i = 1; i < n; ++i) {
-    std::size_t j = i;
-    while (j < n && fan[j].next != fan[i - 1].previous) ++j;
-    if (j == n) return false;  // of several fans, or not all of one orientation
-    std::swap(fan[i], fan[j]);
-  }
-  for (std::size_t i = 0; i < n; ++i) ring[i] = fan[i].next;
-  if (fan[n - 1].previous != ring[0] || !are_distinct(std::span(ring).first(n))) return false;
-  for (std::size_t i = 0; i < n; ++i) list[i].vertex = ring[i];
-  return true;
 }
 
 /// \pre v is regular, and its link gathered.

@@ -135,12 +135,9 @@ class TriangleComplex {
     edge = {representative(edge.first), representative(edge.second)};
     return edge;
   }
-  /// The same without remembering it, so that several threads may ask.
-  Edge find_ends(Index e) const {
-    return {find_representative(edges_[e].first), find_representative(edges_[e].second)};
-  }
-  /// What `find_ends` found, so that the next one has less to do.
-  void remember_ends(Index e, const Edge& ends) { edges_[e] = ends; }
+  /// Before the first contraction; several threads may ask.
+  Edge initial_ends(Index e) const { return edges_[e]; }
+
   void gather(Index a, Index b, PairStar& star);
 
   /// Whether contracting (a, b) leaves the topology as it is: Lk a ∩ Lk b = Lk ab, borders and non-manifold lines seen
@@ -174,16 +171,11 @@ class TriangleComplex {
 
  private:
   Index root(Index v);
-  Index find_representative(Index v) const {
-    while (parents_[v] != v) v = parents_[v];
-    return v;
-  }
   void number_vertices(std::span<const Vec3> positions, const Frame& frame, std::vector<Index>& number_of);
   void list_faces(std::span<const Triangle> faces, const std::vector<Index>& number_of);
   void set_up_stars(const QuadricOptions& options, unsigned threads);
   SymmetricMatrix sum_of_planes(Index v, const QuadricOptions& options) const;
   SymmetricMatrix with_border_planes(SymmetricMatrix sum, Index v, const QuadricOptions& options);
-  bool make_small_ring(Index v);
   void make_ring(Index v);
   void make_pairs(Index v);
   void gather_link(Index v);
