@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "level_pairs.hh"
+#include "turned_faces.hh"
 #include "whittle/engine/parallel.hh"
 
 namespace whittle {
@@ -12,10 +14,12 @@ namespace {
 /// Candidates between two calls of the progress callback: about a millisecond.
 constexpr std::uint64_t progress_interval = 2048;
 
-/// Pairs that a thread evaluates at a time: some microseconds.
+/// Pairs that are evaluated at a time, by one thread: some microseconds, and what they look at stays in the nearest
+/// cache.
 constexpr std::size_t pairs_per_range = 64;
 
-/// Members whose evaluations are kept in memory. On flat ground all pairs may be in one bucket.
+/// Members of a bucket shared out among threads at a time, and those whose placements are remembered. On flat ground
+/// all pairs may be in one bucket.
 constexpr std::size_t members_at_once = 8192;
 
 }  // namespace
@@ -82,13 +86,21 @@ void ContractionLoop::fill_queue() {
     const auto edge = static_cast<Index>(pair);
     return in_order(edge, complex_.initial_ends(edge));
   };
+  const auto fill_range = [&](std::size_t begin, std::size_t end) {
+    std::array<Pair, pairs_per_range> pairs;
+    std::array<PairEvaluation, pairs_per_range> evaluations;
+    const std::size_t n = end - begin;
+    for (std::size_t i = 0; i < n; ++i) pairs[i] = initial_pair(begin + i);
+    evaluate(std::span(pairs).first(n), std::span(evaluations).first(n));
+    for (std::size_t i = 0; i < n; ++i) {
+      buckets[begin + i] = BucketQueue::bucket_of(evaluations[i].cost);
+      if (evaluations[i].cost <= evaluations[i].bound) continue;
+      is_raised[begin + i] = 1;
+      raised_costs_[begin + i] = static_cast<float>(evaluations[i].cost);
+    }
+  };
   for_each_range(n_pairs, options_.threads, [&](std::size_t begin, std::size_t end) {
-    for_each_evaluation(begin, end, initial_pair, [&](const Pair& pair, const PairEvaluation& evaluation) {
-      buckets[pair.edge] = BucketQueue::bucket_of(evaluation.cost);
-      if (evaluation.cost <= evaluation.bound) return;
-      is_raised[pair.edge] = 1;
-      raised_costs_[pair.edge] = static_cast<float>(evaluation.cost);
-    });
+    for (; begin < end; begin += pairs_per_range) fill_range(begin, std::min(end, begin + pairs_per_range));
   });
   queue_.fill(buckets);
   for (Index pair = 0; pair < n_pairs; ++pair) {
@@ -96,36 +108,16 @@ void ContractionLoop::fill_queue() {
   }
 }
 
-/// Calls `use(pair, evaluation)` for the pairs that `pair_at` gives for begin … end, in order, evaluating two at once.
-template <class PairAt, class Use>
-void ContractionLoop::for_each_evaluation(std::size_t begin, std::size_t end, const PairAt& pair_at,
-                                          const Use& use) const {
-  const auto use_lane = [&](const Pair& pair, const PairMinimum<Double2>& minima, int lane) {
-    if (minima.is_near[lane] != 0) {
-      const Vec3 position(minima.x[lane], minima.y[lane], minima.z[lane]);
-      use(pair, PairEvaluation{minima.value[lane], minima.value[lane], position, true});
-    } else {
-      use(pair, evaluate(pair));
+/// Those that are by far the most, several at once.
+void ContractionLoop::evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const {
+  if (options_.quadric.placement == Placement::optimal && settings_.locked.empty()) {
+    find_minima(complex_, pairs, evaluations);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (!evaluations[i].is_minimum) evaluations[i] = evaluate(pairs[i]);
     }
-  };
-  const bool wants_minimum = options_.quadric.placement == Placement::optimal && settings_.locked.empty();
-  std::size_t i = begin;
-  for (; i + 1 < end; i += 2) {
-    const Pair x = pair_at(i);
-    const Pair y = pair_at(i + 1);
-    if (wants_minimum && complex_.is_level(x.a) && complex_.is_level(x.b) && complex_.is_level(y.a) &&
-        complex_.is_level(y.b)) {
-      const auto minima = pair_minimum(complex_.placed_level(x.a, y.a), complex_.placed_level(x.b, y.b));
-      use_lane(x, minima, 0);
-      use_lane(y, minima, 1);
-    } else {
-      use(x, evaluate(x));
-      use(y, evaluate(y));
-    }
-  }
-  if (i < end) {
-    const Pair last = pair_at(i);
-    use(last, evaluate(last));
+  } else {
+    std::transform(pairs.begin(), pairs.end(), evaluations.begin(),
+                   [this](const Pair& pair) { return evaluate(pair); });
   }
 }
 
@@ -152,16 +144,17 @@ void ContractionLoop::open_bucket() {
   placements_.clear();
   n_taken_ = 0;
   n_done_at_opening_ = complex_.n_contractions();
-  for (std::size_t begin = 0; begin < members_.size(); begin += members_at_once) {
-    find_pairs(std::span(members_).subspan(begin, std::min(members_.size() - begin, members_at_once)));
-    if (crew_.n_helpers() == 0 || pairs_.size() < 4 * pairs_per_range) {
-      for_each_evaluation(
-          0, pairs_.size(), [this](std::size_t i) { return pair_at(i); },
-          [this](const Pair& pair, const PairEvaluation& evaluation) { sort_in(pair, evaluation); });
-    } else {
-      evaluate_on_all_threads();
-      for (const Evaluated& member : evaluated_) sort_in(member.pair, member.evaluation);
+  const std::size_t at_once = crew_.n_helpers() == 0 ? pairs_per_range : members_at_once;
+  for (std::size_t begin = 0; begin < members_.size(); begin += at_once) {
+    find_pairs(std::span(members_).subspan(begin, std::min(members_.size() - begin, at_once)));
+    evaluations_.resize(pairs_.size());
+    if (pairs_.size() < 4 * pairs_per_range) {
+      evaluate_pairs(0, pairs_.size());
+    } else {  // the threads change nothing but each its own range
+      crew_.for_each_range(pairs_.size(), pairs_per_range,
+                           [this](std::size_t first, std::size_t last) { evaluate_pairs(first, last); });
     }
+    for (std::size_t i = 0; i < pairs_.size(); ++i) sort_in(pairs_[i], evaluations_[i]);
   }
   std::sort(batch_.begin(), batch_.end(), is_before);
 }
@@ -179,25 +172,16 @@ void ContractionLoop::find_pairs(std::span<const Index> members) {
   }
 }
 
-ContractionLoop::Pair ContractionLoop::pair_at(std::size_t i) const {
-  if (i + 12 < pairs_.size()) {
-    complex_.prefetch_placed(pairs_[i + 12].a);
-    complex_.prefetch_placed(pairs_[i + 12].b);
+/// Puts pairs begin … end in order and evaluates them.
+void ContractionLoop::evaluate_pairs(std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i) {
+    if (i + 12 < end) {
+      complex_.prefetch_placed(pairs_[i + 12].a);
+      complex_.prefetch_placed(pairs_[i + 12].b);
+    }
+    pairs_[i] = in_order(pairs_[i].edge, {pairs_[i].a, pairs_[i].b});
   }
-  return in_order(pairs_[i].edge, {pairs_[i].a, pairs_[i].b});
-}
-
-/// The threads change nothing but each its own range of `evaluated_`.
-void ContractionLoop::evaluate_on_all_threads() {
-  evaluated_.resize(pairs_.size());
-  crew_.for_each_range(pairs_.size(), pairs_per_range, [this](std::size_t begin, std::size_t end) {
-    Evaluated* place = &evaluated_[begin];
-    for_each_evaluation(
-        begin, end, [this](std::size_t i) { return pair_at(i); },
-        [&place](const Pair& pair, const PairEvaluation& evaluation) {
-          *place++ = {pair, evaluation};
-        });
-  });
+  evaluate(std::span(pairs_).subspan(begin, end - begin), std::span(evaluations_).subspan(begin, end - begin));
 }
 
 /// Into the batch, or, if it has grown, into a later bucket.
@@ -214,7 +198,7 @@ void ContractionLoop::sort_in(const Pair& pair, const PairEvaluation& evaluation
   complex_.prefetch_star(pair.b);
 }
 
-ContractionLoop::Pair ContractionLoop::in_order(Index pair, TriangleComplex::Edge ends) const {
+Pair ContractionLoop::in_order(Index pair, TriangleComplex::Edge ends) const {
   const auto [a, b] = ends;
   return complex_.origin(a) < complex_.origin(b) ? Pair{pair, a, b} : Pair{pair, b, a};
 }
@@ -290,20 +274,9 @@ ContractionLoop::Refusal ContractionLoop::find_refusal(Index a, Index b, const V
   if (is_locked(a) && is_locked(b)) return Refusal::locked;
   complex_.gather(a, b, star_);
   if (!complex_.link_condition(a, b, star_)) return Refusal::link;
-  if (turns_a_face(star_.first, complex_.position(a), position)) return Refusal::flip;
-  if (turns_a_face(star_.second, complex_.position(b), position)) return Refusal::flip;
+  if (turns_a_face(complex_, flip_limit_, star_.first, complex_.position(a), position)) return Refusal::flip;
+  if (turns_a_face(complex_, flip_limit_, star_.second, complex_.position(b), position)) return Refusal::flip;
   return Refusal::none;
-}
-
-/// Whether moving the common corner of `wings` turns one of them too far.
-bool ContractionLoop::turns_a_face(const Wings& wings, const Vec3& from, const Vec3& to) const {
-  const auto at = [this](Index v) -> const Vec3& { return complex_.position(v); };
-  for (std::size_t i = 0; i < wings.size(); i += 2) {
-    const auto [x0, y0] = wings[i];
-    const auto [x1, y1] = wings[std::min(i + 1, wings.size() - 1)];
-    if (flip_limit_.is_exceeded_by_any(from, to, at(x0), at(y0), at(x1), at(y1))) return true;
-  }
-  return false;
 }
 
 void ContractionLoop::contract(const Pair& pair, double cost, const Placed& placement) {

@@ -39,11 +39,6 @@ class ContractionLoop {
   DecimateResult run();
 
  private:
-  /// A pair with its vertices, that of the lower original number first.
-  struct Pair {
-    Index edge;
-    Index a, b;
-  };
   /// A pair under its true cost.
   struct Candidate {
     double cost;
@@ -59,10 +54,6 @@ class ContractionLoop {
     Vec3 position;
     bool is_minimum;
   };
-  struct Evaluated {
-    Pair pair;
-    PairEvaluation evaluation;
-  };
   struct IsAfter {
     bool operator()(const Candidate& x, const Candidate& y) const { return is_before(y, x); }
   };
@@ -75,22 +66,20 @@ class ContractionLoop {
   std::optional<Candidate> next_candidate();
   void open_bucket();
   void find_pairs(std::span<const Index> members);
-  Pair pair_at(std::size_t i) const;
-  void evaluate_on_all_threads();
+  void evaluate_pairs(std::size_t begin, std::size_t end);
   void sort_in(const Pair& pair, const PairEvaluation& evaluation);
   void prefetch_turns();
   void enqueue(const Candidate& candidate);
 
+  /// The vertex of the lower original number first.
   Pair in_order(Index pair, TriangleComplex::Edge ends) const;
   Candidate candidate(const Pair& pair, double cost) const;
   Pinned pinned(const Pair& pair) const;
   PairEvaluation evaluate(const Pair& pair) const;
-  template <class PairAt, class Use>
-  void for_each_evaluation(std::size_t begin, std::size_t end, const PairAt& pair_at, const Use& use) const;
+  void evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const;
   bool is_unchanged(const Candidate& candidate) const;
   std::optional<StopReason> take_turn(const Candidate& then);
   Refusal find_refusal(Index a, Index b, const Vec3& position);
-  bool turns_a_face(const Wings& wings, const Vec3& from, const Vec3& to) const;
   void contract(const Pair& pair, double cost, const Placed& placement);
 
   void note_raised(const Pair& pair, const PairEvaluation& evaluation) {
@@ -113,13 +102,13 @@ class ContractionLoop {
   std::uint64_t n_initial_faces_;
 
   BucketQueue queue_;
-  std::vector<Index> members_;        ///< of the bucket being opened
-  std::vector<Pair> pairs_;           ///< scratch: some of them, not yet in order
-  std::vector<Evaluated> evaluated_;  ///< scratch
-  std::vector<Candidate> batch_;      ///< candidates of the open bucket, in order
-  std::vector<Placed> placements_;    ///< where they would go
-  Index n_done_at_opening_ = 0;       ///< contractions before it was opened
-  std::size_t n_taken_ = 0;           ///< how many of the batch have had their turn
+  std::vector<Index> members_;               ///< of the bucket being opened
+  std::vector<Pair> pairs_;                  ///< scratch: some of them
+  std::vector<PairEvaluation> evaluations_;  ///< scratch: theirs
+  std::vector<Candidate> batch_;             ///< candidates of the open bucket, in order
+  std::vector<Placed> placements_;           ///< where they would go
+  Index n_done_at_opening_ = 0;              ///< contractions before it was opened
+  std::size_t n_taken_ = 0;                  ///< how many of the batch have had their turn
   /// Those for the open bucket, or one before it, that turned up after it was opened.
   std::priority_queue<Candidate, std::vector<Candidate>, IsAfter> late_;
 

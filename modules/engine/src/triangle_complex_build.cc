@@ -127,14 +127,64 @@ void TriangleComplex::list_faces(std::span<const Triangle> faces, const std::vec
   }
 }
 
+/// The quadrics of a vertex a lane, each summed over its faces in their order.
+template <class Real>
+[[gnu::always_inline]] inline void TriangleComplex::sum_planes_in_lanes(Index first, const QuadricOptions& options) {
+  std::array<std::span<const Spoke>, n_lanes<Real>> lists;
+  std::size_t n_corners = 0;
+  for (Index i = 0; i < lists.size(); ++i) {
+    lists[i] = neighbours(first + i);
+    n_corners = std::max(n_corners, lists[i].size());
+  }
+  const auto vertex = [&](std::size_t i) { return first + static_cast<Index>(i); };
+  const auto center = point_lanes<Real>([&](std::size_t i) -> const Vec3& { return position(vertex(i)); });
+  SymmetricLanes<Real> sum;
+  for (std::size_t k = 0; k < n_corners; ++k) {
+    const auto corner = [&](std::size_t i) {  // where there are no more, one without area
+      return k < lists[i].size() ? as_corner(lists[i][k]) : Corner{vertex(i), vertex(i)};
+    };
+    sum += corner_quadrics(
+        center, point_lanes<Real>([&](std::size_t i) -> const Vec3& { return position(corner(i).next); }),
+        point_lanes<Real>([&](std::size_t i) -> const Vec3& { return position(corner(i).previous); }), options);
+  }
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    quadrics_[vertex(i)] = {
+        {lane(sum.xx, i), lane(sum.xy, i), lane(sum.xz, i), lane(sum.yy, i), lane(sum.yz, i), lane(sum.zz, i)},
+        0,
+        invalid_index,
+        0};
+  }
+}
+
+template <class Real>
+[[gnu::always_inline]] inline void TriangleComplex::sum_planes_in_lanes(std::size_t begin, std::size_t end,
+                                                                        const QuadricOptions& options) {
+  auto v = static_cast<Index>(begin);
+  for (; v + n_lanes<Real> <= end; v += n_lanes<Real>) sum_planes_in_lanes<Real>(v, options);
+  for (; v < end; ++v) sum_planes_in_lanes<double>(v, options);
+}
+
+WHITTLE_DOUBLE4 void TriangleComplex::sum_planes_of_four(std::size_t begin, std::size_t end,
+                                                         const QuadricOptions& options) {
+  sum_planes_in_lanes<Double4>(begin, end, options);
+}
+
+void TriangleComplex::sum_planes(std::size_t begin, std::size_t end, const QuadricOptions& options) {
+  if (has_double4) {
+    sum_planes_of_four(begin, end, options);
+  } else {
+    sum_planes_in_lanes<Double2>(begin, end, options);
+  }
+}
+
 /// Sums each vertex's quadric over its faces and turns its list of corners into one of neighbours.
 void TriangleComplex::set_up_stars(const QuadricOptions& options, unsigned threads) {
   for_each_range(vertices_.size(), threads, [&](std::size_t begin, std::size_t end) {
+    sum_planes(begin, end, options);
     FanSorter sorter;
     std::array<Index, FanSorter::max_corners> ring;
     for (std::size_t i = begin; i < end; ++i) {
       const auto v = static_cast<Index>(i);
-      quadrics_[v] = {sum_of_planes(v, options), 0, invalid_index, 0};
       const std::span<Spoke> list = spoke_lists_.of(stars_[v].spokes);
       const bool is_small_ring = list.size() >= 3 && list.size() <= ring.size() && sorter.sort(list, ring);
       stars_[v].order = is_small_ring ? VertexOrder::regular : VertexOrder::junction;
@@ -154,15 +204,6 @@ void TriangleComplex::set_up_stars(const QuadricOptions& options, unsigned threa
       make_pairs(v);
     }
   }
-}
-
-SymmetricMatrix TriangleComplex::sum_of_planes(Index v, const QuadricOptions& options) const {
-  SymmetricMatrix sum;
-  for (const Spoke& spoke : neighbours(v)) {
-    const auto [next, previous] = as_corner(spoke);
-    sum += corner_quadric(position(v), position(next), position(previous), options);
-  }
-  return sum;
 }
 
 /// \pre v's link is gathered.

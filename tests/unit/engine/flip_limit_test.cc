@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
-#include <random>
 
 namespace whittle::test {
 namespace {
@@ -37,22 +36,6 @@ TEST(FlipLimit, AFaceWithoutAreaHasNoDirectionToKeep) {
   for (const double angle : {0.0, 90.0, 180.0}) {
     EXPECT_FALSE(flip_limit.is_exceeded(Vec3(0.4, 0, 0), turned_corner(angle), x, y)) << angle;
   }
-}
-
-TEST(FlipLimit, TwoFacesAtOnceAreTwoFaces) {
-  std::mt19937 random(7);
-  std::uniform_int_distribution<int> small(-3, 3);  // so that faces without area are among them
-  const auto point = [&] { return Vec3(small(random), small(random), small(random)); };
-  int n_exceeded = 0;
-  for (int i = 0; i < 20'000; ++i) {
-    const FlipLimit flip_limit(30.0 * (1 + i % 6));
-    const Vec3 from = point(), to = point(), x0 = point(), y0 = point(), x1 = point(), y1 = point();
-    const bool expected = flip_limit.is_exceeded(from, to, x0, y0) || flip_limit.is_exceeded(from, to, x1, y1);
-    ASSERT_EQ(flip_limit.is_exceeded_by_any(from, to, x0, y0, x1, y1), expected) << i;
-    n_exceeded += expected ? 1 : 0;
-  }
-  EXPECT_GT(n_exceeded, 5000);
-  EXPECT_LT(n_exceeded, 19'000);
 }
 
 }  // namespace

@@ -17,34 +17,12 @@ class FlipLimit {
   /// Whether the face (corner, x, y) turns further, or loses its area, when its corner moves. A face that has no area
   /// has no direction to keep.
   bool is_exceeded(const Vec3& from, const Vec3& to, const Vec3& x, const Vec3& y) const {
-    return is_exceeded_at(point_lanes<double>(from), point_lanes<double>(to), point_lanes<double>(x),
-                          point_lanes<double>(y));
+    return is_exceeded(point_lanes(from), point_lanes(to), point_lanes(x), point_lanes(y));
   }
-  /// The same for two faces at once, (corner, x0, y0) and (corner, x1, y1).
-  bool is_exceeded_by_any(const Vec3& from, const Vec3& to, const Vec3& x0, const Vec3& y0, const Vec3& x1,
-                          const Vec3& y1) const {
-    const LaneMask<Double2> exceeded = is_exceeded_at(point_lanes<Double2>(from, from), point_lanes<Double2>(to, to),
-                                                      point_lanes<Double2>(x0, x1), point_lanes<Double2>(y0, y1));
-    return (exceeded[0] | exceeded[1]) != 0;
-  }
-
- private:
+  /// The same for several faces side by side: whether one of them does.
   template <class Real>
-  struct Point {
-    Real x, y, z;
-
-    friend Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-    Point cross(const Point& o) const { return {y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x}; }
-    Real dot(const Point& o) const { return x * o.x + y * o.y + z * o.z; }
-  };
-  template <class Real, class... P>
-  static Point<Real> point_lanes(const P&... p) {
-    return {Real{p.x()...}, Real{p.y()...}, Real{p.z()...}};
-  }
-
-  template <class Real>
-  LaneMask<Real> is_exceeded_at(const Point<Real>& from, const Point<Real>& to, const Point<Real>& x,
-                                const Point<Real>& y) const {
+  [[gnu::always_inline]] bool is_exceeded(const PointLanes<Real>& from, const PointLanes<Real>& to,
+                                          const PointLanes<Real>& x, const PointLanes<Real>& y) const {
     const auto opposite = y - x;
     const auto arm_before = x - from;
     const auto arm_after = x - to;
@@ -58,15 +36,16 @@ class FlipLimit {
     const Real no_area_sq = no_area_sine_sq * opposite.dot(opposite);
     const auto has_area = before_sq > no_area_sq * arm_before.dot(arm_before);
     const auto loses_area = after_sq <= no_area_sq * arm_after.dot(arm_after);
-    return (has_area & (turns | loses_area)) != 0;
+    return any((has_area & (turns | loses_area)) != 0);
   }
 
+ private:
   /// Square of the sine of a corner's angle below which a face has no area: its normal would be mostly rounding, which
   /// is about 1e-16 over the sine.
   static constexpr double no_area_sine_sq = 1e-20;
 
   template <class Real>
-  static Real signed_square(const Real& x) {
+  [[gnu::always_inline]] static Real signed_square(const Real& x) {
     return x * (x < 0 ? -x : x);
   }
 

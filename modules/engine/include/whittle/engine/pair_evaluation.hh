@@ -32,7 +32,7 @@ inline PairEvaluation evaluate_with_minimum(const PlacedQuadric& v0, const Place
 /// both cost the same: callers pass the vertex of the lower original number first.
 inline PairEvaluation evaluate_pair(const PlacedQuadric& v0, const PlacedQuadric& v1, Placement placement,
                                     Pinned pinned = Pinned::none) {
-  const PairMinimum<double> m = pair_minimum(quadric_lanes<double>(v0), quadric_lanes<double>(v1));
+  const PairMinimum<double> m = pair_minimum(quadric_lanes(v0), quadric_lanes(v1));
   return evaluate_with_minimum(v0, v1, m.value, {m.x, m.y, m.z}, m.is_near != 0, placement, pinned);
 }
 

@@ -22,14 +22,9 @@ struct QuadricLanes {
   Real c;
 };
 
-/// One placed quadric an element of `Real`.
-template <class Real, class... Lane>
-QuadricLanes<Real> quadric_lanes(const Lane&... lane) {
-  return {Real{lane.position.x()...},  Real{lane.position.y()...},  Real{lane.position.z()...},
-          Real{lane.quadric.a.xx...},  Real{lane.quadric.a.xy...},  Real{lane.quadric.a.xz...},
-          Real{lane.quadric.a.yy...},  Real{lane.quadric.a.yz...},  Real{lane.quadric.a.zz...},
-          Real{lane.quadric.b.x()...}, Real{lane.quadric.b.y()...}, Real{lane.quadric.b.z()...},
-          Real{lane.quadric.c...}};
+inline QuadricLanes<double> quadric_lanes(const PlacedQuadric& v) {
+  const auto& [p, q] = v;
+  return {p.x(), p.y(), p.z(), q.a.xx, q.a.xy, q.a.xz, q.a.yy, q.a.yz, q.a.zz, q.b.x(), q.b.y(), q.b.z(), q.c};
 }
 
 template <class Real>

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "whittle/engine/lanes.hh"
 #include "whittle/engine/quadric.hh"
 
 // Garland–Heckbert cost of contracting a pair (v0, v1) to v̄:
@@ -46,30 +47,58 @@ struct QuadricOptions {
   double boundary_weight = 10;
 };
 
+/// Symmetric 3x3 matrices side by side, their upper triangles.
+template <class Real>
+struct SymmetricLanes {
+  Real xx{}, xy{}, xz{}, yy{}, yz{}, zz{};
+
+  [[gnu::always_inline]] SymmetricLanes& operator+=(const SymmetricLanes& o) {
+    xx += o.xx, xy += o.xy, xz += o.xz, yy += o.yy, yz += o.yz, zz += o.zz;
+    return *this;
+  }
+};
+
+inline SymmetricMatrix matrix(const SymmetricLanes<double>& m) { return {m.xx, m.xy, m.xz, m.yy, m.yz, m.zz}; }
+
 /// The quadric of a plane through its vertex, about that vertex, where it is a matrix alone: w n nᵀ + ε w I.
 /// \param normal n, of unit length
-inline SymmetricMatrix plane_quadric(const Vec3& normal, double weight, const QuadricOptions& options) {
-  SymmetricMatrix q = SymmetricMatrix::outer(normal, weight);
-  const double diagonal = options.regularization * weight;
-  q.xx += diagonal, q.yy += diagonal, q.zz += diagonal;
-  return q;
+template <class Real>
+[[gnu::always_inline]] inline SymmetricLanes<Real> plane_quadric(const PointLanes<Real>& normal, const Real& weight,
+                                                                 const QuadricOptions& options) {
+  const auto [x, y, z] = normal;
+  const PointLanes<Real> w{weight * x, weight * y, weight * z};
+  const Real diagonal = options.regularization * weight;
+  return {w.x * x + diagonal, w.x * y, w.x * z, w.y * y + diagonal, w.y * z, w.z * z + diagonal};
 }
 
-/// Share of the face (corner, next, previous) in the quadric of its first corner, about that corner. Zero for a face
+/// Shares of faces (corner, next, previous) in the quadrics of their first corners, about those. Zero for a face
 /// without area.
-inline SymmetricMatrix corner_quadric(const Vec3& corner, const Vec3& next, const Vec3& previous,
-                                      const QuadricOptions& options) {
-  const Vec3 to_next = next - corner;
-  const Vec3 to_previous = previous - corner;
-  const Vec3 normal = to_next.cross(to_previous);
-  const double length = normal.norm();  // twice the area
-  if (!(length > 0)) return {};
-  double weight = 1;
+template <class Real>
+[[gnu::always_inline]] inline SymmetricLanes<Real> corner_quadrics(const PointLanes<Real>& corner,
+                                                                   const PointLanes<Real>& next,
+                                                                   const PointLanes<Real>& previous,
+                                                                   const QuadricOptions& options) {
+  const auto to_next = next - corner;
+  const auto to_previous = previous - corner;
+  const auto normal = to_next.cross(to_previous);
+  Real length = normal.dot(normal);  // twice the area
+  take_square_roots(length);
+  const auto has_area = length > 0;
+  const Real inverse = has_area ? 1 / length : Real{};
+  Real weight = has_area ? Real{} + 1 : Real{};
   if (options.weights != Weights::uniform) weight = 0.5 * length;
   if (options.weights == Weights::area_angle) {
-    weight *= std::atan2(length, to_next.dot(to_previous)) / std::numbers::pi;
+    const Real cosine = to_next.dot(to_previous);
+    Real angle;
+    fill_lanes(angle, [&](std::size_t i) { return std::atan2(lane(length, i), lane(cosine, i)); });
+    weight *= angle / std::numbers::pi;
   }
-  return plane_quadric(normal * (1 / length), weight, options);
+  return plane_quadric({normal.x * inverse, normal.y * inverse, normal.z * inverse}, weight, options);
+}
+
+inline SymmetricMatrix corner_quadric(const Vec3& corner, const Vec3& next, const Vec3& previous,
+                                      const QuadricOptions& options) {
+  return matrix(corner_quadrics(point_lanes(corner), point_lanes(next), point_lanes(previous), options));
 }
 
 /// Share of a border edge in the quadrics of both its ends, each about itself: the plane through the edge perpendicular
@@ -81,7 +110,7 @@ inline SymmetricMatrix border_quadric(const Vec3& from, const Vec3& to, const Ve
   const double length = inward.norm();
   if (!(length > 0)) return {};
   const double unit_weight = options.weights == Weights::uniform ? 1 : edge.squaredNorm();
-  return plane_quadric(inward * (1 / length), options.boundary_weight * unit_weight, options);
+  return matrix(plane_quadric(point_lanes(inward * (1 / length)), options.boundary_weight * unit_weight, options));
 }
 
 }  // namespace whittle

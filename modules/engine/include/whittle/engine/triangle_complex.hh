@@ -51,6 +51,12 @@ struct PairStar {
   std::vector<Opposite> opposites;
 };
 
+/// Two vertices that may become one, and the edge between them.
+struct Pair {
+  Index edge;
+  Index a, b;
+};
+
 /// How a vertex lies in the surface. An edge is regular when it has exactly two faces.
 enum class VertexOrder : std::uint8_t {
   regular,   ///< one closed fan of faces
@@ -93,24 +99,22 @@ class TriangleComplex {
   }
   /// Whether v lies where its quadric is least, as most do: then its slope is zero.
   bool is_level(Index v) const { return quadrics_[v].slope == invalid_index; }
-  /// Two level vertices side by side.
-  QuadricLanes<Double2> placed_level(Index v, Index w) const {
-    const auto beside = [](double x, double y) { return Double2{x, y}; };
-    const Vec3& p = vertices_[v].position;
-    const Vec3& q = vertices_[w].position;
-    const StoredQuadric& s = quadrics_[v];
-    const StoredQuadric& t = quadrics_[w];
-    QuadricLanes<Double2> lanes{};
-    lanes.px = beside(p.x(), q.x());
-    lanes.py = beside(p.y(), q.y());
-    lanes.pz = beside(p.z(), q.z());
-    lanes.xx = beside(s.a.xx, t.a.xx);
-    lanes.xy = beside(s.a.xy, t.a.xy);
-    lanes.xz = beside(s.a.xz, t.a.xz);
-    lanes.yy = beside(s.a.yy, t.a.yy);
-    lanes.yz = beside(s.a.yz, t.a.yz);
-    lanes.zz = beside(s.a.zz, t.a.zz);
-    lanes.c = beside(s.c, t.c);
+  /// Level vertices side by side. \param vertex gives that of a lane
+  template <class Real, class VertexAt>
+  [[gnu::always_inline]] QuadricLanes<Real> placed_level(const VertexAt& vertex) const {
+    const auto quadric = [&](std::size_t lane) -> const StoredQuadric& { return quadrics_[vertex(lane)]; };
+    const auto point = point_lanes<Real>([&](std::size_t lane) -> const Vec3& { return position(vertex(lane)); });
+    QuadricLanes<Real> lanes{};
+    lanes.px = point.x;
+    lanes.py = point.y;
+    lanes.pz = point.z;
+    fill_lanes(lanes.xx, [&](std::size_t lane) { return quadric(lane).a.xx; });
+    fill_lanes(lanes.xy, [&](std::size_t lane) { return quadric(lane).a.xy; });
+    fill_lanes(lanes.xz, [&](std::size_t lane) { return quadric(lane).a.xz; });
+    fill_lanes(lanes.yy, [&](std::size_t lane) { return quadric(lane).a.yy; });
+    fill_lanes(lanes.yz, [&](std::size_t lane) { return quadric(lane).a.yz; });
+    fill_lanes(lanes.zz, [&](std::size_t lane) { return quadric(lane).a.zz; });
+    fill_lanes(lanes.c, [&](std::size_t lane) { return quadric(lane).c; });
     return lanes;
   }
   Index origin(Index v) const { return vertices_[v].origin; }
@@ -174,7 +178,12 @@ class TriangleComplex {
   void number_vertices(std::span<const Vec3> positions, const Frame& frame, std::vector<Index>& number_of);
   void list_faces(std::span<const Triangle> faces, const std::vector<Index>& number_of);
   void set_up_stars(const QuadricOptions& options, unsigned threads);
-  SymmetricMatrix sum_of_planes(Index v, const QuadricOptions& options) const;
+  void sum_planes(std::size_t begin, std::size_t end, const QuadricOptions& options);
+  void sum_planes_of_four(std::size_t begin, std::size_t end, const QuadricOptions& options);
+  template <class Real>
+  void sum_planes_in_lanes(std::size_t begin, std::size_t end, const QuadricOptions& options);
+  template <class Real>
+  void sum_planes_in_lanes(Index first, const QuadricOptions& options);
   SymmetricMatrix with_border_planes(SymmetricMatrix sum, Index v, const QuadricOptions& options);
   void make_ring(Index v);
   void make_pairs(Index v);
