@@ -6,6 +6,7 @@
 #include "level_pairs.hh"
 #include "turned_faces.hh"
 #include "whittle/engine/parallel.hh"
+#include "whittle/engine/select.hh"
 
 namespace whittle {
 
@@ -162,14 +163,16 @@ void ContractionLoop::open_bucket() {
 /// Looks up the ends of those members that are still edges. Brings near what that will ask for: first the edges, then
 /// what their ends have become.
 void ContractionLoop::find_pairs(std::span<const Index> members) {
-  pairs_.clear();
+  pairs_.resize(members.size());
+  std::size_t n = 0;
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (i + 16 < members.size()) complex_.prefetch_edge(members[i + 16]);
     if (i + 8 < members.size()) complex_.prefetch_ends(members[i + 8]);
-    if (!complex_.is_edge_alive(members[i])) continue;
     const auto [a, b] = complex_.ends(members[i]);
-    pairs_.push_back({members[i], a, b});
+    pairs_[n] = {members[i], a, b};
+    n += static_cast<std::size_t>(complex_.is_edge_alive(members[i]));
   }
+  pairs_.resize(n);
 }
 
 /// Puts pairs begin … end in order and evaluates them.
@@ -200,7 +203,8 @@ void ContractionLoop::sort_in(const Pair& pair, const PairEvaluation& evaluation
 
 Pair ContractionLoop::in_order(Index pair, TriangleComplex::Edge ends) const {
   const auto [a, b] = ends;
-  return complex_.origin(a) < complex_.origin(b) ? Pair{pair, a, b} : Pair{pair, b, a};
+  const bool is_a_first = complex_.origin(a) < complex_.origin(b);
+  return {pair, select(is_a_first, a, b), select(is_a_first, b, a)};
 }
 
 ContractionLoop::Candidate ContractionLoop::candidate(const Pair& pair, double cost) const {

@@ -20,67 +20,62 @@ Index TriangleComplex::place_in_link(Index v) {
   return place;
 }
 
-/// Brings v's list up to date. \return the faces without `other`; of the others, `opposites` gets the third corners
-Wings TriangleComplex::gather_one(Index v, Index other, std::vector<Spoke>& opposites) {
-  opposites.clear();
-  return is_ring(v) ? gather_ring(v, other, opposites) : gather_pairs(v, other, opposites);
+/// Looks at v's list with what has become of the neighbours. \return the faces without `other`
+Wings TriangleComplex::gather_one(Index v, Index other, GatheredStar& star) {
+  star.opposites.clear();
+  return is_ring(v) ? gather_ring(v, other, star) : gather_pairs(v, other, star);
 }
 
-/// `other` becomes the ring's last, so that the rest is a fan from the one opposite corner to the other.
-Wings TriangleComplex::gather_ring(Index v, Index other, std::vector<Spoke>& opposites) {
-  std::span<Spoke> ring = spoke_lists_.of(stars_[v].spokes);
+/// Opens the ring at `other`: the rest is a fan from the one opposite corner to the other.
+Wings TriangleComplex::gather_ring(Index v, Index other, GatheredStar& star) {
+  const std::span<const Spoke> ring = neighbours(v);
+  if (star.spokes.size() < 2 * ring.size()) star.spokes.resize(4 * ring.size());
   // Where a face has vanished, two neighbours in succession have become one.
+  Spoke* const spokes = star.spokes.data();
   std::size_t n = 0;
   std::size_t n_until_other = 0;
   Index last = representative(ring.back().vertex);
   for (const Spoke& then : ring) {
     const Spoke now{representative(then.vertex), then.edge};
-    ring[n] = now;
+    spokes[n] = now;
     n += static_cast<std::size_t>(now.vertex != last);
     n_until_other = now.vertex == other ? n : n_until_other;
     last = now.vertex;
   }
-  stars_[v].spokes.size = static_cast<Index>(n);
   if (n_until_other == 0) return {};
-  ring = ring.first(n);
-  std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(n_until_other), ring.end());
-  const std::span<Spoke> fan = ring.first(n - 1);
-  opposites.push_back(fan.front());
-  opposites.push_back(fan.back());
+  std::copy_n(spokes, n_until_other, spokes + n);
+  const std::span<const Spoke> fan(spokes + n_until_other, n - 1);
+  star.opposites.push_back(fan.front());
+  star.opposites.push_back(fan.back());
   return Wings::of_fan(fan);
 }
 
-/// The faces with `other` become the list's last.
-Wings TriangleComplex::gather_pairs(Index v, Index other, std::vector<Spoke>& opposites) {
-  const std::span<Spoke> list = spoke_lists_.of(stars_[v].spokes);
-  joined_.clear();
-  std::size_t n = 0;
+Wings TriangleComplex::gather_pairs(Index v, Index other, GatheredStar& star) {
+  const std::span<const Spoke> list = neighbours(v);
+  star.spokes.clear();
   for (std::size_t i = 0; i < list.size(); i += 2) {
     const Spoke x{representative(list[i].vertex), list[i].edge};
     const Spoke y{representative(list[i + 1].vertex), list[i + 1].edge};
     if (x.vertex == y.vertex) continue;
     if (x.vertex == other || y.vertex == other) {
-      opposites.push_back(x.vertex == other ? y : x);
-      joined_.insert(joined_.end(), {x, y});
+      star.opposites.push_back(x.vertex == other ? y : x);
     } else {
-      list[n++] = x;
-      list[n++] = y;
+      star.spokes.insert(star.spokes.end(), {x, y});
     }
   }
-  std::copy(joined_.begin(), joined_.end(), list.begin() + static_cast<std::ptrdiff_t>(n));
-  stars_[v].spokes.size = static_cast<Index>(n + joined_.size());
-  return Wings::of_pairs(list.first(n));
+  return Wings::of_pairs(star.spokes);
 }
 
 void TriangleComplex::gather(Index a, Index b, PairStar& star) {
-  star.first = gather_one(a, b, opposites_[0]);
-  star.second = gather_one(b, a, opposites_[1]);
+  star.first = gather_one(a, b, gathered_[0]);
+  star.second = gather_one(b, a, gathered_[1]);
   star.opposites.clear();
-  for (const Spoke& at_a : opposites_[0]) {
-    const auto at_b = std::find_if(opposites_[1].begin(), opposites_[1].end(),
-                                   [&](const Spoke& spoke) { return spoke.vertex == at_a.vertex; });
-    assert(at_b != opposites_[1].end());
-    star.opposites.push_back({at_a.vertex, {at_a.edge, at_b->edge}});
+  const std::vector<Spoke>& at_b = gathered_[1].opposites;
+  for (const Spoke& from_a : gathered_[0].opposites) {
+    const auto from_b =
+        std::find_if(at_b.begin(), at_b.end(), [&](const Spoke& spoke) { return spoke.vertex == from_a.vertex; });
+    assert(from_b != at_b.end());
+    star.opposites.push_back({from_a.vertex, {from_a.edge, from_b->edge}});
     for (const Index e : star.opposites.back().edges) {
       prefetch(&edge_alive_[e / 64]);
       prefetch_edge(e);  // in case it is merged into another
@@ -171,46 +166,41 @@ void TriangleComplex::merge_edges(const PairStar::Opposite& opposite) {
 void TriangleComplex::merge_stars(Index survivor, Index removed, const PairStar& star) {
   Star& kept = stars_[survivor];
   Star& other = stars_[removed];
-  joined_.clear();
-  if (is_ring(survivor) && is_ring(removed)) {
-    join_rings(star);
-  } else {
-    join_pairs(star);
-  }
-  const auto n = static_cast<Index>(joined_.size());
+  kept.order = std::max(kept.order, other.order);
+  const std::size_t n = n_merged(star, is_ring(survivor));
   if (n > kept.spokes.capacity) std::swap(kept.spokes, other.spokes);
   if (n > kept.spokes.capacity) {
     spoke_lists_.release(kept.spokes);
-    kept.spokes = spoke_lists_.allocate(n);
+    kept.spokes = spoke_lists_.allocate(static_cast<Index>(n));
   }
   spoke_lists_.release(other.spokes);
   other.spokes = {};
-  kept.spokes.size = n;
-  kept.order = std::max(kept.order, other.order);
-  std::copy(joined_.begin(), joined_.end(), spoke_lists_.of(kept.spokes).begin());
+  kept.spokes.size = static_cast<Index>(n);
+  join(star, is_ring(survivor), spoke_lists_.of(kept.spokes));
 }
 
-/// Both fans run between the two opposite corners, which the ring has once each.
-void TriangleComplex::join_rings(const PairStar& star) {
+/// How long the merged list is. Two rings share the two opposite corners.
+std::size_t TriangleComplex::n_merged(const PairStar& star, bool is_ring) {
+  return is_ring ? star.first.size() + star.second.size() : 2 * (star.first.size() + star.second.size());
+}
+
+void TriangleComplex::join(const PairStar& star, bool is_ring, std::span<Spoke> spokes) {
+  auto end = spokes.begin();
+  if (!is_ring) {
+    for (const Wings& wings : {star.first, star.second}) {
+      for (std::size_t i = 0; i < wings.size(); ++i) end = std::copy_n(wings.spokes_of(i).begin(), 2, end);
+    }
+    return;
+  }
   const std::span<const Spoke> first = star.first.spokes();
   const std::span<const Spoke> second = star.second.spokes();
-  joined_.assign(first.begin(), first.end());
+  end = std::copy(first.begin(), first.end(), end);
   if (second.size() <= 2) return;
   const std::span<const Spoke> inner = second.subspan(1, second.size() - 2);
   if (second.front().vertex == first.back().vertex) {
-    joined_.insert(joined_.end(), inner.begin(), inner.end());
-  } else {
-    joined_.insert(joined_.end(), inner.rbegin(), inner.rend());
-  }
-}
-
-void TriangleComplex::join_pairs(const PairStar& star) {
-  for (const Wings& wings : {star.first, star.second}) {
-    const std::span<const Spoke> spokes = wings.spokes();
-    for (std::size_t i = 0; i < wings.size(); ++i) {
-      const std::size_t at = i * wings.stride();
-      joined_.insert(joined_.end(), {spokes[at], spokes[at + 1]});
-    }
+    std::copy(inner.begin(), inner.end(), end);
+  } else {  // of another orientation
+    std::reverse_copy(inner.begin(), inner.end(), end);
   }
 }
 

@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <bit>
 #include <stdexcept>
 #include <utility>
 
 #include "space_filling_curve.hh"
 #include "whittle/engine/parallel.hh"
+#include "whittle/engine/select.hh"
 #include "whittle/engine/triangle_complex.hh"
 
 // How a complex comes to be. Its stars are listed twice in the same place: first the two other corners of each face, in
@@ -19,10 +21,10 @@ struct Corner {
 Spoke as_spoke(const Corner& corner) { return {corner.next, corner.previous}; }
 Corner as_corner(const Spoke& spoke) { return {spoke.vertex, spoke.edge}; }
 
-constexpr std::ptrdiff_t few_edges = 8;  ///< so many are searched one by one
+constexpr Index few_edges = 8;  ///< so many are searched one by one
 
-/// Calls `use(spoke)` for those for which `is_chosen(spoke)`. As that can't be foretold, short lists are sifted
-/// first, without a branch.
+/// Calls `use(spoke)` for those for which `is_chosen(spoke)`. As that can't be foretold, short lists are sifted first,
+/// without a branch.
 template <class IsChosen, class Use>
 void for_each_chosen(std::span<Spoke> list, const IsChosen& is_chosen, const Use& use) {
   constexpr std::size_t few = 16;
@@ -233,16 +235,16 @@ void TriangleComplex::make_ring(Index v) {
 /// Takes the list's room for one twice as long.
 void TriangleComplex::make_pairs(Index v) {
   SpokeLists::List& list = stars_[v].spokes;
-  joined_.clear();
+  std::vector<Spoke> pairs;
   for (const Spoke& spoke : neighbours(v)) {
     const auto [next, previous] = as_corner(spoke);
-    joined_.push_back({next, invalid_index});
-    joined_.push_back({previous, invalid_index});
+    pairs.push_back({next, invalid_index});
+    pairs.push_back({previous, invalid_index});
   }
   spoke_lists_.release(list);
-  list = spoke_lists_.allocate(static_cast<Index>(joined_.size()));
-  list.size = static_cast<Index>(joined_.size());
-  std::copy(joined_.begin(), joined_.end(), spoke_lists_.of(list).begin());
+  list = spoke_lists_.allocate(static_cast<Index>(pairs.size()));
+  list.size = static_cast<Index>(pairs.size());
+  std::copy(pairs.begin(), pairs.end(), spoke_lists_.of(list).begin());
 }
 
 void TriangleComplex::gather_link(Index v) {
@@ -289,57 +291,72 @@ VertexOrder TriangleComplex::order_of_link() const {
   return n_ends == 0 ? VertexOrder::regular : VertexOrder::line;
 }
 
-/// Edges by their lower, then their higher vertex.
+/// Numbers the edges by their lower vertex, then tells the higher one.
 void TriangleComplex::number_edges(unsigned threads) {
   edges_.reserve(n_faces_ + n_faces_ / 2 + 16);
   std::vector<Index> starts(vertices_.size() + 1);
+  std::size_t n = 0;
   for (Index v = 0; v < vertices_.size(); ++v) {
-    const std::size_t first = edges_.size();
-    const auto add = [&](Index w) {
-      edges_.push_back({v, w});
-      return static_cast<Index>(edges_.size() - 1);
-    };
-    const auto find_or_add = [&](Index w) {
-      const Index place = link_place_[w];
-      if (place >= first && place < edges_.size() && edges_[place].second == w) return place;
-      return link_place_[w] = add(w);
-    };
-    const bool occurs_once = is_ring(v);
-    for_each_chosen(
-        spoke_lists_.of(stars_[v].spokes), [v](const Spoke& spoke) { return spoke.vertex > v; },
-        [&](Spoke& spoke) { spoke.edge = occurs_once ? add(spoke.vertex) : find_or_add(spoke.vertex); });
-    if (std::ssize(edges_) - static_cast<std::ptrdiff_t>(first) > few_edges) sort_edges(v, first);
-    if (edges_.size() >= invalid_index) throw std::length_error("decimate: more than 2^32 - 2 edges");
-    starts[v + 1] = static_cast<Index>(edges_.size());
+    const std::size_t first = n;
+    const std::span<Spoke> list = spoke_lists_.of(stars_[v].spokes);
+    if (edges_.size() < n + list.size()) edges_.resize(std::max(n + list.size(), edges_.capacity()));
+    for (Spoke& spoke : list) {
+      edges_[n] = {v, spoke.vertex};
+      spoke.edge = static_cast<Index>(n);
+      n += static_cast<std::size_t>(spoke.vertex > v);
+    }
+    if (!is_ring(v) || n - first > few_edges) n = sort_edges(v, first, n);
+    if (n >= invalid_index) throw std::length_error("decimate: more than 2^32 - 2 edges");
+    starts[v + 1] = static_cast<Index>(n);
   }
+  edges_.resize(n);
   edge_alive_.assign(edges_.size() / 64 + 1, ~std::uint64_t{0});
 
-  const auto edge_from_lower = [&](Index v, Index w) {
-    const auto begin = edges_.begin() + starts[v];
-    const auto end = edges_.begin() + starts[v + 1];
-    const auto edge =
-        end - begin <= few_edges
-            ? std::find_if(begin, end, [w](const Edge& e) { return e.second == w; })
-            : std::lower_bound(begin, end, w, [](const Edge& e, Index sought) { return e.second < sought; });
-    return static_cast<Index>(edge - edges_.begin());
-  };
   for_each_range(vertices_.size(), threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
+    for (auto v = static_cast<Index>(begin); v < end; ++v) {
       for_each_chosen(
           spoke_lists_.of(stars_[v].spokes), [v](const Spoke& spoke) { return spoke.vertex < v; },
-          [&](Spoke& spoke) { spoke.edge = edge_from_lower(spoke.vertex, static_cast<Index>(v)); });
+          [&](Spoke& spoke) {
+            spoke.edge = find_edge({spoke.vertex, v}, starts[spoke.vertex], starts[spoke.vertex + 1]);
+          });
     }
   });
 }
 
-/// Renumbers the edges from `first` on, all those from v to higher vertices, by the higher one.
-void TriangleComplex::sort_edges(Index v, std::size_t first) {
-  std::sort(edges_.begin() + static_cast<std::ptrdiff_t>(first), edges_.end(),
-            [](const Edge& x, const Edge& y) { return x.second < y.second; });
-  for (std::size_t e = first; e < edges_.size(); ++e) link_place_[edges_[e].second] = static_cast<Index>(e);
+/// Sorts edges first … end, all of v, by the other vertex, and leaves each there once. \return where they end then
+std::size_t TriangleComplex::sort_edges(Index v, std::size_t first, std::size_t end) {
+  const auto at = [this](std::size_t e) { return edges_.begin() + static_cast<std::ptrdiff_t>(e); };
+  std::sort(at(first), at(end), [](const Edge& x, const Edge& y) { return x.second < y.second; });
+  const auto last = std::unique(at(first), at(end), [](const Edge& x, const Edge& y) { return x.second == y.second; });
+  end = static_cast<std::size_t>(last - edges_.begin());
   for (Spoke& spoke : spoke_lists_.of(stars_[v].spokes)) {
-    if (spoke.vertex > v) spoke.edge = link_place_[spoke.vertex];
+    if (spoke.vertex > v) {
+      spoke.edge = find_edge({v, spoke.vertex}, static_cast<Index>(first), static_cast<Index>(end));
+    }
   }
+  return end;
+}
+
+/// \param begin, end those of the edges with the same lower vertex
+Index TriangleComplex::find_edge(const Edge& edge, Index begin, Index end) const {
+  if (end - begin > few_edges) {
+    const auto first = edges_.begin() + begin;
+    const auto place = std::lower_bound(first, edges_.begin() + end, edge.second,
+                                        [](const Edge& e, Index sought) { return e.second < sought; });
+    return static_cast<Index>(place - edges_.begin());
+  }
+  // The first ones without a branch: where it is can't be foretold. What comes after the end is not this edge, or
+  // overruled by the one before.
+  constexpr Index n_first = 4;
+  const auto key = std::bit_cast<std::uint64_t>(edge);
+  const auto is_sought = [&](Index e) { return std::bit_cast<std::uint64_t>(edges_[e]) == key; };
+  Index found = invalid_index;
+  if (begin + n_first <= edges_.size()) {
+    for (Index e = begin + n_first; e-- > begin;) found = select(is_sought(e), e, found);
+    begin += n_first;
+  }
+  for (Index e = begin; found == invalid_index; ++e) found = select(is_sought(e), e, found);
+  return found;
 }
 
 }  // namespace whittle

@@ -7,6 +7,7 @@
 #include "whittle/engine/frame.hh"
 #include "whittle/engine/pair_minimum.hh"
 #include "whittle/engine/quadric_term.hh"
+#include "whittle/engine/select.hh"
 #include "whittle/engine/spoke_lists.hh"
 
 namespace whittle {
@@ -28,7 +29,7 @@ class Wings {
   bool empty() const { return size_ == 0; }
   Wing operator[](std::size_t i) const { return {spokes_[i * stride_].vertex, spokes_[i * stride_ + 1].vertex}; }
   std::span<const Spoke> spokes() const { return spokes_; }
-  std::size_t stride() const { return stride_; }  ///< spokes from one face to the next
+  std::span<const Spoke> spokes_of(std::size_t i) const { return spokes_.subspan(i * stride_, 2); }
 
  private:
   Wings(std::span<const Spoke> spokes, std::size_t stride, std::size_t size)
@@ -133,11 +134,11 @@ class TriangleComplex {
   /// Edges are numbered along their lower vertices. Where a contraction makes one of two edges, one of them lives on.
   std::size_t n_edge_slots() const { return edges_.size(); }
   bool is_edge_alive(Index e) const { return (edge_alive_[e / 64] >> (e % 64) & 1) != 0; }
-  /// The vertices that the ends of a living e have been merged into.
+  /// The vertices that the ends of e have been merged into. Of an edge that isn't alive, any vertices: whether it is
+  /// can't be foretold, and there is no branch on it.
   Edge ends(Index e) {
-    Edge& edge = edges_[e];
-    edge = {representative(edge.first), representative(edge.second)};
-    return edge;
+    const auto [first, second] = edges_[e];
+    return {representative(select(is_edge_alive(e), first, Index{0})), representative(second)};
   }
   /// Before the first contraction; several threads may ask.
   Edge initial_ends(Index e) const { return edges_[e]; }
@@ -160,8 +161,8 @@ class TriangleComplex {
 
   void prefetch_edge(Index e) const { prefetch(&edges_[e]); }
   void prefetch_ends(Index e) const {
-    prefetch(&parents_[edges_[e].first]);
-    prefetch(&parents_[edges_[e].second]);
+    prefetch(parents_.data() + edges_[e].first);
+    prefetch(parents_.data() + edges_[e].second);
   }
   void prefetch_placed(Index v) const {
     prefetch(&vertices_[v]);
@@ -169,8 +170,8 @@ class TriangleComplex {
   }
   void prefetch_star(Index v) const { prefetch(&stars_[v]); }
   void prefetch_spokes(Index v) const { spoke_lists_.prefetch(stars_[v].spokes); }
-  void prefetch_neighbours(Index v) {
-    for (const Spoke& spoke : neighbours(v)) prefetch(&vertices_[representative(spoke.vertex)]);
+  void prefetch_neighbours(Index v) const {  // where they have been merged once at most, as most have
+    for (const Spoke& spoke : neighbours(v)) prefetch(&vertices_[parents_[spoke.vertex]]);
   }
 
  private:
@@ -190,13 +191,19 @@ class TriangleComplex {
   void gather_link(Index v);
   VertexOrder order_of_link() const;
   void number_edges(unsigned threads);
-  void sort_edges(Index v, std::size_t first);
+  std::size_t sort_edges(Index v, std::size_t first, std::size_t end);
+  Index find_edge(const Edge& edge, Index begin, Index end) const;
 
   Index place_in_link(Index v);
   bool is_ring(Index v) const { return stars_[v].order == VertexOrder::regular; }
-  Wings gather_one(Index v, Index other, std::vector<Spoke>& opposites);
-  Wings gather_ring(Index v, Index other, std::vector<Spoke>& opposites);
-  Wings gather_pairs(Index v, Index other, std::vector<Spoke>& opposites);
+  /// One of the two stars of a pair under look.
+  struct GatheredStar {
+    std::vector<Spoke> spokes;
+    std::vector<Spoke> opposites;  ///< of the faces with the other vertex, the third corners
+  };
+  Wings gather_one(Index v, Index other, GatheredStar& star);
+  Wings gather_ring(Index v, Index other, GatheredStar& star);
+  Wings gather_pairs(Index v, Index other, GatheredStar& star);
   bool link_condition_of_any(Index a, Index b, const PairStar& star);
   bool obviously_keeps_topology(Index a, Index b, const PairStar& star) const;
   void remove_edge(Index e) { edge_alive_[e / 64] &= ~(std::uint64_t{1} << (e % 64)); }
@@ -204,8 +211,8 @@ class TriangleComplex {
   void merge_edges(const PairStar::Opposite& opposite);
   Index store_slope(const Vec3& slope, Index v);
   void merge_stars(Index survivor, Index removed, const PairStar& star);
-  void join_rings(const PairStar& star);
-  void join_pairs(const PairStar& star);
+  static std::size_t n_merged(const PairStar& star, bool is_ring);
+  static void join(const PairStar& star, bool is_ring, std::span<Spoke> spokes);
 
   /// One cache line. The slope b, three more numbers, is zero but for the few vertices that are not where their quadric
   /// is least.
@@ -247,8 +254,7 @@ class TriangleComplex {
   /// Scratch: the neighbours under look, and each vertex's place among them, right only if the entry there names it.
   std::vector<LinkEntry> link_;
   std::vector<Index> link_place_;
-  std::array<std::vector<Spoke>, 2> opposites_;  ///< scratch of `gather`: of the faces at a and b, as each of them sees
-  std::vector<Spoke> joined_;                    ///< scratch: pairs under look; the merged star
+  std::array<GatheredStar, 2> gathered_;  ///< scratch
 };
 
 }  // namespace whittle
