@@ -171,6 +171,8 @@ void ContractionLoop::find_pairs(std::span<const Index> members) {
     const auto [a, b] = complex_.ends(members[i]);
     pairs_[n] = {members[i], a, b};
     n += static_cast<std::size_t>(complex_.is_edge_alive(members[i]));
+    complex_.prefetch_placed(a);
+    complex_.prefetch_placed(b);
   }
   pairs_.resize(n);
 }
@@ -178,10 +180,6 @@ void ContractionLoop::find_pairs(std::span<const Index> members) {
 /// Puts pairs begin … end in order and evaluates them.
 void ContractionLoop::evaluate_pairs(std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) {
-    if (i + 12 < end) {
-      complex_.prefetch_placed(pairs_[i + 12].a);
-      complex_.prefetch_placed(pairs_[i + 12].b);
-    }
     pairs_[i] = in_order(pairs_[i].edge, {pairs_[i].a, pairs_[i].b});
   }
   evaluate(std::span(pairs_).subspan(begin, end - begin), std::span(evaluations_).subspan(begin, end - begin));
