@@ -1,5 +1,6 @@
 #include "openmesh_mesh.hh"
 #include "peer.hh"
+#include "whittle/openmesh/garbage_collection.hh"
 #include "whittle/openmesh/mod_garland_heckbert.hh"
 #include "whittle/openmesh/pair_decimater.hh"
 
@@ -24,7 +25,7 @@ class PairDecimater : public Peer {
       decimater.initialize();
       decimater.decimate_to_faces(0, n_faces);
     }
-    mesh.garbage_collection();
+    collect_garbage(mesh);
     meter.stop();
     return geometry_of(mesh);
   }

@@ -125,19 +125,21 @@ std::vector<std::array<float, 3>> vertex_normals(const IndexedMesh& mesh, const 
   return normals;
 }
 
-Decimation make_output(const IndexedMesh& input, TriangleComplex& complex, const Frame& frame) {
+Decimation make_output(const IndexedMesh& input, TriangleComplex& complex, const Frame& frame, bool keep_quadrics) {
   Decimation out;
   out.vertex_map = representatives(complex);
   std::vector<Index> output_of(complex.n_vertex_slots(), invalid_index);
   IndexedMesh& mesh = out.mesh;
   mesh.positions.reserve(complex.n_vertices());
   mesh.origins.reserve(complex.n_vertices());
+  if (keep_quadrics) out.quadrics.reserve(complex.n_vertices());
   for (Index v = 0; v < out.vertex_map.size(); ++v) {
     const Index r = out.vertex_map[v];
     if (r == invalid_index || complex.origin(r) != v) continue;
     output_of[r] = static_cast<Index>(mesh.positions.size());
     mesh.positions.push_back(frame.to_model(complex.position(r)));
     mesh.origins.push_back(input.origins.empty() ? v : input.origins[v]);
+    if (keep_quadrics) out.quadrics.push_back(complex.placed(r));
   }
   for (Index& r : out.vertex_map) {
     if (r != invalid_index) r = output_of[r];
@@ -173,7 +175,7 @@ Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const
   TriangleComplex complex(mesh.positions, mesh.faces, frame, quadric, options.threads);
   DecimateResult result = ContractionLoop(complex, options, loop_settings(complex, frame, target, options)).run();
   result.n_degenerate_faces = complex.n_degenerate_faces();
-  Decimation out = make_output(mesh, complex, frame);
+  Decimation out = make_output(mesh, complex, frame, options.keep_quadrics);
   out.result = result;
   return out;
 }

@@ -65,6 +65,9 @@ struct DecimateOptions {
   /// V or empty; vertices with a non-zero entry neither move nor vanish. Their other neighbours may merge into them.
   std::span<const std::uint8_t> locked;
 
+  /// Whether `Decimation::quadrics` is wanted.
+  bool keep_quadrics = false;
+
   /// Threads to use, 0 = all cores. No result depends on it.
   unsigned threads = 0;
 
@@ -106,6 +109,8 @@ struct DecimateResult {
 struct Decimation {
   IndexedMesh mesh;  ///< vertices by ascending origin, faces in the input's order; unmoved vertices keep every bit
   DecimateResult result;
+  /// Those of the vertices of `mesh`, in the frame of the input's bounding box, if asked for: to go on from.
+  std::vector<PlacedQuadric> quadrics;
   std::vector<Index> vertex_map;  ///< input vertices → vertices of `mesh`; `invalid_index` where it was in no face
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "whittle/engine/indexed_mesh.hh"
+#include "whittle/openmesh/status_bits.hh"
 
 // OpenMesh triangle meshes of any traits, to plain arrays and back.
 
@@ -92,16 +93,23 @@ IndexedMesh geometry_of(const MeshT& mesh) {
   result.positions.reserve(mesh.n_vertices());
   result.faces.reserve(mesh.n_faces());
   std::vector<Index> number_of(mesh.n_vertices());
-  for (const OpenMesh::VertexHandle v : mesh.vertices()) {
-    number_of[static_cast<std::size_t>(v.idx())] = static_cast<Index>(result.positions.size());
-    result.origins.push_back(static_cast<Index>(v.idx()));
+  const StatusBitsT<OpenMesh::VertexHandle, const MeshT> vertex_bits(mesh);
+  for (int i = 0; i < static_cast<int>(mesh.n_vertices()); ++i) {
+    const OpenMesh::VertexHandle v(i);
+    if (vertex_bits.is_deleted(v)) continue;
+    number_of[static_cast<std::size_t>(i)] = static_cast<Index>(result.positions.size());
     result.positions.push_back(to_vec3(mesh.point(v)));
   }
-  if (result.positions.size() == mesh.n_vertices()) result.origins = {};
-  for (const OpenMesh::FaceHandle f : mesh.faces()) {
+  if (result.positions.size() < mesh.n_vertices()) {
+    for (const OpenMesh::VertexHandle v : mesh.vertices()) result.origins.push_back(static_cast<Index>(v.idx()));
+  }
+  const StatusBitsT<OpenMesh::FaceHandle, const MeshT> face_bits(mesh);
+  for (int i = 0; i < static_cast<int>(mesh.n_faces()); ++i) {
+    const OpenMesh::FaceHandle f(i);
+    if (face_bits.is_deleted(f)) continue;
     const auto corners = face_corners(mesh, f);
-    Triangle& face = result.faces.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) face[i] = number_of[static_cast<std::size_t>(corners[i].idx())];
+    const auto number = [&](std::size_t corner) { return number_of[static_cast<std::size_t>(corners[corner].idx())]; };
+    result.faces.push_back({number(0), number(1), number(2)});
   }
   return result;
 }

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "whittle/openmesh/conversions.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
@@ -73,20 +74,28 @@ class ModGarlandHeckbertT : public OpenMesh::Decimater::ModBaseT<MeshT>, public 
   bool cost_times_area() const override { return active_.weights != Weights::uniform; }
   /// As set, times the error tolerance factor of the decimater.
   std::optional<double> max_cost() const override;
-  Vec3 position(OpenMesh::VertexHandle v) const override { return vertices_[v].position; }
+  Vec3 position(OpenMesh::VertexHandle v) const override { return placed(v).position; }
   PairEvaluation evaluate(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second, Pinned pinned) const override;
   PairEvaluation evaluate(const CollapseInfo& collapse) const override;
   void place_next(const PairEvaluation& evaluation) override { pending_ = evaluation; }
   std::optional<QuadricOptions> engine_options() const override;
+  void adopt(const std::vector<Index>& vertices, std::vector<PlacedQuadric> quadrics) override;
 
  private:
   using VertexHandle = OpenMesh::VertexHandle;
 
   void set_binary(bool) {}  // it ranks: never binary
 
-  void place_vertices();
-  void add_face_planes();
-  void add_border_planes();
+  /// Makes them when first asked for one: the engine can do without.
+  PlacedQuadric& placed(VertexHandle v) const {
+    if (!has_quadrics_) make_quadrics();
+    return quadrics_[numbers_[v]];
+  }
+  Frame frame_of_mesh() const;
+  void make_quadrics() const;
+  void add_vertex(VertexHandle v) const;
+  void add_face_planes() const;
+  void add_border_planes() const;
 
   MeshT& mesh_;
   QuadricOptions options_;
@@ -95,7 +104,10 @@ class ModGarlandHeckbertT : public OpenMesh::Decimater::ModBaseT<MeshT>, public 
 
   QuadricOptions active_;  ///< those of the last `initialize()`
   Frame frame_;
-  OpenMesh::VProp<PlacedQuadric> vertices_;
+  // Lazy: the quadrics of the mesh as it was at `initialize()`, and of what has been merged since.
+  mutable bool has_quadrics_ = false;
+  mutable std::vector<PlacedQuadric> quadrics_;
+  mutable OpenMesh::VProp<Index> numbers_;     ///< of vertices in `quadrics_`; goes along with garbage collection
   std::optional<PairEvaluation> pending_;      ///< of the collapse under way
   std::optional<StockQuadricT<MeshT>> stock_;  ///< with stock arithmetic, in place of all that
 };

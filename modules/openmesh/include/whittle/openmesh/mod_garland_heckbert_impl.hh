@@ -5,7 +5,7 @@
 namespace whittle {
 
 template <class MeshT>
-ModGarlandHeckbertT<MeshT>::ModGarlandHeckbertT(MeshT& mesh) : Base(mesh, false), mesh_(mesh), vertices_(mesh) {}
+ModGarlandHeckbertT<MeshT>::ModGarlandHeckbertT(MeshT& mesh) : Base(mesh, false), mesh_(mesh), numbers_(mesh) {}
 
 template <class MeshT>
 void ModGarlandHeckbertT<MeshT>::set_options(const QuadricOptions& options) {
@@ -36,6 +36,18 @@ std::optional<QuadricOptions> ModGarlandHeckbertT<MeshT>::engine_options() const
   return active_;
 }
 
+template <class MeshT>
+void ModGarlandHeckbertT<MeshT>::adopt(const std::vector<Index>& vertices, std::vector<PlacedQuadric> quadrics) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    numbers_[VertexHandle(static_cast<int>(vertices[i]))] = static_cast<Index>(i);
+  }
+  quadrics_ = std::move(quadrics);
+  has_quadrics_ = true;
+  for (const VertexHandle v : mesh_.vertices()) {
+    if (mesh_.is_isolated(v)) add_vertex(v);
+  }
+}
+
 // Quadrics of the mesh as it is. The order of every sum is that of the engine: a vertex's faces by their number, then
 // for each of its faces in that order the border edge that leaves the vertex in it, and the one that arrives.
 
@@ -48,13 +60,12 @@ void ModGarlandHeckbertT<MeshT>::initialize() {
     stock_.emplace(mesh_);
     return;
   }
-  place_vertices();
-  add_face_planes();
-  if (active_.boundary_weight > 0) add_border_planes();
+  frame_ = frame_of_mesh();
+  has_quadrics_ = false;
 }
 
 template <class MeshT>
-void ModGarlandHeckbertT<MeshT>::place_vertices() {
+Frame ModGarlandHeckbertT<MeshT>::frame_of_mesh() const {
   std::optional<std::pair<Vec3, Vec3>> box;
   for (const VertexHandle v : mesh_.vertices()) {
     const Vec3 p = to_vec3(mesh_.point(v));
@@ -66,25 +77,39 @@ void ModGarlandHeckbertT<MeshT>::place_vertices() {
     box->first = box->first.cwiseMin(p);
     box->second = box->second.cwiseMax(p);
   }
-  frame_ = box ? Frame::of_box(box->first, box->second) : Frame{};
-  for (const VertexHandle v : mesh_.vertices()) {
-    vertices_[v] = {frame_.to_frame(to_vec3(mesh_.point(v))), {}};
-  }
+  return box ? Frame::of_box(box->first, box->second) : Frame{};
 }
 
 template <class MeshT>
-void ModGarlandHeckbertT<MeshT>::add_face_planes() {
+void ModGarlandHeckbertT<MeshT>::make_quadrics() const {
+  has_quadrics_ = true;
+  quadrics_.clear();
+  quadrics_.reserve(mesh_.n_vertices());
+  for (const VertexHandle v : mesh_.vertices()) add_vertex(v);
+  add_face_planes();
+  if (active_.boundary_weight > 0) add_border_planes();
+}
+
+/// With no planes yet.
+template <class MeshT>
+void ModGarlandHeckbertT<MeshT>::add_vertex(VertexHandle v) const {
+  numbers_[v] = static_cast<Index>(quadrics_.size());
+  quadrics_.push_back({frame_.to_frame(to_vec3(mesh_.point(v))), {}});
+}
+
+template <class MeshT>
+void ModGarlandHeckbertT<MeshT>::add_face_planes() const {
   for (const OpenMesh::FaceHandle f : mesh_.faces()) {
     const auto corners = face_corners(mesh_, f);
     for (std::size_t i = 0; i < 3; ++i) {
-      vertices_[corners[i]].quadric.a +=
+      placed(corners[i]).quadric.a +=
           corner_quadric(position(corners[i]), position(corners[(i + 1) % 3]), position(corners[(i + 2) % 3]), active_);
     }
   }
 }
 
 template <class MeshT>
-void ModGarlandHeckbertT<MeshT>::add_border_planes() {
+void ModGarlandHeckbertT<MeshT>::add_border_planes() const {
   for (const OpenMesh::FaceHandle f : mesh_.faces()) {
     const auto corners = face_corners(mesh_, f);
     const OpenMesh::HalfedgeHandle into_first = mesh_.halfedge_handle(f);
@@ -96,15 +121,15 @@ void ModGarlandHeckbertT<MeshT>::add_border_planes() {
       planes[i] = border_quadric(at(i), at(i + 1), at(i + 2), active_);
     }
     for (std::size_t i = 0; i < 3; ++i) {
-      if (planes[i]) vertices_[corners[i]].quadric.a += *planes[i];
-      if (planes[(i + 2) % 3]) vertices_[corners[i]].quadric.a += *planes[(i + 2) % 3];
+      if (planes[i]) placed(corners[i]).quadric.a += *planes[i];
+      if (planes[(i + 2) % 3]) placed(corners[i]).quadric.a += *planes[(i + 2) % 3];
     }
   }
 }
 
 template <class MeshT>
 PairEvaluation ModGarlandHeckbertT<MeshT>::evaluate(VertexHandle first, VertexHandle second, Pinned pinned) const {
-  return evaluate_pair(vertices_[first], vertices_[second], active_.placement, pinned);
+  return evaluate_pair(placed(first), placed(second), active_.placement, pinned);
 }
 
 template <class MeshT>
@@ -147,7 +172,7 @@ void ModGarlandHeckbertT<MeshT>::postprocess_collapse(const CollapseInfo& collap
   if (stock_) return stock_->merge(collapse);
   const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
   const PairEvaluation& evaluation = pending_.value();
-  vertices_[collapse.v1] = merged(vertices_[first], vertices_[second], evaluation.position, evaluation.is_minimum);
+  placed(collapse.v1) = merged(placed(first), placed(second), evaluation.position, evaluation.is_minimum);
   pending_.reset();
 }
 

@@ -3,6 +3,7 @@
 #include <OpenMesh/Core/Mesh/Handles.hh>
 #include <OpenMesh/Tools/Decimater/CollapseInfoT.hh>
 #include <optional>
+#include <vector>
 
 #include "whittle/engine/frame.hh"
 #include "whittle/engine/pair_evaluation.hh"
@@ -39,6 +40,9 @@ class PairCostModuleT {
 
   /// What the engine needs to contract by the same costs; nothing if it can't.
   virtual std::optional<QuadricOptions> engine_options() const = 0;
+  /// The engine has contracted by them: instead of `preprocess_collapse` and `postprocess_collapse` for each collapse.
+  /// \param vertices those left, but for isolated ones, as handle indices \param quadrics theirs, in the module's frame
+  virtual void adopt(const std::vector<Index>& vertices, std::vector<PlacedQuadric> quadrics) = 0;
 };
 
 }  // namespace whittle

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "whittle/engine/decimate.hh"
+#include "whittle/openmesh/bulk_collapse.hh"
 #include "whittle/openmesh/mod_flip_guard.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
 
@@ -21,7 +22,7 @@
 //                    if a guard or a module refuses it: it waits until a vertex of its neighbourhood changes
 //                    else contract it onto the higher index, or onto the vertex that may not move
 //                    evaluate anew the edges at the merged vertex; wake what waits around it
-//   engine driver: whittle::decimate on a copy of the geometry, then the same contractions on the mesh, in order
+//   engine driver: whittle::decimate on a copy of the geometry, then the same contractions on the mesh, all at once
 
 namespace whittle {
 
@@ -135,7 +136,9 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   bool is_fixed(VertexHandle v, bool only_selected) const;
 
   DecimateResult run_engine(const DecimateTarget& target, bool only_selected);
-  void apply(const std::vector<Contraction>& contractions, bool only_selected, DecimateResult& result);
+  std::vector<std::uint8_t> fixed_vertices(const IndexedMesh& input, bool only_selected) const;
+  void write_back(const std::vector<VertexMerge>& merges, Decimation& small);
+  void update_face_normals(const std::vector<VertexMerge>& merges);
   std::uint64_t contract(HalfedgeHandle to_survivor, const PairEvaluation& evaluation);
   void carry_features(const CollapseInfo& collapse);
   void count_rejection(const Module& module);

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "whittle/openmesh/bulk_collapse.hh"
 #include "whittle/openmesh/conversions.hh"
 #include "whittle/openmesh/mesh_contraction_loop.hh"
 #include "whittle/openmesh/pair_decimater.hh"
@@ -164,54 +165,77 @@ template <class MeshT>
 DecimateResult PairDecimaterT<MeshT>::run_engine(const DecimateTarget& target, bool only_selected) {
   const IndexedMesh input = geometry_of(mesh_);
   const auto handle_index = [&input](Index v) { return input.origins.empty() ? v : input.origins[v]; };
-  std::vector<std::uint8_t> locked(input.positions.size());
-  for (Index v = 0; v < locked.size(); ++v) {
-    locked[v] = is_fixed(VertexHandle(static_cast<int>(handle_index(v))), only_selected);
-  }
+  const auto handle = [&](Index v) { return VertexHandle(static_cast<int>(handle_index(v))); };
+  const std::vector<std::uint8_t> locked = fixed_vertices(input, only_selected);
 
-  std::vector<Contraction> contractions;
+  std::vector<VertexMerge> merges;
   bool is_aborted = false;
   DecimateOptions options;
   options.quadric = *cost_->engine_options();
   options.max_normal_flip_deg = max_normal_flip_deg();
   options.locked = locked;
   options.threads = threads_;
+  options.keep_quadrics = true;
   options.progress = [&is_aborted](const Progress&) { return !is_aborted; };
   options.listener = [&](const Contraction& made) {
-    if (is_aborted) return;  // the engine asks about progress now and then only
-    contractions.push_back({handle_index(made.survivor), handle_index(made.removed), made.position, made.cost});
-    if (listener_) listener_(contractions.back());
-    is_aborted = !this->notify_observer(contractions.size());
+    if (is_aborted) return;
+    merges.push_back({handle(made.removed), handle(made.survivor)});
+    if (listener_) listener_({handle_index(made.survivor), handle_index(made.removed), made.position, made.cost});
+    is_aborted = !this->notify_observer(merges.size());
   };
-  DecimateResult result = whittle::decimate(input, target, options).result;
-  if (is_aborted) result.stop = StopReason::cancelled;
-  apply(contractions, only_selected, result);
+  Decimation small = whittle::decimate(input, target, options);
+  if (is_aborted) {
+    if (merges.size() < small.result.n_contractions) {  // the engine asks now and then only: again, up to the abort
+      options.progress = nullptr;
+      options.listener = nullptr;
+      DecimateTarget up_to_abort;
+      up_to_abort.vertices = small.result.n_vertices + small.result.n_contractions - merges.size();
+      small = whittle::decimate(input, up_to_abort, options);
+    }
+    small.result.stop = StopReason::cancelled;
+  }
+  write_back(merges, small);
+  return small.result;
+}
+
+/// As the engine wants to have it: empty if there are none.
+template <class MeshT>
+std::vector<std::uint8_t> PairDecimaterT<MeshT>::fixed_vertices(const IndexedMesh& input, bool only_selected) const {
+  std::vector<std::uint8_t> result(input.positions.size());
+  bool any = false;
+  for (Index v = 0; v < result.size(); ++v) {
+    const Index handle_index = input.origins.empty() ? v : input.origins[v];
+    result[v] = is_fixed(VertexHandle(static_cast<int>(handle_index)), only_selected);
+    any = any || result[v] != 0;
+  }
+  if (!any) result.clear();
   return result;
 }
 
+/// \param merges what the engine contracted \param small what it made of the mesh
 template <class MeshT>
-void PairDecimaterT<MeshT>::apply(const std::vector<Contraction>& contractions, bool only_selected,
-                                  DecimateResult& result) {
-  const Counts before = count_elements();
-  result.n_contractions = contractions.size();
-  result.n_vertices = before.vertices - contractions.size();
-  result.n_faces = before.faces;
-  result.max_cost = 0;
-  for (const Contraction& made : contractions) {
-    const VertexHandle survivor(static_cast<int>(made.survivor));
-    const VertexHandle removed(static_cast<int>(made.removed));
-    const auto [first, second] = std::minmax(survivor, removed);
-    const Pinned pinned = is_fixed(first, only_selected)    ? Pinned::first
-                          : is_fixed(second, only_selected) ? Pinned::second
-                                                            : Pinned::none;
-    // The module's quadrics follow, so that the next run can go on. Where this translation unit rounds otherwise than
-    // the library (fused multiply-add), the engine's word counts.
-    PairEvaluation evaluation = cost_->evaluate(first, second, pinned);
-    if (cost_->frame().to_model(evaluation.position) != made.position) {
-      evaluation.position = cost_->frame().to_frame(made.position);
-    }
-    result.n_faces -= contract(mesh_.find_halfedge(removed, survivor), evaluation);
-    result.max_cost = std::max(result.max_cost, made.cost);
+void PairDecimaterT<MeshT>::write_back(const std::vector<VertexMerge>& merges, Decimation& small) {
+  if (!merges.empty()) is_fresh_ = false;
+  BulkCollapseT<MeshT>(mesh_, merges).run();
+  for (std::size_t v = 0; v < small.mesh.positions.size(); ++v) {
+    const VertexHandle handle(static_cast<int>(small.mesh.origins[v]));
+    const Vec3& position = small.mesh.positions[v];
+    if (position == to_vec3(mesh_.point(handle))) continue;  // not rounded for nothing
+    mesh_.set_point(handle, to_point<typename MeshT::Point>(position));
+  }
+  if (mesh_.has_face_normals()) update_face_normals(merges);
+  cost_->adopt(small.mesh.origins, std::move(small.quadrics));
+}
+
+/// Those of faces at merged vertices.
+template <class MeshT>
+void PairDecimaterT<MeshT>::update_face_normals(const std::vector<VertexMerge>& merges) {
+  std::vector<bool> is_merged(mesh_.n_vertices());
+  for (const VertexMerge& merge : merges) is_merged[static_cast<std::size_t>(merge.survivor.idx())] = true;
+  for (const OpenMesh::FaceHandle f : mesh_.faces()) {
+    const auto corners = face_corners(mesh_, f);
+    const auto at_merged = [&](VertexHandle v) { return is_merged[static_cast<std::size_t>(v.idx())]; };
+    if (std::any_of(corners.begin(), corners.end(), at_merged)) mesh_.set_normal(f, mesh_.calc_face_normal(f));
   }
 }
 
