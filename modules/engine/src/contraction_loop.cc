@@ -15,13 +15,14 @@ namespace {
 /// Candidates between two calls of the progress callback: about a millisecond.
 constexpr std::uint64_t progress_interval = 2048;
 
-/// Pairs that are evaluated at a time, by one thread: some microseconds, and what they look at stays in the nearest
-/// cache.
-constexpr std::size_t pairs_per_range = 64;
+/// Members of a bucket from which on they are shared out among threads: some tens of microseconds.
+constexpr std::size_t fewest_shared = 256;
 
-/// Members of a bucket shared out among threads at a time, and those whose placements are remembered. On flat ground
-/// all pairs may be in one bucket.
-constexpr std::size_t members_at_once = 8192;
+/// Parcels that are shared out at a time. On flat ground all pairs may be in one bucket.
+constexpr std::size_t n_shared_parcels = 64;
+
+/// Candidates whose placements are remembered.
+constexpr std::size_t most_placements = 8192;
 
 }  // namespace
 
@@ -34,6 +35,7 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, const DecimateOptions
       crew_(options.threads),
       n_initial_vertices_(complex.n_vertices()),
       n_initial_faces_(complex.n_faces()),
+      parcels_(crew_.n_helpers() == 0 ? 1 : n_shared_parcels),
       raised_(complex.n_vertex_slots()),
       is_raised_(complex.n_edge_slots()),
       raised_costs_(std::make_unique_for_overwrite<float[]>(complex.n_edge_slots())),
@@ -88,20 +90,20 @@ void ContractionLoop::fill_queue() {
     return in_order(edge, complex_.initial_ends(edge));
   };
   const auto fill_range = [&](std::size_t begin, std::size_t end) {
-    std::array<Pair, pairs_per_range> pairs;
-    std::array<PairEvaluation, pairs_per_range> evaluations;
-    const std::size_t n = end - begin;
-    for (std::size_t i = 0; i < n; ++i) pairs[i] = initial_pair(begin + i);
-    evaluate(std::span(pairs).first(n), std::span(evaluations).first(n));
-    for (std::size_t i = 0; i < n; ++i) {
-      buckets[begin + i] = BucketQueue::bucket_of(evaluations[i].cost);
-      if (evaluations[i].cost <= evaluations[i].bound) continue;
+    Parcel parcel;
+    parcel.n = end - begin;
+    for (std::size_t i = 0; i < parcel.n; ++i) parcel.pairs[i] = initial_pair(begin + i);
+    evaluate(parcel);
+    for (std::size_t i = 0; i < parcel.n; ++i) {
+      const auto& [bound, cost, position, is_minimum] = parcel.evaluations[i];
+      buckets[begin + i] = BucketQueue::bucket_of(cost);
+      if (cost <= bound) continue;
       is_raised[begin + i] = 1;
-      raised_costs_[begin + i] = static_cast<float>(evaluations[i].cost);
+      raised_costs_[begin + i] = static_cast<float>(cost);
     }
   };
   for_each_range(n_pairs, options_.threads, [&](std::size_t begin, std::size_t end) {
-    for (; begin < end; begin += pairs_per_range) fill_range(begin, std::min(end, begin + pairs_per_range));
+    for (; begin < end; begin += pairs_per_parcel) fill_range(begin, std::min(end, begin + pairs_per_parcel));
   });
   queue_.fill(buckets);
   for (Index pair = 0; pair < n_pairs; ++pair) {
@@ -110,14 +112,15 @@ void ContractionLoop::fill_queue() {
 }
 
 /// Those that are by far the most, several at once.
-void ContractionLoop::evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const {
+void ContractionLoop::evaluate(Parcel& parcel) const {
+  const auto pairs = std::span(parcel.pairs).first(parcel.n);
   if (options_.quadric.placement == Placement::optimal && settings_.locked.empty()) {
-    find_minima(complex_, pairs, evaluations);
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (!evaluations[i].is_minimum) evaluations[i] = evaluate(pairs[i]);
+    find_minima(complex_, pairs, parcel.evaluations);
+    for (std::size_t i = 0; i < parcel.n; ++i) {
+      if (!parcel.evaluations[i].is_minimum) parcel.evaluations[i] = evaluate(pairs[i]);
     }
   } else {
-    std::transform(pairs.begin(), pairs.end(), evaluations.begin(),
+    std::transform(pairs.begin(), pairs.end(), parcel.evaluations.begin(),
                    [this](const Pair& pair) { return evaluate(pair); });
   }
 }
@@ -145,44 +148,44 @@ void ContractionLoop::open_bucket() {
   placements_.clear();
   n_taken_ = 0;
   n_done_at_opening_ = complex_.n_contractions();
-  const std::size_t at_once = crew_.n_helpers() == 0 ? pairs_per_range : members_at_once;
-  for (std::size_t begin = 0; begin < members_.size(); begin += at_once) {
-    find_pairs(std::span(members_).subspan(begin, std::min(members_.size() - begin, at_once)));
-    evaluations_.resize(pairs_.size());
-    if (pairs_.size() < 4 * pairs_per_range) {
-      evaluate_pairs(0, pairs_.size());
-    } else {  // the threads change nothing but each its own range
-      crew_.for_each_range(pairs_.size(), pairs_per_range,
-                           [this](std::size_t first, std::size_t last) { evaluate_pairs(first, last); });
+  for (std::size_t begin = 0; begin < members_.size(); begin += parcels_.size() * pairs_per_parcel) {
+    const auto members = std::span(members_).subspan(begin);
+    const std::size_t n = std::min(members.size(), parcels_.size() * pairs_per_parcel);
+    const auto evaluate_range = [&](std::size_t first, std::size_t last) {
+      evaluate_members(members.subspan(first, last - first), parcels_[first / pairs_per_parcel]);
+    };
+    if (n < fewest_shared) {
+      for (std::size_t i = 0; i < n; i += pairs_per_parcel) evaluate_range(i, std::min(n, i + pairs_per_parcel));
+    } else {
+      crew_.for_each_range(n, pairs_per_parcel, evaluate_range);
     }
-    for (std::size_t i = 0; i < pairs_.size(); ++i) sort_in(pairs_[i], evaluations_[i]);
+    for (std::size_t i = 0; i < n; i += pairs_per_parcel) sort_in(parcels_[i / pairs_per_parcel]);
   }
   std::sort(batch_.begin(), batch_.end(), is_before);
 }
 
-/// Looks up the ends of those members that are still edges. Brings near what that will ask for: first the edges, then
-/// what their ends have become.
-void ContractionLoop::find_pairs(std::span<const Index> members) {
-  pairs_.resize(members.size());
+/// Looks up the ends of those members that are still edges, and evaluates them. Several threads may do so, each for a
+/// parcel of its own. Brings near what comes next: the edges, what their ends have become, these.
+void ContractionLoop::evaluate_members(std::span<const Index> members, Parcel& parcel) {
   std::size_t n = 0;
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (i + 16 < members.size()) complex_.prefetch_edge(members[i + 16]);
     if (i + 8 < members.size()) complex_.prefetch_ends(members[i + 8]);
     const auto [a, b] = complex_.ends(members[i]);
-    pairs_[n] = {members[i], a, b};
+    parcel.pairs[n] = {members[i], a, b};
     n += static_cast<std::size_t>(complex_.is_edge_alive(members[i]));
     complex_.prefetch_placed(a);
     complex_.prefetch_placed(b);
   }
-  pairs_.resize(n);
+  parcel.n = n;
+  for (std::size_t i = 0; i < n; ++i) {
+    parcel.pairs[i] = in_order(parcel.pairs[i].edge, {parcel.pairs[i].a, parcel.pairs[i].b});
+  }
+  evaluate(parcel);
 }
 
-/// Puts pairs begin … end in order and evaluates them.
-void ContractionLoop::evaluate_pairs(std::size_t begin, std::size_t end) {
-  for (std::size_t i = begin; i < end; ++i) {
-    pairs_[i] = in_order(pairs_[i].edge, {pairs_[i].a, pairs_[i].b});
-  }
-  evaluate(std::span(pairs_).subspan(begin, end - begin), std::span(evaluations_).subspan(begin, end - begin));
+void ContractionLoop::sort_in(const Parcel& parcel) {
+  for (std::size_t i = 0; i < parcel.n; ++i) sort_in(parcel.pairs[i], parcel.evaluations[i]);
 }
 
 /// Into the batch, or, if it has grown, into a later bucket.
@@ -191,7 +194,7 @@ void ContractionLoop::sort_in(const Pair& pair, const PairEvaluation& evaluation
   const BucketQueue::Bucket bucket = BucketQueue::bucket_of(evaluation.cost);
   if (!queue_.is_past(bucket)) return queue_.push(pair.edge, bucket);
   batch_.push_back(candidate(pair, evaluation.cost));
-  if (placements_.size() < members_at_once) {
+  if (placements_.size() < most_placements) {
     batch_.back().placement = static_cast<Index>(placements_.size());
     placements_.push_back({evaluation.position, evaluation.is_minimum});
   }

@@ -8,7 +8,7 @@
 namespace whittle {
 
 Index TriangleComplex::root(Index v) {
-  while (parents_[v] != v) v = parents_[v] = parents_[parents_[v]];
+  for (Index above = parent(v); above != v; above = parent(v)) v = above;
   return v;
 }
 

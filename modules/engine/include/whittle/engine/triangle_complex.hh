@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <span>
 #include <vector>
 
@@ -125,10 +126,15 @@ class TriangleComplex {
   /// The neighbours of v as last gathered, those of an irregular vertex as often as it has faces with them.
   std::span<const Spoke> neighbours(Index v) const { return spoke_lists_.of(stars_[v].spokes); }
 
-  /// The vertex that v has been merged into, v itself if none. Shortens the path.
+  /// The vertex that v has been merged into, v itself if none. Shortens the path. Several threads may ask at once: what
+  /// they write is the same.
   Index representative(Index v) {
-    const Index parent = parents_[v];
-    return parents_[parent] == parent ? parent : parents_[v] = root(parent);
+    const Index p = parent(v);
+    const Index grandparent = parent(p);
+    if (grandparent == p) return p;
+    const Index r = root(grandparent);
+    std::atomic_ref(parents_[v]).store(r, std::memory_order_relaxed);
+    return r;
   }
 
   /// Edges are numbered along their lower vertices. Where a contraction makes one of two edges, one of them lives on.
@@ -175,6 +181,7 @@ class TriangleComplex {
   }
 
  private:
+  Index parent(Index v) { return std::atomic_ref(parents_[v]).load(std::memory_order_relaxed); }
   Index root(Index v);
   void number_vertices(std::span<const Vec3> positions, const Frame& frame, std::vector<Index>& number_of);
   void list_faces(std::span<const Triangle> faces, const std::vector<Index>& number_of);
