@@ -38,6 +38,7 @@ class BucketQueue {
     first_members_.resize(buckets.size());
     std::vector<Index> ends(starts_.begin(), starts_.end() - 1);
     for (Index member = 0; member < buckets.size(); ++member) first_members_[ends[buckets[member]]++] = member;
+    blocks_.reserve(buckets.size() / (block_capacity / 2));  // what is never written to takes no memory
   }
 
   /// \pre !is_past(bucket)
@@ -105,7 +106,7 @@ class BucketQueue {
   std::vector<Index> starts_ = std::vector<Index>(n_buckets + 1);  ///< of each bucket's first members
   LargeArray<Index> first_members_;
   std::vector<Head> heads_ = std::vector<Head>(n_buckets);
-  std::vector<Block> blocks_;
+  LargeArray<Block> blocks_;
   std::vector<Index> free_blocks_;
   Bucket next_bucket_ = 0;  ///< the first that has not been opened
 };
