@@ -35,7 +35,7 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, const DecimateOptions
       crew_(options.threads),
       n_initial_vertices_(complex.n_vertices()),
       n_initial_faces_(complex.n_faces()),
-      parcels_(crew_.n_helpers() == 0 ? 1 : n_shared_parcels),
+      parcels_(crew_.n_helpers() == 0 ? 2 : n_shared_parcels),
       raised_(complex.n_vertex_slots()),
       is_raised_(complex.n_edge_slots()),
       raised_costs_(std::make_unique_for_overwrite<float[]>(complex.n_edge_slots())),
@@ -85,14 +85,14 @@ void ContractionLoop::fill_queue() {
   const std::size_t n_pairs = complex_.n_edge_slots();
   std::vector<BucketQueue::Bucket> buckets(n_pairs);
   std::vector<std::uint8_t> is_raised(n_pairs);
-  const auto initial_pair = [&](std::size_t pair) {
-    const auto edge = static_cast<Index>(pair);
-    return in_order(edge, complex_.initial_ends(edge));
-  };
   const auto fill_range = [&](std::size_t begin, std::size_t end) {
     Parcel parcel;
     parcel.n = end - begin;
-    for (std::size_t i = 0; i < parcel.n; ++i) parcel.pairs[i] = initial_pair(begin + i);
+    for (std::size_t i = 0; i < parcel.n; ++i) {
+      const auto edge = static_cast<Index>(begin + i);
+      const auto [a, b] = complex_.initial_ends(edge);
+      parcel.pairs[i] = {edge, a, b};
+    }
     evaluate(parcel);
     for (std::size_t i = 0; i < parcel.n; ++i) {
       const auto& [bound, cost, position, is_minimum] = parcel.evaluations[i];
@@ -107,13 +107,14 @@ void ContractionLoop::fill_queue() {
   });
   queue_.fill(buckets);
   for (Index pair = 0; pair < n_pairs; ++pair) {
-    if (is_raised[pair] != 0) add_raised(initial_pair(pair), raised_costs_[pair]);
+    if (is_raised[pair] != 0) add_raised(pair_now(pair), raised_costs_[pair]);
   }
 }
 
-/// Those that are by far the most, several at once.
-void ContractionLoop::evaluate(Parcel& parcel) const {
+/// Puts the pairs in order and evaluates them, those that are by far the most several at once.
+ContractionLoop::Parcel& ContractionLoop::evaluate(Parcel& parcel) const {
   const auto pairs = std::span(parcel.pairs).first(parcel.n);
+  for (Pair& pair : pairs) pair = in_order(pair);
   if (options_.quadric.placement == Placement::optimal && settings_.locked.empty()) {
     find_minima(complex_, pairs, parcel.evaluations);
     for (std::size_t i = 0; i < parcel.n; ++i) {
@@ -123,6 +124,7 @@ void ContractionLoop::evaluate(Parcel& parcel) const {
     std::transform(pairs.begin(), pairs.end(), parcel.evaluations.begin(),
                    [this](const Pair& pair) { return evaluate(pair); });
   }
+  return parcel;
 }
 
 std::optional<ContractionLoop::Candidate> ContractionLoop::next_candidate() {
@@ -148,40 +150,54 @@ void ContractionLoop::open_bucket() {
   placements_.clear();
   n_taken_ = 0;
   n_done_at_opening_ = complex_.n_contractions();
-  for (std::size_t begin = 0; begin < members_.size(); begin += parcels_.size() * pairs_per_parcel) {
-    const auto members = std::span(members_).subspan(begin);
-    const std::size_t n = std::min(members.size(), parcels_.size() * pairs_per_parcel);
-    const auto evaluate_range = [&](std::size_t first, std::size_t last) {
-      evaluate_members(members.subspan(first, last - first), parcels_[first / pairs_per_parcel]);
-    };
-    if (n < fewest_shared) {
-      for (std::size_t i = 0; i < n; i += pairs_per_parcel) evaluate_range(i, std::min(n, i + pairs_per_parcel));
-    } else {
-      crew_.for_each_range(n, pairs_per_parcel, evaluate_range);
-    }
-    for (std::size_t i = 0; i < n; i += pairs_per_parcel) sort_in(parcels_[i / pairs_per_parcel]);
+  if (crew_.n_helpers() == 0 || members_.size() < fewest_shared) {
+    evaluate_members();
+  } else {
+    evaluate_members_on_all_threads();
   }
   std::sort(batch_.begin(), batch_.end(), is_before);
 }
 
-/// Looks up the ends of those members that are still edges, and evaluates them. Several threads may do so, each for a
-/// parcel of its own. Brings near what comes next: the edges, what their ends have become, these.
-void ContractionLoop::evaluate_members(std::span<const Index> members, Parcel& parcel) {
+/// The next parcel is looked up before the last one is evaluated, so that what it asks for has time to come.
+void ContractionLoop::evaluate_members() {
+  Parcel* last = nullptr;
+  for (std::size_t begin = 0; begin < members_.size(); begin += pairs_per_parcel) {
+    Parcel& next = parcels_[begin / pairs_per_parcel % 2];
+    find_pairs(begin, std::min(members_.size(), begin + pairs_per_parcel), next);
+    if (last != nullptr) sort_in(evaluate(*last));
+    last = &next;
+  }
+  if (last != nullptr) sort_in(evaluate(*last));
+}
+
+/// The threads change nothing but each its own parcel, and `parents_` of the complex to the same.
+void ContractionLoop::evaluate_members_on_all_threads() {
+  const std::size_t at_once = parcels_.size() * pairs_per_parcel;
+  for (std::size_t begin = 0; begin < members_.size(); begin += at_once) {
+    const std::size_t n = std::min(members_.size() - begin, at_once);
+    crew_.for_each_range(n, pairs_per_parcel, [this, begin](std::size_t first, std::size_t last) {
+      Parcel& parcel = parcels_[first / pairs_per_parcel];
+      find_pairs(begin + first, begin + last, parcel);
+      evaluate(parcel);
+    });
+    for (std::size_t i = 0; i < n; i += pairs_per_parcel) sort_in(parcels_[i / pairs_per_parcel]);
+  }
+}
+
+/// Looks up the ends of those of members begin … end that are still edges. Brings near what comes next: the edges, what
+/// their ends have become, these.
+void ContractionLoop::find_pairs(std::size_t begin, std::size_t end, Parcel& parcel) {
   std::size_t n = 0;
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    if (i + 16 < members.size()) complex_.prefetch_edge(members[i + 16]);
-    if (i + 8 < members.size()) complex_.prefetch_ends(members[i + 8]);
-    const auto [a, b] = complex_.ends(members[i]);
-    parcel.pairs[n] = {members[i], a, b};
-    n += static_cast<std::size_t>(complex_.is_edge_alive(members[i]));
+  for (std::size_t i = begin; i < end; ++i) {
+    if (i + 16 < members_.size()) complex_.prefetch_edge(members_[i + 16]);
+    if (i + 8 < members_.size()) complex_.prefetch_ends(members_[i + 8]);
+    const auto [a, b] = complex_.ends(members_[i]);
+    parcel.pairs[n] = {members_[i], a, b};
+    n += static_cast<std::size_t>(complex_.is_edge_alive(members_[i]));
     complex_.prefetch_placed(a);
     complex_.prefetch_placed(b);
   }
   parcel.n = n;
-  for (std::size_t i = 0; i < n; ++i) {
-    parcel.pairs[i] = in_order(parcel.pairs[i].edge, {parcel.pairs[i].a, parcel.pairs[i].b});
-  }
-  evaluate(parcel);
 }
 
 void ContractionLoop::sort_in(const Parcel& parcel) {
@@ -202,10 +218,14 @@ void ContractionLoop::sort_in(const Pair& pair, const PairEvaluation& evaluation
   complex_.prefetch_star(pair.b);
 }
 
-Pair ContractionLoop::in_order(Index pair, TriangleComplex::Edge ends) const {
-  const auto [a, b] = ends;
-  const bool is_a_first = complex_.origin(a) < complex_.origin(b);
-  return {pair, select(is_a_first, a, b), select(is_a_first, b, a)};
+Pair ContractionLoop::in_order(const Pair& pair) const {
+  const bool is_a_first = complex_.origin(pair.a) < complex_.origin(pair.b);
+  return {pair.edge, select(is_a_first, pair.a, pair.b), select(is_a_first, pair.b, pair.a)};
+}
+
+Pair ContractionLoop::pair_now(Index edge) const {
+  const auto [a, b] = complex_.ends(edge);
+  return in_order({edge, a, b});
 }
 
 ContractionLoop::Candidate ContractionLoop::candidate(const Pair& pair, double cost) const {
@@ -254,7 +274,7 @@ std::optional<StopReason> ContractionLoop::take_turn(const Candidate& then) {
   if (is_unchanged(then)) {
     placement = placements_[then.placement];
   } else {
-    pair = in_order(pair.edge, complex_.ends(pair.edge));
+    pair = pair_now(pair.edge);
     const PairEvaluation evaluation = evaluate(pair);
     const Candidate now = candidate(pair, evaluation.cost);
     if (is_before(then, now)) {  // it has grown since it was sorted in
@@ -334,7 +354,7 @@ void ContractionLoop::wake_raised(Index survivor, Index removed) {
   for (const Index pair : woken_) {
     if (!complex_.is_edge_alive(pair)) continue;
     raised_.add(survivor, pair);
-    const Pair now = in_order(pair, complex_.ends(pair));
+    const Pair now = pair_now(pair);
     const PairEvaluation evaluation = evaluate(now);
     if (static_cast<float>(evaluation.cost) > raised_costs_[pair]) continue;
     raised_costs_[pair] = static_cast<float>(evaluation.cost);
@@ -370,7 +390,7 @@ void ContractionLoop::wake_refused_at(Index v) {
     if (!is_refused_[pair]) continue;  // woken from its other vertex before
     is_refused_[pair] = false;
     if (!complex_.is_edge_alive(pair)) continue;
-    const Pair now = in_order(pair, complex_.ends(pair));
+    const Pair now = pair_now(pair);
     const PairEvaluation evaluation = evaluate(now);
     note_raised(now, evaluation);
     enqueue(candidate(now, evaluation.cost));

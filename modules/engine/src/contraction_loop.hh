@@ -73,18 +73,21 @@ class ContractionLoop {
 
   std::optional<Candidate> next_candidate();
   void open_bucket();
-  void evaluate_members(std::span<const Index> members, Parcel& parcel);
+  void evaluate_members();
+  void evaluate_members_on_all_threads();
+  void find_pairs(std::size_t begin, std::size_t end, Parcel& parcel);
   void sort_in(const Parcel& parcel);
   void sort_in(const Pair& pair, const PairEvaluation& evaluation);
   void prefetch_turns();
   void enqueue(const Candidate& candidate);
 
   /// The vertex of the lower original number first.
-  Pair in_order(Index pair, TriangleComplex::Edge ends) const;
+  Pair in_order(const Pair& pair) const;
+  Pair pair_now(Index edge) const;
   Candidate candidate(const Pair& pair, double cost) const;
   Pinned pinned(const Pair& pair) const;
   PairEvaluation evaluate(const Pair& pair) const;
-  void evaluate(Parcel& parcel) const;
+  Parcel& evaluate(Parcel& parcel) const;
   bool is_unchanged(const Candidate& candidate) const;
   std::optional<StopReason> take_turn(const Candidate& then);
   Refusal find_refusal(Index a, Index b, const Vec3& position);
