@@ -155,7 +155,7 @@ void ContractionLoop::open_bucket() {
   } else {
     evaluate_members_on_all_threads();
   }
-  std::sort(batch_.begin(), batch_.end(), is_before);
+  std::sort(batch_.begin(), batch_.end(), [](const Candidate& x, const Candidate& y) { return is_before(x, y); });
 }
 
 /// The next parcel is looked up before the last one is evaluated, so that what it asks for has time to come.
