@@ -147,6 +147,7 @@ std::optional<ContractionLoop::Candidate> ContractionLoop::next_candidate() {
 /// Makes the members of the bucket just opened candidates; those that have grown beyond it go to a later one.
 void ContractionLoop::open_bucket() {
   batch_.clear();
+  batch_.reserve(members_.size());
   placements_.clear();
   n_taken_ = 0;
   n_done_at_opening_ = complex_.n_contractions();

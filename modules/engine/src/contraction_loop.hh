@@ -115,7 +115,7 @@ class ContractionLoop {
   BucketQueue queue_;
   std::vector<Index> members_;      ///< of the bucket being opened
   std::vector<Parcel> parcels_;     ///< scratch: a thread works on one at a time
-  std::vector<Candidate> batch_;    ///< candidates of the open bucket, in order
+  LargeArray<Candidate> batch_;     ///< candidates of the open bucket, in order
   std::vector<Placed> placements_;  ///< where they would go
   Index n_done_at_opening_ = 0;     ///< contractions before it was opened
   std::size_t n_taken_ = 0;         ///< how many of the batch have had their turn
