@@ -244,7 +244,7 @@ class TriangleComplex {
   LargeArray<Vec3> slopes_;
   LargeArray<Star> stars_;
   SpokeLists spoke_lists_;
-  LargeArray<Edge> edges_;                 ///< ends as last looked up; `first` of one merged into another: that
+  LargeArray<Edge> edges_;                 ///< the ends it had at first; `first` of one merged into another: that
   std::vector<std::uint64_t> edge_alive_;  ///< a bit an edge
   std::uint64_t n_vertices_ = 0;
   std::uint64_t n_faces_ = 0;
