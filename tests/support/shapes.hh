@@ -87,6 +87,9 @@ IndexedMesh boxes(int nx, int ny, double gap = 0.2);
 IndexedMesh bow_tie();
 /// Three faces with a common edge. V 5, F 3.
 IndexedMesh three_faces_on_an_edge();
+/// Square grids of 2 × n_along squares with a common side, like the pages of a book.
+/// V (n_along + 1)(2 n_pages + 1), F 4 n_pages n_along.
+IndexedMesh book(int n_pages, int n_along);
 /// Two cubes with one common edge, each of its n pieces with four faces; sides of n × n squares.
 /// V 12n² − n + 3, F 24n².
 IndexedMesh two_cubes_on_an_edge(int n = 1);

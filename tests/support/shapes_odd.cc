@@ -1,7 +1,9 @@
 // Shapes of several parts, shapes that are not manifold, and what spoils a good one.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -57,6 +59,24 @@ IndexedMesh three_faces_on_an_edge() {
   IndexedMesh mesh;
   mesh.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0.5}, {-0.5, 0.8, 0.5}, {-0.5, -0.8, 0.5}};
   mesh.faces = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
+  return mesh;
+}
+
+IndexedMesh book(int n_pages, int n_along) {
+  const auto n_rows = static_cast<Index>(n_along + 1);
+  const IndexedMesh page = grid(2, n_along);  // its first column is the spine
+  IndexedMesh mesh;
+  for (Index row = 0; row < n_rows; ++row) mesh.positions.emplace_back(0, page.positions[3 * row].y(), 0);
+  for (int i = 0; i < n_pages; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n_pages;
+    const auto first = static_cast<Index>(mesh.positions.size());
+    const auto number = [&](Index v) { return v % 3 == 0 ? v / 3 : first + v / 3 * 2 + v % 3 - 1; };
+    for (Index v = 0; v < page.positions.size(); ++v) {
+      const Vec3& p = page.positions[v];
+      if (v % 3 != 0) mesh.positions.emplace_back(p.x() * std::cos(angle), p.y(), p.x() * std::sin(angle));
+    }
+    for (const auto& [a, b, c] : page.faces) mesh.faces.push_back({number(a), number(b), number(c)});
+  }
   return mesh;
 }
 

@@ -37,7 +37,7 @@ std::vector<NamedMesh> open_meshes() {
 
 std::vector<NamedMesh> nonmanifold_meshes() {
   return {WHITTLE_NAMED(bow_tie()), WHITTLE_NAMED(three_faces_on_an_edge()), WHITTLE_NAMED(two_cubes_on_an_edge()),
-          WHITTLE_NAMED(with_duplicate_faces(sphere(1), 5))};
+          WHITTLE_NAMED(book(7, 3)), WHITTLE_NAMED(with_duplicate_faces(sphere(1), 5))};
 }
 
 std::vector<NamedMesh> all_meshes() {

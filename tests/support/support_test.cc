@@ -103,6 +103,11 @@ TEST(NonManifoldShape, HasThePromisedDefects) {
   EXPECT_EQ(cut.vertices, 12 * 16 - 4 + 3) << cut;
   EXPECT_EQ(cut.faces, 24 * 16) << cut;
   EXPECT_EQ(cut.nonmanifold_edges, 4) << cut;
+  const Topology pages = topology(book(7, 3));
+  EXPECT_EQ(pages.vertices, 4 * 15) << pages;
+  EXPECT_EQ(pages.faces, 4 * 7 * 3) << pages;
+  EXPECT_EQ(pages.nonmanifold_edges, 3) << pages;
+  EXPECT_EQ(pages.components, 1) << pages;
   const Topology flat = topology(pillow());
   EXPECT_TRUE(flat.closed() && flat.manifold()) << flat;
   EXPECT_EQ(flat.euler(), 2) << flat;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "whittle/engine/parallel.hh"
+
 namespace whittle {
 namespace {
 
@@ -33,7 +35,7 @@ void radix_sort(std::vector<CurvePoint>& points) {
 
 }  // namespace
 
-std::vector<Index> morton_order(std::span<const Vec3> positions, const Frame& frame) {
+std::vector<Index> morton_order(std::span<const Vec3> positions, const Frame& frame, unsigned threads) {
   if (positions.empty()) return {};
   Vec3 low = frame.to_frame(positions[0]);
   Vec3 high = low;
@@ -45,11 +47,13 @@ std::vector<Index> morton_order(std::span<const Vec3> positions, const Frame& fr
   const double extent = (high - low).maxCoeff();
   const double cells_per_unit = extent > 0 ? 1023.0 / extent : 0;
   std::vector<CurvePoint> points(positions.size());
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const Vec3 cell = (frame.to_frame(positions[i]) - low) * cells_per_unit;
-    const auto bits = [&](int axis) { return spread_bits(static_cast<std::uint32_t>(cell[axis])); };
-    points[i] = {bits(0) | bits(1) << 1 | bits(2) << 2, static_cast<Index>(i)};
-  }
+  for_each_range(positions.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec3 cell = (frame.to_frame(positions[i]) - low) * cells_per_unit;
+      const auto bits = [&](int axis) { return spread_bits(static_cast<std::uint32_t>(cell[axis])); };
+      points[i] = {bits(0) | bits(1) << 1 | bits(2) << 2, static_cast<Index>(i)};
+    }
+  });
   radix_sort(points);
   std::vector<Index> order(positions.size());
   std::transform(points.begin(), points.end(), order.begin(), [](const CurvePoint& p) { return p.number; });

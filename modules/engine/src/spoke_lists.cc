@@ -7,10 +7,9 @@ constexpr Index exact_up_to = 64;  ///< longer lists have room for a power of tw
 
 }  // namespace
 
-SpokeLists::SpokeLists(std::span<const Index> sizes) {
-  std::size_t n_spokes = 0;
-  for (const Index size : sizes) n_spokes += rounded(size);
-  spokes_.reserve(2 * n_spokes);  // what is never written to takes no memory
+SpokeLists::SpokeLists(std::size_t n_spokes, std::size_t n_lists) {
+  const std::size_t n_rounded = n_spokes + n_lists * (spokes_per_unit - 1);
+  spokes_.reserve(2 * n_rounded);  // what is never written to takes no memory
 }
 
 Index SpokeLists::rounded(Index size) {

@@ -69,13 +69,20 @@ Wings TriangleComplex::gather_pairs(Index v, Index other, GatheredStar& star) {
 void TriangleComplex::gather(Index a, Index b, PairStar& star) {
   star.first = gather_one(a, b, gathered_[0]);
   star.second = gather_one(b, a, gathered_[1]);
+  // The faces of both, as each of the two has them.
+  std::vector<Spoke>& from_a = gathered_[0].opposites;
+  std::vector<Spoke>& from_b = gathered_[1].opposites;
+  assert(from_a.size() == from_b.size());
+  if (from_a.size() == 2) {
+    if (from_a[0].vertex != from_b[0].vertex) std::swap(from_b[0], from_b[1]);
+  } else {
+    const auto is_before = [](const Spoke& x, const Spoke& y) { return x.vertex < y.vertex; };
+    std::sort(from_a.begin(), from_a.end(), is_before);
+    std::sort(from_b.begin(), from_b.end(), is_before);
+  }
   star.opposites.clear();
-  const std::vector<Spoke>& at_b = gathered_[1].opposites;
-  for (const Spoke& from_a : gathered_[0].opposites) {
-    const auto from_b =
-        std::find_if(at_b.begin(), at_b.end(), [&](const Spoke& spoke) { return spoke.vertex == from_a.vertex; });
-    assert(from_b != at_b.end());
-    star.opposites.push_back({from_a.vertex, {from_a.edge, from_b->edge}});
+  for (std::size_t i = 0; i < from_a.size(); ++i) {
+    star.opposites.push_back({from_a[i].vertex, {from_a[i].edge, from_b[i].edge}});
     for (const Index e : star.opposites.back().edges) {
       prefetch(&edge_alive_[e / 64]);
       prefetch_edge(e);  // in case it is merged into another

@@ -78,7 +78,7 @@ class FanSorter {
 TriangleComplex::TriangleComplex(std::span<const Vec3> positions, std::span<const Triangle> faces, const Frame& frame,
                                  const QuadricOptions& quadric, unsigned threads) {
   std::vector<Index> number_of;
-  number_vertices(positions, frame, number_of);
+  number_vertices(positions, frame, number_of, threads);
   list_faces(faces, number_of);
   number_of = {};
   set_up_stars(quadric, threads);
@@ -86,47 +86,46 @@ TriangleComplex::TriangleComplex(std::span<const Vec3> positions, std::span<cons
 }
 
 void TriangleComplex::number_vertices(std::span<const Vec3> positions, const Frame& frame,
-                                      std::vector<Index>& number_of) {
-  const std::vector<Index> order = morton_order(positions, frame);
+                                      std::vector<Index>& number_of, unsigned threads) {
+  const std::vector<Index> order = morton_order(positions, frame, threads);
   number_of.resize(positions.size());
   vertices_.resize(positions.size());
   parents_.resize(positions.size());
   quadrics_.resize(positions.size());
-  for (Index v = 0; v < order.size(); ++v) {
-    number_of[order[v]] = v;
-    vertices_[v] = {frame.to_frame(positions[order[v]]), order[v]};
-    parents_[v] = v;
-  }
+  stars_.assign(positions.size(), {});
+  for_each_range(order.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (auto v = static_cast<Index>(begin); v < end; ++v) {
+      number_of[order[v]] = v;
+      vertices_[v] = {frame.to_frame(positions[order[v]]), order[v]};
+      parents_[v] = v;
+    }
+  });
 }
 
 /// Lists each vertex's faces, as corners.
 void TriangleComplex::list_faces(std::span<const Triangle> faces, const std::vector<Index>& number_of) {
-  const auto is_degenerate = [](const Triangle& f) { return f[0] == f[1] || f[1] == f[2] || f[2] == f[0]; };
-  std::vector<Index> sizes(vertices_.size());
-  for (const Triangle& face : faces) {
-    if (is_degenerate(face)) {
-      ++n_degenerate_faces_;
-    } else {
-      for (const Index v : face) ++sizes[number_of[v]];
+  const auto for_each_corner = [&](const auto& use) {
+    for (const Triangle& face : faces) {
+      const auto [a, b, c] = Triangle{number_of[face[0]], number_of[face[1]], number_of[face[2]]};
+      if (a == b || b == c || c == a) continue;
+      use(a, Corner{b, c});
+      use(b, Corner{c, a});
+      use(c, Corner{a, b});
     }
+  };
+  std::size_t n_corners = 0;
+  for_each_corner([&](Index v, const Corner&) {
+    ++stars_[v].spokes.capacity;
+    ++n_corners;
+  });
+  n_faces_ = n_corners / 3;
+  n_degenerate_faces_ = faces.size() - n_faces_;
+  spoke_lists_ = SpokeLists(n_corners, vertices_.size());
+  for (Star& star : stars_) {
+    star.spokes = spoke_lists_.allocate(star.spokes.capacity);
+    n_vertices_ += star.spokes.capacity > 0 ? 1 : 0;
   }
-  n_faces_ = faces.size() - n_degenerate_faces_;
-  spoke_lists_ = SpokeLists(sizes);
-  stars_.resize(vertices_.size());
-  std::vector<Spoke*> ends(vertices_.size());
-  for (Index v = 0; v < vertices_.size(); ++v) {
-    stars_[v].spokes = spoke_lists_.allocate(sizes[v]);
-    stars_[v].spokes.size = sizes[v];
-    ends[v] = spoke_lists_.of(stars_[v].spokes).data();
-    n_vertices_ += sizes[v] > 0 ? 1 : 0;
-  }
-  for (const Triangle& face : faces) {
-    if (is_degenerate(face)) continue;
-    const auto [a, b, c] = Triangle{number_of[face[0]], number_of[face[1]], number_of[face[2]]};
-    *ends[a]++ = as_spoke({b, c});
-    *ends[b]++ = as_spoke({c, a});
-    *ends[c]++ = as_spoke({a, b});
-  }
+  for_each_corner([&](Index v, const Corner& corner) { spoke_lists_.push_back(stars_[v].spokes, as_spoke(corner)); });
 }
 
 /// The quadrics of a vertex a lane, each summed over its faces in their order.

@@ -47,6 +47,8 @@ std::vector<Case> all_shapes() {
           {"bow_tie", bow_tie()},
           {"bow-tied spheres", glued(spheres(2, 1, 0.0))},
           {"three_faces_on_an_edge", three_faces_on_an_edge()},
+          {"book(3,4)", book(3, 4)},
+          {"book(11,4)", book(11, 4)},
           {"two_cubes_on_an_edge(3)", two_cubes_on_an_edge(3)},
           {"pillow", pillow()},
           {"soup(icosahedron)", soup(icosahedron())},

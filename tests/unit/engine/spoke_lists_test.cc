@@ -12,7 +12,7 @@ namespace {
 /// Lists come and go; each keeps what was written to it, whatever happens to the others.
 TEST(SpokeLists, KeepListsApart) {
   Random random(1);
-  SpokeLists lists(std::vector<Index>(100, 6));
+  SpokeLists lists(600, 100);
   std::map<Index, SpokeLists::List> taken;  // by the number written to all their spokes
   for (Index number = 0; number < 5000; ++number) {
     const auto size = static_cast<Index>(random.below(number % 50 == 0 ? 1000 : 20));

@@ -29,8 +29,8 @@ class SpokeLists {
   };
 
   SpokeLists() = default;
-  /// Reserves room for lists of these sizes, and for more to come.
-  explicit SpokeLists(std::span<const Index> sizes);
+  /// Reserves room for lists with so many spokes together, and for more to come.
+  SpokeLists(std::size_t n_spokes, std::size_t n_lists);
 
   std::span<Spoke> of(const List& list) { return {spokes_.data() + place(list), list.size}; }
   std::span<const Spoke> of(const List& list) const { return {spokes_.data() + place(list), list.size}; }
@@ -38,6 +38,8 @@ class SpokeLists {
   /// An empty list with room for `size` spokes. Spans of other lists end here.
   List allocate(Index size);
   void release(const List& list);
+  /// \pre list.size < list.capacity
+  void push_back(List& list, const Spoke& spoke) { spokes_[place(list) + list.size++] = spoke; }
 
   void prefetch(const List& list) const {
     const Spoke* spokes = spokes_.data() + place(list);

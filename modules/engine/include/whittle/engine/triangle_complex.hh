@@ -183,7 +183,8 @@ class TriangleComplex {
  private:
   Index parent(Index v) { return std::atomic_ref(parents_[v]).load(std::memory_order_relaxed); }
   Index root(Index v);
-  void number_vertices(std::span<const Vec3> positions, const Frame& frame, std::vector<Index>& number_of);
+  void number_vertices(std::span<const Vec3> positions, const Frame& frame, std::vector<Index>& number_of,
+                       unsigned threads);
   void list_faces(std::span<const Triangle> faces, const std::vector<Index>& number_of);
   void set_up_stars(const QuadricOptions& options, unsigned threads);
   void sum_planes(std::size_t begin, std::size_t end, const QuadricOptions& options);
@@ -231,7 +232,7 @@ class TriangleComplex {
   };
   struct Star {
     SpokeLists::List spokes;
-    VertexOrder order;
+    VertexOrder order = VertexOrder::regular;
   };
   /// What is asked of a neighbour, and no more: two vertices a cache line.
   struct alignas(32) Vertex {
