@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <stdexcept>
 #include <utility>
@@ -225,9 +226,7 @@ void TriangleComplex::make_ring(Index v) {
   Index here = 0;
   for (Spoke& spoke : spoke_lists_.of(stars_[v].spokes)) {
     spoke.vertex = link_[here].vertex;
-    const auto& next = link_[here].next;
-    const Index ahead = next[0] == previous ? next[1] : next[0];
-    previous = std::exchange(here, ahead);
+    previous = std::exchange(here, link_[here].ahead(previous));
   }
 }
 
@@ -280,8 +279,7 @@ VertexOrder TriangleComplex::order_of_link() const {
   Index here = link_[start].next[0];
   while (here != start) {
     ++n_met;
-    const auto& next = link_[here].next;
-    const Index ahead = next[0] == previous ? next[1] : next[0];
+    const Index ahead = link_[here].ahead(previous);
     if (ahead == invalid_index) break;
     previous = here;
     here = ahead;

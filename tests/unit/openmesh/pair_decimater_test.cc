@@ -7,7 +7,6 @@
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #include <cmath>
 #include <map>
-#include <whittle/openmesh/mod_garland_heckbert.hh>
 
 #include "decimation.hh"
 #include "meshes.hh"

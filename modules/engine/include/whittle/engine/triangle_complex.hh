@@ -258,6 +258,9 @@ class TriangleComplex {
     std::array<Index, 2> n_faces{};                           ///< at the edge to the first and the second vertex
     std::array<Index, 2> next{invalid_index, invalid_index};  ///< places of up to two neighbours in the link
     bool opposite = false;                                    ///< corner of a face of the pair
+
+    /// The place a walk along the link goes to from here.
+    Index ahead(Index previous) const { return next[0] == previous ? next[1] : next[0]; }
   };
   /// Scratch: the neighbours under look, and each vertex's place among them, right only if the entry there names it.
   std::vector<LinkEntry> link_;
