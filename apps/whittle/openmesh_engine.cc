@@ -55,7 +55,7 @@ void fill(DoubleMesh& mesh, const IndexedMesh& input, const std::string& name) {
   IndexedMesh geometry;
   geometry.positions = input.positions;
   geometry.faces = input.faces;
-  const std::size_t n_refused = to_open_mesh(geometry, mesh).size();
+  const std::size_t n_refused = to_open_mesh(geometry, mesh, NonManifold::refuse).size();
   if (n_refused == 0) return;
   throw UnsupportedMesh(name + ": OpenMesh's mesh can't hold " + std::to_string(n_refused) + " of the " +
                         std::to_string(input.faces.size()) + " faces; use --engine flat");

@@ -16,7 +16,7 @@ StockRun decimate_by_stock(const IndexedMesh& input, const std::string& name, co
   StockRun run;
   const Stopwatch building;
   DoubleMesh mesh;
-  run.n_lost_faces = to_open_mesh(input, mesh).size();
+  run.n_lost_faces = to_open_mesh(input, mesh, NonManifold::refuse).size();
   const HeldStatus status(mesh);
   if (mesh.n_faces() == 0)
     throw UnsupportedMesh(name + ": OpenMesh's mesh can hold none of the faces: nothing to compare with");

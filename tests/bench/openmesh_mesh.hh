@@ -18,7 +18,7 @@ using OpenMeshMesh = OpenMesh::TriMesh_ArrayKernelT<>;
 /// deleted was collected.
 /// \throw std::runtime_error if a half-edge mesh can't hold all faces
 inline void fill(OpenMeshMesh& mesh, const IndexedMesh& input) {
-  require_none_refused(to_open_mesh(input, mesh).size(), input.faces.size());
+  require_none_refused(to_open_mesh(input, mesh, NonManifold::refuse).size(), input.faces.size());
   mesh.request_vertex_status();
   mesh.request_halfedge_status();
   mesh.request_edge_status();

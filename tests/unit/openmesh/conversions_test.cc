@@ -1,10 +1,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <iostream>
+#include <map>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+#include <whittle/io/read.hh>
 
 #include "meshes.hh"
+#include "support/meshes.hh"
 #include "support/shapes.hh"
 #include "support/suites.hh"
 
@@ -43,7 +50,7 @@ TEST(Conversions, FloatMeshesRoundOnce) {
 TEST(Conversions, FacesRefusedAreNamedAndNothingIsPrinted) {
   const auto refused = [](const IndexedMesh& shape) {
     DoubleMesh mesh;
-    std::vector<Index> result = to_open_mesh(shape, mesh);
+    std::vector<Index> result = to_open_mesh(shape, mesh, NonManifold::refuse);
     EXPECT_EQ(mesh.n_faces() + result.size(), shape.faces.size());
     EXPECT_EQ(mesh.n_vertices(), shape.positions.size());
     return result;
@@ -61,6 +68,171 @@ TEST(Conversions, FacesRefusedAreNamedAndNothingIsPrinted) {
   EXPECT_EQ(captured.str(), "");
   EXPECT_TRUE(omerr().is_enabled()) << "OpenMesh was left silent";
 }
+
+// Cut into copies ----------------------------------------------------------------------------------------------------
+
+std::vector<NamedMesh> odd_meshes() {
+  std::vector<NamedMesh> result = nonmanifold_meshes();
+  const auto add = [&result](std::string name, IndexedMesh mesh) {
+    result.push_back({std::move(name), std::move(mesh)});
+  };
+  add("two cubes on an edge of four pieces", two_cubes_on_an_edge(4));
+  add("pillow", pillow());
+  add("soup", soup(icosahedron()));
+  add("glued soup", glued(soup(icosahedron())));
+  add("moebius", moebius(12));
+  add("every face doubled", with_duplicate_faces(cube(), 12));
+  add("every face doubled, back to back", glued(joined(cube(), inside_out(cube()))));
+  IndexedMesh mixed = noisy_grid(7, 6, 0.2, 3);
+  for (std::size_t f = 0; f < mixed.faces.size(); f += 3) std::swap(mixed.faces[f][0], mixed.faces[f][1]);
+  add("mixed orientation", std::move(mixed));
+  add("boxes side by side", glued(boxes(3, 3, 0)));
+  return result;
+}
+
+/// There and back: the same faces in the same order, no vertex more; what lies between is a manifold.
+void expect_round_trip(const IndexedMesh& shape, const std::string& name) {
+  ColorMesh mesh;
+  ASSERT_THAT(to_open_mesh(shape, mesh), testing::IsEmpty()) << name;
+  expect_sound(mesh, name);
+  for (const auto v : mesh.vertices()) ASSERT_TRUE(mesh.is_manifold(v)) << name << ": vertex " << v.idx();
+  const IndexedMesh again = to_indexed_mesh(mesh);
+  EXPECT_EQ(again.positions, shape.positions) << name;
+  EXPECT_EQ(again.faces, shape.faces) << name;
+  EXPECT_TRUE(again.origins.empty()) << name;
+
+  const IndexedMesh apart = geometry_of(mesh, Copies::apart);
+  EXPECT_EQ(apart.positions.size(), mesh.n_vertices()) << name;
+  EXPECT_TRUE(topology(apart).manifold()) << name << ": " << topology(apart);
+}
+
+TEST(Conversions, RoundTripLosesNoFaceOfAnyMesh) {
+  for (const auto& [name, shape] : all_meshes()) {
+    expect_round_trip(shape, name);
+    expect_round_trip(permuted(shape, 3).mesh, name + ", permuted");
+  }
+  for (const auto& [name, shape] : odd_meshes()) {
+    expect_round_trip(shape, name);
+    expect_round_trip(permuted(shape, 3).mesh, name + ", permuted");
+  }
+}
+
+/// What can be read of the real meshes in a folder; exact duplicates of vertices made one, or not.
+std::vector<NamedMesh> readable_meshes(const std::filesystem::path& folder) {
+  std::vector<NamedMesh> result;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    for (const bool weld : {true, false}) {
+      io::ReadOptions options;
+      options.weld = weld;
+      try {
+        IndexedMesh mesh = io::read_mesh(entry.path(), options).mesh;
+        mesh.origins.clear();
+        result.push_back({entry.path().string(), std::move(mesh)});
+      } catch (const io::ReadError&) {  // what reading refuses has tests of its own
+        break;
+      }
+    }
+  }
+  return result;
+}
+
+TEST(Conversions, RoundTripLosesNoFaceOfRealMeshes) {
+  for (const char* name : {"nasty", "synthetic"}) {
+    const std::filesystem::path folder = std::filesystem::path(WHITTLE_TEST_MESHES) / name;
+    if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "no folder " << folder;
+    const std::vector<NamedMesh> meshes = readable_meshes(folder);
+    EXPECT_GT(meshes.size(), 20U);
+    for (const auto& [file, mesh] : meshes) expect_round_trip(mesh, file);
+  }
+}
+
+TEST(Conversions, RoundTripLosesNoFaceOfALargeNonManifoldMesh) {
+  WHITTLE_REAL_MESH_OR_SKIP(file, "dragon_vrip_res3.ply");
+  IndexedMesh mesh = io::read_mesh(file).mesh;
+  mesh.origins.clear();
+  EXPECT_GT(topology(mesh).nonmanifold_edges, 2000);
+  expect_round_trip(mesh, file.string());
+}
+
+TEST(Conversions, OnlyDegenerateFacesAreLost) {
+  IndexedMesh shape = book(3, 2);
+  const std::vector<Triangle> faces = shape.faces;
+  shape.faces.insert(shape.faces.begin() + 4, Triangle{0, 2, 2});
+  shape.faces.push_back({1, 1, 1});
+  DoubleMesh mesh;
+  EXPECT_THAT(to_open_mesh(shape, mesh), ElementsAre(4U, faces.size() + 1));
+  EXPECT_EQ(to_indexed_mesh(mesh).faces, faces);
+}
+
+TEST(Conversions, ThePropertySaysWhichCopiesBelongTogether) {
+  ColorMesh mesh;
+  IndexedMesh shape = book(3, 1);  // the vertices of its spine are 0 and 1
+  shape.colors.assign(shape.positions.size(), Color{0, 0, 0, 1});
+  shape.colors[1] = {0, 1, 0, 1};
+  ASSERT_TRUE(to_open_mesh(shape, mesh).empty());
+  ASSERT_EQ(mesh.n_vertices(), shape.positions.size() + 4);
+  const auto property = find_copies_property(mesh);
+  ASSERT_TRUE(property.is_valid());
+  std::map<int, std::vector<int>> copies;
+  for (const auto v : mesh.vertices()) {
+    if (mesh.property(property, v) != 0) copies[mesh.property(property, v)].push_back(v.idx());
+  }
+  ASSERT_EQ(copies.size(), 2U);
+  for (const auto& [number, vertices] : copies) {
+    EXPECT_GT(number, 0);
+    ASSERT_EQ(vertices.size(), 3U);
+    EXPECT_EQ(vertices[0] + 1, number) << "the first keeps its handle";
+    for (const int v : vertices) {
+      EXPECT_EQ(mesh.point(OpenMesh::VertexHandle(v)), mesh.point(OpenMesh::VertexHandle(vertices[0])));
+      EXPECT_EQ(mesh.color(OpenMesh::VertexHandle(v)), mesh.color(OpenMesh::VertexHandle(vertices[0])));
+    }
+  }
+  mesh.add_vertex({1, 2, 3});
+  EXPECT_EQ(mesh.property(property, OpenMesh::VertexHandle(static_cast<int>(mesh.n_vertices()) - 1)), 0);
+
+  DoubleMesh plain;
+  ASSERT_TRUE(to_open_mesh(sphere(1), plain).empty());
+  EXPECT_FALSE(find_copies_property(plain).is_valid());
+  EXPECT_TRUE(first_copies(plain).empty());
+}
+
+TEST(Conversions, GarbageCollectionKeepsCopiesTogether) {
+  const IndexedMesh shape = two_cubes_on_an_edge(3);
+  ColorMesh mesh;
+  ASSERT_TRUE(to_open_mesh(shape, mesh).empty());
+  mesh.delete_vertex(OpenMesh::VertexHandle(0), true);
+  const IndexedMesh before = geometry_of(mesh);
+  mesh.garbage_collection();
+  const IndexedMesh after = geometry_of(mesh);
+  EXPECT_EQ(after.positions.size(), before.positions.size());
+  EXPECT_EQ(topology(after), topology(before));
+  EXPECT_GT(topology(after).nonmanifold_edges, 0);
+}
+
+TEST(Conversions, CopiesMovedApartStayApart) {
+  DoubleMesh mesh;
+  ASSERT_TRUE(to_open_mesh(book(3, 1), mesh).empty());
+  const auto property = find_copies_property(mesh);
+  std::vector<OpenMesh::VertexHandle> copies;
+  for (const auto v : mesh.vertices()) {
+    if (mesh.property(property, v) == 1) copies.push_back(v);
+  }
+  ASSERT_EQ(copies.size(), 3U);
+  const auto expect_joined = [&](const std::vector<Index>& expected) {
+    const std::vector<Index> firsts = first_copies(mesh);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(firsts[static_cast<std::size_t>(copies[i].idx())], static_cast<Index>(copies[expected[i]].idx()));
+    }
+  };
+  expect_joined({0, 0, 0});
+  mesh.set_point(copies[0], {9, 9, 9});
+  expect_joined({0, 1, 1});
+  EXPECT_EQ(geometry_of(mesh).positions.size(), book(3, 1).positions.size() + 1);
+  mesh.set_point(copies[2], {9, 9, 9});
+  expect_joined({0, 1, 0});
+}
+
+// --------------------------------------------------------------------------------------------------------------------
 
 TEST(Conversions, DeletedElementsAreLeftOutAndOriginsSayWhoIsWho) {
   ColorMesh mesh;

@@ -32,7 +32,7 @@ using DoubleMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
 template <class MeshT>
 MeshT open_mesh(const IndexedMesh& shape) {
   MeshT mesh;
-  EXPECT_EQ(to_open_mesh(shape, mesh).size(), 0U) << "faces refused";
+  EXPECT_EQ(to_open_mesh(shape, mesh, NonManifold::refuse).size(), 0U) << "faces refused";
   return mesh;
 }
 

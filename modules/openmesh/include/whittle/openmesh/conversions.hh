@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "whittle/engine/indexed_mesh.hh"
+#include "whittle/engine/manifold_cut.hh"
 #include "whittle/openmesh/status_bits.hh"
+#include "whittle/openmesh/vertex_copies.hh"
 
 // OpenMesh triangle meshes of any traits, to plain arrays and back.
 
@@ -84,41 +86,79 @@ class QuietOpenMesh {
 
 }  // namespace detail
 
-/// Positions and faces of what isn't deleted, in the order of the handles. `origins` says which vertex handle each
-/// vertex was, and is empty where that is its own number.
+/// What becomes of vertices that are copies of one vertex (`vertex_copies.hh`).
+enum class Copies {
+  joined,  ///< those at exactly one position are one vertex again
+  apart    ///< each is a vertex, as in the mesh
+};
+
+namespace detail {
+
+/// The vertices of a mesh that isn't deleted, and of copies the first, numbered in the order of the handles.
+struct VertexNumbers {
+  std::vector<Index> number_of;  ///< by handle: that of the first copy for all of them. Of deleted ones, anything
+  std::vector<Index> handles;    ///< by number, ascending
+};
+
 template <class MeshT>
-IndexedMesh geometry_of(const MeshT& mesh) {
+VertexNumbers number_vertices(const MeshT& mesh, Copies copies) {
+  VertexNumbers result;
+  result.number_of.resize(mesh.n_vertices());
+  result.handles.reserve(mesh.n_vertices());
+  const std::vector<Index> firsts = copies == Copies::joined ? first_copies(mesh) : std::vector<Index>{};
+  const StatusBitsT<OpenMesh::VertexHandle, const MeshT> bits(mesh);
+  for (Index v = 0; v < mesh.n_vertices(); ++v) {
+    if (bits.is_deleted(OpenMesh::VertexHandle(static_cast<int>(v)))) continue;
+    if (!firsts.empty() && firsts[v] != v) {
+      result.number_of[v] = result.number_of[firsts[v]];
+    } else {
+      result.number_of[v] = static_cast<Index>(result.handles.size());
+      result.handles.push_back(v);
+    }
+  }
+  return result;
+}
+
+/// Positions, faces and origins.
+template <class MeshT>
+IndexedMesh geometry_of(const MeshT& mesh, const VertexNumbers& numbers) {
   static_assert(MeshT::is_trimesh(), "whittle: triangle meshes only");
   IndexedMesh result;
-  result.positions.reserve(mesh.n_vertices());
+  result.positions.reserve(numbers.handles.size());
+  for (const Index v : numbers.handles) {
+    result.positions.push_back(to_vec3(mesh.point(OpenMesh::VertexHandle(static_cast<int>(v)))));
+  }
+  if (!numbers.handles.empty() && numbers.handles.back() >= numbers.handles.size()) result.origins = numbers.handles;
   result.faces.reserve(mesh.n_faces());
-  std::vector<Index> number_of(mesh.n_vertices());
-  const StatusBitsT<OpenMesh::VertexHandle, const MeshT> vertex_bits(mesh);
-  for (int i = 0; i < static_cast<int>(mesh.n_vertices()); ++i) {
-    const OpenMesh::VertexHandle v(i);
-    if (vertex_bits.is_deleted(v)) continue;
-    number_of[static_cast<std::size_t>(i)] = static_cast<Index>(result.positions.size());
-    result.positions.push_back(to_vec3(mesh.point(v)));
-  }
-  if (result.positions.size() < mesh.n_vertices()) {
-    for (const OpenMesh::VertexHandle v : mesh.vertices()) result.origins.push_back(static_cast<Index>(v.idx()));
-  }
-  const StatusBitsT<OpenMesh::FaceHandle, const MeshT> face_bits(mesh);
+  const StatusBitsT<OpenMesh::FaceHandle, const MeshT> bits(mesh);
   for (int i = 0; i < static_cast<int>(mesh.n_faces()); ++i) {
     const OpenMesh::FaceHandle f(i);
-    if (face_bits.is_deleted(f)) continue;
+    if (bits.is_deleted(f)) continue;
     const auto corners = face_corners(mesh, f);
-    const auto number = [&](std::size_t corner) { return number_of[static_cast<std::size_t>(corners[corner].idx())]; };
+    const auto number = [&](std::size_t corner) {
+      return numbers.number_of[static_cast<std::size_t>(corners[corner].idx())];
+    };
     result.faces.push_back({number(0), number(1), number(2)});
   }
   return result;
 }
 
-/// `geometry_of(mesh)` with the vertex normals and colours, where the mesh has them.
+}  // namespace detail
+
+/// Positions and faces of what isn't deleted, in the order of the handles; copies of a vertex in the place of the
+/// first. `origins` says which vertex handle each vertex was, and is empty where that is its own number.
 template <class MeshT>
-IndexedMesh to_indexed_mesh(const MeshT& mesh) {
-  IndexedMesh result = geometry_of(mesh);
-  for (const OpenMesh::VertexHandle v : mesh.vertices()) {
+IndexedMesh geometry_of(const MeshT& mesh, Copies copies = Copies::joined) {
+  return detail::geometry_of(mesh, detail::number_vertices(mesh, copies));
+}
+
+/// `geometry_of(mesh)` with the vertex normals and colours, where the mesh has them; of copies, those of the first.
+template <class MeshT>
+IndexedMesh to_indexed_mesh(const MeshT& mesh, Copies copies = Copies::joined) {
+  const detail::VertexNumbers numbers = detail::number_vertices(mesh, copies);
+  IndexedMesh result = detail::geometry_of(mesh, numbers);
+  for (const Index handle : numbers.handles) {
+    const OpenMesh::VertexHandle v(static_cast<int>(handle));
     if (mesh.has_vertex_normals()) {
       const Vec3 n = to_vec3(mesh.normal(v));
       result.normals.push_back({static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z())});
@@ -128,32 +168,49 @@ IndexedMesh to_indexed_mesh(const MeshT& mesh) {
   return result;
 }
 
-/// Makes `mesh` a copy of `source`: vertex v becomes handle v, with its normal and colour where both have them (so call
-/// `request_vertex_colors()` first). What the mesh held is cleared; its properties stay, their values don't.
-/// Positions are rounded to the scalar of the mesh. Texture coordinates and groups are not carried.
-/// \return the faces left out, ascending, because a half-edge mesh can't hold them: two equal corners, a third face at
-///         an edge, a neighbour turned the other way round, a second closed fan at a vertex.
+/// What becomes of vertices and edges that a half-edge mesh can't hold.
+enum class NonManifold {
+  cut,    ///< they are cut into copies (`cut_into_manifold`), and no face is lost
+  refuse  ///< faces that don't fit on those before them are left out
+};
+
+namespace detail {
+
+/// Adds vertices with what is carried of them.
 template <class MeshT>
-[[nodiscard]] std::vector<Index> to_open_mesh(const IndexedMesh& source, MeshT& mesh) {
-  static_assert(MeshT::is_trimesh(), "whittle: triangle meshes only");
-  mesh.clean();
-  mesh.reserve(source.positions.size(), source.positions.size() + source.faces.size(), source.faces.size());
-  const bool carry_normals = !source.normals.empty() && mesh.has_vertex_normals();
-  const bool carry_colors = !source.colors.empty() && mesh.has_vertex_colors();
-  for (std::size_t v = 0; v < source.positions.size(); ++v) {
-    const OpenMesh::VertexHandle handle = mesh.add_vertex(to_point<typename MeshT::Point>(source.positions[v]));
-    if (carry_normals) {
-      const auto& n = source.normals[v];
-      mesh.set_normal(handle, to_point<typename MeshT::Normal>(Vec3(n[0], n[1], n[2])));
+class VertexAdder {
+ public:
+  VertexAdder(const IndexedMesh& source, MeshT& mesh)
+      : source_(source),
+        mesh_(mesh),
+        carry_normals_(!source.normals.empty() && mesh.has_vertex_normals()),
+        carry_colors_(!source.colors.empty() && mesh.has_vertex_colors()) {}
+
+  /// As v of the source is.
+  OpenMesh::VertexHandle add(Index v) const {
+    const OpenMesh::VertexHandle handle = mesh_.add_vertex(to_point<typename MeshT::Point>(source_.positions[v]));
+    if (carry_normals_) {
+      const auto& n = source_.normals[v];
+      mesh_.set_normal(handle, to_point<typename MeshT::Normal>(Vec3(n[0], n[1], n[2])));
     }
-    if (carry_colors) {
-      mesh.set_color(handle, detail::to_mesh_color<typename MeshT::Color>(source.colors[v]));
-    }
+    if (carry_colors_) mesh_.set_color(handle, to_mesh_color<typename MeshT::Color>(source_.colors[v]));
+    return handle;
   }
-  const detail::QuietOpenMesh quiet;  // what it would print is what we return
+
+ private:
+  const IndexedMesh& source_;
+  MeshT& mesh_;
+  bool carry_normals_;
+  bool carry_colors_;
+};
+
+/// \return those that the mesh doesn't take, or with two equal corners
+template <class MeshT>
+std::vector<Index> add_faces(const std::vector<Triangle>& faces, MeshT& mesh) {
+  const QuietOpenMesh quiet;  // what it would print is what we return
   std::vector<Index> refused;
-  for (std::size_t f = 0; f < source.faces.size(); ++f) {
-    const auto [a, b, c] = source.faces[f];
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto [a, b, c] = faces[f];
     const bool degenerate = a == b || b == c || c == a;
     const auto handle = [](Index v) { return OpenMesh::VertexHandle(static_cast<int>(v)); };
     if (degenerate || !mesh.add_face(handle(a), handle(b), handle(c)).is_valid()) {
@@ -161,6 +218,38 @@ template <class MeshT>
     }
   }
   return refused;
+}
+
+}  // namespace detail
+
+/// Makes `mesh` a copy of `source`: vertex v becomes handle v, with its normal and colour where both have them (so call
+/// `request_vertex_colors()` first). What the mesh held is cleared; its properties stay, their values don't.
+/// Positions are rounded to the scalar of the mesh. Texture coordinates and groups are not carried.
+///
+/// Where vertices were cut, further copies have handles after all others, the property `copies_property` says which
+/// belong together, and `to_indexed_mesh` gives the source's vertices and faces back.
+/// \return the faces left out, ascending: those with two equal corners. With `NonManifold::refuse` also a third face at
+///         an edge, a neighbour turned the other way round, a second closed fan at a vertex.
+template <class MeshT>
+[[nodiscard]] std::vector<Index> to_open_mesh(const IndexedMesh& source, MeshT& mesh,
+                                              NonManifold non_manifold = NonManifold::cut) {
+  static_assert(MeshT::is_trimesh(), "whittle: triangle meshes only");
+  const std::size_t n_vertices = source.positions.size();
+  ManifoldCut cut;
+  if (non_manifold == NonManifold::cut) cut = cut_into_manifold(n_vertices, source.faces);
+  mesh.clean();
+  mesh.reserve(n_vertices + cut.originals.size(), n_vertices + source.faces.size(), source.faces.size());
+  const detail::VertexAdder<MeshT> vertices(source, mesh);
+  for (Index v = 0; v < n_vertices; ++v) vertices.add(v);
+  if (!cut.originals.empty()) {
+    const OpenMesh::VPropHandleT<int> copies = require_copies_property(mesh);
+    for (const Index original : cut.originals) {
+      const int number = static_cast<int>(original) + 1;
+      mesh.property(copies, vertices.add(original)) = number;
+      mesh.property(copies, OpenMesh::VertexHandle(static_cast<int>(original))) = number;
+    }
+  }
+  return detail::add_faces(non_manifold == NonManifold::cut ? cut.faces : source.faces, mesh);
 }
 
 }  // namespace whittle
