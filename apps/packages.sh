@@ -1,8 +1,8 @@
 # Sourced by apps/demo.sh and tests/run.sh: saying what is done, and installing the Debian packages it takes.
 
 # What building takes; the tests come with the build.
-build_packages=(g++ cmake ninja-build libopenmesh-dev libeigen3-dev libcli11-dev libfast-float-dev nlohmann-json3-dev
-  libgtest-dev libgmock-dev)
+build_packages=(g++ cmake ninja-build libopenmesh-dev libeigen3-dev libnanoflann-dev libcli11-dev libfast-float-dev
+  nlohmann-json3-dev libgtest-dev libgmock-dev)
 
 say() { printf '== %s\n' "$*"; }
 

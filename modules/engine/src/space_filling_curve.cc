@@ -16,26 +16,21 @@ std::uint32_t spread_bits(std::uint32_t x) {
   return (x | (x << 2)) & 0x09249249;
 }
 
-struct CurvePoint {
-  std::uint32_t code;  ///< 30 bits
-  Index number;
-};
-
-/// Stable, by code, 10 bits a pass.
+/// Stable, by cell, 10 bits a pass.
 void radix_sort(std::vector<CurvePoint>& points) {
   std::vector<CurvePoint> sorted(points.size());
   for (const unsigned shift : {0U, 10U, 20U}) {
     std::array<std::size_t, 1025> starts{};
-    for (const CurvePoint& p : points) ++starts[((p.code >> shift) & 1023) + 1];
+    for (const CurvePoint& p : points) ++starts[((p.cell >> shift) & 1023) + 1];
     for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
-    for (const CurvePoint& p : points) sorted[starts[(p.code >> shift) & 1023]++] = p;
+    for (const CurvePoint& p : points) sorted[starts[(p.cell >> shift) & 1023]++] = p;
     points.swap(sorted);
   }
 }
 
 }  // namespace
 
-std::vector<Index> morton_order(std::span<const Vec3> positions, const Frame& frame, unsigned threads) {
+std::vector<CurvePoint> along_morton_curve(std::span<const Vec3> positions, const Frame& frame, unsigned threads) {
   if (positions.empty()) return {};
   Vec3 low = frame.to_frame(positions[0]);
   Vec3 high = low;
@@ -55,7 +50,12 @@ std::vector<Index> morton_order(std::span<const Vec3> positions, const Frame& fr
     }
   });
   radix_sort(points);
-  std::vector<Index> order(positions.size());
+  return points;
+}
+
+std::vector<Index> morton_order(std::span<const Vec3> positions, const Frame& frame, unsigned threads) {
+  const std::vector<CurvePoint> points = along_morton_curve(positions, frame, threads);
+  std::vector<Index> order(points.size());
   std::transform(points.begin(), points.end(), order.begin(), [](const CurvePoint& p) { return p.number; });
   return order;
 }

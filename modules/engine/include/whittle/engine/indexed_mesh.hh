@@ -16,6 +16,10 @@ inline constexpr Index invalid_index = ~Index{0};
 using Vec3 = Eigen::Vector3d;
 /// Three vertex numbers, counter-clockwise seen from outside.
 using Triangle = std::array<Index, 3>;
+/// Whether no two corners are the same vertex. Faces without are none, to anything that asks how faces hang together.
+inline bool has_three_corners(const Triangle& face) {
+  return face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
+}
 /// Red, green, blue, opacity, each in [0, 1].
 using Color = std::array<float, 4>;
 

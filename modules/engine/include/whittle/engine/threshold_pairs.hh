@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "whittle/engine/indexed_mesh.hh"
+
+// Vertex pairs that no edge joins but that lie close together: the other half of the valid pairs of Garland & Heckbert,
+// 3.2. Contracting them joins parts that don't touch. \cite garland_1997_surface
+
+namespace whittle {
+
+struct PairSearch {
+  double threshold = 0;  ///< Vertices nearer than this make a pair, model units. [0, inf]; 0 = none.
+
+  /// So many a vertex at most, the nearest: a pair stays if it is among those of either vertex. 0 = no limit.
+  std::uint32_t max_pairs = 32;
+
+  /// Whether pairs across the inside of a thin wall count: those that lie behind the surface at both ends, whose
+  /// normals (weighted by area) look away from each other.
+  bool across_walls = true;
+
+  unsigned threads = 0;  ///< 0 = all cores. No result depends on it.
+};
+
+/// Two vertices by their numbers, a < b.
+struct VertexPair {
+  Index a, b;
+
+  auto operator<=>(const VertexPair&) const = default;
+};
+
+struct ThresholdPairs {
+  std::vector<VertexPair> pairs;  ///< ascending
+  bool capped = false;            ///< some vertex had more than `max_pairs`
+};
+
+/// All pairs of vertices whose distance is less than the threshold and that are not corners of one face.
+///
+/// Faces with two equal corners don't count, nor do vertices in no (other) face. Vertices at the same position are at
+/// distance 0. Of the pairs of a vertex, those of equal length go by the number of the other vertex. Neither the unit
+/// nor the place of the mesh changes the result.
+///
+/// By a kd-tree: each vertex is compared with those near it, or where there are many with about the nearest
+/// `max_pairs`. With that limit memory is O(n · max_pairs). \throw std::invalid_argument for a threshold that is
+/// negative or not a number, a vertex number out of range or a
+///        coordinate that isn't finite.
+ThresholdPairs find_threshold_pairs(std::span<const Vec3> positions, std::span<const Triangle> faces,
+                                    const PairSearch& search);
+
+}  // namespace whittle
