@@ -98,6 +98,7 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
   if (options.boundary == Boundary::free) options_.quadric.boundary_weight = 0;
 
   quadrics_.resize(positions_.size());
+  points_.resize(positions_.size());
   locked_.assign(positions_.size(), false);
   for (Index v = 0; v < positions_.size(); ++v) {
     SymmetricMatrix& sum = quadrics_[v].a;
@@ -107,6 +108,7 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
       sum += corner_quadric(positions_[v], positions_[f[(corner + 1) % 3]], positions_[f[(corner + 2) % 3]],
                             options_.quadric);
     }
+    points_[v] = {positions_[v], 1 / (1 + 3 * options.quadric.regularization) * sum.trace(), 0};
     for (const Triangle& f : faces_) {
       if (!has(f, v)) continue;
       const Index next = f[(corner_of(f, v) + 1) % 3];
@@ -121,6 +123,45 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
     locked_[v] = (!options.locked.empty() && options.locked[v] != 0) ||
                  (options.boundary == Boundary::locked && link_of(v, faces_).vertices.contains(invalid_index));
   }
+  if (options.pairs.threshold > 0) find_threshold_pairs(options.pairs);
+}
+
+void BruteForceDecimater::find_threshold_pairs(const PairOptions& options) {
+  const double threshold = options.threshold * frame_.scale;
+  std::vector<std::vector<std::pair<double, Index>>> nearby(positions_.size());
+  const std::map<Edge, int> edges = count_edge_faces(faces_);
+  const auto is_used = [&](Index v) {
+    return std::ranges::any_of(faces_, [v](const Triangle& f) { return has(f, v); });
+  };
+  const auto normal = [&](Index v) {
+    Vec3 sum = Vec3::Zero();
+    for (const Triangle& f : faces_) {
+      if (has(f, v)) sum += (positions_[f[1]] - positions_[f[0]]).cross(positions_[f[2]] - positions_[f[0]]);
+    }
+    return sum;
+  };
+  const auto is_across_wall = [&](Index a, Index b) {
+    const Vec3 way = positions_[b] - positions_[a];
+    return normal(a).dot(way) < 0 && normal(b).dot(way) > 0 && normal(a).dot(normal(b)) < 0;
+  };
+  for (Index a = 0; a < positions_.size(); ++a) {
+    if (!is_used(a)) continue;
+    for (Index b = 0; b < positions_.size(); ++b) {
+      if (b == a || !is_used(b) || edges.contains(edge(a, b))) continue;
+      const double distance_sq = (positions_[b] - positions_[a]).squaredNorm();
+      if (!(distance_sq < threshold * threshold)) continue;
+      if (!options.across_walls && is_across_wall(a, b)) continue;
+      nearby[a].emplace_back(distance_sq, b);
+    }
+    std::ranges::sort(nearby[a]);
+    if (options.max_pairs > 0 && nearby[a].size() > options.max_pairs) nearby[a].resize(options.max_pairs);
+    for (const auto& [distance_sq, b] : nearby[a]) threshold_pairs_.insert(edge(a, b));
+  }
+}
+
+PlacedQuadric BruteForceDecimater::placed(Index v, bool is_edge) const {
+  const PlacedQuadric result{positions_[v], quadrics_[v]};
+  return is_edge ? result : with_points(result, points_[v], options_.quadric.point_weight);
 }
 
 std::uint64_t BruteForceDecimater::n_vertices() const {
@@ -131,16 +172,118 @@ std::uint64_t BruteForceDecimater::n_vertices() const {
 
 std::vector<BruteForceDecimater::Choice> BruteForceDecimater::choices() const {
   std::vector<Choice> choices;
-  for (const auto& [ends, count] : count_edge_faces(faces_)) {
-    const auto [a, b] = ends;
-    const Pinned pinned = is_locked(a) ? Pinned::first : is_locked(b) ? Pinned::second : Pinned::none;
-    const PairEvaluation e = evaluate_pair(placed(a), placed(b), options_.quadric.placement, pinned);
-    choices.push_back({e.cost, a, b, e.position, e.is_minimum});
+  const std::map<Edge, int> edges = count_edge_faces(faces_);
+  for (const auto& [ends, count] : edges) choices.push_back(choice(ends.first, ends.second, true));
+  const auto is_used = [&](Index v) {
+    return std::ranges::any_of(faces_, [v](const Triangle& f) { return has(f, v); });
+  };
+  for (const auto& [a, b] : threshold_pairs_) {
+    if (!edges.contains(edge(a, b)) && is_used(a) && is_used(b)) choices.push_back(choice(a, b, false));
   }
   std::ranges::sort(choices, [](const Choice& a, const Choice& b) {
     return std::tie(a.cost, a.low, a.high) < std::tie(b.cost, b.low, b.high);
   });
   return choices;
+}
+
+BruteForceDecimater::Choice BruteForceDecimater::choice(Index a, Index b, bool is_edge) const {
+  const Pinned pinned = is_locked(a) ? Pinned::first : is_locked(b) ? Pinned::second : Pinned::none;
+  const PairEvaluation e = evaluate_pair(placed(a, is_edge), placed(b, is_edge), options_.quadric.placement, pinned);
+  return {e.cost, a, b, is_edge, e.position, e.is_minimum};
+}
+
+bool BruteForceDecimater::is_allowed(const Choice& choice) const {
+  const auto& [cost, a, b, is_edge, position, is_minimum] = choice;
+  if (is_locked(a) && is_locked(b)) return false;
+  if (is_edge && options_.topology == Topology::keep && !keeps_topology(a, b)) {
+    const bool is_manifold = !link_of(a, faces_).is_singular && !link_of(b, faces_).is_singular;
+    if (is_manifold || !is_no_less_manifold(a, b)) return false;
+  }
+  const std::vector<bool> is_left = faces_left(a, b);
+  if (std::ranges::count(is_left, true) == 0) return false;
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    if (!is_left[f]) continue;
+    for (const Index v : {a, b}) {
+      if (has(faces_[f], v) && !keeps_normals(faces_[f], v, position)) return false;
+    }
+  }
+  return true;
+}
+
+/// Which faces there would be if a and b were one vertex. Those with both of them vanish. Where faces of a and faces of
+/// b come to lie on the same three vertices, as many of one orientation as of the other vanish all; else one of the
+/// more frequent orientation is left, one of a if there is.
+std::vector<bool> BruteForceDecimater::faces_left(Index a, Index b) const {
+  struct Pile {
+    std::array<std::vector<std::size_t>, 2> faces;  ///< by orientation
+    bool is_at_a = false;
+    bool is_at_b = false;
+  };
+  std::vector<bool> is_left(faces_.size(), true);
+  std::map<Edge, Pile> piles;
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    const Triangle& f = faces_[i];
+    if (!has(f, a) && !has(f, b)) continue;
+    is_left[i] = !(has(f, a) && has(f, b));
+    if (!is_left[i]) continue;
+    const std::size_t corner = corner_of(f, has(f, a) ? a : b);
+    const Index x = f[(corner + 1) % 3];
+    const Index y = f[(corner + 2) % 3];
+    Pile& pile = piles[edge(x, y)];
+    pile.faces[x < y].push_back(i);
+    pile.is_at_a |= has(f, a);
+    pile.is_at_b |= has(f, b);
+  }
+  for (const auto& [opposite_edge, pile] : piles) {
+    if (!pile.is_at_a || !pile.is_at_b) continue;
+    const auto& [backward, forward] = pile.faces;
+    for (const std::size_t i : backward) is_left[i] = false;
+    for (const std::size_t i : forward) is_left[i] = false;
+    if (backward.size() == forward.size()) continue;
+    const std::vector<std::size_t>& more = backward.size() > forward.size() ? backward : forward;
+    const auto of_a = std::ranges::find_if(more, [&](std::size_t i) { return has(faces_[i], a); });
+    is_left[of_a != more.end() ? *of_a : more.front()] = true;
+  }
+  return is_left;
+}
+
+std::vector<Triangle> BruteForceDecimater::faces_after(Index survivor, Index removed) const {
+  const std::vector<bool> is_left = faces_left(std::min(survivor, removed), std::max(survivor, removed));
+  std::vector<Triangle> faces;
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    if (is_left[i]) faces.push_back(faces_[i]);
+  }
+  for (Triangle& f : faces) std::ranges::replace(f, removed, survivor);
+  return faces;
+}
+
+/// Whether contracting (a, b) makes no more border edges, non-manifold edges and vertices of several fans, and takes
+/// the last face from no other vertex.
+bool BruteForceDecimater::is_no_less_manifold(Index a, Index b) const {
+  struct Defects {
+    int border_edges = 0, edges = 0, vertices = 0, used_vertices = 0;
+  };
+  const auto count = [](const std::vector<Triangle>& faces) {
+    Defects defects;
+    for (const auto& [ends, n] : count_edge_faces(faces)) {
+      defects.border_edges += n == 1;
+      defects.edges += n > 2;
+    }
+    std::set<Index> used;
+    for (const Triangle& f : faces) used.insert(f.begin(), f.end());
+    for (const Index v : used) {
+      Link link = link_of(v, faces);
+      link.vertices.erase(invalid_index);  // the cone
+      std::erase_if(link.edges, [](const Edge& e) { return e.second == invalid_index; });
+      defects.vertices += n_pieces(link) > 1;
+    }
+    defects.used_vertices = static_cast<int>(used.size());
+    return defects;
+  };
+  const Defects before = count(faces_);
+  const Defects after = count(faces_after(b, a));
+  return after.border_edges <= before.border_edges && after.edges <= before.edges &&
+         after.vertices <= before.vertices && after.used_vertices == before.used_vertices - 1;
 }
 
 bool BruteForceDecimater::keeps_topology(Index a, Index b) const {
@@ -155,6 +298,7 @@ bool BruteForceDecimater::keeps_topology(Index a, Index b) const {
       if (v != a && v != b) link_ab.insert(v);
     }
   }
+  if (static_cast<int>(link_ab.size()) < n_ab) return false;  // faces on the same three corners
   if (n_ab != 2) link_ab.insert(invalid_index);
   const auto has_one_end = [&](const Triangle& f) { return has(f, a) != has(f, b); };
   if (std::ranges::none_of(faces_, has_one_end)) return false;  // all faces at a and b would vanish
@@ -170,30 +314,36 @@ bool BruteForceDecimater::keeps_topology(Index a, Index b) const {
   return !meet(link_a.irregular, link_b.irregular) && !(link_a.is_singular && link_b.is_singular);
 }
 
-bool BruteForceDecimater::keeps_normals(Index v, Index other, const Vec3& to) const {
+/// Whether the face may have its corner v moved.
+bool BruteForceDecimater::keeps_normals(const Triangle& face, Index v, const Vec3& to) const {
   const double least_cosine = std::cos(options_.max_normal_flip_deg * std::numbers::pi / 180);
-  for (const Triangle& f : faces_) {
-    if (!has(f, v) || has(f, other)) continue;
-    const std::size_t corner = corner_of(f, v);
-    const Vec3& x = positions_[f[(corner + 1) % 3]];
-    const Vec3& y = positions_[f[(corner + 2) % 3]];
-    const Vec3 before = (x - positions_[v]).cross(y - positions_[v]);
-    const Vec3 after = (x - to).cross(y - to);
-    // No area: a sine of at most 1e-10 at x.
-    const auto has_area = [&](const Vec3& normal, const Vec3& apex) {
-      return normal.norm() > 1e-10 * (x - apex).norm() * (x - y).norm();
-    };
-    if (!has_area(before, positions_[v])) continue;
-    if (!has_area(after, to) || before.dot(after) < least_cosine * before.norm() * after.norm()) return false;
-  }
-  return true;
+  const std::size_t corner = corner_of(face, v);
+  const Vec3& x = positions_[face[(corner + 1) % 3]];
+  const Vec3& y = positions_[face[(corner + 2) % 3]];
+  const Vec3 before = (x - positions_[v]).cross(y - positions_[v]);
+  const Vec3 after = (x - to).cross(y - to);
+  // No area: a sine of at most 1e-10 at x.
+  const auto has_area = [&](const Vec3& normal, const Vec3& apex) {
+    return normal.norm() > 1e-10 * (x - apex).norm() * (x - y).norm();
+  };
+  if (!has_area(before, positions_[v])) return true;
+  return has_area(after, to) && before.dot(after) >= least_cosine * before.norm() * after.norm();
 }
 
 void BruteForceDecimater::contract(const Choice& choice, Index survivor, Index removed) {
-  quadrics_[survivor] = merged(placed(choice.low), placed(choice.high), choice.position, choice.is_minimum).quadric;
+  std::vector<Triangle> faces = faces_after(survivor, removed);
+  quadrics_[survivor] = merged(placed(choice.low, choice.is_edge), placed(choice.high, choice.is_edge), choice.position,
+                               choice.is_minimum)
+                            .quadric;
+  points_[survivor] = choice.is_edge ? points_[choice.low] + points_[choice.high] : PointQuadric{};
   positions_[survivor] = choice.position;
-  std::erase_if(faces_, [&](const Triangle& f) { return has(f, choice.low) && has(f, choice.high); });
-  for (Triangle& f : faces_) std::ranges::replace(f, removed, survivor);
+  faces_ = std::move(faces);
+  std::set<Edge> pairs;
+  for (const auto& [a, b] : threshold_pairs_) {
+    const Edge pair = edge(a == removed ? survivor : a, b == removed ? survivor : b);
+    if (pair.first != pair.second) pairs.insert(pair);
+  }
+  threshold_pairs_ = std::move(pairs);
 }
 
 std::vector<Contraction> BruteForceDecimater::run(const DecimateTarget& target) {
@@ -201,10 +351,7 @@ std::vector<Contraction> BruteForceDecimater::run(const DecimateTarget& target) 
   std::vector<Contraction> done;
   while ((!target.faces || n_faces() > *target.faces) && (!target.vertices || n_vertices() > *target.vertices)) {
     const std::vector<Choice> all = choices();
-    const auto choice = std::ranges::find_if(all, [&](const Choice& c) {
-      return !(is_locked(c.low) && is_locked(c.high)) && keeps_topology(c.low, c.high) &&
-             keeps_normals(c.low, c.high, c.position) && keeps_normals(c.high, c.low, c.position);
-    });
+    const auto choice = std::ranges::find_if(all, [this](const Choice& c) { return is_allowed(c); });
     if (choice == all.end()) break;
     const double cost = frame_.cost_to_model(choice->cost, times_area);
     if (target.max_cost && cost > *target.max_cost) break;

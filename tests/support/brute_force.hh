@@ -1,17 +1,23 @@
 #pragma once
 
+#include <set>
+#include <utility>
 #include <vector>
+
 #include "whittle/engine/decimate.hh"
 #include "whittle/engine/frame.hh"
 #include "whittle/engine/pair_evaluation.hh"
+#include "whittle/engine/point_quadric.hh"
 
 namespace whittle::test {
 
 /// Decimation as its definition says, one contraction after the other: every edge of the mesh as it then is gets
-/// evaluated, and the least (cost, lower, higher vertex number) that is allowed is contracted. No queue, no bounds, no
-/// memory of refusals; the topology is looked at through the definition of links. Takes O(F²) or worse.
+/// evaluated, and every threshold pair whose vertices have no common face; the least (cost, lower, higher vertex
+/// number) that is allowed is contracted. No queue, no bounds, no memory of refusals; the topology is looked at through
+/// the definition of links. Takes O(F²) or worse.
 ///
-/// Shares with the engine the arithmetic of one pair (`evaluate_pair`, `merged`) and the frame, nothing else.
+/// Shares with the engine the arithmetic of one pair (`evaluate_pair`, `merged`, `with_points`) and the frame, nothing
+/// else.
 class BruteForceDecimater {
  public:
   BruteForceDecimater(const IndexedMesh& mesh, const DecimateOptions& options);
@@ -20,19 +26,28 @@ class BruteForceDecimater {
   std::vector<Contraction> run(const DecimateTarget& target);
 
   std::uint64_t n_faces() const { return faces_.size(); }
+  const std::vector<Triangle>& faces() const { return faces_; }  ///< of the mesh as it is now, in the input's numbers
+  std::size_t n_threshold_pairs() const { return threshold_pairs_.size(); }
   std::uint64_t n_vertices() const;
 
  private:
   struct Choice {
     double cost;
     Index low, high;
+    bool is_edge;
     Vec3 position;
     bool is_minimum;
   };
-  PlacedQuadric placed(Index v) const { return {positions_[v], quadrics_[v]}; }
+  void find_threshold_pairs(const PairOptions& options);
+  PlacedQuadric placed(Index v, bool is_edge) const;
   std::vector<Choice> choices() const;
+  Choice choice(Index a, Index b, bool is_edge) const;
+  bool is_allowed(const Choice& choice) const;
   bool keeps_topology(Index a, Index b) const;
-  bool keeps_normals(Index v, Index other, const Vec3& to) const;
+  bool is_no_less_manifold(Index a, Index b) const;
+  bool keeps_normals(const Triangle& face, Index v, const Vec3& to) const;
+  std::vector<bool> faces_left(Index a, Index b) const;
+  std::vector<Triangle> faces_after(Index survivor, Index removed) const;
   bool is_locked(Index v) const { return !locked_.empty() && locked_[v]; }
   void contract(const Choice& choice, Index survivor, Index removed);
 
@@ -40,6 +55,8 @@ class BruteForceDecimater {
   Frame frame_;
   std::vector<Vec3> positions_;
   std::vector<Quadric> quadrics_;
+  std::vector<PointQuadric> points_;
+  std::set<std::pair<Index, Index>> threshold_pairs_;  ///< lower vertex first; some may have a common face
   std::vector<bool> locked_;
   std::vector<Triangle> faces_;  ///< of the mesh as it now is, in the input's order
 };

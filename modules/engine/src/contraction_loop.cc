@@ -37,10 +37,11 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, const DecimateOptions
       n_initial_faces_(complex.n_faces()),
       parcels_(crew_.n_helpers() == 0 ? 2 : n_shared_parcels),
       raised_(complex.n_vertex_slots()),
-      is_raised_(complex.n_edge_slots()),
-      raised_costs_(std::make_unique_for_overwrite<float[]>(complex.n_edge_slots())),
+      is_raised_(complex.n_pair_slots()),
+      raised_costs_(std::make_unique_for_overwrite<float[]>(complex.n_pair_slots())),
       refused_(complex.n_vertex_slots()),
-      is_refused_(complex.n_edge_slots()) {}
+      is_refused_(complex.n_pair_slots()),
+      known_pairs_(complex.has_threshold_pairs() ? n_known_pairs : 0, {0, invalid_index, invalid_index}) {}
 
 DecimateResult ContractionLoop::run() {
   fill_queue();
@@ -82,16 +83,16 @@ bool ContractionLoop::report_progress() const {
 }
 
 void ContractionLoop::fill_queue() {
-  const std::size_t n_pairs = complex_.n_edge_slots();
+  const std::size_t n_pairs = complex_.n_pair_slots();
   std::vector<BucketQueue::Bucket> buckets(n_pairs);
   std::vector<std::uint8_t> is_raised(n_pairs);
   const auto fill_range = [&](std::size_t begin, std::size_t end) {
     Parcel parcel;
     parcel.n = end - begin;
     for (std::size_t i = 0; i < parcel.n; ++i) {
-      const auto edge = static_cast<Index>(begin + i);
-      const auto [a, b] = complex_.initial_ends(edge);
-      parcel.pairs[i] = {edge, a, b};
+      const auto id = static_cast<Index>(begin + i);
+      const auto [a, b] = complex_.initial_ends(id);
+      parcel.pairs[i] = {id, a, b};
     }
     evaluate(parcel);
     for (std::size_t i = 0; i < parcel.n; ++i) {
@@ -116,9 +117,14 @@ ContractionLoop::Parcel& ContractionLoop::evaluate(Parcel& parcel) const {
   const auto pairs = std::span(parcel.pairs).first(parcel.n);
   for (Pair& pair : pairs) pair = in_order(pair);
   if (options_.quadric.placement == Placement::optimal && settings_.locked.empty()) {
-    find_minima(complex_, pairs, parcel.evaluations);
+    const auto evaluations = std::span(parcel.evaluations).first(parcel.n);
+    const auto is_edge = [this](const Pair& pair) { return !complex_.is_threshold_pair(pair.id); };
+    const auto n_edges =
+        static_cast<std::size_t>(std::partition_point(pairs.begin(), pairs.end(), is_edge) - pairs.begin());
+    find_minima(complex_, pairs.first(n_edges), evaluations);
+    find_minima(complex_, pairs.subspan(n_edges), evaluations.subspan(n_edges));
     for (std::size_t i = 0; i < parcel.n; ++i) {
-      if (!parcel.evaluations[i].is_minimum) parcel.evaluations[i] = evaluate(pairs[i]);
+      if (!evaluations[i].is_minimum) evaluations[i] = evaluate(pairs[i]);
     }
   } else {
     std::transform(pairs.begin(), pairs.end(), parcel.evaluations.begin(),
@@ -151,12 +157,38 @@ void ContractionLoop::open_bucket() {
   placements_.clear();
   n_taken_ = 0;
   n_done_at_opening_ = complex_.n_contractions();
+  if (complex_.has_threshold_pairs()) {
+    std::partition(members_.begin(), members_.end(), [this](Index id) { return !complex_.is_threshold_pair(id); });
+  }
   if (crew_.n_helpers() == 0 || members_.size() < fewest_shared) {
     evaluate_members();
   } else {
     evaluate_members_on_all_threads();
   }
   std::sort(batch_.begin(), batch_.end(), [](const Candidate& x, const Candidate& y) { return is_before(x, y); });
+  if (complex_.has_threshold_pairs()) drop_duplicates();
+}
+
+/// Whether a threshold pair has become the same as another one, as far as is remembered: merging makes them one only
+/// where it does so to edges. Remembers it otherwise.
+bool ContractionLoop::is_duplicate(const Pair& pair) {
+  Pair& known = known_pairs_[(std::uint64_t{pair.a} * 0x9E3779B97F4A7C15 + pair.b) * 0x9E3779B97F4A7C15 >> 51];
+  // As long as both are vertices the other one joins them still, if it is alive.
+  const bool is_same = known.a == pair.a && known.b == pair.b && known.id != pair.id;
+  if (is_same && complex_.is_pair_alive(known.id)) return true;
+  known = pair;
+  return false;
+}
+
+/// Threshold pairs that have become the same, and what was queued twice.
+void ContractionLoop::drop_duplicates() {
+  const auto is_threshold_pair = [this](const Candidate& c) { return complex_.is_threshold_pair(c.pair.id); };
+  const auto last = std::unique(batch_.begin(), batch_.end(), [&](const Candidate& x, const Candidate& y) {
+    const bool is_same = x.tie == y.tie && is_threshold_pair(x) && is_threshold_pair(y);
+    if (is_same && y.pair.id != x.pair.id) complex_.remove_pair(y.pair.id);
+    return is_same;
+  });
+  batch_.erase(last, batch_.end());
 }
 
 /// The next parcel is looked up before the last one is evaluated, so that what it asks for has time to come.
@@ -185,16 +217,16 @@ void ContractionLoop::evaluate_members_on_all_threads() {
   }
 }
 
-/// Looks up the ends of those of members begin … end that are still edges. Brings near what comes next: the edges, what
+/// Looks up the ends of those of members begin … end that are still pairs. Brings near what comes next: the pairs, what
 /// their ends have become, these.
 void ContractionLoop::find_pairs(std::size_t begin, std::size_t end, Parcel& parcel) {
   std::size_t n = 0;
   for (std::size_t i = begin; i < end; ++i) {
-    if (i + 16 < members_.size()) complex_.prefetch_edge(members_[i + 16]);
+    if (i + 16 < members_.size()) complex_.prefetch_pair(members_[i + 16]);
     if (i + 8 < members_.size()) complex_.prefetch_ends(members_[i + 8]);
     const auto [a, b] = complex_.ends(members_[i]);
     parcel.pairs[n] = {members_[i], a, b};
-    n += static_cast<std::size_t>(complex_.is_edge_alive(members_[i]));
+    n += static_cast<std::size_t>(complex_.is_pair_alive(members_[i]) & (a != b));
     complex_.prefetch_placed(a);
     complex_.prefetch_placed(b);
   }
@@ -207,9 +239,10 @@ void ContractionLoop::sort_in(const Parcel& parcel) {
 
 /// Into the batch, or, if it has grown, into a later bucket.
 void ContractionLoop::sort_in(const Pair& pair, const PairEvaluation& evaluation) {
+  if (complex_.is_threshold_pair(pair.id) && is_duplicate(pair)) return complex_.remove_pair(pair.id);
   note_raised(pair, evaluation);
   const BucketQueue::Bucket bucket = BucketQueue::bucket_of(evaluation.cost);
-  if (!queue_.is_past(bucket)) return queue_.push(pair.edge, bucket);
+  if (!queue_.is_past(bucket)) return queue_.push(pair.id, bucket);
   batch_.push_back(candidate(pair, evaluation.cost));
   if (placements_.size() < most_placements) {
     batch_.back().placement = static_cast<Index>(placements_.size());
@@ -221,12 +254,12 @@ void ContractionLoop::sort_in(const Pair& pair, const PairEvaluation& evaluation
 
 Pair ContractionLoop::in_order(const Pair& pair) const {
   const bool is_a_first = complex_.origin(pair.a) < complex_.origin(pair.b);
-  return {pair.edge, select(is_a_first, pair.a, pair.b), select(is_a_first, pair.b, pair.a)};
+  return {pair.id, select(is_a_first, pair.a, pair.b), select(is_a_first, pair.b, pair.a)};
 }
 
-Pair ContractionLoop::pair_now(Index edge) const {
-  const auto [a, b] = complex_.ends(edge);
-  return in_order({edge, a, b});
+Pair ContractionLoop::pair_now(Index id) const {
+  const auto [a, b] = complex_.ends(id);
+  return in_order({id, a, b});
 }
 
 ContractionLoop::Candidate ContractionLoop::candidate(const Pair& pair, double cost) const {
@@ -237,8 +270,13 @@ Pinned ContractionLoop::pinned(const Pair& pair) const {
   return is_locked(pair.a) ? Pinned::first : is_locked(pair.b) ? Pinned::second : Pinned::none;
 }
 
+/// One end of a pair, as the pair's cost sees it.
+PlacedQuadric ContractionLoop::placed(const Pair& pair, Index v) const {
+  return complex_.is_threshold_pair(pair.id) ? complex_.placed_with_points(v) : complex_.placed(v);
+}
+
 PairEvaluation ContractionLoop::evaluate(const Pair& pair) const {
-  return evaluate_pair(complex_.placed(pair.a), complex_.placed(pair.b), options_.quadric.placement, pinned(pair));
+  return evaluate_pair(placed(pair, pair.a), placed(pair, pair.b), options_.quadric.placement, pinned(pair));
 }
 
 void ContractionLoop::enqueue(const Candidate& candidate) {
@@ -246,7 +284,7 @@ void ContractionLoop::enqueue(const Candidate& candidate) {
   if (queue_.is_past(bucket)) {
     late_.push(candidate);
   } else {
-    queue_.push(candidate.pair.edge, bucket);
+    queue_.push(candidate.pair.id, bucket);
   }
 }
 
@@ -268,14 +306,14 @@ bool ContractionLoop::is_unchanged(const Candidate& candidate) const {
 }
 
 std::optional<StopReason> ContractionLoop::take_turn(const Candidate& then) {
-  if (!complex_.is_edge_alive(then.pair.edge)) return std::nullopt;
+  if (!complex_.is_pair_alive(then.pair.id)) return std::nullopt;
   Pair pair = then.pair;
   double cost = then.cost;
   Placed placement;
   if (is_unchanged(then)) {
     placement = placements_[then.placement];
   } else {
-    pair = pair_now(pair.edge);
+    pair = pair_now(pair.id);
     const PairEvaluation evaluation = evaluate(pair);
     const Candidate now = candidate(pair, evaluation.cost);
     if (is_before(then, now)) {  // it has grown since it was sorted in
@@ -286,8 +324,12 @@ std::optional<StopReason> ContractionLoop::take_turn(const Candidate& then) {
     cost = evaluation.cost;
     placement = {evaluation.position, evaluation.is_minimum};
   }
+  if (!complex_.is_contractible(pair)) {
+    complex_.remove_pair(pair.id);
+    return std::nullopt;
+  }
   if (settings_.target.max_cost && cost > *settings_.target.max_cost) return StopReason::cost;
-  const Refusal refusal = find_refusal(pair.a, pair.b, placement.position);
+  const Refusal refusal = find_refusal(pair, placement.position);
   if (refusal != Refusal::none) {
     refuse(pair, refusal);
   } else {
@@ -296,18 +338,35 @@ std::optional<StopReason> ContractionLoop::take_turn(const Candidate& then) {
   return std::nullopt;
 }
 
-ContractionLoop::Refusal ContractionLoop::find_refusal(Index a, Index b, const Vec3& position) {
+ContractionLoop::Refusal ContractionLoop::find_refusal(const Pair& pair, const Vec3& position) {
+  const auto [id, a, b] = pair;
   if (is_locked(a) && is_locked(b)) return Refusal::locked;
   complex_.gather(a, b, star_);
-  if (!complex_.link_condition(a, b, star_)) return Refusal::link;
+  const Refusal refusal = find_topological_refusal(pair);
+  if (refusal != Refusal::none) return refusal;
   if (turns_a_face(complex_, flip_limit_, star_.first, complex_.position(a), position)) return Refusal::flip;
   if (turns_a_face(complex_, flip_limit_, star_.second, complex_.position(b), position)) return Refusal::flip;
   return Refusal::none;
 }
 
+/// Plans a joint where the contraction may change the topology, and does.
+ContractionLoop::Refusal ContractionLoop::find_topological_refusal(const Pair& pair) {
+  if (complex_.is_threshold_pair(pair.id)) {
+    if (!star_.opposites.empty()) return Refusal::is_edge;
+  } else if (complex_.link_condition(pair.a, pair.b, star_)) {
+    return Refusal::none;
+  } else if (options_.topology == Topology::keep && complex_.is_manifold(pair.a) && complex_.is_manifold(pair.b)) {
+    return Refusal::link;
+  }
+  complex_.plan_joint(pair.a, pair.b, star_);
+  if (star_.opposites.size() + star_.joint.coincident.size() == complex_.n_faces()) return Refusal::link;
+  const bool may_change = complex_.is_threshold_pair(pair.id) || options_.topology == Topology::free;
+  return may_change || complex_.is_no_less_manifold(pair.a, pair.b, star_) ? Refusal::none : Refusal::link;
+}
+
 void ContractionLoop::contract(const Pair& pair, double cost, const Placed& placement) {
   // The higher origin survives, so that no pair's place among ties moves forward; but a locked vertex stays.
-  const auto [edge, a, b] = pair;
+  const auto [id, a, b] = pair;
   Index survivor = b;
   Index removed = a;
   if (is_locked(a)) {
@@ -315,8 +374,9 @@ void ContractionLoop::contract(const Pair& pair, double cost, const Placed& plac
   } else {
     std::swap(star_.first, star_.second);
   }
-  complex_.contract(edge, survivor, removed,
-                    merged(complex_.placed(a), complex_.placed(b), placement.position, placement.is_minimum), star_);
+  complex_.contract(id, survivor, removed,
+                    merged(placed(pair, a), placed(pair, b), placement.position, placement.is_minimum), star_);
+  result_.threshold_pairs.contracted += static_cast<std::uint64_t>(complex_.is_threshold_pair(id));
   result_.max_cost = std::max(result_.max_cost, cost);
   if (options_.listener) {
     options_.listener({complex_.origin(survivor), complex_.origin(removed),
@@ -331,19 +391,27 @@ void ContractionLoop::wake_refused_around(Index survivor, Index removed) {
   const auto wake = [&](Index v) {
     if (refused_.any_at(v)) wake_refused_at(v);
   };
+  const auto wake_neighbours = [&](Index v) {
+    for (const Spoke& spoke : complex_.neighbours(v)) wake(spoke.vertex);
+  };
   wake(survivor);
   wake(removed);
-  for (const Spoke& spoke : complex_.neighbours(survivor)) wake(spoke.vertex);
+  wake_neighbours(survivor);
   for (const PairStar::Opposite& opposite : star_.opposites) wake(opposite.vertex);
+  if (!star_.is_joint) return;
+  for (const PairStar::Opposite& neighbour : star_.joint.common) {  // their faces hang together in another way now
+    wake(neighbour.vertex);
+    wake_neighbours(neighbour.vertex);
+  }
 }
 
 void ContractionLoop::add_raised(const Pair& pair, double cost) {
-  const auto [edge, a, b] = pair;
-  raised_costs_[edge] = static_cast<float>(cost);
-  if (is_raised_[edge]) return;
-  is_raised_[edge] = true;
-  raised_.add(a, edge);
-  raised_.add(b, edge);
+  const auto [id, a, b] = pair;
+  raised_costs_[id] = static_cast<float>(cost);
+  if (is_raised_[id]) return;
+  is_raised_[id] = true;
+  raised_.add(a, id);
+  raised_.add(b, id);
 }
 
 /// Queues anew those raised pairs at the merged vertex that have become cheaper.
@@ -353,7 +421,7 @@ void ContractionLoop::wake_raised(Index survivor, Index removed) {
   raised_.take(survivor, woken_);
   raised_.take(removed, woken_);
   for (const Index pair : woken_) {
-    if (!complex_.is_edge_alive(pair)) continue;
+    if (!complex_.is_pair_alive(pair)) continue;
     raised_.add(survivor, pair);
     const Pair now = pair_now(pair);
     const PairEvaluation evaluation = evaluate(now);
@@ -374,14 +442,16 @@ void ContractionLoop::refuse(const Pair& pair, Refusal refusal) {
     case Refusal::flip:
       ++result_.rejections.flip;
       break;
+    case Refusal::is_edge:  // the edge decides, as long as there is one
+      break;
     case Refusal::none:
       return;
   }
-  const auto [edge, a, b] = pair;
-  if (is_refused_[edge]) return;
-  is_refused_[edge] = true;
-  refused_.add(a, edge);
-  refused_.add(b, edge);
+  const auto [id, a, b] = pair;
+  if (is_refused_[id]) return;
+  is_refused_[id] = true;
+  refused_.add(a, id);
+  refused_.add(b, id);
 }
 
 void ContractionLoop::wake_refused_at(Index v) {
@@ -390,7 +460,7 @@ void ContractionLoop::wake_refused_at(Index v) {
   for (const Index pair : woken_) {
     if (!is_refused_[pair]) continue;  // woken from its other vertex before
     is_refused_[pair] = false;
-    if (!complex_.is_edge_alive(pair)) continue;
+    if (!complex_.is_pair_alive(pair)) continue;
     const Pair now = pair_now(pair);
     const PairEvaluation evaluation = evaluate(now);
     note_raised(now, evaluation);

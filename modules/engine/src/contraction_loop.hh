@@ -40,6 +40,7 @@ class ContractionLoop {
 
  private:
   static constexpr std::size_t pairs_per_parcel = 64;
+  static constexpr std::size_t n_known_pairs = std::size_t{1} << 13;
 
   /// A pair under its true cost.
   struct Candidate {
@@ -56,7 +57,7 @@ class ContractionLoop {
     Vec3 position;
     bool is_minimum;
   };
-  /// Pairs that are evaluated together: some microseconds, and all of it stays in the nearest cache.
+  /// Pairs that are evaluated together, edges first: some microseconds, and all of it stays in the nearest cache.
   struct Parcel {
     std::size_t n = 0;
     std::array<Pair, pairs_per_parcel> pairs;
@@ -65,7 +66,7 @@ class ContractionLoop {
   struct IsAfter {
     bool operator()(const Candidate& x, const Candidate& y) const { return is_before(y, x); }
   };
-  enum class Refusal { none, link, flip, locked };
+  enum class Refusal { none, link, flip, locked, is_edge };
 
   void fill_queue();
   bool target_reached() const;
@@ -73,6 +74,8 @@ class ContractionLoop {
 
   std::optional<Candidate> next_candidate();
   void open_bucket();
+  void drop_duplicates();
+  bool is_duplicate(const Pair& pair);
   void evaluate_members();
   void evaluate_members_on_all_threads();
   void find_pairs(std::size_t begin, std::size_t end, Parcel& parcel);
@@ -83,18 +86,20 @@ class ContractionLoop {
 
   /// The vertex of the lower original number first.
   Pair in_order(const Pair& pair) const;
-  Pair pair_now(Index edge) const;
+  Pair pair_now(Index id) const;
   Candidate candidate(const Pair& pair, double cost) const;
   Pinned pinned(const Pair& pair) const;
+  PlacedQuadric placed(const Pair& pair, Index v) const;
   PairEvaluation evaluate(const Pair& pair) const;
   Parcel& evaluate(Parcel& parcel) const;
   bool is_unchanged(const Candidate& candidate) const;
   std::optional<StopReason> take_turn(const Candidate& then);
-  Refusal find_refusal(Index a, Index b, const Vec3& position);
+  Refusal find_refusal(const Pair& pair, const Vec3& position);
+  Refusal find_topological_refusal(const Pair& pair);
   void contract(const Pair& pair, double cost, const Placed& placement);
 
   void note_raised(const Pair& pair, const PairEvaluation& evaluation) {
-    if (evaluation.cost > evaluation.bound || is_raised_[pair.edge]) add_raised(pair, evaluation.cost);
+    if (evaluation.cost > evaluation.bound || is_raised_[pair.id]) add_raised(pair, evaluation.cost);
   }
   void add_raised(const Pair& pair, double cost);
   void wake_raised(Index survivor, Index removed);
@@ -126,8 +131,9 @@ class ContractionLoop {
   std::vector<bool> is_raised_;            ///< per pair
   std::unique_ptr<float[]> raised_costs_;  ///< per pair, what a raised one is queued under; undefined for others
   WaitingPairs refused_;
-  std::vector<bool> is_refused_;  ///< per pair
-  std::vector<Index> woken_;      ///< scratch
+  std::vector<bool> is_refused_;   ///< per pair
+  std::vector<Index> woken_;       ///< scratch
+  std::vector<Pair> known_pairs_;  ///< threshold pairs seen lately, by their ends
 
   PairStar star_;
   DecimateResult result_;

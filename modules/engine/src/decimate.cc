@@ -1,8 +1,11 @@
 #include "whittle/engine/decimate.hh"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "contraction_loop.hh"
+#include "whittle/engine/parts.hh"
+#include "whittle/engine/threshold_pairs.hh"
 
 namespace whittle {
 namespace {
@@ -19,6 +22,8 @@ void check(const DecimateTarget& target, const DecimateOptions& options, std::si
   require(is_finite_and_not_negative(options.quadric.boundary_weight), "boundary_weight is negative or not finite");
   require(options.max_normal_flip_deg > 0 && options.max_normal_flip_deg <= 180,
           "max_normal_flip_deg is not in (0, 180]");
+  require(options.pairs.threshold >= 0, "pairs.threshold is negative or not a number");
+  require(is_finite_and_not_negative(options.quadric.point_weight), "point_weight is negative or not finite");
   require(options.locked.empty() || options.locked.size() == n_vertices, "locked has another length than the vertices");
 }
 
@@ -76,16 +81,38 @@ std::vector<Index> representatives(TriangleComplex& complex) {
   return result;
 }
 
-/// The faces whose corners are still three vertices.
-std::vector<Triangle> surviving_faces(std::span<const Triangle> faces, const std::vector<Index>& vertex_map,
-                                      std::size_t n_surviving) {
-  std::vector<Triangle> result;
+Triangle mapped(const Triangle& face, const std::vector<Index>& vertex_map) {
+  return {vertex_map[face[0]], vertex_map[face[1]], vertex_map[face[2]]};
+}
+
+/// Those faces of the input whose corners are still three vertices, by number. \param vertex_map to the complex
+std::vector<Index> surviving_faces(std::span<const Triangle> faces, const std::vector<Index>& vertex_map,
+                                   std::size_t n_surviving) {
+  std::vector<Index> result;
   result.reserve(n_surviving);
-  for (const Triangle& f : faces) {
-    const Triangle face{vertex_map[f[0]], vertex_map[f[1]], vertex_map[f[2]]};
-    if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) result.push_back(face);
+  for (Index f = 0; f < faces.size(); ++f) {
+    if (has_three_corners(mapped(faces[f], vertex_map))) result.push_back(f);
   }
   return result;
+}
+
+/// From `faces`, those that the complex still has: of several laid on one another the first as many as are left.
+void leave_out_coincident(std::vector<Index>& faces, std::span<const Triangle> input,
+                          const std::vector<Index>& vertex_map, TriangleComplex& complex) {
+  const std::vector<Triangle> live = complex.live_faces();
+  std::vector<bool> is_found(live.size());
+  std::erase_if(faces, [&](Index f) {
+    Triangle face = mapped(input[f], vertex_map);
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    const auto [begin, end] = std::equal_range(live.begin(), live.end(), face);
+    for (auto it = begin; it != end; ++it) {
+      const auto place = static_cast<std::size_t>(it - live.begin());
+      if (is_found[place]) continue;
+      is_found[place] = true;
+      return false;
+    }
+    return true;
+  });
 }
 
 /// The mean colour of the vertices merged into each vertex of the result.
@@ -141,13 +168,48 @@ Decimation make_output(const IndexedMesh& input, TriangleComplex& complex, const
     mesh.origins.push_back(input.origins.empty() ? v : input.origins[v]);
     if (keep_quadrics) out.quadrics.push_back(complex.placed(r));
   }
+  out.face_origins = surviving_faces(input.faces, out.vertex_map, complex.n_faces());
+  if (complex.n_coincident_faces() > 0) leave_out_coincident(out.face_origins, input.faces, out.vertex_map, complex);
   for (Index& r : out.vertex_map) {
     if (r != invalid_index) r = output_of[r];
   }
-  mesh.faces = surviving_faces(input.faces, out.vertex_map, complex.n_faces());
+  mesh.faces.reserve(out.face_origins.size());
+  for (const Index f : out.face_origins) mesh.faces.push_back(mapped(input.faces[f], out.vertex_map));
   if (!input.colors.empty()) mesh.colors = merged_colors(input, out.vertex_map, mesh.positions.size());
   if (!input.normals.empty()) mesh.normals = vertex_normals(mesh, frame);
   return out;
+}
+
+ThresholdPairs threshold_pairs(const IndexedMesh& mesh, const DecimateOptions& options) {
+  const auto& [threshold, max_pairs, across_walls] = options.pairs;
+  if (threshold == 0) return {};
+  return find_threshold_pairs(mesh.positions, mesh.faces, {threshold, max_pairs, across_walls, options.threads});
+}
+
+SurfaceCounts surface_counts(std::size_t n_components, const NonmanifoldCounts& nonmanifold) {
+  return {n_components, nonmanifold.edges, nonmanifold.vertices};
+}
+
+/// Parts of the input of which no vertex is left.
+std::size_t count_vanished(const Parts& parts, const std::vector<Index>& vertex_map) {
+  std::vector<bool> is_left(parts.count);
+  for (std::size_t v = 0; v < vertex_map.size(); ++v) {
+    if (vertex_map[v] != invalid_index) is_left[parts.part_of[v]] = true;
+  }
+  return static_cast<std::size_t>(std::count(is_left.begin(), is_left.end(), false));
+}
+
+/// Fills in how the surface hung together and does now.
+void compare_surfaces(const IndexedMesh& input, const NonmanifoldCounts& before, TriangleComplex& complex,
+                      const DecimateOptions& options, Decimation& out) {
+  out.result.after =
+      surface_counts(find_parts(out.mesh.positions.size(), out.mesh.faces).count, complex.count_nonmanifold());
+  out.result.before = surface_counts(out.result.after.components, before);
+  const bool is_manifold = before.edges == 0 && before.vertices == 0;
+  if (options.pairs.threshold == 0 && options.topology == Topology::keep && is_manifold) return;  // parts stay parts
+  const Parts parts = find_parts(input.positions.size(), input.faces);
+  out.result.before.components = parts.count;
+  out.result.n_vanished_components = count_vanished(parts, out.vertex_map);
 }
 
 }  // namespace
@@ -172,11 +234,18 @@ Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const
   const Frame frame = frame_of(mesh.positions);
   QuadricOptions quadric = options.quadric;
   if (options.boundary == Boundary::free) quadric.boundary_weight = 0;
-  TriangleComplex complex(mesh.positions, mesh.faces, frame, quadric, options.threads);
+  const ThresholdPairs pairs = threshold_pairs(mesh, options);
+  TriangleComplex complex(mesh.positions, mesh.faces, pairs.pairs, frame, quadric, options.threads);
+  const NonmanifoldCounts before = complex.count_nonmanifold();
   DecimateResult result = ContractionLoop(complex, options, loop_settings(complex, frame, target, options)).run();
   result.n_degenerate_faces = complex.n_degenerate_faces();
+  result.n_coincident_faces = complex.n_coincident_faces();
+  result.threshold_pairs.considered = pairs.pairs.size();
+  result.threshold_pairs.threshold = options.pairs.threshold;
+  result.threshold_pairs.capped = pairs.capped;
   Decimation out = make_output(mesh, complex, frame, options.keep_quadrics);
   out.result = result;
+  compare_surfaces(mesh, before, complex, options, out);
   return out;
 }
 

@@ -5,14 +5,24 @@
 namespace whittle {
 namespace {
 
-template <class Real>
+template <class Real, bool with_points, class VertexAt>
+[[gnu::always_inline]] inline QuadricLanes<Real> placed(const TriangleComplex& complex, const VertexAt& vertex) {
+  if constexpr (with_points) {
+    return complex.placed_level_with_points<Real>(vertex);
+  } else {
+    return complex.placed_level<Real>(vertex);
+  }
+}
+
+template <class Real, bool with_points>
 [[gnu::always_inline]] inline void find_minima_in_lanes(const TriangleComplex& complex, std::span<const Pair> pairs,
                                                         std::span<PairEvaluation> evaluations) {
   std::size_t i = 0;
   for (; i + n_lanes<Real> <= pairs.size(); i += n_lanes<Real>) {
     const Pair* const group = &pairs[i];
-    const auto minima = pair_minimum(complex.placed_level<Real>([group](std::size_t lane) { return group[lane].a; }),
-                                     complex.placed_level<Real>([group](std::size_t lane) { return group[lane].b; }));
+    const auto a = placed<Real, with_points>(complex, [group](std::size_t lane) { return group[lane].a; });
+    const auto b = placed<Real, with_points>(complex, [group](std::size_t lane) { return group[lane].b; });
+    const auto minima = pair_minimum(a, b);
     for (std::size_t lane = 0; lane < n_lanes<Real>; ++lane) {
       PairEvaluation& evaluation = evaluations[i + lane];
       evaluation.bound = evaluation.cost = minima.value[lane];
@@ -24,18 +34,30 @@ template <class Real>
   for (; i < pairs.size(); ++i) evaluations[i].is_minimum = false;
 }
 
+template <bool with_points>
 WHITTLE_DOUBLE4 void find_minima_of_four(const TriangleComplex& complex, std::span<const Pair> pairs,
                                          std::span<PairEvaluation> evaluations) {
-  find_minima_in_lanes<Double4>(complex, pairs, evaluations);
+  find_minima_in_lanes<Double4, with_points>(complex, pairs, evaluations);
+}
+
+template <bool with_points>
+void find_minima_of(const TriangleComplex& complex, std::span<const Pair> pairs,
+                    std::span<PairEvaluation> evaluations) {
+  if (has_double4) {
+    find_minima_of_four<with_points>(complex, pairs, evaluations);
+  } else {
+    find_minima_in_lanes<Double2, with_points>(complex, pairs, evaluations);
+  }
 }
 
 }  // namespace
 
 void find_minima(const TriangleComplex& complex, std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) {
-  if (has_double4) {
-    find_minima_of_four(complex, pairs, evaluations);
+  if (pairs.empty()) return;
+  if (complex.is_threshold_pair(pairs.front().id)) {
+    find_minima_of<true>(complex, pairs, evaluations);
   } else {
-    find_minima_in_lanes<Double2>(complex, pairs, evaluations);
+    find_minima_of<false>(complex, pairs, evaluations);
   }
 }
 

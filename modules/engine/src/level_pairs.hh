@@ -10,6 +10,8 @@ namespace whittle {
 /// Evaluates pairs by their minimum, several at once. Where a pair's vertices are level and its minimum is near, as
 /// they mostly are, `evaluations` gets what `evaluate_pair` would give; else one with `is_minimum` false, and the pair
 /// is to be evaluated by itself.
+///
+/// \param pairs all edges, or all threshold pairs
 void find_minima(const TriangleComplex& complex, std::span<const Pair> pairs, std::span<PairEvaluation> evaluations);
 
 }  // namespace whittle

@@ -12,14 +12,6 @@ Index TriangleComplex::root(Index v) {
   return v;
 }
 
-Index TriangleComplex::place_in_link(Index v) {
-  Index& place = link_place_[v];
-  if (place < link_.size() && link_[place].vertex == v) return place;
-  place = static_cast<Index>(link_.size());
-  link_.push_back({.vertex = v});
-  return place;
-}
-
 /// Looks at v's list with what has become of the neighbours. \return the faces without `other`
 Wings TriangleComplex::gather_one(Index v, Index other, GatheredStar& star) {
   star.opposites.clear();
@@ -42,7 +34,10 @@ Wings TriangleComplex::gather_ring(Index v, Index other, GatheredStar& star) {
     n_until_other = now.vertex == other ? n : n_until_other;
     last = now.vertex;
   }
-  if (n_until_other == 0) return {};
+  if (n_until_other == 0) {  // the whole ring
+    spokes[n] = spokes[0];
+    return Wings::of_fan({spokes, n + 1});
+  }
   std::copy_n(spokes, n_until_other, spokes + n);
   const std::span<const Spoke> fan(spokes + n_until_other, n - 1);
   star.opposites.push_back(fan.front());
@@ -81,11 +76,12 @@ void TriangleComplex::gather(Index a, Index b, PairStar& star) {
     std::sort(from_b.begin(), from_b.end(), is_before);
   }
   star.opposites.clear();
+  star.is_joint = false;
   for (std::size_t i = 0; i < from_a.size(); ++i) {
     star.opposites.push_back({from_a[i].vertex, {from_a[i].edge, from_b[i].edge}});
     for (const Index e : star.opposites.back().edges) {
-      prefetch(&edge_alive_[e / 64]);
-      prefetch_edge(e);  // in case it is merged into another
+      prefetch(&pair_alive_[e / 64]);
+      prefetch_pair(e);  // in case it is merged into another
     }
   }
 }
@@ -122,6 +118,7 @@ bool TriangleComplex::link_condition_of_any(Index a, Index b, const PairStar& st
   };
   for (const PairStar::Opposite& opposite : star.opposites) {
     LinkEntry& entry = link_[place_in_link(opposite.vertex)];
+    if (entry.opposite) return false;  // two faces on the same three corners: that corner may have no others
     entry.opposite = true;
     ++entry.n_faces[0];
     ++entry.n_faces[1];
@@ -155,7 +152,7 @@ bool TriangleComplex::link_condition_of_any(Index a, Index b, const PairStar& st
 
 /// The edge that e has become by merging.
 Index TriangleComplex::live_edge(Index e) const {
-  while (!is_edge_alive(e)) e = edges_[e].first;
+  while (!is_pair_alive(e)) e = pairs_[e].first;
   return e;
 }
 
@@ -164,8 +161,8 @@ void TriangleComplex::merge_edges(const PairStar::Opposite& opposite) {
   const Index kept = live_edge(opposite.edges[0]);
   const Index gone = live_edge(opposite.edges[1]);
   if (kept == gone) return;
-  remove_edge(gone);
-  edges_[gone].first = kept;
+  remove_pair(gone);
+  pairs_[gone].first = kept;
 }
 
 /// The survivor gets the faces without the other vertex, in the first list, the second or a new one, whichever is the
@@ -174,7 +171,8 @@ void TriangleComplex::merge_stars(Index survivor, Index removed, const PairStar&
   Star& kept = stars_[survivor];
   Star& other = stars_[removed];
   kept.order = std::max(kept.order, other.order);
-  const std::size_t n = n_merged(star, is_ring(survivor));
+  kept.is_ring &= other.is_ring;
+  const std::size_t n = n_merged(star, kept.is_ring);
   if (n > kept.spokes.capacity) std::swap(kept.spokes, other.spokes);
   if (n > kept.spokes.capacity) {
     spoke_lists_.release(kept.spokes);
@@ -183,7 +181,7 @@ void TriangleComplex::merge_stars(Index survivor, Index removed, const PairStar&
   spoke_lists_.release(other.spokes);
   other.spokes = {};
   kept.spokes.size = static_cast<Index>(n);
-  join(star, is_ring(survivor), spoke_lists_.of(kept.spokes));
+  join(star, kept.is_ring, spoke_lists_.of(kept.spokes));
 }
 
 /// How long the merged list is. Two rings share the two opposite corners.
@@ -203,26 +201,40 @@ void TriangleComplex::join(const PairStar& star, bool is_ring, std::span<Spoke> 
   const std::span<const Spoke> second = star.second.spokes();
   end = std::copy(first.begin(), first.end(), end);
   if (second.size() <= 2) return;
+  assert(second.front().vertex == first.back().vertex);
   const std::span<const Spoke> inner = second.subspan(1, second.size() - 2);
-  if (second.front().vertex == first.back().vertex) {
-    std::copy(inner.begin(), inner.end(), end);
-  } else {  // of another orientation
-    std::reverse_copy(inner.begin(), inner.end(), end);
-  }
+  std::copy(inner.begin(), inner.end(), end);
 }
 
-void TriangleComplex::contract(Index edge, Index survivor, Index removed, const PlacedQuadric& merged,
+void TriangleComplex::contract(Index pair, Index survivor, Index removed, const PlacedQuadric& merged,
                                const PairStar& star) {
-  for (const PairStar::Opposite& opposite : star.opposites) merge_edges(opposite);
-  remove_edge(edge);
-  merge_stars(survivor, removed, star);
-  n_faces_ -= star.opposites.size();
+  remove_pair(pair);
+  if (!points_.empty()) merge_points(pair, survivor, removed);
   --n_vertices_;
   ++n_contractions_;
   parents_[removed] = survivor;
   vertices_[survivor].position = merged.position;
   quadrics_[removed].last_change = n_contractions_;
   quadrics_[survivor] = {merged.quadric.a, merged.quadric.c, store_slope(merged.quadric.b, survivor), n_contractions_};
+  n_faces_ -= star.opposites.size();
+  if (star.is_joint) {
+    join_neighbourhoods(survivor, removed, star);
+  } else {
+    for (const PairStar::Opposite& opposite : star.opposites) merge_edges(opposite);
+    merge_stars(survivor, removed, star);
+  }
+}
+
+/// Those of vertices joined by a threshold pair are in their quadric from now on.
+void TriangleComplex::merge_points(Index pair, Index survivor, Index removed) {
+  PointQuadric& merged = points_[survivor];
+  if (is_threshold_pair(pair)) {
+    merged = {};
+  } else if (origin(survivor) < origin(removed)) {
+    merged = merged + points_[removed];
+  } else {
+    merged = points_[removed] + merged;
+  }
 }
 
 /// In the place of v's old one, if it had one.

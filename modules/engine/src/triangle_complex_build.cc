@@ -76,14 +76,18 @@ class FanSorter {
 
 }  // namespace
 
-TriangleComplex::TriangleComplex(std::span<const Vec3> positions, std::span<const Triangle> faces, const Frame& frame,
+TriangleComplex::TriangleComplex(std::span<const Vec3> positions, std::span<const Triangle> faces,
+                                 std::span<const VertexPair> threshold_pairs, const Frame& frame,
                                  const QuadricOptions& quadric, unsigned threads) {
   std::vector<Index> number_of;
   number_vertices(positions, frame, number_of, threads);
   list_faces(faces, number_of);
-  number_of = {};
+  if (threshold_pairs.empty()) number_of = {};
+  points_.resize(threshold_pairs.empty() ? 0 : positions.size());
+  point_weight_ = quadric.point_weight;
   set_up_stars(quadric, threads);
   number_edges(threads);
+  if (!threshold_pairs.empty()) add_threshold_pairs(threshold_pairs, number_of);
 }
 
 void TriangleComplex::number_vertices(std::span<const Vec3> positions, const Frame& frame,
@@ -183,28 +187,43 @@ void TriangleComplex::sum_planes(std::size_t begin, std::size_t end, const Quadr
 void TriangleComplex::set_up_stars(const QuadricOptions& options, unsigned threads) {
   for_each_range(vertices_.size(), threads, [&](std::size_t begin, std::size_t end) {
     sum_planes(begin, end, options);
+    if (!points_.empty()) set_points(begin, end, options);
     FanSorter sorter;
     std::array<Index, FanSorter::max_corners> ring;
     for (std::size_t i = begin; i < end; ++i) {
       const auto v = static_cast<Index>(i);
       const std::span<Spoke> list = spoke_lists_.of(stars_[v].spokes);
       const bool is_small_ring = list.size() >= 3 && list.size() <= ring.size() && sorter.sort(list, ring);
-      stars_[v].order = is_small_ring ? VertexOrder::regular : VertexOrder::junction;
+      stars_[v].is_ring = is_small_ring;
       if (!is_small_ring) continue;  // the others are looked at more closely below
       for (std::size_t k = 0; k < list.size(); ++k) list[k].vertex = ring[k];
     }
   });
   link_place_.resize(vertices_.size());
   for (Index v = 0; v < vertices_.size(); ++v) {
-    if (stars_[v].order == VertexOrder::regular) continue;
-    gather_link(v);
+    if (is_ring(v)) continue;
+    const std::span<Spoke> list = spoke_lists_.of(stars_[v].spokes);
+    faces_.clear();
+    for (const Spoke& spoke : list) faces_.push_back({as_corner(spoke).next, as_corner(spoke).previous});
+    gather_link(faces_);
     stars_[v].order = order_of_link();
-    if (stars_[v].order == VertexOrder::regular) {
-      make_ring(v);
+    stars_[v].is_ring = stars_[v].order == VertexOrder::regular && is_link_oriented();
+    if (is_ring(v)) {
+      Index place = 0;
+      for (Spoke& spoke : list) spoke.vertex = step_along_link(place);
     } else {
+      if (stars_[v].order != VertexOrder::regular) irregular_.push_back(v);
       quadrics_[v].a = with_border_planes(quadrics_[v].a, v, options);
       make_pairs(v);
     }
+  }
+}
+
+/// \pre the vertices' quadrics are those of their faces alone.
+void TriangleComplex::set_points(std::size_t begin, std::size_t end, const QuadricOptions& options) {
+  const double share = 1 / (1 + 3 * options.regularization);  // of a plane's weight in the trace of its quadric
+  for (auto v = static_cast<Index>(begin); v < end; ++v) {
+    points_[v] = {position(v), share * quadrics_[v].a.trace(), 0};
   }
 }
 
@@ -218,16 +237,6 @@ SymmetricMatrix TriangleComplex::with_border_planes(SymmetricMatrix sum, Index v
     if (is_border(previous)) sum += border_quadric(position(previous), position(v), position(next), options);
   }
   return sum;
-}
-
-/// \pre v is regular, and its link gathered.
-void TriangleComplex::make_ring(Index v) {
-  Index previous = 0;
-  Index here = 0;
-  for (Spoke& spoke : spoke_lists_.of(stars_[v].spokes)) {
-    spoke.vertex = link_[here].vertex;
-    previous = std::exchange(here, link_[here].ahead(previous));
-  }
 }
 
 /// Takes the list's room for one twice as long.
@@ -245,60 +254,17 @@ void TriangleComplex::make_pairs(Index v) {
   std::copy(pairs.begin(), pairs.end(), spoke_lists_.of(list).begin());
 }
 
-void TriangleComplex::gather_link(Index v) {
-  link_.clear();
-  const auto join = [&](Index from, Index to) {
-    LinkEntry& entry = link_[from];
-    if (entry.n_faces[0] < 2) entry.next[entry.n_faces[0]] = to;
-    ++entry.n_faces[0];
-  };
-  for (const Spoke& spoke : neighbours(v)) {
-    const auto [next, previous] = as_corner(spoke);
-    const Index at_next = place_in_link(next);
-    const Index at_previous = place_in_link(previous);
-    join(at_next, at_previous);
-    join(at_previous, at_next);
-  }
-}
-
-VertexOrder TriangleComplex::order_of_link() const {
-  std::size_t n_ends = 0;
-  Index start = 0;
-  for (Index i = 0; i < link_.size(); ++i) {
-    if (link_[i].n_faces[0] > 2) return VertexOrder::junction;
-    if (link_[i].n_faces[0] == 1) {
-      ++n_ends;
-      start = i;
-    }
-  }
-  if (link_.empty()) return VertexOrder::regular;
-  if (n_ends != 0 && n_ends != 2) return VertexOrder::junction;
-  // The link is a union of closed polygons and at most one open one: a single one if a walk along it meets them all.
-  std::size_t n_met = 1;
-  Index previous = start;
-  Index here = link_[start].next[0];
-  while (here != start) {
-    ++n_met;
-    const Index ahead = link_[here].ahead(previous);
-    if (ahead == invalid_index) break;
-    previous = here;
-    here = ahead;
-  }
-  if (n_met != link_.size()) return VertexOrder::junction;
-  return n_ends == 0 ? VertexOrder::regular : VertexOrder::line;
-}
-
 /// Numbers the edges by their lower vertex, then tells the higher one.
 void TriangleComplex::number_edges(unsigned threads) {
-  edges_.reserve(n_faces_ + n_faces_ / 2 + 16);
+  pairs_.reserve(n_faces_ + n_faces_ / 2 + 16);
   std::vector<Index> starts(vertices_.size() + 1);
   std::size_t n = 0;
   for (Index v = 0; v < vertices_.size(); ++v) {
     const std::size_t first = n;
     const std::span<Spoke> list = spoke_lists_.of(stars_[v].spokes);
-    if (edges_.size() < n + list.size()) edges_.resize(std::max(n + list.size(), edges_.capacity()));
+    if (pairs_.size() < n + list.size()) pairs_.resize(std::max(n + list.size(), pairs_.capacity()));
     for (Spoke& spoke : list) {
-      edges_[n] = {v, spoke.vertex};
+      pairs_[n] = {v, spoke.vertex};
       spoke.edge = static_cast<Index>(n);
       n += static_cast<std::size_t>(spoke.vertex > v);
     }
@@ -306,8 +272,9 @@ void TriangleComplex::number_edges(unsigned threads) {
     if (n >= invalid_index) throw std::length_error("decimate: more than 2^32 - 2 edges");
     starts[v + 1] = static_cast<Index>(n);
   }
-  edges_.resize(n);
-  edge_alive_.assign(edges_.size() / 64 + 1, ~std::uint64_t{0});
+  pairs_.resize(n);
+  n_edges_ = n;
+  pair_alive_.assign(pairs_.size() / 64 + 1, ~std::uint64_t{0});
 
   for_each_range(vertices_.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<Index>(begin); v < end; ++v) {
@@ -322,10 +289,10 @@ void TriangleComplex::number_edges(unsigned threads) {
 
 /// Sorts edges first … end, all of v, by the other vertex, and leaves each there once. \return where they end then
 std::size_t TriangleComplex::sort_edges(Index v, std::size_t first, std::size_t end) {
-  const auto at = [this](std::size_t e) { return edges_.begin() + static_cast<std::ptrdiff_t>(e); };
-  std::sort(at(first), at(end), [](const Edge& x, const Edge& y) { return x.second < y.second; });
-  const auto last = std::unique(at(first), at(end), [](const Edge& x, const Edge& y) { return x.second == y.second; });
-  end = static_cast<std::size_t>(last - edges_.begin());
+  const auto at = [this](std::size_t e) { return pairs_.begin() + static_cast<std::ptrdiff_t>(e); };
+  std::sort(at(first), at(end), [](const Ends& x, const Ends& y) { return x.second < y.second; });
+  const auto last = std::unique(at(first), at(end), [](const Ends& x, const Ends& y) { return x.second == y.second; });
+  end = static_cast<std::size_t>(last - pairs_.begin());
   for (Spoke& spoke : spoke_lists_.of(stars_[v].spokes)) {
     if (spoke.vertex > v) {
       spoke.edge = find_edge({v, spoke.vertex}, static_cast<Index>(first), static_cast<Index>(end));
@@ -335,25 +302,32 @@ std::size_t TriangleComplex::sort_edges(Index v, std::size_t first, std::size_t 
 }
 
 /// \param begin, end those of the edges with the same lower vertex
-Index TriangleComplex::find_edge(const Edge& edge, Index begin, Index end) const {
+Index TriangleComplex::find_edge(const Ends& edge, Index begin, Index end) const {
   if (end - begin > few_edges) {
-    const auto first = edges_.begin() + begin;
-    const auto place = std::lower_bound(first, edges_.begin() + end, edge.second,
-                                        [](const Edge& e, Index sought) { return e.second < sought; });
-    return static_cast<Index>(place - edges_.begin());
+    const auto first = pairs_.begin() + begin;
+    const auto place = std::lower_bound(first, pairs_.begin() + end, edge.second,
+                                        [](const Ends& e, Index sought) { return e.second < sought; });
+    return static_cast<Index>(place - pairs_.begin());
   }
   // The first ones without a branch: where it is can't be foretold. What comes after the end is not this edge, or
   // overruled by the one before.
   constexpr Index n_first = 4;
   const auto key = std::bit_cast<std::uint64_t>(edge);
-  const auto is_sought = [&](Index e) { return std::bit_cast<std::uint64_t>(edges_[e]) == key; };
+  const auto is_sought = [&](Index e) { return std::bit_cast<std::uint64_t>(pairs_[e]) == key; };
   Index found = invalid_index;
-  if (begin + n_first <= edges_.size()) {
+  if (begin + n_first <= pairs_.size()) {
     for (Index e = begin + n_first; e-- > begin;) found = select(is_sought(e), e, found);
     begin += n_first;
   }
   for (Index e = begin; found == invalid_index; ++e) found = select(is_sought(e), e, found);
   return found;
+}
+
+void TriangleComplex::add_threshold_pairs(std::span<const VertexPair> pairs, const std::vector<Index>& number_of) {
+  if (n_edges_ + pairs.size() >= invalid_index) throw std::length_error("decimate: more than 2^32 - 2 pairs");
+  pairs_.reserve(n_edges_ + pairs.size());
+  for (const auto& [a, b] : pairs) pairs_.push_back({number_of[a], number_of[b]});
+  pair_alive_.assign(pairs_.size() / 64 + 1, ~std::uint64_t{0});
 }
 
 }  // namespace whittle

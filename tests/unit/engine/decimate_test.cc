@@ -113,8 +113,8 @@ TEST(Decimate, NeverMakesANonManifoldMeshWorse) {
     const Topology after = topology(decimate(mesh, {}).mesh);
     EXPECT_LE(after.nonmanifold_edges, before.nonmanifold_edges);
     EXPECT_LE(after.nonmanifold_vertices, before.nonmanifold_vertices);
-    EXPECT_EQ(after.components, before.components);
-    EXPECT_EQ(after.euler(), before.euler());
+    EXPECT_LE(after.border_edges, before.border_edges);
+    EXPECT_EQ(after.components, before.components);  // but duplicates of faces may go, and with them the Euler number
   }
 }
 

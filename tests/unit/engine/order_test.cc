@@ -63,6 +63,7 @@ struct Setting {
   /// Without regularisation every contraction on flat ground costs zero but for rounding, which then decides the order:
   /// there only the costs are compared, to a rounding floor (frame size 1, face weights of at most 1).
   bool order_is_defined = true;
+  double threshold = 0;  ///< of pairs, in mean edge lengths
 };
 
 std::vector<Setting> all_settings() {
@@ -81,7 +82,32 @@ std::vector<Setting> all_settings() {
   add("flip 20", [](DecimateOptions& o) { o.max_normal_flip_deg = 20; });
   add("unregularised", [](DecimateOptions& o) { o.quadric.regularization = 0; });
   settings.back().order_is_defined = false;
+  add("free topology", [](DecimateOptions& o) { o.topology = Topology::free; });
+  const auto add_threshold = [&](double threshold, const std::string& name, auto change) {
+    add("threshold " + name, change);
+    settings.back().threshold = threshold;
+  };
+  add_threshold(0.7, "0.7", [](DecimateOptions&) {});
+  add_threshold(1.6, "1.6", [](DecimateOptions&) {});
+  add_threshold(1.6, "1.6, held hardly", [](DecimateOptions& o) { o.quadric.point_weight = 1e-9; });
+  add_threshold(2.1, "2.1, free topology", [](DecimateOptions& o) { o.topology = Topology::free; });
+  add_threshold(2.1, "2.1, flip 180", [](DecimateOptions& o) { o.max_normal_flip_deg = 180; });
+  add_threshold(2.1, "2.1, across walls, at most 3", [](DecimateOptions& o) {
+    o.pairs.across_walls = true;
+    o.pairs.max_pairs = 3;
+  });
+  add_threshold(1.6, "1.6, midpoint", [](DecimateOptions& o) { o.quadric.placement = Placement::midpoint; });
+  add_threshold(1.6, "1.6, locked border", [](DecimateOptions& o) { o.boundary = Boundary::locked; });
   return settings;
+}
+
+double mean_edge_length(const IndexedMesh& mesh) {
+  double sum = 0;
+  for (const auto& [a, b, c] : mesh.faces) {
+    const auto length = [&](Index v, Index w) { return (mesh.positions[v] - mesh.positions[w]).norm(); };
+    sum += length(a, b) + length(b, c) + length(c, a);
+  }
+  return sum / (3.0 * static_cast<double>(mesh.faces.size()));
 }
 
 constexpr double rounding_floor = 1e-14;
@@ -98,7 +124,8 @@ class ContractionOrder : public testing::TestWithParam<Case> {
 
 TEST_P(ContractionOrder, IsThatOfBruteForce) {
   const IndexedMesh& mesh = GetParam().mesh;
-  for (const auto& [name, options, order_is_defined] : all_settings()) {
+  for (auto& [name, options, order_is_defined, threshold] : all_settings()) {
+    options.pairs.threshold = threshold * mean_edge_length(mesh);
     SCOPED_TRACE(GetParam().name + ", " + name);
     const std::vector<Contraction> expected = BruteForceDecimater(mesh, options).run({});
     const std::vector<Contraction> found = by_engine(mesh, options);

@@ -39,6 +39,20 @@ enum class Boundary {
   free       ///< nothing holds them
 };
 
+/// What an edge contraction may do to the topology. Threshold pairs join parts under both.
+enum class Topology {
+  keep,  ///< nothing: it closes no tunnel, opens no hole, joins nothing, and no part vanishes
+  free   ///< anything but taking the last face: tunnels close, closed parts vanish. What coincides then is left out.
+};
+
+/// Which vertices are pairs though no face joins them. \cite garland_1997_surface (section 3.2: valid pairs)
+struct PairOptions {
+  double threshold = 0;          ///< those closer than this, model units. [0, inf]; 0 = none
+  std::uint32_t max_pairs = 32;  ///< only the so many nearest of a vertex; a pair stays if it is among those of either.
+                                 ///< 0 = all
+  bool across_walls = false;     ///< also those across the inside of a thin wall, their normals facing away
+};
+
 /// How far a run has come.
 struct Progress {
   std::uint64_t n_vertices;  ///< left now
@@ -56,6 +70,8 @@ struct Contraction {
 
 struct DecimateOptions {
   QuadricOptions quadric;
+  PairOptions pairs;
+  Topology topology = Topology::keep;
   Boundary boundary = Boundary::weighted;
 
   /// A contraction that turns the normal of a remaining face further than this is refused, degrees. (0, 180]; 180 =
@@ -94,6 +110,21 @@ struct Rejections {
   std::uint64_t locked = 0;  ///< both vertices are locked
 };
 
+/// Pairs beside the edges.
+struct ThresholdPairCounts {
+  std::uint64_t considered = 0;  ///< at the start
+  std::uint64_t contracted = 0;
+  double threshold = 0;  ///< as asked for, model units
+  bool capped = false;   ///< whether `PairOptions::max_pairs` left some out
+};
+
+/// How a surface hangs together.
+struct SurfaceCounts {
+  std::uint64_t components = 0;            ///< sets of faces connected over vertices
+  std::uint64_t nonmanifold_edges = 0;     ///< with three faces or more
+  std::uint64_t nonmanifold_vertices = 0;  ///< whose faces, connected over edges at it, are two sets or more
+};
+
 /// What a run did. Counts are those of the mesh after it; vertices without a face don't count.
 struct DecimateResult {
   std::uint64_t n_contractions = 0;
@@ -103,6 +134,11 @@ struct DecimateResult {
   StopReason stop = StopReason::exhausted;
   Rejections rejections;
   std::uint64_t n_degenerate_faces = 0;  ///< faces of the input with two equal corners, left out from the start
+  std::uint64_t n_coincident_faces = 0;  ///< vanished where joining vertices laid them on others
+  ThresholdPairCounts threshold_pairs;
+  SurfaceCounts before;  ///< the input's surface
+  SurfaceCounts after;
+  std::uint64_t n_vanished_components = 0;  ///< of the input, those of which nothing is left
 };
 
 /// The decimated mesh and where the input's vertices went.
@@ -111,7 +147,8 @@ struct Decimation {
   DecimateResult result;
   /// Those of the vertices of `mesh`, in the frame of the input's bounding box, if asked for: to go on from.
   std::vector<PlacedQuadric> quadrics;
-  std::vector<Index> vertex_map;  ///< input vertices → vertices of `mesh`; `invalid_index` where it was in no face
+  std::vector<Index> face_origins;  ///< faces of `mesh` → faces of the input, ascending
+  std::vector<Index> vertex_map;    ///< input vertices → vertices of `mesh`; `invalid_index` where it was in no face
 };
 
 /// Decimates `mesh`. Colours are averaged over the vertices merged, normals computed anew where the input has them;

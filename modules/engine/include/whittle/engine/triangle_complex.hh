@@ -7,9 +7,11 @@
 
 #include "whittle/engine/frame.hh"
 #include "whittle/engine/pair_minimum.hh"
+#include "whittle/engine/point_quadric.hh"
 #include "whittle/engine/quadric_term.hh"
 #include "whittle/engine/select.hh"
 #include "whittle/engine/spoke_lists.hh"
+#include "whittle/engine/threshold_pairs.hh"
 
 namespace whittle {
 
@@ -43,19 +45,30 @@ class Wings {
 
 /// The two stars of a pair (a, b), as far as a contraction looks at them. Valid until the next contraction.
 struct PairStar {
-  /// Of a face at a and b, the corner that is neither.
+  /// A common neighbour.
   struct Opposite {
     Index vertex;
     std::array<Index, 2> edges;  ///< from the pair's vertices to it, or what has been merged into those
   };
-  Wings first;   ///< faces at a without b
-  Wings second;  ///< faces at b without a
-  std::vector<Opposite> opposites;
+  Wings first;                      ///< faces at a without b
+  Wings second;                     ///< faces at b without a
+  std::vector<Opposite> opposites;  ///< of each face at a and b, the corner that is neither
+
+  /// What a contraction does to the neighbourhood where the link condition doesn't hold. The merged vertex is called a.
+  struct Joint {
+    std::vector<Opposite> common;            ///< all common neighbours, ascending
+    std::vector<std::vector<Spoke>> faces;   ///< at each of those afterwards, in pairs
+    std::array<std::vector<Spoke>, 2> left;  ///< faces at a and at b that don't vanish, in pairs
+    std::vector<Wings::Wing> coincident;     ///< of the faces that vanish as they would coincide, the other corners
+    std::vector<Index> lost_edges;           ///< which lose all their faces
+  };
+  bool is_joint = false;  ///< If so, `first` and `second` are without the faces that vanish.
+  Joint joint;
 };
 
-/// Two vertices that may become one, and the edge between them.
+/// Two vertices that may become one: joined by an edge, or closer than a threshold.
 struct Pair {
-  Index edge;
+  Index id;
   Index a, b;
 };
 
@@ -66,28 +79,37 @@ enum class VertexOrder : std::uint8_t {
   junction,  ///< anything else: bow-ties, meeting lines
 };
 
+/// What half-edges can't hold.
+struct NonmanifoldCounts {
+  std::uint64_t edges = 0;     ///< with three faces or more
+  std::uint64_t vertices = 0;  ///< whose faces, connected over edges at it, are two sets or more
+};
+
 /// Any set of triangles under contraction: flat arrays, each vertex with its quadric and a list of its neighbours,
 /// merged vertices and edges as forests. docs/dev/engine.md says what lies where, and why.
 ///
-/// A regular vertex has its neighbours in a ring, so that each two that follow each other, the last and the first too,
-/// are those of a face. Any other has them in pairs, two for a face.
+/// A regular vertex whose faces have one orientation has its neighbours in a ring, counter-clockwise: each two that
+/// follow each other, the last and the first too, are those of a face. Any other has them in pairs, two for a face, in
+/// the order (vertex, first, second) of the face.
 ///
 /// Vertices are numbered along a space-filling curve, so that neighbours lie close in memory; `origin` gives the number
 /// in the input. A contraction changes the lists of its own two vertices only: the others' name merged vertices, and
 /// faces that have vanished, until they are next gathered. A face has vanished when two of its corners are one.
 class TriangleComplex {
  public:
-  /// The ends of an edge.
-  struct Edge {
+  /// The ends of a pair.
+  struct Ends {
     Index first, second;
   };
 
   /// Takes the faces' vertex numbers as checked. Faces with two equal corners are left out.
   /// \param positions in model units; all in here is in the frame.
+  /// \param threshold_pairs vertices that are pairs beside the edges; each has a face, none of them a common one
   /// \param quadric what the vertices' quadrics are made of, each summed in the input's order of faces
   /// \param threads 0 = all cores; the result is the same.
-  TriangleComplex(std::span<const Vec3> positions, std::span<const Triangle> faces, const Frame& frame,
-                  const QuadricOptions& quadric, unsigned threads);
+  TriangleComplex(std::span<const Vec3> positions, std::span<const Triangle> faces,
+                  std::span<const VertexPair> threshold_pairs, const Frame& frame, const QuadricOptions& quadric,
+                  unsigned threads);
 
   std::size_t n_vertex_slots() const { return vertices_.size(); }
   std::uint64_t n_vertices() const { return n_vertices_; }  ///< with at least one face
@@ -119,8 +141,24 @@ class TriangleComplex {
     fill_lanes(lanes.c, [&](std::size_t lane) { return quadric(lane).c; });
     return lanes;
   }
+  /// With the point quadrics that joining holds v by; only where there are threshold pairs.
+  PlacedQuadric placed_with_points(Index v) const { return with_points(placed(v), points_[v], point_weight_); }
+  /// Level vertices with their points side by side.
+  template <class Real, class VertexAt>
+  [[gnu::always_inline]] QuadricLanes<Real> placed_level_with_points(const VertexAt& vertex) const {
+    const auto points_at = [&](std::size_t lane) -> const PointQuadric& { return points_[vertex(lane)]; };
+    PointQuadricLanes<Real> points{};
+    points.center = point_lanes<Real>([&](std::size_t lane) -> const Vec3& { return points_at(lane).center; });
+    fill_lanes(points.weight, [&](std::size_t lane) { return points_at(lane).weight; });
+    fill_lanes(points.spread, [&](std::size_t lane) { return points_at(lane).spread; });
+    QuadricLanes<Real> lanes = placed_level<Real>(vertex);
+    add_points(lanes, points, point_weight_);
+    return lanes;
+  }
   Index origin(Index v) const { return vertices_[v].origin; }
   VertexOrder order(Index v) const { return stars_[v].order; }
+  /// Whether its faces are one fan, closed or open.
+  bool is_manifold(Index v) const { return order(v) != VertexOrder::junction; }
   /// Whether v was ever in a face.
   bool has_faces(Index v) const { return stars_[v].spokes.size > 0; }
   /// The neighbours of v as last gathered, those of an irregular vertex as often as it has faces with them.
@@ -137,19 +175,35 @@ class TriangleComplex {
     return r;
   }
 
-  /// Edges are numbered along their lower vertices. Where a contraction makes one of two edges, one of them lives on.
-  std::size_t n_edge_slots() const { return edges_.size(); }
-  bool is_edge_alive(Index e) const { return (edge_alive_[e / 64] >> (e % 64) & 1) != 0; }
-  /// The vertices that the ends of e have been merged into. Of an edge that isn't alive, any vertices: whether it is
-  /// can't be foretold, and there is no branch on it.
-  Edge ends(Index e) {
-    const auto [first, second] = edges_[e];
-    return {representative(select(is_edge_alive(e), first, Index{0})), representative(second)};
+  /// The edges are numbered along their lower vertices; after them come the threshold pairs. Where a contraction makes
+  /// one of two edges, one of them lives on.
+  std::size_t n_pair_slots() const { return pairs_.size(); }
+  bool is_threshold_pair(Index id) const { return id >= n_edges_; }
+  bool has_threshold_pairs() const { return pairs_.size() > n_edges_; }
+  bool is_pair_alive(Index id) const { return (pair_alive_[id / 64] >> (id % 64) & 1) != 0; }
+  void remove_pair(Index id) { pair_alive_[id / 64] &= ~(std::uint64_t{1} << (id % 64)); }
+  /// The vertices that the ends of a pair have been merged into; they may be the same for a threshold pair. Of a pair
+  /// that isn't alive, any vertices: whether it is can't be foretold, and there is no branch on it.
+  Ends ends(Index id) {
+    const auto [first, second] = pairs_[id];
+    return {representative(select(is_pair_alive(id), first, Index{0})), representative(second)};
+  }
+  /// Whether the ends of a pair that is alive are still two vertices with faces.
+  bool is_contractible(const Pair& pair) const {
+    return !is_threshold_pair(pair.id) || (pair.a != pair.b && has_faces(pair.a) && has_faces(pair.b));
   }
   /// Before the first contraction; several threads may ask.
-  Edge initial_ends(Index e) const { return edges_[e]; }
+  Ends initial_ends(Index id) const { return pairs_[id]; }
 
   void gather(Index a, Index b, PairStar& star);
+  /// Looks at what contracting (a, b) would make of the topology: fills in the rest of `star`.
+  ///
+  /// Faces at a and at b over the same edge would coincide. Of those with one orientation as often as with the other
+  /// none is left, else one of the more frequent one, at a if there is one.
+  void plan_joint(Index a, Index b, PairStar& star);
+  /// Whether a contraction planned as a joint leaves no fewer border edges, non-manifold edges and non-manifold
+  /// vertices than there were, and takes the last face from no vertex but the two.
+  bool is_no_less_manifold(Index a, Index b, const PairStar& star);
 
   /// Whether contracting (a, b) leaves the topology as it is: Lk a ∩ Lk b = Lk ab, borders and non-manifold lines seen
   /// as joined to a cone vertex. \cite dey_1999_topology
@@ -157,18 +211,24 @@ class TriangleComplex {
     return obviously_keeps_topology(a, b, star) || link_condition_of_any(a, b, star);
   }
 
-  /// Merges `removed` into `survivor`, which becomes `merged`. `star` as gathered for (survivor, removed), `edge` the
-  /// one between them.
-  void contract(Index edge, Index survivor, Index removed, const PlacedQuadric& merged, const PairStar& star);
+  /// Merges `removed` into `survivor`, which becomes `merged`. `star` as gathered for (survivor, removed), `pair` the
+  /// number of theirs.
+  void contract(Index pair, Index survivor, Index removed, const PlacedQuadric& merged, const PairStar& star);
 
   Index n_contractions() const { return n_contractions_; }
   /// The number of contractions done when v last changed.
   Index last_change(Index v) const { return quadrics_[v].last_change; }
 
-  void prefetch_edge(Index e) const { prefetch(&edges_[e]); }
-  void prefetch_ends(Index e) const {
-    prefetch(parents_.data() + edges_[e].first);
-    prefetch(parents_.data() + edges_[e].second);
+  /// Faces that vanished because they coincided with others.
+  std::uint64_t n_coincident_faces() const { return n_coincident_faces_; }
+  /// The faces there are, each from its lowest vertex on, ascending.
+  std::vector<Triangle> live_faces();
+  NonmanifoldCounts count_nonmanifold();
+
+  void prefetch_pair(Index id) const { prefetch(&pairs_[id]); }
+  void prefetch_ends(Index id) const {
+    prefetch(parents_.data() + pairs_[id].first);
+    prefetch(parents_.data() + pairs_[id].second);
   }
   void prefetch_placed(Index v) const {
     prefetch(&vertices_[v]);
@@ -187,6 +247,7 @@ class TriangleComplex {
                        unsigned threads);
   void list_faces(std::span<const Triangle> faces, const std::vector<Index>& number_of);
   void set_up_stars(const QuadricOptions& options, unsigned threads);
+  void set_points(std::size_t begin, std::size_t end, const QuadricOptions& options);
   void sum_planes(std::size_t begin, std::size_t end, const QuadricOptions& options);
   void sum_planes_of_four(std::size_t begin, std::size_t end, const QuadricOptions& options);
   template <class Real>
@@ -194,33 +255,54 @@ class TriangleComplex {
   template <class Real>
   void sum_planes_in_lanes(Index first, const QuadricOptions& options);
   SymmetricMatrix with_border_planes(SymmetricMatrix sum, Index v, const QuadricOptions& options);
-  void make_ring(Index v);
   void make_pairs(Index v);
-  void gather_link(Index v);
-  VertexOrder order_of_link() const;
   void number_edges(unsigned threads);
   std::size_t sort_edges(Index v, std::size_t first, std::size_t end);
-  Index find_edge(const Edge& edge, Index begin, Index end) const;
+  Index find_edge(const Ends& edge, Index begin, Index end) const;
+  void add_threshold_pairs(std::span<const VertexPair> pairs, const std::vector<Index>& number_of);
 
   Index place_in_link(Index v);
-  bool is_ring(Index v) const { return stars_[v].order == VertexOrder::regular; }
+  void gather_link(std::span<const Wings::Wing> faces);
+  VertexOrder order_of_link() const;
+  void gather_link_of(std::span<const Spoke> pairs);
+  std::size_t n_fans();
+  bool is_link_oriented() const;
+  Index step_along_link(Index& place) const;
+  bool is_ring(Index v) const { return stars_[v].is_ring; }
   /// One of the two stars of a pair under look.
   struct GatheredStar {
     std::vector<Spoke> spokes;
     std::vector<Spoke> opposites;  ///< of the faces with the other vertex, the third corners
+  };
+  /// Where a surface isn't a closed manifold.
+  struct Defects {
+    struct Edge {
+      Index low, high;
+      std::size_t n_faces;
+      auto operator<=>(const Edge&) const = default;
+    };
+    std::vector<Edge> edges;     ///< those of not two faces; some twice
+    std::size_t n_vertices = 0;  ///< of several fans
+
+    std::array<std::size_t, 3> counts();
   };
   Wings gather_one(Index v, Index other, GatheredStar& star);
   Wings gather_ring(Index v, Index other, GatheredStar& star);
   Wings gather_pairs(Index v, Index other, GatheredStar& star);
   bool link_condition_of_any(Index a, Index b, const PairStar& star);
   bool obviously_keeps_topology(Index a, Index b, const PairStar& star) const;
-  void remove_edge(Index e) { edge_alive_[e / 64] &= ~(std::uint64_t{1} << (e % 64)); }
   Index live_edge(Index e) const;
   void merge_edges(const PairStar::Opposite& opposite);
   Index store_slope(const Vec3& slope, Index v);
   void merge_stars(Index survivor, Index removed, const PairStar& star);
   static std::size_t n_merged(const PairStar& star, bool is_ring);
   static void join(const PairStar& star, bool is_ring, std::span<Spoke> spokes);
+  void merge_points(Index pair, Index survivor, Index removed);
+  void join_neighbourhoods(Index survivor, Index removed, const PairStar& star);
+  void set_star(Index v, std::span<const Spoke> pairs);
+  void list_live_pairs(Index v);
+  void plan_neighbour(Index v, Index a, Index b, PairStar::Joint& joint);
+  void add_defects(Index v, std::span<const Spoke> pairs, Defects& defects);
 
   /// One cache line. The slope b, three more numbers, is zero but for the few vertices that are not where their quadric
   /// is least.
@@ -233,6 +315,7 @@ class TriangleComplex {
   struct Star {
     SpokeLists::List spokes;
     VertexOrder order = VertexOrder::regular;
+    bool is_ring = true;
   };
   /// What is asked of a neighbour, and no more: two vertices a cache line.
   struct alignas(32) Vertex {
@@ -245,11 +328,16 @@ class TriangleComplex {
   LargeArray<Vec3> slopes_;
   LargeArray<Star> stars_;
   SpokeLists spoke_lists_;
-  LargeArray<Edge> edges_;                 ///< the ends it had at first; `first` of one merged into another: that
-  std::vector<std::uint64_t> edge_alive_;  ///< a bit an edge
+  LargeArray<Ends> pairs_;                 ///< the ends it had at first; `first` of one merged into another: that
+  std::vector<std::uint64_t> pair_alive_;  ///< a bit a pair
+  std::size_t n_edges_ = 0;
+  std::vector<PointQuadric> points_;  ///< by vertex, if there are threshold pairs
+  double point_weight_ = 0;
   std::uint64_t n_vertices_ = 0;
   std::uint64_t n_faces_ = 0;
   std::uint64_t n_degenerate_faces_ = 0;
+  std::uint64_t n_coincident_faces_ = 0;
+  std::vector<Index> irregular_;  ///< vertices, or what merged into one, that are or were irregular
   Index n_contractions_ = 0;
 
   /// A neighbour of one vertex or of a pair, with the number of faces at its edges to them.
@@ -257,15 +345,19 @@ class TriangleComplex {
     Index vertex;
     std::array<Index, 2> n_faces{};                           ///< at the edge to the first and the second vertex
     std::array<Index, 2> next{invalid_index, invalid_index};  ///< places of up to two neighbours in the link
-    bool opposite = false;                                    ///< corner of a face of the pair
+    Index n_ahead = 0;            ///< of how many faces (vertex, this, ...) it is the first other corner
+    Index ahead = invalid_index;  ///< place of the second other one of the last of them
+    bool opposite = false;        ///< corner of a face of the pair
 
     /// The place a walk along the link goes to from here.
-    Index ahead(Index previous) const { return next[0] == previous ? next[1] : next[0]; }
+    Index beyond(Index previous) const { return next[0] == previous ? next[1] : next[0]; }
   };
   /// Scratch: the neighbours under look, and each vertex's place among them, right only if the entry there names it.
   std::vector<LinkEntry> link_;
   std::vector<Index> link_place_;
   std::array<GatheredStar, 2> gathered_;  ///< scratch
+  std::vector<Wings::Wing> faces_;        ///< scratch: those at one vertex, each by its other corners
+  std::vector<Spoke> live_;               ///< scratch: the same, in pairs
 };
 
 }  // namespace whittle

@@ -1,0 +1,247 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "support/brute_force.hh"
+#include "support/shapes.hh"
+#include "support/topology.hh"
+#include "whittle/engine/decimate.hh"
+
+// Contractions that change the topology: threshold pairs, and edges under free topology.
+
+namespace whittle::test {
+namespace {
+
+DecimateTarget to_vertices(std::uint64_t n) {
+  DecimateTarget target;
+  target.vertices = n;
+  return target;
+}
+
+DecimateOptions with_threshold(double threshold) {
+  DecimateOptions options;
+  options.pairs.threshold = threshold;
+  return options;
+}
+
+/// The cube (±1)³ and its image in a mirror beside it.
+IndexedMesh mirrored_cubes(double gap) {
+  IndexedMesh image = inside_out(cube());
+  for (Vec3& p : image.positions) p.x() = 2 + gap - p.x();
+  return joined(cube(), image);
+}
+
+TEST(Joint, TwoBoxesWithAGapBecomeOneAndTheWallsBetweenThemVanish) {
+  const Decimation d = decimate(mirrored_cubes(0.1), to_vertices(12), with_threshold(0.11));
+  EXPECT_EQ(d.result.threshold_pairs.considered, 4U);
+  EXPECT_EQ(d.result.threshold_pairs.contracted, 4U);
+  EXPECT_EQ(d.result.n_coincident_faces, 4U);
+  EXPECT_EQ(d.result.before.components, 2U);
+  EXPECT_EQ(d.result.after.components, 1U);
+  EXPECT_EQ(d.result.after.nonmanifold_edges, 0U);
+  EXPECT_EQ(d.result.n_vanished_components, 0U);
+  EXPECT_EQ(d.mesh.faces.size(), 20U);
+  EXPECT_EQ(d.mesh.positions.size(), 12U);
+  EXPECT_TRUE(topology(d.mesh).closed());
+  EXPECT_TRUE(topology(d.mesh).manifold());
+}
+
+TEST(Joint, AreThoseStrictlyCloser) {
+  const IndexedMesh mesh = boxes(2, 1, 0.125);
+  EXPECT_EQ(decimate(mesh, {}, with_threshold(0.125)).result.threshold_pairs.considered, 0U);
+  EXPECT_EQ(decimate(mesh, {}, with_threshold(0.1251)).result.threshold_pairs.considered, 4U);
+}
+
+TEST(Joint, ABowTieIsCounted) {
+  const Decimation d = decimate(spheres(2, 2, 0.01), to_vertices(2 * 162 - 1), with_threshold(0.02));
+  EXPECT_EQ(d.result.threshold_pairs.contracted, 1U);
+  EXPECT_EQ(d.result.before.nonmanifold_vertices, 0U);
+  EXPECT_EQ(d.result.after.nonmanifold_vertices, 1U);
+  EXPECT_EQ(d.result.after.components, 1U);
+}
+
+TEST(Joint, AcrossAThinWallAreLeftOutUnlessAskedFor) {
+  IndexedMesh plate = tessellated_cube(3);
+  for (Vec3& p : plate.positions) p.z() *= 0.005;
+  DecimateOptions options = with_threshold(0.02);
+  const std::uint64_t n_beside_walls = decimate(plate, {}, options).result.threshold_pairs.considered;
+  options.pairs.across_walls = true;
+  const std::uint64_t n_all = decimate(plate, {}, options).result.threshold_pairs.considered;
+  EXPECT_GE(n_all, n_beside_walls + 4);  // the inner vertices of both sides
+}
+
+TEST(Joint, WithoutAnyAllIsAsWithoutAThreshold) {
+  const IndexedMesh mesh = spheres(2, 2, 0.5);
+  const auto contractions = [&](double threshold) {
+    std::vector<Index> survivors;
+    DecimateOptions options = with_threshold(threshold);
+    options.listener = [&](const Contraction& c) { survivors.push_back(c.survivor); };
+    decimate(mesh, to_vertices(20), options);
+    return survivors;
+  };
+  EXPECT_EQ(contractions(1e-6), contractions(0));
+}
+
+TEST(Joint, OfLockedVerticesLeaveThemWhereTheyAre) {
+  const IndexedMesh mesh = boxes(2, 1, 0.1);
+  const std::vector<std::uint8_t> locked(mesh.positions.size(), 1);
+  DecimateOptions options = with_threshold(0.2);
+  options.locked = locked;
+  const Decimation d = decimate(mesh, {}, options);
+  EXPECT_EQ(d.result.n_contractions, 0U);
+  EXPECT_EQ(d.result.threshold_pairs.considered, 4U);
+}
+
+TEST(FreeTopology, LetsPartsVanishButNotTheLastFace) {
+  DecimateOptions options;
+  options.topology = whittle::Topology::free;
+  options.max_normal_flip_deg = 180;
+  const Decimation d = decimate(joined(tetrahedron(), spheres(1, 1, 0)), {}, options);
+  EXPECT_GT(d.mesh.faces.size(), 0U);
+  EXPECT_EQ(d.result.n_vanished_components, 1U);
+  EXPECT_EQ(d.result.before.components, 2U);
+  EXPECT_EQ(d.result.after.components, 1U);
+}
+
+TEST(FreeTopology, ClosesTunnels) {
+  DecimateOptions options;
+  options.topology = whittle::Topology::free;
+  const IndexedMesh mesh = torus(24, 6, 1.0, 0.1);
+  DecimateTarget target;
+  target.faces = 12;
+  const Decimation kept = decimate(mesh, target);
+  EXPECT_GT(kept.mesh.faces.size(), target.faces);  // a torus has 14 faces at least
+  const Decimation d = decimate(mesh, target, options);
+  EXPECT_LE(d.mesh.faces.size(), *target.faces);
+  EXPECT_GT(d.mesh.faces.size(), 0U);
+}
+
+TEST(Joint, ResultsDoNotDependOnThreads) {
+  const IndexedMesh mesh = spheres(3, 3, 0.02);
+  DecimateOptions options = with_threshold(0.2);
+  DecimateTarget target;
+  target.faces = 200;
+  options.threads = 1;
+  const Decimation expected = decimate(mesh, target, options);
+  EXPECT_GT(expected.result.threshold_pairs.contracted, 0U);
+  for (const unsigned threads : {2U, 3U, 8U}) {
+    options.threads = threads;
+    const Decimation d = decimate(mesh, target, options);
+    EXPECT_EQ(d.mesh.positions, expected.mesh.positions);
+    EXPECT_EQ(d.mesh.faces, expected.mesh.faces);
+  }
+}
+
+// Anything against brute force ----------------------------------------------------------------------------------------
+
+/// Small sets of triangles of every kind, with options of every kind.
+struct RandomCase {
+  explicit RandomCase(std::uint64_t seed) : random(seed) {
+    mesh = random_mesh(seed);
+    const auto n_faces = static_cast<int>(mesh.faces.size());
+    if (one_in(4)) {
+      for (Triangle& face : mesh.faces) {
+        if (one_in(2)) std::swap(face[0], face[1]);
+      }
+    }
+    for (int n = one_in(5) ? whole(1, 5) : 0; n > 0; --n) {
+      Triangle face = mesh.faces[static_cast<std::size_t>(whole(0, n_faces - 1))];
+      if (one_in(2)) std::swap(face[1], face[2]);
+      mesh.faces.push_back(face);
+    }
+    options.pairs.threshold = one_in(4) ? 0 : real(0.01, 2);
+    options.pairs.max_pairs = static_cast<std::uint32_t>(one_in(3) ? whole(0, 6) : 32);
+    options.pairs.across_walls = one_in(2);
+    options.topology = one_in(2) ? whittle::Topology::free : whittle::Topology::keep;
+    options.quadric.point_weight = std::pow(10, real(-6, 0));
+    if (one_in(4)) options.quadric.placement = static_cast<Placement>(whole(0, 2));
+    if (one_in(3)) options.max_normal_flip_deg = 180;
+    options.boundary = static_cast<Boundary>(whole(0, 2));
+    if (one_in(5)) {
+      for (std::size_t v = 0; v < mesh.positions.size(); ++v) locked.push_back(one_in(5));
+      options.locked = locked;
+    }
+    if (one_in(2)) target.faces = static_cast<std::uint64_t>(whole(0, n_faces));
+  }
+
+  IndexedMesh random_mesh(std::uint64_t seed) {
+    switch (whole(0, 4)) {
+      case 0:
+        return noisy_sphere(1, 0.2, seed);
+      case 1:
+        return shaken(soup(noisy_grid(4, 4, 0.3, seed)), 1e-3);
+      case 2:
+        return shaken(boxes(2, 2, real(0.01, 1.5)), 1e-2);
+      case 3:
+        return joined(noisy_sphere(1, 0.2, seed), glued(spheres(2, 1, 0.0)));
+      default:
+        return random_triangles();
+    }
+  }
+
+  IndexedMesh random_triangles() {
+    IndexedMesh result;
+    const int n = whole(5, 18);
+    for (int i = 0; i < n; ++i) result.positions.emplace_back(real(-1, 1), real(-1, 1), real(-1, 1));
+    const auto vertex = [&] { return static_cast<Index>(whole(0, n - 1)); };
+    for (int i = whole(3, 40); i > 0; --i) result.faces.push_back({vertex(), vertex(), vertex()});
+    return result;
+  }
+
+  IndexedMesh shaken(IndexedMesh result, double amplitude) {
+    for (Vec3& p : result.positions) p += amplitude * Vec3(real(-1, 1), real(-1, 1), real(-1, 1));
+    return result;
+  }
+
+  double real(double low, double high) { return std::uniform_real_distribution<>(low, high)(random); }
+  int whole(int low, int high) { return std::uniform_int_distribution<>(low, high)(random); }
+  bool one_in(int n) { return whole(1, n) == 1; }
+
+  std::mt19937_64 random;
+  IndexedMesh mesh;
+  DecimateOptions options;
+  std::vector<std::uint8_t> locked;
+  DecimateTarget target;
+};
+
+std::vector<Triangle> in_one_order(std::vector<Triangle> faces) {
+  for (Triangle& face : faces) std::rotate(face.begin(), std::ranges::min_element(face), face.end());
+  std::ranges::sort(faces);
+  return faces;
+}
+
+TEST(RandomTriangles, AreContractedAsByBruteForce) {
+  std::uint64_t n_joined = 0;
+  std::uint64_t n_coincident = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomCase c(seed);
+    std::vector<Contraction> found;
+    c.options.listener = [&](const Contraction& contraction) { found.push_back(contraction); };
+    BruteForceDecimater brute_force(c.mesh, c.options);
+    const std::vector<Contraction> expected = brute_force.run(c.target);
+    const Decimation d = decimate(c.mesh, c.target, c.options);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      ASSERT_EQ(found[i].survivor, expected[i].survivor) << i;
+      ASSERT_EQ(found[i].removed, expected[i].removed) << i;
+      ASSERT_EQ(found[i].cost, expected[i].cost) << i;
+      ASSERT_EQ(found[i].position, expected[i].position) << i;
+    }
+    std::vector<Triangle> faces;
+    for (const auto& [a, b, v] : d.mesh.faces) {
+      faces.push_back({d.mesh.origins[a], d.mesh.origins[b], d.mesh.origins[v]});
+    }
+    EXPECT_EQ(in_one_order(faces), in_one_order(brute_force.faces()));
+    EXPECT_EQ(d.result.n_vertices, brute_force.n_vertices());
+    EXPECT_EQ(d.result.n_faces, brute_force.n_faces());
+    n_joined += d.result.threshold_pairs.contracted;
+    n_coincident += d.result.n_coincident_faces;
+  }
+  EXPECT_GT(n_joined, 1000U);  // or this would be about nothing
+  EXPECT_GT(n_coincident, 1000U);
+}
+
+}  // namespace
+}  // namespace whittle::test
