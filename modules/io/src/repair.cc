@@ -1,10 +1,10 @@
 #include "whittle/io/repair.hh"
 
 #include <algorithm>
-#include <numeric>
 
 #include "buckets.hh"
 #include "repair_detail.hh"
+#include "whittle/engine/drop.hh"
 
 namespace whittle::io {
 
@@ -87,34 +87,12 @@ std::size_t drop_duplicate_faces(IndexedMesh& mesh) {
 
 std::size_t drop_isolated_vertices(IndexedMesh& mesh) {
   const std::size_t count = mesh.positions.size();
-  std::vector<Index> renumbered(count, invalid_index);
+  std::vector<char> is_used(count, 0);
   for (const Triangle& face : mesh.faces) {
-    for (const Index v : face) renumbered[v] = 0;
+    for (const Index v : face) is_used[v] = 1;
   }
-  Index kept = 0;
-  for (Index& number : renumbered) {
-    if (number == 0) number = kept++;
-  }
-  if (kept == count) return 0;
-  if (mesh.origins.empty()) {
-    mesh.origins.resize(count);
-    std::iota(mesh.origins.begin(), mesh.origins.end(), Index{0});
-  }
-  const auto compact = [&](auto& values) {
-    if (values.empty()) return;
-    for (std::size_t v = 0; v < count; ++v) {
-      if (renumbered[v] != invalid_index) values[renumbered[v]] = values[v];
-    }
-    values.resize(kept);
-  };
-  compact(mesh.positions);
-  compact(mesh.normals);
-  compact(mesh.colors);
-  compact(mesh.origins);
-  for (Triangle& face : mesh.faces) {
-    for (Index& v : face) v = renumbered[v];
-  }
-  return count - kept;
+  drop_vertices(mesh, [&](std::size_t v) { return is_used[v] == 0; });
+  return count - mesh.positions.size();
 }
 
 Repairs repair(IndexedMesh& mesh, bool weld, std::vector<Index>* joined_to) {

@@ -3,36 +3,17 @@
 #include "whittle/metrics/topology.hh"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 #include "checks.hh"
 #include "edges.hh"
+#include "whittle/engine/disjoint_sets.hh"
 
 namespace whittle::metrics {
 
 namespace {
 
-/// Union-find over 0 … n − 1 with path halving.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-
-  std::size_t find(std::size_t x) {
-    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-    return x;
-  }
-  /// Returns whether the two sets were different.
-  bool join(std::size_t x, std::size_t y) {
-    x = find(x), y = find(y);
-    if (x == y) return false;
-    parent_[std::max(x, y)] = std::min(x, y);
-    return true;
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
+using Sets = DisjointSets<std::size_t>;
 
 std::size_t corner_at(const IndexedMesh& mesh, Index face, Index vertex) {
   const Triangle& corners = mesh.faces[face];
@@ -50,7 +31,7 @@ bool is_misoriented(const IndexedMesh& mesh, const EdgeTable& edges, std::size_t
 /// are in one set can't be turned right.
 bool is_orientable(const IndexedMesh& mesh, const EdgeTable& edges) {
   const std::size_t n = mesh.faces.size();
-  DisjointSets ways(2 * n);
+  Sets ways(2 * n);
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto faces = edges.faces(e);
     if (faces.size() != 2) continue;
@@ -65,9 +46,9 @@ bool is_orientable(const IndexedMesh& mesh, const EdgeTable& edges) {
 }
 
 /// `fans`: the corners, joined. Of the boundary edges in a fan all are in the curve of the first one met.
-std::size_t count_boundary_loops(const IndexedMesh& mesh, const EdgeTable& edges, DisjointSets& fans) {
+std::size_t count_boundary_loops(const IndexedMesh& mesh, const EdgeTable& edges, Sets& fans) {
   std::vector<std::size_t> first_in_fan(3 * mesh.faces.size(), edges.size());
-  DisjointSets curves(edges.size());
+  Sets curves(edges.size());
   std::size_t loops = 0;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (edges.faces(e).size() != 1) continue;
@@ -104,7 +85,7 @@ Topology topology(const IndexedMesh& mesh) {
   }
   for (const std::size_t corners : n_fans) result.vertices += corners > 0 ? 1 : 0;
 
-  DisjointSets parts(mesh.positions.size()), fans(3 * mesh.faces.size());
+  Sets parts(mesh.positions.size()), fans(3 * mesh.faces.size());
   result.components = result.vertices;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto [low, high, first] = edges[e];
