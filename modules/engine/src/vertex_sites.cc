@@ -5,6 +5,7 @@
 #include <string>
 #include <tuple>
 
+#include "checks.hh"
 #include "space_filling_curve.hh"
 
 namespace whittle {
@@ -13,12 +14,8 @@ namespace {
 /// The numbers of the vertices in faces, ascending.
 std::vector<Index> vertices_in_faces(std::size_t n_vertices, std::span<const Triangle> faces) {
   std::vector<char> is_used(n_vertices, 0);
+  check_corners(n_vertices, faces);
   for (const Triangle& face : faces) {
-    for (const Index v : face) {
-      if (v < n_vertices) continue;
-      throw std::invalid_argument("face " + std::to_string(&face - faces.data()) + " names vertex " +
-                                  std::to_string(v) + " of " + std::to_string(n_vertices));
-    }
     if (!has_three_corners(face)) continue;
     for (const Index v : face) is_used[v] = 1;
   }
