@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "errors.hh"
 #include "input.hh"
 #include "interruption.hh"
 #include "openmesh_engine.hh"
@@ -16,6 +17,8 @@
 #include "subcommands.hh"
 #include "table.hh"
 #include "values.hh"
+#include "whittle/engine/automatic_threshold.hh"
+#include "whittle/engine/parts.hh"
 #include "whittle/io/write.hh"
 
 namespace whittle::app {
@@ -32,15 +35,47 @@ struct Seconds {
 struct Run {
   Input input;
   DecimateTarget target;
+  double diagonal = 0;  ///< of the input's bounding box
+  std::size_t n_pruned_parts = 0;
+  double threshold = 0;  ///< of pairs, model units
   Decimation decimation;
   bool met = false;
   std::vector<std::string> warnings;
   Seconds seconds;
 };
 
+/// Drops small parts from the input.
+void prune(const SimplifyOptions& options, const Talk& talk, Run& run) {
+  io::ReadResult& read = run.input.read;
+  PrunedMesh pruned = without_small_parts(std::move(read.mesh), options.prune->in_units(run.diagonal));
+  if (pruned.mesh.faces.empty()) {
+    throw UnsupportedMesh(run.input.name + ": nothing is left without the parts smaller than " +
+                          to_string(*options.prune) + "; choose a smaller --prune");
+  }
+  for (Index& v : read.vertex_map) v = v == invalid_index ? v : pruned.vertex_map[v];
+  read.mesh = std::move(pruned.mesh);
+  run.n_pruned_parts = pruned.n_dropped_parts;
+  if (pruned.n_dropped_parts == 0) return;
+  talk.say(run.input.name + ": dropped " + std::to_string(pruned.n_dropped_parts) + " small parts, " +
+           std::to_string(pruned.n_dropped_faces) + " faces");
+}
+
+/// Model units.
+double resolve_threshold(const SimplifyOptions& options, const Talk& talk, Run& run) {
+  if (!options.threshold.is_automatic) return options.threshold.length.in_units(run.diagonal);
+  const double threshold = automatic_threshold(run.input.read.mesh, options.common.threads);
+  if (threshold == 0) {
+    run.warnings.push_back(run.input.name +
+                           ": no parts lie near one another, '--threshold auto' contracts edges alone");
+    talk.warning(run.warnings.back());
+  }
+  return threshold;
+}
+
 Decimation decimate_input(const SimplifyOptions& options, const Talk& talk, const Run& run) {
   ProgressBar bar(talk, "decimating");
   DecimateOptions engine_options = options.decimate;
+  engine_options.pairs.threshold = run.threshold;
   engine_options.threads = options.common.threads;
   engine_options.progress = [&bar](const Progress& progress) {
     bar.update(progress.fraction, std::to_string(progress.n_faces) + " faces");
@@ -95,13 +130,26 @@ std::string shortfall(const SimplifyOptions& options, const Run& run) {
          refusals(options, result.rejections) + "; " + advice(options, result.rejections);
 }
 
+Json surface_json(const SurfaceCounts& counts) {
+  return {{"components", counts.components},
+          {"nonmanifold_edges", counts.nonmanifold_edges},
+          {"nonmanifold_vertices", counts.nonmanifold_vertices}};
+}
+
 Json output_json(const SimplifyOptions& options, const Run& run, const metrics::Topology& topology) {
   Json json = {{"path", options.output}, {"vertices", topology.vertices}, {"faces", topology.faces}};
   add_topology(json, topology);
-  // An edge contraction neither joins nor divides parts: fewer means that some are gone.
-  const std::size_t before = metrics::topology(run.input.read.mesh).components;
-  json["vanished_components"] = before - std::min(before, topology.components);
+  json["vanished_components"] = run.decimation.result.n_vanished_components;
+  json["pruned_components"] = run.n_pruned_parts;
+  json["coincident_faces"] = run.decimation.result.n_coincident_faces;
   return json;
+}
+
+Json threshold_pairs_json(const ThresholdPairCounts& pairs) {
+  return {{"considered", pairs.considered},
+          {"contracted", pairs.contracted},
+          {"threshold", pairs.threshold},
+          {"capped", pairs.capped}};
 }
 
 /// OpenMesh's decimater doesn't say what it refused, and why.
@@ -114,14 +162,15 @@ Json simplify_json(const SimplifyOptions& options, const Run& run) {
   const IndexedMesh& mesh = run.decimation.mesh;
   const DecimateResult& result = run.decimation.result;
   Json json = new_report();
-  json["input"] = input_json(run.input, metrics::bounds(run.input.read.mesh).diagonal());
+  json["input"] = input_json(run.input, run.diagonal);
+  if (options.engine == Engine::flat) json["input"].update(surface_json(result.before));
   json["options"] = options_json(options);
   json["output"] = output_json(options, run, metrics::topology(mesh));
   json["target"] = target_json(options.targets, run.target);
   json["target"]["met"] = run.met;
   json["stop"] = to_string(result.stop);
   json["contractions"] = result.n_contractions;
-  json["threshold_pairs"] = {{"considered", 0}, {"contracted", 0}, {"threshold", 0.0}, {"capped", false}};
+  json["threshold_pairs"] = threshold_pairs_json(result.threshold_pairs);
   json["max_cost"] = result.max_cost;
   json["rejections"] = rejections_json(options, result.rejections);
   json["seconds"] = {{"read", run.seconds.read},
@@ -155,12 +204,18 @@ void write_files(const SimplifyOptions& options, const Talk& talk, const Stopwat
   if (!json_to_file) print(json);
 }
 
+std::string threshold_pairs(const ThresholdPairCounts& pairs) {
+  return "threshold " + significant(pairs.threshold) + ": " + std::to_string(pairs.considered) + " pairs" +
+         (pairs.capped ? ", the nearest of each vertex" : "") + ", " + std::to_string(pairs.contracted) + " contracted";
+}
+
 void say_details(const SimplifyOptions& options, const Talk& talk, const Run& run) {
   if (!talk.is_verbose()) return;
   const DecimateResult& result = run.decimation.result;
   talk.detail("contractions: " + std::to_string(result.n_contractions) + ", greatest cost " +
               significant(result.max_cost) + ", stopped by: " + std::string(to_string(result.stop)));
   talk.detail(refusals(options, result.rejections));
+  if (run.threshold > 0) talk.detail(threshold_pairs(result.threshold_pairs));
   talk.detail("read " + seconds_text(run.seconds.read) + ", decimate " + seconds_text(run.seconds.decimate) +
               ", write " + seconds_text(run.seconds.write));
   say_effort(talk, run.seconds.total);
@@ -199,8 +254,11 @@ ExitCode run_simplify(const CLI::App& app, const SimplifyOptions& options) {
     }
   }
   run.target = resolve(options.targets, run.input.read.mesh.positions.size());
+  run.diagonal = metrics::bounds(run.input.read.mesh).diagonal();
+  if (options.prune) prune(options, talk, run);
 
   const Stopwatch decimating;
+  run.threshold = resolve_threshold(options, talk, run);
   run.decimation = decimate_input(options, talk, run);
   run.seconds.decimate = decimating.seconds();
   run.met = is_met(run.target, run.decimation.result.stop);

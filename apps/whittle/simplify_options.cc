@@ -16,12 +16,19 @@ constexpr std::array<Choice<Placement>, 3> placements{
     {{"optimal", Placement::optimal}, {"midpoint", Placement::midpoint}, {"endpoint", Placement::endpoint}}};
 constexpr std::array<Choice<Boundary>, 3> boundaries{
     {{"weighted", Boundary::weighted}, {"locked", Boundary::locked}, {"free", Boundary::free}}};
+constexpr std::array<Choice<Topology>, 2> topologies{{{"keep", Topology::keep}, {"free", Topology::free}}};
 constexpr std::array<Choice<Engine>, 2> engines{{{"flat", Engine::flat}, {"openmesh", Engine::openmesh}}};
 
-constexpr std::array<Conflict, 2> conflicts{
+constexpr char no_pairs_why[] = "OpenMesh's decimater contracts edges alone";
+constexpr std::array<Conflict, 6> conflicts{
     {{"--boundary-weight", "--boundary free", "nothing holds borders that are free"},
-     {"--max-cost", "--engine openmesh", "OpenMesh looks at a cost when it is queued, not when its turn comes"}}};
+     {"--max-cost", "--engine openmesh", "OpenMesh looks at a cost when it is queued, not when its turn comes"},
+     {"--threshold", "--engine openmesh", no_pairs_why},
+     {"--max-pairs", "--engine openmesh", no_pairs_why},
+     {"--across-walls", "--engine openmesh", no_pairs_why},
+     {"--topology free", "--engine openmesh", "a half-edge mesh keeps its topology"}}};
 
+constexpr char pair_group[] = "Pairs and parts";
 constexpr char cost_group[] = "Cost and guards";
 constexpr char file_group[] = "Files";
 
@@ -42,6 +49,47 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, const std::strin
              [range, value_name](std::string_view text) { return parse_number(text, range, value_name); },
              description + ", " + to_string(range, value_name))
       ->default_str(shortest(target));
+}
+
+ThresholdOption parse_threshold(std::string_view text) {
+  constexpr std::string_view automatic = "auto";
+  if (text == automatic) return {true, {}};
+  try {
+    return {false, parse_length(text, "T")};
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(std::string(error.what()) + ", or 'auto'");
+  }
+}
+
+void add_pair_options(CLI::App& app, SimplifyOptions& options) {
+  PairOptions& pairs = options.decimate.pairs;
+  add_value(
+      app, "-t,--threshold", "T", options.threshold, parse_threshold,
+      "also contract vertices closer than T that no edge joins: model units, a percentage of the diagonal such as "
+      "1%, or 'auto' to choose T from the distances between parts")
+      ->default_str("0")
+      ->group(pair_group);
+  add_value(
+      app, "--max-pairs", "K", pairs.max_pairs,
+      [](std::string_view text) {
+        return static_cast<std::uint32_t>(parse_count(text, 0, std::numeric_limits<std::uint32_t>::max()));
+      },
+      "of the vertices closer than T only the K nearest of each, 0: all")
+      ->default_str(std::to_string(pairs.max_pairs))
+      ->group(pair_group);
+  app.add_flag("--across-walls", pairs.across_walls, "also contract vertices on both sides of a wall thinner than T")
+      ->default_str("off")
+      ->group(pair_group);
+  add_choice<Topology>(
+      app, "--topology", options.decimate.topology, topologies,
+      "keep: contracting an edge closes no tunnel, opens no hole and lets no part vanish; free: it may")
+      ->group(pair_group);
+  add_value(
+      app, "--prune", "S", options.prune, [](std::string_view text) { return parse_length(text, "S"); },
+      "first drop the parts whose bounding box has a diagonal below S: model units, or a percentage of the whole "
+      "mesh's")
+      ->default_str("off")
+      ->group(pair_group);
 }
 
 void add_cost_options(CLI::App& app, SimplifyOptions& options) {
@@ -87,6 +135,7 @@ void add_simplify_options(CLI::App& app, SimplifyOptions& options) {
       "write where each vertex of IN went: a line a vertex, its new number from 0, or -1")
       ->default_str("off")
       ->group(file_group);
+  add_pair_options(app, options);
   add_cost_options(app, options);
   add_common_options(app, options.common);
 }
@@ -105,16 +154,23 @@ void check(const CLI::App& app, const SimplifyOptions& options) {
 
 nlohmann::ordered_json options_json(const SimplifyOptions& options) {
   const QuadricOptions& quadric = options.decimate.quadric;
-  return {{"weld", options.reading.weld},
-          {"weights", word_of<Weights>(weights, quadric.weights)},
-          {"placement", word_of<Placement>(placements, quadric.placement)},
-          {"boundary", word_of<Boundary>(boundaries, options.decimate.boundary)},
-          {"boundary_weight", quadric.boundary_weight},
-          {"regularization", quadric.regularization},
-          {"max_normal_flip_deg", options.decimate.max_normal_flip_deg},
-          {"engine", word_of<Engine>(engines, options.engine)},
-          {"strict", options.strict},
-          {"threads", options.common.threads}};
+  return {
+      {"weld", options.reading.weld},
+      {"weights", word_of<Weights>(weights, quadric.weights)},
+      {"placement", word_of<Placement>(placements, quadric.placement)},
+      {"boundary", word_of<Boundary>(boundaries, options.decimate.boundary)},
+      {"boundary_weight", quadric.boundary_weight},
+      {"regularization", quadric.regularization},
+      {"max_normal_flip_deg", options.decimate.max_normal_flip_deg},
+      {"threshold", options.threshold.is_automatic ? "auto" : to_string(options.threshold.length)},
+      {"max_pairs", options.decimate.pairs.max_pairs},
+      {"across_walls", options.decimate.pairs.across_walls},
+      {"point_weight", quadric.point_weight},
+      {"topology", word_of<Topology>(topologies, options.decimate.topology)},
+      {"prune", options.prune ? nlohmann::ordered_json(to_string(*options.prune)) : nlohmann::ordered_json(nullptr)},
+      {"engine", word_of<Engine>(engines, options.engine)},
+      {"strict", options.strict},
+      {"threads", options.common.threads}};
 }
 
 }  // namespace whittle::app

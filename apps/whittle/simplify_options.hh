@@ -7,6 +7,7 @@
 
 #include "command_line.hh"
 #include "targets.hh"
+#include "values.hh"
 #include "whittle/engine/decimate.hh"
 
 namespace whittle::app {
@@ -17,12 +18,20 @@ enum class Engine {
   openmesh  ///< the module of the same cost in OpenMesh's stock decimater
 };
 
+/// How close vertices must be to be a pair without an edge.
+struct ThresholdOption {
+  bool is_automatic = false;  ///< chosen from the distances between the parts of the mesh
+  Length length;              ///< otherwise this
+};
+
 struct SimplifyOptions {
   std::string input;
   std::string output;
   TargetOptions targets;
   InputOptions reading;
   DecimateOptions decimate;
+  ThresholdOption threshold;
+  std::optional<Length> prune;  ///< parts smaller than this are dropped
   Engine engine = Engine::flat;
   std::optional<std::string> map;  ///< file for the vertex map
   bool strict = false;

@@ -38,6 +38,19 @@ double parse_number(std::string_view text, const Range& range, std::string_view 
   return *value;
 }
 
+Length parse_length(std::string_view text, std::string_view name) {
+  const bool is_relative = text.ends_with('%');
+  const std::optional<double> value = number(is_relative ? text.substr(0, text.size() - 1) : text);
+  if (!value || *value < 0) {
+    throw not_valid(text, "a length " + std::string(name) + " >= 0 in model units, or a percentage of the diagonal");
+  }
+  return {is_relative ? *value / 100 : *value, is_relative};
+}
+
+std::string to_string(const Length& length) {
+  return length.is_relative ? shortest(length.value * 100) + '%' : shortest(length.value);
+}
+
 std::uint64_t parse_count(std::string_view text, std::uint64_t low, std::uint64_t high) {
   std::uint64_t value = 0;
   const char* end = text.data() + text.size();

@@ -34,6 +34,20 @@ double parse_number(std::string_view text, const Range& range, std::string_view 
 std::uint64_t parse_count(std::string_view text, std::uint64_t low = 1,
                           std::uint64_t high = std::numeric_limits<std::uint64_t>::max());
 
+/// A length, of a mesh that isn't known yet.
+struct Length {
+  double value = 0;          ///< model units, or a share of the diagonal of the mesh's bounding box
+  bool is_relative = false;  ///< which
+
+  double in_units(double diagonal) const { return is_relative ? value * diagonal : value; }
+};
+
+/// At least 0: "0.5", or "1%" of the diagonal. \param name that of the value
+Length parse_length(std::string_view text, std::string_view name);
+
+/// "0.5", "1%"
+std::string to_string(const Length& length);
+
 /// A share in (0, 1): "0.3" or "30%".
 double parse_ratio(std::string_view text);
 

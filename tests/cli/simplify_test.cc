@@ -221,6 +221,70 @@ TEST(Simplify, NamesWhatItDoesNotCarry) {
   EXPECT_EQ(parse_json(outcome.out)["warnings"].size(), 1U);
 }
 
+TEST(Simplify, JoinsPartsThatLieCloserThanTheThreshold) {
+  const Simplified apart = simplify(data_file("cubes.obj"), {"--faces", "60"});
+  EXPECT_EQ(n_faces(apart), 100U) << "25 cubes can't have fewer than 4 faces each";
+  EXPECT_EQ(apart.report["output"]["components"], 25);
+  EXPECT_EQ(apart.report["threshold_pairs"]["considered"], 0);
+
+  const Simplified joined = simplify(data_file("cubes.obj"), {"--faces", "60", "--threshold", "auto"});
+  EXPECT_LE(n_faces(joined), 60U);
+  EXPECT_EQ(joined.report["target"]["met"], true);
+  EXPECT_EQ(joined.report["options"]["threshold"], "auto");
+  EXPECT_NEAR(joined.report["threshold_pairs"]["threshold"].get<double>(), 0.22, 1e-6) << "the gap is 0.2";
+  EXPECT_EQ(joined.report["threshold_pairs"]["considered"], 160) << "4 at each of 2 · 5 · 4 gaps";
+  EXPECT_GT(joined.report["threshold_pairs"]["contracted"], 100);
+  EXPECT_EQ(joined.report["input"]["components"], 25);
+  EXPECT_LT(joined.report["output"]["components"], 25);
+
+  const Simplified by_length = simplify(data_file("cubes.obj"), {"--faces", "60", "-t", "0.22"});
+  EXPECT_EQ(by_length.mesh.positions, joined.mesh.positions);
+  const Simplified too_near = simplify(data_file("cubes.obj"), {"--faces", "150", "-t", "0.1%"});
+  EXPECT_EQ(too_near.report["threshold_pairs"]["considered"], 0);
+  EXPECT_NEAR(too_near.report["threshold_pairs"]["threshold"].get<double>(),
+              too_near.report["input"]["diagonal"].get<double>() / 1000, 1e-12);
+}
+
+TEST(Simplify, KeepsTheNearestPairsOnly) {
+  const Simplified capped =
+      simplify(data_file("cubes.obj"), {"--faces", "150", "-t", "50%", "--max-pairs", "2", "--across-walls"});
+  EXPECT_EQ(capped.report["threshold_pairs"]["capped"], true);
+  EXPECT_LE(capped.report["threshold_pairs"]["considered"], 2 * 200);
+  const Simplified all =
+      simplify(data_file("cubes.obj"), {"--faces", "150", "-t", "50%", "--max-pairs", "0", "--across-walls"});
+  EXPECT_EQ(all.report["threshold_pairs"]["capped"], false);
+  EXPECT_GT(all.report["threshold_pairs"]["considered"], 2 * 200);
+}
+
+TEST(Simplify, SaysThatThereIsNothingToJoin) {
+  const Simplified one_part = simplify(data_file("blob.obj"), {"--faces", "500", "-t", "auto"});
+  EXPECT_EQ(one_part.report["threshold_pairs"]["threshold"], 0.0);
+  EXPECT_EQ(one_part.report["warnings"].size(), 1U);
+}
+
+TEST(Simplify, LetsPartsVanishIfTheTopologyIsFree) {
+  const Simplified result =
+      simplify(data_file("cubes.obj"), {"--faces", "40", "--topology", "free", "--max-normal-flip", "180"});
+  EXPECT_LE(n_faces(result), 40U);
+  EXPECT_GT(result.report["output"]["vanished_components"], 10);
+}
+
+TEST(Simplify, DropsPartsThatAreTooSmall) {
+  const TemporaryFolder folder;
+  write_text(folder / "dust.off",
+             "OFF\n11 9 0\n5 5 5\n5.1 5 5\n5 5.1 5\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n"
+             "3 0 1 2\n3 3 4 5\n3 4 6 5\n3 7 8 9\n3 8 10 9\n3 3 7 5\n3 7 9 5\n3 4 8 6\n3 8 10 6\n");
+  const Simplified pruned = simplify(folder / "dust.off", {"--faces", "9", "--prune", "0.5"});
+  EXPECT_EQ(pruned.report["output"]["pruned_components"], 1);
+  EXPECT_EQ(n_faces(pruned), 8U);
+  EXPECT_EQ(n_vertices(pruned), 8U);
+  EXPECT_EQ(simplify(folder / "dust.off", {"--faces", "9", "--prune", "1%"}).report["output"]["pruned_components"], 0);
+  const Outcome all =
+      whittle({"simplify", folder / "dust.off", "-o", folder / "out.off", "--faces", "9", "--prune", "9"});
+  EXPECT_EQ(all.exit_code, 4) << all;
+  EXPECT_NE(all.err.find("--prune"), std::string::npos) << all;
+}
+
 TEST(Simplify, WorksInOpenMeshToo) {
   const Simplified flat = simplify(data_file("blob.obj"), {"--faces", "500"});
   const Simplified openmesh = simplify(data_file("blob.obj"), {"--faces", "500", "--engine", "openmesh"});

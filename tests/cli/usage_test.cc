@@ -56,7 +56,7 @@ TEST(Usage, NamesWhatIsUnknown) {
   expect_usage_error(whittle(simplify_with(folder, {"--fases", "9"})), {"--fases"});
   expect_usage_error(whittle(simplify_with(folder, {"another.obj"})), {"another.obj"});
   // Not there yet, so not accepted in silence.
-  for (const char* option : {"--polish", "--cost", "--threshold", "--record", "--topology"}) {
+  for (const char* option : {"--polish", "--cost", "--record", "--valence"}) {
     expect_usage_error(whittle(simplify_with(folder, {option, "1"})), {option});
   }
 }
@@ -103,13 +103,21 @@ TEST(Usage, NamesTheOptionAndTheRange) {
       {"--max-normal-flip", "0", "0 < DEG <= 180"},
       {"--max-normal-flip", "181", "0 < DEG <= 180"},
       {"--engine", "fast", "flat|openmesh"},
+      {"--threshold", "-1", "T >= 0"},
+      {"--threshold", "1 %", "percentage"},
+      {"--threshold", "inf", "'auto'"},
+      {"-t", "automatic", "'auto'"},
+      {"--max-pairs", "-1", "at least 0"},
+      {"--max-pairs", "4294967296", "at most 4294967295"},
+      {"--topology", "loose", "keep|free"},
+      {"--prune", "-2%", "S >= 0"},
       {"--format", "glb", "obj|off|ply|stl"},
       {"--threads", "-1", "at most 1024"},
       {"--threads", "1025", "at most 1024"},
   };
   for (const BadValue& bad : cases) {
     SCOPED_TRACE(bad.option + " '" + bad.value + "'");
-    const std::string name = bad.option == "-r" ? "--ratio" : bad.option;
+    const std::string name = bad.option == "-r" ? "--ratio" : bad.option == "-t" ? "--threshold" : bad.option;
     expect_usage_error(whittle(simplify_with(folder, {bad.option, bad.value})), {name, bad.said});
   }
   const std::string mesh = data_file("cubes.obj");
@@ -128,6 +136,12 @@ TEST(Usage, NamesBothOptionsThatDoNotGoTogether) {
   expect_usage_error(whittle(simplify_with(folder, {"--quiet", "-v"})), {"--quiet", "--verbose"});
   expect_usage_error(whittle(simplify_with(folder, {"--boundary", "free", "--boundary-weight", "3"})),
                      {"--boundary free", "--boundary-weight"});
+  for (const char* option : {"--threshold", "--max-pairs"}) {
+    expect_usage_error(whittle(simplify_with(folder, {option, "1", "--engine", "openmesh"})),
+                       {option, "--engine openmesh"});
+  }
+  expect_usage_error(whittle(simplify_with(folder, {"--topology", "free", "--engine", "openmesh"})),
+                     {"--topology free", "--engine openmesh"});
   expect_usage_error(whittle(simplify_with(folder, {"--max-cost", "1", "--engine", "openmesh"})),
                      {"--max-cost", "--engine openmesh"});
   EXPECT_EQ(whittle(simplify_with(folder, {"--boundary", "weighted", "--boundary-weight", "3"})).exit_code, 0);

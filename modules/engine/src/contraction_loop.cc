@@ -41,6 +41,8 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, const DecimateOptions
       raised_costs_(std::make_unique_for_overwrite<float[]>(complex.n_pair_slots())),
       refused_(complex.n_vertex_slots()),
       is_refused_(complex.n_pair_slots()),
+      hidden_(complex.n_vertex_slots(), static_cast<Index>(complex.n_edges()),
+              complex.n_pair_slots() - complex.n_edges()),
       known_pairs_(complex.has_threshold_pairs() ? n_known_pairs : 0, {0, invalid_index, invalid_index}) {}
 
 DecimateResult ContractionLoop::run() {
@@ -157,9 +159,7 @@ void ContractionLoop::open_bucket() {
   placements_.clear();
   n_taken_ = 0;
   n_done_at_opening_ = complex_.n_contractions();
-  if (complex_.has_threshold_pairs()) {
-    std::partition(members_.begin(), members_.end(), [this](Index id) { return !complex_.is_threshold_pair(id); });
-  }
+  if (complex_.has_threshold_pairs()) sift_threshold_pairs();
   if (crew_.n_helpers() == 0 || members_.size() < fewest_shared) {
     evaluate_members();
   } else {
@@ -167,6 +167,42 @@ void ContractionLoop::open_bucket() {
   }
   std::sort(batch_.begin(), batch_.end(), [](const Candidate& x, const Candidate& y) { return is_before(x, y); });
   if (complex_.has_threshold_pairs()) drop_duplicates();
+}
+
+/// Moves the threshold pairs among the members behind the edges, those of them that are to be evaluated.
+void ContractionLoop::sift_threshold_pairs() {
+  const auto is_edge = [this](Index id) { return !complex_.is_threshold_pair(id); };
+  const auto first = std::partition(members_.begin(), members_.end(), is_edge);
+  const auto last = std::remove_if(first, members_.end(), [this](Index id) {
+    if (!complex_.is_pair_alive(id)) return true;
+    const Pair pair = pair_now(id);
+    if (pair.a == pair.b || is_duplicate(pair)) {
+      complex_.remove_pair(id);
+      return true;
+    }
+    return hides(pair);
+  });
+  members_.erase(last, members_.end());
+}
+
+/// If the ends of a threshold pair have a common face, hides the pair.
+bool ContractionLoop::hides(const Pair& pair) {
+  if (!complex_.have_common_face(pair.a, pair.b)) return false;
+  hidden_.add(pair.a, pair.id);
+  return true;
+}
+
+/// Queues anew those pairs hidden at v that have lost their common faces.
+void ContractionLoop::reveal_at(Index v) {
+  woken_.clear();
+  hidden_.take(v, woken_);
+  for (const Index id : woken_) {
+    const Pair pair = pair_now(id);
+    if (!complex_.is_pair_alive(id) || !complex_.is_contractible(pair) || hides(pair)) continue;
+    const PairEvaluation evaluation = evaluate(pair);
+    note_raised(pair, evaluation);
+    enqueue(candidate(pair, evaluation.cost));
+  }
 }
 
 /// Whether a threshold pair has become the same as another one, as far as is remembered: merging makes them one only
@@ -239,7 +275,6 @@ void ContractionLoop::sort_in(const Parcel& parcel) {
 
 /// Into the batch, or, if it has grown, into a later bucket.
 void ContractionLoop::sort_in(const Pair& pair, const PairEvaluation& evaluation) {
-  if (complex_.is_threshold_pair(pair.id) && is_duplicate(pair)) return complex_.remove_pair(pair.id);
   note_raised(pair, evaluation);
   const BucketQueue::Bucket bucket = BucketQueue::bucket_of(evaluation.cost);
   if (!queue_.is_past(bucket)) return queue_.push(pair.id, bucket);
@@ -330,7 +365,9 @@ std::optional<StopReason> ContractionLoop::take_turn(const Candidate& then) {
   }
   if (settings_.target.max_cost && cost > *settings_.target.max_cost) return StopReason::cost;
   const Refusal refusal = find_refusal(pair, placement.position);
-  if (refusal != Refusal::none) {
+  if (refusal == Refusal::is_edge) {
+    hidden_.add(pair.a, pair.id);
+  } else if (refusal != Refusal::none) {
     refuse(pair, refusal);
   } else {
     contract(pair, cost, placement);
@@ -385,6 +422,10 @@ void ContractionLoop::contract(const Pair& pair, double cost, const Placed& plac
   }
   wake_raised(survivor, removed);
   wake_refused_around(survivor, removed);
+  hidden_.merge(survivor, removed);
+  if (!star_.is_joint || star_.joint.lost_edges.empty()) return;
+  reveal_at(survivor);
+  for (const PairStar::Opposite& neighbour : star_.joint.common) reveal_at(neighbour.vertex);
 }
 
 void ContractionLoop::wake_refused_around(Index survivor, Index removed) {
@@ -442,8 +483,7 @@ void ContractionLoop::refuse(const Pair& pair, Refusal refusal) {
     case Refusal::flip:
       ++result_.rejections.flip;
       break;
-    case Refusal::is_edge:  // the edge decides, as long as there is one
-      break;
+    case Refusal::is_edge:
     case Refusal::none:
       return;
   }

@@ -10,6 +10,7 @@
 #include "whittle/engine/decimate.hh"
 #include "whittle/engine/flip_limit.hh"
 #include "whittle/engine/frame.hh"
+#include "whittle/engine/hidden_pairs.hh"
 #include "whittle/engine/pair_evaluation.hh"
 #include "whittle/engine/triangle_complex.hh"
 #include "whittle/engine/waiting_pairs.hh"
@@ -75,6 +76,9 @@ class ContractionLoop {
   std::optional<Candidate> next_candidate();
   void open_bucket();
   void drop_duplicates();
+  void sift_threshold_pairs();
+  bool hides(const Pair& pair);
+  void reveal_at(Index v);
   bool is_duplicate(const Pair& pair);
   void evaluate_members();
   void evaluate_members_on_all_threads();
@@ -131,8 +135,9 @@ class ContractionLoop {
   std::vector<bool> is_raised_;            ///< per pair
   std::unique_ptr<float[]> raised_costs_;  ///< per pair, what a raised one is queued under; undefined for others
   WaitingPairs refused_;
-  std::vector<bool> is_refused_;   ///< per pair
-  std::vector<Index> woken_;       ///< scratch
+  std::vector<bool> is_refused_;  ///< per pair
+  std::vector<Index> woken_;      ///< scratch
+  HiddenPairs hidden_;
   std::vector<Pair> known_pairs_;  ///< threshold pairs seen lately, by their ends
 
   PairStar star_;

@@ -221,6 +221,19 @@ void TriangleComplex::list_live_pairs(Index v) {
   }
 }
 
+bool TriangleComplex::have_common_face(Index a, Index b) {
+  const std::span<const Spoke> list = neighbours(a);
+  if (is_ring(a)) {
+    return std::any_of(list.begin(), list.end(), [&](const Spoke& spoke) { return representative(spoke.vertex) == b; });
+  }
+  for (std::size_t i = 0; i < list.size(); i += 2) {
+    const Index x = representative(list[i].vertex);
+    const Index y = representative(list[i + 1].vertex);
+    if (x != y && (x == b || y == b)) return true;
+  }
+  return false;
+}
+
 void TriangleComplex::gather_link_of(std::span<const Spoke> pairs) {
   faces_.clear();
   for (std::size_t i = 0; i < pairs.size(); i += 2) faces_.push_back({pairs[i].vertex, pairs[i + 1].vertex});

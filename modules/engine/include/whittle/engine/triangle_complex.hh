@@ -180,6 +180,7 @@ class TriangleComplex {
   std::size_t n_pair_slots() const { return pairs_.size(); }
   bool is_threshold_pair(Index id) const { return id >= n_edges_; }
   bool has_threshold_pairs() const { return pairs_.size() > n_edges_; }
+  std::size_t n_edges() const { return n_edges_; }  ///< at first, as all numbers here
   bool is_pair_alive(Index id) const { return (pair_alive_[id / 64] >> (id % 64) & 1) != 0; }
   void remove_pair(Index id) { pair_alive_[id / 64] &= ~(std::uint64_t{1} << (id % 64)); }
   /// The vertices that the ends of a pair have been merged into; they may be the same for a threshold pair. Of a pair
@@ -192,6 +193,7 @@ class TriangleComplex {
   bool is_contractible(const Pair& pair) const {
     return !is_threshold_pair(pair.id) || (pair.a != pair.b && has_faces(pair.a) && has_faces(pair.b));
   }
+  bool have_common_face(Index a, Index b);
   /// Before the first contraction; several threads may ask.
   Ends initial_ends(Index id) const { return pairs_[id]; }
 

@@ -1,0 +1,30 @@
+#include "whittle/engine/automatic_threshold.hh"
+
+#include <algorithm>
+#include <cmath>
+
+#include "whittle/engine/parts.hh"
+
+namespace whittle {
+namespace {
+
+constexpr double margin = 1.1;        ///< more pairs than the nearest one make a joint of some width
+constexpr double least_share = 1e-9;  ///< of the part, where gaps are zero: parts that touch are to be joined, too
+
+}  // namespace
+
+double automatic_threshold(const IndexedMesh& mesh, unsigned threads) {
+  const Parts parts = find_parts(mesh.positions.size(), mesh.faces);
+  if (parts.count < 2) return 0;
+  const std::vector<double> diagonals = part_diagonals(mesh.positions, parts);
+  const double widest = *std::max_element(diagonals.begin(), diagonals.end());
+  const std::vector<double> gaps = gaps_between_parts(mesh, parts, {std::nextafter(widest, 2 * widest), threads});
+  double threshold = 0;
+  for (std::size_t part = 0; part < parts.count; ++part) {
+    if (gaps[part] > diagonals[part]) continue;
+    threshold = std::max({threshold, margin * gaps[part], least_share * diagonals[part]});
+  }
+  return threshold;
+}
+
+}  // namespace whittle
