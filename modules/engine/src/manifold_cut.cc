@@ -7,8 +7,6 @@
 namespace whittle {
 namespace {
 
-bool is_degenerate(const Triangle& face) { return face[0] == face[1] || face[1] == face[2] || face[2] == face[0]; }
-
 /// Sides and corners of faces go by the same numbers: a side by the corner that it starts at.
 Index next_in_face(Index side) { return side % 3 == 2 ? side - 2 : side + 1; }
 Index previous_in_face(Index side) { return side % 3 == 0 ? side + 2 : side - 1; }
@@ -39,7 +37,7 @@ class SidesByVertex {
   static void for_each_side(std::span<const Triangle> faces, const Use& use) {
     Index number = 0;
     for (const Triangle& face : faces) {
-      const bool counts = !is_degenerate(face);
+      const bool counts = has_three_corners(face);
       for (std::size_t i = 0; i < 3; ++i, ++number) {
         const Index from = face[i];
         const Index to = face[(i + 1) % 3];
@@ -112,7 +110,7 @@ ManifoldCut cut_into_manifold(std::size_t n_vertices, std::span<const Triangle> 
   };
   for (Index corner = 0; corner < opposite.size(); ++corner) {
     const Triangle& face = faces[corner / 3];
-    if (is_done[corner] || is_degenerate(face)) continue;
+    if (is_done[corner] || !has_three_corners(face)) continue;
     const Index number = new_number(face[corner % 3]);
     walk_fan(corner, opposite, [&](Index reached) {
       is_done[reached] = true;

@@ -24,8 +24,6 @@ using testing::IsEmpty;
 
 ManifoldCut cut(const IndexedMesh& mesh) { return cut_into_manifold(mesh.positions.size(), mesh.faces); }
 
-bool is_degenerate(const Triangle& f) { return f[0] == f[1] || f[1] == f[2] || f[2] == f[0]; }
-
 /// Faces of the cut as they were before it.
 std::vector<Triangle> rejoined(const ManifoldCut& cut, std::size_t n_vertices) {
   std::vector<Triangle> faces = cut.faces;
@@ -45,7 +43,7 @@ std::map<Corner, Corner> fans_by_definition(const IndexedMesh& mesh) {
   std::map<std::pair<Index, Index>, std::vector<Index>> faces_from;  // by directed edge
   std::map<Corner, Corner> lowest;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
-    if (is_degenerate(mesh.faces[f])) continue;
+    if (!has_three_corners(mesh.faces[f])) continue;
     for (std::size_t i = 0; i < 3; ++i) {
       faces_from[{mesh.faces[f][i], mesh.faces[f][(i + 1) % 3]}].push_back(f);
       lowest[{f, mesh.faces[f][i]}] = {f, mesh.faces[f][i]};

@@ -83,7 +83,7 @@ Task make_task(const DoubleMesh& mesh, const Joins& joins) {
   for (Index f = 0; f < before.faces.size(); ++f) {
     Triangle face = before.faces[f];
     for (Index& v : face) v = joins[v];
-    if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) continue;
+    if (!has_three_corners(face)) continue;
     left.insert(face.begin(), face.end());
     task.joined.faces.push_back(face);
     task.joined.face_handles.push_back(face_handles[f]);

@@ -211,9 +211,8 @@ std::vector<Index> add_faces(const std::vector<Triangle>& faces, MeshT& mesh) {
   std::vector<Index> refused;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const auto [a, b, c] = faces[f];
-    const bool degenerate = a == b || b == c || c == a;
     const auto handle = [](Index v) { return OpenMesh::VertexHandle(static_cast<int>(v)); };
-    if (degenerate || !mesh.add_face(handle(a), handle(b), handle(c)).is_valid()) {
+    if (!has_three_corners(faces[f]) || !mesh.add_face(handle(a), handle(b), handle(c)).is_valid()) {
       refused.push_back(static_cast<Index>(f));
     }
   }

@@ -71,6 +71,11 @@ class MeshContractionLoopT {
   std::optional<Entry> next_entry();
   std::optional<StopReason> take_turn(const Entry& entry);
 
+  /// Vertices that have copies stay: they would have to move together.
+  bool is_fixed(VertexHandle v) const {
+    return decimater_.is_fixed(v, only_selected_) ||
+           (!has_copies_.empty() && has_copies_[static_cast<std::size_t>(v.idx())]);
+  }
   Rule rule_of(VertexHandle first, VertexHandle second, HalfedgeHandle edge) const;
   PairEvaluation evaluate(VertexHandle first, VertexHandle second, Rule rule) const;
   Move move_by_own_cost(HalfedgeHandle candidate) const;
@@ -102,6 +107,7 @@ class MeshContractionLoopT {
   std::vector<std::uint32_t> versions_;  ///< by halfedge
   std::vector<bool> is_waiting_;         ///< by halfedge
   std::vector<HalfedgeHandle> affected_;
+  std::vector<bool> has_copies_;  ///< by vertex; empty where none has
   DecimateResult result_;
 };
 

@@ -26,6 +26,11 @@ MeshContractionLoopT<MeshT>::MeshContractionLoopT(PairDecimaterT<MeshT>& decimat
   const auto counts = decimater.count_elements();
   result_.n_vertices = counts.vertices;
   result_.n_faces = counts.faces;
+  const std::vector<Index> firsts = first_copies(mesh_);
+  has_copies_.resize(firsts.size());
+  for (Index v = 0; v < firsts.size(); ++v) {
+    if (firsts[v] != v) has_copies_[v] = has_copies_[firsts[v]] = true;
+  }
 }
 
 template <class MeshT>
@@ -112,8 +117,8 @@ typename MeshContractionLoopT<MeshT>::Rule MeshContractionLoopT<MeshT>::rule_of(
   const bool first_is_feature = mesh_.status(first).feature();
   const bool second_is_feature = mesh_.status(second).feature();
   const bool along_feature = first_is_feature && second_is_feature && mesh_.status(mesh_.edge_handle(edge)).feature();
-  const bool first_stays = decimater_.is_fixed(first, only_selected_) || (first_is_feature && !along_feature);
-  const bool second_stays = decimater_.is_fixed(second, only_selected_) || (second_is_feature && !along_feature);
+  const bool first_stays = is_fixed(first) || (first_is_feature && !along_feature);
+  const bool second_stays = is_fixed(second) || (second_is_feature && !along_feature);
   if (first_stays && second_stays) return Rule::refused;
   if (first_stays) return Rule::first_stays;
   if (second_stays) return Rule::second_stays;
@@ -157,7 +162,7 @@ template <class MeshT>
 std::optional<typename MeshContractionLoopT<MeshT>::Move> MeshContractionLoopT<MeshT>::move_by_foreign_cost(
     HalfedgeHandle candidate) {
   const CollapseInfo collapse(mesh_, candidate);
-  if (decimater_.is_fixed(collapse.v0, only_selected_)) {
+  if (is_fixed(collapse.v0)) {
     count(Refusal::locked);
     return std::nullopt;
   }

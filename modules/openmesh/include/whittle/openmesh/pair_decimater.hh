@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "whittle/engine/decimate.hh"
-#include "whittle/openmesh/bulk_collapse.hh"
 #include "whittle/openmesh/mod_flip_guard.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
 
@@ -23,6 +22,9 @@
 //                    else contract it onto the higher index, or onto the vertex that may not move
 //                    evaluate anew the edges at the merged vertex; wake what waits around it
 //   engine driver: whittle::decimate on a copy of the geometry, then the same contractions on the mesh, all at once
+//
+// With a pair threshold vertices that no edge joins are pairs, too, and what they leave is cut into copies where
+// half-edges can't hold it (vertex_copies.hh).
 
 namespace whittle {
 
@@ -41,6 +43,8 @@ struct ModuleRejections {
 };
 
 template <class MeshT>
+class EngineRunT;
+template <class MeshT>
 class MeshContractionLoopT;
 
 /// Has the calls of OpenMesh's `DecimaterT` and takes the same modules. Differences in short (docs/dev/openmesh.md has
@@ -51,11 +55,14 @@ class MeshContractionLoopT;
 ///     asked about both stars where the merged vertex moves, with v̄ as `p1`.
 ///   - Of a pair with one locked vertex the other one vanishes; with `only_selected`, vertices that aren't selected
 ///     count as locked. A feature vertex moves along feature edges only, from vertex to vertex.
-///   - Counts are those of what isn't deleted. Vertices without a face don't count.
+///   - Counts are those of what isn't deleted. Vertices without a face don't count, copies of a vertex as one.
+///   - Copies of a vertex (`vertex_copies.hh`) that are at one position are one vertex to the engine driver. The mesh
+///     driver can't move them together, so it neither moves nor removes them.
 ///
 /// As in the stock, surviving handles and their properties persist, and removed elements are marked deleted until
 /// `garbage_collection()`. *The engine driver writes to the mesh at the end only (or when aborted):* until then an
-/// observer or listener sees it as it was.
+/// observer or listener sees it as it was. Where it contracted threshold pairs or vertices have copies, new copies may
+/// come at the end: `FaceRelinkerT` says what persists.
 template <class MeshT>
 class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
  public:
@@ -86,6 +93,21 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   /// The one that ran last: engine or mesh.
   Driver last_driver() const { return last_driver_; }
 
+  /// Two vertices closer than this are a pair though no edge joins them: parts that lie side by side can become one.
+  /// Model units, [0, inf]; default 0 = no such pairs. Garland & Heckbert's valid pairs. \cite garland_1997_surface
+  ///
+  /// Afterwards the mesh may have copies of vertices (`vertex_copies.hh`), and `geometry_of(mesh)` gives the indexed
+  /// mesh in which they are one, as the engine made it; the next `initialize()` and `decimate` go on from that.
+  /// Only the engine driver contracts such pairs. Where it can't run, `decimate` throws: with foreign modules, feature
+  /// vertices, `Driver::mesh`, or a second time after one `initialize()`. Locked vertices and `only_selected` count as
+  /// for edges.
+  /// \throw std::invalid_argument if negative or not a number
+  void set_pair_threshold(double threshold);
+  double pair_threshold() const { return pairs_.threshold; }
+  /// The same, with how many pairs a vertex may have, and which are left out. \throw as above
+  void set_pair_options(const PairOptions& options);
+  const PairOptions& pair_options() const { return pairs_; }
+
   /// Threads of the engine driver, 0 (default) = all cores. No result depends on it.
   void set_threads(unsigned threads) { threads_ = threads; }
 
@@ -93,9 +115,11 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   /// abort.)
   void set_listener(std::function<void(const Contraction&)> listener) { listener_ = std::move(listener); }
 
-  /// Contracts until a target is reached; the cost module's `max_cost` counts as one.
+  /// Contracts until a target is reached; the cost module's `max_cost` counts as one. The mesh driver leaves
+  /// `DecimateResult::before` and `after` at 0.
   /// \param only_selected vertices that aren't selected neither move nor vanish
-  /// \throw std::logic_error if not initialized, or if the engine was asked for and can't (see `engine_obstacle`)
+  /// \throw std::logic_error if not initialized, or if the engine was asked for, or a pair threshold set, and it can't
+  ///        run (see `engine_obstacle`)
   /// \throw std::invalid_argument if `target.max_cost` is negative, not a number, or given with a cost module that
   ///        isn't ours
   DecimateResult decimate(const DecimateTarget& target, bool only_selected = false);
@@ -113,6 +137,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   const std::vector<ModuleRejections>& module_rejections() const { return module_rejections_; }
 
  private:
+  friend class EngineRunT<MeshT>;
   friend class MeshContractionLoopT<MeshT>;
   using VertexHandle = OpenMesh::VertexHandle;
   using HalfedgeHandle = OpenMesh::HalfedgeHandle;
@@ -130,15 +155,12 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
 
   void assign_roles();
   void require_initialized() const;
+  Driver choose_driver() const;
   DecimateTarget checked(const DecimateTarget& target) const;
   Counts count_elements() const;
   double max_normal_flip_deg() const { return flip_guard_ ? flip_guard_->max_normal_flip_deg() : 75; }
   bool is_fixed(VertexHandle v, bool only_selected) const;
 
-  DecimateResult run_engine(const DecimateTarget& target, bool only_selected);
-  std::vector<std::uint8_t> fixed_vertices(const IndexedMesh& input, bool only_selected) const;
-  void write_back(const std::vector<VertexMerge>& merges, Decimation& small);
-  void update_face_normals(const std::vector<VertexMerge>& merges);
   std::uint64_t contract(HalfedgeHandle to_survivor, const PairEvaluation& evaluation);
   void carry_features(const CollapseInfo& collapse);
   void count_rejection(const Module& module);
@@ -156,6 +178,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
 
   Driver driver_ = Driver::automatic;
   Driver last_driver_ = Driver::automatic;
+  PairOptions pairs_;
   unsigned threads_ = 0;
   std::function<void(const Contraction&)> listener_;
   DecimateResult result_;

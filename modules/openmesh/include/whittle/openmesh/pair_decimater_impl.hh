@@ -3,8 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "whittle/openmesh/bulk_collapse.hh"
-#include "whittle/openmesh/conversions.hh"
+#include "whittle/openmesh/engine_run.hh"
 #include "whittle/openmesh/mesh_contraction_loop.hh"
 #include "whittle/openmesh/pair_decimater.hh"
 
@@ -83,6 +82,21 @@ std::string PairDecimaterT<MeshT>::engine_obstacle() const {
   return {};
 }
 
+template <class MeshT>
+void PairDecimaterT<MeshT>::set_pair_options(const PairOptions& options) {
+  if (!(options.threshold >= 0)) {
+    throw std::invalid_argument("PairDecimaterT: the pair threshold is negative or not a number");
+  }
+  pairs_ = options;
+}
+
+template <class MeshT>
+void PairDecimaterT<MeshT>::set_pair_threshold(double threshold) {
+  PairOptions options = pairs_;
+  options.threshold = threshold;
+  set_pair_options(options);
+}
+
 // Runs ----------------------------------------------------------------------------------------------------------------
 
 template <class MeshT>
@@ -110,15 +124,29 @@ template <class MeshT>
 DecimateResult PairDecimaterT<MeshT>::decimate(const DecimateTarget& target, bool only_selected) {
   require_initialized();
   const DecimateTarget effective = checked(target);
-  const std::string obstacle = driver_ == Driver::mesh ? "not asked for" : engine_obstacle();
-  if (driver_ == Driver::engine && !obstacle.empty()) {
+  last_driver_ = choose_driver();
+  module_rejections_.clear();
+  if (last_driver_ == Driver::engine) {
+    result_ = EngineRunT<MeshT>(*this, effective, only_selected).run();
+    if (result_.n_contractions > 0) is_fresh_ = false;
+  } else {
+    result_ = MeshContractionLoopT<MeshT>(*this, effective, only_selected).run();
+  }
+  return result_;
+}
+
+template <class MeshT>
+Driver PairDecimaterT<MeshT>::choose_driver() const {
+  const std::string obstacle = driver_ == Driver::mesh ? "the mesh driver was asked for" : engine_obstacle();
+  if (obstacle.empty()) return Driver::engine;
+  if (pairs_.threshold > 0) {
+    throw std::logic_error("PairDecimaterT: only the engine driver contracts threshold pairs, and it can't be used: " +
+                           obstacle);
+  }
+  if (driver_ == Driver::engine) {
     throw std::logic_error("PairDecimaterT: the engine driver can't be used: " + obstacle);
   }
-  module_rejections_.clear();
-  last_driver_ = obstacle.empty() ? Driver::engine : Driver::mesh;
-  result_ = last_driver_ == Driver::engine ? run_engine(effective, only_selected)
-                                           : MeshContractionLoopT<MeshT>(*this, effective, only_selected).run();
-  return result_;
+  return Driver::mesh;
 }
 
 template <class MeshT>
@@ -148,7 +176,17 @@ std::size_t PairDecimaterT<MeshT>::decimate_to_faces(std::size_t n_vertices, std
 template <class MeshT>
 typename PairDecimaterT<MeshT>::Counts PairDecimaterT<MeshT>::count_elements() const {
   Counts counts;
-  for (const VertexHandle v : mesh_.vertices()) counts.vertices += !mesh_.is_isolated(v);
+  const std::vector<Index> firsts = first_copies(mesh_);
+  std::vector<bool> has_face(firsts.size());
+  for (const VertexHandle v : mesh_.vertices()) {
+    if (mesh_.is_isolated(v)) continue;
+    if (!firsts.empty()) {
+      const Index first = firsts[static_cast<std::size_t>(v.idx())];
+      if (has_face[first]) continue;
+      has_face[first] = true;
+    }
+    ++counts.vertices;
+  }
   for ([[maybe_unused]] const OpenMesh::FaceHandle f : mesh_.faces()) ++counts.faces;
   return counts;
 }
@@ -157,86 +195,6 @@ template <class MeshT>
 bool PairDecimaterT<MeshT>::is_fixed(VertexHandle v, bool only_selected) const {
   const auto& status = mesh_.status(v);
   return status.locked() || (only_selected && !status.selected());
-}
-
-// The engine driver ---------------------------------------------------------------------------------------------------
-
-template <class MeshT>
-DecimateResult PairDecimaterT<MeshT>::run_engine(const DecimateTarget& target, bool only_selected) {
-  const IndexedMesh input = geometry_of(mesh_);
-  const auto handle_index = [&input](Index v) { return input.origins.empty() ? v : input.origins[v]; };
-  const auto handle = [&](Index v) { return VertexHandle(static_cast<int>(handle_index(v))); };
-  const std::vector<std::uint8_t> locked = fixed_vertices(input, only_selected);
-
-  std::vector<VertexMerge> merges;
-  bool is_aborted = false;
-  DecimateOptions options;
-  options.quadric = *cost_->engine_options();
-  options.max_normal_flip_deg = max_normal_flip_deg();
-  options.locked = locked;
-  options.threads = threads_;
-  options.keep_quadrics = true;
-  options.progress = [&is_aborted](const Progress&) { return !is_aborted; };
-  options.listener = [&](const Contraction& made) {
-    if (is_aborted) return;
-    merges.push_back({handle(made.removed), handle(made.survivor)});
-    if (listener_) listener_({handle_index(made.survivor), handle_index(made.removed), made.position, made.cost});
-    is_aborted = !this->notify_observer(merges.size());
-  };
-  Decimation small = whittle::decimate(input, target, options);
-  if (is_aborted) {
-    if (merges.size() < small.result.n_contractions) {  // the engine asks now and then only: again, up to the abort
-      options.progress = nullptr;
-      options.listener = nullptr;
-      DecimateTarget up_to_abort;
-      up_to_abort.vertices = small.result.n_vertices + small.result.n_contractions - merges.size();
-      small = whittle::decimate(input, up_to_abort, options);
-    }
-    small.result.stop = StopReason::cancelled;
-  }
-  write_back(merges, small);
-  return small.result;
-}
-
-/// As the engine wants to have it: empty if there are none.
-template <class MeshT>
-std::vector<std::uint8_t> PairDecimaterT<MeshT>::fixed_vertices(const IndexedMesh& input, bool only_selected) const {
-  std::vector<std::uint8_t> result(input.positions.size());
-  bool any = false;
-  for (Index v = 0; v < result.size(); ++v) {
-    const Index handle_index = input.origins.empty() ? v : input.origins[v];
-    result[v] = is_fixed(VertexHandle(static_cast<int>(handle_index)), only_selected);
-    any = any || result[v] != 0;
-  }
-  if (!any) result.clear();
-  return result;
-}
-
-/// \param merges what the engine contracted \param small what it made of the mesh
-template <class MeshT>
-void PairDecimaterT<MeshT>::write_back(const std::vector<VertexMerge>& merges, Decimation& small) {
-  if (!merges.empty()) is_fresh_ = false;
-  BulkCollapseT<MeshT>(mesh_, merges).run();
-  for (std::size_t v = 0; v < small.mesh.positions.size(); ++v) {
-    const VertexHandle handle(static_cast<int>(small.mesh.origins[v]));
-    const Vec3& position = small.mesh.positions[v];
-    if (position == to_vec3(mesh_.point(handle))) continue;  // not rounded for nothing
-    mesh_.set_point(handle, to_point<typename MeshT::Point>(position));
-  }
-  if (mesh_.has_face_normals()) update_face_normals(merges);
-  cost_->adopt(small.mesh.origins, std::move(small.quadrics));
-}
-
-/// Those of faces at merged vertices.
-template <class MeshT>
-void PairDecimaterT<MeshT>::update_face_normals(const std::vector<VertexMerge>& merges) {
-  std::vector<bool> is_merged(mesh_.n_vertices());
-  for (const VertexMerge& merge : merges) is_merged[static_cast<std::size_t>(merge.survivor.idx())] = true;
-  for (const OpenMesh::FaceHandle f : mesh_.faces()) {
-    const auto corners = face_corners(mesh_, f);
-    const auto at_merged = [&](VertexHandle v) { return is_merged[static_cast<std::size_t>(v.idx())]; };
-    if (std::any_of(corners.begin(), corners.end(), at_merged)) mesh_.set_normal(f, mesh_.calc_face_normal(f));
-  }
 }
 
 // Contractions --------------------------------------------------------------------------------------------------------
