@@ -257,11 +257,11 @@ std::vector<Triangle> BruteForceDecimater::faces_after(Index survivor, Index rem
   return faces;
 }
 
-/// Whether contracting (a, b) makes no more border edges, non-manifold edges and vertices of several fans, and takes
-/// the last face from no other vertex.
+/// Whether contracting (a, b) makes no more border edges, non-manifold edges and vertices of several fans, and leaves
+/// all neighbours of the two neighbours of the merged vertex, or of a neighbour of it.
 bool BruteForceDecimater::is_no_less_manifold(Index a, Index b) const {
   struct Defects {
-    int border_edges = 0, edges = 0, vertices = 0, used_vertices = 0;
+    int border_edges = 0, edges = 0, vertices = 0;
   };
   const auto count = [](const std::vector<Triangle>& faces) {
     Defects defects;
@@ -277,13 +277,24 @@ bool BruteForceDecimater::is_no_less_manifold(Index a, Index b) const {
       std::erase_if(link.edges, [](const Edge& e) { return e.second == invalid_index; });
       defects.vertices += n_pieces(link) > 1;
     }
-    defects.used_vertices = static_cast<int>(used.size());
     return defects;
   };
   const Defects before = count(faces_);
-  const Defects after = count(faces_after(b, a));
-  return after.border_edges <= before.border_edges && after.edges <= before.edges &&
-         after.vertices <= before.vertices && after.used_vertices == before.used_vertices - 1;
+  const std::vector<Triangle> faces = faces_after(b, a);
+  const Defects after = count(faces);
+  const auto neighbours_of = [](Index v, const std::vector<Triangle>& in) {
+    std::set<Index> vertices = link_of(v, in).vertices;
+    vertices.erase(invalid_index);
+    return vertices;
+  };
+  std::set<Index> near = neighbours_of(b, faces);
+  near.insert(b);
+  for (const Index v : {a, b}) {
+    for (const Index neighbour : neighbours_of(v, faces_)) {
+      if (neighbour != a && neighbour != b && !meet(neighbours_of(neighbour, faces), near)) return false;
+    }
+  }
+  return after.border_edges <= before.border_edges && after.edges <= before.edges && after.vertices <= before.vertices;
 }
 
 bool BruteForceDecimater::keeps_topology(Index a, Index b) const {

@@ -1,15 +1,27 @@
 #include "whittle/engine/automatic_threshold.hh"
 
 #include <algorithm>
-#include <cmath>
+#include <span>
 
 #include "whittle/engine/parts.hh"
 
 namespace whittle {
 namespace {
 
+constexpr double near_share = 0.05;   ///< of the mesh, the widest gap that counts
 constexpr double margin = 1.1;        ///< more pairs than the nearest one make a joint of some width
 constexpr double least_share = 1e-9;  ///< of the part, where gaps are zero: parts that touch are to be joined, too
+
+/// Of the bounding box.
+double diagonal(std::span<const Vec3> positions) {
+  Vec3 low = positions.front();
+  Vec3 high = low;
+  for (const Vec3& p : positions) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return (high - low).stableNorm();
+}
 
 }  // namespace
 
@@ -17,8 +29,7 @@ double automatic_threshold(const IndexedMesh& mesh, unsigned threads) {
   const Parts parts = find_parts(mesh.positions.size(), mesh.faces);
   if (parts.count < 2) return 0;
   const std::vector<double> diagonals = part_diagonals(mesh.positions, parts);
-  const double widest = *std::max_element(diagonals.begin(), diagonals.end());
-  const std::vector<double> gaps = gaps_between_parts(mesh, parts, {std::nextafter(widest, 2 * widest), threads});
+  const std::vector<double> gaps = gaps_between_parts(mesh, parts, {near_share * diagonal(mesh.positions), threads});
   double threshold = 0;
   for (std::size_t part = 0; part < parts.count; ++part) {
     if (gaps[part] > diagonals[part]) continue;

@@ -167,14 +167,16 @@ std::array<std::size_t, 3> TriangleComplex::Defects::counts() {
 }
 
 bool TriangleComplex::is_no_less_manifold(Index a, Index b, const PairStar& star) {
-  if (star.first.empty() && star.second.empty()) return false;
   const PairStar::Joint& joint = star.joint;
-  if (std::any_of(joint.faces.begin(), joint.faces.end(), [](const auto& faces) { return faces.empty(); }))
-    return false;
-  Defects before;
-  Defects after;
   std::vector<Spoke> merged = joint.left[0];
   merged.insert(merged.end(), joint.left[1].begin(), joint.left[1].end());
+  const auto is_near_merged = [&](const Spoke& spoke) { return spoke.vertex == a || contains(merged, spoke.vertex); };
+  const auto hangs_together = [&](const std::vector<Spoke>& faces) {
+    return std::any_of(faces.begin(), faces.end(), is_near_merged);
+  };
+  if (!std::all_of(joint.faces.begin(), joint.faces.end(), hangs_together)) return false;
+  Defects before;
+  Defects after;
   add_defects(a, merged, after);
   for (const Index v : {a, b}) {
     list_live_pairs(v);

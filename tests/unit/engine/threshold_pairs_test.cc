@@ -229,7 +229,7 @@ TEST(ThresholdPairs, AreAllPairsAtInfinity) {
   for (const auto& [name, mesh] : all_meshes()) expect_as_brute_force(name, mesh, infinity);
   const IndexedMesh mesh = soup(sphere(1));
   const std::size_t n = mesh.positions.size();
-  const ThresholdPairs found = find_in(mesh, {.threshold = infinity, .max_pairs = 0});
+  const ThresholdPairs found = find_in(mesh, {.threshold = infinity, .max_pairs = 0, .across_walls = true});
   EXPECT_EQ(found.pairs.size(), n * (n - 1) / 2 - n);  // without the edges, as many as corners
 }
 
@@ -329,7 +329,7 @@ bool joins_both(const VertexPair& pair, Index n_first) { return pair.a < n_first
 
 TEST(ThresholdPairs, AcrossTheInsideOfAPlateAreLeftOut) {
   const IndexedMesh plate = joined(sheet(0, false), sheet(0.1, true));
-  EXPECT_EQ(find_in(plate, {.threshold = 0.2}).pairs.size(), 25U);
+  EXPECT_EQ(find_in(plate, {.threshold = 0.2, .across_walls = true}).pairs.size(), 25U);
   EXPECT_TRUE(find_in(plate, {.threshold = 0.2, .across_walls = false}).pairs.empty());
   EXPECT_EQ(find_in(inside_out(plate), {.threshold = 0.2, .across_walls = false}).pairs.size(), 25U);
 }

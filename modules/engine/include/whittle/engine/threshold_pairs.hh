@@ -19,7 +19,7 @@ struct PairSearch {
 
   /// Whether pairs across the inside of a thin wall count: those that lie behind the surface at both ends, whose
   /// normals (weighted by area) look away from each other.
-  bool across_walls = true;
+  bool across_walls = false;
 
   unsigned threads = 0;  ///< 0 = all cores. No result depends on it.
 };

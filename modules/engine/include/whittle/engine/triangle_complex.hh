@@ -203,8 +203,9 @@ class TriangleComplex {
   /// Faces at a and at b over the same edge would coincide. Of those with one orientation as often as with the other
   /// none is left, else one of the more frequent one, at a if there is one.
   void plan_joint(Index a, Index b, PairStar& star);
-  /// Whether a contraction planned as a joint leaves no fewer border edges, non-manifold edges and non-manifold
-  /// vertices than there were, and takes the last face from no vertex but the two.
+  /// Whether a contraction planned as a joint makes no more border edges, non-manifold edges and non-manifold vertices,
+  /// and leaves all neighbours of the two neighbours of the merged vertex, or of a neighbour of it: so no part falls
+  /// apart or vanishes.
   bool is_no_less_manifold(Index a, Index b, const PairStar& star);
 
   /// Whether contracting (a, b) leaves the topology as it is: Lk a ∩ Lk b = Lk ab, borders and non-manifold lines seen
