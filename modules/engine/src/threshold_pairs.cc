@@ -5,23 +5,30 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <thread>
 
+#include "site_boxes.hh"
 #include "site_tree.hh"
 #include "vertex_sites.hh"
 #include "whittle/engine/parallel.hh"
 
 // Each vertex lists its partners by itself, block after block of vertices along the curve; a pair is then written where
 // the lower vertex lists the higher one. Where that list is full and does not have it, the higher one adds the pair.
+//
+// A few vertices that follow each other lie close together. They look for the sites near them together, and each then
+// measures how far it is from these. One that has very many looks for its nearest in a kd-tree, by itself.
 
 namespace whittle {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t leaf_size = 32;      // 16 to 32 make no difference to a search, the tree is sooner built with 32
+constexpr std::size_t max_hits = 96;       // of a search in the tree before they shorten its reach
 constexpr std::size_t block_length = 512;  // some hundred microseconds of work
+constexpr std::size_t group_length = 8;    // members that look for candidates together
 
 /// Of each member the other two corners of its faces.
 struct Fans {
@@ -81,13 +88,19 @@ struct Scene {
       : sites(make_vertex_sites(positions, faces, search.threads)) {
     const auto build = [&](std::size_t part) {
       if (part == 0) {
-        tree.emplace(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(leaf_size));
-      } else {
         fans = make_fans(faces, sites);
-        if (!search.across_walls) normals = make_normals(faces, sites);
+      } else if (!search.across_walls) {
+        normals = make_normals(faces, sites);
       }
     };
     for_each_block(2, search.threads, build);
+  }
+
+  /// Built when it is first asked for: many a search does without.
+  const SiteTree& tree() const {
+    std::call_once(is_tree_built_,
+                   [&] { tree_.emplace(3, cloud_, nanoflann::KDTreeSingleIndexAdaptorParams(leaf_size)); });
+    return *tree_;
   }
 
   double distance_sq(Index site, Index other) const { return (sites.points[site] - sites.points[other]).squaredNorm(); }
@@ -101,10 +114,14 @@ struct Scene {
   }
 
   VertexSites sites;
-  SiteCloud cloud{sites.points};
-  std::optional<SiteTree> tree;
+  SiteBoxes boxes{sites.points};
   Fans fans;
   std::vector<Vec3> normals;  ///< empty if walls don't matter
+
+ private:
+  SiteCloud cloud_{sites.points};
+  mutable std::optional<SiteTree> tree_;
+  mutable std::once_flag is_tree_built_;
 };
 
 struct Partner {
@@ -117,7 +134,7 @@ struct Partner {
   }
 };
 
-/// Finds the partners of one vertex after the other. As nanoflann's result set it is offered sites.
+/// Finds the partners of vertices. As nanoflann's result set it is offered sites.
 class PartnerSearch {
  public:
   using DistanceType = double;
@@ -127,23 +144,34 @@ class PartnerSearch {
       : scene_(scene),
         points_(scene.sites.points.data()),
         threshold_sq_(threshold_sq),
+        margin_(Vec3::Constant(std::min(std::sqrt(with_margin(threshold_sq)), 1e9))),
         max_partners_(max_partners),
         excluded_for_(scene.sites.n_members(), invalid_index) {}
 
-  /// Their order is undefined. Valid until the next call.
-  std::span<const Partner> find(Index member) {
-    member_ = member;
-    point_ = points_[scene_.sites.sites[member]];
-    reach_sq_ = threshold_sq_;
-    n_hits_ = 0;
-    n_partners_ = 0;
-    has_more_ = false;
-    excluded_for_[member] = member;
-    for (const Index other : scene_.fans.of(member)) excluded_for_[other] = member;
-    scene_.tree->findNeighbors(*this, point_.data(), {});
-    sift();
-    if (n_partners_ > max_partners_) keep_nearest();
-    return {partners_.data(), n_partners_};
+  /// Calls `use(member, partners)` for each of the members, in their order. The order of the partners is undefined.
+  template <class Use>
+  void find(Index begin, Index end, const Use& use) {
+    const Index middle = begin + (end - begin) / 2;
+    const Box first = box_around(begin, middle);
+    const Box second = box_around(middle, end);
+    const Box both = first.merged(second);
+    const bool are_together = search_size_sq(first) + search_size_sq(second) >= search_size_sq(both);
+    const bool has_candidates = are_together && find_candidates(both);
+    // Halves look into less where the curve jumps, but hardly so where the threshold is large against the box.
+    if (!has_candidates && middle > begin && both.sizes().norm() > margin_.x()) {
+      find(begin, middle, use);
+      find(middle, end, use);
+      return;
+    }
+    for (Index member = begin; member < end; ++member) {
+      start(member);
+      if (has_candidates) {
+        measure_candidates();
+      } else {
+        scene_.tree().findNeighbors(*this, point_.data(), {});
+      }
+      use(member, finish());
+    }
   }
 
   /// Whether there were more partners than the limit. Then only the nearest are left, up to the furthest of them.
@@ -153,7 +181,7 @@ class PartnerSearch {
   /// Asked for before each leaf, the time to make room for all of its points.
   // NOLINTNEXTLINE(readability-identifier-naming): nanoflann's
   double worstDist() {
-    if (n_hits_ + leaf_size > hits_.size()) sift();
+    if (n_hits_ + leaf_size > max_hits) sift();
     return with_margin(reach_sq_);
   }
   // NOLINTNEXTLINE(readability-identifier-naming): nanoflann's
@@ -165,6 +193,58 @@ class PartnerSearch {
   static bool full() { return true; }
 
  private:
+  /// Finds all sites within the threshold of what is in the box, and some more. \return whether they are few enough
+  bool find_candidates(const Box& box) {
+    // As rounding is monotonic, the larger box cuts none off.
+    n_candidates_ = scene_.boxes.find({box.min() - margin_, box.max() + margin_}, candidates_);
+    if (n_candidates_ > SiteBoxes::limit) return false;
+    for (std::size_t i = 0; i < n_candidates_; ++i) set_lane(candidate_points_[i / 2], i % 2, points_[candidates_[i]]);
+    if (n_candidates_ % 2 > 0) set_lane(candidate_points_[n_candidates_ / 2], 1, Vec3::Constant(infinity));
+    return true;
+  }
+
+  Box box_around(Index begin, Index end) const {
+    Box box;
+    for (Index member = begin; member < end; ++member) box.extend(points_[scene_.sites.sites[member]]);
+    return box;
+  }
+
+  /// The diagonal, squared, of the box with the candidates; 0 for an empty one.
+  double search_size_sq(const Box& box) const { return box.isEmpty() ? 0 : (box.sizes() + 2 * margin_).squaredNorm(); }
+
+  /// Turns the candidates that are near enough into hits.
+  void measure_candidates() {
+    const PointLanes<double> p = point_lanes(point_);
+    const double reach_sq = with_margin(threshold_sq_);
+    Index* end = hits_.data();
+    for (Index i = 0; i < n_candidates_; i += 2) {
+      const PointLanes<Double2>& points = candidate_points_[i / 2];
+      const Double2 dx = points.x - p.x;
+      const Double2 dy = points.y - p.y;
+      const Double2 dz = points.z - p.z;
+      end = write_set(dx * dx + dy * dy + dz * dz < reach_sq, i, end);
+    }
+    n_hits_ = static_cast<std::size_t>(end - hits_.data());
+    for (std::size_t i = 0; i < n_hits_; ++i) hits_[i] = candidates_[hits_[i]];
+  }
+
+  void start(Index member) {
+    member_ = member;
+    point_ = points_[scene_.sites.sites[member]];
+    reach_sq_ = threshold_sq_;
+    n_hits_ = 0;
+    n_partners_ = 0;
+    has_more_ = false;
+    excluded_for_[member] = member;
+    for (const Index other : scene_.fans.of(member)) excluded_for_[other] = member;
+  }
+
+  std::span<const Partner> finish() {
+    sift();
+    if (n_partners_ > max_partners_) keep_nearest();
+    return {partners_.data(), n_partners_};
+  }
+
   /// Turns hits into partners.
   void sift() {
     const std::span<const Index> hits(hits_.data(), n_hits_);
@@ -172,12 +252,13 @@ class PartnerSearch {
     const VertexSites& sites = scene_.sites;
     for (const Index site : hits) {
       const Index member = sites.begins[site];
+      const double distance_sq = distance_sq_to(site);
       if (sites.begins[site + 1] - member > 1) {
-        add_members(site);
+        if (distance_sq < reach_sq_) add_members(site, distance_sq);
         make_room(hits.size());
       } else {  // without a branch, as whether it is one can't be foretold
-        partners_[n_partners_] = {distance_sq_to(site), sites.vertices[member]};
-        n_partners_ += static_cast<std::size_t>(is_partner(member));
+        partners_[n_partners_] = {distance_sq, sites.vertices[member]};
+        n_partners_ += static_cast<std::size_t>(distance_sq < reach_sq_) & static_cast<std::size_t>(is_partner(member));
       }
     }
     n_hits_ = 0;
@@ -185,9 +266,8 @@ class PartnerSearch {
     if (n_partners_ / 2 >= max_partners_) keep_nearest();
   }
 
-  void add_members(Index site) {
+  void add_members(Index site, double distance_sq) {
     const VertexSites& sites = scene_.sites;
-    const double distance_sq = distance_sq_to(site);
     // A site has its members by ascending number: no more of them than the limit can be among the nearest.
     const std::size_t enough = n_partners_ + max_partners_ + 1;
     for (Index member = sites.begins[site]; member < sites.begins[site + 1] && n_partners_ < enough; ++member) {
@@ -220,13 +300,19 @@ class PartnerSearch {
   const Scene& scene_;
   const Vec3* points_;
   double threshold_sq_;
+  Vec3 margin_;  ///< finite, but more than the mesh is large, where the threshold is
   std::size_t max_partners_;
   std::vector<Index> excluded_for_;  ///< the member last looked at that each one is, or is in a face with
 
   Index member_ = invalid_index;
   Vec3 point_;
-  double reach_sq_ = 0;         ///< what lies nearer, distance squared, is a hit
-  std::array<Index, 96> hits_;  ///< sites
+  double reach_sq_ = 0;  ///< what lies nearer, distance squared, may be a partner
+
+  SiteBoxes::Sites candidates_;
+  std::size_t n_candidates_ = 0;
+  std::array<PointLanes<Double2>, SiteBoxes::limit / 2> candidate_points_;
+  std::array<Index, SiteBoxes::limit + leaf_size> hits_;  ///< sites
+  static_assert(max_hits <= SiteBoxes::limit + leaf_size);
   std::size_t n_hits_ = 0;
   std::vector<Partner> partners_;  ///< with room for more
   std::size_t n_partners_ = 0;
@@ -310,10 +396,12 @@ class PartnerLists {
     Block block;  // not in its place among the others, as threads writing to one cache line hinder each other
     const std::size_t end = std::min(scene.sites.n_members(), (i + 1) * block_length);
     block.lists.reserve(block_length);
-    for (auto member = static_cast<Index>(i * block_length); member < end; ++member) {
-      block.add_list(scene.sites.vertices[member], search.find(member));
+    const auto add = [&](Index member, std::span<const Partner> partners) {
+      block.add_list(scene.sites.vertices[member], partners);
       if (search.has_more()) block.set_furthest(search.furthest());
-    }
+    };
+    for (std::size_t begin = i * block_length; begin < end; begin += group_length)
+      search.find(static_cast<Index>(begin), static_cast<Index>(std::min(end, begin + group_length)), add);
     return block;
   }
 

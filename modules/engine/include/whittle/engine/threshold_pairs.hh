@@ -42,7 +42,7 @@ struct ThresholdPairs {
 /// distance 0. Of the pairs of a vertex, those of equal length go by the number of the other vertex. Neither the unit
 /// nor the place of the mesh changes the result.
 ///
-/// By a kd-tree: each vertex is compared with those near it, or where there are many with about the nearest
+/// Each vertex is compared with those near it, or where there are many with about the nearest
 /// `max_pairs`. With that limit memory is O(n · max_pairs). \throw std::invalid_argument for a threshold that is
 /// negative or not a number, a vertex number out of range or a
 ///        coordinate that isn't finite.
