@@ -173,16 +173,30 @@ void ContractionLoop::open_bucket() {
 void ContractionLoop::sift_threshold_pairs() {
   const auto is_edge = [this](Index id) { return !complex_.is_threshold_pair(id); };
   const auto first = std::partition(members_.begin(), members_.end(), is_edge);
-  const auto last = std::remove_if(first, members_.end(), [this](Index id) {
-    if (!complex_.is_pair_alive(id)) return true;
-    const Pair pair = pair_now(id);
+  look_up_alive(std::span(first, members_.end()), sifted_);
+  members_.erase(first, members_.end());
+  for (std::size_t i = 0; i < sifted_.size(); ++i) {
+    if (i + 8 < sifted_.size()) complex_.prefetch_spokes(sifted_[i + 8].a);
+    const Pair& pair = sifted_[i];
     if (pair.a == pair.b || is_duplicate(pair)) {
-      complex_.remove_pair(id);
-      return true;
+      complex_.remove_pair(pair.id);
+    } else if (!hides(pair)) {
+      members_.push_back(pair.id);
     }
-    return hides(pair);
-  });
-  members_.erase(last, members_.end());
+  }
+}
+
+/// What has become of those of the threshold pairs that are alive; brings near what is asked of them next.
+void ContractionLoop::look_up_alive(std::span<const Index> ids, std::vector<Pair>& pairs) {
+  pairs.clear();
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (i + 16 < ids.size()) complex_.prefetch_pair(ids[i + 16]);
+    if (i + 8 < ids.size()) complex_.prefetch_ends(ids[i + 8]);
+    if (!complex_.is_pair_alive(ids[i])) continue;
+    const auto [a, b] = complex_.ends(ids[i]);
+    pairs.push_back({ids[i], a, b});
+    complex_.prefetch_star(a);
+  }
 }
 
 /// If the ends of a threshold pair have a common face, hides the pair.
@@ -208,11 +222,12 @@ void ContractionLoop::reveal_at(Index v) {
 /// Whether a threshold pair has become the same as another one, as far as is remembered: merging makes them one only
 /// where it does so to edges. Remembers it otherwise.
 bool ContractionLoop::is_duplicate(const Pair& pair) {
-  Pair& known = known_pairs_[(std::uint64_t{pair.a} * 0x9E3779B97F4A7C15 + pair.b) * 0x9E3779B97F4A7C15 >> 51];
+  const auto [a, b] = std::minmax(pair.a, pair.b);
+  Pair& known = known_pairs_[(std::uint64_t{a} * 0x9E3779B97F4A7C15 + b) * 0x9E3779B97F4A7C15 >> 51];
   // As long as both are vertices the other one joins them still, if it is alive.
-  const bool is_same = known.a == pair.a && known.b == pair.b && known.id != pair.id;
+  const bool is_same = known.a == a && known.b == b && known.id != pair.id;
   if (is_same && complex_.is_pair_alive(known.id)) return true;
-  known = pair;
+  known = {pair.id, a, b};
   return false;
 }
 

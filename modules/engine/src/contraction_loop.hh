@@ -77,6 +77,7 @@ class ContractionLoop {
   void open_bucket();
   void drop_duplicates();
   void sift_threshold_pairs();
+  void look_up_alive(std::span<const Index> ids, std::vector<Pair>& pairs);
   bool hides(const Pair& pair);
   void reveal_at(Index v);
   bool is_duplicate(const Pair& pair);
@@ -138,6 +139,7 @@ class ContractionLoop {
   std::vector<bool> is_refused_;  ///< per pair
   std::vector<Index> woken_;      ///< scratch
   HiddenPairs hidden_;
+  std::vector<Pair> sifted_;       ///< scratch
   std::vector<Pair> known_pairs_;  ///< threshold pairs seen lately, by their ends
 
   PairStar star_;

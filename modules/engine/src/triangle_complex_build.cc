@@ -323,10 +323,19 @@ Index TriangleComplex::find_edge(const Ends& edge, Index begin, Index end) const
   return found;
 }
 
+/// In the order of their lower vertices, as the edges are.
 void TriangleComplex::add_threshold_pairs(std::span<const VertexPair> pairs, const std::vector<Index>& number_of) {
   if (n_edges_ + pairs.size() >= invalid_index) throw std::length_error("decimate: more than 2^32 - 2 pairs");
-  pairs_.reserve(n_edges_ + pairs.size());
-  for (const auto& [a, b] : pairs) pairs_.push_back({number_of[a], number_of[b]});
+  const auto numbered = [&](const VertexPair& pair) {
+    const auto [first, second] = std::minmax(number_of[pair.a], number_of[pair.b]);
+    return Ends{first, second};
+  };
+  std::vector<std::size_t> places(vertices_.size() + 1);
+  places[0] = n_edges_;
+  for (const VertexPair& pair : pairs) ++places[numbered(pair).first + 1];
+  for (std::size_t v = 1; v < places.size(); ++v) places[v] += places[v - 1];
+  pairs_.resize(n_edges_ + pairs.size());
+  for (const VertexPair& pair : pairs) pairs_[places[numbered(pair).first]++] = numbered(pair);
   pair_alive_.assign(pairs_.size() / 64 + 1, ~std::uint64_t{0});
 }
 
