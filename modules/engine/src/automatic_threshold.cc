@@ -1,8 +1,8 @@
 #include "whittle/engine/automatic_threshold.hh"
 
 #include <algorithm>
-#include <span>
 
+#include "whittle/engine/frame.hh"
 #include "whittle/engine/parts.hh"
 
 namespace whittle {
@@ -12,24 +12,14 @@ constexpr double near_share = 0.05;   ///< of the mesh, the widest gap that coun
 constexpr double margin = 1.1;        ///< more pairs than the nearest one make a joint of some width
 constexpr double least_share = 1e-9;  ///< of the part, where gaps are zero: parts that touch are to be joined, too
 
-/// Of the bounding box.
-double diagonal(std::span<const Vec3> positions) {
-  Vec3 low = positions.front();
-  Vec3 high = low;
-  for (const Vec3& p : positions) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return (high - low).stableNorm();
-}
-
 }  // namespace
 
 double automatic_threshold(const IndexedMesh& mesh, unsigned threads) {
   const Parts parts = find_parts(mesh.positions.size(), mesh.faces);
   if (parts.count < 2) return 0;
   const std::vector<double> diagonals = part_diagonals(mesh.positions, parts);
-  const std::vector<double> gaps = gaps_between_parts(mesh, parts, {near_share * diagonal(mesh.positions), threads});
+  const std::vector<double> gaps =
+      gaps_between_parts(mesh, parts, {near_share * bounds_of(mesh.positions).diagonal(), threads});
   double threshold = 0;
   for (std::size_t part = 0; part < parts.count; ++part) {
     if (gaps[part] > diagonals[part]) continue;

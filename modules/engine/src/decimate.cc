@@ -44,17 +44,6 @@ void check(const IndexedMesh& mesh) {
   }
 }
 
-Frame frame_of(const std::vector<Vec3>& positions) {
-  if (positions.empty()) return {};
-  Vec3 low = positions[0];
-  Vec3 high = positions[0];
-  for (const Vec3& p : positions) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return Frame::of_box(low, high);
-}
-
 LoopSettings loop_settings(const TriangleComplex& complex, const Frame& frame, const DecimateTarget& target,
                            const DecimateOptions& options) {
   LoopSettings settings{target, frame, {}};
@@ -231,7 +220,7 @@ std::string_view to_string(StopReason reason) {
 Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options) {
   check(target, options, mesh.positions.size());
   check(mesh);
-  const Frame frame = frame_of(mesh.positions);
+  const Frame frame = Frame::of_points(mesh.positions);
   QuadricOptions quadric = options.quadric;
   if (options.boundary == Boundary::free) quadric.boundary_weight = 0;
   const ThresholdPairs pairs = threshold_pairs(mesh, options);

@@ -27,17 +27,6 @@ std::vector<Index> vertices_in_faces(std::size_t n_vertices, std::span<const Tri
   return vertices;
 }
 
-Frame frame_of(std::span<const Vec3> positions) {
-  if (positions.empty()) return {};
-  Vec3 low = positions[0];
-  Vec3 high = positions[0];
-  for (const Vec3& p : positions) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return Frame::of_box(low, high);
-}
-
 /// The positions along the curve, in each of its cells by position, equal positions by number.
 std::vector<CurvePoint> sorted_by_site(std::span<const Vec3> positions, const Frame& frame, unsigned threads) {
   std::vector<CurvePoint> points = along_morton_curve(positions, frame, threads);
@@ -67,7 +56,7 @@ VertexSites make_vertex_sites(std::span<const Vec3> positions, std::span<const T
     used_positions.push_back(positions[v]);
   }
   VertexSites result;
-  result.frame = frame_of(used_positions);
+  result.frame = Frame::of_points(used_positions);
   result.members.assign(positions.size(), invalid_index);
   result.points.reserve(used.size());
   result.begins.reserve(used.size() + 1);

@@ -2,10 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "whittle/engine/indexed_mesh.hh"
 
 namespace whittle {
+
+/// A box along the axes.
+struct PointBounds {
+  Vec3 low = Vec3::Zero();
+  Vec3 high = Vec3::Zero();
+
+  double diagonal() const { return (high - low).stableNorm(); }
+};
+
+/// The box around points; of none, a box at the origin without extent.
+inline PointBounds bounds_of(std::span<const Vec3> points) {
+  if (points.empty()) return {};
+  PointBounds bounds{points[0], points[0]};
+  for (const Vec3& p : points) {
+    bounds.low = bounds.low.cwiseMin(p);
+    bounds.high = bounds.high.cwiseMax(p);
+  }
+  return bounds;
+}
 
 /// The engine's own coordinates: scaled by a power of two to a size between 1/2 and 1, and centred along those axes
 /// where the mesh lies far from the origin, so that neither the unit nor the place of a mesh changes a result.
@@ -25,6 +45,11 @@ struct Frame {
   }
   double cost_to_frame(double cost, bool times_area) const {
     return cost * scale * scale * (times_area ? scale * scale : 1);
+  }
+
+  static Frame of_points(std::span<const Vec3> points) {
+    const auto [low, high] = bounds_of(points);
+    return of_box(low, high);
   }
 
   /// The frame of the box between `low` and `high`, both finite.
