@@ -338,7 +338,8 @@ bool BruteForceDecimater::keeps_normals(const Triangle& face, Index v, const Vec
     return normal.norm() > 1e-10 * (x - apex).norm() * (x - y).norm();
   };
   if (!has_area(before, positions_[v])) return true;
-  return has_area(after, to) && before.dot(after) >= least_cosine * before.norm() * after.norm();
+  const bool may_turn = options_.max_normal_flip_deg == 180;
+  return has_area(after, to) && (may_turn || before.dot(after) >= least_cosine * before.norm() * after.norm());
 }
 
 void BruteForceDecimater::contract(const Choice& choice, Index survivor, Index removed) {

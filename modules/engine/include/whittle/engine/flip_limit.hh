@@ -12,7 +12,8 @@ class FlipLimit {
  public:
   /// \param max_angle_deg (0, 180]; at 180 only a face that loses its area is too much
   explicit FlipLimit(double max_angle_deg)
-      : signed_min_cosine_sq_(signed_square<double>(std::cos(max_angle_deg * std::numbers::pi / 180))) {}
+      : signed_min_cosine_sq_(
+            max_angle_deg < 180 ? signed_square<double>(std::cos(max_angle_deg * std::numbers::pi / 180)) : never) {}
 
   /// Whether the face (corner, x, y) turns further, or loses its area, when its corner moves. A face that has no area
   /// has no direction to keep.
@@ -43,6 +44,7 @@ class FlipLimit {
   /// Square of the sine of a corner's angle below which a face has no area: its normal would be mostly rounding, which
   /// is about 1e-16 over the sine.
   static constexpr double no_area_sine_sq = 1e-20;
+  static constexpr double never = -2;  ///< below all cosines, with rounding
 
   template <class Real>
   [[gnu::always_inline]] static Real signed_square(const Real& x) {
