@@ -41,9 +41,7 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, const DecimateOptions
       raised_costs_(std::make_unique_for_overwrite<float[]>(complex.n_pair_slots())),
       refused_(complex.n_vertex_slots()),
       is_refused_(complex.n_pair_slots()),
-      hidden_(complex.n_vertex_slots(), static_cast<Index>(complex.n_edges()),
-              complex.n_pair_slots() - complex.n_edges()),
-      known_pairs_(complex.has_threshold_pairs() ? n_known_pairs : 0, {0, invalid_index, invalid_index}) {}
+      sieve_(complex) {}
 
 DecimateResult ContractionLoop::run() {
   fill_queue();
@@ -159,7 +157,7 @@ void ContractionLoop::open_bucket() {
   placements_.clear();
   n_taken_ = 0;
   n_done_at_opening_ = complex_.n_contractions();
-  if (complex_.has_threshold_pairs()) sift_threshold_pairs();
+  sieve_.sift(members_);
   if (crew_.n_helpers() == 0 || members_.size() < fewest_shared) {
     evaluate_members();
   } else {
@@ -167,68 +165,6 @@ void ContractionLoop::open_bucket() {
   }
   std::sort(batch_.begin(), batch_.end(), [](const Candidate& x, const Candidate& y) { return is_before(x, y); });
   if (complex_.has_threshold_pairs()) drop_duplicates();
-}
-
-/// Moves the threshold pairs among the members behind the edges, those of them that are to be evaluated.
-void ContractionLoop::sift_threshold_pairs() {
-  const auto is_edge = [this](Index id) { return !complex_.is_threshold_pair(id); };
-  const auto first = std::partition(members_.begin(), members_.end(), is_edge);
-  look_up_alive(std::span(first, members_.end()), sifted_);
-  members_.erase(first, members_.end());
-  for (std::size_t i = 0; i < sifted_.size(); ++i) {
-    if (i + 8 < sifted_.size()) complex_.prefetch_spokes(sifted_[i + 8].a);
-    const Pair& pair = sifted_[i];
-    if (pair.a == pair.b || is_duplicate(pair)) {
-      complex_.remove_pair(pair.id);
-    } else if (!hides(pair)) {
-      members_.push_back(pair.id);
-    }
-  }
-}
-
-/// What has become of those of the threshold pairs that are alive; brings near what is asked of them next.
-void ContractionLoop::look_up_alive(std::span<const Index> ids, std::vector<Pair>& pairs) {
-  pairs.clear();
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (i + 16 < ids.size()) complex_.prefetch_pair(ids[i + 16]);
-    if (i + 8 < ids.size()) complex_.prefetch_ends(ids[i + 8]);
-    if (!complex_.is_pair_alive(ids[i])) continue;
-    const auto [a, b] = complex_.ends(ids[i]);
-    pairs.push_back({ids[i], a, b});
-    complex_.prefetch_star(a);
-  }
-}
-
-/// If the ends of a threshold pair have a common face, hides the pair.
-bool ContractionLoop::hides(const Pair& pair) {
-  if (!complex_.have_common_face(pair.a, pair.b)) return false;
-  hidden_.add(pair.a, pair.id);
-  return true;
-}
-
-/// Queues anew those pairs hidden at v that have lost their common faces.
-void ContractionLoop::reveal_at(Index v) {
-  woken_.clear();
-  hidden_.take(v, woken_);
-  for (const Index id : woken_) {
-    const Pair pair = pair_now(id);
-    if (!complex_.is_pair_alive(id) || !complex_.is_contractible(pair) || hides(pair)) continue;
-    const PairEvaluation evaluation = evaluate(pair);
-    note_raised(pair, evaluation);
-    enqueue(candidate(pair, evaluation.cost));
-  }
-}
-
-/// Whether a threshold pair has become the same as another one, as far as is remembered: merging makes them one only
-/// where it does so to edges. Remembers it otherwise.
-bool ContractionLoop::is_duplicate(const Pair& pair) {
-  const auto [a, b] = std::minmax(pair.a, pair.b);
-  Pair& known = known_pairs_[(std::uint64_t{a} * 0x9E3779B97F4A7C15 + b) * 0x9E3779B97F4A7C15 >> 51];
-  // As long as both are vertices the other one joins them still, if it is alive.
-  const bool is_same = known.a == a && known.b == b && known.id != pair.id;
-  if (is_same && complex_.is_pair_alive(known.id)) return true;
-  known = {pair.id, a, b};
-  return false;
 }
 
 /// Threshold pairs that have become the same, and what was queued twice.
@@ -277,7 +213,7 @@ void ContractionLoop::find_pairs(std::size_t begin, std::size_t end, Parcel& par
     if (i + 8 < members_.size()) complex_.prefetch_ends(members_[i + 8]);
     const auto [a, b] = complex_.ends(members_[i]);
     parcel.pairs[n] = {members_[i], a, b};
-    n += static_cast<std::size_t>(complex_.is_pair_alive(members_[i]) & (a != b));
+    n += static_cast<std::size_t>(complex_.is_pair_alive(members_[i]));
     complex_.prefetch_placed(a);
     complex_.prefetch_placed(b);
   }
@@ -380,9 +316,7 @@ std::optional<StopReason> ContractionLoop::take_turn(const Candidate& then) {
   }
   if (settings_.target.max_cost && cost > *settings_.target.max_cost) return StopReason::cost;
   const Refusal refusal = find_refusal(pair, placement.position);
-  if (refusal == Refusal::is_edge) {
-    hidden_.add(pair.a, pair.id);
-  } else if (refusal != Refusal::none) {
+  if (refusal != Refusal::none) {
     refuse(pair, refusal);
   } else {
     contract(pair, cost, placement);
@@ -401,10 +335,10 @@ ContractionLoop::Refusal ContractionLoop::find_refusal(const Pair& pair, const V
   return Refusal::none;
 }
 
-/// Plans a joint where the contraction may change the topology, and does.
+/// Plans a joint where the contraction may change the topology, and does; hides a threshold pair that an edge decides.
 ContractionLoop::Refusal ContractionLoop::find_topological_refusal(const Pair& pair) {
   if (complex_.is_threshold_pair(pair.id)) {
-    if (!star_.opposites.empty()) return Refusal::is_edge;
+    if (sieve_.hides(pair)) return Refusal::is_edge;
   } else if (complex_.link_condition(pair.a, pair.b, star_)) {
     return Refusal::none;
   } else if (options_.topology == Topology::keep && complex_.is_manifold(pair.a) && complex_.is_manifold(pair.b)) {
@@ -437,7 +371,7 @@ void ContractionLoop::contract(const Pair& pair, double cost, const Placed& plac
   }
   wake_raised(survivor, removed);
   wake_refused_around(survivor, removed);
-  hidden_.merge(survivor, removed);
+  sieve_.merge(survivor, removed);
   if (!star_.is_joint || star_.joint.lost_edges.empty()) return;
   reveal_at(survivor);
   for (const PairStar::Opposite& neighbour : star_.joint.common) reveal_at(neighbour.vertex);
@@ -498,7 +432,7 @@ void ContractionLoop::refuse(const Pair& pair, Refusal refusal) {
     case Refusal::flip:
       ++result_.rejections.flip;
       break;
-    case Refusal::is_edge:
+    case Refusal::is_edge:  // hidden
     case Refusal::none:
       return;
   }
@@ -515,12 +449,26 @@ void ContractionLoop::wake_refused_at(Index v) {
   for (const Index pair : woken_) {
     if (!is_refused_[pair]) continue;  // woken from its other vertex before
     is_refused_[pair] = false;
-    if (!complex_.is_pair_alive(pair)) continue;
-    const Pair now = pair_now(pair);
-    const PairEvaluation evaluation = evaluate(now);
-    note_raised(now, evaluation);
-    enqueue(candidate(now, evaluation.cost));
+    if (complex_.is_pair_alive(pair)) queue_anew(pair_now(pair));
   }
+}
+
+/// Queues anew those pairs hidden at v that have lost their common faces.
+void ContractionLoop::reveal_at(Index v) {
+  woken_.clear();
+  sieve_.reveal(v, woken_);
+  for (const Index id : woken_) {
+    if (!complex_.is_pair_alive(id)) continue;
+    const Pair pair = pair_now(id);
+    if (complex_.is_contractible(pair) && !sieve_.hides(pair)) queue_anew(pair);
+  }
+}
+
+/// A pair that was in no queue.
+void ContractionLoop::queue_anew(const Pair& pair) {
+  const PairEvaluation evaluation = evaluate(pair);
+  note_raised(pair, evaluation);
+  enqueue(candidate(pair, evaluation.cost));
 }
 
 }  // namespace whittle

@@ -5,12 +5,12 @@
 #include <queue>
 #include <vector>
 
+#include "threshold_pair_sieve.hh"
 #include "whittle/engine/bucket_queue.hh"
 #include "whittle/engine/crew.hh"
 #include "whittle/engine/decimate.hh"
 #include "whittle/engine/flip_limit.hh"
 #include "whittle/engine/frame.hh"
-#include "whittle/engine/hidden_pairs.hh"
 #include "whittle/engine/pair_evaluation.hh"
 #include "whittle/engine/triangle_complex.hh"
 #include "whittle/engine/waiting_pairs.hh"
@@ -33,6 +33,7 @@ struct LoopSettings {
 /// - raised: its cost is above its bound (pinned, or placed elsewhere than at the minimum). It is queued under its
 ///   cost, until one of its vertices merges.
 /// - refused: a guard refused it. It is in no queue, until one of its vertices or of their neighbours changes.
+/// A third kind waits in no queue, too: threshold pairs that an edge decides (`ThresholdPairSieve`).
 class ContractionLoop {
  public:
   ContractionLoop(TriangleComplex& complex, const DecimateOptions& options, LoopSettings settings);
@@ -41,7 +42,6 @@ class ContractionLoop {
 
  private:
   static constexpr std::size_t pairs_per_parcel = 64;
-  static constexpr std::size_t n_known_pairs = std::size_t{1} << 13;
 
   /// A pair under its true cost.
   struct Candidate {
@@ -76,11 +76,6 @@ class ContractionLoop {
   std::optional<Candidate> next_candidate();
   void open_bucket();
   void drop_duplicates();
-  void sift_threshold_pairs();
-  void look_up_alive(std::span<const Index> ids, std::vector<Pair>& pairs);
-  bool hides(const Pair& pair);
-  void reveal_at(Index v);
-  bool is_duplicate(const Pair& pair);
   void evaluate_members();
   void evaluate_members_on_all_threads();
   void find_pairs(std::size_t begin, std::size_t end, Parcel& parcel);
@@ -111,6 +106,8 @@ class ContractionLoop {
   void refuse(const Pair& pair, Refusal refusal);
   void wake_refused_around(Index survivor, Index removed);
   void wake_refused_at(Index v);
+  void reveal_at(Index v);
+  void queue_anew(const Pair& pair);
   bool is_locked(Index v) const { return !settings_.locked.empty() && settings_.locked[v] != 0; }
 
   TriangleComplex& complex_;
@@ -138,9 +135,7 @@ class ContractionLoop {
   WaitingPairs refused_;
   std::vector<bool> is_refused_;  ///< per pair
   std::vector<Index> woken_;      ///< scratch
-  HiddenPairs hidden_;
-  std::vector<Pair> sifted_;       ///< scratch
-  std::vector<Pair> known_pairs_;  ///< threshold pairs seen lately, by their ends
+  ThresholdPairSieve sieve_;
 
   PairStar star_;
   DecimateResult result_;
