@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "noise.hh"
 #include "triangle_math.hh"
 #include "whittle/engine/parallel.hh"
 #include "whittle/metrics/bounds.hh"
@@ -24,9 +25,6 @@ namespace {
 constexpr std::size_t samples_per_block = 2048;
 constexpr std::size_t vertices_per_block = 2048;
 constexpr std::size_t max_samples = std::size_t{1} << 40;
-/// A sample is a sum of three rounded products and both surfaces are moved to a local origin: some units in the last
-/// place of the diagonal, 2^-52 each. A hundred times finer than what float coordinates can tell apart is still 2^-31.
-constexpr double noise_rel = 0x1p-48;
 
 /// The finaliser of SplitMix64 (Steele, Lea, Flood: Fast Splittable Pseudorandom Number Generators, 2014).
 std::uint64_t mix(std::uint64_t x) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "triangle_math.hh"
+
 namespace whittle::metrics {
 
 EdgeTable::EdgeTable(const IndexedMesh& mesh) {
@@ -44,6 +46,20 @@ EdgeTable::EdgeTable(const IndexedMesh& mesh) {
     }
   }
   edges_.push_back({invalid_index, invalid_index, faces_.size()});
+}
+
+std::optional<std::array<Vec3, 2>> normals_at(const IndexedMesh& mesh, const EdgeTable& edges, std::size_t edge) {
+  const auto faces = edges.faces(edge);
+  if (faces.size() != 2) return std::nullopt;
+  std::array<Vec3, 2> normals;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Triangle& face = mesh.faces[faces[i]];
+    normals[i] =
+        trusted_normal(mesh.positions[face[0]], mesh.positions[face[1]], mesh.positions[face[2]]).stableNormalized();
+    if (normals[i].isZero(0.0)) return std::nullopt;
+    if (runs_along(face, edges[edge].low, edges[edge].high) != (i == 0)) normals[i] = -normals[i];
+  }
+  return normals;
 }
 
 }  // namespace whittle::metrics

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,5 +43,9 @@ class EdgeTable {
   std::vector<Edge> edges_;  ///< One more than there are edges: the last has the end of the faces.
   std::vector<Index> faces_;
 };
+
+/// The unit normals of both faces at an edge, one of them turned if they run along it the same way. Nothing unless the
+/// edge has exactly two faces and both a normal to be trusted.
+std::optional<std::array<Vec3, 2>> normals_at(const IndexedMesh& mesh, const EdgeTable& edges, std::size_t edge);
 
 }  // namespace whittle::metrics

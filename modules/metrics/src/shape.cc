@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "edges.hh"
-#include "triangle_math.hh"
 #include "whittle/metrics/bounds.hh"
 
 namespace whittle::metrics {
@@ -76,17 +75,8 @@ void measure_edge_lengths(const IndexedMesh& mesh, const EdgeTable& edges, Shape
 }
 
 bool is_fold(const IndexedMesh& mesh, const EdgeTable& edges, std::size_t e) {
-  const auto faces = edges.faces(e);
-  if (faces.size() != 2) return false;
-  std::array<Vec3, 2> normals;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Triangle& face = mesh.faces[faces[i]];
-    normals[i] =
-        trusted_normal(mesh.positions[face[0]], mesh.positions[face[1]], mesh.positions[face[2]]).stableNormalized();
-    if (normals[i].isZero(0.0)) return false;
-    if (runs_along(face, edges[e].low, edges[e].high) != (i == 0)) normals[i] = -normals[i];
-  }
-  return normals[0].dot(normals[1]) < fold_cosine;
+  const auto normals = normals_at(mesh, edges, e);
+  return normals && (*normals)[0].dot((*normals)[1]) < fold_cosine;
 }
 
 ValenceStats measure_valences(const IndexedMesh& mesh, const EdgeTable& edges) {

@@ -1,0 +1,49 @@
+#include "whittle/metrics/lines.hh"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "edges.hh"
+#include "whittle/metrics/bounds.hh"
+
+namespace whittle::metrics {
+
+namespace {
+
+Segment segment_of(const IndexedMesh& mesh, const EdgeTable::Edge& edge) {
+  return {mesh.positions[edge.low], mesh.positions[edge.high]};
+}
+
+}  // namespace
+
+std::vector<Segment> border_lines(const IndexedMesh& mesh) {
+  bounds(mesh);  // for its checks
+  const EdgeTable edges(mesh);
+  std::vector<Segment> lines;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (edges.faces(e).size() == 1) lines.push_back(segment_of(mesh, edges[e]));
+  }
+  return lines;
+}
+
+std::vector<Segment> feature_lines(const IndexedMesh& mesh, double angle_deg) {
+  if (!(angle_deg > 0.0 && angle_deg < 180.0)) {
+    throw std::invalid_argument("feature angle is to be in (0, 180) degrees, not " + std::to_string(angle_deg));
+  }
+  bounds(mesh);  // for its checks
+  const double angle = angle_deg * (std::numbers::pi / 180.0);
+  const EdgeTable edges(mesh);
+  std::vector<Segment> lines;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto normals = normals_at(mesh, edges, e);
+    if (!normals) continue;
+    const auto& [a, b] = *normals;
+    if (std::atan2(a.cross(b).norm(), a.dot(b)) > angle) lines.push_back(segment_of(mesh, edges[e]));
+  }
+  return lines;
+}
+
+}  // namespace whittle::metrics
