@@ -27,6 +27,13 @@ Json directed(const metrics::DirectedDistance& distance, double diagonal) {
   return json;
 }
 
+Json directed(const metrics::DirectedLineDistance& distance, double diagonal) {
+  Json json;
+  add_length(json, "mean", distance.mean, diagonal);
+  add_length(json, "max", distance.max, diagonal);
+  return json;
+}
+
 }  // namespace
 
 std::string program_and_version() { return "whittle " WHITTLE_VERSION; }
@@ -62,6 +69,16 @@ void add_distance(Json& json, const metrics::SurfaceDistance& distance) {
   json["backward"] = directed(distance.backward, diagonal);
   json["normal_deviation_deg"] = distance.normal_deviation_deg;
   json["flipped_percent"] = distance.flipped_percent;
+}
+
+Json lines_json(const std::optional<metrics::LineDistance>& distance, double diagonal) {
+  if (!distance) return nullptr;
+  Json json;
+  add_length(json, "mean", distance->mean, diagonal);
+  add_length(json, "max", distance->max, diagonal);
+  json["forward"] = directed(distance->forward, diagonal);
+  json["backward"] = directed(distance->backward, diagonal);
+  return json;
 }
 
 void add_shape(Json& json, const metrics::Shape& shape) {

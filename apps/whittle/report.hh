@@ -1,12 +1,14 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "command_line.hh"
 #include "input.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/distance.hh"
+#include "whittle/metrics/line_distance.hh"
 #include "whittle/metrics/shape.hh"
 #include "whittle/metrics/topology.hh"
 
@@ -34,6 +36,9 @@ void add_topology(Json& json, const metrics::Topology& topology);
 /// Adds "mean", "rms", "max", "garland_heckbert" with "…_rel", "forward", "backward", "normal_deviation_deg",
 /// "flipped_percent".
 void add_distance(Json& json, const metrics::SurfaceDistance& distance);
+
+/// {"mean", "max" with "…_rel", "forward", "backward"}; null if there is no distance.
+Json lines_json(const std::optional<metrics::LineDistance>& distance, double diagonal);
 
 /// Adds "radius_ratio", "min_angle_deg", "valence", "edge_length_cv", "folds", "degenerate_faces".
 void add_shape(Json& json, const metrics::Shape& shape);

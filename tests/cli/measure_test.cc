@@ -40,6 +40,8 @@ TEST(Measure, HasEveryKeyOfItsSchema) {
                           "backward",
                           "normal_deviation_deg",
                           "flipped_percent",
+                          "border",
+                          "features",
                           "radius_ratio",
                           "min_angle_deg",
                           "valence",
@@ -125,6 +127,74 @@ TEST(Measure, ReadsOneMeshFromStandardInput) {
 TEST(Measure, WeldsUnlessToldNotTo) {
   EXPECT_EQ(measured(data_file("bracket.stl"), data_file("bracket.stl"))["components"], 1);
   EXPECT_EQ(measured(data_file("bracket.stl"), data_file("bracket.stl"), {"--no-weld"})["components"], 1476);
+}
+
+IndexedMesh box_of(double side, int n) { return scaled(tessellated_cube(n), 0.5 * side); }
+
+void expect_lines(const nlohmann::json& lines, double expected, double diagonal) {
+  for (const nlohmann::json& direction : {lines, lines["forward"], lines["backward"]}) {
+    for (const std::string key : {"mean", "max"}) {
+      EXPECT_NEAR(direction[key].get<double>(), expected, 1e-12) << key << '\n' << lines;
+      EXPECT_NEAR(direction[key + "_rel"].get<double>(), expected / diagonal, 1e-12) << key << '\n' << lines;
+    }
+  }
+}
+
+TEST(Measure, TellsHowFarBordersAreApart) {
+  const TemporaryFolder folder;
+  io::write_mesh(folder / "grid.off", grid(6, 4));
+  io::write_mesh(folder / "moved.off", moved(grid(6, 4), Vec3(0.0, 0.0, 0.5)));
+  const auto json = measured(folder / "grid.off", folder / "moved.off");
+  expect_lines(json["border"], 0.5, std::hypot(6.0, 4.0));
+  EXPECT_TRUE(json["features"].is_null());
+  const Outcome outcome = whittle({"measure", folder / "grid.off", folder / "moved.off"});
+  for (const char* said : {"borders, mean", "borders, largest"}) {
+    EXPECT_NE(outcome.out.find(said), std::string::npos) << "not said: " << said << '\n' << outcome;
+  }
+  EXPECT_EQ(outcome.out.find("feature"), std::string::npos) << outcome;
+}
+
+TEST(Measure, TellsHowFarFeatureLinesAreApart) {
+  const TemporaryFolder folder;
+  const std::string box = folder / "box.off", larger = folder / "larger.off";
+  io::write_mesh(box, box_of(2.0, 3));
+  io::write_mesh(larger, box_of(2.2, 2));
+  const auto json = measured(box, larger, {"--feature-angle", "40"});
+  const nlohmann::json features = json["features"];
+  EXPECT_EQ(features["angle_deg"], 40.0);
+  // 0.1 further out in two directions, at the corners in three.
+  EXPECT_NEAR(features["forward"]["mean"].get<double>(), 0.1 * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(features["forward"]["max"].get<double>(), 0.1 * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(features["backward"]["max"].get<double>(), 0.1 * std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(features["max"].get<double>(), 0.1 * std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(features["max_rel"].get<double>(), 0.05, 1e-12);
+  EXPECT_TRUE(json["border"].is_null());
+  EXPECT_TRUE(measured(box, larger, {"--feature-angle", "91"})["features"].is_null());
+
+  const Outcome outcome = whittle({"measure", box, larger, "--feature-angle", "40"});
+  for (const char* said : {"feature lines, mean", "feature lines, largest"}) {
+    EXPECT_NE(outcome.out.find(said), std::string::npos) << "not said: " << said << '\n' << outcome;
+  }
+  EXPECT_EQ(outcome.out.find("borders"), std::string::npos) << outcome;
+}
+
+TEST(Measure, SaysWhichMeshHasNoLines) {
+  const TemporaryFolder folder;
+  const std::string box = folder / "box.off", flat = folder / "flat.off";
+  io::write_mesh(box, box_of(2.0, 1));
+  io::write_mesh(flat, grid(3, 3));
+  const auto json = measured(box, flat, {"--feature-angle", "40"});
+  EXPECT_TRUE(json["border"].is_null());
+  EXPECT_TRUE(json["features"].is_null());
+  const auto expect_said = [](const Outcome& outcome, const std::string& line) {
+    EXPECT_EQ(outcome.exit_code, 0) << outcome;
+    EXPECT_NE(outcome.out.find(line + '\n'), std::string::npos) << "not said: " << line << '\n' << outcome;
+  };
+  const Outcome outcome = whittle({"measure", box, flat, "--feature-angle", "40"});
+  expect_said(outcome, "no distance between borders: REF has none");
+  expect_said(outcome, "no distance between feature lines: TEST has none");
+  expect_said(whittle({"measure", flat, flat, "--feature-angle", "40"}),
+              "no distance between feature lines: neither mesh has any");
 }
 
 }  // namespace

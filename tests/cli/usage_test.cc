@@ -123,6 +123,10 @@ TEST(Usage, NamesTheOptionAndTheRange) {
   const std::string mesh = data_file("cubes.obj");
   expect_usage_error(whittle({"measure", mesh, mesh, "--samples", "0"}), {"--samples", "at least 1"});
   expect_usage_error(whittle({"measure", mesh, mesh, "--seed", "-1"}), {"--seed", "at least 0"});
+  for (const char* angle : {"0", "180", "-40", "nan", "sharp"}) {
+    expect_usage_error(whittle({"measure", mesh, mesh, "--feature-angle", angle}),
+                       {"--feature-angle", "0 < DEG < 180"});
+  }
   EXPECT_TRUE(folder.files().empty());
 }
 
