@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 #include <whittle/engine/frame.hh>
+#include <whittle/metrics/shape.hh>
 
 #include "support/random.hh"
 #include "support/shapes.hh"
@@ -162,6 +163,18 @@ TEST(Decimate, EndpointPlacementTakesPositionsOfTheInput) {
   DecimateOptions options;
   options.quadric.placement = Placement::endpoint;
   for (const Vec3& p : decimate(mesh, faces(100), options).mesh.positions) EXPECT_TRUE(positions.contains(p)) << p;
+}
+
+TEST(Decimate, GreaterRegularizationMakesRounderTriangles) {
+  const IndexedMesh mesh = blob(4, 8);
+  double before = 0;
+  for (const double regularization : {1e-9, 4e-3, 1e-1}) {
+    DecimateOptions options;
+    options.quadric.regularization = regularization;
+    const double radius_ratio = metrics::shape(decimate(mesh, faces(512), options).mesh).radius_ratio_mean;
+    EXPECT_GT(radius_ratio, before + 0.02) << regularization;
+    before = radius_ratio;
+  }
 }
 
 TEST(Decimate, VertexMapIsTotalAndSaysWhoMerged) {

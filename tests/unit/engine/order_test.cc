@@ -82,6 +82,7 @@ std::vector<Setting> all_settings() {
   add("flip 20", [](DecimateOptions& o) { o.max_normal_flip_deg = 20; });
   add("unregularised", [](DecimateOptions& o) { o.quadric.regularization = 0; });
   settings.back().order_is_defined = false;
+  add("round triangles", [](DecimateOptions& o) { o.quadric.regularization = 4e-3; });
   add("free topology", [](DecimateOptions& o) { o.topology = Topology::free; });
   const auto add_threshold = [&](double threshold, const std::string& name, auto change) {
     add("threshold " + name, change);
