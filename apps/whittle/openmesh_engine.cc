@@ -36,7 +36,7 @@ class ModCollapseLogT : public OpenMesh::Decimater::ModBaseT<MeshT> {
 
   std::size_t n_collapses() const { return n_collapses_; }
   /// Model units.
-  double max_cost() const { return cost_->frame().cost_to_model(max_cost_, cost_->cost_times_area()); }
+  double max_cost() const { return cost_->frame().cost_to_model(max_cost_, cost_->cost_dimension()); }
   /// The vertex that v is part of now.
   Index survivor(Index v) const {
     while (merged_into_[v] != invalid_index) v = merged_into_[v];

@@ -359,13 +359,13 @@ void BruteForceDecimater::contract(const Choice& choice, Index survivor, Index r
 }
 
 std::vector<Contraction> BruteForceDecimater::run(const DecimateTarget& target) {
-  const bool times_area = options_.quadric.weights != Weights::uniform;
+  const double dimension = options_.quadric.weights == Weights::uniform ? 2 : 4;
   std::vector<Contraction> done;
   while ((!target.faces || n_faces() > *target.faces) && (!target.vertices || n_vertices() > *target.vertices)) {
     const std::vector<Choice> all = choices();
     const auto choice = std::ranges::find_if(all, [this](const Choice& c) { return is_allowed(c); });
     if (choice == all.end()) break;
-    const double cost = frame_.cost_to_model(choice->cost, times_area);
+    const double cost = frame_.cost_to_model(choice->cost, dimension);
     if (target.max_cost && cost > *target.max_cost) break;
     const bool keep_high = !is_locked(choice->low);
     const Index survivor = keep_high ? choice->high : choice->low;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "contraction_loop.hh"
+#include "whittle/engine/feature_edges.hh"
 #include "whittle/engine/parts.hh"
 #include "whittle/engine/threshold_pairs.hh"
 
@@ -22,6 +23,13 @@ void check(const DecimateTarget& target, const DecimateOptions& options, std::si
   require(is_finite_and_not_negative(options.quadric.boundary_weight), "boundary_weight is negative or not finite");
   require(options.max_normal_flip_deg > 0 && options.max_normal_flip_deg <= 180,
           "max_normal_flip_deg is not in (0, 180]");
+  require(options.feature_angle_deg > 0 && options.feature_angle_deg <= 180, "feature_angle_deg is not in (0, 180]");
+  require(options.isotropy >= 0 && options.isotropy <= 1, "isotropy is not in [0, 1]");
+  require(is_finite_and_not_negative(options.valence_weight), "valence_weight is negative or not finite");
+  require(options.min_radius_ratio >= 0 && options.min_radius_ratio <= 1, "min_radius_ratio is not in [0, 1]");
+  require(options.isotropy == 0 || options.cost == Cost::quadric, "isotropy blends the quadric cost alone");
+  const bool is_plain = options.cost == Cost::quadric && options.isotropy == 0 && options.valence_weight == 0;
+  require(options.pairs.threshold == 0 || is_plain, "threshold pairs go with the plain quadric cost alone");
   require(options.pairs.threshold >= 0, "pairs.threshold is negative or not a number");
   require(is_finite_and_not_negative(options.quadric.point_weight), "point_weight is negative or not finite");
   require(options.locked.empty() || options.locked.size() == n_vertices, "locked has another length than the vertices");
@@ -44,20 +52,26 @@ void check(const IndexedMesh& mesh) {
   }
 }
 
-LoopSettings loop_settings(const TriangleComplex& complex, const Frame& frame, const DecimateTarget& target,
-                           const DecimateOptions& options) {
-  LoopSettings settings{target, frame, {}};
-  if (target.max_cost) {
-    settings.target.max_cost = frame.cost_to_frame(*target.max_cost, options.quadric.weights != Weights::uniform);
-  }
-  if (options.locked.empty() && options.boundary != Boundary::locked) return settings;
-  settings.locked.resize(complex.n_vertex_slots());
-  for (Index v = 0; v < settings.locked.size(); ++v) {
+/// Per vertex of the complex; empty if none is.
+std::vector<std::uint8_t> locked_vertices(const TriangleComplex& complex, const DecimateOptions& options) {
+  std::vector<std::uint8_t> locked;
+  if (options.locked.empty() && options.boundary != Boundary::locked) return locked;
+  locked.resize(complex.n_vertex_slots());
+  for (Index v = 0; v < locked.size(); ++v) {
     const bool by_user = !options.locked.empty() && options.locked[complex.origin(v)] != 0;
     const bool by_border = options.boundary == Boundary::locked && complex.order(v) != VertexOrder::regular;
-    settings.locked[v] = by_user || by_border;
+    locked[v] = by_user || by_border;
   }
-  return settings;
+  return locked;
+}
+
+/// Ascending.
+std::vector<VertexPair> all_feature_edges(const IndexedMesh& mesh, const DecimateOptions& options) {
+  std::vector<VertexPair> edges;
+  if (options.feature_angle_deg < 180) edges = feature_edges(mesh, options.feature_angle_deg);
+  for (const auto& [a, b] : options.feature_edges) edges.push_back({std::min(a, b), std::max(a, b)});
+  std::sort(edges.begin(), edges.end());
+  return edges;
 }
 
 /// Where each input vertex went, as a vertex of the complex; `invalid_index` for those without a face.
@@ -226,13 +240,22 @@ Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const
   const ThresholdPairs pairs = threshold_pairs(mesh, options);
   TriangleComplex complex(mesh.positions, mesh.faces, pairs.pairs, frame, quadric, options.threads);
   const NonmanifoldCounts before = complex.count_nonmanifold();
-  DecimateResult result = ContractionLoop(complex, options, loop_settings(complex, frame, target, options)).run();
+  const std::vector<VertexPair> features = all_feature_edges(mesh, options);
+  Restraints restraints(complex, locked_vertices(complex, options), features, options.feature_angle_deg);
+  ContractionLoop loop(complex, options, target, frame, std::move(restraints));
+  DecimateResult result = loop.run();
   result.n_degenerate_faces = complex.n_degenerate_faces();
   result.n_coincident_faces = complex.n_coincident_faces();
   result.threshold_pairs.considered = pairs.pairs.size();
   result.threshold_pairs.threshold = options.pairs.threshold;
   result.threshold_pairs.capped = pairs.capped;
   Decimation out = make_output(mesh, complex, frame, options.keep_quadrics);
+  for (const auto& [a, b] : loop.feature_edges()) {
+    const Index first = out.vertex_map[complex.origin(a)];
+    const Index second = out.vertex_map[complex.origin(b)];
+    out.feature_edges.push_back({std::min(first, second), std::max(first, second)});
+  }
+  std::sort(out.feature_edges.begin(), out.feature_edges.end());
   out.result = result;
   compare_surfaces(mesh, before, complex, options, out);
   return out;

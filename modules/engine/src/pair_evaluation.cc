@@ -1,7 +1,6 @@
 #include "whittle/engine/pair_evaluation.hh"
 
 namespace whittle {
-
 PairEvaluation evaluate_at_candidates(const PlacedQuadric& v0, const PlacedQuadric& v1, double bound,
                                       Placement placement, Pinned pinned) {
   const Vec3 d = v1.position - v0.position;
@@ -12,11 +11,13 @@ PairEvaluation evaluate_at_candidates(const PlacedQuadric& v0, const PlacedQuadr
   };
   const PairEvaluation first = at(Vec3::Zero(), v0.position);
   const PairEvaluation second = at(d, v1.position);
-  if (pinned != Pinned::none) return pinned == Pinned::first ? first : second;
-  PairEvaluation middle = at(0.5 * d, 0.5 * (v0.position + v1.position));
-  if (placement == Placement::midpoint) return middle;
+  if (pinned == Pinned::first) return first;
+  if (pinned == Pinned::second) return second;
   const PairEvaluation& better_end = first.cost <= second.cost ? first : second;
-  return placement == Placement::optimal && middle.cost <= better_end.cost ? middle : better_end;
+  if (placement == Placement::endpoint || pinned == Pinned::either) return better_end;
+  const PairEvaluation middle = at(0.5 * d, 0.5 * (v0.position + v1.position));
+  if (placement == Placement::midpoint) return middle;
+  return middle.cost <= better_end.cost ? middle : better_end;
 }
 
 }  // namespace whittle

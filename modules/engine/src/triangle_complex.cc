@@ -61,6 +61,37 @@ Wings TriangleComplex::gather_pairs(Index v, Index other, GatheredStar& star) {
   return Wings::of_pairs(star.spokes);
 }
 
+/// A ring loses a neighbour where two in succession have become one, pairs lose a face.
+void TriangleComplex::tidy(Index v) {
+  const std::span<Spoke> list = spoke_lists_.of(stars_[v].spokes);
+  for (Spoke& spoke : list) spoke = {representative(spoke.vertex), live_edge(spoke.edge)};
+  std::size_t n = 0;
+  if (is_ring(v)) {
+    Index last = list.empty() ? invalid_index : list.back().vertex;
+    for (const Spoke& spoke : list) {
+      if (spoke.vertex == last) continue;
+      last = spoke.vertex;
+      list[n++] = spoke;
+    }
+  } else {
+    for (std::size_t i = 0; i < list.size(); i += 2) {
+      if (list[i].vertex == list[i + 1].vertex) continue;
+      list[n++] = list[i];
+      list[n++] = list[i + 1];
+    }
+  }
+  stars_[v].spokes.size = static_cast<Index>(n);
+}
+
+int TriangleComplex::valence(Index v) const {
+  const std::span<const Spoke> list = neighbours(v);
+  if (is_ring(v)) return static_cast<int>(list.size());
+  std::vector<Index> others;
+  for (const Spoke& spoke : list) others.push_back(spoke.vertex);
+  std::sort(others.begin(), others.end());
+  return static_cast<int>(std::unique(others.begin(), others.end()) - others.begin());
+}
+
 void TriangleComplex::gather(Index a, Index b, PairStar& star) {
   star.first = gather_one(a, b, gathered_[0]);
   star.second = gather_one(b, a, gathered_[1]);
@@ -150,7 +181,6 @@ bool TriangleComplex::link_condition_of_any(Index a, Index b, const PairStar& st
                       [](const LinkEntry& entry) { return entry.n_faces[0] != 2 && entry.n_faces[1] != 2; });
 }
 
-/// The edge that e has become by merging.
 Index TriangleComplex::live_edge(Index e) const {
   while (!is_pair_alive(e)) e = pairs_[e].first;
   return e;

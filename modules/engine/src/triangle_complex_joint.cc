@@ -128,7 +128,7 @@ void TriangleComplex::plan_joint(Index a, Index b, PairStar& star) {
 
 /// What a common neighbour v of a and b is left with.
 void TriangleComplex::plan_neighbour(Index v, Index a, Index b, PairStar::Joint& joint) {
-  list_live_pairs(v);
+  live_pairs(v);
   for (Spoke& spoke : live_) spoke.vertex = select(spoke.vertex == b, a, spoke.vertex);
   std::vector<Spoke>& faces = joint.faces.emplace_back();
   for (std::size_t i = 0; i < live_.size(); i += 2) {
@@ -179,13 +179,13 @@ bool TriangleComplex::is_no_less_manifold(Index a, Index b, const PairStar& star
   Defects after;
   add_defects(a, merged, after);
   for (const Index v : {a, b}) {
-    list_live_pairs(v);
+    live_pairs(v);
     add_defects(v, live_, before);
   }
   for (std::size_t i = 0; i < joint.common.size(); ++i) {
     const Index v = joint.common[i].vertex;
     add_defects(v, joint.faces[i], after);
-    list_live_pairs(v);
+    live_pairs(v);
     add_defects(v, live_, before);
   }
   const auto n_before = before.counts();
@@ -210,8 +210,7 @@ void TriangleComplex::join_neighbourhoods(Index survivor, Index removed, const P
   for (std::size_t i = 0; i < joint.common.size(); ++i) set_star(joint.common[i].vertex, joint.faces[i]);
 }
 
-/// The faces at v with what has become of their corners, into `live_`.
-void TriangleComplex::list_live_pairs(Index v) {
+std::span<const Spoke> TriangleComplex::live_pairs(Index v) {
   live_.clear();
   const std::span<const Spoke> list = neighbours(v);
   const std::size_t step = is_ring(v) ? 1 : 2;
@@ -221,6 +220,7 @@ void TriangleComplex::list_live_pairs(Index v) {
     const Spoke second{representative(y.vertex), y.edge};
     if (first.vertex != second.vertex) live_.insert(live_.end(), {first, second});
   }
+  return live_;
 }
 
 bool TriangleComplex::have_common_face(Index a, Index b) {
@@ -282,7 +282,7 @@ std::vector<Triangle> TriangleComplex::live_faces() {
   faces.reserve(n_faces_);
   for (Index v = 0; v < vertices_.size(); ++v) {
     if (parents_[v] != v) continue;
-    list_live_pairs(v);
+    live_pairs(v);
     for (std::size_t i = 0; i < live_.size(); i += 2) {
       const Triangle face{v, live_[i].vertex, live_[i + 1].vertex};
       if (v < face[1] && v < face[2]) faces.push_back(face);
@@ -316,7 +316,7 @@ NonmanifoldCounts TriangleComplex::count_nonmanifold() {
   irregular_.erase(std::unique(irregular_.begin(), irregular_.end()), irregular_.end());
   NonmanifoldCounts counts;
   for (const Index v : irregular_) {
-    list_live_pairs(v);
+    live_pairs(v);
     gather_link_of(live_);
     counts.vertices += static_cast<std::uint64_t>(n_fans() > 1);
     for (const LinkEntry& entry : link_) {

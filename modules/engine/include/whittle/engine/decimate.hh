@@ -9,6 +9,7 @@
 
 #include "whittle/engine/indexed_mesh.hh"
 #include "whittle/engine/quadric_term.hh"
+#include "whittle/engine/threshold_pairs.hh"
 
 // Decimation of an indexed triangle mesh by contracting vertex pairs in order of cost:
 //
@@ -30,6 +31,21 @@ struct DecimateTarget {
   std::optional<std::uint64_t> vertices{};  ///< Stop once at most this many vertices are left.
   std::optional<double> max_cost{};  ///< Contract only what costs at most this: distance² · area in model units
                                      ///< (distance² with uniform weights). [0, inf).
+};
+
+/// What ranks and places contractions.
+enum class Cost {
+  quadric,  ///< Garland–Heckbert (quadric_term.hh): distance to all planes merged so far. Unit: distance² · area
+            ///< (distance² with uniform weights)
+  lindstrom_turk,  ///< Lindstrom–Turk (lindstrom_turk.hh): change of volume against the faces as they are. Unit:
+                   ///< length⁶
+  midpoint         ///< the edge's length, to its middle. Unit: length
+};
+
+/// In which order a cost that has no lower bounds is followed.
+enum class Order {
+  exact,       ///< that of an algorithm which evaluates every pair anew after each contraction
+  approximate  ///< faster: a pair that gets cheaper than it was is noticed only when its old place is reached
 };
 
 /// What happens to edges with one face, and to their vertices.
@@ -69,7 +85,11 @@ struct Contraction {
 };
 
 struct DecimateOptions {
-  QuadricOptions quadric;
+  Cost cost = Cost::quadric;
+  QuadricOptions quadric;  ///< of `Cost::quadric`
+  double isotropy = 0;     ///< W of the blend of `Cost::quadric` with the edge's length (edge_length_term.hh). [0, 1]
+  double valence_weight = 0;  ///< W of the penalty for valences, times any cost (valence_term.hh). [0, inf)
+  Order order = Order::exact;
   PairOptions pairs;
   Topology topology = Topology::keep;
   Boundary boundary = Boundary::weighted;
@@ -78,8 +98,19 @@ struct DecimateOptions {
   /// off.
   double max_normal_flip_deg = 75;
 
+  /// A contraction that leaves a face with a smaller radius ratio (radius_ratio.hh) is refused, unless the face was
+  /// thinner before. [0, 1]; 0 = off.
+  double min_radius_ratio = 0;
+
   /// V or empty; vertices with a non-zero entry neither move nor vanish. Their other neighbours may merge into them.
   std::span<const std::uint8_t> locked;
+
+  /// Edges of two faces whose normals differ by more than this are features, degrees. (0, 180]; 180 = none. Vertices on
+  /// a line of feature edges move along it only; where lines meet, end, or turn further than this, they stay.
+  double feature_angle_deg = 180;
+
+  /// Edges that are features whatever their angle; what is no edge of the mesh doesn't count.
+  std::span<const VertexPair> feature_edges;
 
   /// Whether `Decimation::quadrics` is wanted.
   bool keep_quadrics = false;
@@ -105,9 +136,11 @@ std::string_view to_string(StopReason reason);
 
 /// Why guards refused contractions. A pair refused, woken and refused again counts twice.
 struct Rejections {
-  std::uint64_t link = 0;    ///< it would change the topology (link condition)
-  std::uint64_t flip = 0;    ///< it would turn a face over, or make one without area
-  std::uint64_t locked = 0;  ///< both vertices are locked
+  std::uint64_t link = 0;     ///< it would change the topology (link condition)
+  std::uint64_t flip = 0;     ///< it would turn a face over, or make one without area
+  std::uint64_t shape = 0;    ///< it would make a face thinner than allowed
+  std::uint64_t feature = 0;  ///< it would take a vertex off its feature line, or a line away
+  std::uint64_t locked = 0;   ///< both vertices are locked
 };
 
 /// Pairs beside the edges.
@@ -147,8 +180,9 @@ struct Decimation {
   DecimateResult result;
   /// Those of the vertices of `mesh`, in the frame of the input's bounding box, if asked for: to go on from.
   std::vector<PlacedQuadric> quadrics;
-  std::vector<Index> face_origins;  ///< faces of `mesh` → faces of the input, ascending
-  std::vector<Index> vertex_map;    ///< input vertices → vertices of `mesh`; `invalid_index` where it was in no face
+  std::vector<Index> face_origins;        ///< faces of `mesh` → faces of the input, ascending
+  std::vector<VertexPair> feature_edges;  ///< of `mesh`: what has become of the input's, lower vertex first, ascending
+  std::vector<Index> vertex_map;  ///< input vertices → vertices of `mesh`; `invalid_index` where it was in no face
 };
 
 /// Decimates `mesh`. Colours are averaged over the vertices merged, normals computed anew where the input has them;

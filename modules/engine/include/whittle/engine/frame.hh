@@ -39,13 +39,9 @@ struct Frame {
   Vec3 to_frame(const Vec3& p) const { return (p - center) * scale; }
   Vec3 to_model(const Vec3& x) const { return x * unscale + center; }
 
-  /// A cost of the frame, distance² · area or (times_area false) distance², in model units; and back.
-  double cost_to_model(double cost, bool times_area) const {
-    return cost * unscale * unscale * (times_area ? unscale * unscale : 1);
-  }
-  double cost_to_frame(double cost, bool times_area) const {
-    return cost * scale * scale * (times_area ? scale * scale : 1);
-  }
+  /// A cost of the frame in model units, and back. \param dimension its unit's power of a length
+  double cost_to_model(double cost, double dimension) const { return times_power(cost, unscale, dimension); }
+  double cost_to_frame(double cost, double dimension) const { return times_power(cost, scale, dimension); }
 
   static Frame of_points(std::span<const Vec3> points) {
     const auto [low, high] = bounds_of(points);
@@ -69,6 +65,13 @@ struct Frame {
       frame.unscale = std::ldexp(1.0, exponent);
     }
     return frame;
+  }
+
+ private:
+  /// In two halves: with a huge unit the whole power may be out of range where the product is not.
+  static double times_power(double cost, double factor, double power) {
+    const double half = std::pow(factor, 0.5 * power);
+    return cost * half * half;
   }
 };
 

@@ -5,8 +5,13 @@
 
 namespace whittle {
 
-/// Which end of a pair may not move.
-enum class Pinned { none, first, second };
+/// Where the merged vertex of a pair may go.
+enum class Pinned {
+  none,    ///< anywhere
+  first,   ///< where the first vertex is
+  second,  ///< where the second vertex is
+  either   ///< where the one is or the other
+};
 
 /// What contracting two vertices with quadrics E₀, E₁ would cost.
 struct PairEvaluation {

@@ -159,10 +159,15 @@ class TriangleComplex {
   VertexOrder order(Index v) const { return stars_[v].order; }
   /// Whether its faces are one fan, closed or open.
   bool is_manifold(Index v) const { return order(v) != VertexOrder::junction; }
+  /// Whether its neighbours are a ring.
+  bool is_ring(Index v) const { return stars_[v].is_ring; }
   /// Whether v was ever in a face.
   bool has_faces(Index v) const { return stars_[v].spokes.size > 0; }
   /// The neighbours of v as last gathered, those of an irregular vertex as often as it has faces with them.
   std::span<const Spoke> neighbours(Index v) const { return spoke_lists_.of(stars_[v].spokes); }
+
+  /// The number of edges at v. \pre its list is tidy
+  int valence(Index v) const;
 
   /// The vertex that v has been merged into, v itself if none. Shortens the path. Several threads may ask at once: what
   /// they write is the same.
@@ -193,9 +198,16 @@ class TriangleComplex {
   bool is_contractible(const Pair& pair) const {
     return !is_threshold_pair(pair.id) || (pair.a != pair.b && has_faces(pair.a) && has_faces(pair.b));
   }
+  /// The faces at v in pairs, with what has become of their corners. Valid until the next call, or plan.
+  std::span<const Spoke> live_pairs(Index v);
   bool have_common_face(Index a, Index b);
   /// Before the first contraction; several threads may ask.
   Ends initial_ends(Index id) const { return pairs_[id]; }
+
+  /// The edge that an edge has become by merging.
+  Index live_edge(Index e) const;
+  /// Makes v's list name vertices and edges as they are now.
+  void tidy(Index v);
 
   void gather(Index a, Index b, PairStar& star);
   /// Looks at what contracting (a, b) would make of the topology: fills in the rest of `star`.
@@ -271,7 +283,6 @@ class TriangleComplex {
   std::size_t n_fans();
   bool is_link_oriented() const;
   Index step_along_link(Index& place) const;
-  bool is_ring(Index v) const { return stars_[v].is_ring; }
   /// One of the two stars of a pair under look.
   struct GatheredStar {
     std::vector<Spoke> spokes;
@@ -294,7 +305,6 @@ class TriangleComplex {
   Wings gather_pairs(Index v, Index other, GatheredStar& star);
   bool link_condition_of_any(Index a, Index b, const PairStar& star);
   bool obviously_keeps_topology(Index a, Index b, const PairStar& star) const;
-  Index live_edge(Index e) const;
   void merge_edges(const PairStar::Opposite& opposite);
   Index store_slope(const Vec3& slope, Index v);
   void merge_stars(Index survivor, Index removed, const PairStar& star);
@@ -303,7 +313,6 @@ class TriangleComplex {
   void merge_points(Index pair, Index survivor, Index removed);
   void join_neighbourhoods(Index survivor, Index removed, const PairStar& star);
   void set_star(Index v, std::span<const Spoke> pairs);
-  void list_live_pairs(Index v);
   void plan_neighbour(Index v, Index a, Index b, PairStar::Joint& joint);
   void add_defects(Index v, std::span<const Spoke> pairs, Defects& defects);
 

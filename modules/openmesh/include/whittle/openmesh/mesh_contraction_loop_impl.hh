@@ -21,7 +21,7 @@ MeshContractionLoopT<MeshT>::MeshContractionLoopT(PairDecimaterT<MeshT>& decimat
       versions_(mesh_.n_halfedges()),
       is_waiting_(mesh_.n_halfedges()) {
   if (target.max_cost) {
-    target_.max_cost = decimater.cost_->frame().cost_to_frame(*target.max_cost, decimater.cost_->cost_times_area());
+    target_.max_cost = decimater.cost_->frame().cost_to_frame(*target.max_cost, decimater.cost_->cost_dimension());
   }
   const auto counts = decimater.count_elements();
   result_.n_vertices = counts.vertices;
@@ -239,7 +239,7 @@ void MeshContractionLoopT<MeshT>::contract(const Move& move) {
   const VertexHandle removed = mesh_.from_vertex_handle(move.to_survivor);
   const auto* own = decimater_.cost_;
   const double cost =
-      own ? own->frame().cost_to_model(move.evaluation.cost, own->cost_times_area()) : move.evaluation.cost;
+      own ? own->frame().cost_to_model(move.evaluation.cost, own->cost_dimension()) : move.evaluation.cost;
   result_.n_faces -= decimater_.contract(move.to_survivor, move.evaluation);
   --result_.n_vertices;
   ++result_.n_contractions;

@@ -71,7 +71,7 @@ class ModGarlandHeckbertT : public OpenMesh::Decimater::ModBaseT<MeshT>, public 
 
   bool has_placement() const override { return !stock_; }
   const Frame& frame() const override { return frame_; }
-  bool cost_times_area() const override { return active_.weights != Weights::uniform; }
+  double cost_dimension() const override { return active_.weights == Weights::uniform ? 2 : 4; }
   /// As set, times the error tolerance factor of the decimater.
   std::optional<double> max_cost() const override;
   Vec3 position(OpenMesh::VertexHandle v) const override { return placed(v).position; }

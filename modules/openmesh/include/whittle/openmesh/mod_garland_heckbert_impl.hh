@@ -151,7 +151,7 @@ float ModGarlandHeckbertT<MeshT>::collapse_priority(const CollapseInfo& collapse
     return cost < max_cost_.value_or(DBL_MAX) ? static_cast<float>(cost) : illegal;
   }
   const PairEvaluation evaluation = evaluate(collapse);
-  if (const auto limit = max_cost(); limit && evaluation.cost > frame_.cost_to_frame(*limit, cost_times_area())) {
+  if (const auto limit = max_cost(); limit && evaluation.cost > frame_.cost_to_frame(*limit, cost_dimension())) {
     return illegal;
   }
   return static_cast<float>(std::min(evaluation.cost, 0.5 * double{FLT_MAX}));  // DecimaterT wants less than FLT_MAX

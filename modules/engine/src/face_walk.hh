@@ -1,0 +1,76 @@
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "whittle/engine/triangle_complex.hh"
+
+// Walks over the faces at vertices whose lists are tidy, in an order by original vertex numbers: that which sums over
+// them have.
+
+namespace whittle {
+
+/// The other corners of a face at a vertex, in its order.
+using OtherCorners = std::pair<Index, Index>;
+
+/// Those of the faces at an irregular vertex, sorted.
+inline std::vector<OtherCorners> sorted_corners(const TriangleComplex& complex, Index v) {
+  std::vector<OtherCorners> corners;
+  const std::span<const Spoke> list = complex.neighbours(v);
+  for (std::size_t i = 0; i < list.size(); i += 2) corners.emplace_back(list[i].vertex, list[i + 1].vertex);
+  const auto key = [&](const OtherCorners& c) { return std::pair(complex.origin(c.first), complex.origin(c.second)); };
+  std::sort(corners.begin(), corners.end(),
+            [&](const OtherCorners& x, const OtherCorners& y) { return key(x) < key(y); });
+  return corners;
+}
+
+/// Calls `use(x, y)` for each face (v, x, y): of a ring counter-clockwise from its lowest original number on.
+template <class Use>
+void for_each_face(const TriangleComplex& complex, Index v, const Use& use) {
+  if (!complex.is_ring(v)) {
+    for (const auto& [x, y] : sorted_corners(complex, v)) use(x, y);
+    return;
+  }
+  const std::span<const Spoke> ring = complex.neighbours(v);
+  const auto origin_of = [&](const Spoke& spoke) { return complex.origin(spoke.vertex); };
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    if (origin_of(ring[i]) < origin_of(ring[first])) first = i;
+  }
+  std::size_t i = first;
+  do {
+    const std::size_t next = i + 1 < ring.size() ? i + 1 : 0;
+    use(ring[i].vertex, ring[next].vertex);
+    i = next;
+  } while (i != first);
+}
+
+/// Calls `use(c, turn)` for each face of v and w by its third corner c; turn is 1 where the face is (v, w, c), −1 where
+/// it is (v, c, w).
+template <class Use>
+void for_each_common_face(const TriangleComplex& complex, Index v, Index w, const Use& use) {
+  if (!complex.is_ring(v)) {
+    std::vector<std::pair<Index, int>> thirds;
+    for (const auto& [x, y] : sorted_corners(complex, v)) {
+      if (x == w) thirds.emplace_back(y, 1);
+      if (y == w) thirds.emplace_back(x, -1);
+    }
+    const auto origin_of = [&](const std::pair<Index, int>& third) { return complex.origin(third.first); };
+    std::stable_sort(thirds.begin(), thirds.end(),
+                     [&](const auto& c, const auto& d) { return origin_of(c) < origin_of(d); });
+    for (const auto& [c, turn] : thirds) use(c, turn);
+    return;
+  }
+  const std::span<const Spoke> ring = complex.neighbours(v);
+  const auto place = std::find_if(ring.begin(), ring.end(), [w](const Spoke& spoke) { return spoke.vertex == w; });
+  if (place == ring.end()) return;
+  const Index previous = (place == ring.begin() ? ring.back() : *(place - 1)).vertex;
+  const Index next = (place + 1 == ring.end() ? ring.front() : *(place + 1)).vertex;
+  const bool previous_is_first = complex.origin(previous) < complex.origin(next);
+  if (previous_is_first) use(previous, -1);
+  use(next, 1);
+  if (!previous_is_first) use(previous, -1);
+}
+
+}  // namespace whittle

@@ -1,0 +1,141 @@
+#include "whittle/engine/lindstrom_turk.hh"
+
+#include <cmath>
+
+namespace whittle {
+namespace {
+
+constexpr double volume_weight = 0.5;  ///< λ
+
+/// Least angle between a constraint and what those before it fix.
+constexpr double sine_of_least_angle = 0.01745240643728351;  // 1°
+constexpr double sine_sq = sine_of_least_angle * sine_of_least_angle;
+
+/// A gradient's share of the quadric's trace below which rounding decides its direction.
+constexpr double noise_share = 1e-10;
+
+Vec3 any_perpendicular(const Vec3& a) {
+  const Vec3 size = a.cwiseAbs();
+  const bool x_is_least = size.x() <= size.y() && size.x() <= size.z();
+  const Vec3 axis = x_is_least ? Vec3::UnitX() : size.y() <= size.z() ? Vec3::UnitY() : Vec3::UnitZ();
+  return a.cross(axis).normalized();
+}
+
+Quadric scaled(const Quadric& q, double s) {
+  const SymmetricMatrix& a = q.a;
+  return {{s * a.xx, s * a.xy, s * a.xz, s * a.yy, s * a.yz, s * a.zz}, s * q.b, s * q.c};
+}
+
+}  // namespace
+
+VolumeSums& VolumeSums::operator+=(const VolumeSums& other) {
+  normal += other.normal;
+  offset += other.offset;
+  squares += other.squares;
+  return *this;
+}
+
+VolumeSums VolumeSums::about(const Vec3& t) const { return {normal, offset - normal.dot(t), squares.about(t)}; }
+
+/// |p × q − x × e|² = xᵀ (|e|² I − e eᵀ) x − 2 x · (e × (p × q)) + |p × q|², e = q − p.
+void BorderSums::add(const Vec3& p, const Vec3& q) {
+  const Vec3 e = q - p;
+  const Vec3 a = p.cross(q);
+  edge += e;
+  area += a;
+  SymmetricMatrix matrix = SymmetricMatrix::identity(e.squaredNorm());
+  matrix += SymmetricMatrix::outer(e, -1);
+  squares += Quadric{matrix, -e.cross(a), a.squaredNorm()};
+  ++n_edges;
+}
+
+void PointConstraints::add(const Vec3& a, double b, double noise) {
+  if (n_ == 3) return;
+  const double length = a.norm();
+  if (!(length > noise)) return;
+  const Vec3 unit = a / length;
+  if (n_ == 1) {
+    const double cosine = rows_[0].dot(unit);
+    if (cosine * cosine >= 1 - sine_sq) return;
+  }
+  if (n_ == 2) {
+    const Vec3 fixed = rows_[0].cross(rows_[1]);
+    const double sine = fixed.dot(unit);
+    if (sine * sine <= sine_sq * fixed.squaredNorm()) return;
+  }
+  rows_[n_] = unit;
+  values_[n_] = b / length;
+  ++n_;
+}
+
+/// Q (A x + b) = 0, the rows of Q perpendicular to the constraints taken and to one another.
+void PointConstraints::add_least(const Quadric& quadric) {
+  const double noise = noise_share * quadric.a.trace();
+  const auto add_along = [&](const Vec3& way) { add(quadric.a * way, -way.dot(quadric.b), noise); };
+  if (n_ == 0) {
+    add_along(Vec3::UnitX());
+    add_along(Vec3::UnitY());
+    add_along(Vec3::UnitZ());
+  } else if (n_ == 1) {
+    const Vec3 first = any_perpendicular(rows_[0]);
+    const Vec3 second = rows_[0].cross(first);
+    add_along(first);
+    add_along(second);
+  } else if (n_ == 2) {
+    add_along(rows_[0].cross(rows_[1]).normalized());
+  }
+}
+
+/// Cramer's rule.
+Vec3 PointConstraints::solve() const {
+  const Vec3 c12 = rows_[1].cross(rows_[2]);
+  const Vec3 sum = values_[0] * c12 + values_[1] * rows_[2].cross(rows_[0]) + values_[2] * rows_[0].cross(rows_[1]);
+  return sum / rows_[0].dot(c12);
+}
+
+LindstromTurk::LindstromTurk(const VolumeSums& volume, const BorderSums& border, const Vec3& first, const Vec3& second)
+    : objective_(scaled(volume.squares, volume_weight / 36)), first_(first), second_(second) {
+  constraints_.add(volume.normal, volume.offset, noise_share * std::sqrt(volume.squares.a.trace()));
+  if (border.n_edges > 0) {
+    const double length_sq = (second - first).squaredNorm();
+    objective_ += scaled(border.squares, (1 - volume_weight) * length_sq / 4);
+    SymmetricMatrix matrix = SymmetricMatrix::identity(border.edge.squaredNorm());
+    matrix += SymmetricMatrix::outer(border.edge, -1);
+    constraints_.add_least({matrix, -border.edge.cross(border.area), 0});
+  }
+  constraints_.add_least(objective_);
+}
+
+void LindstromTurk::add_neighbours(const NeighbourSums& neighbours) {
+  constraints_.add_least({SymmetricMatrix::identity(neighbours.n), -neighbours.position, 0});
+}
+
+PairEvaluation LindstromTurk::at(const Vec3& position) const {
+  const double cost = std::max(0.0, objective_(position));
+  return {cost, cost, position, false};
+}
+
+PairEvaluation LindstromTurk::at_better_end() const {
+  const PairEvaluation first = at(first_);
+  const PairEvaluation second = at(second_);
+  return first.cost <= second.cost ? first : second;
+}
+
+PairEvaluation LindstromTurk::at_best_candidate() const {
+  const PairEvaluation end = at_better_end();
+  const PairEvaluation middle = at(0.5 * (first_ + second_));
+  return middle.cost <= end.cost ? middle : end;
+}
+
+PairEvaluation LindstromTurk::evaluate(Pinned pinned) const {
+  if (pinned == Pinned::first) return at(first_);
+  if (pinned == Pinned::second) return at(second_);
+  if (pinned == Pinned::either) return at_better_end();
+  if (!is_determined()) return at_best_candidate();
+  const Vec3 position = constraints_.solve();
+  const double reach_sq = max_placement_reach * max_placement_reach * (second_ - first_).squaredNorm();
+  const bool is_near = (position - 0.5 * (first_ + second_)).squaredNorm() <= reach_sq;
+  return is_near ? at(position) : at_best_candidate();
+}
+
+}  // namespace whittle

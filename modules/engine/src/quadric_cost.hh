@@ -1,0 +1,31 @@
+#pragma once
+
+#include "pair_cost.hh"
+#include "restraints.hh"
+
+namespace whittle {
+
+/// Garland–Heckbert (quadric_term.hh). Where the minimum of a pair is wanted and to be had, as it mostly is, several
+/// pairs at once.
+class QuadricCost final : public PairCost {
+ public:
+  QuadricCost(const TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options)
+      : complex_(complex), restraints_(restraints), options_(options) {}
+
+  using PairCost::evaluate;
+  void evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const override;
+  PlacedQuadric merged(const Pair& pair, const PairEvaluation& evaluation) const override;
+  double dimension() const override { return options_.weights == Weights::uniform ? 2 : 4; }
+  Reach reach() const override { return Reach::none; }
+  void note_contraction(std::span<const Index>) override {}
+
+ private:
+  PlacedQuadric placed(const Pair& pair, Index v) const;
+  PairEvaluation evaluate_one(const Pair& pair) const;
+
+  const TriangleComplex& complex_;
+  const Restraints& restraints_;
+  QuadricOptions options_;
+};
+
+}  // namespace whittle

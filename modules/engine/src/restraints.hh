@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "whittle/engine/pair_evaluation.hh"
+#include "whittle/engine/triangle_complex.hh"
+
+namespace whittle {
+
+/// Which vertices may not go where they like: locked ones stay where they are; those on a feature line move along it
+/// only, and where lines meet, end or turn they stay.
+class Restraints {
+ public:
+  /// None.
+  Restraints() = default;
+  /// \param locked per vertex, or empty
+  /// \param features edges, by their original vertices, ascending; each is an edge of the complex
+  /// \param corner_angle_deg a line that turns further has a corner there
+  Restraints(const TriangleComplex& complex, std::span<const std::uint8_t> locked, std::span<const VertexPair> features,
+             double corner_angle_deg);
+
+  bool any() const { return !freedoms_.empty(); }
+
+  /// Where v̄ may go; nullopt if neither vertex may leave its place along this edge.
+  std::optional<Pinned> pinned(const Pair& pair) const {
+    if (!any()) return Pinned::none;
+    const bool along_feature = is_feature(pair.id);
+    const bool first_may_move = may_move(pair.a, along_feature);
+    const bool second_may_move = may_move(pair.b, along_feature);
+    if (!first_may_move && !second_may_move) return std::nullopt;
+    if (!first_may_move) return Pinned::first;
+    if (!second_may_move) return Pinned::second;
+    return along_feature ? Pinned::either : Pinned::none;
+  }
+  bool is_feature(Index edge) const { return has_features() && is_feature_[edge]; }
+  bool are_both_locked(const Pair& pair) const { return is_locked(pair.a) && is_locked(pair.b); }
+
+  /// Whether contracting the pair would lay two feature edges on one another: a line would lose its loop.
+  bool closes_feature_loop(const TriangleComplex& complex, const PairStar& star) const;
+
+  /// The feature edges there are now, by their vertices.
+  std::vector<VertexPair> feature_edges(TriangleComplex& complex) const;
+
+  /// To be told before the complex is.
+  void contract(const TriangleComplex& complex, Index survivor, Index removed, const PairStar& star);
+
+ private:
+  enum class Freedom : std::uint8_t {
+    full,
+    line,    ///< along its two feature edges
+    corner,  ///< none, as feature lines meet, end or turn there
+    locked   ///< none
+  };
+
+  bool has_features() const { return !is_feature_.empty(); }
+  bool may_move(Index v, bool along_feature) const {
+    return freedoms_[v] == Freedom::full || (freedoms_[v] == Freedom::line && along_feature);
+  }
+  bool is_locked(Index v) const { return any() && freedoms_[v] == Freedom::locked; }
+  void mark_features(const TriangleComplex& complex, std::span<const VertexPair> features, double corner_angle_deg);
+
+  std::vector<Freedom> freedoms_;  ///< per vertex, or empty
+  std::vector<bool> is_feature_;   ///< per pair, or empty
+};
+
+}  // namespace whittle
