@@ -60,7 +60,6 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, const DecimateOptions
       frame_(frame),
       restraints_(std::move(restraints)),
       sharp_edges_(complex, restraints_, options.feature_angle_deg),
-      keeps_sharp_edges_(options.feature_angle_deg < 180),
       flip_limit_(options.max_normal_flip_deg),
       n_initial_vertices_(complex.n_vertices()),
       n_initial_faces_(complex.n_faces()),
@@ -81,7 +80,7 @@ DecimateResult ContractionLoop::run() {
       stop = StopReason::cancelled;
     } else if (const std::optional<Turn> turn = order_->next()) {
       stop = take(*turn);
-    } else if (!give_up_sharp_edges()) {
+    } else {
       stop = StopReason::exhausted;
     }
   }
@@ -131,10 +130,10 @@ ContractionLoop::Refusal ContractionLoop::find_refusal(const Pair& pair, const V
   complex_.gather(a, b, star_);
   const Refusal refusal = find_topological_refusal(pair);
   if (refusal != Refusal::none) return refusal;
-  if (restraints_.closes_feature_loop(complex_, star_)) return Refusal::feature;
+  if (restraints_.bends_a_line(complex_, pair, star_, position)) return Refusal::feature;
   if (turns_a_face(complex_, flip_limit_, star_.first, complex_.position(a), position)) return Refusal::flip;
   if (turns_a_face(complex_, flip_limit_, star_.second, complex_.position(b), position)) return Refusal::flip;
-  if (keeps_sharp_edges_ && sharp_edges_.would_change(pair, star_, position)) return Refusal::feature;
+  if (sharp_edges_.would_change(pair, star_, position)) return Refusal::feature;
   if (makes_thin(star_.first, complex_.position(a), position)) return Refusal::shape;
   if (makes_thin(star_.second, complex_.position(b), position)) return Refusal::shape;
   return Refusal::none;
@@ -206,7 +205,7 @@ void ContractionLoop::contract(const Turn& turn) {
   } else {
     std::swap(star_.first, star_.second);
   }
-  restraints_.contract(complex_, survivor, removed, star_);
+  restraints_.contract(complex_, pair, survivor, star_, evaluation.position);
   complex_.contract(pair.id, survivor, removed, cost_->merged(pair, evaluation), star_);
   result_.threshold_pairs.contracted += static_cast<std::uint64_t>(complex_.is_threshold_pair(pair.id));
   result_.max_cost = std::max(result_.max_cost, evaluation.cost);
@@ -251,6 +250,11 @@ void ContractionLoop::wake_refused_around(Index survivor, Index removed) {
   const auto wake_neighbours = [&](Index v) {
     for (const Spoke& spoke : complex_.neighbours(v)) wake(spoke.vertex);
   };
+  if (sharp_edges_.is_on()) {  // it looks a face farther
+    for (const Spoke& spoke : complex_.neighbours(survivor)) {
+      for (const Spoke& beyond : complex_.neighbours(spoke.vertex)) wake(complex_.representative(beyond.vertex));
+    }
+  }
   wake(survivor);
   wake(removed);
   wake_neighbours(survivor);
@@ -281,14 +285,6 @@ void ContractionLoop::reveal_at(Index v) {
     const Pair pair = pair_now(complex_, id);
     if (complex_.is_contractible(pair) && !sieve_.hides(pair)) order_->add(pair);
   }
-}
-
-/// From now on contractions may make sharp edges, and blunt them. False if they might before.
-bool ContractionLoop::give_up_sharp_edges() {
-  if (!keeps_sharp_edges_) return false;
-  keeps_sharp_edges_ = false;
-  for (Index v = 0; v < complex_.n_vertex_slots(); ++v) wake_refused_at(v);
-  return true;
 }
 
 }  // namespace whittle

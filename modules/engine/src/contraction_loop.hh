@@ -46,7 +46,6 @@ class ContractionLoop {
   void list_changed(Index survivor);
   void wake_refused_around(Index survivor, Index removed);
   void wake_refused_at(Index v);
-  bool give_up_sharp_edges();
   void reveal_at(Index v);
 
   TriangleComplex& complex_;
@@ -55,7 +54,6 @@ class ContractionLoop {
   Frame frame_;
   Restraints restraints_;
   SharpEdges sharp_edges_;
-  bool keeps_sharp_edges_;  ///< until there is no other way to the target
   FlipLimit flip_limit_;
   std::uint64_t n_initial_vertices_;
   std::uint64_t n_initial_faces_;

@@ -241,7 +241,8 @@ Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const
   TriangleComplex complex(mesh.positions, mesh.faces, pairs.pairs, frame, quadric, options.threads);
   const NonmanifoldCounts before = complex.count_nonmanifold();
   const std::vector<VertexPair> features = all_feature_edges(mesh, options);
-  Restraints restraints(complex, locked_vertices(complex, options), features, options.feature_angle_deg);
+  Restraints restraints(complex, locked_vertices(complex, options), features, options.feature_angle_deg,
+                        options.feature_tolerance * bounds_of(mesh.positions).diagonal() * frame.scale);
   ContractionLoop loop(complex, options, target, frame, std::move(restraints));
   DecimateResult result = loop.run();
   result.n_degenerate_faces = complex.n_degenerate_faces();

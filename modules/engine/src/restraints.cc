@@ -8,7 +8,8 @@
 namespace whittle {
 
 Restraints::Restraints(const TriangleComplex& complex, std::span<const std::uint8_t> locked,
-                       std::span<const VertexPair> features, double corner_angle_deg) {
+                       std::span<const VertexPair> features, double corner_angle_deg, double tolerance)
+    : tolerance_sq_(tolerance * tolerance) {
   if (locked.empty() && features.empty()) return;
   freedoms_.assign(complex.n_vertex_slots(), Freedom::full);
   if (!features.empty()) mark_features(complex, features, corner_angle_deg);
@@ -46,12 +47,44 @@ void Restraints::mark_features(const TriangleComplex& complex, std::span<const V
   }
 }
 
-bool Restraints::closes_feature_loop(const TriangleComplex& complex, const PairStar& star) const {
+/// The other feature edge of a vertex on a line.
+std::optional<Index> Restraints::other_feature_edge(TriangleComplex& complex, Index v, Index edge) const {
+  if (freedoms_[v] != Freedom::line) return std::nullopt;
+  for (const Spoke& spoke : complex.live_pairs(v)) {
+    const Index e = complex.live_edge(spoke.edge);
+    if (e != edge && is_feature_[e]) return e;
+  }
+  return std::nullopt;
+}
+
+bool Restraints::bends_a_line(TriangleComplex& complex, const Pair& pair, const PairStar& star,
+                              const Vec3& position) const {
   if (!has_features()) return false;
-  const auto is_feature = [&](Index edge) { return is_feature_[complex.live_edge(edge)]; };
-  return std::any_of(star.opposites.begin(), star.opposites.end(), [&](const PairStar::Opposite& opposite) {
-    return is_feature(opposite.edges[0]) && is_feature(opposite.edges[1]);
-  });
+  const auto live_feature = [&](Index edge) { return is_feature_[complex.live_edge(edge)]; };
+  const bool closes_loop =
+      std::any_of(star.opposites.begin(), star.opposites.end(), [&](const PairStar::Opposite& opposite) {
+        return live_feature(opposite.edges[0]) && live_feature(opposite.edges[1]);
+      });
+  if (closes_loop) return true;
+  if (!is_feature_[pair.id]) return false;
+  // The vertex that goes to the other's place takes its line's next edge along.
+  const Index moved = position == complex.position(pair.a) ? pair.b : pair.a;
+  const std::optional<Index> next = other_feature_edge(complex, moved, pair.id);
+  if (!next) return false;
+  const auto [p, q] = complex.ends(*next);
+  const Vec3& end = complex.position(p == moved ? q : p);
+  const Vec3 way = end - position;
+  const auto is_far = [&](const Vec3& point) {
+    const Vec3 offset = point - position;
+    const double share = way.squaredNorm() > 0 ? std::clamp(offset.dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
+    return (offset - share * way).squaredNorm() > tolerance_sq_;
+  };
+  if (is_far(complex.position(moved))) return true;
+  for (const Index edge : {pair.id, *next}) {
+    const auto course = courses_.find(edge);
+    if (course != courses_.end() && std::any_of(course->second.begin(), course->second.end(), is_far)) return true;
+  }
+  return false;
 }
 
 std::vector<VertexPair> Restraints::feature_edges(TriangleComplex& complex) const {
@@ -64,14 +97,28 @@ std::vector<VertexPair> Restraints::feature_edges(TriangleComplex& complex) cons
   return edges;
 }
 
-void Restraints::contract(const TriangleComplex& complex, Index survivor, Index removed, const PairStar& star) {
+void Restraints::contract(TriangleComplex& complex, const Pair& pair, Index survivor, const PairStar& star,
+                          const Vec3& position) {
   if (!any()) return;
-  freedoms_[survivor] = std::max(freedoms_[survivor], freedoms_[removed]);
+  if (is_feature(pair.id)) {
+    const Index moved = position == complex.position(pair.a) ? pair.b : pair.a;
+    Course course = std::move(courses_[pair.id]);
+    courses_.erase(pair.id);
+    if (const std::optional<Index> next = other_feature_edge(complex, moved, pair.id)) {
+      Course& whole = courses_[*next];
+      whole.push_back(complex.position(moved));
+      whole.insert(whole.end(), course.begin(), course.end());
+    }
+  }
+  freedoms_[survivor] = std::max(freedoms_[pair.a], freedoms_[pair.b]);
   if (!has_features()) return;
   const auto merge = [&](const PairStar::Opposite& opposite) {
     const Index first = complex.live_edge(opposite.edges[0]);
     const Index second = complex.live_edge(opposite.edges[1]);
     const bool either = is_feature_[first] || is_feature_[second];
+    for (const auto& [from, to] : {std::pair(first, second), std::pair(second, first)}) {
+      if (is_feature_[from] && !is_feature_[to] && courses_.contains(from)) courses_[to] = courses_[from];
+    }
     is_feature_[first] = is_feature_[second] = either;
   };
   std::for_each(star.opposites.begin(), star.opposites.end(), merge);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "whittle/engine/pair_evaluation.hh"
@@ -19,8 +20,9 @@ class Restraints {
   /// \param locked per vertex, or empty
   /// \param features edges, by their original vertices, ascending; each is an edge of the complex
   /// \param corner_angle_deg a line that turns further has a corner there
+  /// \param tolerance how far a line may come to lie from what it was, in the frame
   Restraints(const TriangleComplex& complex, std::span<const std::uint8_t> locked, std::span<const VertexPair> features,
-             double corner_angle_deg);
+             double corner_angle_deg, double tolerance);
 
   bool any() const { return !freedoms_.empty(); }
 
@@ -38,14 +40,15 @@ class Restraints {
   bool is_feature(Index edge) const { return has_features() && is_feature_[edge]; }
   bool are_both_locked(const Pair& pair) const { return is_locked(pair.a) && is_locked(pair.b); }
 
-  /// Whether contracting the pair would lay two feature edges on one another: a line would lose its loop.
-  bool closes_feature_loop(const TriangleComplex& complex, const PairStar& star) const;
+  /// Whether contracting the pair would lay two feature edges on one another, so that a line lost its loop, or take a
+  /// line farther off than it may be.
+  bool bends_a_line(TriangleComplex& complex, const Pair& pair, const PairStar& star, const Vec3& position) const;
 
   /// The feature edges there are now, by their vertices.
   std::vector<VertexPair> feature_edges(TriangleComplex& complex) const;
 
   /// To be told before the complex is.
-  void contract(const TriangleComplex& complex, Index survivor, Index removed, const PairStar& star);
+  void contract(TriangleComplex& complex, const Pair& pair, Index survivor, const PairStar& star, const Vec3& position);
 
  private:
   enum class Freedom : std::uint8_t {
@@ -62,8 +65,14 @@ class Restraints {
   bool is_locked(Index v) const { return any() && freedoms_[v] == Freedom::locked; }
   void mark_features(const TriangleComplex& complex, std::span<const VertexPair> features, double corner_angle_deg);
 
-  std::vector<Freedom> freedoms_;  ///< per vertex, or empty
-  std::vector<bool> is_feature_;   ///< per pair, or empty
+  /// Where a line was, between the ends of a feature edge: its vertices there, in no particular order.
+  using Course = std::vector<Vec3>;
+  std::optional<Index> other_feature_edge(TriangleComplex& complex, Index v, Index edge) const;
+
+  std::vector<Freedom> freedoms_;              ///< per vertex, or empty
+  std::vector<bool> is_feature_;               ///< per pair, or empty
+  std::unordered_map<Index, Course> courses_;  ///< of feature edges that stand for several
+  double tolerance_sq_ = 0;
 };
 
 }  // namespace whittle

@@ -7,9 +7,13 @@
 namespace whittle {
 
 SharpEdges::SharpEdges(TriangleComplex& complex, const Restraints& restraints, double angle_deg)
-    : complex_(complex), restraints_(restraints), least_cosine_(std::cos(angle_deg * std::numbers::pi / 180)) {}
+    : complex_(complex),
+      restraints_(restraints),
+      is_on_(angle_deg < 180),
+      least_cosine_(std::cos(angle_deg * std::numbers::pi / 180)) {}
 
 bool SharpEdges::would_change(const Pair& pair, const PairStar& star, const Vec3& position) {
+  if (!is_on_) return false;
   list_faces(star, position);
   seen_.clear();
   for (const Face& face : faces_) {

@@ -11,7 +11,10 @@ namespace whittle {
 /// than an angle, and sharp edges are to be feature edges.
 class SharpEdges {
  public:
+  /// \param angle_deg (0, 180]; 180 = off
   SharpEdges(TriangleComplex& complex, const Restraints& restraints, double angle_deg);
+
+  bool is_on() const { return is_on_; }
 
   /// Whether contracting the pair would make an edge sharp that is no feature, or blunt a feature edge that is sharp.
   bool would_change(const Pair& pair, const PairStar& star, const Vec3& position);
@@ -37,6 +40,7 @@ class SharpEdges {
 
   TriangleComplex& complex_;
   const Restraints& restraints_;
+  bool is_on_;
   double least_cosine_;
   std::vector<Face> faces_;    ///< scratch: of the merged vertex
   std::vector<Face> at_edge_;  ///< scratch: of an edge, x its second end, or y

@@ -105,9 +105,13 @@ struct DecimateOptions {
   /// V or empty; vertices with a non-zero entry neither move nor vanish. Their other neighbours may merge into them.
   std::span<const std::uint8_t> locked;
 
-  /// Edges of two faces whose normals differ by more than this are features, degrees. (0, 180]; 180 = none. Vertices on
-  /// a line of feature edges move along it only; where lines meet, end, or turn further than this, they stay.
+  /// Edges of two faces whose normals differ by more than this are sharp, and features, degrees. (0, 180]; 180 = none.
+  /// Vertices on a line of feature edges move along it only; where lines meet, end, or turn further than this, they
+  /// stay. Feature edges stay sharp, and no others get so.
   double feature_angle_deg = 180;
+
+  /// How far a feature line may come to lie from what it was, of the diagonal of the input's bounding box. [0, inf]
+  double feature_tolerance = 5e-4;
 
   /// Edges that are features whatever their angle; what is no edge of the mesh doesn't count.
   std::span<const VertexPair> feature_edges;
