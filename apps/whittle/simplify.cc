@@ -20,6 +20,7 @@
 #include "whittle/engine/automatic_threshold.hh"
 #include "whittle/engine/parts.hh"
 #include "whittle/io/write.hh"
+#include "whittle/metrics/shape.hh"
 
 namespace whittle::app {
 namespace {
@@ -76,6 +77,9 @@ Decimation decimate_input(const SimplifyOptions& options, const Talk& talk, cons
   ProgressBar bar(talk, "decimating");
   DecimateOptions engine_options = options.decimate;
   engine_options.pairs.threshold = run.threshold;
+  if (run.diagonal > 0) {
+    engine_options.feature_tolerance = options.feature_tolerance.in_units(run.diagonal) / run.diagonal;
+  }
   engine_options.threads = options.common.threads;
   engine_options.progress = [&bar](const Progress& progress) {
     bar.update(progress.fraction, std::to_string(progress.n_faces) + " faces");
@@ -108,19 +112,25 @@ void write_map(std::ostream& out, const Run& run) {
 
 std::string advice(const SimplifyOptions& options, const Rejections& rejections) {
   if (options.engine == Engine::openmesh) return "--engine flat may get further";
-  if (rejections.flip >= std::max(rejections.link, rejections.locked) && rejections.flip > 0 &&
-      options.decimate.max_normal_flip_deg < 180) {
+  const auto& [link, flip, shape, feature, locked] = rejections;
+  const std::uint64_t most = std::max({link, flip, shape, feature, locked});
+  if (most == 0) return "nothing is left that may be contracted";
+  if (most == feature) return "a greater --feature-angle or --feature-tolerance leaves more freedom";
+  if (most == shape) return "a smaller --min-radius-ratio allows thinner faces";
+  if (most == flip && options.decimate.max_normal_flip_deg < 180) {
     return "a greater --max-normal-flip lets faces turn further";
   }
-  if (rejections.locked > rejections.link) return "'--boundary weighted' lets borders shrink";
-  if (rejections.link > 0) return "anything smaller would change the topology of the surface";
-  return "nothing is left that may be contracted";
+  if (locked > link) return "'--boundary weighted' lets borders shrink";
+  return "anything smaller would change the topology of the surface";
 }
 
 std::string refusals(const SimplifyOptions& options, const Rejections& refused) {
   if (options.engine == Engine::openmesh) return "OpenMesh doesn't say what it refused";
-  return "refused: " + std::to_string(refused.link) + " by topology, " + std::to_string(refused.flip) +
-         " by turning a face, " + std::to_string(refused.locked) + " locked";
+  std::string text = "refused: " + std::to_string(refused.link) + " by topology, " + std::to_string(refused.flip) +
+                     " by turning a face, ";
+  if (options.decimate.min_radius_ratio > 0) text += std::to_string(refused.shape) + " by shape, ";
+  if (options.decimate.feature_angle_deg < 180) text += std::to_string(refused.feature) + " by features, ";
+  return text + std::to_string(refused.locked) + " locked";
 }
 
 std::string shortfall(const SimplifyOptions& options, const Run& run) {
@@ -154,8 +164,14 @@ Json threshold_pairs_json(const ThresholdPairCounts& pairs) {
 
 /// OpenMesh's decimater doesn't say what it refused, and why.
 Json rejections_json(const SimplifyOptions& options, const Rejections& refused) {
-  if (options.engine == Engine::openmesh) return {{"flip", nullptr}, {"link", nullptr}, {"locked", nullptr}};
-  return {{"flip", refused.flip}, {"link", refused.link}, {"locked", refused.locked}};
+  if (options.engine == Engine::openmesh) {
+    return {{"flip", nullptr}, {"link", nullptr}, {"shape", nullptr}, {"feature", nullptr}, {"locked", nullptr}};
+  }
+  return {{"flip", refused.flip},
+          {"link", refused.link},
+          {"shape", refused.shape},
+          {"feature", refused.feature},
+          {"locked", refused.locked}};
 }
 
 Json simplify_json(const SimplifyOptions& options, const Run& run) {
@@ -181,6 +197,20 @@ Json simplify_json(const SimplifyOptions& options, const Run& run) {
   json["peak_rss_bytes"] = peak_memory_bytes();
   json["warnings"] = run.warnings;
   return json;
+}
+
+/// The penalty for valences comes short of refusing.
+void warn_of_valence_three(const SimplifyOptions& options, const Talk& talk, Run& run) {
+  if (options.decimate.valence_weight == 0 || run.decimation.mesh.faces.empty()) return;
+  std::size_t n_vertices = 0;
+  for (const auto& [valence, count] : metrics::shape(run.decimation.mesh).valence.histogram) {
+    if (valence <= 3) n_vertices += count;
+  }
+  if (n_vertices == 0) return;
+  run.warnings.push_back(run.input.name + ": " + std::to_string(n_vertices) +
+                         (n_vertices == 1 ? " vertex has" : " vertices have") +
+                         " only three edges: they had them before, or nothing else was left to contract");
+  talk.warning(run.warnings.back());
 }
 
 /// Writes the result, the map and the report; all of them appear, or none does.
@@ -263,6 +293,7 @@ ExitCode run_simplify(const CLI::App& app, const SimplifyOptions& options) {
   run.seconds.decimate = decimating.seconds();
   run.met = is_met(run.target, run.decimation.result.stop);
 
+  warn_of_valence_three(options, talk, run);
   const std::string missed = run.met ? std::string() : shortfall(options, run);
   if (!run.met) run.warnings.push_back(missed);
   write_files(options, talk, watch, run);

@@ -10,6 +10,9 @@
 namespace whittle::app {
 namespace {
 
+constexpr std::array<Choice<Cost>, 3> costs{
+    {{"quadric", Cost::quadric}, {"lindstrom-turk", Cost::lindstrom_turk}, {"midpoint", Cost::midpoint}}};
+constexpr std::array<Choice<Order>, 2> orders{{{"exact", Order::exact}, {"approximate", Order::approximate}}};
 constexpr std::array<Choice<Weights>, 3> weights{
     {{"area", Weights::area}, {"uniform", Weights::uniform}, {"area-angle", Weights::area_angle}}};
 constexpr std::array<Choice<Placement>, 3> placements{
@@ -20,8 +23,30 @@ constexpr std::array<Choice<Topology>, 2> topologies{{{"keep", Topology::keep}, 
 constexpr std::array<Choice<Engine>, 2> engines{{{"flat", Engine::flat}, {"openmesh", Engine::openmesh}}};
 
 constexpr char no_pairs_why[] = "OpenMesh's decimater contracts edges alone";
-constexpr std::array<Conflict, 6> conflicts{
-    {{"--boundary-weight", "--boundary free", "nothing holds borders that are free"},
+constexpr char quadrics_alone_why[] = "the cost has no quadrics";
+constexpr char edges_alone_why[] = "vertices that no edge joins go with plain quadrics alone";
+constexpr char not_in_openmesh_why[] = "only Whittle's own loop does that";
+constexpr std::array<Conflict, 25> conflicts{
+    {{"--weights", "--cost lindstrom-turk", quadrics_alone_why},
+     {"--weights", "--cost midpoint", quadrics_alone_why},
+     {"--placement", "--cost lindstrom-turk", "the cost has a placement of its own"},
+     {"--placement", "--cost midpoint", "the cost has a placement of its own"},
+     {"--boundary-weight", "--cost lindstrom-turk", "the cost has a term of its own for borders"},
+     {"--boundary-weight", "--cost midpoint", quadrics_alone_why},
+     {"--isotropic", "--cost lindstrom-turk", "it blends quadrics with the length of edges"},
+     {"--isotropic", "--cost midpoint", "it blends quadrics with the length of edges"},
+     {"--threshold", "--cost lindstrom-turk", edges_alone_why},
+     {"--threshold", "--cost midpoint", edges_alone_why},
+     {"--threshold", "--isotropic", edges_alone_why},
+     {"--threshold", "--valence", edges_alone_why},
+     {"--boundary-weight", "--boundary free", "nothing holds borders that are free"},
+     {"--cost lindstrom-turk", "--engine openmesh", not_in_openmesh_why},
+     {"--cost midpoint", "--engine openmesh", not_in_openmesh_why},
+     {"--valence", "--engine openmesh", not_in_openmesh_why},
+     {"--isotropic", "--engine openmesh", not_in_openmesh_why},
+     {"--feature-angle", "--engine openmesh", not_in_openmesh_why},
+     {"--min-radius-ratio", "--engine openmesh", not_in_openmesh_why},
+     {"--order approximate", "--engine openmesh", not_in_openmesh_why},
      {"--max-cost", "--engine openmesh", "OpenMesh looks at a cost when it is queued, not when its turn comes"},
      {"--threshold", "--engine openmesh", no_pairs_why},
      {"--max-pairs", "--engine openmesh", no_pairs_why},
@@ -29,7 +54,8 @@ constexpr std::array<Conflict, 6> conflicts{
      {"--topology free", "--engine openmesh", "a half-edge mesh keeps its topology"}}};
 
 constexpr char pair_group[] = "Pairs and parts";
-constexpr char cost_group[] = "Cost and guards";
+constexpr char cost_group[] = "Cost";
+constexpr char guard_group[] = "Borders, features and guards";
 constexpr char file_group[] = "Files";
 
 template <class E, std::size_t N>
@@ -93,7 +119,12 @@ void add_pair_options(CLI::App& app, SimplifyOptions& options) {
 }
 
 void add_cost_options(CLI::App& app, SimplifyOptions& options) {
-  QuadricOptions& quadric = options.decimate.quadric;
+  DecimateOptions& decimate = options.decimate;
+  QuadricOptions& quadric = decimate.quadric;
+  add_choice<Cost>(app, "--cost", decimate.cost, costs,
+                   "what ranks and places: distance to the planes merged so far, change of volume, or the length of "
+                   "edges alone")
+      ->group(cost_group);
   add_choice<Weights>(
       app, "--weights", quadric.weights, weights,
       "how much the plane of a face counts at its corners: its area, 1, or its area times the angle over pi")
@@ -101,18 +132,45 @@ void add_cost_options(CLI::App& app, SimplifyOptions& options) {
   add_choice<Placement>(app, "--placement", quadric.placement, placements,
                         "where the merged vertex goes: where the cost is least, halfway, or to the better end")
       ->group(cost_group);
-  add_choice<Boundary>(app, "--boundary", options.decimate.boundary, boundaries,
-                       "open borders are held by a weight, don't move at all, or move freely")
+  add_number(
+      app, "--valence", "W", decimate.valence_weight, {0},
+      "how much a contraction costs more that leaves vertices with fewer than 5 edges or more than 7 (on borders 3 "
+      "and 5)")
       ->group(cost_group);
-  add_number(app, "--boundary-weight", "W", quadric.boundary_weight, {0},
-             "how firmly weighted borders are held, a factor on the squared length of a border edge")
+  add_number(app, "--isotropic", "W", decimate.isotropy, {0, 1}, "from error alone (0) to even edges alone (1)")
       ->group(cost_group);
-  add_number(app, "--max-normal-flip", "DEG", options.decimate.max_normal_flip_deg, {0, 180, false},
-             "refuse a contraction that turns a face further than DEG degrees (180: never)")
+  add_choice<Order>(app, "--order", decimate.order, orders,
+                    "exact: always the cheapest next; approximate: faster for costs other than plain quadrics")
       ->group(cost_group);
   add_choice<Engine>(app, "--engine", options.engine, engines,
                      "where the work is done; openmesh: the same cost as a module in OpenMesh's own decimater")
       ->group(cost_group);
+}
+
+void add_guard_options(CLI::App& app, SimplifyOptions& options) {
+  DecimateOptions& decimate = options.decimate;
+  add_choice<Boundary>(app, "--boundary", decimate.boundary, boundaries,
+                       "open borders are held by a weight, don't move at all, or move freely")
+      ->group(guard_group);
+  add_number(app, "--boundary-weight", "W", decimate.quadric.boundary_weight, {0},
+             "how firmly weighted borders are held, a factor on the squared length of a border edge")
+      ->group(guard_group);
+  add_number(app, "--feature-angle", "DEG", decimate.feature_angle_deg, {0, 180, false},
+             "edges sharper than DEG degrees are features: their lines stay, and no others get so sharp (180: none)")
+      ->group(guard_group);
+  add_value(
+      app, "--feature-tolerance", "T", options.feature_tolerance,
+      [](std::string_view text) { return parse_length(text, "T"); },
+      "how far a feature line may come to lie from where it was: model units, or a percentage of the diagonal")
+      ->default_str(to_string(options.feature_tolerance))
+      ->group(guard_group);
+  add_number(app, "--max-normal-flip", "DEG", decimate.max_normal_flip_deg, {0, 180, false},
+             "refuse a contraction that turns a face further than DEG degrees (180: never)")
+      ->group(guard_group);
+  add_number(app, "--min-radius-ratio", "X", decimate.min_radius_ratio, {0, 1},
+             "refuse a contraction that leaves a face with a smaller ratio of inner to outer circle, 1 for an "
+             "equilateral one, unless it was thinner before (0: never)")
+      ->group(guard_group);
 }
 
 }  // namespace
@@ -137,6 +195,7 @@ void add_simplify_options(CLI::App& app, SimplifyOptions& options) {
       ->group(file_group);
   add_pair_options(app, options);
   add_cost_options(app, options);
+  add_guard_options(app, options);
   add_common_options(app, options.common);
 }
 
@@ -156,12 +215,19 @@ nlohmann::ordered_json options_json(const SimplifyOptions& options) {
   const QuadricOptions& quadric = options.decimate.quadric;
   return {
       {"weld", options.reading.weld},
+      {"cost", word_of<Cost>(costs, options.decimate.cost)},
+      {"valence", options.decimate.valence_weight},
+      {"isotropic", options.decimate.isotropy},
+      {"order", word_of<Order>(orders, options.decimate.order)},
       {"weights", word_of<Weights>(weights, quadric.weights)},
       {"placement", word_of<Placement>(placements, quadric.placement)},
       {"boundary", word_of<Boundary>(boundaries, options.decimate.boundary)},
       {"boundary_weight", quadric.boundary_weight},
       {"regularization", quadric.regularization},
+      {"feature_angle_deg", options.decimate.feature_angle_deg},
+      {"feature_tolerance", to_string(options.feature_tolerance)},
       {"max_normal_flip_deg", options.decimate.max_normal_flip_deg},
+      {"min_radius_ratio", options.decimate.min_radius_ratio},
       {"threshold", options.threshold.is_automatic ? "auto" : to_string(options.threshold.length)},
       {"max_pairs", options.decimate.pairs.max_pairs},
       {"across_walls", options.decimate.pairs.across_walls},

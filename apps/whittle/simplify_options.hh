@@ -31,7 +31,8 @@ struct SimplifyOptions {
   InputOptions reading;
   DecimateOptions decimate;
   ThresholdOption threshold;
-  std::optional<Length> prune;  ///< parts smaller than this are dropped
+  Length feature_tolerance{5e-4, true};  ///< how far feature lines may stray
+  std::optional<Length> prune;           ///< parts smaller than this are dropped
   Engine engine = Engine::flat;
   std::optional<std::string> map;  ///< file for the vertex map
   bool strict = false;
