@@ -241,6 +241,8 @@ void ContractionLoop::list_changed(Index survivor) {
   for (const Index v : changed_) complex_.tidy(v);
   if (reach < Reach::wings) return;
   for (const PairStar::Opposite& opposite : star_.opposites) add_neighbours(opposite.vertex);
+  if (!star_.is_joint) return;
+  for (const PairStar::Opposite& neighbour : star_.joint.common) add_neighbours(neighbour.vertex);
 }
 
 void ContractionLoop::wake_refused_around(Index survivor, Index removed) {

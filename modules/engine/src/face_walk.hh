@@ -25,14 +25,30 @@ inline std::vector<OtherCorners> sorted_corners(const TriangleComplex& complex, 
   return corners;
 }
 
+/// Puts sorted corners that are a ring of one orientation in the order of that, those of the lowest number first;
+/// leaves others as they are. The list of a vertex whose faces once had several orientations stays one of pairs.
+inline void order_as_ring(std::vector<OtherCorners>& corners) {
+  std::vector<OtherCorners> ring{corners.front()};
+  while (ring.back().second != ring.front().first) {
+    const auto follows = [&](const OtherCorners& face) { return face.first == ring.back().second; };
+    const auto next = std::find_if(corners.begin(), corners.end(), follows);
+    if (next == corners.end() || ring.size() == corners.size()) return;
+    ring.push_back(*next);
+  }
+  if (ring.size() == corners.size()) corners = std::move(ring);
+}
+
 /// Calls `use(x, y)` for each face (v, x, y): of a ring counter-clockwise from its lowest original number on.
 template <class Use>
 void for_each_face(const TriangleComplex& complex, Index v, const Use& use) {
   if (!complex.is_ring(v)) {
-    for (const auto& [x, y] : sorted_corners(complex, v)) use(x, y);
+    std::vector<OtherCorners> corners = sorted_corners(complex, v);
+    if (complex.order(v) == VertexOrder::regular && !corners.empty()) order_as_ring(corners);
+    for (const auto& [x, y] : corners) use(x, y);
     return;
   }
   const std::span<const Spoke> ring = complex.neighbours(v);
+  if (ring.empty()) return;
   const auto origin_of = [&](const Spoke& spoke) { return complex.origin(spoke.vertex); };
   std::size_t first = 0;
   for (std::size_t i = 1; i < ring.size(); ++i) {
@@ -47,7 +63,7 @@ void for_each_face(const TriangleComplex& complex, Index v, const Use& use) {
 }
 
 /// Calls `use(c, turn)` for each face of v and w by its third corner c; turn is 1 where the face is (v, w, c), −1 where
-/// it is (v, c, w).
+/// it is (v, c, w). Of the same corner those of turn 1 come first.
 template <class Use>
 void for_each_common_face(const TriangleComplex& complex, Index v, Index w, const Use& use) {
   if (!complex.is_ring(v)) {
@@ -56,9 +72,8 @@ void for_each_common_face(const TriangleComplex& complex, Index v, Index w, cons
       if (x == w) thirds.emplace_back(y, 1);
       if (y == w) thirds.emplace_back(x, -1);
     }
-    const auto origin_of = [&](const std::pair<Index, int>& third) { return complex.origin(third.first); };
-    std::stable_sort(thirds.begin(), thirds.end(),
-                     [&](const auto& c, const auto& d) { return origin_of(c) < origin_of(d); });
+    const auto key = [&](const auto& third) { return std::pair(complex.origin(third.first), -third.second); };
+    std::sort(thirds.begin(), thirds.end(), [&](const auto& c, const auto& d) { return key(c) < key(d); });
     for (const auto& [c, turn] : thirds) use(c, turn);
     return;
   }
