@@ -5,75 +5,12 @@
 #include <numbers>
 #include <set>
 
+#include "support/face_list.hh"
+#include "whittle/engine/edge_length_term.hh"
+#include "whittle/engine/radius_ratio.hh"
+
 namespace whittle::test {
 namespace {
-
-using Edge = std::pair<Index, Index>;
-
-Edge edge(Index a, Index b) { return std::minmax(a, b); }
-
-bool has(const Triangle& face, Index v) { return std::ranges::find(face, v) != face.end(); }
-
-std::size_t corner_of(const Triangle& face, Index v) {
-  return static_cast<std::size_t>(std::ranges::find(face, v) - face.begin());
-}
-
-std::map<Edge, int> count_edge_faces(const std::vector<Triangle>& faces) {
-  std::map<Edge, int> counts;
-  for (const Triangle& f : faces) {
-    for (std::size_t i = 0; i < 3; ++i) ++counts[edge(f[i], f[(i + 1) % 3])];
-  }
-  return counts;
-}
-
-/// What surrounds a vertex, with the cone vertex `invalid_index` over irregular edges and singular vertices.
-struct Link {
-  std::set<Index> vertices;
-  std::multiset<Edge> edges;
-  std::set<Index> irregular;  ///< other ends of irregular edges
-  bool is_singular = false;   ///< neither one closed fan nor one open fan
-};
-
-/// How many pieces the graph of the link's edges has.
-int n_pieces(const Link& link) {
-  std::map<Index, Index> piece;
-  for (const Index v : link.vertices) piece[v] = v;
-  const auto find = [&](Index v) {
-    while (piece[v] != v) v = piece[v];
-    return v;
-  };
-  for (const auto& [a, b] : link.edges) piece[find(a)] = find(b);
-  return static_cast<int>(std::ranges::count_if(piece, [](const auto& entry) { return entry.first == entry.second; }));
-}
-
-Link link_of(Index v, const std::vector<Triangle>& faces) {
-  Link link;
-  std::map<Index, int> n_faces;
-  for (const Triangle& f : faces) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (f[i] != v) continue;
-      const Index x = f[(i + 1) % 3];
-      const Index y = f[(i + 2) % 3];
-      link.edges.insert(edge(x, y));
-      ++n_faces[x];
-      ++n_faces[y];
-    }
-  }
-  bool is_line = true;
-  for (const auto& [w, n] : n_faces) {
-    link.vertices.insert(w);
-    if (n != 2) link.irregular.insert(w);
-    if (n > 2) is_line = false;
-  }
-  const bool is_one_fan = n_pieces(link) <= 1;
-  const bool is_regular = link.irregular.empty() && is_one_fan;
-  link.is_singular = !is_regular && !(is_line && is_one_fan && link.irregular.size() == 2);
-  if (!is_regular) {
-    link.vertices.insert(invalid_index);
-    for (const Index w : link.irregular) link.edges.insert(edge(w, invalid_index));
-  }
-  return link;
-}
 
 template <class T>
 bool meet(const std::set<T>& a, const std::set<T>& b) {
@@ -99,7 +36,7 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
 
   quadrics_.resize(positions_.size());
   points_.resize(positions_.size());
-  locked_.assign(positions_.size(), false);
+  std::vector<bool> locked(positions_.size());
   for (Index v = 0; v < positions_.size(); ++v) {
     SymmetricMatrix& sum = quadrics_[v].a;
     for (const Triangle& f : faces_) {
@@ -120,9 +57,11 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
         sum += border_quadric(positions_[previous], positions_[v], positions_[next], options_.quadric);
       }
     }
-    locked_[v] = (!options.locked.empty() && options.locked[v] != 0) ||
-                 (options.boundary == Boundary::locked && link_of(v, faces_).vertices.contains(invalid_index));
+    locked[v] = (!options.locked.empty() && options.locked[v] != 0) ||
+                (options.boundary == Boundary::locked && link_of(v, faces_).vertices.contains(invalid_index));
   }
+  const double tolerance = options.feature_tolerance * bounds_of(mesh.positions).diagonal() * frame_.scale;
+  restraints_ = BruteForceRestraints(positions_, faces_, locked, options, tolerance);
   if (options.pairs.threshold > 0) find_threshold_pairs(options.pairs);
 }
 
@@ -173,12 +112,14 @@ std::uint64_t BruteForceDecimater::n_vertices() const {
 std::vector<BruteForceDecimater::Choice> BruteForceDecimater::choices() const {
   std::vector<Choice> choices;
   const std::map<Edge, int> edges = count_edge_faces(faces_);
-  for (const auto& [ends, count] : edges) choices.push_back(choice(ends.first, ends.second, true));
+  const bool is_looked_at = options_.cost == Cost::lindstrom_turk || options_.valence_weight > 0;
+  const SurfaceNow surface = is_looked_at ? SurfaceNow(positions_, faces_) : SurfaceNow({}, {});
+  for (const auto& [ends, count] : edges) choices.push_back(choice(ends.first, ends.second, true, surface));
   const auto is_used = [&](Index v) {
     return std::ranges::any_of(faces_, [v](const Triangle& f) { return has(f, v); });
   };
   for (const auto& [a, b] : threshold_pairs_) {
-    if (!edges.contains(edge(a, b)) && is_used(a) && is_used(b)) choices.push_back(choice(a, b, false));
+    if (!edges.contains(edge(a, b)) && is_used(a) && is_used(b)) choices.push_back(choice(a, b, false, surface));
   }
   std::ranges::sort(choices, [](const Choice& a, const Choice& b) {
     return std::tie(a.cost, a.low, a.high) < std::tie(b.cost, b.low, b.high);
@@ -186,15 +127,33 @@ std::vector<BruteForceDecimater::Choice> BruteForceDecimater::choices() const {
   return choices;
 }
 
-BruteForceDecimater::Choice BruteForceDecimater::choice(Index a, Index b, bool is_edge) const {
-  const Pinned pinned = is_locked(a) ? Pinned::first : is_locked(b) ? Pinned::second : Pinned::none;
-  const PairEvaluation e = evaluate_pair(placed(a, is_edge), placed(b, is_edge), options_.quadric.placement, pinned);
+BruteForceDecimater::Choice BruteForceDecimater::choice(Index a, Index b, bool is_edge,
+                                                        const SurfaceNow& surface) const {
+  PairEvaluation e = evaluate(a, b, is_edge, surface);
+  if (options_.valence_weight > 0) e.cost = surface.valence_change(a, b).penalize(e.cost, options_.valence_weight);
   return {e.cost, a, b, is_edge, e.position, e.is_minimum};
+}
+
+PairEvaluation BruteForceDecimater::evaluate(Index a, Index b, bool is_edge, const SurfaceNow& surface) const {
+  const Pinned pinned = restraints_.pinned(a, b).value_or(Pinned::first);  // if refused, it doesn't matter
+  if (options_.cost == Cost::lindstrom_turk) return surface.lindstrom_turk(a, b, pinned);
+  if (options_.cost == Cost::midpoint) return evaluate_midpoint(positions_[a], positions_[b], pinned);
+  const PlacedQuadric first = placed(a, is_edge);
+  const PlacedQuadric second = placed(b, is_edge);
+  const Placement placement = options_.quadric.placement;
+  if (options_.isotropy > 0) return evaluate_isotropic(first, second, options_.isotropy, placement, pinned);
+  return evaluate_pair(first, second, placement, pinned);
+}
+
+PlacedQuadric BruteForceDecimater::merged_quadric(const Choice& choice) const {
+  if (options_.cost != Cost::quadric) return {choice.position, {}};
+  return merged(placed(choice.low, choice.is_edge), placed(choice.high, choice.is_edge), choice.position,
+                choice.is_minimum);
 }
 
 bool BruteForceDecimater::is_allowed(const Choice& choice) const {
   const auto& [cost, a, b, is_edge, position, is_minimum] = choice;
-  if (is_locked(a) && is_locked(b)) return false;
+  if (!restraints_.pinned(a, b) || !restraints_.keeps_lines(positions_, faces_, a, b, position)) return false;
   if (is_edge && options_.topology == Topology::keep && !keeps_topology(a, b)) {
     const bool is_manifold = !link_of(a, faces_).is_singular && !link_of(b, faces_).is_singular;
     if (is_manifold || !is_no_less_manifold(a, b)) return false;
@@ -204,10 +163,11 @@ bool BruteForceDecimater::is_allowed(const Choice& choice) const {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     if (!is_left[f]) continue;
     for (const Index v : {a, b}) {
-      if (has(faces_[f], v) && !keeps_normals(faces_[f], v, position)) return false;
+      if (!has(faces_[f], v)) continue;
+      if (!keeps_normals(faces_[f], v, position) || !keeps_shape(faces_[f], v, position)) return false;
     }
   }
-  return true;
+  return restraints_.keeps_sharpness(positions_, faces_, faces_after(a, b), a, b, position);
 }
 
 /// Which faces there would be if a and b were one vertex. Those with both of them vanish. Where faces of a and faces of
@@ -342,11 +302,18 @@ bool BruteForceDecimater::keeps_normals(const Triangle& face, Index v, const Vec
   return has_area(after, to) && (may_turn || before.dot(after) >= least_cosine * before.norm() * after.norm());
 }
 
+bool BruteForceDecimater::keeps_shape(const Triangle& face, Index v, const Vec3& to) const {
+  const std::size_t corner = corner_of(face, v);
+  const Vec3& x = positions_[face[(corner + 1) % 3]];
+  const Vec3& y = positions_[face[(corner + 2) % 3]];
+  const double after = radius_ratio(to, x, y);
+  return after >= options_.min_radius_ratio || after >= radius_ratio(positions_[v], x, y);
+}
+
 void BruteForceDecimater::contract(const Choice& choice, Index survivor, Index removed) {
   std::vector<Triangle> faces = faces_after(survivor, removed);
-  quadrics_[survivor] = merged(placed(choice.low, choice.is_edge), placed(choice.high, choice.is_edge), choice.position,
-                               choice.is_minimum)
-                            .quadric;
+  restraints_.contract(positions_, faces, survivor, removed, choice.position);
+  quadrics_[survivor] = merged_quadric(choice).quadric;
   points_[survivor] = choice.is_edge ? points_[choice.low] + points_[choice.high] : PointQuadric{};
   positions_[survivor] = choice.position;
   faces_ = std::move(faces);
@@ -359,7 +326,7 @@ void BruteForceDecimater::contract(const Choice& choice, Index survivor, Index r
 }
 
 std::vector<Contraction> BruteForceDecimater::run(const DecimateTarget& target) {
-  const double dimension = options_.quadric.weights == Weights::uniform ? 2 : 4;
+  const double dimension = cost_dimension(options_);
   std::vector<Contraction> done;
   while ((!target.faces || n_faces() > *target.faces) && (!target.vertices || n_vertices() > *target.vertices)) {
     const std::vector<Choice> all = choices();
@@ -367,7 +334,7 @@ std::vector<Contraction> BruteForceDecimater::run(const DecimateTarget& target) 
     if (choice == all.end()) break;
     const double cost = frame_.cost_to_model(choice->cost, dimension);
     if (target.max_cost && cost > *target.max_cost) break;
-    const bool keep_high = !is_locked(choice->low);
+    const bool keep_high = restraints_.pinned(choice->low, choice->high) != Pinned::first;
     const Index survivor = keep_high ? choice->high : choice->low;
     const Index removed = keep_high ? choice->low : choice->high;
     contract(*choice, survivor, removed);

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "support/brute_force_costs.hh"
+#include "support/brute_force_restraints.hh"
 #include "whittle/engine/decimate.hh"
 #include "whittle/engine/frame.hh"
 #include "whittle/engine/pair_evaluation.hh"
@@ -14,10 +16,10 @@ namespace whittle::test {
 /// Decimation as its definition says, one contraction after the other: every edge of the mesh as it then is gets
 /// evaluated, and every threshold pair whose vertices have no common face; the least (cost, lower, higher vertex
 /// number) that is allowed is contracted. No queue, no bounds, no memory of refusals; the topology is looked at through
-/// the definition of links. Takes O(F²) or worse.
+/// the definition of links, costs and feature lines through theirs. Takes O(F²) or worse.
 ///
-/// Shares with the engine the arithmetic of one pair (`evaluate_pair`, `merged`, `with_points`) and the frame, nothing
-/// else.
+/// Shares with the engine the arithmetic of one pair (`evaluate_pair`, `merged`, `with_points` and what other costs
+/// have in their place) and the frame, nothing else.
 class BruteForceDecimater {
  public:
   BruteForceDecimater(const IndexedMesh& mesh, const DecimateOptions& options);
@@ -29,6 +31,8 @@ class BruteForceDecimater {
   const std::vector<Triangle>& faces() const { return faces_; }  ///< of the mesh as it is now, in the input's numbers
   std::size_t n_threshold_pairs() const { return threshold_pairs_.size(); }
   std::uint64_t n_vertices() const;
+  /// Of the mesh as it is now, in the input's numbers, ascending.
+  std::vector<std::pair<Index, Index>> feature_edges() const { return restraints_.feature_edges(); }
 
  private:
   struct Choice {
@@ -41,14 +45,16 @@ class BruteForceDecimater {
   void find_threshold_pairs(const PairOptions& options);
   PlacedQuadric placed(Index v, bool is_edge) const;
   std::vector<Choice> choices() const;
-  Choice choice(Index a, Index b, bool is_edge) const;
+  Choice choice(Index a, Index b, bool is_edge, const SurfaceNow& surface) const;
+  PairEvaluation evaluate(Index a, Index b, bool is_edge, const SurfaceNow& surface) const;
+  PlacedQuadric merged_quadric(const Choice& choice) const;
   bool is_allowed(const Choice& choice) const;
   bool keeps_topology(Index a, Index b) const;
   bool is_no_less_manifold(Index a, Index b) const;
   bool keeps_normals(const Triangle& face, Index v, const Vec3& to) const;
+  bool keeps_shape(const Triangle& face, Index v, const Vec3& to) const;
   std::vector<bool> faces_left(Index a, Index b) const;
   std::vector<Triangle> faces_after(Index survivor, Index removed) const;
-  bool is_locked(Index v) const { return !locked_.empty() && locked_[v]; }
   void contract(const Choice& choice, Index survivor, Index removed);
 
   DecimateOptions options_;
@@ -57,7 +63,7 @@ class BruteForceDecimater {
   std::vector<Quadric> quadrics_;
   std::vector<PointQuadric> points_;
   std::set<std::pair<Index, Index>> threshold_pairs_;  ///< lower vertex first; some may have a common face
-  std::vector<bool> locked_;
+  BruteForceRestraints restraints_;
   std::vector<Triangle> faces_;  ///< of the mesh as it now is, in the input's order
 };
 

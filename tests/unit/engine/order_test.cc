@@ -84,6 +84,45 @@ std::vector<Setting> all_settings() {
   settings.back().order_is_defined = false;
   add("round triangles", [](DecimateOptions& o) { o.quadric.regularization = 4e-3; });
   add("free topology", [](DecimateOptions& o) { o.topology = Topology::free; });
+  add("lindstrom-turk", [](DecimateOptions& o) { o.cost = Cost::lindstrom_turk; });
+  add("lindstrom-turk, locked border", [](DecimateOptions& o) {
+    o.cost = Cost::lindstrom_turk;
+    o.boundary = Boundary::locked;
+  });
+  add("lindstrom-turk, free topology", [](DecimateOptions& o) {
+    o.cost = Cost::lindstrom_turk;
+    o.topology = Topology::free;
+  });
+  add("edge length", [](DecimateOptions& o) { o.cost = Cost::midpoint; });
+  add("isotropic 0.3", [](DecimateOptions& o) { o.isotropy = 0.3; });
+  add("isotropic 1", [](DecimateOptions& o) { o.isotropy = 1; });
+  add("valence 0.5", [](DecimateOptions& o) { o.valence_weight = 0.5; });
+  add("valence 4, isotropic 1", [](DecimateOptions& o) {
+    o.valence_weight = 4;
+    o.isotropy = 1;
+  });
+  add("valence 1, lindstrom-turk", [](DecimateOptions& o) {
+    o.valence_weight = 1;
+    o.cost = Cost::lindstrom_turk;
+  });
+  add("valence 1, free topology", [](DecimateOptions& o) {
+    o.valence_weight = 1;
+    o.topology = Topology::free;
+  });
+  add("radius ratio 0.4", [](DecimateOptions& o) { o.min_radius_ratio = 0.4; });
+  add("features 40", [](DecimateOptions& o) { o.feature_angle_deg = 40; });
+  add("features 40, lindstrom-turk", [](DecimateOptions& o) {
+    o.feature_angle_deg = 40;
+    o.cost = Cost::lindstrom_turk;
+  });
+  add("features 40, edge length", [](DecimateOptions& o) {
+    o.feature_angle_deg = 40;
+    o.cost = Cost::midpoint;
+  });
+  add("features 25 within 0.02", [](DecimateOptions& o) {
+    o.feature_angle_deg = 25;
+    o.feature_tolerance = 0.02;
+  });
   const auto add_threshold = [&](double threshold, const std::string& name, auto change) {
     add("threshold " + name, change);
     settings.back().threshold = threshold;

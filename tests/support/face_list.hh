@@ -1,0 +1,39 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+#include <whittle/engine/indexed_mesh.hh>
+
+// A list of triangles seen through definitions: everything is counted anew from the list.
+
+namespace whittle::test {
+
+/// Lower vertex first.
+using Edge = std::pair<Index, Index>;
+
+inline Edge edge(Index a, Index b) { return std::minmax(a, b); }
+
+bool has(const Triangle& face, Index v);
+/// \pre the face has it
+std::size_t corner_of(const Triangle& face, Index v);
+
+std::map<Edge, int> count_edge_faces(std::span<const Triangle> faces);
+
+/// What surrounds a vertex, with the cone vertex `invalid_index` over irregular edges and singular vertices.
+struct Link {
+  std::set<Index> vertices;
+  std::multiset<Edge> edges;
+  std::set<Index> irregular;  ///< other ends of irregular edges
+  bool is_singular = false;   ///< neither one closed fan nor one open fan
+};
+
+/// \param faces those at v, maybe among others
+Link link_of(Index v, std::span<const Triangle> faces);
+
+/// How many pieces the graph of the link's edges has.
+int n_pieces(const Link& link);
+
+}  // namespace whittle::test
