@@ -227,16 +227,21 @@ void ContractionLoop::contract(const Turn& turn) {
 void ContractionLoop::list_changed(Index survivor) {
   changed_.clear();
   const Reach reach = cost_->reach();
-  if (reach < Reach::ring) return;
-  const auto add = [this](Index v) { changed_.push_back(complex_.representative(v)); };
+  if (reach == Reach::none) return;
+  const auto add = [this](Index v) {
+    v = complex_.representative(v);
+    if (std::find(changed_.begin(), changed_.end(), v) == changed_.end()) changed_.push_back(v);
+  };
   const auto add_neighbours = [&](Index v) {
     for (const Spoke& spoke : complex_.neighbours(v)) add(spoke.vertex);
   };
   add(survivor);
-  add_neighbours(survivor);
-  for (const PairStar::Opposite& opposite : star_.opposites) add(opposite.vertex);
-  if (star_.is_joint) {
-    for (const PairStar::Opposite& neighbour : star_.joint.common) add(neighbour.vertex);
+  if (reach >= Reach::ring) {
+    add_neighbours(survivor);
+    for (const PairStar::Opposite& opposite : star_.opposites) add(opposite.vertex);
+    if (star_.is_joint) {
+      for (const PairStar::Opposite& neighbour : star_.joint.common) add(neighbour.vertex);
+    }
   }
   for (const Index v : changed_) complex_.tidy(v);
   if (reach < Reach::wings) return;

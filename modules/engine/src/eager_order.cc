@@ -85,22 +85,21 @@ void EagerOrder::set_cost(const Pair& pair, double cost) {
   }
 }
 
-void EagerOrder::note_contraction(Index survivor, Index, std::span<const Index> changed) {
+void EagerOrder::note_contraction(Index, Index, std::span<const Index> changed) {
   pairs_.clear();
-  collect_pairs_at(survivor);
   for (const Index v : changed) collect_pairs_at(v);
   evaluations_.resize(pairs_.size());
   cost_.evaluate(pairs_, evaluations_);
   for (std::size_t i = 0; i < pairs_.size(); ++i) set_cost(pairs_[i], evaluations_[i].cost);
 }
 
-/// Those that are in.
+/// Those that are in. \pre v's list is tidy
 void EagerOrder::collect_pairs_at(Index v) {
   for (const Spoke& spoke : complex_.neighbours(v)) {
-    const Index id = complex_.live_edge(spoke.edge);
+    const Index id = spoke.edge;
     if (costs_[id] == out || last_looked_at_[id] == complex_.n_contractions()) continue;
     last_looked_at_[id] = complex_.n_contractions();
-    pairs_.push_back(in_order(complex_, {id, v, complex_.representative(spoke.vertex)}));
+    pairs_.push_back(in_order(complex_, {id, v, spoke.vertex}));
   }
 }
 

@@ -2,17 +2,10 @@
 
 #include <cmath>
 
+#include "whittle/engine/volume_placement.hh"
+
 namespace whittle {
 namespace {
-
-constexpr double volume_weight = 0.5;  ///< λ
-
-/// Least angle between a constraint and what those before it fix.
-constexpr double sine_of_least_angle = 0.01745240643728351;  // 1°
-constexpr double sine_sq = sine_of_least_angle * sine_of_least_angle;
-
-/// A gradient's share of the quadric's trace below which rounding decides its direction.
-constexpr double noise_share = 1e-10;
 
 Vec3 any_perpendicular(const Vec3& a) {
   const Vec3 size = a.cwiseAbs();
@@ -26,6 +19,20 @@ Quadric scaled(const Quadric& q, double s) {
   return {{s * a.xx, s * a.xy, s * a.xz, s * a.yy, s * a.yz, s * a.zz}, s * q.b, s * q.c};
 }
 
+// With the rounding of lanes, whatever Eigen does.
+
+double dot(const Vec3& a, const Vec3& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); }
+
+Quadric about_point(const Quadric& q, const Vec3& t) {
+  const Vec3 at = q.a * t;
+  return {q.a, q.b + at, q.c + dot(t, 2 * q.b + at)};
+}
+
+VolumeLanes<double> volume_lanes(const VolumeSums& sums) {
+  const auto& [a, b, c] = sums.squares;
+  return {point_lanes(sums.normal), sums.offset, a.xx, a.xy, a.xz, a.yy, a.yz, a.zz, point_lanes(b), c};
+}
+
 }  // namespace
 
 VolumeSums& VolumeSums::operator+=(const VolumeSums& other) {
@@ -35,7 +42,12 @@ VolumeSums& VolumeSums::operator+=(const VolumeSums& other) {
   return *this;
 }
 
-VolumeSums VolumeSums::about(const Vec3& t) const { return {normal, offset - normal.dot(t), squares.about(t)}; }
+VolumeSums VolumeSums::about(const Vec3& t) const { return {normal, offset - dot(normal, t), about_point(squares, t)}; }
+
+void VolumeSums::remove(const Vec3& n) {
+  normal -= n;
+  squares.a += SymmetricMatrix::outer(n, -1);
+}
 
 /// |p × q − x × e|² = xᵀ (|e|² I − e eᵀ) x − 2 x · (e × (p × q)) + |p × q|², e = q − p.
 void BorderSums::add(const Vec3& p, const Vec3& q) {
@@ -56,12 +68,12 @@ void PointConstraints::add(const Vec3& a, double b, double noise) {
   const Vec3 unit = a / length;
   if (n_ == 1) {
     const double cosine = rows_[0].dot(unit);
-    if (cosine * cosine >= 1 - sine_sq) return;
+    if (cosine * cosine >= 1 - least_constraint_sine_sq) return;
   }
   if (n_ == 2) {
     const Vec3 fixed = rows_[0].cross(rows_[1]);
     const double sine = fixed.dot(unit);
-    if (sine * sine <= sine_sq * fixed.squaredNorm()) return;
+    if (sine * sine <= least_constraint_sine_sq * fixed.squaredNorm()) return;
   }
   rows_[n_] = unit;
   values_[n_] = b / length;
@@ -70,7 +82,7 @@ void PointConstraints::add(const Vec3& a, double b, double noise) {
 
 /// Q (A x + b) = 0, the rows of Q perpendicular to the constraints taken and to one another.
 void PointConstraints::add_least(const Quadric& quadric) {
-  const double noise = noise_share * quadric.a.trace();
+  const double noise = constraint_noise_share * quadric.a.trace();
   const auto add_along = [&](const Vec3& way) { add(quadric.a * way, -way.dot(quadric.b), noise); };
   if (n_ == 0) {
     add_along(Vec3::UnitX());
@@ -94,11 +106,18 @@ Vec3 PointConstraints::solve() const {
 }
 
 LindstromTurk::LindstromTurk(const VolumeSums& volume, const BorderSums& border, const Vec3& first, const Vec3& second)
-    : objective_(scaled(volume.squares, volume_weight / 36)), first_(first), second_(second) {
-  constraints_.add(volume.normal, volume.offset, noise_share * std::sqrt(volume.squares.a.trace()));
+    : objective_(scaled(volume.squares, lindstrom_turk_volume_weight / 36)), first_(first), second_(second) {
+  if (border.n_edges == 0) {
+    const VolumePlacement<double> placement = place_by_volume(volume_lanes(volume));
+    is_placed_by_volume_ = placement.is_determined != 0;
+    position_ = {placement.position.x, placement.position.y, placement.position.z};
+    cost_ = placement.cost;
+    if (is_placed_by_volume_) return;
+  }
+  constraints_.add(volume.normal, volume.offset, constraint_noise_share * std::sqrt(volume.squares.a.trace()));
   if (border.n_edges > 0) {
     const double length_sq = (second - first).squaredNorm();
-    objective_ += scaled(border.squares, (1 - volume_weight) * length_sq / 4);
+    objective_ += scaled(border.squares, (1 - lindstrom_turk_volume_weight) * length_sq / 4);
     SymmetricMatrix matrix = SymmetricMatrix::identity(border.edge.squaredNorm());
     matrix += SymmetricMatrix::outer(border.edge, -1);
     constraints_.add_least({matrix, -border.edge.cross(border.area), 0});
@@ -132,10 +151,12 @@ PairEvaluation LindstromTurk::evaluate(Pinned pinned) const {
   if (pinned == Pinned::second) return at(second_);
   if (pinned == Pinned::either) return at_better_end();
   if (!is_determined()) return at_best_candidate();
-  const Vec3 position = constraints_.solve();
-  const double reach_sq = max_placement_reach * max_placement_reach * (second_ - first_).squaredNorm();
-  const bool is_near = (position - 0.5 * (first_ + second_)).squaredNorm() <= reach_sq;
-  return is_near ? at(position) : at_best_candidate();
+  const Vec3 position = is_placed_by_volume_ ? position_ : constraints_.solve();
+  const Vec3 way = second_ - first_;
+  const Vec3 offset = position - 0.5 * (first_ + second_);
+  const bool is_near = dot(offset, offset) <= (max_placement_reach * max_placement_reach) * dot(way, way);
+  if (!is_near) return at_best_candidate();
+  return is_placed_by_volume_ ? PairEvaluation{cost_, cost_, position_, false} : at(position);
 }
 
 }  // namespace whittle

@@ -4,7 +4,10 @@
 #include <utility>
 
 #include "face_walk.hh"
+#include "whittle/engine/lanes.hh"
 #include "whittle/engine/parallel.hh"
+#include "whittle/engine/select.hh"
+#include "whittle/engine/volume_placement.hh"
 
 namespace whittle {
 LindstromTurkCost::LindstromTurkCost(const TriangleComplex& complex, const Restraints& restraints, unsigned threads)
@@ -16,19 +19,139 @@ LindstromTurkCost::LindstromTurkCost(const TriangleComplex& complex, const Restr
 }
 
 LindstromTurkCost::StarSums LindstromTurkCost::sum_star(Index v) const {
-  StarSums sums{{}, Vec3::Zero()};
-  const Vec3& p = complex_.position(v);
+  SymmetricMatrix squares;
+  PointLanes<double> sum{0, 0, 0};
+  const PointLanes<double> p = point_lanes(complex_.position(v));
   for_each_face(complex_, v, [&](Index x, Index y) {
-    const Vec3 normal = (complex_.position(x) - p).cross(complex_.position(y) - p);
-    sums.normal += normal;
-    sums.squares += SymmetricMatrix::outer(normal, 1);
+    const auto n = (point_lanes(complex_.position(x)) - p).cross(point_lanes(complex_.position(y)) - p);
+    sum = {sum.x + n.x, sum.y + n.y, sum.z + n.z};
+    squares += {n.x * n.x, n.x * n.y, n.x * n.z, n.y * n.y, n.y * n.z, n.z * n.z};
   });
-  return sums;
+  const auto& [xx, xy, xz, yy, yz, zz] = squares;
+  return {{xx, xy, xz, yy, yz, zz, sum.x, sum.y, sum.z, p.x, p.y, p.z}};
 }
 
+/// The two corners opposite to an edge inside the surface, by their original numbers.
+struct LindstromTurkCost::Sides {
+  std::size_t place;  ///< of the pair among those to be evaluated
+  Index a, b;
+  std::array<Index, 2> corners;
+  double turn;  ///< 1 where the first one is ahead of b around a, -1 where it is behind
+};
+
+bool LindstromTurkCost::find_sides(const Pair& pair, Sides& sides) const {
+  const std::span<const Spoke> ring = complex_.neighbours(pair.a);
+  std::size_t place = 0;
+  while (place < ring.size() && ring[place].vertex != pair.b) ++place;
+  if (place == ring.size()) return false;
+  const Index behind = ring[place == 0 ? ring.size() - 1 : place - 1].vertex;
+  const Index ahead = ring[place + 1 == ring.size() ? 0 : place + 1].vertex;
+  sides.a = pair.a;
+  sides.b = pair.b;
+  const bool behind_is_first = complex_.origin(behind) < complex_.origin(ahead);
+  sides.corners = {select(behind_is_first, behind, ahead), select(behind_is_first, ahead, behind)};
+  sides.turn = behind_is_first ? -1 : 1;
+  return true;
+}
+
+/// As `volume_of` and `LindstromTurk` do it, to the bit.
+template <class Real>
+[[gnu::always_inline]] inline void LindstromTurkCost::evaluate_group(const std::array<Sides, n_lanes<Real>>& group,
+                                                                     std::span<const Pair> pairs,
+                                                                     std::span<PairEvaluation> evaluations) const {
+  const auto load = [&](const auto& vertex, std::size_t first) __attribute__((always_inline)) {
+    return transposed_lanes<Real>([&](std::size_t lane) { return &stars_[vertex(group[lane])].values[first]; });
+  };
+  const auto a = [](const Sides& sides) { return sides.a; };
+  const auto b = [](const Sides& sides) { return sides.b; };
+  const auto [xx_a, xy_a, xz_a, yy_a] = load(a, 0);
+  const auto [yz_a, zz_a, nx_a, ny_a] = load(a, 4);
+  const auto [nz_a, x_a, y_a, z_a] = load(a, 8);
+  const auto [xx_b, xy_b, xz_b, yy_b] = load(b, 0);
+  const auto [yz_b, zz_b, nx_b, ny_b] = load(b, 4);
+  const auto [nz_b, x_b, y_b, z_b] = load(b, 8);
+  const PointLanes<Real> origin{x_a, y_a, z_a};
+  const PointLanes<Real> d = PointLanes<Real>{x_b, y_b, z_b} - origin;
+  Real turn;
+  fill_lanes(turn, [&](std::size_t lane) { return group[lane].turn; });
+
+  const VolumeLanes<Real> of_b{{nx_b, ny_b, nz_b}, Real{}, xx_b, xy_b, xz_b, yy_b, yz_b, zz_b, {}, Real{}};
+  const PointLanes<Real> slope = of_b.times(d);
+  VolumeLanes<Real> sums{{nx_a + nx_b, ny_a + ny_b, nz_a + nz_b},
+                         of_b.normal.dot(d),
+                         xx_a + xx_b,
+                         xy_a + xy_b,
+                         xz_a + xz_b,
+                         yy_a + yy_b,
+                         yz_a + yz_b,
+                         zz_a + zz_b,
+                         {-slope.x, -slope.y, -slope.z},
+                         d.dot(slope)};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto corner = load([side](const Sides& sides) { return sides.corners[side]; }, 8);
+    const auto cross = d.cross(PointLanes<Real>{corner.second, corner.third, corner.fourth} - origin);
+    const Real sign = side == 0 ? turn : -turn;
+    const PointLanes<Real> n{sign * cross.x, sign * cross.y, sign * cross.z};
+    sums.normal = sums.normal - n;
+    sums.xx -= n.x * n.x;
+    sums.xy -= n.x * n.y;
+    sums.xz -= n.x * n.z;
+    sums.yy -= n.y * n.y;
+    sums.yz -= n.y * n.z;
+    sums.zz -= n.z * n.z;
+  }
+  const VolumePlacement<Real> placement = place_by_volume(sums);
+  const PointLanes<Real> middle{0.5 * d.x, 0.5 * d.y, 0.5 * d.z};
+  const PointLanes<Real> offset = placement.position - middle;
+  const auto is_near = offset.dot(offset) <= (max_placement_reach * max_placement_reach) * d.dot(d);
+  const auto is_placed = placement.is_determined & is_near;
+  for (std::size_t lane = 0; lane < n_lanes<Real>; ++lane) {
+    const std::size_t i = group[lane].place;
+    if (is_placed[lane] == 0) {
+      evaluations[i] = evaluate_one(pairs[i]);
+      continue;
+    }
+    const Vec3 position(placement.position.x[lane] + origin.x[lane], placement.position.y[lane] + origin.y[lane],
+                        placement.position.z[lane] + origin.z[lane]);
+    evaluations[i] = {placement.cost[lane], placement.cost[lane], position, false};
+  }
+}
+
+template <class Real>
+[[gnu::always_inline]] inline void LindstromTurkCost::evaluate_in_lanes(std::span<const Pair> pairs,
+                                                                        std::span<PairEvaluation> evaluations) const {
+  std::array<Sides, n_lanes<Real>> group;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto [id, a, b] = pairs[i];
+    const bool is_inside = complex_.is_ring(a) && complex_.is_ring(b) && restraints_.pinned(pairs[i]) == Pinned::none;
+    if (is_inside && find_sides(pairs[i], group[n])) {
+      group[n].place = i;
+      if (++n == group.size()) {
+        evaluate_group<Real>(group, pairs, evaluations);
+        n = 0;
+      }
+    } else {
+      evaluations[i] = evaluate_one(pairs[i]);
+    }
+  }
+  if (n == 0) return;
+  std::fill(group.begin() + static_cast<std::ptrdiff_t>(n), group.end(), group[n - 1]);
+  evaluate_group<Real>(group, pairs, evaluations);
+}
+
+WHITTLE_DOUBLE4 void LindstromTurkCost::evaluate_four_at_once(std::span<const Pair> pairs,
+                                                              std::span<PairEvaluation> evaluations) const {
+  evaluate_in_lanes<Double4>(pairs, evaluations);
+}
+
+/// Pairs inside the surface several at once.
 void LindstromTurkCost::evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const {
-  std::transform(pairs.begin(), pairs.end(), evaluations.begin(),
-                 [this](const Pair& pair) { return evaluate_one(pair); });
+  if (has_double4) {
+    evaluate_four_at_once(pairs, evaluations);
+  } else {
+    evaluate_in_lanes<Double2>(pairs, evaluations);
+  }
 }
 
 /// About its first vertex.
@@ -45,13 +168,10 @@ PairEvaluation LindstromTurkCost::evaluate_one(const Pair& pair) const {
 VolumeSums LindstromTurkCost::volume_of(const Pair& pair) const {
   const Vec3& origin = complex_.position(pair.a);
   const Vec3 d = complex_.position(pair.b) - origin;
-  VolumeSums sums{stars_[pair.a].normal, 0, {stars_[pair.a].squares}};
-  sums += VolumeSums{stars_[pair.b].normal, 0, {stars_[pair.b].squares}}.about(-d);
-  for_each_common_face(complex_, pair.a, pair.b, [&](Index c, int turn) {
-    const Vec3 normal = turn * d.cross(complex_.position(c) - origin);
-    sums.normal -= normal;
-    sums.squares.a += SymmetricMatrix::outer(normal, -1);
-  });
+  VolumeSums sums{stars_[pair.a].normal(), 0, {stars_[pair.a].squares()}};
+  sums += VolumeSums{stars_[pair.b].normal(), 0, {stars_[pair.b].squares()}}.about(-d);
+  for_each_common_face(complex_, pair.a, pair.b,
+                       [&](Index c, int turn) { sums.remove(turn * d.cross(complex_.position(c) - origin)); });
   return sums;
 }
 

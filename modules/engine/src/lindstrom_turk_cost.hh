@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "pair_cost.hh"
 #include "restraints.hh"
+#include "whittle/engine/lanes.hh"
 #include "whittle/engine/large_array.hh"
 #include "whittle/engine/lindstrom_turk.hh"
 
@@ -25,12 +27,24 @@ class LindstromTurkCost final : public PairCost {
   void note_contraction(std::span<const Index> changed) override;
 
  private:
-  /// Over the faces at a vertex, about it. There their planes have no offset.
-  struct StarSums {
-    SymmetricMatrix squares;
-    Vec3 normal;
+  /// Sums over the faces at a vertex, about it, where their planes have no offset; and where it is. In the order in
+  /// which lanes load them.
+  struct alignas(32) StarSums {
+    std::array<double, 12> values;  ///< xx, xy, xz, yy, yz, zz of the squares, the normal, the position
+
+    SymmetricMatrix squares() const { return {values[0], values[1], values[2], values[3], values[4], values[5]}; }
+    Vec3 normal() const { return {values[6], values[7], values[8]}; }
   };
 
+  struct Sides;
+
+  void evaluate_four_at_once(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const;
+  template <class Real>
+  void evaluate_in_lanes(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const;
+  template <class Real>
+  void evaluate_group(const std::array<Sides, n_lanes<Real>>& group, std::span<const Pair> pairs,
+                      std::span<PairEvaluation> evaluations) const;
+  bool find_sides(const Pair& pair, Sides& sides) const;
   PairEvaluation evaluate_one(const Pair& pair) const;
   VolumeSums volume_of(const Pair& pair) const;
   BorderSums border_of(const Pair& pair) const;

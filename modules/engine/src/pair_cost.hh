@@ -37,8 +37,8 @@ class PairCost {
 
   virtual Reach reach() const = 0;
 
-  /// Told after each contraction. \param changed vertices whose neighbours it may have changed, the merged one first;
-  /// empty where `reach` is none or ends
+  /// Told after each contraction. \param changed vertices whose pairs are within reach, the merged one first, all with
+  /// tidy lists
   virtual void note_contraction(std::span<const Index> changed) = 0;
 };
 

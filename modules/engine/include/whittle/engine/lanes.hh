@@ -37,6 +37,39 @@ template <class Real, class At>
 }
 
 template <class Real>
+struct FourLanes {
+  Real first, second, third, fourth;
+};
+
+/// Four elements of each lane's array side by side: {at(0)[i], at(1)[i], …} for i = 0 … 3.
+/// \param at gives the first of the four of a lane
+template <class Real, class At>
+[[gnu::always_inline]] inline FourLanes<Real> transposed_lanes(const At& at) {
+  FourLanes<Real> columns;
+  if constexpr (n_lanes<Real> == 4) {
+    using Row = double __attribute__((vector_size(32), may_alias, aligned(8)));
+    const Real row0 = *reinterpret_cast<const Row*>(at(0));
+    const Real row1 = *reinterpret_cast<const Row*>(at(1));
+    const Real row2 = *reinterpret_cast<const Row*>(at(2));
+    const Real row3 = *reinterpret_cast<const Row*>(at(3));
+    const Real even01 = __builtin_shufflevector(row0, row1, 0, 4, 2, 6);
+    const Real odd01 = __builtin_shufflevector(row0, row1, 1, 5, 3, 7);
+    const Real even23 = __builtin_shufflevector(row2, row3, 0, 4, 2, 6);
+    const Real odd23 = __builtin_shufflevector(row2, row3, 1, 5, 3, 7);
+    columns.first = __builtin_shufflevector(even01, even23, 0, 1, 4, 5);
+    columns.second = __builtin_shufflevector(odd01, odd23, 0, 1, 4, 5);
+    columns.third = __builtin_shufflevector(even01, even23, 2, 3, 6, 7);
+    columns.fourth = __builtin_shufflevector(odd01, odd23, 2, 3, 6, 7);
+  } else {
+    fill_lanes(columns.first, [&](std::size_t lane) { return at(lane)[0]; });
+    fill_lanes(columns.second, [&](std::size_t lane) { return at(lane)[1]; });
+    fill_lanes(columns.third, [&](std::size_t lane) { return at(lane)[2]; });
+    fill_lanes(columns.fourth, [&](std::size_t lane) { return at(lane)[3]; });
+  }
+  return columns;
+}
+
+template <class Real>
 [[gnu::always_inline]] inline double lane(const Real& real, std::size_t i) {
   if constexpr (n_lanes<Real> == 1) {
     return real;

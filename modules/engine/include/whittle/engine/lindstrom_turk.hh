@@ -36,6 +36,8 @@ struct VolumeSums {
   VolumeSums& operator+=(const VolumeSums& other);
   /// The same sums about o + t.
   VolumeSums about(const Vec3& t) const;
+  /// Without a face through the origin. \param n its normal, as long as twice its area
+  void remove(const Vec3& n);
 };
 
 /// What borders are about: sums over border edges, each from p to q as its face has it.
@@ -84,7 +86,7 @@ class LindstromTurk {
   LindstromTurk(const VolumeSums& volume, const BorderSums& border, const Vec3& first, const Vec3& second);
 
   /// Whether v̄ is fixed already: `add_neighbours` would change nothing.
-  bool is_determined() const { return constraints_.size() == 3; }
+  bool is_determined() const { return is_placed_by_volume_ || constraints_.size() == 3; }
   /// Takes triangle shape for what is not.
   void add_neighbours(const NeighbourSums& neighbours);
 
@@ -100,6 +102,9 @@ class LindstromTurk {
 
   Quadric objective_;  ///< f
   Vec3 first_, second_;
+  bool is_placed_by_volume_ = false;  ///< by volume_placement.hh; then `constraints_` is empty
+  Vec3 position_;
+  double cost_ = 0;
   PointConstraints constraints_;
 };
 
