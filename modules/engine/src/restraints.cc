@@ -47,6 +47,13 @@ void Restraints::mark_features(const TriangleComplex& complex, std::span<const V
   }
 }
 
+/// The vertex of a feature edge that goes to the other's place.
+Index Restraints::moved_vertex(const TriangleComplex& complex, const Pair& pair, const Vec3& position) const {
+  const Pinned where = pinned(pair).value_or(Pinned::first);
+  if (where == Pinned::second) return pair.a;  // even if both are in one place
+  return where == Pinned::first || position == complex.position(pair.a) ? pair.b : pair.a;
+}
+
 /// The other feature edge of a vertex on a line.
 std::optional<Index> Restraints::other_feature_edge(TriangleComplex& complex, Index v, Index edge) const {
   if (freedoms_[v] != Freedom::line) return std::nullopt;
@@ -61,14 +68,14 @@ bool Restraints::bends_a_line(TriangleComplex& complex, const Pair& pair, const 
                               const Vec3& position) const {
   if (!has_features()) return false;
   const auto live_feature = [&](Index edge) { return is_feature_[complex.live_edge(edge)]; };
-  const bool closes_loop =
-      std::any_of(star.opposites.begin(), star.opposites.end(), [&](const PairStar::Opposite& opposite) {
-        return live_feature(opposite.edges[0]) && live_feature(opposite.edges[1]);
-      });
+  const std::vector<PairStar::Opposite>& common = star.is_joint ? star.joint.common : star.opposites;
+  const bool closes_loop = std::any_of(common.begin(), common.end(), [&](const PairStar::Opposite& neighbour) {
+    return live_feature(neighbour.edges[0]) && live_feature(neighbour.edges[1]);
+  });
   if (closes_loop) return true;
   if (!is_feature_[pair.id]) return false;
-  // The vertex that goes to the other's place takes its line's next edge along.
-  const Index moved = position == complex.position(pair.a) ? pair.b : pair.a;
+  // It takes its line's next edge along.
+  const Index moved = moved_vertex(complex, pair, position);
   const std::optional<Index> next = other_feature_edge(complex, moved, pair.id);
   if (!next) return false;
   const auto [p, q] = complex.ends(*next);
@@ -101,7 +108,7 @@ void Restraints::contract(TriangleComplex& complex, const Pair& pair, Index surv
                           const Vec3& position) {
   if (!any()) return;
   if (is_feature(pair.id)) {
-    const Index moved = position == complex.position(pair.a) ? pair.b : pair.a;
+    const Index moved = moved_vertex(complex, pair, position);
     Course course = std::move(courses_[pair.id]);
     courses_.erase(pair.id);
     if (const std::optional<Index> next = other_feature_edge(complex, moved, pair.id)) {

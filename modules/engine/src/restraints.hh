@@ -67,6 +67,7 @@ class Restraints {
 
   /// Where a line was, between the ends of a feature edge: its vertices there, in no particular order.
   using Course = std::vector<Vec3>;
+  Index moved_vertex(const TriangleComplex& complex, const Pair& pair, const Vec3& position) const;
   std::optional<Index> other_feature_edge(TriangleComplex& complex, Index v, Index edge) const;
 
   std::vector<Freedom> freedoms_;              ///< per vertex, or empty

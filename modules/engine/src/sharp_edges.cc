@@ -49,8 +49,7 @@ bool SharpEdges::would_change_spoke(const Pair& pair, Index x) {
   const Edge from_b = look_at(pair.b, x);
   const bool was_sharp = from_a.is_sharp || from_b.is_sharp;
   if (is_sharp_after == was_sharp) return false;
-  const bool is_feature_after =
-      (from_a.is_regular && is_feature(pair.a, x)) || (from_b.is_regular && is_feature(pair.b, x));
+  const bool is_feature_after = is_feature(pair.a, x) || is_feature(pair.b, x);
   return is_sharp_after != is_feature_after;
 }
 
