@@ -150,23 +150,56 @@ struct RandomCase {
       if (one_in(2)) std::swap(face[1], face[2]);
       mesh.faces.push_back(face);
     }
-    options.pairs.threshold = one_in(4) ? 0 : real(0.01, 2);
+    for (int n = one_in(5) ? whole(1, 5) : 0; n > 0; --n) {
+      const auto vertex = [&] {
+        return static_cast<std::size_t>(whole(0, static_cast<int>(mesh.positions.size()) - 1));
+      };
+      const Vec3 place = mesh.positions[vertex()];
+      mesh.positions[vertex()] = place;
+    }
+    set_options();
+    if (one_in(2)) target.faces = static_cast<std::uint64_t>(whole(0, n_faces));
+  }
+
+  void set_options() {
+    set_restraints();
+    set_cost();
+    const bool is_plain = options.cost == Cost::quadric && options.isotropy == 0 && options.valence_weight == 0;
+    options.pairs.threshold = one_in(4) || !is_plain ? 0 : real(0.01, 2);
     options.pairs.max_pairs = static_cast<std::uint32_t>(one_in(3) ? whole(0, 6) : 32);
     options.pairs.across_walls = one_in(2);
     options.topology = one_in(2) ? whittle::Topology::free : whittle::Topology::keep;
     options.quadric.point_weight = std::pow(10, real(-6, 0));
+  }
+
+  void set_cost() {
     if (one_in(4)) options.quadric.placement = static_cast<Placement>(whole(0, 2));
+    if (one_in(2)) return;
+    options.cost = static_cast<Cost>(whole(0, 2));
+    if (options.cost == Cost::quadric) options.isotropy = one_in(4) ? 1 : real(0, 1);
+    if (one_in(2)) options.valence_weight = real(0, 4);
+  }
+
+  void set_restraints() {
     if (one_in(3)) options.max_normal_flip_deg = 180;
+    if (one_in(4)) options.min_radius_ratio = real(0, 1);
     options.boundary = static_cast<Boundary>(whole(0, 2));
     if (one_in(5)) {
       for (std::size_t v = 0; v < mesh.positions.size(); ++v) locked.push_back(one_in(5));
       options.locked = locked;
     }
-    if (one_in(2)) target.faces = static_cast<std::uint64_t>(whole(0, n_faces));
+    if (one_in(4)) options.feature_angle_deg = real(5, 180);
+    if (one_in(4)) {
+      for (const Triangle& face : mesh.faces) {
+        if (one_in(6)) features.push_back({face[0], face[1]});
+      }
+      options.feature_edges = features;
+    }
+    options.feature_tolerance = std::pow(10, real(-3, 1));
   }
 
   IndexedMesh random_mesh(std::uint64_t seed) {
-    switch (whole(0, 4)) {
+    switch (whole(0, 5)) {
       case 0:
         return noisy_sphere(1, 0.2, seed);
       case 1:
@@ -174,6 +207,8 @@ struct RandomCase {
       case 2:
         return shaken(boxes(2, 2, real(0.01, 1.5)), 1e-2);
       case 3:
+        return shaken(tessellated_cube(whole(2, 3)), one_in(2) ? 1e-2 : 1e-5);
+      case 4:
         return joined(noisy_sphere(1, 0.2, seed), glued(spheres(2, 1, 0.0)));
       default:
         return random_triangles();
@@ -202,6 +237,7 @@ struct RandomCase {
   IndexedMesh mesh;
   DecimateOptions options;
   std::vector<std::uint8_t> locked;
+  std::vector<VertexPair> features;
   DecimateTarget target;
 };
 
@@ -211,10 +247,19 @@ std::vector<Triangle> in_one_order(std::vector<Triangle> faces) {
   return faces;
 }
 
+/// In the input's numbers.
+std::vector<std::pair<Index, Index>> features_of(const Decimation& d) {
+  std::vector<std::pair<Index, Index>> features;
+  for (const auto& [a, b] : d.feature_edges) features.push_back(std::minmax(d.mesh.origins[a], d.mesh.origins[b]));
+  std::ranges::sort(features);
+  return features;
+}
+
 TEST(RandomTriangles, AreContractedAsByBruteForce) {
   std::uint64_t n_joined = 0;
   std::uint64_t n_coincident = 0;
-  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+  std::uint64_t n_features = 0;
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomCase c(seed);
     std::vector<Contraction> found;
@@ -234,13 +279,16 @@ TEST(RandomTriangles, AreContractedAsByBruteForce) {
       faces.push_back({d.mesh.origins[a], d.mesh.origins[b], d.mesh.origins[v]});
     }
     EXPECT_EQ(in_one_order(faces), in_one_order(brute_force.faces()));
+    EXPECT_EQ(features_of(d), brute_force.feature_edges());
     EXPECT_EQ(d.result.n_vertices, brute_force.n_vertices());
     EXPECT_EQ(d.result.n_faces, brute_force.n_faces());
     n_joined += d.result.threshold_pairs.contracted;
     n_coincident += d.result.n_coincident_faces;
+    n_features += d.feature_edges.size();
   }
   EXPECT_GT(n_joined, 1000U);  // or this would be about nothing
   EXPECT_GT(n_coincident, 1000U);
+  EXPECT_GT(n_features, 1000U);
 }
 
 }  // namespace
