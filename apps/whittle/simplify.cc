@@ -77,6 +77,7 @@ Decimation decimate_input(const SimplifyOptions& options, const Talk& talk, cons
   ProgressBar bar(talk, "decimating");
   DecimateOptions engine_options = options.decimate;
   engine_options.pairs.threshold = run.threshold;
+  engine_options.max_normal_flip_deg = options.max_normal_flip();
   if (run.diagonal > 0) {
     engine_options.feature_tolerance = options.feature_tolerance.in_units(run.diagonal) / run.diagonal;
   }
@@ -117,7 +118,7 @@ std::string advice(const SimplifyOptions& options, const Rejections& rejections)
   if (most == 0) return "nothing is left that may be contracted";
   if (most == feature) return "a greater --feature-angle or --feature-tolerance leaves more freedom";
   if (most == shape) return "a smaller --min-radius-ratio allows thinner faces";
-  if (most == flip && options.decimate.max_normal_flip_deg < 180) {
+  if (most == flip && options.max_normal_flip() < 180) {
     return "a greater --max-normal-flip lets faces turn further";
   }
   if (locked > link) return "'--boundary weighted' lets borders shrink";

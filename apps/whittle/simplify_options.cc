@@ -53,6 +53,8 @@ constexpr std::array<Conflict, 25> conflicts{
      {"--across-walls", "--engine openmesh", no_pairs_why},
      {"--topology free", "--engine openmesh", "a half-edge mesh keeps its topology"}}};
 
+constexpr Range flip_range{0, 180, false};
+
 constexpr char pair_group[] = "Pairs and parts";
 constexpr char cost_group[] = "Cost";
 constexpr char guard_group[] = "Borders, features and guards";
@@ -164,8 +166,11 @@ void add_guard_options(CLI::App& app, SimplifyOptions& options) {
       "how far a feature line may come to lie from where it was: model units, or a percentage of the diagonal")
       ->default_str(to_string(options.feature_tolerance))
       ->group(guard_group);
-  add_number(app, "--max-normal-flip", "DEG", decimate.max_normal_flip_deg, {0, 180, false},
-             "refuse a contraction that turns a face further than DEG degrees (180: never)")
+  add_value(
+      app, "--max-normal-flip", "DEG", options.max_normal_flip_deg,
+      [](std::string_view text) { return parse_number(text, flip_range, "DEG"); },
+      "refuse a contraction that turns a face further than DEG degrees (180: never), " + to_string(flip_range, "DEG"))
+      ->default_str("75; 110 with lindstrom-turk")
       ->group(guard_group);
   add_number(app, "--min-radius-ratio", "X", decimate.min_radius_ratio, {0, 1},
              "refuse a contraction that leaves a face with a smaller ratio of inner to outer circle, 1 for an "
@@ -226,7 +231,7 @@ nlohmann::ordered_json options_json(const SimplifyOptions& options) {
       {"regularization", quadric.regularization},
       {"feature_angle_deg", options.decimate.feature_angle_deg},
       {"feature_tolerance", to_string(options.feature_tolerance)},
-      {"max_normal_flip_deg", options.decimate.max_normal_flip_deg},
+      {"max_normal_flip_deg", options.max_normal_flip()},
       {"min_radius_ratio", options.decimate.min_radius_ratio},
       {"threshold", options.threshold.is_automatic ? "auto" : to_string(options.threshold.length)},
       {"max_pairs", options.decimate.pairs.max_pairs},

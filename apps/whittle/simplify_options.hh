@@ -31,12 +31,18 @@ struct SimplifyOptions {
   InputOptions reading;
   DecimateOptions decimate;
   ThresholdOption threshold;
+  std::optional<double> max_normal_flip_deg;
   Length feature_tolerance{5e-4, true};  ///< how far feature lines may stray
   std::optional<Length> prune;           ///< parts smaller than this are dropped
   Engine engine = Engine::flat;
   std::optional<std::string> map;  ///< file for the vertex map
   bool strict = false;
   CommonOptions common;
+
+  /// Lindstrom–Turk keeps volumes, and is more accurate where it may turn faces further for that.
+  double max_normal_flip() const {
+    return max_normal_flip_deg.value_or(decimate.cost == Cost::lindstrom_turk ? 110 : decimate.max_normal_flip_deg);
+  }
 };
 
 void add_simplify_options(CLI::App& app, SimplifyOptions& options);

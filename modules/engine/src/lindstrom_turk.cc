@@ -106,9 +106,12 @@ Vec3 PointConstraints::solve() const {
 }
 
 LindstromTurk::LindstromTurk(const VolumeSums& volume, const BorderSums& border, const Vec3& first, const Vec3& second)
-    : objective_(scaled(volume.squares, lindstrom_turk_volume_weight / 36)), first_(first), second_(second) {
+    : objective_(scaled(volume.squares, lindstrom_turk_volume_weight / 36)),
+      trace_(volume.squares.a.trace()),
+      first_(first),
+      second_(second) {
   if (border.n_edges == 0) {
-    const VolumePlacement<double> placement = place_by_volume(volume_lanes(volume));
+    const VolumePlacement<double> placement = place_by_volume(volume_lanes(volume), point_lanes(Vec3(second - first)));
     is_placed_by_volume_ = placement.is_determined != 0;
     position_ = {placement.position.x, placement.position.y, placement.position.z};
     cost_ = placement.cost;
@@ -130,7 +133,10 @@ void LindstromTurk::add_neighbours(const NeighbourSums& neighbours) {
 }
 
 PairEvaluation LindstromTurk::at(const Vec3& position) const {
-  const double cost = std::max(0.0, objective_(position));
+  const PointLanes<double> to_first = point_lanes(Vec3(position - first_));
+  const PointLanes<double> to_second = point_lanes(Vec3(position - second_));
+  const double spread = spread_cost(trace_, to_first, to_second);
+  const double cost = std::max(0.0, objective_(position)) + (lindstrom_turk_volume_weight / 36) * spread;
   return {cost, cost, position, false};
 }
 

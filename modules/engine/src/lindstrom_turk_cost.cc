@@ -100,7 +100,7 @@ template <class Real>
     sums.yz -= n.y * n.z;
     sums.zz -= n.z * n.z;
   }
-  const VolumePlacement<Real> placement = place_by_volume(sums);
+  const VolumePlacement<Real> placement = place_by_volume(sums, d);
   const PointLanes<Real> middle{0.5 * d.x, 0.5 * d.y, 0.5 * d.z};
   const PointLanes<Real> offset = placement.position - middle;
   const auto is_near = offset.dot(offset) <= (max_placement_reach * max_placement_reach) * d.dot(d);
@@ -207,16 +207,29 @@ BorderSums LindstromTurkCost::border_of(const Pair& pair) const {
 
 /// By their original numbers.
 NeighbourSums LindstromTurkCost::neighbours_of(const Pair& pair) const {
-  std::vector<Index> neighbours;
-  for (const Index v : {pair.a, pair.b}) {
-    for (const Spoke& spoke : complex_.neighbours(v)) neighbours.push_back(spoke.vertex);
+  struct Neighbour {
+    Index origin, vertex;
+  };
+  std::array<Neighbour, 64> few;
+  std::vector<Neighbour> many;
+  const std::array lists{complex_.neighbours(pair.a), complex_.neighbours(pair.b)};
+  std::span<Neighbour> all = few;
+  const std::size_t n_listed = lists[0].size() + lists[1].size();
+  if (n_listed > few.size()) {
+    many.resize(n_listed);
+    all = many;
   }
-  const auto is_before = [this](Index v, Index w) { return complex_.origin(v) < complex_.origin(w); };
-  std::sort(neighbours.begin(), neighbours.end(), is_before);
-  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  std::size_t n = 0;
+  for (const std::span<const Spoke>& list : lists) {
+    for (const Spoke& spoke : list) all[n++] = {complex_.origin(spoke.vertex), spoke.vertex};
+  }
+  std::sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n),
+            [](const Neighbour& v, const Neighbour& w) { return v.origin < w.origin; });
   NeighbourSums sums;
-  for (const Index v : neighbours) {
-    if (v != pair.a && v != pair.b) sums.add(complex_.position(v) - complex_.position(pair.a));
+  Index last = invalid_index;
+  for (const auto& [origin, v] : all.first(n)) {
+    if (v != pair.a && v != pair.b && v != last) sums.add(complex_.position(v) - complex_.position(pair.a));
+    last = v;
   }
   return sums;
 }

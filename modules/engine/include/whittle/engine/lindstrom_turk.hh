@@ -15,7 +15,7 @@
 //   optimisation
 //   triangle shape          Σ |v̄ − p_i|² least, over the neighbours p_i
 //
-//   cost = f(v̄), unit: length⁶
+//   cost = f(v̄) and a trace of spread (`lindstrom_turk_regularization`), unit: length⁶
 //
 // t runs over the faces at v0 or v1, e over the border edges there, n_t is the normal of a face, as long as twice its
 // area, p_t one of its corners, V_t(x) = n_t · (x − p_t) / 6 the volume of the tetrahedron it makes with x,
@@ -101,6 +101,7 @@ class LindstromTurk {
   PairEvaluation at_best_candidate() const;
 
   Quadric objective_;  ///< f
+  double trace_;       ///< of the matrix of Σ (6 V_t)²
   Vec3 first_, second_;
   bool is_placed_by_volume_ = false;  ///< by volume_placement.hh; then `constraints_` is empty
   Vec3 position_;

@@ -9,6 +9,10 @@ namespace whittle {
 
 inline constexpr double lindstrom_turk_volume_weight = 0.5;  ///< λ
 
+/// ε: a cost is greater by ε λ tr(A) / 36 · (|v̄ − v0|² + |v̄ − v1|²) / 2, A that of Σ (6 V_t)². On flat ground, where
+/// nothing else does, that tells near pairs from far ones.
+inline constexpr double lindstrom_turk_regularization = 1e-9;
+
 /// Square of the sine of the least angle between a constraint and what those before it fix: 1°.
 inline constexpr double least_constraint_sine_sq = 3.0458649045213493e-4;
 
@@ -32,12 +36,21 @@ struct VolumeLanes {
 template <class Real>
 struct VolumePlacement {
   PointLanes<Real> position;
-  Real cost;                     ///< λ f_V, at least 0
+  Real cost;                     ///< with what regularises it
   LaneMask<Real> is_determined;  ///< whether the constraints are independent; if not, nothing else counts
 };
 
+/// What regularises a cost, but for λ / 36.
 template <class Real>
-[[gnu::always_inline]] inline VolumePlacement<Real> place_by_volume(const VolumeLanes<Real>& sums) {
+[[gnu::always_inline]] inline Real spread_cost(const Real& trace, const PointLanes<Real>& to_first,
+                                               const PointLanes<Real>& to_second) {
+  return (0.5 * lindstrom_turk_regularization) * trace * (to_first.dot(to_first) + to_second.dot(to_second));
+}
+
+/// \param second v1, seen from v0
+template <class Real>
+[[gnu::always_inline]] inline VolumePlacement<Real> place_by_volume(const VolumeLanes<Real>& sums,
+                                                                    const PointLanes<Real>& second) {
   const Real trace = sums.xx + sums.yy + sums.zz;
   Real length = sums.normal.dot(sums.normal);
   const auto has_volume = length > (constraint_noise_share * constraint_noise_share) * trace;
@@ -77,8 +90,10 @@ template <class Real>
                            (n_value * c12.z + value1 * c20.z + value2 * fixed.z) * inverse};
   const PointLanes<Real> ax = sums.times(x);
   const PointLanes<Real> slope{2 * sums.b.x + ax.x, 2 * sums.b.y + ax.y, 2 * sums.b.z + ax.z};
-  const Real cost = (lindstrom_turk_volume_weight / 36) * (sums.c + x.dot(slope));
-  return {x, cost > 0 ? cost : Real{}, is_determined != 0};
+  const Real squares = sums.c + x.dot(slope);
+  const Real spread = spread_cost(trace, x, x - second);
+  const Real cost = (lindstrom_turk_volume_weight / 36) * ((squares > 0 ? squares : Real{}) + spread);
+  return {x, cost, is_determined != 0};
 }
 
 }  // namespace whittle
