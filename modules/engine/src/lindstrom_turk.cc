@@ -111,7 +111,8 @@ LindstromTurk::LindstromTurk(const VolumeSums& volume, const BorderSums& border,
       first_(first),
       second_(second) {
   if (border.n_edges == 0) {
-    const VolumePlacement<double> placement = place_by_volume(volume_lanes(volume), point_lanes(Vec3(second - first)));
+    const VolumePlacement<double> placement =
+        place_by_volume(volume_lanes(volume), point_lanes(first), point_lanes(second));
     is_placed_by_volume_ = placement.is_determined != 0;
     position_ = {placement.position.x, placement.position.y, placement.position.z};
     cost_ = placement.cost;

@@ -100,7 +100,7 @@ template <class Real>
     sums.yz -= n.y * n.z;
     sums.zz -= n.z * n.z;
   }
-  const VolumePlacement<Real> placement = place_by_volume(sums, d);
+  const VolumePlacement<Real> placement = place_by_volume(sums, PointLanes<Real>{}, d);
   const PointLanes<Real> middle{0.5 * d.x, 0.5 * d.y, 0.5 * d.z};
   const PointLanes<Real> offset = placement.position - middle;
   const auto is_near = offset.dot(offset) <= (max_placement_reach * max_placement_reach) * d.dot(d);

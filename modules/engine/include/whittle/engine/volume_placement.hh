@@ -47,9 +47,10 @@ template <class Real>
   return (0.5 * lindstrom_turk_regularization) * trace * (to_first.dot(to_first) + to_second.dot(to_second));
 }
 
-/// \param second v1, seen from v0
+/// \param first, second v0 and v1 as seen from the sums' origin
 template <class Real>
 [[gnu::always_inline]] inline VolumePlacement<Real> place_by_volume(const VolumeLanes<Real>& sums,
+                                                                    const PointLanes<Real>& first,
                                                                     const PointLanes<Real>& second) {
   const Real trace = sums.xx + sums.yy + sums.zz;
   Real length = sums.normal.dot(sums.normal);
@@ -91,7 +92,7 @@ template <class Real>
   const PointLanes<Real> ax = sums.times(x);
   const PointLanes<Real> slope{2 * sums.b.x + ax.x, 2 * sums.b.y + ax.y, 2 * sums.b.z + ax.z};
   const Real squares = sums.c + x.dot(slope);
-  const Real spread = spread_cost(trace, x, x - second);
+  const Real spread = spread_cost(trace, x - first, x - second);
   const Real cost = (lindstrom_turk_volume_weight / 36) * ((squares > 0 ? squares : Real{}) + spread);
   return {x, cost, is_determined != 0};
 }
