@@ -4,17 +4,10 @@
 #include <vector>
 
 #include "whittle/engine/pair_evaluation.hh"
+#include "whittle/engine/reach.hh"
 #include "whittle/engine/triangle_complex.hh"
 
 namespace whittle {
-
-/// Which pairs may cost less after a contraction nearby than before it.
-enum class Reach {
-  none,   ///< none: old costs are lower bounds
-  ends,   ///< those of the merged vertex
-  ring,   ///< those of the merged vertex and of its neighbours
-  wings,  ///< those, and those of the neighbours of the corners opposite to the pair
-};
 
 /// What ranks and places contractions, as the order of contractions sees it.
 class PairCost {

@@ -28,6 +28,12 @@ struct Decimation {
   std::vector<Contraction> contractions;
 };
 
+/// Whether v is there still, at the same place.
+template <class MeshT>
+bool unmoved(const MeshT& mesh, const IndexedMesh& before, OpenMesh::VertexHandle v) {
+  return !mesh.status(v).deleted() && to_vec3(mesh.point(v)) == before.positions[static_cast<std::size_t>(v.idx())];
+}
+
 /// Base of the tests that both drivers have to pass.
 class EachDriver : public testing::TestWithParam<Driver> {};
 inline const auto each_driver = testing::Values(Driver::engine, Driver::mesh);

@@ -97,13 +97,14 @@ class BruteForce : public BaseDecimaterT<Mesh> {
     using Key = std::tuple<double, int, int, int>;
     std::optional<std::pair<Key, HalfedgeHandle>> best;
     LinkConditionT<Mesh> link_condition(mesh());
+    const FlipLimit limit(75);
     for (const HalfedgeHandle h : mesh().halfedges()) {
       const CollapseInfo collapse(mesh(), h);
       if (!link_condition(h) || !is_collapse_legal(collapse)) continue;
       const float priority = collapse_priority(collapse);
       const auto position = [this](VertexHandle v) { return to_vec3(mesh().point(v)); };
       if (!(priority >= 0)) continue;
-      if (is_exceeded_around(FlipLimit(75), mesh(), collapse.v0, collapse.v1, to_vec3(collapse.p1), position)) continue;
+      if (any_moved_face(mesh(), collapse, to_vec3(collapse.p1), position, turns_beyond(limit))) continue;
       const auto [low, high] = std::minmax({collapse.v0.idx(), collapse.v1.idx()});
       const Key key(priority, low, high, collapse.v1.idx());
       if (!best || key < best->first) best.emplace(key, h);

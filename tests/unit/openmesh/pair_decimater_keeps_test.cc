@@ -1,4 +1,4 @@
-// What PairDecimaterT leaves as it is, whichever driver runs: handles, properties, locked and feature elements.
+// What PairDecimaterT leaves as it is, whichever driver runs: handles, properties, locked elements.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -113,11 +113,6 @@ TEST_P(PairDecimaterKeeps, FaceNormalsAreRightAtTheEnd) {
 
 // Status bits and selection -------------------------------------------------------------------------------------------
 
-template <class MeshT>
-bool unmoved(const MeshT& mesh, const IndexedMesh& before, VertexHandle v) {
-  return !mesh.status(v).deleted() && to_vec3(mesh.point(v)) == before.positions[static_cast<std::size_t>(v.idx())];
-}
-
 TEST_P(PairDecimaterKeeps, LockedVerticesKeepEveryBitAndOthersMergeIntoThem) {
   const IndexedMesh shape = moved(blob(3, 5), Vec3(0.1, 7, -3));
   Decimation<DoubleMesh> set(shape, GetParam());
@@ -144,45 +139,6 @@ TEST_P(PairDecimaterKeeps, OnlySelectedVerticesMoveOrVanish) {
   Decimation<DoubleMesh> none(shape, GetParam());
   EXPECT_EQ(none.decimater.decimate(0, true), 0U) << "nothing is selected";
   EXPECT_GT(none.decimater.decimate(10, false), 0U);
-}
-
-TEST(PairDecimaterFeatures, AFeatureLineKeepsToItsVerticesAndItsEdges) {
-  // The rim of the cylinder's middle, and the vertices on it.
-  const IndexedMesh shape = open_cylinder(24, 8);
-  Decimation<DoubleMesh> set(shape);
-  DoubleMesh& mesh = set.mesh;
-  const auto on_ring = [&](VertexHandle v) { return std::abs(mesh.point(v)[2] - 1) < 1e-9; };
-  for (const VertexHandle v : mesh.vertices()) mesh.status(v).set_feature(on_ring(v));
-  for (const auto e : mesh.edges()) {
-    const bool is_feature = on_ring(e.v0()) && on_ring(e.v1());
-    mesh.status(e).set_feature(is_feature);
-  }
-  ASSERT_TRUE(set.decimater.initialize());
-  set.decimater.decimate();
-  EXPECT_EQ(set.decimater.last_driver(), Driver::mesh);
-  int n_on_ring = 0;
-  for (const VertexHandle v : mesh.vertices()) {
-    if (!mesh.status(v).feature()) continue;
-    ++n_on_ring;
-    // Each feature vertex lies where one of them was, and the ring is still one closed line of feature edges.
-    const Vec3 p = to_vec3(mesh.point(v));
-    EXPECT_TRUE(std::count(shape.positions.begin(), shape.positions.end(), p)) << p.transpose();
-    EXPECT_NEAR(p.z(), 1, 1e-9);
-    const auto edges = mesh.ve_range(v);
-    EXPECT_EQ(std::count_if(edges.begin(), edges.end(), [&](auto e) { return mesh.status(e).feature(); }), 2);
-  }
-  EXPECT_LT(n_on_ring, 24) << "nothing was contracted along the line";
-  EXPECT_GE(n_on_ring, 3);
-  expect_sound(mesh, "after the run");
-}
-
-TEST(PairDecimaterFeatures, WithoutFeatureEdgesFeatureVerticesAreCorners) {
-  const IndexedMesh shape = blob(3, 5);
-  Decimation<DoubleMesh> set(shape);
-  for (const VertexHandle v : set.mesh.vertices()) set.mesh.status(v).set_feature(v.idx() % 5 == 0);
-  set.decimater.decimate();
-  for (int v = 0; v < 642; v += 5) EXPECT_TRUE(unmoved(set.mesh, shape, VertexHandle(v))) << v;
-  EXPECT_GT(set.decimater.result().n_contractions, 300U);
 }
 
 }  // namespace

@@ -2,9 +2,10 @@
 // flat ground included, since both evaluate the same pairs from the same numbers.
 #include <gtest/gtest.h>
 
-#include <whittle/openmesh/mod_garland_heckbert.hh>
+#include <whittle/engine/feature_edges.hh>
 
 #include "meshes.hh"
+#include "modules.hh"
 #include "support/brute_force.hh"
 #include "support/shapes.hh"
 #include "support/transforms.hh"
@@ -16,12 +17,11 @@ std::vector<Contraction> by_mesh_driver(const IndexedMesh& shape, const Decimate
                                         const DecimateOptions& options) {
   DoubleMesh mesh = open_mesh<DoubleMesh>(shape);
   PairDecimaterT<DoubleMesh> decimater(mesh);
-  ModGarlandHeckbertT<DoubleMesh>::Handle cost;
-  ModFlipGuardT<DoubleMesh>::Handle guard;
-  decimater.add(cost);
-  decimater.add(guard);
-  decimater.module(cost).set_options(options.quadric);
-  decimater.module(guard).set_max_normal_flip_deg(options.max_normal_flip_deg);
+  add_cost(decimater, {options.cost, options.quadric, options.isotropy, options.valence_weight});
+  add_module<ModFlipGuardT<DoubleMesh>>(decimater).set_max_normal_flip_deg(options.max_normal_flip_deg);
+  add_module<ModRadiusRatioT<DoubleMesh>>(decimater).set_min_radius_ratio(options.min_radius_ratio);
+  mark_edges(mesh, {options.feature_edges.begin(), options.feature_edges.end()});
+  decimater.set_feature_tolerance(options.feature_tolerance);
   for (const OpenMesh::VertexHandle v : mesh.vertices()) {
     const auto number = static_cast<std::size_t>(v.idx());
     mesh.status(v).set_locked(!options.locked.empty() && options.locked[number] != 0);
@@ -73,6 +73,40 @@ TEST(PairDecimaterOracle, SoItIsWithLockedVerticesAndFreeBorders) {
     options.quadric.boundary_weight = 0;
     options.locked = locked;
     expect_same_contractions(BruteForceDecimater(shape, options).run({}), by_mesh_driver(shape, {}, options), name);
+  }
+}
+
+TEST(PairDecimaterOracle, SoItIsUnderEveryCost) {
+  for (const NamedCost& cost : named_costs()) {
+    DecimateOptions options;
+    options.cost = cost.options.cost;
+    options.isotropy = cost.options.isotropy;
+    options.valence_weight = cost.options.valence_weight;
+    options.min_radius_ratio = 0.2;
+    for (const auto& shape : {noisy_sphere(2, 0.1, 3), noisy_grid(7, 7, 0.3, 4), frustum(9), bracket(2)}) {
+      expect_same_contractions(BruteForceDecimater(shape, options).run({}), by_mesh_driver(shape, {}, options),
+                               cost.name + ", " + std::to_string(shape.faces.size()) + " faces");
+    }
+  }
+}
+
+TEST(PairDecimaterOracle, SoItIsWithFeatureEdges) {
+  for (const double tolerance : {5e-4, 0.05, 1.0}) {
+    for (const Cost cost : {Cost::quadric, Cost::lindstrom_turk}) {
+      for (const auto& shape : {open_cylinder(16, 5), frustum(9), bracket(2), noisy_grid(7, 7, 0.6, 4)}) {
+        const std::vector<VertexPair> features = feature_edges(shape, 30);
+        std::vector<std::uint8_t> locked(shape.positions.size());
+        for (std::size_t v = 0; v < locked.size(); ++v) locked[v] = v % 9 == 4;
+        DecimateOptions options;
+        options.cost = cost;
+        options.feature_edges = features;
+        options.feature_tolerance = tolerance;
+        options.locked = locked;
+        expect_same_contractions(
+            BruteForceDecimater(shape, options).run({}), by_mesh_driver(shape, {}, options),
+            "tolerance " + std::to_string(tolerance) + ", " + std::to_string(shape.faces.size()) + " faces");
+      }
+    }
   }
 }
 

@@ -409,9 +409,17 @@ TEST(PairThreshold, IsRefusedWhereTheEngineCannotRun) {
   EXPECT_THAT(error_of(run.decimater), testing::AllOf(HasSubstr(refused), HasSubstr("mesh driver was asked for")));
   run.decimater.set_driver(Driver::automatic);
 
-  run.mesh.status(VertexHandle(3)).set_feature(true);
-  EXPECT_THAT(error_of(run.decimater), testing::AllOf(HasSubstr(refused), HasSubstr("features")));
-  run.mesh.status(VertexHandle(3)).set_feature(false);
+  auto& cost = run.decimater.module(run.cost);
+  const auto expect_plain_cost_wanted = [&] {
+    ASSERT_TRUE(run.decimater.initialize());
+    EXPECT_THAT(error_of(run.decimater), testing::AllOf(HasSubstr(refused), HasSubstr("plain quadric cost")));
+  };
+  cost.set_isotropy(0.1);
+  expect_plain_cost_wanted();
+  cost.set_isotropy(0);
+  cost.set_valence_weight(1);
+  expect_plain_cost_wanted();
+  cost.set_valence_weight(0);
 
   ModRecorderT<DoubleMesh>::Handle recorder;
   run.decimater.add(recorder);

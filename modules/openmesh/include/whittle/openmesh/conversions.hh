@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "whittle/engine/frame.hh"
 #include "whittle/engine/indexed_mesh.hh"
 #include "whittle/engine/manifold_cut.hh"
 #include "whittle/openmesh/status_bits.hh"
@@ -39,6 +40,20 @@ std::array<OpenMesh::VertexHandle, 3> face_corners(const MeshT& mesh, OpenMesh::
   const OpenMesh::HalfedgeHandle h0 = mesh.halfedge_handle(face);
   const OpenMesh::HalfedgeHandle h1 = mesh.next_halfedge_handle(h0);
   return {mesh.to_vertex_handle(h0), mesh.to_vertex_handle(h1), mesh.to_vertex_handle(mesh.next_halfedge_handle(h1))};
+}
+
+/// The box around the vertices that aren't deleted.
+template <class MeshT>
+PointBounds mesh_bounds(const MeshT& mesh) {
+  PointBounds bounds;
+  bool is_first = true;
+  for (const OpenMesh::VertexHandle v : mesh.vertices()) {
+    const Vec3 p = to_vec3(mesh.point(v));
+    bounds.low = is_first ? p : bounds.low.cwiseMin(p);
+    bounds.high = is_first ? p : bounds.high.cwiseMax(p);
+    is_first = false;
+  }
+  return bounds;
 }
 
 namespace detail {

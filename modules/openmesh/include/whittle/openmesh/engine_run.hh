@@ -8,6 +8,7 @@
 #include "whittle/openmesh/bulk_collapse.hh"
 #include "whittle/openmesh/conversions.hh"
 #include "whittle/openmesh/face_relinker.hh"
+#include "whittle/openmesh/status_bits.hh"
 
 namespace whittle {
 
@@ -33,6 +34,7 @@ class EngineRunT {
     bool operator==(const Shape&) const = default;
   };
 
+  std::vector<VertexPair> find_features() const;
   std::vector<std::uint8_t> fixed_vertices(bool only_selected) const;
   Decimation contract();
   Decimation contract_again(DecimateOptions options) const;
@@ -47,6 +49,7 @@ class EngineRunT {
   void hand_over_quadrics(const std::vector<Copy>& vertices, std::vector<PlacedQuadric> quadrics);
 
   Index handle_index(Index v) const { return numbers_.handles[v]; }
+  Index number(VertexHandle v) const { return numbers_.number_of[static_cast<std::size_t>(v.idx())]; }
   VertexHandle handle(Index v) const { return VertexHandle(static_cast<int>(handle_index(v))); }
 
   PairDecimaterT<MeshT>& decimater_;
@@ -54,6 +57,7 @@ class EngineRunT {
   DecimateTarget target_;
   detail::VertexNumbers numbers_;
   IndexedMesh input_;
+  std::vector<VertexPair> features_;  ///< edges, in the engine's numbers
   std::vector<std::uint8_t> locked_;
   std::vector<VertexMerge> merges_;  ///< by first copies
 };

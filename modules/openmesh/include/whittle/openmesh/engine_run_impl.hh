@@ -15,6 +15,7 @@ EngineRunT<MeshT>::EngineRunT(PairDecimaterT<MeshT>& decimater, const DecimateTa
       target_(target),
       numbers_(detail::number_vertices(mesh_, Copies::joined)),
       input_(detail::geometry_of(mesh_, numbers_)),
+      features_(find_features()),
       locked_(fixed_vertices(only_selected)) {}
 
 template <class MeshT>
@@ -24,14 +25,38 @@ DecimateResult EngineRunT<MeshT>::run() {
   return small.result;
 }
 
-/// As the engine wants to have it: empty if there are none. A vertex is fixed if any of its copies is.
+/// The edges with the feature bit, ascending. Between copies of two vertices there may be several.
+template <class MeshT>
+std::vector<VertexPair> EngineRunT<MeshT>::find_features() const {
+  std::vector<VertexPair> result;
+  const StatusBitsT<OpenMesh::EdgeHandle, MeshT> bits(mesh_);
+  for (int i = 0; i < static_cast<int>(mesh_.n_edges()); ++i) {
+    const OpenMesh::EdgeHandle e(i);
+    if (bits[e].deleted() || !bits[e].feature()) continue;
+    const auto [low, high] = std::minmax({number(mesh_.to_vertex_handle(mesh_.halfedge_handle(e, 0))),
+                                          number(mesh_.to_vertex_handle(mesh_.halfedge_handle(e, 1)))});
+    result.push_back({low, high});
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+/// As the engine wants to have it: empty if there are none. A vertex is fixed if any of its copies is; those with the
+/// feature bit are unless they lie on a line of feature edges.
 template <class MeshT>
 std::vector<std::uint8_t> EngineRunT<MeshT>::fixed_vertices(bool only_selected) const {
+  std::vector<Index> n_features(input_.positions.size());
+  for (const auto& [a, b] : features_) {
+    ++n_features[a];
+    ++n_features[b];
+  }
   std::vector<std::uint8_t> result(input_.positions.size());
   bool any = false;
   for (const VertexHandle v : mesh_.vertices()) {
-    if (!decimater_.is_fixed(v, only_selected)) continue;
-    result[numbers_.number_of[static_cast<std::size_t>(v.idx())]] = 1;
+    const bool is_point = mesh_.status(v).feature() && n_features[number(v)] != 2;
+    if (!is_point && !decimater_.is_fixed(v, only_selected)) continue;
+    result[number(v)] = 1;
     any = true;
   }
   if (!any) result.clear();
@@ -44,10 +69,17 @@ template <class MeshT>
 Decimation EngineRunT<MeshT>::contract() {
   bool is_aborted = false;
   DecimateOptions options;
-  options.quadric = *decimater_.cost_->engine_options();
+  const CostOptions cost = *decimater_.cost_->engine_options();
+  options.cost = cost.cost;
+  options.quadric = cost.quadric;
+  options.isotropy = cost.isotropy;
+  options.valence_weight = cost.valence_weight;
   options.pairs = decimater_.pairs_;
   options.max_normal_flip_deg = decimater_.max_normal_flip_deg();
+  options.min_radius_ratio = decimater_.min_radius_ratio();
   options.locked = locked_;
+  options.feature_edges = features_;
+  options.feature_tolerance = decimater_.feature_tolerance_;
   options.threads = decimater_.threads_;
   options.keep_quadrics = true;
   options.progress = [&is_aborted](const Progress&) { return !is_aborted; };

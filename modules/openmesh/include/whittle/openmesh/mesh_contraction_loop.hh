@@ -1,6 +1,7 @@
 #pragma once
 
 #include <OpenMesh/Core/Mesh/Handles.hh>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <queue>
@@ -8,8 +9,9 @@
 #include <vector>
 
 #include "whittle/engine/decimate.hh"
-#include "whittle/openmesh/flip_limit.hh"
+#include "whittle/openmesh/feature_lines.hh"
 #include "whittle/openmesh/link_condition.hh"
+#include "whittle/openmesh/moved_faces.hh"
 
 namespace whittle {
 
@@ -20,7 +22,7 @@ class PairDecimaterT;
 ///
 /// A candidate is an edge, named by its first halfedge, when the cost module places the merged vertex; with a foreign
 /// cost it is a halfedge, from the vertex that would vanish. It is in one of three states:
-///   queued    under its cost. Whatever may lower the cost queues it anew, which invalidates the old entry;
+///   queued    under its cost. Whatever may lower the cost (`Reach`) queues it anew, which invalidates the old entry;
 ///   waiting   a guard or a module refused it. Woken when a vertex at or beside it changes;
 ///   gone      its edge is deleted.
 template <class MeshT>
@@ -34,6 +36,7 @@ class MeshContractionLoopT {
  private:
   using VertexHandle = OpenMesh::VertexHandle;
   using HalfedgeHandle = OpenMesh::HalfedgeHandle;
+  using EdgeHandle = OpenMesh::EdgeHandle;
   using Module = typename PairDecimaterT<MeshT>::Module;
   using CollapseInfo = typename PairDecimaterT<MeshT>::CollapseInfo;
 
@@ -48,22 +51,13 @@ class MeshContractionLoopT {
     }
   };
 
-  /// Who of two vertices moves.
-  enum class Rule {
-    free,
-    first_stays,
-    second_stays,
-    along_feature,  ///< v̄ is one of both ends
-    refused         ///< neither may vanish
-  };
-
   /// What a candidate would do.
   struct Move {
     HalfedgeHandle to_survivor;
     PairEvaluation evaluation;  ///< in the cost module's frame; model units if it is foreign
   };
 
-  enum class Refusal { none, locked, link, flip, module };
+  enum class Refusal { none, locked, feature, link, flip, shape, module };
 
   void fill_queue();
   void enqueue(HalfedgeHandle candidate);
@@ -71,13 +65,13 @@ class MeshContractionLoopT {
   std::optional<Entry> next_entry();
   std::optional<StopReason> take_turn(const Entry& entry);
 
-  /// Vertices that have copies stay: they would have to move together.
+  /// Whether v stays whatever the edge. Vertices that have copies do: they would have to move together.
   bool is_fixed(VertexHandle v) const {
     return decimater_.is_fixed(v, only_selected_) ||
-           (!has_copies_.empty() && has_copies_[static_cast<std::size_t>(v.idx())]);
+           (!has_copies_.empty() && has_copies_[static_cast<std::size_t>(v.idx())]) || feature_lines_.is_point(v);
   }
-  Rule rule_of(VertexHandle first, VertexHandle second, HalfedgeHandle edge) const;
-  PairEvaluation evaluate(VertexHandle first, VertexHandle second, Rule rule) const;
+  std::optional<Pinned> pinned(VertexHandle first, VertexHandle second, HalfedgeHandle edge) const;
+  VertexHandle moved_vertex(const CollapseInfo& collapse, const Vec3& to) const;
   Move move_by_own_cost(HalfedgeHandle candidate) const;
   /// Nothing, and counted, where the module or OpenMesh's rules refuse.
   std::optional<Move> move_by_foreign_cost(HalfedgeHandle candidate);
@@ -86,14 +80,18 @@ class MeshContractionLoopT {
   }
 
   Refusal find_refusal(const Move& move);
-  bool turns_a_face(const CollapseInfo& collapse, const Vec3& to) const;
+  Refusal find_refusal_of_pair(const CollapseInfo& collapse);
   bool modules_refuse(const CollapseInfo& collapse, const Vec3& to);
   void count(Refusal refusal);
   void contract(const Move& move);
-  void find_affected(VertexHandle survivor);
+  void find_affected(VertexHandle survivor, const std::array<VertexHandle, 2>& wings);
 
   bool is_foreign() const { return decimater_.foreign_cost_ != nullptr; }
+  double feature_tolerance() const;
   Vec3 position_of(VertexHandle v) const;
+  auto positions() const {
+    return [this](VertexHandle v) { return position_of(v); };
+  }
   Vec3 to_model(const Vec3& position) const;
 
   PairDecimaterT<MeshT>& decimater_;
@@ -101,7 +99,9 @@ class MeshContractionLoopT {
   DecimateTarget target_;  ///< max_cost in the cost module's frame
   bool only_selected_;
   FlipLimit flip_limit_;
+  double min_radius_ratio_;
   LinkConditionT<MeshT> link_condition_;
+  FeatureLinesT<MeshT> feature_lines_;
 
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
   std::vector<std::uint32_t> versions_;  ///< by halfedge

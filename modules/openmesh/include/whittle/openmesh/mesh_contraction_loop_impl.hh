@@ -17,7 +17,9 @@ MeshContractionLoopT<MeshT>::MeshContractionLoopT(PairDecimaterT<MeshT>& decimat
       target_(target),
       only_selected_(only_selected),
       flip_limit_(decimater.max_normal_flip_deg()),
+      min_radius_ratio_(decimater.min_radius_ratio()),
       link_condition_(mesh_),
+      feature_lines_(mesh_, feature_tolerance()),
       versions_(mesh_.n_halfedges()),
       is_waiting_(mesh_.n_halfedges()) {
   if (target.max_cost) {
@@ -31,6 +33,13 @@ MeshContractionLoopT<MeshT>::MeshContractionLoopT(PairDecimaterT<MeshT>& decimat
   for (Index v = 0; v < firsts.size(); ++v) {
     if (firsts[v] != v) has_copies_[v] = has_copies_[firsts[v]] = true;
   }
+}
+
+/// In the unit of `position_of`.
+template <class MeshT>
+double MeshContractionLoopT<MeshT>::feature_tolerance() const {
+  const double tolerance = decimater_.feature_tolerance_ * mesh_bounds(mesh_).diagonal();
+  return is_foreign() ? tolerance : tolerance * decimater_.cost_->frame().scale;
 }
 
 template <class MeshT>
@@ -111,37 +120,27 @@ std::optional<StopReason> MeshContractionLoopT<MeshT>::take_turn(const Entry& en
 
 // Costs ---------------------------------------------------------------------------------------------------------------
 
+/// Where v̄ may go; nothing if neither vertex may leave its place along this edge.
 template <class MeshT>
-typename MeshContractionLoopT<MeshT>::Rule MeshContractionLoopT<MeshT>::rule_of(VertexHandle first, VertexHandle second,
-                                                                                HalfedgeHandle edge) const {
-  const bool first_is_feature = mesh_.status(first).feature();
-  const bool second_is_feature = mesh_.status(second).feature();
-  const bool along_feature = first_is_feature && second_is_feature && mesh_.status(mesh_.edge_handle(edge)).feature();
-  const bool first_stays = is_fixed(first) || (first_is_feature && !along_feature);
-  const bool second_stays = is_fixed(second) || (second_is_feature && !along_feature);
-  if (first_stays && second_stays) return Rule::refused;
-  if (first_stays) return Rule::first_stays;
-  if (second_stays) return Rule::second_stays;
-  return along_feature ? Rule::along_feature : Rule::free;
+std::optional<Pinned> MeshContractionLoopT<MeshT>::pinned(VertexHandle first, VertexHandle second,
+                                                          HalfedgeHandle edge) const {
+  const EdgeHandle e = mesh_.edge_handle(edge);
+  const bool first_may_move = !is_fixed(first) && feature_lines_.may_move(first, e);
+  const bool second_may_move = !is_fixed(second) && feature_lines_.may_move(second, e);
+  if (!first_may_move && !second_may_move) return std::nullopt;
+  if (!first_may_move) return Pinned::first;
+  if (!second_may_move) return Pinned::second;
+  return feature_lines_.is_feature(e) ? Pinned::either : Pinned::none;
 }
 
+/// Of a feature edge, the end that goes to the other's place.
 template <class MeshT>
-PairEvaluation MeshContractionLoopT<MeshT>::evaluate(VertexHandle first, VertexHandle second, Rule rule) const {
-  const auto evaluate_pinned = [&](Pinned pinned) { return decimater_.cost_->evaluate(first, second, pinned); };
-  switch (rule) {
-    case Rule::free:
-      return evaluate_pinned(Pinned::none);
-    case Rule::first_stays:
-    case Rule::refused:  // when its turn comes
-      return evaluate_pinned(Pinned::first);
-    case Rule::second_stays:
-      return evaluate_pinned(Pinned::second);
-    case Rule::along_feature:
-      break;
-  }
-  const PairEvaluation at_first = evaluate_pinned(Pinned::first);
-  const PairEvaluation at_second = evaluate_pinned(Pinned::second);
-  return at_first.cost <= at_second.cost ? at_first : at_second;
+OpenMesh::VertexHandle MeshContractionLoopT<MeshT>::moved_vertex(const CollapseInfo& collapse, const Vec3& to) const {
+  if (is_foreign()) return collapse.v0;
+  const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
+  const Pinned where = pinned(first, second, collapse.v0v1).value_or(Pinned::first);
+  if (where == Pinned::second) return first;  // even if both are in one place
+  return where == Pinned::first || to == position_of(first) ? second : first;
 }
 
 /// The higher index survives, as in the engine, unless the lower may not vanish.
@@ -151,9 +150,10 @@ typename MeshContractionLoopT<MeshT>::Move MeshContractionLoopT<MeshT>::move_by_
   const VertexHandle from = mesh_.from_vertex_handle(candidate);
   const VertexHandle to = mesh_.to_vertex_handle(candidate);
   const auto [first, second] = std::minmax(from, to);
-  const Rule rule = rule_of(first, second, candidate);
-  const VertexHandle survivor = rule == Rule::first_stays ? first : second;
-  return {survivor == to ? candidate : mesh_.opposite_halfedge_handle(candidate), evaluate(first, second, rule)};
+  const Pinned where = pinned(first, second, candidate).value_or(Pinned::first);  // refused when its turn comes
+  const VertexHandle survivor = where == Pinned::first ? first : second;
+  return {survivor == to ? candidate : mesh_.opposite_halfedge_handle(candidate),
+          decimater_.cost_->evaluate(first, second, where)};
 }
 
 /// Modules of OpenMesh's are written for collapses that its decimaters call legal: v1 keeps its place, a border vertex
@@ -164,6 +164,10 @@ std::optional<typename MeshContractionLoopT<MeshT>::Move> MeshContractionLoopT<M
   const CollapseInfo collapse(mesh_, candidate);
   if (is_fixed(collapse.v0)) {
     count(Refusal::locked);
+    return std::nullopt;
+  }
+  if (!feature_lines_.may_move(collapse.v0, mesh_.edge_handle(candidate))) {
+    count(Refusal::feature);
     return std::nullopt;
   }
   if (!link_condition_(candidate) || !decimater_.is_collapse_legal(collapse)) {
@@ -191,20 +195,24 @@ Vec3 MeshContractionLoopT<MeshT>::to_model(const Vec3& position) const {
 template <class MeshT>
 typename MeshContractionLoopT<MeshT>::Refusal MeshContractionLoopT<MeshT>::find_refusal(const Move& move) {
   const CollapseInfo collapse(mesh_, move.to_survivor);
-  if (!is_foreign()) {  // otherwise tested by now
-    const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
-    if (rule_of(first, second, move.to_survivor) == Rule::refused) return Refusal::locked;
-    if (!link_condition_(move.to_survivor)) return Refusal::link;
+  const Vec3& to = move.evaluation.position;
+  const Refusal refusal = is_foreign() ? Refusal::none : find_refusal_of_pair(collapse);  // else tested by now
+  if (refusal != Refusal::none) return refusal;
+  if (feature_lines_.bends_a_line(collapse, moved_vertex(collapse, to), to, positions())) return Refusal::feature;
+  if (any_moved_face(mesh_, collapse, to, positions(), turns_beyond(flip_limit_))) return Refusal::flip;
+  if (min_radius_ratio_ > 0 && any_moved_face(mesh_, collapse, to, positions(), gets_thinner_than(min_radius_ratio_))) {
+    return Refusal::shape;
   }
-  if (turns_a_face(collapse, move.evaluation.position)) return Refusal::flip;
-  return modules_refuse(collapse, move.evaluation.position) ? Refusal::module : Refusal::none;
+  return modules_refuse(collapse, to) ? Refusal::module : Refusal::none;
 }
 
 template <class MeshT>
-bool MeshContractionLoopT<MeshT>::turns_a_face(const CollapseInfo& collapse, const Vec3& to) const {
-  const auto position = [this](VertexHandle v) { return position_of(v); };
-  return is_exceeded_around(flip_limit_, mesh_, collapse.v0, collapse.v1, to, position) ||
-         is_exceeded_around(flip_limit_, mesh_, collapse.v1, collapse.v0, to, position);
+typename MeshContractionLoopT<MeshT>::Refusal MeshContractionLoopT<MeshT>::find_refusal_of_pair(
+    const CollapseInfo& collapse) {
+  if (!pinned(collapse.v0, collapse.v1, collapse.v0v1)) {
+    return is_fixed(collapse.v0) && is_fixed(collapse.v1) ? Refusal::locked : Refusal::feature;
+  }
+  return link_condition_(collapse.v0v1) ? Refusal::none : Refusal::link;
 }
 
 /// A guard of OpenMesh's looks at the faces of v0 with v0 at p1. So it is asked with v̄ for p1; and where v1 moves,
@@ -229,6 +237,8 @@ void MeshContractionLoopT<MeshT>::count(Refusal refusal) {
   result_.rejections.locked += refusal == Refusal::locked;
   result_.rejections.link += refusal == Refusal::link;
   result_.rejections.flip += refusal == Refusal::flip;
+  result_.rejections.feature += refusal == Refusal::feature;
+  result_.rejections.shape += refusal == Refusal::shape;
 }
 
 // Contraction ---------------------------------------------------------------------------------------------------------
@@ -237,9 +247,11 @@ template <class MeshT>
 void MeshContractionLoopT<MeshT>::contract(const Move& move) {
   const VertexHandle survivor = mesh_.to_vertex_handle(move.to_survivor);
   const VertexHandle removed = mesh_.from_vertex_handle(move.to_survivor);
+  const CollapseInfo collapse(mesh_, move.to_survivor);
   const auto* own = decimater_.cost_;
   const double cost =
       own ? own->frame().cost_to_model(move.evaluation.cost, own->cost_dimension()) : move.evaluation.cost;
+  feature_lines_.note_collapse(collapse, moved_vertex(collapse, move.evaluation.position), positions());
   result_.n_faces -= decimater_.contract(move.to_survivor, move.evaluation);
   --result_.n_vertices;
   ++result_.n_contractions;
@@ -248,26 +260,36 @@ void MeshContractionLoopT<MeshT>::contract(const Move& move) {
     decimater_.listener_({static_cast<Index>(survivor.idx()), static_cast<Index>(removed.idx()),
                           to_model(move.evaluation.position), cost});
   }
-  find_affected(survivor);
+  find_affected(survivor, {collapse.vl, collapse.vr});
   for (const HalfedgeHandle candidate : affected_) enqueue(candidate);
 }
 
-/// Candidates that the contraction may have made cheaper or allowed: with costs of ours those at the merged vertex, and
-/// what waits around it; with a foreign cost, which may look at whole stars, all around it.
+/// Candidates that the contraction may have made cheaper or allowed: with costs of ours those in their reach, and what
+/// waits around the merged vertex; with a foreign cost, which may look at whole stars, all around it. Modules may look
+/// at the valences of opposite corners, so what waits around the wings is asked anew, too.
 template <class MeshT>
-void MeshContractionLoopT<MeshT>::find_affected(VertexHandle survivor) {
+void MeshContractionLoopT<MeshT>::find_affected(VertexHandle survivor, const std::array<VertexHandle, 2>& wings) {
   affected_.clear();
+  const Reach reach = is_foreign() ? Reach::ring : decimater_.cost_->reach();
   const auto add = [this](HalfedgeHandle h, bool only_waiting) {
     if (!only_waiting || is_waiting_[static_cast<std::size_t>(h.idx())]) affected_.push_back(h);
   };
-  const auto add_edge = [&](HalfedgeHandle h, bool only_waiting) {
-    const OpenMesh::EdgeHandle e = mesh_.edge_handle(h);
-    add(mesh_.halfedge_handle(e, 0), only_waiting);
-    if (is_foreign()) add(mesh_.halfedge_handle(e, 1), only_waiting);
+  const auto add_edges_at = [&](VertexHandle v, bool only_waiting) {
+    for (const HalfedgeHandle h : mesh_.voh_range(v)) {
+      const EdgeHandle e = mesh_.edge_handle(h);
+      add(mesh_.halfedge_handle(e, 0), only_waiting);
+      if (is_foreign()) add(mesh_.halfedge_handle(e, 1), only_waiting);
+    }
   };
-  for (const HalfedgeHandle h : mesh_.voh_range(survivor)) {
-    add_edge(h, false);
-    for (const HalfedgeHandle g : mesh_.voh_range(mesh_.to_vertex_handle(h))) add_edge(g, !is_foreign());
+  const auto add_edges_around = [&](VertexHandle v, bool only_waiting) {
+    for (const VertexHandle neighbour : mesh_.vv_range(v)) add_edges_at(neighbour, only_waiting);
+  };
+  add_edges_at(survivor, false);
+  add_edges_around(survivor, reach < Reach::ring);
+  if (reach == Reach::wings || !decimater_.foreign_guards_.empty()) {
+    for (const VertexHandle wing : wings) {
+      if (wing.is_valid()) add_edges_around(wing, reach < Reach::wings);
+    }
   }
   std::sort(affected_.begin(), affected_.end());
   affected_.erase(std::unique(affected_.begin(), affected_.end()), affected_.end());

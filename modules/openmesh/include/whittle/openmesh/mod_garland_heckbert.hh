@@ -1,18 +1,9 @@
 #pragma once
 
-#include <OpenMesh/Core/Utils/PropertyManager.hh>
-#include <OpenMesh/Tools/Decimater/ModBaseT.hh>
-#include <algorithm>
-#include <cfloat>
-#include <cmath>
+#include <array>
 #include <optional>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include "whittle/openmesh/conversions.hh"
-#include "whittle/openmesh/pair_cost_module.hh"
+#include "whittle/openmesh/placing_module.hh"
 #include "whittle/openmesh/stock_quadric.hh"
 
 // Garland–Heckbert cost and placement as a module for OpenMesh's decimaters: the engine's term (quadric_term.hh), with
@@ -20,6 +11,8 @@
 //
 //   cost = E₀(v̄) + E₁(v̄);  unit: distance² · area, or distance² with uniform weights (no length, as ModQuadricT's
 //   isn't).
+//   With isotropy W:  cost^(1−W) (L²)^W, L the length of the edge (edge_length_term.hh); in its unit, too.
+//   With a valence weight: times a penalty (valence_term.hh).
 //
 // Rejects what costs more than `max_cost`, nothing else: add ModFlipGuardT beside it.
 // \cite garland_1997_surface (sections 4 and 6)
@@ -31,35 +24,32 @@ enum class Arithmetic {
   stock  ///< ModQuadricT's to the last bit, to be checked against; weights, placement and the other options don't count
 };
 
-/// In the stock `DecimaterT`, `McDecimaterT` and `MixedDecimaterT`, over meshes of floats or doubles, the merged vertex
-/// moves to v̄ before other modules see the collapse done, and face normals are right. v1 keeps its place where it is
-/// locked or a feature, or the edge is one. The float priority is the cost in the module's frame (a mesh of size 1),
-/// so that small units don't make it 0. For exact costs and order there is `PairDecimaterT`.
-///
-/// Between `initialize()` and the end of decimating nobody else may change the mesh.
+/// What it does in which decimater, and the options it shares with our other cost modules: `PlacingModuleT`.
 template <class MeshT>
-class ModGarlandHeckbertT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairCostModuleT<MeshT> {
+class ModGarlandHeckbertT : public PlacingModuleT<MeshT> {
  public:
   DECIMATING_MODULE(ModGarlandHeckbertT, MeshT, GarlandHeckbert);
 
-  explicit ModGarlandHeckbertT(MeshT& mesh);
+  explicit ModGarlandHeckbertT(MeshT& mesh) : PlacingModuleT<MeshT>(mesh) {}
 
   /// Used from the next `initialize()` on.
   /// \throw std::invalid_argument where regularization or boundary_weight is negative or not finite
   void set_options(const QuadricOptions& options);
   const QuadricOptions& options() const { return options_; }
 
+  /// W of the blend with the length of the edge: at 0 the quadric's cost and placement alone, at 1 the order is by
+  /// length and v̄ the middle; between, triangles get more even the higher it is. [0, 1], default 0. Used from the next
+  /// `initialize()` on.
+  /// \throw std::invalid_argument outside
+  void set_isotropy(double isotropy);
+  double isotropy() const { return isotropy_; }
+
   /// Used from the next `initialize()` on. Default local.
   void set_arithmetic(Arithmetic arithmetic) { arithmetic_ = arithmetic; }
   Arithmetic arithmetic() const { return arithmetic_; }
 
-  /// Collapses that cost more are refused (with stock arithmetic those that cost as much, too). [0, inf], model units:
-  /// distance² · area, or distance² with uniform weights. Default: none are.
-  /// \throw std::invalid_argument if negative or not a number
-  void set_max_cost(double max_cost);
-  void unset_max_cost() { max_cost_.reset(); }
-
-  // OpenMesh's interface ----------------------------------------------------------------------------------------------
+  // `set_max_cost`: distance² · area, or distance² with uniform weights; with isotropy, (1−W) times that power of a
+  // length and W times its square. With stock arithmetic what costs as much is refused, too.
 
   /// \throw std::invalid_argument for a coordinate that is not finite
   void initialize() override;
@@ -67,48 +57,30 @@ class ModGarlandHeckbertT : public OpenMesh::Decimater::ModBaseT<MeshT>, public 
   void preprocess_collapse(const CollapseInfo& collapse) override;
   void postprocess_collapse(const CollapseInfo& collapse) override;
 
-  // PairCostModuleT ---------------------------------------------------------------------------------------------------
-
   bool has_placement() const override { return !stock_; }
-  const Frame& frame() const override { return frame_; }
-  double cost_dimension() const override { return active_.weights == Weights::uniform ? 2 : 4; }
-  /// As set, times the error tolerance factor of the decimater.
-  std::optional<double> max_cost() const override;
-  Vec3 position(OpenMesh::VertexHandle v) const override { return placed(v).position; }
-  PairEvaluation evaluate(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second, Pinned pinned) const override;
-  PairEvaluation evaluate(const CollapseInfo& collapse) const override;
-  void place_next(const PairEvaluation& evaluation) override { pending_ = evaluation; }
-  std::optional<QuadricOptions> engine_options() const override;
-  void adopt(const std::vector<Index>& vertices, std::vector<PlacedQuadric> quadrics) override;
+  double cost_dimension() const override;
+  std::optional<CostOptions> engine_options() const override;
 
  private:
-  using VertexHandle = OpenMesh::VertexHandle;
+  using Placing = PlacingModuleT<MeshT>;
+  using Placing::placed;
+  using Placing::surface;
+  using typename Placing::VertexHandle;
 
-  void set_binary(bool) {}  // it ranks: never binary
-
-  /// Makes them when first asked for one: the engine can do without.
-  PlacedQuadric& placed(VertexHandle v) const {
-    if (!has_quadrics_) make_quadrics();
-    return quadrics_[numbers_[v]];
-  }
-  Frame frame_of_mesh() const;
-  void make_quadrics() const;
-  void add_vertex(VertexHandle v) const;
+  PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const override;
+  Reach plain_reach() const override { return active_isotropy_ > 0 ? Reach::ends : Reach::none; }
+  CostOptions plain_options() const override { return {Cost::quadric, active_, active_isotropy_, 0}; }
+  PlacedQuadric merge(VertexHandle first, VertexHandle second, const PairEvaluation& evaluation) const override;
+  void add_planes() const override;
   void add_face_planes() const;
   void add_border_planes() const;
 
-  MeshT& mesh_;
   QuadricOptions options_;
+  double isotropy_ = 0;
   Arithmetic arithmetic_ = Arithmetic::local;
-  std::optional<double> max_cost_;
 
   QuadricOptions active_;  ///< those of the last `initialize()`
-  Frame frame_;
-  // Lazy: the quadrics of the mesh as it was at `initialize()`, and of what has been merged since.
-  mutable bool has_quadrics_ = false;
-  mutable std::vector<PlacedQuadric> quadrics_;
-  mutable OpenMesh::VProp<Index> numbers_;     ///< of vertices in `quadrics_`; goes along with garbage collection
-  std::optional<PairEvaluation> pending_;      ///< of the collapse under way
+  double active_isotropy_ = 0;
   std::optional<StockQuadricT<MeshT>> stock_;  ///< with stock arithmetic, in place of all that
 };
 

@@ -5,15 +5,30 @@
 #include <optional>
 #include <vector>
 
+#include "whittle/engine/decimate.hh"
 #include "whittle/engine/frame.hh"
 #include "whittle/engine/pair_evaluation.hh"
+#include "whittle/engine/reach.hh"
 
 namespace whittle {
+
+/// What a contraction costs and where it goes, as the engine is told: these fields of `DecimateOptions`.
+struct CostOptions {
+  Cost cost = Cost::quadric;
+  QuadricOptions quadric;
+  double isotropy = 0;
+  double valence_weight = 0;
+};
+
+/// What threshold pairs go with.
+inline bool is_plain_quadric(const CostOptions& options) {
+  return options.cost == Cost::quadric && options.isotropy == 0 && options.valence_weight == 0;
+}
 
 /// What a cost module of ours knows beyond OpenMesh's interface: cost *and place* of a pair, in double.
 ///
 /// A decimater can't be asked for the interfaces of its modules; `PairDecimaterT` looks for this one when a module is
-/// added, and `ModFlipGuardT` is told. Positions are in the module's frame, costs in its unit.
+/// added, and guards of ours are told. Positions are in the module's frame, costs in its unit.
 template <class MeshT>
 class PairCostModuleT {
  public:
@@ -27,10 +42,12 @@ class PairCostModuleT {
   virtual double cost_dimension() const = 0;
   /// Largest cost allowed, model units.
   virtual std::optional<double> max_cost() const = 0;
+  /// Which pairs a contraction may make cheaper.
+  virtual Reach reach() const = 0;
 
   /// Where a vertex is, before its coordinates were rounded to the scalar of the mesh.
   virtual Vec3 position(OpenMesh::VertexHandle v) const = 0;
-  /// Cost and place of merging two vertices. \pre first < second
+  /// Cost and place of merging two vertices that share an edge. \pre first < second
   virtual PairEvaluation evaluate(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second, Pinned pinned) const = 0;
   /// The same for a collapse in one of OpenMesh's decimaters, where v1 stays in its place if it is locked or a feature.
   virtual PairEvaluation evaluate(const OpenMesh::Decimater::CollapseInfoT<MeshT>& collapse) const = 0;
@@ -39,7 +56,7 @@ class PairCostModuleT {
   virtual void place_next(const PairEvaluation& evaluation) = 0;
 
   /// What the engine needs to contract by the same costs; nothing if it can't.
-  virtual std::optional<QuadricOptions> engine_options() const = 0;
+  virtual std::optional<CostOptions> engine_options() const = 0;
   /// The engine has contracted by them: instead of `preprocess_collapse` and `postprocess_collapse` for each collapse.
   /// \param vertices those left, but for isolated ones, as handle indices \param quadrics theirs, in the module's frame
   virtual void adopt(const std::vector<Index>& vertices, std::vector<PlacedQuadric> quadrics) = 0;

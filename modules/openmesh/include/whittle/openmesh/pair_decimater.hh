@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "whittle/engine/decimate.hh"
+#include "whittle/openmesh/feature_bits.hh"
 #include "whittle/openmesh/mod_flip_guard.hh"
+#include "whittle/openmesh/mod_radius_ratio.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
 
 // A decimater over pairs for OpenMesh meshes: exact order, placement, both drivers the same contractions.
@@ -31,9 +33,9 @@ namespace whittle {
 /// What does the work in `PairDecimaterT`.
 enum class Driver {
   automatic,  ///< the engine where it can, else the mesh driver
-  engine,     ///< flat arrays, many times faster. Modules of ours alone, no feature vertices, directly after
-              ///< `initialize()`
-  mesh        ///< OpenMesh's connectivity; any modules
+  engine,  ///< flat arrays, many times faster. Our cost modules, `ModFlipGuardT` and `ModRadiusRatioT` alone, directly
+           ///< after `initialize()`
+  mesh     ///< OpenMesh's connectivity; any modules
 };
 
 /// How often a module refused a contraction.
@@ -49,12 +51,16 @@ class MeshContractionLoopT;
 
 /// Has the calls of OpenMesh's `DecimaterT` and takes the same modules. Differences in short (docs/dev/openmesh.md has
 /// them all):
-///   - The cost module is `ModGarlandHeckbertT`, or any non-binary module of OpenMesh's: then v1 keeps its place, both
-///     directions of an edge are candidates, and OpenMesh's own legality rules hold.
+///   - The cost module is `ModGarlandHeckbertT`, `ModLindstromTurkT` or `ModMidpointT`, or any non-binary module of
+///     OpenMesh's: then v1 keeps its place, both directions of an edge are candidates, and OpenMesh's own legality
+///     rules hold.
 ///   - A flip guard over both stars is always on, 75° unless a `ModFlipGuardT` says otherwise. Other binary modules are
 ///     asked about both stars where the merged vertex moves, with v̄ as `p1`.
 ///   - Of a pair with one locked vertex the other one vanishes; with `only_selected`, vertices that aren't selected
-///     count as locked. A feature vertex moves along feature edges only, from vertex to vertex.
+///     count as locked.
+///   - A vertex with two feature edges moves along them only, from vertex to vertex; one with another number of them,
+///   or
+///     with the feature bit and none, stays. Lines keep their loops and stay near to where they were.
 ///   - Counts are those of what isn't deleted. Vertices without a face don't count, copies of a vertex as one.
 ///   - Copies of a vertex (`vertex_copies.hh`) that are at one position are one vertex to the engine driver. The mesh
 ///     driver can't move them together, so it neither moves nor removes them.
@@ -98,15 +104,21 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   ///
   /// Afterwards the mesh may have copies of vertices (`vertex_copies.hh`), and `geometry_of(mesh)` gives the indexed
   /// mesh in which they are one, as the engine made it; the next `initialize()` and `decimate` go on from that.
-  /// Only the engine driver contracts such pairs. Where it can't run, `decimate` throws: with foreign modules, feature
-  /// vertices, `Driver::mesh`, or a second time after one `initialize()`. Locked vertices and `only_selected` count as
-  /// for edges.
+  /// Only the engine driver contracts such pairs. Where it can't run, `decimate` throws: with foreign modules,
+  /// `Driver::mesh`, or a second time after one `initialize()`; and so it does with other costs than the quadric's, or
+  /// with isotropy or a valence weight. Locked vertices and `only_selected` count as for edges.
   /// \throw std::invalid_argument if negative or not a number
   void set_pair_threshold(double threshold);
   double pair_threshold() const { return pairs_.threshold; }
   /// The same, with how many pairs a vertex may have, and which are left out. \throw as above
   void set_pair_options(const PairOptions& options);
   const PairOptions& pair_options() const { return pairs_; }
+
+  /// How far a feature line may come to lie from what it was when `decimate` was called, of the diagonal of the mesh's
+  /// bounding box. [0, inf]; default that of the engine, 5e-4.
+  /// \throw std::invalid_argument if negative or not a number
+  void set_feature_tolerance(double tolerance);
+  double feature_tolerance() const { return feature_tolerance_; }
 
   /// Threads of the engine driver, 0 (default) = all cores. No result depends on it.
   void set_threads(unsigned threads) { threads_ = threads; }
@@ -133,7 +145,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
 
   /// Of the last run.
   const DecimateResult& result() const { return result_; }
-  /// Of the last run: what modules other than `ModFlipGuardT` refused; those that did.
+  /// Of the last run: what modules other than `ModFlipGuardT` and `ModRadiusRatioT` refused; those that did.
   const std::vector<ModuleRejections>& module_rejections() const { return module_rejections_; }
 
  private:
@@ -147,6 +159,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
     Module* module;
     PairCostModuleT<MeshT>* cost;
     ModFlipGuardT<MeshT>* flip_guard;
+    ModRadiusRatioT<MeshT>* radius_guard;
   };
   struct Counts {
     std::uint64_t vertices = 0;
@@ -159,10 +172,10 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   DecimateTarget checked(const DecimateTarget& target) const;
   Counts count_elements() const;
   double max_normal_flip_deg() const { return flip_guard_ ? flip_guard_->max_normal_flip_deg() : 75; }
+  double min_radius_ratio() const { return radius_guard_ ? radius_guard_->min_radius_ratio() : 0; }
   bool is_fixed(VertexHandle v, bool only_selected) const;
 
   std::uint64_t contract(HalfedgeHandle to_survivor, const PairEvaluation& evaluation);
-  void carry_features(const CollapseInfo& collapse);
   void count_rejection(const Module& module);
 
   MeshT& mesh_;
@@ -174,11 +187,13 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   PairCostModuleT<MeshT>* cost_ = nullptr;
   Module* foreign_cost_ = nullptr;
   ModFlipGuardT<MeshT>* flip_guard_ = nullptr;
+  ModRadiusRatioT<MeshT>* radius_guard_ = nullptr;
   std::vector<Module*> foreign_guards_;
 
   Driver driver_ = Driver::automatic;
   Driver last_driver_ = Driver::automatic;
   PairOptions pairs_;
+  double feature_tolerance_ = DecimateOptions().feature_tolerance;
   unsigned threads_ = 0;
   std::function<void(const Contraction&)> listener_;
   DecimateResult result_;

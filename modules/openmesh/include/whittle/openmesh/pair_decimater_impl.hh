@@ -16,9 +16,10 @@ template <class ModuleT>
 bool PairDecimaterT<MeshT>::add(OpenMesh::Decimater::ModHandleT<ModuleT>& handle) {
   if (!Base::add(handle)) return false;
   ModuleT& module = Base::module(handle);
-  Attached attached{&module, nullptr, nullptr};
+  Attached attached{&module, nullptr, nullptr, nullptr};
   if constexpr (std::is_base_of_v<PairCostModuleT<MeshT>, ModuleT>) attached.cost = &module;
   if constexpr (std::is_base_of_v<ModFlipGuardT<MeshT>, ModuleT>) attached.flip_guard = &module;
+  if constexpr (std::is_base_of_v<ModRadiusRatioT<MeshT>, ModuleT>) attached.radius_guard = &module;
   attached_.push_back(attached);
   is_ready_ = false;
   return true;
@@ -48,6 +49,7 @@ void PairDecimaterT<MeshT>::assign_roles() {
   cost_ = nullptr;
   foreign_cost_ = nullptr;
   flip_guard_ = nullptr;
+  radius_guard_ = nullptr;
   foreign_guards_.clear();
   // The base's rule: the module that isn't binary; failing that, the one called "Quadric".
   auto ranking =
@@ -63,6 +65,8 @@ void PairDecimaterT<MeshT>::assign_roles() {
       foreign_cost_ = it->module;
     } else if (it->flip_guard) {
       flip_guard_ = it->flip_guard;
+    } else if (it->radius_guard) {
+      radius_guard_ = it->radius_guard;
     } else {
       foreign_guards_.push_back(it->module);
     }
@@ -76,9 +80,6 @@ std::string PairDecimaterT<MeshT>::engine_obstacle() const {
   if (!foreign_guards_.empty()) return "module " + foreign_guards_.front()->name() + " works on the mesh alone";
   if (!cost_->engine_options()) return "the engine doesn't know these costs";
   if (!is_fresh_) return "contractions were made since initialize(), and the engine starts anew";
-  const auto is_feature = [this](VertexHandle v) { return mesh_.status(v).feature(); };
-  const auto vertices = mesh_.vertices();
-  if (std::any_of(vertices.begin(), vertices.end(), is_feature)) return "some vertices are features";
   return {};
 }
 
@@ -97,6 +98,14 @@ void PairDecimaterT<MeshT>::set_pair_threshold(double threshold) {
   set_pair_options(options);
 }
 
+template <class MeshT>
+void PairDecimaterT<MeshT>::set_feature_tolerance(double tolerance) {
+  if (!(tolerance >= 0)) {
+    throw std::invalid_argument("PairDecimaterT: the feature tolerance is negative or not a number");
+  }
+  feature_tolerance_ = tolerance;
+}
+
 // Runs ----------------------------------------------------------------------------------------------------------------
 
 template <class MeshT>
@@ -112,7 +121,7 @@ DecimateTarget PairDecimaterT<MeshT>::checked(const DecimateTarget& target) cons
     throw std::invalid_argument("PairDecimaterT: max_cost is negative or not a number");
   }
   if (target.max_cost && !cost_) {
-    throw std::invalid_argument("PairDecimaterT: max_cost needs ModGarlandHeckbertT; limit " + foreign_cost_->name() +
+    throw std::invalid_argument("PairDecimaterT: max_cost needs a cost module of ours; limit " + foreign_cost_->name() +
                                 " by its own settings");
   }
   const std::optional<double> limit = cost_ ? cost_->max_cost() : std::nullopt;
@@ -137,7 +146,10 @@ DecimateResult PairDecimaterT<MeshT>::decimate(const DecimateTarget& target, boo
 
 template <class MeshT>
 Driver PairDecimaterT<MeshT>::choose_driver() const {
-  const std::string obstacle = driver_ == Driver::mesh ? "the mesh driver was asked for" : engine_obstacle();
+  std::string obstacle = driver_ == Driver::mesh ? "the mesh driver was asked for" : engine_obstacle();
+  if (obstacle.empty() && pairs_.threshold > 0 && !is_plain_quadric(*cost_->engine_options())) {
+    obstacle = "such pairs go with the plain quadric cost alone";
+  }
   if (obstacle.empty()) return Driver::engine;
   if (pairs_.threshold > 0) {
     throw std::logic_error("PairDecimaterT: only the engine driver contracts threshold pairs, and it can't be used: " +
@@ -206,24 +218,13 @@ std::uint64_t PairDecimaterT<MeshT>::contract(HalfedgeHandle to_survivor, const 
   is_fresh_ = false;
   if (cost_) cost_->place_next(evaluation);
   Base::preprocess_collapse(collapse);
-  carry_features(collapse);
+  carry_feature_bits(mesh_, collapse);
   mesh_.collapse(to_survivor);
   if (mesh_.has_face_normals()) {
     for (const OpenMesh::FaceHandle f : mesh_.vf_range(collapse.v1)) mesh_.set_normal(f, mesh_.calc_face_normal(f));
   }
   Base::postprocess_collapse(collapse);
   return std::uint64_t{collapse.fl.is_valid()} + std::uint64_t{collapse.fr.is_valid()};
-}
-
-/// Of the two edges that a collapse makes one, OpenMesh keeps v1's: it becomes a feature if either was.
-template <class MeshT>
-void PairDecimaterT<MeshT>::carry_features(const CollapseInfo& collapse) {
-  const auto carry = [this](HalfedgeHandle from, HalfedgeHandle to) {
-    if (!from.is_valid() || !mesh_.status(mesh_.edge_handle(from)).feature()) return;
-    mesh_.status(mesh_.edge_handle(to)).set_feature(true);
-  };
-  carry(collapse.v0vl, collapse.vlv1);
-  carry(collapse.vrv0, collapse.v1vr);
 }
 
 template <class MeshT>

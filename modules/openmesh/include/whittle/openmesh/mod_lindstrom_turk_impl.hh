@@ -1,0 +1,115 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "whittle/openmesh/mod_lindstrom_turk.hh"
+
+namespace whittle {
+
+/// About the first vertex.
+template <class MeshT>
+PairEvaluation ModLindstromTurkT<MeshT>::evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const {
+  const Vec3 origin = this->position(first);
+  LindstromTurk term(volume_of(first, second), border_of(first, second), Vec3::Zero(), this->position(second) - origin);
+  if (!term.is_determined()) term.add_neighbours(neighbours_of(first, second));
+  PairEvaluation evaluation = term.evaluate(pinned);
+  evaluation.position += origin;
+  return evaluation;
+}
+
+/// Those of both vertices without the faces that both have. Of the planes of the second vertex's faces, those of these
+/// pass through the origin, too.
+template <class MeshT>
+VolumeSums ModLindstromTurkT<MeshT>::volume_of(VertexHandle first, VertexHandle second) const {
+  const MeshT& mesh = surface();
+  const Vec3 origin = this->position(first);
+  const Vec3 d = this->position(second) - origin;
+  VolumeSums sums = volume_at(first);
+  sums += volume_at(second).about(-d);
+  const HalfedgeHandle h = mesh.find_halfedge(first, second);
+  std::array<std::pair<HalfedgeHandle, int>, 2> sides = {{{h, 1}, {mesh.opposite_halfedge_handle(h), -1}}};
+  const auto third = [&mesh](HalfedgeHandle side) {
+    return mesh.is_boundary(side) ? VertexHandle() : mesh.to_vertex_handle(mesh.next_halfedge_handle(side));
+  };
+  if (third(sides[1].first) < third(sides[0].first)) std::swap(sides[0], sides[1]);
+  for (const auto& [side, turn] : sides) {
+    if (mesh.is_boundary(side)) continue;
+    sums.remove(turn * d.cross(this->position(third(side)) - origin));
+  }
+  return sums;
+}
+
+/// Over the faces at a vertex, about it. There their planes have no offset.
+template <class MeshT>
+VolumeSums ModLindstromTurkT<MeshT>::volume_at(VertexHandle v) const {
+  VolumeSums sums;
+  const Vec3 p = this->position(v);
+  for (const auto& [x, y] : faces_at(v)) {
+    const Vec3 normal = (this->position(x) - p).cross(this->position(y) - p);
+    sums.normal += normal;
+    sums.squares.a += SymmetricMatrix::outer(normal, 1);
+  }
+  return sums;
+}
+
+template <class MeshT>
+std::vector<typename ModLindstromTurkT<MeshT>::OtherCorners> ModLindstromTurkT<MeshT>::faces_at(VertexHandle v) const {
+  const MeshT& mesh = surface();
+  std::vector<OtherCorners> faces;
+  for (const HalfedgeHandle h : mesh.voh_ccw_range(v)) {
+    if (mesh.is_boundary(h)) continue;
+    faces.emplace_back(mesh.to_vertex_handle(h), mesh.to_vertex_handle(mesh.next_halfedge_handle(h)));
+  }
+  if (mesh.is_boundary(v)) {
+    std::sort(faces.begin(), faces.end());
+  } else {
+    std::rotate(faces.begin(), std::min_element(faces.begin(), faces.end()), faces.end());
+  }
+  return faces;
+}
+
+template <class MeshT>
+BorderSums ModLindstromTurkT<MeshT>::border_of(VertexHandle first, VertexHandle second) const {
+  BorderSums sums;
+  const Vec3 origin = this->position(first);
+  add_border_at(first, VertexHandle(), origin, sums);
+  add_border_at(second, first, origin, sums);
+  return sums;
+}
+
+/// The border edges at v, but for the one to `but`, each as its face has it.
+template <class MeshT>
+void ModLindstromTurkT<MeshT>::add_border_at(VertexHandle v, VertexHandle but, const Vec3& origin,
+                                             BorderSums& sums) const {
+  const MeshT& mesh = surface();
+  if (!mesh.is_boundary(v)) return;
+  std::vector<std::pair<VertexHandle, bool>> ends;  // and whether the face leaves v along the edge
+  for (const HalfedgeHandle h : mesh.voh_range(v)) {
+    const VertexHandle w = mesh.to_vertex_handle(h);
+    if (mesh.is_boundary(mesh.edge_handle(h)) && w != but) ends.emplace_back(w, !mesh.is_boundary(h));
+  }
+  std::sort(ends.begin(), ends.end());
+  const Vec3 here = this->position(v) - origin;
+  for (const auto& [w, leaves] : ends) {
+    const Vec3 there = this->position(w) - origin;
+    leaves ? sums.add(here, there) : sums.add(there, here);
+  }
+}
+
+template <class MeshT>
+NeighbourSums ModLindstromTurkT<MeshT>::neighbours_of(VertexHandle first, VertexHandle second) const {
+  std::vector<VertexHandle> neighbours;
+  for (const VertexHandle v : {first, second}) {
+    for (const VertexHandle w : surface().vv_range(v)) neighbours.push_back(w);
+  }
+  std::sort(neighbours.begin(), neighbours.end());
+  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  NeighbourSums sums;
+  for (const VertexHandle v : neighbours) {
+    if (v != first && v != second) sums.add(this->position(v) - this->position(first));
+  }
+  return sums;
+}
+
+}  // namespace whittle

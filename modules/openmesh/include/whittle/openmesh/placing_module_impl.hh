@@ -1,0 +1,161 @@
+#pragma once
+
+#include "whittle/openmesh/feature_bits.hh"
+#include "whittle/openmesh/placing_module.hh"
+
+namespace whittle {
+
+template <class MeshT>
+void PlacingModuleT<MeshT>::require(bool condition, const std::string& what) const {
+  if (!condition) throw std::invalid_argument("Mod" + this->name() + "T: " + what);
+}
+
+template <class MeshT>
+void PlacingModuleT<MeshT>::set_max_cost(double max_cost) {
+  require(max_cost >= 0, "max_cost is negative or not a number");
+  max_cost_ = max_cost;
+}
+
+template <class MeshT>
+void PlacingModuleT<MeshT>::set_valence_weight(double weight) {
+  require(weight >= 0 && std::isfinite(weight), "valence_weight is negative or not finite");
+  valence_weight_ = weight;
+}
+
+template <class MeshT>
+std::optional<double> PlacingModuleT<MeshT>::max_cost() const {
+  if (!max_cost_) return std::nullopt;
+  return *max_cost_ * this->error_tolerance_factor_;
+}
+
+template <class MeshT>
+std::optional<CostOptions> PlacingModuleT<MeshT>::engine_options() const {
+  CostOptions options = plain_options();
+  options.valence_weight = active_valence_weight_;
+  return options;
+}
+
+template <class MeshT>
+void PlacingModuleT<MeshT>::adopt(const std::vector<Index>& vertices, std::vector<PlacedQuadric> quadrics) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    numbers_[VertexHandle(static_cast<int>(vertices[i]))] = static_cast<Index>(i);
+  }
+  quadrics_ = std::move(quadrics);
+  has_quadrics_ = true;
+  for (const VertexHandle v : mesh_.vertices()) {
+    if (mesh_.is_isolated(v)) add_vertex(v);
+  }
+}
+
+template <class MeshT>
+void PlacingModuleT<MeshT>::initialize() {
+  active_valence_weight_ = valence_weight_;
+  pending_.reset();
+  frame_ = frame_of_mesh();
+  has_quadrics_ = false;
+}
+
+template <class MeshT>
+Frame PlacingModuleT<MeshT>::frame_of_mesh() const {
+  for (const VertexHandle v : mesh_.vertices()) {
+    if (to_vec3(mesh_.point(v)).allFinite()) continue;
+    require(false, "vertex " + std::to_string(v.idx()) + " has a coordinate that is not finite");
+  }
+  const auto [low, high] = mesh_bounds(mesh_);
+  return Frame::of_box(low, high);
+}
+
+template <class MeshT>
+void PlacingModuleT<MeshT>::make_quadrics() const {
+  has_quadrics_ = true;
+  quadrics_.clear();
+  quadrics_.reserve(mesh_.n_vertices());
+  for (const VertexHandle v : mesh_.vertices()) add_vertex(v);
+  add_planes();
+}
+
+/// With no planes yet.
+template <class MeshT>
+void PlacingModuleT<MeshT>::add_vertex(VertexHandle v) const {
+  numbers_[v] = static_cast<Index>(quadrics_.size());
+  quadrics_.push_back({frame_.to_frame(to_vec3(mesh_.point(v))), {}});
+}
+
+// Evaluation ----------------------------------------------------------------------------------------------------------
+
+template <class MeshT>
+PairEvaluation PlacingModuleT<MeshT>::evaluate(VertexHandle first, VertexHandle second, Pinned pinned) const {
+  PairEvaluation evaluation = evaluate_plain(first, second, pinned);
+  if (active_valence_weight_ > 0) {
+    evaluation.cost = valence_change(first, second).penalize(evaluation.cost, active_valence_weight_);
+  }
+  return evaluation;
+}
+
+template <class MeshT>
+ValenceChange PlacingModuleT<MeshT>::valence_change(VertexHandle first, VertexHandle second) const {
+  ValenceChange change;
+  int n_common = 0;
+  const OpenMesh::HalfedgeHandle h = mesh_.find_halfedge(first, second);
+  for (const OpenMesh::HalfedgeHandle side : {h, mesh_.opposite_halfedge_handle(h)}) {
+    if (mesh_.is_boundary(side)) continue;
+    ++n_common;
+    const VertexHandle wing = mesh_.to_vertex_handle(mesh_.next_halfedge_handle(side));
+    const int valence = static_cast<int>(mesh_.valence(wing));
+    change.add_before(valence, mesh_.is_boundary(wing));
+    change.add_after(valence - 1, mesh_.is_boundary(wing));
+  }
+  const int valence_first = static_cast<int>(mesh_.valence(first));
+  const int valence_second = static_cast<int>(mesh_.valence(second));
+  const bool first_on_border = mesh_.is_boundary(first);
+  const bool second_on_border = mesh_.is_boundary(second);
+  change.add_before(valence_first, first_on_border);
+  change.add_before(valence_second, second_on_border);
+  change.add_after(valence_first + valence_second - 2 - n_common, first_on_border || second_on_border);
+  return change;
+}
+
+template <class MeshT>
+PairEvaluation PlacingModuleT<MeshT>::evaluate(const CollapseInfo& collapse) const {
+  // Whoever collapses a feature v0 does so along a feature edge: then v̄ must stay on that line.
+  const auto& at_v1 = mesh_.status(collapse.v1);
+  const bool v1_stays = at_v1.locked() || at_v1.feature() || mesh_.status(collapse.v0).feature();
+  const bool v1_is_first = collapse.v1 < collapse.v0;
+  const Pinned pinned = !v1_stays ? Pinned::none : v1_is_first ? Pinned::first : Pinned::second;
+  const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
+  PairEvaluation evaluation = evaluate(first, second, pinned);
+  if (v1_stays) evaluation.position = position(collapse.v1);  // to the bit, whatever sums were taken about
+  return evaluation;
+}
+
+// Collapses in OpenMesh's decimaters ----------------------------------------------------------------------------------
+
+/// Of costs in length⁶ the cube root: on a fine mesh they themselves would be 0 as floats.
+template <class MeshT>
+float PlacingModuleT<MeshT>::collapse_priority(const CollapseInfo& collapse) {
+  const double cost = evaluate(collapse).cost;
+  if (const auto limit = max_cost(); limit && cost > frame_.cost_to_frame(*limit, this->cost_dimension())) {
+    return static_cast<float>(ModBase::ILLEGAL_COLLAPSE);
+  }
+  const double priority = this->cost_dimension() > 4 ? std::cbrt(cost) : cost;
+  return static_cast<float>(std::min(priority, 0.5 * double{FLT_MAX}));  // DecimaterT wants less than FLT_MAX
+}
+
+/// Moves v1 already here, after the other modules have seen the mesh as it was: what they and the decimater do between
+/// the collapse and our `postprocess_collapse`, face normals above all, then rests on the merged vertex's place.
+template <class MeshT>
+void PlacingModuleT<MeshT>::preprocess_collapse(const CollapseInfo& collapse) {
+  if (!pending_) pending_ = evaluate(collapse);
+  carry_feature_bits(mesh_, collapse);
+  if (pending_->position == position(collapse.v1)) return;  // not rounded for nothing
+  mesh_.set_point(collapse.v1, to_point<typename MeshT::Point>(frame_.to_model(pending_->position)));
+}
+
+template <class MeshT>
+void PlacingModuleT<MeshT>::postprocess_collapse(const CollapseInfo& collapse) {
+  const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
+  placed(collapse.v1) = merge(first, second, pending_.value());
+  pending_.reset();
+}
+
+}  // namespace whittle

@@ -1,0 +1,305 @@
+// Our cost modules other than plain Garland–Heckbert: in OpenMesh's decimaters, and what their numbers are.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/McDecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/MixedDecimaterT.hh>
+#include <cmath>
+
+#include "decimation.hh"
+#include "modules.hh"
+#include "support/shapes.hh"
+#include "support/transforms.hh"
+
+namespace whittle::test {
+namespace {
+
+using OpenMesh::HalfedgeHandle;
+using OpenMesh::VertexHandle;
+
+// In OpenMesh's decimaters --------------------------------------------------------------------------------------------
+
+class CostInStockDecimaters : public testing::TestWithParam<NamedCost> {
+ protected:
+  /// Decimates to 300 faces by `decimate(decimater)`, and checks what is left.
+  template <template <class> class DecimaterT, class MeshT, class Decimate>
+  void run(const Decimate& decimate) {
+    const IndexedMesh shape = noisy_torus(32, 16, 1, 0.4, 0.02, 5);
+    MeshT mesh = open_mesh<MeshT>(shape);
+    DecimaterT<MeshT> decimater(mesh);
+    auto& cost = add_cost(decimater, GetParam().options);
+    add_module<ModFlipGuardT<MeshT>>(decimater).set_cost_module(&cost);
+    ASSERT_TRUE(decimater.initialize());
+    decimate(decimater);
+    mesh.garbage_collection();
+    EXPECT_NEAR(static_cast<double>(mesh.n_faces()), 300, 1);
+    expect_sound(mesh, "after the run");
+    const IndexedMesh after = geometry_of(mesh);
+    expect_same_topology(shape, after, "after the run");
+    EXPECT_NEAR(signed_volume(after), signed_volume(shape), 0.2 * signed_volume(shape));
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Costs, CostInStockDecimaters, testing::ValuesIn(named_costs()),
+                         [](const auto& test) { return test.param.name; });
+
+TEST_P(CostInStockDecimaters, DecimaterTakesIt) {
+  run<OpenMesh::Decimater::DecimaterT, DoubleMesh>([](auto& d) { d.decimate_to_faces(0, 300); });
+  run<OpenMesh::Decimater::DecimaterT, FloatMesh>([](auto& d) { d.decimate_to_faces(0, 300); });
+}
+
+TEST_P(CostInStockDecimaters, McDecimaterTakesIt) {
+  run<OpenMesh::Decimater::McDecimaterT, DoubleMesh>([](auto& d) {
+    d.set_samples(20);
+    d.decimate_to_faces(0, 300);
+  });
+}
+
+TEST_P(CostInStockDecimaters, MixedDecimaterTakesIt) {
+  run<OpenMesh::Decimater::MixedDecimaterT, DoubleMesh>([](auto& d) {
+    d.set_samples(20);
+    d.decimate_to_faces(0, 300, 0.5F);
+  });
+}
+
+TEST_P(CostInStockDecimaters, TheUnitOfTheMeshChangesNoCollapse) {
+  // Costs fall with up to the sixth power of the size: in model units they would be 0 as floats.
+  const IndexedMesh shape = noisy_sphere(2, 0.05, 8);
+  const auto collapses = [&](double factor) {
+    DoubleMesh mesh = open_mesh<DoubleMesh>(scaled(shape, factor));
+    OpenMesh::Decimater::DecimaterT<DoubleMesh> decimater(mesh);
+    add_cost(decimater, GetParam().options);
+    auto& recorder = add_module<ModRecorderT<DoubleMesh>>(decimater);
+    EXPECT_TRUE(decimater.initialize());
+    decimater.decimate(120);
+    return recorder.collapses;
+  };
+  const std::vector<Collapse> expected = collapses(1);
+  EXPECT_EQ(expected.size(), 120U);
+  for (const double factor : {0x1p-60, 0x1p60}) EXPECT_EQ(collapses(factor), expected) << factor;
+}
+
+TEST_P(CostInStockDecimaters, LockedVerticesKeepTheirPlace) {
+  const IndexedMesh shape = blob(2, 5);
+  DoubleMesh mesh = open_mesh<DoubleMesh>(shape);
+  OpenMesh::Decimater::DecimaterT<DoubleMesh> decimater(mesh);
+  auto& cost = add_cost(decimater, GetParam().options);
+  add_module<ModFlipGuardT<DoubleMesh>>(decimater).set_cost_module(&cost);
+  for (const VertexHandle v : mesh.vertices()) mesh.status(v).set_locked(v.idx() % 5 == 0);
+  ASSERT_TRUE(decimater.initialize());
+  EXPECT_GT(decimater.decimate(), 60U);
+  for (int v = 0; v < 162; v += 5) EXPECT_TRUE(unmoved(mesh, shape, VertexHandle(v))) << v;
+}
+
+TEST(CostModules, FeatureBitsGoWithTheEdgesThatTakeTheirsPlace) {
+  // A ridge with a kink: v0 of the collapse is its kink, and the ridge goes on along the wing's edge to v1.
+  DoubleMesh mesh = open_mesh<DoubleMesh>(grid(4, 4));
+  OpenMesh::Decimater::DecimaterT<DoubleMesh> decimater(mesh);
+  auto& cost = add_module<ModMidpointT<DoubleMesh>>(decimater);
+  ASSERT_TRUE(decimater.initialize());
+  const OpenMesh::HalfedgeHandle h = mesh.find_halfedge(VertexHandle(12), VertexHandle(13));
+  const OpenMesh::Decimater::CollapseInfoT<DoubleMesh> collapse(mesh, h);
+  ASSERT_TRUE(collapse.vl.is_valid());
+  mesh.status(mesh.edge_handle(collapse.v0vl)).set_feature(true);
+  cost.preprocess_collapse(collapse);
+  mesh.collapse(h);
+  cost.postprocess_collapse(collapse);
+  const auto left = mesh.find_halfedge(collapse.v1, collapse.vl);
+  EXPECT_TRUE(mesh.status(mesh.edge_handle(left)).feature());
+  EXPECT_EQ(marked_edges(mesh).size(), 1U);
+}
+
+// Options -------------------------------------------------------------------------------------------------------------
+
+TEST(CostModules, HaveNamesOfTheirOwnAndRank) {
+  DoubleMesh mesh;
+  EXPECT_EQ(ModMidpointT<DoubleMesh>(mesh).name(), "Midpoint");
+  EXPECT_EQ(ModLindstromTurkT<DoubleMesh>(mesh).name(), "LindstromTurk");
+  EXPECT_FALSE(ModMidpointT<DoubleMesh>(mesh).is_binary());
+  EXPECT_FALSE(ModLindstromTurkT<DoubleMesh>(mesh).is_binary());
+}
+
+TEST(CostModules, WrongOptionsThrowAndLeaveWhatWasSet) {
+  DoubleMesh mesh = open_mesh<DoubleMesh>(tetrahedron());
+  ModLindstromTurkT<DoubleMesh> lindstrom_turk(mesh);
+  ModGarlandHeckbertT<DoubleMesh> quadric(mesh);
+  const double nan = std::nan("");
+  lindstrom_turk.set_valence_weight(2);
+  for (const double wrong : {-1e-9, nan, static_cast<double>(INFINITY)}) {
+    EXPECT_THROW(lindstrom_turk.set_valence_weight(wrong), std::invalid_argument) << wrong;
+  }
+  EXPECT_EQ(lindstrom_turk.valence_weight(), 2);
+  quadric.set_isotropy(0.25);
+  for (const double wrong : {-0.01, 1.01, nan}) {
+    EXPECT_THROW(quadric.set_isotropy(wrong), std::invalid_argument) << wrong;
+  }
+  EXPECT_EQ(quadric.isotropy(), 0.25);
+  EXPECT_THROW(lindstrom_turk.set_max_cost(-1), std::invalid_argument);
+  try {
+    lindstrom_turk.set_max_cost(nan);
+    ADD_FAILURE() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "ModLindstromTurkT: max_cost is negative or not a number");
+  }
+  mesh.set_point(VertexHandle(1), {0, nan, 0});
+  EXPECT_THROW(lindstrom_turk.initialize(), std::invalid_argument);
+}
+
+TEST(CostModules, TermsAreUsedFromTheNextInitializeOn) {
+  DoubleMesh mesh = open_mesh<DoubleMesh>(blob(2, 5));
+  mesh.request_vertex_status();
+  ModGarlandHeckbertT<DoubleMesh> module(mesh);
+  module.initialize();
+  const auto cost = [&] { return module.evaluate(VertexHandle(0), VertexHandle(42), Pinned::first).cost; };
+  ASSERT_TRUE(mesh.find_halfedge(VertexHandle(0), VertexHandle(42)).is_valid());
+  const double plain = cost();
+  module.set_isotropy(0.5);
+  EXPECT_EQ(cost(), plain);
+  EXPECT_EQ(module.reach(), Reach::none);
+  EXPECT_EQ(module.cost_dimension(), 4);
+  module.initialize();
+  EXPECT_NE(cost(), plain);
+  EXPECT_EQ(module.reach(), Reach::ends);
+  EXPECT_EQ(module.cost_dimension(), 3);
+  module.set_valence_weight(0.5);
+  EXPECT_EQ(module.reach(), Reach::ends);
+  module.initialize();
+  EXPECT_EQ(module.reach(), Reach::wings);
+}
+
+// Numbers -------------------------------------------------------------------------------------------------------------
+
+TEST(ModMidpoint, TheCostIsTheLengthInModelUnitsAndThePlaceTheMiddle) {
+  const IndexedMesh shape = moved(scaled(blob(2, 5), 250), Vec3(1000, -3000, 10));
+  DoubleMesh mesh = open_mesh<DoubleMesh>(shape);
+  mesh.request_vertex_status();
+  ModMidpointT<DoubleMesh> module(mesh);
+  module.initialize();
+  for (const OpenMesh::EdgeHandle e : mesh.edges()) {
+    const VertexPair pair = ends(mesh, e);
+    const VertexHandle first(static_cast<int>(pair.a));
+    const VertexHandle second(static_cast<int>(pair.b));
+    const Vec3& p = shape.positions[pair.a];
+    const Vec3& q = shape.positions[pair.b];
+    const PairEvaluation free = module.evaluate(first, second, Pinned::none);
+    EXPECT_NEAR(module.frame().cost_to_model(free.cost, 1), (q - p).norm(), 1e-9);
+    EXPECT_NEAR((module.frame().to_model(free.position) - 0.5 * (p + q)).norm(), 0, 1e-9);
+    EXPECT_EQ(module.frame().to_model(module.evaluate(first, second, Pinned::second).position), q);
+  }
+}
+
+TEST(ModLindstromTurk, KeepsTheVolumeInOpenMeshsDecimaterToo) {
+  const IndexedMesh shape = noisy_torus(48, 24, 1, 0.4, 0.01, 5);
+  const auto volume_after = [&](const CostOptions& options) {
+    DoubleMesh mesh = open_mesh<DoubleMesh>(shape);
+    OpenMesh::Decimater::DecimaterT<DoubleMesh> decimater(mesh);
+    auto& cost = add_cost(decimater, options);
+    add_module<ModFlipGuardT<DoubleMesh>>(decimater).set_cost_module(&cost);
+    EXPECT_TRUE(decimater.initialize());
+    decimater.decimate_to_faces(0, 500);
+    return signed_volume(geometry_of(mesh));
+  };
+  const double volume = signed_volume(shape);
+  EXPECT_NEAR(volume_after({Cost::lindstrom_turk, {}, 0, 0}), volume, 1e-3 * volume);
+  EXPECT_GT(std::abs(volume_after({Cost::midpoint, {}, 0, 0}) - volume), 1e-2 * volume) << "nothing special";
+}
+
+TEST(ModLindstromTurk, TheCostGrowsWithTheSixthPowerOfTheSize) {
+  const IndexedMesh shape = noisy_grid(4, 4, 0.3, 3);
+  const auto costs = [&](double factor) {
+    DoubleMesh mesh = open_mesh<DoubleMesh>(scaled(shape, factor));
+    mesh.request_vertex_status();
+    ModLindstromTurkT<DoubleMesh> module(mesh);
+    module.initialize();
+    std::vector<double> result;
+    for (const OpenMesh::EdgeHandle e : mesh.edges()) {
+      const auto [a, b] = ends(mesh, e);
+      const auto cost =
+          module.evaluate(VertexHandle(static_cast<int>(a)), VertexHandle(static_cast<int>(b)), Pinned::first).cost;
+      result.push_back(module.frame().cost_to_model(cost, module.cost_dimension()));
+    }
+    return result;
+  };
+  const std::vector<double> expected = costs(1);
+  const std::vector<double> larger = costs(1000);
+  for (std::size_t e = 0; e < expected.size(); ++e) EXPECT_NEAR(larger[e] * 1e-18, expected[e], 1e-12 * expected[e]);
+  EXPECT_GT(*std::max_element(expected.begin(), expected.end()), 1e-3);
+}
+
+/// Valences and edge lengths of what is left.
+struct Shape {
+  int n_three = 0;
+  int n_irregular = 0;  ///< valences other than 5, 6, 7
+  double length_variation = 0;
+};
+
+Shape shape_of(const DoubleMesh& mesh) {
+  Shape shape;
+  for (const VertexHandle v : mesh.vertices()) {
+    const auto valence = static_cast<int>(mesh.valence(v));
+    shape.n_three += valence == 3;
+    shape.n_irregular += valence < 5 || valence > 7;
+  }
+  double sum = 0;
+  double squares = 0;
+  int n = 0;
+  for (const OpenMesh::EdgeHandle e : mesh.edges()) {
+    const double length = mesh.calc_edge_length(e);
+    sum += length;
+    squares += length * length;
+    ++n;
+  }
+  const double mean = sum / n;
+  shape.length_variation = std::sqrt(std::max(0.0, squares / n - mean * mean)) / mean;
+  return shape;
+}
+
+TEST(CostTerms, WeightsMakeValencesRegularAndEdgesEven) {
+  const auto shape_with = [](double isotropy, double valence_weight) {
+    DoubleMesh mesh = open_mesh<DoubleMesh>(noisy_torus(64, 32, 1, 0.4, 0.02, 3));
+    PairDecimaterT<DoubleMesh> decimater(mesh);
+    add_cost(decimater, {Cost::quadric, {}, isotropy, valence_weight});
+    EXPECT_TRUE(decimater.initialize());
+    decimater.decimate_to_faces(0, 500);
+    EXPECT_EQ(decimater.last_driver(), Driver::engine);
+    return shape_of(mesh);
+  };
+  const Shape plain = shape_with(0, 0);
+  const Shape regular = shape_with(0, 1);
+  EXPECT_GT(plain.n_irregular, 20);
+  EXPECT_LT(regular.n_irregular, plain.n_irregular / 2);
+  EXPECT_EQ(regular.n_three, 0);
+  const Shape half = shape_with(0.5, 0);
+  const Shape even = shape_with(1, 0);
+  EXPECT_LT(half.length_variation, 0.9 * plain.length_variation);
+  EXPECT_LT(even.length_variation, 0.9 * half.length_variation);
+}
+
+class CostsInParts : public testing::TestWithParam<NamedCost> {};
+INSTANTIATE_TEST_SUITE_P(Costs, CostsInParts, testing::ValuesIn(named_costs()),
+                         [](const auto& test) { return test.param.name; });
+
+TEST_P(CostsInParts, TwoRunsAreOneWhicheverDriverMakesTheFirst) {
+  const IndexedMesh shape = moved(terrain(12, 4), Vec3(500, -70, 90));
+  const auto contractions = [&](Driver first_driver, std::size_t n_first) {
+    DoubleMesh mesh = open_mesh<DoubleMesh>(shape);
+    PairDecimaterT<DoubleMesh> decimater(mesh);
+    add_cost(decimater, GetParam().options);
+    std::vector<Contraction> result;
+    decimater.set_listener([&](const Contraction& made) { result.push_back(made); });
+    EXPECT_TRUE(decimater.initialize());
+    decimater.set_driver(first_driver);
+    decimater.decimate(n_first);
+    decimater.set_driver(Driver::mesh);
+    if (n_first < 100) decimater.decimate(100 - n_first);
+    return result;
+  };
+  const std::vector<Contraction> at_once = contractions(Driver::mesh, 100);
+  EXPECT_EQ(at_once.size(), 100U);
+  expect_same_contractions(at_once, contractions(Driver::mesh, 40), "mesh driver twice");
+  expect_same_contractions(at_once, contractions(Driver::engine, 40), "engine, then mesh driver");
+}
+
+}  // namespace
+}  // namespace whittle::test
