@@ -1,20 +1,68 @@
 #include "openmesh_engine.hh"
 
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "double_mesh.hh"
 #include "errors.hh"
+#include "whittle/engine/feature_edges.hh"
 #include "whittle/openmesh/conversions.hh"
+#include "whittle/openmesh/feature_bits.hh"
 #include "whittle/openmesh/mod_flip_guard.hh"
 #include "whittle/openmesh/mod_garland_heckbert.hh"
+#include "whittle/openmesh/mod_lindstrom_turk.hh"
+#include "whittle/openmesh/mod_midpoint.hh"
+#include "whittle/openmesh/mod_radius_ratio.hh"
 
 namespace whittle::app {
 namespace {
 
-using CostModule = ModGarlandHeckbertT<DoubleMesh>;
+using StockDecimater = OpenMesh::Decimater::DecimaterT<DoubleMesh>;
+using CostModule = PlacingModuleT<DoubleMesh>;
+
+template <class ModuleT>
+ModuleT& add_module(StockDecimater& decimater) {
+  typename ModuleT::Handle handle;
+  decimater.add(handle);
+  return decimater.module(handle);
+}
+
+CostModule& add_plain_cost(StockDecimater& decimater, const DecimateOptions& options) {
+  switch (options.cost) {
+    case Cost::lindstrom_turk:
+      return add_module<ModLindstromTurkT<DoubleMesh>>(decimater);
+    case Cost::midpoint:
+      return add_module<ModMidpointT<DoubleMesh>>(decimater);
+    case Cost::quadric:
+      break;
+  }
+  auto& module = add_module<ModGarlandHeckbertT<DoubleMesh>>(decimater);
+  QuadricOptions quadric = options.quadric;
+  if (options.boundary == Boundary::free) quadric.boundary_weight = 0;
+  module.set_options(quadric);
+  module.set_isotropy(options.isotropy);
+  return module;
+}
+
+CostModule& add_cost(StockDecimater& decimater, const DecimateOptions& options) {
+  CostModule& cost = add_plain_cost(decimater, options);
+  cost.set_valence_weight(options.valence_weight);
+  return cost;
+}
+
+void add_guards(StockDecimater& decimater, const CostModule& cost, const DecimateOptions& options) {
+  auto& flip_guard = add_module<ModFlipGuardT<DoubleMesh>>(decimater);
+  flip_guard.set_max_normal_flip_deg(options.max_normal_flip_deg);
+  flip_guard.set_cost_module(&cost);
+  if (options.min_radius_ratio == 0) return;
+  auto& radius_guard = add_module<ModRadiusRatioT<DoubleMesh>>(decimater);
+  radius_guard.set_min_radius_ratio(options.min_radius_ratio);
+  radius_guard.set_cost_module(&cost);
+}
 
 /// Refuses nothing; notes where vertices went and what it cost.
 template <class MeshT>
@@ -67,6 +115,35 @@ void lock_border(DoubleMesh& mesh) {
   }
 }
 
+/// Whether the line of the two feature edges at v turns further than the angle.
+bool line_turns(const DoubleMesh& mesh, OpenMesh::VertexHandle v, double angle_deg) {
+  std::vector<Vec3> ways;  // from v
+  for (const auto h : mesh.voh_range(v)) {
+    if (mesh.status(mesh.edge_handle(h)).feature()) ways.push_back(to_vec3(mesh.calc_edge_vector(h)));
+  }
+  const double least_cosine = std::cos(angle_deg * std::numbers::pi / 180);
+  return -ways[0].dot(ways[1]) < least_cosine * ways[0].norm() * ways[1].norm();
+}
+
+/// OpenMesh's decimaters collapse a vertex with the feature bit along feature edges only. Where lines meet, end or
+/// turn, the vertex is locked.
+void mark_features(DoubleMesh& mesh, const IndexedMesh& input, const DecimateOptions& options) {
+  std::vector<VertexPair> edges;
+  if (options.feature_angle_deg < 180) edges = feature_edges(input, options.feature_angle_deg);
+  edges.insert(edges.end(), options.feature_edges.begin(), options.feature_edges.end());
+  for (const auto& [a, b] : edges) {
+    const auto handle = [](Index v) { return OpenMesh::VertexHandle(static_cast<int>(v)); };
+    const OpenMesh::HalfedgeHandle h = mesh.find_halfedge(handle(a), handle(b));
+    if (h.is_valid()) mesh.status(mesh.edge_handle(h)).set_feature(true);
+  }
+  for (const auto v : mesh.vertices()) {
+    const int n = count_feature_edges(mesh, v);
+    const bool is_on_line = n == 2 && !line_turns(mesh, v, options.feature_angle_deg);
+    mesh.status(v).set_feature(is_on_line);
+    if (n > 0 && !is_on_line) mesh.status(v).set_locked(true);
+  }
+}
+
 Progress progress_after(std::size_t n_collapses, const IndexedMesh& input, const DecimateTarget& target) {
   // A collapse takes two faces, except at borders.
   const std::size_t n_faces = input.faces.size() - std::min(input.faces.size(), 2 * n_collapses);
@@ -112,20 +189,13 @@ Decimation decimate_in_openmesh(const IndexedMesh& input, const std::string& nam
   fill(mesh, input, name);
   const HeldStatus status(mesh);
   if (options.boundary == Boundary::locked) lock_border(mesh);
+  mark_features(mesh, input, options);
 
-  OpenMesh::Decimater::DecimaterT<DoubleMesh> decimater(mesh);
-  CostModule::Handle cost;
-  ModFlipGuardT<DoubleMesh>::Handle guard;
-  CollapseLog::Handle log;
-  decimater.add(cost);
-  decimater.add(guard);
-  decimater.add(log);
-  QuadricOptions quadric = options.quadric;
-  if (options.boundary == Boundary::free) quadric.boundary_weight = 0;
-  decimater.module(cost).set_options(quadric);
-  decimater.module(guard).set_max_normal_flip_deg(options.max_normal_flip_deg);
-  decimater.module(guard).set_cost_module(&decimater.module(cost));
-  decimater.module(log).set_cost_module(decimater.module(cost));
+  StockDecimater decimater(mesh);
+  const CostModule& cost = add_cost(decimater, options);
+  add_guards(decimater, cost, options);
+  auto& log = add_module<CollapseLog>(decimater);
+  log.set_cost_module(cost);
 
   bool cancelled = false;
   ContractionObserver observer([&](std::size_t n_collapses) {
@@ -136,11 +206,11 @@ Decimation decimate_in_openmesh(const IndexedMesh& input, const std::string& nam
   decimater.initialize();
   decimater.decimate_to_faces(target.vertices.value_or(0), target.faces.value_or(0));
 
-  Decimation out = extract(mesh, input, decimater.module(log));
-  out.result.n_contractions = decimater.module(log).n_collapses();
+  Decimation out = extract(mesh, input, log);
+  out.result.n_contractions = log.n_collapses();
   out.result.n_vertices = out.mesh.positions.size();
   out.result.n_faces = out.mesh.faces.size();
-  out.result.max_cost = decimater.module(log).max_cost();
+  out.result.max_cost = log.max_cost();
   out.result.stop = cancelled ? StopReason::cancelled : stop_reason(out.result, target);
   return out;
 }
