@@ -23,16 +23,21 @@ constexpr std::array<Choice<Topology>, 2> topologies{{{"keep", Topology::keep}, 
 constexpr std::array<Choice<Engine>, 2> engines{{{"flat", Engine::flat}, {"openmesh", Engine::openmesh}}};
 
 constexpr char no_pairs_why[] = "OpenMesh's decimater contracts edges alone";
-constexpr char quadrics_alone_why[] = "the cost has no quadrics";
+constexpr char no_quadrics_why[] = "the cost has no quadrics";
+constexpr char own_placement_why[] = "the cost has a placement of its own";
 constexpr char edges_alone_why[] = "vertices that no edge joins go with plain quadrics alone";
 constexpr char not_in_openmesh_why[] = "only Whittle's own loop does that";
-constexpr std::array<Conflict, 25> conflicts{
-    {{"--weights", "--cost lindstrom-turk", quadrics_alone_why},
-     {"--weights", "--cost midpoint", quadrics_alone_why},
-     {"--placement", "--cost lindstrom-turk", "the cost has a placement of its own"},
-     {"--placement", "--cost midpoint", "the cost has a placement of its own"},
+constexpr std::array<Conflict, 29> conflicts{
+    {{"--weights uniform", "--cost lindstrom-turk", no_quadrics_why},
+     {"--weights area-angle", "--cost lindstrom-turk", no_quadrics_why},
+     {"--placement midpoint", "--cost lindstrom-turk", own_placement_why},
+     {"--placement endpoint", "--cost lindstrom-turk", own_placement_why},
+     {"--weights uniform", "--cost midpoint", no_quadrics_why},
+     {"--weights area-angle", "--cost midpoint", no_quadrics_why},
+     {"--placement midpoint", "--cost midpoint", own_placement_why},
+     {"--placement endpoint", "--cost midpoint", own_placement_why},
      {"--boundary-weight", "--cost lindstrom-turk", "the cost has a term of its own for borders"},
-     {"--boundary-weight", "--cost midpoint", quadrics_alone_why},
+     {"--boundary-weight", "--cost midpoint", no_quadrics_why},
      {"--isotropic", "--cost lindstrom-turk", "it blends quadrics with the length of edges"},
      {"--isotropic", "--cost midpoint", "it blends quadrics with the length of edges"},
      {"--threshold", "--cost lindstrom-turk", edges_alone_why},

@@ -7,32 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "program.hh"
+#include "simplified.hh"
 #include "whittle/io/read.hh"
 
 namespace whittle::test {
 namespace {
-
-/// A run that is expected to succeed: its report and its result.
-struct Simplified {
-  Outcome outcome;
-  nlohmann::json report;
-  IndexedMesh mesh;
-};
-
-Simplified simplify(const std::string& input, const std::vector<std::string>& more) {
-  const TemporaryFolder folder;
-  std::vector<std::string> arguments{"simplify", input, "-o", folder / "out.ply", "--json", "-"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  Simplified result;
-  result.outcome = whittle(arguments);
-  EXPECT_EQ(result.outcome.exit_code, 0) << result.outcome;
-  result.report = parse_json(result.outcome.out);
-  result.mesh = io::read_mesh(folder / "out.ply", {.weld = false}).mesh;
-  EXPECT_EQ(result.report["output"]["faces"], result.mesh.faces.size());
-  EXPECT_EQ(result.report["output"]["vertices"], result.mesh.positions.size());
-  return result;
-}
 
 std::size_t n_faces(const Simplified& result) { return result.mesh.faces.size(); }
 std::size_t n_vertices(const Simplified& result) { return result.mesh.positions.size(); }

@@ -45,7 +45,7 @@ struct QuadricOptions {
 
   /// Weight of the planes through border edges, times the squared edge length (times 1 with uniform weights).
   /// [0, inf); 0 = borders are free.
-  double boundary_weight = 10;
+  double boundary_weight = 20;
 
   /// w of the point quadrics that hold a vertex in place once a threshold pair has joined it to another: w W |x − p|²
   /// for each vertex merged, W the weight of its faces' planes, p where it was. [0, inf).

@@ -1,0 +1,109 @@
+// What the costs and guards of `simplify` do to a result.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "simplified.hh"
+#include "whittle/engine/radius_ratio.hh"
+#include "whittle/io/read.hh"
+#include "whittle/metrics/distance.hh"
+#include "whittle/metrics/line_distance.hh"
+#include "whittle/metrics/lines.hh"
+#include "whittle/metrics/shape.hh"
+
+namespace whittle::test {
+namespace {
+
+double mean_error(const std::string& input, const IndexedMesh& result) {
+  metrics::DistanceOptions options;
+  options.samples = 50000;
+  return metrics::surface_distance(io::read_mesh(input).mesh, result, options).mean;
+}
+
+Simplified with(const std::string& mesh, const std::string& ratio, std::vector<std::string> more) {
+  more.insert(more.begin(), {"--ratio", ratio});
+  return simplify(mesh, more);
+}
+
+TEST(SimplifyCosts, LindstromTurkIsMoreAccurate) {
+  const std::string knot = data_file("knot.ply");
+  const double plain = mean_error(knot, with(knot, "5%", {}).mesh);
+  const Simplified exact = with(knot, "5%", {"--cost", "lindstrom-turk"});
+  const Simplified approximate = with(knot, "5%", {"--cost", "lindstrom-turk", "--order", "approximate"});
+  EXPECT_EQ(exact.report["options"]["cost"], "lindstrom-turk");
+  EXPECT_EQ(exact.report["options"]["max_normal_flip_deg"], 110);
+  EXPECT_EQ(approximate.report["options"]["order"], "approximate");
+  EXPECT_LT(mean_error(knot, exact.mesh), 0.9 * plain);
+  EXPECT_LT(mean_error(knot, approximate.mesh), 0.95 * plain);
+  EXPECT_EQ(exact.report["output"]["closed"], true);
+  EXPECT_EQ(exact.report["output"]["genus"], 1);
+}
+
+TEST(SimplifyCosts, ValencePenaltyMakesValencesRegular) {
+  const std::string blob = data_file("blob.obj");
+  const auto plain = metrics::shape(with(blob, "10%", {}).mesh).valence;
+  const auto regular = metrics::shape(with(blob, "10%", {"--valence", "0.5"}).mesh).valence;
+  EXPECT_LT(plain.share_5_to_7, 0.95);
+  EXPECT_GT(regular.share_5_to_7, 0.97);
+  EXPECT_GT(regular.min, 3U);
+}
+
+TEST(SimplifyCosts, SaysWhereThreeEdgesAreLeft) {
+  const Simplified cubes = with(data_file("cubes.obj"), "50%", {"--valence", "1"});
+  ASSERT_EQ(cubes.report["warnings"].size(), 1U) << "each cube has become a tetrahedron";
+  EXPECT_NE(cubes.report["warnings"][0].get<std::string>().find("three edges"), std::string::npos);
+}
+
+TEST(SimplifyCosts, IsotropyMakesEdgesEven) {
+  const std::string blob = data_file("blob.obj");
+  double last = 1;
+  for (const char* weight : {"0", "0.5", "1"}) {
+    const Simplified result = with(blob, "10%", {"--isotropic", weight});
+    const double variation = metrics::shape(result.mesh).edge_length_cv;
+    EXPECT_LT(variation, 0.95 * last) << weight;
+    last = variation;
+  }
+  EXPECT_LT(last, 0.22);
+  const Simplified midpoint = with(blob, "10%", {"--cost", "midpoint"});
+  EXPECT_LT(metrics::shape(midpoint.mesh).edge_length_cv, 0.22);
+}
+
+TEST(SimplifyCosts, FeatureLinesStayWhereTheyWere) {
+  const std::string bracket = data_file("bracket.stl");
+  const IndexedMesh input = io::read_mesh(bracket).mesh;
+  for (const char* cost : {"quadric", "lindstrom-turk", "midpoint"}) {
+    const Simplified result = with(bracket, "20%", {"--feature-angle", "40", "--cost", cost});
+    const auto distance =
+        metrics::line_distance(metrics::feature_lines(input, 40), metrics::feature_lines(result.mesh, 40), {});
+    ASSERT_TRUE(distance) << cost;
+    const double diagonal = result.report["input"]["diagonal"].get<double>();
+    EXPECT_LE(distance->max, 5.1e-4 * diagonal) << cost << ": both ways, with the rounding of STL";
+  }
+  const Simplified loose = with(bracket, "5%", {"--feature-angle", "40", "--feature-tolerance", "5%"});
+  const Simplified tight = with(bracket, "5%", {"--feature-angle", "40", "--feature-tolerance", "0"});
+  EXPECT_LT(loose.mesh.faces.size(), tight.mesh.faces.size());
+  EXPECT_EQ(tight.report["target"]["met"], false);
+  EXPECT_GT(tight.report["rejections"]["feature"], 0);
+}
+
+TEST(SimplifyCosts, FacesGetNoThinnerThanAllowed) {
+  const auto least = [](const IndexedMesh& mesh) {
+    double ratio = 1;
+    for (const auto& [a, b, c] : mesh.faces) {
+      ratio = std::min(ratio, radius_ratio(mesh.positions[a], mesh.positions[b], mesh.positions[c]));
+    }
+    return ratio;
+  };
+  const std::string blob = data_file("blob.obj");
+  const double limit = 0.4;
+  ASSERT_GT(least(io::read_mesh(blob).mesh), limit);
+  EXPECT_LT(least(with(blob, "10%", {}).mesh), limit);
+  const Simplified guarded = with(blob, "10%", {"--min-radius-ratio", "0.4"});
+  EXPECT_GE(least(guarded.mesh), limit - 1e-6) << "but for the rounding of PLY";
+  EXPECT_GT(guarded.report["rejections"]["shape"], 0);
+}
+
+}  // namespace
+}  // namespace whittle::test
