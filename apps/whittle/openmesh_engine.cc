@@ -9,9 +9,7 @@
 
 #include "double_mesh.hh"
 #include "errors.hh"
-#include "whittle/engine/feature_edges.hh"
 #include "whittle/openmesh/conversions.hh"
-#include "whittle/openmesh/feature_bits.hh"
 #include "whittle/openmesh/mod_flip_guard.hh"
 #include "whittle/openmesh/mod_garland_heckbert.hh"
 #include "whittle/openmesh/mod_lindstrom_turk.hh"
@@ -115,35 +113,6 @@ void lock_border(DoubleMesh& mesh) {
   }
 }
 
-/// Whether the line of the two feature edges at v turns further than the angle.
-bool line_turns(const DoubleMesh& mesh, OpenMesh::VertexHandle v, double angle_deg) {
-  std::vector<Vec3> ways;  // from v
-  for (const auto h : mesh.voh_range(v)) {
-    if (mesh.status(mesh.edge_handle(h)).feature()) ways.push_back(to_vec3(mesh.calc_edge_vector(h)));
-  }
-  const double least_cosine = std::cos(angle_deg * std::numbers::pi / 180);
-  return -ways[0].dot(ways[1]) < least_cosine * ways[0].norm() * ways[1].norm();
-}
-
-/// OpenMesh's decimaters collapse a vertex with the feature bit along feature edges only. Where lines meet, end or
-/// turn, the vertex is locked.
-void mark_features(DoubleMesh& mesh, const IndexedMesh& input, const DecimateOptions& options) {
-  std::vector<VertexPair> edges;
-  if (options.feature_angle_deg < 180) edges = feature_edges(input, options.feature_angle_deg);
-  edges.insert(edges.end(), options.feature_edges.begin(), options.feature_edges.end());
-  for (const auto& [a, b] : edges) {
-    const auto handle = [](Index v) { return OpenMesh::VertexHandle(static_cast<int>(v)); };
-    const OpenMesh::HalfedgeHandle h = mesh.find_halfedge(handle(a), handle(b));
-    if (h.is_valid()) mesh.status(mesh.edge_handle(h)).set_feature(true);
-  }
-  for (const auto v : mesh.vertices()) {
-    const int n = count_feature_edges(mesh, v);
-    const bool is_on_line = n == 2 && !line_turns(mesh, v, options.feature_angle_deg);
-    mesh.status(v).set_feature(is_on_line);
-    if (n > 0 && !is_on_line) mesh.status(v).set_locked(true);
-  }
-}
-
 Progress progress_after(std::size_t n_collapses, const IndexedMesh& input, const DecimateTarget& target) {
   // A collapse takes two faces, except at borders.
   const std::size_t n_faces = input.faces.size() - std::min(input.faces.size(), 2 * n_collapses);
@@ -189,7 +158,6 @@ Decimation decimate_in_openmesh(const IndexedMesh& input, const std::string& nam
   fill(mesh, input, name);
   const HeldStatus status(mesh);
   if (options.boundary == Boundary::locked) lock_border(mesh);
-  mark_features(mesh, input, options);
 
   StockDecimater decimater(mesh);
   const CostModule& cost = add_cost(decimater, options);

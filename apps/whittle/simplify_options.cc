@@ -27,7 +27,7 @@ constexpr char no_quadrics_why[] = "the cost has no quadrics";
 constexpr char own_placement_why[] = "the cost has a placement of its own";
 constexpr char edges_alone_why[] = "vertices that no edge joins go with plain quadrics alone";
 constexpr char not_in_openmesh_why[] = "only Whittle's own loop does that";
-constexpr std::array<Conflict, 29> conflicts{
+constexpr std::array<Conflict, 25> conflicts{
     {{"--weights uniform", "--cost lindstrom-turk", no_quadrics_why},
      {"--weights area-angle", "--cost lindstrom-turk", no_quadrics_why},
      {"--placement midpoint", "--cost lindstrom-turk", own_placement_why},
@@ -45,10 +45,6 @@ constexpr std::array<Conflict, 29> conflicts{
      {"--threshold", "--isotropic", edges_alone_why},
      {"--threshold", "--valence", edges_alone_why},
      {"--boundary-weight", "--boundary free", "nothing holds borders that are free"},
-     {"--cost lindstrom-turk", "--engine openmesh", not_in_openmesh_why},
-     {"--cost midpoint", "--engine openmesh", not_in_openmesh_why},
-     {"--valence", "--engine openmesh", not_in_openmesh_why},
-     {"--isotropic", "--engine openmesh", not_in_openmesh_why},
      {"--feature-angle", "--engine openmesh", not_in_openmesh_why},
      {"--min-radius-ratio", "--engine openmesh", not_in_openmesh_why},
      {"--order approximate", "--engine openmesh", not_in_openmesh_why},

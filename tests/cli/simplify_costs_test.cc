@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -103,6 +104,41 @@ TEST(SimplifyCosts, FacesGetNoThinnerThanAllowed) {
   const Simplified guarded = with(blob, "10%", {"--min-radius-ratio", "0.4"});
   EXPECT_GE(least(guarded.mesh), limit - 1e-6) << "but for the rounding of PLY";
   EXPECT_GT(guarded.report["rejections"]["shape"], 0);
+}
+
+TEST(SimplifyCosts, WorkInOpenMeshToo) {
+  const std::string blob = data_file("blob.obj");
+  const auto in_openmesh = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"--engine", "openmesh"});
+    return with(blob, "10%", more).mesh;
+  };
+  const double plain = mean_error(blob, in_openmesh({}));
+  EXPECT_GT(mean_error(blob, in_openmesh({"--cost", "midpoint"})), plain);
+  EXPECT_LT(metrics::shape(in_openmesh({"--isotropic", "1"})).edge_length_cv, 0.25);
+  EXPECT_GT(metrics::shape(in_openmesh({"--valence", "0.5"})).valence.share_5_to_7,
+            metrics::shape(in_openmesh({})).valence.share_5_to_7);
+  EXPECT_EQ(in_openmesh({"--cost", "lindstrom-turk"}).faces.size(), in_openmesh({}).faces.size());
+}
+
+TEST(SimplifyCosts, LockedBordersKeepEveryBit) {
+  const std::string terrain = data_file("terrain.ply");
+  const auto border = [](const IndexedMesh& mesh) {
+    std::vector<std::array<double, 6>> ends;
+    for (const auto& [from, to] : metrics::border_lines(mesh)) {
+      ends.push_back({from.x(), from.y(), from.z(), to.x(), to.y(), to.z()});
+    }
+    std::sort(ends.begin(), ends.end());
+    return ends;
+  };
+  const auto before = border(io::read_mesh(terrain).mesh);
+  for (const std::vector<std::string>& cost : {std::vector<std::string>{"--cost", "quadric"},
+                                               {"--cost", "lindstrom-turk"},
+                                               {"--cost", "midpoint"},
+                                               {"--isotropic", "0.5", "--valence", "0.5"}}) {
+    std::vector<std::string> options = cost;
+    options.insert(options.end(), {"--boundary", "locked"});
+    EXPECT_EQ(border(with(terrain, "20%", options).mesh), before) << cost[1];
+  }
 }
 
 }  // namespace

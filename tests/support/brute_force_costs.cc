@@ -111,9 +111,7 @@ NeighbourSums SurfaceNow::neighbours_of(Index a, Index b) const {
 PairEvaluation SurfaceNow::lindstrom_turk(Index a, Index b, Pinned pinned) const {
   LindstromTurk term(volume_of(a, b), border_of(a, b), Vec3::Zero(), positions_[b] - positions_[a]);
   if (!term.is_determined()) term.add_neighbours(neighbours_of(a, b));
-  PairEvaluation evaluation = term.evaluate(pinned);
-  evaluation.position += positions_[a];
-  return evaluation;
+  return in_frame(term.evaluate(pinned), positions_[a], positions_[b]);
 }
 
 /// The merged vertex has the edges of both, but for the one between them, once where they are of one face.

@@ -24,6 +24,7 @@ void check(const DecimateTarget& target, const DecimateOptions& options, std::si
   require(options.max_normal_flip_deg > 0 && options.max_normal_flip_deg <= 180,
           "max_normal_flip_deg is not in (0, 180]");
   require(options.feature_angle_deg > 0 && options.feature_angle_deg <= 180, "feature_angle_deg is not in (0, 180]");
+  require(options.feature_tolerance >= 0, "feature_tolerance is negative or not a number");
   require(options.isotropy >= 0 && options.isotropy <= 1, "isotropy is not in [0, 1]");
   require(is_finite_and_not_negative(options.valence_weight), "valence_weight is negative or not finite");
   require(options.min_radius_ratio >= 0 && options.min_radius_ratio <= 1, "min_radius_ratio is not in [0, 1]");

@@ -159,9 +159,8 @@ PairEvaluation LindstromTurkCost::evaluate_one(const Pair& pair) const {
   const Vec3& origin = complex_.position(pair.a);
   LindstromTurk term(volume_of(pair), border_of(pair), Vec3::Zero(), complex_.position(pair.b) - origin);
   if (!term.is_determined()) term.add_neighbours(neighbours_of(pair));
-  PairEvaluation evaluation = term.evaluate(restraints_.pinned(pair).value_or(Pinned::first));
-  evaluation.position += origin;
-  return evaluation;
+  const PairEvaluation evaluation = term.evaluate(restraints_.pinned(pair).value_or(Pinned::first));
+  return in_frame(evaluation, origin, complex_.position(pair.b));
 }
 
 /// Of the planes of the second vertex's faces, those of faces with the first one pass through the origin, too.

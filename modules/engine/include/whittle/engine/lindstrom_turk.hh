@@ -109,4 +109,12 @@ class LindstromTurk {
   PointConstraints constraints_;
 };
 
+/// An evaluation whose sums are about the first vertex, with its position in the frame: to the bit that of the second
+/// one where v̄ is there.
+inline PairEvaluation in_frame(PairEvaluation evaluation, const Vec3& first, const Vec3& second) {
+  const bool is_second = evaluation.position == second - first;
+  evaluation.position = is_second ? second : Vec3(first + evaluation.position);
+  return evaluation;
+}
+
 }  // namespace whittle

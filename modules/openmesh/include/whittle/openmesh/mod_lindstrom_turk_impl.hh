@@ -13,9 +13,7 @@ PairEvaluation ModLindstromTurkT<MeshT>::evaluate_plain(VertexHandle first, Vert
   const Vec3 origin = this->position(first);
   LindstromTurk term(volume_of(first, second), border_of(first, second), Vec3::Zero(), this->position(second) - origin);
   if (!term.is_determined()) term.add_neighbours(neighbours_of(first, second));
-  PairEvaluation evaluation = term.evaluate(pinned);
-  evaluation.position += origin;
-  return evaluation;
+  return in_frame(term.evaluate(pinned), origin, this->position(second));
 }
 
 /// Those of both vertices without the faces that both have. Of the planes of the second vertex's faces, those of these
