@@ -72,7 +72,7 @@ LazyOrder::Parcel& LazyOrder::evaluate(Parcel& parcel) const {
 
 std::optional<Turn> LazyOrder::next() {
   while (const std::optional<Candidate> candidate = next_candidate()) {
-    if (const std::optional<Turn> turn = turn_of(*candidate)) return turn;
+    if (std::optional<Turn> turn = turn_of(*candidate)) return turn;
   }
   return std::nullopt;
 }

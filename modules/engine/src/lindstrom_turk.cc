@@ -1,6 +1,8 @@
 #include "whittle/engine/lindstrom_turk.hh"
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
+#include <utility>
 
 #include "whittle/engine/volume_placement.hh"
 
@@ -12,6 +14,30 @@ Vec3 any_perpendicular(const Vec3& a) {
   const bool x_is_least = size.x() <= size.y() && size.x() <= size.z();
   const Vec3 axis = x_is_least ? Vec3::UnitX() : size.y() <= size.z() ? Vec3::UnitY() : Vec3::UnitZ();
   return a.cross(axis).normalized();
+}
+
+/// Of unit length, in the columns; that in which the matrix is least first.
+Eigen::Matrix3d main_directions(const SymmetricMatrix& m) {
+  Eigen::Matrix3d matrix;
+  matrix << m.xx, m.xy, m.xz, m.xy, m.yy, m.yz, m.xz, m.yz, m.zz;
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix).eigenvectors();
+}
+
+/// Perpendicular to `normal`, of unit length: where the matrix is greatest, and where it is least.
+std::pair<Vec3, Vec3> main_directions_across(const SymmetricMatrix& m, const Vec3& normal) {
+  const Vec3 u = any_perpendicular(normal);
+  const Vec3 v = normal.cross(u);
+  const double half_difference = 0.5 * (u.dot(m * u) - v.dot(m * v));
+  const double mixed = u.dot(m * v);
+  const double radius = std::hypot(half_difference, mixed);
+  // (cos, sin) of the greatest one's angle to u, not of unit length; of two forms the one without cancellation.
+  double along = half_difference >= 0 ? radius + half_difference : mixed;
+  double across = half_difference >= 0 ? mixed : radius - half_difference;
+  const double length = std::hypot(along, across);
+  if (!(length > 0)) return {u, v};  // the same in all directions
+  along /= length;
+  across /= length;
+  return {along * u + across * v, along * v - across * u};
 }
 
 Quadric scaled(const Quadric& q, double s) {
@@ -80,19 +106,18 @@ void PointConstraints::add(const Vec3& a, double b, double noise) {
   ++n_;
 }
 
-/// Q (A x + b) = 0, the rows of Q perpendicular to the constraints taken and to one another.
+/// Q (A x + b) = 0, the rows of Q perpendicular to the constraints taken and to one another: where there is a choice,
+/// along the directions in which A is greatest and least, so that it does not depend on how the mesh is turned.
 void PointConstraints::add_least(const Quadric& quadric) {
   const double noise = constraint_noise_share * quadric.a.trace();
   const auto add_along = [&](const Vec3& way) { add(quadric.a * way, -way.dot(quadric.b), noise); };
   if (n_ == 0) {
-    add_along(Vec3::UnitX());
-    add_along(Vec3::UnitY());
-    add_along(Vec3::UnitZ());
+    const Eigen::Matrix3d directions = main_directions(quadric.a);
+    for (int i = 2; i >= 0; --i) add_along(directions.col(i));
   } else if (n_ == 1) {
-    const Vec3 first = any_perpendicular(rows_[0]);
-    const Vec3 second = rows_[0].cross(first);
-    add_along(first);
-    add_along(second);
+    const auto [greatest, least] = main_directions_across(quadric.a, rows_[0]);
+    add_along(greatest);
+    add_along(least);
   } else if (n_ == 2) {
     add_along(rows_[0].cross(rows_[1]).normalized());
   }

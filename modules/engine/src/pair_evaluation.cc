@@ -9,13 +9,13 @@ PairEvaluation evaluate_at_candidates(const PlacedQuadric& v0, const PlacedQuadr
   const auto at = [&](const Vec3& offset, const Vec3& position) {
     return PairEvaluation{bound, std::max(bound, sum(offset)), position, false};
   };
-  const PairEvaluation first = at(Vec3::Zero(), v0.position);
-  const PairEvaluation second = at(d, v1.position);
+  PairEvaluation first = at(Vec3::Zero(), v0.position);
+  PairEvaluation second = at(d, v1.position);
   if (pinned == Pinned::first) return first;
   if (pinned == Pinned::second) return second;
   const PairEvaluation& better_end = first.cost <= second.cost ? first : second;
   if (placement == Placement::endpoint || pinned == Pinned::either) return better_end;
-  const PairEvaluation middle = at(0.5 * d, 0.5 * (v0.position + v1.position));
+  PairEvaluation middle = at(0.5 * d, 0.5 * (v0.position + v1.position));
   if (placement == Placement::midpoint) return middle;
   return middle.cost <= better_end.cost ? middle : better_end;
 }

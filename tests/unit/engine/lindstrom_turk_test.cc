@@ -273,7 +273,7 @@ TEST(PointConstraints, ParallelToOneTakenAreNot) {
       PointConstraints constraints;
       constraints.add(3 * Vec3::UnitX(), 1, 0);
       constraints.add(5 * sign * turned(angle_deg), 2, 0);
-      EXPECT_EQ(constraints.size(), angle_deg > 1 ? 2 : 1) << angle_deg;
+      EXPECT_EQ(constraints.size(), angle_deg > 1 ? 2U : 1U) << angle_deg;
     }
   }
 }
@@ -285,18 +285,18 @@ TEST(PointConstraints, InThePlaneOfTwoTakenAreNot) {
     constraints.add(turned(10), 2, 0);  // so flat that the cross product is short
     const double elevation = elevation_deg * degree;
     constraints.add(std::cos(elevation) * turned(50) - std::sin(elevation) * Vec3::UnitZ(), 3, 0);
-    EXPECT_EQ(constraints.size(), elevation_deg > 1 ? 3 : 2) << elevation_deg;
+    EXPECT_EQ(constraints.size(), elevation_deg > 1 ? 3U : 2U) << elevation_deg;
   }
 }
 
 TEST(PointConstraints, ShorterThanTheNoiseAreNotTaken) {
   PointConstraints constraints;
   constraints.add(1e-12 * Vec3::UnitX(), 1, 1e-11);
-  EXPECT_EQ(constraints.size(), 0);
+  EXPECT_EQ(constraints.size(), 0U);
   constraints.add(Vec3::Zero(), 0, 0);
-  EXPECT_EQ(constraints.size(), 0);
+  EXPECT_EQ(constraints.size(), 0U);
   constraints.add(1e-10 * Vec3::UnitX(), 1, 1e-11);
-  EXPECT_EQ(constraints.size(), 1);
+  EXPECT_EQ(constraints.size(), 1U);
 }
 
 TEST(PointConstraints, AreFulfilledByTheSolution) {
@@ -308,7 +308,7 @@ TEST(PointConstraints, AreFulfilledByTheSolution) {
       const Vec3 row = Vec3::Unit(axis) + 0.3 * random.uniform_vector(-1, 1);
       constraints.add(row, row.dot(x), 0);
     }
-    ASSERT_EQ(constraints.size(), 3);
+    ASSERT_EQ(constraints.size(), 3U);
     expect_near(constraints.solve(), x, 1e-14);
   }
 }
@@ -321,7 +321,7 @@ TEST(PointConstraints, OfAQuadricGiveItsMinimum) {
     for (int k = 0; k < 3; ++k) a += SymmetricMatrix::outer(random.uniform_vector(-1, 1), 1);
     PointConstraints constraints;
     constraints.add_least({a, -(a * minimum), 0});
-    ASSERT_EQ(constraints.size(), 3);
+    ASSERT_EQ(constraints.size(), 3U);
     expect_near(constraints.solve(), minimum, 1e-12);
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "whittle/engine/pair_evaluation.hh"
 #include "whittle/engine/quadric.hh"
@@ -64,7 +65,7 @@ struct NeighbourSums {
 /// Linear constraints on a point, at most three: rows a · x = b of unit length, independent of one another.
 class PointConstraints {
  public:
-  int size() const { return n_; }
+  std::size_t size() const { return n_; }
 
   /// Takes a · x = b, if a is longer than `noise` and at an angle of at least 1° to what those taken fix.
   void add(const Vec3& a, double b, double noise);
@@ -76,7 +77,7 @@ class PointConstraints {
  private:
   std::array<Vec3, 3> rows_;
   std::array<double, 3> values_{};
-  int n_ = 0;
+  std::size_t n_ = 0;
 };
 
 /// What contracting one edge would cost, and where v̄ would go.
