@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace {
 const std::vector<std::string> subcommands{"simplify", "measure", "info", "compare"};
 
 std::string page(const std::string& subcommand) {
-  return read_text(std::string(WHITTLE_DOCS_DIR) + "/user/" + subcommand + ".md");
+  return read_text(std::filesystem::path(WHITTLE_DOCS_DIR) / "user" / (subcommand + ".md"));
 }
 
 /// "W", "FILE"
