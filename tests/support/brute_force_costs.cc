@@ -44,7 +44,9 @@ SurfaceNow::SurfaceNow(std::span<const Vec3> positions, std::span<const Triangle
   for (Index v = 0; v < vertices_.size(); ++v) {
     Vertex& vertex = vertices_[v];
     std::ranges::sort(vertex.corners);
-    if (auto ring = as_ring(vertex.corners); !ring.empty()) vertex.corners = std::move(ring);
+    auto ring = as_ring(vertex.corners);
+    const bool is_ring = !ring.empty();
+    if (is_ring) vertex.corners = std::move(ring);
     const Link link = link_of(v, faces_at[v]);
     vertex.on_border = link.vertices.contains(invalid_index);
     vertex.neighbours.assign(link.vertices.begin(), link.vertices.end());
@@ -53,7 +55,10 @@ SurfaceNow::SurfaceNow(std::span<const Vec3> positions, std::span<const Triangle
       const Vec3 normal = (positions[x] - positions[v]).cross(positions[y] - positions[v]);
       vertex.volume.normal += normal;
       vertex.volume.squares.a += SymmetricMatrix::outer(normal, 1);
+      if (is_ring) vertex.link.add(positions[y] - positions[v]);
     }
+    if (is_ring) continue;
+    for (const Index w : vertex.neighbours) vertex.link.add(positions[w] - positions[v]);
   }
 }
 
@@ -98,13 +103,16 @@ BorderSums SurfaceNow::border_of(Index a, Index b) const {
   return sums;
 }
 
+/// Those of a, then of b, without each other and the corners of common faces.
 NeighbourSums SurfaceNow::neighbours_of(Index a, Index b) const {
-  std::set<Index> neighbours;
-  for (const Index v : {a, b}) neighbours.insert(vertices_[v].neighbours.begin(), vertices_[v].neighbours.end());
-  neighbours.erase(a);
-  neighbours.erase(b);
-  NeighbourSums sums;
-  for (const Index v : neighbours) sums.add(positions_[v] - positions_[a]);
+  const Vec3 d = positions_[b] - positions_[a];
+  std::set<Index> corners;
+  for (const Third& third : common_faces(a, b)) corners.insert(third.corner);
+  NeighbourSums sums = vertices_[a].link;
+  sums += vertices_[b].link.about(-d);
+  sums.remove(d);
+  sums.remove(Vec3::Zero());
+  for (const Index c : corners) sums.remove(positions_[c] - positions_[a]);
   return sums;
 }
 

@@ -33,6 +33,7 @@ class SurfaceNow {
   struct Vertex {
     std::vector<OtherCorners> corners;  ///< of a ring from the lowest number on, of anything else sorted
     VolumeSums volume;                  ///< about the vertex
+    NeighbourSums link;                 ///< about the vertex; of a ring in the order of `corners`, else ascending
     std::vector<Index> neighbours;      ///< ascending
     bool on_border = false;             ///< its faces are not one closed fan
   };

@@ -38,28 +38,61 @@ inline void order_as_ring(std::vector<OtherCorners>& corners) {
   if (ring.size() == corners.size()) corners = std::move(ring);
 }
 
+/// Those of the faces at an irregular vertex, in the order in which they are walked over.
+inline std::vector<OtherCorners> ordered_corners(const TriangleComplex& complex, Index v) {
+  std::vector<OtherCorners> corners = sorted_corners(complex, v);
+  if (complex.order(v) == VertexOrder::regular && !corners.empty()) order_as_ring(corners);
+  return corners;
+}
+
+/// Where the lowest original number of a ring is.
+inline std::size_t lowest_place(const TriangleComplex& complex, std::span<const Spoke> ring) {
+  std::size_t place = 0;
+  Index lowest = complex.origin(ring[0].vertex);
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    const Index origin = complex.origin(ring[i].vertex);
+    const bool is_lower = origin < lowest;
+    place = is_lower ? i : place;
+    lowest = is_lower ? origin : lowest;
+  }
+  return place;
+}
+
 /// Calls `use(x, y)` for each face (v, x, y): of a ring counter-clockwise from its lowest original number on.
 template <class Use>
 void for_each_face(const TriangleComplex& complex, Index v, const Use& use) {
   if (!complex.is_ring(v)) {
-    std::vector<OtherCorners> corners = sorted_corners(complex, v);
-    if (complex.order(v) == VertexOrder::regular && !corners.empty()) order_as_ring(corners);
-    for (const auto& [x, y] : corners) use(x, y);
+    for (const auto& [x, y] : ordered_corners(complex, v)) use(x, y);
     return;
   }
   const std::span<const Spoke> ring = complex.neighbours(v);
   if (ring.empty()) return;
-  const auto origin_of = [&](const Spoke& spoke) { return complex.origin(spoke.vertex); };
-  std::size_t first = 0;
-  for (std::size_t i = 1; i < ring.size(); ++i) {
-    if (origin_of(ring[i]) < origin_of(ring[first])) first = i;
-  }
+  const std::size_t first = lowest_place(complex, ring);
   std::size_t i = first;
   do {
     const std::size_t next = i + 1 < ring.size() ? i + 1 : 0;
     use(ring[i].vertex, ring[next].vertex);
     i = next;
   } while (i != first);
+}
+
+/// The neighbours of an irregular vertex, each once: of a ring the corners y of its faces as walked over, else sorted.
+inline std::vector<Index> ordered_neighbours(const TriangleComplex& complex, Index v) {
+  const std::vector<OtherCorners> corners = ordered_corners(complex, v);
+  std::vector<Index> neighbours;
+  bool is_ring = true;
+  Index last = corners.empty() ? invalid_index : corners.back().second;
+  for (const auto& [x, y] : corners) {
+    is_ring = is_ring && x == last;
+    last = y;
+    neighbours.push_back(y);
+  }
+  if (is_ring) return neighbours;
+  for (const auto& [x, y] : corners) neighbours.push_back(x);
+  const auto is_before = [&](Index x, Index y) { return complex.origin(x) < complex.origin(y); };
+  std::sort(neighbours.begin(), neighbours.end(), is_before);
+  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  return neighbours;
 }
 
 /// Calls `use(c, turn)` for each face of v and w by its third corner c; turn is 1 where the face is (v, w, c), −1 where

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "whittle/engine/volume_placement.hh"
-
 namespace whittle {
 namespace {
 
@@ -75,6 +73,22 @@ void VolumeSums::remove(const Vec3& n) {
   squares.a += SymmetricMatrix::outer(n, -1);
 }
 
+NeighbourSums& NeighbourSums::operator+=(const NeighbourSums& other) {
+  position += other.position;
+  n += other.n;
+  return *this;
+}
+
+void NeighbourSums::add(const Vec3& p) {
+  position += p;
+  ++n;
+}
+
+void NeighbourSums::remove(const Vec3& p) {
+  position -= p;
+  --n;
+}
+
 /// |p × q − x × e|² = xᵀ (|e|² I − e eᵀ) x − 2 x · (e × (p × q)) + |p × q|², e = q − p.
 void BorderSums::add(const Vec3& p, const Vec3& q) {
   const Vec3 e = q - p;
@@ -131,17 +145,14 @@ Vec3 PointConstraints::solve() const {
 }
 
 LindstromTurk::LindstromTurk(const VolumeSums& volume, const BorderSums& border, const Vec3& first, const Vec3& second)
-    : objective_(scaled(volume.squares, lindstrom_turk_volume_weight / 36)),
-      trace_(volume.squares.a.trace()),
+    : volume_(volume_lanes(volume)),
+      objective_(scaled(volume.squares, lindstrom_turk_volume_weight / 36)),
       first_(first),
       second_(second) {
   if (border.n_edges == 0) {
-    const VolumePlacement<double> placement =
-        place_by_volume(volume_lanes(volume), point_lanes(first), point_lanes(second));
-    is_placed_by_volume_ = placement.is_determined != 0;
-    position_ = {placement.position.x, placement.position.y, placement.position.z};
-    cost_ = placement.cost;
-    if (is_placed_by_volume_) return;
+    by_volume_ = volume_constraints(volume_);
+    if (by_volume_->has_normal) return;
+    by_volume_.reset();
   }
   constraints_.add(volume.normal, volume.offset, constraint_noise_share * std::sqrt(volume.squares.a.trace()));
   if (border.n_edges > 0) {
@@ -155,13 +166,18 @@ LindstromTurk::LindstromTurk(const VolumeSums& volume, const BorderSums& border,
 }
 
 void LindstromTurk::add_neighbours(const NeighbourSums& neighbours) {
-  constraints_.add_least({SymmetricMatrix::identity(neighbours.n), -neighbours.position, 0});
+  if (by_volume_) {
+    whittle::add_neighbours<double>(*by_volume_, {point_lanes(neighbours.position), static_cast<double>(neighbours.n)});
+    by_volume_->has_second = by_volume_->has_third = true;
+  } else {
+    constraints_.add_least({SymmetricMatrix::identity(neighbours.n), -neighbours.position, 0});
+  }
 }
 
 PairEvaluation LindstromTurk::at(const Vec3& position) const {
   const PointLanes<double> to_first = point_lanes(Vec3(position - first_));
   const PointLanes<double> to_second = point_lanes(Vec3(position - second_));
-  const double spread = spread_cost(trace_, to_first, to_second);
+  const double spread = spread_cost(volume_.trace(), to_first, to_second);
   const double cost = std::max(0.0, objective_(position)) + (lindstrom_turk_volume_weight / 36) * spread;
   return {cost, cost, position, false};
 }
@@ -178,17 +194,24 @@ PairEvaluation LindstromTurk::at_best_candidate() const {
   return middle.cost <= end.cost ? middle : end;
 }
 
+/// Where the constraints put it, if they fix it.
+std::optional<PairEvaluation> LindstromTurk::at_constraints() const {
+  if (!is_determined()) return std::nullopt;
+  if (!by_volume_) return at(constraints_.solve());
+  const auto [x, cost] = place_by_volume(*by_volume_, volume_, point_lanes(first_), point_lanes(second_));
+  return PairEvaluation{cost, cost, {x.x, x.y, x.z}, false};
+}
+
 PairEvaluation LindstromTurk::evaluate(Pinned pinned) const {
   if (pinned == Pinned::first) return at(first_);
   if (pinned == Pinned::second) return at(second_);
   if (pinned == Pinned::either) return at_better_end();
-  if (!is_determined()) return at_best_candidate();
-  const Vec3 position = is_placed_by_volume_ ? position_ : constraints_.solve();
+  const std::optional<PairEvaluation> evaluation = at_constraints();
+  if (!evaluation) return at_best_candidate();
   const Vec3 way = second_ - first_;
-  const Vec3 offset = position - 0.5 * (first_ + second_);
+  const Vec3 offset = evaluation->position - 0.5 * (first_ + second_);
   const bool is_near = dot(offset, offset) <= (max_placement_reach * max_placement_reach) * dot(way, way);
-  if (!is_near) return at_best_candidate();
-  return is_placed_by_volume_ ? PairEvaluation{cost_, cost_, position_, false} : at(position);
+  return is_near ? *evaluation : at_best_candidate();
 }
 
 }  // namespace whittle

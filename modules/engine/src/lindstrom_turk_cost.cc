@@ -1,6 +1,7 @@
 #include "lindstrom_turk_cost.hh"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "face_walk.hh"
@@ -10,25 +11,89 @@
 #include "whittle/engine/volume_placement.hh"
 
 namespace whittle {
+namespace {
+
+/// The coordinates, and the last one again.
+[[gnu::always_inline]] inline Double4 side_by_side(const Vec3& p) { return Double4{p.x(), p.y(), p.z(), p.z()}; }
+
+/// From the second coordinate on.
+[[gnu::always_inline]] inline Double4 turned(const Double4& v) { return __builtin_shufflevector(v, v, 1, 2, 0, 3); }
+
+}  // namespace
+
 LindstromTurkCost::LindstromTurkCost(const TriangleComplex& complex, const Restraints& restraints, unsigned threads)
     : complex_(complex), restraints_(restraints) {
   stars_.resize(complex.n_vertex_slots());
   for_each_range(stars_.size(), threads, [this](std::size_t begin, std::size_t end) {
-    for (auto v = static_cast<Index>(begin); v < end; ++v) stars_[v] = sum_star(v);
+    std::vector<Index> vertices(end - begin);
+    std::iota(vertices.begin(), vertices.end(), static_cast<Index>(begin));
+    sum_around(vertices);
   });
 }
 
-LindstromTurkCost::StarSums LindstromTurkCost::sum_star(Index v) const {
-  SymmetricMatrix squares;
-  PointLanes<double> sum{0, 0, 0};
-  const PointLanes<double> p = point_lanes(complex_.position(v));
+/// Counter-clockwise from the lowest original number on.
+[[gnu::always_inline]] inline void LindstromTurkCost::sum_around_ring(Index v) {
+  const std::span<const Spoke> ring = complex_.neighbours(v);
+  const Double4 p = side_by_side(complex_.position(v));
+  const std::size_t first = lowest_place(complex_, ring);
+  Double4 normal{};
+  Double4 squares{};
+  Double4 products{};  // xz, xy, yz
+  Double4 link{};
+  Double4 to_x = side_by_side(complex_.position(ring[first].vertex)) - p;
+  std::size_t place = first;
+  do {
+    place = place + 1 < ring.size() ? place + 1 : 0;
+    const Double4 to_y = side_by_side(complex_.position(ring[place].vertex)) - p;
+    const Double4 n_from_z = to_x * turned(to_y) - turned(to_x) * to_y;
+    const Double4 n = turned(n_from_z);
+    normal += n;
+    squares += n * n;
+    products += n * n_from_z;
+    link += to_y;
+    to_x = to_y;
+  } while (place != first);
+  stars_[v] = {{squares[0], products[1], products[0], squares[1], products[2], squares[2], normal[0], normal[1],
+                normal[2], p[0], p[1], p[2], link[0], link[1], link[2], static_cast<double>(ring.size())}};
+}
+
+[[gnu::always_inline]] inline void LindstromTurkCost::sum_around_each(std::span<const Index> vertices) {
+  for (const Index v : vertices) {
+    if (complex_.is_ring(v) && complex_.has_faces(v)) {
+      sum_around_ring(v);
+    } else {
+      sum_around_irregular(v);
+    }
+  }
+}
+
+WHITTLE_DOUBLE4 void LindstromTurkCost::sum_around_with_double4(std::span<const Index> vertices) {
+  sum_around_each(vertices);
+}
+
+void LindstromTurkCost::sum_around(std::span<const Index> vertices) {
+  if (has_double4) {
+    sum_around_with_double4(vertices);
+  } else {
+    sum_around_each(vertices);
+  }
+}
+
+void LindstromTurkCost::sum_around_irregular(Index v) {
+  VolumeSums star;
+  NeighbourSums link;
+  const Vec3& p = complex_.position(v);
   for_each_face(complex_, v, [&](Index x, Index y) {
-    const auto n = (point_lanes(complex_.position(x)) - p).cross(point_lanes(complex_.position(y)) - p);
-    sum = {sum.x + n.x, sum.y + n.y, sum.z + n.z};
-    squares += {n.x * n.x, n.x * n.y, n.x * n.z, n.y * n.y, n.y * n.z, n.z * n.z};
+    const Vec3 n = (complex_.position(x) - p).cross(complex_.position(y) - p);
+    star.normal += n;
+    star.squares.a += SymmetricMatrix::outer(n, 1);
   });
-  const auto& [xx, xy, xz, yy, yz, zz] = squares;
-  return {{xx, xy, xz, yy, yz, zz, sum.x, sum.y, sum.z, p.x, p.y, p.z}};
+  for (const Index w : ordered_neighbours(complex_, v)) link.add(complex_.position(w) - p);
+  const auto& [xx, xy, xz, yy, yz, zz] = star.squares.a;
+  const auto& n = star.normal;
+  const auto& [sum, n_neighbours] = link;
+  stars_[v] = {{xx, xy, xz, yy, yz, zz, n.x(), n.y(), n.z(), p.x(), p.y(), p.z(), sum.x(), sum.y(), sum.z(),
+                static_cast<double>(n_neighbours)}};
 }
 
 /// The two corners opposite to an edge inside the surface, by their original numbers.
@@ -43,7 +108,7 @@ bool LindstromTurkCost::find_sides(const Pair& pair, Sides& sides) const {
   const std::span<const Spoke> ring = complex_.neighbours(pair.a);
   std::size_t place = 0;
   while (place < ring.size() && ring[place].vertex != pair.b) ++place;
-  if (place == ring.size()) return false;
+  if (place == ring.size() || ring.size() == 2) return false;
   const Index behind = ring[place == 0 ? ring.size() - 1 : place - 1].vertex;
   const Index ahead = ring[place + 1 == ring.size() ? 0 : place + 1].vertex;
   sides.a = pair.a;
@@ -52,6 +117,27 @@ bool LindstromTurkCost::find_sides(const Pair& pair, Sides& sides) const {
   sides.corners = {select(behind_is_first, behind, ahead), select(behind_is_first, ahead, behind)};
   sides.turn = behind_is_first ? -1 : 1;
   return true;
+}
+
+/// Pairs of a group as seen from their first vertices.
+template <class Real>
+struct LindstromTurkCost::GroupShape {
+  PointLanes<Real> d;  ///< the second vertex
+  std::array<PointLanes<Real>, 2> corners;
+};
+
+/// As the one for a single pair does it, to the bit.
+template <class Real>
+[[gnu::always_inline]] inline NeighbourLanes<Real> LindstromTurkCost::neighbours_of(
+    const std::array<Sides, n_lanes<Real>>& group, const GroupShape<Real>& shape) const {
+  const auto [x_a, y_a, z_a, n_a] =
+      transposed_lanes<Real>([&](std::size_t lane) { return &stars_[group[lane].a].values[12]; });
+  const auto [x_b, y_b, z_b, n_b] =
+      transposed_lanes<Real>([&](std::size_t lane) { return &stars_[group[lane].b].values[12]; });
+  const auto& [d, corners] = shape;
+  const PointLanes<Real> of_b{x_b + n_b * d.x, y_b + n_b * d.y, z_b + n_b * d.z};
+  const PointLanes<Real> of_a{x_a, y_a, z_a};
+  return {of_a + of_b - d - corners[0] - corners[1], n_a + n_b - 4};
 }
 
 /// As `volume_of` and `LindstromTurk` do it, to the bit.
@@ -87,24 +173,22 @@ template <class Real>
                          zz_a + zz_b,
                          {-slope.x, -slope.y, -slope.z},
                          d.dot(slope)};
+  GroupShape<Real> shape{d, {}};
   for (std::size_t side = 0; side < 2; ++side) {
     const auto corner = load([side](const Sides& sides) { return sides.corners[side]; }, 8);
-    const auto cross = d.cross(PointLanes<Real>{corner.second, corner.third, corner.fourth} - origin);
+    shape.corners[side] = PointLanes<Real>{corner.second, corner.third, corner.fourth} - origin;
+    const auto cross = d.cross(shape.corners[side]);
     const Real sign = side == 0 ? turn : -turn;
     const PointLanes<Real> n{sign * cross.x, sign * cross.y, sign * cross.z};
-    sums.normal = sums.normal - n;
-    sums.xx -= n.x * n.x;
-    sums.xy -= n.x * n.y;
-    sums.xz -= n.x * n.z;
-    sums.yy -= n.y * n.y;
-    sums.yz -= n.y * n.z;
-    sums.zz -= n.z * n.z;
+    sums.remove(n);
   }
-  const VolumePlacement<Real> placement = place_by_volume(sums, PointLanes<Real>{}, d);
+  VolumeConstraints<Real> constraints = volume_constraints(sums);
+  if (any(constraints.has_third == 0)) add_neighbours(constraints, neighbours_of(group, shape));
+  const VolumePlacement<Real> placement = place_by_volume(constraints, sums, PointLanes<Real>{}, d);
   const PointLanes<Real> middle{0.5 * d.x, 0.5 * d.y, 0.5 * d.z};
   const PointLanes<Real> offset = placement.position - middle;
   const auto is_near = offset.dot(offset) <= (max_placement_reach * max_placement_reach) * d.dot(d);
-  const auto is_placed = placement.is_determined & is_near;
+  const auto is_placed = constraints.has_normal & is_near;
   for (std::size_t lane = 0; lane < n_lanes<Real>; ++lane) {
     const std::size_t i = group[lane].place;
     if (is_placed[lane] == 0) {
@@ -204,32 +288,18 @@ BorderSums LindstromTurkCost::border_of(const Pair& pair) const {
   return sums;
 }
 
-/// By their original numbers.
 NeighbourSums LindstromTurkCost::neighbours_of(const Pair& pair) const {
-  struct Neighbour {
-    Index origin, vertex;
-  };
-  std::array<Neighbour, 64> few;
-  std::vector<Neighbour> many;
-  const std::array lists{complex_.neighbours(pair.a), complex_.neighbours(pair.b)};
-  std::span<Neighbour> all = few;
-  const std::size_t n_listed = lists[0].size() + lists[1].size();
-  if (n_listed > few.size()) {
-    many.resize(n_listed);
-    all = many;
-  }
-  std::size_t n = 0;
-  for (const std::span<const Spoke>& list : lists) {
-    for (const Spoke& spoke : list) all[n++] = {complex_.origin(spoke.vertex), spoke.vertex};
-  }
-  std::sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n),
-            [](const Neighbour& v, const Neighbour& w) { return v.origin < w.origin; });
-  NeighbourSums sums;
+  const Vec3& origin = complex_.position(pair.a);
+  const Vec3 d = complex_.position(pair.b) - origin;
+  NeighbourSums sums = stars_[pair.a].neighbours();
+  sums += stars_[pair.b].neighbours().about(-d);
+  sums.remove(d);
+  sums.remove(Vec3::Zero());
   Index last = invalid_index;
-  for (const auto& [origin, v] : all.first(n)) {
-    if (v != pair.a && v != pair.b && v != last) sums.add(complex_.position(v) - complex_.position(pair.a));
-    last = v;
-  }
+  for_each_common_face(complex_, pair.a, pair.b, [&](Index c, int) {
+    if (c != last) sums.remove(complex_.position(c) - origin);
+    last = c;
+  });
   return sums;
 }
 
@@ -237,8 +307,6 @@ PlacedQuadric LindstromTurkCost::merged(const Pair&, const PairEvaluation& evalu
   return {evaluation.position, {}};
 }
 
-void LindstromTurkCost::note_contraction(std::span<const Index> changed) {
-  for (const Index v : changed) stars_[v] = sum_star(v);
-}
+void LindstromTurkCost::note_contraction(std::span<const Index> changed) { sum_around(changed); }
 
 }  // namespace whittle

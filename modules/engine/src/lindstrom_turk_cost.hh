@@ -11,8 +11,8 @@
 
 namespace whittle {
 
-/// Lindstrom–Turk (lindstrom_turk.hh). The sums over each vertex's faces are kept, those of a pair are the sums of its
-/// two vertices without the faces that both have: so a pair takes a constant time.
+/// Lindstrom–Turk (lindstrom_turk.hh). The sums over each vertex's faces and over its neighbours are kept, those of a
+/// pair are the sums of its two vertices without the faces that both have: so a pair takes a constant time.
 ///
 /// Every sum has one order, by original vertex numbers.
 class LindstromTurkCost final : public PairCost {
@@ -27,16 +27,20 @@ class LindstromTurkCost final : public PairCost {
   void note_contraction(std::span<const Index> changed) override;
 
  private:
-  /// Sums over the faces at a vertex, about it, where their planes have no offset; and where it is. In the order in
-  /// which lanes load them.
-  struct alignas(32) StarSums {
-    std::array<double, 12> values;  ///< xx, xy, xz, yy, yz, zz of the squares, the normal, the position
+  /// Sums over the faces at a vertex and over its neighbours, about it, where planes have no offset; and where it is.
+  /// In the order in which lanes load them, two cache lines.
+  struct alignas(64) StarSums {
+    /// xx, xy, xz, yy, yz, zz of the squares, the normal, the position; of the neighbours the position and the number
+    std::array<double, 16> values;
 
     SymmetricMatrix squares() const { return {values[0], values[1], values[2], values[3], values[4], values[5]}; }
     Vec3 normal() const { return {values[6], values[7], values[8]}; }
+    NeighbourSums neighbours() const { return {{values[12], values[13], values[14]}, static_cast<int>(values[15])}; }
   };
 
   struct Sides;
+  template <class Real>
+  struct GroupShape;
 
   void evaluate_four_at_once(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const;
   template <class Real>
@@ -44,12 +48,19 @@ class LindstromTurkCost final : public PairCost {
   template <class Real>
   void evaluate_group(const std::array<Sides, n_lanes<Real>>& group, std::span<const Pair> pairs,
                       std::span<PairEvaluation> evaluations) const;
+  template <class Real>
+  NeighbourLanes<Real> neighbours_of(const std::array<Sides, n_lanes<Real>>& group,
+                                     const GroupShape<Real>& shape) const;
   bool find_sides(const Pair& pair, Sides& sides) const;
   PairEvaluation evaluate_one(const Pair& pair) const;
   VolumeSums volume_of(const Pair& pair) const;
   BorderSums border_of(const Pair& pair) const;
   NeighbourSums neighbours_of(const Pair& pair) const;
-  StarSums sum_star(Index v) const;
+  void sum_around(std::span<const Index> vertices);
+  void sum_around_with_double4(std::span<const Index> vertices);
+  void sum_around_each(std::span<const Index> vertices);
+  void sum_around_ring(Index v);
+  void sum_around_irregular(Index v);
 
   const TriangleComplex& complex_;
   const Restraints& restraints_;

@@ -227,14 +227,63 @@ TEST(LindstromTurk, OnAPlaneTheNeighboursPlaceTheVertex) {
   }
 }
 
-/// Along a border that is all but straight two of the constraints are all but parallel: there it counts which
-/// perpendiculars are looked at first, and these turn with nothing.
-TEST(LindstromTurk, DoesNotDependOnThePlaceAndTheUnitNorInsideOnDirections) {
+/// On both sides of the edge y = 0, which the pair lies on, flat: they meet in a ridge.
+Neighbourhood ridge(Random& random) {
+  Neighbourhood n = rough(random, false, 0.1);
+  while (n.neighbours.size() % 2 == 1) n = rough(random, false, 0.1);  // or there is no neighbour at the other end
+  return n.transformed([](const Vec3& p) -> Vec3 {
+    const double y = std::abs(p.y()) < 0.2 ? 0 : p.y();
+    return {p.x(), y, -0.4 * std::abs(y)};
+  });
+}
+
+TEST(LindstromTurk, OnARidgeTheNeighboursPlaceTheVertexAlongIt) {
+  Random random(11);
+  for (int i = 0; i < 50; ++i) {
+    const Neighbourhood here = ridge(random);
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& p : here.neighbours) mean += p / static_cast<double>(here.neighbours.size());
+    const Eigen::AngleAxisd turn(random.uniform(0, 3), random.uniform_vector(-1, 1).normalized());
+    const Neighbourhood n = here.transformed([&](const Vec3& p) -> Vec3 { return turn * p; });
+    const PairEvaluation e = n.evaluate();
+    expect_near(e.position, turn * Vec3(mean.x(), 0, 0), 1e-12);
+    EXPECT_NEAR(e.cost, n.spread(e.position), 1e-15);
+  }
+}
+
+/// From flat to steep: so shallow that the gradients are all but parallel to the normal, the neighbours take their
+/// place one after the other.
+TEST(LindstromTurk, InsideASurfaceFulfilsTheConstraintsInTurn) {
+  Random random(12);
+  std::array<int, 4> n_by_size{};  // by the number of constraints before the neighbours
+  for (int i = 0; i < 1000; ++i) {
+    const double height = std::pow(10, random.uniform(-5, 0));
+    const Neighbourhood n = rough(random, false).transformed([height](const Vec3& p) -> Vec3 {
+      return {p.x(), p.y(), height * p.z()};
+    });
+    const VolumeSums volume = n.volume();
+    PointConstraints constraints;
+    constraints.add(volume.normal, volume.offset, 0);
+    constraints.add_least(volume.squares);
+    ++n_by_size[constraints.size()];
+    NeighbourSums sums;
+    for (const Vec3& p : n.neighbours) sums.add(p);
+    constraints.add_least({SymmetricMatrix::identity(sums.n), -sums.position, 0});
+    ASSERT_EQ(constraints.size(), 3U);
+    const Vec3 expected = constraints.solve();
+    if (expected.norm() > 7) continue;  // 8 is too far
+    const PairEvaluation e = n.evaluate();
+    expect_near(e.position, expected, 1e-8);
+    EXPECT_NEAR(e.cost, n.cost(e.position), 1e-13) << i;
+  }
+  for (const std::size_t size : {1U, 2U, 3U}) EXPECT_GT(n_by_size[size], 20) << size;
+}
+
+TEST(LindstromTurk, DoesNotDependOnPlaceDirectionAndUnit) {
   Random random(6);
   for (int i = 0; i < 100; ++i) {
-    const bool on_border = i % 2 == 0;
-    const Neighbourhood here = rough(random, on_border);
-    const Eigen::AngleAxisd turn(on_border ? 0 : random.uniform(0, 3), random.uniform_vector(-1, 1).normalized());
+    const Neighbourhood here = rough(random, i % 2 == 0);
+    const Eigen::AngleAxisd turn(random.uniform(0, 3), random.uniform_vector(-1, 1).normalized());
     const double unit = std::pow(10, random.uniform(-3, 3));
     const Vec3 offset = random.uniform_vector(-2, 2);
     const auto move = [&](const Vec3& p) -> Vec3 { return unit * (turn * p + offset); };

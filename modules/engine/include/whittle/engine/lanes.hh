@@ -88,6 +88,9 @@ template <class Real>
 struct PointLanes {
   Real x, y, z;
 
+  [[gnu::always_inline]] friend PointLanes operator+(const PointLanes& a, const PointLanes& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
   [[gnu::always_inline]] friend PointLanes operator-(const PointLanes& a, const PointLanes& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
   }

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "whittle/engine/pair_evaluation.hh"
 #include "whittle/engine/quadric.hh"
+#include "whittle/engine/volume_placement.hh"
 
 // Lindstrom–Turk cost and placement of contracting an edge (v0, v1) to v̄, from the faces and border edges at the two
 // vertices as they are now: nothing is remembered. Up to three linear constraints on v̄ are found, in this order, each
@@ -14,7 +16,8 @@
 //   boundary preservation   |Σ A_e(v̄)|² least: so does, as far as can be, the area that the border sweeps, as a vector
 //   volume and boundary     f = λ f_V + (1 − λ) L² f_B least, f_V = Σ V_t(v̄)², f_B = Σ |A_e(v̄)|²
 //   optimisation
-//   triangle shape          Σ |v̄ − p_i|² least, over the neighbours p_i
+//   triangle shape          Σ |v̄ − p_i|² least, over the neighbours p_i of v0 and of v1, once each where both have a
+//                           face with them
 //
 //   cost = f(v̄) and a trace of spread (`lindstrom_turk_regularization`), unit: length⁶
 //
@@ -51,15 +54,17 @@ struct BorderSums {
   void add(const Vec3& p, const Vec3& q);
 };
 
-/// Sums over the neighbours of a pair: where they are.
+/// Sums over neighbours: where they are. Those of a pair are the sums of its two vertices without the two themselves
+/// and without the corners of their common faces, which both have: a constant time.
 struct NeighbourSums {
   Vec3 position = Vec3::Zero();  ///< Σ p
   int n = 0;
 
-  void add(const Vec3& p) {
-    position += p;
-    ++n;
-  }
+  NeighbourSums& operator+=(const NeighbourSums& other);
+  /// The same sums about o + t.
+  NeighbourSums about(const Vec3& t) const { return {position - n * t, n}; }
+  void add(const Vec3& p);
+  void remove(const Vec3& p);
 };
 
 /// Linear constraints on a point, at most three: rows a · x = b of unit length, independent of one another.
@@ -87,7 +92,7 @@ class LindstromTurk {
   LindstromTurk(const VolumeSums& volume, const BorderSums& border, const Vec3& first, const Vec3& second);
 
   /// Whether v̄ is fixed already: `add_neighbours` would change nothing.
-  bool is_determined() const { return is_placed_by_volume_ || constraints_.size() == 3; }
+  bool is_determined() const { return by_volume_ ? by_volume_->has_third : constraints_.size() == 3; }
   /// Takes triangle shape for what is not.
   void add_neighbours(const NeighbourSums& neighbours);
 
@@ -97,16 +102,15 @@ class LindstromTurk {
   PairEvaluation evaluate(Pinned pinned) const;
 
  private:
+  std::optional<PairEvaluation> at_constraints() const;
   PairEvaluation at(const Vec3& position) const;
   PairEvaluation at_better_end() const;
   PairEvaluation at_best_candidate() const;
 
+  VolumeLanes<double> volume_;
   Quadric objective_;  ///< f
-  double trace_;       ///< of the matrix of Σ (6 V_t)²
   Vec3 first_, second_;
-  bool is_placed_by_volume_ = false;  ///< by volume_placement.hh; then `constraints_` is empty
-  Vec3 position_;
-  double cost_ = 0;
+  std::optional<VolumeConstraints<double>> by_volume_;  ///< inside a surface that is one; else there are `constraints_`
   PointConstraints constraints_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -27,7 +28,7 @@ namespace whittle {
 /// priority is the cube root of the cost.
 ///
 /// Sums have the order of the engine: faces at a vertex counter-clockwise from the neighbour of lowest index on, at a
-/// border vertex by the indices of their other corners; everything else by index.
+/// border vertex by the indices of their other corners; its neighbours likewise; everything else by index.
 template <class MeshT>
 class ModLindstromTurkT : public PlacingModuleT<MeshT> {
  public:
@@ -44,16 +45,21 @@ class ModLindstromTurkT : public PlacingModuleT<MeshT> {
 
   /// The other corners of a face at a vertex, in its order.
   using OtherCorners = std::pair<VertexHandle, VertexHandle>;
+  /// The third corner of a face of two vertices, 1 if these are in the face's order, else −1; an invalid one where
+  /// there is no face.
+  using Third = std::pair<VertexHandle, int>;
 
   PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const override;
   Reach plain_reach() const override { return Reach::ring; }
   CostOptions plain_options() const override { return {Cost::lindstrom_turk, {}, 0, 0}; }
 
+  std::array<Third, 2> common_faces(VertexHandle first, VertexHandle second) const;
   VolumeSums volume_of(VertexHandle first, VertexHandle second) const;
   VolumeSums volume_at(VertexHandle v) const;
   std::vector<OtherCorners> faces_at(VertexHandle v) const;
   BorderSums border_of(VertexHandle first, VertexHandle second) const;
   void add_border_at(VertexHandle v, VertexHandle but, const Vec3& origin, BorderSums& sums) const;
+  NeighbourSums neighbours_at(VertexHandle v) const;
   NeighbourSums neighbours_of(VertexHandle first, VertexHandle second) const;
 };
 

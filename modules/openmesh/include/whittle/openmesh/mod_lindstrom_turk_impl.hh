@@ -20,22 +20,27 @@ PairEvaluation ModLindstromTurkT<MeshT>::evaluate_plain(VertexHandle first, Vert
 /// pass through the origin, too.
 template <class MeshT>
 VolumeSums ModLindstromTurkT<MeshT>::volume_of(VertexHandle first, VertexHandle second) const {
-  const MeshT& mesh = surface();
   const Vec3 origin = this->position(first);
   const Vec3 d = this->position(second) - origin;
   VolumeSums sums = volume_at(first);
   sums += volume_at(second).about(-d);
-  const HalfedgeHandle h = mesh.find_halfedge(first, second);
-  std::array<std::pair<HalfedgeHandle, int>, 2> sides = {{{h, 1}, {mesh.opposite_halfedge_handle(h), -1}}};
+  for (const auto& [c, turn] : common_faces(first, second)) {
+    if (c.is_valid()) sums.remove(turn * d.cross(this->position(c) - origin));
+  }
+  return sums;
+}
+
+template <class MeshT>
+std::array<typename ModLindstromTurkT<MeshT>::Third, 2> ModLindstromTurkT<MeshT>::common_faces(
+    VertexHandle first, VertexHandle second) const {
+  const MeshT& mesh = surface();
   const auto third = [&mesh](HalfedgeHandle side) {
     return mesh.is_boundary(side) ? VertexHandle() : mesh.to_vertex_handle(mesh.next_halfedge_handle(side));
   };
-  if (third(sides[1].first) < third(sides[0].first)) std::swap(sides[0], sides[1]);
-  for (const auto& [side, turn] : sides) {
-    if (mesh.is_boundary(side)) continue;
-    sums.remove(turn * d.cross(this->position(third(side)) - origin));
-  }
-  return sums;
+  const HalfedgeHandle h = mesh.find_halfedge(first, second);
+  std::array<Third, 2> thirds = {{{third(h), 1}, {third(mesh.opposite_halfedge_handle(h)), -1}}};
+  if (thirds[1].first < thirds[0].first) std::swap(thirds[0], thirds[1]);
+  return thirds;
 }
 
 /// Over the faces at a vertex, about it. There their planes have no offset.
@@ -97,16 +102,32 @@ void ModLindstromTurkT<MeshT>::add_border_at(VertexHandle v, VertexHandle but, c
 
 template <class MeshT>
 NeighbourSums ModLindstromTurkT<MeshT>::neighbours_of(VertexHandle first, VertexHandle second) const {
+  const Vec3 origin = this->position(first);
+  const Vec3 d = this->position(second) - origin;
+  NeighbourSums sums = neighbours_at(first);
+  sums += neighbours_at(second).about(-d);
+  sums.remove(d);
+  sums.remove(Vec3::Zero());
+  const std::array<Third, 2> thirds = common_faces(first, second);
+  for (const auto& [c, turn] : thirds) {
+    const bool is_twice = c == thirds[0].first && turn != thirds[0].second;
+    if (c.is_valid() && !is_twice) sums.remove(this->position(c) - origin);
+  }
+  return sums;
+}
+
+/// About it.
+template <class MeshT>
+NeighbourSums ModLindstromTurkT<MeshT>::neighbours_at(VertexHandle v) const {
   std::vector<VertexHandle> neighbours;
-  for (const VertexHandle v : {first, second}) {
+  if (surface().is_boundary(v)) {
     for (const VertexHandle w : surface().vv_range(v)) neighbours.push_back(w);
+    std::sort(neighbours.begin(), neighbours.end());
+  } else {
+    for (const auto& [x, y] : faces_at(v)) neighbours.push_back(y);
   }
-  std::sort(neighbours.begin(), neighbours.end());
-  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
   NeighbourSums sums;
-  for (const VertexHandle v : neighbours) {
-    if (v != first && v != second) sums.add(this->position(v) - this->position(first));
-  }
+  for (const VertexHandle w : neighbours) sums.add(this->position(w) - this->position(v));
   return sums;
 }
 
