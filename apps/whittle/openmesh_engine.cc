@@ -35,6 +35,7 @@ CostModule& add_plain_cost(StockDecimater& decimater, const DecimateOptions& opt
       return add_module<ModLindstromTurkT<DoubleMesh>>(decimater);
     case Cost::midpoint:
       return add_module<ModMidpointT<DoubleMesh>>(decimater);
+    case Cost::memoryless:  // `check` refuses it
     case Cost::quadric:
       break;
   }

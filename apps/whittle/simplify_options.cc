@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "errors.hh"
 #include "input.hh"
 #include "output.hh"
 #include "values.hh"
@@ -10,8 +11,10 @@
 namespace whittle::app {
 namespace {
 
-constexpr std::array<Choice<Cost>, 3> costs{
-    {{"quadric", Cost::quadric}, {"lindstrom-turk", Cost::lindstrom_turk}, {"midpoint", Cost::midpoint}}};
+constexpr std::array<Choice<Cost>, 4> costs{{{"quadric", Cost::quadric},
+                                             {"memoryless", Cost::memoryless},
+                                             {"lindstrom-turk", Cost::lindstrom_turk},
+                                             {"midpoint", Cost::midpoint}}};
 constexpr std::array<Choice<Order>, 2> orders{{{"exact", Order::exact}, {"approximate", Order::approximate}}};
 constexpr std::array<Choice<Weights>, 3> weights{
     {{"area", Weights::area}, {"uniform", Weights::uniform}, {"area-angle", Weights::area_angle}}};
@@ -24,11 +27,15 @@ constexpr std::array<Choice<Engine>, 2> engines{{{"flat", Engine::flat}, {"openm
 
 constexpr char no_pairs_why[] = "OpenMesh's decimater contracts edges alone";
 constexpr char no_quadrics_why[] = "the cost has no quadrics";
+constexpr char own_weights_why[] = "its planes change, and count by area";
 constexpr char own_placement_why[] = "the cost has a placement of its own";
 constexpr char edges_alone_why[] = "vertices that no edge joins go with plain quadrics alone";
 constexpr char not_in_openmesh_why[] = "only Whittle's own loop does that";
-constexpr std::array<Conflict, 25> conflicts{
-    {{"--weights uniform", "--cost lindstrom-turk", no_quadrics_why},
+constexpr std::array<Conflict, 29> conflicts{
+    {{"--weights uniform", "--cost memoryless", own_weights_why},
+     {"--weights area-angle", "--cost memoryless", own_weights_why},
+     {"--isotropic", "--cost memoryless", "it blends quadrics that remember with the length of edges"},
+     {"--weights uniform", "--cost lindstrom-turk", no_quadrics_why},
      {"--weights area-angle", "--cost lindstrom-turk", no_quadrics_why},
      {"--placement midpoint", "--cost lindstrom-turk", own_placement_why},
      {"--placement endpoint", "--cost lindstrom-turk", own_placement_why},
@@ -48,6 +55,7 @@ constexpr std::array<Conflict, 25> conflicts{
      {"--feature-angle", "--engine openmesh", not_in_openmesh_why},
      {"--min-radius-ratio", "--engine openmesh", not_in_openmesh_why},
      {"--order approximate", "--engine openmesh", not_in_openmesh_why},
+     {"--cost memoryless", "--engine openmesh", not_in_openmesh_why},
      {"--max-cost", "--engine openmesh", "OpenMesh looks at a cost when it is queued, not when its turn comes"},
      {"--threshold", "--engine openmesh", no_pairs_why},
      {"--max-pairs", "--engine openmesh", no_pairs_why},
@@ -124,9 +132,10 @@ void add_pair_options(CLI::App& app, SimplifyOptions& options) {
 void add_cost_options(CLI::App& app, SimplifyOptions& options) {
   DecimateOptions& decimate = options.decimate;
   QuadricOptions& quadric = decimate.quadric;
-  add_choice<Cost>(app, "--cost", decimate.cost, costs,
-                   "what ranks and places: distance to the planes merged so far, change of volume, or the length of "
-                   "edges alone")
+  add_choice<Cost>(
+      app, "--cost", decimate.cost, costs,
+      "what ranks and places: distance to the planes merged so far, or to those around as they are, change "
+      "of volume, or the length of edges alone")
       ->group(cost_group);
   add_choice<Weights>(
       app, "--weights", quadric.weights, weights,
@@ -142,8 +151,11 @@ void add_cost_options(CLI::App& app, SimplifyOptions& options) {
       ->group(cost_group);
   add_number(app, "--isotropic", "W", decimate.isotropy, {0, 1}, "from error alone (0) to even edges alone (1)")
       ->group(cost_group);
-  add_choice<Order>(app, "--order", decimate.order, orders,
-                    "exact: always the cheapest next; approximate: faster for costs other than plain quadrics")
+  add_value(
+      app, "--order", words_of<Order>(orders), decimate.order,
+      [](std::string_view text) { return parse_choice<Order>(text, orders); },
+      "exact: always the cheapest next; approximate: faster for costs other than plain quadrics")
+      ->default_str("exact; approximate with memoryless")
       ->group(cost_group);
   add_choice<Engine>(app, "--engine", options.engine, engines,
                      "where the work is done; openmesh: the same cost as a module in OpenMesh's own decimater")
@@ -209,6 +221,13 @@ void check(const CLI::App& app, const SimplifyOptions& options) {
   check_targets(options.targets);
   check_conflicts(app, common_conflicts());
   check_conflicts(app, conflicts);
+  const bool has_pairs = options.threshold.is_automatic || options.threshold.length.value > 0;
+  if (has_pairs && options.decimate.cost == Cost::memoryless && options.decimate.order == Order::exact) {
+    throw UsageError(
+        "'--threshold' and '--order exact' don't go together with '--cost memoryless': vertices that no edge joins "
+        "have "
+        "no place in its exact order");
+  }
   check_inputs({options.input}, {options.output}, options.reading.format);
   format_for_output(options.output, options.reading.format);
   std::vector<Output> outputs{{"--output", options.output}};
@@ -224,7 +243,7 @@ nlohmann::ordered_json options_json(const SimplifyOptions& options) {
       {"cost", word_of<Cost>(costs, options.decimate.cost)},
       {"valence", options.decimate.valence_weight},
       {"isotropic", options.decimate.isotropy},
-      {"order", word_of<Order>(orders, options.decimate.order)},
+      {"order", word_of<Order>(orders, options.order())},
       {"weights", word_of<Weights>(weights, quadric.weights)},
       {"placement", word_of<Placement>(placements, quadric.placement)},
       {"boundary", word_of<Boundary>(boundaries, options.decimate.boundary)},

@@ -39,6 +39,11 @@ struct SimplifyOptions {
   bool strict = false;
   CommonOptions common;
 
+  /// What it comes down to.
+  Order order() const {
+    if (decimate.order != Order::automatic) return decimate.order;
+    return decimate.cost == Cost::memoryless ? Order::approximate : Order::exact;
+  }
   /// Lindstrom–Turk keeps volumes, and is more accurate where it may turn faces further for that.
   double max_normal_flip() const {
     return max_normal_flip_deg.value_or(decimate.cost == Cost::lindstrom_turk ? 110 : decimate.max_normal_flip_deg);

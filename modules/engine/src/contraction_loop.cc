@@ -6,6 +6,7 @@
 #include "isotropic_cost.hh"
 #include "lazy_order.hh"
 #include "lindstrom_turk_cost.hh"
+#include "memoryless_cost.hh"
 #include "midpoint_cost.hh"
 #include "quadric_cost.hh"
 #include "turned_faces.hh"
@@ -19,11 +20,13 @@ namespace {
 /// Turns between two calls of the progress callback: about a millisecond.
 constexpr std::uint64_t progress_interval = 2048;
 
-std::unique_ptr<PairCost> make_plain_cost(const TriangleComplex& complex, const Restraints& restraints,
+std::unique_ptr<PairCost> make_plain_cost(TriangleComplex& complex, const Restraints& restraints,
                                           const DecimateOptions& options) {
   switch (options.cost) {
     case Cost::lindstrom_turk:
       return std::make_unique<LindstromTurkCost>(complex, restraints, options.threads);
+    case Cost::memoryless:
+      return std::make_unique<MemorylessCost>(complex, restraints, options.quadric);
     case Cost::midpoint:
       return std::make_unique<MidpointCost>(complex, restraints);
     case Cost::quadric:
@@ -35,18 +38,22 @@ std::unique_ptr<PairCost> make_plain_cost(const TriangleComplex& complex, const 
   return std::make_unique<QuadricCost>(complex, restraints, options.quadric);
 }
 
-std::unique_ptr<PairCost> make_cost(const TriangleComplex& complex, const Restraints& restraints,
+std::unique_ptr<PairCost> make_cost(TriangleComplex& complex, const Restraints& restraints,
                                     const DecimateOptions& options) {
   std::unique_ptr<PairCost> cost = make_plain_cost(complex, restraints, options);
   if (options.valence_weight == 0) return cost;
   return std::make_unique<ValenceCost>(complex, std::move(cost), options.valence_weight);
 }
 
+/// Whether pairs stay where they were queued until their turn comes.
+bool is_lazy(const PairCost& cost, const DecimateOptions& options) {
+  if (cost.reach() == Reach::none || options.order == Order::approximate) return true;
+  return options.order == Order::automatic && options.cost == Cost::memoryless;
+}
+
 std::unique_ptr<PairOrder> make_order(TriangleComplex& complex, const PairCost& cost, ThresholdPairSieve& sieve,
                                       const DecimateOptions& options) {
-  if (cost.reach() == Reach::none || options.order == Order::approximate) {
-    return std::make_unique<LazyOrder>(complex, cost, sieve, options.threads);
-  }
+  if (is_lazy(cost, options)) return std::make_unique<LazyOrder>(complex, cost, sieve, options.threads);
   return std::make_unique<EagerOrder>(complex, cost, options.threads);
 }
 
@@ -66,6 +73,7 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, const DecimateOptions
       sieve_(complex),
       cost_(make_cost(complex, restraints_, options)),
       order_(make_order(complex, *cost_, sieve_, options)),
+      listed_(is_lazy(*cost_, options) ? cost_->sight() : std::max(cost_->reach(), cost_->sight())),
       refused_(complex.n_vertex_slots()),
       is_refused_(complex.n_pair_slots()) {
   if (target.max_cost) target_.max_cost = frame.cost_to_frame(*target.max_cost, cost_->dimension());
@@ -109,13 +117,13 @@ bool ContractionLoop::report_progress() const {
   return options_.progress({complex_.n_vertices(), complex_.n_faces(), std::min(1.0, std::max(faces, vertices))});
 }
 
-std::optional<StopReason> ContractionLoop::take(const Turn& turn) {
+std::optional<StopReason> ContractionLoop::take(Turn turn) {
   if (!complex_.is_contractible(turn.pair)) {
     complex_.remove_pair(turn.pair.id);
     return std::nullopt;
   }
   if (target_.max_cost && turn.evaluation.cost > *target_.max_cost) return StopReason::cost;
-  const Refusal refusal = find_refusal(turn.pair, turn.evaluation.position);
+  const Refusal refusal = place(turn);
   if (refusal != Refusal::none) {
     refuse(turn.pair, refusal);
   } else {
@@ -124,12 +132,23 @@ std::optional<StopReason> ContractionLoop::take(const Turn& turn) {
   return std::nullopt;
 }
 
-ContractionLoop::Refusal ContractionLoop::find_refusal(const Pair& pair, const Vec3& position) {
-  const auto [id, a, b] = pair;
+/// Where the cost is least is second best, if the best place is refused.
+ContractionLoop::Refusal ContractionLoop::place(Turn& turn) {
+  const Pair& pair = turn.pair;
   if (!restraints_.pinned(pair)) return restraints_.are_both_locked(pair) ? Refusal::locked : Refusal::feature;
-  complex_.gather(a, b, star_);
+  complex_.gather(pair.a, pair.b, star_);
   const Refusal refusal = find_topological_refusal(pair);
   if (refusal != Refusal::none) return refusal;
+  const Vec3 best = cost_->place(pair, turn.evaluation, star_);
+  if (best != turn.evaluation.position && find_refusal_of(best, pair) == Refusal::none) {
+    turn.evaluation.position = best;
+    return Refusal::none;
+  }
+  return find_refusal_of(turn.evaluation.position, pair);
+}
+
+ContractionLoop::Refusal ContractionLoop::find_refusal_of(const Vec3& position, const Pair& pair) {
+  const auto [id, a, b] = pair;
   if (restraints_.bends_a_line(complex_, pair, star_, position)) return Refusal::feature;
   if (turns_a_face(complex_, flip_limit_, star_.first, complex_.position(a), position)) return Refusal::flip;
   if (turns_a_face(complex_, flip_limit_, star_.second, complex_.position(b), position)) return Refusal::flip;
@@ -206,7 +225,7 @@ void ContractionLoop::contract(const Turn& turn) {
     std::swap(star_.first, star_.second);
   }
   restraints_.contract(complex_, pair, survivor, star_, evaluation.position);
-  complex_.contract(pair.id, survivor, removed, cost_->merged(pair, evaluation), star_);
+  complex_.contract(pair.id, survivor, removed, cost_->merge(pair, evaluation, star_), star_);
   result_.threshold_pairs.contracted += static_cast<std::uint64_t>(complex_.is_threshold_pair(pair.id));
   result_.max_cost = std::max(result_.max_cost, evaluation.cost);
   if (options_.listener) {
@@ -226,8 +245,7 @@ void ContractionLoop::contract(const Turn& turn) {
 /// Makes the lists of the vertices around the merged one what they are now.
 void ContractionLoop::list_changed(Index survivor) {
   changed_.clear();
-  const Reach reach = cost_->reach();
-  if (reach == Reach::none) return;
+  if (listed_ == Reach::none) return;
   const auto add = [this](Index v) {
     v = complex_.representative(v);
     if (std::find(changed_.begin(), changed_.end(), v) == changed_.end()) changed_.push_back(v);
@@ -236,7 +254,7 @@ void ContractionLoop::list_changed(Index survivor) {
     for (const Spoke& spoke : complex_.neighbours(v)) add(spoke.vertex);
   };
   add(survivor);
-  if (reach >= Reach::ring) {
+  if (listed_ >= Reach::ring) {
     add_neighbours(survivor);
     for (const PairStar::Opposite& opposite : star_.opposites) add(opposite.vertex);
     if (star_.is_joint) {
@@ -244,7 +262,7 @@ void ContractionLoop::list_changed(Index survivor) {
     }
   }
   for (const Index v : changed_) complex_.tidy(v);
-  if (reach < Reach::wings) return;
+  if (listed_ < Reach::wings) return;
   for (const PairStar::Opposite& opposite : star_.opposites) add_neighbours(opposite.vertex);
   if (!star_.is_joint) return;
   for (const PairStar::Opposite& neighbour : star_.joint.common) add_neighbours(neighbour.vertex);

@@ -35,9 +35,10 @@ class ContractionLoop {
 
   bool target_reached() const;
   bool report_progress() const;
-  std::optional<StopReason> take(const Turn& turn);
+  std::optional<StopReason> take(Turn turn);
 
-  Refusal find_refusal(const Pair& pair, const Vec3& position);
+  Refusal place(Turn& turn);
+  Refusal find_refusal_of(const Vec3& position, const Pair& pair);
   Refusal find_topological_refusal(const Pair& pair);
   bool makes_thin(const Wings& wings, const Vec3& from, const Vec3& to) const;
   void refuse(const Pair& pair, Refusal refusal);
@@ -61,6 +62,7 @@ class ContractionLoop {
   ThresholdPairSieve sieve_;
   std::unique_ptr<PairCost> cost_;
   std::unique_ptr<PairOrder> order_;
+  Reach listed_;  ///< which vertices are listed as changed
   WaitingPairs refused_;
   std::vector<bool> is_refused_;  ///< per pair
   std::vector<Index> woken_;      ///< scratch

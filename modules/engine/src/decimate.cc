@@ -29,8 +29,13 @@ void check(const DecimateTarget& target, const DecimateOptions& options, std::si
   require(is_finite_and_not_negative(options.valence_weight), "valence_weight is negative or not finite");
   require(options.min_radius_ratio >= 0 && options.min_radius_ratio <= 1, "min_radius_ratio is not in [0, 1]");
   require(options.isotropy == 0 || options.cost == Cost::quadric, "isotropy blends the quadric cost alone");
-  const bool is_plain = options.cost == Cost::quadric && options.isotropy == 0 && options.valence_weight == 0;
-  require(options.pairs.threshold == 0 || is_plain, "threshold pairs go with the plain quadric cost alone");
+  const bool has_quadrics = options.cost == Cost::quadric || options.cost == Cost::memoryless;
+  const bool is_plain = has_quadrics && options.isotropy == 0 && options.valence_weight == 0;
+  require(options.pairs.threshold == 0 || is_plain, "threshold pairs go with plain quadric costs alone");
+  const bool is_exactly_memoryless = options.cost == Cost::memoryless && options.order == Order::exact;
+  require(options.pairs.threshold == 0 || !is_exactly_memoryless, "threshold pairs go with no exact memoryless order");
+  require(options.quadric.weights == Weights::area || options.cost != Cost::memoryless,
+          "memoryless quadrics have weights by area");
   require(options.pairs.threshold >= 0, "pairs.threshold is negative or not a number");
   require(is_finite_and_not_negative(options.quadric.point_weight), "point_weight is negative or not finite");
   require(options.locked.empty() || options.locked.size() == n_vertices, "locked has another length than the vertices");

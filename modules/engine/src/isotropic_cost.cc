@@ -17,7 +17,7 @@ double IsotropicCost::dimension() const {
   return isotropic_dimension(options_.weights == Weights::uniform ? 2 : 4, isotropy_);
 }
 
-PlacedQuadric IsotropicCost::merged(const Pair& pair, const PairEvaluation& evaluation) const {
+PlacedQuadric IsotropicCost::merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar&) {
   return whittle::merged(complex_.placed(pair.a), complex_.placed(pair.b), evaluation.position, false);
 }
 

@@ -216,11 +216,12 @@ void LazyOrder::prefetch_turns() {
   };
   candidate_ahead(8, [&](Index v) { complex_.prefetch_spokes(v); });
   candidate_ahead(4, [&](Index v) { complex_.prefetch_neighbours(v); });
+  if (cost_.changes_neighbours()) candidate_ahead(3, [&](Index v) { complex_.prefetch_neighbours_quadrics(v); });
 }
 
 /// Whether the candidate's cost and placement are what an evaluation would give now.
 bool LazyOrder::is_unchanged(const Candidate& candidate) const {
-  return candidate.placement != invalid_index && cost_.reach() == Reach::none &&
+  return candidate.placement != invalid_index && cost_.sight() == Reach::none &&
          complex_.last_change(candidate.pair.a) <= n_done_at_opening_ &&
          complex_.last_change(candidate.pair.b) <= n_done_at_opening_;
 }

@@ -303,7 +303,7 @@ NeighbourSums LindstromTurkCost::neighbours_of(const Pair& pair) const {
   return sums;
 }
 
-PlacedQuadric LindstromTurkCost::merged(const Pair&, const PairEvaluation& evaluation) const {
+PlacedQuadric LindstromTurkCost::merge(const Pair&, const PairEvaluation& evaluation, const PairStar&) {
   return {evaluation.position, {}};
 }
 

@@ -21,9 +21,10 @@ class LindstromTurkCost final : public PairCost {
 
   using PairCost::evaluate;
   void evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const override;
-  PlacedQuadric merged(const Pair& pair, const PairEvaluation& evaluation) const override;
+  PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override;
   double dimension() const override { return 6; }
   Reach reach() const override { return Reach::ring; }
+  Reach sight() const override { return Reach::ring; }
   void note_contraction(std::span<const Index> changed) override;
 
  private:

@@ -13,7 +13,7 @@ void MidpointCost::evaluate(std::span<const Pair> pairs, std::span<PairEvaluatio
   });
 }
 
-PlacedQuadric MidpointCost::merged(const Pair&, const PairEvaluation& evaluation) const {
+PlacedQuadric MidpointCost::merge(const Pair&, const PairEvaluation& evaluation, const PairStar&) {
   return {evaluation.position, {}};
 }
 

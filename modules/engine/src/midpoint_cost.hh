@@ -13,10 +13,9 @@ class MidpointCost final : public PairCost {
 
   using PairCost::evaluate;
   void evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const override;
-  PlacedQuadric merged(const Pair& pair, const PairEvaluation& evaluation) const override;
+  PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override;
   double dimension() const override { return 1; }
   Reach reach() const override { return Reach::ends; }
-  void note_contraction(std::span<const Index>) override {}
 
  private:
   const TriangleComplex& complex_;

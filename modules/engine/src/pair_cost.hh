@@ -22,17 +22,27 @@ class PairCost {
     return evaluation;
   }
 
-  /// What the vertex that a pair becomes is to keep.
-  virtual PlacedQuadric merged(const Pair& pair, const PairEvaluation& evaluation) const = 0;
+  /// Where the merged vertex would best go, now that the faces around are gathered.
+  virtual Vec3 place(const Pair&, const PairEvaluation& evaluation, const PairStar&) { return evaluation.position; }
+
+  /// Told that the pair placed last is to be contracted. \return what its vertex is to keep
+  virtual PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) = 0;
 
   /// The power of a length that is the cost's unit.
   virtual double dimension() const = 0;
 
+  /// Which pairs a contraction may make cheaper.
   virtual Reach reach() const = 0;
 
-  /// Told after each contraction. \param changed vertices whose pairs are within reach, the merged one first, all with
-  /// tidy lists
-  virtual void note_contraction(std::span<const Index> changed) = 0;
+  /// Which vertices evaluations look at, beside the two of the pair: those around it need tidy lists.
+  virtual Reach sight() const { return Reach::none; }
+
+  /// Whether `merge` changes the quadrics of the merged vertex' neighbours.
+  virtual bool changes_neighbours() const { return false; }
+
+  /// Told after each contraction. \param changed vertices within reach or sight, the merged one first, all with tidy
+  /// lists; none if not asked for
+  virtual void note_contraction(std::span<const Index> /*changed*/) {}
 };
 
 }  // namespace whittle

@@ -32,7 +32,7 @@ PairEvaluation QuadricCost::evaluate_one(const Pair& pair) const {
   return evaluate_pair(placed(pair, pair.a), placed(pair, pair.b), options_.placement, pinned);
 }
 
-PlacedQuadric QuadricCost::merged(const Pair& pair, const PairEvaluation& evaluation) const {
+PlacedQuadric QuadricCost::merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar&) {
   return whittle::merged(placed(pair, pair.a), placed(pair, pair.b), evaluation.position, evaluation.is_minimum);
 }
 

@@ -14,10 +14,9 @@ class QuadricCost final : public PairCost {
 
   using PairCost::evaluate;
   void evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const override;
-  PlacedQuadric merged(const Pair& pair, const PairEvaluation& evaluation) const override;
+  PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override;
   double dimension() const override { return options_.weights == Weights::uniform ? 2 : 4; }
   Reach reach() const override { return Reach::none; }
-  void note_contraction(std::span<const Index>) override {}
 
  private:
   PlacedQuadric placed(const Pair& pair, Index v) const;

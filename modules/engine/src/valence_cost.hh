@@ -19,11 +19,15 @@ class ValenceCost final : public PairCost {
 
   using PairCost::evaluate;
   void evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const override;
-  PlacedQuadric merged(const Pair& pair, const PairEvaluation& evaluation) const override {
-    return cost_->merged(pair, evaluation);
+  Vec3 place(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override {
+    return cost_->place(pair, evaluation, star);
+  }
+  PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override {
+    return cost_->merge(pair, evaluation, star);
   }
   double dimension() const override { return cost_->dimension(); }
   Reach reach() const override { return Reach::wings; }
+  Reach sight() const override { return Reach::wings; }
   void note_contraction(std::span<const Index> changed) override { cost_->note_contraction(changed); }
 
  private:

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 
 #include "support/brute_force.hh"
@@ -175,7 +176,8 @@ struct RandomCase {
   void set_cost() {
     if (one_in(4)) options.quadric.placement = static_cast<Placement>(whole(0, 2));
     if (one_in(2)) return;
-    options.cost = static_cast<Cost>(whole(0, 2));
+    constexpr std::array costs{Cost::quadric, Cost::lindstrom_turk, Cost::midpoint};
+    options.cost = costs[static_cast<std::size_t>(whole(0, 2))];
     if (options.cost == Cost::quadric) options.isotropy = one_in(4) ? 1 : real(0, 1);
     if (one_in(2)) options.valence_weight = real(0, 4);
   }

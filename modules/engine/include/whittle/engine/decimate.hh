@@ -35,8 +35,9 @@ struct DecimateTarget {
 
 /// What ranks and places contractions.
 enum class Cost {
-  quadric,  ///< Garland–Heckbert (quadric_term.hh): distance to all planes merged so far. Unit: distance² · area
-            ///< (distance² with uniform weights)
+  quadric,     ///< Garland–Heckbert (quadric_term.hh): distance to all planes merged so far. Unit: distance² · area
+               ///< (distance² with uniform weights)
+  memoryless,  ///< quadrics of the faces as they are, the volume kept (memoryless_term.hh). Unit: as `quadric`
   lindstrom_turk,  ///< Lindstrom–Turk (lindstrom_turk.hh): change of volume against the faces as they are. Unit:
                    ///< length⁶
   midpoint         ///< the edge's length, to its middle. Unit: length
@@ -44,6 +45,7 @@ enum class Cost {
 
 /// In which order a cost that has no lower bounds is followed.
 enum class Order {
+  automatic,   ///< approximate for `Cost::memoryless`, else exact
   exact,       ///< that of an algorithm which evaluates every pair anew after each contraction
   approximate  ///< faster: a pair that gets cheaper than it was is noticed only when its old place is reached
 };
@@ -89,7 +91,7 @@ struct DecimateOptions {
   QuadricOptions quadric;  ///< of `Cost::quadric`
   double isotropy = 0;     ///< W of the blend of `Cost::quadric` with the edge's length (edge_length_term.hh). [0, 1]
   double valence_weight = 0;  ///< W of the penalty for valences, times any cost (valence_term.hh). [0, inf)
-  Order order = Order::exact;
+  Order order = Order::automatic;
   PairOptions pairs;
   Topology topology = Topology::keep;
   Boundary boundary = Boundary::weighted;

@@ -22,6 +22,10 @@ struct SymmetricMatrix {
     xx += o.xx, xy += o.xy, xz += o.xz, yy += o.yy, yz += o.yz, zz += o.zz;
     return *this;
   }
+  SymmetricMatrix& operator-=(const SymmetricMatrix& o) {
+    xx -= o.xx, xy -= o.xy, xz -= o.xz, yy -= o.yy, yz -= o.yz, zz -= o.zz;
+    return *this;
+  }
   friend SymmetricMatrix operator+(SymmetricMatrix a, const SymmetricMatrix& b) { return a += b; }
   friend Vec3 operator*(const SymmetricMatrix& m, const Vec3& v) {
     return {m.xx * v.x() + m.xy * v.y() + m.xz * v.z(), m.xy * v.x() + m.yy * v.y() + m.yz * v.z(),

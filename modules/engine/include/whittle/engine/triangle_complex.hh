@@ -230,6 +230,12 @@ class TriangleComplex {
   /// number of theirs.
   void contract(Index pair, Index survivor, Index removed, const PlacedQuadric& merged, const PairStar& star);
 
+  /// Adds what planes through v have become to its quadric, before the contraction that moves them.
+  void change_planes(Index v, const SymmetricMatrix& change) {
+    quadrics_[v].a += change;
+    quadrics_[v].last_change = n_contractions_ + 1;
+  }
+
   Index n_contractions() const { return n_contractions_; }
   /// The number of contractions done when v last changed.
   Index last_change(Index v) const { return quadrics_[v].last_change; }
@@ -253,6 +259,9 @@ class TriangleComplex {
   void prefetch_spokes(Index v) const { spoke_lists_.prefetch(stars_[v].spokes); }
   void prefetch_neighbours(Index v) const {  // where they have been merged once at most, as most have
     for (const Spoke& spoke : neighbours(v)) prefetch(&vertices_[parents_[spoke.vertex]]);
+  }
+  void prefetch_neighbours_quadrics(Index v) const {
+    for (const Spoke& spoke : neighbours(v)) prefetch(&quadrics_[parents_[spoke.vertex]]);
   }
 
  private:

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "whittle/engine/quadric.hh"
+
+// Memoryless quadrics: those of a vertex are the planes of its faces as they are now, not of all it has merged. Ranked
+// is by the minimum of the sum of both, as with Garland–Heckbert (quadric_term.hh). v̄ leaves that minimum x* by a step
+// that keeps the volume under the surface: of the points with Σ n_t · (x − p_t) = 0, over the faces t at either vertex,
+// the one that is least in a damped quadric,
+//
+//   v̄ = x* + d (h / g · d),   d = (A + 0.01 tr(A) I)⁻¹ g,   g = Σ n_t,   h = Σ n_t · (p_t − x*)
+//
+// n_t is the normal of a face, as long as twice its area, p_t one of its corners. Where the n_t cancel, |g|² at most
+// 1e-4 (Σ |n_t|)², or the step is longer than the way to the farthest neighbour, v̄ is x*.
+// \cite lindstrom_1998_fast (volume preservation), \cite hoppe_1999_attributes (memoryless quadrics)
+
+namespace whittle {
+
+/// Sums over the faces at both ends of an edge, about some origin.
+struct StarVolume {
+  Vec3 normal = Vec3::Zero();  ///< Σ n
+  double offset = 0;           ///< Σ n · p
+  double length = 0;           ///< Σ |n|
+  double farthest_sq = 0;      ///< of the neighbours, from the origin
+};
+
+/// What v̄ is away from the minimum. \param a A, of the sum of both quadrics \param volume about the minimum
+inline Vec3 volume_step(const SymmetricMatrix& a, const StarVolume& volume) {
+  constexpr double damping = 0.01;
+  constexpr double least_share = 1e-4;
+  const Vec3& g = volume.normal;
+  if (!(g.squaredNorm() > least_share * volume.length * volume.length)) return Vec3::Zero();
+  // The adjugate will do for the inverse: only the direction of d counts, and the damping makes it well-conditioned.
+  const double diagonal = damping * a.trace();
+  const Vec3 row0(a.xx + diagonal, a.xy, a.xz);
+  const Vec3 row1(a.xy, a.yy + diagonal, a.yz);
+  const Vec3 row2(a.xz, a.yz, a.zz + diagonal);
+  const Vec3 d(row1.cross(row2).dot(g), row2.cross(row0).dot(g), row0.cross(row1).dot(g));
+  const Vec3 step = d * (volume.offset / g.dot(d));
+  return step.squaredNorm() <= volume.farthest_sq ? step : Vec3::Zero();
+}
+
+}  // namespace whittle

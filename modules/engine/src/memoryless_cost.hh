@@ -1,0 +1,39 @@
+#pragma once
+
+#include "merged_ring.hh"
+#include "quadric_cost.hh"
+
+namespace whittle {
+
+/// Memoryless quadrics (memoryless_term.hh). A contraction changes those of the merged vertex and of its neighbours; at
+/// borders and where the surface isn't manifold they remember, as they would with Garland–Heckbert.
+class MemorylessCost final : public PairCost {
+ public:
+  MemorylessCost(TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options)
+      : complex_(complex),
+        options_(options),
+        quadric_cost_(complex, restraints, options),
+        remembers_(complex.n_vertex_slots()) {}
+
+  using PairCost::evaluate;
+  void evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const override {
+    quadric_cost_.evaluate(pairs, evaluations);
+  }
+  Vec3 place(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override;
+  PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override;
+  double dimension() const override { return quadric_cost_.dimension(); }
+  Reach reach() const override { return Reach::ring; }
+  bool changes_neighbours() const override { return true; }
+
+ private:
+  bool forgets(const Pair& pair, const PairStar& star) const;
+
+  TriangleComplex& complex_;
+  QuadricOptions options_;
+  QuadricCost quadric_cost_;
+  MergedRing ring_;              ///< of the pair placed last, if it forgets
+  Vec3 ring_origin_;             ///< what it is seen from
+  std::vector<bool> remembers_;  ///< per vertex, whether it has quadrics of what it has merged
+};
+
+}  // namespace whittle

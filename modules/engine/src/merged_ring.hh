@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "whittle/engine/memoryless_term.hh"
+#include "whittle/engine/quadric_term.hh"
+#include "whittle/engine/triangle_complex.hh"
+
+namespace whittle {
+
+/// The neighbours of both ends of an inner edge, once around: the ring that the merged vertex will have. Each two in
+/// succession, the last and the first too, are the other corners of a face at one of the ends.
+///
+/// A sum over these faces is that of four sums, each over every fourth face, from the first end's on: the same on all
+/// processors.
+class MergedRing {
+ public:
+  /// \param star of the pair, as gathered \pre both ends have rings
+  /// \param origin what everything here is seen from
+  void assign(const TriangleComplex& complex, const Pair& pair, const PairStar& star, const Vec3& origin);
+
+  std::size_t size() const { return vertices_.size(); }
+  Index vertex(std::size_t i) const { return vertices_[i]; }
+
+  /// Of the faces as they are, those of both ends included.
+  StarVolume volume() const;
+
+  /// Looks at the faces as they would be with the merged vertex at `apex`. \return the sum of their planes
+  SymmetricMatrix move_to(const Vec3& apex, const QuadricOptions& options);
+  /// By how much that changes the planes at the i-th neighbour.
+  SymmetricMatrix change(std::size_t i) const {
+    SymmetricMatrix change = changes_[i == 0 ? size() - 1 : i - 1].planes + changes_[i].planes;
+    if (i == 0) change -= vanished_[0].planes;
+    if (i == n_first_) change -= vanished_[1].planes;
+    return change;
+  }
+
+ private:
+  using Columns = std::array<std::vector<double>, 3>;
+  /// Stored four at a time.
+  struct alignas(32) FacePlanes {
+    SymmetricMatrix planes;
+    std::array<double, 2> unused;
+  };
+  struct Shape;
+  static StarVolume sum_volume(const Shape& shape);
+  static StarVolume sum_volume_in_wide_registers(const Shape& shape);
+  static SymmetricMatrix sum_planes(const Shape& shape, const Vec3& apex, const QuadricOptions& options,
+                                    MergedRing& ring);
+  static SymmetricMatrix sum_planes_in_wide_registers(const Shape& shape, const Vec3& apex,
+                                                      const QuadricOptions& options, MergedRing& ring);
+  Shape shape() const;
+
+  std::vector<Index> vertices_;
+  std::size_t n_first_ = 0;             ///< faces at the first end alone; the opposite corners are at places 0 and this
+  Vec3 first_, second_;                 ///< the ends
+  Columns neighbours_;                  ///< the first one again at the end, and some more for lanes to load
+  std::vector<FacePlanes> changes_;     ///< what the faces' planes gain and lose
+  std::array<FacePlanes, 4> vanished_;  ///< of the two faces at both ends, and of two without area
+};
+
+}  // namespace whittle
