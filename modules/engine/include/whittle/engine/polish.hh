@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "whittle/engine/indexed_mesh.hh"
+
+// Polish: moves the vertices of a simplified mesh to where its faces fit the original surface best. Per pass
+//
+//   each point s of the original gets a foot: the face of the simplified mesh that lies nearest and faces the same way,
+//     the barycentric coordinates b of the nearest point on it, and d, the distance from the face's plane
+//   the vertices, each in its turn and twice, move to where Σ w (d − n · Σ b_j x_j)² + μ Σ W |x|² is least, x how far
+//   they
+//     have moved, n the face's normal, w the area a point stands for
+//
+// The points are the original's vertices, with a quarter of the weight, and the centroids of its faces: over a face
+// whose corners all have their feet in one face that is the integral of the square of the distance.
+// A vertex moves less far, or not at all, where that would turn a face over, or take it from the planes of its own
+// faces by more than the surface is off there anyway: corners stay corners.
+
+namespace whittle {
+
+struct PolishOptions {
+  unsigned passes = 1;                   ///< how often feet are found and vertices moved. 0 = nothing happens
+  std::span<const std::uint8_t> locked{};  ///< V of the simplified mesh or empty; vertices with a non-zero entry stay
+  unsigned threads = 0;                  ///< 0 = all cores; the result is the same
+};
+
+struct PolishResult {
+  std::uint64_t n_moved = 0;  ///< vertices that are not where they were
+};
+
+/// Moves vertices of `mesh`, and computes its normals anew if it has some; nothing else of it changes. Border vertices,
+/// and those where it isn't manifold, stay.
+/// \param original what `mesh` was made from
+/// \param vertex_map vertices of `original` → a vertex of `mesh` near it on the surface, such as
+/// `Decimation::vertex_map`;
+///        `invalid_index` for none: these don't count
+/// \throw std::invalid_argument if `vertex_map` or `locked` has a wrong length, or a number is out of range
+PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
+                    const PolishOptions& options = {});
+
+}  // namespace whittle

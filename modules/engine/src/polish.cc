@@ -1,0 +1,101 @@
+#include "whittle/engine/polish.hh"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "checks.hh"
+#include "foot_finder.hh"
+#include "surface_fit.hh"
+#include "surface_samples.hh"
+#include "vertex_corners.hh"
+#include "vertex_normals.hh"
+#include "whittle/engine/frame.hh"
+
+namespace whittle {
+namespace {
+
+constexpr int n_sweeps = 2;
+
+/// Faces of the simplified mesh to one of the original above which a point a face is too few to fit it.
+constexpr double dense = 0.3;
+
+void check(const IndexedMesh& original, std::span<const Index> vertex_map, const IndexedMesh& mesh,
+           const PolishOptions& options) {
+  check_corners(original.positions.size(), original.faces);
+  check_corners(mesh.positions.size(), mesh.faces);
+  if (vertex_map.size() != original.positions.size()) {
+    throw std::invalid_argument("polish: vertex_map has another length than the original's vertices");
+  }
+  for (const Index v : vertex_map) {
+    if (v == invalid_index || v < mesh.positions.size()) continue;
+    throw std::invalid_argument("polish: vertex_map names vertex " + std::to_string(v) + " of " +
+                                std::to_string(mesh.positions.size()));
+  }
+  if (!options.locked.empty() && options.locked.size() != mesh.positions.size()) {
+    throw std::invalid_argument("polish: locked has another length than the vertices");
+  }
+}
+
+/// Whether all edges at v have two faces.
+bool is_inside(const std::vector<Triangle>& faces, std::span<const Corner> corners, std::vector<Index>& ends) {
+  ends.clear();
+  for (const auto& [f, place] : corners) {
+    ends.push_back(corner_after(faces[f], place, 1));
+    ends.push_back(corner_after(faces[f], place, 2));
+  }
+  std::sort(ends.begin(), ends.end());
+  for (std::size_t i = 0; i < ends.size(); i += 2) {
+    if (i + 1 == ends.size() || ends[i] != ends[i + 1]) return false;
+    if (i + 2 < ends.size() && ends[i + 1] == ends[i + 2]) return false;
+  }
+  return true;
+}
+
+std::vector<std::uint8_t> fixed_vertices(const IndexedMesh& mesh, const VertexCorners& corners,
+                                         std::span<const std::uint8_t> locked) {
+  std::vector<std::uint8_t> is_fixed(mesh.positions.size());
+  std::vector<Index> ends;
+  for (Index v = 0; v < is_fixed.size(); ++v) {
+    const bool is_locked = !locked.empty() && locked[v] != 0;
+    is_fixed[v] = is_locked || !is_inside(mesh.faces, corners.of(v), ends);
+  }
+  return is_fixed;
+}
+
+}  // namespace
+
+PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
+                    const PolishOptions& options) {
+  check(original, vertex_map, mesh, options);
+  if (options.passes == 0 || mesh.faces.empty()) return {};
+  const Frame frame = Frame::of_points(original.positions);
+  const bool is_dense = static_cast<double>(mesh.faces.size()) > dense * static_cast<double>(original.faces.size());
+  SurfaceSamples samples(original, vertex_map, frame, is_dense ? 4 : 1, options.threads);
+  const VertexCorners corners(mesh);
+  const std::vector<std::uint8_t> is_fixed = fixed_vertices(mesh, corners, options.locked);
+  std::vector<Vec3> positions;
+  positions.reserve(mesh.positions.size());
+  for (const Vec3& p : mesh.positions) positions.push_back(frame.to_frame(p));
+  const std::vector<Vec3> before = positions;
+
+  FootFinder finder(mesh.faces, corners);
+  SurfaceFit fit(mesh.faces, corners, is_fixed);
+  for (unsigned pass = 0; pass < options.passes; ++pass) {
+    finder.look_at(positions, options.threads);
+    samples.find_feet(finder, options.threads);
+    fit.start(positions);
+    samples.for_each_foot([&fit](const Foot& foot, double weight) { fit.add(foot, weight); });
+    for (int i = 0; i < n_sweeps; ++i) fit.sweep();
+  }
+  PolishResult result;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    if (positions[v] == before[v]) continue;
+    mesh.positions[v] = frame.to_model(positions[v]);
+    ++result.n_moved;
+  }
+  if (!mesh.normals.empty()) mesh.normals = vertex_normals(mesh, frame);
+  return result;
+}
+
+}  // namespace whittle

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "foot_finder.hh"
+#include "vertex_corners.hh"
+#include "whittle/engine/quadric.hh"
+
+namespace whittle {
+
+/// Moves the vertices of a mesh to where its faces fit weighted points, each at its foot (polish.hh).
+class SurfaceFit {
+ public:
+  /// Keeps references to all. \param is_fixed per vertex, whether it stays
+  SurfaceFit(const std::vector<Triangle>& faces, const VertexCorners& corners,
+             const std::vector<std::uint8_t>& is_fixed);
+
+  /// Takes where the vertices are, and forgets all points.
+  void start(std::vector<Vec3>& positions);
+  void add(const Foot& foot, double weight);
+  /// Moves each vertex in its turn, by number.
+  void sweep();
+
+ private:
+  /// Sums over the feet in a face: of w b_j b_k, w b_j d, w d² and w.
+  struct Sums {
+    std::array<double, 6> products;  ///< 00, 01, 02, 11, 12, 22
+    std::array<double, 3> errors;
+    double squares;
+    double weight;
+
+    double product(Index j, Index k) const {
+      constexpr std::array<std::array<std::size_t, 3>, 3> place{{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}};
+      return products[place[j][k]];
+    }
+  };
+  /// What the faces at a vertex want of it.
+  struct Pull {
+    SymmetricMatrix matrix;
+    Vec3 force = Vec3::Zero();
+    SymmetricMatrix planes;  ///< Σ W n nᵀ
+    double weight = 0;
+    double squares = 0;
+    double area = 0;  ///< of a face, on average
+  };
+
+  Pull pull_at(Index v) const;
+  Vec3 wanted_move(Index v, const Pull& pull) const;
+  bool is_too_far(const Vec3& moved, const Pull& pull) const;
+  bool turns_a_face(Index v, const Vec3& to) const;
+
+  const std::vector<Triangle>& faces_;
+  const VertexCorners& corners_;
+  const std::vector<std::uint8_t>& is_fixed_;
+  std::vector<Vec3>* positions_ = nullptr;
+  std::vector<Sums> sums_;     ///< per face
+  std::vector<Vec3> normals_;  ///< per face, before it was moved; of unit length, or zero
+  std::vector<double> areas_;  ///< per face, before it was moved
+  std::vector<Vec3> moves_;    ///< per vertex, so far
+};
+
+}  // namespace whittle
