@@ -1,7 +1,6 @@
 #include "foot_finder.hh"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 
 #include "whittle/engine/lanes.hh"
@@ -16,7 +15,6 @@ using Int8 = std::int32_t __attribute__((vector_size(32)));
 constexpr float least_agreement = 0.5;  ///< cosine between the normals of a point and of its face
 constexpr float inside_slack = 1e-4F;   ///< how far outside a face is still inside, in barycentric coordinates
 constexpr std::int32_t nowhere = 0x7fffffff;
-constexpr std::size_t most_steps = 16;
 
 [[gnu::always_inline]] inline Float8 load(const std::array<float, 8>& from) {
   Float8 lanes;
@@ -40,37 +38,6 @@ Foot foot(const Corner& corner, double next, double last, double distance) {
   const std::array<double, 3> weights{1 - next - last, next, last};  // of the corners from this one on
   return {corner.face, static_cast<float>(weights[(1 + 3 - corner.place) % 3]),
           static_cast<float>(weights[(2 + 3 - corner.place) % 3]), static_cast<float>(distance)};
-}
-
-/// Barycentric coordinates.
-struct Place {
-  double second, third;
-};
-
-/// The point of the triangle nearest to the origin. \cite ericson_2005_collision (section 5.1.5)
-Place nearest_to_origin(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a;
-  const Vec3 ac = c - a;
-  const double d1 = -ab.dot(a);
-  const double d2 = -ac.dot(a);
-  if (d1 <= 0 && d2 <= 0) return {0, 0};
-  const double d3 = -ab.dot(b);
-  const double d4 = -ac.dot(b);
-  if (d3 >= 0 && d4 <= d3) return {1, 0};
-  const double over_c = d1 * d4 - d3 * d2;
-  if (over_c <= 0 && d1 >= 0 && d3 <= 0) return {d1 / (d1 - d3), 0};
-  const double d5 = -ab.dot(c);
-  const double d6 = -ac.dot(c);
-  if (d6 >= 0 && d5 <= d6) return {0, 1};
-  const double over_b = d5 * d2 - d1 * d6;
-  if (over_b <= 0 && d2 >= 0 && d6 <= 0) return {0, d2 / (d2 - d6)};
-  const double over_a = d3 * d6 - d5 * d4;
-  if (over_a <= 0 && d4 >= d3 && d5 >= d6) {
-    const double third = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {1 - third, third};
-  }
-  const double sum = over_a + over_b + over_c;
-  return {over_b / sum, over_c / sum};
 }
 
 }  // namespace
@@ -159,43 +126,13 @@ Foot FootFinder::find(const Sample& sample) const {
   return found.face != invalid_index ? found : walk(sample);
 }
 
-/// From the nearest face so far to the faces at that corner of it which has most of the foot and was not looked at yet.
 Foot FootFinder::walk(const Sample& sample) const {
-  std::array<Index, most_steps> seen;
-  std::size_t n_seen = 0;
-  double least_sq = std::numeric_limits<double>::infinity();
-  const Corner* nearest = nullptr;
-  Place place{};
-  double distance = 0;
-  for (Index v = sample.start; v != invalid_index && n_seen < most_steps;) {
-    seen[n_seen++] = v;
-    const Vec3 a = positions_[v] - sample.position;
-    for (const Corner& corner : corners_.of(v)) {
-      const Vec3 b = positions_[corner_after(faces_[corner.face], corner.place, 1)] - sample.position;
-      const Vec3 c = positions_[corner_after(faces_[corner.face], corner.place, 2)] - sample.position;
-      const Vec3 normal = (b - a).cross(c - a);
-      const double length = normal.norm();
-      if (!(normal.dot(sample.normal) > least_agreement * length)) continue;
-      const Place at = nearest_to_origin(a, b, c);
-      const double sq = (a + at.second * (b - a) + at.third * (c - a)).squaredNorm();
-      if (!(sq < least_sq)) continue;
-      least_sq = sq;
-      nearest = &corner;
-      place = at;
-      distance = -a.dot(normal) / length;
-    }
-    v = invalid_index;
-    if (nearest == nullptr) break;
-    const std::array<double, 3> weights{1 - place.second - place.third, place.second, place.third};
-    double most = 0;
-    for (Index i = 0; i < 3; ++i) {
-      const Index u = corner_after(faces_[nearest->face], nearest->place, i);
-      if (!(weights[i] > most) || std::find(seen.begin(), seen.begin() + n_seen, u) != seen.begin() + n_seen) continue;
-      most = weights[i];
-      v = u;
-    }
-  }
-  return nearest == nullptr ? Foot{} : foot(*nearest, place.second, place.third, distance);
+  const NearestPoint nearest = walk_to_nearest({faces_, corners_, positions_}, sample, least_agreement);
+  if (nearest.corner == nullptr) return {};
+  const Triangle& face = faces_[nearest.corner->face];
+  const Vec3& a = positions_[face[0]];
+  const Vec3 normal = (positions_[face[1]] - a).cross(positions_[face[2]] - a).normalized();
+  return foot(*nearest.corner, nearest.next, nearest.last, normal.dot(sample.position - a));
 }
 
 }  // namespace whittle

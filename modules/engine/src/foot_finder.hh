@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "vertex_corners.hh"
+#include "surface_walk.hh"
 #include "whittle/engine/large_array.hh"
 
 namespace whittle {
@@ -15,13 +15,6 @@ struct Foot {
   float second = 0;            ///< barycentric coordinate of the face's second corner
   float third = 0;
   float distance = 0;  ///< of the point from the face's plane, positive where the normal points
-};
-
-/// A point of another surface.
-struct Sample {
-  Vec3 position;
-  Vec3 normal;  ///< of unit length, or zero: then it has no foot
-  Index start;  ///< a vertex of the surface near it
 };
 
 /// Finds the feet of points on a mesh: in the faces of a vertex near the point that one which holds the foot of the

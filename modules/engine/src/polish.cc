@@ -1,6 +1,7 @@
 #include "whittle/engine/polish.hh"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "foot_finder.hh"
 #include "surface_fit.hh"
 #include "surface_samples.hh"
+#include "two_sided_error.hh"
 #include "vertex_corners.hh"
 #include "vertex_normals.hh"
 #include "whittle/engine/frame.hh"
@@ -79,16 +81,26 @@ PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_m
   for (const Vec3& p : mesh.positions) positions.push_back(frame.to_frame(p));
   const std::vector<Vec3> before = positions;
 
+  const VertexCorners original_corners(original);
+  const TwoSidedError error({original.faces, original_corners, samples.positions()}, vertex_map, mesh.faces, corners);
   FootFinder finder(mesh.faces, corners);
   SurfaceFit fit(mesh.faces, corners, is_fixed);
-  for (unsigned pass = 0; pass < options.passes; ++pass) {
+  PolishResult result;
+  double least = error.mean_square(positions, options.threads);
+  result.rms_before = std::sqrt(least) * frame.unscale;
+  for (; result.n_passes < options.passes; ++result.n_passes) {
     finder.look_at(positions, options.threads);
     samples.find_feet(finder, options.threads);
-    fit.start(positions);
+    std::vector<Vec3> moved = positions;
+    fit.start(moved);
     samples.for_each_foot([&fit](const Foot& foot, double weight) { fit.add(foot, weight); });
     for (int i = 0; i < n_sweeps; ++i) fit.sweep();
+    const double now = error.mean_square(moved, options.threads);
+    if (!(now < least)) break;
+    least = now;
+    positions = std::move(moved);
   }
-  PolishResult result;
+  result.rms_after = std::sqrt(least) * frame.unscale;
   for (std::size_t v = 0; v < positions.size(); ++v) {
     if (positions[v] == before[v]) continue;
     mesh.positions[v] = frame.to_model(positions[v]);

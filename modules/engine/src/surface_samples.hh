@@ -19,6 +19,8 @@ class SurfaceSamples {
   SurfaceSamples(const IndexedMesh& surface, std::span<const Index> vertex_map, const Frame& frame,
                  std::size_t per_face, unsigned threads);
 
+  const std::vector<Vec3>& positions() const { return positions_; }  ///< of the vertices, in the frame
+
   void find_feet(const FootFinder& finder, unsigned threads);
 
   /// Calls `use(foot, weight)` for each point that has a foot, always in the same order.

@@ -35,7 +35,7 @@ IndexedMesh polished(const IndexedMesh& original, const Decimation& d, const Pol
 }
 
 metrics::SurfaceDistance distance(const IndexedMesh& original, const IndexedMesh& mesh) {
-  return metrics::surface_distance(original, mesh, {.samples = 100'000});
+  return metrics::surface_distance(original, mesh, {.samples = 30'000});
 }
 
 Vec3 area_normal(const IndexedMesh& mesh, const Triangle& face) {
@@ -184,11 +184,11 @@ TEST(Polish, DoesNoHarm) {
     for (const double ratio : {0.7, 0.4, 0.2}) {
       SCOPED_TRACE(name + " to " + std::to_string(ratio));
       const Decimation d = decimated(original, ratio);
-      if (d.mesh.faces.size() < 60) continue;  // too coarse: planes fit better and better while corners stick out
+      if (d.mesh.faces.empty()) continue;
       const IndexedMesh after = polished(original, d);
       EXPECT_EQ(after.faces, d.mesh.faces);
       const double size = bounds_of(original.positions).diagonal();
-      EXPECT_LE(distance(original, after).rms, 1.1 * distance(original, d.mesh).rms + 1e-6 * size);
+      EXPECT_LE(distance(original, after).rms, 1.02 * distance(original, d.mesh).rms + 1e-6 * size);
       for (const Triangle& face : d.mesh.faces) {
         const Vec3 was = area_normal(d.mesh, face);
         EXPECT_GE(area_normal(after, face).dot(was), was.norm() > 1e-9 * size * size ? 0 : -1);

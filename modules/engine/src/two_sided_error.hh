@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "surface_walk.hh"
+
+namespace whittle {
+
+/// How far two surfaces are apart, both ways, at some points of each: for comparing what a mesh was with what it has
+/// become.
+class TwoSidedError {
+ public:
+  /// Keeps references to all.
+  /// \param vertex_map vertices of `original` → vertices of `mesh`, or `invalid_index`
+  TwoSidedError(const Surface& original, std::span<const Index> vertex_map, std::span<const Triangle> mesh_faces,
+                const VertexCorners& mesh_corners);
+
+  /// Half the sum of both ways' mean squared distances.
+  double mean_square(std::span<const Vec3> mesh_positions, unsigned threads) const;
+
+ private:
+  Surface original_;
+  std::span<const Index> vertex_map_;
+  std::span<const Triangle> mesh_faces_;
+  const VertexCorners& mesh_corners_;
+  std::vector<Index> first_origin_;  ///< per vertex of the mesh, where its origins begin; one more at the end
+  std::vector<Index> origins_;       ///< vertices of the original, by what they are mapped to
+};
+
+}  // namespace whittle
