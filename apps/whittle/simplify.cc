@@ -19,6 +19,7 @@
 #include "values.hh"
 #include "whittle/engine/automatic_threshold.hh"
 #include "whittle/engine/parts.hh"
+#include "whittle/engine/polish.hh"
 #include "whittle/io/write.hh"
 #include "whittle/metrics/shape.hh"
 
@@ -28,6 +29,7 @@ namespace {
 struct Seconds {
   double read = 0;
   double decimate = 0;
+  double polish = 0;
   double write = 0;
   double total = 0;
 };
@@ -40,6 +42,7 @@ struct Run {
   std::size_t n_pruned_parts = 0;
   double threshold = 0;  ///< of pairs, model units
   Decimation decimation;
+  PolishResult polish;
   bool met = false;
   std::vector<std::string> warnings;
   Seconds seconds;
@@ -93,6 +96,19 @@ Decimation decimate_input(const SimplifyOptions& options, const Talk& talk, cons
   Decimation decimation = decimate(mesh, run.target, engine_options);
   SignalsWait::throw_if_pending();
   return decimation;
+}
+
+/// Vertices on feature lines stay where they are.
+void polish_result(const SimplifyOptions& options, Run& run) {
+  const Stopwatch watch;
+  Decimation& decimation = run.decimation;
+  std::vector<std::uint8_t> on_line(decimation.mesh.positions.size());
+  for (const auto& [a, b] : decimation.feature_edges) on_line[a] = on_line[b] = 1;
+  const SignalsWait signals_wait;
+  run.polish = polish(run.input.read.mesh, decimation.vertex_map, decimation.mesh,
+                      {.passes = options.polish_passes, .locked = on_line, .threads = options.common.threads});
+  SignalsWait::throw_if_pending();
+  run.seconds.polish = watch.seconds();
 }
 
 std::string shown_output(const SimplifyOptions& options) {
@@ -175,6 +191,14 @@ Json rejections_json(const SimplifyOptions& options, const Rejections& refused) 
           {"locked", refused.locked}};
 }
 
+Json polish_json(const SimplifyOptions& options, const PolishResult& polish) {
+  if (options.polish_passes == 0) return nullptr;
+  return {{"passes", polish.n_passes},
+          {"moved", polish.n_moved},
+          {"rms_before", polish.rms_before},
+          {"rms_after", polish.rms_after}};
+}
+
 Json simplify_json(const SimplifyOptions& options, const Run& run) {
   const IndexedMesh& mesh = run.decimation.mesh;
   const DecimateResult& result = run.decimation.result;
@@ -190,9 +214,10 @@ Json simplify_json(const SimplifyOptions& options, const Run& run) {
   json["threshold_pairs"] = threshold_pairs_json(result.threshold_pairs);
   json["max_cost"] = result.max_cost;
   json["rejections"] = rejections_json(options, result.rejections);
+  json["polish"] = polish_json(options, run.polish);
   json["seconds"] = {{"read", run.seconds.read},
                      {"decimate", run.seconds.decimate},
-                     {"polish", 0.0},
+                     {"polish", run.seconds.polish},
                      {"write", run.seconds.write},
                      {"total", run.seconds.total}};
   json["peak_rss_bytes"] = peak_memory_bytes();
@@ -240,6 +265,13 @@ std::string threshold_pairs(const ThresholdPairCounts& pairs) {
          (pairs.capped ? ", the nearest of each vertex" : "") + ", " + std::to_string(pairs.contracted) + " contracted";
 }
 
+std::string polish_line(const PolishResult& polish) {
+  if (polish.n_passes == 0) return "polish: taken back, as it brought the surfaces no nearer";
+  return "polish: " + std::to_string(polish.n_passes) + (polish.n_passes == 1 ? " pass" : " passes") + ", " +
+         std::to_string(polish.n_moved) + " vertices moved, rms distance " + significant(polish.rms_before) + " -> " +
+         significant(polish.rms_after);
+}
+
 void say_details(const SimplifyOptions& options, const Talk& talk, const Run& run) {
   if (!talk.is_verbose()) return;
   const DecimateResult& result = run.decimation.result;
@@ -247,8 +279,11 @@ void say_details(const SimplifyOptions& options, const Talk& talk, const Run& ru
               significant(result.max_cost) + ", stopped by: " + std::string(to_string(result.stop)));
   talk.detail(refusals(options, result.rejections));
   if (run.threshold > 0) talk.detail(threshold_pairs(result.threshold_pairs));
+  const bool is_polished = options.polish_passes > 0;
+  if (is_polished) talk.detail(polish_line(run.polish));
   talk.detail("read " + seconds_text(run.seconds.read) + ", decimate " + seconds_text(run.seconds.decimate) +
-              ", write " + seconds_text(run.seconds.write));
+              (is_polished ? ", polish " + seconds_text(run.seconds.polish) : "") + ", write " +
+              seconds_text(run.seconds.write));
   say_effort(talk, run.seconds.total);
 }
 
@@ -292,6 +327,7 @@ ExitCode run_simplify(const CLI::App& app, const SimplifyOptions& options) {
   run.threshold = resolve_threshold(options, talk, run);
   run.decimation = decimate_input(options, talk, run);
   run.seconds.decimate = decimating.seconds();
+  if (options.polish_passes > 0) polish_result(options, run);
   run.met = is_met(run.target, run.decimation.result.stop);
 
   warn_of_valence_three(options, talk, run);

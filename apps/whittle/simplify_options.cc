@@ -157,6 +157,13 @@ void add_cost_options(CLI::App& app, SimplifyOptions& options) {
       "exact: always the cheapest next; approximate: faster for costs other than plain quadrics")
       ->default_str("exact; approximate with memoryless")
       ->group(cost_group);
+  add_value(
+      app, "--polish", "N", options.polish_passes,
+      [](std::string_view text) { return static_cast<unsigned>(parse_count(text, 0, 1000)); },
+      "passes that fit the result to the mesh it came from; one that doesn't help is taken back, and ends them (0: "
+      "none)")
+      ->default_str(std::to_string(options.polish_passes))
+      ->group(cost_group);
   add_choice<Engine>(app, "--engine", options.engine, engines,
                      "where the work is done; openmesh: the same cost as a module in OpenMesh's own decimater")
       ->group(cost_group);
@@ -244,6 +251,7 @@ nlohmann::ordered_json options_json(const SimplifyOptions& options) {
       {"valence", options.decimate.valence_weight},
       {"isotropic", options.decimate.isotropy},
       {"order", word_of<Order>(orders, options.order())},
+      {"polish", options.polish_passes},
       {"weights", word_of<Weights>(weights, quadric.weights)},
       {"placement", word_of<Placement>(placements, quadric.placement)},
       {"boundary", word_of<Boundary>(boundaries, options.decimate.boundary)},

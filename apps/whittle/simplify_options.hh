@@ -35,6 +35,7 @@ struct SimplifyOptions {
   Length feature_tolerance{5e-4, true};  ///< how far feature lines may stray
   std::optional<Length> prune;           ///< parts smaller than this are dropped
   Engine engine = Engine::flat;
+  unsigned polish_passes = 0;
   std::optional<std::string> map;  ///< file for the vertex map
   bool strict = false;
   CommonOptions common;

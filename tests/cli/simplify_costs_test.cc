@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "simplified.hh"
+#include "whittle/engine/frame.hh"
 #include "whittle/engine/radius_ratio.hh"
 #include "whittle/io/read.hh"
 #include "whittle/metrics/distance.hh"
@@ -40,6 +41,30 @@ TEST(SimplifyCosts, LindstromTurkIsMoreAccurate) {
   EXPECT_LT(mean_error(knot, approximate.mesh), 0.95 * plain);
   EXPECT_EQ(exact.report["output"]["closed"], true);
   EXPECT_EQ(exact.report["output"]["genus"], 1);
+}
+
+TEST(SimplifyCosts, MemorylessIsMoreAccurateAndPolishedMoreSo) {
+  const std::string knot = data_file("knot.ply");
+  const double plain = mean_error(knot, with(knot, "5%", {}).mesh);
+  const Simplified memoryless = with(knot, "5%", {"--cost", "memoryless"});
+  const Simplified polished = with(knot, "5%", {"--cost", "memoryless", "--polish", "2"});
+  EXPECT_EQ(memoryless.report["options"]["order"], "approximate");
+  EXPECT_LT(mean_error(knot, memoryless.mesh), 0.9 * plain);
+  EXPECT_LT(mean_error(knot, polished.mesh), 0.95 * mean_error(knot, memoryless.mesh));
+  EXPECT_EQ(polished.mesh.faces, memoryless.mesh.faces);
+  EXPECT_EQ(polished.report["polish"]["passes"], 2);
+  EXPECT_GT(polished.report["polish"]["moved"], 1000);
+  EXPECT_LT(polished.report["polish"]["rms_after"], 0.97 * polished.report["polish"]["rms_before"].get<double>());
+}
+
+TEST(SimplifyCosts, PolishLeavesFeatureLinesWhereTheyAre) {
+  const std::string bracket = data_file("bracket.stl");
+  const Simplified plain = with(bracket, "30%", {"--cost", "memoryless", "--feature-angle", "40"});
+  const Simplified polished = with(bracket, "30%", {"--cost", "memoryless", "--feature-angle", "40", "--polish", "2"});
+  const auto lines = [](const IndexedMesh& mesh) { return metrics::feature_lines(mesh, 40); };
+  const auto distance = metrics::line_distance(lines(plain.mesh), lines(polished.mesh), {});
+  ASSERT_TRUE(distance.has_value());
+  EXPECT_LT(distance->max, 1e-6 * bounds_of(plain.mesh.positions).diagonal());
 }
 
 TEST(SimplifyCosts, ValencePenaltyMakesValencesRegular) {

@@ -256,6 +256,7 @@ TEST(Report, HasEveryKeyOfItsSchema) {
   EXPECT_EQ(json["threshold_pairs"]["considered"], 0);
   EXPECT_EQ(json["threshold_pairs"]["capped"], false);
   EXPECT_EQ(json["seconds"]["polish"], 0.0);
+  EXPECT_TRUE(json["polish"].is_null());
   const auto& seconds = json["seconds"];
   EXPECT_LE(seconds["read"].get<double>() + seconds["decimate"].get<double>() + seconds["write"].get<double>(),
             seconds["total"].get<double>());

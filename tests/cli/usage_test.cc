@@ -56,7 +56,7 @@ TEST(Usage, NamesWhatIsUnknown) {
   expect_usage_error(whittle(simplify_with(folder, {"--fases", "9"})), {"--fases"});
   expect_usage_error(whittle(simplify_with(folder, {"another.obj"})), {"another.obj"});
   // Not there yet, so not accepted in silence.
-  for (const char* option : {"--polish", "--effort", "--record", "--curve"}) {
+  for (const char* option : {"--effort", "--record", "--curve"}) {
     expect_usage_error(whittle(simplify_with(folder, {option, "1"})), {option});
   }
 }
@@ -103,7 +103,7 @@ TEST(Usage, NamesTheOptionAndTheRange) {
       {"--max-normal-flip", "0", "0 < DEG <= 180"},
       {"--max-normal-flip", "181", "0 < DEG <= 180"},
       {"--engine", "fast", "flat|openmesh"},
-      {"--cost", "memory", "quadric|lindstrom-turk|midpoint"},
+      {"--cost", "memory", "quadric|memoryless|lindstrom-turk|midpoint"},
       {"--order", "any", "exact|approximate"},
       {"--valence", "-1", "W >= 0"},
       {"--valence", "nan", "W >= 0"},
