@@ -62,6 +62,7 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
   }
   const double tolerance = options.feature_tolerance * bounds_of(mesh.positions).diagonal() * frame_.scale;
   restraints_ = BruteForceRestraints(positions_, faces_, locked, options, tolerance);
+  if (options.cost == Cost::memoryless) memory_.emplace(positions_.size(), faces_);
   if (options.pairs.threshold > 0) find_threshold_pairs(options.pairs);
 }
 
@@ -131,7 +132,7 @@ BruteForceDecimater::Choice BruteForceDecimater::choice(Index a, Index b, bool i
                                                         const SurfaceNow& surface) const {
   PairEvaluation e = evaluate(a, b, is_edge, surface);
   if (options_.valence_weight > 0) e.cost = surface.valence_change(a, b).penalize(e.cost, options_.valence_weight);
-  return {e.cost, a, b, is_edge, e.position, e.is_minimum};
+  return {e.cost, a, b, is_edge, e.position, e.is_minimum, e.position};
 }
 
 PairEvaluation BruteForceDecimater::evaluate(Index a, Index b, bool is_edge, const SurfaceNow& surface) const {
@@ -145,14 +146,31 @@ PairEvaluation BruteForceDecimater::evaluate(Index a, Index b, bool is_edge, con
   return evaluate_pair(first, second, placement, pinned);
 }
 
-PlacedQuadric BruteForceDecimater::merged_quadric(const Choice& choice) const {
-  if (options_.cost != Cost::quadric) return {choice.position, {}};
-  return merged(placed(choice.low, choice.is_edge), placed(choice.high, choice.is_edge), choice.position,
-                choice.is_minimum);
+/// The first that is allowed; at the better place, if it is allowed there.
+std::optional<BruteForceDecimater::Choice> BruteForceDecimater::next_choice() const {
+  for (Choice choice : choices()) {
+    if (const std::optional<Vec3> position = better_position(choice)) {
+      choice.position = *position;
+      if (is_allowed(choice)) return choice;
+      choice.position = choice.cheapest;
+    }
+    if (is_allowed(choice)) return choice;
+  }
+  return std::nullopt;
+}
+
+std::optional<Vec3> BruteForceDecimater::better_position(const Choice& choice) const {
+  if (!choice.is_minimum || !forgets(choice)) return std::nullopt;
+  const FacesAroundPair around(positions_, faces_, choice.low, choice.high, choice.cheapest);
+  return choice.cheapest + volume_step(quadrics_[choice.low].a + quadrics_[choice.high].a, around.volume());
+}
+
+bool BruteForceDecimater::forgets(const Choice& choice) const {
+  return memory_ && memory_->forgets(choice.low, choice.high, is_joint(choice.low, choice.high, choice.is_edge));
 }
 
 bool BruteForceDecimater::is_allowed(const Choice& choice) const {
-  const auto& [cost, a, b, is_edge, position, is_minimum] = choice;
+  const auto& [cost, a, b, is_edge, cheapest, is_minimum, position] = choice;
   if (!restraints_.pinned(a, b) || !restraints_.keeps_lines(positions_, faces_, a, b, position)) return false;
   if (is_edge && options_.topology == Topology::keep && !keeps_topology(a, b)) {
     const bool is_manifold = !link_of(a, faces_).is_singular && !link_of(b, faces_).is_singular;
@@ -313,7 +331,10 @@ bool BruteForceDecimater::keeps_shape(const Triangle& face, Index v, const Vec3&
 void BruteForceDecimater::contract(const Choice& choice, Index survivor, Index removed) {
   std::vector<Triangle> faces = faces_after(survivor, removed);
   restraints_.contract(positions_, faces, survivor, removed, choice.position);
-  quadrics_[survivor] = merged_quadric(choice).quadric;
+  quadrics_[survivor] = merge_quadrics(choice);
+  if (memory_) {
+    memory_->contract(survivor, removed, is_joint(choice.low, choice.high, choice.is_edge), faces_, faces);
+  }
   points_[survivor] = choice.is_edge ? points_[choice.low] + points_[choice.high] : PointQuadric{};
   positions_[survivor] = choice.position;
   faces_ = std::move(faces);
@@ -325,13 +346,28 @@ void BruteForceDecimater::contract(const Choice& choice, Index survivor, Index r
   threshold_pairs_ = std::move(pairs);
 }
 
+/// \return that of the merged vertex; memoryless ones of its neighbours are changed at once
+Quadric BruteForceDecimater::merge_quadrics(const Choice& choice) {
+  const auto& [cost, a, b, is_edge, cheapest, is_minimum, position] = choice;
+  if (options_.cost != Cost::quadric && options_.cost != Cost::memoryless) return {};
+  Quadric quadric = merged(placed(a, is_edge), placed(b, is_edge), position, is_minimum).quadric;
+  if (!memory_) return quadric;
+  const Vec3 origin = forgets(choice) ? cheapest : Vec3::Zero();
+  for (const Index v : memory_->forgetful_neighbours(a, b, is_joint(a, b, is_edge), faces_)) {
+    quadrics_[v].a += change_of_planes(positions_, faces_, a, b, v, position, origin, options_.quadric);
+  }
+  if (!forgets(choice)) return quadric;
+  quadric = {};
+  quadric.a = FacesAroundPair(positions_, faces_, a, b, origin).planes(position - origin, options_.quadric);
+  return quadric;
+}
+
 std::vector<Contraction> BruteForceDecimater::run(const DecimateTarget& target) {
   const double dimension = cost_dimension(options_);
   std::vector<Contraction> done;
   while ((!target.faces || n_faces() > *target.faces) && (!target.vertices || n_vertices() > *target.vertices)) {
-    const std::vector<Choice> all = choices();
-    const auto choice = std::ranges::find_if(all, [this](const Choice& c) { return is_allowed(c); });
-    if (choice == all.end()) break;
+    const std::optional<Choice> choice = next_choice();
+    if (!choice) break;
     const double cost = frame_.cost_to_model(choice->cost, dimension);
     if (target.max_cost && cost > *target.max_cost) break;
     const bool keep_high = restraints_.pinned(choice->low, choice->high) != Pinned::first;

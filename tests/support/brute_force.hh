@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "support/brute_force_costs.hh"
+#include "support/brute_force_memoryless.hh"
 #include "support/brute_force_restraints.hh"
 #include "whittle/engine/decimate.hh"
 #include "whittle/engine/frame.hh"
@@ -39,15 +41,19 @@ class BruteForceDecimater {
     double cost;
     Index low, high;
     bool is_edge;
-    Vec3 position;
+    Vec3 cheapest;  ///< where that is the cost
     bool is_minimum;
+    Vec3 position;  ///< where the merged vertex goes: there, too, or to a better place
   };
   void find_threshold_pairs(const PairOptions& options);
   PlacedQuadric placed(Index v, bool is_edge) const;
   std::vector<Choice> choices() const;
   Choice choice(Index a, Index b, bool is_edge, const SurfaceNow& surface) const;
   PairEvaluation evaluate(Index a, Index b, bool is_edge, const SurfaceNow& surface) const;
-  PlacedQuadric merged_quadric(const Choice& choice) const;
+  std::optional<Choice> next_choice() const;
+  std::optional<Vec3> better_position(const Choice& choice) const;
+  bool is_joint(Index a, Index b, bool is_edge) const { return !is_edge || !keeps_topology(a, b); }
+  bool forgets(const Choice& choice) const;
   bool is_allowed(const Choice& choice) const;
   bool keeps_topology(Index a, Index b) const;
   bool is_no_less_manifold(Index a, Index b) const;
@@ -56,6 +62,7 @@ class BruteForceDecimater {
   std::vector<bool> faces_left(Index a, Index b) const;
   std::vector<Triangle> faces_after(Index survivor, Index removed) const;
   void contract(const Choice& choice, Index survivor, Index removed);
+  Quadric merge_quadrics(const Choice& choice);
 
   DecimateOptions options_;
   Frame frame_;
@@ -64,7 +71,8 @@ class BruteForceDecimater {
   std::vector<PointQuadric> points_;
   std::set<std::pair<Index, Index>> threshold_pairs_;  ///< lower vertex first; some may have a common face
   BruteForceRestraints restraints_;
-  std::vector<Triangle> faces_;  ///< of the mesh as it now is, in the input's order
+  std::optional<BruteForceMemory> memory_;  ///< of memoryless quadrics
+  std::vector<Triangle> faces_;             ///< of the mesh as it now is, in the input's order
 };
 
 }  // namespace whittle::test

@@ -214,9 +214,10 @@ void ContractionLoop::refuse(const Pair& pair, Refusal refusal) {
 }
 
 void ContractionLoop::contract(const Turn& turn) {
+  const auto& [pair, evaluation] = turn;
+  const PlacedQuadric merged = cost_->merge(pair, evaluation, star_);
   // The higher origin survives, so that no pair's place among ties moves forward; but a vertex that stays where it is
   // stays what it is.
-  const auto& [pair, evaluation] = turn;
   Index survivor = pair.b;
   Index removed = pair.a;
   if (restraints_.pinned(pair) == Pinned::first) {
@@ -225,7 +226,7 @@ void ContractionLoop::contract(const Turn& turn) {
     std::swap(star_.first, star_.second);
   }
   restraints_.contract(complex_, pair, survivor, star_, evaluation.position);
-  complex_.contract(pair.id, survivor, removed, cost_->merge(pair, evaluation, star_), star_);
+  complex_.contract(pair.id, survivor, removed, merged, star_);
   result_.threshold_pairs.contracted += static_cast<std::uint64_t>(complex_.is_threshold_pair(pair.id));
   result_.max_cost = std::max(result_.max_cost, evaluation.cost);
   if (options_.listener) {

@@ -1,5 +1,8 @@
 #include "memoryless_cost.hh"
 
+#include <algorithm>
+#include <utility>
+
 namespace whittle {
 
 /// Whether the merged vertex, and its neighbours, get the planes of its faces alone.
@@ -19,14 +22,68 @@ Vec3 MemorylessCost::place(const Pair& pair, const PairEvaluation& evaluation, c
 PlacedQuadric MemorylessCost::merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) {
   const bool forgotten = forgets(pair, star);
   remembers_[pair.a] = remembers_[pair.b] = !forgotten;
-  if (!forgotten) return quadric_cost_.merge(pair, evaluation, star);
-  Quadric quadric;
-  quadric.a = ring_.move_to(evaluation.position - ring_origin_, options_);
+  if (forgotten) {
+    Quadric quadric;
+    quadric.a = ring_.move_to(evaluation.position - ring_origin_, options_);
+    change_neighbours_on_ring();
+    return {evaluation.position, quadric};
+  }
+  if (star.is_joint) {
+    remember_around(star);
+  } else {
+    change_neighbours(pair, evaluation.position, star);
+  }
+  return quadric_cost_.merge(pair, evaluation, star);
+}
+
+/// \pre the ring has been moved
+void MemorylessCost::change_neighbours_on_ring() {
   for (std::size_t i = 0; i < ring_.size(); ++i) {
     const Index neighbour = ring_.vertex(i);
-    if (complex_.is_ring(neighbour) && !remembers_[neighbour]) complex_.change_planes(neighbour, ring_.change(i));
+    if (has_planes_of_faces(neighbour)) complex_.change_planes(neighbour, ring_.change(i));
   }
-  return {evaluation.position, quadric};
+}
+
+/// For a merged vertex without a ring. Each neighbour that is changed has two faces at it, and the order of two doesn't
+/// matter; what vanishes comes last.
+void MemorylessCost::change_neighbours(const Pair& pair, const Vec3& position, const PairStar& star) {
+  changes_.clear();
+  const auto add = [this](Index v, const SymmetricMatrix& planes) {
+    if (has_planes_of_faces(v)) changes_.push_back({v, planes});
+  };
+  for (const auto& [wings, end] : {std::pair(star.first, pair.a), std::pair(star.second, pair.b)}) {
+    for (std::size_t i = 0; i < wings.size(); ++i) {
+      const Vec3& x = complex_.position(wings[i].x);
+      const Vec3& y = complex_.position(wings[i].y);
+      SymmetricMatrix change = corner_quadric(position, x, y, options_);
+      change -= corner_quadric(complex_.position(end), x, y, options_);
+      add(wings[i].x, change);
+      add(wings[i].y, change);
+    }
+  }
+  for (const PairStar::Opposite& opposite : star.opposites) {
+    SymmetricMatrix change;
+    change -= corner_quadric(complex_.position(pair.a), complex_.position(pair.b), complex_.position(opposite.vertex),
+                             options_);
+    add(opposite.vertex, change);
+  }
+  std::stable_sort(changes_.begin(), changes_.end(),
+                   [](const Change& x, const Change& y) { return x.vertex < y.vertex; });
+  for (auto change = changes_.begin(); change != changes_.end();) {
+    const Index neighbour = change->vertex;
+    SymmetricMatrix sum;
+    for (; change != changes_.end() && change->vertex == neighbour; ++change) sum += change->planes;
+    complex_.change_planes(neighbour, sum);
+  }
+}
+
+/// Their faces hang together in another way now.
+void MemorylessCost::remember_around(const PairStar& star) {
+  for (const Wings& wings : {star.first, star.second}) {
+    for (const Spoke& spoke : wings.spokes()) remembers_[spoke.vertex] = true;
+  }
+  for (const PairStar::Opposite& opposite : star.opposites) remembers_[opposite.vertex] = true;
+  for (const auto& [x, y] : star.joint.coincident) remembers_[x] = remembers_[y] = true;
 }
 
 }  // namespace whittle

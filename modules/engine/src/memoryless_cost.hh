@@ -1,12 +1,15 @@
 #pragma once
 
+#include <vector>
+
 #include "merged_ring.hh"
 #include "quadric_cost.hh"
 
 namespace whittle {
 
 /// Memoryless quadrics (memoryless_term.hh). A contraction changes those of the merged vertex and of its neighbours; at
-/// borders and where the surface isn't manifold they remember, as they would with Garland–Heckbert.
+/// borders and where the surface isn't manifold they remember, as they would with Garland–Heckbert, and so do
+/// neighbours of vertices that are joined.
 class MemorylessCost final : public PairCost {
  public:
   MemorylessCost(TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options)
@@ -26,14 +29,24 @@ class MemorylessCost final : public PairCost {
   bool changes_neighbours() const override { return true; }
 
  private:
+  /// What the planes at a vertex change by, because of one face.
+  struct Change {
+    Index vertex;
+    SymmetricMatrix planes;
+  };
   bool forgets(const Pair& pair, const PairStar& star) const;
+  bool has_planes_of_faces(Index v) const { return complex_.is_ring(v) && !remembers_[v]; }
+  void change_neighbours_on_ring();
+  void change_neighbours(const Pair& pair, const Vec3& position, const PairStar& star);
+  void remember_around(const PairStar& star);
 
   TriangleComplex& complex_;
   QuadricOptions options_;
   QuadricCost quadric_cost_;
   MergedRing ring_;              ///< of the pair placed last, if it forgets
   Vec3 ring_origin_;             ///< what it is seen from
-  std::vector<bool> remembers_;  ///< per vertex, whether it has quadrics of what it has merged
+  std::vector<bool> remembers_;  ///< per vertex, whether it has planes of faces that there were
+  std::vector<Change> changes_;  ///< scratch
 };
 
 }  // namespace whittle

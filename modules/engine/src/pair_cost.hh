@@ -25,7 +25,7 @@ class PairCost {
   /// Where the merged vertex would best go, now that the faces around are gathered.
   virtual Vec3 place(const Pair&, const PairEvaluation& evaluation, const PairStar&) { return evaluation.position; }
 
-  /// Told that the pair placed last is to be contracted. \return what its vertex is to keep
+  /// Told that the pair placed last is to be contracted. \param star as it was then \return what its vertex is to keep
   virtual PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) = 0;
 
   /// The power of a length that is the cost's unit.

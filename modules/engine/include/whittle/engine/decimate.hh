@@ -47,7 +47,8 @@ enum class Cost {
 enum class Order {
   automatic,   ///< approximate for `Cost::memoryless`, else exact
   exact,       ///< that of an algorithm which evaluates every pair anew after each contraction
-  approximate  ///< faster: a pair that gets cheaper than it was is noticed only when its old place is reached
+  approximate  ///< faster: a pair that gets cheaper than it was is noticed only when its old place is reached. When
+               ///< that is differs a little between units that differ by no power of two
 };
 
 /// What happens to edges with one face, and to their vertices.
