@@ -93,6 +93,23 @@ std::vector<Setting> all_settings() {
     o.cost = Cost::lindstrom_turk;
     o.topology = Topology::free;
   });
+  const auto add_memoryless = [&](const std::string& name, auto change) {
+    add("memoryless" + name, [&](DecimateOptions& o) {
+      o.cost = Cost::memoryless;
+      o.order = Order::exact;
+      change(o);
+    });
+  };
+  add_memoryless("", [](DecimateOptions&) {});
+  add_memoryless(", locked border", [](DecimateOptions& o) { o.boundary = Boundary::locked; });
+  add_memoryless(", free border", [](DecimateOptions& o) { o.boundary = Boundary::free; });
+  add_memoryless(", free topology", [](DecimateOptions& o) { o.topology = Topology::free; });
+  add_memoryless(", flip 180", [](DecimateOptions& o) { o.max_normal_flip_deg = 180; });
+  add_memoryless(", flip 20", [](DecimateOptions& o) { o.max_normal_flip_deg = 20; });
+  add_memoryless(", midpoint", [](DecimateOptions& o) { o.quadric.placement = Placement::midpoint; });
+  add_memoryless(", valence 1", [](DecimateOptions& o) { o.valence_weight = 1; });
+  add_memoryless(", radius ratio 0.4", [](DecimateOptions& o) { o.min_radius_ratio = 0.4; });
+  add_memoryless(", features 40", [](DecimateOptions& o) { o.feature_angle_deg = 40; });
   add("edge length", [](DecimateOptions& o) { o.cost = Cost::midpoint; });
   add("isotropic 0.3", [](DecimateOptions& o) { o.isotropy = 0.3; });
   add("isotropic 1", [](DecimateOptions& o) { o.isotropy = 1; });
