@@ -19,22 +19,23 @@ struct Outcome {
   double mean_error = 0;  ///< model units
 };
 
-Outcome outcome_of(const IndexedMesh& mesh) {
-  Outcome outcome;
-  DecimateOptions options;
-  options.listener = [&](const Contraction& c) { outcome.pairs.push_back({c.survivor, c.removed}); };
-  outcome.decimation = decimate(mesh, {.faces = mesh.faces.size() / 10}, options);
-  outcome.mean_error = metrics::surface_distance(mesh, outcome.decimation.mesh, {.samples = 200'000}).mean;
-  return outcome;
-}
-
-class BunnyInvariance : public testing::Test {
+class BunnyInvariance : public testing::TestWithParam<Cost> {
  protected:
   void SetUp() override {
     WHITTLE_REAL_MESH_OR_SKIP(path, "bunny.obj");
     mesh_ = io::read_mesh(path).mesh;
     here_ = outcome_of(mesh_);
     std::cout << "as it is: " << here_.decimation.result.n_faces << " faces, mean error " << here_.mean_error << "\n";
+  }
+  static Outcome outcome_of(const IndexedMesh& mesh, unsigned threads = 0) {
+    Outcome outcome;
+    DecimateOptions options;
+    options.cost = GetParam();
+    options.threads = threads;
+    options.listener = [&](const Contraction& c) { outcome.pairs.push_back({c.survivor, c.removed}); };
+    outcome.decimation = decimate(mesh, {.faces = mesh.faces.size() / 10}, options);
+    outcome.mean_error = metrics::surface_distance(mesh, outcome.decimation.mesh, {.samples = 200'000}).mean;
+    return outcome;
   }
   /// \param unit how long `there` calls what is 1 here
   void expect_near(const std::string& what, const Outcome& there, double unit, double tolerance) const {
@@ -48,7 +49,7 @@ class BunnyInvariance : public testing::Test {
   Outcome here_;
 };
 
-TEST_F(BunnyInvariance, PowersOfTwoGiveTheSameBits) {
+TEST_P(BunnyInvariance, PowersOfTwoGiveTheSameBits) {
   for (const double factor : {1024.0, 1.0 / 1024}) {
     const Outcome there = outcome_of(scaled(mesh_, factor));
     EXPECT_EQ(there.pairs, here_.pairs);
@@ -59,19 +60,31 @@ TEST_F(BunnyInvariance, PowersOfTwoGiveTheSameBits) {
   }
 }
 
-TEST_F(BunnyInvariance, PowersOfTenGiveTheSameErrorWithinHalfAPercent) {
+TEST_P(BunnyInvariance, PowersOfTenGiveTheSameErrorWithinHalfAPercent) {
   expect_near("x 1000", outcome_of(scaled(mesh_, 1000)), 1000, 0.005);
   expect_near("/ 1000", outcome_of(scaled(mesh_, 0.001)), 0.001, 0.005);
 }
 
-TEST_F(BunnyInvariance, TurnsGiveTheSameErrorWithinHalfAPercent) {
+TEST_P(BunnyInvariance, TurnsGiveTheSameErrorWithinHalfAPercent) {
   for (const std::uint64_t seed : {1U, 2U}) expect_near("turned", outcome_of(rotated(mesh_, seed)), 1, 0.005);
 }
 
-TEST_F(BunnyInvariance, AMillionDiagonalsAwayTheErrorIsWithinFivePercent) {
+TEST_P(BunnyInvariance, AMillionDiagonalsAwayTheErrorIsWithinFivePercent) {
   const double distance = 1e6 * diagonal(mesh_);
   expect_near("far away", outcome_of(moved(mesh_, Vec3(distance, -distance, distance))), 1, 0.05);
 }
+
+TEST_P(BunnyInvariance, ThreadsChangeNoBit) {
+  for (unsigned threads = 1; threads <= 8; ++threads) {
+    const Outcome there = outcome_of(mesh_, threads);
+    EXPECT_EQ(there.pairs, here_.pairs) << threads;
+    EXPECT_EQ(there.decimation.mesh.positions, here_.decimation.mesh.positions) << threads;
+    EXPECT_EQ(there.decimation.mesh.faces, here_.decimation.mesh.faces) << threads;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Costs, BunnyInvariance, testing::Values(Cost::quadric, Cost::memoryless),
+                         [](const auto& test) { return test.param == Cost::quadric ? "quadric" : "memoryless"; });
 
 }  // namespace
 }  // namespace whittle::test
