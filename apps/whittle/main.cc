@@ -86,6 +86,7 @@ int main(int argc, char** argv) {
     setup_simplify(app, command);
     setup_measure(app, command);
     setup_info(app, command);
+    setup_polish(app, command);
     setup_compare(app, command);
     app.footer(
         "'whittle SUBCOMMAND --help' tells the options of each.\n"

@@ -95,6 +95,20 @@ void add_shape(Json& json, const metrics::Shape& shape) {
   json["degenerate_faces"] = shape.degenerate_faces;
 }
 
+Json polish_json(const PolishResult& polish) {
+  return {{"passes", polish.n_passes},
+          {"moved", polish.n_moved},
+          {"rms_before", polish.rms_before},
+          {"rms_after", polish.rms_after}};
+}
+
+std::string polish_text(const PolishResult& polish) {
+  if (polish.n_passes == 0) return "left as it was, nothing brought the surfaces nearer";
+  return std::to_string(polish.n_passes) + (polish.n_passes == 1 ? " pass, " : " passes, ") +
+         std::to_string(polish.n_moved) + " vertices moved, rms distance " + significant(polish.rms_before) + " -> " +
+         significant(polish.rms_after);
+}
+
 Json input_json(const Input& input, double diagonal) {
   return {{"path", input.path},
           {"vertices", input.read.mesh.positions.size()},

@@ -6,6 +6,7 @@
 
 #include "command_line.hh"
 #include "input.hh"
+#include "whittle/engine/polish.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/line_distance.hh"
@@ -42,6 +43,12 @@ Json lines_json(const std::optional<metrics::LineDistance>& distance, double dia
 
 /// Adds "radius_ratio", "min_angle_deg", "valence", "edge_length_cv", "folds", "degenerate_faces".
 void add_shape(Json& json, const metrics::Shape& shape);
+
+/// {"passes", "moved", "rms_before", "rms_after"}
+Json polish_json(const PolishResult& polish);
+
+/// "2 passes, 1234 vertices moved, rms distance 0.1 -> 0.09"
+std::string polish_text(const PolishResult& polish);
 
 /// {"path", "vertices", "faces", "diagonal", "repairs"}
 Json input_json(const Input& input, double diagonal);

@@ -191,14 +191,6 @@ Json rejections_json(const SimplifyOptions& options, const Rejections& refused) 
           {"locked", refused.locked}};
 }
 
-Json polish_json(const SimplifyOptions& options, const PolishResult& polish) {
-  if (options.polish_passes == 0) return nullptr;
-  return {{"passes", polish.n_passes},
-          {"moved", polish.n_moved},
-          {"rms_before", polish.rms_before},
-          {"rms_after", polish.rms_after}};
-}
-
 Json simplify_json(const SimplifyOptions& options, const Run& run) {
   const IndexedMesh& mesh = run.decimation.mesh;
   const DecimateResult& result = run.decimation.result;
@@ -214,7 +206,7 @@ Json simplify_json(const SimplifyOptions& options, const Run& run) {
   json["threshold_pairs"] = threshold_pairs_json(result.threshold_pairs);
   json["max_cost"] = result.max_cost;
   json["rejections"] = rejections_json(options, result.rejections);
-  json["polish"] = polish_json(options, run.polish);
+  json["polish"] = options.polish_passes > 0 ? polish_json(run.polish) : Json(nullptr);
   json["seconds"] = {{"read", run.seconds.read},
                      {"decimate", run.seconds.decimate},
                      {"polish", run.seconds.polish},
@@ -265,13 +257,6 @@ std::string threshold_pairs(const ThresholdPairCounts& pairs) {
          (pairs.capped ? ", the nearest of each vertex" : "") + ", " + std::to_string(pairs.contracted) + " contracted";
 }
 
-std::string polish_line(const PolishResult& polish) {
-  if (polish.n_passes == 0) return "polish: taken back, as it brought the surfaces no nearer";
-  return "polish: " + std::to_string(polish.n_passes) + (polish.n_passes == 1 ? " pass" : " passes") + ", " +
-         std::to_string(polish.n_moved) + " vertices moved, rms distance " + significant(polish.rms_before) + " -> " +
-         significant(polish.rms_after);
-}
-
 void say_details(const SimplifyOptions& options, const Talk& talk, const Run& run) {
   if (!talk.is_verbose()) return;
   const DecimateResult& result = run.decimation.result;
@@ -280,7 +265,7 @@ void say_details(const SimplifyOptions& options, const Talk& talk, const Run& ru
   talk.detail(refusals(options, result.rejections));
   if (run.threshold > 0) talk.detail(threshold_pairs(result.threshold_pairs));
   const bool is_polished = options.polish_passes > 0;
-  if (is_polished) talk.detail(polish_line(run.polish));
+  if (is_polished) talk.detail("polish: " + polish_text(run.polish));
   talk.detail("read " + seconds_text(run.seconds.read) + ", decimate " + seconds_text(run.seconds.decimate) +
               (is_polished ? ", polish " + seconds_text(run.seconds.polish) : "") + ", write " +
               seconds_text(run.seconds.write));

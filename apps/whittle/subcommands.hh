@@ -9,6 +9,7 @@ namespace whittle::app {
 void setup_simplify(CLI::App& app, Command& command);
 void setup_measure(CLI::App& app, Command& command);
 void setup_info(CLI::App& app, Command& command);
+void setup_polish(CLI::App& app, Command& command);
 void setup_compare(CLI::App& app, Command& command);
 
 }  // namespace whittle::app

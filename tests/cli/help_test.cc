@@ -13,7 +13,7 @@
 namespace whittle::test {
 namespace {
 
-const std::vector<std::string> subcommands{"simplify", "measure", "info", "compare"};
+const std::vector<std::string> subcommands{"simplify", "measure", "info", "polish", "compare"};
 
 std::string page(const std::string& subcommand) {
   return read_text(std::filesystem::path(WHITTLE_DOCS_DIR) / "user" / (subcommand + ".md"));
@@ -72,10 +72,10 @@ TEST(Help, DocumentsEveryConflict) {
     for (const auto& [first, second] : conflicts_of_page(page(sub))) {
       const std::string mesh = data_file("cubes.obj");
       std::vector<std::string> arguments{sub, mesh};
-      if (sub == "measure") arguments.push_back(mesh);
+      if (sub == "measure" || sub == "polish") arguments.push_back(mesh);
       if (sub == "simplify" || sub == "compare") arguments.insert(arguments.end(), {"--faces", "150"});
       const bool names_output = first.starts_with("--output") || second.starts_with("--output");
-      if (sub == "simplify" && !names_output) arguments.insert(arguments.end(), {"-o", folder / "out.obj"});
+      if ((sub == "simplify" || sub == "polish") && !names_output) arguments.insert(arguments.end(), {"-o", folder / "out.obj"});
       if (names_output) arguments.insert(arguments.end(), {"--format", "obj"});
       for (const std::string& side : {first, second}) {
         for (const std::string& word : words_of(side)) arguments.push_back(is_placeholder(word) ? "1" : word);

@@ -32,7 +32,7 @@ Arguments simplify_with(const TemporaryFolder& folder, const Arguments& more) {
 }
 
 TEST(Usage, NeedsASubcommand) {
-  expect_usage_error(whittle({}), {"subcommand", "simplify, measure, info, compare", "see 'whittle --help'"});
+  expect_usage_error(whittle({}), {"subcommand", "simplify, measure, info, polish, compare", "see 'whittle --help'"});
   expect_usage_error(whittle({"shrink", "a.obj"}), {"'shrink' is not a subcommand", "see 'whittle --help'"});
   expect_usage_error(whittle({"--fast"}), {"--fast", "see 'whittle --help'"});
 }

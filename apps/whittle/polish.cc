@@ -1,0 +1,138 @@
+#include "whittle/engine/polish.hh"
+
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "input.hh"
+#include "output.hh"
+#include "report.hh"
+#include "stopwatch.hh"
+#include "subcommands.hh"
+#include "table.hh"
+#include "values.hh"
+#include "whittle/io/write.hh"
+#include "whittle/metrics/nearest_vertices.hh"
+
+namespace whittle::app {
+namespace {
+
+struct PolishCommand {
+  std::string reference;
+  std::string input;
+  std::string output;
+  InputOptions reading;
+  unsigned passes = 3;
+  CommonOptions common;
+};
+
+struct PolishRun {
+  Input reference;
+  Input input;
+  IndexedMesh mesh;
+  PolishResult result;
+  double polish_seconds = 0;
+  double write_seconds = 0;
+  std::vector<std::string> warnings;
+};
+
+std::string shown_output(const PolishCommand& options) {
+  return options.output == standard_stream ? standard_output_name : options.output;
+}
+
+Json polish_report(const PolishCommand& options, const PolishRun& run, double total_seconds) {
+  const double diagonal = metrics::bounds(run.reference.read.mesh).diagonal();
+  Json json = new_report();
+  json["reference"] = input_json(run.reference, diagonal);
+  json["input"] = input_json(run.input, metrics::bounds(run.input.read.mesh).diagonal());
+  json["options"] = {{"passes", options.passes}, {"weld", options.reading.weld}, {"threads", options.common.threads}};
+  json["output"] = {{"path", options.output}};
+  json["polish"] = polish_json(run.result);
+  json["seconds"] = {{"read", run.reference.seconds + run.input.seconds},
+                     {"polish", run.polish_seconds},
+                     {"write", run.write_seconds},
+                     {"total", total_seconds}};
+  json["peak_rss_bytes"] = peak_memory_bytes();
+  json["warnings"] = run.warnings;
+  return json;
+}
+
+/// The result and the report appear together, or neither does.
+void write_files(const PolishCommand& options, const Talk& talk, const Stopwatch& since_start, PolishRun& run) {
+  const Stopwatch watch;
+  OutputFiles files;
+  files.write(options.output, [&](std::ostream& out) {
+    const io::Format format = format_for_output(options.output, options.reading.format);
+    for (const std::string& warning : io::write_mesh(out, format, run.mesh).warnings) {
+      run.warnings.push_back(about(shown_output(options), warning));
+      talk.warning(run.warnings.back());
+    }
+  });
+  run.write_seconds = watch.seconds();
+  const std::string json =
+      options.common.json ? to_text(polish_report(options, run, since_start.seconds())) : std::string();
+  const bool json_to_file = options.common.json && *options.common.json != standard_stream;
+  if (json_to_file) files.write(*options.common.json, [&json](std::ostream& out) { out << json; });
+  files.commit();
+  if (!json_to_file) print(json);
+}
+
+void check(const CLI::App& app, const PolishCommand& options) {
+  check_conflicts(app, common_conflicts());
+  check_inputs({options.reference, options.input}, {options.output}, options.reading.format);
+  format_for_output(options.output, options.reading.format);
+  std::vector<Output> outputs{{"--output", options.output}};
+  if (options.common.json) outputs.push_back({"--json", *options.common.json});
+  check_outputs(outputs, {options.reference, options.input}, options.common.force);
+}
+
+ExitCode run_polish(const CLI::App& app, const PolishCommand& options) {
+  check(app, options);
+  const Talk talk(options.common.volume());
+  const Stopwatch watch;
+  PolishRun run;
+  run.reference = read_input(options.reference, options.reading, talk);
+  run.input = read_input(options.input, options.reading, talk);
+  run.warnings = run.reference.warnings;
+  run.warnings.insert(run.warnings.end(), run.input.warnings.begin(), run.input.warnings.end());
+  const Stopwatch polishing;
+  const IndexedMesh& reference = run.reference.read.mesh;
+  run.mesh = run.input.read.mesh;
+  run.result = polish(reference, metrics::nearest_vertices(reference, run.mesh, options.common.threads), run.mesh,
+                      {.passes = options.passes, .threads = options.common.threads});
+  run.polish_seconds = polishing.seconds();
+  write_files(options, talk, watch, run);
+  talk.say(shown_output(options) + ": " + polish_text(run.result) + " in " + seconds_text(watch.seconds()));
+  say_effort(talk, watch.seconds());
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void setup_polish(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<PolishCommand>();
+  CLI::App* sub = app.add_subcommand("polish", "Fit a simplified mesh, anyone's, to the mesh it was made from.");
+  add_file(*sub, "REF", options->reference, "the mesh it was made from, or '-' for standard input");
+  add_file(*sub, "IN", options->input, "the simplified mesh, or '-' for standard input");
+  add_value(
+      *sub, "-o,--output", "OUT", options->output, [](std::string_view text) { return std::string(text); },
+      "the result: a file, replaced if it exists, or '-' for standard output")
+      ->required();
+  add_value(
+      *sub, "--passes", "N", options->passes,
+      [](std::string_view text) { return static_cast<unsigned>(parse_count(text, 0, 1000)); },
+      "how often to find what lies where and move vertices; a pass that doesn't help is taken back, and ends it")
+      ->default_str(std::to_string(options->passes));
+  add_format(*sub, options->reading);
+  add_no_weld(*sub, options->reading);
+  add_common_options(*sub, options->common);
+  set_usage(*sub, "REF IN -o OUT [OPTION]...");
+  sub->footer(
+      "Examples:\n"
+      "  whittle polish dragon.ply small.ply -o better.ply\n"
+      "  whittle polish part.stl part_of_another_program.obj -o part.obj --passes 1 --json -");
+  sub->callback([sub, options, &command] { command = [sub, options] { return run_polish(*sub, *options); }; });
+}
+
+}  // namespace whittle::app

@@ -1,0 +1,32 @@
+#include "whittle/metrics/nearest_vertices.hh"
+
+#include <algorithm>
+
+#include "checks.hh"
+#include "whittle/engine/parallel.hh"
+#include "whittle/metrics/closest_point.hh"
+
+namespace whittle::metrics {
+
+std::vector<Index> nearest_vertices(const IndexedMesh& from, const IndexedMesh& to, unsigned threads) {
+  bounds(from);  // for what it checks
+  const TriangleTree tree(to);
+  std::vector<Index> nearest(from.positions.size(), invalid_index);
+  std::vector<std::uint8_t> has_face(from.positions.size());
+  for (const Triangle& face : from.faces) {
+    for (const Index v : face) has_face[v] = 1;
+  }
+  for_each_range(nearest.size(), threads, [&](std::size_t begin, std::size_t end) {
+    Index hint = invalid_index;
+    for (std::size_t v = begin; v < end; ++v) {
+      if (has_face[v] == 0) continue;
+      const Vec3& point = from.positions[v];
+      hint = tree.nearest(point, hint).face;
+      nearest[v] = *std::ranges::min_element(
+          to.faces[hint], {}, [&](Index corner) { return (to.positions[corner] - point).squaredNorm(); });
+    }
+  });
+  return nearest;
+}
+
+}  // namespace whittle::metrics
