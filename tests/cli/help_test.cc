@@ -75,7 +75,8 @@ TEST(Help, DocumentsEveryConflict) {
       if (sub == "measure" || sub == "polish") arguments.push_back(mesh);
       if (sub == "simplify" || sub == "compare") arguments.insert(arguments.end(), {"--faces", "150"});
       const bool names_output = first.starts_with("--output") || second.starts_with("--output");
-      if ((sub == "simplify" || sub == "polish") && !names_output) arguments.insert(arguments.end(), {"-o", folder / "out.obj"});
+      if ((sub == "simplify" || sub == "polish") && !names_output)
+        arguments.insert(arguments.end(), {"-o", folder / "out.obj"});
       if (names_output) arguments.insert(arguments.end(), {"--format", "obj"});
       for (const std::string& side : {first, second}) {
         for (const std::string& word : words_of(side)) arguments.push_back(is_placeholder(word) ? "1" : word);
