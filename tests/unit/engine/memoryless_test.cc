@@ -263,7 +263,7 @@ TEST(Memoryless, PlanesAreThoseOfTheFacesThereAre) {
   meshes.push_back({"noisy_grid(40, 20)", noisy_grid(40, 20, 0.3, 3)});
   std::size_t n_vertices = 0;
   for (const auto& [name, mesh] : meshes) {
-    for (const std::size_t share : {2, 5, 20}) {
+    for (const std::size_t share : {std::size_t{2}, std::size_t{5}, std::size_t{20}}) {
       SCOPED_TRACE(name + ", 1/" + std::to_string(share) + " of the faces");
       const Decimation d = memoryless(mesh, mesh.faces.size() / share);
       for (Index v = 0; v < d.quadrics.size(); ++v) {
