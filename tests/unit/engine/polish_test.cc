@@ -35,7 +35,7 @@ IndexedMesh polished(const IndexedMesh& original, const Decimation& d, const Pol
 }
 
 metrics::SurfaceDistance distance(const IndexedMesh& original, const IndexedMesh& mesh) {
-  return metrics::surface_distance(original, mesh, {.samples = 30'000});
+  return metrics::surface_distance(original, mesh, {.samples = 10'000});
 }
 
 Vec3 area_normal(const IndexedMesh& mesh, const Triangle& face) {
@@ -181,7 +181,7 @@ TEST(Polish, LeavesCornersAndFlatSidesWhereTheyAre) {
 
 TEST(Polish, DoesNoHarm) {
   for (const auto& [name, original] : all_meshes()) {
-    for (const double ratio : {0.7, 0.4, 0.2}) {
+    for (const double ratio : {0.6, 0.2}) {
       SCOPED_TRACE(name + " to " + std::to_string(ratio));
       const Decimation d = decimated(original, ratio);
       if (d.mesh.faces.empty()) continue;
