@@ -70,7 +70,7 @@ std::vector<std::uint8_t> fixed_vertices(const IndexedMesh& mesh, const VertexCo
 PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
                     const PolishOptions& options) {
   check(original, vertex_map, mesh, options);
-  if (options.passes == 0 || mesh.faces.empty()) return {};
+  if (options.passes == 0 || mesh.faces.empty() || original.faces.empty()) return {};
   const Frame frame = Frame::of_points(original.positions);
   const bool is_dense = static_cast<double>(mesh.faces.size()) > dense * static_cast<double>(original.faces.size());
   SurfaceSamples samples(original, vertex_map, frame, is_dense ? 4 : 1, options.threads);

@@ -255,6 +255,8 @@ TEST(Polish, SaysWhatIsWrong) {
   EXPECT_THROW(polish(original, d.vertex_map, mesh, {.locked = locked}), std::invalid_argument);
   EXPECT_EQ(polish(original, d.vertex_map, mesh, {.passes = 0}).n_moved, 0U);
   EXPECT_EQ(mesh.positions, d.mesh.positions);
+  EXPECT_EQ(polish({}, {}, mesh).n_moved, 0U) << "nothing to fit it to";
+  EXPECT_EQ(mesh.positions, d.mesh.positions);
 }
 
 }  // namespace

@@ -10,14 +10,14 @@
 //   each point s of the original gets a foot: the face of the simplified mesh that lies nearest and faces the same way,
 //     the barycentric coordinates b of the nearest point on it, and d, the distance from the face's plane
 //   the vertices, each in its turn and twice, move to where Σ w (d − n · Σ b_j x_j)² + μ Σ W |x|² is least, x how far
-//   they
-//     have moved, n the face's normal, w the area a point stands for
+//     they have moved, n the face's normal, w the area a point stands for
 //
-// The points are the original's vertices, with a quarter of the weight, and the centroids of its faces: over a face
-// whose corners all have their feet in one face that is the integral of the square of the distance.
-// A vertex moves less far, or not at all, where that would turn a face over, or take it from the planes of its own
-// faces by more than the surface is off there anyway (corners stay corners), or from where it was by a seventh of an
-// edge. In the end the distance between the surfaces, both ways, tells whether a pass helped; if not, it is taken back.
+// The points are the original's vertices, with a quarter of the weight, and the centroids of its faces, or four points
+// in each if the simplified mesh has nearly as many: over a face whose corners all have their feet in one face that is
+// the integral of the square of the distance. A vertex moves less far, or not at all, where that would turn a face
+// over, or take it from the planes of its own faces by more than the surface is off there anyway (corners stay
+// corners), or from where it was by a seventh of an edge. In the end the distance between the surfaces, both ways,
+// tells whether a pass helped; if not, it is taken back.
 
 namespace whittle {
 
@@ -29,17 +29,17 @@ struct PolishOptions {
 
 struct PolishResult {
   std::uint64_t n_moved = 0;  ///< vertices that are not where they were
-  unsigned n_passes = 0;      ///< that helped: the first one that didn't is taken back, and the last one
+  unsigned n_passes = 0;      ///< that helped; one that doesn't is taken back, and is the last
   double rms_before = 0;      ///< distance between the surfaces, both ways, at some points of each; model units
   double rms_after = 0;
 };
 
 /// Moves vertices of `mesh`, and computes its normals anew if it has some; nothing else of it changes. Border vertices,
 /// and those where it isn't manifold, stay.
-/// \param original what `mesh` was made from
-/// \param vertex_map vertices of `original` → a vertex of `mesh` near it on the surface, such as
-/// `Decimation::vertex_map`;
-///        `invalid_index` for none: these don't count
+/// \param original what `mesh` was made from; all positions finite. Nothing happens if either has no faces
+/// \param vertex_map vertices of `original` → a vertex of `mesh` near it on the surface, as `Decimation::vertex_map`
+/// has
+///        them; `invalid_index` for none: these don't count
 /// \throw std::invalid_argument if `vertex_map` or `locked` has a wrong length, or a number is out of range
 PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
                     const PolishOptions& options = {});
