@@ -1,7 +1,6 @@
 #include "whittle/engine/polish.hh"
 
 #include <memory>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -12,7 +11,6 @@
 #include "subcommands.hh"
 #include "table.hh"
 #include "values.hh"
-#include "whittle/io/write.hh"
 #include "whittle/metrics/nearest_vertices.hh"
 
 namespace whittle::app {
@@ -37,10 +35,6 @@ struct PolishRun {
   std::vector<std::string> warnings;
 };
 
-std::string shown_output(const PolishCommand& options) {
-  return options.output == standard_stream ? standard_output_name : options.output;
-}
-
 Json polish_report(const PolishCommand& options, const PolishRun& run, double total_seconds) {
   const double diagonal = metrics::bounds(run.reference.read.mesh).diagonal();
   Json json = new_report();
@@ -62,20 +56,11 @@ Json polish_report(const PolishCommand& options, const PolishRun& run, double to
 void write_files(const PolishCommand& options, const Talk& talk, const Stopwatch& since_start, PolishRun& run) {
   const Stopwatch watch;
   OutputFiles files;
-  files.write(options.output, [&](std::ostream& out) {
-    const io::Format format = format_for_output(options.output, options.reading.format);
-    for (const std::string& warning : io::write_mesh(out, format, run.mesh).warnings) {
-      run.warnings.push_back(about(shown_output(options), warning));
-      talk.warning(run.warnings.back());
-    }
-  });
+  write_mesh(files, options.output, options.reading.format, run.mesh, talk, run.warnings);
   run.write_seconds = watch.seconds();
   const std::string json =
       options.common.json ? to_text(polish_report(options, run, since_start.seconds())) : std::string();
-  const bool json_to_file = options.common.json && *options.common.json != standard_stream;
-  if (json_to_file) files.write(*options.common.json, [&json](std::ostream& out) { out << json; });
-  files.commit();
-  if (!json_to_file) print(json);
+  commit_with_report(files, options.common, json);
 }
 
 void check(const CLI::App& app, const PolishCommand& options) {
@@ -103,7 +88,7 @@ ExitCode run_polish(const CLI::App& app, const PolishCommand& options) {
                       {.passes = options.passes, .threads = options.common.threads});
   run.polish_seconds = polishing.seconds();
   write_files(options, talk, watch, run);
-  talk.say(shown_output(options) + ": " + polish_text(run.result) + " in " + seconds_text(watch.seconds()));
+  talk.say(shown_output(options.output) + ": " + polish_text(run.result) + " in " + seconds_text(watch.seconds()));
   say_effort(talk, watch.seconds());
   return ExitCode::done;
 }

@@ -6,6 +6,7 @@
 
 #include "output.hh"
 #include "table.hh"
+#include "whittle/io/write.hh"
 
 namespace whittle::app {
 namespace {
@@ -126,6 +127,25 @@ std::uint64_t peak_memory_bytes() {
 void say_effort(const Talk& talk, double seconds) {
   talk.detail(seconds_text(seconds) + " in all, " + std::to_string(peak_memory_bytes() >> 20) +
               " MiB of memory at most");
+}
+
+std::string shown_output(const std::string& path) { return path == standard_stream ? standard_output_name : path; }
+
+void write_mesh(OutputFiles& files, const std::string& path, std::optional<io::Format> given, const IndexedMesh& mesh,
+                const Talk& talk, std::vector<std::string>& warnings) {
+  files.write(path, [&](std::ostream& out) {
+    for (const std::string& warning : io::write_mesh(out, format_for_output(path, given), mesh).warnings) {
+      warnings.push_back(about(shown_output(path), warning));
+      talk.warning(warnings.back());
+    }
+  });
+}
+
+void commit_with_report(OutputFiles& files, const CommonOptions& options, const std::string& json) {
+  const bool json_to_file = options.json && *options.json != standard_stream;
+  if (json_to_file) files.write(*options.json, [&json](std::ostream& out) { out << json; });
+  files.commit();
+  if (!json_to_file) print(json);
 }
 
 void write_report(const CommonOptions& options, const Json& json, const std::string& text) {

@@ -3,9 +3,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "command_line.hh"
 #include "input.hh"
+#include "output.hh"
 #include "whittle/engine/polish.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/distance.hh"
@@ -58,6 +60,16 @@ std::uint64_t peak_memory_bytes();
 
 /// Says, when verbose, how long it took and how much memory.
 void say_effort(const Talk& talk, double seconds);
+
+/// As shown: the path, or "standard output".
+std::string shown_output(const std::string& path);
+
+/// Adds a mesh to the files of a run. What its format can't hold is said, and added to `warnings`.
+void write_mesh(OutputFiles& files, const std::string& path, std::optional<io::Format> given, const IndexedMesh& mesh,
+                const Talk& talk, std::vector<std::string>& warnings);
+
+/// Adds the report to the files of a run if --json asks for one, and puts all in their places.
+void commit_with_report(OutputFiles& files, const CommonOptions& options, const std::string& json);
 
 /// Writes the report where --json says; `text`, the same for people, to standard output unless the report goes there.
 void write_report(const CommonOptions& options, const Json& json, const std::string& text);

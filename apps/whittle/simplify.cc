@@ -20,7 +20,6 @@
 #include "whittle/engine/automatic_threshold.hh"
 #include "whittle/engine/parts.hh"
 #include "whittle/engine/polish.hh"
-#include "whittle/io/write.hh"
 #include "whittle/metrics/shape.hh"
 
 namespace whittle::app {
@@ -109,10 +108,6 @@ void polish_result(const SimplifyOptions& options, Run& run) {
                       {.passes = options.polish_passes, .locked = on_line, .threads = options.common.threads});
   SignalsWait::throw_if_pending();
   run.seconds.polish = watch.seconds();
-}
-
-std::string shown_output(const SimplifyOptions& options) {
-  return options.output == standard_stream ? standard_output_name : options.output;
 }
 
 /// A line for every vertex of the file: its number in the result, or -1.
@@ -235,21 +230,12 @@ void warn_of_valence_three(const SimplifyOptions& options, const Talk& talk, Run
 void write_files(const SimplifyOptions& options, const Talk& talk, const Stopwatch& since_start, Run& run) {
   const Stopwatch watch;
   OutputFiles files;
-  files.write(options.output, [&](std::ostream& out) {
-    const io::Format format = format_for_output(options.output, options.reading.format);
-    for (const std::string& warning : io::write_mesh(out, format, run.decimation.mesh).warnings) {
-      run.warnings.push_back(about(shown_output(options), warning));
-      talk.warning(run.warnings.back());
-    }
-  });
+  write_mesh(files, options.output, options.reading.format, run.decimation.mesh, talk, run.warnings);
   if (options.map) files.write(*options.map, [&run](std::ostream& out) { write_map(out, run); });
   run.seconds.write = watch.seconds();
   run.seconds.total = since_start.seconds();
   const std::string json = options.common.json ? to_text(simplify_json(options, run)) : std::string();
-  const bool json_to_file = options.common.json && *options.common.json != standard_stream;
-  if (json_to_file) files.write(*options.common.json, [&json](std::ostream& out) { out << json; });
-  files.commit();
-  if (!json_to_file) print(json);
+  commit_with_report(files, options.common, json);
 }
 
 std::string threshold_pairs(const ThresholdPairCounts& pairs) {
@@ -275,9 +261,9 @@ void say_details(const SimplifyOptions& options, const Talk& talk, const Run& ru
 std::string summary(const SimplifyOptions& options, const Run& run) {
   const IndexedMesh& before = run.input.read.mesh;
   const DecimateResult& after = run.decimation.result;
-  return shown_output(options) + ": " + std::to_string(before.faces.size()) + " -> " + std::to_string(after.n_faces) +
-         " faces, " + std::to_string(before.positions.size()) + " -> " + std::to_string(after.n_vertices) +
-         " vertices in " + seconds_text(run.seconds.total);
+  return shown_output(options.output) + ": " + std::to_string(before.faces.size()) + " -> " +
+         std::to_string(after.n_faces) + " faces, " + std::to_string(before.positions.size()) + " -> " +
+         std::to_string(after.n_vertices) + " vertices in " + seconds_text(run.seconds.total);
 }
 
 std::vector<std::string> lost_in_openmesh(const Input& input) {

@@ -21,7 +21,8 @@
 //     else contract: the vertex of the higher original number survives, moves to v̄ and takes Q₀ + Q₁
 //       (a locked vertex survives in any case)
 //
-// The order is exact: that of an algorithm which re-evaluates every pair after each contraction.
+// The order is exact, that of an algorithm which re-evaluates every pair after each contraction, unless `Order` says
+// otherwise. Costs other than Garland–Heckbert's keep other things than Q.
 
 namespace whittle {
 
@@ -89,7 +90,7 @@ struct Contraction {
 
 struct DecimateOptions {
   Cost cost = Cost::quadric;
-  QuadricOptions quadric;  ///< of `Cost::quadric`
+  QuadricOptions quadric;  ///< of `Cost::quadric`; memoryless ones have weights by area
   double isotropy = 0;     ///< W of the blend of `Cost::quadric` with the edge's length (edge_length_term.hh). [0, 1]
   double valence_weight = 0;  ///< W of the penalty for valences, times any cost (valence_term.hh). [0, inf)
   Order order = Order::automatic;

@@ -37,9 +37,8 @@ struct PolishResult {
 /// Moves vertices of `mesh`, and computes its normals anew if it has some; nothing else of it changes. Border vertices,
 /// and those where it isn't manifold, stay.
 /// \param original what `mesh` was made from; all positions finite. Nothing happens if either has no faces
-/// \param vertex_map vertices of `original` → a vertex of `mesh` near it on the surface, as `Decimation::vertex_map`
-/// has
-///        them; `invalid_index` for none: these don't count
+/// \param vertex_map vertices of `original` → a vertex of `mesh` near it on the surface, as
+///        `Decimation::vertex_map` is; `invalid_index` for none: these don't count
 /// \throw std::invalid_argument if `vertex_map` or `locked` has a wrong length, or a number is out of range
 PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
                     const PolishOptions& options = {});
