@@ -6,6 +6,7 @@
 #include <string>
 
 #include "checks.hh"
+#include "face_neighbors.hh"
 #include "foot_finder.hh"
 #include "surface_fit.hh"
 #include "surface_samples.hh"
@@ -39,28 +40,12 @@ void check(const IndexedMesh& original, std::span<const Index> vertex_map, const
   }
 }
 
-/// Whether all edges at v have two faces.
-bool is_inside(const std::vector<Triangle>& faces, std::span<const Corner> corners, std::vector<Index>& ends) {
-  ends.clear();
-  for (const auto& [f, place] : corners) {
-    ends.push_back(corner_after(faces[f], place, 1));
-    ends.push_back(corner_after(faces[f], place, 2));
-  }
-  std::sort(ends.begin(), ends.end());
-  for (std::size_t i = 0; i < ends.size(); i += 2) {
-    if (i + 1 == ends.size() || ends[i] != ends[i + 1]) return false;
-    if (i + 2 < ends.size() && ends[i + 1] == ends[i + 2]) return false;
-  }
-  return true;
-}
-
-std::vector<std::uint8_t> fixed_vertices(const IndexedMesh& mesh, const VertexCorners& corners,
+std::vector<std::uint8_t> fixed_vertices(const FaceNeighbors& neighbors, std::size_t n_vertices,
                                          std::span<const std::uint8_t> locked) {
-  std::vector<std::uint8_t> is_fixed(mesh.positions.size());
-  std::vector<Index> ends;
-  for (Index v = 0; v < is_fixed.size(); ++v) {
+  std::vector<std::uint8_t> is_fixed(n_vertices);
+  for (Index v = 0; v < n_vertices; ++v) {
     const bool is_locked = !locked.empty() && locked[v] != 0;
-    is_fixed[v] = is_locked || !is_inside(mesh.faces, corners.of(v), ends);
+    is_fixed[v] = is_locked || neighbors.fan(v) != Fan::closed;
   }
   return is_fixed;
 }
@@ -75,7 +60,8 @@ PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_m
   const bool is_dense = static_cast<double>(mesh.faces.size()) > dense * static_cast<double>(original.faces.size());
   SurfaceSamples samples(original, vertex_map, frame, is_dense ? 4 : 1, options.threads);
   const VertexCorners corners(mesh);
-  const std::vector<std::uint8_t> is_fixed = fixed_vertices(mesh, corners, options.locked);
+  const FaceNeighbors neighbors(mesh.faces, corners);
+  const std::vector<std::uint8_t> is_fixed = fixed_vertices(neighbors, mesh.positions.size(), options.locked);
   std::vector<Vec3> positions;
   positions.reserve(mesh.positions.size());
   for (const Vec3& p : mesh.positions) positions.push_back(frame.to_frame(p));
@@ -84,7 +70,7 @@ PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_m
   const VertexCorners original_corners(original);
   const TwoSidedError error({original.faces, original_corners, samples.positions()}, vertex_map, mesh.faces, corners);
   FootFinder finder(mesh.faces, corners);
-  SurfaceFit fit(mesh.faces, corners, is_fixed);
+  SurfaceFit fit(mesh.faces, corners, neighbors, is_fixed);
   PolishResult result;
   double least = error.mean_square(positions, options.threads);
   result.rms_before = std::sqrt(least) * frame.unscale;

@@ -19,6 +19,15 @@ constexpr double most_area = 0.05;
 /// Least cosine between a face's normal before and after.
 constexpr double least_cosine = 0.2;
 
+/// Cosine between neighbouring faces' normals below which no move may take it.
+constexpr double least_fold_cosine = -0.5;
+
+/// A face that has turned by less than this cosine, and whose neighbours are at less than 90°, needs no look: if both
+/// faces at an edge have, they are at less than 142°.
+constexpr double wary_cosine = 0.9;
+
+constexpr double always_wary = 2;
+
 constexpr int most_halvings = 5;
 
 /// m⁻¹ r by the adjugate. \pre m is well-conditioned
@@ -32,9 +41,9 @@ Vec3 solve(const SymmetricMatrix& m, const Vec3& r) {
 
 }  // namespace
 
-SurfaceFit::SurfaceFit(const std::vector<Triangle>& faces, const VertexCorners& corners,
+SurfaceFit::SurfaceFit(const std::vector<Triangle>& faces, const VertexCorners& corners, const FaceNeighbors& neighbors,
                        const std::vector<std::uint8_t>& is_fixed)
-    : faces_(faces), corners_(corners), is_fixed_(is_fixed) {}
+    : faces_(faces), corners_(corners), neighbors_(neighbors), is_fixed_(is_fixed) {}
 
 void SurfaceFit::start(std::vector<Vec3>& positions) {
   positions_ = &positions;
@@ -47,6 +56,15 @@ void SurfaceFit::start(std::vector<Vec3>& positions) {
     const double length = normal.norm();
     areas_.push_back(0.5 * length);
     normals_.push_back(length > 0 ? Vec3(normal / length) : Vec3::Zero());
+  }
+  wary_.assign(faces_.size(), wary_cosine);
+  for (Index f = 0; f < faces_.size(); ++f) {
+    for (Index place = 0; place < 3; ++place) {
+      const Index other = neighbors_.beyond(f, place).face;
+      if (other == invalid_index) continue;
+      const double cosine = normals_[f].dot(normals_[other]);
+      if (!((neighbors_.is_twisted(f, place) ? -cosine : cosine) > 0)) wary_[f] = always_wary;
+    }
   }
 }
 
@@ -115,18 +133,44 @@ bool SurfaceFit::is_too_far(const Vec3& moved, const Pull& pull) const {
   return !(moved.dot(pull.planes * moved) <= most_drift * pull.squares) || moved.squaredNorm() > most_area * pull.area;
 }
 
-/// Against how the faces are now, and how they were at the start.
+/// Against how the faces are now, and how they were at the start; and whether it folds two.
 bool SurfaceFit::turns_a_face(Index v, const Vec3& to) const {
   const std::vector<Vec3>& positions = *positions_;
   for (const auto& [f, place] : corners_.of(v)) {
     const Vec3& x = positions[corner_after(faces_[f], place, 1)];
     const Vec3& y = positions[corner_after(faces_[f], place, 2)];
     const Vec3 after = (x - to).cross(y - to);
-    const double least = least_cosine * after.norm();
+    const double length = after.norm();
+    const double along = after.dot(normals_[f]);
     const Vec3 before = (x - positions[v]).cross(y - positions[v]);
-    if (!(after.dot(normals_[f]) > least) || !(after.dot(before) > least * before.norm())) return true;
+    if (!(along > least_cosine * length) || !(after.dot(before) > least_cosine * length * before.norm())) return true;
+    if (along < wary_[f] * length && folds(f, v, to)) return true;
   }
   return false;
+}
+
+/// Whether the move takes a face of v too near to lying on a neighbour, and nearer than it did.
+bool SurfaceFit::folds(Index face, Index v, const Vec3& to) const {
+  const auto cosine = [](const Vec3& a, const Vec3& b) {
+    return a.dot(b) / std::sqrt(a.squaredNorm() * b.squaredNorm());
+  };
+  const Vec3& from = (*positions_)[v];
+  for (Index place = 0; place < 3; ++place) {
+    const Index other = neighbors_.beyond(face, place).face;
+    if (other == invalid_index) continue;
+    const double sign = neighbors_.is_twisted(face, place) ? -1 : 1;
+    const double after = sign * cosine(area_normal(face, v, to), area_normal(other, v, to));
+    if (!(after < least_fold_cosine)) continue;
+    if (!(after >= sign * cosine(area_normal(face, v, from), area_normal(other, v, from)))) return true;
+  }
+  return false;
+}
+
+/// A face's normal if v were elsewhere.
+Vec3 SurfaceFit::area_normal(Index face, Index v, const Vec3& to) const {
+  const auto position = [&](Index u) -> const Vec3& { return u == v ? to : (*positions_)[u]; };
+  const auto& [a, b, c] = faces_[face];
+  return (position(b) - position(a)).cross(position(c) - position(a));
 }
 
 }  // namespace whittle

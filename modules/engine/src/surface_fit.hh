@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "face_neighbors.hh"
 #include "foot_finder.hh"
 #include "vertex_corners.hh"
 #include "whittle/engine/quadric.hh"
@@ -14,7 +15,7 @@ namespace whittle {
 class SurfaceFit {
  public:
   /// Keeps references to all. \param is_fixed per vertex, whether it stays
-  SurfaceFit(const std::vector<Triangle>& faces, const VertexCorners& corners,
+  SurfaceFit(const std::vector<Triangle>& faces, const VertexCorners& corners, const FaceNeighbors& neighbors,
              const std::vector<std::uint8_t>& is_fixed);
 
   /// Takes where the vertices are, and forgets all points.
@@ -50,14 +51,18 @@ class SurfaceFit {
   Vec3 wanted_move(Index v, const Pull& pull) const;
   bool is_too_far(const Vec3& moved, const Pull& pull) const;
   bool turns_a_face(Index v, const Vec3& to) const;
+  bool folds(Index face, Index v, const Vec3& to) const;
+  Vec3 area_normal(Index face, Index v, const Vec3& to) const;
 
   const std::vector<Triangle>& faces_;
   const VertexCorners& corners_;
+  const FaceNeighbors& neighbors_;
   const std::vector<std::uint8_t>& is_fixed_;
   std::vector<Vec3>* positions_ = nullptr;
   std::vector<Sums> sums_;     ///< per face
   std::vector<Vec3> normals_;  ///< per face, before it was moved; of unit length, or zero
   std::vector<double> areas_;  ///< per face, before it was moved
+  std::vector<double> wary_;   ///< per face, the cosine to the normal before below which it may fold
   std::vector<Vec3> moves_;    ///< per vertex, so far
 };
 

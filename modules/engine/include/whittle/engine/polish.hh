@@ -15,9 +15,10 @@
 // The points are the original's vertices, with a quarter of the weight, and the centroids of its faces, or four points
 // in each if the simplified mesh has nearly as many: over a face whose corners all have their feet in one face that is
 // the integral of the square of the distance. A vertex moves less far, or not at all, where that would turn a face
-// over, or take it from the planes of its own faces by more than the surface is off there anyway (corners stay
-// corners), or from where it was by a seventh of an edge. In the end the distance between the surfaces, both ways,
-// tells whether a pass helped; if not, it is taken back.
+// over, or fold two neighbours (bring their normals more than 120° apart, and further than they were), or take it from
+// the planes of its own faces by more than the surface is off there anyway (corners stay corners), or from where it
+// was by a seventh of an edge. In the end the distance between the surfaces, both ways, tells whether a pass helped; if
+// not, it is taken back.
 
 namespace whittle {
 
