@@ -8,6 +8,7 @@
 #include "checks.hh"
 #include "face_neighbors.hh"
 #include "foot_finder.hh"
+#include "new_intersections.hh"
 #include "surface_fit.hh"
 #include "surface_samples.hh"
 #include "two_sided_error.hh"
@@ -81,6 +82,7 @@ PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_m
     fit.start(moved);
     samples.for_each_foot([&fit](const Foot& foot, double weight) { fit.add(foot, weight); });
     for (int i = 0; i < n_sweeps; ++i) fit.sweep();
+    take_back_intersections({mesh.faces, corners, positions}, neighbors, moved, options.threads);
     const double now = error.mean_square(moved, options.threads);
     if (!(now < least)) break;
     least = now;

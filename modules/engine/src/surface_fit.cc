@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "turn_limits.hh"
+
 namespace whittle {
 namespace {
 
@@ -15,12 +17,6 @@ constexpr double most_drift = 4;
 /// How far a vertex may move at all: the square of that, in areas of its faces. Of an equilateral one 0.05 are about a
 /// seventh of an edge. Where more is wanted, the mesh is too coarse for feet to say what is best.
 constexpr double most_area = 0.05;
-
-/// Least cosine between a face's normal before and after.
-constexpr double least_cosine = 0.2;
-
-/// Cosine between neighbouring faces' normals below which no move may take it.
-constexpr double least_fold_cosine = -0.5;
 
 /// A face that has turned by less than this cosine, and whose neighbours are at less than 90°, needs no look: if both
 /// faces at an edge have, they are at less than 142°.
@@ -143,7 +139,8 @@ bool SurfaceFit::turns_a_face(Index v, const Vec3& to) const {
     const double length = after.norm();
     const double along = after.dot(normals_[f]);
     const Vec3 before = (x - positions[v]).cross(y - positions[v]);
-    if (!(along > least_cosine * length) || !(after.dot(before) > least_cosine * length * before.norm())) return true;
+    if (!(along > least_turn_cosine * length) || !(after.dot(before) > least_turn_cosine * length * before.norm()))
+      return true;
     if (along < wary_[f] * length && folds(f, v, to)) return true;
   }
   return false;

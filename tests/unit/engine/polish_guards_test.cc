@@ -1,11 +1,19 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <iterator>
 #include <vector>
 
+#include "face_neighbors.hh"
+#include "new_intersections.hh"
+#include "overlapping_boxes.hh"
+#include "support/random.hh"
 #include "support/shapes.hh"
 #include "support/suites.hh"
 #include "whittle/engine/decimate.hh"
 #include "whittle/engine/polish.hh"
+#include "whittle/metrics/self_intersections.hh"
 #include "whittle/metrics/shape.hh"
 
 // What polishing must not do to a mesh, on meshes where it would.
@@ -43,6 +51,93 @@ TEST(PolishGuards, MakeNoFolds) {
       SCOPED_TRACE(name + " to " + std::to_string(ratio));
       const Polished mesh = polished(original, ratio, 3);
       EXPECT_LE(metrics::shape(mesh.after).folds, metrics::shape(mesh.before).folds);
+    }
+  }
+}
+
+using Pairs = std::vector<std::array<Index, 2>>;
+
+TEST(OverlappingBoxes, AreWhatComparingAllFinds) {
+  Random random(1);
+  for (const std::size_t n : {0U, 1U, 2U, 8U, 9U, 65U, 700U}) {
+    for (const double size : {0.001, 0.1, 3.0}) {
+      std::vector<Eigen::AlignedBox3f> boxes(n);
+      for (Eigen::AlignedBox3f& box : boxes) {
+        box.extend(random.uniform_vector(-1, 1).cast<float>());
+        box.extend(box.min() + random.uniform_vector(0, size).cast<float>());
+      }
+      Pairs expected;
+      for (Index i = 0; i < n; ++i) {
+        for (Index j = i + 1; j < n; ++j) {
+          if (boxes[i].intersects(boxes[j])) expected.push_back({i, j});
+        }
+      }
+      Pairs found = overlapping_boxes(boxes, 1);
+      EXPECT_EQ(overlapping_boxes(boxes, 3), found);
+      std::sort(found.begin(), found.end());
+      EXPECT_EQ(found, expected);
+    }
+  }
+}
+
+/// Those of the second that are not in the first.
+Pairs added(const Pairs& before, const Pairs& after) {
+  Pairs added;
+  std::set_difference(after.begin(), after.end(), before.begin(), before.end(), std::back_inserter(added));
+  return added;
+}
+
+TEST(PolishGuards, TakeBackWhateverIntersects) {
+  Random random(2);
+  std::size_t n_wrong = 0;
+  for (const auto& [name, mesh] : all_meshes()) {
+    SCOPED_TRACE(name);
+    const VertexCorners corners(mesh);
+    const FaceNeighbors neighbors(mesh.faces, corners);
+    IndexedMesh moved = mesh;
+    const double length = 0.3 * metrics::shape(mesh).edge_length_mean;
+    for (Vec3& p : moved.positions) p += random.uniform_vector(-length, length);
+    const Pairs before = metrics::self_intersections(mesh);
+    n_wrong += added(before, metrics::self_intersections(moved)).size();
+    std::vector<Vec3> positions = moved.positions;
+    take_back_intersections({mesh.faces, corners, mesh.positions}, neighbors, positions, 1);
+    std::vector<Vec3> again = moved.positions;
+    take_back_intersections({mesh.faces, corners, mesh.positions}, neighbors, again, 3);
+    EXPECT_EQ(positions, again);
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+      EXPECT_TRUE(positions[v] == mesh.positions[v] || positions[v] == moved.positions[v]);
+    }
+    moved.positions = positions;
+    EXPECT_EQ(added(before, metrics::self_intersections(moved)), Pairs());
+  }
+  EXPECT_GT(n_wrong, 100U);
+}
+
+TEST(PolishGuards, TakeNothingBackWhereNothingIntersects) {
+  const IndexedMesh mesh = sphere(3);
+  const VertexCorners corners(mesh);
+  const FaceNeighbors neighbors(mesh.faces, corners);
+  const std::vector<Vec3> moved = noisy_sphere(3, 0.02, 1).positions;
+  std::vector<Vec3> positions = moved;
+  take_back_intersections({mesh.faces, corners, mesh.positions}, neighbors, positions, 1);
+  EXPECT_EQ(positions, moved);
+}
+
+/// Two rough sheets so near each other that either, fitted by itself, would come through the other.
+TEST(PolishGuards, MakeNoIntersections) {
+  const std::vector<NamedMesh> sheets{{"sphere", noisy_sphere(4, 0.05, 1)},
+                                      {"torus", noisy_torus(60, 30, 1, 0.4, 0.05, 3)},
+                                      {"terrain", terrain(40, 4)}};
+  for (const auto& [name, original] : sheets) {
+    SCOPED_TRACE(name);
+    IndexedMesh above = original;
+    for (Vec3& p : above.positions) p *= 1.02;
+    const IndexedMesh both = joined(original, above);
+    for (const double ratio : {0.3, 0.05}) {
+      const Polished mesh = polished(both, ratio, 3);
+      const Pairs before = metrics::self_intersections(mesh.before);
+      EXPECT_EQ(added(before, metrics::self_intersections(mesh.after)), Pairs()) << ratio;
+      EXPECT_NE(mesh.before.positions, mesh.after.positions);
     }
   }
 }

@@ -17,8 +17,8 @@
 // the integral of the square of the distance. A vertex moves less far, or not at all, where that would turn a face
 // over, or fold two neighbours (bring their normals more than 120° apart, and further than they were), or take it from
 // the planes of its own faces by more than the surface is off there anyway (corners stay corners), or from where it
-// was by a seventh of an edge. In the end the distance between the surfaces, both ways, tells whether a pass helped; if
-// not, it is taken back.
+// was by a seventh of an edge. Then moves are taken back around faces that have come to intersect others. In the end
+// the distance between the surfaces, both ways, tells whether a pass helped; if not, it is taken back.
 
 namespace whittle {
 

@@ -1,0 +1,178 @@
+#include "new_intersections.hh"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "overlapping_boxes.hh"
+#include "turn_limits.hh"
+#include "whittle/engine/parallel.hh"
+
+namespace whittle {
+namespace {
+
+using Corners = std::array<Vec3, 3>;
+
+/// Of two triangles, by the projections of their corners onto an axis; units of the axis' and the triangles' size.
+constexpr double most_overlap = 1e-12;  ///< up to which they only touch
+constexpr double least_extent = 1e-9;   ///< below which all of it is rounding
+
+/// Whether one lies beyond the other, or up to a common corner, along the way from its center: what most neighbours on
+/// a surface do.
+bool are_apart(const Corners& s, const Corners& t) {
+  const Vec3 way = (t[0] - s[0]) + (t[1] - s[1]) + (t[2] - s[2]);
+  const auto along = [&](const Vec3& corner) { return way.dot(corner - s[0]); };
+  const double s_high = std::max({0.0, along(s[1]), along(s[2])});
+  const auto [t_low, t_high] = std::minmax({along(t[0]), along(t[1]), along(t[2])});
+  return t_low >= s_high && t_high > 0;
+}
+
+/// Whether two triangles intersect by more than rounding: no axis separates their projections.
+/// \cite ericson_2005_collision (section 5.2.1)
+bool intersect(const Corners& s, const Corners& t) {
+  const Corners s_offsets{Vec3::Zero(), s[1] - s[0], s[2] - s[0]};
+  const Corners t_offsets{t[0] - s[0], t[1] - s[0], t[2] - s[0]};
+  double size = 0;
+  for (const Vec3& x : {s_offsets[1], s_offsets[2], t_offsets[0], t_offsets[1], t_offsets[2]}) {
+    size = std::max(size, x.lpNorm<Eigen::Infinity>());
+  }
+  const auto separates = [&](const Vec3& axis) {
+    const auto range = [&axis](const Corners& corners) {
+      return std::minmax({axis.dot(corners[0]), axis.dot(corners[1]), axis.dot(corners[2])});
+    };
+    const auto [s_low, s_high] = range(s_offsets);
+    const auto [t_low, t_high] = range(t_offsets);
+    const double unit = axis.lpNorm<1>() * size;
+    return std::max(t_low - s_high, s_low - t_high) >= -most_overlap * unit &&
+           std::max(s_high, t_high) - std::min(s_low, t_low) > least_extent * unit;
+  };
+  const auto sides = [](const Corners& c) { return Corners{c[1] - c[0], c[2] - c[1], c[0] - c[2]}; };
+  const Corners s_sides = sides(s_offsets);
+  const Corners t_sides = sides(t_offsets);
+  const Vec3 s_normal = s_sides[0].cross(s_sides[1]);
+  const Vec3 t_normal = t_sides[0].cross(t_sides[1]);
+  const auto separates_inside = [&](const Vec3& normal, const Corners& along) {
+    return std::any_of(along.begin(), along.end(), [&](const Vec3& side) { return separates(normal.cross(side)); });
+  };
+  if (separates(s_normal) || separates(t_normal)) return false;
+  if (separates_inside(s_normal, s_sides) || separates_inside(t_normal, t_sides)) return false;
+  return std::none_of(s_sides.begin(), s_sides.end(),
+                      [&](const Vec3& side) { return separates_inside(side, t_sides); });
+}
+
+class MovedMesh {
+ public:
+  MovedMesh(const Surface& before, const FaceNeighbors& neighbors, std::vector<Vec3>& positions, unsigned threads)
+      : before_(before), neighbors_(neighbors), positions_(positions) {
+    find_near_pairs(threads);
+    intersecting_.resize(pairs_.size());
+  }
+
+  /// Faces that intersect one another, which they didn't before.
+  std::vector<Index> intersecting(unsigned threads) {
+    for_each_range(pairs_.size(), threads, [this](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) intersecting_[i] = intersects_newly(pairs_[i]);
+    });
+    std::vector<Index> faces;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      if (intersecting_[i] != 0) faces.insert(faces.end(), {pairs_[i][0], pairs_[i][1]});
+    }
+    return faces;
+  }
+
+  /// Those of the faces that are turned over or folded, which they weren't before.
+  std::vector<Index> turned(std::span<const Index> faces) const {
+    std::vector<Index> found;
+    std::copy_if(faces.begin(), faces.end(), std::back_inserter(found),
+                 [this](Index f) { return is_turned(f) || is_folded(f); });
+    return found;
+  }
+
+  /// \return the faces at vertices that were moved until now
+  std::vector<Index> take_back(std::span<const Index> faces) {
+    std::vector<Index> changed;
+    for (const Index f : faces) {
+      for (const Index v : before_.faces[f]) {
+        if (!is_moved(v)) continue;
+        positions_[v] = before_.positions[v];
+        for (const Corner& corner : before_.corners.of(v)) changed.push_back(corner.face);
+      }
+    }
+    return changed;
+  }
+
+ private:
+  /// Those that may intersect wherever each of their corners is, where it was or where it is.
+  void find_near_pairs(unsigned threads) {
+    std::vector<Eigen::AlignedBox3f> boxes(before_.faces.size());
+    for_each_range(boxes.size(), threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        for (const Index v : before_.faces[f]) {
+          boxes[f].extend(before_.positions[v].cast<float>());
+          boxes[f].extend(positions_[v].cast<float>());
+        }
+      }
+    });
+    pairs_ = overlapping_boxes(boxes, threads);
+  }
+
+  bool is_moved(Index v) const { return positions_[v] != before_.positions[v]; }
+
+  bool intersects_newly(const std::array<Index, 2>& pair) const {
+    const Triangle& s = before_.faces[pair[0]];
+    const Triangle& t = before_.faces[pair[1]];
+    int n_common = 0;
+    for (const Index v : s)
+      n_common += static_cast<int>(v == t[0]) + static_cast<int>(v == t[1]) + static_cast<int>(v == t[2]);
+    if (n_common > 1) return false;
+    const auto corners = [](const Triangle& face, std::span<const Vec3> positions) {
+      return Corners{positions[face[0]], positions[face[1]], positions[face[2]]};
+    };
+    const Corners s_now = corners(s, positions_);
+    const Corners t_now = corners(t, positions_);
+    return !are_apart(s_now, t_now) && intersect(s_now, t_now) &&
+           !intersect(corners(s, before_.positions), corners(t, before_.positions));
+  }
+
+  Vec3 normal(Index face, std::span<const Vec3> positions) const {
+    const auto& [a, b, c] = before_.faces[face];
+    return (positions[b] - positions[a]).cross(positions[c] - positions[a]);
+  }
+  static double cosine(const Vec3& a, const Vec3& b) { return a.dot(b) / std::sqrt(a.squaredNorm() * b.squaredNorm()); }
+
+  bool is_turned(Index face) const {
+    return cosine(normal(face, positions_), normal(face, before_.positions)) < least_turn_cosine;
+  }
+  bool is_folded(Index face) const {
+    for (Index place = 0; place < 3; ++place) {
+      const Index other = neighbors_.beyond(face, place).face;
+      if (other == invalid_index) continue;
+      const double sign = neighbors_.is_twisted(face, place) ? -1 : 1;
+      const double now = sign * cosine(normal(face, positions_), normal(other, positions_));
+      if (!(now < least_fold_cosine)) continue;
+      if (now < sign * cosine(normal(face, before_.positions), normal(other, before_.positions))) return true;
+    }
+    return false;
+  }
+
+  const Surface& before_;
+  const FaceNeighbors& neighbors_;
+  std::vector<Vec3>& positions_;
+  std::vector<std::array<Index, 2>> pairs_;
+  std::vector<std::uint8_t> intersecting_;  ///< scratch: per pair
+};
+
+}  // namespace
+
+void take_back_intersections(const Surface& before, const FaceNeighbors& neighbors, std::vector<Vec3>& positions,
+                             unsigned threads) {
+  MovedMesh mesh(before, neighbors, positions, threads);
+  for (std::vector<Index> wrong = mesh.intersecting(threads); !wrong.empty();) {
+    const std::vector<Index> changed = mesh.take_back(wrong);
+    wrong = mesh.turned(changed);
+    const std::vector<Index> intersecting = mesh.intersecting(threads);
+    wrong.insert(wrong.end(), intersecting.begin(), intersecting.end());
+  }
+}
+
+}  // namespace whittle
