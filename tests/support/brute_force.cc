@@ -62,7 +62,7 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
   }
   const double tolerance = options.feature_tolerance * bounds_of(mesh.positions).diagonal() * frame_.scale;
   restraints_ = BruteForceRestraints(positions_, faces_, locked, options, tolerance);
-  if (options.cost == Cost::memoryless) memory_.emplace(positions_.size(), faces_);
+  if (options.cost == Cost::memoryless) memory_.emplace(positions_, faces_);
   if (options.pairs.threshold > 0) find_threshold_pairs(options.pairs);
 }
 
@@ -122,9 +122,7 @@ std::vector<BruteForceDecimater::Choice> BruteForceDecimater::choices() const {
   for (const auto& [a, b] : threshold_pairs_) {
     if (!edges.contains(edge(a, b)) && is_used(a) && is_used(b)) choices.push_back(choice(a, b, false, surface));
   }
-  std::ranges::sort(choices, [](const Choice& a, const Choice& b) {
-    return std::tie(a.cost, a.low, a.high) < std::tie(b.cost, b.low, b.high);
-  });
+  std::ranges::sort(choices, [](const Choice& a, const Choice& b) { return a.is_before(b); });
   return choices;
 }
 
@@ -146,23 +144,31 @@ PairEvaluation BruteForceDecimater::evaluate(Index a, Index b, bool is_edge, con
   return evaluate_pair(first, second, placement, pinned);
 }
 
-/// The first that is allowed; at the better place, if it is allowed there.
+/// The first of those that are allowed, once all have their final costs.
 std::optional<BruteForceDecimater::Choice> BruteForceDecimater::next_choice() const {
-  for (Choice choice : choices()) {
-    if (const std::optional<Vec3> position = better_position(choice)) {
-      choice.position = *position;
-      if (is_allowed(choice)) return choice;
-      choice.position = choice.cheapest;
-    }
-    if (is_allowed(choice)) return choice;
+  std::optional<Choice> first;
+  for (const Choice& choice : choices()) {
+    if (first && first->is_before(choice)) break;
+    const std::optional<Choice> settled = settle(choice);
+    if (settled && (!first || settled->is_before(*first))) first = settled;
   }
-  return std::nullopt;
+  return first;
 }
 
-std::optional<Vec3> BruteForceDecimater::better_position(const Choice& choice) const {
-  if (!choice.is_minimum || !forgets(choice)) return std::nullopt;
+/// At the better place, if it is allowed there, and for what that costs; nullopt if it isn't allowed at all.
+std::optional<BruteForceDecimater::Choice> BruteForceDecimater::settle(Choice choice) const {
+  if (!forgets(choice)) return is_allowed(choice) ? std::optional(choice) : std::nullopt;
   const FacesAroundPair around(positions_, faces_, choice.low, choice.high, choice.cheapest);
-  return choice.cheapest + volume_step(quadrics_[choice.low].a + quadrics_[choice.high].a, around.volume());
+  const StarVolume volume = around.volume();
+  if (choice.is_minimum) choice.position += volume_step(quadrics_[choice.low].a + quadrics_[choice.high].a, volume);
+  if (!is_allowed(choice)) {
+    choice.position = choice.cheapest;
+    if (!is_allowed(choice)) return std::nullopt;
+  }
+  if (!volume.is_thin()) return choice;
+  const double mean_area = memory_->area() / static_cast<double>(n_faces());
+  choice.cost = std::max(choice.cost, thin_cost(around.displacement_sq(choice.position - choice.cheapest), mean_area));
+  return choice;
 }
 
 bool BruteForceDecimater::forgets(const Choice& choice) const {

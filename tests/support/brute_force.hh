@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -44,6 +45,8 @@ class BruteForceDecimater {
     Vec3 cheapest;  ///< where that is the cost
     bool is_minimum;
     Vec3 position;  ///< where the merged vertex goes: there, too, or to a better place
+
+    bool is_before(const Choice& o) const { return std::tie(cost, low, high) < std::tie(o.cost, o.low, o.high); }
   };
   void find_threshold_pairs(const PairOptions& options);
   PlacedQuadric placed(Index v, bool is_edge) const;
@@ -51,7 +54,7 @@ class BruteForceDecimater {
   Choice choice(Index a, Index b, bool is_edge, const SurfaceNow& surface) const;
   PairEvaluation evaluate(Index a, Index b, bool is_edge, const SurfaceNow& surface) const;
   std::optional<Choice> next_choice() const;
-  std::optional<Vec3> better_position(const Choice& choice) const;
+  std::optional<Choice> settle(Choice choice) const;
   bool is_joint(Index a, Index b, bool is_edge) const { return !is_edge || !keeps_topology(a, b); }
   bool forgets(const Choice& choice) const;
   bool is_allowed(const Choice& choice) const;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "support/face_list.hh"
+#include "whittle/engine/nearest_on_triangle.hh"
 
 namespace whittle::test {
 namespace {
@@ -96,6 +98,21 @@ StarVolume FacesAroundPair::volume() const {
   return {{normal.x, normal.y, normal.z}, offset, length, farthest_sq};
 }
 
+double FacesAroundPair::displacement_sq(const Vec3& apex) const {
+  const auto nearest_sq = [](const Vec3& p, const std::vector<Corners>& faces) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [x, y, z] : faces) least = std::min(least, distance_sq_to_triangle(x - p, y - p, z - p));
+    return least;
+  };
+  std::vector<Corners> before = faces_;
+  before.insert(before.end(), common_.begin(), common_.end());
+  std::vector<Corners> after = faces_;
+  for (Corners& face : after) face[0] = apex;
+  const Vec3& a = common_[0][0];
+  const Vec3& b = common_[0][1];
+  return std::max({nearest_sq(apex, before), nearest_sq(a, after), nearest_sq(b, after)});
+}
+
 SymmetricMatrix FacesAroundPair::planes(const Vec3& apex, const QuadricOptions& options) const {
   std::array<SymmetricMatrix, 4> sums;
   for (std::size_t i = 0; i < faces_.size(); ++i) {
@@ -128,8 +145,19 @@ SymmetricMatrix change_of_planes(std::span<const Vec3> positions, std::span<cons
   return gain;
 }
 
-BruteForceMemory::BruteForceMemory(std::size_t n_vertices, std::span<const Triangle> faces) : remembers_(n_vertices) {
-  for (Index v = 0; v < n_vertices; ++v) is_ring_.push_back(is_ring(v, faces));
+BruteForceMemory::BruteForceMemory(std::span<const Vec3> positions, std::span<const Triangle> faces)
+    : remembers_(positions.size()) {
+  for (Index v = 0; v < positions.size(); ++v) is_ring_.push_back(is_ring(v, faces));
+  double area = 0;
+  std::size_t n_corners = 0;
+  for (const Triangle& f : faces) {
+    const auto n_inside = static_cast<std::size_t>(std::ranges::count_if(f, [this](Index v) { return is_ring_[v]; }));
+    const Vec3 normal = (positions[f[1]] - positions[f[0]]).cross(positions[f[2]] - positions[f[0]]);
+    area += 0.5 * normal.norm() * static_cast<double>(n_inside);
+    n_corners += n_inside;
+  }
+  if (n_corners == 0) return;
+  area_ = static_cast<float>(area / static_cast<double>(n_corners) * static_cast<double>(faces.size()));
 }
 
 std::vector<Index> BruteForceMemory::forgetful_neighbours(Index a, Index b, bool is_joint,

@@ -23,6 +23,8 @@ class FacesAroundPair {
 
   /// Of the faces as they are.
   StarVolume volume() const;
+  /// How far they would move, were a and b one vertex at `apex`.
+  double displacement_sq(const Vec3& apex) const;
   /// The sum of the faces' planes, were a and b one vertex at `apex`.
   SymmetricMatrix planes(const Vec3& apex, const QuadricOptions& options) const;
 
@@ -44,7 +46,10 @@ SymmetricMatrix change_of_planes(std::span<const Vec3> positions, std::span<cons
 class BruteForceMemory {
  public:
   /// \param faces of the mesh as it is at first
-  BruteForceMemory(std::size_t n_vertices, std::span<const Triangle> faces);
+  BruteForceMemory(std::span<const Vec3> positions, std::span<const Triangle> faces);
+
+  /// Of all faces at first, guessed from those at rings; in as many digits as don't depend on the order of additions.
+  float area() const { return area_; }
 
   /// Whether the vertex that a and b are merged into is to have the planes of its faces alone.
   /// \param is_joint whether the contraction needs more than the link condition
@@ -60,6 +65,7 @@ class BruteForceMemory {
   std::vector<bool> is_ring_;  ///< its faces were one closed fan of one orientation when last looked at: at first, and
                                ///< after joints; two that merge are one if both were
   std::vector<bool> remembers_;
+  float area_ = 0;
 };
 
 }  // namespace whittle::test

@@ -123,12 +123,16 @@ std::optional<StopReason> ContractionLoop::take(Turn turn) {
     return std::nullopt;
   }
   if (target_.max_cost && turn.evaluation.cost > *target_.max_cost) return StopReason::cost;
-  const Refusal refusal = place(turn);
-  if (refusal != Refusal::none) {
+  if (const Refusal refusal = place(turn); refusal != Refusal::none) {
     refuse(turn.pair, refusal);
-  } else {
-    contract(turn);
+    return std::nullopt;
   }
+  if (const double cost = cost_->final_cost(turn.evaluation); cost > turn.evaluation.cost) {
+    if (order_->postpone(turn.pair, cost)) return std::nullopt;
+    if (target_.max_cost && cost > *target_.max_cost) return StopReason::cost;
+    turn.evaluation.cost = cost;
+  }
+  contract(turn);
   return std::nullopt;
 }
 

@@ -34,6 +34,7 @@ std::optional<Turn> EagerOrder::next() {
   const std::optional<Candidate> candidate = next_candidate();
   if (!candidate) return std::nullopt;
   costs_[candidate->pair.id] = out;
+  cost_now_ = candidate->cost;
   const Pair pair = pair_now(complex_, candidate->pair.id);
   return Turn{pair, cost_.evaluate(pair)};
 }
@@ -72,6 +73,12 @@ void EagerOrder::open_bucket() {
 }
 
 void EagerOrder::add(const Pair& pair) { set_cost(pair, cost_.evaluate(pair).cost); }
+
+bool EagerOrder::postpone(const Pair& pair, double cost) {
+  if (!(cost > cost_now_)) return false;
+  set_cost(pair, cost);
+  return true;
+}
 
 /// Puts the pair where its cost says, unless it is there.
 void EagerOrder::set_cost(const Pair& pair, double cost) {

@@ -20,6 +20,7 @@ class EagerOrder final : public PairOrder {
 
   std::optional<Turn> next() override;
   void add(const Pair& pair) override;
+  bool postpone(const Pair& pair, double cost) override;
   void note_contraction(Index survivor, Index removed, std::span<const Index> changed) override;
 
  private:
@@ -36,6 +37,7 @@ class EagerOrder final : public PairOrder {
   TriangleComplex& complex_;
   const PairCost& cost_;
   LargeArray<double> costs_;  ///< per pair
+  double cost_now_ = 0;       ///< that the pair taken out last had
   BucketQueue queue_;
   std::vector<Index> members_;    ///< of the bucket being opened
   std::vector<Candidate> batch_;  ///< candidates of the open bucket, in order

@@ -241,6 +241,13 @@ void LazyOrder::add(const Pair& pair) {
   enqueue(candidate(complex_, pair, evaluation.cost));
 }
 
+bool LazyOrder::postpone(const Pair& pair, double cost) {
+  const BucketQueue::Bucket bucket = BucketQueue::bucket_of(cost);
+  if (queue_.is_past(bucket)) return false;
+  queue_.push(pair.id, bucket);
+  return true;
+}
+
 /// Queues anew those raised pairs at the merged vertex that have become cheaper.
 void LazyOrder::note_contraction(Index survivor, Index removed, std::span<const Index>) {
   if (!raised_.any_at(survivor) && !raised_.any_at(removed)) return;

@@ -27,6 +27,7 @@ class LazyOrder final : public PairOrder {
 
   std::optional<Turn> next() override;
   void add(const Pair& pair) override;
+  bool postpone(const Pair& pair, double cost) override;
   void note_contraction(Index survivor, Index removed, std::span<const Index> changed) override;
 
  private:

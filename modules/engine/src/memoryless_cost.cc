@@ -5,18 +5,44 @@
 
 namespace whittle {
 
+MemorylessCost::MemorylessCost(TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options)
+    : complex_(complex),
+      options_(options),
+      quadric_cost_(complex, restraints, options),
+      remembers_(complex.n_vertex_slots()) {
+  double area = 0;  // of each face thrice: vertices without a border have their faces' as the weight of their planes
+  std::uint64_t n_corners = 0;
+  for (Index v = 0; v < complex.n_vertex_slots(); ++v) {
+    if (!complex.is_ring(v)) continue;
+    area += complex.placed(v).quadric.a.trace();
+    n_corners += complex.neighbours(v).size();
+  }
+  if (n_corners == 0) return;
+  area /= 1 + 3 * options.regularization;
+  area_ = static_cast<float>(area / static_cast<double>(n_corners) * static_cast<double>(complex.n_faces()));
+}
+
 /// Whether the merged vertex, and its neighbours, get the planes of its faces alone.
 bool MemorylessCost::forgets(const Pair& pair, const PairStar& star) const {
   return !star.is_joint && complex_.is_ring(pair.a) && complex_.is_ring(pair.b);
 }
 
 Vec3 MemorylessCost::place(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) {
+  ring_is_thin_ = false;
   if (!forgets(pair, star)) return evaluation.position;
   ring_origin_ = evaluation.position;
   ring_.assign(complex_, pair, star, ring_origin_);
+  const StarVolume volume = ring_.volume();
+  ring_is_thin_ = volume.is_thin();
   if (!evaluation.is_minimum) return evaluation.position;
   const SymmetricMatrix sum = complex_.placed(pair.a).quadric.a + complex_.placed(pair.b).quadric.a;
-  return evaluation.position + volume_step(sum, ring_.volume());
+  return evaluation.position + volume_step(sum, volume);
+}
+
+double MemorylessCost::final_cost(const PairEvaluation& evaluation) const {
+  if (!ring_is_thin_) return evaluation.cost;
+  const double mean_area = area_ / static_cast<double>(complex_.n_faces());
+  return std::max(evaluation.cost, thin_cost(ring_.displacement_sq(evaluation.position - ring_origin_), mean_area));
 }
 
 PlacedQuadric MemorylessCost::merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) {

@@ -9,20 +9,17 @@ namespace whittle {
 
 /// Memoryless quadrics (memoryless_term.hh). A contraction changes those of the merged vertex and of its neighbours; at
 /// borders and where the surface isn't manifold they remember, as they would with Garland–Heckbert, and so do
-/// neighbours of vertices that are joined.
+/// neighbours of vertices that are joined. There thin parts aren't looked at, either.
 class MemorylessCost final : public PairCost {
  public:
-  MemorylessCost(TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options)
-      : complex_(complex),
-        options_(options),
-        quadric_cost_(complex, restraints, options),
-        remembers_(complex.n_vertex_slots()) {}
+  MemorylessCost(TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options);
 
   using PairCost::evaluate;
   void evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const override {
     quadric_cost_.evaluate(pairs, evaluations);
   }
   Vec3 place(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override;
+  double final_cost(const PairEvaluation& evaluation) const override;
   PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override;
   double dimension() const override { return quadric_cost_.dimension(); }
   Reach reach() const override { return Reach::ring; }
@@ -45,6 +42,8 @@ class MemorylessCost final : public PairCost {
   QuadricCost quadric_cost_;
   MergedRing ring_;              ///< of the pair placed last, if it forgets
   Vec3 ring_origin_;             ///< what it is seen from
+  bool ring_is_thin_ = false;    ///< whether what it costs depends on where it goes
+  float area_ = 0;               ///< of all faces at first; so few digits don't depend on the order of additions
   std::vector<bool> remembers_;  ///< per vertex, whether it has planes of faces that there were
   std::vector<Change> changes_;  ///< scratch
 };

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "whittle/engine/lanes.hh"
+#include "whittle/engine/nearest_on_triangle.hh"
 
 namespace whittle {
 namespace {
@@ -158,6 +160,30 @@ MergedRing::Shape MergedRing::shape() const {
 
 StarVolume MergedRing::volume() const {
   return has_double4 ? sum_volume_in_wide_registers(shape()) : sum_volume(shape());
+}
+
+double MergedRing::displacement_sq(const Vec3& apex) const {
+  struct Nearest {
+    Vec3 point;
+    double distance_sq = std::numeric_limits<double>::infinity();
+    void look_at(const Vec3& a, const Vec3& b, const Vec3& c) {
+      distance_sq = std::min(distance_sq, distance_sq_to_triangle(a - point, b - point, c - point));
+    }
+  };
+  const Shape ring = shape();
+  Nearest from_first{first_};
+  Nearest from_second{second_};
+  Nearest from_apex{apex};
+  for (std::size_t i = 0; i < ring.n; ++i) {
+    const Vec3 x = ring.neighbour(i);
+    const Vec3 y = ring.neighbour(i + 1);
+    from_first.look_at(apex, x, y);
+    from_second.look_at(apex, x, y);
+    from_apex.look_at(i < n_first_ ? first_ : second_, x, y);
+  }
+  from_apex.look_at(first_, second_, ring.neighbour(0));
+  from_apex.look_at(first_, ring.neighbour(n_first_), second_);
+  return std::max({from_first.distance_sq, from_second.distance_sq, from_apex.distance_sq});
 }
 
 SymmetricMatrix MergedRing::move_to(const Vec3& apex, const QuadricOptions& options) {

@@ -26,6 +26,10 @@ class MergedRing {
   /// Of the faces as they are, those of both ends included.
   StarVolume volume() const;
 
+  /// How far the faces, and those with the merged vertex at `apex`, are from each other, about: the farthest that an
+  /// end is from these, or `apex` from those.
+  double displacement_sq(const Vec3& apex) const;
+
   /// Looks at the faces as they would be with the merged vertex at `apex`. \return the sum of their planes
   SymmetricMatrix move_to(const Vec3& apex, const QuadricOptions& options);
   /// By how much that changes the planes at the i-th neighbour.

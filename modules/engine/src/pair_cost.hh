@@ -25,6 +25,9 @@ class PairCost {
   /// Where the merged vertex would best go, now that the faces around are gathered.
   virtual Vec3 place(const Pair&, const PairEvaluation& evaluation, const PairStar&) { return evaluation.position; }
 
+  /// What contracting the pair placed last costs there: what it was evaluated to, or more.
+  virtual double final_cost(const PairEvaluation& evaluation) const { return evaluation.cost; }
+
   /// Told that the pair placed last is to be contracted. \param star as it was then \return what its vertex is to keep
   virtual PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) = 0;
 

@@ -23,6 +23,10 @@ class PairOrder {
   /// Puts in a pair that has been taken out, or was never in. The lower original vertex first.
   virtual void add(const Pair& pair) = 0;
 
+  /// Puts the pair just taken out in again under a higher cost, unless that is no more than what others cost whose turn
+  /// it is: then false.
+  virtual bool postpone(const Pair& pair, double cost) = 0;
+
   /// Told after each contraction. \param changed as `PairCost::note_contraction`
   virtual void note_contraction(Index survivor, Index removed, std::span<const Index> changed) = 0;
 };

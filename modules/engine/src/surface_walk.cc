@@ -3,42 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include "whittle/engine/nearest_on_triangle.hh"
+
 namespace whittle {
 namespace {
 
 /// More than enough where the start is near.
 constexpr std::size_t most_steps = 48;
-
-/// Barycentric coordinates.
-struct Place {
-  double second, third;
-};
-
-/// The point of the triangle nearest to the origin. \cite ericson_2005_collision (section 5.1.5)
-Place nearest_to_origin(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a;
-  const Vec3 ac = c - a;
-  const double d1 = -ab.dot(a);
-  const double d2 = -ac.dot(a);
-  if (d1 <= 0 && d2 <= 0) return {0, 0};
-  const double d3 = -ab.dot(b);
-  const double d4 = -ac.dot(b);
-  if (d3 >= 0 && d4 <= d3) return {1, 0};
-  const double over_c = d1 * d4 - d3 * d2;
-  if (over_c <= 0 && d1 >= 0 && d3 <= 0) return {d1 / (d1 - d3), 0};
-  const double d5 = -ab.dot(c);
-  const double d6 = -ac.dot(c);
-  if (d6 >= 0 && d5 <= d6) return {0, 1};
-  const double over_b = d5 * d2 - d1 * d6;
-  if (over_b <= 0 && d2 >= 0 && d6 <= 0) return {0, d2 / (d2 - d6)};
-  const double over_a = d3 * d6 - d5 * d4;
-  if (over_a <= 0 && d4 >= d3 && d5 >= d6) {
-    const double third = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {1 - third, third};
-  }
-  const double sum = over_a + over_b + over_c;
-  return {over_b / sum, over_c / sum};
-}
 
 }  // namespace
 
@@ -55,7 +26,7 @@ NearestPoint walk_to_nearest(const Surface& surface, const Sample& sample, doubl
       const Vec3 c = positions[corner_after(faces[corner.face], corner.place, 2)] - sample.position;
       const Vec3 normal = (b - a).cross(c - a);
       if (!(normal.dot(sample.normal) > least_agreement * normal.norm())) continue;
-      const auto [next, last] = nearest_to_origin(a, b, c);
+      const auto [next, last] = nearest_on_triangle(a, b, c);
       const double distance_sq = (a + next * (b - a) + last * (c - a)).squaredNorm();
       if (distance_sq < nearest.distance_sq) nearest = {&corner, next, last, distance_sq};
     }

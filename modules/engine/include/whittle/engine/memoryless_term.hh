@@ -11,7 +11,10 @@
 //
 // n_t is the normal of a face, as long as twice its area, p_t one of its corners. Where the n_t cancel, |g|² at most
 // 1e-4 (Σ |n_t|)², or the step is longer than the way to the farthest neighbour, v̄ is x*.
-// \cite lindstrom_1998_fast (volume preservation), \cite hoppe_1999_attributes (memoryless quadrics)
+// Planes don't see how long a needle is, or how wide a fin: next to no volume, nor area, is lost with it. Where the
+// faces look to all sides, |g|² < ½ (Σ |n_t|)², a contraction therefore costs no less than 2 a d²: a is the mean area
+// of the mesh's faces now, d how far the surface moves: v0 and v1 from the faces there will be, v̄ from the faces there
+// are, the farthest. \cite lindstrom_1998_fast (volume preservation), \cite hoppe_1999_attributes (memoryless quadrics)
 
 namespace whittle {
 
@@ -21,7 +24,13 @@ struct StarVolume {
   double offset = 0;           ///< Σ n · p
   double length = 0;           ///< Σ |n|
   double farthest_sq = 0;      ///< of the neighbours, from the origin
+
+  /// Whether the faces look to all sides.
+  bool is_thin() const { return normal.squaredNorm() < 0.5 * length * length; }
 };
+
+/// The least that a contraction costs at a thin part. \param displacement_sq d² \param mean_area a
+inline double thin_cost(double displacement_sq, double mean_area) { return 2 * displacement_sq * mean_area; }
 
 /// What v̄ is away from the minimum. \param a A, of the sum of both quadrics \param volume about the minimum
 inline Vec3 volume_step(const SymmetricMatrix& a, const StarVolume& volume) {
