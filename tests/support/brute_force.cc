@@ -129,6 +129,10 @@ std::vector<BruteForceDecimater::Choice> BruteForceDecimater::choices() const {
 BruteForceDecimater::Choice BruteForceDecimater::choice(Index a, Index b, bool is_edge,
                                                         const SurfaceNow& surface) const {
   PairEvaluation e = evaluate(a, b, is_edge, surface);
+  if (memory_) {
+    const double weight = quadrics_[a].a.trace() + quadrics_[b].a.trace();
+    e.cost *= memoryless_factor(weight, memory_->face_area().first());
+  }
   if (options_.valence_weight > 0) e.cost = surface.valence_change(a, b).penalize(e.cost, options_.valence_weight);
   return {e.cost, a, b, is_edge, e.position, e.is_minimum, e.position};
 }
@@ -166,8 +170,8 @@ std::optional<BruteForceDecimater::Choice> BruteForceDecimater::settle(Choice ch
     if (!is_allowed(choice)) return std::nullopt;
   }
   if (!volume.is_thin()) return choice;
-  const double mean_area = memory_->area() / static_cast<double>(n_faces());
-  choice.cost = std::max(choice.cost, thin_cost(around.displacement_sq(choice.position - choice.cheapest), mean_area));
+  const double displacement_sq = around.displacement_sq(choice.position - choice.cheapest);
+  choice.cost = std::max(choice.cost, thin_cost(displacement_sq, memory_->face_area().now(n_faces())));
   return choice;
 }
 

@@ -29,6 +29,7 @@ Corners as_ring(const Corners& sorted) {
 double cost_dimension(const DecimateOptions& options) {
   if (options.cost == Cost::lindstrom_turk) return 6;
   if (options.cost == Cost::midpoint) return 1;
+  if (options.cost == Cost::memoryless) return 5;
   return isotropic_dimension(options.quadric.weights == Weights::uniform ? 2 : 4, options.isotropy);
 }
 

@@ -156,8 +156,7 @@ BruteForceMemory::BruteForceMemory(std::span<const Vec3> positions, std::span<co
     area += 0.5 * normal.norm() * static_cast<double>(n_inside);
     n_corners += n_inside;
   }
-  if (n_corners == 0) return;
-  area_ = static_cast<float>(area / static_cast<double>(n_corners) * static_cast<double>(faces.size()));
+  face_area_ = {area, n_corners, faces.size()};
 }
 
 std::vector<Index> BruteForceMemory::forgetful_neighbours(Index a, Index b, bool is_joint,

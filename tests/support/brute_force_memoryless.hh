@@ -48,8 +48,8 @@ class BruteForceMemory {
   /// \param faces of the mesh as it is at first
   BruteForceMemory(std::span<const Vec3> positions, std::span<const Triangle> faces);
 
-  /// Of all faces at first, guessed from those at rings; in as many digits as don't depend on the order of additions.
-  float area() const { return area_; }
+  /// Of those at rings, each as often as it has corners there.
+  const MeanFaceArea& face_area() const { return face_area_; }
 
   /// Whether the vertex that a and b are merged into is to have the planes of its faces alone.
   /// \param is_joint whether the contraction needs more than the link condition
@@ -65,7 +65,7 @@ class BruteForceMemory {
   std::vector<bool> is_ring_;  ///< its faces were one closed fan of one orientation when last looked at: at first, and
                                ///< after joints; two that merge are one if both were
   std::vector<bool> remembers_;
-  float area_ = 0;
+  MeanFaceArea face_area_;
 };
 
 }  // namespace whittle::test

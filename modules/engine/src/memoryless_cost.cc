@@ -10,16 +10,25 @@ MemorylessCost::MemorylessCost(TriangleComplex& complex, const Restraints& restr
       options_(options),
       quadric_cost_(complex, restraints, options),
       remembers_(complex.n_vertex_slots()) {
-  double area = 0;  // of each face thrice: vertices without a border have their faces' as the weight of their planes
+  double area = 0;
   std::uint64_t n_corners = 0;
-  for (Index v = 0; v < complex.n_vertex_slots(); ++v) {
+  for (Index v = 0; v < complex.n_vertex_slots(); ++v) {  // those with a border have other planes, too
     if (!complex.is_ring(v)) continue;
     area += complex.placed(v).quadric.a.trace();
     n_corners += complex.neighbours(v).size();
   }
-  if (n_corners == 0) return;
-  area /= 1 + 3 * options.regularization;
-  area_ = static_cast<float>(area / static_cast<double>(n_corners) * static_cast<double>(complex.n_faces()));
+  face_area_ = {area / (1 + 3 * options.regularization), n_corners, complex.n_faces()};
+}
+
+void MemorylessCost::evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const {
+  quadric_cost_.evaluate(pairs, evaluations);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [id, a, b] = pairs[i];
+    const double weight = complex_.placed(a).quadric.a.trace() + complex_.placed(b).quadric.a.trace();
+    const double factor = memoryless_factor(weight, face_area_.first());
+    evaluations[i].bound *= factor;
+    evaluations[i].cost *= factor;
+  }
 }
 
 /// Whether the merged vertex, and its neighbours, get the planes of its faces alone.
@@ -41,8 +50,8 @@ Vec3 MemorylessCost::place(const Pair& pair, const PairEvaluation& evaluation, c
 
 double MemorylessCost::final_cost(const PairEvaluation& evaluation) const {
   if (!ring_is_thin_) return evaluation.cost;
-  const double mean_area = area_ / static_cast<double>(complex_.n_faces());
-  return std::max(evaluation.cost, thin_cost(ring_.displacement_sq(evaluation.position - ring_origin_), mean_area));
+  const double displacement_sq = ring_.displacement_sq(evaluation.position - ring_origin_);
+  return std::max(evaluation.cost, thin_cost(displacement_sq, face_area_.now(complex_.n_faces())));
 }
 
 PlacedQuadric MemorylessCost::merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) {

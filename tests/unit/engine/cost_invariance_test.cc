@@ -36,16 +36,16 @@ std::vector<Setting> all_settings() {
     change(settings.back().options);
   };
   add("lindstrom-turk", 6, [](DecimateOptions& o) { o.cost = Cost::lindstrom_turk; });
-  add("memoryless", 4, [](DecimateOptions& o) { o.cost = Cost::memoryless; });
-  add("memoryless, exact", 4, [](DecimateOptions& o) {
+  add("memoryless", 5, [](DecimateOptions& o) { o.cost = Cost::memoryless; });
+  add("memoryless, exact", 5, [](DecimateOptions& o) {
     o.cost = Cost::memoryless;
     o.order = Order::exact;
   });
-  add("valence 1, memoryless", 4, [](DecimateOptions& o) {
+  add("valence 1, memoryless", 5, [](DecimateOptions& o) {
     o.valence_weight = 1;
     o.cost = Cost::memoryless;
   });
-  add("features 15, memoryless", 4, [](DecimateOptions& o) {
+  add("features 15, memoryless", 5, [](DecimateOptions& o) {
     o.feature_angle_deg = 15;
     o.cost = Cost::memoryless;
   });

@@ -9,7 +9,8 @@ struct Barycentric {
   double second, third;
 };
 
-/// The point of the triangle nearest to the origin; not a number if two corners are one. \cite ericson_2005_collision (section 5.1.5)
+/// The point of the triangle nearest to the origin; not a number if two corners are one. \cite ericson_2005_collision
+/// (section 5.1.5)
 inline Barycentric nearest_on_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
