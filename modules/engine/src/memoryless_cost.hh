@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "merged_ring.hh"
 #include "quadric_cost.hh"
+#include "whittle/engine/merged_ring.hh"
 
 namespace whittle {
 

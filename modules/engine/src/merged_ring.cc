@@ -1,16 +1,13 @@
-#include "merged_ring.hh"
+#include "whittle/engine/merged_ring.hh"
 
 #include <algorithm>
 #include <cstring>
 #include <limits>
 
-#include "whittle/engine/lanes.hh"
 #include "whittle/engine/nearest_on_triangle.hh"
 
 namespace whittle {
 namespace {
-
-constexpr std::size_t at_once = n_lanes<Double4>;
 
 [[gnu::always_inline]] inline Double4 load(const double* from) {
   Double4 lanes;
@@ -137,21 +134,11 @@ void MergedRing::assign(const TriangleComplex& complex, const Pair& pair, const 
   n_first_ = first.size() - 1;
   first_ = complex.position(pair.a) - origin;
   second_ = complex.position(pair.b) - origin;
-  const std::size_t n = first.size() + others.size();
-  vertices_.resize(n);
+  vertices_.resize(first.size() + others.size());
   const auto vertex_of = [](const Spoke& spoke) { return spoke.vertex; };
   std::transform(others.begin(), others.end(), std::transform(first.begin(), first.end(), vertices_.begin(), vertex_of),
                  vertex_of);
-  if (changes_.size() < n + at_once) {
-    changes_.resize(2 * (n + at_once));
-    for (std::vector<double>& column : neighbours_) column.resize(changes_.size() + 1);
-  }
-  for (std::size_t i = 0; i <= n + at_once; ++i) {
-    const Vec3 p = complex.position(vertices_[i < n ? i : 0]) - origin;
-    neighbours_[0][i] = p.x();
-    neighbours_[1][i] = p.y();
-    neighbours_[2][i] = p.z();
-  }
+  load_neighbours(origin, [&complex](Index v) -> const Vec3& { return complex.position(v); });
 }
 
 MergedRing::Shape MergedRing::shape() const {

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "merged_ring.hh"
 #include "support/brute_force_memoryless.hh"
 #include "support/face_list.hh"
 #include "support/random.hh"
@@ -19,6 +18,7 @@
 #include "support/topology.hh"
 #include "support/transforms.hh"
 #include "whittle/engine/decimate.hh"
+#include "whittle/engine/merged_ring.hh"
 #include "whittle/metrics/distance.hh"
 
 namespace whittle::test {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
+#include "whittle/engine/lanes.hh"
 #include "whittle/engine/memoryless_term.hh"
 #include "whittle/engine/quadric_term.hh"
 #include "whittle/engine/triangle_complex.hh"
@@ -16,9 +18,26 @@ namespace whittle {
 /// processors.
 class MergedRing {
  public:
+  /// An inner edge and the vertices around it.
+  struct Edge {
+    Index first, second;            ///< its ends
+    std::span<const Index> around;  ///< counter-clockwise from the corner left of the edge on: the first end's other
+                                    ///< neighbours, then the second end's but for the two corners opposite the edge
+    std::size_t n_first;            ///< faces at the first end alone: the place of the corner right of the edge
+  };
+
   /// \param star of the pair, as gathered \pre both ends have rings
   /// \param origin what everything here is seen from
   void assign(const TriangleComplex& complex, const Pair& pair, const PairStar& star, const Vec3& origin);
+  /// \param position_of vertex number → Vec3
+  template <class PositionOf>
+  void assign(const Edge& edge, const Vec3& origin, const PositionOf& position_of) {
+    vertices_.assign(edge.around.begin(), edge.around.end());
+    n_first_ = edge.n_first;
+    first_ = position_of(edge.first) - origin;
+    second_ = position_of(edge.second) - origin;
+    load_neighbours(origin, position_of);
+  }
 
   std::size_t size() const { return vertices_.size(); }
   Index vertex(std::size_t i) const { return vertices_[i]; }
@@ -48,6 +67,10 @@ class MergedRing {
     std::array<double, 2> unused;
   };
   struct Shape;
+  static constexpr std::size_t at_once = n_lanes<Double4>;
+
+  template <class PositionOf>
+  void load_neighbours(const Vec3& origin, const PositionOf& position_of);
   static StarVolume sum_volume(const Shape& shape);
   static StarVolume sum_volume_in_wide_registers(const Shape& shape);
   static SymmetricMatrix sum_planes(const Shape& shape, const Vec3& apex, const QuadricOptions& options,
@@ -63,5 +86,20 @@ class MergedRing {
   std::vector<FacePlanes> changes_;     ///< what the faces' planes gain and lose
   std::array<FacePlanes, 4> vanished_;  ///< of the two faces at both ends, and of two without area
 };
+
+template <class PositionOf>
+void MergedRing::load_neighbours(const Vec3& origin, const PositionOf& position_of) {
+  const std::size_t n = vertices_.size();
+  if (changes_.size() < n + at_once) {
+    changes_.resize(2 * (n + at_once));
+    for (std::vector<double>& column : neighbours_) column.resize(changes_.size() + 1);
+  }
+  for (std::size_t i = 0; i <= n + at_once; ++i) {
+    const Vec3 p = position_of(vertices_[i < n ? i : 0]) - origin;
+    neighbours_[0][i] = p.x();
+    neighbours_[1][i] = p.y();
+    neighbours_[2][i] = p.z();
+  }
+}
 
 }  // namespace whittle
