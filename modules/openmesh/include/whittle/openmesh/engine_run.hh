@@ -46,7 +46,7 @@ class EngineRunT {
   std::vector<Copy> relink(const Decimation& small);
   std::vector<Copy> collapse(const Decimation& small);
   void update_face_normals(const std::vector<Copy>& vertices, const std::vector<Index>& origins);
-  void hand_over_quadrics(const std::vector<Copy>& vertices, std::vector<PlacedQuadric> quadrics);
+  void hand_over_quadrics(const std::vector<Copy>& vertices, std::vector<PlacedQuadric> quadrics, bool were_collapses);
 
   Index handle_index(Index v) const { return numbers_.handles[v]; }
   Index number(VertexHandle v) const { return numbers_.number_of[static_cast<std::size_t>(v.idx())]; }

@@ -74,6 +74,7 @@ Decimation EngineRunT<MeshT>::contract() {
   options.quadric = cost.quadric;
   options.isotropy = cost.isotropy;
   options.valence_weight = cost.valence_weight;
+  options.order = Order::exact;  // as the mesh driver has it
   options.pairs = decimater_.pairs_;
   options.max_normal_flip_deg = decimater_.max_normal_flip_deg();
   options.min_radius_ratio = decimater_.min_radius_ratio();
@@ -128,14 +129,15 @@ std::uint64_t EngineRunT<MeshT>::count_vertices(const IndexedMesh& mesh) {
 
 template <class MeshT>
 void EngineRunT<MeshT>::write_back(Decimation& small) {
-  const std::vector<Copy> vertices = are_collapses(small) ? collapse(small) : relink(small);
+  const bool were_collapses = are_collapses(small);
+  const std::vector<Copy> vertices = were_collapses ? collapse(small) : relink(small);
   for (const auto& [vertex, handle] : vertices) {
     const Vec3& position = small.mesh.positions[vertex];
     if (position == to_vec3(mesh_.point(handle))) continue;  // not rounded for nothing
     mesh_.set_point(handle, to_point<typename MeshT::Point>(position));
   }
   if (mesh_.has_face_normals()) update_face_normals(vertices, small.mesh.origins);
-  hand_over_quadrics(vertices, std::move(small.quadrics));
+  hand_over_quadrics(vertices, std::move(small.quadrics), were_collapses);
 }
 
 /// Whether the contractions are legal collapses on the mesh as it is. Without threshold pairs and copies they are, but
@@ -207,7 +209,8 @@ void EngineRunT<MeshT>::update_face_normals(const std::vector<Copy>& vertices, c
 
 /// To the module: each copy has the whole of its vertex.
 template <class MeshT>
-void EngineRunT<MeshT>::hand_over_quadrics(const std::vector<Copy>& vertices, std::vector<PlacedQuadric> quadrics) {
+void EngineRunT<MeshT>::hand_over_quadrics(const std::vector<Copy>& vertices, std::vector<PlacedQuadric> quadrics,
+                                           bool were_collapses) {
   std::vector<Index> handles;
   handles.reserve(vertices.size());
   for (const Copy& copy : vertices) handles.push_back(static_cast<Index>(copy.handle.idx()));
@@ -215,7 +218,7 @@ void EngineRunT<MeshT>::hand_over_quadrics(const std::vector<Copy>& vertices, st
     const PlacedQuadric quadric = quadrics[vertices[i].vertex];
     quadrics.push_back(quadric);
   }
-  decimater_.cost_->adopt(handles, std::move(quadrics));
+  decimater_.cost_->adopt(handles, std::move(quadrics), were_collapses);
 }
 
 }  // namespace whittle

@@ -55,6 +55,7 @@ class MeshContractionLoopT {
   struct Move {
     HalfedgeHandle to_survivor;
     PairEvaluation evaluation;  ///< in the cost module's frame; model units if it is foreign
+    Vec3 position;              ///< where the merged vertex goes, likewise
   };
 
   enum class Refusal { none, locked, feature, link, flip, shape, module };
@@ -79,8 +80,9 @@ class MeshContractionLoopT {
     return is_foreign() ? move_by_foreign_cost(candidate) : move_by_own_cost(candidate);
   }
 
-  Refusal find_refusal(const Move& move);
+  Refusal place(Move& move);
   Refusal find_refusal_of_pair(const CollapseInfo& collapse);
+  Refusal find_refusal_at(const Vec3& to, const CollapseInfo& collapse);
   bool modules_refuse(const CollapseInfo& collapse, const Vec3& to);
   void count(Refusal refusal);
   void contract(const Move& move);
@@ -107,7 +109,8 @@ class MeshContractionLoopT {
   std::vector<std::uint32_t> versions_;  ///< by halfedge
   std::vector<bool> is_waiting_;         ///< by halfedge
   std::vector<HalfedgeHandle> affected_;
-  std::vector<bool> has_copies_;  ///< by vertex; empty where none has
+  std::vector<bool> has_copies_;             ///< by vertex; empty where none has
+  const Module* refusing_module_ = nullptr;  ///< the one that refused last
   DecimateResult result_;
 };
 

@@ -101,13 +101,13 @@ std::optional<typename MeshContractionLoopT<MeshT>::Entry> MeshContractionLoopT<
 
 template <class MeshT>
 std::optional<StopReason> MeshContractionLoopT<MeshT>::take_turn(const Entry& entry) {
-  const std::optional<Move> move = move_of(entry.candidate);
+  std::optional<Move> move = move_of(entry.candidate);
   if (!move || move->evaluation.cost > entry.cost) {  // a module has locked or changed something meanwhile
     enqueue(entry.candidate);
     return std::nullopt;
   }
   if (target_.max_cost && move->evaluation.cost > *target_.max_cost) return StopReason::cost;
-  const Refusal refusal = find_refusal(*move);
+  const Refusal refusal = place(*move);
   if (refusal != Refusal::none) {
     count(refusal);
     is_waiting_[static_cast<std::size_t>(entry.candidate.idx())] = true;
@@ -152,8 +152,8 @@ typename MeshContractionLoopT<MeshT>::Move MeshContractionLoopT<MeshT>::move_by_
   const auto [first, second] = std::minmax(from, to);
   const Pinned where = pinned(first, second, candidate).value_or(Pinned::first);  // refused when its turn comes
   const VertexHandle survivor = where == Pinned::first ? first : second;
-  return {survivor == to ? candidate : mesh_.opposite_halfedge_handle(candidate),
-          decimater_.cost_->evaluate(first, second, where)};
+  const PairEvaluation evaluation = decimater_.cost_->evaluate(first, second, where);
+  return {survivor == to ? candidate : mesh_.opposite_halfedge_handle(candidate), evaluation, evaluation.position};
 }
 
 /// Modules of OpenMesh's are written for collapses that its decimaters call legal: v1 keeps its place, a border vertex
@@ -175,7 +175,7 @@ std::optional<typename MeshContractionLoopT<MeshT>::Move> MeshContractionLoopT<M
     return std::nullopt;
   }
   const float priority = decimater_.foreign_cost_->collapse_priority(collapse);
-  if (priority >= 0) return Move{candidate, {priority, priority, to_vec3(collapse.p1)}};
+  if (priority >= 0) return Move{candidate, {priority, priority, to_vec3(collapse.p1)}, to_vec3(collapse.p1)};
   decimater_.count_rejection(*decimater_.foreign_cost_);
   return std::nullopt;
 }
@@ -192,12 +192,25 @@ Vec3 MeshContractionLoopT<MeshT>::to_model(const Vec3& position) const {
 
 // Guards --------------------------------------------------------------------------------------------------------------
 
+/// Where the cost is least is second best, if the best place is refused.
 template <class MeshT>
-typename MeshContractionLoopT<MeshT>::Refusal MeshContractionLoopT<MeshT>::find_refusal(const Move& move) {
+typename MeshContractionLoopT<MeshT>::Refusal MeshContractionLoopT<MeshT>::place(Move& move) {
   const CollapseInfo collapse(mesh_, move.to_survivor);
-  const Vec3& to = move.evaluation.position;
-  const Refusal refusal = is_foreign() ? Refusal::none : find_refusal_of_pair(collapse);  // else tested by now
+  if (is_foreign()) return find_refusal_at(move.position, collapse);  // the pair has been tested by now
+  const Refusal refusal = find_refusal_of_pair(collapse);
   if (refusal != Refusal::none) return refusal;
+  const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
+  const Vec3 best = decimater_.cost_->place(first, second, move.evaluation);
+  if (best != move.position && find_refusal_at(best, collapse) == Refusal::none) {
+    move.position = best;
+    return Refusal::none;
+  }
+  return find_refusal_at(move.position, collapse);
+}
+
+template <class MeshT>
+typename MeshContractionLoopT<MeshT>::Refusal MeshContractionLoopT<MeshT>::find_refusal_at(
+    const Vec3& to, const CollapseInfo& collapse) {
   if (feature_lines_.bends_a_line(collapse, moved_vertex(collapse, to), to, positions())) return Refusal::feature;
   if (any_moved_face(mesh_, collapse, to, positions(), turns_beyond(flip_limit_))) return Refusal::flip;
   if (min_radius_ratio_ > 0 && any_moved_face(mesh_, collapse, to, positions(), gets_thinner_than(min_radius_ratio_))) {
@@ -226,7 +239,7 @@ bool MeshContractionLoopT<MeshT>::modules_refuse(const CollapseInfo& collapse, c
   if (v1_moves) forward.p1 = backward.p1 = to_point<typename MeshT::Point>(to_model(to));
   for (Module* module : decimater_.foreign_guards_) {
     if (module->collapse_priority(forward) >= 0 && (!v1_moves || module->collapse_priority(backward) >= 0)) continue;
-    decimater_.count_rejection(*module);
+    refusing_module_ = module;
     return true;
   }
   return false;
@@ -239,6 +252,7 @@ void MeshContractionLoopT<MeshT>::count(Refusal refusal) {
   result_.rejections.flip += refusal == Refusal::flip;
   result_.rejections.feature += refusal == Refusal::feature;
   result_.rejections.shape += refusal == Refusal::shape;
+  if (refusal == Refusal::module) decimater_.count_rejection(*refusing_module_);
 }
 
 // Contraction ---------------------------------------------------------------------------------------------------------
@@ -251,14 +265,14 @@ void MeshContractionLoopT<MeshT>::contract(const Move& move) {
   const auto* own = decimater_.cost_;
   const double cost =
       own ? own->frame().cost_to_model(move.evaluation.cost, own->cost_dimension()) : move.evaluation.cost;
-  feature_lines_.note_collapse(collapse, moved_vertex(collapse, move.evaluation.position), positions());
-  result_.n_faces -= decimater_.contract(move.to_survivor, move.evaluation);
+  feature_lines_.note_collapse(collapse, moved_vertex(collapse, move.position), positions());
+  result_.n_faces -= decimater_.contract(move.to_survivor, move.evaluation, move.position);
   --result_.n_vertices;
   ++result_.n_contractions;
   result_.max_cost = std::max(result_.max_cost, cost);
   if (decimater_.listener_) {
-    decimater_.listener_({static_cast<Index>(survivor.idx()), static_cast<Index>(removed.idx()),
-                          to_model(move.evaluation.position), cost});
+    decimater_.listener_(
+        {static_cast<Index>(survivor.idx()), static_cast<Index>(removed.idx()), to_model(move.position), cost});
   }
   find_affected(survivor, {collapse.vl, collapse.vr});
   for (const HalfedgeHandle candidate : affected_) enqueue(candidate);

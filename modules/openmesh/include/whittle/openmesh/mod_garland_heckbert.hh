@@ -1,9 +1,8 @@
 #pragma once
 
-#include <array>
 #include <optional>
 
-#include "whittle/openmesh/placing_module.hh"
+#include "whittle/openmesh/quadric_module.hh"
 #include "whittle/openmesh/stock_quadric.hh"
 
 // Garland–Heckbert cost and placement as a module for OpenMesh's decimaters: the engine's term (quadric_term.hh), with
@@ -26,16 +25,11 @@ enum class Arithmetic {
 
 /// What it does in which decimater, and the options it shares with our other cost modules: `PlacingModuleT`.
 template <class MeshT>
-class ModGarlandHeckbertT : public PlacingModuleT<MeshT> {
+class ModGarlandHeckbertT : public QuadricModuleT<MeshT> {
  public:
   DECIMATING_MODULE(ModGarlandHeckbertT, MeshT, GarlandHeckbert);
 
-  explicit ModGarlandHeckbertT(MeshT& mesh) : PlacingModuleT<MeshT>(mesh) {}
-
-  /// Used from the next `initialize()` on.
-  /// \throw std::invalid_argument where regularization or boundary_weight is negative or not finite
-  void set_options(const QuadricOptions& options);
-  const QuadricOptions& options() const { return options_; }
+  explicit ModGarlandHeckbertT(MeshT& mesh) : QuadricModuleT<MeshT>(mesh) {}
 
   /// W of the blend with the length of the edge: at 0 the quadric's cost and placement alone, at 1 the order is by
   /// length and v̄ the middle; between, triangles get more even the higher it is. [0, 1], default 0. Used from the next
@@ -62,25 +56,19 @@ class ModGarlandHeckbertT : public PlacingModuleT<MeshT> {
   std::optional<CostOptions> engine_options() const override;
 
  private:
-  using Placing = PlacingModuleT<MeshT>;
-  using Placing::placed;
-  using Placing::surface;
-  using typename Placing::VertexHandle;
+  using QuadricModule = QuadricModuleT<MeshT>;
+  using QuadricModule::active;
+  using QuadricModule::placed;
+  using typename QuadricModule::VertexHandle;
 
   PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const override;
   Reach plain_reach() const override { return active_isotropy_ > 0 ? Reach::ends : Reach::none; }
-  CostOptions plain_options() const override { return {Cost::quadric, active_, active_isotropy_, 0}; }
-  PlacedQuadric merge(VertexHandle first, VertexHandle second, const PairEvaluation& evaluation) const override;
-  void add_planes() const override;
-  void add_face_planes() const;
-  void add_border_planes() const;
+  CostOptions plain_options() const override { return {Cost::quadric, active(), active_isotropy_, 0}; }
 
-  QuadricOptions options_;
   double isotropy_ = 0;
   Arithmetic arithmetic_ = Arithmetic::local;
 
-  QuadricOptions active_;  ///< those of the last `initialize()`
-  double active_isotropy_ = 0;
+  double active_isotropy_ = 0;                 ///< that of the last `initialize()`
   std::optional<StockQuadricT<MeshT>> stock_;  ///< with stock arithmetic, in place of all that
 };
 

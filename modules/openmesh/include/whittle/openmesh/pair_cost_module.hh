@@ -49,17 +49,24 @@ class PairCostModuleT {
   virtual Vec3 position(OpenMesh::VertexHandle v) const = 0;
   /// Cost and place of merging two vertices that share an edge. \pre first < second
   virtual PairEvaluation evaluate(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second, Pinned pinned) const = 0;
-  /// The same for a collapse in one of OpenMesh's decimaters, where v1 stays in its place if it is locked or a feature.
+  /// The same for a collapse in one of OpenMesh's decimaters, where v1 stays in its place if it is locked or a feature;
+  /// the position is the best there is.
   virtual PairEvaluation evaluate(const OpenMesh::Decimater::CollapseInfoT<MeshT>& collapse) const = 0;
 
-  /// The next collapse goes there, and not where `evaluate(collapse)` says.
-  virtual void place_next(const PairEvaluation& evaluation) = 0;
+  /// Where the merged vertex would best go; where that is refused, the place of the evaluation will do.
+  virtual Vec3 place(OpenMesh::VertexHandle /*first*/, OpenMesh::VertexHandle /*second*/,
+                     const PairEvaluation& evaluation) const {
+    return evaluation.position;
+  }
+  /// The next collapse has this evaluation and goes to `position`, and not where `evaluate(collapse)` says.
+  virtual void place_next(const PairEvaluation& evaluation, const Vec3& position) = 0;
 
   /// What the engine needs to contract by the same costs; nothing if it can't.
   virtual std::optional<CostOptions> engine_options() const = 0;
   /// The engine has contracted by them: instead of `preprocess_collapse` and `postprocess_collapse` for each collapse.
   /// \param vertices those left, but for isolated ones, as handle indices \param quadrics theirs, in the module's frame
-  virtual void adopt(const std::vector<Index>& vertices, std::vector<PlacedQuadric> quadrics) = 0;
+  /// \param were_collapses whether the mesh could have made all these contractions itself
+  virtual void adopt(const std::vector<Index>& vertices, std::vector<PlacedQuadric> quadrics, bool were_collapses) = 0;
 };
 
 }  // namespace whittle

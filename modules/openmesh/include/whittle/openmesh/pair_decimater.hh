@@ -20,7 +20,8 @@
 //   mesh driver:   queue every edge under (cost, lower, higher vertex index), in doubles
 //                  while no target is reached:
 //                    take the first; evaluate it again, and put it back if it has become dearer
-//                    if a guard or a module refuses it: it waits until a vertex of its neighbourhood changes
+//                    if a guard or a module refuses it, where the cost places it and where it is least: it waits until
+//                    a vertex of its neighbourhood changes
 //                    else contract it onto the higher index, or onto the vertex that may not move
 //                    evaluate anew the edges at the merged vertex; wake what waits around it
 //   engine driver: whittle::decimate on a copy of the geometry, then the same contractions on the mesh, all at once
@@ -175,7 +176,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   double min_radius_ratio() const { return radius_guard_ ? radius_guard_->min_radius_ratio() : 0; }
   bool is_fixed(VertexHandle v, bool only_selected) const;
 
-  std::uint64_t contract(HalfedgeHandle to_survivor, const PairEvaluation& evaluation);
+  std::uint64_t contract(HalfedgeHandle to_survivor, const PairEvaluation& evaluation, const Vec3& position);
   void count_rejection(const Module& module);
 
   MeshT& mesh_;

@@ -211,12 +211,13 @@ bool PairDecimaterT<MeshT>::is_fixed(VertexHandle v, bool only_selected) const {
 
 // Contractions --------------------------------------------------------------------------------------------------------
 
-/// \param evaluation its position is that of `cost_`; with a foreign cost v1 keeps its place. \return faces removed
+/// \param position in the frame of `cost_`; with a foreign cost v1 keeps its place. \return faces removed
 template <class MeshT>
-std::uint64_t PairDecimaterT<MeshT>::contract(HalfedgeHandle to_survivor, const PairEvaluation& evaluation) {
+std::uint64_t PairDecimaterT<MeshT>::contract(HalfedgeHandle to_survivor, const PairEvaluation& evaluation,
+                                              const Vec3& position) {
   CollapseInfo collapse(mesh_, to_survivor);
   is_fresh_ = false;
-  if (cost_) cost_->place_next(evaluation);
+  if (cost_) cost_->place_next(evaluation, position);
   Base::preprocess_collapse(collapse);
   carry_feature_bits(mesh_, collapse);
   mesh_.collapse(to_survivor);

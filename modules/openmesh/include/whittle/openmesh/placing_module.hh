@@ -63,9 +63,11 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   Vec3 position(OpenMesh::VertexHandle v) const override { return placed(v).position; }
   PairEvaluation evaluate(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second, Pinned pinned) const override;
   PairEvaluation evaluate(const CollapseInfo& collapse) const override;
-  void place_next(const PairEvaluation& evaluation) override { pending_ = evaluation; }
+  void place_next(const PairEvaluation& evaluation, const Vec3& position) override {
+    pending_ = Pending{evaluation, position};
+  }
   std::optional<CostOptions> engine_options() const override;
-  void adopt(const std::vector<Index>& vertices, std::vector<PlacedQuadric> quadrics) override;
+  void adopt(const std::vector<Index>& vertices, std::vector<PlacedQuadric> quadrics, bool were_collapses) override;
 
  protected:
   using VertexHandle = OpenMesh::VertexHandle;
@@ -76,9 +78,9 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   virtual PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const = 0;
   virtual Reach plain_reach() const = 0;
   virtual CostOptions plain_options() const = 0;
-  /// What the merged vertex is to keep.
-  virtual PlacedQuadric merge(VertexHandle, VertexHandle, const PairEvaluation& evaluation) const {
-    return {evaluation.position, {}};
+  /// What the merged vertex is to keep at `position`. Called while the mesh is as it was.
+  virtual PlacedQuadric merge(VertexHandle, VertexHandle, const PairEvaluation&, const Vec3& position) {
+    return {position, {}};
   }
   /// Adds to the quadrics of all vertices, which are zero so far.
   virtual void add_planes() const {}
@@ -89,15 +91,22 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
     if (!has_quadrics_) make_quadrics();
     return quadrics_[numbers_[v]];
   }
+  /// The next to ask for quadrics gets those of the mesh as it is.
+  void forget_quadrics() { has_quadrics_ = false; }
   /// \throw std::invalid_argument with the module's and the option's name
   void require(bool condition, const std::string& what) const;
 
  private:
+  struct Pending {
+    PairEvaluation evaluation;
+    Vec3 position;  ///< where the merged vertex goes
+  };
   void set_binary(bool) {}  // it ranks: never binary
 
   Frame frame_of_mesh() const;
   void make_quadrics() const;
   void add_vertex(VertexHandle v) const;
+  PairEvaluation evaluate_cheapest(const CollapseInfo& collapse) const;
   ValenceChange valence_change(VertexHandle first, VertexHandle second) const;
 
   MeshT& mesh_;
@@ -110,7 +119,8 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   mutable bool has_quadrics_ = false;
   mutable std::vector<PlacedQuadric> quadrics_;
   mutable OpenMesh::VProp<Index> numbers_;  ///< of vertices in `quadrics_`; goes along with garbage collection
-  std::optional<PairEvaluation> pending_;   ///< of the collapse under way
+  std::optional<Pending> pending_;          ///< the collapse under way
+  PlacedQuadric merged_;                    ///< what it leaves
 };
 
 }  // namespace whittle

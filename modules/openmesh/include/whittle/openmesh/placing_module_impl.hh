@@ -36,7 +36,8 @@ std::optional<CostOptions> PlacingModuleT<MeshT>::engine_options() const {
 }
 
 template <class MeshT>
-void PlacingModuleT<MeshT>::adopt(const std::vector<Index>& vertices, std::vector<PlacedQuadric> quadrics) {
+void PlacingModuleT<MeshT>::adopt(const std::vector<Index>& vertices, std::vector<PlacedQuadric> quadrics,
+                                  bool /*were_collapses*/) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     numbers_[VertexHandle(static_cast<int>(vertices[i]))] = static_cast<Index>(i);
   }
@@ -117,6 +118,15 @@ ValenceChange PlacingModuleT<MeshT>::valence_change(VertexHandle first, VertexHa
 
 template <class MeshT>
 PairEvaluation PlacingModuleT<MeshT>::evaluate(const CollapseInfo& collapse) const {
+  const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
+  PairEvaluation evaluation = evaluate_cheapest(collapse);
+  evaluation.position = this->place(first, second, evaluation);
+  return evaluation;
+}
+
+/// At the place where the cost is least.
+template <class MeshT>
+PairEvaluation PlacingModuleT<MeshT>::evaluate_cheapest(const CollapseInfo& collapse) const {
   // Whoever collapses a feature v0 does so along a feature edge: then v̄ must stay on that line.
   const auto& at_v1 = mesh_.status(collapse.v1);
   const bool v1_stays = at_v1.locked() || at_v1.feature() || mesh_.status(collapse.v0).feature();
@@ -133,7 +143,7 @@ PairEvaluation PlacingModuleT<MeshT>::evaluate(const CollapseInfo& collapse) con
 /// Of costs in length⁶ the cube root: on a fine mesh they themselves would be 0 as floats.
 template <class MeshT>
 float PlacingModuleT<MeshT>::collapse_priority(const CollapseInfo& collapse) {
-  const double cost = evaluate(collapse).cost;
+  const double cost = evaluate_cheapest(collapse).cost;
   if (const auto limit = max_cost(); limit && cost > frame_.cost_to_frame(*limit, this->cost_dimension())) {
     return static_cast<float>(ModBase::ILLEGAL_COLLAPSE);
   }
@@ -145,7 +155,12 @@ float PlacingModuleT<MeshT>::collapse_priority(const CollapseInfo& collapse) {
 /// the collapse and our `postprocess_collapse`, face normals above all, then rests on the merged vertex's place.
 template <class MeshT>
 void PlacingModuleT<MeshT>::preprocess_collapse(const CollapseInfo& collapse) {
-  if (!pending_) pending_ = evaluate(collapse);
+  const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
+  if (!pending_) {
+    const PairEvaluation evaluation = evaluate_cheapest(collapse);
+    place_next(evaluation, this->place(first, second, evaluation));
+  }
+  merged_ = merge(first, second, pending_->evaluation, pending_->position);
   carry_feature_bits(mesh_, collapse);
   if (pending_->position == position(collapse.v1)) return;  // not rounded for nothing
   mesh_.set_point(collapse.v1, to_point<typename MeshT::Point>(frame_.to_model(pending_->position)));
@@ -153,8 +168,7 @@ void PlacingModuleT<MeshT>::preprocess_collapse(const CollapseInfo& collapse) {
 
 template <class MeshT>
 void PlacingModuleT<MeshT>::postprocess_collapse(const CollapseInfo& collapse) {
-  const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
-  placed(collapse.v1) = merge(first, second, pending_.value());
+  placed(collapse.v1) = merged_;
   pending_.reset();
 }
 
