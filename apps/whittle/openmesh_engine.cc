@@ -13,6 +13,7 @@
 #include "whittle/openmesh/mod_flip_guard.hh"
 #include "whittle/openmesh/mod_garland_heckbert.hh"
 #include "whittle/openmesh/mod_lindstrom_turk.hh"
+#include "whittle/openmesh/mod_memoryless.hh"
 #include "whittle/openmesh/mod_midpoint.hh"
 #include "whittle/openmesh/mod_radius_ratio.hh"
 
@@ -30,18 +31,22 @@ ModuleT& add_module(StockDecimater& decimater) {
 }
 
 CostModule& add_plain_cost(StockDecimater& decimater, const DecimateOptions& options) {
+  QuadricOptions quadric = options.quadric;
+  if (options.boundary == Boundary::free) quadric.boundary_weight = 0;
   switch (options.cost) {
     case Cost::lindstrom_turk:
       return add_module<ModLindstromTurkT<DoubleMesh>>(decimater);
     case Cost::midpoint:
       return add_module<ModMidpointT<DoubleMesh>>(decimater);
-    case Cost::memoryless:  // `check` refuses it
+    case Cost::memoryless: {
+      auto& module = add_module<ModMemorylessT<DoubleMesh>>(decimater);
+      module.set_options(quadric);
+      return module;
+    }
     case Cost::quadric:
       break;
   }
   auto& module = add_module<ModGarlandHeckbertT<DoubleMesh>>(decimater);
-  QuadricOptions quadric = options.quadric;
-  if (options.boundary == Boundary::free) quadric.boundary_weight = 0;
   module.set_options(quadric);
   module.set_isotropy(options.isotropy);
   return module;

@@ -31,7 +31,7 @@ constexpr char own_weights_why[] = "its planes change, and count by area";
 constexpr char own_placement_why[] = "the cost has a placement of its own";
 constexpr char edges_alone_why[] = "vertices that no edge joins go with plain quadrics alone";
 constexpr char not_in_openmesh_why[] = "only Whittle's own loop does that";
-constexpr std::array<Conflict, 29> conflicts{
+constexpr std::array<Conflict, 28> conflicts{
     {{"--weights uniform", "--cost memoryless", own_weights_why},
      {"--weights area-angle", "--cost memoryless", own_weights_why},
      {"--isotropic", "--cost memoryless", "it blends quadrics that remember with the length of edges"},
@@ -55,7 +55,6 @@ constexpr std::array<Conflict, 29> conflicts{
      {"--feature-angle", "--engine openmesh", not_in_openmesh_why},
      {"--min-radius-ratio", "--engine openmesh", not_in_openmesh_why},
      {"--order approximate", "--engine openmesh", not_in_openmesh_why},
-     {"--cost memoryless", "--engine openmesh", not_in_openmesh_why},
      {"--max-cost", "--engine openmesh", "OpenMesh looks at a cost when it is queued, not when its turn comes"},
      {"--threshold", "--engine openmesh", no_pairs_why},
      {"--max-pairs", "--engine openmesh", no_pairs_why},

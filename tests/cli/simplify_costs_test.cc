@@ -139,6 +139,7 @@ TEST(SimplifyCosts, WorkInOpenMeshToo) {
   };
   const double plain = mean_error(blob, in_openmesh({}));
   EXPECT_GT(mean_error(blob, in_openmesh({"--cost", "midpoint"})), plain);
+  EXPECT_LT(mean_error(blob, in_openmesh({"--cost", "memoryless"})), 0.95 * plain);
   EXPECT_LT(metrics::shape(in_openmesh({"--isotropic", "1"})).edge_length_cv, 0.25);
   EXPECT_GT(metrics::shape(in_openmesh({"--valence", "0.5"})).valence.share_5_to_7,
             metrics::shape(in_openmesh({})).valence.share_5_to_7);

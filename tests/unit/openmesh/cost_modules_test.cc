@@ -116,8 +116,10 @@ TEST(CostModules, HaveNamesOfTheirOwnAndRank) {
   DoubleMesh mesh;
   EXPECT_EQ(ModMidpointT<DoubleMesh>(mesh).name(), "Midpoint");
   EXPECT_EQ(ModLindstromTurkT<DoubleMesh>(mesh).name(), "LindstromTurk");
+  EXPECT_EQ(ModMemorylessT<DoubleMesh>(mesh).name(), "Memoryless");
   EXPECT_FALSE(ModMidpointT<DoubleMesh>(mesh).is_binary());
   EXPECT_FALSE(ModLindstromTurkT<DoubleMesh>(mesh).is_binary());
+  EXPECT_FALSE(ModMemorylessT<DoubleMesh>(mesh).is_binary());
 }
 
 TEST(CostModules, WrongOptionsThrowAndLeaveWhatWasSet) {
@@ -135,6 +137,14 @@ TEST(CostModules, WrongOptionsThrowAndLeaveWhatWasSet) {
     EXPECT_THROW(quadric.set_isotropy(wrong), std::invalid_argument) << wrong;
   }
   EXPECT_EQ(quadric.isotropy(), 0.25);
+  ModMemorylessT<DoubleMesh> memoryless(mesh);
+  memoryless.set_options({.boundary_weight = 3});
+  for (const QuadricOptions& wrong : {QuadricOptions{.weights = Weights::uniform, .boundary_weight = 4},
+                                      QuadricOptions{.weights = Weights::area_angle, .boundary_weight = 4},
+                                      QuadricOptions{.boundary_weight = -1}, QuadricOptions{.regularization = nan}}) {
+    EXPECT_THROW(memoryless.set_options(wrong), std::invalid_argument);
+  }
+  EXPECT_EQ(memoryless.options().boundary_weight, 3);
   EXPECT_THROW(lindstrom_turk.set_max_cost(-1), std::invalid_argument);
   try {
     lindstrom_turk.set_max_cost(nan);
@@ -203,6 +213,89 @@ TEST(ModLindstromTurk, KeepsTheVolumeInOpenMeshsDecimaterToo) {
   const double volume = signed_volume(shape);
   EXPECT_NEAR(volume_after({Cost::lindstrom_turk, {}, 0, 0}), volume, 1e-3 * volume);
   EXPECT_GT(std::abs(volume_after({Cost::midpoint, {}, 0, 0}) - volume), 1e-2 * volume) << "nothing special";
+}
+
+TEST(ModMemoryless, KeepsTheVolumeInOpenMeshsDecimaterToo) {
+  const IndexedMesh shape = noisy_torus(48, 24, 1, 0.4, 0.01, 5);
+  DoubleMesh mesh = open_mesh<DoubleMesh>(shape);
+  OpenMesh::Decimater::DecimaterT<DoubleMesh> decimater(mesh);
+  auto& cost = add_module<ModMemorylessT<DoubleMesh>>(decimater);
+  add_module<ModFlipGuardT<DoubleMesh>>(decimater).set_cost_module(&cost);
+  ASSERT_TRUE(decimater.initialize());
+  decimater.decimate_to_faces(0, 500);
+  EXPECT_NEAR(signed_volume(geometry_of(mesh)), signed_volume(shape), 1e-12 * signed_volume(shape));
+}
+
+TEST(ModMemoryless, WhereTheBestPlaceIsRefusedTheMinimumIsTried) {
+  // A guard that wants v1 to be where the cost is least.
+  struct ModLeastCost : OpenMesh::Decimater::ModBaseT<DoubleMesh> {
+    explicit ModLeastCost(DoubleMesh& mesh) : ModBaseT(mesh, true) {}
+    float collapse_priority(const CollapseInfo& collapse) override {
+      const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
+      const Vec3 minimum = cost->evaluate(first, second, Pinned::none).position;
+      return static_cast<float>(to_vec3(collapse.p1) == cost->frame().to_model(minimum) ? LEGAL_COLLAPSE
+                                                                                        : ILLEGAL_COLLAPSE);
+    }
+    const PairCostModuleT<DoubleMesh>* cost = nullptr;
+  };
+  const IndexedMesh shape = noisy_sphere(3, 0.05, 4);
+  const auto volume_after = [&](bool with_guard) {
+    DoubleMesh mesh = open_mesh<DoubleMesh>(shape);
+    PairDecimaterT<DoubleMesh> decimater(mesh);
+    auto& cost = add_module<ModMemorylessT<DoubleMesh>>(decimater);
+    OpenMesh::Decimater::ModHandleT<ModLeastCost> guard;
+    if (with_guard) {
+      decimater.add(guard);
+      decimater.module(guard).cost = &cost;
+    }
+    decimater.set_driver(Driver::mesh);
+    EXPECT_TRUE(decimater.initialize());
+    EXPECT_EQ(decimater.decimate_to_faces(0, 200), 540U);
+    EXPECT_TRUE(decimater.module_rejections().empty()) << "no contraction was refused";
+    return signed_volume(geometry_of(mesh));
+  };
+  const double volume = signed_volume(shape);
+  EXPECT_NEAR(volume_after(false), volume, 1e-12 * volume);
+  EXPECT_LT(volume_after(true), 0.995 * volume) << "at the minima it shrinks";
+}
+
+/// Where the costs of all edges are least, model units.
+std::vector<Vec3> minima_of_edges(const DoubleMesh& mesh, const PairCostModuleT<DoubleMesh>& module) {
+  std::vector<Vec3> minima;
+  for (const OpenMesh::EdgeHandle e : mesh.edges()) {
+    const auto [a, b] = ends(mesh, e);
+    const PairEvaluation evaluation =
+        module.evaluate(VertexHandle(static_cast<int>(a)), VertexHandle(static_cast<int>(b)), Pinned::none);
+    minima.push_back(module.frame().to_model(evaluation.position));
+  }
+  return minima;
+}
+
+TEST(ModMemoryless, GoesByTheFacesThereAreAfterJoints) {
+  // Two spheres that share a vertex: the engine joins its copies, and vertices around remember.
+  const auto by_x = [](const Vec3& p, const Vec3& q) { return p.x() < q.x(); };
+  const IndexedMesh left = noisy_sphere(3, 0.1, 1);
+  IndexedMesh right = noisy_sphere(3, 0.1, 2);
+  const auto leftmost = std::ranges::min_element(right.positions, by_x) - right.positions.begin();
+  const Vec3 contact = *std::ranges::max_element(left.positions, by_x);
+  right = moved(right, contact - right.positions[static_cast<std::size_t>(leftmost)]);
+  right.positions[static_cast<std::size_t>(leftmost)] = contact;
+  DoubleMesh mesh;
+  ASSERT_EQ(to_open_mesh(glued(joined(left, right)), mesh, NonManifold::cut).size(), 0U);
+  PairDecimaterT<DoubleMesh> decimater(mesh);
+  auto& module = add_module<ModMemorylessT<DoubleMesh>>(decimater);
+  ASSERT_TRUE(decimater.initialize());
+  decimater.decimate_to_faces(0, 200);
+  ASSERT_EQ(decimater.last_driver(), Driver::engine);
+  ModMemorylessT<DoubleMesh> fresh(mesh);
+  fresh.initialize();
+  const std::vector<Vec3> minima = minima_of_edges(mesh, module);
+  const std::vector<Vec3> expected = minima_of_edges(mesh, fresh);
+  ASSERT_EQ(minima.size(), expected.size());
+  for (std::size_t e = 0; e < minima.size(); ++e) EXPECT_LE((minima[e] - expected[e]).norm(), 1e-9) << e;
+  decimater.decimate_to_faces(0, 100);
+  EXPECT_EQ(decimater.last_driver(), Driver::mesh);
+  expect_sound(mesh, "after both runs");
 }
 
 TEST(ModLindstromTurk, TheCostGrowsWithTheSixthPowerOfTheSize) {

@@ -137,6 +137,21 @@ std::vector<Setting> cost_settings() {
              s.cost.quadric.weights = Weights::uniform;
              s.lock_some = true;
            })
+      .add("memoryless", [](Setting& s) { s.cost.cost = Cost::memoryless; })
+      .add("memoryless, to an end, free border, flip 30",
+           [](Setting& s) {
+             s.cost.cost = Cost::memoryless;
+             s.cost.quadric.placement = Placement::endpoint;
+             s.cost.quadric.boundary_weight = 0;
+             s.max_normal_flip_deg = 30;
+           })
+      .add("memoryless, valence, radius ratio, locked",
+           [](Setting& s) {
+             s.cost.cost = Cost::memoryless;
+             s.cost.valence_weight = 0.5;
+             s.min_radius_ratio = 0.4;
+             s.lock_some = true;
+           })
       .add("edge length", [](Setting& s) { s.cost.cost = Cost::midpoint; })
       .add("edge length, valence, locked",
            [](Setting& s) {
@@ -176,6 +191,12 @@ std::vector<Setting> feature_settings() {
              s.features = Features::sharp_edges;
              s.feature_tolerance = 0.05;
              s.cost.cost = Cost::lindstrom_turk;
+           })
+      .add("many features within 0.05, memoryless",
+           [](Setting& s) {
+             s.features = Features::many;
+             s.feature_tolerance = 0.05;
+             s.cost.cost = Cost::memoryless;
            })
       .take();
 }
@@ -239,6 +260,14 @@ TEST_P(DriverAgreementOnRealMesh, WithFeaturesAndValencesDownToFivePercent) {
   Setting setting{"sharp edges, valence", {}};
   setting.features = Features::sharp_edges;
   setting.cost.valence_weight = 0.5;
+  expect_agreement(mesh, setting, to_faces(mesh.n_faces() / 20), GetParam());
+}
+
+TEST_P(DriverAgreementOnRealMesh, ByMemorylessQuadricsDownToFivePercent) {
+  WHITTLE_REAL_MESH_OR_SKIP(file, GetParam());
+  const auto mesh = read_open_mesh<DoubleMesh>(file);
+  Setting setting{"memoryless", {}};
+  setting.cost.cost = Cost::memoryless;
   expect_agreement(mesh, setting, to_faces(mesh.n_faces() / 20), GetParam());
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 #include <whittle/openmesh/mod_garland_heckbert.hh>
 #include <whittle/openmesh/mod_lindstrom_turk.hh>
+#include <whittle/openmesh/mod_memoryless.hh>
 #include <whittle/openmesh/mod_midpoint.hh>
 
 #include "meshes.hh"
@@ -29,6 +30,11 @@ PlacingModuleT<typename DecimaterT::Mesh>& add_cost(DecimaterT& decimater, const
   };
   if (options.cost == Cost::midpoint) return with_valences(add_module<ModMidpointT<MeshT>>(decimater));
   if (options.cost == Cost::lindstrom_turk) return with_valences(add_module<ModLindstromTurkT<MeshT>>(decimater));
+  if (options.cost == Cost::memoryless) {
+    auto& module = add_module<ModMemorylessT<MeshT>>(decimater);
+    module.set_options(options.quadric);
+    return with_valences(module);
+  }
   auto& module = add_module<ModGarlandHeckbertT<MeshT>>(decimater);
   module.set_options(options.quadric);
   module.set_isotropy(options.isotropy);
@@ -46,6 +52,8 @@ inline std::vector<NamedCost> named_costs() {
           {"quadric_valence", {Cost::quadric, {}, 0, 1}},
           {"quadric_isotropy", {Cost::quadric, {}, 0.4, 0}},
           {"isotropy_only", {Cost::quadric, {}, 1, 0.5}},
+          {"memoryless", {Cost::memoryless, {}, 0, 0}},
+          {"memoryless_valence", {Cost::memoryless, {}, 0, 1}},
           {"midpoint", {Cost::midpoint, {}, 0, 0}},
           {"lindstrom_turk", {Cost::lindstrom_turk, {}, 0, 0}},
           {"lindstrom_turk_valence", {Cost::lindstrom_turk, {}, 0, 1}}};

@@ -92,7 +92,7 @@ TEST(PairDecimaterOracle, SoItIsUnderEveryCost) {
 
 TEST(PairDecimaterOracle, SoItIsWithFeatureEdges) {
   for (const double tolerance : {5e-4, 0.05, 1.0}) {
-    for (const Cost cost : {Cost::quadric, Cost::lindstrom_turk}) {
+    for (const Cost cost : {Cost::quadric, Cost::memoryless, Cost::lindstrom_turk}) {
       for (const auto& shape : {open_cylinder(16, 5), frustum(9), bracket(2), noisy_grid(7, 7, 0.6, 4)}) {
         const std::vector<VertexPair> features = feature_edges(shape, 30);
         std::vector<std::uint8_t> locked(shape.positions.size());

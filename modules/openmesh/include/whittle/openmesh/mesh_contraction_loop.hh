@@ -22,9 +22,9 @@ class PairDecimaterT;
 ///
 /// A candidate is an edge, named by its first halfedge, when the cost module places the merged vertex; with a foreign
 /// cost it is a halfedge, from the vertex that would vanish. It is in one of three states:
-///   queued    under its cost. Whatever may lower the cost (`Reach`) queues it anew, which invalidates the old entry;
-///   waiting   a guard or a module refused it. Woken when a vertex at or beside it changes;
-///   gone      its edge is deleted.
+///   queued    under its cost, or under the final one, if that was seen to be higher. Whatever may lower the cost
+///   (`Reach`) queues it anew, which invalidates the old entry; waiting   a guard or a module refused it. Woken when a
+///   vertex at or beside it changes; gone      its edge is deleted.
 template <class MeshT>
 class MeshContractionLoopT {
  public:
@@ -56,6 +56,7 @@ class MeshContractionLoopT {
     HalfedgeHandle to_survivor;
     PairEvaluation evaluation;  ///< in the cost module's frame; model units if it is foreign
     Vec3 position;              ///< where the merged vertex goes, likewise
+    double cost;                ///< of going there, likewise
   };
 
   enum class Refusal { none, locked, feature, link, flip, shape, module };
@@ -65,6 +66,7 @@ class MeshContractionLoopT {
   bool target_reached() const;
   std::optional<Entry> next_entry();
   std::optional<StopReason> take_turn(const Entry& entry);
+  bool is_too_dear(double cost) const { return target_.max_cost && cost > *target_.max_cost; }
 
   /// Whether v stays whatever the edge. Vertices that have copies do: they would have to move together.
   bool is_fixed(VertexHandle v) const {

@@ -78,8 +78,8 @@ void MeshContractionLoopT<MeshT>::enqueue(HalfedgeHandle candidate) {
   if (!move) return;
   const int survivor = mesh_.to_vertex_handle(move->to_survivor).idx();
   const int removed = mesh_.from_vertex_handle(move->to_survivor).idx();
-  queue_.push({move->evaluation.cost, std::min(survivor, removed), std::max(survivor, removed), survivor, candidate,
-               versions_[number]});
+  queue_.push(
+      {move->cost, std::min(survivor, removed), std::max(survivor, removed), survivor, candidate, versions_[number]});
 }
 
 template <class MeshT>
@@ -102,17 +102,22 @@ std::optional<typename MeshContractionLoopT<MeshT>::Entry> MeshContractionLoopT<
 template <class MeshT>
 std::optional<StopReason> MeshContractionLoopT<MeshT>::take_turn(const Entry& entry) {
   std::optional<Move> move = move_of(entry.candidate);
-  if (!move || move->evaluation.cost > entry.cost) {  // a module has locked or changed something meanwhile
+  if (!move || move->cost > entry.cost) {  // a module has locked or changed something meanwhile
     enqueue(entry.candidate);
     return std::nullopt;
   }
-  if (target_.max_cost && move->evaluation.cost > *target_.max_cost) return StopReason::cost;
+  if (is_too_dear(move->cost)) return StopReason::cost;
   const Refusal refusal = place(*move);
   if (refusal != Refusal::none) {
     count(refusal);
     is_waiting_[static_cast<std::size_t>(entry.candidate.idx())] = true;
     return std::nullopt;
   }
+  if (move->cost > entry.cost) {  // it waits until that is its turn
+    queue_.push({move->cost, entry.low, entry.high, entry.survivor, entry.candidate, entry.version});
+    return std::nullopt;
+  }
+  if (is_too_dear(move->cost)) return StopReason::cost;
   contract(*move);
   if (!decimater_.notify_observer(result_.n_contractions)) return StopReason::cancelled;
   return std::nullopt;
@@ -153,7 +158,8 @@ typename MeshContractionLoopT<MeshT>::Move MeshContractionLoopT<MeshT>::move_by_
   const Pinned where = pinned(first, second, candidate).value_or(Pinned::first);  // refused when its turn comes
   const VertexHandle survivor = where == Pinned::first ? first : second;
   const PairEvaluation evaluation = decimater_.cost_->evaluate(first, second, where);
-  return {survivor == to ? candidate : mesh_.opposite_halfedge_handle(candidate), evaluation, evaluation.position};
+  return {survivor == to ? candidate : mesh_.opposite_halfedge_handle(candidate), evaluation, evaluation.position,
+          evaluation.cost};
 }
 
 /// Modules of OpenMesh's are written for collapses that its decimaters call legal: v1 keeps its place, a border vertex
@@ -175,7 +181,7 @@ std::optional<typename MeshContractionLoopT<MeshT>::Move> MeshContractionLoopT<M
     return std::nullopt;
   }
   const float priority = decimater_.foreign_cost_->collapse_priority(collapse);
-  if (priority >= 0) return Move{candidate, {priority, priority, to_vec3(collapse.p1)}, to_vec3(collapse.p1)};
+  if (priority >= 0) return Move{candidate, {priority, priority, to_vec3(collapse.p1)}, to_vec3(collapse.p1), priority};
   decimater_.count_rejection(*decimater_.foreign_cost_);
   return std::nullopt;
 }
@@ -197,15 +203,19 @@ template <class MeshT>
 typename MeshContractionLoopT<MeshT>::Refusal MeshContractionLoopT<MeshT>::place(Move& move) {
   const CollapseInfo collapse(mesh_, move.to_survivor);
   if (is_foreign()) return find_refusal_at(move.position, collapse);  // the pair has been tested by now
-  const Refusal refusal = find_refusal_of_pair(collapse);
+  Refusal refusal = find_refusal_of_pair(collapse);
   if (refusal != Refusal::none) return refusal;
   const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
   const Vec3 best = decimater_.cost_->place(first, second, move.evaluation);
   if (best != move.position && find_refusal_at(best, collapse) == Refusal::none) {
     move.position = best;
-    return Refusal::none;
+  } else {
+    refusal = find_refusal_at(move.position, collapse);
   }
-  return find_refusal_at(move.position, collapse);
+  if (refusal == Refusal::none) {
+    move.cost = decimater_.cost_->final_cost(first, second, move.evaluation, move.position);
+  }
+  return refusal;
 }
 
 template <class MeshT>
@@ -263,8 +273,7 @@ void MeshContractionLoopT<MeshT>::contract(const Move& move) {
   const VertexHandle removed = mesh_.from_vertex_handle(move.to_survivor);
   const CollapseInfo collapse(mesh_, move.to_survivor);
   const auto* own = decimater_.cost_;
-  const double cost =
-      own ? own->frame().cost_to_model(move.evaluation.cost, own->cost_dimension()) : move.evaluation.cost;
+  const double cost = own ? own->frame().cost_to_model(move.cost, own->cost_dimension()) : move.cost;
   feature_lines_.note_collapse(collapse, moved_vertex(collapse, move.position), positions());
   result_.n_faces -= decimater_.contract(move.to_survivor, move.evaluation, move.position);
   --result_.n_vertices;

@@ -50,13 +50,19 @@ class PairCostModuleT {
   /// Cost and place of merging two vertices that share an edge. \pre first < second
   virtual PairEvaluation evaluate(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second, Pinned pinned) const = 0;
   /// The same for a collapse in one of OpenMesh's decimaters, where v1 stays in its place if it is locked or a feature;
-  /// the position is the best there is.
+  /// the position is the best there is, the cost that of going there.
   virtual PairEvaluation evaluate(const OpenMesh::Decimater::CollapseInfoT<MeshT>& collapse) const = 0;
 
   /// Where the merged vertex would best go; where that is refused, the place of the evaluation will do.
   virtual Vec3 place(OpenMesh::VertexHandle /*first*/, OpenMesh::VertexHandle /*second*/,
                      const PairEvaluation& evaluation) const {
     return evaluation.position;
+  }
+  /// What that costs at `position`: what it was evaluated to, or more. Falls only where the cost reaches, but may rise
+  /// with any contraction.
+  virtual double final_cost(OpenMesh::VertexHandle /*first*/, OpenMesh::VertexHandle /*second*/,
+                            const PairEvaluation& evaluation, const Vec3& /*position*/) const {
+    return evaluation.cost;
   }
   /// The next collapse has this evaluation and goes to `position`, and not where `evaluate(collapse)` says.
   virtual void place_next(const PairEvaluation& evaluation, const Vec3& position) = 0;

@@ -19,7 +19,7 @@
 //
 //   mesh driver:   queue every edge under (cost, lower, higher vertex index), in doubles
 //                  while no target is reached:
-//                    take the first; evaluate it again, and put it back if it has become dearer
+//                    take the first; evaluate it again, and put it back if it has become or turns out dearer
 //                    if a guard or a module refuses it, where the cost places it and where it is least: it waits until
 //                    a vertex of its neighbourhood changes
 //                    else contract it onto the higher index, or onto the vertex that may not move
@@ -52,9 +52,9 @@ class MeshContractionLoopT;
 
 /// Has the calls of OpenMesh's `DecimaterT` and takes the same modules. Differences in short (docs/dev/openmesh.md has
 /// them all):
-///   - The cost module is `ModGarlandHeckbertT`, `ModLindstromTurkT` or `ModMidpointT`, or any non-binary module of
-///     OpenMesh's: then v1 keeps its place, both directions of an edge are candidates, and OpenMesh's own legality
-///     rules hold.
+///   - The cost module is `ModGarlandHeckbertT`, `ModMemorylessT`, `ModLindstromTurkT` or `ModMidpointT`, or any
+///     non-binary module of OpenMesh's: then v1 keeps its place, both directions of an edge are candidates, and
+///     OpenMesh's own legality rules hold.
 ///   - A flip guard over both stars is always on, 75° unless a `ModFlipGuardT` says otherwise. Other binary modules are
 ///     asked about both stars where the merged vertex moves, with v̄ as `p1`.
 ///   - Of a pair with one locked vertex the other one vanishes; with `only_selected`, vertices that aren't selected

@@ -120,7 +120,9 @@ template <class MeshT>
 PairEvaluation PlacingModuleT<MeshT>::evaluate(const CollapseInfo& collapse) const {
   const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
   PairEvaluation evaluation = evaluate_cheapest(collapse);
-  evaluation.position = this->place(first, second, evaluation);
+  const Vec3 position = this->place(first, second, evaluation);
+  evaluation.cost = this->final_cost(first, second, evaluation, position);
+  evaluation.position = position;
   return evaluation;
 }
 
@@ -140,10 +142,10 @@ PairEvaluation PlacingModuleT<MeshT>::evaluate_cheapest(const CollapseInfo& coll
 
 // Collapses in OpenMesh's decimaters ----------------------------------------------------------------------------------
 
-/// Of costs in length⁶ the cube root: on a fine mesh they themselves would be 0 as floats.
+/// Of costs in length⁵ and length⁶ the cube root: on a fine mesh they themselves would be 0 as floats.
 template <class MeshT>
 float PlacingModuleT<MeshT>::collapse_priority(const CollapseInfo& collapse) {
-  const double cost = evaluate_cheapest(collapse).cost;
+  const double cost = evaluate(collapse).cost;
   if (const auto limit = max_cost(); limit && cost > frame_.cost_to_frame(*limit, this->cost_dimension())) {
     return static_cast<float>(ModBase::ILLEGAL_COLLAPSE);
   }

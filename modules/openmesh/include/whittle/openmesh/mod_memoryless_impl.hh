@@ -1,0 +1,176 @@
+#pragma once
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "whittle/openmesh/mod_memoryless.hh"
+
+namespace whittle {
+
+template <class MeshT>
+void ModMemorylessT<MeshT>::set_options(const QuadricOptions& options) {
+  this->require(options.weights == Weights::area, "weights aren't by area");
+  QuadricModule::set_options(options);
+}
+
+template <class MeshT>
+void ModMemorylessT<MeshT>::initialize() {
+  QuadricModule::initialize();
+  n_faces_ = count_faces();
+  measure_area();
+}
+
+/// Not deleted.
+template <class MeshT>
+std::size_t ModMemorylessT<MeshT>::count_faces() const {
+  const auto faces = surface().faces();
+  return static_cast<std::size_t>(std::distance(faces.begin(), faces.end()));
+}
+
+/// Each face as often as it has corners inside, as the engine has it.
+template <class MeshT>
+void ModMemorylessT<MeshT>::measure_area() {
+  const MeshT& mesh = surface();
+  const auto at = [&](VertexHandle v) -> Vec3 { return this->frame().to_frame(to_vec3(mesh.point(v))); };
+  double area = 0;
+  std::size_t n_corners = 0;
+  for (const OpenMesh::FaceHandle f : mesh.faces()) {
+    const auto corners = face_corners(mesh, f);
+    const Vec3 p = at(corners[0]);
+    const auto n_inside = static_cast<std::size_t>(
+        std::count_if(corners.begin(), corners.end(), [this](VertexHandle v) { return !remembers(v); }));
+    area += 0.5 * (at(corners[1]) - p).cross(at(corners[2]) - p).norm() * static_cast<double>(n_inside);
+    n_corners += n_inside;
+  }
+  face_area_ = {area, n_corners, n_faces_};
+}
+
+template <class MeshT>
+void ModMemorylessT<MeshT>::adopt(const std::vector<Index>& vertices, std::vector<PlacedQuadric> quadrics,
+                                  bool were_collapses) {
+  if (were_collapses) {
+    QuadricModule::adopt(vertices, std::move(quadrics), were_collapses);
+  } else {
+    this->forget_quadrics();
+  }
+  n_faces_ = count_faces();
+}
+
+template <class MeshT>
+PairEvaluation ModMemorylessT<MeshT>::evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const {
+  PairEvaluation evaluation = QuadricModule::evaluate_plain(first, second, pinned);
+  const double weight = placed(first).quadric.a.trace() + placed(second).quadric.a.trace();
+  const double factor = memoryless_factor(weight, face_area_.first());
+  evaluation.bound *= factor;
+  evaluation.cost *= factor;
+  return evaluation;
+}
+
+template <class MeshT>
+Vec3 ModMemorylessT<MeshT>::place(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second,
+                                  const PairEvaluation& evaluation) const {
+  if (!evaluation.is_minimum || !forgets(first, second)) return evaluation.position;
+  find_ring(first, second, evaluation.position);
+  return evaluation.position + volume_step(placed(first).quadric.a + placed(second).quadric.a, ring_.volume());
+}
+
+template <class MeshT>
+double ModMemorylessT<MeshT>::final_cost(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second,
+                                         const PairEvaluation& evaluation, const Vec3& position) const {
+  if (!forgets(first, second)) return evaluation.cost;
+  find_ring(first, second, evaluation.position);
+  if (!ring_.volume().is_thin()) return evaluation.cost;
+  const double displacement_sq = ring_.displacement_sq(position - evaluation.position);
+  return std::max(evaluation.cost, thin_cost(displacement_sq, face_area_.now(n_faces_)));
+}
+
+/// In the order that the engine sums in.
+template <class MeshT>
+void ModMemorylessT<MeshT>::find_ring(VertexHandle first, VertexHandle second, const Vec3& origin) const {
+  const MeshT& mesh = surface();
+  const auto index = [](VertexHandle v) { return static_cast<Index>(v.idx()); };
+  const auto add_neighbours_after = [&](OpenMesh::HalfedgeHandle start) {
+    OpenMesh::HalfedgeHandle h = mesh.ccw_rotated_halfedge_handle(start);
+    for (; h != start; h = mesh.ccw_rotated_halfedge_handle(h)) around_.push_back(index(mesh.to_vertex_handle(h)));
+  };
+  around_.clear();
+  const OpenMesh::HalfedgeHandle edge = mesh.find_halfedge(first, second);
+  add_neighbours_after(edge);
+  const std::size_t n_first = around_.size() - 1;
+  around_.pop_back();  // the corner right of the edge: the next ones begin with it
+  add_neighbours_after(mesh.opposite_halfedge_handle(edge));
+  around_.pop_back();  // the corner left of it
+  ring_.assign({index(first), index(second), around_, n_first}, origin,
+               [this](Index v) -> const Vec3& { return placed(VertexHandle(static_cast<int>(v))).position; });
+}
+
+/// Two vertices inside lose their memory; any other pair keeps it.
+template <class MeshT>
+PlacedQuadric ModMemorylessT<MeshT>::merge(VertexHandle first, VertexHandle second, const PairEvaluation& evaluation,
+                                           const Vec3& position) {
+  changes_.clear();
+  if (!forgets(first, second)) {
+    find_changes_around(first, second, position);
+    return QuadricModule::merge(first, second, evaluation, position);
+  }
+  find_ring(first, second, evaluation.position);
+  Quadric quadric;
+  quadric.a = ring_.move_to(position - evaluation.position, active());
+  for (std::size_t i = 0; i < ring_.size(); ++i) {
+    const VertexHandle v(static_cast<int>(ring_.vertex(i)));
+    if (!remembers(v)) changes_.push_back({v, ring_.change(i)});
+  }
+  return {position, quadric};
+}
+
+/// At the neighbours of a pair of which one is on the border. Those inside have two faces each at the merged vertex,
+/// and the order of two doesn't matter; what vanishes comes last.
+template <class MeshT>
+void ModMemorylessT<MeshT>::find_changes_around(VertexHandle first, VertexHandle second, const Vec3& position) {
+  const MeshT& mesh = surface();
+  add_changes_at(first, second, position);
+  add_changes_at(second, first, position);
+  const OpenMesh::HalfedgeHandle edge = mesh.find_halfedge(first, second);
+  for (const OpenMesh::HalfedgeHandle side : {edge, mesh.opposite_halfedge_handle(edge)}) {
+    if (mesh.is_boundary(side)) continue;
+    const VertexHandle corner = mesh.to_vertex_handle(mesh.next_halfedge_handle(side));
+    change_at(corner) -=
+        corner_quadric(this->position(first), this->position(second), this->position(corner), active());
+  }
+  std::erase_if(changes_, [this](const Change& change) { return remembers(change.vertex); });
+}
+
+/// Of the faces of one end that the other doesn't have.
+template <class MeshT>
+void ModMemorylessT<MeshT>::add_changes_at(VertexHandle v, VertexHandle other, const Vec3& position) {
+  const MeshT& mesh = surface();
+  for (const OpenMesh::HalfedgeHandle h : mesh.voh_range(v)) {
+    if (mesh.is_boundary(h)) continue;
+    const VertexHandle x = mesh.to_vertex_handle(h);
+    const VertexHandle y = mesh.to_vertex_handle(mesh.next_halfedge_handle(h));
+    if (x == other || y == other) continue;
+    SymmetricMatrix change = corner_quadric(position, this->position(x), this->position(y), active());
+    change -= corner_quadric(this->position(v), this->position(x), this->position(y), active());
+    change_at(x) += change;
+    change_at(y) += change;
+  }
+}
+
+/// Zero at first.
+template <class MeshT>
+SymmetricMatrix& ModMemorylessT<MeshT>::change_at(VertexHandle v) {
+  const auto is_at_v = [v](const Change& change) { return change.vertex == v; };
+  auto change = std::find_if(changes_.begin(), changes_.end(), is_at_v);
+  if (change == changes_.end()) change = changes_.insert(change, {v, {}});
+  return change->planes;
+}
+
+template <class MeshT>
+void ModMemorylessT<MeshT>::postprocess_collapse(const CollapseInfo& collapse) {
+  QuadricModule::postprocess_collapse(collapse);
+  for (const Change& change : changes_) placed(change.vertex).quadric.a += change.planes;
+  n_faces_ -= std::size_t{collapse.fl.is_valid()} + std::size_t{collapse.fr.is_valid()};
+}
+
+}  // namespace whittle
