@@ -18,6 +18,7 @@
 #include "table.hh"
 #include "values.hh"
 #include "whittle/engine/automatic_threshold.hh"
+#include "whittle/engine/feature_edges.hh"
 #include "whittle/engine/parts.hh"
 #include "whittle/engine/polish.hh"
 #include "whittle/metrics/shape.hh"
@@ -97,15 +98,22 @@ Decimation decimate_input(const SimplifyOptions& options, const Talk& talk, cons
   return decimation;
 }
 
-/// Vertices on feature lines stay where they are.
 void polish_result(const SimplifyOptions& options, Run& run) {
   const Stopwatch watch;
+  const IndexedMesh& original = run.input.read.mesh;
   Decimation& decimation = run.decimation;
-  std::vector<std::uint8_t> on_line(decimation.mesh.positions.size());
-  for (const auto& [a, b] : decimation.feature_edges) on_line[a] = on_line[b] = 1;
+  PolishOptions polish_options{.passes = options.polish_passes,
+                               .fit_borders = options.decimate.boundary != Boundary::locked,
+                               .feature_angle_deg = options.decimate.feature_angle_deg,
+                               .features = decimation.feature_edges,
+                               .threads = options.common.threads};
+  std::vector<VertexPair> original_features;
+  if (!decimation.feature_edges.empty()) {
+    original_features = feature_edges(original, options.decimate.feature_angle_deg);
+    polish_options.original_features = original_features;
+  }
   const SignalsWait signals_wait;
-  run.polish = polish(run.input.read.mesh, decimation.vertex_map, decimation.mesh,
-                      {.passes = options.polish_passes, .locked = on_line, .threads = options.common.threads});
+  run.polish = polish(original, decimation.vertex_map, decimation.mesh, polish_options);
   SignalsWait::throw_if_pending();
   run.seconds.polish = watch.seconds();
 }

@@ -29,6 +29,15 @@ Side FaceNeighbors::find_beyond(Index face, Index place) const {
   return found;
 }
 
+Side FaceNeighbors::inner_side(Index v, Index w) const {
+  for (const auto& [f, place] : corners_.of(v)) {
+    const Index last = (place + 2) % 3;
+    if (corner_after(faces_[f], place, 1) == w && beyond(f, place).face != invalid_index) return {f, place};
+    if (faces_[f][last] == w && beyond(f, last).face != invalid_index) return {f, last};
+  }
+  return {};
+}
+
 Fan FaceNeighbors::fan(Index v) const {
   const std::span<const Corner> corners = corners_.of(v);
   if (corners.empty()) return Fan::none;

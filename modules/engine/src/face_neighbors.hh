@@ -27,6 +27,8 @@ class FaceNeighbors {
   /// Keeps references to both.
   FaceNeighbors(std::span<const Triangle> faces, const VertexCorners& corners);
 
+  std::size_t n_faces() const { return faces_.size(); }
+
   /// The same edge as a side of its other face; without a face where it hasn't exactly one.
   const Side& beyond(Index face, Index place) const { return beyond_[face][place]; }
   /// Whether no other face is at the edge.
@@ -36,6 +38,9 @@ class FaceNeighbors {
     const auto& [other, other_place] = beyond(face, place);
     return faces_[other][other_place] == faces_[face][place];
   }
+
+  /// A side between two vertices that has a face beyond; without a face where there is none.
+  Side inner_side(Index v, Index w) const;
 
   Fan fan(Index v) const;
 

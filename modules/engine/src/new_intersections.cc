@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "overlapping_boxes.hh"
-#include "turn_limits.hh"
 #include "whittle/engine/parallel.hh"
 
 namespace whittle {
@@ -62,8 +61,8 @@ bool intersect(const Corners& s, const Corners& t) {
 
 class MovedMesh {
  public:
-  MovedMesh(const Surface& before, const FaceNeighbors& neighbors, std::vector<Vec3>& positions, unsigned threads)
-      : before_(before), neighbors_(neighbors), positions_(positions) {
+  MovedMesh(const Surface& before, const TurnLimits& limits, std::vector<Vec3>& positions, unsigned threads)
+      : before_(before), limits_(limits), positions_(positions) {
     find_near_pairs(threads);
     intersecting_.resize(pairs_.size());
   }
@@ -80,25 +79,33 @@ class MovedMesh {
     return faces;
   }
 
-  /// Those of the faces that are turned over or folded, which they weren't before.
+  /// Those of the faces that are turned further than is allowed.
   std::vector<Index> turned(std::span<const Index> faces) const {
     std::vector<Index> found;
     std::copy_if(faces.begin(), faces.end(), std::back_inserter(found),
-                 [this](Index f) { return is_turned(f) || is_folded(f); });
+                 [this](Index f) { return is_turned(f) || turns_to_a_neighbor(f); });
     return found;
   }
 
-  /// \return the faces at vertices that were moved until now
+  /// \return the vertices of these faces that were moved until now
   std::vector<Index> take_back(std::span<const Index> faces) {
-    std::vector<Index> changed;
+    std::vector<Index> vertices;
     for (const Index f : faces) {
       for (const Index v : before_.faces[f]) {
         if (!is_moved(v)) continue;
         positions_[v] = before_.positions[v];
-        for (const Corner& corner : before_.corners.of(v)) changed.push_back(corner.face);
+        vertices.push_back(v);
       }
     }
-    return changed;
+    return vertices;
+  }
+
+  std::vector<Index> faces_at(std::span<const Index> vertices) const {
+    std::vector<Index> faces;
+    for (const Index v : vertices) {
+      for (const Corner& corner : before_.corners.of(v)) faces.push_back(corner.face);
+    }
+    return faces;
   }
 
  private:
@@ -143,20 +150,16 @@ class MovedMesh {
   bool is_turned(Index face) const {
     return cosine(normal(face, positions_), normal(face, before_.positions)) < least_turn_cosine;
   }
-  bool is_folded(Index face) const {
-    for (Index place = 0; place < 3; ++place) {
-      const Index other = neighbors_.beyond(face, place).face;
-      if (other == invalid_index) continue;
-      const double sign = neighbors_.is_twisted(face, place) ? -1 : 1;
-      const double now = sign * cosine(normal(face, positions_), normal(other, positions_));
-      if (!(now < least_fold_cosine)) continue;
-      if (now < sign * cosine(normal(face, before_.positions), normal(other, before_.positions))) return true;
-    }
-    return false;
+  bool turns_to_a_neighbor(Index face) const {
+    const auto normal_at = [this](Index f, bool is_now) {
+      return normal(f, is_now ? std::span<const Vec3>(positions_) : before_.positions);
+    };
+    return limits_.forbid(face, 0, normal_at) || limits_.forbid(face, 1, normal_at) ||
+           limits_.forbid(face, 2, normal_at);
   }
 
   const Surface& before_;
-  const FaceNeighbors& neighbors_;
+  const TurnLimits& limits_;
   std::vector<Vec3>& positions_;
   std::vector<std::array<Index, 2>> pairs_;
   std::vector<std::uint8_t> intersecting_;  ///< scratch: per pair
@@ -164,14 +167,16 @@ class MovedMesh {
 
 }  // namespace
 
-void take_back_intersections(const Surface& before, const FaceNeighbors& neighbors, std::vector<Vec3>& positions,
-                             unsigned threads) {
-  MovedMesh mesh(before, neighbors, positions, threads);
-  for (std::vector<Index> wrong = mesh.intersecting(threads); !wrong.empty();) {
-    const std::vector<Index> changed = mesh.take_back(wrong);
-    wrong = mesh.turned(changed);
+void take_back_intersections(const Surface& before, const TurnLimits& limits, std::vector<Vec3>& positions,
+                             std::span<const Index> taken_back, unsigned threads) {
+  MovedMesh mesh(before, limits, positions, threads);
+  std::vector<Index> changed = mesh.faces_at(taken_back);
+  for (;;) {
+    std::vector<Index> wrong = mesh.turned(changed);
     const std::vector<Index> intersecting = mesh.intersecting(threads);
     wrong.insert(wrong.end(), intersecting.begin(), intersecting.end());
+    if (wrong.empty()) return;
+    changed = mesh.faces_at(mesh.take_back(wrong));
   }
 }
 

@@ -2,14 +2,16 @@
 
 #include <cmath>
 
-#include "turn_limits.hh"
-
 namespace whittle {
 namespace {
 
 /// μ: how much moving costs, of the weight of the points around. Holds a vertex along directions that no point cares
 /// about.
 constexpr double stiffness = 5e-4;
+
+/// How much a line weighs beside the surface: as a strip along it so many times as wide as its edges are long. More
+/// brings it nearer yet, at the surface's cost.
+constexpr double line_weight = 3;
 
 /// How far a vertex may leave the planes of its faces, as a multiple of how far the points are off: their squares.
 constexpr double most_drift = 4;
@@ -35,11 +37,17 @@ Vec3 solve(const SymmetricMatrix& m, const Vec3& r) {
   return Vec3(minor0.dot(r), row2.cross(row0).dot(r), row0.cross(row1).dot(r)) / row0.dot(minor0);
 }
 
+/// The part of x at right angles to a way; zero if it has no length.
+Vec3 across(const Vec3& way, const Vec3& x) {
+  const double square = way.squaredNorm();
+  return square > 0 ? Vec3(x - way.dot(x) / square * way) : Vec3::Zero();
+}
+
 }  // namespace
 
 SurfaceFit::SurfaceFit(const std::vector<Triangle>& faces, const VertexCorners& corners, const FaceNeighbors& neighbors,
-                       const std::vector<std::uint8_t>& is_fixed)
-    : faces_(faces), corners_(corners), neighbors_(neighbors), is_fixed_(is_fixed) {}
+                       const TurnLimits& limits, const MeshLines& lines, const std::vector<std::uint8_t>& is_fixed)
+    : faces_(faces), corners_(corners), neighbors_(neighbors), limits_(limits), lines_(lines), is_fixed_(is_fixed) {}
 
 void SurfaceFit::start(std::vector<Vec3>& positions) {
   positions_ = &positions;
@@ -53,13 +61,15 @@ void SurfaceFit::start(std::vector<Vec3>& positions) {
     areas_.push_back(0.5 * length);
     normals_.push_back(length > 0 ? Vec3(normal / length) : Vec3::Zero());
   }
-  wary_.assign(faces_.size(), wary_cosine);
-  for (Index f = 0; f < faces_.size(); ++f) {
+  line_sums_.assign(lines_.edges().size(), {});
+  ways_.clear();
+  for (const MeshLines::Edge& edge : lines_.edges()) ways_.push_back(positions[edge.to] - positions[edge.from]);
+  wary_.assign(faces_.size(), limits_.only_folds() ? wary_cosine : always_wary);
+  for (Index f = 0; f < faces_.size() && limits_.only_folds(); ++f) {
     for (Index place = 0; place < 3; ++place) {
       const Index other = neighbors_.beyond(f, place).face;
       if (other == invalid_index) continue;
-      const double cosine = normals_[f].dot(normals_[other]);
-      if (!((neighbors_.is_twisted(f, place) ? -cosine : cosine) > 0)) wary_[f] = always_wary;
+      if (!(limits_.cosine(f, place, normals_[f], normals_[other]) > 0)) wary_[f] = always_wary;
     }
   }
 }
@@ -82,11 +92,23 @@ void SurfaceFit::add(const Foot& foot, double weight) {
   sums.weight += weight;
 }
 
+void SurfaceFit::add(const LineFoot& foot, double weight) {
+  LineSums& sums = line_sums_[foot.edge];
+  const Vec3 d = across(ways_[foot.edge], foot.offset);
+  const std::array shares{1 - foot.share, foot.share};
+  sums.products[0] += weight * shares[0] * shares[0];
+  sums.products[1] += weight * shares[0] * shares[1];
+  sums.products[2] += weight * shares[1] * shares[1];
+  for (std::size_t j = 0; j < 2; ++j) sums.errors[j] += weight * shares[j] * d;
+  sums.squares += weight * d.squaredNorm();
+  sums.weight += weight;
+}
+
 void SurfaceFit::sweep() {
   for (Index v = 0; v < corners_.n_vertices(); ++v) {
     if (is_fixed_[v] != 0) continue;
     const Pull pull = pull_at(v);
-    if (!(pull.weight > 0)) continue;
+    if (!(pull.weight > 0) || pull.is_held) continue;
     Vec3 move = wanted_move(v, pull);
     int n_halvings = 0;
     while (n_halvings < most_halvings &&
@@ -115,7 +137,32 @@ SurfaceFit::Pull SurfaceFit::pull_at(Index v) const {
     pull.area += areas_[f];
   }
   pull.area /= static_cast<double>(corners_.of(v).size());
+  if (!lines_.empty()) add_lines(v, pull);
   return pull;
+}
+
+void SurfaceFit::add_lines(Index v, Pull& pull) const {
+  double weight = 0;
+  for (const Index e : lines_.at(v)) {
+    const auto& [from, to, is_border] = lines_.edges()[e];
+    const LineSums& sums = line_sums_[e];
+    const std::size_t place = v == from ? 0 : 1;
+    const Vec3& way = ways_[e];
+    const double length = way.norm();
+    if (!(length > 0)) continue;
+    const double scale = line_weight * length;
+    const Vec3 moves = sums.products[place] * moves_[from] + sums.products[place + 1] * moves_[to];
+    const auto across_way = [&](double factor) {
+      SymmetricMatrix matrix = SymmetricMatrix::identity(factor);
+      return matrix -= SymmetricMatrix::outer(way / length, factor);
+    };
+    pull.matrix += across_way(scale * sums.products[2 * place]);
+    pull.lines += across_way(sums.weight);
+    pull.force += scale * (sums.errors[place] - across(way, moves));
+    pull.line_squares += sums.squares;
+    weight += sums.weight;
+  }
+  pull.is_held = !lines_.at(v).empty() && !(weight > 0);
 }
 
 Vec3 SurfaceFit::wanted_move(Index v, const Pull& pull) const {
@@ -126,10 +173,12 @@ Vec3 SurfaceFit::wanted_move(Index v, const Pull& pull) const {
 }
 
 bool SurfaceFit::is_too_far(const Vec3& moved, const Pull& pull) const {
-  return !(moved.dot(pull.planes * moved) <= most_drift * pull.squares) || moved.squaredNorm() > most_area * pull.area;
+  return !(moved.dot(pull.planes * moved) <= most_drift * pull.squares) ||
+         !(moved.dot(pull.lines * moved) <= most_drift * pull.line_squares) ||
+         moved.squaredNorm() > most_area * pull.area;
 }
 
-/// Against how the faces are now, and how they were at the start; and whether it folds two.
+/// Against how the faces are now, and how they were at the start; and to their neighbours.
 bool SurfaceFit::turns_a_face(Index v, const Vec3& to) const {
   const std::vector<Vec3>& positions = *positions_;
   for (const auto& [f, place] : corners_.of(v)) {
@@ -141,26 +190,15 @@ bool SurfaceFit::turns_a_face(Index v, const Vec3& to) const {
     const Vec3 before = (x - positions[v]).cross(y - positions[v]);
     if (!(along > least_turn_cosine * length) || !(after.dot(before) > least_turn_cosine * length * before.norm()))
       return true;
-    if (along < wary_[f] * length && folds(f, v, to)) return true;
+    if (along < wary_[f] * length && turns_to_a_neighbor(f, v, to)) return true;
   }
   return false;
 }
 
-/// Whether the move takes a face of v too near to lying on a neighbour, and nearer than it did.
-bool SurfaceFit::folds(Index face, Index v, const Vec3& to) const {
-  const auto cosine = [](const Vec3& a, const Vec3& b) {
-    return a.dot(b) / std::sqrt(a.squaredNorm() * b.squaredNorm());
-  };
-  const Vec3& from = (*positions_)[v];
-  for (Index place = 0; place < 3; ++place) {
-    const Index other = neighbors_.beyond(face, place).face;
-    if (other == invalid_index) continue;
-    const double sign = neighbors_.is_twisted(face, place) ? -1 : 1;
-    const double after = sign * cosine(area_normal(face, v, to), area_normal(other, v, to));
-    if (!(after < least_fold_cosine)) continue;
-    if (!(after >= sign * cosine(area_normal(face, v, from), area_normal(other, v, from)))) return true;
-  }
-  return false;
+/// Whether the move turns a face of v to a neighbour in a way that isn't allowed.
+bool SurfaceFit::turns_to_a_neighbor(Index face, Index v, const Vec3& to) const {
+  const auto normal = [&](Index f, bool is_after) { return area_normal(f, v, is_after ? to : (*positions_)[v]); };
+  return limits_.forbid(face, 0, normal) || limits_.forbid(face, 1, normal) || limits_.forbid(face, 2, normal);
 }
 
 /// A face's normal if v were elsewhere.

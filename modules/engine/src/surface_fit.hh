@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "face_neighbors.hh"
 #include "foot_finder.hh"
+#include "line_samples.hh"
+#include "turn_limits.hh"
 #include "vertex_corners.hh"
 #include "whittle/engine/quadric.hh"
 
@@ -16,11 +17,12 @@ class SurfaceFit {
  public:
   /// Keeps references to all. \param is_fixed per vertex, whether it stays
   SurfaceFit(const std::vector<Triangle>& faces, const VertexCorners& corners, const FaceNeighbors& neighbors,
-             const std::vector<std::uint8_t>& is_fixed);
+             const TurnLimits& limits, const MeshLines& lines, const std::vector<std::uint8_t>& is_fixed);
 
   /// Takes where the vertices are, and forgets all points.
   void start(std::vector<Vec3>& positions);
   void add(const Foot& foot, double weight);
+  void add(const LineFoot& foot, double weight);
   /// Moves each vertex in its turn, by number.
   void sweep();
 
@@ -37,33 +39,48 @@ class SurfaceFit {
       return products[place[j][k]];
     }
   };
-  /// What the faces at a vertex want of it.
+  /// Likewise over the feet on an edge, d the vector across it.
+  struct LineSums {
+    std::array<double, 3> products{};  ///< 00, 01, 11
+    std::array<Vec3, 2> errors{Vec3::Zero(), Vec3::Zero()};
+    double squares = 0;
+    double weight = 0;
+  };
+  /// What the faces and lines at a vertex want of it.
   struct Pull {
     SymmetricMatrix matrix;
     Vec3 force = Vec3::Zero();
     SymmetricMatrix planes;  ///< Σ W n nᵀ
     double weight = 0;
     double squares = 0;
-    double area = 0;  ///< of a face, on average
+    SymmetricMatrix lines;  ///< Σ W P, P the projection across a line
+    double line_squares = 0;
+    double area = 0;       ///< of a face, on average
+    bool is_held = false;  ///< whether it is on a line of which no point has its foot here
   };
 
   Pull pull_at(Index v) const;
+  void add_lines(Index v, Pull& pull) const;
   Vec3 wanted_move(Index v, const Pull& pull) const;
   bool is_too_far(const Vec3& moved, const Pull& pull) const;
   bool turns_a_face(Index v, const Vec3& to) const;
-  bool folds(Index face, Index v, const Vec3& to) const;
+  bool turns_to_a_neighbor(Index face, Index v, const Vec3& to) const;
   Vec3 area_normal(Index face, Index v, const Vec3& to) const;
 
   const std::vector<Triangle>& faces_;
   const VertexCorners& corners_;
   const FaceNeighbors& neighbors_;
+  const TurnLimits& limits_;
+  const MeshLines& lines_;
   const std::vector<std::uint8_t>& is_fixed_;
   std::vector<Vec3>* positions_ = nullptr;
-  std::vector<Sums> sums_;     ///< per face
-  std::vector<Vec3> normals_;  ///< per face, before it was moved; of unit length, or zero
-  std::vector<double> areas_;  ///< per face, before it was moved
-  std::vector<double> wary_;   ///< per face, the cosine to the normal before below which it may fold
-  std::vector<Vec3> moves_;    ///< per vertex, so far
+  std::vector<Sums> sums_;           ///< per face
+  std::vector<Vec3> normals_;        ///< per face, before it was moved; of unit length, or zero
+  std::vector<double> areas_;        ///< per face, before it was moved
+  std::vector<double> wary_;         ///< per face, the cosine to the normal before below which it may fold
+  std::vector<LineSums> line_sums_;  ///< per edge of the lines
+  std::vector<Vec3> ways_;           ///< per edge of the lines, from end to end, before it was moved
+  std::vector<Vec3> moves_;          ///< per vertex, so far
 };
 
 }  // namespace whittle

@@ -1,11 +1,54 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "face_neighbors.hh"
+#include "whittle/engine/threshold_pairs.hh"
+
 namespace whittle {
 
 /// Least cosine between a face's normals before and after its corners were moved.
 constexpr double least_turn_cosine = 0.2;
 
-/// Cosine between neighbouring faces' normals below which no move may take it.
-constexpr double least_fold_cosine = -0.5;
+/// How neighbouring faces may turn to each other: no move folds them, or takes the edge between them over the angle
+/// that tells sharp edges from others, unless it becomes one of those that are to be sharp.
+class TurnLimits {
+ public:
+  /// Keeps a reference to `neighbors`.
+  /// \param features edges that are to be sharp; what is no edge of two faces doesn't count
+  /// \param feature_angle_deg between the normals; 180 = none are sharp
+  TurnLimits(const FaceNeighbors& neighbors, std::span<const VertexPair> features, double feature_angle_deg);
+
+  /// Whether nothing is forbidden but folds: that no edge may become sharper than 120°.
+  bool only_folds() const { return is_feature_.empty(); }
+
+  /// Whether a face and its neighbour may not turn to each other like that.
+  /// \param normal gives the normal of a face, of any length, before or after: `normal(face, is_after)`
+  template <class Normal>
+  bool forbid(Index face, Index place, const Normal& normal) const {
+    const Index other = neighbors_.beyond(face, place).face;
+    if (other == invalid_index) return false;
+    const double after = cosine(face, place, normal(face, true), normal(other, true));
+    const bool is_sharp = after < least_cosine_;
+    if (only_folds() && !is_sharp) return false;
+    const double before = cosine(face, place, normal(face, false), normal(other, false));
+    if (after < least_fold_cosine && !(after >= before)) return true;
+    return !only_folds() && is_sharp != (before < least_cosine_) && is_sharp != is_feature_[face][place];
+  }
+
+  /// Between the normals of a face and its neighbour, one of them turned if need be. \pre there is one
+  double cosine(Index face, Index place, const Vec3& normal, const Vec3& other) const;
+
+ private:
+  /// Below which two faces are nearly folded.
+  static constexpr double least_fold_cosine = -0.5;
+
+  const FaceNeighbors& neighbors_;
+  double least_cosine_;                          ///< of edges that are not sharp
+  std::vector<std::array<bool, 3>> is_feature_;  ///< per side of a face; empty without sharp edges
+};
 
 }  // namespace whittle

@@ -94,15 +94,16 @@ TEST(PolishGuards, TakeBackWhateverIntersects) {
     SCOPED_TRACE(name);
     const VertexCorners corners(mesh);
     const FaceNeighbors neighbors(mesh.faces, corners);
+    const TurnLimits limits(neighbors, {}, 180);
     IndexedMesh moved = mesh;
     const double length = 0.3 * metrics::shape(mesh).edge_length_mean;
     for (Vec3& p : moved.positions) p += random.uniform_vector(-length, length);
     const Pairs before = metrics::self_intersections(mesh);
     n_wrong += added(before, metrics::self_intersections(moved)).size();
     std::vector<Vec3> positions = moved.positions;
-    take_back_intersections({mesh.faces, corners, mesh.positions}, neighbors, positions, 1);
+    take_back_intersections({mesh.faces, corners, mesh.positions}, limits, positions, {}, 1);
     std::vector<Vec3> again = moved.positions;
-    take_back_intersections({mesh.faces, corners, mesh.positions}, neighbors, again, 3);
+    take_back_intersections({mesh.faces, corners, mesh.positions}, limits, again, {}, 3);
     EXPECT_EQ(positions, again);
     for (std::size_t v = 0; v < positions.size(); ++v) {
       EXPECT_TRUE(positions[v] == mesh.positions[v] || positions[v] == moved.positions[v]);
@@ -117,9 +118,10 @@ TEST(PolishGuards, TakeNothingBackWhereNothingIntersects) {
   const IndexedMesh mesh = sphere(3);
   const VertexCorners corners(mesh);
   const FaceNeighbors neighbors(mesh.faces, corners);
+  const TurnLimits limits(neighbors, {}, 180);
   const std::vector<Vec3> moved = noisy_sphere(3, 0.02, 1).positions;
   std::vector<Vec3> positions = moved;
-  take_back_intersections({mesh.faces, corners, mesh.positions}, neighbors, positions, 1);
+  take_back_intersections({mesh.faces, corners, mesh.positions}, limits, positions, {}, 1);
   EXPECT_EQ(positions, moved);
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "whittle/engine/indexed_mesh.hh"
+#include "whittle/engine/threshold_pairs.hh"
 
 // Polish: moves the vertices of a simplified mesh to where its faces fit the original surface best. Per pass
 //
@@ -14,18 +15,30 @@
 //
 // The points are the original's vertices, with a quarter of the weight, and the centroids of its faces, or four points
 // in each if the simplified mesh has nearly as many: over a face whose corners all have their feet in one face that is
-// the integral of the square of the distance. A vertex moves less far, or not at all, where that would turn a face
-// over, or fold two neighbours (bring their normals more than 120° apart, and further than they were), or take it from
-// the planes of its own faces by more than the surface is off there anyway (corners stay corners), or from where it
-// was by a seventh of an edge. Then moves are taken back around faces that have come to intersect others. In the end
-// the distance between the surfaces, both ways, tells whether a pass helped; if not, it is taken back.
+// the integral of the square of the distance. Borders and feature lines are fitted to the original's in the same way:
+// points on its edges have feet on edges of the simplified mesh, d is the vector to them across the edge, and the sum
+// of their squares is added, as if the line were a strip of surface.
+//
+// A vertex moves less far, or not at all, where that would turn a face over, or fold two neighbours (bring their
+// normals more than 120° apart, and further than they were), or take it from the planes of its own faces, or from its
+// lines, by more than the surface or the lines are off there anyway (corners stay corners), or from where it was by a
+// seventh of an edge. Then moves are taken back at vertices whose lines have come to be further from the original's
+// than these were anywhere, and around faces that have come to intersect others. In the end the distance between the
+// surfaces, both ways, tells whether a pass helped; if not, it is taken back.
 
 namespace whittle {
 
 struct PolishOptions {
   unsigned passes = 1;                     ///< how often feet are found and vertices moved. 0 = nothing happens
   std::span<const std::uint8_t> locked{};  ///< V of the simplified mesh or empty; vertices with a non-zero entry stay
-  unsigned threads = 0;                    ///< 0 = all cores; the result is the same
+  bool fit_borders = true;                 ///< whether border vertices move
+
+  /// Edges of two faces whose normals differ by more than this are sharp, degrees. (0, 180]; 180 = none. Features stay
+  /// sharp, and no other edges get so.
+  double feature_angle_deg = 180;
+  std::span<const VertexPair> features{};           ///< of the simplified mesh, as `Decimation::feature_edges`
+  std::span<const VertexPair> original_features{};  ///< what these were made from: `feature_edges` of the original
+  unsigned threads = 0;                             ///< 0 = all cores; the result is the same
 };
 
 struct PolishResult {
@@ -35,12 +48,12 @@ struct PolishResult {
   double rms_after = 0;
 };
 
-/// Moves vertices of `mesh`, and computes its normals anew if it has some; nothing else of it changes. Border vertices,
-/// and those where it isn't manifold, stay.
+/// Moves vertices of `mesh`, and computes its normals anew if it has some; nothing else of it changes. Vertices stay
+/// where it isn't manifold, and where lines meet or end.
 /// \param original what `mesh` was made from; all positions finite. Nothing happens if either has no faces
 /// \param vertex_map vertices of `original` → a vertex of `mesh` near it on the surface, as
 ///        `Decimation::vertex_map` is; `invalid_index` for none: these don't count
-/// \throw std::invalid_argument if `vertex_map` or `locked` has a wrong length, or a number is out of range
+/// \throw std::invalid_argument if `vertex_map` or `locked` has a wrong length, or a number or the angle is out of range
 PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
                     const PolishOptions& options = {});
 
