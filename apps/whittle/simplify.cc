@@ -102,7 +102,7 @@ void polish_result(const SimplifyOptions& options, Run& run) {
   const Stopwatch watch;
   const IndexedMesh& original = run.input.read.mesh;
   Decimation& decimation = run.decimation;
-  PolishOptions polish_options{.passes = options.polish_passes,
+  PolishOptions polish_options{.passes = *options.polish_passes,
                                .fit_borders = options.decimate.boundary != Boundary::locked,
                                .feature_angle_deg = options.decimate.feature_angle_deg,
                                .features = decimation.feature_edges,
@@ -209,7 +209,7 @@ Json simplify_json(const SimplifyOptions& options, const Run& run) {
   json["threshold_pairs"] = threshold_pairs_json(result.threshold_pairs);
   json["max_cost"] = result.max_cost;
   json["rejections"] = rejections_json(options, result.rejections);
-  json["polish"] = options.polish_passes > 0 ? polish_json(run.polish) : Json(nullptr);
+  json["polish"] = *options.polish_passes > 0 ? polish_json(run.polish) : Json(nullptr);
   json["seconds"] = {{"read", run.seconds.read},
                      {"decimate", run.seconds.decimate},
                      {"polish", run.seconds.polish},
@@ -258,7 +258,7 @@ void say_details(const SimplifyOptions& options, const Talk& talk, const Run& ru
               significant(result.max_cost) + ", stopped by: " + std::string(to_string(result.stop)));
   talk.detail(refusals(options, result.rejections));
   if (run.threshold > 0) talk.detail(threshold_pairs(result.threshold_pairs));
-  const bool is_polished = options.polish_passes > 0;
+  const bool is_polished = *options.polish_passes > 0;
   if (is_polished) talk.detail("polish: " + polish_text(run.polish));
   talk.detail("read " + seconds_text(run.seconds.read) + ", decimate " + seconds_text(run.seconds.decimate) +
               (is_polished ? ", polish " + seconds_text(run.seconds.polish) : "") + ", write " +
@@ -306,7 +306,7 @@ ExitCode run_simplify(const CLI::App& app, const SimplifyOptions& options) {
   run.threshold = resolve_threshold(options, talk, run);
   run.decimation = decimate_input(options, talk, run);
   run.seconds.decimate = decimating.seconds();
-  if (options.polish_passes > 0) polish_result(options, run);
+  if (*options.polish_passes > 0) polish_result(options, run);
   run.met = is_met(run.target, run.decimation.result.stop);
 
   warn_of_valence_three(options, talk, run);
@@ -337,7 +337,8 @@ void setup_simplify(CLI::App& app, Command& command) {
       "  whittle simplify dragon.ply -o small.ply --ratio 10%\n"
       "  whittle simplify part.stl -o part.obj --faces 5000 --strict --json report.json\n"
       "  whittle simplify - -o - --format ply --faces 5000 < in.ply > out.ply");
-  sub->callback([sub, options, &command] { command = [sub, options] { return run_simplify(*sub, *options); }; });
+  sub->callback(
+      [sub, options, &command] { command = [sub, options] { return run_simplify(*sub, settled(*options)); }; });
 }
 
 }  // namespace whittle::app

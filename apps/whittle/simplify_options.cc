@@ -15,6 +15,8 @@ constexpr std::array<Choice<Cost>, 4> costs{{{"quadric", Cost::quadric},
                                              {"memoryless", Cost::memoryless},
                                              {"lindstrom-turk", Cost::lindstrom_turk},
                                              {"midpoint", Cost::midpoint}}};
+constexpr std::array<Choice<Effort>, 3> efforts{
+    {{"fast", Effort::fast}, {"normal", Effort::normal}, {"best", Effort::best}}};
 constexpr std::array<Choice<Order>, 2> orders{{{"exact", Order::exact}, {"approximate", Order::approximate}}};
 constexpr std::array<Choice<Weights>, 3> weights{
     {{"area", Weights::area}, {"uniform", Weights::uniform}, {"area-angle", Weights::area_angle}}};
@@ -131,10 +133,17 @@ void add_pair_options(CLI::App& app, SimplifyOptions& options) {
 void add_cost_options(CLI::App& app, SimplifyOptions& options) {
   DecimateOptions& decimate = options.decimate;
   QuadricOptions& quadric = decimate.quadric;
-  add_choice<Cost>(
-      app, "--cost", decimate.cost, costs,
+  add_choice<Effort>(
+      app, "--effort", options.effort, efforts,
+      "fast: '--cost quadric', no polish; normal: '--cost memoryless --polish 1'; best: '--cost memoryless "
+      "--polish 3', and edges are flipped where that helps")
+      ->group(cost_group);
+  add_value(
+      app, "--cost", words_of<Cost>(costs), options.cost,
+      [](std::string_view text) { return parse_choice<Cost>(text, costs); },
       "what ranks and places: distance to the planes merged so far, or to those around as they are, change "
       "of volume, or the length of edges alone")
+      ->default_str("by --effort; quadric with --engine openmesh, and with what only it has")
       ->group(cost_group);
   add_choice<Weights>(
       app, "--weights", quadric.weights, weights,
@@ -161,7 +170,7 @@ void add_cost_options(CLI::App& app, SimplifyOptions& options) {
       [](std::string_view text) { return static_cast<unsigned>(parse_count(text, 0, 1000)); },
       "passes that fit the result to the mesh it came from; one that doesn't help is taken back, and ends them (0: "
       "none)")
-      ->default_str(std::to_string(options.polish_passes))
+      ->default_str("by --effort; 0 with --placement or --min-radius-ratio")
       ->group(cost_group);
   add_choice<Engine>(app, "--engine", options.engine, engines,
                      "where the work is done; openmesh: the same cost as a module in OpenMesh's own decimater")
@@ -197,6 +206,23 @@ void add_guard_options(CLI::App& app, SimplifyOptions& options) {
       ->group(guard_group);
 }
 
+bool has_threshold(const SimplifyOptions& options) {
+  return options.threshold.is_automatic || options.threshold.length.value > 0;
+}
+
+/// Whether there is an option that memoryless quadrics don't have, or that they are poor with.
+bool needs_plain_quadrics(const SimplifyOptions& options) {
+  const DecimateOptions& decimate = options.decimate;
+  return options.engine == Engine::openmesh || decimate.isotropy > 0 || decimate.quadric.weights != Weights::area ||
+         (has_threshold(options) && decimate.order == Order::exact);
+}
+
+unsigned passes_of(const SimplifyOptions& options) {
+  const bool has_own_places = options.decimate.quadric.placement != Placement::optimal;
+  if (options.effort == Effort::fast || has_own_places || options.decimate.min_radius_ratio > 0) return 0;
+  return options.effort == Effort::best ? 3 : 1;
+}
+
 }  // namespace
 
 void add_simplify_options(CLI::App& app, SimplifyOptions& options) {
@@ -223,16 +249,21 @@ void add_simplify_options(CLI::App& app, SimplifyOptions& options) {
   add_common_options(app, options.common);
 }
 
+SimplifyOptions settled(SimplifyOptions options) {
+  const bool is_plain = options.effort == Effort::fast || needs_plain_quadrics(options);
+  options.decimate.cost = options.cost.value_or(is_plain ? Cost::quadric : Cost::memoryless);
+  options.polish_passes = options.polish_passes.value_or(passes_of(options));
+  return options;
+}
+
 void check(const CLI::App& app, const SimplifyOptions& options) {
   check_targets(options.targets);
   check_conflicts(app, common_conflicts());
   check_conflicts(app, conflicts);
-  const bool has_pairs = options.threshold.is_automatic || options.threshold.length.value > 0;
-  if (has_pairs && options.decimate.cost == Cost::memoryless && options.decimate.order == Order::exact) {
+  if (has_threshold(options) && options.decimate.cost == Cost::memoryless && options.decimate.order == Order::exact) {
     throw UsageError(
         "'--threshold' and '--order exact' don't go together with '--cost memoryless': vertices that no edge joins "
-        "have "
-        "no place in its exact order");
+        "have no place in its exact order");
   }
   check_inputs({options.input}, {options.output}, options.reading.format);
   format_for_output(options.output, options.reading.format);
@@ -246,11 +277,12 @@ nlohmann::ordered_json options_json(const SimplifyOptions& options) {
   const QuadricOptions& quadric = options.decimate.quadric;
   return {
       {"weld", options.reading.weld},
+      {"effort", word_of<Effort>(efforts, options.effort)},
       {"cost", word_of<Cost>(costs, options.decimate.cost)},
       {"valence", options.decimate.valence_weight},
       {"isotropic", options.decimate.isotropy},
       {"order", word_of<Order>(orders, options.order())},
-      {"polish", options.polish_passes},
+      {"polish", *options.polish_passes},
       {"weights", word_of<Weights>(weights, quadric.weights)},
       {"placement", word_of<Placement>(placements, quadric.placement)},
       {"boundary", word_of<Boundary>(boundaries, options.decimate.boundary)},

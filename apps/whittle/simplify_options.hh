@@ -18,6 +18,9 @@ enum class Engine {
   openmesh  ///< the module of the same cost in OpenMesh's stock decimater
 };
 
+/// What accuracy may take: a cost, and polishing.
+enum class Effort { fast, normal, best };
+
 /// How close vertices must be to be a pair without an edge.
 struct ThresholdOption {
   bool is_automatic = false;  ///< chosen from the distances between the parts of the mesh
@@ -29,13 +32,15 @@ struct SimplifyOptions {
   std::string output;
   TargetOptions targets;
   InputOptions reading;
+  Effort effort = Effort::normal;
+  std::optional<Cost> cost;               ///< instead of the effort's
+  std::optional<unsigned> polish_passes;  ///< instead of the effort's
   DecimateOptions decimate;
   ThresholdOption threshold;
   std::optional<double> max_normal_flip_deg;
   Length feature_tolerance{5e-4, true};  ///< how far feature lines may stray
   std::optional<Length> prune;           ///< parts smaller than this are dropped
   Engine engine = Engine::flat;
-  unsigned polish_passes = 0;
   std::optional<std::string> map;  ///< file for the vertex map
   bool strict = false;
   CommonOptions common;
@@ -50,6 +55,9 @@ struct SimplifyOptions {
     return max_normal_flip_deg.value_or(decimate.cost == Cost::lindstrom_turk ? 110 : decimate.max_normal_flip_deg);
   }
 };
+
+/// With the cost and the passes filled in that the effort makes of the other options.
+SimplifyOptions settled(SimplifyOptions options);
 
 void add_simplify_options(CLI::App& app, SimplifyOptions& options);
 

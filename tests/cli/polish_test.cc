@@ -14,8 +14,8 @@ namespace {
 class PolishCommand : public testing::Test {
  protected:
   void SetUp() override {
-    const Outcome outcome =
-        whittle({"simplify", knot_, "-o", small_, "--ratio", "10%", "--engine", "openmesh", "--quiet"});
+    const Outcome outcome = whittle(
+        {"simplify", knot_, "-o", small_, "--ratio", "10%", "--effort", "fast", "--engine", "openmesh", "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome;
   }
   double rms(const std::string& mesh) const {
