@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
 #include "checks.hh"
+#include "edge_flips.hh"
 #include "face_neighbors.hh"
 #include "foot_finder.hh"
 #include "new_intersections.hh"
@@ -100,61 +102,136 @@ std::vector<Index> take_back_lines(const Surface& before, const MeshLines& lines
   return taken_back;
 }
 
+/// How a mesh hangs together, and what is computed by that. Its parts refer to each other.
+struct Connectivity {
+  std::vector<Triangle> faces;
+  VertexCorners corners;
+  FaceNeighbors neighbors;
+  TurnLimits limits;
+
+  Connectivity(std::vector<Triangle> the_faces, std::size_t n_vertices, const PolishOptions& options)
+      : faces(std::move(the_faces)),
+        corners(faces, n_vertices),
+        neighbors(faces, corners),
+        limits(neighbors, options.features, options.feature_angle_deg) {}
+  Connectivity(const Connectivity&) = delete;
+  Connectivity& operator=(const Connectivity&) = delete;
+
+  Surface at(std::span<const Vec3> positions) const { return {faces, corners, positions}; }
+};
+
+class Polisher {
+ public:
+  Polisher(const IndexedMesh& original, std::span<const Index> vertex_map, const IndexedMesh& mesh,
+           const PolishOptions& options)
+      : options_(options),
+        frame_(Frame::of_points(original.positions)),
+        samples_(original, vertex_map, frame_, points_per_face(original, mesh), options.threads),
+        original_corners_(original),
+        error_({original.faces, original_corners_, samples_.positions()}, vertex_map, mesh.positions.size()),
+        mesh_(std::make_unique<Connectivity>(mesh.faces, mesh.positions.size(), options)),
+        groups_(mesh.face_groups),
+        lines_(lines_of(mesh, mesh_->neighbors, options.features)),
+        line_samples_(original_lines(original), samples_.positions(), vertex_map),
+        is_fixed_(fixed_vertices(mesh_->neighbors, lines_, mesh.positions.size(), options)),
+        can_flip_(options.flips && mesh.corner_texcoords.empty()) {
+    positions_.reserve(mesh.positions.size());
+    for (const Vec3& p : mesh.positions) positions_.push_back(frame_.to_frame(p));
+    least_error_ = error_.mean_square(mesh_->at(positions_), options.threads);
+  }
+
+  /// \return whether it helped; if not, nothing has changed
+  bool pass() {
+    FootFinder finder(mesh_->faces, mesh_->corners);
+    finder.look_at(positions_, options_.threads);
+    samples_.find_feet(finder, options_.threads);
+    line_samples_.find_feet(lines_, mesh_->at(positions_), options_.threads);
+    std::unique_ptr<Connectivity> flipped = flip();
+    std::vector<Vec3> moved = move(flipped ? *flipped : *mesh_);
+    const double error = error_.mean_square((flipped ? *flipped : *mesh_).at(moved), options_.threads);
+    if (!(error < least_error_)) return false;
+    least_error_ = error;
+    positions_ = std::move(moved);
+    if (flipped) mesh_ = std::move(flipped);
+    return true;
+  }
+
+  double rms() const { return std::sqrt(least_error_) * frame_.unscale; }
+
+  /// \return how many vertices are not where they were
+  std::uint64_t write(IndexedMesh& mesh) const {
+    std::uint64_t n_moved = 0;
+    for (std::size_t v = 0; v < positions_.size(); ++v) {
+      if (positions_[v] == frame_.to_frame(mesh.positions[v])) continue;
+      mesh.positions[v] = frame_.to_model(positions_[v]);
+      ++n_moved;
+    }
+    mesh.faces = mesh_->faces;
+    if (!mesh.normals.empty()) mesh.normals = vertex_normals(mesh, frame_);
+    return n_moved;
+  }
+
+ private:
+  static std::size_t points_per_face(const IndexedMesh& original, const IndexedMesh& mesh) {
+    return static_cast<double>(mesh.faces.size()) > dense * static_cast<double>(original.faces.size()) ? 4 : 1;
+  }
+
+  MeshLines original_lines(const IndexedMesh& original) const {
+    std::vector<VertexPair> borders;
+    if (!lines_.empty()) borders = border_edges(original.faces, original.positions.size());
+    return MeshLines(borders, options_.original_features, original.positions.size());
+  }
+
+  /// Nothing if no edge was flipped.
+  std::unique_ptr<Connectivity> flip() {
+    if (!can_flip_) return nullptr;
+    std::vector<Triangle> faces =
+        flip_edges(mesh_->at(positions_), mesh_->neighbors, mesh_->limits, lines_, groups_, samples_, options_.threads);
+    if (faces == mesh_->faces) return nullptr;
+    return std::make_unique<Connectivity>(std::move(faces), positions_.size(), options_);
+  }
+
+  /// Where the vertices are to go.
+  std::vector<Vec3> move(const Connectivity& mesh) {
+    std::vector<Vec3> moved = positions_;
+    SurfaceFit fit(mesh.faces, mesh.corners, mesh.neighbors, mesh.limits, lines_, is_fixed_);
+    fit.start(moved);
+    line_samples_.for_each_foot([&fit](const LineFoot& foot, double weight) { fit.add(foot, weight); });
+    samples_.for_each_foot([&fit](const Foot& foot, double weight) { fit.add(foot, weight); });
+    for (int i = 0; i < n_sweeps; ++i) fit.sweep();
+    const Surface before = mesh.at(positions_);
+    const std::vector<Index> taken_back = take_back_lines(before, lines_, line_samples_, moved, options_.threads);
+    take_back_intersections(before, mesh.limits, moved, taken_back, options_.threads);
+    return moved;
+  }
+
+  const PolishOptions& options_;
+  Frame frame_;
+  SurfaceSamples samples_;
+  VertexCorners original_corners_;
+  TwoSidedError error_;
+  std::unique_ptr<Connectivity> mesh_;
+  std::span<const Index> groups_;
+  MeshLines lines_;
+  LineSamples line_samples_;
+  std::vector<std::uint8_t> is_fixed_;
+  bool can_flip_;
+  std::vector<Vec3> positions_;
+  double least_error_;  ///< mean square
+};
+
 }  // namespace
 
 PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
                     const PolishOptions& options) {
   check(original, vertex_map, mesh, options);
   if (options.passes == 0 || mesh.faces.empty() || original.faces.empty()) return {};
-  const Frame frame = Frame::of_points(original.positions);
-  const bool is_dense = static_cast<double>(mesh.faces.size()) > dense * static_cast<double>(original.faces.size());
-  SurfaceSamples samples(original, vertex_map, frame, is_dense ? 4 : 1, options.threads);
-  const VertexCorners corners(mesh);
-  const FaceNeighbors neighbors(mesh.faces, corners);
-  const TurnLimits limits(neighbors, options.features, options.feature_angle_deg);
-  const MeshLines lines = lines_of(mesh, neighbors, options.features);
-  const std::vector<std::uint8_t> is_fixed = fixed_vertices(neighbors, lines, mesh.positions.size(), options);
-  std::vector<Vec3> positions;
-  positions.reserve(mesh.positions.size());
-  for (const Vec3& p : mesh.positions) positions.push_back(frame.to_frame(p));
-  const std::vector<Vec3> before = positions;
-
-  std::vector<VertexPair> original_borders;
-  if (!lines.empty()) original_borders = border_edges(original.faces, original.positions.size());
-  const MeshLines original_lines(original_borders, options.original_features, original.positions.size());
-  LineSamples line_samples(original_lines, samples.positions(), vertex_map);
-
-  const VertexCorners original_corners(original);
-  const TwoSidedError error({original.faces, original_corners, samples.positions()}, vertex_map, mesh.faces, corners);
-  FootFinder finder(mesh.faces, corners);
-  SurfaceFit fit(mesh.faces, corners, neighbors, limits, lines, is_fixed);
+  Polisher polisher(original, vertex_map, mesh, options);
   PolishResult result;
-  double least = error.mean_square(positions, options.threads);
-  result.rms_before = std::sqrt(least) * frame.unscale;
-  for (; result.n_passes < options.passes; ++result.n_passes) {
-    finder.look_at(positions, options.threads);
-    samples.find_feet(finder, options.threads);
-    std::vector<Vec3> moved = positions;
-    fit.start(moved);
-    line_samples.find_feet(lines, {mesh.faces, corners, positions}, options.threads);
-    line_samples.for_each_foot([&fit](const LineFoot& foot, double weight) { fit.add(foot, weight); });
-    samples.for_each_foot([&fit](const Foot& foot, double weight) { fit.add(foot, weight); });
-    for (int i = 0; i < n_sweeps; ++i) fit.sweep();
-    const std::vector<Index> taken_back =
-        take_back_lines({mesh.faces, corners, positions}, lines, line_samples, moved, options.threads);
-    take_back_intersections({mesh.faces, corners, positions}, limits, moved, taken_back, options.threads);
-    const double now = error.mean_square(moved, options.threads);
-    if (!(now < least)) break;
-    least = now;
-    positions = std::move(moved);
-  }
-  result.rms_after = std::sqrt(least) * frame.unscale;
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    if (positions[v] == before[v]) continue;
-    mesh.positions[v] = frame.to_model(positions[v]);
-    ++result.n_moved;
-  }
-  if (!mesh.normals.empty()) mesh.normals = vertex_normals(mesh, frame);
+  result.rms_before = polisher.rms();
+  while (result.n_passes < options.passes && polisher.pass()) ++result.n_passes;
+  result.rms_after = polisher.rms();
+  result.n_moved = polisher.write(mesh);
   return result;
 }
 

@@ -48,6 +48,22 @@ void SurfaceSamples::find_feet(const FootFinder& finder, unsigned threads) {
   });
 }
 
+Vec3 SurfaceSamples::position(std::size_t i) const {
+  if (i < n_vertices()) return positions_[i];
+  const std::size_t f = (i - n_vertices()) / per_face_;
+  const std::size_t place = (i - n_vertices()) % per_face_;
+  const Vec3 sum = positions_[faces_[f][0]] + positions_[faces_[f][1]] + positions_[faces_[f][2]];
+  return place == 0 ? Vec3(sum / 3) : Vec3((sum + 3 * positions_[faces_[f][place - 1]]) / 6);
+}
+
+double SurfaceSamples::weight(std::size_t i) const {
+  if (i < n_vertices()) return 0.25 * vertex_areas_[i];
+  const std::size_t f = (i - n_vertices()) / per_face_;
+  const std::span<const Foot> feet = std::span(face_feet_).subspan(f * per_face_, per_face_);
+  const auto n = std::count_if(feet.begin(), feet.end(), [](const Foot& foot) { return foot.face != invalid_index; });
+  return 0.75 * face_areas_[f] / static_cast<double>(n);
+}
+
 /// Where the corners have their feet in one face, the centroid's is there, too, and it will do.
 void SurfaceSamples::find_feet_of_face(const FootFinder& finder, std::size_t f) {
   const std::span<Foot> feet = std::span(face_feet_).subspan(f * per_face_, per_face_);

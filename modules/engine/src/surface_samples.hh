@@ -23,6 +23,15 @@ class SurfaceSamples {
 
   void find_feet(const FootFinder& finder, unsigned threads);
 
+  /// Points by number: first the vertices, then those in faces.
+  std::size_t size() const { return vertex_feet_.size() + face_feet_.size(); }
+  const Foot& foot(std::size_t i) const { return i < n_vertices() ? vertex_feet_[i] : face_feet_[i - n_vertices()]; }
+  void set_foot(std::size_t i, const Foot& foot) {
+    (i < n_vertices() ? vertex_feet_[i] : face_feet_[i - n_vertices()]) = foot;
+  }
+  Vec3 position(std::size_t i) const;
+  double weight(std::size_t i) const;  ///< \pre it has a foot
+
   /// Calls `use(foot, weight)` for each point that has a foot, always in the same order.
   template <class Use>
   void for_each_foot(const Use& use) const {
@@ -40,6 +49,7 @@ class SurfaceSamples {
   }
 
  private:
+  std::size_t n_vertices() const { return vertex_feet_.size(); }
   void measure();
   void find_feet_of_face(const FootFinder& finder, std::size_t f);
 

@@ -25,6 +25,9 @@ class TurnLimits {
   /// Whether nothing is forbidden but folds: that no edge may become sharper than 120°.
   bool only_folds() const { return is_feature_.empty(); }
 
+  /// Between the normals of two faces, if the edge between them is not to be sharp.
+  double least_cosine() const { return least_cosine_; }
+
   /// Whether a face and its neighbour may not turn to each other like that.
   /// \param normal gives the normal of a face, of any length, before or after: `normal(face, is_after)`
   template <class Normal>
@@ -47,7 +50,7 @@ class TurnLimits {
   static constexpr double least_fold_cosine = -0.5;
 
   const FaceNeighbors& neighbors_;
-  double least_cosine_;                          ///< of edges that are not sharp
+  double least_cosine_;
   std::vector<std::array<bool, 3>> is_feature_;  ///< per side of a face; empty without sharp edges
 };
 

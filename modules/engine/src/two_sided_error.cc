@@ -65,13 +65,8 @@ double directed_mean_square(const Surface& from, const Surface& to, const Start&
 
 }  // namespace
 
-TwoSidedError::TwoSidedError(const Surface& original, std::span<const Index> vertex_map,
-                             std::span<const Triangle> mesh_faces, const VertexCorners& mesh_corners)
-    : original_(original),
-      vertex_map_(vertex_map),
-      mesh_faces_(mesh_faces),
-      mesh_corners_(mesh_corners),
-      first_origin_(mesh_corners.n_vertices() + 1) {
+TwoSidedError::TwoSidedError(const Surface& original, std::span<const Index> vertex_map, std::size_t n_mesh_vertices)
+    : original_(original), vertex_map_(vertex_map), first_origin_(n_mesh_vertices + 1) {
   for (const Index v : vertex_map) {
     if (v != invalid_index) ++first_origin_[v + 1];
   }
@@ -83,8 +78,7 @@ TwoSidedError::TwoSidedError(const Surface& original, std::span<const Index> ver
   }
 }
 
-double TwoSidedError::mean_square(std::span<const Vec3> mesh_positions, unsigned threads) const {
-  const Surface mesh{mesh_faces_, mesh_corners_, mesh_positions};
+double TwoSidedError::mean_square(const Surface& mesh, unsigned threads) const {
   const auto nearest = [](std::span<const Vec3> positions, const Vec3& point, Index& best, Index v) {
     if (best == invalid_index || (positions[v] - point).squaredNorm() < (positions[best] - point).squaredNorm())
       best = v;
@@ -92,7 +86,7 @@ double TwoSidedError::mean_square(std::span<const Vec3> mesh_positions, unsigned
   const auto in_mesh = [&](const Triangle& face, const Vec3& point) {
     Index best = invalid_index;
     for (const Index v : face) {
-      if (vertex_map_[v] != invalid_index) nearest(mesh_positions, point, best, vertex_map_[v]);
+      if (vertex_map_[v] != invalid_index) nearest(mesh.positions, point, best, vertex_map_[v]);
     }
     return best;
   };

@@ -12,18 +12,15 @@ namespace whittle {
 class TwoSidedError {
  public:
   /// Keeps references to all.
-  /// \param vertex_map vertices of `original` → vertices of `mesh`, or `invalid_index`
-  TwoSidedError(const Surface& original, std::span<const Index> vertex_map, std::span<const Triangle> mesh_faces,
-                const VertexCorners& mesh_corners);
+  /// \param vertex_map vertices of `original` → vertices of a mesh that has so many, or `invalid_index`
+  TwoSidedError(const Surface& original, std::span<const Index> vertex_map, std::size_t n_mesh_vertices);
 
   /// Half the sum of both ways' mean squared distances.
-  double mean_square(std::span<const Vec3> mesh_positions, unsigned threads) const;
+  double mean_square(const Surface& mesh, unsigned threads) const;
 
  private:
   Surface original_;
   std::span<const Index> vertex_map_;
-  std::span<const Triangle> mesh_faces_;
-  const VertexCorners& mesh_corners_;
   std::vector<Index> first_origin_;  ///< per vertex of the mesh, where its origins begin; one more at the end
   std::vector<Index> origins_;       ///< vertices of the original, by what they are mapped to
 };

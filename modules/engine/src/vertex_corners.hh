@@ -16,15 +16,16 @@ struct Corner {
 /// The faces of each vertex of a mesh, ascending.
 class VertexCorners {
  public:
-  explicit VertexCorners(const IndexedMesh& mesh) : first_(mesh.positions.size() + 1) {
-    for (const Triangle& face : mesh.faces) {
+  explicit VertexCorners(const IndexedMesh& mesh) : VertexCorners(mesh.faces, mesh.positions.size()) {}
+  VertexCorners(std::span<const Triangle> faces, std::size_t n_vertices) : first_(n_vertices + 1) {
+    for (const Triangle& face : faces) {
       for (const Index v : face) ++first_[v + 1];
     }
     for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-    corners_.resize(3 * mesh.faces.size());
+    corners_.resize(3 * faces.size());
     std::vector<Index> end(first_.begin(), first_.end() - 1);
-    for (Index f = 0; f < mesh.faces.size(); ++f) {
-      for (Index place = 0; place < 3; ++place) corners_[end[mesh.faces[f][place]]++] = {f, place};
+    for (Index f = 0; f < faces.size(); ++f) {
+      for (Index place = 0; place < 3; ++place) corners_[end[faces[f][place]]++] = {f, place};
     }
   }
 

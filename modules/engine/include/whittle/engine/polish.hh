@@ -31,7 +31,12 @@ namespace whittle {
 struct PolishOptions {
   unsigned passes = 1;                     ///< how often feet are found and vertices moved. 0 = nothing happens
   std::span<const std::uint8_t> locked{};  ///< V of the simplified mesh or empty; vertices with a non-zero entry stay
-  bool fit_borders = true;                 ///< whether border vertices move
+  /// Whether edges are flipped, too, before vertices are moved: where that lessens the sum of the squared distances of
+  /// the points that have their feet in an edge's two faces, makes no folds, intersections or vertices with fewer than
+  /// four or more than nine faces, and the edge is on no line nor between two groups of faces. Both faces keep their
+  /// numbers. A mesh with texture coordinates keeps its edges.
+  bool flips = false;
+  bool fit_borders = true;  ///< whether border vertices move
 
   /// Edges of two faces whose normals differ by more than this are sharp, degrees. (0, 180]; 180 = none. Features stay
   /// sharp, and no other edges get so.
@@ -48,12 +53,13 @@ struct PolishResult {
   double rms_after = 0;
 };
 
-/// Moves vertices of `mesh`, and computes its normals anew if it has some; nothing else of it changes. Vertices stay
-/// where it isn't manifold, and where lines meet or end.
+/// Moves vertices of `mesh`, and computes its normals anew if it has some; nothing else of it changes but what `flips`
+/// says. Vertices stay where it isn't manifold, and where lines meet or end.
 /// \param original what `mesh` was made from; all positions finite. Nothing happens if either has no faces
 /// \param vertex_map vertices of `original` → a vertex of `mesh` near it on the surface, as
 ///        `Decimation::vertex_map` is; `invalid_index` for none: these don't count
-/// \throw std::invalid_argument if `vertex_map` or `locked` has a wrong length, or a number or the angle is out of range
+/// \throw std::invalid_argument if `vertex_map` or `locked` has a wrong length, or a number or the angle is out of
+/// range
 PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
                     const PolishOptions& options = {});
 
