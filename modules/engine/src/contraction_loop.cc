@@ -154,12 +154,17 @@ ContractionLoop::Refusal ContractionLoop::place(Turn& turn) {
 ContractionLoop::Refusal ContractionLoop::find_refusal_of(const Vec3& position, const Pair& pair) {
   const auto [id, a, b] = pair;
   if (restraints_.bends_a_line(complex_, pair, star_, position)) return Refusal::feature;
-  if (turns_a_face(complex_, flip_limit_, star_.first, complex_.position(a), position)) return Refusal::flip;
-  if (turns_a_face(complex_, flip_limit_, star_.second, complex_.position(b), position)) return Refusal::flip;
+  if (turns_a_face(position, pair)) return Refusal::flip;
   if (sharp_edges_.would_change(pair, star_, position)) return Refusal::feature;
   if (makes_thin(star_.first, complex_.position(a), position)) return Refusal::shape;
   if (makes_thin(star_.second, complex_.position(b), position)) return Refusal::shape;
   return Refusal::none;
+}
+
+bool ContractionLoop::turns_a_face(const Vec3& position, const Pair& pair) {
+  if (const std::optional<bool> answer = cost_->turns_a_face(position, flip_limit_)) return *answer;
+  return whittle::turns_a_face(complex_, flip_limit_, star_.first, complex_.position(pair.a), position) ||
+         whittle::turns_a_face(complex_, flip_limit_, star_.second, complex_.position(pair.b), position);
 }
 
 /// Whether moving the common corner of `wings` leaves one of them thinner than allowed, and than it was.

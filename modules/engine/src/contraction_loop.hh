@@ -40,6 +40,7 @@ class ContractionLoop {
   Refusal place(Turn& turn);
   Refusal find_refusal_of(const Vec3& position, const Pair& pair);
   Refusal find_topological_refusal(const Pair& pair);
+  bool turns_a_face(const Vec3& position, const Pair& pair);
   bool makes_thin(const Wings& wings, const Vec3& from, const Vec3& to) const;
   void refuse(const Pair& pair, Refusal refusal);
 

@@ -1,6 +1,7 @@
 #include "level_pairs.hh"
 
 #include "whittle/engine/lanes.hh"
+#include "whittle/engine/memoryless_term.hh"
 
 namespace whittle {
 namespace {
@@ -16,13 +17,18 @@ template <class Real, bool with_points, class VertexAt>
 
 template <class Real, bool with_points>
 [[gnu::always_inline]] inline void find_minima_in_lanes(const TriangleComplex& complex, std::span<const Pair> pairs,
-                                                        std::span<PairEvaluation> evaluations) {
+                                                        std::span<PairEvaluation> evaluations,
+                                                        const std::optional<double>& first_area) {
   std::size_t i = 0;
   for (; i + n_lanes<Real> <= pairs.size(); i += n_lanes<Real>) {
     const Pair* const group = &pairs[i];
     const auto a = placed<Real, with_points>(complex, [group](std::size_t lane) { return group[lane].a; });
     const auto b = placed<Real, with_points>(complex, [group](std::size_t lane) { return group[lane].b; });
-    const auto minima = pair_minimum(a, b);
+    auto minima = pair_minimum(a, b);
+    if (first_area) {
+      const Real weight = (a.xx + a.yy + a.zz) + (b.xx + b.yy + b.zz);
+      minima.value *= memoryless_factor(weight, *first_area);
+    }
     for (std::size_t lane = 0; lane < n_lanes<Real>; ++lane) {
       PairEvaluation& evaluation = evaluations[i + lane];
       evaluation.bound = evaluation.cost = minima.value[lane];
@@ -36,28 +42,30 @@ template <class Real, bool with_points>
 
 template <bool with_points>
 WHITTLE_DOUBLE4 void find_minima_of_four(const TriangleComplex& complex, std::span<const Pair> pairs,
-                                         std::span<PairEvaluation> evaluations) {
-  find_minima_in_lanes<Double4, with_points>(complex, pairs, evaluations);
+                                         std::span<PairEvaluation> evaluations,
+                                         const std::optional<double>& first_area) {
+  find_minima_in_lanes<Double4, with_points>(complex, pairs, evaluations, first_area);
 }
 
 template <bool with_points>
-void find_minima_of(const TriangleComplex& complex, std::span<const Pair> pairs,
-                    std::span<PairEvaluation> evaluations) {
+void find_minima_of(const TriangleComplex& complex, std::span<const Pair> pairs, std::span<PairEvaluation> evaluations,
+                    const std::optional<double>& first_area) {
   if (has_double4) {
-    find_minima_of_four<with_points>(complex, pairs, evaluations);
+    find_minima_of_four<with_points>(complex, pairs, evaluations, first_area);
   } else {
-    find_minima_in_lanes<Double2, with_points>(complex, pairs, evaluations);
+    find_minima_in_lanes<Double2, with_points>(complex, pairs, evaluations, first_area);
   }
 }
 
 }  // namespace
 
-void find_minima(const TriangleComplex& complex, std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) {
+void find_minima(const TriangleComplex& complex, std::span<const Pair> pairs, std::span<PairEvaluation> evaluations,
+                 std::optional<double> first_area) {
   if (pairs.empty()) return;
   if (complex.is_threshold_pair(pairs.front().id)) {
-    find_minima_of<true>(complex, pairs, evaluations);
+    find_minima_of<true>(complex, pairs, evaluations, first_area);
   } else {
-    find_minima_of<false>(complex, pairs, evaluations);
+    find_minima_of<false>(complex, pairs, evaluations, first_area);
   }
 }
 

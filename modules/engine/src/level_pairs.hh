@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "whittle/engine/pair_evaluation.hh"
@@ -12,6 +13,8 @@ namespace whittle {
 /// is to be evaluated by itself.
 ///
 /// \param pairs all edges, or all threshold pairs
-void find_minima(const TriangleComplex& complex, std::span<const Pair> pairs, std::span<PairEvaluation> evaluations);
+/// \param first_area if given, costs are multiplied by `memoryless_factor`
+void find_minima(const TriangleComplex& complex, std::span<const Pair> pairs, std::span<PairEvaluation> evaluations,
+                 std::optional<double> first_area);
 
 }  // namespace whittle

@@ -5,31 +5,28 @@
 
 namespace whittle {
 
-MemorylessCost::MemorylessCost(TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options)
-    : complex_(complex),
-      options_(options),
-      quadric_cost_(complex, restraints, options),
-      remembers_(complex.n_vertex_slots()) {
+namespace {
+
+/// Guessed from those at rings: a vertex with a border has other planes, too.
+MeanFaceArea mean_face_area(const TriangleComplex& complex, double regularization) {
   double area = 0;
   std::uint64_t n_corners = 0;
-  for (Index v = 0; v < complex.n_vertex_slots(); ++v) {  // those with a border have other planes, too
+  for (Index v = 0; v < complex.n_vertex_slots(); ++v) {
     if (!complex.is_ring(v)) continue;
     area += complex.placed(v).quadric.a.trace();
     n_corners += complex.neighbours(v).size();
   }
-  face_area_ = {area / (1 + 3 * options.regularization), n_corners, complex.n_faces()};
+  return {area / (1 + 3 * regularization), n_corners, complex.n_faces()};
 }
 
-void MemorylessCost::evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const {
-  quadric_cost_.evaluate(pairs, evaluations);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const auto& [id, a, b] = pairs[i];
-    const double weight = complex_.placed(a).quadric.a.trace() + complex_.placed(b).quadric.a.trace();
-    const double factor = memoryless_factor(weight, face_area_.first());
-    evaluations[i].bound *= factor;
-    evaluations[i].cost *= factor;
-  }
-}
+}  // namespace
+
+MemorylessCost::MemorylessCost(TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options)
+    : complex_(complex),
+      options_(options),
+      face_area_(mean_face_area(complex, options.regularization)),
+      quadric_cost_(complex, restraints, options, face_area_.first()),
+      remembers_(complex.n_vertex_slots()) {}
 
 /// Whether the merged vertex, and its neighbours, get the planes of its faces alone.
 bool MemorylessCost::forgets(const Pair& pair, const PairStar& star) const {
@@ -37,29 +34,31 @@ bool MemorylessCost::forgets(const Pair& pair, const PairStar& star) const {
 }
 
 Vec3 MemorylessCost::place(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) {
-  ring_is_thin_ = false;
-  if (!forgets(pair, star)) return evaluation.position;
+  has_ring_ = forgets(pair, star);
+  if (!has_ring_) return evaluation.position;
   ring_origin_ = evaluation.position;
   ring_.assign(complex_, pair, star, ring_origin_);
-  const StarVolume volume = ring_.volume();
-  ring_is_thin_ = volume.is_thin();
   if (!evaluation.is_minimum) return evaluation.position;
   const SymmetricMatrix sum = complex_.placed(pair.a).quadric.a + complex_.placed(pair.b).quadric.a;
-  return evaluation.position + volume_step(sum, volume);
+  return evaluation.position + volume_step(sum, ring_.volume());
+}
+
+std::optional<bool> MemorylessCost::turns_a_face(const Vec3& position, const FlipLimit& limit) {
+  if (!has_ring_) return std::nullopt;
+  return ring_.move_to(position - ring_origin_, limit, options_);
 }
 
 double MemorylessCost::final_cost(const PairEvaluation& evaluation) const {
-  if (!ring_is_thin_) return evaluation.cost;
+  if (!has_ring_ || !ring_.volume().is_thin()) return evaluation.cost;
   const double displacement_sq = ring_.displacement_sq(evaluation.position - ring_origin_);
   return std::max(evaluation.cost, thin_cost(displacement_sq, face_area_.now(complex_.n_faces())));
 }
 
 PlacedQuadric MemorylessCost::merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) {
-  const bool forgotten = forgets(pair, star);
-  remembers_[pair.a] = remembers_[pair.b] = !forgotten;
-  if (forgotten) {
+  remembers_[pair.a] = remembers_[pair.b] = !has_ring_;
+  if (has_ring_) {
     Quadric quadric;
-    quadric.a = ring_.move_to(evaluation.position - ring_origin_, options_);
+    quadric.a = ring_.planes();
     change_neighbours_on_ring();
     return {evaluation.position, quadric};
   }

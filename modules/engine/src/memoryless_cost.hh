@@ -15,11 +15,14 @@ class MemorylessCost final : public PairCost {
   MemorylessCost(TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options);
 
   using PairCost::evaluate;
-  void evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const override;
+  void evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const override {
+    quadric_cost_.evaluate(pairs, evaluations);
+  }
   Vec3 place(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override;
+  std::optional<bool> turns_a_face(const Vec3& position, const FlipLimit& limit) override;
   double final_cost(const PairEvaluation& evaluation) const override;
   PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override;
-  double dimension() const override { return 5; }
+  double dimension() const override { return quadric_cost_.dimension(); }
   Reach reach() const override { return Reach::ring; }
   bool changes_neighbours() const override { return true; }
 
@@ -37,11 +40,11 @@ class MemorylessCost final : public PairCost {
 
   TriangleComplex& complex_;
   QuadricOptions options_;
-  QuadricCost quadric_cost_;
-  MergedRing ring_;            ///< of the pair placed last, if it forgets
-  Vec3 ring_origin_;           ///< what it is seen from
-  bool ring_is_thin_ = false;  ///< whether what it costs depends on where it goes
   MeanFaceArea face_area_;
+  QuadricCost quadric_cost_;
+  bool has_ring_ = false;        ///< whether the pair placed last forgets
+  MergedRing ring_;              ///< of that pair, then
+  Vec3 ring_origin_;             ///< what it is seen from
   std::vector<bool> remembers_;  ///< per vertex, whether it has planes of faces that there were
   std::vector<Change> changes_;  ///< scratch
 };

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "whittle/engine/flip_limit.hh"
 #include "whittle/engine/pair_evaluation.hh"
 #include "whittle/engine/reach.hh"
 #include "whittle/engine/triangle_complex.hh"
@@ -25,10 +27,15 @@ class PairCost {
   /// Where the merged vertex would best go, now that the faces around are gathered.
   virtual Vec3 place(const Pair&, const PairEvaluation& evaluation, const PairStar&) { return evaluation.position; }
 
+  /// Whether a face around the pair placed last would turn too far with the merged vertex there; nullopt if the cost
+  /// has not looked at the faces.
+  virtual std::optional<bool> turns_a_face(const Vec3& /*position*/, const FlipLimit&) { return std::nullopt; }
+
   /// What contracting the pair placed last costs there: what it was evaluated to, or more.
   virtual double final_cost(const PairEvaluation& evaluation) const { return evaluation.cost; }
 
-  /// Told that the pair placed last is to be contracted. \param star as it was then \return what its vertex is to keep
+  /// Told that the pair placed last is to be contracted, to where its faces were looked at last. \param star as it was
+  /// then \return what its vertex is to keep
   virtual PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) = 0;
 
   /// The power of a length that is the cost's unit.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "level_pairs.hh"
+#include "whittle/engine/memoryless_term.hh"
 
 namespace whittle {
 
@@ -11,8 +12,8 @@ void QuadricCost::evaluate(std::span<const Pair> pairs, std::span<PairEvaluation
     const auto is_edge = [this](const Pair& pair) { return !complex_.is_threshold_pair(pair.id); };
     const auto n_edges =
         static_cast<std::size_t>(std::partition_point(pairs.begin(), pairs.end(), is_edge) - pairs.begin());
-    find_minima(complex_, pairs.first(n_edges), evaluations);
-    find_minima(complex_, pairs.subspan(n_edges), evaluations.subspan(n_edges));
+    find_minima(complex_, pairs.first(n_edges), evaluations, first_area_);
+    find_minima(complex_, pairs.subspan(n_edges), evaluations.subspan(n_edges), first_area_);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       if (!evaluations[i].is_minimum) evaluations[i] = evaluate_one(pairs[i]);
     }
@@ -29,7 +30,14 @@ PlacedQuadric QuadricCost::placed(const Pair& pair, Index v) const {
 
 PairEvaluation QuadricCost::evaluate_one(const Pair& pair) const {
   const Pinned pinned = restraints_.pinned(pair).value_or(Pinned::first);
-  return evaluate_pair(placed(pair, pair.a), placed(pair, pair.b), options_.placement, pinned);
+  const PlacedQuadric first = placed(pair, pair.a);
+  const PlacedQuadric second = placed(pair, pair.b);
+  PairEvaluation evaluation = evaluate_pair(first, second, options_.placement, pinned);
+  if (!first_area_) return evaluation;
+  const double factor = memoryless_factor(first.quadric.a.trace() + second.quadric.a.trace(), *first_area_);
+  evaluation.bound *= factor;
+  evaluation.cost *= factor;
+  return evaluation;
 }
 
 PlacedQuadric QuadricCost::merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar&) {

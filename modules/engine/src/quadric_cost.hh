@@ -9,13 +9,15 @@ namespace whittle {
 /// pairs at once.
 class QuadricCost final : public PairCost {
  public:
-  QuadricCost(const TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options)
-      : complex_(complex), restraints_(restraints), options_(options) {}
+  /// \param first_area if given, costs are those of memoryless quadrics (memoryless_term.hh)
+  QuadricCost(const TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options,
+              std::optional<double> first_area = std::nullopt)
+      : complex_(complex), restraints_(restraints), options_(options), first_area_(first_area) {}
 
   using PairCost::evaluate;
   void evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const override;
   PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override;
-  double dimension() const override { return options_.weights == Weights::uniform ? 2 : 4; }
+  double dimension() const override { return first_area_ ? 5 : options_.weights == Weights::uniform ? 2 : 4; }
   Reach reach() const override { return Reach::none; }
 
  private:
@@ -25,6 +27,7 @@ class QuadricCost final : public PairCost {
   const TriangleComplex& complex_;
   const Restraints& restraints_;
   QuadricOptions options_;
+  std::optional<double> first_area_;
 };
 
 }  // namespace whittle

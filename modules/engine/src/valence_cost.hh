@@ -22,6 +22,9 @@ class ValenceCost final : public PairCost {
   Vec3 place(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override {
     return cost_->place(pair, evaluation, star);
   }
+  std::optional<bool> turns_a_face(const Vec3& position, const FlipLimit& limit) override {
+    return cost_->turns_a_face(position, limit);
+  }
   double final_cost(const PairEvaluation& evaluation) const override { return cost_->final_cost(evaluation); }
   PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override {
     return cost_->merge(pair, evaluation, star);

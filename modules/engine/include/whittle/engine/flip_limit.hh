@@ -12,8 +12,18 @@ class FlipLimit {
  public:
   /// \param max_angle_deg (0, 180]; at 180 only a face that loses its area is too much
   explicit FlipLimit(double max_angle_deg)
-      : signed_min_cosine_sq_(
-            max_angle_deg < 180 ? signed_square<double>(std::cos(max_angle_deg * std::numbers::pi / 180)) : never) {}
+      : least_cosine_(max_angle_deg < 180 ? std::cos(max_angle_deg * std::numbers::pi / 180) : never),
+        signed_min_cosine_sq_(max_angle_deg < 180 ? signed_square<double>(least_cosine_) : never) {}
+
+  /// Between a face's normals before and after; below all cosines if any will do.
+  double least_cosine() const { return least_cosine_; }
+
+  /// Whether faces have an area. \param normal twice that long \param arm, opposite two of their sides
+  template <class Real>
+  [[gnu::always_inline]] static auto has_area(const Real& normal_sq, const PointLanes<Real>& arm,
+                                              const PointLanes<Real>& opposite) {
+    return normal_sq > (no_area_sine_sq * opposite.dot(opposite)) * arm.dot(arm);
+  }
 
   /// Whether the face (corner, x, y) turns further, or loses its area, when its corner moves. A face that has no area
   /// has no direction to keep.
@@ -34,10 +44,9 @@ class FlipLimit {
     // before · after < cos · |before| |after|, without the root.
     const Real cosine = before.dot(after);
     const auto turns = signed_square(cosine) < signed_min_cosine_sq_ * (before_sq * after_sq);
-    const Real no_area_sq = no_area_sine_sq * opposite.dot(opposite);
-    const auto has_area = before_sq > no_area_sq * arm_before.dot(arm_before);
-    const auto loses_area = after_sq <= no_area_sq * arm_after.dot(arm_after);
-    return any((has_area & (turns | loses_area)) != 0);
+    const auto had_area = has_area(before_sq, arm_before, opposite);
+    const auto keeps_area = has_area(after_sq, arm_after, opposite);
+    return any((had_area & (turns | (keeps_area == 0))) != 0);
   }
 
  private:
@@ -51,6 +60,7 @@ class FlipLimit {
     return x * (x < 0 ? -x : x);
   }
 
+  double least_cosine_;
   double signed_min_cosine_sq_;
 };
 

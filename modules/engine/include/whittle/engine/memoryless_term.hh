@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "whittle/engine/lanes.hh"
 #include "whittle/engine/quadric.hh"
 
 // Memoryless quadrics: those of a vertex are the planes of its faces as they are now, not of all it has merged. With E
@@ -43,7 +44,12 @@ struct StarVolume {
 };
 
 /// What to multiply E by. \param weight W \param first_area a₀
-inline double memoryless_factor(double weight, double first_area) { return std::sqrt(weight + 2 * first_area); }
+template <class Real>
+[[gnu::always_inline]] inline Real memoryless_factor(const Real& weight, double first_area) {
+  Real factor = weight + 2 * first_area;
+  take_square_roots(factor);
+  return factor;
+}
 
 /// The least that a contraction costs at a thin part. \param displacement_sq d² \param area a
 inline double thin_cost(double displacement_sq, double area) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "whittle/engine/flip_limit.hh"
 #include "whittle/engine/lanes.hh"
 #include "whittle/engine/memoryless_term.hh"
 #include "whittle/engine/quadric_term.hh"
@@ -37,20 +38,24 @@ class MergedRing {
     first_ = position_of(edge.first) - origin;
     second_ = position_of(edge.second) - origin;
     load_neighbours(origin, position_of);
+    look_at_faces();
   }
 
   std::size_t size() const { return vertices_.size(); }
   Index vertex(std::size_t i) const { return vertices_[i]; }
 
   /// Of the faces as they are, those of both ends included.
-  StarVolume volume() const;
+  const StarVolume& volume() const { return volume_; }
 
   /// How far the faces, and those with the merged vertex at `apex`, are from each other, about: the farthest that an
   /// end is from these, or `apex` from those.
   double displacement_sq(const Vec3& apex) const;
 
-  /// Looks at the faces as they would be with the merged vertex at `apex`. \return the sum of their planes
-  SymmetricMatrix move_to(const Vec3& apex, const QuadricOptions& options);
+  /// Looks at the faces as they would be with the merged vertex at `apex`. \return whether one turns too far
+  /// \pre planes have weights by area
+  bool move_to(const Vec3& apex, const FlipLimit& limit, const QuadricOptions& options);
+  /// The sum of their planes then.
+  const SymmetricMatrix& planes() const { return planes_; }
   /// By how much that changes the planes at the i-th neighbour.
   SymmetricMatrix change(std::size_t i) const {
     SymmetricMatrix change = changes_[i == 0 ? size() - 1 : i - 1].planes + changes_[i].planes;
@@ -61,30 +66,36 @@ class MergedRing {
 
  private:
   using Columns = std::array<std::vector<double>, 3>;
+  /// A column a number, a row a face: so lanes are loaded and stored at once.
+  struct alignas(32) FourFaces {
+    using Lanes = std::array<double, 4>;
+    std::array<Lanes, 3> normal;  ///< of unit length, or zero
+    Lanes length;                 ///< twice the area
+    Lanes had_area;               ///< 1 or 0
+  };
   /// Stored four at a time.
-  struct alignas(32) FacePlanes {
+  struct alignas(32) Change {
     SymmetricMatrix planes;
     std::array<double, 2> unused;
   };
-  struct Shape;
+  struct Kernels;
   static constexpr std::size_t at_once = n_lanes<Double4>;
 
   template <class PositionOf>
   void load_neighbours(const Vec3& origin, const PositionOf& position_of);
-  static StarVolume sum_volume(const Shape& shape);
-  static StarVolume sum_volume_in_wide_registers(const Shape& shape);
-  static SymmetricMatrix sum_planes(const Shape& shape, const Vec3& apex, const QuadricOptions& options,
-                                    MergedRing& ring);
-  static SymmetricMatrix sum_planes_in_wide_registers(const Shape& shape, const Vec3& apex,
-                                                      const QuadricOptions& options, MergedRing& ring);
-  Shape shape() const;
+  void look_at_faces();
+  Vec3 neighbour(std::size_t i) const { return {neighbours_[0][i], neighbours_[1][i], neighbours_[2][i]}; }
 
   std::vector<Index> vertices_;
-  std::size_t n_first_ = 0;             ///< faces at the first end alone; the opposite corners are at places 0 and this
-  Vec3 first_, second_;                 ///< the ends
-  Columns neighbours_;                  ///< the first one again at the end, and some more for lanes to load
-  std::vector<FacePlanes> changes_;     ///< what the faces' planes gain and lose
-  std::array<FacePlanes, 4> vanished_;  ///< of the two faces at both ends, and of two without area
+  std::size_t n_first_ = 0;       ///< faces at the first end alone; the opposite corners are at places 0 and this
+  Vec3 first_, second_;           ///< the ends
+  Columns neighbours_;            ///< the first one again at the end, and some more for lanes to load
+  std::vector<FourFaces> faces_;  ///< at one end, as they are
+  FourFaces common_;              ///< the two at both, and two without area
+  StarVolume volume_;
+  SymmetricMatrix planes_;
+  std::vector<Change> changes_;     ///< what the faces' planes gain and lose
+  std::array<Change, 4> vanished_;  ///< of the two faces at both ends, and of two without area
 };
 
 template <class PositionOf>
@@ -92,9 +103,11 @@ void MergedRing::load_neighbours(const Vec3& origin, const PositionOf& position_
   const std::size_t n = vertices_.size();
   if (changes_.size() < n + at_once) {
     changes_.resize(2 * (n + at_once));
+    faces_.resize(changes_.size() / at_once);
     for (std::vector<double>& column : neighbours_) column.resize(changes_.size() + 1);
   }
-  for (std::size_t i = 0; i <= n + at_once; ++i) {
+  const std::size_t n_loaded = (n + at_once - 1) / at_once * at_once + 1;
+  for (std::size_t i = 0; i < n_loaded; ++i) {
     const Vec3 p = position_of(vertices_[i < n ? i : 0]) - origin;
     neighbours_[0][i] = p.x();
     neighbours_[1][i] = p.y();

@@ -76,6 +76,22 @@ template <class Real>
   return {w.x * x + diagonal, w.x * y, w.x * z, w.y * y + diagonal, w.y * z, w.z * z + diagonal};
 }
 
+/// Faces side by side, each by its plane.
+template <class Real>
+struct FacePlanes {
+  PointLanes<Real> normal;  ///< of unit length; zero if it has no area
+  Real length;              ///< twice the area
+};
+
+/// \param normal (next − corner) × (previous − corner)
+template <class Real>
+[[gnu::always_inline]] inline FacePlanes<Real> face_planes(const PointLanes<Real>& normal) {
+  Real length = normal.dot(normal);
+  take_square_roots(length);
+  const Real inverse = length > 0 ? 1 / length : Real{};
+  return {{normal.x * inverse, normal.y * inverse, normal.z * inverse}, length};
+}
+
 /// Shares of faces (corner, next, previous) in the quadrics of their first corners, about those. Zero for a face
 /// without area.
 template <class Real>
@@ -85,12 +101,8 @@ template <class Real>
                                                                    const QuadricOptions& options) {
   const auto to_next = next - corner;
   const auto to_previous = previous - corner;
-  const auto normal = to_next.cross(to_previous);
-  Real length = normal.dot(normal);  // twice the area
-  take_square_roots(length);
-  const auto has_area = length > 0;
-  const Real inverse = has_area ? 1 / length : Real{};
-  Real weight = has_area ? Real{} + 1 : Real{};
+  const auto [normal, length] = face_planes(to_next.cross(to_previous));
+  Real weight = length > 0 ? Real{} + 1 : Real{};
   if (options.weights != Weights::uniform) weight = 0.5 * length;
   if (options.weights == Weights::area_angle) {
     const Real cosine = to_next.dot(to_previous);
@@ -98,7 +110,7 @@ template <class Real>
     fill_lanes(angle, [&](std::size_t i) { return std::atan2(lane(length, i), lane(cosine, i)); });
     weight *= angle / std::numbers::pi;
   }
-  return plane_quadric({normal.x * inverse, normal.y * inverse, normal.z * inverse}, weight, options);
+  return plane_quadric(normal, weight, options);
 }
 
 inline SymmetricMatrix corner_quadric(const Vec3& corner, const Vec3& next, const Vec3& previous,

@@ -116,7 +116,8 @@ PlacedQuadric ModMemorylessT<MeshT>::merge(VertexHandle first, VertexHandle seco
   }
   find_ring(first, second, evaluation.position);
   Quadric quadric;
-  quadric.a = ring_.move_to(position - evaluation.position, active());
+  ring_.move_to(position - evaluation.position, FlipLimit(180), active());  // how faces turn, modules ask elsewhere
+  quadric.a = ring_.planes();
   for (std::size_t i = 0; i < ring_.size(); ++i) {
     const VertexHandle v(static_cast<int>(ring_.vertex(i)));
     if (!remembers(v)) changes_.push_back({v, ring_.change(i)});
