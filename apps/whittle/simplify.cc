@@ -103,6 +103,7 @@ void polish_result(const SimplifyOptions& options, Run& run) {
   const IndexedMesh& original = run.input.read.mesh;
   Decimation& decimation = run.decimation;
   PolishOptions polish_options{.passes = *options.polish_passes,
+                               .flips = options.effort == Effort::best,
                                .fit_borders = options.decimate.boundary != Boundary::locked,
                                .feature_angle_deg = options.decimate.feature_angle_deg,
                                .features = decimation.feature_edges,
