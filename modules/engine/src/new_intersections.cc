@@ -19,10 +19,14 @@ class MovedMesh {
       : before_(before), limits_(limits), positions_(positions) {
     find_near_pairs(threads);
     intersecting_.resize(pairs_.size());
+    is_flat_.resize(positions.size());
   }
 
   /// Faces that intersect one another, which they didn't before.
   std::vector<Index> intersecting(unsigned threads) {
+    for_each_range(is_flat_.size(), threads, [this](std::size_t begin, std::size_t end) {
+      for (auto v = static_cast<Index>(begin); v < end; ++v) is_flat_[v] = is_flat(v);
+    });
     for_each_range(pairs_.size(), threads, [this](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) intersecting_[i] = intersects_newly(pairs_[i]);
     });
@@ -83,15 +87,48 @@ class MovedMesh {
     const Triangle& s = before_.faces[pair[0]];
     const Triangle& t = before_.faces[pair[1]];
     int n_common = 0;
-    for (const Index v : s)
-      n_common += static_cast<int>(v == t[0]) + static_cast<int>(v == t[1]) + static_cast<int>(v == t[2]);
-    if (n_common > 1) return false;
+    bool is_at_flat_vertex = false;
+    for (const Index v : s) {
+      if (v != t[0] && v != t[1] && v != t[2]) continue;
+      ++n_common;
+      is_at_flat_vertex = is_at_flat_vertex || is_flat_[v] != 0;
+    }
+    if (n_common > 1 || is_at_flat_vertex) return false;
     const auto corners = [](const Triangle& face, std::span<const Vec3> positions) {
       return Corners{positions[face[0]], positions[face[1]], positions[face[2]]};
     };
     const Corners s_now = corners(s, positions_);
     const Corners t_now = corners(t, positions_);
     return intersect(s_now, t_now) && !intersect(corners(s, before_.positions), corners(t, before_.positions));
+  }
+
+  /// Whether the faces at v go once around it, none of them turned over, as seen from one direction: then no two of
+  /// them intersect. That holds for most vertices, and is sooner known than of each two faces.
+  bool is_flat(Index v) const {
+    const std::span<const Corner> corners = before_.corners.of(v);
+    if (corners.empty()) return false;
+    Vec3 up = Vec3::Zero();
+    for (const Corner& corner : corners) up += normal(corner.face, positions_);
+    const auto end = [&](const Corner& corner, Index n) {
+      return corner_after(before_.faces[corner.face], corner.place, n);
+    };
+    const Vec3& center = positions_[v];
+    const Vec3 way = up.cross(positions_[end(corners[0], 1)] - center);
+    int n_along_way = 0;
+    bool is_turned_over = false;
+    std::uint64_t sum = 0;  // of the first ends less the last ones, and of their squares: zero if it is closed
+    std::uint64_t sum_of_squares = 0;
+    for (const Corner& corner : corners) {
+      const std::uint64_t first = end(corner, 1);
+      const std::uint64_t last = end(corner, 2);
+      const Vec3 to_first = positions_[first] - center;
+      const Vec3 to_last = positions_[last] - center;
+      is_turned_over |= !(up.dot(to_first.cross(to_last)) > 0);
+      n_along_way += static_cast<int>(way.dot(to_first) <= 0 && way.dot(to_last) > 0);
+      sum += first - last;
+      sum_of_squares += first * first - last * last;
+    }
+    return !is_turned_over && n_along_way == 1 && sum == 0 && sum_of_squares == 0;
   }
 
   Vec3 normal(Index face, std::span<const Vec3> positions) const {
@@ -116,6 +153,7 @@ class MovedMesh {
   std::vector<Vec3>& positions_;
   std::vector<std::array<Index, 2>> pairs_;
   std::vector<std::uint8_t> intersecting_;  ///< scratch: per pair
+  std::vector<std::uint8_t> is_flat_;       ///< scratch: per vertex
 };
 
 }  // namespace
