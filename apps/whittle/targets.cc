@@ -25,8 +25,8 @@ void add_target_options(CLI::App& app, TargetOptions& options) {
       ->group(target_group);
   add_value(
       app, "--max-cost", "C", options.max_cost, [](std::string_view text) { return parse_number(text, {0}, "C"); },
-      "contract nothing that costs more than C: distance squared times area in model units (distance squared with "
-      "uniform weights), C >= 0")
+      "contract nothing that costs more than C: distance squared times area in model units with plain quadrics "
+      "(distance squared with uniform weights), a length to the fifth with memoryless ones, C >= 0")
       ->default_str("off")
       ->group(target_group);
 }

@@ -30,15 +30,15 @@ namespace whittle {
 struct DecimateTarget {
   std::optional<std::uint64_t> faces{};     ///< Stop once at most this many faces are left.
   std::optional<std::uint64_t> vertices{};  ///< Stop once at most this many vertices are left.
-  std::optional<double> max_cost{};  ///< Contract only what costs at most this: distance² · area in model units
-                                     ///< (distance² with uniform weights). [0, inf).
+  std::optional<double> max_cost{};  ///< Contract only what costs at most this, in the unit of the cost (`Cost`), by
+                                     ///< model units. [0, inf).
 };
 
 /// What ranks and places contractions.
 enum class Cost {
   quadric,     ///< Garland–Heckbert (quadric_term.hh): distance to all planes merged so far. Unit: distance² · area
                ///< (distance² with uniform weights)
-  memoryless,  ///< quadrics of the faces as they are, the volume kept (memoryless_term.hh). Unit: as `quadric`
+  memoryless,  ///< quadrics of the faces as they are, the volume kept (memoryless_term.hh). Unit: length⁵
   lindstrom_turk,  ///< Lindstrom–Turk (lindstrom_turk.hh): change of volume against the faces as they are. Unit:
                    ///< length⁶
   midpoint         ///< the edge's length, to its middle. Unit: length

@@ -38,7 +38,7 @@ class PairCostModuleT {
   virtual bool has_placement() const = 0;
 
   virtual const Frame& frame() const = 0;
-  /// The power of a length that is the unit of costs: 4 for distance² · area, 2 for distance².
+  /// The power of a length that is the unit of costs: 4 for distance² · area, 2 for distance², say.
   virtual double cost_dimension() const = 0;
   /// Largest cost allowed, model units.
   virtual std::optional<double> max_cost() const = 0;
