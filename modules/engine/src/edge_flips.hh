@@ -13,8 +13,9 @@ namespace whittle {
 /// Flips edges of a mesh, each the common side of two faces that becomes the other diagonal of their four corners,
 /// where that lessens the sum of the squared distances of the points that have their feet in the two. None is flipped
 /// where that would turn a face over, or faces to one another more than is allowed, make an edge that is there already,
-/// a vertex with fewer than four or more than nine faces, or faces intersect; nor is any edge of a line. \param samples
-/// points with feet on the mesh, which are moved along \param groups per face or empty: edges between groups stay
+/// a vertex with fewer than four or more than nine faces, or faces intersect; nor is any edge of a line.
+/// \param groups per face or empty: edges between groups stay
+/// \param samples points with feet on the mesh, which are moved along
 /// \return the faces, most of them as they were
 std::vector<Triangle> flip_edges(const Surface& mesh, const FaceNeighbors& neighbors, const TurnLimits& limits,
                                  const MeshLines& lines, std::span<const Index> groups, SurfaceSamples& samples,

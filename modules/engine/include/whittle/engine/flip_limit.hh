@@ -18,7 +18,7 @@ class FlipLimit {
   /// Between a face's normals before and after; below all cosines if any will do.
   double least_cosine() const { return least_cosine_; }
 
-  /// Whether faces have an area. \param normal twice that long \param arm, opposite two of their sides
+  /// Whether faces have an area. \param normal_sq the square of twice that \param arm, opposite two of their sides
   template <class Real>
   [[gnu::always_inline]] static auto has_area(const Real& normal_sq, const PointLanes<Real>& arm,
                                               const PointLanes<Real>& opposite) {

@@ -20,7 +20,8 @@
 // of their squares is added, as if the line were a strip of surface.
 //
 // A vertex moves less far, or not at all, where that would turn a face over, or fold two neighbours (bring their
-// normals more than 120° apart, and further than they were), or take it from the planes of its own faces, or from its
+// normals more than 120° apart, and further than they were; where both were less than 90° apart and neither has turned
+// by 26°, this isn't looked at, and they end below 142°), or take it from the planes of its own faces, or from its
 // lines, by more than the surface or the lines are off there anyway (corners stay corners), or from where it was by a
 // seventh of an edge. Then moves are taken back at vertices whose lines have come to be further from the original's
 // than these were anywhere, and around faces that have come to intersect others. In the end the distance between the

@@ -22,9 +22,10 @@ class PairDecimaterT;
 ///
 /// A candidate is an edge, named by its first halfedge, when the cost module places the merged vertex; with a foreign
 /// cost it is a halfedge, from the vertex that would vanish. It is in one of three states:
-///   queued    under its cost, or under the final one, if that was seen to be higher. Whatever may lower the cost
-///   (`Reach`) queues it anew, which invalidates the old entry; waiting   a guard or a module refused it. Woken when a
-///   vertex at or beside it changes; gone      its edge is deleted.
+///   - queued: under its cost, or under the final one, if that was seen to be higher. Whatever may lower the cost
+///     (`Reach`) queues it anew, which invalidates the old entry;
+///   - waiting: a guard or a module refused it. Woken when a vertex at or beside it changes;
+///   - gone: its edge is deleted.
 template <class MeshT>
 class MeshContractionLoopT {
  public:

@@ -8,9 +8,10 @@
 // Memoryless quadrics as a cost module for OpenMesh's decimaters: the engine's term (memoryless_term.hh), with the same
 // numbers in every bit.
 //
-//   cost = E sqrt(W + 2 a₀), E the minimum of E₀ + E₁, W their weight, a₀ the mean area of faces, or more at thin
-//   parts; v̄ where E is least, x*, and a step that keeps the volume;  unit: length⁵ With a valence weight: times a
-//   penalty (valence_term.hh).
+//   cost = E sqrt(W + 2 a₀), E the minimum of E₀ + E₁, W their weight, a₀ the mean area of faces;  unit: length⁵
+//   v̄ = x*, where E is least, and a step that keeps the volume
+//
+// At thin parts the cost is more. With a valence weight it is multiplied by a penalty (valence_term.hh).
 //
 // E₀ and E₁ are of the planes of the faces as they are. A contraction changes those of the merged vertex and of its
 // neighbours, and so the costs of all pairs at these. `PairDecimaterT` ranks them anew. OpenMesh's own decimaters rank

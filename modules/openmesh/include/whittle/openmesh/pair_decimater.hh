@@ -59,9 +59,8 @@ class MeshContractionLoopT;
 ///     asked about both stars where the merged vertex moves, with v̄ as `p1`.
 ///   - Of a pair with one locked vertex the other one vanishes; with `only_selected`, vertices that aren't selected
 ///     count as locked.
-///   - A vertex with two feature edges moves along them only, from vertex to vertex; one with another number of them,
-///   or
-///     with the feature bit and none, stays. Lines keep their loops and stay near to where they were.
+///   - A vertex with two feature edges moves along them only, from vertex to vertex; one with another number of them
+///     stays, and so does one with the feature bit and none. Lines keep their loops and stay near to where they were.
 ///   - Counts are those of what isn't deleted. Vertices without a face don't count, copies of a vertex as one.
 ///   - Copies of a vertex (`vertex_copies.hh`) that are at one position are one vertex to the engine driver. The mesh
 ///     driver can't move them together, so it neither moves nor removes them.
