@@ -33,13 +33,17 @@ class Peer {
 };
 
 /// The names `make_peer` knows, in the order of the table: those that were asked for when the benchmark was built.
-/// "whittle:N" is whittle on N threads.
+/// "whittle:N" is whittle on N threads, and so with "whittle-normal" and "whittle-best".
 std::vector<std::string> peer_names();
 /// \throw std::invalid_argument for a name that isn't among them
 std::unique_ptr<Peer> make_peer(std::string_view name);
 
+/// As the program's.
+enum class WhittleEffort { fast, normal, best };
+std::string_view name_of(WhittleEffort effort);
+
 // A file each; both of CGAL in one.
-std::unique_ptr<Peer> make_whittle(unsigned threads);
+std::unique_ptr<Peer> make_whittle(WhittleEffort effort, unsigned threads);
 std::unique_ptr<Peer> make_meshoptimizer();
 std::unique_ptr<Peer> make_openmesh();
 std::unique_ptr<Peer> make_pair_decimater();

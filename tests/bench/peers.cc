@@ -12,7 +12,9 @@ using Factory = std::function<std::unique_ptr<Peer>()>;
 /// WHITTLE_BENCH_HAS_… comes from CMake.
 const std::vector<std::pair<std::string, Factory>>& factories() {
   static const std::vector<std::pair<std::string, Factory>> all = {
-      {"whittle", [] { return make_whittle(1); }},
+      {"whittle", [] { return make_whittle(WhittleEffort::fast, 1); }},
+      {"whittle-normal", [] { return make_whittle(WhittleEffort::normal, 1); }},
+      {"whittle-best", [] { return make_whittle(WhittleEffort::best, 1); }},
 #ifdef WHITTLE_BENCH_HAS_MESHOPTIMIZER
       {"meshoptimizer", make_meshoptimizer},
 #endif
@@ -32,13 +34,18 @@ const std::vector<std::pair<std::string, Factory>>& factories() {
   return all;
 }
 
-/// N of "whittle:N", 0 for any other name.
-unsigned threads_of(std::string_view name) {
-  constexpr std::string_view prefix = "whittle:";
-  if (!name.starts_with(prefix)) return 0;
-  const std::string digits(name.substr(prefix.size()));
+/// Whittle on so many threads, for "NAME:N" with one of its names; null for any other name.
+std::unique_ptr<Peer> whittle_on_threads(std::string_view name) {
+  const std::size_t colon = name.find(':');
+  if (colon == name.npos) return nullptr;
+  const std::string digits(name.substr(colon + 1));
   const bool is_number = !digits.empty() && digits.size() <= 3 && digits.find_first_not_of("0123456789") == digits.npos;
-  return is_number ? static_cast<unsigned>(std::stoul(digits)) : 0;
+  const unsigned threads = is_number ? static_cast<unsigned>(std::stoul(digits)) : 0;
+  if (threads == 0) return nullptr;
+  for (const WhittleEffort effort : {WhittleEffort::fast, WhittleEffort::normal, WhittleEffort::best}) {
+    if (name.substr(0, colon) == name_of(effort)) return make_whittle(effort, threads);
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -50,7 +57,7 @@ std::vector<std::string> peer_names() {
 }
 
 std::unique_ptr<Peer> make_peer(std::string_view name) {
-  if (const unsigned threads = threads_of(name)) return make_whittle(threads);
+  if (std::unique_ptr<Peer> whittle = whittle_on_threads(name)) return whittle;
   std::string known;
   for (const auto& [known_name, factory] : factories()) {
     if (known_name == name) return factory();

@@ -111,8 +111,11 @@ Program our_program(const Options& options, const fs::path& input, bool all_core
   program.output = folder / (is_ply ? "output.ply" : "output.obj");
   program.report = folder / "whittle.json";
   program.report_option = {"--json", program.report};
-  program.command = {options.whittle, "simplify", input,     "-o",
-                     program.output,  "--quiet",  "--ratio", formatted("%g", options.ratio)};
+  program.command = {options.whittle, "simplify",
+                     "--effort",      "fast",
+                     input,           "-o",
+                     program.output,  "--quiet",
+                     "--ratio",       formatted("%g", options.ratio)};
   if (!all_cores) program.command.insert(program.command.end(), {"--threads", "1"});
   return program;
 }

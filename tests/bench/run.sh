@@ -42,13 +42,13 @@ arguments+=(--commit "$commit")
 # what_it_takes PEER: the name it has for CMake and its Debian package; nothing for what the project has anyway.
 what_it_takes() {
   case $1 in
-    whittle | whittle:* | openmesh | pair-decimater) ;;
+    whittle | whittle:* | whittle-normal* | whittle-best* | openmesh | pair-decimater) ;;
     meshoptimizer) echo meshoptimizer libmeshoptimizer-dev ;;
     cgal-lindstrom-turk | cgal-garland-heckbert) echo cgal libcgal-dev ;;
     vtk) echo vtk libvtk9-dev ;;
     open3d) echo open3d libopen3d-dev ;;
-    *) fail "no peer '$1'; there are whittle, whittle:N (N threads), meshoptimizer, openmesh, pair-decimater," \
-      "cgal-lindstrom-turk, cgal-garland-heckbert, vtk, open3d" ;;
+    *) fail "no peer '$1'; there are whittle, whittle-normal, whittle-best, each with :N (N threads), meshoptimizer, openmesh," \
+      "pair-decimater, cgal-lindstrom-turk, cgal-garland-heckbert, vtk, open3d" ;;
   esac
 }
 
