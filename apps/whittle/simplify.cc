@@ -107,6 +107,7 @@ void polish_result(const SimplifyOptions& options, Run& run) {
                                .fit_borders = options.decimate.boundary != Boundary::locked,
                                .feature_angle_deg = options.decimate.feature_angle_deg,
                                .features = decimation.feature_edges,
+                               .min_radius_ratio = options.decimate.min_radius_ratio,
                                .threads = options.common.threads};
   std::vector<VertexPair> original_features;
   if (!decimation.feature_edges.empty()) {

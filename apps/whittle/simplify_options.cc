@@ -170,7 +170,7 @@ void add_cost_options(CLI::App& app, SimplifyOptions& options) {
       [](std::string_view text) { return static_cast<unsigned>(parse_count(text, 0, 1000)); },
       "passes that fit the result to the mesh it came from; one that doesn't help is taken back, and ends them (0: "
       "none)")
-      ->default_str("by --effort; 0 with --placement or --min-radius-ratio")
+      ->default_str("by --effort; 0 with a --placement of its own")
       ->group(cost_group);
   add_choice<Engine>(app, "--engine", options.engine, engines,
                      "where the work is done; openmesh: the same cost as a module in OpenMesh's own decimater")
@@ -219,7 +219,7 @@ bool needs_plain_quadrics(const SimplifyOptions& options) {
 
 unsigned passes_of(const SimplifyOptions& options) {
   const bool has_own_places = options.decimate.quadric.placement != Placement::optimal;
-  if (options.effort == Effort::fast || has_own_places || options.decimate.min_radius_ratio > 0) return 0;
+  if (options.effort == Effort::fast || has_own_places) return 0;
   return options.effort == Effort::best ? 3 : 1;
 }
 

@@ -169,6 +169,7 @@ TEST(SimplifyCosts, FacesGetNoThinnerThanAllowed) {
   EXPECT_LT(least(with(blob, "10%", {}).mesh), limit);
   const Simplified guarded = with(blob, "10%", {"--min-radius-ratio", "0.4"});
   EXPECT_GE(least(guarded.mesh), limit - 1e-6) << "but for the rounding of PLY";
+  EXPECT_EQ(guarded.report["polish"]["passes"], 1);
   EXPECT_GT(guarded.report["rejections"]["shape"], 0);
 }
 

@@ -10,6 +10,7 @@
 #include "triangle_intersection.hh"
 #include "whittle/engine/nearest_on_triangle.hh"
 #include "whittle/engine/parallel.hh"
+#include "whittle/engine/radius_ratio.hh"
 
 namespace whittle {
 namespace {
@@ -33,7 +34,7 @@ struct Flip {
 
 class EdgeFlips {
  public:
-  EdgeFlips(const Surface& mesh, const FaceNeighbors& neighbors, const TurnLimits& limits, const MeshLines& lines,
+  EdgeFlips(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits, const MeshLines& lines,
             std::span<const Index> groups, SurfaceSamples& samples)
       : mesh_(mesh),
         neighbors_(neighbors),
@@ -64,7 +65,7 @@ class EdgeFlips {
           const double now = squares[f] + squares[other];
           if (now < least_squares(f, place) || !keeps_surface(f, place)) continue;
           const double gain = now - squares_after(f, place, most_left * now);
-          if (gain > 0 && turns_little(f, place)) gains[f][place] = gain;
+          if (gain > 0 && turns_little(f, place) && !makes_thin(f, place)) gains[f][place] = gain;
         }
       }
     });
@@ -249,6 +250,16 @@ class EdgeFlips {
     const auto& [a, b, c] = face;
     return (mesh_.positions[b] - mesh_.positions[a]).cross(mesh_.positions[c] - mesh_.positions[a]);
   }
+  bool makes_thin(Index f, Index place) const {
+    const auto least = [this](const Faces& faces) {
+      const auto ratio = [this](const Triangle& face) {
+        return radius_ratio(mesh_.positions[face[0]], mesh_.positions[face[1]], mesh_.positions[face[2]]);
+      };
+      return std::min(ratio(faces[0]), ratio(faces[1]));
+    };
+    const Index other = neighbors_.beyond(f, place).face;
+    return limits_.forbid_thinning(least({mesh_.faces[f], mesh_.faces[other]}), least(faces_after(f, place)));
+  }
   bool turns_little(Index f, Index place) const {
     const Index other = neighbors_.beyond(f, place).face;
     const Faces after = faces_after(f, place);
@@ -301,7 +312,7 @@ class EdgeFlips {
 
   const Surface& mesh_;
   const FaceNeighbors& neighbors_;
-  const TurnLimits& limits_;
+  const FaceLimits& limits_;
   const MeshLines& lines_;
   std::span<const Index> groups_;
   SurfaceSamples& samples_;
@@ -314,7 +325,7 @@ class EdgeFlips {
 
 }  // namespace
 
-std::vector<Triangle> flip_edges(const Surface& mesh, const FaceNeighbors& neighbors, const TurnLimits& limits,
+std::vector<Triangle> flip_edges(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits,
                                  const MeshLines& lines, std::span<const Index> groups, SurfaceSamples& samples,
                                  unsigned threads) {
   EdgeFlips flips(mesh, neighbors, limits, lines, groups, samples);

@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
+#include "face_limits.hh"
 #include "mesh_lines.hh"
 #include "surface_samples.hh"
 #include "surface_walk.hh"
-#include "turn_limits.hh"
 
 namespace whittle {
 
@@ -17,7 +17,7 @@ namespace whittle {
 /// \param groups per face or empty: edges between groups stay
 /// \param samples points with feet on the mesh, which are moved along
 /// \return the faces, most of them as they were
-std::vector<Triangle> flip_edges(const Surface& mesh, const FaceNeighbors& neighbors, const TurnLimits& limits,
+std::vector<Triangle> flip_edges(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits,
                                  const MeshLines& lines, std::span<const Index> groups, SurfaceSamples& samples,
                                  unsigned threads);
 

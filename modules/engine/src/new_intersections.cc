@@ -7,6 +7,7 @@
 #include "overlapping_boxes.hh"
 #include "triangle_intersection.hh"
 #include "whittle/engine/parallel.hh"
+#include "whittle/engine/radius_ratio.hh"
 
 namespace whittle {
 namespace {
@@ -15,7 +16,7 @@ using Corners = std::array<Vec3, 3>;
 
 class MovedMesh {
  public:
-  MovedMesh(const Surface& before, const TurnLimits& limits, std::vector<Vec3>& positions, unsigned threads)
+  MovedMesh(const Surface& before, const FaceLimits& limits, std::vector<Vec3>& positions, unsigned threads)
       : before_(before), limits_(limits), positions_(positions) {
     find_near_pairs(threads);
     intersecting_.resize(pairs_.size());
@@ -37,11 +38,15 @@ class MovedMesh {
     return faces;
   }
 
-  /// Those of the faces that are turned further than is allowed.
-  std::vector<Index> turned(std::span<const Index> faces) const {
+  /// Those of the faces that are turned further than is allowed, or too thin, and neighbours that they are turned to.
+  std::vector<Index> spoiled(std::span<const Index> faces) const {
     std::vector<Index> found;
-    std::copy_if(faces.begin(), faces.end(), std::back_inserter(found),
-                 [this](Index f) { return is_turned(f) || turns_to_a_neighbor(f); });
+    for (const Index f : faces) {
+      if (is_turned(f) || is_thinned(f)) found.push_back(f);
+      for (Index place = 0; place < 3; ++place) {
+        if (turns_to_neighbor(f, place)) found.insert(found.end(), {f, limits_.beyond(f, place)});
+      }
+    }
     return found;
   }
 
@@ -140,16 +145,19 @@ class MovedMesh {
   bool is_turned(Index face) const {
     return cosine(normal(face, positions_), normal(face, before_.positions)) < least_turn_cosine;
   }
-  bool turns_to_a_neighbor(Index face) const {
-    const auto normal_at = [this](Index f, bool is_now) {
+  bool is_thinned(Index face) const {
+    const auto& [a, b, c] = before_.faces[face];
+    const auto ratio = [&, a = a, b = b, c = c](std::span<const Vec3> at) { return radius_ratio(at[a], at[b], at[c]); };
+    return limits_.forbid_thinning(ratio(before_.positions), ratio(positions_));
+  }
+  bool turns_to_neighbor(Index face, Index place) const {
+    return limits_.forbid(face, place, [this](Index f, bool is_now) {
       return normal(f, is_now ? std::span<const Vec3>(positions_) : before_.positions);
-    };
-    return limits_.forbid(face, 0, normal_at) || limits_.forbid(face, 1, normal_at) ||
-           limits_.forbid(face, 2, normal_at);
+    });
   }
 
   const Surface& before_;
-  const TurnLimits& limits_;
+  const FaceLimits& limits_;
   std::vector<Vec3>& positions_;
   std::vector<std::array<Index, 2>> pairs_;
   std::vector<std::uint8_t> intersecting_;  ///< scratch: per pair
@@ -158,12 +166,12 @@ class MovedMesh {
 
 }  // namespace
 
-void take_back_intersections(const Surface& before, const TurnLimits& limits, std::vector<Vec3>& positions,
+void take_back_intersections(const Surface& before, const FaceLimits& limits, std::vector<Vec3>& positions,
                              std::span<const Index> taken_back, unsigned threads) {
   MovedMesh mesh(before, limits, positions, threads);
   std::vector<Index> changed = mesh.faces_at(taken_back);
   for (;;) {
-    std::vector<Index> wrong = mesh.turned(changed);
+    std::vector<Index> wrong = mesh.spoiled(changed);
     const std::vector<Index> intersecting = mesh.intersecting(threads);
     wrong.insert(wrong.end(), intersecting.begin(), intersecting.end());
     if (wrong.empty()) return;

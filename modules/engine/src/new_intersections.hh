@@ -1,7 +1,7 @@
 #pragma once
 
+#include "face_limits.hh"
 #include "surface_walk.hh"
-#include "turn_limits.hh"
 
 namespace whittle {
 
@@ -11,7 +11,7 @@ namespace whittle {
 /// \param before the mesh and where its vertices were
 /// \param positions where they are now
 /// \param taken_back vertices that have been put back already
-void take_back_intersections(const Surface& before, const TurnLimits& limits, std::vector<Vec3>& positions,
+void take_back_intersections(const Surface& before, const FaceLimits& limits, std::vector<Vec3>& positions,
                              std::span<const Index> taken_back, unsigned threads);
 
 }  // namespace whittle

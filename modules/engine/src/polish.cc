@@ -53,6 +53,9 @@ void check(const IndexedMesh& original, std::span<const Index> vertex_map, const
   if (!(options.feature_angle_deg > 0 && options.feature_angle_deg <= 180)) {
     throw std::invalid_argument("polish: feature_angle_deg is not in (0, 180]");
   }
+  if (!(options.min_radius_ratio >= 0 && options.min_radius_ratio <= 1)) {
+    throw std::invalid_argument("polish: min_radius_ratio is not in [0, 1]");
+  }
 }
 
 /// The border, and those of the features that have two faces.
@@ -107,13 +110,13 @@ struct Connectivity {
   std::vector<Triangle> faces;
   VertexCorners corners;
   FaceNeighbors neighbors;
-  TurnLimits limits;
+  FaceLimits limits;
 
   Connectivity(std::vector<Triangle> the_faces, std::size_t n_vertices, const PolishOptions& options)
       : faces(std::move(the_faces)),
         corners(faces, n_vertices),
         neighbors(faces, corners),
-        limits(neighbors, options.features, options.feature_angle_deg) {}
+        limits(neighbors, options.features, options.feature_angle_deg, options.min_radius_ratio) {}
   Connectivity(const Connectivity&) = delete;
   Connectivity& operator=(const Connectivity&) = delete;
 
@@ -231,7 +234,7 @@ PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_m
   result.rms_before = polisher.rms();
   while (result.n_passes < options.passes && polisher.pass()) ++result.n_passes;
   result.rms_after = polisher.rms();
-  result.n_moved = polisher.write(mesh);
+  if (result.n_passes > 0) result.n_moved = polisher.write(mesh);
   return result;
 }
 

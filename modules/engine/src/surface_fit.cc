@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "whittle/engine/radius_ratio.hh"
+
 namespace whittle {
 namespace {
 
@@ -46,7 +48,7 @@ Vec3 across(const Vec3& way, const Vec3& x) {
 }  // namespace
 
 SurfaceFit::SurfaceFit(const std::vector<Triangle>& faces, const VertexCorners& corners, const FaceNeighbors& neighbors,
-                       const TurnLimits& limits, const MeshLines& lines, const std::vector<std::uint8_t>& is_fixed)
+                       const FaceLimits& limits, const MeshLines& lines, const std::vector<std::uint8_t>& is_fixed)
     : faces_(faces), corners_(corners), neighbors_(neighbors), limits_(limits), lines_(lines), is_fixed_(is_fixed) {}
 
 void SurfaceFit::start(std::vector<Vec3>& positions) {
@@ -112,7 +114,7 @@ void SurfaceFit::sweep() {
     Vec3 move = wanted_move(v, pull);
     int n_halvings = 0;
     while (n_halvings < most_halvings &&
-           (is_too_far(moves_[v] + move, pull) || turns_a_face(v, (*positions_)[v] + move))) {
+           (is_too_far(moves_[v] + move, pull) || spoils_a_face(v, (*positions_)[v] + move))) {
       move *= 0.5;
       ++n_halvings;
     }
@@ -178,8 +180,8 @@ bool SurfaceFit::is_too_far(const Vec3& moved, const Pull& pull) const {
          moved.squaredNorm() > most_area * pull.area;
 }
 
-/// Against how the faces are now, and how they were at the start; and to their neighbours.
-bool SurfaceFit::turns_a_face(Index v, const Vec3& to) const {
+/// Whether a face turns too far, against how it is now, how it was at the start, or to a neighbour; or gets thin.
+bool SurfaceFit::spoils_a_face(Index v, const Vec3& to) const {
   const std::vector<Vec3>& positions = *positions_;
   for (const auto& [f, place] : corners_.of(v)) {
     const Vec3& x = positions[corner_after(faces_[f], place, 1)];
@@ -191,6 +193,9 @@ bool SurfaceFit::turns_a_face(Index v, const Vec3& to) const {
     if (!(along > least_turn_cosine * length) || !(after.dot(before) > least_turn_cosine * length * before.norm()))
       return true;
     if (along < wary_[f] * length && turns_to_a_neighbor(f, v, to)) return true;
+    if (limits_.may_be_thin(length, x - to, y - to) &&
+        limits_.forbid_thinning(radius_ratio(positions[v], x, y), radius_ratio(to, x, y)))
+      return true;
   }
   return false;
 }

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "face_limits.hh"
 #include "foot_finder.hh"
 #include "line_samples.hh"
-#include "turn_limits.hh"
 #include "vertex_corners.hh"
 #include "whittle/engine/quadric.hh"
 
@@ -17,7 +17,7 @@ class SurfaceFit {
  public:
   /// Keeps references to all. \param is_fixed per vertex, whether it stays
   SurfaceFit(const std::vector<Triangle>& faces, const VertexCorners& corners, const FaceNeighbors& neighbors,
-             const TurnLimits& limits, const MeshLines& lines, const std::vector<std::uint8_t>& is_fixed);
+             const FaceLimits& limits, const MeshLines& lines, const std::vector<std::uint8_t>& is_fixed);
 
   /// Takes where the vertices are, and forgets all points.
   void start(std::vector<Vec3>& positions);
@@ -63,14 +63,14 @@ class SurfaceFit {
   void add_lines(Index v, Pull& pull) const;
   Vec3 wanted_move(Index v, const Pull& pull) const;
   bool is_too_far(const Vec3& moved, const Pull& pull) const;
-  bool turns_a_face(Index v, const Vec3& to) const;
+  bool spoils_a_face(Index v, const Vec3& to) const;
   bool turns_to_a_neighbor(Index face, Index v, const Vec3& to) const;
   Vec3 area_normal(Index face, Index v, const Vec3& to) const;
 
   const std::vector<Triangle>& faces_;
   const VertexCorners& corners_;
   const FaceNeighbors& neighbors_;
-  const TurnLimits& limits_;
+  const FaceLimits& limits_;
   const MeshLines& lines_;
   const std::vector<std::uint8_t>& is_fixed_;
   std::vector<Vec3>* positions_ = nullptr;

@@ -12,7 +12,9 @@
 #include "support/shapes.hh"
 #include "support/suites.hh"
 #include "whittle/engine/decimate.hh"
+#include "whittle/engine/feature_edges.hh"
 #include "whittle/engine/polish.hh"
+#include "whittle/engine/radius_ratio.hh"
 #include "whittle/metrics/self_intersections.hh"
 #include "whittle/metrics/shape.hh"
 
@@ -25,14 +27,17 @@ struct Polished {
   IndexedMesh after;
 };
 
-Polished polished(const IndexedMesh& original, double ratio, unsigned passes) {
+Polished polished(const IndexedMesh& original, double ratio, const PolishOptions& polish_options) {
   DecimateOptions options;
   options.cost = Cost::memoryless;
   Decimation d = decimate(
       original, {.faces = static_cast<std::uint64_t>(ratio * static_cast<double>(original.faces.size()))}, options);
   Polished both{d.mesh, std::move(d.mesh)};
-  polish(original, d.vertex_map, both.after, {.passes = passes});
+  polish(original, d.vertex_map, both.after, polish_options);
   return both;
+}
+Polished polished(const IndexedMesh& original, double ratio, unsigned passes) {
+  return polished(original, ratio, PolishOptions{.passes = passes});
 }
 
 std::vector<NamedMesh> rough_meshes() {
@@ -51,6 +56,39 @@ TEST(PolishGuards, MakeNoFolds) {
       SCOPED_TRACE(name + " to " + std::to_string(ratio));
       const Polished mesh = polished(original, ratio, 3);
       EXPECT_LE(metrics::shape(mesh.after).folds, metrics::shape(mesh.before).folds);
+    }
+  }
+}
+
+/// With a limit above it on the angle between two faces that flips may leave.
+TEST(PolishGuards, MakeNoFoldsByFlips) {
+  for (const auto& [name, original] : rough_meshes()) {
+    for (const double angle_deg : {150.0, 175.0}) {
+      SCOPED_TRACE(name + ", " + std::to_string(angle_deg));
+      const PolishOptions options{.passes = 3, .flips = true, .feature_angle_deg = angle_deg};
+      const Polished mesh = polished(original, 0.5, options);
+      const auto n_folds = [](const IndexedMesh& m) { return feature_edges(m, 121).size(); };
+      EXPECT_LE(n_folds(mesh.after), n_folds(mesh.before));
+    }
+  }
+}
+
+TEST(PolishGuards, MakeNoThinFaces) {
+  const auto least = [](const IndexedMesh& mesh) {
+    double ratio = 1;
+    for (const auto& [a, b, c] : mesh.faces) {
+      ratio = std::min(ratio, radius_ratio(mesh.positions[a], mesh.positions[b], mesh.positions[c]));
+    }
+    return ratio;
+  };
+  for (const auto& [name, original] : rough_meshes()) {
+    for (const double limit : {0.0, 0.2}) {
+      for (const bool flips : {false, true}) {
+        SCOPED_TRACE(name + ", " + std::to_string(limit));
+        const Polished mesh = polished(original, 0.4, {.passes = 3, .flips = flips, .min_radius_ratio = limit});
+        EXPECT_NE(mesh.after.positions, mesh.before.positions);
+        EXPECT_GE(least(mesh.after), std::min(std::max(limit, 1e-3), least(mesh.before)) * (1 - 1e-9));
+      }
     }
   }
 }
@@ -94,7 +132,7 @@ TEST(PolishGuards, TakeBackWhateverIntersects) {
     SCOPED_TRACE(name);
     const VertexCorners corners(mesh);
     const FaceNeighbors neighbors(mesh.faces, corners);
-    const TurnLimits limits(neighbors, {}, 180);
+    const FaceLimits limits(neighbors, {}, 180);
     IndexedMesh moved = mesh;
     const double length = 0.3 * metrics::shape(mesh).edge_length_mean;
     for (Vec3& p : moved.positions) p += random.uniform_vector(-length, length);
@@ -118,7 +156,7 @@ TEST(PolishGuards, TakeNothingBackWhereNothingIntersects) {
   const IndexedMesh mesh = sphere(3);
   const VertexCorners corners(mesh);
   const FaceNeighbors neighbors(mesh.faces, corners);
-  const TurnLimits limits(neighbors, {}, 180);
+  const FaceLimits limits(neighbors, {}, 180);
   const std::vector<Vec3> moved = noisy_sphere(3, 0.02, 1).positions;
   std::vector<Vec3> positions = moved;
   take_back_intersections({mesh.faces, corners, mesh.positions}, limits, positions, {}, 1);

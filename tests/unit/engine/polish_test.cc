@@ -253,6 +253,7 @@ TEST(Polish, SaysWhatIsWrong) {
   EXPECT_THROW(polish(original, map, mesh), std::invalid_argument);
   const std::vector<std::uint8_t> locked(1);
   EXPECT_THROW(polish(original, d.vertex_map, mesh, {.locked = locked}), std::invalid_argument);
+  EXPECT_THROW(polish(original, d.vertex_map, mesh, {.min_radius_ratio = 1.1}), std::invalid_argument);
   EXPECT_EQ(polish(original, d.vertex_map, mesh, {.passes = 0}).n_moved, 0U);
   EXPECT_EQ(mesh.positions, d.mesh.positions);
   EXPECT_EQ(polish({}, {}, mesh).n_moved, 0U) << "nothing to fit it to";

@@ -44,7 +44,9 @@ struct PolishOptions {
   double feature_angle_deg = 180;
   std::span<const VertexPair> features{};           ///< of the simplified mesh, as `Decimation::feature_edges`
   std::span<const VertexPair> original_features{};  ///< what these were made from: `feature_edges` of the original
-  unsigned threads = 0;                             ///< 0 = all cores; the result is the same
+  /// No face gets a smaller radius ratio (radius_ratio.hh) than this, or 0.001, unless it had a smaller one. [0, 1].
+  double min_radius_ratio = 0;
+  unsigned threads = 0;  ///< 0 = all cores; the result is the same
 };
 
 struct PolishResult {

@@ -101,7 +101,8 @@ template <class Real>
                                                                    const QuadricOptions& options) {
   const auto to_next = next - corner;
   const auto to_previous = previous - corner;
-  const auto [normal, length] = face_planes(to_next.cross(to_previous));
+  const FacePlanes<Real> plane = face_planes(to_next.cross(to_previous));
+  const Real& length = plane.length;
   Real weight = length > 0 ? Real{} + 1 : Real{};
   if (options.weights != Weights::uniform) weight = 0.5 * length;
   if (options.weights == Weights::area_angle) {
@@ -110,7 +111,7 @@ template <class Real>
     fill_lanes(angle, [&](std::size_t i) { return std::atan2(lane(length, i), lane(cosine, i)); });
     weight *= angle / std::numbers::pi;
   }
-  return plane_quadric(normal, weight, options);
+  return plane_quadric(plane.normal, weight, options);
 }
 
 inline SymmetricMatrix corner_quadric(const Vec3& corner, const Vec3& next, const Vec3& previous,

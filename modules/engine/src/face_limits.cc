@@ -1,12 +1,17 @@
-#include "turn_limits.hh"
+#include "face_limits.hh"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace whittle {
 
-TurnLimits::TurnLimits(const FaceNeighbors& neighbors, std::span<const VertexPair> features, double feature_angle_deg)
-    : neighbors_(neighbors), least_cosine_(least_fold_cosine) {
+FaceLimits::FaceLimits(const FaceNeighbors& neighbors, std::span<const VertexPair> features, double feature_angle_deg,
+                       double min_radius_ratio)
+    : neighbors_(neighbors),
+      least_cosine_(least_fold_cosine),
+      min_radius_ratio_(std::max(min_radius_ratio, least_radius_ratio)),
+      wide_(min_radius_ratio_ > least_radius_ratio ? std::numeric_limits<double>::infinity() : 0.05) {
   if (!(feature_angle_deg < 180)) return;
   least_cosine_ = std::cos(feature_angle_deg * std::numbers::pi / 180);
   is_feature_.resize(neighbors.n_faces());
@@ -18,7 +23,7 @@ TurnLimits::TurnLimits(const FaceNeighbors& neighbors, std::span<const VertexPai
   }
 }
 
-double TurnLimits::cosine(Index face, Index place, const Vec3& normal, const Vec3& other) const {
+double FaceLimits::cosine(Index face, Index place, const Vec3& normal, const Vec3& other) const {
   const double cosine = normal.dot(other) / std::sqrt(normal.squaredNorm() * other.squaredNorm());
   return neighbors_.is_twisted(face, place) ? -cosine : cosine;
 }

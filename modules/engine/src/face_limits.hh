@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -13,20 +14,33 @@ namespace whittle {
 /// Least cosine between a face's normals before and after its corners were moved.
 constexpr double least_turn_cosine = 0.2;
 
-/// How neighbouring faces may turn to each other: no move folds them, or takes the edge between them over the angle
-/// that tells sharp edges from others, unless it becomes one of those that are to be sharp.
-class TurnLimits {
+/// What a polished mesh' faces may not become. Neighbouring ones may not turn to each other so that it folds them, or
+/// takes the edge between them over the angle that tells sharp edges from others, unless it becomes one of those that
+/// are to be sharp. None may become thin.
+class FaceLimits {
  public:
   /// Keeps a reference to `neighbors`.
   /// \param features edges that are to be sharp; what is no edge of two faces doesn't count
   /// \param feature_angle_deg between the normals; 180 = none are sharp
-  TurnLimits(const FaceNeighbors& neighbors, std::span<const VertexPair> features, double feature_angle_deg);
+  /// \param min_radius_ratio below which a face is thin; faces with next to no area always are
+  FaceLimits(const FaceNeighbors& neighbors, std::span<const VertexPair> features, double feature_angle_deg,
+             double min_radius_ratio = 0);
 
   /// Whether nothing is forbidden but folds: that no edge may become sharper than 120°.
   bool only_folds() const { return is_feature_.empty(); }
 
-  /// Between the normals of two faces, if the edge between them is not to be sharp.
-  double least_cosine() const { return least_cosine_; }
+  /// Between the normals of two faces, if the edge between them is neither to be sharp nor to be a fold.
+  double least_cosine() const { return std::max(least_cosine_, least_fold_cosine); }
+
+  /// The face on the other side, if any.
+  Index beyond(Index face, Index place) const { return neighbors_.beyond(face, place).face; }
+
+  /// Whether faces with such radius ratios may not come of others with these.
+  bool forbid_thinning(double before, double after) const { return after < min_radius_ratio_ && after < before; }
+  /// Whether a face (corner, x, y) may be thin: for one that is far from it, without a root.
+  bool may_be_thin(double double_area, const Vec3& to_x, const Vec3& to_y) const {
+    return double_area < wide_ * (to_x.squaredNorm() + to_y.squaredNorm());
+  }
 
   /// Whether a face and its neighbour may not turn to each other like that.
   /// \param normal gives the normal of a face, of any length, before or after: `normal(face, is_after)`
@@ -50,7 +64,12 @@ class TurnLimits {
   static constexpr double least_fold_cosine = -0.5;
 
   const FaceNeighbors& neighbors_;
+  /// Of faces that have an area one can see, and a normal.
+  static constexpr double least_radius_ratio = 1e-3;
+
   double least_cosine_;
+  double min_radius_ratio_;
+  double wide_;  ///< twice the area over the sum of two sides' squares, from which on a face is not thin
   std::vector<std::array<bool, 3>> is_feature_;  ///< per side of a face; empty without sharp edges
 };
 
