@@ -326,12 +326,12 @@ double highest(const IndexedMesh& mesh) {
 
 /// With plain quadrics two thirds of it are gone at a tenth of the faces.
 TEST(Memoryless, KeepsANeedle) {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const IndexedMesh mesh = sphere_with_needle(seed);
     const double top = highest(mesh);
     EXPECT_LT(highest(decimate(mesh, {.faces = mesh.faces.size() / 10}).mesh), top - 0.5);
     for (const Order order : {Order::automatic, Order::exact}) {
-      for (const std::uint64_t share : {10, 40}) {
+      for (const std::uint64_t share : {10U, 40U}) {
         const Decimation d = memoryless(mesh, mesh.faces.size() / share, order);
         EXPECT_NEAR(highest(d.mesh), top, 0.1) << "1/" << share << " of the faces, seed " << seed;
       }
