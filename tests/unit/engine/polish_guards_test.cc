@@ -41,13 +41,13 @@ Polished polished(const IndexedMesh& original, double ratio, unsigned passes) {
 }
 
 std::vector<NamedMesh> rough_meshes() {
-  return {{"sphere", noisy_sphere(5, 0.05, 1)},
-          {"rough sphere", noisy_sphere(5, 0.1, 2)},
-          {"torus", noisy_torus(120, 60, 1, 0.4, 0.05, 3)},
-          {"rough torus", noisy_torus(120, 60, 1, 0.4, 0.1, 3)},
-          {"knot", knot(200, 24)},
-          {"terrain", terrain(60, 4)},
-          {"grid", noisy_grid(50, 50, 0.2, 6)}};
+  return {{"sphere", noisy_sphere(4, 0.05, 1)},
+          {"rough sphere", noisy_sphere(4, 0.1, 2)},
+          {"torus", noisy_torus(60, 30, 1, 0.4, 0.05, 3)},
+          {"rough torus", noisy_torus(60, 30, 1, 0.4, 0.1, 3)},
+          {"knot", knot(100, 16)},
+          {"terrain", terrain(40, 4)},
+          {"grid", noisy_grid(30, 30, 0.2, 6)}};
 }
 
 TEST(PolishGuards, MakeNoFolds) {
