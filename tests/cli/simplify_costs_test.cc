@@ -8,7 +8,6 @@
 
 #include "simplified.hh"
 #include "whittle/engine/frame.hh"
-#include "whittle/engine/radius_ratio.hh"
 #include "whittle/io/read.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/line_distance.hh"
@@ -156,13 +155,7 @@ TEST(SimplifyCosts, FeatureLinesStayWhereTheyWere) {
 }
 
 TEST(SimplifyCosts, FacesGetNoThinnerThanAllowed) {
-  const auto least = [](const IndexedMesh& mesh) {
-    double ratio = 1;
-    for (const auto& [a, b, c] : mesh.faces) {
-      ratio = std::min(ratio, radius_ratio(mesh.positions[a], mesh.positions[b], mesh.positions[c]));
-    }
-    return ratio;
-  };
+  const auto least = [](const IndexedMesh& mesh) { return metrics::shape(mesh).radius_ratio_min; };
   const std::string blob = data_file("blob.obj");
   const double limit = 0.4;
   ASSERT_GT(least(io::read_mesh(blob).mesh), limit);

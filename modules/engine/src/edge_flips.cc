@@ -43,11 +43,16 @@ class EdgeFlips {
         groups_(groups),
         samples_(samples),
         faces_(mesh.faces.begin(), mesh.faces.end()),
-        first_point_(mesh.faces.size() + 1),
+        points_(mesh.faces.size(),
+                [&samples](const auto& add) {
+                  for (std::size_t i = 0; i < samples.size(); ++i) {
+                    const Index face = samples.foot(i).face;
+                    if (face != invalid_index) add(face, static_cast<Index>(i));
+                  }
+                }),
         partner_(mesh.faces.size(), invalid_index),
         valences_(mesh.corners.n_vertices()) {
     for (Index v = 0; v < valences_.size(); ++v) valences_[v] = mesh.corners.of(v).size();
-    sort_points();
   }
 
   /// Those that pay, the best first.
@@ -101,8 +106,8 @@ class EdgeFlips {
   void undo_intersecting(unsigned threads) {
     std::vector<Eigen::AlignedBox3f> boxes(faces_.size());
     for (Index f = 0; f < faces_.size(); ++f) {
-      for (const Index v : faces_[f]) boxes[f].extend(mesh_.positions[v].cast<float>());
-      for (const Index v : mesh_.faces[f]) boxes[f].extend(mesh_.positions[v].cast<float>());
+      extend(boxes[f], faces_[f], mesh_.positions);
+      extend(boxes[f], mesh_.faces[f], mesh_.positions);
     }
     const std::vector<std::array<Index, 2>> pairs = overlapping_boxes(boxes, threads);
     for (bool is_done = false; !is_done;) {
@@ -122,7 +127,7 @@ class EdgeFlips {
       for (auto f = static_cast<Index>(begin); f < end; ++f) {
         if (!is_flipped(f)) continue;
         const Faces faces{faces_[f], faces_[partner_[f]]};
-        for (const Index i : points_of(f)) {
+        for (const Index i : points_.of(f)) {
           const Near near = nearest(faces, samples_.position(i));
           samples_.set_foot(i, {near.which == 0 ? f : partner_[f], static_cast<float>(near.at.second),
                                 static_cast<float>(near.at.third), static_cast<float>(near.height)});
@@ -143,23 +148,6 @@ class EdgeFlips {
   };
 
   bool is_flipped(Index f) const { return partner_[f] != invalid_index; }
-  std::span<const Index> points_of(Index f) const {
-    return std::span(points_).subspan(first_point_[f], first_point_[f + 1] - first_point_[f]);
-  }
-
-  void sort_points() {
-    const auto for_each = [this](const auto& use) {
-      for (std::size_t i = 0; i < samples_.size(); ++i) {
-        const Index face = samples_.foot(i).face;
-        if (face != invalid_index) use(face, static_cast<Index>(i));
-      }
-    };
-    for_each([this](Index face, Index) { ++first_point_[face + 1]; });
-    for (std::size_t f = 1; f < first_point_.size(); ++f) first_point_[f] += first_point_[f - 1];
-    points_.resize(first_point_.back());
-    std::vector<Index> end(first_point_.begin(), first_point_.end() - 1);
-    for_each([&](Index face, Index i) { points_[end[face]++] = i; });
-  }
 
   Near nearest_on(const Triangle& face, const Vec3& point) const {
     const Vec3 a = mesh_.positions[face[0]] - point;
@@ -185,7 +173,7 @@ class EdgeFlips {
   }
   double squares_at(Index f) const {
     double sum = 0;
-    for (const Index i : points_of(f)) {
+    for (const Index i : points_.of(f)) {
       const Foot& foot = samples_.foot(i);
       const bool is_inside = std::min({foot.second, foot.third, 1 - foot.second - foot.third}) > 0;
       sum += samples_.weight(i) * (is_inside ? double{foot.distance} * foot.distance
@@ -201,7 +189,7 @@ class EdgeFlips {
     const Vec3 aside = way.cross(normal(faces[0]) + normal(faces[1]));  // to where the first face is
     double sum = 0;
     for (const Index g : {f, neighbors_.beyond(f, place).face}) {
-      for (const Index i : points_of(g)) {
+      for (const Index i : points_.of(g)) {
         const Vec3 point = samples_.position(i);
         const Triangle& face = faces[aside.dot(point - from) > 0 ? 0 : 1];
         sum += samples_.weight(i) * nearest_on(face, point).distance_sq;
@@ -246,10 +234,7 @@ class EdgeFlips {
     return std::min(valences_[u], valences_[v]) > least_valence && std::max(valences_[a], valences_[b]) < most_valence;
   }
 
-  Vec3 normal(const Triangle& face) const {
-    const auto& [a, b, c] = face;
-    return (mesh_.positions[b] - mesh_.positions[a]).cross(mesh_.positions[c] - mesh_.positions[a]);
-  }
+  Vec3 normal(const Triangle& face) const { return area_normal(face, mesh_.positions); }
   bool makes_thin(Index f, Index place) const {
     const auto least = [this](const Faces& faces) {
       const auto ratio = [this](const Triangle& face) {
@@ -265,9 +250,6 @@ class EdgeFlips {
     const Faces after = faces_after(f, place);
     const std::array<Vec3, 2> normals{normal(after[0]), normal(after[1])};
     const Vec3 sum = normal(mesh_.faces[f]) + normal(mesh_.faces[other]);
-    const auto cosine = [](const Vec3& a, const Vec3& b) {
-      return a.dot(b) / std::sqrt(a.squaredNorm() * b.squaredNorm());
-    };
     for (const Vec3& n : normals) {
       if (!(cosine(n, sum) > least_turn_cosine)) return false;
     }
@@ -317,9 +299,8 @@ class EdgeFlips {
   std::span<const Index> groups_;
   SurfaceSamples& samples_;
   std::vector<Triangle> faces_;
-  std::vector<Index> first_point_;  ///< per face, where its points begin; one more at the end
-  std::vector<Index> points_;       ///< by the face of their feet
-  std::vector<Index> partner_;      ///< per face, the one it was flipped with
+  IndexLists<Index> points_;    ///< by the face of their feet
+  std::vector<Index> partner_;  ///< per face, the one it was flipped with
   std::vector<std::size_t> valences_;
 };
 

@@ -24,7 +24,7 @@ FaceLimits::FaceLimits(const FaceNeighbors& neighbors, std::span<const VertexPai
 }
 
 double FaceLimits::cosine(Index face, Index place, const Vec3& normal, const Vec3& other) const {
-  const double cosine = normal.dot(other) / std::sqrt(normal.squaredNorm() * other.squaredNorm());
+  const double cosine = whittle::cosine(normal, other);
   return neighbors_.is_twisted(face, place) ? -cosine : cosine;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -13,6 +13,8 @@ namespace whittle {
 
 /// Least cosine between a face's normals before and after its corners were moved.
 constexpr double least_turn_cosine = 0.2;
+
+inline double cosine(const Vec3& a, const Vec3& b) { return a.dot(b) / std::sqrt(a.squaredNorm() * b.squaredNorm()); }
 
 /// What a polished mesh' faces may not become. Neighbouring ones may not turn to each other so that it folds them, or
 /// takes the edge between them over the angle that tells sharp edges from others, unless it becomes one of those that
@@ -26,7 +28,7 @@ class FaceLimits {
   FaceLimits(const FaceNeighbors& neighbors, std::span<const VertexPair> features, double feature_angle_deg,
              double min_radius_ratio = 0);
 
-  /// Whether nothing is forbidden but folds: that no edge may become sharper than 120°.
+  /// Whether neighbours may turn to each other but to folds: no edge may become sharper than 120°.
   bool only_folds() const { return is_feature_.empty(); }
 
   /// Between the normals of two faces, if the edge between them is neither to be sharp nor to be a fold.
@@ -63,10 +65,10 @@ class FaceLimits {
   /// Below which two faces are nearly folded.
   static constexpr double least_fold_cosine = -0.5;
 
-  const FaceNeighbors& neighbors_;
   /// Of faces that have an area one can see, and a normal.
   static constexpr double least_radius_ratio = 1e-3;
 
+  const FaceNeighbors& neighbors_;
   double least_cosine_;
   double min_radius_ratio_;
   double wide_;  ///< twice the area over the sum of two sides' squares, from which on a face is not thin

@@ -35,20 +35,16 @@ std::vector<VertexPair> border_edges(std::span<const Triangle> faces, std::size_
   return borders;
 }
 
-MeshLines::MeshLines(std::span<const VertexPair> borders, std::span<const VertexPair> features, std::size_t n_vertices)
-    : first_(n_vertices + 1) {
+MeshLines::MeshLines(std::span<const VertexPair> borders, std::span<const VertexPair> features,
+                     std::size_t n_vertices) {
   for (const auto& [from, to] : borders) edges_.push_back({from, to, true});
   for (const auto& [from, to] : features) edges_.push_back({from, to, false});
-  for (const Edge& edge : edges_) {
-    ++first_[edge.from + 1];
-    ++first_[edge.to + 1];
-  }
-  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-  edges_at_.resize(first_.back());
-  std::vector<Index> end(first_.begin(), first_.end() - 1);
-  for (Index e = 0; e < edges_.size(); ++e) {
-    for (const Index v : {edges_[e].from, edges_[e].to}) edges_at_[end[v]++] = e;
-  }
+  edges_at_ = {n_vertices, [this](const auto& add) {
+                 for (Index e = 0; e < edges_.size(); ++e) {
+                   add(edges_[e].from, e);
+                   add(edges_[e].to, e);
+                 }
+               }};
 }
 
 }  // namespace whittle

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "index_lists.hh"
 #include "whittle/engine/indexed_mesh.hh"
 #include "whittle/engine/threshold_pairs.hh"
 
@@ -24,14 +25,11 @@ class MeshLines {
   bool empty() const { return edges_.empty(); }
   const std::vector<Edge>& edges() const { return edges_; }
   /// Numbers of the edges at a vertex.
-  std::span<const Index> at(Index v) const {
-    return std::span(edges_at_).subspan(first_[v], first_[v + 1] - first_[v]);
-  }
+  std::span<const Index> at(Index v) const { return edges_at_.of(v); }
 
  private:
   std::vector<Edge> edges_;
-  std::vector<Index> first_;  ///< per vertex, place of its first edge; one more at the end
-  std::vector<Index> edges_at_;
+  IndexLists<Index> edges_at_;
 };
 
 }  // namespace whittle

@@ -77,10 +77,8 @@ class MovedMesh {
     std::vector<Eigen::AlignedBox3f> boxes(before_.faces.size());
     for_each_range(boxes.size(), threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
-        for (const Index v : before_.faces[f]) {
-          boxes[f].extend(before_.positions[v].cast<float>());
-          boxes[f].extend(positions_[v].cast<float>());
-        }
+        extend(boxes[f], before_.faces[f], before_.positions);
+        extend(boxes[f], before_.faces[f], positions_);
       }
     });
     pairs_ = overlapping_boxes(boxes, threads);
@@ -136,11 +134,7 @@ class MovedMesh {
     return !is_turned_over && n_along_way == 1 && sum == 0 && sum_of_squares == 0;
   }
 
-  Vec3 normal(Index face, std::span<const Vec3> positions) const {
-    const auto& [a, b, c] = before_.faces[face];
-    return (positions[b] - positions[a]).cross(positions[c] - positions[a]);
-  }
-  static double cosine(const Vec3& a, const Vec3& b) { return a.dot(b) / std::sqrt(a.squaredNorm() * b.squaredNorm()); }
+  Vec3 normal(Index face, std::span<const Vec3> positions) const { return area_normal(before_.faces[face], positions); }
 
   bool is_turned(Index face) const {
     return cosine(normal(face, positions_), normal(face, before_.positions)) < least_turn_cosine;

@@ -57,8 +57,8 @@ void SurfaceFit::start(std::vector<Vec3>& positions) {
   moves_.assign(positions.size(), Vec3::Zero());
   normals_.clear();
   areas_.clear();
-  for (const auto& [a, b, c] : faces_) {
-    const Vec3 normal = (positions[b] - positions[a]).cross(positions[c] - positions[a]);
+  for (const Triangle& face : faces_) {
+    const Vec3 normal = area_normal(face, positions);
     const double length = normal.norm();
     areas_.push_back(0.5 * length);
     normals_.push_back(length > 0 ? Vec3(normal / length) : Vec3::Zero());
@@ -202,12 +202,12 @@ bool SurfaceFit::spoils_a_face(Index v, const Vec3& to) const {
 
 /// Whether the move turns a face of v to a neighbour in a way that isn't allowed.
 bool SurfaceFit::turns_to_a_neighbor(Index face, Index v, const Vec3& to) const {
-  const auto normal = [&](Index f, bool is_after) { return area_normal(f, v, is_after ? to : (*positions_)[v]); };
+  const auto normal = [&](Index f, bool is_after) { return normal_with(f, v, is_after ? to : (*positions_)[v]); };
   return limits_.forbid(face, 0, normal) || limits_.forbid(face, 1, normal) || limits_.forbid(face, 2, normal);
 }
 
 /// A face's normal if v were elsewhere.
-Vec3 SurfaceFit::area_normal(Index face, Index v, const Vec3& to) const {
+Vec3 SurfaceFit::normal_with(Index face, Index v, const Vec3& to) const {
   const auto position = [&](Index u) -> const Vec3& { return u == v ? to : (*positions_)[u]; };
   const auto& [a, b, c] = faces_[face];
   return (position(b) - position(a)).cross(position(c) - position(a));

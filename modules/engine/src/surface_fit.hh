@@ -65,7 +65,7 @@ class SurfaceFit {
   bool is_too_far(const Vec3& moved, const Pull& pull) const;
   bool spoils_a_face(Index v, const Vec3& to) const;
   bool turns_to_a_neighbor(Index face, Index v, const Vec3& to) const;
-  Vec3 area_normal(Index face, Index v, const Vec3& to) const;
+  Vec3 normal_with(Index face, Index v, const Vec3& to) const;
 
   const std::vector<Triangle>& faces_;
   const VertexCorners& corners_;

@@ -14,6 +14,12 @@ struct Surface {
   std::span<const Vec3> positions;
 };
 
+/// As long as twice the face's area.
+inline Vec3 area_normal(const Triangle& face, std::span<const Vec3> positions) {
+  const Vec3& corner = positions[face[0]];
+  return (positions[face[1]] - corner).cross(positions[face[2]] - corner);
+}
+
 /// A point of another surface.
 struct Sample {
   Vec3 position;

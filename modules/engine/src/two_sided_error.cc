@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "whittle/engine/nearest_on_triangle.hh"
 #include "whittle/engine/parallel.hh"
 
 namespace whittle {
@@ -11,16 +12,11 @@ namespace {
 /// Points on each side, at least: enough to tell better from worse, as they are the same every time.
 constexpr std::size_t n_wanted = 3000;
 
-/// Barycentric coordinates of the second and third corner.
-struct Place {
-  double second, third;
-};
-
 /// The i-th of places that fill a triangle evenly. \cite roberts_2018_quasirandom
-Place spread_place(std::size_t i) {
+Barycentric spread_place(std::size_t i) {
   const double u = std::fmod(0.5 + 0.7548776662466927 * static_cast<double>(i), 1.0);
   const double v = std::fmod(0.5 + 0.5698402909980532 * static_cast<double>(i), 1.0);
-  return u + v <= 1 ? Place{u, v} : Place{1 - u, 1 - v};
+  return u + v <= 1 ? Barycentric{u, v} : Barycentric{1 - u, 1 - v};
 }
 
 /// Walks to whatever is nearest, however it lies.
@@ -66,17 +62,11 @@ double directed_mean_square(const Surface& from, const Surface& to, const Start&
 }  // namespace
 
 TwoSidedError::TwoSidedError(const Surface& original, std::span<const Index> vertex_map, std::size_t n_mesh_vertices)
-    : original_(original), vertex_map_(vertex_map), first_origin_(n_mesh_vertices + 1) {
-  for (const Index v : vertex_map) {
-    if (v != invalid_index) ++first_origin_[v + 1];
-  }
-  for (std::size_t v = 1; v < first_origin_.size(); ++v) first_origin_[v] += first_origin_[v - 1];
-  origins_.resize(first_origin_.back());
-  std::vector<Index> end(first_origin_.begin(), first_origin_.end() - 1);
-  for (Index v = 0; v < vertex_map.size(); ++v) {
-    if (vertex_map[v] != invalid_index) origins_[end[vertex_map[v]]++] = v;
-  }
-}
+    : original_(original), vertex_map_(vertex_map), origins_(n_mesh_vertices, [vertex_map](const auto& add) {
+        for (Index v = 0; v < vertex_map.size(); ++v) {
+          if (vertex_map[v] != invalid_index) add(vertex_map[v], v);
+        }
+      }) {}
 
 double TwoSidedError::mean_square(const Surface& mesh, unsigned threads) const {
   const auto nearest = [](std::span<const Vec3> positions, const Vec3& point, Index& best, Index v) {
@@ -93,9 +83,7 @@ double TwoSidedError::mean_square(const Surface& mesh, unsigned threads) const {
   const auto in_original = [&](const Triangle& face, const Vec3& point) {
     Index best = invalid_index;
     for (const Index v : face) {
-      for (Index i = first_origin_[v]; i < first_origin_[v + 1]; ++i) {
-        nearest(original_.positions, point, best, origins_[i]);
-      }
+      for (const Index origin : origins_.of(v)) nearest(original_.positions, point, best, origin);
     }
     return best;
   };

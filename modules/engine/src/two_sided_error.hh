@@ -1,8 +1,8 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
+#include "index_lists.hh"
 #include "surface_walk.hh"
 
 namespace whittle {
@@ -21,8 +21,7 @@ class TwoSidedError {
  private:
   Surface original_;
   std::span<const Index> vertex_map_;
-  std::vector<Index> first_origin_;  ///< per vertex of the mesh, where its origins begin; one more at the end
-  std::vector<Index> origins_;       ///< vertices of the original, by what they are mapped to
+  IndexLists<Index> origins_;  ///< vertices of the original, by what they are mapped to
 };
 
 }  // namespace whittle

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
+#include "index_lists.hh"
 #include "whittle/engine/indexed_mesh.hh"
 
 namespace whittle {
@@ -17,26 +17,18 @@ struct Corner {
 class VertexCorners {
  public:
   explicit VertexCorners(const IndexedMesh& mesh) : VertexCorners(mesh.faces, mesh.positions.size()) {}
-  VertexCorners(std::span<const Triangle> faces, std::size_t n_vertices) : first_(n_vertices + 1) {
-    for (const Triangle& face : faces) {
-      for (const Index v : face) ++first_[v + 1];
-    }
-    for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-    corners_.resize(3 * faces.size());
-    std::vector<Index> end(first_.begin(), first_.end() - 1);
-    for (Index f = 0; f < faces.size(); ++f) {
-      for (Index place = 0; place < 3; ++place) corners_[end[faces[f][place]]++] = {f, place};
-    }
-  }
+  VertexCorners(std::span<const Triangle> faces, std::size_t n_vertices)
+      : lists_(n_vertices, [faces](const auto& add) {
+          for (Index f = 0; f < faces.size(); ++f) {
+            for (Index place = 0; place < 3; ++place) add(faces[f][place], Corner{f, place});
+          }
+        }) {}
 
-  std::size_t n_vertices() const { return first_.size() - 1; }
-  std::span<const Corner> of(Index v) const {
-    return std::span(corners_).subspan(first_[v], first_[v + 1] - first_[v]);
-  }
+  std::size_t n_vertices() const { return lists_.size(); }
+  std::span<const Corner> of(Index v) const { return lists_.of(v); }
 
  private:
-  std::vector<Index> first_;  ///< place of a vertex' first corner; one more at the end
-  std::vector<Corner> corners_;
+  IndexLists<Corner> lists_;
 };
 
 /// The corner so many places further on in its face.
