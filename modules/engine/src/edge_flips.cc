@@ -109,7 +109,7 @@ class EdgeFlips {
       extend(boxes[f], faces_[f], mesh_.positions);
       extend(boxes[f], mesh_.faces[f], mesh_.positions);
     }
-    const std::vector<std::array<Index, 2>> pairs = overlapping_boxes(boxes, threads);
+    const std::vector<std::array<Index, 2>> pairs = overlapping_boxes(boxes, {}, threads);
     for (bool is_done = false; !is_done;) {
       is_done = true;
       for (const auto& [f, g] : pairs) {

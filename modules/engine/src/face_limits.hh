@@ -40,8 +40,10 @@ class FaceLimits {
   /// Whether faces with such radius ratios may not come of others with these.
   bool forbid_thinning(double before, double after) const { return after < min_radius_ratio_ && after < before; }
   /// Whether a face (corner, x, y) may be thin: for one that is far from it, without a root.
-  bool may_be_thin(double double_area, const Vec3& to_x, const Vec3& to_y) const {
-    return double_area < wide_ * (to_x.squaredNorm() + to_y.squaredNorm());
+  /// \param normal_sq four times the square of its area
+  bool may_be_thin(double normal_sq, const Vec3& to_x, const Vec3& to_y) const {
+    const double squares = to_x.squaredNorm() + to_y.squaredNorm();
+    return normal_sq < wide_ * wide_ * squares * squares;
   }
 
   /// Whether a face and its neighbour may not turn to each other like that.
@@ -58,7 +60,11 @@ class FaceLimits {
     return !only_folds() && is_sharp != (before < least_cosine_) && is_sharp != is_feature_[face][place];
   }
 
-  /// Between the normals of a face and its neighbour, one of them turned if need be. \pre there is one
+  /// The normal of a face times that of its neighbour, one of them turned if need be. \pre there is one
+  double along(Index face, Index place, const Vec3& normal, const Vec3& other) const {
+    return neighbors_.is_twisted(face, place) ? -normal.dot(other) : normal.dot(other);
+  }
+  /// Between these.
   double cosine(Index face, Index place, const Vec3& normal, const Vec3& other) const;
 
  private:

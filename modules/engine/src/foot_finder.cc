@@ -1,10 +1,12 @@
 #include "foot_finder.hh"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "whittle/engine/lanes.hh"
 #include "whittle/engine/parallel.hh"
+#include "whittle/engine/prefetch.hh"
 
 namespace whittle {
 namespace {
@@ -34,10 +36,12 @@ constexpr std::int32_t nowhere = 0x7fffffff;
   return x[0];
 }
 
-Foot foot(const Corner& corner, double next, double last, double distance) {
-  const std::array<double, 3> weights{1 - next - last, next, last};  // of the corners from this one on
-  return {corner.face, static_cast<float>(weights[(1 + 3 - corner.place) % 3]),
-          static_cast<float>(weights[(2 + 3 - corner.place) % 3]), static_cast<float>(distance)};
+/// \param next, last barycentric coordinates of the corners after this one
+Foot foot(const Corner& corner, float next, float last, float distance) {
+  const std::array<float, 3> weights{1 - next - last, next, last};  // of the corners from this one on
+  constexpr std::array<std::size_t, 3> second{1, 0, 2};
+  constexpr std::array<std::size_t, 3> third{2, 1, 0};
+  return {corner.face, weights[second[corner.place]], weights[third[corner.place]], distance};
 }
 
 }  // namespace
@@ -45,44 +49,44 @@ Foot foot(const Corner& corner, double next, double last, double distance) {
 /// What the search in eight faces at a time does, for registers of any width.
 class FootFinder::Lanes {
  public:
-  [[gnu::always_inline]] static Foot find(const FootFinder& finder, const Sample& sample) {
-    const Index v = sample.start;
-    const Eigen::Vector3f offset = (sample.position - finder.positions_[v]).cast<float>();
-    const Eigen::Vector3f normal = sample.normal.cast<float>();
-    std::int32_t nearest = nowhere;
-    Index nearest_octet = 0;
-    for (Index i = finder.first_octet_[v]; i < finder.first_octet_[v + 1]; ++i) {
-      const std::int32_t found = look(finder.octets_[i], offset, normal);
-      if (found >= nearest) continue;
-      nearest = found;
-      nearest_octet = i;
+  [[gnu::always_inline]] static void find(const FootFinder& finder, std::span<const Query> queries,
+                                          std::span<Foot> feet) {
+    constexpr std::size_t ahead = 8;  // some hundred nanoseconds
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      if (i + ahead < queries.size()) finder.prefetch(queries[i + ahead].start);
+      feet[i] = queries[i].start == invalid_index ? Foot{} : find(finder, queries[i]);
     }
-    if (nearest == nowhere) return {};
-    const Octet& octet = finder.octets_[nearest_octet];
-    const auto lane = static_cast<std::size_t>(nearest & 7);
-    const auto along = [&](const std::array<EightFloats, 3>& lanes) {
-      return lanes[0][lane] * offset.x() + lanes[1][lane] * offset.y() + lanes[2][lane] * offset.z();
-    };
-    const std::size_t place = 8 * (nearest_octet - finder.first_octet_[v]) + lane;
-    return foot(finder.corners_.of(v)[place], along(octet.next), along(octet.last), along(octet.normal));
   }
-  WHITTLE_DOUBLE4 static Foot find_in_wide_registers(const FootFinder& finder, const Sample& sample) {
-    return find(finder, sample);
+  WHITTLE_DOUBLE4 static void find_in_wide_registers(const FootFinder& finder, std::span<const Query> queries,
+                                                     std::span<Foot> feet) {
+    find(finder, queries, feet);
   }
 
  private:
-  /// The bits of the distance from the nearest face that holds the foot, which are in order, its number the last three.
-  [[gnu::always_inline]] static std::int32_t look(const Octet& octet, const Eigen::Vector3f& offset,
-                                                  const Eigen::Vector3f& normal) {
-    const Float8 next = dot(octet.next, offset);
-    const Float8 last = dot(octet.last, offset);
-    const Float8 first = 1.0F - next - last;
-    const Float8 distance = dot(octet.normal, offset);
-    const auto holds = (first >= -inside_slack) & (next >= -inside_slack) & (last >= -inside_slack) &
-                       (dot(octet.normal, normal) > least_agreement);
-    const Int8 size = reinterpret_cast<Int8>(distance) & 0x7ffffff8;
-    const Int8 key = size | Int8{0, 1, 2, 3, 4, 5, 6, 7};
-    return least((holds & key) | (~holds & nowhere));
+  [[gnu::always_inline]] static Foot find(const FootFinder& finder, const Query& query) {
+    const Index v = query.start;
+    const Eigen::Vector3f offset = (query.position - finder.positions_[v]).cast<float>();
+    const float least_along = least_agreement * std::sqrt(query.normal.squaredNorm());
+    std::int32_t nearest = nowhere;
+    Foot found;
+    for (Index i = finder.first_octet_[v]; i < finder.first_octet_[v + 1]; ++i) {
+      const Octet& octet = finder.octets_[i];
+      const Float8 next = dot(octet.next, offset);
+      const Float8 last = dot(octet.last, offset);
+      const Float8 first = 1.0F - next - last;
+      const Float8 distance = dot(octet.normal, offset);
+      const auto holds = (first >= -inside_slack) & (next >= -inside_slack) & (last >= -inside_slack) &
+                         (dot(octet.normal, query.normal) > least_along);
+      // The bits of the distance, which are in order, with the face's number as the last three.
+      const Int8 key = (reinterpret_cast<Int8>(distance) & 0x7ffffff8) | Int8{0, 1, 2, 3, 4, 5, 6, 7};
+      const std::int32_t here = least((holds & key) | (~holds & nowhere));
+      if (here >= nearest) continue;
+      nearest = here;
+      const auto lane = static_cast<std::size_t>(here & 7);
+      const Corner& corner = finder.corners_.of(v)[8 * (i - finder.first_octet_[v]) + lane];
+      found = foot(corner, next[lane], last[lane], distance[lane]);
+    }
+    return found;
   }
 };
 
@@ -121,18 +125,15 @@ void FootFinder::fill_octets(Index v) {
   }
 }
 
-Foot FootFinder::find(const Sample& sample) const {
-  const Foot found = has_double4 ? Lanes::find_in_wide_registers(*this, sample) : Lanes::find(*this, sample);
-  return found.face != invalid_index ? found : walk(sample);
+void FootFinder::prefetch(Index start) const {
+  if (start == invalid_index) return;
+  const auto* octet = reinterpret_cast<const char*>(&octets_[first_octet_[start]]);
+  for (std::size_t i = 0; i < sizeof(Octet); i += 64) whittle::prefetch(octet + i);
+  whittle::prefetch(corners_.of(start).data());
 }
 
-Foot FootFinder::walk(const Sample& sample) const {
-  const NearestPoint nearest = walk_to_nearest({faces_, corners_, positions_}, sample, least_agreement);
-  if (nearest.corner == nullptr) return {};
-  const Triangle& face = faces_[nearest.corner->face];
-  const Vec3& a = positions_[face[0]];
-  const Vec3 normal = (positions_[face[1]] - a).cross(positions_[face[2]] - a).normalized();
-  return foot(*nearest.corner, nearest.next, nearest.last, normal.dot(sample.position - a));
+void FootFinder::find(std::span<const Query> queries, std::span<Foot> feet) const {
+  has_double4 ? Lanes::find_in_wide_registers(*this, queries, feet) : Lanes::find(*this, queries, feet);
 }
 
 }  // namespace whittle

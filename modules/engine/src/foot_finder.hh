@@ -4,22 +4,21 @@
 #include <span>
 #include <vector>
 
-#include "surface_walk.hh"
+#include "vertex_corners.hh"
 #include "whittle/engine/large_array.hh"
 
 namespace whittle {
 
 /// Where a point has come to lie on a surface.
 struct Foot {
-  Index face = invalid_index;  ///< none where no face nearby faces the same way
+  Index face = invalid_index;  ///< none where no face nearby is below the point and faces the same way
   float second = 0;            ///< barycentric coordinate of the face's second corner
   float third = 0;
   float distance = 0;  ///< of the point from the face's plane, positive where the normal points
 };
 
 /// Finds the feet of points on a mesh: in the faces of a vertex near the point that one which holds the foot of the
-/// perpendicular, the nearest of several; if there is none, the nearest face met by walking from vertex to vertex.
-/// Only faces count whose normals are at less than 60° to the point's.
+/// perpendicular, the nearest of several. Only faces count whose normals are at less than 60° to the point's.
 class FootFinder {
  public:
   /// Keeps references to both.
@@ -28,7 +27,13 @@ class FootFinder {
   /// Takes where the vertices are, for as long as they are there.
   void look_at(std::span<const Vec3> positions, unsigned threads);
 
-  Foot find(const Sample& sample) const;
+  struct Query {
+    Vec3 position;
+    Eigen::Vector3f normal;  ///< of any length
+    Index start;             ///< a vertex of the mesh near it, or `invalid_index`: then it has no foot
+  };
+  /// \param feet as many as queries
+  void find(std::span<const Query> queries, std::span<Foot> feet) const;
 
  private:
   using EightFloats = std::array<float, 8>;
@@ -39,8 +44,8 @@ class FootFinder {
   };
   class Lanes;
 
+  void prefetch(Index start) const;
   void fill_octets(Index v);
-  Foot walk(const Sample& sample) const;
 
   const std::vector<Triangle>& faces_;
   const VertexCorners& corners_;

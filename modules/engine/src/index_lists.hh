@@ -2,9 +2,9 @@
 
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "whittle/engine/indexed_mesh.hh"
+#include "whittle/engine/large_array.hh"
 
 namespace whittle {
 
@@ -16,11 +16,11 @@ class IndexLists {
   /// \param for_each calls what it is given with each index and a value for its list, in the order they are to have
   ///        there; it is called twice
   template <class ForEach>
-  IndexLists(std::size_t n_lists, const ForEach& for_each) : first_(n_lists + 1) {
+  IndexLists(std::size_t n_lists, const ForEach& for_each) : first_(n_lists + 1, 0) {
     for_each([this](Index i, const T&) { ++first_[i + 1]; });
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
     values_.resize(first_.back());
-    std::vector<Index> end(first_.begin(), first_.end() - 1);
+    LargeArray<Index> end(first_.begin(), first_.end() - 1);
     for_each([&](Index i, const T& value) { values_[end[i]++] = value; });
   }
 
@@ -28,8 +28,8 @@ class IndexLists {
   std::span<const T> of(Index i) const { return std::span(values_).subspan(first_[i], first_[i + 1] - first_[i]); }
 
  private:
-  std::vector<Index> first_ = std::vector<Index>(1);  ///< where lists begin; one more at the end
-  std::vector<T> values_;
+  LargeArray<Index> first_ = LargeArray<Index>(1, 0);  ///< where lists begin; one more at the end
+  LargeArray<T> values_;
 };
 
 }  // namespace whittle

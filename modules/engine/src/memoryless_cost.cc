@@ -26,7 +26,9 @@ MemorylessCost::MemorylessCost(TriangleComplex& complex, const Restraints& restr
       options_(options),
       face_area_(mean_face_area(complex, options.regularization)),
       quadric_cost_(complex, restraints, options, face_area_.first()),
-      remembers_(complex.n_vertex_slots()) {}
+      has_planes_of_faces_(complex.n_vertex_slots()) {
+  for (Index v = 0; v < complex.n_vertex_slots(); ++v) has_planes_of_faces_[v] = complex.is_ring(v);
+}
 
 /// Whether the merged vertex, and its neighbours, get the planes of its faces alone.
 bool MemorylessCost::forgets(const Pair& pair, const PairStar& star) const {
@@ -55,7 +57,7 @@ double MemorylessCost::final_cost(const PairEvaluation& evaluation) const {
 }
 
 PlacedQuadric MemorylessCost::merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) {
-  remembers_[pair.a] = remembers_[pair.b] = !has_ring_;
+  has_planes_of_faces_[pair.a] = has_planes_of_faces_[pair.b] = has_ring_;
   if (has_ring_) {
     Quadric quadric;
     quadric.a = ring_.planes();
@@ -74,7 +76,7 @@ PlacedQuadric MemorylessCost::merge(const Pair& pair, const PairEvaluation& eval
 void MemorylessCost::change_neighbours_on_ring() {
   for (std::size_t i = 0; i < ring_.size(); ++i) {
     const Index neighbour = ring_.vertex(i);
-    if (has_planes_of_faces(neighbour)) complex_.change_planes(neighbour, ring_.change(i));
+    if (has_planes_of_faces_[neighbour]) complex_.change_planes(neighbour, ring_.change(i));
   }
 }
 
@@ -83,7 +85,7 @@ void MemorylessCost::change_neighbours_on_ring() {
 void MemorylessCost::change_neighbours(const Pair& pair, const Vec3& position, const PairStar& star) {
   changes_.clear();
   const auto add = [this](Index v, const SymmetricMatrix& planes) {
-    if (has_planes_of_faces(v)) changes_.push_back({v, planes});
+    if (has_planes_of_faces_[v]) changes_.push_back({v, planes});
   };
   for (const auto& [wings, end] : {std::pair(star.first, pair.a), std::pair(star.second, pair.b)}) {
     for (std::size_t i = 0; i < wings.size(); ++i) {
@@ -114,10 +116,10 @@ void MemorylessCost::change_neighbours(const Pair& pair, const Vec3& position, c
 /// Their faces hang together in another way now.
 void MemorylessCost::remember_around(const PairStar& star) {
   for (const Wings& wings : {star.first, star.second}) {
-    for (const Spoke& spoke : wings.spokes()) remembers_[spoke.vertex] = true;
+    for (const Spoke& spoke : wings.spokes()) has_planes_of_faces_[spoke.vertex] = false;
   }
-  for (const PairStar::Opposite& opposite : star.opposites) remembers_[opposite.vertex] = true;
-  for (const auto& [x, y] : star.joint.coincident) remembers_[x] = remembers_[y] = true;
+  for (const PairStar::Opposite& opposite : star.opposites) has_planes_of_faces_[opposite.vertex] = false;
+  for (const auto& [x, y] : star.joint.coincident) has_planes_of_faces_[x] = has_planes_of_faces_[y] = false;
 }
 
 }  // namespace whittle

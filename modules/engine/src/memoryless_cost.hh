@@ -33,7 +33,6 @@ class MemorylessCost final : public PairCost {
     SymmetricMatrix planes;
   };
   bool forgets(const Pair& pair, const PairStar& star) const;
-  bool has_planes_of_faces(Index v) const { return complex_.is_ring(v) && !remembers_[v]; }
   void change_neighbours_on_ring();
   void change_neighbours(const Pair& pair, const Vec3& position, const PairStar& star);
   void remember_around(const PairStar& star);
@@ -42,11 +41,11 @@ class MemorylessCost final : public PairCost {
   QuadricOptions options_;
   MeanFaceArea face_area_;
   QuadricCost quadric_cost_;
-  bool has_ring_ = false;        ///< whether the pair placed last forgets
-  MergedRing ring_;              ///< of that pair, then
-  Vec3 ring_origin_;             ///< what it is seen from
-  std::vector<bool> remembers_;  ///< per vertex, whether it has planes of faces that there were
-  std::vector<Change> changes_;  ///< scratch
+  bool has_ring_ = false;                  ///< whether the pair placed last forgets
+  MergedRing ring_;                        ///< of that pair, then
+  Vec3 ring_origin_;                       ///< what it is seen from
+  std::vector<bool> has_planes_of_faces_;  ///< per vertex, whether of those there are, and no others
+  std::vector<Change> changes_;            ///< scratch
 };
 
 }  // namespace whittle

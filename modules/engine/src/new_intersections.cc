@@ -17,24 +17,36 @@ using Corners = std::array<Vec3, 3>;
 class MovedMesh {
  public:
   MovedMesh(const Surface& before, const FaceLimits& limits, std::vector<Vec3>& positions, unsigned threads)
-      : before_(before), limits_(limits), positions_(positions) {
+      : before_(before), limits_(limits), positions_(positions), is_fresh_(before.faces.size(), 1) {
     find_near_pairs(threads);
-    intersecting_.resize(pairs_.size());
-    is_flat_.resize(positions.size());
+    does_intersect_.resize(pairs_.size());
+    is_crossed_.resize(positions.size());
   }
 
-  /// Faces that intersect one another, which they didn't before.
+  /// Faces that intersect one another, which they didn't before. Those that were not taken back since this was asked
+  /// last are not looked at again.
   std::vector<Index> intersecting(unsigned threads) {
-    for_each_range(is_flat_.size(), threads, [this](std::size_t begin, std::size_t end) {
-      for (auto v = static_cast<Index>(begin); v < end; ++v) is_flat_[v] = is_flat(v);
-    });
     for_each_range(pairs_.size(), threads, [this](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) intersecting_[i] = intersects_newly(pairs_[i]);
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto& [f, g] = pairs_[i];
+        does_intersect_[i] = (is_fresh_[f] != 0 || is_fresh_[g] != 0) && intersect_newly(f, g);
+      }
+    });
+    for_each_range(is_crossed_.size(), threads, [this](std::size_t begin, std::size_t end) {
+      for (auto v = static_cast<Index>(begin); v < end; ++v) {
+        is_crossed_[v] = has_fresh_face(v) && !is_flat(v) && !intersecting_at(v).empty();
+      }
     });
     std::vector<Index> faces;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      if (intersecting_[i] != 0) faces.insert(faces.end(), {pairs_[i][0], pairs_[i][1]});
+      if (does_intersect_[i] != 0) faces.insert(faces.end(), pairs_[i].begin(), pairs_[i].end());
     }
+    for (Index v = 0; v < is_crossed_.size(); ++v) {
+      if (is_crossed_[v] == 0) continue;
+      const std::vector<Index> found = intersecting_at(v);
+      faces.insert(faces.end(), found.begin(), found.end());
+    }
+    std::fill(is_fresh_.begin(), is_fresh_.end(), std::uint8_t{0});
     return faces;
   }
 
@@ -58,6 +70,7 @@ class MovedMesh {
         if (!is_moved(v)) continue;
         positions_[v] = before_.positions[v];
         vertices.push_back(v);
+        for (const Corner& corner : before_.corners.of(v)) is_fresh_[corner.face] = 1;
       }
     }
     return vertices;
@@ -72,7 +85,7 @@ class MovedMesh {
   }
 
  private:
-  /// Those that may intersect wherever each of their corners is, where it was or where it is.
+  /// Those without a common corner that may intersect wherever each corner is, where it was or where it is.
   void find_near_pairs(unsigned threads) {
     std::vector<Eigen::AlignedBox3f> boxes(before_.faces.size());
     for_each_range(boxes.size(), threads, [&](std::size_t begin, std::size_t end) {
@@ -81,28 +94,39 @@ class MovedMesh {
         extend(boxes[f], before_.faces[f], positions_);
       }
     });
-    pairs_ = overlapping_boxes(boxes, threads);
+    pairs_ = overlapping_boxes(boxes, before_.faces, threads);
   }
 
   bool is_moved(Index v) const { return positions_[v] != before_.positions[v]; }
 
-  bool intersects_newly(const std::array<Index, 2>& pair) const {
-    const Triangle& s = before_.faces[pair[0]];
-    const Triangle& t = before_.faces[pair[1]];
-    int n_common = 0;
-    bool is_at_flat_vertex = false;
-    for (const Index v : s) {
-      if (v != t[0] && v != t[1] && v != t[2]) continue;
-      ++n_common;
-      is_at_flat_vertex = is_at_flat_vertex || is_flat_[v] != 0;
-    }
-    if (n_common > 1 || is_at_flat_vertex) return false;
-    const auto corners = [](const Triangle& face, std::span<const Vec3> positions) {
-      return Corners{positions[face[0]], positions[face[1]], positions[face[2]]};
+  bool intersect_newly(Index f, Index g) const {
+    const auto intersect_at = [&](std::span<const Vec3> positions) {
+      const auto corners = [positions](const Triangle& face) {
+        return Corners{positions[face[0]], positions[face[1]], positions[face[2]]};
+      };
+      return intersect(corners(before_.faces[f]), corners(before_.faces[g]));
     };
-    const Corners s_now = corners(s, positions_);
-    const Corners t_now = corners(t, positions_);
-    return intersect(s_now, t_now) && !intersect(corners(s, before_.positions), corners(t, before_.positions));
+    return intersect_at(positions_) && !intersect_at(before_.positions);
+  }
+
+  bool has_fresh_face(Index v) const {
+    const std::span<const Corner> corners = before_.corners.of(v);
+    return std::any_of(corners.begin(), corners.end(), [this](const Corner& c) { return is_fresh_[c.face] != 0; });
+  }
+
+  /// Of the faces at v those that newly intersect one with which they have nothing but v in common.
+  std::vector<Index> intersecting_at(Index v) const {
+    const std::span<const Corner> corners = before_.corners.of(v);
+    std::vector<Index> faces;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      for (std::size_t j = i + 1; j < corners.size(); ++j) {
+        const Index f = corners[i].face;
+        const Index g = corners[j].face;
+        if (n_common_corners(before_.faces[f], before_.faces[g]) == 1 && intersect_newly(f, g))
+          faces.insert(faces.end(), {f, g});
+      }
+    }
+    return faces;
   }
 
   /// Whether the faces at v go once around it, none of them turned over, as seen from one direction: then no two of
@@ -153,9 +177,10 @@ class MovedMesh {
   const Surface& before_;
   const FaceLimits& limits_;
   std::vector<Vec3>& positions_;
-  std::vector<std::array<Index, 2>> pairs_;
-  std::vector<std::uint8_t> intersecting_;  ///< scratch: per pair
-  std::vector<std::uint8_t> is_flat_;       ///< scratch: per vertex
+  std::vector<std::array<Index, 2>> pairs_;   ///< near one another, without a common corner
+  std::vector<std::uint8_t> is_fresh_;        ///< per face, whether a corner was moved since it was looked at
+  std::vector<std::uint8_t> does_intersect_;  ///< scratch: per pair
+  std::vector<std::uint8_t> is_crossed_;      ///< scratch: per vertex
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "overlapping_boxes.hh"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <limits>
 
@@ -52,10 +53,19 @@ struct alignas(32) Octet {
   return all;
 }
 
+/// A bit for each lane.
+[[gnu::always_inline]] inline unsigned bits(const Int8& lanes) {
+  Int8 x = lanes & Int8{1, 2, 4, 8, 16, 32, 64, 128};
+  x |= __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3);
+  x |= __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5);
+  x |= __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6);
+  return static_cast<unsigned>(x[0]);
+}
+
 /// Boxes along a Morton curve, eight at a time in larger ones, and so on.
 class BoxTree {
  public:
-  BoxTree(std::span<const Box> boxes, unsigned threads) {
+  BoxTree(std::span<const Box> boxes, std::span<const Triangle> faces, unsigned threads) {
     std::vector<Vec3> centers;
     centers.reserve(boxes.size());
     for (const Box& box : boxes) centers.emplace_back(box.center().cast<double>());
@@ -63,6 +73,10 @@ class BoxTree {
     std::vector<Box> below;
     below.reserve(boxes.size());
     for (const Index i : order_) below.push_back(boxes[i]);
+    if (!faces.empty()) {
+      faces_.reserve(boxes.size());
+      for (const Index i : order_) faces_.push_back(faces[i]);
+    }
     while (levels_.empty() || levels_.back().size() > 1) {
       std::vector<Octet>& level = levels_.emplace_back((below.size() + fan_out - 1) / fan_out);
       std::vector<Box> above(level.size());
@@ -97,25 +111,29 @@ class BoxTree {
         write_pairs(octet, number, pairs);
         continue;
       }
-      const Int8 found = overlaps(levels_[height][number], levels_[1][octet / fan_out], octet % fan_out);
-      for (std::size_t lane = 0; lane < fan_out; ++lane) {
-        const std::size_t below = fan_out * number + lane;
+      const Int8 overlapping = overlaps(levels_[height][number], levels_[1][octet / fan_out], octet % fan_out);
+      for (unsigned found = bits(overlapping); found != 0; found &= found - 1) {
+        const std::size_t below = fan_out * number + static_cast<std::size_t>(std::countr_zero(found));
         const bool is_past = ((below + 1) << (3 * (height - 1))) <= octet;  // all its octets
-        if (found[lane] != 0 && !is_past) waiting[n_waiting++] = {below, height - 1};
+        if (!is_past) waiting[n_waiting++] = {below, height - 1};
       }
     }
   }
 
   [[gnu::always_inline]] inline void write_pairs(std::size_t octet, std::size_t other, Pairs& pairs) const {
     const bool is_one = levels_.size() == 1;
-    const Int8 near = is_one ? ~Int8{} : overlaps(levels_[0][octet], levels_[1][other / fan_out], other % fan_out);
-    for (std::size_t lane = 0; lane < fan_out; ++lane) {
-      if (near[lane] == 0) continue;
-      const Int8 found = overlaps(levels_[0][other], levels_[0][octet], lane);
-      for (std::size_t i = other == octet ? lane + 1 : 0; i < fan_out; ++i) {
-        if (found[i] == 0) continue;
-        const Index here = order_[fan_out * octet + lane];
-        const Index there = order_[fan_out * other + i];
+    const Int8 overlapping =
+        is_one ? ~Int8{} : overlaps(levels_[0][octet], levels_[1][other / fan_out], other % fan_out);
+    for (unsigned near = bits(overlapping); near != 0; near &= near - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(near));
+      const std::size_t place = fan_out * octet + lane;
+      const unsigned past = other == octet ? (2U << lane) - 1 : 0;  // found from the other side
+      for (unsigned found = bits(overlaps(levels_[0][other], levels_[0][octet], lane)) & ~past; found != 0;
+           found &= found - 1) {
+        const std::size_t other_place = fan_out * other + static_cast<std::size_t>(std::countr_zero(found));
+        if (!faces_.empty() && n_common_corners(faces_[place], faces_[other_place]) != 0) continue;
+        const Index here = order_[place];
+        const Index there = order_[other_place];
         pairs.push_back({std::min(here, there), std::max(here, there)});
       }
     }
@@ -124,14 +142,16 @@ class BoxTree {
   static constexpr std::size_t most_levels = 11;  // of 2^32 boxes
 
   std::vector<Index> order_;                ///< along the curve
+  std::vector<Triangle> faces_;             ///< along the curve, or none
   std::vector<std::vector<Octet>> levels_;  ///< the lowest one first
 };
 
 }  // namespace
 
-std::vector<std::array<Index, 2>> overlapping_boxes(std::span<const Box> boxes, unsigned threads) {
+std::vector<std::array<Index, 2>> overlapping_boxes(std::span<const Box> boxes, std::span<const Triangle> faces,
+                                                    unsigned threads) {
   if (boxes.empty()) return {};
-  const BoxTree tree(boxes, threads);
+  const BoxTree tree(boxes, faces, threads);
   constexpr std::size_t length = 64;
   std::vector<Pairs> found((tree.n_octets() + length - 1) / length);
   for_each_block(found.size(), threads, [&](std::size_t block) {

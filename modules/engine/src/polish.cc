@@ -111,16 +111,22 @@ struct Connectivity {
   VertexCorners corners;
   FaceNeighbors neighbors;
   FaceLimits limits;
+  TwoSidedError error;
 
-  Connectivity(std::vector<Triangle> the_faces, std::size_t n_vertices, const PolishOptions& options)
+  Connectivity(std::vector<Triangle> the_faces, std::size_t n_vertices, const SimplifiedSurface& original,
+               const PolishOptions& options)
       : faces(std::move(the_faces)),
         corners(faces, n_vertices),
         neighbors(faces, corners),
-        limits(neighbors, options.features, options.feature_angle_deg, options.min_radius_ratio) {}
+        limits(neighbors, options.features, options.feature_angle_deg, options.min_radius_ratio),
+        error(original, faces, n_vertices) {}
   Connectivity(const Connectivity&) = delete;
   Connectivity& operator=(const Connectivity&) = delete;
 
   Surface at(std::span<const Vec3> positions) const { return {faces, corners, positions}; }
+  double mean_square(std::span<const Vec3> positions, unsigned threads) const {
+    return error.mean_square(at(positions), threads);
+  }
 };
 
 class Polisher {
@@ -130,9 +136,8 @@ class Polisher {
       : options_(options),
         frame_(Frame::of_points(original.positions)),
         samples_(original, vertex_map, frame_, points_per_face(original, mesh), options.threads),
-        original_corners_(original),
-        error_({original.faces, original_corners_, samples_.positions()}, vertex_map, mesh.positions.size()),
-        mesh_(std::make_unique<Connectivity>(mesh.faces, mesh.positions.size(), options)),
+        original_{original.faces, samples_.positions(), vertex_map},
+        mesh_(std::make_unique<Connectivity>(mesh.faces, mesh.positions.size(), original_, options)),
         groups_(mesh.face_groups),
         lines_(lines_of(mesh, mesh_->neighbors, options.features)),
         line_samples_(original_lines(original), samples_.positions(), vertex_map),
@@ -140,18 +145,20 @@ class Polisher {
         can_flip_(options.flips && mesh.corner_texcoords.empty()) {
     positions_.reserve(mesh.positions.size());
     for (const Vec3& p : mesh.positions) positions_.push_back(frame_.to_frame(p));
-    least_error_ = error_.mean_square(mesh_->at(positions_), options.threads);
+    least_error_ = mesh_->mean_square(positions_, options.threads);
   }
 
   /// \return whether it helped; if not, nothing has changed
   bool pass() {
+    if (!(least_error_ > 0)) return false;
     FootFinder finder(mesh_->faces, mesh_->corners);
     finder.look_at(positions_, options_.threads);
     samples_.find_feet(finder, options_.threads);
     line_samples_.find_feet(lines_, mesh_->at(positions_), options_.threads);
     std::unique_ptr<Connectivity> flipped = flip();
-    std::vector<Vec3> moved = move(flipped ? *flipped : *mesh_);
-    const double error = error_.mean_square((flipped ? *flipped : *mesh_).at(moved), options_.threads);
+    const Connectivity& mesh = flipped ? *flipped : *mesh_;
+    std::vector<Vec3> moved = move(mesh);
+    const double error = mesh.mean_square(moved, options_.threads);
     if (!(error < least_error_)) return false;
     least_error_ = error;
     positions_ = std::move(moved);
@@ -191,7 +198,7 @@ class Polisher {
     std::vector<Triangle> faces =
         flip_edges(mesh_->at(positions_), mesh_->neighbors, mesh_->limits, lines_, groups_, samples_, options_.threads);
     if (faces == mesh_->faces) return nullptr;
-    return std::make_unique<Connectivity>(std::move(faces), positions_.size(), options_);
+    return std::make_unique<Connectivity>(std::move(faces), positions_.size(), original_, options_);
   }
 
   /// Where the vertices are to go.
@@ -200,7 +207,10 @@ class Polisher {
     SurfaceFit fit(mesh.faces, mesh.corners, mesh.neighbors, mesh.limits, lines_, is_fixed_);
     fit.start(moved);
     line_samples_.for_each_foot([&fit](const LineFoot& foot, double weight) { fit.add(foot, weight); });
-    samples_.for_each_foot([&fit](const Foot& foot, double weight) { fit.add(foot, weight); });
+    const double scale = 1 / std::sqrt(least_error_);
+    samples_.for_each_foot([&fit, scale](const Foot& foot, double weight) {
+      fit.add(foot, weight / (1 + scale * std::abs(foot.distance)));
+    });
     for (int i = 0; i < n_sweeps; ++i) fit.sweep();
     const Surface before = mesh.at(positions_);
     const std::vector<Index> taken_back = take_back_lines(before, lines_, line_samples_, moved, options_.threads);
@@ -211,8 +221,7 @@ class Polisher {
   const PolishOptions& options_;
   Frame frame_;
   SurfaceSamples samples_;
-  VertexCorners original_corners_;
-  TwoSidedError error_;
+  SimplifiedSurface original_;
   std::unique_ptr<Connectivity> mesh_;
   std::span<const Index> groups_;
   MeshLines lines_;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "whittle/engine/prefetch.hh"
 #include "whittle/engine/radius_ratio.hh"
 
 namespace whittle {
@@ -26,7 +27,7 @@ constexpr double most_area = 0.05;
 /// faces at an edge have, they are at less than 142°.
 constexpr double wary_cosine = 0.9;
 
-constexpr double always_wary = 2;
+constexpr double always_wary = 2;  ///< more than the square of any cosine
 
 constexpr int most_halvings = 5;
 
@@ -53,45 +54,48 @@ SurfaceFit::SurfaceFit(const std::vector<Triangle>& faces, const VertexCorners& 
 
 void SurfaceFit::start(std::vector<Vec3>& positions) {
   positions_ = &positions;
-  sums_.assign(faces_.size(), {});
   moves_.assign(positions.size(), Vec3::Zero());
-  normals_.clear();
-  areas_.clear();
-  for (const Triangle& face : faces_) {
-    const Vec3 normal = area_normal(face, positions);
-    const double length = normal.norm();
-    areas_.push_back(0.5 * length);
-    normals_.push_back(length > 0 ? Vec3(normal / length) : Vec3::Zero());
-  }
+  measure_faces();
   line_sums_.assign(lines_.edges().size(), {});
   ways_.clear();
   for (const MeshLines::Edge& edge : lines_.edges()) ways_.push_back(positions[edge.to] - positions[edge.from]);
-  wary_.assign(faces_.size(), limits_.only_folds() ? wary_cosine : always_wary);
-  for (Index f = 0; f < faces_.size() && limits_.only_folds(); ++f) {
-    for (Index place = 0; place < 3; ++place) {
-      const Index other = neighbors_.beyond(f, place).face;
-      if (other == invalid_index) continue;
-      if (!(limits_.cosine(f, place, normals_[f], normals_[other]) > 0)) wary_[f] = always_wary;
-    }
+}
+
+void SurfaceFit::measure_faces() {
+  fits_.assign(faces_.size(), {});
+  for (Index f = 0; f < faces_.size(); ++f) {
+    const Vec3 normal = area_normal(faces_[f], *positions_);
+    const double length = normal.norm();
+    if (length > 0) fits_[f].normal = normal / length;
+    fits_[f].area = 0.5 * length;
+  }
+  const auto is_near_folded = [this](Index f, Index place) {
+    const Index other = neighbors_.beyond(f, place).face;
+    return other != invalid_index && !(limits_.along(f, place, fits_[f].normal, fits_[other].normal) > 0);
+  };
+  for (Index f = 0; f < faces_.size(); ++f) {
+    const bool may_always_turn =
+        limits_.only_folds() && !is_near_folded(f, 0) && !is_near_folded(f, 1) && !is_near_folded(f, 2);
+    fits_[f].wary_cosine_sq = may_always_turn ? wary_cosine * wary_cosine : always_wary;
   }
 }
 
 void SurfaceFit::add(const Foot& foot, double weight) {
-  Sums& sums = sums_[foot.face];
+  Face& fit = fits_[foot.face];
   const double b1 = foot.second;
   const double b2 = foot.third;
   const double b0 = 1 - b1 - b2;
   const double d = foot.distance;
   const std::array weighted{weight * b0, weight * b1, weight * b2};
-  sums.products[0] += weighted[0] * b0;
-  sums.products[1] += weighted[0] * b1;
-  sums.products[2] += weighted[0] * b2;
-  sums.products[3] += weighted[1] * b1;
-  sums.products[4] += weighted[1] * b2;
-  sums.products[5] += weighted[2] * b2;
-  for (std::size_t j = 0; j < 3; ++j) sums.errors[j] += weighted[j] * d;
-  sums.squares += weight * d * d;
-  sums.weight += weight;
+  fit.products[0] += weighted[0] * b0;
+  fit.products[1] += weighted[0] * b1;
+  fit.products[2] += weighted[0] * b2;
+  fit.products[3] += weighted[1] * b1;
+  fit.products[4] += weighted[1] * b2;
+  fit.products[5] += weighted[2] * b2;
+  for (std::size_t j = 0; j < 3; ++j) fit.errors[j] += weighted[j] * d;
+  fit.squares += weight * d * d;
+  fit.weight += weight;
 }
 
 void SurfaceFit::add(const LineFoot& foot, double weight) {
@@ -106,8 +110,17 @@ void SurfaceFit::add(const LineFoot& foot, double weight) {
   sums.weight += weight;
 }
 
+void SurfaceFit::prefetch_around(Index v) const {
+  for (const Corner& corner : corners_.of(v)) {
+    prefetch(&fits_[corner.face]);
+    prefetch(&fits_[corner.face].products[3]);
+  }
+}
+
 void SurfaceFit::sweep() {
+  constexpr Index ahead = 4;
   for (Index v = 0; v < corners_.n_vertices(); ++v) {
+    if (v + ahead < corners_.n_vertices()) prefetch_around(v + ahead);
     if (is_fixed_[v] != 0) continue;
     const Pull pull = pull_at(v);
     if (!(pull.weight > 0) || pull.is_held) continue;
@@ -127,16 +140,16 @@ void SurfaceFit::sweep() {
 SurfaceFit::Pull SurfaceFit::pull_at(Index v) const {
   Pull pull;
   for (const auto& [f, place] : corners_.of(v)) {
-    const Sums& sums = sums_[f];
-    const Vec3& n = normals_[f];
-    double error = sums.errors[place];
-    for (Index k = 0; k < 3; ++k) error -= sums.product(place, k) * n.dot(moves_[faces_[f][k]]);
-    pull.matrix += SymmetricMatrix::outer(n, sums.product(place, place));
+    const Face& fit = fits_[f];
+    const Vec3& n = fit.normal;
+    double error = fit.errors[place];
+    for (Index k = 0; k < 3; ++k) error -= fit.product(place, k) * n.dot(moves_[faces_[f][k]]);
+    pull.matrix += SymmetricMatrix::outer(n, fit.product(place, place));
     pull.force += error * n;
-    pull.planes += SymmetricMatrix::outer(n, sums.weight);
-    pull.weight += sums.weight;
-    pull.squares += sums.squares;
-    pull.area += areas_[f];
+    pull.planes += SymmetricMatrix::outer(n, fit.weight);
+    pull.weight += fit.weight;
+    pull.squares += fit.squares;
+    pull.area += fit.area;
   }
   pull.area /= static_cast<double>(corners_.of(v).size());
   if (!lines_.empty()) add_lines(v, pull);
@@ -180,20 +193,18 @@ bool SurfaceFit::is_too_far(const Vec3& moved, const Pull& pull) const {
          moved.squaredNorm() > most_area * pull.area;
 }
 
-/// Whether a face turns too far, against how it is now, how it was at the start, or to a neighbour; or gets thin.
+/// Whether a face turns too far, against how it was at the start or to a neighbour, or gets thin.
 bool SurfaceFit::spoils_a_face(Index v, const Vec3& to) const {
   const std::vector<Vec3>& positions = *positions_;
   for (const auto& [f, place] : corners_.of(v)) {
     const Vec3& x = positions[corner_after(faces_[f], place, 1)];
     const Vec3& y = positions[corner_after(faces_[f], place, 2)];
-    const Vec3 after = (x - to).cross(y - to);
-    const double length = after.norm();
-    const double along = after.dot(normals_[f]);
-    const Vec3 before = (x - positions[v]).cross(y - positions[v]);
-    if (!(along > least_turn_cosine * length) || !(after.dot(before) > least_turn_cosine * length * before.norm()))
-      return true;
-    if (along < wary_[f] * length && turns_to_a_neighbor(f, v, to)) return true;
-    if (limits_.may_be_thin(length, x - to, y - to) &&
+    const Vec3 normal = (x - to).cross(y - to);
+    const double square = normal.squaredNorm();
+    const double along = normal.dot(fits_[f].normal);
+    if (!(along > 0 && along * along > least_turn_cosine * least_turn_cosine * square)) return true;
+    if (along * along < fits_[f].wary_cosine_sq * square && turns_to_a_neighbor(f, v, to)) return true;
+    if (limits_.may_be_thin(square, x - to, y - to) &&
         limits_.forbid_thinning(radius_ratio(positions[v], x, y), radius_ratio(to, x, y)))
       return true;
   }

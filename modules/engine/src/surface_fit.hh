@@ -8,6 +8,7 @@
 #include "foot_finder.hh"
 #include "line_samples.hh"
 #include "vertex_corners.hh"
+#include "whittle/engine/large_array.hh"
 #include "whittle/engine/quadric.hh"
 
 namespace whittle {
@@ -27,12 +28,15 @@ class SurfaceFit {
   void sweep();
 
  private:
-  /// Sums over the feet in a face: of w b_j b_k, w b_j d, w d² and w.
-  struct Sums {
-    std::array<double, 6> products;  ///< 00, 01, 02, 11, 12, 22
-    std::array<double, 3> errors;
-    double squares;
-    double weight;
+  /// A face before it was moved, and sums over the feet in it: of w b_j b_k, w b_j d, w d² and w. Two cache lines.
+  struct alignas(64) Face {
+    Vec3 normal = Vec3::Zero();  ///< of unit length, or zero
+    double area = 0;
+    double wary_cosine_sq = 0;         ///< of the cosine to the normal below which it may fold
+    std::array<double, 6> products{};  ///< 00, 01, 02, 11, 12, 22
+    std::array<double, 3> errors{};
+    double squares = 0;
+    double weight = 0;
 
     double product(Index j, Index k) const {
       constexpr std::array<std::array<std::size_t, 3>, 3> place{{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}};
@@ -59,6 +63,8 @@ class SurfaceFit {
     bool is_held = false;  ///< whether it is on a line of which no point has its foot here
   };
 
+  void measure_faces();
+  void prefetch_around(Index v) const;
   Pull pull_at(Index v) const;
   void add_lines(Index v, Pull& pull) const;
   Vec3 wanted_move(Index v, const Pull& pull) const;
@@ -74,10 +80,7 @@ class SurfaceFit {
   const MeshLines& lines_;
   const std::vector<std::uint8_t>& is_fixed_;
   std::vector<Vec3>* positions_ = nullptr;
-  std::vector<Sums> sums_;           ///< per face
-  std::vector<Vec3> normals_;        ///< per face, before it was moved; of unit length, or zero
-  std::vector<double> areas_;        ///< per face, before it was moved
-  std::vector<double> wary_;         ///< per face, the cosine to the normal before below which it may fold
+  LargeArray<Face> fits_;
   std::vector<LineSums> line_sums_;  ///< per edge of the lines
   std::vector<Vec3> ways_;           ///< per edge of the lines, from end to end, before it was moved
   std::vector<Vec3> moves_;          ///< per vertex, so far

@@ -11,57 +11,57 @@
 namespace whittle {
 
 /// Points that stand for a surface: its vertices, and one or four points in each face. Together they weigh what it has
-/// of area, vertices a quarter of it; so that, where a function is linear on a face, the sum of its square over the
-/// face's points is the integral. And their feet on another surface.
+/// of area, vertices a quarter of it; so that, where a function is linear on a face and that has one point, the sum of
+/// its square over the face's points is the integral. And their feet on another surface.
 class SurfaceSamples {
  public:
   /// \param vertex_map as `polish` says \param per_face 1 or 4
   SurfaceSamples(const IndexedMesh& surface, std::span<const Index> vertex_map, const Frame& frame,
                  std::size_t per_face, unsigned threads);
 
-  const std::vector<Vec3>& positions() const { return positions_; }  ///< of the vertices, in the frame
+  std::span<const Vec3> positions() const { return positions_; }  ///< of the vertices, in the frame
 
   void find_feet(const FootFinder& finder, unsigned threads);
 
   /// Points by number: first the vertices, then those in faces.
-  std::size_t size() const { return vertex_feet_.size() + face_feet_.size(); }
-  const Foot& foot(std::size_t i) const { return i < n_vertices() ? vertex_feet_[i] : face_feet_[i - n_vertices()]; }
-  void set_foot(std::size_t i, const Foot& foot) {
-    (i < n_vertices() ? vertex_feet_[i] : face_feet_[i - n_vertices()]) = foot;
+  std::size_t size() const { return feet_.size(); }
+  Vec3 position(std::size_t i) const { return i < n_vertices() ? positions_[i] : position_in_face(i - n_vertices()); }
+  double weight(std::size_t i) const {
+    return i < n_vertices() ? 0.25 * normals_and_areas_[i].w() : weight_in_face((i - n_vertices()) / per_face_);
   }
-  Vec3 position(std::size_t i) const;
-  double weight(std::size_t i) const;  ///< \pre it has a foot
+  const Foot& foot(std::size_t i) const { return feet_[i]; }
+  void set_foot(std::size_t i, const Foot& foot) { feet_[i] = foot; }
 
   /// Calls `use(foot, weight)` for each point that has a foot, always in the same order.
   template <class Use>
   void for_each_foot(const Use& use) const {
-    for (std::size_t v = 0; v < positions_.size(); ++v) {
-      if (vertex_feet_[v].face != invalid_index) use(vertex_feet_[v], 0.25 * vertex_areas_[v]);
-    }
+    const auto use_if_there = [&](const Foot& foot, double weight) {
+      if (foot.face != invalid_index) use(foot, weight);
+    };
+    for (std::size_t v = 0; v < n_vertices(); ++v) use_if_there(feet_[v], weight(v));
+    std::size_t i = n_vertices();
     for (std::size_t f = 0; f < faces_.size(); ++f) {
-      const std::span<const Foot> feet = std::span(face_feet_).subspan(f * per_face_, per_face_);
-      const auto has_foot = [](const Foot& foot) { return foot.face != invalid_index; };
-      const auto n = static_cast<double>(std::count_if(feet.begin(), feet.end(), has_foot));
-      for (const Foot& foot : feet) {
-        if (has_foot(foot)) use(foot, 0.75 * face_areas_[f] / n);
-      }
+      const double weight = weight_in_face(f);
+      for (const std::size_t end = i + per_face_; i < end; ++i) use_if_there(feet_[i], weight);
     }
   }
 
  private:
-  std::size_t n_vertices() const { return vertex_feet_.size(); }
+  std::size_t n_vertices() const { return positions_.size(); }
   void measure();
-  void find_feet_of_face(const FootFinder& finder, std::size_t f);
+  Eigen::Vector3f normal(const Triangle& face) const;  ///< as long as twice its area
+  Vec3 position_in_face(std::size_t i) const;
+  double weight_in_face(std::size_t f) const { return 0.75 * face_areas_[f] / static_cast<double>(per_face_); }
+  FootFinder::Query query(std::size_t i) const;
 
   const std::vector<Triangle>& faces_;
   std::span<const Index> vertex_map_;
   std::size_t per_face_;
-  std::vector<Vec3> positions_;      ///< in the frame
-  std::vector<Vec3> normals_;        ///< of vertices, as long as twice the area around
-  std::vector<float> vertex_areas_;  ///< a third of the faces'
-  std::vector<float> face_areas_;
-  LargeArray<Foot> vertex_feet_;
-  LargeArray<Foot> face_feet_;
+  LargeArray<Vec3> positions_;  ///< in the frame
+  /// Of vertices: the sum of the normals around, each as long as twice the face's area, and a third of these areas.
+  LargeArray<Eigen::Vector4f> normals_and_areas_;
+  LargeArray<float> face_areas_;
+  LargeArray<Foot> feet_;
 };
 
 }  // namespace whittle

@@ -13,19 +13,22 @@ constexpr std::size_t most_steps = 48;
 
 }  // namespace
 
-NearestPoint walk_to_nearest(const Surface& surface, const Sample& sample, double least_agreement) {
+NearestPoint walk_to_nearest(const Surface& surface, const Vec3& point, Index start) {
   const auto& [faces, corners, positions] = surface;
   std::array<Index, most_steps> seen;
   std::size_t n_seen = 0;
   NearestPoint nearest;
-  for (Index v = sample.start; v != invalid_index && n_seen < most_steps;) {
+  for (Index v = start; v != invalid_index && n_seen < most_steps;) {
     seen[n_seen++] = v;
-    const Vec3 a = positions[v] - sample.position;
+    const Vec3 a = positions[v] - point;
     for (const Corner& corner : corners.of(v)) {
-      const Vec3 b = positions[corner_after(faces[corner.face], corner.place, 1)] - sample.position;
-      const Vec3 c = positions[corner_after(faces[corner.face], corner.place, 2)] - sample.position;
+      const Vec3 b = positions[corner_after(faces[corner.face], corner.place, 1)] - point;
+      const Vec3 c = positions[corner_after(faces[corner.face], corner.place, 2)] - point;
       const Vec3 normal = (b - a).cross(c - a);
-      if (!(normal.dot(sample.normal) > least_agreement * normal.norm())) continue;
+      const double square = normal.squaredNorm();
+      if (!(square > 0)) continue;
+      const double above = normal.dot(a);
+      if (above * above > nearest.distance_sq * square) continue;  // its plane is too far already
       const auto [next, last] = nearest_on_triangle(a, b, c);
       const double distance_sq = (a + next * (b - a) + last * (c - a)).squaredNorm();
       if (distance_sq < nearest.distance_sq) nearest = {&corner, next, last, distance_sq};

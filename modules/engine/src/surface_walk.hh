@@ -20,13 +20,6 @@ inline Vec3 area_normal(const Triangle& face, std::span<const Vec3> positions) {
   return (positions[face[1]] - corner).cross(positions[face[2]] - corner);
 }
 
-/// A point of another surface.
-struct Sample {
-  Vec3 position;
-  Vec3 normal;  ///< of unit length, or zero
-  Index start;  ///< a vertex of the surface near it
-};
-
 /// Where a surface is nearest to a point.
 struct NearestPoint {
   const Corner* corner = nullptr;  ///< of that face, none if no face was met
@@ -35,9 +28,8 @@ struct NearestPoint {
   double distance_sq = std::numeric_limits<double>::infinity();
 };
 
-/// The nearest point met on the way over the surface: from the faces at one vertex to those at that corner of the
-/// nearest face so far which has most of the point and was not passed yet.
-/// \param least_agreement cosine that a face's normal and the sample's must have; faces with a smaller one don't count
-NearestPoint walk_to_nearest(const Surface& surface, const Sample& sample, double least_agreement);
+/// The point nearest to `point` that is met on the way over the surface: from the faces at one vertex, first `start`,
+/// to those at that corner of the nearest face so far which has most of the point and was not passed yet.
+NearestPoint walk_to_nearest(const Surface& surface, const Vec3& point, Index start);
 
 }  // namespace whittle

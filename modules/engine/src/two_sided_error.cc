@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "whittle/engine/nearest_on_triangle.hh"
 #include "whittle/engine/parallel.hh"
@@ -9,8 +11,21 @@
 namespace whittle {
 namespace {
 
-/// Points on each side, at least: enough to tell better from worse, as they are the same every time.
-constexpr std::size_t n_wanted = 3000;
+/// Which points of a mesh are asked: at least a thousand, enough to tell better from worse, as they are the same every
+/// time.
+struct Choice {
+  std::size_t per_face;
+  std::size_t step;  ///< from face to face
+  std::size_t n;
+
+  explicit Choice(std::size_t n_faces) {
+    constexpr std::size_t n_wanted = 1000;
+    per_face = (n_wanted + n_faces - 1) / n_faces;
+    step = std::max<std::size_t>(1, n_faces / n_wanted);
+    n = per_face * ((n_faces + step - 1) / step);
+  }
+  std::size_t face(std::size_t i) const { return i / per_face * step; }
+};
 
 /// The i-th of places that fill a triangle evenly. \cite roberts_2018_quasirandom
 Barycentric spread_place(std::size_t i) {
@@ -19,25 +34,20 @@ Barycentric spread_place(std::size_t i) {
   return u + v <= 1 ? Barycentric{u, v} : Barycentric{1 - u, 1 - v};
 }
 
-/// Walks to whatever is nearest, however it lies.
-constexpr double any_direction = -1;
-
 /// The mean over points in faces of `from`, weighted by their area, of the squared distance to `to`.
 /// \param start gives a vertex of `to` near a point in a face, or `invalid_index`
 template <class Start>
 double directed_mean_square(const Surface& from, const Surface& to, const Start& start, unsigned threads) {
-  const std::size_t n_faces = from.faces.size();
-  const std::size_t per_face = (n_wanted + n_faces - 1) / n_faces;
-  const std::size_t step = std::max<std::size_t>(1, n_faces / n_wanted);
-  const std::size_t n = per_face * ((n_faces + step - 1) / step);
+  const Choice points(from.faces.size());
   struct Part {
     double squares = 0;
     double area = 0;
   };
-  std::vector<Part> parts(n);
-  for_each_range(n, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Triangle& face = from.faces[i / per_face * step];
+  std::vector<Part> parts(points.n);
+  constexpr std::size_t length = 64;
+  for_each_block((points.n + length - 1) / length, threads, [&](std::size_t block) {
+    for (std::size_t i = block * length; i < std::min(points.n, (block + 1) * length); ++i) {
+      const Triangle& face = from.faces[points.face(i)];
       const Vec3& a = from.positions[face[0]];
       const Vec3 ab = from.positions[face[1]] - a;
       const Vec3 ac = from.positions[face[2]] - a;
@@ -45,7 +55,7 @@ double directed_mean_square(const Surface& from, const Surface& to, const Start&
       const Vec3 point = a + second * ab + third * ac;
       const Index near = start(face, point);
       if (near == invalid_index) continue;
-      const NearestPoint nearest = walk_to_nearest(to, {point, Vec3::Zero(), near}, any_direction);
+      const NearestPoint nearest = walk_to_nearest(to, point, near);
       if (nearest.corner == nullptr) continue;
       const double area = ab.cross(ac).norm();
       parts[i] = {area * nearest.distance_sq, area};
@@ -61,12 +71,26 @@ double directed_mean_square(const Surface& from, const Surface& to, const Start&
 
 }  // namespace
 
-TwoSidedError::TwoSidedError(const Surface& original, std::span<const Index> vertex_map, std::size_t n_mesh_vertices)
-    : original_(original), vertex_map_(vertex_map), origins_(n_mesh_vertices, [vertex_map](const auto& add) {
-        for (Index v = 0; v < vertex_map.size(); ++v) {
-          if (vertex_map[v] != invalid_index) add(vertex_map[v], v);
-        }
-      }) {}
+TwoSidedError::TwoSidedError(const SimplifiedSurface& original, std::span<const Triangle> mesh_faces,
+                             std::size_t n_mesh_vertices)
+    : original_(original) {
+  const std::span<const Index> vertex_map = original.vertex_map;
+  std::vector<std::uint8_t> is_asked(n_mesh_vertices);
+  const Choice points(mesh_faces.size());
+  for (std::size_t i = 0; i < points.n; i += points.per_face) {
+    for (const Index v : mesh_faces[points.face(i)]) is_asked[v] = 1;
+  }
+  std::vector<std::uint8_t> is_near(vertex_map.size());
+  for (std::size_t v = 0; v < vertex_map.size(); ++v) {
+    is_near[v] = static_cast<std::uint8_t>(vertex_map[v] != invalid_index && is_asked[vertex_map[v]] != 0);
+  }
+  origins_ = {n_mesh_vertices, [&](const auto& add) {
+                for (Index v = 0; v < vertex_map.size(); ++v) {
+                  if (is_near[v] != 0) add(vertex_map[v], v);
+                }
+              }};
+  original_corners_ = {original.faces, vertex_map.size(), [&is_near](Index v) { return is_near[v] != 0; }};
+}
 
 double TwoSidedError::mean_square(const Surface& mesh, unsigned threads) const {
   const auto nearest = [](std::span<const Vec3> positions, const Vec3& point, Index& best, Index v) {
@@ -76,7 +100,7 @@ double TwoSidedError::mean_square(const Surface& mesh, unsigned threads) const {
   const auto in_mesh = [&](const Triangle& face, const Vec3& point) {
     Index best = invalid_index;
     for (const Index v : face) {
-      if (vertex_map_[v] != invalid_index) nearest(mesh.positions, point, best, vertex_map_[v]);
+      if (original_.vertex_map[v] != invalid_index) nearest(mesh.positions, point, best, original_.vertex_map[v]);
     }
     return best;
   };
@@ -87,8 +111,9 @@ double TwoSidedError::mean_square(const Surface& mesh, unsigned threads) const {
     }
     return best;
   };
-  return 0.5 * (directed_mean_square(original_, mesh, in_mesh, threads) +
-                directed_mean_square(mesh, original_, in_original, threads));
+  const Surface original{original_.faces, original_corners_, original_.positions};
+  return 0.5 * (directed_mean_square(original, mesh, in_mesh, threads) +
+                directed_mean_square(mesh, original, in_original, threads));
 }
 
 }  // namespace whittle

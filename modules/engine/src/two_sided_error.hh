@@ -7,21 +7,26 @@
 
 namespace whittle {
 
+/// A surface, and what became of its vertices: vertices of a mesh, or `invalid_index`.
+struct SimplifiedSurface {
+  std::span<const Triangle> faces;
+  std::span<const Vec3> positions;
+  std::span<const Index> vertex_map;
+};
+
 /// How far two surfaces are apart, both ways, at some points of each: for comparing what a mesh was with what it has
 /// become.
 class TwoSidedError {
  public:
-  /// Keeps references to all.
-  /// \param vertex_map vertices of `original` → vertices of a mesh that has so many, or `invalid_index`
-  TwoSidedError(const Surface& original, std::span<const Index> vertex_map, std::size_t n_mesh_vertices);
+  TwoSidedError(const SimplifiedSurface& original, std::span<const Triangle> mesh_faces, std::size_t n_mesh_vertices);
 
-  /// Half the sum of both ways' mean squared distances.
+  /// Half the sum of both ways' mean squared distances. \param mesh has the faces that this was made for
   double mean_square(const Surface& mesh, unsigned threads) const;
 
  private:
-  Surface original_;
-  std::span<const Index> vertex_map_;
-  IndexLists<Index> origins_;  ///< vertices of the original, by what they are mapped to
+  SimplifiedSurface original_;
+  IndexLists<Index> origins_;  ///< vertices of the original, by those that they are mapped to, of faces with points
+  VertexCorners original_corners_;  ///< at those
 };
 
 }  // namespace whittle

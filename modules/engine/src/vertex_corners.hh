@@ -16,11 +16,18 @@ struct Corner {
 /// The faces of each vertex of a mesh, ascending.
 class VertexCorners {
  public:
+  VertexCorners() = default;
   explicit VertexCorners(const IndexedMesh& mesh) : VertexCorners(mesh.faces, mesh.positions.size()) {}
   VertexCorners(std::span<const Triangle> faces, std::size_t n_vertices)
-      : lists_(n_vertices, [faces](const auto& add) {
+      : VertexCorners(faces, n_vertices, [](Index) { return true; }) {}
+  /// Of some vertices. \param is_wanted tells by number which
+  template <class IsWanted>
+  VertexCorners(std::span<const Triangle> faces, std::size_t n_vertices, const IsWanted& is_wanted)
+      : lists_(n_vertices, [&](const auto& add) {
           for (Index f = 0; f < faces.size(); ++f) {
-            for (Index place = 0; place < 3; ++place) add(faces[f][place], Corner{f, place});
+            for (Index place = 0; place < 3; ++place) {
+              if (is_wanted(faces[f][place])) add(faces[f][place], Corner{f, place});
+            }
           }
         }) {}
 

@@ -8,16 +8,18 @@
 
 // Polish: moves the vertices of a simplified mesh to where its faces fit the original surface best. Per pass
 //
-//   each point s of the original gets a foot: the face of the simplified mesh that lies nearest and faces the same way,
-//     the barycentric coordinates b of the nearest point on it, and d, the distance from the face's plane
+//   each point s of the original gets a foot: of those faces at the vertex that it became, or that a corner of its face
+//     did, which face the same way and hold the foot of the perpendicular, the nearest one; the barycentric coordinates
+//     b there, and d, the distance from the face's plane
 //   the vertices, each in its turn and twice, move to where Σ w (d − n · Σ b_j x_j)² + μ Σ W |x|² is least, x how far
-//     they have moved, n the face's normal, w the area a point stands for
+//     they have moved, n the face's normal, w the area a point stands for over 1 + |d| / e, e the root of the mean
+//     square distance between the surfaces: near points count by squares, far ones by distance (Fair's weights,
+//     \cite holland_1977_robust)
 //
 // The points are the original's vertices, with a quarter of the weight, and the centroids of its faces, or four points
-// in each if the simplified mesh has nearly as many: over a face whose corners all have their feet in one face that is
-// the integral of the square of the distance. Borders and feature lines are fitted to the original's in the same way:
-// points on its edges have feet on edges of the simplified mesh, d is the vector to them across the edge, and the sum
-// of their squares is added, as if the line were a strip of surface.
+// in each if the simplified mesh has nearly as many. Borders and feature lines are fitted to the original's in the same
+// way: points on its edges have feet on edges of the simplified mesh, d is the vector to them across the edge, and the
+// sum of their squares is added, as if the line were a strip of surface.
 //
 // A vertex moves less far, or not at all, where that would turn a face over, or fold two neighbours (bring their
 // normals more than 120° apart, and further than they were; where both were less than 90° apart and neither has turned
