@@ -43,13 +43,6 @@ class EdgeFlips {
         groups_(groups),
         samples_(samples),
         faces_(mesh.faces.begin(), mesh.faces.end()),
-        points_(mesh.faces.size(),
-                [&samples](const auto& add) {
-                  for (std::size_t i = 0; i < samples.size(); ++i) {
-                    const Index face = samples.foot(i).face;
-                    if (face != invalid_index) add(face, static_cast<Index>(i));
-                  }
-                }),
         partner_(mesh.faces.size(), invalid_index),
         valences_(mesh.corners.n_vertices()) {
     for (Index v = 0; v < valences_.size(); ++v) valences_[v] = mesh.corners.of(v).size();
@@ -57,20 +50,18 @@ class EdgeFlips {
 
   /// Those that pay, the best first.
   std::vector<Flip> find(unsigned threads) {
+    const std::vector<FaceFit> fits = fit(threads);
     std::vector<std::array<double, 3>> gains(faces_.size(), {0, 0, 0});
-    std::vector<double> squares(faces_.size());
-    for_each_range(faces_.size(), threads, [&](std::size_t begin, std::size_t end) {
-      for (auto f = static_cast<Index>(begin); f < end; ++f) squares[f] = squares_at(f);
-    });
     for_each_range(faces_.size(), threads, [&](std::size_t begin, std::size_t end) {
       for (auto f = static_cast<Index>(begin); f < end; ++f) {
         for (Index place = 0; place < 3; ++place) {
-          const Index other = neighbors_.beyond(f, place).face;
-          if (other == invalid_index || other < f) continue;
-          const double now = squares[f] + squares[other];
-          if (now < least_squares(f, place) || !keeps_surface(f, place)) continue;
-          const double gain = now - squares_after(f, place, most_left * now);
-          if (gain > 0 && turns_little(f, place) && !makes_thin(f, place)) gains[f][place] = gain;
+          if (fits[f].tents[place].height == 0) continue;
+          const auto [other, other_place] = neighbors_.beyond(f, place);
+          if (other < f) continue;
+          const double now = fits[f].squares + fits[other].squares;
+          const double gain = fits[f].gains[place] + fits[other].gains[other_place];
+          if (gain < (1 - most_left) * now || now < least_squares(f, place)) continue;
+          if (turns_little(f, place) && !makes_thin(f, place)) gains[f][place] = gain;
         }
       }
     });
@@ -123,15 +114,13 @@ class EdgeFlips {
 
   /// Gives the points of flipped faces their feet there.
   void move_feet(unsigned threads) {
-    for_each_range(faces_.size(), threads, [this](std::size_t begin, std::size_t end) {
-      for (auto f = static_cast<Index>(begin); f < end; ++f) {
-        if (!is_flipped(f)) continue;
-        const Faces faces{faces_[f], faces_[partner_[f]]};
-        for (const Index i : points_.of(f)) {
-          const Near near = nearest(faces, samples_.position(i));
-          samples_.set_foot(i, {near.which == 0 ? f : partner_[f], static_cast<float>(near.at.second),
-                                static_cast<float>(near.at.third), static_cast<float>(near.height)});
-        }
+    for_each_range(samples_.size(), threads, [this](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Index f = samples_.foot(i).face;
+        if (f == invalid_index || !is_flipped(f)) continue;
+        const Near near = nearest({faces_[f], faces_[partner_[f]]}, samples_.position(i));
+        samples_.set_foot(i, {near.which == 0 ? f : partner_[f], static_cast<float>(near.at.second),
+                              static_cast<float>(near.at.third), static_cast<float>(near.height)});
       }
     });
   }
@@ -145,6 +134,19 @@ class EdgeFlips {
     Barycentric at;
     double distance_sq;
     double height;  ///< over the face's plane
+  };
+
+  /// Between two faces and the two that a flip makes of them, as seen from one of them: highest where the old edge and
+  /// the new one are nearest to each other, and zero at the four corners.
+  struct Tent {
+    double share = 0;   ///< of the old edge's second end in the place of the tip
+    double height = 0;  ///< of the new edge over the face there; 0 if it can't be flipped
+  };
+  /// A face, what its points say of it, and of a flip of each of its sides.
+  struct FaceFit {
+    std::array<Tent, 3> tents;
+    double squares = 0;             ///< of the points' distances
+    std::array<double, 3> gains{};  ///< how much less they would be
   };
 
   bool is_flipped(Index f) const { return partner_[f] != invalid_index; }
@@ -171,32 +173,48 @@ class EdgeFlips {
     const Vec3 way = mesh_.positions[corner_after(mesh_.faces[f], place, 1)] - mesh_.positions[mesh_.faces[f][place]];
     return weight * least_rms * least_rms * way.squaredNorm();
   }
-  double squares_at(Index f) const {
-    double sum = 0;
-    for (const Index i : points_.of(f)) {
-      const Foot& foot = samples_.foot(i);
-      const bool is_inside = std::min({foot.second, foot.third, 1 - foot.second - foot.third}) > 0;
-      sum += samples_.weight(i) * (is_inside ? double{foot.distance} * foot.distance
-                                             : nearest_on(mesh_.faces[f], samples_.position(i)).distance_sq);
-    }
-    return sum;
-  }
-  /// With each point in the face on its side of the new edge. Infinite if more than `most`.
-  double squares_after(Index f, Index place, double most) const {
-    const Faces faces = faces_after(f, place);
-    const Vec3& from = mesh_.positions[faces[1][2]];
-    const Vec3 way = mesh_.positions[faces[1][0]] - from;
-    const Vec3 aside = way.cross(normal(faces[0]) + normal(faces[1]));  // to where the first face is
-    double sum = 0;
-    for (const Index g : {f, neighbors_.beyond(f, place).face}) {
-      for (const Index i : points_.of(g)) {
-        const Vec3 point = samples_.position(i);
-        const Triangle& face = faces[aside.dot(point - from) > 0 ? 0 : 1];
-        sum += samples_.weight(i) * nearest_on(face, point).distance_sq;
-        if (sum > most) return std::numeric_limits<double>::infinity();
+  std::vector<FaceFit> fit(unsigned threads) const {
+    std::vector<FaceFit> fits(faces_.size());
+    for_each_range(faces_.size(), threads, [&](std::size_t begin, std::size_t end) {
+      for (auto f = static_cast<Index>(begin); f < end; ++f) {
+        for (Index place = 0; place < 3; ++place) {
+          if (neighbors_.beyond(f, place).face != invalid_index && keeps_surface(f, place))
+            fits[f].tents[place] = tent(f, place);
+        }
       }
+    });
+    samples_.for_each_foot([&fits](const Foot& foot, double weight) { add(fits[foot.face], foot, weight); });
+    return fits;
+  }
+
+  Tent tent(Index f, Index place) const {
+    const auto [u, v, a, b] = corners_of(f, place);
+    const Vec3 edge = mesh_.positions[v] - mesh_.positions[u];
+    const Vec3 other_edge = mesh_.positions[b] - mesh_.positions[a];
+    const Vec3 between = mesh_.positions[a] - mesh_.positions[u];
+    // The shares of both where they are nearest to each other. \cite ericson_2005_collision (section 5.1.9)
+    const double e = edge.squaredNorm();
+    const double o = other_edge.squaredNorm();
+    const double eo = edge.dot(other_edge);
+    const double determinant = e * o - eo * eo;
+    const double share = (o * edge.dot(between) - eo * other_edge.dot(between)) / determinant;
+    const double other_share = (eo * edge.dot(between) - e * other_edge.dot(between)) / determinant;
+    const auto is_inside = [](double x) { return x > 0 && x < 1; };
+    if (!is_inside(share) || !is_inside(other_share)) return {};
+    const Vec3 up = normal(mesh_.faces[f]);
+    return {share, up.dot(other_share * other_edge) / up.norm()};
+  }
+
+  /// A flip takes the tent's height over its foot from a point's distance.
+  static void add(FaceFit& fit, const Foot& foot, double weight) {
+    const std::array<double, 3> at{1.0 - foot.second - foot.third, foot.second, foot.third};
+    fit.squares += weight * foot.distance * foot.distance;
+    for (std::size_t place = 0; place < 3; ++place) {
+      const auto& [share, height] = fit.tents[place];
+      if (height == 0) continue;
+      const double x = height * std::max(0.0, std::min(at[place] / (1 - share), at[(place + 1) % 3] / share));
+      fit.gains[place] += weight * x * (2 * foot.distance - x);
     }
-    return sum;
   }
 
   /// The edge's ends, as the face has them, and the other corner of the face and of the one beyond.
@@ -299,7 +317,6 @@ class EdgeFlips {
   std::span<const Index> groups_;
   SurfaceSamples& samples_;
   std::vector<Triangle> faces_;
-  IndexLists<Index> points_;    ///< by the face of their feet
   std::vector<Index> partner_;  ///< per face, the one it was flipped with
   std::vector<std::size_t> valences_;
 };
