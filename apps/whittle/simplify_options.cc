@@ -198,7 +198,7 @@ void add_guard_options(CLI::App& app, SimplifyOptions& options) {
       app, "--max-normal-flip", "DEG", options.max_normal_flip_deg,
       [](std::string_view text) { return parse_number(text, flip_range, "DEG"); },
       "refuse a contraction that turns a face further than DEG degrees (180: never), " + to_string(flip_range, "DEG"))
-      ->default_str("75; 110 with lindstrom-turk")
+      ->default_str("75; 60 with memoryless, 110 with lindstrom-turk")
       ->group(guard_group);
   add_number(app, "--min-radius-ratio", "X", decimate.min_radius_ratio, {0, 1},
              "refuse a contraction that leaves a face with a smaller ratio of inner to outer circle, 1 for an "

@@ -50,9 +50,17 @@ struct SimplifyOptions {
     if (decimate.order != Order::automatic) return decimate.order;
     return decimate.cost == Cost::memoryless ? Order::approximate : Order::exact;
   }
-  /// Lindstrom–Turk keeps volumes, and is more accurate where it may turn faces further for that.
+  /// Lindstrom–Turk is more accurate where it may turn faces further, memoryless quadrics where they turn them less.
   double max_normal_flip() const {
-    return max_normal_flip_deg.value_or(decimate.cost == Cost::lindstrom_turk ? 110 : decimate.max_normal_flip_deg);
+    if (max_normal_flip_deg) return *max_normal_flip_deg;
+    switch (decimate.cost) {
+      case Cost::lindstrom_turk:
+        return 110;
+      case Cost::memoryless:
+        return 60;
+      default:
+        return decimate.max_normal_flip_deg;
+    }
   }
 };
 

@@ -17,7 +17,10 @@ class Whittle : public Peer {
 
   IndexedMesh decimate(const IndexedMesh& input, std::size_t n_faces, Meter& meter) const override {
     DecimateOptions options;
-    if (effort_ != WhittleEffort::fast) options.cost = Cost::memoryless;
+    if (effort_ != WhittleEffort::fast) {
+      options.cost = Cost::memoryless;
+      options.max_normal_flip_deg = 60;
+    }
     options.threads = threads_;
     options.progress = [](const Progress&) { return true; };
     PolishOptions polish_options;

@@ -53,6 +53,7 @@ TEST(SimplifyCosts, MoreEffortIsMoreAccurate) {
   EXPECT_TRUE(fast.report["polish"].is_null());
   EXPECT_EQ(normal.report["options"]["effort"], "normal");
   EXPECT_EQ(normal.report["options"]["cost"], "memoryless");
+  EXPECT_EQ(normal.report["options"]["max_normal_flip_deg"], 60);
   EXPECT_EQ(normal.report["options"]["order"], "approximate");
   EXPECT_EQ(normal.report["polish"]["passes"], 1);
   EXPECT_GT(normal.report["polish"]["moved"], 1000);
@@ -71,6 +72,8 @@ TEST(SimplifyCosts, CostAndPolishCanBeChosen) {
   EXPECT_EQ(options({"--effort", "fast", "--polish", "2"})["polish"], 2);
   EXPECT_EQ(options({"--effort", "fast", "--cost", "memoryless"})["cost"], "memoryless");
   EXPECT_EQ(options({"--polish", "0"})["cost"], "memoryless");
+  EXPECT_EQ(options({"--max-normal-flip", "75"})["max_normal_flip_deg"], 75);
+  EXPECT_EQ(options({"--effort", "fast"})["max_normal_flip_deg"], 75);
   EXPECT_EQ(options({"--polish", "0"})["polish"], 0);
   EXPECT_EQ(options({"--cost", "quadric"})["polish"], 1);
 }

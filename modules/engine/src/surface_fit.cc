@@ -127,7 +127,7 @@ void SurfaceFit::sweep() {
     Vec3 move = wanted_move(v, pull);
     int n_halvings = 0;
     while (n_halvings < most_halvings &&
-           (is_too_far(moves_[v] + move, pull) || spoils_a_face(v, (*positions_)[v] + move))) {
+           (is_too_far(v, moves_[v] + move, pull) || spoils_a_face(v, (*positions_)[v] + move))) {
       move *= 0.5;
       ++n_halvings;
     }
@@ -146,7 +146,6 @@ SurfaceFit::Pull SurfaceFit::pull_at(Index v) const {
     for (Index k = 0; k < 3; ++k) error -= fit.product(place, k) * n.dot(moves_[faces_[f][k]]);
     pull.matrix += SymmetricMatrix::outer(n, fit.product(place, place));
     pull.force += error * n;
-    pull.planes += SymmetricMatrix::outer(n, fit.weight);
     pull.weight += fit.weight;
     pull.squares += fit.squares;
     pull.area += fit.area;
@@ -187,10 +186,15 @@ Vec3 SurfaceFit::wanted_move(Index v, const Pull& pull) const {
   return solve(matrix, pull.force - holding * moves_[v]);
 }
 
-bool SurfaceFit::is_too_far(const Vec3& moved, const Pull& pull) const {
-  return !(moved.dot(pull.planes * moved) <= most_drift * pull.squares) ||
-         !(moved.dot(pull.lines * moved) <= most_drift * pull.line_squares) ||
-         moved.squaredNorm() > most_area * pull.area;
+bool SurfaceFit::is_too_far(Index v, const Vec3& moved, const Pull& pull) const {
+  if (moved.squaredNorm() > most_area * pull.area) return true;
+  double from_planes = 0;
+  for (const Corner& corner : corners_.of(v)) {
+    const double height = fits_[corner.face].normal.dot(moved);
+    from_planes += fits_[corner.face].weight * height * height;
+  }
+  return !(from_planes <= most_drift * pull.squares) ||
+         !(moved.dot(pull.lines * moved) <= most_drift * pull.line_squares);
 }
 
 /// Whether a face turns too far, against how it was at the start or to a neighbour, or gets thin.

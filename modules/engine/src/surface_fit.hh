@@ -54,7 +54,6 @@ class SurfaceFit {
   struct Pull {
     SymmetricMatrix matrix;
     Vec3 force = Vec3::Zero();
-    SymmetricMatrix planes;  ///< Σ W n nᵀ
     double weight = 0;
     double squares = 0;
     SymmetricMatrix lines;  ///< Σ W P, P the projection across a line
@@ -68,7 +67,7 @@ class SurfaceFit {
   Pull pull_at(Index v) const;
   void add_lines(Index v, Pull& pull) const;
   Vec3 wanted_move(Index v, const Pull& pull) const;
-  bool is_too_far(const Vec3& moved, const Pull& pull) const;
+  bool is_too_far(Index v, const Vec3& moved, const Pull& pull) const;
   bool spoils_a_face(Index v, const Vec3& to) const;
   bool turns_to_a_neighbor(Index face, Index v, const Vec3& to) const;
   Vec3 normal_with(Index face, Index v, const Vec3& to) const;

@@ -7,6 +7,31 @@
 #include "whittle/engine/parallel.hh"
 
 namespace whittle {
+namespace {
+
+/// Asks for feet so many at a time that all of it stays in the nearest cache.
+class Batch {
+ public:
+  Batch(const FootFinder& finder, std::span<Foot> feet) : finder_(finder), feet_(feet) {}
+
+  void add(const FootFinder::Query& query) {
+    queries_[n_++] = query;
+    if (n_ == queries_.size()) finish();
+  }
+  void finish() {
+    finder_.find(std::span(queries_).first(n_), feet_.first(n_));
+    feet_ = feet_.subspan(n_);
+    n_ = 0;
+  }
+
+ private:
+  const FootFinder& finder_;
+  std::span<Foot> feet_;  ///< of those to come
+  std::array<FootFinder::Query, 128> queries_;
+  std::size_t n_ = 0;
+};
+
+}  // namespace
 
 SurfaceSamples::SurfaceSamples(const IndexedMesh& surface, std::span<const Index> vertex_map, const Frame& frame,
                                std::size_t per_face, unsigned threads)
@@ -40,31 +65,35 @@ void SurfaceSamples::measure() {
 }
 
 void SurfaceSamples::find_feet(const FootFinder& finder, unsigned threads) {
-  constexpr std::size_t at_once = 128;  // stay in the nearest cache
-  for_each_range(size(), threads, [&](std::size_t begin, std::size_t end) {
-    std::array<FootFinder::Query, at_once> queries;
-    for (; begin < end; begin += at_once) {
-      const std::size_t n = std::min(at_once, end - begin);
-      for (std::size_t i = 0; i < n; ++i) queries[i] = query(begin + i);
-      finder.find(std::span(queries).first(n), std::span(feet_).subspan(begin, n));
+  for_each_range(n_vertices(), threads, [&](std::size_t begin, std::size_t end) {
+    Batch batch(finder, std::span(feet_).subspan(begin));
+    for (std::size_t v = begin; v < end; ++v) {
+      batch.add({positions_[v], normals_and_areas_[v].head<3>(), vertex_map_[v]});
     }
+    batch.finish();
+  });
+  for_each_range(faces_.size(), threads, [&](std::size_t begin, std::size_t end) {
+    Batch batch(finder, std::span(feet_).subspan(n_vertices() + begin * per_face_));
+    for (std::size_t f = begin; f < end; ++f) {
+      const Eigen::Vector3f normal = this->normal(faces_[f]);
+      for (std::size_t i = 0; i < per_face_; ++i) {
+        batch.add({place_in_face(faces_[f], i), normal, vertex_map_[faces_[f][i == 0 ? 0 : i - 1]]});
+      }
+    }
+    batch.finish();
   });
 }
 
-FootFinder::Query SurfaceSamples::query(std::size_t i) const {
-  if (i < n_vertices()) return {positions_[i], normals_and_areas_[i].head<3>(), vertex_map_[i]};
-  const std::size_t in_faces = i - n_vertices();
-  const Triangle& face = faces_[in_faces / per_face_];
-  const std::size_t place = in_faces % per_face_;
-  return {position_in_face(in_faces), normal(face), vertex_map_[face[place == 0 ? 0 : place - 1]]};
+/// The centroid, or a point half way from there to a corner.
+Vec3 SurfaceSamples::place_in_face(const Triangle& face, std::size_t i) const {
+  const Vec3 sum = positions_[face[0]] + positions_[face[1]] + positions_[face[2]];
+  return i == 0 ? Vec3(sum / 3) : Vec3((sum + 3 * positions_[face[i - 1]]) / 6);
 }
 
-/// The centroid of a face, or a point half way from there to a corner.
-Vec3 SurfaceSamples::position_in_face(std::size_t i) const {
-  const Triangle& face = faces_[i / per_face_];
-  const std::size_t place = i % per_face_;
-  const Vec3 sum = positions_[face[0]] + positions_[face[1]] + positions_[face[2]];
-  return place == 0 ? Vec3(sum / 3) : Vec3((sum + 3 * positions_[face[place - 1]]) / 6);
+Vec3 SurfaceSamples::position(std::size_t i) const {
+  if (i < n_vertices()) return positions_[i];
+  const std::size_t in_faces = i - n_vertices();
+  return place_in_face(faces_[in_faces / per_face_], in_faces % per_face_);
 }
 
 }  // namespace whittle

@@ -25,7 +25,7 @@ class SurfaceSamples {
 
   /// Points by number: first the vertices, then those in faces.
   std::size_t size() const { return feet_.size(); }
-  Vec3 position(std::size_t i) const { return i < n_vertices() ? positions_[i] : position_in_face(i - n_vertices()); }
+  Vec3 position(std::size_t i) const;
   double weight(std::size_t i) const {
     return i < n_vertices() ? 0.25 * normals_and_areas_[i].w() : weight_in_face((i - n_vertices()) / per_face_);
   }
@@ -50,9 +50,8 @@ class SurfaceSamples {
   std::size_t n_vertices() const { return positions_.size(); }
   void measure();
   Eigen::Vector3f normal(const Triangle& face) const;  ///< as long as twice its area
-  Vec3 position_in_face(std::size_t i) const;
+  Vec3 place_in_face(const Triangle& face, std::size_t i) const;
   double weight_in_face(std::size_t f) const { return 0.75 * face_areas_[f] / static_cast<double>(per_face_); }
-  FootFinder::Query query(std::size_t i) const;
 
   const std::vector<Triangle>& faces_;
   std::span<const Index> vertex_map_;

@@ -89,7 +89,7 @@ TwoSidedError::TwoSidedError(const SimplifiedSurface& original, std::span<const 
                   if (is_near[v] != 0) add(vertex_map[v], v);
                 }
               }};
-  original_corners_ = {original.faces, vertex_map.size(), [&is_near](Index v) { return is_near[v] != 0; }};
+  original_corners_ = {original.faces, is_near};
 }
 
 double TwoSidedError::mean_square(const Surface& mesh, unsigned threads) const {

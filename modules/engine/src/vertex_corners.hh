@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "index_lists.hh"
 #include "whittle/engine/indexed_mesh.hh"
@@ -19,17 +21,26 @@ class VertexCorners {
   VertexCorners() = default;
   explicit VertexCorners(const IndexedMesh& mesh) : VertexCorners(mesh.faces, mesh.positions.size()) {}
   VertexCorners(std::span<const Triangle> faces, std::size_t n_vertices)
-      : VertexCorners(faces, n_vertices, [](Index) { return true; }) {}
-  /// Of some vertices. \param is_wanted tells by number which
-  template <class IsWanted>
-  VertexCorners(std::span<const Triangle> faces, std::size_t n_vertices, const IsWanted& is_wanted)
-      : lists_(n_vertices, [&](const auto& add) {
+      : lists_(n_vertices, [faces](const auto& add) {
           for (Index f = 0; f < faces.size(); ++f) {
-            for (Index place = 0; place < 3; ++place) {
-              if (is_wanted(faces[f][place])) add(faces[f][place], Corner{f, place});
-            }
+            for (Index place = 0; place < 3; ++place) add(faces[f][place], Corner{f, place});
           }
         }) {}
+  /// Of some vertices. \param is_wanted per vertex, 1 or 0
+  VertexCorners(std::span<const Triangle> faces, std::span<const std::uint8_t> is_wanted) {
+    std::vector<Index> found;
+    for (Index f = 0; f < faces.size(); ++f) {
+      const auto& [a, b, c] = faces[f];
+      if ((is_wanted[a] | is_wanted[b] | is_wanted[c]) != 0) found.push_back(f);
+    }
+    lists_ = {is_wanted.size(), [&](const auto& add) {
+                for (const Index f : found) {
+                  for (Index place = 0; place < 3; ++place) {
+                    if (is_wanted[faces[f][place]] != 0) add(faces[f][place], Corner{f, place});
+                  }
+                }
+              }};
+  }
 
   std::size_t n_vertices() const { return lists_.size(); }
   std::span<const Corner> of(Index v) const { return lists_.of(v); }
