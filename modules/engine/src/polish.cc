@@ -105,6 +105,27 @@ std::vector<Index> take_back_lines(const Surface& before, const MeshLines& lines
   return taken_back;
 }
 
+using Distances = std::vector<TwoSidedError::Distance>;
+
+double root_mean_square(const Distances& distances) {
+  double sum = 0;
+  for (const auto& [square, weight] : distances) sum += weight * square;
+  return std::sqrt(sum);
+}
+
+/// How much a point at a distance counts. \cite holland_1977_robust
+double fair_weight(double distance, double unit) { return 1 / (1 + std::abs(distance) / unit); }
+
+/// What Fair's weights make least: like half the squares of distances far below the unit, like distances far above.
+double fair_loss(const Distances& distances, double unit) {
+  double sum = 0;
+  for (const auto& [square, weight] : distances) {
+    const double x = std::sqrt(square) / unit;
+    sum += weight * (x - std::log1p(x));
+  }
+  return sum;
+}
+
 /// How a mesh hangs together, and what is computed by that. Its parts refer to each other.
 struct Connectivity {
   std::vector<Triangle> faces;
@@ -124,8 +145,8 @@ struct Connectivity {
   Connectivity& operator=(const Connectivity&) = delete;
 
   Surface at(std::span<const Vec3> positions) const { return {faces, corners, positions}; }
-  double mean_square(std::span<const Vec3> positions, unsigned threads) const {
-    return error.mean_square(at(positions), threads);
+  Distances distances(std::span<const Vec3> positions, unsigned threads) const {
+    return error.distances(at(positions), threads);
   }
 };
 
@@ -145,28 +166,29 @@ class Polisher {
         can_flip_(options.flips && mesh.corner_texcoords.empty()) {
     positions_.reserve(mesh.positions.size());
     for (const Vec3& p : mesh.positions) positions_.push_back(frame_.to_frame(p));
-    least_error_ = mesh_->mean_square(positions_, options.threads);
+    distances_ = mesh_->distances(positions_, options.threads);
   }
 
   /// \return whether it helped; if not, nothing has changed
   bool pass() {
-    if (!(least_error_ > 0)) return false;
+    const double unit = root_mean_square(distances_);
+    if (!(unit > 0)) return false;
     FootFinder finder(mesh_->faces, mesh_->corners);
     finder.look_at(positions_, options_.threads);
     samples_.find_feet(finder, options_.threads);
     line_samples_.find_feet(lines_, mesh_->at(positions_), options_.threads);
     std::unique_ptr<Connectivity> flipped = flip();
     const Connectivity& mesh = flipped ? *flipped : *mesh_;
-    std::vector<Vec3> moved = move(mesh);
-    const double error = mesh.mean_square(moved, options_.threads);
-    if (!(error < least_error_)) return false;
-    least_error_ = error;
+    std::vector<Vec3> moved = move(mesh, unit);
+    Distances distances = mesh.distances(moved, options_.threads);
+    if (!(fair_loss(distances, unit) < fair_loss(distances_, unit))) return false;
+    distances_ = std::move(distances);
     positions_ = std::move(moved);
     if (flipped) mesh_ = std::move(flipped);
     return true;
   }
 
-  double rms() const { return std::sqrt(least_error_) * frame_.unscale; }
+  double rms() const { return root_mean_square(distances_) * frame_.unscale; }
 
   /// \return how many vertices are not where they were
   std::uint64_t write(IndexedMesh& mesh) const {
@@ -201,16 +223,14 @@ class Polisher {
     return std::make_unique<Connectivity>(std::move(faces), positions_.size(), original_, options_);
   }
 
-  /// Where the vertices are to go.
-  std::vector<Vec3> move(const Connectivity& mesh) {
+  /// Where the vertices are to go. \param unit of Fair's weights
+  std::vector<Vec3> move(const Connectivity& mesh, double unit) {
     std::vector<Vec3> moved = positions_;
     SurfaceFit fit(mesh.faces, mesh.corners, mesh.neighbors, mesh.limits, lines_, is_fixed_);
     fit.start(moved);
     line_samples_.for_each_foot([&fit](const LineFoot& foot, double weight) { fit.add(foot, weight); });
-    const double scale = 1 / std::sqrt(least_error_);
-    samples_.for_each_foot([&fit, scale](const Foot& foot, double weight) {
-      fit.add(foot, weight / (1 + scale * std::abs(foot.distance)));
-    });
+    samples_.for_each_foot(
+        [&fit, unit](const Foot& foot, double weight) { fit.add(foot, weight * fair_weight(foot.distance, unit)); });
     for (int i = 0; i < n_sweeps; ++i) fit.sweep();
     const Surface before = mesh.at(positions_);
     const std::vector<Index> taken_back = take_back_lines(before, lines_, line_samples_, moved, options_.threads);
@@ -229,7 +249,7 @@ class Polisher {
   std::vector<std::uint8_t> is_fixed_;
   bool can_flip_;
   std::vector<Vec3> positions_;
-  double least_error_;  ///< mean square
+  Distances distances_;
 };
 
 }  // namespace

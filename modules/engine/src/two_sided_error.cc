@@ -34,16 +34,13 @@ Barycentric spread_place(std::size_t i) {
   return u + v <= 1 ? Barycentric{u, v} : Barycentric{1 - u, 1 - v};
 }
 
-/// The mean over points in faces of `from`, weighted by their area, of the squared distance to `to`.
+/// Of points in faces of `from`, weighted by their area, from `to`.
 /// \param start gives a vertex of `to` near a point in a face, or `invalid_index`
 template <class Start>
-double directed_mean_square(const Surface& from, const Surface& to, const Start& start, unsigned threads) {
+std::vector<TwoSidedError::Distance> one_sided(const Surface& from, const Surface& to, const Start& start,
+                                               unsigned threads) {
   const Choice points(from.faces.size());
-  struct Part {
-    double squares = 0;
-    double area = 0;
-  };
-  std::vector<Part> parts(points.n);
+  std::vector<TwoSidedError::Distance> distances(points.n, {0, 0});
   constexpr std::size_t length = 64;
   for_each_block((points.n + length - 1) / length, threads, [&](std::size_t block) {
     for (std::size_t i = block * length; i < std::min(points.n, (block + 1) * length); ++i) {
@@ -57,16 +54,13 @@ double directed_mean_square(const Surface& from, const Surface& to, const Start&
       if (near == invalid_index) continue;
       const NearestPoint nearest = walk_to_nearest(to, point, near);
       if (nearest.corner == nullptr) continue;
-      const double area = ab.cross(ac).norm();
-      parts[i] = {area * nearest.distance_sq, area};
+      distances[i] = {nearest.distance_sq, ab.cross(ac).norm()};
     }
   });
-  Part all;
-  for (const Part& part : parts) {
-    all.squares += part.squares;
-    all.area += part.area;
-  }
-  return all.area > 0 ? all.squares / all.area : 0;
+  double sum = 0;
+  for (const auto& [square, weight] : distances) sum += weight;
+  for (auto& [square, weight] : distances) weight *= sum > 0 ? 0.5 / sum : 0;
+  return distances;
 }
 
 }  // namespace
@@ -92,7 +86,7 @@ TwoSidedError::TwoSidedError(const SimplifiedSurface& original, std::span<const 
   original_corners_ = {original.faces, is_near};
 }
 
-double TwoSidedError::mean_square(const Surface& mesh, unsigned threads) const {
+std::vector<TwoSidedError::Distance> TwoSidedError::distances(const Surface& mesh, unsigned threads) const {
   const auto nearest = [](std::span<const Vec3> positions, const Vec3& point, Index& best, Index v) {
     if (best == invalid_index || (positions[v] - point).squaredNorm() < (positions[best] - point).squaredNorm())
       best = v;
@@ -112,8 +106,10 @@ double TwoSidedError::mean_square(const Surface& mesh, unsigned threads) const {
     return best;
   };
   const Surface original{original_.faces, original_corners_, original_.positions};
-  return 0.5 * (directed_mean_square(original, mesh, in_mesh, threads) +
-                directed_mean_square(mesh, original, in_original, threads));
+  std::vector<Distance> all = one_sided(original, mesh, in_mesh, threads);
+  const std::vector<Distance> back = one_sided(mesh, original, in_original, threads);
+  all.insert(all.end(), back.begin(), back.end());
+  return all;
 }
 
 }  // namespace whittle

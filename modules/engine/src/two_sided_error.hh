@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "index_lists.hh"
 #include "surface_walk.hh"
@@ -20,8 +21,12 @@ class TwoSidedError {
  public:
   TwoSidedError(const SimplifiedSurface& original, std::span<const Triangle> mesh_faces, std::size_t n_mesh_vertices);
 
-  /// Half the sum of both ways' mean squared distances. \param mesh has the faces that this was made for
-  double mean_square(const Surface& mesh, unsigned threads) const;
+  struct Distance {
+    double square;
+    double weight;  ///< those of each side add up to one half
+  };
+  /// At the same points every time. \param mesh has the faces that this was made for
+  std::vector<Distance> distances(const Surface& mesh, unsigned threads) const;
 
  private:
   SimplifiedSurface original_;
