@@ -48,6 +48,8 @@ class SurfaceSamples {
 
  private:
   std::size_t n_vertices() const { return positions_.size(); }
+  template <class PerVertex>
+  void prefetch_corners(std::size_t f, const PerVertex& more) const;
   void measure();
   Eigen::Vector3f normal(const Triangle& face) const;  ///< as long as twice its area
   Vec3 place_in_face(const Triangle& face, std::size_t i) const;
