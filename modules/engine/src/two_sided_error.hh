@@ -19,6 +19,7 @@ struct SimplifiedSurface {
 /// become.
 class TwoSidedError {
  public:
+  /// Keeps what `original` refers to.
   TwoSidedError(const SimplifiedSurface& original, std::span<const Triangle> mesh_faces, std::size_t n_mesh_vertices);
 
   struct Distance {
