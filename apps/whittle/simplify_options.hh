@@ -50,18 +50,7 @@ struct SimplifyOptions {
     if (decimate.order != Order::automatic) return decimate.order;
     return decimate.cost == Cost::memoryless ? Order::approximate : Order::exact;
   }
-  /// Lindstrom–Turk is more accurate where it may turn faces further, memoryless quadrics where they turn them less.
-  double max_normal_flip() const {
-    if (max_normal_flip_deg) return *max_normal_flip_deg;
-    switch (decimate.cost) {
-      case Cost::lindstrom_turk:
-        return 110;
-      case Cost::memoryless:
-        return 60;
-      default:
-        return decimate.max_normal_flip_deg;
-    }
-  }
+  double max_normal_flip() const { return max_normal_flip_deg.value_or(best_max_normal_flip_deg(decimate.cost)); }
 };
 
 /// With the cost and the passes filled in that the effort makes of the other options.

@@ -17,10 +17,8 @@ class Whittle : public Peer {
 
   IndexedMesh decimate(const IndexedMesh& input, std::size_t n_faces, Meter& meter) const override {
     DecimateOptions options;
-    if (effort_ != WhittleEffort::fast) {
-      options.cost = Cost::memoryless;
-      options.max_normal_flip_deg = 60;
-    }
+    if (effort_ != WhittleEffort::fast) options.cost = Cost::memoryless;
+    options.max_normal_flip_deg = best_max_normal_flip_deg(options.cost);
     options.threads = threads_;
     options.progress = [](const Progress&) { return true; };
     PolishOptions polish_options;

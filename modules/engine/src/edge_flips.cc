@@ -293,13 +293,7 @@ class EdgeFlips {
   }
 
   bool do_intersect(Index f, Index g) const {
-    int n_common = 0;
-    for (const Index v : faces_[f]) n_common += static_cast<int>(std::count(faces_[g].begin(), faces_[g].end(), v));
-    const auto corners = [this](Index face) -> std::array<Vec3, 3> {
-      const auto& [a, b, c] = faces_[face];
-      return {mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]};
-    };
-    return n_common < 2 && intersect(corners(f), corners(g));
+    return n_common_corners(faces_[f], faces_[g]) < 2 && intersect(faces_[f], faces_[g], mesh_.positions);
   }
   void undo(Index f) {
     if (!is_flipped(f)) return;

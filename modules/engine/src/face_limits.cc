@@ -23,9 +23,4 @@ FaceLimits::FaceLimits(const FaceNeighbors& neighbors, std::span<const VertexPai
   }
 }
 
-double FaceLimits::cosine(Index face, Index place, const Vec3& normal, const Vec3& other) const {
-  const double cosine = whittle::cosine(normal, other);
-  return neighbors_.is_twisted(face, place) ? -cosine : cosine;
-}
-
 }  // namespace whittle

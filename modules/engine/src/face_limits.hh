@@ -52,10 +52,14 @@ class FaceLimits {
   bool forbid(Index face, Index place, const Normal& normal) const {
     const Index other = neighbors_.beyond(face, place).face;
     if (other == invalid_index) return false;
-    const double after = cosine(face, place, normal(face, true), normal(other, true));
+    const auto cosine_of = [&](bool is_after) {
+      const double between = cosine(normal(face, is_after), normal(other, is_after));
+      return neighbors_.is_twisted(face, place) ? -between : between;
+    };
+    const double after = cosine_of(true);
     const bool is_sharp = after < least_cosine_;
     if (only_folds() && !is_sharp) return false;
-    const double before = cosine(face, place, normal(face, false), normal(other, false));
+    const double before = cosine_of(false);
     if (after < least_fold_cosine && !(after >= before)) return true;
     return !only_folds() && is_sharp != (before < least_cosine_) && is_sharp != is_feature_[face][place];
   }
@@ -64,8 +68,6 @@ class FaceLimits {
   double along(Index face, Index place, const Vec3& normal, const Vec3& other) const {
     return neighbors_.is_twisted(face, place) ? -normal.dot(other) : normal.dot(other);
   }
-  /// Between these.
-  double cosine(Index face, Index place, const Vec3& normal, const Vec3& other) const;
 
  private:
   /// Below which two faces are nearly folded.

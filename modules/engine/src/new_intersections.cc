@@ -12,8 +12,6 @@
 namespace whittle {
 namespace {
 
-using Corners = std::array<Vec3, 3>;
-
 class MovedMesh {
  public:
   MovedMesh(const Surface& before, const FaceLimits& limits, std::vector<Vec3>& positions, unsigned threads)
@@ -100,13 +98,9 @@ class MovedMesh {
   bool is_moved(Index v) const { return positions_[v] != before_.positions[v]; }
 
   bool intersect_newly(Index f, Index g) const {
-    const auto intersect_at = [&](std::span<const Vec3> positions) {
-      const auto corners = [positions](const Triangle& face) {
-        return Corners{positions[face[0]], positions[face[1]], positions[face[2]]};
-      };
-      return intersect(corners(before_.faces[f]), corners(before_.faces[g]));
-    };
-    return intersect_at(positions_) && !intersect_at(before_.positions);
+    const Triangle& s = before_.faces[f];
+    const Triangle& t = before_.faces[g];
+    return intersect(s, t, positions_) && !intersect(s, t, before_.positions);
   }
 
   bool has_fresh_face(Index v) const {

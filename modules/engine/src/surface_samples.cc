@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "surface_walk.hh"
 #include "whittle/engine/parallel.hh"
 #include "whittle/engine/prefetch.hh"
 
@@ -52,12 +53,6 @@ SurfaceSamples::SurfaceSamples(const IndexedMesh& surface, std::span<const Index
   feet_.resize(positions_.size() + per_face * faces_.size());
 }
 
-Eigen::Vector3f SurfaceSamples::normal(const Triangle& face) const {
-  const Vec3& corner = positions_[face[0]];
-  const Eigen::Vector3f to_second = (positions_[face[1]] - corner).cast<float>();
-  return to_second.cross((positions_[face[2]] - corner).cast<float>());
-}
-
 /// Brings near where a face's corners are, and what else there is of each.
 template <class PerVertex>
 void SurfaceSamples::prefetch_corners(std::size_t f, const PerVertex& more) const {
@@ -72,7 +67,7 @@ void SurfaceSamples::measure() {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     prefetch_corners(f + ahead, normals_and_areas_);
     Eigen::Vector4f sum;
-    sum.head<3>() = normal(faces_[f]);
+    sum.head<3>() = area_normal(faces_[f], positions_).cast<float>();
     face_areas_[f] = 0.5F * std::sqrt(sum.head<3>().squaredNorm());
     sum.w() = face_areas_[f] / 3;
     for (const Index v : faces_[f]) normals_and_areas_[v] += sum;
@@ -91,7 +86,7 @@ void SurfaceSamples::find_feet(const FootFinder& finder, unsigned threads) {
     Batch batch(finder, std::span(feet_).subspan(n_vertices() + begin * per_face_));
     for (std::size_t f = begin; f < end; ++f) {
       prefetch_corners(f + ahead, vertex_map_);
-      const Eigen::Vector3f normal = this->normal(faces_[f]);
+      const Eigen::Vector3f normal = area_normal(faces_[f], positions_).cast<float>();
       for (std::size_t i = 0; i < per_face_; ++i) {
         batch.add({place_in_face(faces_[f], i), normal, vertex_map_[faces_[f][i == 0 ? 0 : i - 1]]});
       }

@@ -11,8 +11,8 @@
 namespace whittle {
 
 /// Points that stand for a surface: its vertices, and one or four points in each face. Together they weigh what it has
-/// of area, vertices a quarter of it; so that, where a function is linear on a face and that has one point, the sum of
-/// its square over the face's points is the integral. And their feet on another surface.
+/// of area, vertices a quarter of it; so that, where a function is linear on a face, its sum over the face's points is
+/// the integral, and with one point the sum of its square is that of the square. And their feet on another surface.
 class SurfaceSamples {
  public:
   /// \param vertex_map as `polish` says \param per_face 1 or 4
@@ -51,7 +51,6 @@ class SurfaceSamples {
   template <class PerVertex>
   void prefetch_corners(std::size_t f, const PerVertex& more) const;
   void measure();
-  Eigen::Vector3f normal(const Triangle& face) const;  ///< as long as twice its area
   Vec3 place_in_face(const Triangle& face, std::size_t i) const;
   double weight_in_face(std::size_t f) const { return 0.75 * face_areas_[f] / static_cast<double>(per_face_); }
 

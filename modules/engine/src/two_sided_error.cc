@@ -34,7 +34,7 @@ Barycentric spread_place(std::size_t i) {
   return u + v <= 1 ? Barycentric{u, v} : Barycentric{1 - u, 1 - v};
 }
 
-/// Of points in faces of `from`, weighted by their area, from `to`.
+/// How far points in faces of `from`, weighted by the area of these, are from `to`.
 /// \param start gives a vertex of `to` near a point in a face, or `invalid_index`
 template <class Start>
 std::vector<TwoSidedError::Distance> one_sided(const Surface& from, const Surface& to, const Start& start,

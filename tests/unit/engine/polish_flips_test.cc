@@ -86,7 +86,7 @@ TEST(PolishFlips, LessenTheError) {
             .rms;
       };
       const double share = rms(true) / rms(false);
-      EXPECT_LT(share, 1.02) << ratio;
+      EXPECT_LT(share, 1.01) << ratio;
       product *= share;
     }
   }

@@ -44,6 +44,21 @@ enum class Cost {
   midpoint         ///< the edge's length, to its middle. Unit: length
 };
 
+/// How far contractions may turn faces for a cost to do best, degrees: Lindstrom–Turk is more accurate where they may
+/// turn them further, memoryless quadrics where they turn them less.
+constexpr double best_max_normal_flip_deg(Cost cost) {
+  switch (cost) {
+    case Cost::lindstrom_turk:
+      return 110;
+    case Cost::memoryless:
+      return 60;
+    case Cost::quadric:
+    case Cost::midpoint:
+      break;
+  }
+  return 75;
+}
+
 /// In which order a cost that has no lower bounds is followed.
 enum class Order {
   automatic,   ///< approximate for `Cost::memoryless`, else exact
@@ -99,8 +114,8 @@ struct DecimateOptions {
   Boundary boundary = Boundary::weighted;
 
   /// A contraction that turns the normal of a remaining face further than this is refused, degrees. (0, 180]; 180 =
-  /// off. Best for memoryless quadrics is 60, for Lindstrom–Turk 110.
-  double max_normal_flip_deg = 75;
+  /// off. What is best depends on the cost: `best_max_normal_flip_deg`.
+  double max_normal_flip_deg = best_max_normal_flip_deg(Cost::quadric);
 
   /// A contraction that leaves a face with a smaller radius ratio (radius_ratio.hh) is refused, unless the face was
   /// thinner before. [0, 1]; 0 = off.

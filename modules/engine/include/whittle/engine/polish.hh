@@ -26,8 +26,8 @@
 // by 26°, this isn't looked at, and they end below 142°), or take it from the planes of its own faces, or from its
 // lines, by more than the surface or the lines are off there anyway (corners stay corners), or from where it was by a
 // seventh of an edge. Then moves are taken back at vertices whose lines have come to be further from the original's
-// than these were anywhere, and around faces that have come to intersect others. In the end the distance between the
-// surfaces, both ways, tells whether a pass helped; if not, it is taken back.
+// than these were anywhere, and around faces that have come to intersect others. In the end the distances between the
+// surfaces, both ways, tell whether a pass helped, by what Fair's weights make least; if not, it is taken back.
 
 namespace whittle {
 
