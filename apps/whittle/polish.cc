@@ -1,4 +1,4 @@
-#include "whittle/engine/polish.hh"
+#include "whittle/polish/polish.hh"
 
 #include <memory>
 #include <string>

@@ -8,12 +8,12 @@
 #include "command_line.hh"
 #include "input.hh"
 #include "output.hh"
-#include "whittle/engine/polish.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/line_distance.hh"
 #include "whittle/metrics/shape.hh"
 #include "whittle/metrics/topology.hh"
+#include "whittle/polish/polish.hh"
 
 // The JSON reports: schema 1. Keys are never renamed nor removed within a schema; more may be added.
 

@@ -17,11 +17,11 @@
 #include "subcommands.hh"
 #include "table.hh"
 #include "values.hh"
+#include "whittle/core/feature_edges.hh"
+#include "whittle/core/parts.hh"
 #include "whittle/engine/automatic_threshold.hh"
-#include "whittle/engine/feature_edges.hh"
-#include "whittle/engine/parts.hh"
-#include "whittle/engine/polish.hh"
 #include "whittle/metrics/shape.hh"
+#include "whittle/polish/polish.hh"
 
 namespace whittle::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 #include "whittle/metrics/topology.hh"
 
 namespace whittle::bench {

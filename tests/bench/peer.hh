@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "meter.hh"
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 
 namespace whittle::bench {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 
 // What several peers need to take arrays over and to give them back.
 

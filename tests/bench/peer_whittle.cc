@@ -3,7 +3,7 @@
 
 #include "peer.hh"
 #include "whittle/engine/decimate.hh"
-#include "whittle/engine/polish.hh"
+#include "whittle/polish/polish.hh"
 
 // Whittle's engine as the program runs it with --effort: optimal placement, every guard, counted rejections; and with a
 // progress callback.

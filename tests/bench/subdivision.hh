@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 
 // Large meshes out of small ones.
 

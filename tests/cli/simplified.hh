@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "program.hh"
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 
 namespace whittle::test {
 

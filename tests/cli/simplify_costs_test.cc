@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "simplified.hh"
-#include "whittle/engine/frame.hh"
+#include "whittle/core/frame.hh"
 #include "whittle/io/read.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/line_distance.hh"

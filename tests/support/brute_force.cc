@@ -6,8 +6,8 @@
 #include <set>
 
 #include "support/face_list.hh"
-#include "whittle/engine/edge_length_term.hh"
-#include "whittle/engine/radius_ratio.hh"
+#include "whittle/core/geometry/radius_ratio.hh"
+#include "whittle/engine/formula/edge_length_term.hh"
 
 namespace whittle::test {
 namespace {

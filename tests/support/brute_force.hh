@@ -9,10 +9,10 @@
 #include "support/brute_force_costs.hh"
 #include "support/brute_force_memoryless.hh"
 #include "support/brute_force_restraints.hh"
+#include "whittle/core/frame.hh"
 #include "whittle/engine/decimate.hh"
-#include "whittle/engine/frame.hh"
-#include "whittle/engine/pair_evaluation.hh"
-#include "whittle/engine/point_quadric.hh"
+#include "whittle/engine/formula/pair_evaluation.hh"
+#include "whittle/engine/formula/point_quadric.hh"
 
 namespace whittle::test {
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "support/face_list.hh"
-#include "whittle/engine/edge_length_term.hh"
+#include "whittle/engine/formula/edge_length_term.hh"
 
 namespace whittle::test {
 namespace {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "whittle/engine/decimate.hh"
-#include "whittle/engine/lindstrom_turk.hh"
-#include "whittle/engine/pair_evaluation.hh"
-#include "whittle/engine/valence_term.hh"
+#include "whittle/engine/formula/lindstrom_turk.hh"
+#include "whittle/engine/formula/pair_evaluation.hh"
+#include "whittle/engine/formula/valence_term.hh"
 
 namespace whittle::test {
 

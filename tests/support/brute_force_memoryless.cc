@@ -6,7 +6,7 @@
 #include <set>
 
 #include "support/face_list.hh"
-#include "whittle/engine/nearest_on_triangle.hh"
+#include "whittle/core/geometry/nearest_on_triangle.hh"
 
 namespace whittle::test {
 namespace {

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "whittle/engine/indexed_mesh.hh"
-#include "whittle/engine/memoryless_term.hh"
-#include "whittle/engine/quadric_term.hh"
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/engine/formula/memoryless_term.hh"
+#include "whittle/engine/formula/quadric_term.hh"
 
 namespace whittle::test {
 

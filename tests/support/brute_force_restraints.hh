@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "whittle/engine/decimate.hh"
-#include "whittle/engine/pair_evaluation.hh"
+#include "whittle/engine/formula/pair_evaluation.hh"
 
 namespace whittle::test {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 #include <vector>
-#include <whittle/engine/indexed_mesh.hh>
+#include <whittle/core/indexed_mesh.hh>
 
 // A list of triangles seen through definitions: everything is counted anew from the list.
 

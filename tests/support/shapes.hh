@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <vector>
-#include <whittle/engine/indexed_mesh.hh>
+#include <whittle/core/indexed_mesh.hh>
 
 /// Meshes made on the spot, each with its counts: V vertices, F faces, g the genus. Closed ones are oriented outwards.
 /// Without a word on it a mesh is manifold, connected and without duplicate, degenerate or isolated elements.

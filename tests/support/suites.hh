@@ -2,7 +2,7 @@
 
 #include <string>
 #include <vector>
-#include <whittle/engine/indexed_mesh.hh>
+#include <whittle/core/indexed_mesh.hh>
 
 /// Small meshes by kind, for tests that loop over them; a few hundred faces at most, so that brute force is cheap.
 namespace whittle::test {

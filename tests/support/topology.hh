@@ -1,7 +1,7 @@
 #pragma once
 
 #include <iosfwd>
-#include <whittle/engine/indexed_mesh.hh>
+#include <whittle/core/indexed_mesh.hh>
 
 namespace whittle::test {
 

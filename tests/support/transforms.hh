@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <vector>
-#include <whittle/engine/indexed_mesh.hh>
+#include <whittle/core/indexed_mesh.hh>
 
 /// The same mesh elsewhere, at another size or in another order: what no result may depend on.
 namespace whittle::test {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 #include "whittle/io/read.hh"
 
 namespace whittle::io {

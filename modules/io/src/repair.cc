@@ -4,7 +4,7 @@
 
 #include "buckets.hh"
 #include "repair_detail.hh"
-#include "whittle/engine/drop.hh"
+#include "whittle/core/detail/drop.hh"
 
 namespace whittle::io {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 
 namespace whittle::io {
 

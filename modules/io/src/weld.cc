@@ -10,7 +10,7 @@
 #include "buckets.hh"
 #include "repair_detail.hh"
 #include "weld_resolver.hh"
-#include "whittle/engine/drop.hh"
+#include "whittle/core/detail/drop.hh"
 #include "whittle/io/repair.hh"
 
 namespace whittle::io {

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 
 namespace whittle::io {
 

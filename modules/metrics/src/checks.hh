@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 
 namespace whittle::metrics {
 

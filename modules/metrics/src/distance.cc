@@ -14,7 +14,7 @@
 
 #include "noise.hh"
 #include "triangle_math.hh"
-#include "whittle/engine/parallel.hh"
+#include "whittle/core/detail/parallel.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/closest_point.hh"
 

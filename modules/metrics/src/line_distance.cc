@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "noise.hh"
-#include "whittle/engine/parallel.hh"
+#include "whittle/core/detail/parallel.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/closest_point.hh"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "checks.hh"
-#include "whittle/engine/parallel.hh"
+#include "whittle/core/detail/parallel.hh"
 #include "whittle/metrics/closest_point.hh"
 
 namespace whittle::metrics {

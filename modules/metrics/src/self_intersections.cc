@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "predicates.hh"
-#include "whittle/engine/parallel.hh"
+#include "whittle/core/detail/parallel.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/closest_point.hh"
 

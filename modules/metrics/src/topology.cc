@@ -7,7 +7,7 @@
 
 #include "checks.hh"
 #include "edges.hh"
-#include "whittle/engine/disjoint_sets.hh"
+#include "whittle/core/detail/disjoint_sets.hh"
 
 namespace whittle::metrics {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 
 namespace whittle::metrics {
 

@@ -2,8 +2,8 @@
 #include <cstdio>
 #include <sstream>
 #include <string>
+#include <whittle/core/indexed_mesh.hh>
 #include <whittle/engine/decimate.hh>
-#include <whittle/engine/indexed_mesh.hh>
 #include <whittle/io/read.hh>
 #include <whittle/io/write.hh>
 #include <whittle/metrics/topology.hh>

@@ -3,8 +3,8 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <cstdio>
+#include <whittle/core/indexed_mesh.hh>
 #include <whittle/engine/decimate.hh>
-#include <whittle/engine/indexed_mesh.hh>
 #include <whittle/openmesh/mod_garland_heckbert.hh>
 #include <whittle/openmesh/pair_decimater.hh>
 

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "support/random.hh"
-#include "whittle/engine/edge_length_term.hh"
-#include "whittle/engine/radius_ratio.hh"
-#include "whittle/engine/valence_term.hh"
+#include "whittle/core/geometry/radius_ratio.hh"
+#include "whittle/engine/formula/edge_length_term.hh"
+#include "whittle/engine/formula/valence_term.hh"
 
 // What costs and guards say of one pair, or of one triangle.
 

@@ -4,7 +4,7 @@
 
 #include <limits>
 #include <set>
-#include <whittle/engine/frame.hh>
+#include <whittle/core/frame.hh>
 #include <whittle/metrics/shape.hh>
 
 #include "support/random.hh"

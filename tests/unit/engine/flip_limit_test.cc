@@ -1,4 +1,4 @@
-#include "whittle/engine/flip_limit.hh"
+#include "whittle/engine/formula/flip_limit.hh"
 
 #include <gtest/gtest.h>
 

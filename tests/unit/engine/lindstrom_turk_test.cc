@@ -1,4 +1,4 @@
-#include "whittle/engine/lindstrom_turk.hh"
+#include "whittle/engine/formula/lindstrom_turk.hh"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include "support/topology.hh"
 #include "support/transforms.hh"
 #include "whittle/engine/decimate.hh"
-#include "whittle/engine/volume_placement.hh"
+#include "whittle/engine/formula/volume_placement.hh"
 
 namespace whittle::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "whittle/engine/memoryless_term.hh"
+#include "whittle/engine/formula/memoryless_term.hh"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "complex/triangle_complex.hh"
 #include "support/brute_force_memoryless.hh"
 #include "support/face_list.hh"
 #include "support/random.hh"
@@ -18,7 +19,7 @@
 #include "support/topology.hh"
 #include "support/transforms.hh"
 #include "whittle/engine/decimate.hh"
-#include "whittle/engine/merged_ring.hh"
+#include "whittle/engine/formula/merged_ring.hh"
 #include "whittle/metrics/distance.hh"
 
 namespace whittle::test {

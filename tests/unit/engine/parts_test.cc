@@ -1,4 +1,4 @@
-#include "whittle/engine/parts.hh"
+#include "whittle/engine/part_gaps.hh"
 
 #include <gtest/gtest.h>
 

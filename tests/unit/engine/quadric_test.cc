@@ -4,7 +4,7 @@
 
 #include "support/random.hh"
 #include "support/shapes.hh"
-#include "whittle/engine/pair_evaluation.hh"
+#include "whittle/engine/formula/pair_evaluation.hh"
 
 namespace whittle::test {
 namespace {

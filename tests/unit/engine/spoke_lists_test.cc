@@ -1,4 +1,4 @@
-#include "whittle/engine/spoke_lists.hh"
+#include "complex/spoke_lists.hh"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
-#include <whittle/engine/feature_edges.hh>
+#include <whittle/core/feature_edges.hh>
 
 #include "meshes.hh"
 #include "modules.hh"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <whittle/engine/feature_edges.hh>
+#include <whittle/core/feature_edges.hh>
 
 #include "decimation.hh"
 #include "modules.hh"

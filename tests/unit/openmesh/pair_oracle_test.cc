@@ -2,7 +2,7 @@
 // flat ground included, since both evaluate the same pairs from the same numbers.
 #include <gtest/gtest.h>
 
-#include <whittle/engine/feature_edges.hh>
+#include <whittle/core/feature_edges.hh>
 
 #include "meshes.hh"
 #include "modules.hh"

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "whittle/engine/indexed_mesh.hh"
-#include "whittle/engine/quadric_term.hh"
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/engine/formula/quadric_term.hh"
 #include "whittle/engine/threshold_pairs.hh"
 
 // Decimation of an indexed triangle mesh by contracting vertex pairs in order of cost:

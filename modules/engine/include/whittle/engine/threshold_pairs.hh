@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/vertex_pair.hh"
 
 // Vertex pairs that no edge joins but that lie close together: the other half of the valid pairs of Garland & Heckbert,
 // 3.2. Contracting them joins parts that don't touch. \cite garland_1997_surface
@@ -22,13 +22,6 @@ struct PairSearch {
   bool across_walls = false;
 
   unsigned threads = 0;  ///< 0 = all cores. No result depends on it.
-};
-
-/// Two vertices by their numbers, a < b.
-struct VertexPair {
-  Index a, b;
-
-  auto operator<=>(const VertexPair&) const = default;
 };
 
 struct ThresholdPairs {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 #include "whittle/io/errors.hh"
 #include "whittle/io/format.hh"
 #include "whittle/io/repair.hh"

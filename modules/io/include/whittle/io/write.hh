@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 #include "whittle/io/errors.hh"
 #include "whittle/io/format.hh"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 
 namespace whittle::metrics {
 

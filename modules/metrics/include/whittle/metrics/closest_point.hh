@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 #include "whittle/metrics/bounds.hh"
 
 namespace whittle::metrics {

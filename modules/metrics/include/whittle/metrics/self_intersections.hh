@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 
 namespace whittle::metrics {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <map>
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 
 namespace whittle::metrics {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 #include "whittle/openmesh/status_bits.hh"
 
 namespace whittle {

@@ -7,9 +7,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "whittle/engine/frame.hh"
-#include "whittle/engine/indexed_mesh.hh"
-#include "whittle/engine/manifold_cut.hh"
+#include "whittle/core/frame.hh"
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/core/manifold_cut.hh"
 #include "whittle/openmesh/status_bits.hh"
 #include "whittle/openmesh/vertex_copies.hh"
 

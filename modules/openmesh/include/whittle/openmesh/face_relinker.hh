@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "whittle/engine/manifold_cut.hh"
+#include "whittle/core/manifold_cut.hh"
 #include "whittle/openmesh/status_bits.hh"
 #include "whittle/openmesh/vertex_copies.hh"
 

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 #include "whittle/openmesh/feature_bits.hh"
 
 namespace whittle {

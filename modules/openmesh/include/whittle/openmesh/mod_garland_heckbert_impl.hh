@@ -1,6 +1,6 @@
 #pragma once
 
-#include "whittle/engine/edge_length_term.hh"
+#include "whittle/engine/formula/edge_length_term.hh"
 #include "whittle/openmesh/mod_garland_heckbert.hh"
 
 namespace whittle {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "whittle/engine/lindstrom_turk.hh"
+#include "whittle/engine/formula/lindstrom_turk.hh"
 #include "whittle/openmesh/placing_module.hh"
 
 // Lindstrom–Turk cost and placement as a module for OpenMesh's decimaters: the engine's term (lindstrom_turk.hh), with

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "whittle/engine/merged_ring.hh"
+#include "whittle/engine/formula/merged_ring.hh"
 #include "whittle/openmesh/quadric_module.hh"
 
 // Memoryless quadrics as a cost module for OpenMesh's decimaters: the engine's term (memoryless_term.hh), with the same

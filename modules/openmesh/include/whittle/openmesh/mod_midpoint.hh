@@ -1,6 +1,6 @@
 #pragma once
 
-#include "whittle/engine/edge_length_term.hh"
+#include "whittle/engine/formula/edge_length_term.hh"
 #include "whittle/openmesh/placing_module.hh"
 
 // The length of an edge, and its middle, as a cost module for OpenMesh's decimaters.

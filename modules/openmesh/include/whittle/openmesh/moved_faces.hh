@@ -3,9 +3,9 @@
 #include <OpenMesh/Core/Mesh/Handles.hh>
 #include <OpenMesh/Tools/Decimater/CollapseInfoT.hh>
 
-#include "whittle/engine/flip_limit.hh"
-#include "whittle/engine/indexed_mesh.hh"
-#include "whittle/engine/radius_ratio.hh"
+#include "whittle/core/geometry/radius_ratio.hh"
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/engine/formula/flip_limit.hh"
 
 namespace whittle {
 

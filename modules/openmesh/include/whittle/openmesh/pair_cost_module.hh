@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "whittle/core/frame.hh"
 #include "whittle/engine/decimate.hh"
-#include "whittle/engine/frame.hh"
-#include "whittle/engine/pair_evaluation.hh"
+#include "whittle/engine/formula/pair_evaluation.hh"
 #include "whittle/engine/reach.hh"
 
 namespace whittle {

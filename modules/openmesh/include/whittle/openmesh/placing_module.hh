@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "whittle/engine/valence_term.hh"
+#include "whittle/engine/formula/valence_term.hh"
 #include "whittle/openmesh/conversions.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "whittle/engine/quadric_term.hh"
+#include "whittle/engine/formula/quadric_term.hh"
 #include "whittle/openmesh/placing_module.hh"
 
 namespace whittle {

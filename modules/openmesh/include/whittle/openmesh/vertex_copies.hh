@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "whittle/engine/indexed_mesh.hh"
+#include "whittle/core/indexed_mesh.hh"
 #include "whittle/openmesh/status_bits.hh"
 
 // A half-edge mesh can't hold an edge with three faces, nor a vertex at which two fans of faces meet

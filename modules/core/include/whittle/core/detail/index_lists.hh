@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+#include <utility>
+
+#include "whittle/core/detail/large_array.hh"
+#include "whittle/core/indexed_mesh.hh"
+
+namespace whittle {
+
+/// A list of values for each of so many indices, in one array.
+template <class T>
+class IndexLists {
+ public:
+  IndexLists() = default;
+  /// \param for_each calls what it is given with each index and a value for its list, in the order they are to have
+  ///        there; it is called twice
+  template <class ForEach>
+  IndexLists(std::size_t n_lists, const ForEach& for_each) : first_(n_lists + 1, 0) {
+    for_each([this](Index i, const T&) { ++first_[i + 1]; });
+    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    values_.resize(first_.back());
+    LargeArray<Index> end(first_.begin(), first_.end() - 1);
+    for_each([&](Index i, const T& value) { values_[end[i]++] = value; });
+  }
+
+  std::size_t size() const { return first_.size() - 1; }
+  std::span<const T> of(Index i) const { return std::span(values_).subspan(first_[i], first_[i + 1] - first_[i]); }
+
+ private:
+  LargeArray<Index> first_ = LargeArray<Index>(1, 0);  ///< where lists begin; one more at the end
+  LargeArray<T> values_;
+};
+
+}  // namespace whittle

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "whittle/core/indexed_mesh.hh"
+
+namespace whittle {
+
+/// A box along the axes.
+struct PointBounds {
+  Vec3 low = Vec3::Zero();
+  Vec3 high = Vec3::Zero();
+
+  double diagonal() const { return (high - low).stableNorm(); }
+};
+
+/// The box around points; of none, a box at the origin without extent.
+inline PointBounds bounds_of(std::span<const Vec3> points) {
+  if (points.empty()) return {};
+  PointBounds bounds{points[0], points[0]};
+  for (const Vec3& p : points) {
+    bounds.low = bounds.low.cwiseMin(p);
+    bounds.high = bounds.high.cwiseMax(p);
+  }
+  return bounds;
+}
+
+/// The engine's own coordinates: scaled by a power of two to a size between 1/2 and 1, and centred along those axes
+/// where the mesh lies far from the origin, so that neither the unit nor the place of a mesh changes a result.
+///
+/// Both ways are exact for the positions the frame was made for: a vertex that nothing moves keeps every bit.
+struct Frame {
+  Vec3 center = Vec3::Zero();
+  double scale = 1;    ///< frame units per model unit, a power of two
+  double unscale = 1;  ///< 1 / scale
+
+  Vec3 to_frame(const Vec3& p) const { return (p - center) * scale; }
+  Vec3 to_model(const Vec3& x) const { return x * unscale + center; }
+
+  /// A cost of the frame in model units, and back. \param dimension its unit's power of a length
+  double cost_to_model(double cost, double dimension) const { return times_power(cost, unscale, dimension); }
+  double cost_to_frame(double cost, double dimension) const { return times_power(cost, scale, dimension); }
+
+  static Frame of_points(std::span<const Vec3> points) {
+    const auto [low, high] = bounds_of(points);
+    return of_box(low, high);
+  }
+
+  /// The frame of the box between `low` and `high`, both finite.
+  static Frame of_box(const Vec3& low, const Vec3& high) {
+    Frame frame;
+    double extent = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double a = low[axis];
+      const double b = high[axis];
+      extent = std::max(extent, 0.5 * b - 0.5 * a);
+      // Between half and twice the center a difference is exact (Sterbenz); elsewhere the origin is near enough.
+      if ((a > 0 && b / 3 <= a) || (b < 0 && a / 3 >= b)) frame.center[axis] = 0.5 * a + 0.5 * b;
+    }
+    if (extent > 0) {
+      const int exponent = std::clamp(std::ilogb(extent) + 2, -1000, 1000);
+      frame.scale = std::ldexp(1.0, -exponent);
+      frame.unscale = std::ldexp(1.0, exponent);
+    }
+    return frame;
+  }
+
+ private:
+  /// In two halves: with a huge unit the whole power may be out of range where the product is not.
+  static double times_power(double cost, double factor, double power) {
+    const double half = std::pow(factor, 0.5 * power);
+    return cost * half * half;
+  }
+};
+
+}  // namespace whittle

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cmath>
+
+#include "whittle/core/indexed_mesh.hh"
+
+namespace whittle {
+
+/// How good a triangle is: twice the radius of its inscribed circle over that of its circumscribed one,
+/// 16 area² / (perimeter · product of the edges). [0, 1]; 1 is equilateral, 0 without area.
+inline double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double ab = (b - a).norm();
+  const double bc = (c - b).norm();
+  const double ca = (a - c).norm();
+  const double product = ab * bc * ca;
+  if (!(product > 0)) return 0;
+  return 4 * (b - a).cross(c - a).squaredNorm() / (product * (ab + bc + ca));
+}
+
+}  // namespace whittle

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <compare>
+
+#include "whittle/core/indexed_mesh.hh"
+
+namespace whittle {
+
+/// Two vertices by their numbers, a < b.
+struct VertexPair {
+  Index a, b;
+
+  auto operator<=>(const VertexPair&) const = default;
+};
+
+}  // namespace whittle

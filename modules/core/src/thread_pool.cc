@@ -1,0 +1,62 @@
+#include "whittle/core/detail/thread_pool.hh"
+
+namespace whittle {
+namespace {
+
+/// About 50 µs: longer than most pauses between two jobs, short against a time slice.
+constexpr int spins_before_sleep = 2000;
+
+void pause() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#endif
+}
+
+}  // namespace
+
+Crew::Crew(unsigned threads) {
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  const unsigned n_helpers = (threads == 0 ? cores : std::min(threads, cores)) - 1;
+  for (unsigned i = 0; i < n_helpers; ++i) helpers_.emplace_back([this] { help(); });
+}
+
+Crew::~Crew() {
+  is_over_ = true;
+  job_ += 2;  // wakes them, without a job
+  job_.notify_all();
+  for (std::thread& helper : helpers_) helper.join();
+}
+
+void Crew::run(std::size_t n_blocks, const std::function<void(std::size_t)>& work) {
+  work_ = &work;
+  n_blocks_ = n_blocks;
+  next_block_ = 0;
+  ++job_;
+  job_.notify_all();
+  take_blocks();
+  ++job_;  // who comes now is too late
+  while (n_at_work_ != 0) pause();
+}
+
+void Crew::take_blocks() {
+  for (std::size_t block = next_block_++; block < n_blocks_; block = next_block_++) (*work_)(block);
+}
+
+void Crew::help() {
+  unsigned seen = 0;
+  while (!is_over_) {
+    const unsigned job = job_;
+    if (job == seen) {
+      int n_spins = 0;
+      while (job_ == seen && ++n_spins < spins_before_sleep) pause();
+      if (job_ == seen) job_.wait(seen);
+      continue;
+    }
+    ++n_at_work_;
+    if (job % 2 == 1 && job_ == job) take_blocks();  // still the same: the caller will wait for this one
+    --n_at_work_;
+    seen = job;
+  }
+}
+
+}  // namespace whittle

@@ -1,0 +1,20 @@
+#include "cost/edge_length/midpoint_cost.hh"
+
+#include <algorithm>
+
+#include "whittle/engine/formula/edge_length_term.hh"
+
+namespace whittle {
+
+void MidpointCost::evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const {
+  std::transform(pairs.begin(), pairs.end(), evaluations.begin(), [this](const Pair& pair) {
+    return evaluate_midpoint(complex_.position(pair.a), complex_.position(pair.b),
+                             restraints_.pinned(pair).value_or(Pinned::first));
+  });
+}
+
+PlacedQuadric MidpointCost::merge(const Pair&, const PairEvaluation& evaluation, const PairStar&) {
+  return {evaluation.position, {}};
+}
+
+}  // namespace whittle

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "cost/pair_cost.hh"
+#include "guard/restraints.hh"
+#include "whittle/core/detail/lanes.hh"
+#include "whittle/core/detail/large_array.hh"
+#include "whittle/engine/formula/lindstrom_turk.hh"
+
+namespace whittle {
+
+/// Lindstrom–Turk (lindstrom_turk.hh). The sums over each vertex's faces and over its neighbours are kept, those of a
+/// pair are the sums of its two vertices without the faces that both have: so a pair takes a constant time.
+///
+/// Every sum has one order, by original vertex numbers.
+class LindstromTurkCost final : public PairCost {
+ public:
+  LindstromTurkCost(const TriangleComplex& complex, const Restraints& restraints, unsigned threads);
+
+  using PairCost::evaluate;
+  void evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const override;
+  PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override;
+  double dimension() const override { return 6; }
+  Reach reach() const override { return Reach::ring; }
+  Reach sight() const override { return Reach::ring; }
+  void note_contraction(std::span<const Index> changed) override;
+
+ private:
+  /// Sums over the faces at a vertex and over its neighbours, about it, where planes have no offset; and where it is.
+  /// In the order in which lanes load them, two cache lines.
+  struct alignas(64) StarSums {
+    /// xx, xy, xz, yy, yz, zz of the squares, the normal, the position; of the neighbours the position and the number
+    std::array<double, 16> values;
+
+    SymmetricMatrix squares() const { return {values[0], values[1], values[2], values[3], values[4], values[5]}; }
+    Vec3 normal() const { return {values[6], values[7], values[8]}; }
+    NeighbourSums neighbours() const { return {{values[12], values[13], values[14]}, static_cast<int>(values[15])}; }
+  };
+
+  struct Sides;
+  template <class Real>
+  struct GroupShape;
+
+  void evaluate_four_at_once(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const;
+  template <class Real>
+  void evaluate_in_lanes(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const;
+  template <class Real>
+  void evaluate_group(const std::array<Sides, n_lanes<Real>>& group, std::span<const Pair> pairs,
+                      std::span<PairEvaluation> evaluations) const;
+  template <class Real>
+  NeighbourLanes<Real> neighbours_of(const std::array<Sides, n_lanes<Real>>& group,
+                                     const GroupShape<Real>& shape) const;
+  bool find_sides(const Pair& pair, Sides& sides) const;
+  PairEvaluation evaluate_one(const Pair& pair) const;
+  VolumeSums volume_of(const Pair& pair) const;
+  BorderSums border_of(const Pair& pair) const;
+  NeighbourSums neighbours_of(const Pair& pair) const;
+  void sum_around(std::span<const Index> vertices);
+  void sum_around_with_double4(std::span<const Index> vertices);
+  void sum_around_each(std::span<const Index> vertices);
+  void sum_around_ring(Index v);
+  void sum_around_irregular(Index v);
+
+  const TriangleComplex& complex_;
+  const Restraints& restraints_;
+  LargeArray<StarSums> stars_;  ///< per vertex
+};
+
+}  // namespace whittle

@@ -1,0 +1,208 @@
+#include "whittle/engine/formula/merged_ring.hh"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include "complex/triangle_complex.hh"
+#include "whittle/core/geometry/nearest_on_triangle.hh"
+
+namespace whittle {
+namespace {
+
+[[gnu::always_inline]] inline Double4 load(const double* from) {
+  Double4 lanes;
+  std::memcpy(&lanes, from, sizeof(lanes));
+  return lanes;
+}
+
+using Four = std::array<double, 4>;
+[[gnu::always_inline]] inline Double4 load(const Four& from) { return load(from.data()); }
+[[gnu::always_inline]] inline PointLanes<Double4> load(const std::array<Four, 3>& from) {
+  return {load(from[0]), load(from[1]), load(from[2])};
+}
+[[gnu::always_inline]] inline void store(const Double4& lanes, Four& to) { std::memcpy(&to, &lanes, sizeof(lanes)); }
+[[gnu::always_inline]] inline void store(const PointLanes<Double4>& lanes, std::array<Four, 3>& to) {
+  store(lanes.x, to[0]);
+  store(lanes.y, to[1]);
+  store(lanes.z, to[2]);
+}
+
+[[gnu::always_inline]] inline double sum(const Double4& x) { return (x[0] + x[1]) + (x[2] + x[3]); }
+
+[[gnu::always_inline]] inline PointLanes<Double4> everywhere(const Vec3& p) {
+  return {Double4{} + p.x(), Double4{} + p.y(), Double4{} + p.z()};
+}
+
+/// To four times eight doubles: xx, xy, xz, yy, yz, zz and two zeros of each.
+[[gnu::always_inline]] inline void store_transposed(const SymmetricLanes<Double4>& m, double* to) {
+  const Double4 low01 = __builtin_shufflevector(m.xx, m.xy, 0, 4, 2, 6);
+  const Double4 high01 = __builtin_shufflevector(m.xx, m.xy, 1, 5, 3, 7);
+  const Double4 low23 = __builtin_shufflevector(m.xz, m.yy, 0, 4, 2, 6);
+  const Double4 high23 = __builtin_shufflevector(m.xz, m.yy, 1, 5, 3, 7);
+  const Double4 low45 = __builtin_shufflevector(m.yz, m.zz, 0, 4, 2, 6);
+  const Double4 high45 = __builtin_shufflevector(m.yz, m.zz, 1, 5, 3, 7);
+  const Double4 zero{};
+  const std::array<Double4, 8> rows{
+      __builtin_shufflevector(low01, low23, 0, 1, 4, 5),   __builtin_shufflevector(low45, zero, 0, 1, 4, 5),
+      __builtin_shufflevector(high01, high23, 0, 1, 4, 5), __builtin_shufflevector(high45, zero, 0, 1, 4, 5),
+      __builtin_shufflevector(low01, low23, 2, 3, 6, 7),   __builtin_shufflevector(low45, zero, 2, 3, 6, 7),
+      __builtin_shufflevector(high01, high23, 2, 3, 6, 7), __builtin_shufflevector(high45, zero, 2, 3, 6, 7)};
+  std::memcpy(to, rows.data(), sizeof(rows));
+}
+
+}  // namespace
+
+/// What is done with four faces at a time.
+struct MergedRing::Kernels {
+  MergedRing& ring;
+
+  [[gnu::always_inline]] PointLanes<Double4> neighbours_from(std::size_t i) const {
+    const auto& [x, y, z] = ring.neighbours_;
+    return {load(&x[i]), load(&y[i]), load(&z[i])};
+  }
+
+  /// The ends at which four faces are.
+  [[gnu::always_inline]] PointLanes<Double4> ends_of(std::size_t i) const {
+    const Double4 place = Double4{0, 1, 2, 3} + static_cast<double>(i);
+    const auto is_first = place < static_cast<double>(ring.n_first_);
+    const auto choose = [&](double a, double b) __attribute__((always_inline)) {
+      return is_first ? Double4{} + a : Double4{} + b;
+    };
+    const Vec3& first = ring.first_;
+    const Vec3& second = ring.second_;
+    return {choose(first.x(), second.x()), choose(first.y(), second.y()), choose(first.z(), second.z())};
+  }
+
+  /// The normals of the two faces at both ends, as the first end has them, and of two without area.
+  [[gnu::always_inline]] PointLanes<Double4> common_normals() const {
+    const Vec3& first = ring.first_;
+    const Vec3& second = ring.second_;
+    const std::array next{second, ring.neighbour(ring.n_first_), first, first};
+    const std::array previous{ring.neighbour(0), second, first, first};
+    const auto arms = [&first](const std::array<Vec3, 4>& points) __attribute__((always_inline)) {
+      return point_lanes<Double4>([&points](std::size_t lane) -> const Vec3& { return points[lane]; }) -
+             everywhere(first);
+    };
+    return arms(next).cross(arms(previous));
+  }
+
+  [[gnu::always_inline]] void look_at_faces() const {
+    PointLanes<Double4> normals{};
+    Double4 offset{};
+    Double4 length{};
+    Double4 farthest_sq{};
+    const auto add = [&](const auto& apex, const auto& normal, const auto& size) __attribute__((always_inline)) {
+      normals = {normals.x + normal.x, normals.y + normal.y, normals.z + normal.z};
+      offset += normal.dot(apex);
+      length += size;
+    };
+    for (std::size_t i = 0; i < ring.size(); i += at_once) {
+      const PointLanes<Double4> apex = ends_of(i);
+      const PointLanes<Double4> x = neighbours_from(i);
+      const PointLanes<Double4> y = neighbours_from(i + 1);
+      const PointLanes<Double4> normal = (x - apex).cross(y - apex);
+      const FacePlanes<Double4> planes = face_planes(normal);
+      add(apex, normal, planes.length);
+      const Double4 distance_sq = x.dot(x);
+      farthest_sq = distance_sq > farthest_sq ? distance_sq : farthest_sq;
+      FourFaces& faces = ring.faces_[i / at_once];
+      store(planes.normal, faces.normal);
+      store(planes.length, faces.length);
+      const auto had_area = FlipLimit::has_area(normal.dot(normal), x - apex, y - x);
+      store(had_area ? Double4{1, 1, 1, 1} : Double4{}, faces.had_area);
+    }
+    const PointLanes<Double4> common = common_normals();
+    const FacePlanes<Double4> vanishing = face_planes(common);
+    add(everywhere(ring.first_), common, vanishing.length);
+    store(vanishing.normal, ring.common_.normal);
+    store(vanishing.length, ring.common_.length);
+    ring.volume_ = {{sum(normals.x), sum(normals.y), sum(normals.z)},
+                    sum(offset),
+                    sum(length),
+                    std::max(std::max(farthest_sq[0], farthest_sq[1]), std::max(farthest_sq[2], farthest_sq[3]))};
+  }
+
+  [[gnu::always_inline]] bool move_to(const Vec3& to, const FlipLimit& limit, const QuadricOptions& options) const {
+    const PointLanes<Double4> apex = everywhere(to);
+    SymmetricLanes<Double4> all;
+    auto turned = Double4{} > Double4{};
+    for (std::size_t i = 0; i < ring.size(); i += at_once) {
+      const PointLanes<Double4> x = neighbours_from(i);
+      const PointLanes<Double4> y = neighbours_from(i + 1);
+      const PointLanes<Double4> normal = (x - apex).cross(y - apex);
+      const FacePlanes<Double4> planes = face_planes(normal);
+      const FourFaces& faces = ring.faces_[i / at_once];
+      const FacePlanes<Double4> planes_before{load(faces.normal), load(faces.length)};
+      const auto turns = planes.normal.dot(planes_before.normal) < limit.least_cosine();
+      const auto keeps_area = FlipLimit::has_area(normal.dot(normal), x - apex, y - x);
+      turned |= (load(faces.had_area) > 0) & (turns | (keeps_area == 0));
+      const SymmetricLanes<Double4> after = plane_quadric(planes.normal, 0.5 * planes.length, options);
+      const SymmetricLanes<Double4> before = plane_quadric(planes_before.normal, 0.5 * planes_before.length, options);
+      all += after;
+      store_transposed({after.xx - before.xx, after.xy - before.xy, after.xz - before.xz, after.yy - before.yy,
+                        after.yz - before.yz, after.zz - before.zz},
+                       &ring.changes_[i].planes.xx);
+    }
+    const SymmetricLanes<Double4> vanishing =
+        plane_quadric(load(ring.common_.normal), 0.5 * load(ring.common_.length), options);
+    store_transposed(vanishing, &ring.vanished_[0].planes.xx);
+    ring.planes_ = {sum(all.xx), sum(all.xy), sum(all.xz), sum(all.yy), sum(all.yz), sum(all.zz)};
+    return any(turned != 0);
+  }
+
+  WHITTLE_DOUBLE4 void look_at_faces_in_wide_registers() const { look_at_faces(); }
+  WHITTLE_DOUBLE4 bool move_to_in_wide_registers(const Vec3& to, const FlipLimit& limit,
+                                                 const QuadricOptions& options) const {
+    return move_to(to, limit, options);
+  }
+};
+
+void MergedRing::assign(const TriangleComplex& complex, const Pair& pair, const PairStar& star, const Vec3& origin) {
+  const std::span<const Spoke> first = star.first.spokes();
+  const std::span<const Spoke> others = star.second.spokes().subspan(1, star.second.size() - 1);
+  n_first_ = first.size() - 1;
+  first_ = complex.position(pair.a) - origin;
+  second_ = complex.position(pair.b) - origin;
+  vertices_.resize(first.size() + others.size());
+  const auto vertex_of = [](const Spoke& spoke) { return spoke.vertex; };
+  std::transform(others.begin(), others.end(), std::transform(first.begin(), first.end(), vertices_.begin(), vertex_of),
+                 vertex_of);
+  load_neighbours(origin, [&complex](Index v) -> const Vec3& { return complex.position(v); });
+  look_at_faces();
+}
+
+void MergedRing::look_at_faces() {
+  const Kernels kernels{*this};
+  has_double4 ? kernels.look_at_faces_in_wide_registers() : kernels.look_at_faces();
+}
+
+double MergedRing::displacement_sq(const Vec3& apex) const {
+  struct Nearest {
+    Vec3 point;
+    double distance_sq = std::numeric_limits<double>::infinity();
+    void look_at(const Vec3& a, const Vec3& b, const Vec3& c) {
+      distance_sq = std::min(distance_sq, distance_sq_to_triangle(a - point, b - point, c - point));
+    }
+  };
+  Nearest from_first{first_};
+  Nearest from_second{second_};
+  Nearest from_apex{apex};
+  for (std::size_t i = 0; i < size(); ++i) {
+    const Vec3 x = neighbour(i);
+    const Vec3 y = neighbour(i + 1);
+    from_first.look_at(apex, x, y);
+    from_second.look_at(apex, x, y);
+    from_apex.look_at(i < n_first_ ? first_ : second_, x, y);
+  }
+  from_apex.look_at(first_, second_, neighbour(0));
+  from_apex.look_at(first_, neighbour(n_first_), second_);
+  return std::max({from_first.distance_sq, from_second.distance_sq, from_apex.distance_sq});
+}
+
+bool MergedRing::move_to(const Vec3& apex, const FlipLimit& limit, const QuadricOptions& options) {
+  const Kernels kernels{*this};
+  return has_double4 ? kernels.move_to_in_wide_registers(apex, limit, options) : kernels.move_to(apex, limit, options);
+}
+
+}  // namespace whittle

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "complex/triangle_complex.hh"
+#include "whittle/engine/formula/pair_evaluation.hh"
+
+namespace whittle {
+
+/// Which vertices may not go where they like: locked ones stay where they are; those on a feature line move along it
+/// only, and where lines meet, end or turn they stay.
+class Restraints {
+ public:
+  /// None.
+  Restraints() = default;
+  /// \param locked per vertex, or empty
+  /// \param features edges, by their original vertices, ascending; each is an edge of the complex
+  /// \param corner_angle_deg a line that turns further has a corner there
+  /// \param tolerance how far a line may come to lie from what it was, in the frame
+  Restraints(const TriangleComplex& complex, std::span<const std::uint8_t> locked, std::span<const VertexPair> features,
+             double corner_angle_deg, double tolerance);
+
+  bool any() const { return !freedoms_.empty(); }
+
+  /// Where v̄ may go; nullopt if neither vertex may leave its place along this edge.
+  std::optional<Pinned> pinned(const Pair& pair) const {
+    if (!any()) return Pinned::none;
+    const bool along_feature = is_feature(pair.id);
+    const bool first_may_move = may_move(pair.a, along_feature);
+    const bool second_may_move = may_move(pair.b, along_feature);
+    if (!first_may_move && !second_may_move) return std::nullopt;
+    if (!first_may_move) return Pinned::first;
+    if (!second_may_move) return Pinned::second;
+    return along_feature ? Pinned::either : Pinned::none;
+  }
+  bool is_feature(Index edge) const { return has_features() && is_feature_[edge]; }
+  bool are_both_locked(const Pair& pair) const { return is_locked(pair.a) && is_locked(pair.b); }
+
+  /// Whether contracting the pair would lay two feature edges on one another, so that a line lost its loop, or take a
+  /// line farther off than it may be.
+  bool bends_a_line(TriangleComplex& complex, const Pair& pair, const PairStar& star, const Vec3& position) const;
+
+  /// The feature edges there are now, by their vertices.
+  std::vector<VertexPair> feature_edges(TriangleComplex& complex) const;
+
+  /// To be told before the complex is.
+  void contract(TriangleComplex& complex, const Pair& pair, Index survivor, const PairStar& star, const Vec3& position);
+
+ private:
+  enum class Freedom : std::uint8_t {
+    full,
+    line,    ///< along its two feature edges
+    corner,  ///< none, as feature lines meet, end or turn there
+    locked   ///< none
+  };
+
+  bool has_features() const { return !is_feature_.empty(); }
+  bool may_move(Index v, bool along_feature) const {
+    return freedoms_[v] == Freedom::full || (freedoms_[v] == Freedom::line && along_feature);
+  }
+  bool is_locked(Index v) const { return any() && freedoms_[v] == Freedom::locked; }
+  void mark_features(const TriangleComplex& complex, std::span<const VertexPair> features, double corner_angle_deg);
+
+  /// Where a line was, between the ends of a feature edge: its vertices there, in no particular order.
+  using Course = std::vector<Vec3>;
+  Index moved_vertex(const TriangleComplex& complex, const Pair& pair, const Vec3& position) const;
+  std::optional<Index> other_feature_edge(TriangleComplex& complex, Index v, Index edge) const;
+
+  std::vector<Freedom> freedoms_;              ///< per vertex, or empty
+  std::vector<bool> is_feature_;               ///< per pair, or empty
+  std::unordered_map<Index, Course> courses_;  ///< of feature edges that stand for several
+  double tolerance_sq_ = 0;
+};
+
+}  // namespace whittle

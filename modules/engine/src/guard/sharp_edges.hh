@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include "complex/triangle_complex.hh"
+#include "guard/restraints.hh"
+
+namespace whittle {
+
+/// Keeps feature lines visible and the rest smooth: an edge of two faces is sharp where their normals differ by more
+/// than an angle, and sharp edges are to be feature edges.
+class SharpEdges {
+ public:
+  /// \param angle_deg (0, 180]; 180 = off
+  SharpEdges(TriangleComplex& complex, const Restraints& restraints, double angle_deg);
+
+  bool is_on() const { return is_on_; }
+
+  /// Whether contracting the pair would make an edge sharp that is no feature, or blunt a feature edge that is sharp.
+  bool would_change(const Pair& pair, const PairStar& star, const Vec3& position);
+
+ private:
+  /// A face at the merged vertex by its other corners, in its order.
+  struct Face {
+    Index x, y;
+    Vec3 normal;
+  };
+  /// An edge of two faces as it is now.
+  struct Edge {
+    bool is_regular = false;
+    bool is_sharp = false;
+  };
+
+  void list_faces(const PairStar& star, const Vec3& position);
+  bool would_change_spoke(const Pair& pair, Index x);
+  bool would_change_link(const Pair& pair, const Face& face);
+  bool is_sharp(const Vec3& normal, const Vec3& other) const;
+  Edge look_at(Index v, Index w);
+  bool is_feature(Index v, Index w);
+
+  TriangleComplex& complex_;
+  const Restraints& restraints_;
+  bool is_on_;
+  double least_cosine_;
+  std::vector<Face> faces_;    ///< scratch: of the merged vertex
+  std::vector<Face> at_edge_;  ///< scratch: of an edge, x its second end, or y
+  std::vector<Index> seen_;    ///< scratch
+};
+
+}  // namespace whittle

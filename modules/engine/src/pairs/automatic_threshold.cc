@@ -1,0 +1,31 @@
+#include "whittle/engine/automatic_threshold.hh"
+
+#include <algorithm>
+
+#include "whittle/core/frame.hh"
+#include "whittle/engine/part_gaps.hh"
+
+namespace whittle {
+namespace {
+
+constexpr double near_share = 0.05;   ///< of the mesh, the widest gap that counts
+constexpr double margin = 1.1;        ///< more pairs than the nearest one make a joint of some width
+constexpr double least_share = 1e-9;  ///< of the part, where gaps are zero: parts that touch are to be joined, too
+
+}  // namespace
+
+double automatic_threshold(const IndexedMesh& mesh, unsigned threads) {
+  const Parts parts = find_parts(mesh.positions.size(), mesh.faces);
+  if (parts.count < 2) return 0;
+  const std::vector<double> diagonals = part_diagonals(mesh.positions, parts);
+  const std::vector<double> gaps =
+      gaps_between_parts(mesh, parts, {near_share * bounds_of(mesh.positions).diagonal(), threads});
+  double threshold = 0;
+  for (std::size_t part = 0; part < parts.count; ++part) {
+    if (gaps[part] > diagonals[part]) continue;
+    threshold = std::max({threshold, margin * gaps[part], least_share * diagonals[part]});
+  }
+  return threshold;
+}
+
+}  // namespace whittle

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <queue>
+#include <vector>
+
+#include "queue/bucket_queue.hh"
+#include "queue/pair_order.hh"
+#include "whittle/core/detail/large_array.hh"
+
+namespace whittle {
+
+/// The order for costs that a contraction nearby may lower: after each one all pairs within the cost's reach are
+/// evaluated anew, so that every pair's cost is known at any time.
+///
+/// A pair that is in has an entry where its cost says: in the queue in that bucket, or, if that is open or past, among
+/// the candidates under exactly that cost. Entries left over from other costs are passed over. Edges only.
+class EagerOrder final : public PairOrder {
+ public:
+  EagerOrder(TriangleComplex& complex, const PairCost& cost, unsigned threads);
+
+  std::optional<Turn> next() override;
+  void add(const Pair& pair) override;
+  bool postpone(const Pair& pair, double cost) override;
+  void note_contraction(Index survivor, Index removed, std::span<const Index> changed) override;
+
+ private:
+  /// The cost of pairs that are out.
+  static constexpr double out = -1;
+
+  void fill_queue(unsigned threads);
+  std::optional<Candidate> next_candidate();
+  void open_bucket();
+  bool is_current(const Candidate& entry) const;
+  void collect_pairs_at(Index v);
+  void set_cost(const Pair& pair, double cost);
+
+  TriangleComplex& complex_;
+  const PairCost& cost_;
+  LargeArray<double> costs_;  ///< per pair
+  double cost_now_ = 0;       ///< that the pair taken out last had
+  BucketQueue queue_;
+  std::vector<Index> members_;    ///< of the bucket being opened
+  std::vector<Candidate> batch_;  ///< candidates of the open bucket, in order
+  std::size_t n_taken_ = 0;       ///< how many of them have been passed
+  /// Those for the open bucket, or one before it, that turned up after it was opened.
+  std::priority_queue<Candidate, std::vector<Candidate>, IsAfter> late_;
+  std::vector<Index> last_looked_at_;  ///< per pair, the contraction after which it was last collected
+  std::vector<Pair> pairs_;            ///< scratch: within reach
+  std::vector<PairEvaluation> evaluations_;
+};
+
+}  // namespace whittle

@@ -1,0 +1,268 @@
+#include "queue/lazy_order.hh"
+
+#include <algorithm>
+
+#include "whittle/core/detail/parallel.hh"
+#include "whittle/core/detail/select.hh"
+
+namespace whittle {
+
+namespace {
+
+/// Members of a bucket from which on they are shared out among threads: some tens of microseconds.
+constexpr std::size_t fewest_shared = 256;
+
+/// Parcels that are shared out at a time. On flat ground all pairs may be in one bucket.
+constexpr std::size_t n_shared_parcels = 64;
+
+/// Candidates whose placements are remembered.
+constexpr std::size_t most_placements = 8192;
+
+}  // namespace
+
+LazyOrder::LazyOrder(TriangleComplex& complex, const PairCost& cost, ThresholdPairSieve& sieve, unsigned threads)
+    : complex_(complex),
+      cost_(cost),
+      sieve_(sieve),
+      crew_(threads),
+      parcels_(crew_.n_helpers() == 0 ? 2 : n_shared_parcels),
+      raised_(complex.n_vertex_slots()),
+      is_raised_(complex.n_pair_slots()),
+      raised_costs_(std::make_unique_for_overwrite<float[]>(complex.n_pair_slots())) {
+  fill_queue(threads);
+}
+
+void LazyOrder::fill_queue(unsigned threads) {
+  const std::size_t n_pairs = complex_.n_pair_slots();
+  std::vector<BucketQueue::Bucket> buckets(n_pairs);
+  std::vector<std::uint8_t> is_raised(n_pairs);
+  const auto fill_range = [&](std::size_t begin, std::size_t end) {
+    Parcel parcel;
+    parcel.n = end - begin;
+    for (std::size_t i = 0; i < parcel.n; ++i) {
+      const auto id = static_cast<Index>(begin + i);
+      const auto [a, b] = complex_.initial_ends(id);
+      parcel.pairs[i] = {id, a, b};
+    }
+    evaluate(parcel);
+    for (std::size_t i = 0; i < parcel.n; ++i) {
+      const auto& [bound, cost, position, is_minimum] = parcel.evaluations[i];
+      buckets[begin + i] = BucketQueue::bucket_of(cost);
+      if (cost <= bound) continue;
+      is_raised[begin + i] = 1;
+      raised_costs_[begin + i] = static_cast<float>(cost);
+    }
+  };
+  for_each_range(n_pairs, threads, [&](std::size_t begin, std::size_t end) {
+    for (; begin < end; begin += pairs_per_parcel) fill_range(begin, std::min(end, begin + pairs_per_parcel));
+  });
+  queue_.fill(buckets);
+  for (Index pair = 0; pair < n_pairs; ++pair) {
+    if (is_raised[pair] != 0) add_raised(pair_now(complex_, pair), raised_costs_[pair]);
+  }
+}
+
+/// Puts the pairs in order and evaluates them.
+LazyOrder::Parcel& LazyOrder::evaluate(Parcel& parcel) const {
+  const auto pairs = std::span(parcel.pairs).first(parcel.n);
+  for (Pair& pair : pairs) pair = in_order(complex_, pair);
+  cost_.evaluate(pairs, std::span(parcel.evaluations).first(parcel.n));
+  return parcel;
+}
+
+std::optional<Turn> LazyOrder::next() {
+  while (const std::optional<Candidate> candidate = next_candidate()) {
+    if (std::optional<Turn> turn = turn_of(*candidate)) return turn;
+  }
+  return std::nullopt;
+}
+
+/// What the candidate has become; nullopt if it is a pair no more, or has grown, and been queued again.
+std::optional<Turn> LazyOrder::turn_of(const Candidate& then) {
+  if (!complex_.is_pair_alive(then.pair.id)) return std::nullopt;
+  if (is_unchanged(then)) {
+    const auto& [bound, position, is_minimum] = placements_[then.placement];
+    return Turn{then.pair, {bound, then.cost, position, is_minimum}};
+  }
+  const Pair pair = pair_now(complex_, then.pair.id);
+  const PairEvaluation evaluation = cost_.evaluate(pair);
+  const Candidate now = candidate(complex_, pair, evaluation.cost);
+  if (!is_before(then, now)) return Turn{pair, evaluation};
+  note_raised(pair, evaluation);
+  enqueue(now);
+  return std::nullopt;
+}
+
+std::optional<Candidate> LazyOrder::next_candidate() {
+  while (true) {
+    const bool in_batch = n_taken_ < batch_.size();
+    if (in_batch && (late_.empty() || is_before(batch_[n_taken_], late_.top()))) {
+      prefetch_turns();
+      return batch_[n_taken_++];
+    }
+    if (!late_.empty()) {
+      const Candidate candidate = late_.top();
+      late_.pop();
+      return candidate;
+    }
+    if (!queue_.open_next(members_)) return std::nullopt;
+    open_bucket();
+  }
+}
+
+/// Makes the members of the bucket just opened candidates; those that have grown beyond it go to a later one.
+void LazyOrder::open_bucket() {
+  batch_.clear();
+  batch_.reserve(members_.size());
+  placements_.clear();
+  n_taken_ = 0;
+  n_done_at_opening_ = complex_.n_contractions();
+  sieve_.sift(members_);
+  if (crew_.n_helpers() == 0 || members_.size() < fewest_shared) {
+    evaluate_members();
+  } else {
+    evaluate_members_on_all_threads();
+  }
+  std::sort(batch_.begin(), batch_.end(), [](const Candidate& x, const Candidate& y) { return is_before(x, y); });
+  if (complex_.has_threshold_pairs()) drop_duplicates();
+}
+
+/// Threshold pairs that have become the same, and what was queued twice.
+void LazyOrder::drop_duplicates() {
+  const auto is_threshold_pair = [this](const Candidate& c) { return complex_.is_threshold_pair(c.pair.id); };
+  const auto last = std::unique(batch_.begin(), batch_.end(), [&](const Candidate& x, const Candidate& y) {
+    const bool is_same = x.tie == y.tie && is_threshold_pair(x) && is_threshold_pair(y);
+    if (is_same && y.pair.id != x.pair.id) complex_.remove_pair(y.pair.id);
+    return is_same;
+  });
+  batch_.erase(last, batch_.end());
+}
+
+/// The next parcel is looked up before the last one is evaluated, so that what it asks for has time to come.
+void LazyOrder::evaluate_members() {
+  Parcel* last = nullptr;
+  for (std::size_t begin = 0; begin < members_.size(); begin += pairs_per_parcel) {
+    Parcel& next = parcels_[begin / pairs_per_parcel % 2];
+    find_pairs(begin, std::min(members_.size(), begin + pairs_per_parcel), next);
+    if (last != nullptr) sort_in(evaluate(*last));
+    last = &next;
+  }
+  if (last != nullptr) sort_in(evaluate(*last));
+}
+
+/// The threads change nothing but each its own parcel, and `parents_` of the complex to the same.
+void LazyOrder::evaluate_members_on_all_threads() {
+  const std::size_t at_once = parcels_.size() * pairs_per_parcel;
+  for (std::size_t begin = 0; begin < members_.size(); begin += at_once) {
+    const std::size_t n = std::min(members_.size() - begin, at_once);
+    crew_.for_each_range(n, pairs_per_parcel, [this, begin](std::size_t first, std::size_t last) {
+      Parcel& parcel = parcels_[first / pairs_per_parcel];
+      find_pairs(begin + first, begin + last, parcel);
+      evaluate(parcel);
+    });
+    for (std::size_t i = 0; i < n; i += pairs_per_parcel) sort_in(parcels_[i / pairs_per_parcel]);
+  }
+}
+
+/// Looks up the ends of those of members begin … end that are still pairs. Brings near what comes next: the pairs, what
+/// their ends have become, these.
+void LazyOrder::find_pairs(std::size_t begin, std::size_t end, Parcel& parcel) {
+  std::size_t n = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (i + 16 < members_.size()) complex_.prefetch_pair(members_[i + 16]);
+    if (i + 8 < members_.size()) complex_.prefetch_ends(members_[i + 8]);
+    const auto [a, b] = complex_.ends(members_[i]);
+    parcel.pairs[n] = {members_[i], a, b};
+    n += static_cast<std::size_t>(complex_.is_pair_alive(members_[i]));
+    complex_.prefetch_placed(a);
+    complex_.prefetch_placed(b);
+  }
+  parcel.n = n;
+}
+
+void LazyOrder::sort_in(const Parcel& parcel) {
+  for (std::size_t i = 0; i < parcel.n; ++i) sort_in(parcel.pairs[i], parcel.evaluations[i]);
+}
+
+/// Into the batch, or, if it has grown, into a later bucket.
+void LazyOrder::sort_in(const Pair& pair, const PairEvaluation& evaluation) {
+  note_raised(pair, evaluation);
+  const BucketQueue::Bucket bucket = BucketQueue::bucket_of(evaluation.cost);
+  if (!queue_.is_past(bucket)) return queue_.push(pair.id, bucket);
+  batch_.push_back(candidate(complex_, pair, evaluation.cost));
+  if (placements_.size() < most_placements) {
+    batch_.back().placement = static_cast<Index>(placements_.size());
+    placements_.push_back({evaluation.bound, evaluation.position, evaluation.is_minimum});
+  }
+  complex_.prefetch_star(pair.a);
+  complex_.prefetch_star(pair.b);
+}
+
+void LazyOrder::enqueue(const Candidate& candidate) {
+  const BucketQueue::Bucket bucket = BucketQueue::bucket_of(candidate.cost);
+  if (queue_.is_past(bucket)) {
+    late_.push(candidate);
+  } else {
+    queue_.push(candidate.pair.id, bucket);
+  }
+}
+
+/// Brings near what the turns to come will look at: first the lists, then the neighbours on them.
+void LazyOrder::prefetch_turns() {
+  const auto candidate_ahead = [&](std::size_t n, auto prefetch) {
+    if (n_taken_ + n >= batch_.size()) return;
+    prefetch(batch_[n_taken_ + n].pair.a);
+    prefetch(batch_[n_taken_ + n].pair.b);
+  };
+  candidate_ahead(8, [&](Index v) { complex_.prefetch_spokes(v); });
+  candidate_ahead(4, [&](Index v) { complex_.prefetch_neighbours(v); });
+  if (cost_.changes_neighbours()) candidate_ahead(3, [&](Index v) { complex_.prefetch_neighbours_quadrics(v); });
+}
+
+/// Whether the candidate's cost and placement are what an evaluation would give now.
+bool LazyOrder::is_unchanged(const Candidate& candidate) const {
+  return candidate.placement != invalid_index && cost_.sight() == Reach::none &&
+         complex_.last_change(candidate.pair.a) <= n_done_at_opening_ &&
+         complex_.last_change(candidate.pair.b) <= n_done_at_opening_;
+}
+
+void LazyOrder::add_raised(const Pair& pair, double cost) {
+  const auto [id, a, b] = pair;
+  raised_costs_[id] = static_cast<float>(cost);
+  if (is_raised_[id]) return;
+  is_raised_[id] = true;
+  raised_.add(a, id);
+  raised_.add(b, id);
+}
+
+void LazyOrder::add(const Pair& pair) {
+  const PairEvaluation evaluation = cost_.evaluate(pair);
+  note_raised(pair, evaluation);
+  enqueue(candidate(complex_, pair, evaluation.cost));
+}
+
+bool LazyOrder::postpone(const Pair& pair, double cost) {
+  const BucketQueue::Bucket bucket = BucketQueue::bucket_of(cost);
+  if (queue_.is_past(bucket)) return false;
+  queue_.push(pair.id, bucket);
+  return true;
+}
+
+/// Queues anew those raised pairs at the merged vertex that have become cheaper.
+void LazyOrder::note_contraction(Index survivor, Index removed, std::span<const Index>) {
+  if (!raised_.any_at(survivor) && !raised_.any_at(removed)) return;
+  woken_.clear();
+  raised_.take(survivor, woken_);
+  raised_.take(removed, woken_);
+  for (const Index pair : woken_) {
+    if (!complex_.is_pair_alive(pair)) continue;
+    raised_.add(survivor, pair);
+    const Pair now = pair_now(complex_, pair);
+    const PairEvaluation evaluation = cost_.evaluate(now);
+    if (static_cast<float>(evaluation.cost) > raised_costs_[pair]) continue;
+    raised_costs_[pair] = static_cast<float>(evaluation.cost);
+    enqueue(candidate(complex_, now, evaluation.cost));
+  }
+}
+
+}  // namespace whittle

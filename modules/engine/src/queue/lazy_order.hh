@@ -1,0 +1,90 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <queue>
+#include <vector>
+
+#include "pairs/threshold_pair_sieve.hh"
+#include "queue/bucket_queue.hh"
+#include "queue/pair_order.hh"
+#include "queue/waiting_pairs.hh"
+#include "whittle/core/detail/thread_pool.hh"
+
+namespace whittle {
+
+/// The order where a pair's place in the queue is a lower bound of its cost (see `PairEvaluation::bound`), so that a
+/// contraction touches no neighbour's entry. Pairs are evaluated when their bucket is opened, all of them in one go,
+/// and once more when their turn comes if one of their vertices has changed. One kind of pair can get cheaper:
+/// - raised: its cost is above its bound (pinned, or placed elsewhere than at the minimum). It is queued under its
+///   cost, and waits at its vertices to be looked at again when one of them merges.
+///
+/// With a cost that has no such bound the order is approximate: a pair that a contraction nearby has made cheaper is
+/// noticed only at the place it had.
+class LazyOrder final : public PairOrder {
+ public:
+  LazyOrder(TriangleComplex& complex, const PairCost& cost, ThresholdPairSieve& sieve, unsigned threads);
+
+  std::optional<Turn> next() override;
+  void add(const Pair& pair) override;
+  bool postpone(const Pair& pair, double cost) override;
+  void note_contraction(Index survivor, Index removed, std::span<const Index> changed) override;
+
+ private:
+  static constexpr std::size_t pairs_per_parcel = 64;
+
+  /// Where a pair would go.
+  struct Placed {
+    double bound;
+    Vec3 position;
+    bool is_minimum;
+  };
+  /// Pairs that are evaluated together, edges first: some microseconds, and all of it stays in the nearest cache.
+  struct Parcel {
+    std::size_t n = 0;
+    std::array<Pair, pairs_per_parcel> pairs;
+    std::array<PairEvaluation, pairs_per_parcel> evaluations;
+  };
+
+  void fill_queue(unsigned threads);
+  std::optional<Candidate> next_candidate();
+  std::optional<Turn> turn_of(const Candidate& then);
+  void open_bucket();
+  void drop_duplicates();
+  void evaluate_members();
+  void evaluate_members_on_all_threads();
+  void find_pairs(std::size_t begin, std::size_t end, Parcel& parcel);
+  Parcel& evaluate(Parcel& parcel) const;
+  void sort_in(const Parcel& parcel);
+  void sort_in(const Pair& pair, const PairEvaluation& evaluation);
+  void prefetch_turns();
+  void enqueue(const Candidate& candidate);
+  bool is_unchanged(const Candidate& candidate) const;
+
+  void note_raised(const Pair& pair, const PairEvaluation& evaluation) {
+    if (evaluation.cost > evaluation.bound || is_raised_[pair.id]) add_raised(pair, evaluation.cost);
+  }
+  void add_raised(const Pair& pair, double cost);
+
+  TriangleComplex& complex_;
+  const PairCost& cost_;
+  ThresholdPairSieve& sieve_;
+  Crew crew_;
+
+  BucketQueue queue_;
+  std::vector<Index> members_;      ///< of the bucket being opened
+  std::vector<Parcel> parcels_;     ///< scratch: a thread works on one at a time
+  LargeArray<Candidate> batch_;     ///< candidates of the open bucket, in order
+  std::vector<Placed> placements_;  ///< where they would go
+  Index n_done_at_opening_ = 0;     ///< contractions before it was opened
+  std::size_t n_taken_ = 0;         ///< how many of the batch have had their turn
+  /// Those for the open bucket, or one before it, that turned up after it was opened.
+  std::priority_queue<Candidate, std::vector<Candidate>, IsAfter> late_;
+
+  WaitingPairs raised_;
+  std::vector<bool> is_raised_;            ///< per pair
+  std::unique_ptr<float[]> raised_costs_;  ///< per pair, what a raised one is queued under; undefined for others
+  std::vector<Index> woken_;               ///< scratch
+};
+
+}  // namespace whittle

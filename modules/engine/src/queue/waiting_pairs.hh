@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include "whittle/core/indexed_mesh.hh"
+
+namespace whittle {
+
+/// Pairs that wait for one of their vertices, or of those vertices' neighbours, to change: a list per vertex.
+class WaitingPairs {
+ public:
+  explicit WaitingPairs(std::size_t n_vertices) : any_(n_vertices) {}
+
+  bool any_at(Index v) const { return any_[v]; }
+
+  void add(Index v, Index pair) {
+    if (heads_.empty()) heads_.resize(any_.size());
+    if (!any_[v]) heads_[v] = invalid_index;
+    any_[v] = true;
+    Index node;
+    if (free_ == invalid_index) {
+      node = static_cast<Index>(nodes_.size());
+      nodes_.push_back({});
+    } else {
+      node = free_;
+      free_ = nodes_[node].next;
+    }
+    nodes_[node] = {pair, heads_[v]};
+    heads_[v] = node;
+  }
+
+  /// Appends the pairs waiting at v to `pairs` and forgets them here.
+  void take(Index v, std::vector<Index>& pairs) {
+    if (!any_[v]) return;
+    any_[v] = false;
+    for (Index node = heads_[v]; node != invalid_index;) {
+      pairs.push_back(nodes_[node].pair);
+      const Index next = nodes_[node].next;
+      nodes_[node].next = free_;
+      free_ = node;
+      node = next;
+    }
+  }
+
+ private:
+  struct Node {
+    Index pair = 0;
+    Index next = invalid_index;
+  };
+  std::vector<bool> any_;     ///< a bit per vertex, because every contraction asks for its whole neighbourhood
+  std::vector<Index> heads_;  ///< defined where `any_` is set; empty until something waits
+  std::vector<Node> nodes_;
+  Index free_ = invalid_index;
+};
+
+}  // namespace whittle

@@ -1,0 +1,231 @@
+#include "fit/surface_fit.hh"
+
+#include <cmath>
+
+#include "whittle/core/detail/prefetch.hh"
+#include "whittle/core/geometry/radius_ratio.hh"
+
+namespace whittle {
+namespace {
+
+/// μ: how much moving costs, of the weight of the points around. Holds a vertex along directions that no point cares
+/// about.
+constexpr double stiffness = 5e-4;
+
+/// How much a line weighs beside the surface: as a strip along it so many times as wide as its edges are long. More
+/// brings it nearer yet, at the surface's cost.
+constexpr double line_weight = 3;
+
+/// How far a vertex may leave the planes of its faces, as a multiple of how far the points are off: their squares.
+constexpr double most_drift = 4;
+
+/// How far a vertex may move at all: the square of that, in areas of its faces. Of an equilateral one 0.05 are about a
+/// seventh of an edge. Where more is wanted, the mesh is too coarse for feet to say what is best.
+constexpr double most_area = 0.05;
+
+/// A face that has turned by less than this cosine, and whose neighbours are at less than 90°, needs no look: if both
+/// faces at an edge have, they are at less than 142°.
+constexpr double wary_cosine = 0.9;
+
+constexpr double always_wary = 2;  ///< more than the square of any cosine
+
+constexpr int most_halvings = 5;
+
+/// m⁻¹ r by the adjugate. \pre m is well-conditioned
+Vec3 solve(const SymmetricMatrix& m, const Vec3& r) {
+  const Vec3 row0(m.xx, m.xy, m.xz);
+  const Vec3 row1(m.xy, m.yy, m.yz);
+  const Vec3 row2(m.xz, m.yz, m.zz);
+  const Vec3 minor0 = row1.cross(row2);
+  return Vec3(minor0.dot(r), row2.cross(row0).dot(r), row0.cross(row1).dot(r)) / row0.dot(minor0);
+}
+
+/// The part of x at right angles to a way; zero if it has no length.
+Vec3 across(const Vec3& way, const Vec3& x) {
+  const double square = way.squaredNorm();
+  return square > 0 ? Vec3(x - way.dot(x) / square * way) : Vec3::Zero();
+}
+
+}  // namespace
+
+SurfaceFit::SurfaceFit(const std::vector<Triangle>& faces, const VertexCorners& corners, const FaceNeighbors& neighbors,
+                       const FaceLimits& limits, const MeshLines& lines, const std::vector<std::uint8_t>& is_fixed)
+    : faces_(faces), corners_(corners), neighbors_(neighbors), limits_(limits), lines_(lines), is_fixed_(is_fixed) {}
+
+void SurfaceFit::start(std::vector<Vec3>& positions) {
+  positions_ = &positions;
+  moves_.assign(positions.size(), Vec3::Zero());
+  measure_faces();
+  line_sums_.assign(lines_.edges().size(), {});
+  ways_.clear();
+  for (const MeshLines::Edge& edge : lines_.edges()) ways_.push_back(positions[edge.to] - positions[edge.from]);
+}
+
+void SurfaceFit::measure_faces() {
+  fits_.assign(faces_.size(), {});
+  for (Index f = 0; f < faces_.size(); ++f) {
+    const Vec3 normal = area_normal(faces_[f], *positions_);
+    const double length = normal.norm();
+    if (length > 0) fits_[f].normal = normal / length;
+    fits_[f].area = 0.5 * length;
+  }
+  const auto is_near_folded = [this](Index f, Index place) {
+    const Index other = neighbors_.beyond(f, place).face;
+    return other != invalid_index && !(limits_.along(f, place, fits_[f].normal, fits_[other].normal) > 0);
+  };
+  for (Index f = 0; f < faces_.size(); ++f) {
+    const bool may_always_turn =
+        limits_.only_folds() && !is_near_folded(f, 0) && !is_near_folded(f, 1) && !is_near_folded(f, 2);
+    fits_[f].wary_cosine_sq = may_always_turn ? wary_cosine * wary_cosine : always_wary;
+  }
+}
+
+void SurfaceFit::add(const Foot& foot, double weight) {
+  Face& fit = fits_[foot.face];
+  const double b1 = foot.second;
+  const double b2 = foot.third;
+  const double b0 = 1 - b1 - b2;
+  const double d = foot.distance;
+  const std::array weighted{weight * b0, weight * b1, weight * b2};
+  fit.products[0] += weighted[0] * b0;
+  fit.products[1] += weighted[0] * b1;
+  fit.products[2] += weighted[0] * b2;
+  fit.products[3] += weighted[1] * b1;
+  fit.products[4] += weighted[1] * b2;
+  fit.products[5] += weighted[2] * b2;
+  for (std::size_t j = 0; j < 3; ++j) fit.errors[j] += weighted[j] * d;
+  fit.squares += weight * d * d;
+  fit.weight += weight;
+}
+
+void SurfaceFit::add(const LineFoot& foot, double weight) {
+  LineSums& sums = line_sums_[foot.edge];
+  const Vec3 d = across(ways_[foot.edge], foot.offset);
+  const std::array shares{1 - foot.share, foot.share};
+  sums.products[0] += weight * shares[0] * shares[0];
+  sums.products[1] += weight * shares[0] * shares[1];
+  sums.products[2] += weight * shares[1] * shares[1];
+  for (std::size_t j = 0; j < 2; ++j) sums.errors[j] += weight * shares[j] * d;
+  sums.squares += weight * d.squaredNorm();
+  sums.weight += weight;
+}
+
+void SurfaceFit::prefetch_around(Index v) const {
+  for (const Corner& corner : corners_.of(v)) {
+    prefetch(&fits_[corner.face]);
+    prefetch(&fits_[corner.face].products[3]);
+  }
+}
+
+void SurfaceFit::sweep() {
+  constexpr Index ahead = 4;
+  for (Index v = 0; v < corners_.n_vertices(); ++v) {
+    if (v + ahead < corners_.n_vertices()) prefetch_around(v + ahead);
+    if (is_fixed_[v] != 0) continue;
+    const Pull pull = pull_at(v);
+    if (!(pull.weight > 0) || pull.is_held) continue;
+    Vec3 move = wanted_move(v, pull);
+    int n_halvings = 0;
+    while (n_halvings < most_halvings &&
+           (is_too_far(v, moves_[v] + move, pull) || spoils_a_face(v, (*positions_)[v] + move))) {
+      move *= 0.5;
+      ++n_halvings;
+    }
+    if (n_halvings == most_halvings) continue;
+    moves_[v] += move;
+    (*positions_)[v] += move;
+  }
+}
+
+SurfaceFit::Pull SurfaceFit::pull_at(Index v) const {
+  Pull pull;
+  for (const auto& [f, place] : corners_.of(v)) {
+    const Face& fit = fits_[f];
+    const Vec3& n = fit.normal;
+    double error = fit.errors[place];
+    for (Index k = 0; k < 3; ++k) error -= fit.product(place, k) * n.dot(moves_[faces_[f][k]]);
+    pull.matrix += SymmetricMatrix::outer(n, fit.product(place, place));
+    pull.force += error * n;
+    pull.weight += fit.weight;
+    pull.squares += fit.squares;
+    pull.area += fit.area;
+  }
+  pull.area /= static_cast<double>(corners_.of(v).size());
+  if (!lines_.empty()) add_lines(v, pull);
+  return pull;
+}
+
+void SurfaceFit::add_lines(Index v, Pull& pull) const {
+  double weight = 0;
+  for (const Index e : lines_.at(v)) {
+    const auto& [from, to, is_border] = lines_.edges()[e];
+    const LineSums& sums = line_sums_[e];
+    const std::size_t place = v == from ? 0 : 1;
+    const Vec3& way = ways_[e];
+    const double length = way.norm();
+    if (!(length > 0)) continue;
+    const double scale = line_weight * length;
+    const Vec3 moves = sums.products[place] * moves_[from] + sums.products[place + 1] * moves_[to];
+    const auto across_way = [&](double factor) {
+      SymmetricMatrix matrix = SymmetricMatrix::identity(factor);
+      return matrix -= SymmetricMatrix::outer(way / length, factor);
+    };
+    pull.matrix += across_way(scale * sums.products[2 * place]);
+    pull.lines += across_way(sums.weight);
+    pull.force += scale * (sums.errors[place] - across(way, moves));
+    pull.line_squares += sums.squares;
+    weight += sums.weight;
+  }
+  pull.is_held = !lines_.at(v).empty() && !(weight > 0);
+}
+
+Vec3 SurfaceFit::wanted_move(Index v, const Pull& pull) const {
+  const double holding = stiffness * pull.weight;
+  SymmetricMatrix matrix = pull.matrix;
+  matrix += SymmetricMatrix::identity(holding);
+  return solve(matrix, pull.force - holding * moves_[v]);
+}
+
+bool SurfaceFit::is_too_far(Index v, const Vec3& moved, const Pull& pull) const {
+  if (moved.squaredNorm() > most_area * pull.area) return true;
+  double from_planes = 0;
+  for (const Corner& corner : corners_.of(v)) {
+    const double height = fits_[corner.face].normal.dot(moved);
+    from_planes += fits_[corner.face].weight * height * height;
+  }
+  return !(from_planes <= most_drift * pull.squares) ||
+         !(moved.dot(pull.lines * moved) <= most_drift * pull.line_squares);
+}
+
+/// Whether a face turns too far, against how it was at the start or to a neighbour, or gets thin.
+bool SurfaceFit::spoils_a_face(Index v, const Vec3& to) const {
+  const std::vector<Vec3>& positions = *positions_;
+  for (const auto& [f, place] : corners_.of(v)) {
+    const Vec3& x = positions[corner_after(faces_[f], place, 1)];
+    const Vec3& y = positions[corner_after(faces_[f], place, 2)];
+    const Vec3 normal = (x - to).cross(y - to);
+    const double square = normal.squaredNorm();
+    const double along = normal.dot(fits_[f].normal);
+    if (!(along > 0 && along * along > least_turn_cosine * least_turn_cosine * square)) return true;
+    if (along * along < fits_[f].wary_cosine_sq * square && turns_to_a_neighbor(f, v, to)) return true;
+    if (limits_.may_be_thin(square, x - to, y - to) &&
+        limits_.forbid_thinning(radius_ratio(positions[v], x, y), radius_ratio(to, x, y)))
+      return true;
+  }
+  return false;
+}
+
+/// Whether the move turns a face of v to a neighbour in a way that isn't allowed.
+bool SurfaceFit::turns_to_a_neighbor(Index face, Index v, const Vec3& to) const {
+  const auto normal = [&](Index f, bool is_after) { return normal_with(f, v, is_after ? to : (*positions_)[v]); };
+  return limits_.forbid(face, 0, normal) || limits_.forbid(face, 1, normal) || limits_.forbid(face, 2, normal);
+}
+
+/// A face's normal if v were elsewhere.
+Vec3 SurfaceFit::normal_with(Index face, Index v, const Vec3& to) const {
+  const auto position = [&](Index u) -> const Vec3& { return u == v ? to : (*positions_)[u]; };
+  const auto& [a, b, c] = faces_[face];
+  return (position(b) - position(a)).cross(position(c) - position(a));
+}
+
+}  // namespace whittle

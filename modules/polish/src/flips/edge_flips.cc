@@ -1,0 +1,330 @@
+#include "flips/edge_flips.hh"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "guard/overlapping_boxes.hh"
+#include "whittle/core/detail/parallel.hh"
+#include "whittle/core/geometry/nearest_on_triangle.hh"
+#include "whittle/core/geometry/radius_ratio.hh"
+#include "whittle/core/geometry/triangle_intersection.hh"
+
+namespace whittle {
+namespace {
+
+/// What a flip must leave of the squared distances at most. Others come and go with the noise of a few points.
+constexpr double most_left = 0.95;
+
+/// Root mean square of the distances, in lengths of the edge, below which faces fit as well as can be told.
+constexpr double least_rms = 1e-5;
+
+constexpr std::size_t least_valence = 4;
+constexpr std::size_t most_valence = 9;
+
+using Faces = std::array<Triangle, 2>;
+
+/// An edge as a side of two faces.
+struct Flip {
+  Index face, place;
+  double gain;  ///< how much less the sum of squared distances would be
+};
+
+class EdgeFlips {
+ public:
+  EdgeFlips(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits, const MeshLines& lines,
+            std::span<const Index> groups, SurfaceSamples& samples)
+      : mesh_(mesh),
+        neighbors_(neighbors),
+        limits_(limits),
+        lines_(lines),
+        groups_(groups),
+        samples_(samples),
+        faces_(mesh.faces.begin(), mesh.faces.end()),
+        partner_(mesh.faces.size(), invalid_index),
+        valences_(mesh.corners.n_vertices()) {
+    for (Index v = 0; v < valences_.size(); ++v) valences_[v] = mesh.corners.of(v).size();
+  }
+
+  /// Those that pay, the best first.
+  std::vector<Flip> find(unsigned threads) {
+    const std::vector<FaceFit> fits = fit(threads);
+    std::vector<std::array<double, 3>> gains(faces_.size(), {0, 0, 0});
+    for_each_range(faces_.size(), threads, [&](std::size_t begin, std::size_t end) {
+      for (auto f = static_cast<Index>(begin); f < end; ++f) {
+        for (Index place = 0; place < 3; ++place) {
+          if (fits[f].tents[place].height == 0) continue;
+          const auto [other, other_place] = neighbors_.beyond(f, place);
+          if (other < f) continue;
+          const double now = fits[f].squares + fits[other].squares;
+          const double gain = fits[f].gains[place] + fits[other].gains[other_place];
+          if (gain < (1 - most_left) * now || now < least_squares(f, place)) continue;
+          if (turns_little(f, place) && !makes_thin(f, place)) gains[f][place] = gain;
+        }
+      }
+    });
+    std::vector<Flip> flips;
+    for (Index f = 0; f < faces_.size(); ++f) {
+      for (Index place = 0; place < 3; ++place) {
+        if (gains[f][place] > 0) flips.push_back({f, place, gains[f][place]});
+      }
+    }
+    std::stable_sort(flips.begin(), flips.end(), [](const Flip& a, const Flip& b) { return a.gain > b.gain; });
+    return flips;
+  }
+
+  /// Makes those that are still allowed after the ones before.
+  void make(const std::vector<Flip>& flips) {
+    std::set<VertexPair> made;
+    for (const auto& [f, place, gain] : flips) {
+      const Index other = neighbors_.beyond(f, place).face;
+      const auto [u, v, a, b] = corners_of(f, place);
+      if (touches_a_flip(f) || touches_a_flip(other) || !keeps_valences(u, v, a, b)) continue;
+      if (!made.insert({std::min(a, b), std::max(a, b)}).second) continue;
+      const Faces flipped = faces_after(f, place);
+      faces_[f] = flipped[0];
+      faces_[other] = flipped[1];
+      partner_[f] = other;
+      partner_[other] = f;
+      --valences_[u], --valences_[v];
+      ++valences_[a], ++valences_[b];
+    }
+  }
+
+  /// Undoes flips until no flipped face intersects another.
+  void undo_intersecting(unsigned threads) {
+    std::vector<Eigen::AlignedBox3f> boxes(faces_.size());
+    for (Index f = 0; f < faces_.size(); ++f) {
+      extend(boxes[f], faces_[f], mesh_.positions);
+      extend(boxes[f], mesh_.faces[f], mesh_.positions);
+    }
+    const std::vector<std::array<Index, 2>> pairs = overlapping_boxes(boxes, {}, threads);
+    for (bool is_done = false; !is_done;) {
+      is_done = true;
+      for (const auto& [f, g] : pairs) {
+        if ((!is_flipped(f) && !is_flipped(g)) || !do_intersect(f, g)) continue;
+        undo(f);
+        undo(g);
+        is_done = false;
+      }
+    }
+  }
+
+  /// Gives the points of flipped faces their feet there.
+  void move_feet(unsigned threads) {
+    for_each_range(samples_.size(), threads, [this](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Index f = samples_.foot(i).face;
+        if (f == invalid_index || !is_flipped(f)) continue;
+        const Near near = nearest({faces_[f], faces_[partner_[f]]}, samples_.position(i));
+        samples_.set_foot(i, {near.which == 0 ? f : partner_[f], static_cast<float>(near.at.second),
+                              static_cast<float>(near.at.third), static_cast<float>(near.height)});
+      }
+    });
+  }
+
+  std::vector<Triangle> take_faces() { return std::move(faces_); }
+
+ private:
+  /// Where a pair of faces is nearest to a point.
+  struct Near {
+    std::size_t which;
+    Barycentric at;
+    double distance_sq;
+    double height;  ///< over the face's plane
+  };
+
+  /// Between two faces and the two that a flip makes of them, as seen from one of them: highest where the old edge and
+  /// the new one are nearest to each other, and zero at the four corners.
+  struct Tent {
+    double share = 0;   ///< of the old edge's second end in the place of the tip
+    double height = 0;  ///< of the new edge over the face there; 0 if it can't be flipped
+  };
+  /// A face, what its points say of it, and of a flip of each of its sides.
+  struct FaceFit {
+    std::array<Tent, 3> tents;
+    double squares = 0;             ///< of the points' distances
+    std::array<double, 3> gains{};  ///< how much less they would be
+  };
+
+  bool is_flipped(Index f) const { return partner_[f] != invalid_index; }
+
+  Near nearest_on(const Triangle& face, const Vec3& point) const {
+    const Vec3 a = mesh_.positions[face[0]] - point;
+    const Vec3 b = mesh_.positions[face[1]] - point;
+    const Vec3 c = mesh_.positions[face[2]] - point;
+    const Barycentric at = nearest_on_triangle(a, b, c);
+    const Vec3 normal = (b - a).cross(c - a);
+    return {0, at, (a + at.second * (b - a) + at.third * (c - a)).squaredNorm(), -normal.dot(a) / normal.norm()};
+  }
+  Near nearest(const Faces& faces, const Vec3& point) const {
+    const Near first = nearest_on(faces[0], point);
+    Near second = nearest_on(faces[1], point);
+    second.which = 1;
+    return second.distance_sq < first.distance_sq ? second : first;
+  }
+
+  /// Of an edge where a flip may be worth something.
+  double least_squares(Index f, Index place) const {
+    double weight = 0;
+    for (const Index g : {f, neighbors_.beyond(f, place).face}) weight += 0.5 * normal(mesh_.faces[g]).norm();
+    const Vec3 way = mesh_.positions[corner_after(mesh_.faces[f], place, 1)] - mesh_.positions[mesh_.faces[f][place]];
+    return weight * least_rms * least_rms * way.squaredNorm();
+  }
+  std::vector<FaceFit> fit(unsigned threads) const {
+    std::vector<FaceFit> fits(faces_.size());
+    for_each_range(faces_.size(), threads, [&](std::size_t begin, std::size_t end) {
+      for (auto f = static_cast<Index>(begin); f < end; ++f) {
+        for (Index place = 0; place < 3; ++place) {
+          if (neighbors_.beyond(f, place).face != invalid_index && keeps_surface(f, place))
+            fits[f].tents[place] = tent(f, place);
+        }
+      }
+    });
+    samples_.for_each_foot([&fits](const Foot& foot, double weight) { add(fits[foot.face], foot, weight); });
+    return fits;
+  }
+
+  Tent tent(Index f, Index place) const {
+    const auto [u, v, a, b] = corners_of(f, place);
+    const Vec3 edge = mesh_.positions[v] - mesh_.positions[u];
+    const Vec3 other_edge = mesh_.positions[b] - mesh_.positions[a];
+    const Vec3 between = mesh_.positions[a] - mesh_.positions[u];
+    // The shares of both where they are nearest to each other. \cite ericson_2005_collision (section 5.1.9)
+    const double e = edge.squaredNorm();
+    const double o = other_edge.squaredNorm();
+    const double eo = edge.dot(other_edge);
+    const double determinant = e * o - eo * eo;
+    const double share = (o * edge.dot(between) - eo * other_edge.dot(between)) / determinant;
+    const double other_share = (eo * edge.dot(between) - e * other_edge.dot(between)) / determinant;
+    const auto is_inside = [](double x) { return x > 0 && x < 1; };
+    if (!is_inside(share) || !is_inside(other_share)) return {};
+    const Vec3 up = normal(mesh_.faces[f]);
+    return {share, up.dot(other_share * other_edge) / up.norm()};
+  }
+
+  /// A flip takes the tent's height over its foot from a point's distance.
+  static void add(FaceFit& fit, const Foot& foot, double weight) {
+    const std::array<double, 3> at{1.0 - foot.second - foot.third, foot.second, foot.third};
+    fit.squares += weight * foot.distance * foot.distance;
+    for (std::size_t place = 0; place < 3; ++place) {
+      const auto& [share, height] = fit.tents[place];
+      if (height == 0) continue;
+      const double x = height * std::max(0.0, std::min(at[place] / (1 - share), at[(place + 1) % 3] / share));
+      fit.gains[place] += weight * x * (2 * foot.distance - x);
+    }
+  }
+
+  /// The edge's ends, as the face has them, and the other corner of the face and of the one beyond.
+  std::array<Index, 4> corners_of(Index f, Index place) const {
+    const auto [other, other_place] = neighbors_.beyond(f, place);
+    return {mesh_.faces[f][place], corner_after(mesh_.faces[f], place, 1), corner_after(mesh_.faces[f], place, 2),
+            corner_after(mesh_.faces[other], other_place, 2)};
+  }
+  Faces faces_after(Index f, Index place) const {
+    const auto [u, v, a, b] = corners_of(f, place);
+    return {Triangle{a, u, b}, Triangle{b, v, a}};
+  }
+
+  bool keeps_surface(Index f, Index place) const {
+    const auto [u, v, a, b] = corners_of(f, place);
+    const Index other = neighbors_.beyond(f, place).face;
+    if (neighbors_.is_twisted(f, place) || is_on_line(u, v)) return false;
+    if (!groups_.empty() && groups_[f] != groups_[other]) return false;
+    return a != b && keeps_valences(u, v, a, b) && !is_edge(a, b);
+  }
+  bool is_on_line(Index u, Index v) const {
+    if (lines_.empty()) return false;
+    const std::span<const Index> edges = lines_.at(u);
+    return std::any_of(edges.begin(), edges.end(),
+                       [&](Index e) { return lines_.edges()[e].from == v || lines_.edges()[e].to == v; });
+  }
+  bool is_edge(Index a, Index b) const {
+    const std::span<const Corner> corners = mesh_.corners.of(a);
+    return std::any_of(corners.begin(), corners.end(), [&](const Corner& corner) {
+      const Triangle& face = mesh_.faces[corner.face];
+      return face[0] == b || face[1] == b || face[2] == b;
+    });
+  }
+  bool keeps_valences(Index u, Index v, Index a, Index b) const {
+    return std::min(valences_[u], valences_[v]) > least_valence && std::max(valences_[a], valences_[b]) < most_valence;
+  }
+
+  Vec3 normal(const Triangle& face) const { return area_normal(face, mesh_.positions); }
+  bool makes_thin(Index f, Index place) const {
+    const auto least = [this](const Faces& faces) {
+      const auto ratio = [this](const Triangle& face) {
+        return radius_ratio(mesh_.positions[face[0]], mesh_.positions[face[1]], mesh_.positions[face[2]]);
+      };
+      return std::min(ratio(faces[0]), ratio(faces[1]));
+    };
+    const Index other = neighbors_.beyond(f, place).face;
+    return limits_.forbid_thinning(least({mesh_.faces[f], mesh_.faces[other]}), least(faces_after(f, place)));
+  }
+  bool turns_little(Index f, Index place) const {
+    const Index other = neighbors_.beyond(f, place).face;
+    const Faces after = faces_after(f, place);
+    const std::array<Vec3, 2> normals{normal(after[0]), normal(after[1])};
+    const Vec3 sum = normal(mesh_.faces[f]) + normal(mesh_.faces[other]);
+    for (const Vec3& n : normals) {
+      if (!(cosine(n, sum) > least_turn_cosine)) return false;
+    }
+    if (!(cosine(normals[0], normals[1]) > limits_.least_cosine())) return false;
+    // The sides of both: from v to a and from a to u, from u to b and from b to v.
+    const auto [g, g_place] = neighbors_.beyond(f, place);
+    return is_allowed_beside(f, (place + 2) % 3, normals[0]) && is_allowed_beside(f, (place + 1) % 3, normals[1]) &&
+           is_allowed_beside(g, (g_place + 1) % 3, normals[0]) && is_allowed_beside(g, (g_place + 2) % 3, normals[1]);
+  }
+  /// A side of a face, if the face had another normal.
+  bool is_allowed_beside(Index f, Index place, const Vec3& normal_after) const {
+    return !limits_.forbid(
+        f, place, [&](Index g, bool is_after) { return g == f && is_after ? normal_after : normal(mesh_.faces[g]); });
+  }
+
+  bool touches_a_flip(Index f) const {
+    if (is_flipped(f)) return true;
+    for (Index place = 0; place < 3; ++place) {
+      const Index other = neighbors_.beyond(f, place).face;
+      if (other != invalid_index && is_flipped(other)) return true;
+    }
+    return false;
+  }
+
+  bool do_intersect(Index f, Index g) const {
+    return n_common_corners(faces_[f], faces_[g]) < 2 && intersect(faces_[f], faces_[g], mesh_.positions);
+  }
+  void undo(Index f) {
+    if (!is_flipped(f)) return;
+    const Index other = partner_[f];
+    for (const Index g : {f, other}) {
+      faces_[g] = mesh_.faces[g];
+      partner_[g] = invalid_index;
+    }
+  }
+
+  const Surface& mesh_;
+  const FaceNeighbors& neighbors_;
+  const FaceLimits& limits_;
+  const MeshLines& lines_;
+  std::span<const Index> groups_;
+  SurfaceSamples& samples_;
+  std::vector<Triangle> faces_;
+  std::vector<Index> partner_;  ///< per face, the one it was flipped with
+  std::vector<std::size_t> valences_;
+};
+
+}  // namespace
+
+std::vector<Triangle> flip_edges(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits,
+                                 const MeshLines& lines, std::span<const Index> groups, SurfaceSamples& samples,
+                                 unsigned threads) {
+  EdgeFlips flips(mesh, neighbors, limits, lines, groups, samples);
+  flips.make(flips.find(threads));
+  flips.undo_intersecting(threads);
+  flips.move_feet(threads);
+  return flips.take_faces();
+}
+
+}  // namespace whittle

@@ -1,0 +1,195 @@
+#include "guard/new_intersections.hh"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "guard/overlapping_boxes.hh"
+#include "whittle/core/detail/parallel.hh"
+#include "whittle/core/geometry/radius_ratio.hh"
+#include "whittle/core/geometry/triangle_intersection.hh"
+
+namespace whittle {
+namespace {
+
+class MovedMesh {
+ public:
+  MovedMesh(const Surface& before, const FaceLimits& limits, std::vector<Vec3>& positions, unsigned threads)
+      : before_(before), limits_(limits), positions_(positions), is_fresh_(before.faces.size(), 1) {
+    find_near_pairs(threads);
+    does_intersect_.resize(pairs_.size());
+    is_crossed_.resize(positions.size());
+  }
+
+  /// Faces that intersect one another, which they didn't before. Those that were not taken back since this was asked
+  /// last are not looked at again.
+  std::vector<Index> intersecting(unsigned threads) {
+    for_each_range(pairs_.size(), threads, [this](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto& [f, g] = pairs_[i];
+        does_intersect_[i] = (is_fresh_[f] != 0 || is_fresh_[g] != 0) && intersect_newly(f, g);
+      }
+    });
+    for_each_range(is_crossed_.size(), threads, [this](std::size_t begin, std::size_t end) {
+      for (auto v = static_cast<Index>(begin); v < end; ++v) {
+        is_crossed_[v] = has_fresh_face(v) && !is_flat(v) && !intersecting_at(v).empty();
+      }
+    });
+    std::vector<Index> faces;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      if (does_intersect_[i] != 0) faces.insert(faces.end(), pairs_[i].begin(), pairs_[i].end());
+    }
+    for (Index v = 0; v < is_crossed_.size(); ++v) {
+      if (is_crossed_[v] == 0) continue;
+      const std::vector<Index> found = intersecting_at(v);
+      faces.insert(faces.end(), found.begin(), found.end());
+    }
+    std::fill(is_fresh_.begin(), is_fresh_.end(), std::uint8_t{0});
+    return faces;
+  }
+
+  /// Those of the faces that are turned further than is allowed, or too thin, and neighbours that they are turned to.
+  std::vector<Index> spoiled(std::span<const Index> faces) const {
+    std::vector<Index> found;
+    for (const Index f : faces) {
+      if (is_turned(f) || is_thinned(f)) found.push_back(f);
+      for (Index place = 0; place < 3; ++place) {
+        if (turns_to_neighbor(f, place)) found.insert(found.end(), {f, limits_.beyond(f, place)});
+      }
+    }
+    return found;
+  }
+
+  /// \return the vertices of these faces that were moved until now
+  std::vector<Index> take_back(std::span<const Index> faces) {
+    std::vector<Index> vertices;
+    for (const Index f : faces) {
+      for (const Index v : before_.faces[f]) {
+        if (!is_moved(v)) continue;
+        positions_[v] = before_.positions[v];
+        vertices.push_back(v);
+        for (const Corner& corner : before_.corners.of(v)) is_fresh_[corner.face] = 1;
+      }
+    }
+    return vertices;
+  }
+
+  std::vector<Index> faces_at(std::span<const Index> vertices) const {
+    std::vector<Index> faces;
+    for (const Index v : vertices) {
+      for (const Corner& corner : before_.corners.of(v)) faces.push_back(corner.face);
+    }
+    return faces;
+  }
+
+ private:
+  /// Those without a common corner that may intersect wherever each corner is, where it was or where it is.
+  void find_near_pairs(unsigned threads) {
+    std::vector<Eigen::AlignedBox3f> boxes(before_.faces.size());
+    for_each_range(boxes.size(), threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        extend(boxes[f], before_.faces[f], before_.positions);
+        extend(boxes[f], before_.faces[f], positions_);
+      }
+    });
+    pairs_ = overlapping_boxes(boxes, before_.faces, threads);
+  }
+
+  bool is_moved(Index v) const { return positions_[v] != before_.positions[v]; }
+
+  bool intersect_newly(Index f, Index g) const {
+    const Triangle& s = before_.faces[f];
+    const Triangle& t = before_.faces[g];
+    return intersect(s, t, positions_) && !intersect(s, t, before_.positions);
+  }
+
+  bool has_fresh_face(Index v) const {
+    const std::span<const Corner> corners = before_.corners.of(v);
+    return std::any_of(corners.begin(), corners.end(), [this](const Corner& c) { return is_fresh_[c.face] != 0; });
+  }
+
+  /// Of the faces at v those that newly intersect one with which they have nothing but v in common.
+  std::vector<Index> intersecting_at(Index v) const {
+    const std::span<const Corner> corners = before_.corners.of(v);
+    std::vector<Index> faces;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      for (std::size_t j = i + 1; j < corners.size(); ++j) {
+        const Index f = corners[i].face;
+        const Index g = corners[j].face;
+        if (n_common_corners(before_.faces[f], before_.faces[g]) == 1 && intersect_newly(f, g))
+          faces.insert(faces.end(), {f, g});
+      }
+    }
+    return faces;
+  }
+
+  /// Whether the faces at v go once around it, none of them turned over, as seen from one direction: then no two of
+  /// them intersect. That holds for most vertices, and is sooner known than of each two faces.
+  bool is_flat(Index v) const {
+    const std::span<const Corner> corners = before_.corners.of(v);
+    if (corners.empty()) return false;
+    Vec3 up = Vec3::Zero();
+    for (const Corner& corner : corners) up += normal(corner.face, positions_);
+    const auto end = [&](const Corner& corner, Index n) {
+      return corner_after(before_.faces[corner.face], corner.place, n);
+    };
+    const Vec3& center = positions_[v];
+    const Vec3 way = up.cross(positions_[end(corners[0], 1)] - center);
+    int n_along_way = 0;
+    bool is_turned_over = false;
+    std::uint64_t sum = 0;  // of the first ends less the last ones, and of their squares: zero if it is closed
+    std::uint64_t sum_of_squares = 0;
+    for (const Corner& corner : corners) {
+      const std::uint64_t first = end(corner, 1);
+      const std::uint64_t last = end(corner, 2);
+      const Vec3 to_first = positions_[first] - center;
+      const Vec3 to_last = positions_[last] - center;
+      is_turned_over |= !(up.dot(to_first.cross(to_last)) > 0);
+      n_along_way += static_cast<int>(way.dot(to_first) <= 0 && way.dot(to_last) > 0);
+      sum += first - last;
+      sum_of_squares += first * first - last * last;
+    }
+    return !is_turned_over && n_along_way == 1 && sum == 0 && sum_of_squares == 0;
+  }
+
+  Vec3 normal(Index face, std::span<const Vec3> positions) const { return area_normal(before_.faces[face], positions); }
+
+  bool is_turned(Index face) const {
+    return cosine(normal(face, positions_), normal(face, before_.positions)) < least_turn_cosine;
+  }
+  bool is_thinned(Index face) const {
+    const auto& [a, b, c] = before_.faces[face];
+    const auto ratio = [&, a = a, b = b, c = c](std::span<const Vec3> at) { return radius_ratio(at[a], at[b], at[c]); };
+    return limits_.forbid_thinning(ratio(before_.positions), ratio(positions_));
+  }
+  bool turns_to_neighbor(Index face, Index place) const {
+    return limits_.forbid(face, place, [this](Index f, bool is_now) {
+      return normal(f, is_now ? std::span<const Vec3>(positions_) : before_.positions);
+    });
+  }
+
+  const Surface& before_;
+  const FaceLimits& limits_;
+  std::vector<Vec3>& positions_;
+  std::vector<std::array<Index, 2>> pairs_;   ///< near one another, without a common corner
+  std::vector<std::uint8_t> is_fresh_;        ///< per face, whether a corner was moved since it was looked at
+  std::vector<std::uint8_t> does_intersect_;  ///< scratch: per pair
+  std::vector<std::uint8_t> is_crossed_;      ///< scratch: per vertex
+};
+
+}  // namespace
+
+void take_back_intersections(const Surface& before, const FaceLimits& limits, std::vector<Vec3>& positions,
+                             std::span<const Index> taken_back, unsigned threads) {
+  MovedMesh mesh(before, limits, positions, threads);
+  std::vector<Index> changed = mesh.faces_at(taken_back);
+  for (;;) {
+    std::vector<Index> wrong = mesh.spoiled(changed);
+    const std::vector<Index> intersecting = mesh.intersecting(threads);
+    wrong.insert(wrong.end(), intersecting.begin(), intersecting.end());
+    if (wrong.empty()) return;
+    changed = mesh.faces_at(mesh.take_back(wrong));
+  }
+}
+
+}  // namespace whittle

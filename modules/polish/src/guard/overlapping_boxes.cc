@@ -1,0 +1,166 @@
+#include "guard/overlapping_boxes.hh"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <limits>
+
+#include "whittle/core/detail/lanes.hh"
+#include "whittle/core/detail/parallel.hh"
+#include "whittle/core/geometry/space_filling_curve.hh"
+
+namespace whittle {
+namespace {
+
+using Box = Eigen::AlignedBox3f;
+using Float8 = float __attribute__((vector_size(32)));
+using Int8 = std::int32_t __attribute__((vector_size(32)));
+using EightFloats = std::array<float, 8>;
+using Pairs = std::vector<std::array<Index, 2>>;
+
+constexpr std::size_t fan_out = 8;
+
+/// Eight boxes side by side.
+struct alignas(32) Octet {
+  std::array<EightFloats, 3> low, high;
+
+  Octet() {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis].fill(std::numeric_limits<float>::infinity());
+      high[axis].fill(-std::numeric_limits<float>::infinity());
+    }
+  }
+  void set(std::size_t lane, const Box& box) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis][lane] = box.min()[Eigen::Index(axis)];
+      high[axis][lane] = box.max()[Eigen::Index(axis)];
+    }
+  }
+};
+
+[[gnu::always_inline]] inline Float8 load(const EightFloats& from) {
+  Float8 lanes;
+  std::memcpy(&lanes, from.data(), sizeof(lanes));
+  return lanes;
+}
+
+/// All ones for those of the octet that have a point in common with a box of another one.
+[[gnu::always_inline]] inline Int8 overlaps(const Octet& octet, const Octet& other, std::size_t lane) {
+  Int8 all = ~Int8{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    all &= (load(octet.low[axis]) <= other.high[axis][lane]) & (load(octet.high[axis]) >= other.low[axis][lane]);
+  }
+  return all;
+}
+
+/// A bit for each lane.
+[[gnu::always_inline]] inline unsigned bits(const Int8& lanes) {
+  Int8 x = lanes & Int8{1, 2, 4, 8, 16, 32, 64, 128};
+  x |= __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3);
+  x |= __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5);
+  x |= __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6);
+  return static_cast<unsigned>(x[0]);
+}
+
+/// Boxes along a Morton curve, eight at a time in larger ones, and so on.
+class BoxTree {
+ public:
+  BoxTree(std::span<const Box> boxes, std::span<const Triangle> faces, unsigned threads) {
+    std::vector<Vec3> centers;
+    centers.reserve(boxes.size());
+    for (const Box& box : boxes) centers.emplace_back(box.center().cast<double>());
+    order_ = morton_order(centers, Frame{}, threads);
+    std::vector<Box> below;
+    below.reserve(boxes.size());
+    for (const Index i : order_) below.push_back(boxes[i]);
+    if (!faces.empty()) {
+      faces_.reserve(boxes.size());
+      for (const Index i : order_) faces_.push_back(faces[i]);
+    }
+    while (levels_.empty() || levels_.back().size() > 1) {
+      std::vector<Octet>& level = levels_.emplace_back((below.size() + fan_out - 1) / fan_out);
+      std::vector<Box> above(level.size());
+      for (std::size_t i = 0; i < below.size(); ++i) {
+        level[i / fan_out].set(i % fan_out, below[i]);
+        above[i / fan_out].extend(below[i]);
+      }
+      below = std::move(above);
+    }
+  }
+
+  std::size_t n_octets() const { return levels_.front().size(); }
+
+  /// Of an octet's boxes with each other, and with those further along the curve.
+  void find(std::size_t octet, Pairs& pairs) const {
+    has_double4 ? find_in_wide_registers(octet, pairs) : find_in_octets(octet, pairs);
+  }
+
+ private:
+  WHITTLE_DOUBLE4 void find_in_wide_registers(std::size_t octet, Pairs& pairs) const { find_in_octets(octet, pairs); }
+
+  [[gnu::always_inline]] inline void find_in_octets(std::size_t octet, Pairs& pairs) const {
+    struct Waiting {
+      std::size_t octet, height;
+    };
+    std::array<Waiting, fan_out * most_levels> waiting;
+    std::size_t n_waiting = 0;
+    waiting[n_waiting++] = {0, levels_.size() - 1};
+    while (n_waiting > 0) {
+      const auto [number, height] = waiting[--n_waiting];
+      if (height == 0) {
+        write_pairs(octet, number, pairs);
+        continue;
+      }
+      const Int8 overlapping = overlaps(levels_[height][number], levels_[1][octet / fan_out], octet % fan_out);
+      for (unsigned found = bits(overlapping); found != 0; found &= found - 1) {
+        const std::size_t below = fan_out * number + static_cast<std::size_t>(std::countr_zero(found));
+        const bool is_past = ((below + 1) << (3 * (height - 1))) <= octet;  // all its octets
+        if (!is_past) waiting[n_waiting++] = {below, height - 1};
+      }
+    }
+  }
+
+  [[gnu::always_inline]] inline void write_pairs(std::size_t octet, std::size_t other, Pairs& pairs) const {
+    const bool is_one = levels_.size() == 1;
+    const Int8 overlapping =
+        is_one ? ~Int8{} : overlaps(levels_[0][octet], levels_[1][other / fan_out], other % fan_out);
+    for (unsigned near = bits(overlapping); near != 0; near &= near - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(near));
+      const std::size_t place = fan_out * octet + lane;
+      const unsigned past = other == octet ? (2U << lane) - 1 : 0;  // found from the other side
+      for (unsigned found = bits(overlaps(levels_[0][other], levels_[0][octet], lane)) & ~past; found != 0;
+           found &= found - 1) {
+        const std::size_t other_place = fan_out * other + static_cast<std::size_t>(std::countr_zero(found));
+        if (!faces_.empty() && n_common_corners(faces_[place], faces_[other_place]) != 0) continue;
+        const Index here = order_[place];
+        const Index there = order_[other_place];
+        pairs.push_back({std::min(here, there), std::max(here, there)});
+      }
+    }
+  }
+
+  static constexpr std::size_t most_levels = 11;  // of 2^32 boxes
+
+  std::vector<Index> order_;                ///< along the curve
+  std::vector<Triangle> faces_;             ///< along the curve, or none
+  std::vector<std::vector<Octet>> levels_;  ///< the lowest one first
+};
+
+}  // namespace
+
+std::vector<std::array<Index, 2>> overlapping_boxes(std::span<const Box> boxes, std::span<const Triangle> faces,
+                                                    unsigned threads) {
+  if (boxes.empty()) return {};
+  const BoxTree tree(boxes, faces, threads);
+  constexpr std::size_t length = 64;
+  std::vector<Pairs> found((tree.n_octets() + length - 1) / length);
+  for_each_block(found.size(), threads, [&](std::size_t block) {
+    const std::size_t end = std::min(tree.n_octets(), (block + 1) * length);
+    for (std::size_t octet = block * length; octet < end; ++octet) tree.find(octet, found[block]);
+  });
+  Pairs all;
+  for (const Pairs& part : found) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+}  // namespace whittle

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "whittle/core/detail/index_lists.hh"
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/core/vertex_pair.hh"
+
+namespace whittle {
+
+/// The edges of exactly one face, ascending.
+std::vector<VertexPair> border_edges(std::span<const Triangle> faces, std::size_t n_vertices);
+
+/// Edges of a mesh that make up its lines: the border, and features.
+class MeshLines {
+ public:
+  struct Edge {
+    Index from, to;
+    bool is_border;  ///< or a feature
+  };
+
+  MeshLines(std::span<const VertexPair> borders, std::span<const VertexPair> features, std::size_t n_vertices);
+
+  bool empty() const { return edges_.empty(); }
+  const std::vector<Edge>& edges() const { return edges_; }
+  /// Numbers of the edges at a vertex.
+  std::span<const Index> at(Index v) const { return edges_at_.of(v); }
+
+ private:
+  std::vector<Edge> edges_;
+  IndexLists<Index> edges_at_;
+};
+
+}  // namespace whittle

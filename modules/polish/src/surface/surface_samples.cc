@@ -1,0 +1,110 @@
+#include "surface/surface_samples.hh"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "surface/surface_walk.hh"
+#include "whittle/core/detail/parallel.hh"
+#include "whittle/core/detail/prefetch.hh"
+
+namespace whittle {
+namespace {
+
+/// Faces ahead of which their corners are asked for: some hundred nanoseconds.
+constexpr std::size_t ahead = 12;
+
+/// Asks for feet so many at a time that all of it stays in the nearest cache.
+class Batch {
+ public:
+  Batch(const FootFinder& finder, std::span<Foot> feet) : finder_(finder), feet_(feet) {}
+
+  void add(const FootFinder::Query& query) {
+    queries_[n_++] = query;
+    if (n_ == queries_.size()) finish();
+  }
+  void finish() {
+    finder_.find(std::span(queries_).first(n_), feet_.first(n_));
+    feet_ = feet_.subspan(n_);
+    n_ = 0;
+  }
+
+ private:
+  const FootFinder& finder_;
+  std::span<Foot> feet_;  ///< of those to come
+  std::array<FootFinder::Query, 128> queries_;
+  std::size_t n_ = 0;
+};
+
+}  // namespace
+
+SurfaceSamples::SurfaceSamples(const IndexedMesh& surface, std::span<const Index> vertex_map, const Frame& frame,
+                               std::size_t per_face, unsigned threads)
+    : faces_(surface.faces),
+      vertex_map_(vertex_map),
+      per_face_(per_face),
+      positions_(surface.positions.size()),
+      normals_and_areas_(surface.positions.size(), Eigen::Vector4f::Zero()),
+      face_areas_(surface.faces.size()) {
+  for_each_range(positions_.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) positions_[v] = frame.to_frame(surface.positions[v]);
+  });
+  measure();
+  feet_.resize(positions_.size() + per_face * faces_.size());
+}
+
+/// Brings near where a face's corners are, and what else there is of each.
+template <class PerVertex>
+void SurfaceSamples::prefetch_corners(std::size_t f, const PerVertex& more) const {
+  if (f >= faces_.size()) return;
+  for (const Index v : faces_[f]) {
+    prefetch(&positions_[v]);
+    prefetch(&more[v]);
+  }
+}
+
+void SurfaceSamples::measure() {
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    prefetch_corners(f + ahead, normals_and_areas_);
+    Eigen::Vector4f sum;
+    sum.head<3>() = area_normal(faces_[f], positions_).cast<float>();
+    face_areas_[f] = 0.5F * std::sqrt(sum.head<3>().squaredNorm());
+    sum.w() = face_areas_[f] / 3;
+    for (const Index v : faces_[f]) normals_and_areas_[v] += sum;
+  }
+}
+
+void SurfaceSamples::find_feet(const FootFinder& finder, unsigned threads) {
+  for_each_range(n_vertices(), threads, [&](std::size_t begin, std::size_t end) {
+    Batch batch(finder, std::span(feet_).subspan(begin));
+    for (std::size_t v = begin; v < end; ++v) {
+      batch.add({positions_[v], normals_and_areas_[v].head<3>(), vertex_map_[v]});
+    }
+    batch.finish();
+  });
+  for_each_range(faces_.size(), threads, [&](std::size_t begin, std::size_t end) {
+    Batch batch(finder, std::span(feet_).subspan(n_vertices() + begin * per_face_));
+    for (std::size_t f = begin; f < end; ++f) {
+      prefetch_corners(f + ahead, vertex_map_);
+      const Eigen::Vector3f normal = area_normal(faces_[f], positions_).cast<float>();
+      for (std::size_t i = 0; i < per_face_; ++i) {
+        batch.add({place_in_face(faces_[f], i), normal, vertex_map_[faces_[f][i == 0 ? 0 : i - 1]]});
+      }
+    }
+    batch.finish();
+  });
+}
+
+/// The centroid, or a point half way from there to a corner.
+Vec3 SurfaceSamples::place_in_face(const Triangle& face, std::size_t i) const {
+  const Vec3 sum = positions_[face[0]] + positions_[face[1]] + positions_[face[2]];
+  return i == 0 ? Vec3(sum / 3) : Vec3((sum + 3 * positions_[face[i - 1]]) / 6);
+}
+
+Vec3 SurfaceSamples::position(std::size_t i) const {
+  if (i < n_vertices()) return positions_[i];
+  const std::size_t in_faces = i - n_vertices();
+  return place_in_face(faces_[in_faces / per_face_], in_faces % per_face_);
+}
+
+}  // namespace whittle

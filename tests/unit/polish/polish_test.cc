@@ -1,0 +1,311 @@
+#include "whittle/polish/polish.hh"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "support/random.hh"
+#include "support/shapes.hh"
+#include "support/suites.hh"
+#include "support/transforms.hh"
+#include "surface/foot_finder.hh"
+#include "surface/surface_samples.hh"
+#include "whittle/engine/decimate.hh"
+#include "whittle/metrics/distance.hh"
+#include "whittle/metrics/shape.hh"
+
+namespace whittle::test {
+namespace {
+
+Decimation decimated(const IndexedMesh& mesh, double ratio, Cost cost = Cost::memoryless) {
+  DecimateOptions options;
+  options.cost = cost;
+  return decimate(mesh, {.faces = static_cast<std::uint64_t>(ratio * static_cast<double>(mesh.faces.size()))}, options);
+}
+
+IndexedMesh polished(const IndexedMesh& original, const Decimation& d, const PolishOptions& options = {}) {
+  IndexedMesh mesh = d.mesh;
+  polish(original, d.vertex_map, mesh, options);
+  return mesh;
+}
+
+metrics::SurfaceDistance distance(const IndexedMesh& original, const IndexedMesh& mesh) {
+  return metrics::surface_distance(original, mesh, {.samples = 10'000});
+}
+
+Vec3 area_normal(const IndexedMesh& mesh, const Triangle& face) {
+  const Vec3& p = mesh.positions[face[0]];
+  return (mesh.positions[face[1]] - p).cross(mesh.positions[face[2]] - p);
+}
+
+/// Distance of a point from a triangle, by looking at its inside and at its edges.
+double triangle_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto to_edge = [&p](const Vec3& from, const Vec3& to) {
+    const double t = std::clamp((p - from).dot(to - from) / (to - from).squaredNorm(), 0.0, 1.0);
+    return (p - (from + t * (to - from))).norm();
+  };
+  const double to_edges = std::min({to_edge(a, b), to_edge(b, c), to_edge(c, a)});
+  const Vec3 normal = (b - a).cross(c - a).normalized();
+  const Vec3 foot = p - normal.dot(p - a) * normal;
+  const bool is_inside = normal.dot((b - a).cross(foot - a)) >= 0 && normal.dot((c - b).cross(foot - b)) >= 0 &&
+                         normal.dot((a - c).cross(foot - c)) >= 0;
+  return is_inside ? std::abs(normal.dot(p - a)) : to_edges;
+}
+
+struct BruteFoot {
+  Index face = invalid_index;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+/// Of all faces that face the same way.
+BruteFoot nearest_of_all(const IndexedMesh& mesh, const Vec3& position, const Vec3& unit_normal) {
+  BruteFoot nearest;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const auto& [a, b, c] = mesh.faces[f];
+    if (!(area_normal(mesh, mesh.faces[f]).normalized().dot(unit_normal) > 0.5)) continue;
+    const double d = triangle_distance(position, mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+    if (d < nearest.distance) nearest = {f, d};
+  }
+  return nearest;
+}
+
+Vec3 position_of(const IndexedMesh& mesh, const Foot& foot) {
+  const auto& [a, b, c] = mesh.faces[foot.face];
+  return (1.0 - foot.second - foot.third) * mesh.positions[a] + double{foot.second} * mesh.positions[b] +
+         double{foot.third} * mesh.positions[c];
+}
+
+/// Of the faces at a vertex those that hold the foot and face the same way; by `slack` too many or too few.
+BruteFoot nearest_at(const IndexedMesh& mesh, const FootFinder::Query& query, double slack) {
+  BruteFoot nearest;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const auto& [a, b, c] = mesh.faces[f];
+    if (a != query.start && b != query.start && c != query.start) continue;
+    const Vec3 normal = area_normal(mesh, mesh.faces[f]);
+    const double cosine = normal.normalized().dot(query.normal.cast<double>().normalized());
+    const Vec3 to = query.position - mesh.positions[a];
+    const Vec3 ab = mesh.positions[b] - mesh.positions[a];
+    const Vec3 ac = mesh.positions[c] - mesh.positions[a];
+    const double second = normal.dot(to.cross(ac)) / normal.squaredNorm();
+    const double third = normal.dot(ab.cross(to)) / normal.squaredNorm();
+    const double distance = std::abs(normal.normalized().dot(to));
+    if (std::min({second, third, 1 - second - third}) > -slack && cosine > 0.5 - slack && distance < nearest.distance)
+      nearest = {f, distance};
+  }
+  return nearest;
+}
+
+Foot find(const FootFinder& finder, const FootFinder::Query& query) {
+  Foot foot;
+  finder.find(std::span(&query, 1), std::span(&foot, 1));
+  return foot;
+}
+
+TEST(FootFinder, FindsWhatSearchesOfFacesFind) {
+  std::size_t n_points = 0;
+  std::size_t n_without = 0;
+  std::size_t n_farther = 0;
+  for (const IndexedMesh& original :
+       {noisy_sphere(4, 0.05, 1), noisy_torus(60, 30, 1.0, 0.4, 0.02, 2), tessellated_cube(12), bracket(12)}) {
+    const Decimation d = decimated(original, 0.1);
+    const VertexCorners corners(d.mesh);
+    FootFinder finder(d.mesh.faces, corners);
+    finder.look_at(d.mesh.positions, 1);
+    const double size = bounds_of(original.positions).diagonal();
+    for (const Triangle& face : original.faces) {
+      const Vec3 center = (original.positions[face[0]] + original.positions[face[1]] + original.positions[face[2]]) / 3;
+      const Vec3 normal = area_normal(original, face);
+      const FootFinder::Query query{center, normal.cast<float>(), d.vertex_map[face[0]]};
+      const Foot found = find(finder, query);
+      ++n_points;
+      const double distance =
+          found.face == invalid_index ? std::numeric_limits<double>::infinity() : std::abs(found.distance);
+      EXPECT_LE(distance, nearest_at(d.mesh, query, -1e-3).distance + 1e-6 * size);
+      EXPECT_GE(distance, nearest_at(d.mesh, query, 1e-3).distance - 1e-6 * size);
+      if (found.face == invalid_index) {
+        ++n_without;
+        continue;
+      }
+      const Vec3 offset = center - position_of(d.mesh, found);
+      n_farther += static_cast<std::size_t>(
+          offset.norm() > 1.01 * nearest_of_all(d.mesh, center, normal.normalized()).distance + 1e-4 * size);
+      const Vec3 found_normal = area_normal(d.mesh, d.mesh.faces[found.face]).normalized();
+      EXPECT_NEAR(found.distance, found_normal.dot(center - d.mesh.positions[d.mesh.faces[found.face][0]]),
+                  1e-6 * size);
+      EXPECT_GE(std::min({found.second, found.third, 1 - found.second - found.third}), -1.1e-4F);
+    }
+  }
+  EXPECT_LE(n_without, n_points / 20) << "of " << n_points;
+  EXPECT_LE(n_farther, n_points / 100) << "of " << n_points;
+}
+
+TEST(FootFinder, HasNoneForPointsThatFaceTheOtherWay) {
+  const IndexedMesh mesh = grid(4, 4);
+  const VertexCorners corners(mesh);
+  FootFinder finder(mesh.faces, corners);
+  finder.look_at(mesh.positions, 1);
+  const Eigen::Vector3f up = area_normal(mesh, mesh.faces[0]).cast<float>();
+  const Vec3 above = mesh.positions[6] + 0.1 * up.cast<double>();
+  EXPECT_NE(find(finder, {above, up, 6}).face, invalid_index);
+  EXPECT_EQ(find(finder, {above, -up, 6}).face, invalid_index);
+  EXPECT_EQ(find(finder, {above, Eigen::Vector3f::Zero(), 6}).face, invalid_index);
+  EXPECT_EQ(find(finder, {above, up, invalid_index}).face, invalid_index);
+}
+
+/// A function that is linear on each face of the original, here its height over a plane, is integrated exactly, and
+/// with one point in a face its square, too.
+TEST(SurfaceSamples, WeighWhatTheSurfaceHasOfArea) {
+  const IndexedMesh original = terrain(12, 3);
+  IndexedMesh ground;  // one face below all of it
+  ground.positions = {Vec3(-9, -9, -1), Vec3(20, -9, -1), Vec3(-9, 20, -1)};
+  ground.faces = {{0, 1, 2}};
+  double area = 0;
+  double integral = 0;
+  double square = 0;
+  for (const Triangle& face : original.faces) {
+    const double face_area = 0.5 * area_normal(original, face).norm();
+    double sum = 0;
+    double sum_sq = 0;
+    for (const Index v : face) {
+      const double height = original.positions[v].z() + 1;
+      sum += height;
+      sum_sq += height * height;
+    }
+    area += face_area;
+    integral += face_area * sum / 3;
+    square += face_area * (sum_sq + sum * sum) / 12;
+  }
+  const std::vector<Index> map(original.positions.size(), 0);
+  const VertexCorners corners(ground);
+  FootFinder finder(ground.faces, corners);
+  finder.look_at(ground.positions, 1);
+  for (const std::size_t per_face : {std::size_t{1}, std::size_t{4}}) {
+    SurfaceSamples samples(original, map, Frame{}, per_face, 1);
+    samples.find_feet(finder, 1);
+    double weight = 0;
+    double linear = 0;
+    double found = 0;
+    samples.for_each_foot([&](const Foot& foot, double w) {
+      weight += w;
+      linear += w * foot.distance;
+      found += w * foot.distance * foot.distance;
+    });
+    EXPECT_NEAR(weight, area, 1e-5 * area);
+    EXPECT_NEAR(linear, integral, 1e-5 * integral);
+    if (per_face == 1) {
+      EXPECT_NEAR(found, square, 1e-5 * square);
+    }
+  }
+}
+
+TEST(Polish, FitsSmoothSurfaces) {
+  for (const IndexedMesh& original : {blob(5, 4), noisy_torus(120, 60, 1.0, 0.4, 0.01, 5), knot(200, 24)}) {
+    for (const double ratio : {0.5, 0.1, 0.03}) {
+      const Decimation d = decimated(original, ratio);
+      const auto before = distance(original, d.mesh);
+      const auto after = distance(original, polished(original, d));
+      EXPECT_LT(after.mean, 0.98 * before.mean) << ratio;
+      EXPECT_LT(after.rms, 0.98 * before.rms) << ratio;
+      const auto again = distance(original, polished(original, d, {.passes = 3}));
+      EXPECT_LT(again.rms, 1.01 * after.rms) << ratio;
+    }
+  }
+}
+
+TEST(Polish, LeavesCornersAndFlatSidesWhereTheyAre) {
+  for (const IndexedMesh& original : {tessellated_cube(16), bracket(24), bracket(40)}) {
+    const double size = bounds_of(original.positions).diagonal();
+    const Decimation d = decimated(original, 0.1);
+    EXPECT_LT(distance(original, polished(original, d, {.passes = 3})).max,
+              distance(original, d.mesh).max + 1e-6 * size);
+  }
+}
+
+TEST(Polish, DoesNoHarm) {
+  for (const auto& [name, original] : all_meshes()) {
+    for (const double ratio : {0.6, 0.2}) {
+      SCOPED_TRACE(name + " to " + std::to_string(ratio));
+      const Decimation d = decimated(original, ratio);
+      if (d.mesh.faces.empty()) continue;
+      const IndexedMesh after = polished(original, d);
+      EXPECT_EQ(after.faces, d.mesh.faces);
+      const double size = bounds_of(original.positions).diagonal();
+      EXPECT_LE(distance(original, after).rms, 1.02 * distance(original, d.mesh).rms + 1e-6 * size);
+      for (const Triangle& face : d.mesh.faces) {
+        const Vec3 was = area_normal(d.mesh, face);
+        EXPECT_GE(area_normal(after, face).dot(was), was.norm() > 1e-9 * size * size ? 0 : -1);
+      }
+      EXPECT_LE(metrics::shape(after).folds, metrics::shape(d.mesh).folds);
+    }
+  }
+}
+
+TEST(Polish, KeepsLockedAndBorderVerticesToTheBit) {
+  const IndexedMesh original = terrain(40, 7);
+  const Decimation d = decimated(original, 0.1);
+  std::vector<std::uint8_t> locked(d.mesh.positions.size());
+  for (std::size_t v = 0; v < locked.size(); v += 3) locked[v] = 1;
+  const IndexedMesh after = polished(original, d, {.locked = locked, .fit_borders = false});
+  std::size_t n_moved = 0;
+  std::size_t n_border = 0;
+  for (std::size_t v = 0; v < locked.size(); ++v) {
+    const Vec3& p = d.mesh.positions[v];
+    const bool is_on_border = std::min(p.x(), p.y()) < 1e-9;
+    n_border += static_cast<std::size_t>(is_on_border);
+    if (locked[v] != 0 || is_on_border) {
+      EXPECT_EQ(after.positions[v], p);
+    } else {
+      n_moved += static_cast<std::size_t>(after.positions[v] != p);
+    }
+  }
+  EXPECT_GT(n_border, 5U);
+  EXPECT_GT(n_moved, locked.size() / 3);
+}
+
+TEST(Polish, GivesTheSameForAnyThreadsUnitAndPlace) {
+  const IndexedMesh original = noisy_sphere(5, 0.05, 8);
+  const Decimation d = decimated(original, 0.1);
+  const IndexedMesh one = polished(original, d, {.passes = 2, .threads = 1});
+  for (const unsigned threads : {2U, 3U, 8U}) {
+    EXPECT_EQ(polished(original, d, {.passes = 2, .threads = threads}).positions, one.positions);
+  }
+  Decimation large = d;
+  large.mesh = scaled(d.mesh, 1024);
+  const IndexedMesh scaled_up = polished(scaled(original, 1024), large, {.passes = 2});
+  for (std::size_t v = 0; v < one.positions.size(); ++v) EXPECT_EQ(scaled_up.positions[v], 1024 * one.positions[v]);
+}
+
+TEST(Polish, ComputesNormalsAnew) {
+  IndexedMesh original = blob(4, 9);
+  original.normals.assign(original.positions.size(), {0, 0, 1});
+  const Decimation d = decimated(original, 0.1);
+  const IndexedMesh after = polished(original, d);
+  ASSERT_EQ(after.normals.size(), after.positions.size());
+  EXPECT_NE(after.normals, d.mesh.normals);
+}
+
+TEST(Polish, SaysWhatIsWrong) {
+  const IndexedMesh original = blob(2, 1);
+  const Decimation d = decimated(original, 0.5);
+  IndexedMesh mesh = d.mesh;
+  std::vector<Index> map = d.vertex_map;
+  map[3] = static_cast<Index>(mesh.positions.size());
+  EXPECT_THROW(polish(original, map, mesh), std::invalid_argument);
+  map.pop_back();
+  EXPECT_THROW(polish(original, map, mesh), std::invalid_argument);
+  const std::vector<std::uint8_t> locked(1);
+  EXPECT_THROW(polish(original, d.vertex_map, mesh, {.locked = locked}), std::invalid_argument);
+  EXPECT_THROW(polish(original, d.vertex_map, mesh, {.min_radius_ratio = 1.1}), std::invalid_argument);
+  EXPECT_EQ(polish(original, d.vertex_map, mesh, {.passes = 0}).n_moved, 0U);
+  EXPECT_EQ(mesh.positions, d.mesh.positions);
+  EXPECT_EQ(polish({}, {}, mesh).n_moved, 0U) << "nothing to fit it to";
+  EXPECT_EQ(mesh.positions, d.mesh.positions);
+}
+
+}  // namespace
+}  // namespace whittle::test
