@@ -6,8 +6,8 @@
 
 #include "complex/triangle_complex.hh"
 
-// Walks over the faces at vertices whose lists are tidy, in an order by original vertex numbers: that which sums over
-// them have.
+// Walks over the faces at vertices whose lists are compact, in an order by original vertex numbers: that which sums
+// over them have.
 
 namespace whittle {
 
@@ -17,7 +17,7 @@ using OtherCorners = std::pair<Index, Index>;
 /// Those of the faces at an irregular vertex, sorted.
 inline std::vector<OtherCorners> sorted_corners(const TriangleComplex& complex, Index v) {
   std::vector<OtherCorners> corners;
-  const std::span<const Spoke> list = complex.neighbours(v);
+  const std::span<const Neighbour> list = complex.neighbours(v);
   for (std::size_t i = 0; i < list.size(); i += 2) corners.emplace_back(list[i].vertex, list[i + 1].vertex);
   const auto key = [&](const OtherCorners& c) { return std::pair(complex.origin(c.first), complex.origin(c.second)); };
   std::sort(corners.begin(), corners.end(),
@@ -41,12 +41,12 @@ inline void order_as_ring(std::vector<OtherCorners>& corners) {
 /// Those of the faces at an irregular vertex, in the order in which they are walked over.
 inline std::vector<OtherCorners> ordered_corners(const TriangleComplex& complex, Index v) {
   std::vector<OtherCorners> corners = sorted_corners(complex, v);
-  if (complex.order(v) == VertexOrder::regular && !corners.empty()) order_as_ring(corners);
+  if (complex.kind(v) == VertexKind::regular && !corners.empty()) order_as_ring(corners);
   return corners;
 }
 
 /// Where the lowest original number of a ring is.
-inline std::size_t lowest_place(const TriangleComplex& complex, std::span<const Spoke> ring) {
+inline std::size_t lowest_place(const TriangleComplex& complex, std::span<const Neighbour> ring) {
   std::size_t place = 0;
   Index lowest = complex.origin(ring[0].vertex);
   for (std::size_t i = 1; i < ring.size(); ++i) {
@@ -65,7 +65,7 @@ void for_each_face(const TriangleComplex& complex, Index v, const Use& use) {
     for (const auto& [x, y] : ordered_corners(complex, v)) use(x, y);
     return;
   }
-  const std::span<const Spoke> ring = complex.neighbours(v);
+  const std::span<const Neighbour> ring = complex.neighbours(v);
   if (ring.empty()) return;
   const std::size_t first = lowest_place(complex, ring);
   std::size_t i = first;
@@ -110,8 +110,9 @@ void for_each_common_face(const TriangleComplex& complex, Index v, Index w, cons
     for (const auto& [c, turn] : thirds) use(c, turn);
     return;
   }
-  const std::span<const Spoke> ring = complex.neighbours(v);
-  const auto place = std::find_if(ring.begin(), ring.end(), [w](const Spoke& spoke) { return spoke.vertex == w; });
+  const std::span<const Neighbour> ring = complex.neighbours(v);
+  const auto place =
+      std::find_if(ring.begin(), ring.end(), [w](const Neighbour& neighbour) { return neighbour.vertex == w; });
   if (place == ring.end()) return;
   const Index previous = (place == ring.begin() ? ring.back() : *(place - 1)).vertex;
   const Index next = (place + 1 == ring.end() ? ring.front() : *(place + 1)).vertex;

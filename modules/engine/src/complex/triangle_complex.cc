@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "whittle/core/detail/select.hh"
-
 namespace whittle {
 
 Index TriangleComplex::root(Index v) {
@@ -12,66 +10,66 @@ Index TriangleComplex::root(Index v) {
   return v;
 }
 
-/// Looks at v's list with what has become of the neighbours. \return the faces without `other`
-Wings TriangleComplex::gather_one(Index v, Index other, GatheredStar& star) {
+/// Looks at v's list with live neighbours. \return the faces without `other`
+StarFaces TriangleComplex::gather_one(Index v, Index other, GatheredStar& star) {
   star.opposites.clear();
   return is_ring(v) ? gather_ring(v, other, star) : gather_pairs(v, other, star);
 }
 
 /// Opens the ring at `other`: the rest is a fan from the one opposite corner to the other.
-Wings TriangleComplex::gather_ring(Index v, Index other, GatheredStar& star) {
-  const std::span<const Spoke> ring = neighbours(v);
-  if (star.spokes.size() < 2 * ring.size()) star.spokes.resize(4 * ring.size());
+StarFaces TriangleComplex::gather_ring(Index v, Index other, GatheredStar& star) {
+  const std::span<const Neighbour> ring = neighbours(v);
+  if (star.neighbours.size() < 2 * ring.size()) star.neighbours.resize(4 * ring.size());
   // Where a face has vanished, two neighbours in succession have become one.
-  Spoke* const spokes = star.spokes.data();
+  Neighbour* const neighbours = star.neighbours.data();
   std::size_t n = 0;
   std::size_t n_until_other = 0;
   Index last = representative(ring.back().vertex);
-  for (const Spoke& then : ring) {
-    const Spoke now{representative(then.vertex), then.edge};
-    spokes[n] = now;
+  for (const Neighbour& then : ring) {
+    const Neighbour now{representative(then.vertex), then.edge};
+    neighbours[n] = now;
     n += static_cast<std::size_t>(now.vertex != last);
     n_until_other = now.vertex == other ? n : n_until_other;
     last = now.vertex;
   }
   if (n_until_other == 0) {  // the whole ring
-    spokes[n] = spokes[0];
-    return Wings::of_fan({spokes, n + 1});
+    neighbours[n] = neighbours[0];
+    return StarFaces::of_fan({neighbours, n + 1});
   }
-  std::copy_n(spokes, n_until_other, spokes + n);
-  const std::span<const Spoke> fan(spokes + n_until_other, n - 1);
+  std::copy_n(neighbours, n_until_other, neighbours + n);
+  const std::span<const Neighbour> fan(neighbours + n_until_other, n - 1);
   star.opposites.push_back(fan.front());
   star.opposites.push_back(fan.back());
-  return Wings::of_fan(fan);
+  return StarFaces::of_fan(fan);
 }
 
-Wings TriangleComplex::gather_pairs(Index v, Index other, GatheredStar& star) {
-  const std::span<const Spoke> list = neighbours(v);
-  star.spokes.clear();
+StarFaces TriangleComplex::gather_pairs(Index v, Index other, GatheredStar& star) {
+  const std::span<const Neighbour> list = neighbours(v);
+  star.neighbours.clear();
   for (std::size_t i = 0; i < list.size(); i += 2) {
-    const Spoke x{representative(list[i].vertex), list[i].edge};
-    const Spoke y{representative(list[i + 1].vertex), list[i + 1].edge};
+    const Neighbour x{representative(list[i].vertex), list[i].edge};
+    const Neighbour y{representative(list[i + 1].vertex), list[i + 1].edge};
     if (x.vertex == y.vertex) continue;
     if (x.vertex == other || y.vertex == other) {
       star.opposites.push_back(x.vertex == other ? y : x);
     } else {
-      star.spokes.insert(star.spokes.end(), {x, y});
+      star.neighbours.insert(star.neighbours.end(), {x, y});
     }
   }
-  return Wings::of_pairs(star.spokes);
+  return StarFaces::of_pairs(star.neighbours);
 }
 
 /// A ring loses a neighbour where two in succession have become one, pairs lose a face.
-void TriangleComplex::tidy(Index v) {
-  const std::span<Spoke> list = spoke_lists_.of(stars_[v].spokes);
-  for (Spoke& spoke : list) spoke = {representative(spoke.vertex), live_edge(spoke.edge)};
+void TriangleComplex::compact(Index v) {
+  const std::span<Neighbour> list = neighbour_lists_.of(stars_[v].list);
+  for (Neighbour& neighbour : list) neighbour = {representative(neighbour.vertex), live_edge(neighbour.edge)};
   std::size_t n = 0;
   if (is_ring(v)) {
     Index last = list.empty() ? invalid_index : list.back().vertex;
-    for (const Spoke& spoke : list) {
-      if (spoke.vertex == last) continue;
-      last = spoke.vertex;
-      list[n++] = spoke;
+    for (const Neighbour& neighbour : list) {
+      if (neighbour.vertex == last) continue;
+      last = neighbour.vertex;
+      list[n++] = neighbour;
     }
   } else {
     for (std::size_t i = 0; i < list.size(); i += 2) {
@@ -80,105 +78,43 @@ void TriangleComplex::tidy(Index v) {
       list[n++] = list[i + 1];
     }
   }
-  stars_[v].spokes.size = static_cast<Index>(n);
+  stars_[v].list.size = static_cast<Index>(n);
 }
 
 int TriangleComplex::valence(Index v) const {
-  const std::span<const Spoke> list = neighbours(v);
+  const std::span<const Neighbour> list = neighbours(v);
   if (is_ring(v)) return static_cast<int>(list.size());
   std::vector<Index> others;
-  for (const Spoke& spoke : list) others.push_back(spoke.vertex);
+  for (const Neighbour& neighbour : list) others.push_back(neighbour.vertex);
   std::sort(others.begin(), others.end());
   return static_cast<int>(std::unique(others.begin(), others.end()) - others.begin());
 }
 
-void TriangleComplex::gather(Index a, Index b, PairStar& star) {
-  star.first = gather_one(a, b, gathered_[0]);
-  star.second = gather_one(b, a, gathered_[1]);
+void TriangleComplex::gather(const Pair& pair, ContractionProfile& profile) {
+  profile.pair = pair;
+  profile.is_joint = false;
+  profile.has_ring = false;
+  profile.first = gather_one(pair.a, pair.b, gathered_[0]);
+  profile.second = gather_one(pair.b, pair.a, gathered_[1]);
   // The faces of both, as each of the two has them.
-  std::vector<Spoke>& from_a = gathered_[0].opposites;
-  std::vector<Spoke>& from_b = gathered_[1].opposites;
+  std::vector<Neighbour>& from_a = gathered_[0].opposites;
+  std::vector<Neighbour>& from_b = gathered_[1].opposites;
   assert(from_a.size() == from_b.size());
   if (from_a.size() == 2) {
     if (from_a[0].vertex != from_b[0].vertex) std::swap(from_b[0], from_b[1]);
   } else {
-    const auto is_before = [](const Spoke& x, const Spoke& y) { return x.vertex < y.vertex; };
+    const auto is_before = [](const Neighbour& x, const Neighbour& y) { return x.vertex < y.vertex; };
     std::sort(from_a.begin(), from_a.end(), is_before);
     std::sort(from_b.begin(), from_b.end(), is_before);
   }
-  star.opposites.clear();
-  star.is_joint = false;
+  profile.opposites.clear();
   for (std::size_t i = 0; i < from_a.size(); ++i) {
-    star.opposites.push_back({from_a[i].vertex, {from_a[i].edge, from_b[i].edge}});
-    for (const Index e : star.opposites.back().edges) {
+    profile.opposites.push_back({from_a[i].vertex, {from_a[i].edge, from_b[i].edge}});
+    for (const Index e : profile.opposites.back().edges) {
       prefetch(&pair_alive_[e / 64]);
       prefetch_pair(e);  // in case it is merged into another
     }
   }
-}
-
-/// The common case without a look at any neighbour: an inner edge, and by a coarse look no common neighbour beside
-/// the two opposite corners. False means no more than that a closer look is due.
-bool TriangleComplex::obviously_keeps_topology(Index a, Index b, const PairStar& star) const {
-  if (!is_ring(a) || !is_ring(b) || star.opposites.size() != 2) return false;
-  // With one face each beside the common ones, both would lie over the same edge: a tetrahedron.
-  if (star.first.size() < 2 && star.second.size() < 2) return false;
-  if (star.first.empty() || star.second.empty()) return false;
-  const auto between_opposites = [](const Wings& fan) { return fan.spokes().subspan(1, fan.size() - 1); };
-  // A bit for each vertex, by six bits of its number: first the lowest six, then, if those collide, the next.
-  const auto are_apart = [&](unsigned shift) {
-    const auto signature = [shift](std::span<const Spoke> spokes) {
-      std::uint64_t bits = 0;
-      for (const Spoke& spoke : spokes) bits |= std::uint64_t{1} << (spoke.vertex >> shift & 63);
-      return bits;
-    };
-    return (signature(between_opposites(star.first)) & signature(between_opposites(star.second))) == 0;
-  };
-  return are_apart(0) || are_apart(6);
-}
-
-bool TriangleComplex::link_condition_of_any(Index a, Index b, const PairStar& star) {
-  if (star.opposites.empty()) return false;                     // not an edge
-  if (star.first.empty() && star.second.empty()) return false;  // the part would vanish
-  link_.clear();
-  const auto count_faces = [&](const Wings& wings, std::size_t side) {
-    for (std::size_t i = 0; i < wings.size(); ++i) {
-      ++link_[place_in_link(wings[i].x)].n_faces[side];
-      ++link_[place_in_link(wings[i].y)].n_faces[side];
-    }
-  };
-  for (const PairStar::Opposite& opposite : star.opposites) {
-    LinkEntry& entry = link_[place_in_link(opposite.vertex)];
-    if (entry.opposite) return false;  // two faces on the same three corners: that corner may have no others
-    entry.opposite = true;
-    ++entry.n_faces[0];
-    ++entry.n_faces[1];
-  }
-  const std::size_t n_opposite = link_.size();
-  count_faces(star.first, 0);
-  count_faces(star.second, 1);
-
-  // A common neighbour that makes no face with the pair: a tunnel or a fold would close.
-  for (std::size_t i = n_opposite; i < link_.size(); ++i) {
-    if (link_[i].n_faces[0] != 0 && link_[i].n_faces[1] != 0) return false;
-  }
-  // Two faces, one at each vertex, over the same edge of the link: they would coincide (a tetrahedron).
-  const auto is_opposite = [&](Index v) { return link_[place_in_link(v)].opposite; };
-  for (std::size_t i = 0; i < star.first.size(); ++i) {
-    const auto [x, y] = star.first[i];
-    if (!is_opposite(x) || !is_opposite(y)) continue;
-    for (std::size_t j = 0; j < star.second.size(); ++j) {
-      const auto [p, q] = star.second[j];
-      if (std::minmax(p, q) == std::minmax(x, y)) return false;
-    }
-  }
-  // The cone vertex over irregular edges: two such vertices may only merge along such an edge, not when a third one
-  // makes a triangle of such edges with them (a hole of three edges, a lone face), and not when both are junctions.
-  if (stars_[a].order == VertexOrder::regular || stars_[b].order == VertexOrder::regular) return true;
-  if (star.opposites.size() == 2) return false;
-  if (stars_[a].order == VertexOrder::junction && stars_[b].order == VertexOrder::junction) return false;
-  return std::none_of(link_.begin(), link_.begin() + static_cast<std::ptrdiff_t>(n_opposite),
-                      [](const LinkEntry& entry) { return entry.n_faces[0] != 2 && entry.n_faces[1] != 2; });
 }
 
 Index TriangleComplex::live_edge(Index e) const {
@@ -186,97 +122,179 @@ Index TriangleComplex::live_edge(Index e) const {
   return e;
 }
 
+std::span<const Neighbour> TriangleComplex::live_pairs(Index v) {
+  live_.clear();
+  const std::span<const Neighbour> list = neighbours(v);
+  const std::size_t step = is_ring(v) ? 1 : 2;
+  for (std::size_t i = 0; i < list.size(); i += step) {
+    const Neighbour& y = list[i + 1 < list.size() ? i + 1 : 0];
+    const Neighbour first{representative(list[i].vertex), list[i].edge};
+    const Neighbour second{representative(y.vertex), y.edge};
+    if (first.vertex != second.vertex) live_.insert(live_.end(), {first, second});
+  }
+  return live_;
+}
+
+bool TriangleComplex::have_common_face(Index a, Index b) {
+  const std::span<const Neighbour> list = neighbours(a);
+  if (is_ring(a)) {
+    return std::any_of(list.begin(), list.end(),
+                       [&](const Neighbour& neighbour) { return representative(neighbour.vertex) == b; });
+  }
+  for (std::size_t i = 0; i < list.size(); i += 2) {
+    const Index x = representative(list[i].vertex);
+    const Index y = representative(list[i + 1].vertex);
+    if (x != y && (x == b || y == b)) return true;
+  }
+  return false;
+}
+
+// Contracting ---------------------------------------------------------------------------------------------------------
+
+void TriangleComplex::contract(const ContractionProfile& profile, Index survivor, const Vec3& position,
+                               Change& change) {
+  const auto& [id, a, b] = profile.pair;
+  const Index removed = survivor == a ? b : a;
+  change.pair = profile.pair;
+  change.survivor = survivor;
+  change.removed = removed;
+  change.before = {vertices_[a].position, vertices_[b].position};
+  change.position = position;
+  change.edges.clear();
+  remove_pair(id);
+  --n_vertices_;
+  ++n_contractions_;
+  parents_[removed] = survivor;
+  vertices_[survivor].position = position;
+  note_change(survivor);
+  note_change(removed);
+  n_faces_ -= profile.opposites.size();
+  for (const ContractionProfile::Common& neighbour : profile.merged_neighbours()) merge_edges(neighbour, change);
+  if (profile.is_joint) {
+    merge_joint(survivor, removed, profile.joint);
+  } else if (survivor == a) {
+    merge_stars(survivor, removed, profile.first, profile.second);
+  } else {
+    merge_stars(survivor, removed, profile.second, profile.first);
+  }
+}
+
 /// Of the two edges that become one, the first lives on.
-void TriangleComplex::merge_edges(const PairStar::Opposite& opposite) {
-  const Index kept = live_edge(opposite.edges[0]);
-  const Index gone = live_edge(opposite.edges[1]);
+void TriangleComplex::merge_edges(const ContractionProfile::Common& neighbour, Change& change) {
+  const Index kept = live_edge(neighbour.edges[0]);
+  const Index gone = live_edge(neighbour.edges[1]);
+  change.edges.push_back({neighbour.vertex, {kept, gone}, kept});
   if (kept == gone) return;
   remove_pair(gone);
   pairs_[gone].first = kept;
 }
 
 /// The survivor gets the faces without the other vertex, in the first list, the second or a new one, whichever is the
-/// first to have room.
-void TriangleComplex::merge_stars(Index survivor, Index removed, const PairStar& star) {
-  Star& kept = stars_[survivor];
+/// first to have room. Two rings share the two opposite vertices.
+void TriangleComplex::merge_stars(Index survivor, Index removed, const StarFaces& kept, const StarFaces& added) {
+  Star& star = stars_[survivor];
   Star& other = stars_[removed];
-  kept.order = std::max(kept.order, other.order);
-  kept.is_ring &= other.is_ring;
-  const std::size_t n = n_merged(star, kept.is_ring);
-  if (n > kept.spokes.capacity) std::swap(kept.spokes, other.spokes);
-  if (n > kept.spokes.capacity) {
-    spoke_lists_.release(kept.spokes);
-    kept.spokes = spoke_lists_.allocate(static_cast<Index>(n));
+  star.kind = std::max(star.kind, other.kind);
+  star.is_ring &= other.is_ring;
+  const std::size_t n = (star.is_ring ? 1 : 2) * (kept.size() + added.size());
+  if (n > star.list.capacity) std::swap(star.list, other.list);
+  if (n > star.list.capacity) {
+    neighbour_lists_.release(star.list);
+    star.list = neighbour_lists_.allocate(static_cast<Index>(n));
   }
-  spoke_lists_.release(other.spokes);
-  other.spokes = {};
-  kept.spokes.size = static_cast<Index>(n);
-  join(star, kept.is_ring, spoke_lists_.of(kept.spokes));
-}
-
-/// How long the merged list is. Two rings share the two opposite corners.
-std::size_t TriangleComplex::n_merged(const PairStar& star, bool is_ring) {
-  return is_ring ? star.first.size() + star.second.size() : 2 * (star.first.size() + star.second.size());
-}
-
-void TriangleComplex::join(const PairStar& star, bool is_ring, std::span<Spoke> spokes) {
-  auto end = spokes.begin();
-  if (!is_ring) {
-    for (const Wings& wings : {star.first, star.second}) {
-      for (std::size_t i = 0; i < wings.size(); ++i) end = std::copy_n(wings.spokes_of(i).begin(), 2, end);
+  neighbour_lists_.release(other.list);
+  other.list = {};
+  star.list.size = static_cast<Index>(n);
+  auto end = neighbour_lists_.of(star.list).begin();
+  if (!star.is_ring) {
+    for (const StarFaces& faces : {kept, added}) {
+      for (std::size_t i = 0; i < faces.size(); ++i) end = std::copy_n(faces.corners_of(i).begin(), 2, end);
     }
     return;
   }
-  const std::span<const Spoke> first = star.first.spokes();
-  const std::span<const Spoke> second = star.second.spokes();
+  const std::span<const Neighbour> first = kept.neighbours();
+  const std::span<const Neighbour> second = added.neighbours();
   end = std::copy(first.begin(), first.end(), end);
   if (second.size() <= 2) return;
   assert(second.front().vertex == first.back().vertex);
-  const std::span<const Spoke> inner = second.subspan(1, second.size() - 2);
-  std::copy(inner.begin(), inner.end(), end);
+  std::copy(second.begin() + 1, second.end() - 1, end);
 }
 
-void TriangleComplex::contract(Index pair, Index survivor, Index removed, const PlacedQuadric& merged,
-                               const PairStar& star) {
-  remove_pair(pair);
-  if (!points_.empty()) merge_points(pair, survivor, removed);
-  --n_vertices_;
-  ++n_contractions_;
-  parents_[removed] = survivor;
-  vertices_[survivor].position = merged.position;
-  quadrics_[removed].last_change = n_contractions_;
-  quadrics_[survivor] = {merged.quadric.a, merged.quadric.c, store_slope(merged.quadric.b, survivor), n_contractions_};
-  n_faces_ -= star.opposites.size();
-  if (star.is_joint) {
-    join_neighbourhoods(survivor, removed, star);
-  } else {
-    for (const PairStar::Opposite& opposite : star.opposites) merge_edges(opposite);
-    merge_stars(survivor, removed, star);
+void TriangleComplex::merge_joint(Index survivor, Index removed, const ContractionProfile::Joint& joint) {
+  for (const Index edge : joint.lost_edges) remove_pair(live_edge(edge));
+  neighbour_lists_.release(stars_[removed].list);
+  stars_[removed] = {};
+  n_faces_ -= joint.coincident.size();
+  n_coincident_faces_ += joint.coincident.size();
+  std::vector<Neighbour> merged = joint.left[0];
+  merged.insert(merged.end(), joint.left[1].begin(), joint.left[1].end());
+  set_star(survivor, merged);
+  for (std::size_t i = 0; i < joint.common.size(); ++i) set_star(joint.common[i].vertex, joint.faces[i]);
+}
+
+/// \param pairs the faces that v has now
+void TriangleComplex::set_star(Index v, std::span<const Neighbour> pairs) {
+  Star& star = stars_[v];
+  if (pairs.empty()) {
+    neighbour_lists_.release(star.list);
+    star = {};
+    --n_vertices_;
+    return;
+  }
+  link_.gather(pairs);
+  star.kind = link_.kind();
+  star.is_ring = star.kind == VertexKind::regular && link_.is_oriented();
+  if (star.kind != VertexKind::regular) irregular_.push_back(v);
+  const auto size = static_cast<Index>(star.is_ring ? pairs.size() / 2 : pairs.size());
+  if (size > star.list.capacity) {
+    neighbour_lists_.release(star.list);
+    star.list = neighbour_lists_.allocate(size);
+  }
+  star.list.size = size;
+  const std::span<Neighbour> list = neighbour_lists_.of(star.list);
+  if (!star.is_ring) {
+    std::copy(pairs.begin(), pairs.end(), list.begin());
+    return;
+  }
+  std::vector<Index> edges(link_.entries().size());
+  for (const Neighbour& neighbour : pairs) edges[link_.slot(neighbour.vertex)] = neighbour.edge;
+  Index slot = 0;
+  for (Neighbour& neighbour : list) {
+    const Index edge = edges[slot];
+    neighbour = {link_.step(slot), edge};
   }
 }
 
-/// Those of vertices joined by a threshold pair are in their quadric from now on.
-void TriangleComplex::merge_points(Index pair, Index survivor, Index removed) {
-  PointQuadric& merged = points_[survivor];
-  if (is_threshold_pair(pair)) {
-    merged = {};
-  } else if (origin(survivor) < origin(removed)) {
-    merged = merged + points_[removed];
-  } else {
-    merged = points_[removed] + merged;
+// What is there -------------------------------------------------------------------------------------------------------
+
+std::vector<Triangle> TriangleComplex::live_faces() {
+  std::vector<Triangle> faces;
+  faces.reserve(n_faces_);
+  for (Index v = 0; v < vertices_.size(); ++v) {
+    if (parents_[v] != v) continue;
+    live_pairs(v);
+    for (std::size_t i = 0; i < live_.size(); i += 2) {
+      const Triangle face{v, live_[i].vertex, live_[i + 1].vertex};
+      if (v < face[1] && v < face[2]) faces.push_back(face);
+    }
   }
+  std::sort(faces.begin(), faces.end());
+  return faces;
 }
 
-/// In the place of v's old one, if it had one.
-Index TriangleComplex::store_slope(const Vec3& slope, Index v) {
-  if (slope.isZero(0)) return invalid_index;
-  Index place = quadrics_[v].slope;
-  if (place == invalid_index) {
-    place = static_cast<Index>(slopes_.size());
-    slopes_.emplace_back();
+NonmanifoldCounts TriangleComplex::count_nonmanifold() {
+  for (Index& v : irregular_) v = representative(v);
+  std::sort(irregular_.begin(), irregular_.end());
+  irregular_.erase(std::unique(irregular_.begin(), irregular_.end()), irregular_.end());
+  NonmanifoldCounts counts;
+  for (const Index v : irregular_) {
+    link_.gather(live_pairs(v));
+    counts.vertices += static_cast<std::uint64_t>(link_.n_fans() > 1);
+    for (const Link::Entry& entry : link_.entries()) {
+      counts.edges += static_cast<std::uint64_t>(entry.n_faces[0] > 2 && v < entry.vertex);  // seen from both ends
+    }
   }
-  slopes_[place] = slope;
-  return place;
+  return counts;
 }
 
 }  // namespace whittle

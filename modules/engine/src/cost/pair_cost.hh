@@ -1,58 +1,77 @@
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <span>
-#include <vector>
 
 #include "complex/triangle_complex.hh"
-#include "whittle/engine/formula/flip_limit.hh"
+#include "whittle/core/detail/prefetch.hh"
 #include "whittle/engine/formula/pair_evaluation.hh"
 #include "whittle/engine/reach.hh"
 
 namespace whittle {
 
-/// What ranks and places contractions, as the order of contractions sees it.
+/// What a cost keeps about a vertex, as memory to be fetched before it is asked for.
+struct VertexState {
+  const std::byte* begin = nullptr;
+  std::size_t stride = 0;  ///< bytes a vertex; 0 = nothing is kept
+
+  void prefetch(Index v) const { whittle::prefetch(begin + stride * v); }
+};
+
+/// Ranks pairs, then settles where the merged vertex goes and what that costs. A cost keeps what it needs to know about
+/// vertices. Between calls it remembers nothing about pairs; the profile has room for what several calls share.
+///
+/// Life of a cost, told by the loop:
+///
+///   see_faces()                    the faces of each vertex are listed
+///   start()                        neighbours and edges are known
+///   rank(pairs)                    whenever the queue asks; looks at vertices alone
+///   settle(profile, ranked)        a pair's turn has come: positions to try, the best first
+///   final_cost(profile, ranked, p) the guards accept position p
+///   merge(profile, ranked, change) the pair was contracted
 class PairCost {
  public:
   virtual ~PairCost() = default;
 
-  /// Of pairs whose lower original vertex comes first, edges before threshold pairs. Several threads may ask at once.
-  virtual void evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const = 0;
-  PairEvaluation evaluate(const Pair& pair) const {
-    PairEvaluation evaluation;
-    evaluate({&pair, 1}, {&evaluation, 1});
-    return evaluation;
+  virtual void see_faces(unsigned /*threads*/) {}
+  virtual void start(unsigned /*threads*/) {}
+
+  /// \param pairs each with the vertex of the lower original number first, edges before threshold pairs. Several
+  /// threads
+  ///        may ask at once.
+  virtual void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const = 0;
+  PairEvaluation rank(const Pair& pair) const {
+    PairEvaluation ranked;
+    rank({&pair, 1}, {&ranked, 1});
+    return ranked;
   }
 
-  /// Where the merged vertex would best go, now that the faces around are gathered.
-  virtual Vec3 place(const Pair&, const PairEvaluation& evaluation, const PairStar&) { return evaluation.position; }
+  /// Where the merged vertex goes if the guards accept it there; if not, where it was ranked is tried.
+  virtual Vec3 settle(ContractionProfile& /*profile*/, const PairEvaluation& ranked) const { return ranked.position; }
 
-  /// Whether a face around the pair placed last would turn too far with the merged vertex there; nullopt if the cost
-  /// has not looked at the faces.
-  virtual std::optional<bool> turns_a_face(const Vec3& /*position*/, const FlipLimit&) { return std::nullopt; }
+  /// What a contraction to `position` costs: its rank, or more.
+  virtual double final_cost(const ContractionProfile& /*profile*/, const PairEvaluation& ranked,
+                            const Vec3& /*position*/) const {
+    return ranked.cost;
+  }
 
-  /// What contracting the pair placed last costs there: what it was evaluated to, or more.
-  virtual double final_cost(const PairEvaluation& evaluation) const { return evaluation.cost; }
+  /// Updates what is kept about vertices. \param profile as it was before the contraction
+  virtual void merge(ContractionProfile& /*profile*/, const PairEvaluation& /*ranked*/, const Change& /*change*/) {}
 
-  /// Told that the pair placed last is to be contracted, to where its faces were looked at last. \param star as it was
-  /// then \return what its vertex is to keep
-  virtual PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) = 0;
+  /// What is kept about v as a quadric: nothing, unless the cost has quadrics.
+  virtual PlacedQuadric quadric(Index v) const = 0;
 
-  /// The power of a length that is the cost's unit.
-  virtual double dimension() const = 0;
+  /// What `rank` looks at.
+  virtual VertexState vertex_state() const { return {}; }
 
   /// Which pairs a contraction may make cheaper.
   virtual Reach reach() const = 0;
 
-  /// Which vertices evaluations look at, beside the two of the pair: those around it need tidy lists.
+  /// Around which vertices `rank` looks at lists, which must be compact there.
   virtual Reach sight() const { return Reach::none; }
 
-  /// Whether `merge` changes the quadrics of the merged vertex' neighbours.
+  /// Whether `merge` changes what is kept about the merged vertex' neighbours.
   virtual bool changes_neighbours() const { return false; }
-
-  /// Told after each contraction. \param changed vertices within reach or sight, the merged one first, all with tidy
-  /// lists; none if not asked for
-  virtual void note_contraction(std::span<const Index> /*changed*/) {}
 };
 
 }  // namespace whittle

@@ -2,48 +2,16 @@
 
 #include <algorithm>
 
-#include "cost/edge_length/isotropic_cost.hh"
-#include "cost/edge_length/midpoint_cost.hh"
-#include "cost/lindstrom_turk/lindstrom_turk_cost.hh"
-#include "cost/memoryless/memoryless_cost.hh"
-#include "cost/quadric/quadric_cost.hh"
-#include "cost/valence/valence_cost.hh"
-#include "guard/turned_faces.hh"
-#include "queue/eager_order.hh"
-#include "queue/lazy_order.hh"
-#include "whittle/core/geometry/radius_ratio.hh"
+#include "cost/make_cost.hh"
+#include "guard/make_guards.hh"
+#include "queue/eager_queue.hh"
+#include "queue/lazy_queue.hh"
 
 namespace whittle {
-
 namespace {
 
 /// Turns between two calls of the progress callback: about a millisecond.
 constexpr std::uint64_t progress_interval = 2048;
-
-std::unique_ptr<PairCost> make_plain_cost(TriangleComplex& complex, const Restraints& restraints,
-                                          const DecimateOptions& options) {
-  switch (options.cost) {
-    case Cost::lindstrom_turk:
-      return std::make_unique<LindstromTurkCost>(complex, restraints, options.threads);
-    case Cost::memoryless:
-      return std::make_unique<MemorylessCost>(complex, restraints, options.quadric);
-    case Cost::midpoint:
-      return std::make_unique<MidpointCost>(complex, restraints);
-    case Cost::quadric:
-      break;
-  }
-  if (options.isotropy > 0) {
-    return std::make_unique<IsotropicCost>(complex, restraints, options.quadric, options.isotropy);
-  }
-  return std::make_unique<QuadricCost>(complex, restraints, options.quadric);
-}
-
-std::unique_ptr<PairCost> make_cost(TriangleComplex& complex, const Restraints& restraints,
-                                    const DecimateOptions& options) {
-  std::unique_ptr<PairCost> cost = make_plain_cost(complex, restraints, options);
-  if (options.valence_weight == 0) return cost;
-  return std::make_unique<ValenceCost>(complex, std::move(cost), options.valence_weight);
-}
 
 /// Whether pairs stay where they were queued until their turn comes.
 bool is_lazy(const PairCost& cost, const DecimateOptions& options) {
@@ -51,32 +19,37 @@ bool is_lazy(const PairCost& cost, const DecimateOptions& options) {
   return options.order == Order::automatic && options.cost == Cost::memoryless;
 }
 
-std::unique_ptr<PairOrder> make_order(TriangleComplex& complex, const PairCost& cost, ThresholdPairSieve& sieve,
+std::unique_ptr<PairQueue> make_queue(TriangleComplex& complex, const PairCost& cost, ThresholdPairSieve& sieve,
                                       const DecimateOptions& options) {
-  if (is_lazy(cost, options)) return std::make_unique<LazyOrder>(complex, cost, sieve, options.threads);
-  return std::make_unique<EagerOrder>(complex, cost, options.threads);
+  if (is_lazy(cost, options)) return std::make_unique<LazyQueue>(complex, cost, sieve, options.threads);
+  return std::make_unique<EagerQueue>(complex, cost, options.threads);
+}
+
+/// An eager queue ranks anew all pairs within the cost's reach.
+Reach reach_of_touched(const PairCost& cost, const DecimateOptions& options) {
+  return is_lazy(cost, options) ? cost.sight() : std::max(cost.reach(), cost.sight());
 }
 
 }  // namespace
 
-ContractionLoop::ContractionLoop(TriangleComplex& complex, const DecimateOptions& options, const DecimateTarget& target,
-                                 const Frame& frame, Restraints restraints)
+ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraints, PairCost& cost,
+                                 const DecimateOptions& options, const DecimateTarget& target, const Frame& frame)
     : complex_(complex),
+      restraints_(restraints),
+      cost_(cost),
       options_(options),
       target_(target),
       frame_(frame),
-      restraints_(std::move(restraints)),
-      sharp_edges_(complex, restraints_, options.feature_angle_deg),
-      flip_limit_(options.max_normal_flip_deg),
+      cost_dimension_(cost_dimension(options)),
       n_initial_vertices_(complex.n_vertices()),
       n_initial_faces_(complex.n_faces()),
       sieve_(complex),
-      cost_(make_cost(complex, restraints_, options)),
-      order_(make_order(complex, *cost_, sieve_, options)),
-      listed_(is_lazy(*cost_, options) ? cost_->sight() : std::max(cost_->reach(), cost_->sight())),
-      refused_(complex.n_vertex_slots()),
-      is_refused_(complex.n_pair_slots()) {
-  if (target.max_cost) target_.max_cost = frame.cost_to_frame(*target.max_cost, cost_->dimension());
+      guards_(make_guards(complex, restraints, sieve_, options)),
+      queue_(make_queue(complex, cost, sieve_, options)),
+      touched_(reach_of_touched(cost, options)),
+      refused_(complex) {
+  for (const auto& guard : guards_) n_rings_ = std::max(n_rings_, guard->n_rings());
+  if (target.max_cost) target_.max_cost = frame.cost_to_frame(*target.max_cost, cost_dimension_);
 }
 
 DecimateResult ContractionLoop::run() {
@@ -86,8 +59,8 @@ DecimateResult ContractionLoop::run() {
       stop = StopReason::target;
     } else if (n_turns % progress_interval == 0 && !report_progress()) {
       stop = StopReason::cancelled;
-    } else if (const std::optional<Turn> turn = order_->next()) {
-      stop = take(*turn);
+    } else if (const std::optional<RankedPair> ranked = queue_->next()) {
+      stop = take(*ranked);
     } else {
       stop = StopReason::exhausted;
     }
@@ -96,7 +69,7 @@ DecimateResult ContractionLoop::run() {
   result_.n_contractions = complex_.n_contractions();
   result_.n_vertices = complex_.n_vertices();
   result_.n_faces = complex_.n_faces();
-  result_.max_cost = frame_.cost_to_model(result_.max_cost, cost_->dimension());
+  result_.max_cost = frame_.cost_to_model(result_.max_cost, cost_dimension_);
   return result_;
 }
 
@@ -117,197 +90,129 @@ bool ContractionLoop::report_progress() const {
   return options_.progress({complex_.n_vertices(), complex_.n_faces(), std::min(1.0, std::max(faces, vertices))});
 }
 
-std::optional<StopReason> ContractionLoop::take(Turn turn) {
-  if (!complex_.is_contractible(turn.pair)) {
-    complex_.remove_pair(turn.pair.id);
+std::optional<StopReason> ContractionLoop::take(const RankedPair& ranked) {
+  const double rank = ranked.rank.cost;
+  if (!complex_.is_contractible(ranked.pair)) {
+    complex_.remove_pair(ranked.pair.id);
     return std::nullopt;
   }
-  if (target_.max_cost && turn.evaluation.cost > *target_.max_cost) return StopReason::cost;
-  if (const Refusal refusal = place(turn); refusal != Refusal::none) {
-    refuse(turn.pair, refusal);
+  if (target_.max_cost && rank > *target_.max_cost) return StopReason::cost;
+  complex_.gather(ranked.pair, profile_);
+  Vec3 position;
+  if (const Guard* guard = find_refusal(ranked, position)) {
+    refuse(ranked.pair, *guard);
     return std::nullopt;
   }
-  if (const double cost = cost_->final_cost(turn.evaluation); cost > turn.evaluation.cost) {
-    if (order_->postpone(turn.pair, cost)) return std::nullopt;
+  const double cost = cost_.final_cost(profile_, ranked.rank, position);
+  if (cost > rank) {
+    if (queue_->postpone(ranked.pair, cost)) return std::nullopt;
     if (target_.max_cost && cost > *target_.max_cost) return StopReason::cost;
-    turn.evaluation.cost = cost;
   }
-  contract(turn);
+  contract(ranked, position, std::max(cost, rank));
   return std::nullopt;
 }
 
-/// Where the cost is least is second best, if the best place is refused.
-ContractionLoop::Refusal ContractionLoop::place(Turn& turn) {
-  const Pair& pair = turn.pair;
-  if (!restraints_.pinned(pair)) return restraints_.are_both_locked(pair) ? Refusal::locked : Refusal::feature;
-  complex_.gather(pair.a, pair.b, star_);
-  const Refusal refusal = find_topological_refusal(pair);
-  if (refusal != Refusal::none) return refusal;
-  const Vec3 best = cost_->place(pair, turn.evaluation, star_);
-  if (best != turn.evaluation.position && find_refusal_of(best, pair) == Refusal::none) {
-    turn.evaluation.position = best;
-    return Refusal::none;
+/// Settles the position. Where the pair was ranked is second best, if a guard refuses the best position.
+/// \return the guard that refuses; null if none does
+Guard* ContractionLoop::find_refusal(const RankedPair& ranked, Vec3& position) {
+  for (const auto& guard : guards_) {
+    if (guard->refuses(profile_)) return guard.get();
   }
-  return find_refusal_of(turn.evaluation.position, pair);
+  position = cost_.settle(profile_, ranked.rank);
+  Guard* const refusal = find_refusal_at(position);
+  if (refusal == nullptr || position == ranked.rank.position) return refusal;
+  position = ranked.rank.position;
+  return find_refusal_at(position);
 }
 
-ContractionLoop::Refusal ContractionLoop::find_refusal_of(const Vec3& position, const Pair& pair) {
-  const auto [id, a, b] = pair;
-  if (restraints_.bends_a_line(complex_, pair, star_, position)) return Refusal::feature;
-  if (turns_a_face(position, pair)) return Refusal::flip;
-  if (sharp_edges_.would_change(pair, star_, position)) return Refusal::feature;
-  if (makes_thin(star_.first, complex_.position(a), position)) return Refusal::shape;
-  if (makes_thin(star_.second, complex_.position(b), position)) return Refusal::shape;
-  return Refusal::none;
-}
-
-bool ContractionLoop::turns_a_face(const Vec3& position, const Pair& pair) {
-  if (const std::optional<bool> answer = cost_->turns_a_face(position, flip_limit_)) return *answer;
-  return whittle::turns_a_face(complex_, flip_limit_, star_.first, complex_.position(pair.a), position) ||
-         whittle::turns_a_face(complex_, flip_limit_, star_.second, complex_.position(pair.b), position);
-}
-
-/// Whether moving the common corner of `wings` leaves one of them thinner than allowed, and than it was.
-bool ContractionLoop::makes_thin(const Wings& wings, const Vec3& from, const Vec3& to) const {
-  if (options_.min_radius_ratio == 0) return false;
-  for (std::size_t i = 0; i < wings.size(); ++i) {
-    const Vec3& x = complex_.position(wings[i].x);
-    const Vec3& y = complex_.position(wings[i].y);
-    const double after = radius_ratio(to, x, y);
-    if (after < options_.min_radius_ratio && after < radius_ratio(from, x, y)) return true;
+Guard* ContractionLoop::find_refusal_at(const Vec3& position) {
+  for (const auto& guard : guards_) {
+    if (guard->refuses_at(profile_, position)) return guard.get();
   }
-  return false;
+  return nullptr;
 }
 
-/// Plans a joint where the contraction may change the topology, and does; hides a threshold pair that an edge decides.
-ContractionLoop::Refusal ContractionLoop::find_topological_refusal(const Pair& pair) {
-  if (complex_.is_threshold_pair(pair.id)) {
-    if (sieve_.hides(pair)) return Refusal::is_edge;
-  } else if (complex_.link_condition(pair.a, pair.b, star_)) {
-    return Refusal::none;
-  } else if (options_.topology == Topology::keep && complex_.is_manifold(pair.a) && complex_.is_manifold(pair.b)) {
-    return Refusal::link;
-  }
-  complex_.plan_joint(pair.a, pair.b, star_);
-  if (star_.opposites.size() + star_.joint.coincident.size() == complex_.n_faces()) return Refusal::link;
-  const bool may_change = complex_.is_threshold_pair(pair.id) || options_.topology == Topology::free;
-  return may_change || complex_.is_no_less_manifold(pair.a, pair.b, star_) ? Refusal::none : Refusal::link;
+void ContractionLoop::refuse(const Pair& pair, const Guard& guard) {
+  if (guard.reason() != nullptr) ++(result_.rejections.*guard.reason());
+  if (!guard.is_final()) refused_.add(pair);
 }
 
-void ContractionLoop::refuse(const Pair& pair, Refusal refusal) {
-  switch (refusal) {
-    case Refusal::locked:
-      ++result_.rejections.locked;
-      return;  // for good
-    case Refusal::feature:
-      ++result_.rejections.feature;
-      break;
-    case Refusal::link:
-      ++result_.rejections.link;
-      break;
-    case Refusal::flip:
-      ++result_.rejections.flip;
-      break;
-    case Refusal::shape:
-      ++result_.rejections.shape;
-      break;
-    case Refusal::is_edge:  // hidden
-    case Refusal::none:
-      return;
-  }
-  const auto [id, a, b] = pair;
-  if (is_refused_[id]) return;
-  is_refused_[id] = true;
-  refused_.add(a, id);
-  refused_.add(b, id);
-}
-
-void ContractionLoop::contract(const Turn& turn) {
-  const auto& [pair, evaluation] = turn;
-  const PlacedQuadric merged = cost_->merge(pair, evaluation, star_);
-  // The higher origin survives, so that no pair's place among ties moves forward; but a vertex that stays where it is
-  // stays what it is.
-  Index survivor = pair.b;
-  Index removed = pair.a;
-  if (restraints_.pinned(pair) == Pinned::first) {
-    std::swap(survivor, removed);
-  } else {
-    std::swap(star_.first, star_.second);
-  }
-  restraints_.contract(complex_, pair, survivor, star_, evaluation.position);
-  complex_.contract(pair.id, survivor, removed, merged, star_);
+/// The higher origin survives, so that no pair's rank among ties moves forward. But a vertex that stays where it is
+/// survives in any case.
+void ContractionLoop::contract(const RankedPair& ranked, const Vec3& position, double cost) {
+  const Pair& pair = ranked.pair;
+  const Index survivor = restraints_.pinned(pair) == Pinned::first ? pair.a : pair.b;
+  complex_.contract(profile_, survivor, position, change_);
   result_.threshold_pairs.contracted += static_cast<std::uint64_t>(complex_.is_threshold_pair(pair.id));
-  result_.max_cost = std::max(result_.max_cost, evaluation.cost);
+  result_.max_cost = std::max(result_.max_cost, cost);
   if (options_.listener) {
-    options_.listener({complex_.origin(survivor), complex_.origin(removed), frame_.to_model(evaluation.position),
-                       frame_.cost_to_model(evaluation.cost, cost_->dimension())});
+    options_.listener({complex_.origin(change_.survivor), complex_.origin(change_.removed),
+                       frame_.to_model(change_.position), frame_.cost_to_model(cost, cost_dimension_)});
   }
-  list_changed(survivor);
-  cost_->note_contraction(changed_);
-  order_->note_contraction(survivor, removed, changed_);
-  wake_refused_around(survivor, removed);
-  sieve_.merge(survivor, removed);
-  if (!star_.is_joint || star_.joint.lost_edges.empty()) return;
-  reveal_at(survivor);
-  for (const PairStar::Opposite& neighbour : star_.joint.common) reveal_at(neighbour.vertex);
+  list_touched();
+  cost_.merge(profile_, ranked.rank, change_);
+  restraints_.note(complex_, profile_, change_);
+  queue_->note(change_);
+  wake_around();
+  sieve_.merge(change_.survivor, change_.removed);
+  if (!profile_.is_joint || profile_.joint.lost_edges.empty()) return;
+  reveal_at(change_.survivor);
+  for (const ContractionProfile::Common& neighbour : profile_.joint.common) reveal_at(neighbour.vertex);
 }
 
-/// Makes the lists of the vertices around the merged one what they are now.
-void ContractionLoop::list_changed(Index survivor) {
-  changed_.clear();
-  if (listed_ == Reach::none) return;
-  const auto add = [this](Index v) {
+/// Makes the lists of the vertices around the merged one compact, as far as the cost looks.
+void ContractionLoop::list_touched() {
+  std::vector<Index>& touched = change_.touched;
+  touched.clear();
+  if (touched_ == Reach::none) return;
+  const auto add = [&](Index v) {
     v = complex_.representative(v);
-    if (std::find(changed_.begin(), changed_.end(), v) == changed_.end()) changed_.push_back(v);
+    if (std::find(touched.begin(), touched.end(), v) == touched.end()) touched.push_back(v);
   };
   const auto add_neighbours = [&](Index v) {
-    for (const Spoke& spoke : complex_.neighbours(v)) add(spoke.vertex);
+    for (const Neighbour& neighbour : complex_.neighbours(v)) add(neighbour.vertex);
   };
-  add(survivor);
-  if (listed_ >= Reach::ring) {
-    add_neighbours(survivor);
-    for (const PairStar::Opposite& opposite : star_.opposites) add(opposite.vertex);
-    if (star_.is_joint) {
-      for (const PairStar::Opposite& neighbour : star_.joint.common) add(neighbour.vertex);
-    }
+  add(change_.survivor);
+  if (touched_ >= Reach::ring) {
+    add_neighbours(change_.survivor);
+    for (const ContractionProfile::Common& opposite : profile_.opposites) add(opposite.vertex);
+    for (const ContractionProfile::Common& neighbour : profile_.merged_neighbours()) add(neighbour.vertex);
   }
-  for (const Index v : changed_) complex_.tidy(v);
-  if (listed_ < Reach::wings) return;
-  for (const PairStar::Opposite& opposite : star_.opposites) add_neighbours(opposite.vertex);
-  if (!star_.is_joint) return;
-  for (const PairStar::Opposite& neighbour : star_.joint.common) add_neighbours(neighbour.vertex);
+  for (const Index v : touched) complex_.compact(v);
+  if (touched_ < Reach::opposite_rings) return;
+  for (const ContractionProfile::Common& opposite : profile_.opposites) add_neighbours(opposite.vertex);
+  if (!profile_.is_joint) return;
+  for (const ContractionProfile::Common& neighbour : profile_.joint.common) add_neighbours(neighbour.vertex);
 }
 
-void ContractionLoop::wake_refused_around(Index survivor, Index removed) {
-  const auto wake = [&](Index v) {
-    if (refused_.any_at(v)) wake_refused_at(v);
-  };
+/// Queues anew the refused pairs at vertices that guards see the change from.
+void ContractionLoop::wake_around() {
   const auto wake_neighbours = [&](Index v) {
-    for (const Spoke& spoke : complex_.neighbours(v)) wake(spoke.vertex);
+    for (const Neighbour& neighbour : complex_.neighbours(v)) wake(neighbour.vertex);
   };
-  if (sharp_edges_.is_on()) {  // it looks a face farther
-    for (const Spoke& spoke : complex_.neighbours(survivor)) {
-      for (const Spoke& beyond : complex_.neighbours(spoke.vertex)) wake(complex_.representative(beyond.vertex));
+  if (n_rings_ > 1) {
+    for (const Neighbour& neighbour : complex_.neighbours(change_.survivor)) {
+      for (const Neighbour& beyond : complex_.neighbours(neighbour.vertex)) {
+        wake(complex_.representative(beyond.vertex));
+      }
     }
   }
-  wake(survivor);
-  wake(removed);
-  wake_neighbours(survivor);
-  for (const PairStar::Opposite& opposite : star_.opposites) wake(opposite.vertex);
-  if (!star_.is_joint) return;
-  for (const PairStar::Opposite& neighbour : star_.joint.common) {  // their faces hang together in another way now
+  wake(change_.survivor);
+  wake(change_.removed);
+  wake_neighbours(change_.survivor);
+  for (const ContractionProfile::Common& opposite : profile_.opposites) wake(opposite.vertex);
+  if (!profile_.is_joint) return;
+  for (const ContractionProfile::Common& neighbour : profile_.joint.common) {  // their links have changed
     wake(neighbour.vertex);
     wake_neighbours(neighbour.vertex);
   }
 }
 
-void ContractionLoop::wake_refused_at(Index v) {
-  woken_.clear();
+void ContractionLoop::wake(Index v) {
+  if (!refused_.any_at(v)) return;
   refused_.take(v, woken_);
-  for (const Index pair : woken_) {
-    if (!is_refused_[pair]) continue;  // woken from its other vertex before
-    is_refused_[pair] = false;
-    if (complex_.is_pair_alive(pair)) order_->add(pair_now(complex_, pair));
+  for (const Index id : woken_) {
+    if (complex_.is_pair_alive(id)) queue_->add(pair_now(complex_, id));
   }
 }
 
@@ -318,7 +223,7 @@ void ContractionLoop::reveal_at(Index v) {
   for (const Index id : woken_) {
     if (!complex_.is_pair_alive(id)) continue;
     const Pair pair = pair_now(complex_, id);
-    if (complex_.is_contractible(pair) && !sieve_.hides(pair)) order_->add(pair);
+    if (complex_.is_contractible(pair) && !sieve_.hides(pair)) queue_->add(pair);
   }
 }
 

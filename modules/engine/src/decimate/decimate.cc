@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "cost/make_cost.hh"
 #include "decimate/contraction_loop.hh"
 #include "whittle/core/feature_edges.hh"
 #include "whittle/core/geometry/vertex_normals.hh"
@@ -66,7 +67,7 @@ std::vector<std::uint8_t> locked_vertices(const TriangleComplex& complex, const 
   locked.resize(complex.n_vertex_slots());
   for (Index v = 0; v < locked.size(); ++v) {
     const bool by_user = !options.locked.empty() && options.locked[complex.origin(v)] != 0;
-    const bool by_border = options.boundary == Boundary::locked && complex.order(v) != VertexOrder::regular;
+    const bool by_border = options.boundary == Boundary::locked && complex.kind(v) != VertexKind::regular;
     locked[v] = by_user || by_border;
   }
   return locked;
@@ -144,21 +145,22 @@ std::vector<Color> merged_colors(const IndexedMesh& input, const std::vector<Ind
   return colors;
 }
 
-Decimation make_output(const IndexedMesh& input, TriangleComplex& complex, const Frame& frame, bool keep_quadrics) {
+Decimation make_output(const IndexedMesh& input, TriangleComplex& complex, const Frame& frame,
+                       const PairCost* quadrics_of) {
   Decimation out;
   out.vertex_map = representatives(complex);
   std::vector<Index> output_of(complex.n_vertex_slots(), invalid_index);
   IndexedMesh& mesh = out.mesh;
   mesh.positions.reserve(complex.n_vertices());
   mesh.origins.reserve(complex.n_vertices());
-  if (keep_quadrics) out.quadrics.reserve(complex.n_vertices());
+  if (quadrics_of) out.quadrics.reserve(complex.n_vertices());
   for (Index v = 0; v < out.vertex_map.size(); ++v) {
     const Index r = out.vertex_map[v];
     if (r == invalid_index || complex.origin(r) != v) continue;
     output_of[r] = static_cast<Index>(mesh.positions.size());
     mesh.positions.push_back(frame.to_model(complex.position(r)));
     mesh.origins.push_back(input.origins.empty() ? v : input.origins[v]);
-    if (keep_quadrics) out.quadrics.push_back(complex.placed(r));
+    if (quadrics_of) out.quadrics.push_back(quadrics_of->quadric(r));
   }
   out.face_origins = surviving_faces(input.faces, out.vertex_map, complex.n_faces());
   if (complex.n_coincident_faces() > 0) leave_out_coincident(out.face_origins, input.faces, out.vertex_map, complex);
@@ -224,23 +226,26 @@ Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const
   check(target, options, mesh.positions.size());
   check(mesh);
   const Frame frame = Frame::of_points(mesh.positions);
-  QuadricOptions quadric = options.quadric;
-  if (options.boundary == Boundary::free) quadric.boundary_weight = 0;
   const ThresholdPairs pairs = threshold_pairs(mesh, options);
-  TriangleComplex complex(mesh.positions, mesh.faces, pairs.pairs, frame, quadric, options.threads);
+  TriangleComplex complex(mesh.positions, mesh.faces, frame, options.threads);
+  Restraints restraints;
+  const std::unique_ptr<PairCost> cost = make_cost(complex, restraints, options, !pairs.pairs.empty());
+  cost->see_faces(options.threads);
+  complex.connect(pairs.pairs, options.threads);
+  cost->start(options.threads);
   const NonmanifoldCounts before = complex.count_nonmanifold();
   const std::vector<VertexPair> features = all_feature_edges(mesh, options);
-  Restraints restraints(complex, locked_vertices(complex, options), features, options.feature_angle_deg,
-                        options.feature_tolerance * bounds_of(mesh.positions).diagonal() * frame.scale);
-  ContractionLoop loop(complex, options, target, frame, std::move(restraints));
+  restraints = Restraints(complex, locked_vertices(complex, options), features, options.feature_angle_deg,
+                          options.feature_tolerance * bounds_of(mesh.positions).diagonal() * frame.scale);
+  ContractionLoop loop(complex, restraints, *cost, options, target, frame);
   DecimateResult result = loop.run();
   result.n_degenerate_faces = complex.n_degenerate_faces();
   result.n_coincident_faces = complex.n_coincident_faces();
   result.threshold_pairs.considered = pairs.pairs.size();
   result.threshold_pairs.threshold = options.pairs.threshold;
   result.threshold_pairs.capped = pairs.capped;
-  Decimation out = make_output(mesh, complex, frame, options.keep_quadrics);
-  for (const auto& [a, b] : loop.feature_edges()) {
+  Decimation out = make_output(mesh, complex, frame, options.keep_quadrics ? cost.get() : nullptr);
+  for (const auto& [a, b] : restraints.feature_edges(complex)) {
     const Index first = out.vertex_map[complex.origin(a)];
     const Index second = out.vertex_map[complex.origin(b)];
     out.feature_edges.push_back({std::min(first, second), std::max(first, second)});

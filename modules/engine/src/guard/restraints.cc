@@ -47,35 +47,35 @@ void Restraints::mark_features(const TriangleComplex& complex, std::span<const V
   }
 }
 
-/// The vertex of a feature edge that goes to the other's place.
-Index Restraints::moved_vertex(const TriangleComplex& complex, const Pair& pair, const Vec3& position) const {
+/// Of a feature edge, the end that goes to the other's place: 0 or 1. \param first position of the first end
+std::size_t Restraints::moved_end(const Pair& pair, const Vec3& first, const Vec3& position) const {
   const Pinned where = pinned(pair).value_or(Pinned::first);
-  if (where == Pinned::second) return pair.a;  // even if both are in one place
-  return where == Pinned::first || position == complex.position(pair.a) ? pair.b : pair.a;
+  if (where == Pinned::second) return 0;  // even if both are in one place
+  return where == Pinned::first || position == first ? 1 : 0;
 }
 
 /// The other feature edge of a vertex on a line.
 std::optional<Index> Restraints::other_feature_edge(TriangleComplex& complex, Index v, Index edge) const {
   if (freedoms_[v] != Freedom::line) return std::nullopt;
-  for (const Spoke& spoke : complex.live_pairs(v)) {
-    const Index e = complex.live_edge(spoke.edge);
+  for (const Neighbour& neighbour : complex.live_pairs(v)) {
+    const Index e = complex.live_edge(neighbour.edge);
     if (e != edge && is_feature_[e]) return e;
   }
   return std::nullopt;
 }
 
-bool Restraints::bends_a_line(TriangleComplex& complex, const Pair& pair, const PairStar& star,
-                              const Vec3& position) const {
+bool Restraints::bends_a_line(TriangleComplex& complex, const ContractionProfile& profile, const Vec3& position) const {
   if (!has_features()) return false;
+  const Pair& pair = profile.pair;
   const auto live_feature = [&](Index edge) { return is_feature_[complex.live_edge(edge)]; };
-  const std::vector<PairStar::Opposite>& common = star.is_joint ? star.joint.common : star.opposites;
-  const bool closes_loop = std::any_of(common.begin(), common.end(), [&](const PairStar::Opposite& neighbour) {
+  const std::vector<ContractionProfile::Common>& common = profile.merged_neighbours();
+  const bool closes_loop = std::any_of(common.begin(), common.end(), [&](const ContractionProfile::Common& neighbour) {
     return live_feature(neighbour.edges[0]) && live_feature(neighbour.edges[1]);
   });
   if (closes_loop) return true;
   if (!is_feature_[pair.id]) return false;
-  // It takes its line's next edge along.
-  const Index moved = moved_vertex(complex, pair, position);
+  // The vertex that moves takes its line's next edge along.
+  const Index moved = moved_end(pair, complex.position(pair.a), position) == 0 ? pair.a : pair.b;
   const std::optional<Index> next = other_feature_edge(complex, moved, pair.id);
   if (!next) return false;
   const auto [p, q] = complex.ends(*next);
@@ -104,32 +104,53 @@ std::vector<VertexPair> Restraints::feature_edges(TriangleComplex& complex) cons
   return edges;
 }
 
-void Restraints::contract(TriangleComplex& complex, const Pair& pair, Index survivor, const PairStar& star,
-                          const Vec3& position) {
-  if (!any()) return;
-  if (is_feature(pair.id)) {
-    const Index moved = moved_vertex(complex, pair, position);
-    Course course = std::move(courses_[pair.id]);
-    courses_.erase(pair.id);
-    if (const std::optional<Index> next = other_feature_edge(complex, moved, pair.id)) {
-      Course& whole = courses_[*next];
-      whole.push_back(complex.position(moved));
-      whole.insert(whole.end(), course.begin(), course.end());
-    }
+/// The other feature edge of an end on a line, as it was before the contraction.
+std::optional<Index> Restraints::other_feature_edge_before(const TriangleComplex& complex,
+                                                           const ContractionProfile& profile, const Change& change,
+                                                           std::size_t end) const {
+  const auto& [id, a, b] = change.pair;
+  if (freedoms_[end == 0 ? a : b] != Freedom::line) return std::nullopt;
+  for (const Change::MergedEdges& merged : change.edges) {
+    if (is_feature_[merged.edges[end]]) return merged.edges[end];
   }
-  freedoms_[survivor] = std::max(freedoms_[pair.a], freedoms_[pair.b]);
+  const auto is_merged = [&change](Index v) {
+    return std::any_of(change.edges.begin(), change.edges.end(),
+                       [v](const auto& merged) { return merged.vertex == v; });
+  };
+  for (const Neighbour& neighbour : (end == 0 ? profile.first : profile.second).neighbours()) {
+    if (is_merged(neighbour.vertex)) continue;
+    const Index e = complex.live_edge(neighbour.edge);
+    if (is_feature_[e]) return e;
+  }
+  return std::nullopt;
+}
+
+/// The course of a contracted feature edge goes to the next edge of its line.
+void Restraints::merge_courses(const TriangleComplex& complex, const ContractionProfile& profile,
+                               const Change& change) {
+  const std::size_t moved = moved_end(change.pair, change.before[0], change.position);
+  const Course course = std::move(courses_[change.pair.id]);
+  courses_.erase(change.pair.id);
+  const std::optional<Index> next = other_feature_edge_before(complex, profile, change, moved);
+  if (!next) return;
+  Course& whole = courses_[*next];
+  whole.push_back(change.before[moved]);
+  whole.insert(whole.end(), course.begin(), course.end());
+}
+
+void Restraints::note(const TriangleComplex& complex, const ContractionProfile& profile, const Change& change) {
+  if (!any()) return;
+  if (is_feature(change.pair.id)) merge_courses(complex, profile, change);
+  freedoms_[change.survivor] = std::max(freedoms_[change.pair.a], freedoms_[change.pair.b]);
   if (!has_features()) return;
-  const auto merge = [&](const PairStar::Opposite& opposite) {
-    const Index first = complex.live_edge(opposite.edges[0]);
-    const Index second = complex.live_edge(opposite.edges[1]);
+  for (const Change::MergedEdges& merged : change.edges) {
+    const auto& [first, second] = merged.edges;
     const bool either = is_feature_[first] || is_feature_[second];
     for (const auto& [from, to] : {std::pair(first, second), std::pair(second, first)}) {
       if (is_feature_[from] && !is_feature_[to] && courses_.contains(from)) courses_[to] = courses_[from];
     }
     is_feature_[first] = is_feature_[second] = either;
-  };
-  std::for_each(star.opposites.begin(), star.opposites.end(), merge);
-  if (star.is_joint) std::for_each(star.joint.common.begin(), star.joint.common.end(), merge);
+  }
 }
 
 }  // namespace whittle

@@ -42,13 +42,13 @@ class Restraints {
 
   /// Whether contracting the pair would lay two feature edges on one another, so that a line lost its loop, or take a
   /// line farther off than it may be.
-  bool bends_a_line(TriangleComplex& complex, const Pair& pair, const PairStar& star, const Vec3& position) const;
+  bool bends_a_line(TriangleComplex& complex, const ContractionProfile& profile, const Vec3& position) const;
 
   /// The feature edges there are now, by their vertices.
   std::vector<VertexPair> feature_edges(TriangleComplex& complex) const;
 
-  /// To be told before the complex is.
-  void contract(TriangleComplex& complex, const Pair& pair, Index survivor, const PairStar& star, const Vec3& position);
+  /// \param profile as it was before the contraction
+  void note(const TriangleComplex& complex, const ContractionProfile& profile, const Change& change);
 
  private:
   enum class Freedom : std::uint8_t {
@@ -67,8 +67,11 @@ class Restraints {
 
   /// Where a line was, between the ends of a feature edge: its vertices there, in no particular order.
   using Course = std::vector<Vec3>;
-  Index moved_vertex(const TriangleComplex& complex, const Pair& pair, const Vec3& position) const;
+  std::size_t moved_end(const Pair& pair, const Vec3& first, const Vec3& position) const;
   std::optional<Index> other_feature_edge(TriangleComplex& complex, Index v, Index edge) const;
+  std::optional<Index> other_feature_edge_before(const TriangleComplex& complex, const ContractionProfile& profile,
+                                                 const Change& change, std::size_t end) const;
+  void merge_courses(const TriangleComplex& complex, const ContractionProfile& profile, const Change& change);
 
   std::vector<Freedom> freedoms_;              ///< per vertex, or empty
   std::vector<bool> is_feature_;               ///< per pair, or empty

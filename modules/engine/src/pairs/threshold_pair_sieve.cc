@@ -22,7 +22,7 @@ void ThresholdPairSieve::sift(std::vector<Index>& pairs) {
   look_up_alive(std::span(first, pairs.end()));
   pairs.erase(first, pairs.end());
   for (std::size_t i = 0; i < alive_.size(); ++i) {
-    if (i + 8 < alive_.size()) complex_.prefetch_spokes(alive_[i + 8].a);
+    if (i + 8 < alive_.size()) complex_.prefetch_list(alive_[i + 8].a);
     const Pair& pair = alive_[i];
     if (pair.a == pair.b || is_duplicate(pair)) {
       complex_.remove_pair(pair.id);

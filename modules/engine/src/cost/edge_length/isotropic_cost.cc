@@ -6,19 +6,18 @@
 
 namespace whittle {
 
-void IsotropicCost::evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const {
-  std::transform(pairs.begin(), pairs.end(), evaluations.begin(), [this](const Pair& pair) {
-    return evaluate_isotropic(complex_.placed(pair.a), complex_.placed(pair.b), isotropy_, options_.placement,
+void IsotropicCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
+  std::transform(pairs.begin(), pairs.end(), ranks.begin(), [this](const Pair& pair) {
+    return evaluate_isotropic(quadrics_.placed(pair.a), quadrics_.placed(pair.b), isotropy_, options_.placement,
                               restraints_.pinned(pair).value_or(Pinned::first));
   });
 }
 
-double IsotropicCost::dimension() const {
-  return isotropic_dimension(options_.weights == Weights::uniform ? 2 : 4, isotropy_);
-}
-
-PlacedQuadric IsotropicCost::merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar&) {
-  return whittle::merged(complex_.placed(pair.a), complex_.placed(pair.b), evaluation.position, false);
+void IsotropicCost::merge(ContractionProfile& /*profile*/, const PairEvaluation& /*ranked*/, const Change& change) {
+  const auto& [id, a, b] = change.pair;
+  const PlacedQuadric sum =
+      merged(quadrics_.placed(a, change.before[0]), quadrics_.placed(b, change.before[1]), change.position, false);
+  quadrics_.merge(change, sum.quadric);
 }
 
 }  // namespace whittle

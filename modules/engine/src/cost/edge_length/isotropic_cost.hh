@@ -1,21 +1,30 @@
 #pragma once
 
 #include "cost/pair_cost.hh"
+#include "cost/quadric/vertex_quadrics.hh"
 #include "guard/restraints.hh"
 
 namespace whittle {
 
-/// Garland–Heckbert, blended with the length of the edge (edge_length_term.hh).
+/// Garland–Heckbert, blended with the length of the edge (edge_length_term.hh). Edges only.
 class IsotropicCost final : public PairCost {
  public:
   IsotropicCost(const TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options,
                 double isotropy)
-      : complex_(complex), restraints_(restraints), options_(options), isotropy_(isotropy) {}
+      : complex_(complex),
+        restraints_(restraints),
+        options_(options),
+        isotropy_(isotropy),
+        quadrics_(complex, options, false) {}
 
-  using PairCost::evaluate;
-  void evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const override;
-  PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override;
-  double dimension() const override;
+  void see_faces(unsigned threads) override { quadrics_.sum_faces(threads); }
+  void start(unsigned /*threads*/) override { quadrics_.add_borders(); }
+
+  using PairCost::rank;
+  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;
+  void merge(ContractionProfile& profile, const PairEvaluation& ranked, const Change& change) override;
+  PlacedQuadric quadric(Index v) const override { return quadrics_.placed(v); }
+  VertexState vertex_state() const override { return quadrics_.state(); }
   Reach reach() const override { return Reach::ends; }
 
  private:
@@ -23,6 +32,7 @@ class IsotropicCost final : public PairCost {
   const Restraints& restraints_;
   QuadricOptions options_;
   double isotropy_;
+  VertexQuadrics quadrics_;
 };
 
 }  // namespace whittle

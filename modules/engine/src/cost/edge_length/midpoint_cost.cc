@@ -6,15 +6,11 @@
 
 namespace whittle {
 
-void MidpointCost::evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const {
-  std::transform(pairs.begin(), pairs.end(), evaluations.begin(), [this](const Pair& pair) {
+void MidpointCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
+  std::transform(pairs.begin(), pairs.end(), ranks.begin(), [this](const Pair& pair) {
     return evaluate_midpoint(complex_.position(pair.a), complex_.position(pair.b),
                              restraints_.pinned(pair).value_or(Pinned::first));
   });
-}
-
-PlacedQuadric MidpointCost::merge(const Pair&, const PairEvaluation& evaluation, const PairStar&) {
-  return {evaluation.position, {}};
 }
 
 }  // namespace whittle

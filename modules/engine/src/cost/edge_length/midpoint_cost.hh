@@ -5,16 +5,15 @@
 
 namespace whittle {
 
-/// The length of the edge, to its middle.
+/// The length of the edge; the merged vertex goes to its middle.
 class MidpointCost final : public PairCost {
  public:
   MidpointCost(const TriangleComplex& complex, const Restraints& restraints)
       : complex_(complex), restraints_(restraints) {}
 
-  using PairCost::evaluate;
-  void evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const override;
-  PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override;
-  double dimension() const override { return 1; }
+  using PairCost::rank;
+  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;
+  PlacedQuadric quadric(Index v) const override { return {complex_.position(v), {}}; }
   Reach reach() const override { return Reach::ends; }
 
  private:

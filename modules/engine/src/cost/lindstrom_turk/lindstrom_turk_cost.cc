@@ -21,9 +21,8 @@ namespace {
 
 }  // namespace
 
-LindstromTurkCost::LindstromTurkCost(const TriangleComplex& complex, const Restraints& restraints, unsigned threads)
-    : complex_(complex), restraints_(restraints) {
-  stars_.resize(complex.n_vertex_slots());
+void LindstromTurkCost::start(unsigned threads) {
+  stars_.resize(complex_.n_vertex_slots());
   for_each_range(stars_.size(), threads, [this](std::size_t begin, std::size_t end) {
     std::vector<Index> vertices(end - begin);
     std::iota(vertices.begin(), vertices.end(), static_cast<Index>(begin));
@@ -33,7 +32,7 @@ LindstromTurkCost::LindstromTurkCost(const TriangleComplex& complex, const Restr
 
 /// Counter-clockwise from the lowest original number on.
 [[gnu::always_inline]] inline void LindstromTurkCost::sum_around_ring(Index v) {
-  const std::span<const Spoke> ring = complex_.neighbours(v);
+  const std::span<const Neighbour> ring = complex_.neighbours(v);
   const Double4 p = side_by_side(complex_.position(v));
   const std::size_t first = lowest_place(complex_, ring);
   Double4 normal{};
@@ -105,7 +104,7 @@ struct LindstromTurkCost::Sides {
 };
 
 bool LindstromTurkCost::find_sides(const Pair& pair, Sides& sides) const {
-  const std::span<const Spoke> ring = complex_.neighbours(pair.a);
+  const std::span<const Neighbour> ring = complex_.neighbours(pair.a);
   std::size_t place = 0;
   while (place < ring.size() && ring[place].vertex != pair.b) ++place;
   if (place == ring.size() || ring.size() == 2) return false;
@@ -142,9 +141,9 @@ template <class Real>
 
 /// As `volume_of` and `LindstromTurk` do it, to the bit.
 template <class Real>
-[[gnu::always_inline]] inline void LindstromTurkCost::evaluate_group(const std::array<Sides, n_lanes<Real>>& group,
-                                                                     std::span<const Pair> pairs,
-                                                                     std::span<PairEvaluation> evaluations) const {
+[[gnu::always_inline]] inline void LindstromTurkCost::rank_group(const std::array<Sides, n_lanes<Real>>& group,
+                                                                 std::span<const Pair> pairs,
+                                                                 std::span<PairEvaluation> ranks) const {
   const auto load = [&](const auto& vertex, std::size_t first) __attribute__((always_inline)) {
     return transposed_lanes<Real>([&](std::size_t lane) { return &stars_[vertex(group[lane])].values[first]; });
   };
@@ -192,18 +191,18 @@ template <class Real>
   for (std::size_t lane = 0; lane < n_lanes<Real>; ++lane) {
     const std::size_t i = group[lane].place;
     if (is_placed[lane] == 0) {
-      evaluations[i] = evaluate_one(pairs[i]);
+      ranks[i] = rank_one(pairs[i]);
       continue;
     }
     const Vec3 position(placement.position.x[lane] + origin.x[lane], placement.position.y[lane] + origin.y[lane],
                         placement.position.z[lane] + origin.z[lane]);
-    evaluations[i] = {placement.cost[lane], placement.cost[lane], position, false};
+    ranks[i] = {placement.cost[lane], placement.cost[lane], position, false};
   }
 }
 
 template <class Real>
-[[gnu::always_inline]] inline void LindstromTurkCost::evaluate_in_lanes(std::span<const Pair> pairs,
-                                                                        std::span<PairEvaluation> evaluations) const {
+[[gnu::always_inline]] inline void LindstromTurkCost::rank_in_lanes(std::span<const Pair> pairs,
+                                                                    std::span<PairEvaluation> ranks) const {
   std::array<Sides, n_lanes<Real>> group;
   std::size_t n = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -212,34 +211,34 @@ template <class Real>
     if (is_inside && find_sides(pairs[i], group[n])) {
       group[n].place = i;
       if (++n == group.size()) {
-        evaluate_group<Real>(group, pairs, evaluations);
+        rank_group<Real>(group, pairs, ranks);
         n = 0;
       }
     } else {
-      evaluations[i] = evaluate_one(pairs[i]);
+      ranks[i] = rank_one(pairs[i]);
     }
   }
   if (n == 0) return;
   std::fill(group.begin() + static_cast<std::ptrdiff_t>(n), group.end(), group[n - 1]);
-  evaluate_group<Real>(group, pairs, evaluations);
+  rank_group<Real>(group, pairs, ranks);
 }
 
-WHITTLE_DOUBLE4 void LindstromTurkCost::evaluate_four_at_once(std::span<const Pair> pairs,
-                                                              std::span<PairEvaluation> evaluations) const {
-  evaluate_in_lanes<Double4>(pairs, evaluations);
+WHITTLE_DOUBLE4 void LindstromTurkCost::rank_four_at_once(std::span<const Pair> pairs,
+                                                          std::span<PairEvaluation> ranks) const {
+  rank_in_lanes<Double4>(pairs, ranks);
 }
 
 /// Pairs inside the surface several at once.
-void LindstromTurkCost::evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const {
+void LindstromTurkCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
   if (has_double4) {
-    evaluate_four_at_once(pairs, evaluations);
+    rank_four_at_once(pairs, ranks);
   } else {
-    evaluate_in_lanes<Double2>(pairs, evaluations);
+    rank_in_lanes<Double2>(pairs, ranks);
   }
 }
 
 /// About its first vertex.
-PairEvaluation LindstromTurkCost::evaluate_one(const Pair& pair) const {
+PairEvaluation LindstromTurkCost::rank_one(const Pair& pair) const {
   const Vec3& origin = complex_.position(pair.a);
   LindstromTurk term(volume_of(pair), border_of(pair), Vec3::Zero(), complex_.position(pair.b) - origin);
   if (!term.is_determined()) term.add_neighbours(neighbours_of(pair));
@@ -303,10 +302,8 @@ NeighbourSums LindstromTurkCost::neighbours_of(const Pair& pair) const {
   return sums;
 }
 
-PlacedQuadric LindstromTurkCost::merge(const Pair&, const PairEvaluation& evaluation, const PairStar&) {
-  return {evaluation.position, {}};
+void LindstromTurkCost::merge(ContractionProfile& /*profile*/, const PairEvaluation& /*ranked*/, const Change& change) {
+  sum_around(change.touched);
 }
-
-void LindstromTurkCost::note_contraction(std::span<const Index> changed) { sum_around(changed); }
 
 }  // namespace whittle

@@ -11,21 +11,26 @@
 
 namespace whittle {
 
-/// Lindstrom–Turk (lindstrom_turk.hh). The sums over each vertex's faces and over its neighbours are kept, those of a
-/// pair are the sums of its two vertices without the faces that both have: so a pair takes a constant time.
+/// Lindstrom–Turk (lindstrom_turk.hh). The sums over each vertex's faces and over its neighbours are kept. Those of a
+/// pair are the sums of its two vertices without the faces that both have: so a pair takes constant time.
 ///
 /// Every sum has one order, by original vertex numbers.
 class LindstromTurkCost final : public PairCost {
  public:
-  LindstromTurkCost(const TriangleComplex& complex, const Restraints& restraints, unsigned threads);
+  LindstromTurkCost(const TriangleComplex& complex, const Restraints& restraints)
+      : complex_(complex), restraints_(restraints) {}
 
-  using PairCost::evaluate;
-  void evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const override;
-  PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override;
-  double dimension() const override { return 6; }
+  void start(unsigned threads) override;
+
+  using PairCost::rank;
+  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;
+  void merge(ContractionProfile& profile, const PairEvaluation& ranked, const Change& change) override;
+  PlacedQuadric quadric(Index v) const override { return {complex_.position(v), {}}; }
+  VertexState vertex_state() const override {
+    return {reinterpret_cast<const std::byte*>(stars_.data()), sizeof(StarSums)};
+  }
   Reach reach() const override { return Reach::ring; }
   Reach sight() const override { return Reach::ring; }
-  void note_contraction(std::span<const Index> changed) override;
 
  private:
   /// Sums over the faces at a vertex and over its neighbours, about it, where planes have no offset; and where it is.
@@ -43,17 +48,17 @@ class LindstromTurkCost final : public PairCost {
   template <class Real>
   struct GroupShape;
 
-  void evaluate_four_at_once(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const;
+  void rank_four_at_once(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const;
   template <class Real>
-  void evaluate_in_lanes(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const;
+  void rank_in_lanes(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const;
   template <class Real>
-  void evaluate_group(const std::array<Sides, n_lanes<Real>>& group, std::span<const Pair> pairs,
-                      std::span<PairEvaluation> evaluations) const;
+  void rank_group(const std::array<Sides, n_lanes<Real>>& group, std::span<const Pair> pairs,
+                  std::span<PairEvaluation> ranks) const;
   template <class Real>
   NeighbourLanes<Real> neighbours_of(const std::array<Sides, n_lanes<Real>>& group,
                                      const GroupShape<Real>& shape) const;
   bool find_sides(const Pair& pair, Sides& sides) const;
-  PairEvaluation evaluate_one(const Pair& pair) const;
+  PairEvaluation rank_one(const Pair& pair) const;
   VolumeSums volume_of(const Pair& pair) const;
   BorderSums border_of(const Pair& pair) const;
   NeighbourSums neighbours_of(const Pair& pair) const;

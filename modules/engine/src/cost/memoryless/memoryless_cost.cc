@@ -4,122 +4,139 @@
 #include <utility>
 
 namespace whittle {
-
 namespace {
 
-/// Guessed from those at rings: a vertex with a border has other planes, too.
-MeanFaceArea mean_face_area(const TriangleComplex& complex, double regularization) {
+/// Estimated from the faces at rings, because other vertices have the planes of borders, too.
+MeanFaceArea mean_face_area(const TriangleComplex& complex, const VertexQuadrics& quadrics, double regularization) {
   double area = 0;
   std::uint64_t n_corners = 0;
   for (Index v = 0; v < complex.n_vertex_slots(); ++v) {
     if (!complex.is_ring(v)) continue;
-    area += complex.placed(v).quadric.a.trace();
+    area += quadrics.matrix(v).trace();
     n_corners += complex.neighbours(v).size();
   }
   return {area / (1 + 3 * regularization), n_corners, complex.n_faces()};
 }
 
+/// Fills in the ring of a profile. \pre both vertices have rings
+void look_at_ring(const TriangleComplex& complex, const Vec3& origin, ContractionProfile& profile) {
+  const std::span<const Neighbour> first = profile.first.neighbours();
+  const std::span<const Neighbour> second = profile.second.neighbours();
+  const std::span<const Neighbour> others = second.subspan(1, second.size() - 2);
+  std::vector<Index>& around = profile.ring.around();
+  around.resize(first.size() + others.size());
+  const auto vertex_of = [](const Neighbour& neighbour) { return neighbour.vertex; };
+  std::transform(others.begin(), others.end(), std::transform(first.begin(), first.end(), around.begin(), vertex_of),
+                 vertex_of);
+  profile.ring.look(complex.position(profile.pair.a), complex.position(profile.pair.b), first.size() - 1, origin,
+                    [&complex](Index v) -> const Vec3& { return complex.position(v); });
+  profile.has_ring = true;
+}
+
 }  // namespace
 
-MemorylessCost::MemorylessCost(TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options)
-    : complex_(complex),
-      options_(options),
-      face_area_(mean_face_area(complex, options.regularization)),
-      quadric_cost_(complex, restraints, options, face_area_.first()),
-      has_planes_of_faces_(complex.n_vertex_slots()) {
-  for (Index v = 0; v < complex.n_vertex_slots(); ++v) has_planes_of_faces_[v] = complex.is_ring(v);
+void MemorylessCost::start(unsigned threads) {
+  ranks_.start(threads);
+  face_area_ = mean_face_area(complex_, ranks_.quadrics(), options_.regularization);
+  ranks_.multiply_by_memoryless_factor(face_area_.first());
+  has_planes_of_faces_.resize(complex_.n_vertex_slots());
+  for (Index v = 0; v < complex_.n_vertex_slots(); ++v) has_planes_of_faces_[v] = complex_.is_ring(v);
 }
 
-/// Whether the merged vertex, and its neighbours, get the planes of its faces alone.
-bool MemorylessCost::forgets(const Pair& pair, const PairStar& star) const {
-  return !star.is_joint && complex_.is_ring(pair.a) && complex_.is_ring(pair.b);
+/// Whether the merged vertex, and its neighbours, get the planes of their faces alone.
+bool MemorylessCost::forgets(const ContractionProfile& profile) const {
+  return !profile.is_joint && complex_.is_ring(profile.pair.a) && complex_.is_ring(profile.pair.b);
 }
 
-Vec3 MemorylessCost::place(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) {
-  has_ring_ = forgets(pair, star);
-  if (!has_ring_) return evaluation.position;
-  ring_origin_ = evaluation.position;
-  ring_.assign(complex_, pair, star, ring_origin_);
-  if (!evaluation.is_minimum) return evaluation.position;
-  const SymmetricMatrix sum = complex_.placed(pair.a).quadric.a + complex_.placed(pair.b).quadric.a;
-  return evaluation.position + volume_step(sum, ring_.volume());
+Vec3 MemorylessCost::settle(ContractionProfile& profile, const PairEvaluation& ranked) const {
+  if (!forgets(profile)) return ranked.position;
+  look_at_ring(complex_, ranked.position, profile);
+  if (!ranked.is_minimum) return ranked.position;
+  const VertexQuadrics& quadrics = ranks_.quadrics();
+  const SymmetricMatrix sum = quadrics.matrix(profile.pair.a) + quadrics.matrix(profile.pair.b);
+  return ranked.position + volume_step(sum, profile.ring.volume());
 }
 
-std::optional<bool> MemorylessCost::turns_a_face(const Vec3& position, const FlipLimit& limit) {
-  if (!has_ring_) return std::nullopt;
-  return ring_.move_to(position - ring_origin_, limit, options_);
+double MemorylessCost::final_cost(const ContractionProfile& profile, const PairEvaluation& ranked,
+                                  const Vec3& position) const {
+  if (!profile.has_ring || !profile.ring.volume().is_thin()) return ranked.cost;
+  const double displacement_sq = profile.ring.displacement_sq(position);
+  return std::max(ranked.cost, thin_cost(displacement_sq, face_area_.now(complex_.n_faces())));
 }
 
-double MemorylessCost::final_cost(const PairEvaluation& evaluation) const {
-  if (!has_ring_ || !ring_.volume().is_thin()) return evaluation.cost;
-  const double displacement_sq = ring_.displacement_sq(evaluation.position - ring_origin_);
-  return std::max(evaluation.cost, thin_cost(displacement_sq, face_area_.now(complex_.n_faces())));
-}
-
-PlacedQuadric MemorylessCost::merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) {
-  has_planes_of_faces_[pair.a] = has_planes_of_faces_[pair.b] = has_ring_;
-  if (has_ring_) {
+void MemorylessCost::merge(ContractionProfile& profile, const PairEvaluation& ranked, const Change& change) {
+  const auto& [id, a, b] = change.pair;
+  has_planes_of_faces_[a] = has_planes_of_faces_[b] = profile.has_ring;
+  if (profile.has_ring) {
+    MergedRing& ring = profile.ring;
+    if (ring.moved_to() != change.position) ring.move_to(change.position, options_);
     Quadric quadric;
-    quadric.a = ring_.planes();
-    change_neighbours_on_ring();
-    return {evaluation.position, quadric};
+    quadric.a = ring.planes();
+    ranks_.quadrics().merge(change, quadric);
+    change_ring(ring);
+    return;
   }
-  if (star.is_joint) {
-    remember_around(star);
+  if (profile.is_joint) {
+    remember_around(profile);
   } else {
-    change_neighbours(pair, evaluation.position, star);
+    change_neighbours(profile, change);
   }
-  return quadric_cost_.merge(pair, evaluation, star);
+  ranks_.merge(profile, ranked, change);
 }
 
-/// \pre the ring has been moved
-void MemorylessCost::change_neighbours_on_ring() {
-  for (std::size_t i = 0; i < ring_.size(); ++i) {
-    const Index neighbour = ring_.vertex(i);
-    if (has_planes_of_faces_[neighbour]) complex_.change_planes(neighbour, ring_.change(i));
+/// Of a neighbour of the merged vertex.
+void MemorylessCost::change_planes(Index v, const SymmetricMatrix& change) {
+  ranks_.quadrics().change_planes(v, change);
+  complex_.note_change(v);
+}
+
+void MemorylessCost::change_ring(const MergedRing& ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Index neighbour = ring.vertex(i);
+    if (has_planes_of_faces_[neighbour]) change_planes(neighbour, ring.change(i));
   }
 }
 
 /// For a merged vertex without a ring. Each neighbour that is changed has two faces at it, and the order of two doesn't
 /// matter; what vanishes comes last.
-void MemorylessCost::change_neighbours(const Pair& pair, const Vec3& position, const PairStar& star) {
+void MemorylessCost::change_neighbours(const ContractionProfile& profile, const Change& change) {
   changes_.clear();
   const auto add = [this](Index v, const SymmetricMatrix& planes) {
     if (has_planes_of_faces_[v]) changes_.push_back({v, planes});
   };
-  for (const auto& [wings, end] : {std::pair(star.first, pair.a), std::pair(star.second, pair.b)}) {
-    for (std::size_t i = 0; i < wings.size(); ++i) {
-      const Vec3& x = complex_.position(wings[i].x);
-      const Vec3& y = complex_.position(wings[i].y);
-      SymmetricMatrix change = corner_quadric(position, x, y, options_);
-      change -= corner_quadric(complex_.position(end), x, y, options_);
-      add(wings[i].x, change);
-      add(wings[i].y, change);
+  for (const auto& [faces, end] :
+       {std::pair(profile.first, change.before[0]), std::pair(profile.second, change.before[1])}) {
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const Vec3& x = complex_.position(faces[i].x);
+      const Vec3& y = complex_.position(faces[i].y);
+      SymmetricMatrix planes = corner_quadric(change.position, x, y, options_);
+      planes -= corner_quadric(end, x, y, options_);
+      add(faces[i].x, planes);
+      add(faces[i].y, planes);
     }
   }
-  for (const PairStar::Opposite& opposite : star.opposites) {
-    SymmetricMatrix change;
-    change -= corner_quadric(complex_.position(pair.a), complex_.position(pair.b), complex_.position(opposite.vertex),
-                             options_);
-    add(opposite.vertex, change);
+  for (const ContractionProfile::Common& opposite : profile.opposites) {
+    SymmetricMatrix planes;
+    planes -= corner_quadric(change.before[0], change.before[1], complex_.position(opposite.vertex), options_);
+    add(opposite.vertex, planes);
   }
   std::stable_sort(changes_.begin(), changes_.end(),
-                   [](const Change& x, const Change& y) { return x.vertex < y.vertex; });
-  for (auto change = changes_.begin(); change != changes_.end();) {
-    const Index neighbour = change->vertex;
+                   [](const PlaneChange& x, const PlaneChange& y) { return x.vertex < y.vertex; });
+  for (auto next = changes_.begin(); next != changes_.end();) {
+    const Index neighbour = next->vertex;
     SymmetricMatrix sum;
-    for (; change != changes_.end() && change->vertex == neighbour; ++change) sum += change->planes;
-    complex_.change_planes(neighbour, sum);
+    for (; next != changes_.end() && next->vertex == neighbour; ++next) sum += next->planes;
+    change_planes(neighbour, sum);
   }
 }
 
-/// Their faces hang together in another way now.
-void MemorylessCost::remember_around(const PairStar& star) {
-  for (const Wings& wings : {star.first, star.second}) {
-    for (const Spoke& spoke : wings.spokes()) has_planes_of_faces_[spoke.vertex] = false;
+/// After a joint the faces at these vertices hang together in another way.
+void MemorylessCost::remember_around(const ContractionProfile& profile) {
+  for (const StarFaces& faces : {profile.first, profile.second}) {
+    for (const Neighbour& neighbour : faces.neighbours()) has_planes_of_faces_[neighbour.vertex] = false;
   }
-  for (const PairStar::Opposite& opposite : star.opposites) has_planes_of_faces_[opposite.vertex] = false;
-  for (const auto& [x, y] : star.joint.coincident) has_planes_of_faces_[x] = has_planes_of_faces_[y] = false;
+  for (const ContractionProfile::Common& opposite : profile.opposites) has_planes_of_faces_[opposite.vertex] = false;
+  for (const auto& [x, y] : profile.joint.coincident) has_planes_of_faces_[x] = has_planes_of_faces_[y] = false;
 }
 
 }  // namespace whittle

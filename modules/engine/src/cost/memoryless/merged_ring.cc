@@ -4,7 +4,6 @@
 #include <cstring>
 #include <limits>
 
-#include "complex/triangle_complex.hh"
 #include "whittle/core/geometry/nearest_on_triangle.hh"
 
 namespace whittle {
@@ -123,10 +122,11 @@ struct MergedRing::Kernels {
                     std::max(std::max(farthest_sq[0], farthest_sq[1]), std::max(farthest_sq[2], farthest_sq[3]))};
   }
 
-  [[gnu::always_inline]] bool move_to(const Vec3& to, const FlipLimit& limit, const QuadricOptions& options) const {
+  [[gnu::always_inline]] void move_to(const Vec3& to, const QuadricOptions& options) const {
     const PointLanes<Double4> apex = everywhere(to);
     SymmetricLanes<Double4> all;
-    auto turned = Double4{} > Double4{};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Double4 least_cosine = Double4{} + infinity;
     for (std::size_t i = 0; i < ring.size(); i += at_once) {
       const PointLanes<Double4> x = neighbours_from(i);
       const PointLanes<Double4> y = neighbours_from(i + 1);
@@ -134,9 +134,10 @@ struct MergedRing::Kernels {
       const FacePlanes<Double4> planes = face_planes(normal);
       const FourFaces& faces = ring.faces_[i / at_once];
       const FacePlanes<Double4> planes_before{load(faces.normal), load(faces.length)};
-      const auto turns = planes.normal.dot(planes_before.normal) < limit.least_cosine();
       const auto keeps_area = FlipLimit::has_area(normal.dot(normal), x - apex, y - x);
-      turned |= (load(faces.had_area) > 0) & (turns | (keeps_area == 0));
+      const Double4 cosine = keeps_area ? planes.normal.dot(planes_before.normal) : Double4{} - infinity;
+      const Double4 flip = load(faces.had_area) > 0 ? cosine : Double4{} + infinity;
+      least_cosine = flip < least_cosine ? flip : least_cosine;
       const SymmetricLanes<Double4> after = plane_quadric(planes.normal, 0.5 * planes.length, options);
       const SymmetricLanes<Double4> before = plane_quadric(planes_before.normal, 0.5 * planes_before.length, options);
       all += after;
@@ -148,36 +149,23 @@ struct MergedRing::Kernels {
         plane_quadric(load(ring.common_.normal), 0.5 * load(ring.common_.length), options);
     store_transposed(vanishing, &ring.vanished_[0].planes.xx);
     ring.planes_ = {sum(all.xx), sum(all.xy), sum(all.xz), sum(all.yy), sum(all.yz), sum(all.zz)};
-    return any(turned != 0);
+    ring.least_cosine_ =
+        std::min(std::min(least_cosine[0], least_cosine[1]), std::min(least_cosine[2], least_cosine[3]));
   }
 
   WHITTLE_DOUBLE4 void look_at_faces_in_wide_registers() const { look_at_faces(); }
-  WHITTLE_DOUBLE4 bool move_to_in_wide_registers(const Vec3& to, const FlipLimit& limit,
-                                                 const QuadricOptions& options) const {
-    return move_to(to, limit, options);
+  WHITTLE_DOUBLE4 void move_to_in_wide_registers(const Vec3& to, const QuadricOptions& options) const {
+    move_to(to, options);
   }
 };
-
-void MergedRing::assign(const TriangleComplex& complex, const Pair& pair, const PairStar& star, const Vec3& origin) {
-  const std::span<const Spoke> first = star.first.spokes();
-  const std::span<const Spoke> others = star.second.spokes().subspan(1, star.second.size() - 1);
-  n_first_ = first.size() - 1;
-  first_ = complex.position(pair.a) - origin;
-  second_ = complex.position(pair.b) - origin;
-  vertices_.resize(first.size() + others.size());
-  const auto vertex_of = [](const Spoke& spoke) { return spoke.vertex; };
-  std::transform(others.begin(), others.end(), std::transform(first.begin(), first.end(), vertices_.begin(), vertex_of),
-                 vertex_of);
-  load_neighbours(origin, [&complex](Index v) -> const Vec3& { return complex.position(v); });
-  look_at_faces();
-}
 
 void MergedRing::look_at_faces() {
   const Kernels kernels{*this};
   has_double4 ? kernels.look_at_faces_in_wide_registers() : kernels.look_at_faces();
 }
 
-double MergedRing::displacement_sq(const Vec3& apex) const {
+double MergedRing::displacement_sq(const Vec3& position) const {
+  const Vec3 apex = position - origin_;
   struct Nearest {
     Vec3 point;
     double distance_sq = std::numeric_limits<double>::infinity();
@@ -200,9 +188,11 @@ double MergedRing::displacement_sq(const Vec3& apex) const {
   return std::max({from_first.distance_sq, from_second.distance_sq, from_apex.distance_sq});
 }
 
-bool MergedRing::move_to(const Vec3& apex, const FlipLimit& limit, const QuadricOptions& options) {
+void MergedRing::move_to(const Vec3& position, const QuadricOptions& options) {
+  moved_to_ = position;
+  const Vec3 apex = position - origin_;
   const Kernels kernels{*this};
-  return has_double4 ? kernels.move_to_in_wide_registers(apex, limit, options) : kernels.move_to(apex, limit, options);
+  has_double4 ? kernels.move_to_in_wide_registers(apex, options) : kernels.move_to(apex, options);
 }
 
 }  // namespace whittle

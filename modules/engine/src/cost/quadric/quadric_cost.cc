@@ -7,31 +7,31 @@
 
 namespace whittle {
 
-void QuadricCost::evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const {
+void QuadricCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
   if (options_.placement == Placement::optimal && !restraints_.any()) {
     const auto is_edge = [this](const Pair& pair) { return !complex_.is_threshold_pair(pair.id); };
     const auto n_edges =
         static_cast<std::size_t>(std::partition_point(pairs.begin(), pairs.end(), is_edge) - pairs.begin());
-    find_minima(complex_, pairs.first(n_edges), evaluations, first_area_);
-    find_minima(complex_, pairs.subspan(n_edges), evaluations.subspan(n_edges), first_area_);
+    find_minima(quadrics_, Points::without, pairs.first(n_edges), ranks, first_area_);
+    find_minima(quadrics_, Points::with, pairs.subspan(n_edges), ranks.subspan(n_edges), first_area_);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (!evaluations[i].is_minimum) evaluations[i] = evaluate_one(pairs[i]);
+      if (!ranks[i].is_minimum) ranks[i] = rank_one(pairs[i]);
     }
   } else {
-    std::transform(pairs.begin(), pairs.end(), evaluations.begin(),
-                   [this](const Pair& pair) { return evaluate_one(pair); });
+    std::transform(pairs.begin(), pairs.end(), ranks.begin(), [this](const Pair& pair) { return rank_one(pair); });
   }
 }
 
 /// One end of a pair, as the pair's cost sees it.
-PlacedQuadric QuadricCost::placed(const Pair& pair, Index v) const {
-  return complex_.is_threshold_pair(pair.id) ? complex_.placed_with_points(v) : complex_.placed(v);
+PlacedQuadric QuadricCost::placed(const Pair& pair, Index v, const Vec3& position) const {
+  const PlacedQuadric placed = quadrics_.placed(v, position);
+  return complex_.is_threshold_pair(pair.id) ? quadrics_.with_points(v, placed) : placed;
 }
 
-PairEvaluation QuadricCost::evaluate_one(const Pair& pair) const {
+PairEvaluation QuadricCost::rank_one(const Pair& pair) const {
   const Pinned pinned = restraints_.pinned(pair).value_or(Pinned::first);
-  const PlacedQuadric first = placed(pair, pair.a);
-  const PlacedQuadric second = placed(pair, pair.b);
+  const PlacedQuadric first = placed(pair, pair.a, complex_.position(pair.a));
+  const PlacedQuadric second = placed(pair, pair.b, complex_.position(pair.b));
   PairEvaluation evaluation = evaluate_pair(first, second, options_.placement, pinned);
   if (!first_area_) return evaluation;
   const double factor = memoryless_factor(first.quadric.a.trace() + second.quadric.a.trace(), *first_area_);
@@ -40,8 +40,11 @@ PairEvaluation QuadricCost::evaluate_one(const Pair& pair) const {
   return evaluation;
 }
 
-PlacedQuadric QuadricCost::merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar&) {
-  return whittle::merged(placed(pair, pair.a), placed(pair, pair.b), evaluation.position, evaluation.is_minimum);
+void QuadricCost::merge(ContractionProfile& /*profile*/, const PairEvaluation& ranked, const Change& change) {
+  const PlacedQuadric sum =
+      merged(placed(change.pair, change.pair.a, change.before[0]), placed(change.pair, change.pair.b, change.before[1]),
+             change.position, ranked.is_minimum);
+  quadrics_.merge(change, sum.quadric);
 }
 
 }  // namespace whittle

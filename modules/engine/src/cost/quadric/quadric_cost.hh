@@ -1,32 +1,47 @@
 #pragma once
 
+#include <optional>
+
 #include "cost/pair_cost.hh"
+#include "cost/quadric/vertex_quadrics.hh"
 #include "guard/restraints.hh"
 
 namespace whittle {
 
-/// Garland–Heckbert (quadric_term.hh). Where the minimum of a pair is wanted and to be had, as it mostly is, several
-/// pairs at once.
+/// Garland–Heckbert (quadric_term.hh). Where the minimum of a pair is wanted and exists, as is mostly so, several pairs
+/// are ranked at once.
 class QuadricCost final : public PairCost {
  public:
-  /// \param first_area if given, costs are those of memoryless quadrics (memoryless_term.hh)
   QuadricCost(const TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options,
-              std::optional<double> first_area = std::nullopt)
-      : complex_(complex), restraints_(restraints), options_(options), first_area_(first_area) {}
+              bool has_threshold_pairs)
+      : complex_(complex),
+        restraints_(restraints),
+        options_(options),
+        quadrics_(complex, options, has_threshold_pairs) {}
 
-  using PairCost::evaluate;
-  void evaluate(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const override;
-  PlacedQuadric merge(const Pair& pair, const PairEvaluation& evaluation, const PairStar& star) override;
-  double dimension() const override { return first_area_ ? 5 : options_.weights == Weights::uniform ? 2 : 4; }
+  void see_faces(unsigned threads) override { quadrics_.sum_faces(threads); }
+  void start(unsigned /*threads*/) override { quadrics_.add_borders(); }
+
+  using PairCost::rank;
+  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;
+  void merge(ContractionProfile& profile, const PairEvaluation& ranked, const Change& change) override;
+  PlacedQuadric quadric(Index v) const override { return quadrics_.placed(v); }
+  VertexState vertex_state() const override { return quadrics_.state(); }
   Reach reach() const override { return Reach::none; }
 
+  VertexQuadrics& quadrics() { return quadrics_; }
+  const VertexQuadrics& quadrics() const { return quadrics_; }
+  /// From now on costs are those of memoryless quadrics (memoryless_term.hh). \param first_area a₀
+  void multiply_by_memoryless_factor(double first_area) { first_area_ = first_area; }
+
  private:
-  PlacedQuadric placed(const Pair& pair, Index v) const;
-  PairEvaluation evaluate_one(const Pair& pair) const;
+  PlacedQuadric placed(const Pair& pair, Index v, const Vec3& position) const;
+  PairEvaluation rank_one(const Pair& pair) const;
 
   const TriangleComplex& complex_;
   const Restraints& restraints_;
   QuadricOptions options_;
+  VertexQuadrics quadrics_;
   std::optional<double> first_area_;
 };
 

@@ -309,9 +309,9 @@ void MeshContractionLoopT<MeshT>::find_affected(VertexHandle survivor, const std
   };
   add_edges_at(survivor, false);
   add_edges_around(survivor, reach < Reach::ring);
-  if (reach == Reach::wings || !decimater_.foreign_guards_.empty()) {
+  if (reach == Reach::opposite_rings || !decimater_.foreign_guards_.empty()) {
     for (const VertexHandle wing : wings) {
-      if (wing.is_valid()) add_edges_around(wing, reach < Reach::wings);
+      if (wing.is_valid()) add_edges_around(wing, reach < Reach::opposite_rings);
     }
   }
   std::sort(affected_.begin(), affected_.end());

@@ -81,7 +81,6 @@ class ModMemorylessT : public QuadricModuleT<MeshT> {
   SymmetricMatrix& change_at(VertexHandle v);
 
   // The ring of the pair last looked at; scratch.
-  mutable std::vector<Index> around_;
   mutable MergedRing ring_;
   std::vector<Change> changes_;  ///< at neighbours that don't remember, by the collapse under way
   MeanFaceArea face_area_;       ///< in the module's frame

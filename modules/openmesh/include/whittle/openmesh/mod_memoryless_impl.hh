@@ -81,7 +81,7 @@ double ModMemorylessT<MeshT>::final_cost(OpenMesh::VertexHandle first, OpenMesh:
   if (!forgets(first, second)) return evaluation.cost;
   find_ring(first, second, evaluation.position);
   if (!ring_.volume().is_thin()) return evaluation.cost;
-  const double displacement_sq = ring_.displacement_sq(position - evaluation.position);
+  const double displacement_sq = ring_.displacement_sq(position);
   return std::max(evaluation.cost, thin_cost(displacement_sq, face_area_.now(n_faces_)));
 }
 
@@ -89,20 +89,21 @@ double ModMemorylessT<MeshT>::final_cost(OpenMesh::VertexHandle first, OpenMesh:
 template <class MeshT>
 void ModMemorylessT<MeshT>::find_ring(VertexHandle first, VertexHandle second, const Vec3& origin) const {
   const MeshT& mesh = surface();
+  std::vector<Index>& around = ring_.around();
   const auto index = [](VertexHandle v) { return static_cast<Index>(v.idx()); };
   const auto add_neighbours_after = [&](OpenMesh::HalfedgeHandle start) {
     OpenMesh::HalfedgeHandle h = mesh.ccw_rotated_halfedge_handle(start);
-    for (; h != start; h = mesh.ccw_rotated_halfedge_handle(h)) around_.push_back(index(mesh.to_vertex_handle(h)));
+    for (; h != start; h = mesh.ccw_rotated_halfedge_handle(h)) around.push_back(index(mesh.to_vertex_handle(h)));
   };
-  around_.clear();
+  around.clear();
   const OpenMesh::HalfedgeHandle edge = mesh.find_halfedge(first, second);
   add_neighbours_after(edge);
-  const std::size_t n_first = around_.size() - 1;
-  around_.pop_back();  // the corner right of the edge: the next ones begin with it
+  const std::size_t n_first = around.size() - 1;
+  around.pop_back();  // the corner right of the edge: the next ones begin with it
   add_neighbours_after(mesh.opposite_halfedge_handle(edge));
-  around_.pop_back();  // the corner left of it
-  ring_.assign({index(first), index(second), around_, n_first}, origin,
-               [this](Index v) -> const Vec3& { return placed(VertexHandle(static_cast<int>(v))).position; });
+  around.pop_back();  // the corner left of it
+  ring_.look(placed(first).position, placed(second).position, n_first, origin,
+             [this](Index v) -> const Vec3& { return placed(VertexHandle(static_cast<int>(v))).position; });
 }
 
 /// Two vertices inside lose their memory; any other pair keeps it.
@@ -116,7 +117,7 @@ PlacedQuadric ModMemorylessT<MeshT>::merge(VertexHandle first, VertexHandle seco
   }
   find_ring(first, second, evaluation.position);
   Quadric quadric;
-  ring_.move_to(position - evaluation.position, FlipLimit(180), active());  // how faces turn, modules ask elsewhere
+  ring_.move_to(position, active());
   quadric.a = ring_.planes();
   for (std::size_t i = 0; i < ring_.size(); ++i) {
     const VertexHandle v(static_cast<int>(ring_.vertex(i)));

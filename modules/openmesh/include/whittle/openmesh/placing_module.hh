@@ -59,7 +59,7 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   const Frame& frame() const override { return frame_; }
   /// As set, times the error tolerance factor of the decimater.
   std::optional<double> max_cost() const override;
-  Reach reach() const override { return active_valence_weight_ > 0 ? Reach::wings : plain_reach(); }
+  Reach reach() const override { return active_valence_weight_ > 0 ? Reach::opposite_rings : plain_reach(); }
   Vec3 position(OpenMesh::VertexHandle v) const override { return placed(v).position; }
   PairEvaluation evaluate(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second, Pinned pinned) const override;
   PairEvaluation evaluate(const CollapseInfo& collapse) const override;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 #include <vector>
 
 #include "whittle/core/detail/lanes.hh"
@@ -11,35 +10,34 @@
 
 namespace whittle {
 
-struct Pair;
-struct PairStar;
-class TriangleComplex;
-
-/// The neighbours of both ends of an inner edge, once around: the ring that the merged vertex will have. Each two in
-/// succession, the last and the first too, are the other corners of a face at one of the ends.
+/// The neighbours of both ends of an inner edge, once around: the ring that the merged vertex will have. Two that
+/// follow each other, the last and the first too, are the other corners of a face at one of the ends.
+///
+///          v0 --- v4          a, b: the ends; v0 lies left of the edge a b, v2 right of it
+///        / | \   / |          v0 v1 v2: neighbours of a, `n_first` = 2 faces
+///      v1--a-----b--v3        v2 v3 v4 v0: neighbours of b
+///        \ | /   \ |
+///          v2 --- v3
 ///
 /// A sum over these faces is that of four sums, each over every fourth face, from the first end's on: the same on all
 /// processors.
 class MergedRing {
  public:
-  /// An inner edge and the vertices around it.
-  struct Edge {
-    Index first, second;            ///< its ends
-    std::span<const Index> around;  ///< counter-clockwise from the corner left of the edge on: the first end's other
-                                    ///< neighbours, then the second end's but for the two corners opposite the edge
-    std::size_t n_first;            ///< faces at the first end alone: the place of the corner right of the edge
-  };
+  /// To be filled before `look`: counter-clockwise, from the vertex left of the edge on, the first end's other
+  /// neighbours, then the second end's, without the two opposite vertices.
+  std::vector<Index>& around() { return vertices_; }
 
-  /// \param star of the pair, as gathered \pre both ends have rings
-  /// \param origin what everything here is seen from
-  void assign(const TriangleComplex& complex, const Pair& pair, const PairStar& star, const Vec3& origin);
+  /// Looks at the faces as they are. \pre `around` is filled
+  /// \param first, second positions of the ends \param n_first number of faces at the first end alone: the slot of the
+  ///        vertex right of the edge \param origin all numbers in here are relative to it
   /// \param position_of vertex number → Vec3
   template <class PositionOf>
-  void assign(const Edge& edge, const Vec3& origin, const PositionOf& position_of) {
-    vertices_.assign(edge.around.begin(), edge.around.end());
-    n_first_ = edge.n_first;
-    first_ = position_of(edge.first) - origin;
-    second_ = position_of(edge.second) - origin;
+  void look(const Vec3& first, const Vec3& second, std::size_t n_first, const Vec3& origin,
+            const PositionOf& position_of) {
+    n_first_ = n_first;
+    origin_ = origin;
+    first_ = first - origin;
+    second_ = second - origin;
     load_neighbours(origin, position_of);
     look_at_faces();
   }
@@ -50,14 +48,17 @@ class MergedRing {
   /// Of the faces as they are, those of both ends included.
   const StarVolume& volume() const { return volume_; }
 
-  /// How far the faces, and those with the merged vertex at `apex`, are from each other, about: the farthest that an
-  /// end is from these, or `apex` from those.
-  double displacement_sq(const Vec3& apex) const;
+  /// About how far the faces, and those with the merged vertex at `position`, are from each other: the farthest that an
+  /// end is from these, or `position` from those.
+  double displacement_sq(const Vec3& position) const;
 
-  /// Looks at the faces as they would be with the merged vertex at `apex`. \return whether one turns too far
-  /// \pre planes have weights by area
-  bool move_to(const Vec3& apex, const FlipLimit& limit, const QuadricOptions& options);
-  /// The sum of their planes then.
+  /// Looks at the faces as they would be with the merged vertex at `position`. \pre planes have weights by area
+  void move_to(const Vec3& position, const QuadricOptions& options);
+  /// Where they have been looked at. \pre `move_to` was called since `look`
+  const Vec3& moved_to() const { return moved_to_; }
+  /// Least cosine between a face's normals before and after: −∞ where one loses its area, ∞ if none had one.
+  double least_cosine() const { return least_cosine_; }
+  /// The sum of the faces' planes after.
   const SymmetricMatrix& planes() const { return planes_; }
   /// By how much that changes the planes at the i-th neighbour.
   SymmetricMatrix change(std::size_t i) const {
@@ -90,12 +91,15 @@ class MergedRing {
   Vec3 neighbour(std::size_t i) const { return {neighbours_[0][i], neighbours_[1][i], neighbours_[2][i]}; }
 
   std::vector<Index> vertices_;
-  std::size_t n_first_ = 0;       ///< faces at the first end alone; the opposite corners are at places 0 and this
+  std::size_t n_first_ = 0;  ///< faces at the first end alone; the opposite corners are at places 0 and this
+  Vec3 origin_;
   Vec3 first_, second_;           ///< the ends
   Columns neighbours_;            ///< the first one again at the end, and some more for lanes to load
   std::vector<FourFaces> faces_;  ///< at one end, as they are
   FourFaces common_;              ///< the two at both, and two without area
   StarVolume volume_;
+  Vec3 moved_to_;
+  double least_cosine_ = 0;
   SymmetricMatrix planes_;
   std::vector<Change> changes_;     ///< what the faces' planes gain and lose
   std::array<Change, 4> vanished_;  ///< of the two faces at both ends, and of two without area

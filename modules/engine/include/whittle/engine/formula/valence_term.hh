@@ -8,7 +8,7 @@
 //   cost · (1 + W Δ) where a contraction adds to the irregularity, cost / (1 − W Δ) where it takes away from it
 //
 // Δ is the change in the sum of the irregularities max(0, |n − r| − 1) of the vertices that change: the pair, which
-// becomes one vertex, and the corners of the faces that vanish (the wings), which lose an edge each. r = 6, on a border
+// becomes one vertex, and the corners of the faces that vanish (the faces), which lose an edge each. r = 6, on a border
 // 4; so 5 to 7 are as good as 6. Where a vertex inside the surface would be left with three edges, that comes after all
 // others: cost → (cost + 1) · 2²⁰.
 //

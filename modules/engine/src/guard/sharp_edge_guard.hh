@@ -3,21 +3,22 @@
 #include <vector>
 
 #include "complex/triangle_complex.hh"
+#include "guard/guard.hh"
 #include "guard/restraints.hh"
 
 namespace whittle {
 
-/// Keeps feature lines visible and the rest smooth: an edge of two faces is sharp where their normals differ by more
-/// than an angle, and sharp edges are to be feature edges.
-class SharpEdges {
+/// Keeps feature lines visible and the rest smooth. An edge of two faces is sharp if their normals differ by more than
+/// an angle. Feature edges stay sharp, and no other edge becomes sharp.
+class SharpEdgeGuard final : public Guard {
  public:
-  /// \param angle_deg (0, 180]; 180 = off
-  SharpEdges(TriangleComplex& complex, const Restraints& restraints, double angle_deg);
+  /// \param angle_deg (0, 180)
+  SharpEdgeGuard(TriangleComplex& complex, const Restraints& restraints, double angle_deg);
 
-  bool is_on() const { return is_on_; }
-
-  /// Whether contracting the pair would make an edge sharp that is no feature, or blunt a feature edge that is sharp.
-  bool would_change(const Pair& pair, const PairStar& star, const Vec3& position);
+  std::uint64_t Rejections::*reason() const override { return &Rejections::feature; }
+  /// Whether the contraction would make an edge sharp that is no feature, or blunt a feature edge that is sharp.
+  bool refuses_at(ContractionProfile& profile, const Vec3& position) override;
+  int n_rings() const override { return 2; }
 
  private:
   /// A face at the merged vertex by its other corners, in its order.
@@ -31,8 +32,8 @@ class SharpEdges {
     bool is_sharp = false;
   };
 
-  void list_faces(const PairStar& star, const Vec3& position);
-  bool would_change_spoke(const Pair& pair, Index x);
+  void list_faces(const ContractionProfile& profile, const Vec3& position);
+  bool would_change_edge(const Pair& pair, Index x);
   bool would_change_link(const Pair& pair, const Face& face);
   bool is_sharp(const Vec3& normal, const Vec3& other) const;
   Edge look_at(Index v, Index w);
@@ -40,7 +41,6 @@ class SharpEdges {
 
   TriangleComplex& complex_;
   const Restraints& restraints_;
-  bool is_on_;
   double least_cosine_;
   std::vector<Face> faces_;    ///< scratch: of the merged vertex
   std::vector<Face> at_edge_;  ///< scratch: of an edge, x its second end, or y

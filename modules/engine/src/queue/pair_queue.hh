@@ -6,32 +6,32 @@
 
 namespace whittle {
 
-/// A pair whose turn it is, and what it would cost now.
-struct Turn {
+/// A pair whose turn has come, with its rank as it is now.
+struct RankedPair {
   Pair pair;
-  PairEvaluation evaluation;
+  PairEvaluation rank;
 };
 
-/// The order in which pairs have their turns: by cost; ties by the lower, then the higher original vertex number.
-class PairOrder {
+/// The queue of pairs: by cost; ties by the lower, then the higher original vertex number.
+class PairQueue {
  public:
-  virtual ~PairOrder() = default;
+  virtual ~PairQueue() = default;
 
   /// Takes the next pair out; nullopt when there is none.
-  virtual std::optional<Turn> next() = 0;
+  virtual std::optional<RankedPair> next() = 0;
 
-  /// Puts in a pair that has been taken out, or was never in. The lower original vertex first.
+  /// Puts in a pair that has been taken out, or was never in. The lower original vertex comes first.
   virtual void add(const Pair& pair) = 0;
 
-  /// Puts the pair just taken out in again under a higher cost, unless that is no more than what others cost whose turn
-  /// it is: then false.
+  /// Puts the pair just taken out in again under a higher cost. False if others whose turn it is cost no less: then the
+  /// pair stays out.
   virtual bool postpone(const Pair& pair, double cost) = 0;
 
-  /// Told after each contraction. \param changed as `PairCost::note_contraction`
-  virtual void note_contraction(Index survivor, Index removed, std::span<const Index> changed) = 0;
+  /// Told after each contraction, and after the cost.
+  virtual void note(const Change& change) = 0;
 };
 
-/// One of the queued, under a cost it had.
+/// A queued pair, under a cost that it had.
 struct Candidate {
   double cost;
   std::uint64_t tie;  ///< the lower, then the higher original number of the two vertices

@@ -7,7 +7,7 @@
 
 #include "pairs/threshold_pair_sieve.hh"
 #include "queue/bucket_queue.hh"
-#include "queue/pair_order.hh"
+#include "queue/pair_queue.hh"
 #include "queue/waiting_pairs.hh"
 #include "whittle/core/detail/thread_pool.hh"
 
@@ -21,14 +21,14 @@ namespace whittle {
 ///
 /// With a cost that has no such bound the order is approximate: a pair that a contraction nearby has made cheaper is
 /// noticed only at the place it had.
-class LazyOrder final : public PairOrder {
+class LazyQueue final : public PairQueue {
  public:
-  LazyOrder(TriangleComplex& complex, const PairCost& cost, ThresholdPairSieve& sieve, unsigned threads);
+  LazyQueue(TriangleComplex& complex, const PairCost& cost, ThresholdPairSieve& sieve, unsigned threads);
 
-  std::optional<Turn> next() override;
+  std::optional<RankedPair> next() override;
   void add(const Pair& pair) override;
   bool postpone(const Pair& pair, double cost) override;
-  void note_contraction(Index survivor, Index removed, std::span<const Index> changed) override;
+  void note(const Change& change) override;
 
  private:
   static constexpr std::size_t pairs_per_parcel = 64;
@@ -48,7 +48,7 @@ class LazyOrder final : public PairOrder {
 
   void fill_queue(unsigned threads);
   std::optional<Candidate> next_candidate();
-  std::optional<Turn> turn_of(const Candidate& then);
+  std::optional<RankedPair> turn_of(const Candidate& then);
   void open_bucket();
   void drop_duplicates();
   void evaluate_members();

@@ -1,4 +1,4 @@
-#include "guard/sharp_edges.hh"
+#include "guard/sharp_edge_guard.hh"
 
 #include <algorithm>
 #include <cmath>
@@ -6,39 +6,36 @@
 
 namespace whittle {
 
-SharpEdges::SharpEdges(TriangleComplex& complex, const Restraints& restraints, double angle_deg)
-    : complex_(complex),
-      restraints_(restraints),
-      is_on_(angle_deg < 180),
-      least_cosine_(std::cos(angle_deg * std::numbers::pi / 180)) {}
+SharpEdgeGuard::SharpEdgeGuard(TriangleComplex& complex, const Restraints& restraints, double angle_deg)
+    : complex_(complex), restraints_(restraints), least_cosine_(std::cos(angle_deg * std::numbers::pi / 180)) {}
 
-bool SharpEdges::would_change(const Pair& pair, const PairStar& star, const Vec3& position) {
-  if (!is_on_) return false;
-  list_faces(star, position);
+bool SharpEdgeGuard::refuses_at(ContractionProfile& profile, const Vec3& position) {
+  const Pair& pair = profile.pair;
+  list_faces(profile, position);
   seen_.clear();
   for (const Face& face : faces_) {
     for (const Index x : {face.x, face.y}) {
       if (std::find(seen_.begin(), seen_.end(), x) != seen_.end()) continue;
       seen_.push_back(x);
-      if (would_change_spoke(pair, x)) return true;
+      if (would_change_edge(pair, x)) return true;
     }
     if (would_change_link(pair, face)) return true;
   }
   return false;
 }
 
-void SharpEdges::list_faces(const PairStar& star, const Vec3& position) {
+void SharpEdgeGuard::list_faces(const ContractionProfile& profile, const Vec3& position) {
   faces_.clear();
-  for (const Wings& wings : {star.first, star.second}) {
-    for (std::size_t i = 0; i < wings.size(); ++i) {
-      const auto [x, y] = wings[i];
+  for (const StarFaces& faces : {profile.first, profile.second}) {
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const auto [x, y] = faces[i];
       faces_.push_back({x, y, (complex_.position(x) - position).cross(complex_.position(y) - position)});
     }
   }
 }
 
 /// The edge from the merged vertex to x.
-bool SharpEdges::would_change_spoke(const Pair& pair, Index x) {
+bool SharpEdgeGuard::would_change_edge(const Pair& pair, Index x) {
   const auto is_at_x = [x](const Face& face) { return face.x == x || face.y == x; };
   if (std::count_if(faces_.begin(), faces_.end(), is_at_x) != 2) return false;
   const auto first = std::find_if(faces_.begin(), faces_.end(), is_at_x);
@@ -54,7 +51,7 @@ bool SharpEdges::would_change_spoke(const Pair& pair, Index x) {
 }
 
 /// The edge of the face opposite to the merged vertex.
-bool SharpEdges::would_change_link(const Pair& pair, const Face& face) {
+bool SharpEdgeGuard::would_change_link(const Pair& pair, const Face& face) {
   const Edge before = look_at(face.x, face.y);
   if (!before.is_regular) return false;
   const auto is_beyond = [&](const Face& other) {
@@ -68,14 +65,14 @@ bool SharpEdges::would_change_link(const Pair& pair, const Face& face) {
   return is_sharp_after != before.is_sharp && is_sharp_after != is_feature(face.x, face.y);
 }
 
-bool SharpEdges::is_sharp(const Vec3& normal, const Vec3& other) const {
+bool SharpEdgeGuard::is_sharp(const Vec3& normal, const Vec3& other) const {
   return normal.dot(other) < least_cosine_ * normal.norm() * other.norm();
 }
 
 /// The edge as it is now; its faces as v has them, into `at_edge_`.
-SharpEdges::Edge SharpEdges::look_at(Index v, Index w) {
+SharpEdgeGuard::Edge SharpEdgeGuard::look_at(Index v, Index w) {
   at_edge_.clear();
-  const std::span<const Spoke> pairs = complex_.live_pairs(v);
+  const std::span<const Neighbour> pairs = complex_.live_pairs(v);
   for (std::size_t i = 0; i < pairs.size(); i += 2) {
     const Index x = pairs[i].vertex;
     const Index y = pairs[i + 1].vertex;
@@ -89,10 +86,10 @@ SharpEdges::Edge SharpEdges::look_at(Index v, Index w) {
   return {true, is_sharp(at_edge_[0].normal, is_same_way ? other : Vec3(-other))};
 }
 
-bool SharpEdges::is_feature(Index v, Index w) {
-  const std::span<const Spoke> pairs = complex_.live_pairs(v);
-  const auto spoke = std::find_if(pairs.begin(), pairs.end(), [w](const Spoke& s) { return s.vertex == w; });
-  return spoke != pairs.end() && restraints_.is_feature(complex_.live_edge(spoke->edge));
+bool SharpEdgeGuard::is_feature(Index v, Index w) {
+  const std::span<const Neighbour> pairs = complex_.live_pairs(v);
+  const auto neighbour = std::find_if(pairs.begin(), pairs.end(), [w](const Neighbour& s) { return s.vertex == w; });
+  return neighbour != pairs.end() && restraints_.is_feature(complex_.live_edge(neighbour->edge));
 }
 
 }  // namespace whittle

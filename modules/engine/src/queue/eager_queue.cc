@@ -1,4 +1,4 @@
-#include "queue/eager_order.hh"
+#include "queue/eager_queue.hh"
 
 #include <algorithm>
 
@@ -6,13 +6,13 @@
 
 namespace whittle {
 
-EagerOrder::EagerOrder(TriangleComplex& complex, const PairCost& cost, unsigned threads)
+EagerQueue::EagerQueue(TriangleComplex& complex, const PairCost& cost, unsigned threads)
     : complex_(complex), cost_(cost), last_looked_at_(complex.n_pair_slots()) {
   costs_.resize(complex.n_pair_slots());
   fill_queue(threads);
 }
 
-void EagerOrder::fill_queue(unsigned threads) {
+void EagerQueue::fill_queue(unsigned threads) {
   std::vector<BucketQueue::Bucket> buckets(costs_.size());
   for_each_range(costs_.size(), threads, [&](std::size_t begin, std::size_t end) {
     std::vector<Pair> pairs;
@@ -21,7 +21,7 @@ void EagerOrder::fill_queue(unsigned threads) {
       pairs.push_back(in_order(complex_, {id, a, b}));
     }
     std::vector<PairEvaluation> evaluations(pairs.size());
-    cost_.evaluate(pairs, evaluations);
+    cost_.rank(pairs, evaluations);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       costs_[begin + i] = evaluations[i].cost;
       buckets[begin + i] = BucketQueue::bucket_of(evaluations[i].cost);
@@ -30,16 +30,16 @@ void EagerOrder::fill_queue(unsigned threads) {
   queue_.fill(buckets);
 }
 
-std::optional<Turn> EagerOrder::next() {
+std::optional<RankedPair> EagerQueue::next() {
   const std::optional<Candidate> candidate = next_candidate();
   if (!candidate) return std::nullopt;
   costs_[candidate->pair.id] = out;
   cost_now_ = candidate->cost;
   const Pair pair = pair_now(complex_, candidate->pair.id);
-  return Turn{pair, cost_.evaluate(pair)};
+  return RankedPair{pair, cost_.rank(pair)};
 }
 
-std::optional<Candidate> EagerOrder::next_candidate() {
+std::optional<Candidate> EagerQueue::next_candidate() {
   while (true) {
     while (n_taken_ < batch_.size() && !is_current(batch_[n_taken_])) ++n_taken_;
     while (!late_.empty() && !is_current(late_.top())) late_.pop();
@@ -55,13 +55,13 @@ std::optional<Candidate> EagerOrder::next_candidate() {
   }
 }
 
-bool EagerOrder::is_current(const Candidate& entry) const {
+bool EagerQueue::is_current(const Candidate& entry) const {
   const Index id = entry.pair.id;
   if (!complex_.is_pair_alive(id) || costs_[id] != entry.cost) return false;
   return candidate(complex_, pair_now(complex_, id), entry.cost).tie == entry.tie;
 }
 
-void EagerOrder::open_bucket() {
+void EagerQueue::open_bucket() {
   batch_.clear();
   n_taken_ = 0;
   for (const Index id : members_) {
@@ -72,16 +72,16 @@ void EagerOrder::open_bucket() {
   std::sort(batch_.begin(), batch_.end(), [](const Candidate& x, const Candidate& y) { return is_before(x, y); });
 }
 
-void EagerOrder::add(const Pair& pair) { set_cost(pair, cost_.evaluate(pair).cost); }
+void EagerQueue::add(const Pair& pair) { set_cost(pair, cost_.rank(pair).cost); }
 
-bool EagerOrder::postpone(const Pair& pair, double cost) {
+bool EagerQueue::postpone(const Pair& pair, double cost) {
   if (!(cost > cost_now_)) return false;
   set_cost(pair, cost);
   return true;
 }
 
 /// Puts the pair where its cost says, unless it is there.
-void EagerOrder::set_cost(const Pair& pair, double cost) {
+void EagerQueue::set_cost(const Pair& pair, double cost) {
   const double before = costs_[pair.id];
   costs_[pair.id] = cost;
   const BucketQueue::Bucket bucket = BucketQueue::bucket_of(cost);
@@ -92,21 +92,21 @@ void EagerOrder::set_cost(const Pair& pair, double cost) {
   }
 }
 
-void EagerOrder::note_contraction(Index, Index, std::span<const Index> changed) {
+void EagerQueue::note(const Change& change) {
   pairs_.clear();
-  for (const Index v : changed) collect_pairs_at(v);
+  for (const Index v : change.touched) collect_pairs_at(v);
   evaluations_.resize(pairs_.size());
-  cost_.evaluate(pairs_, evaluations_);
+  cost_.rank(pairs_, evaluations_);
   for (std::size_t i = 0; i < pairs_.size(); ++i) set_cost(pairs_[i], evaluations_[i].cost);
 }
 
-/// Those that are in. \pre v's list is tidy
-void EagerOrder::collect_pairs_at(Index v) {
-  for (const Spoke& spoke : complex_.neighbours(v)) {
-    const Index id = spoke.edge;
+/// Those that are in. \pre v's list is compact
+void EagerQueue::collect_pairs_at(Index v) {
+  for (const Neighbour& neighbour : complex_.neighbours(v)) {
+    const Index id = neighbour.edge;
     if (costs_[id] == out || last_looked_at_[id] == complex_.n_contractions()) continue;
     last_looked_at_[id] = complex_.n_contractions();
-    pairs_.push_back(in_order(complex_, {id, v, spoke.vertex}));
+    pairs_.push_back(in_order(complex_, {id, v, neighbour.vertex}));
   }
 }
 

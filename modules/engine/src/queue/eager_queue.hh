@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "queue/bucket_queue.hh"
-#include "queue/pair_order.hh"
+#include "queue/pair_queue.hh"
 #include "whittle/core/detail/large_array.hh"
 
 namespace whittle {
@@ -14,14 +14,14 @@ namespace whittle {
 ///
 /// A pair that is in has an entry where its cost says: in the queue in that bucket, or, if that is open or past, among
 /// the candidates under exactly that cost. Entries left over from other costs are passed over. Edges only.
-class EagerOrder final : public PairOrder {
+class EagerQueue final : public PairQueue {
  public:
-  EagerOrder(TriangleComplex& complex, const PairCost& cost, unsigned threads);
+  EagerQueue(TriangleComplex& complex, const PairCost& cost, unsigned threads);
 
-  std::optional<Turn> next() override;
+  std::optional<RankedPair> next() override;
   void add(const Pair& pair) override;
   bool postpone(const Pair& pair, double cost) override;
-  void note_contraction(Index survivor, Index removed, std::span<const Index> changed) override;
+  void note(const Change& change) override;
 
  private:
   /// The cost of pairs that are out.

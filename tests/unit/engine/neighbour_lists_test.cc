@@ -1,4 +1,4 @@
-#include "complex/spoke_lists.hh"
+#include "complex/neighbour_lists.hh"
 
 #include <gtest/gtest.h>
 
@@ -10,32 +10,32 @@ namespace whittle::test {
 namespace {
 
 /// Lists come and go; each keeps what was written to it, whatever happens to the others.
-TEST(SpokeLists, KeepListsApart) {
+TEST(NeighbourLists, KeepListsApart) {
   Random random(1);
-  SpokeLists lists(600, 100);
-  std::map<Index, SpokeLists::List> taken;  // by the number written to all their spokes
+  NeighbourLists lists(600, 100);
+  std::map<Index, NeighbourLists::List> taken;  // by the number written to all their neighbours
   for (Index number = 0; number < 5000; ++number) {
     const auto size = static_cast<Index>(random.below(number % 50 == 0 ? 1000 : 20));
-    SpokeLists::List list = lists.allocate(size);
+    NeighbourLists::List list = lists.allocate(size);
     EXPECT_GE(list.capacity, size);
     list.size = list.capacity;  // all the room is its own
-    for (Spoke& spoke : lists.of(list)) spoke = {number, number};
+    for (Neighbour& neighbour : lists.of(list)) neighbour = {number, number};
     taken[number] = list;
     if (taken.size() < 60) continue;
     const auto gone = std::next(taken.begin(), static_cast<std::ptrdiff_t>(random.below(59)));
-    for (const Spoke& spoke : lists.of(gone->second)) {
-      ASSERT_EQ(spoke.vertex, gone->first);
-      ASSERT_EQ(spoke.edge, gone->first);
+    for (const Neighbour& neighbour : lists.of(gone->second)) {
+      ASSERT_EQ(neighbour.vertex, gone->first);
+      ASSERT_EQ(neighbour.edge, gone->first);
     }
     lists.release(gone->second);
     taken.erase(gone);
   }
 }
 
-TEST(SpokeLists, TakeRoomGivenBack) {
-  SpokeLists lists;
-  const SpokeLists::List first = lists.allocate(7);
-  const SpokeLists::List other = lists.allocate(7);
+TEST(NeighbourLists, TakeRoomGivenBack) {
+  NeighbourLists lists;
+  const NeighbourLists::List first = lists.allocate(7);
+  const NeighbourLists::List other = lists.allocate(7);
   lists.release(first);
   EXPECT_EQ(lists.allocate(8).begin, first.begin);  // rounded up to even sizes
   EXPECT_NE(lists.allocate(8).begin, other.begin);

@@ -1,4 +1,4 @@
-#include "queue/lazy_order.hh"
+#include "queue/lazy_queue.hh"
 
 #include <algorithm>
 
@@ -20,7 +20,7 @@ constexpr std::size_t most_placements = 8192;
 
 }  // namespace
 
-LazyOrder::LazyOrder(TriangleComplex& complex, const PairCost& cost, ThresholdPairSieve& sieve, unsigned threads)
+LazyQueue::LazyQueue(TriangleComplex& complex, const PairCost& cost, ThresholdPairSieve& sieve, unsigned threads)
     : complex_(complex),
       cost_(cost),
       sieve_(sieve),
@@ -32,7 +32,7 @@ LazyOrder::LazyOrder(TriangleComplex& complex, const PairCost& cost, ThresholdPa
   fill_queue(threads);
 }
 
-void LazyOrder::fill_queue(unsigned threads) {
+void LazyQueue::fill_queue(unsigned threads) {
   const std::size_t n_pairs = complex_.n_pair_slots();
   std::vector<BucketQueue::Bucket> buckets(n_pairs);
   std::vector<std::uint8_t> is_raised(n_pairs);
@@ -63,37 +63,37 @@ void LazyOrder::fill_queue(unsigned threads) {
 }
 
 /// Puts the pairs in order and evaluates them.
-LazyOrder::Parcel& LazyOrder::evaluate(Parcel& parcel) const {
+LazyQueue::Parcel& LazyQueue::evaluate(Parcel& parcel) const {
   const auto pairs = std::span(parcel.pairs).first(parcel.n);
   for (Pair& pair : pairs) pair = in_order(complex_, pair);
-  cost_.evaluate(pairs, std::span(parcel.evaluations).first(parcel.n));
+  cost_.rank(pairs, std::span(parcel.evaluations).first(parcel.n));
   return parcel;
 }
 
-std::optional<Turn> LazyOrder::next() {
+std::optional<RankedPair> LazyQueue::next() {
   while (const std::optional<Candidate> candidate = next_candidate()) {
-    if (std::optional<Turn> turn = turn_of(*candidate)) return turn;
+    if (std::optional<RankedPair> turn = turn_of(*candidate)) return turn;
   }
   return std::nullopt;
 }
 
 /// What the candidate has become; nullopt if it is a pair no more, or has grown, and been queued again.
-std::optional<Turn> LazyOrder::turn_of(const Candidate& then) {
+std::optional<RankedPair> LazyQueue::turn_of(const Candidate& then) {
   if (!complex_.is_pair_alive(then.pair.id)) return std::nullopt;
   if (is_unchanged(then)) {
     const auto& [bound, position, is_minimum] = placements_[then.placement];
-    return Turn{then.pair, {bound, then.cost, position, is_minimum}};
+    return RankedPair{then.pair, {bound, then.cost, position, is_minimum}};
   }
   const Pair pair = pair_now(complex_, then.pair.id);
-  const PairEvaluation evaluation = cost_.evaluate(pair);
+  const PairEvaluation evaluation = cost_.rank(pair);
   const Candidate now = candidate(complex_, pair, evaluation.cost);
-  if (!is_before(then, now)) return Turn{pair, evaluation};
+  if (!is_before(then, now)) return RankedPair{pair, evaluation};
   note_raised(pair, evaluation);
   enqueue(now);
   return std::nullopt;
 }
 
-std::optional<Candidate> LazyOrder::next_candidate() {
+std::optional<Candidate> LazyQueue::next_candidate() {
   while (true) {
     const bool in_batch = n_taken_ < batch_.size();
     if (in_batch && (late_.empty() || is_before(batch_[n_taken_], late_.top()))) {
@@ -111,7 +111,7 @@ std::optional<Candidate> LazyOrder::next_candidate() {
 }
 
 /// Makes the members of the bucket just opened candidates; those that have grown beyond it go to a later one.
-void LazyOrder::open_bucket() {
+void LazyQueue::open_bucket() {
   batch_.clear();
   batch_.reserve(members_.size());
   placements_.clear();
@@ -128,7 +128,7 @@ void LazyOrder::open_bucket() {
 }
 
 /// Threshold pairs that have become the same, and what was queued twice.
-void LazyOrder::drop_duplicates() {
+void LazyQueue::drop_duplicates() {
   const auto is_threshold_pair = [this](const Candidate& c) { return complex_.is_threshold_pair(c.pair.id); };
   const auto last = std::unique(batch_.begin(), batch_.end(), [&](const Candidate& x, const Candidate& y) {
     const bool is_same = x.tie == y.tie && is_threshold_pair(x) && is_threshold_pair(y);
@@ -139,7 +139,7 @@ void LazyOrder::drop_duplicates() {
 }
 
 /// The next parcel is looked up before the last one is evaluated, so that what it asks for has time to come.
-void LazyOrder::evaluate_members() {
+void LazyQueue::evaluate_members() {
   Parcel* last = nullptr;
   for (std::size_t begin = 0; begin < members_.size(); begin += pairs_per_parcel) {
     Parcel& next = parcels_[begin / pairs_per_parcel % 2];
@@ -151,7 +151,7 @@ void LazyOrder::evaluate_members() {
 }
 
 /// The threads change nothing but each its own parcel, and `parents_` of the complex to the same.
-void LazyOrder::evaluate_members_on_all_threads() {
+void LazyQueue::evaluate_members_on_all_threads() {
   const std::size_t at_once = parcels_.size() * pairs_per_parcel;
   for (std::size_t begin = 0; begin < members_.size(); begin += at_once) {
     const std::size_t n = std::min(members_.size() - begin, at_once);
@@ -166,7 +166,12 @@ void LazyOrder::evaluate_members_on_all_threads() {
 
 /// Looks up the ends of those of members begin … end that are still pairs. Brings near what comes next: the pairs, what
 /// their ends have become, these.
-void LazyOrder::find_pairs(std::size_t begin, std::size_t end, Parcel& parcel) {
+void LazyQueue::find_pairs(std::size_t begin, std::size_t end, Parcel& parcel) {
+  const VertexState state = cost_.vertex_state();
+  const auto prefetch_end = [&](Index v) {
+    complex_.prefetch_vertex(v);
+    state.prefetch(v);
+  };
   std::size_t n = 0;
   for (std::size_t i = begin; i < end; ++i) {
     if (i + 16 < members_.size()) complex_.prefetch_pair(members_[i + 16]);
@@ -174,18 +179,18 @@ void LazyOrder::find_pairs(std::size_t begin, std::size_t end, Parcel& parcel) {
     const auto [a, b] = complex_.ends(members_[i]);
     parcel.pairs[n] = {members_[i], a, b};
     n += static_cast<std::size_t>(complex_.is_pair_alive(members_[i]));
-    complex_.prefetch_placed(a);
-    complex_.prefetch_placed(b);
+    prefetch_end(a);
+    prefetch_end(b);
   }
   parcel.n = n;
 }
 
-void LazyOrder::sort_in(const Parcel& parcel) {
+void LazyQueue::sort_in(const Parcel& parcel) {
   for (std::size_t i = 0; i < parcel.n; ++i) sort_in(parcel.pairs[i], parcel.evaluations[i]);
 }
 
 /// Into the batch, or, if it has grown, into a later bucket.
-void LazyOrder::sort_in(const Pair& pair, const PairEvaluation& evaluation) {
+void LazyQueue::sort_in(const Pair& pair, const PairEvaluation& evaluation) {
   note_raised(pair, evaluation);
   const BucketQueue::Bucket bucket = BucketQueue::bucket_of(evaluation.cost);
   if (!queue_.is_past(bucket)) return queue_.push(pair.id, bucket);
@@ -198,7 +203,7 @@ void LazyOrder::sort_in(const Pair& pair, const PairEvaluation& evaluation) {
   complex_.prefetch_star(pair.b);
 }
 
-void LazyOrder::enqueue(const Candidate& candidate) {
+void LazyQueue::enqueue(const Candidate& candidate) {
   const BucketQueue::Bucket bucket = BucketQueue::bucket_of(candidate.cost);
   if (queue_.is_past(bucket)) {
     late_.push(candidate);
@@ -208,25 +213,28 @@ void LazyOrder::enqueue(const Candidate& candidate) {
 }
 
 /// Brings near what the turns to come will look at: first the lists, then the neighbours on them.
-void LazyOrder::prefetch_turns() {
+void LazyQueue::prefetch_turns() {
   const auto candidate_ahead = [&](std::size_t n, auto prefetch) {
     if (n_taken_ + n >= batch_.size()) return;
     prefetch(batch_[n_taken_ + n].pair.a);
     prefetch(batch_[n_taken_ + n].pair.b);
   };
-  candidate_ahead(8, [&](Index v) { complex_.prefetch_spokes(v); });
-  candidate_ahead(4, [&](Index v) { complex_.prefetch_neighbours(v); });
-  if (cost_.changes_neighbours()) candidate_ahead(3, [&](Index v) { complex_.prefetch_neighbours_quadrics(v); });
+  candidate_ahead(8, [&](Index v) { complex_.prefetch_list(v); });
+  candidate_ahead(
+      4, [&](Index v) { complex_.for_each_likely_neighbour(v, [this](Index w) { complex_.prefetch_vertex(w); }); });
+  if (!cost_.changes_neighbours()) return;
+  const VertexState state = cost_.vertex_state();
+  candidate_ahead(3, [&](Index v) { complex_.for_each_likely_neighbour(v, [&](Index w) { state.prefetch(w); }); });
 }
 
 /// Whether the candidate's cost and placement are what an evaluation would give now.
-bool LazyOrder::is_unchanged(const Candidate& candidate) const {
+bool LazyQueue::is_unchanged(const Candidate& candidate) const {
   return candidate.placement != invalid_index && cost_.sight() == Reach::none &&
          complex_.last_change(candidate.pair.a) <= n_done_at_opening_ &&
          complex_.last_change(candidate.pair.b) <= n_done_at_opening_;
 }
 
-void LazyOrder::add_raised(const Pair& pair, double cost) {
+void LazyQueue::add_raised(const Pair& pair, double cost) {
   const auto [id, a, b] = pair;
   raised_costs_[id] = static_cast<float>(cost);
   if (is_raised_[id]) return;
@@ -235,13 +243,13 @@ void LazyOrder::add_raised(const Pair& pair, double cost) {
   raised_.add(b, id);
 }
 
-void LazyOrder::add(const Pair& pair) {
-  const PairEvaluation evaluation = cost_.evaluate(pair);
+void LazyQueue::add(const Pair& pair) {
+  const PairEvaluation evaluation = cost_.rank(pair);
   note_raised(pair, evaluation);
   enqueue(candidate(complex_, pair, evaluation.cost));
 }
 
-bool LazyOrder::postpone(const Pair& pair, double cost) {
+bool LazyQueue::postpone(const Pair& pair, double cost) {
   const BucketQueue::Bucket bucket = BucketQueue::bucket_of(cost);
   if (queue_.is_past(bucket)) return false;
   queue_.push(pair.id, bucket);
@@ -249,7 +257,9 @@ bool LazyOrder::postpone(const Pair& pair, double cost) {
 }
 
 /// Queues anew those raised pairs at the merged vertex that have become cheaper.
-void LazyOrder::note_contraction(Index survivor, Index removed, std::span<const Index>) {
+void LazyQueue::note(const Change& change) {
+  const Index survivor = change.survivor;
+  const Index removed = change.removed;
   if (!raised_.any_at(survivor) && !raised_.any_at(removed)) return;
   woken_.clear();
   raised_.take(survivor, woken_);
@@ -258,7 +268,7 @@ void LazyOrder::note_contraction(Index survivor, Index removed, std::span<const 
     if (!complex_.is_pair_alive(pair)) continue;
     raised_.add(survivor, pair);
     const Pair now = pair_now(complex_, pair);
-    const PairEvaluation evaluation = cost_.evaluate(now);
+    const PairEvaluation evaluation = cost_.rank(now);
     if (static_cast<float>(evaluation.cost) > raised_costs_[pair]) continue;
     raised_costs_[pair] = static_cast<float>(evaluation.cost);
     enqueue(candidate(complex_, now, evaluation.cost));

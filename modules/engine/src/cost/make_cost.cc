@@ -1,0 +1,62 @@
+#include "cost/make_cost.hh"
+
+#include "cost/edge_length/isotropic_cost.hh"
+#include "cost/edge_length/midpoint_cost.hh"
+#include "cost/lindstrom_turk/lindstrom_turk_cost.hh"
+#include "cost/memoryless/memoryless_cost.hh"
+#include "cost/quadric/quadric_cost.hh"
+#include "cost/valence/valence_cost.hh"
+#include "whittle/engine/formula/edge_length_term.hh"
+
+namespace whittle {
+namespace {
+
+QuadricOptions quadric_options(const DecimateOptions& options) {
+  QuadricOptions quadric = options.quadric;
+  if (options.boundary == Boundary::free) quadric.boundary_weight = 0;
+  return quadric;
+}
+
+std::unique_ptr<PairCost> make_plain_cost(TriangleComplex& complex, const Restraints& restraints,
+                                          const DecimateOptions& options, bool has_threshold_pairs) {
+  const QuadricOptions quadric = quadric_options(options);
+  switch (options.cost) {
+    case Cost::lindstrom_turk:
+      return std::make_unique<LindstromTurkCost>(complex, restraints);
+    case Cost::memoryless:
+      return std::make_unique<MemorylessCost>(complex, restraints, quadric, has_threshold_pairs);
+    case Cost::midpoint:
+      return std::make_unique<MidpointCost>(complex, restraints);
+    case Cost::quadric:
+      break;
+  }
+  if (options.isotropy > 0) {
+    return std::make_unique<IsotropicCost>(complex, restraints, quadric, options.isotropy);
+  }
+  return std::make_unique<QuadricCost>(complex, restraints, quadric, has_threshold_pairs);
+}
+
+}  // namespace
+
+std::unique_ptr<PairCost> make_cost(TriangleComplex& complex, const Restraints& restraints,
+                                    const DecimateOptions& options, bool has_threshold_pairs) {
+  std::unique_ptr<PairCost> cost = make_plain_cost(complex, restraints, options, has_threshold_pairs);
+  if (options.valence_weight == 0) return cost;
+  return std::make_unique<ValenceCost>(complex, std::move(cost), options.valence_weight);
+}
+
+double cost_dimension(const DecimateOptions& options) {
+  switch (options.cost) {
+    case Cost::lindstrom_turk:
+      return 6;
+    case Cost::memoryless:
+      return 5;
+    case Cost::midpoint:
+      return 1;
+    case Cost::quadric:
+      break;
+  }
+  return isotropic_dimension(options.quadric.weights == Weights::uniform ? 2 : 4, options.isotropy);
+}
+
+}  // namespace whittle

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <memory>
+
+#include "cost/pair_cost.hh"
+#include "guard/restraints.hh"
+#include "whittle/engine/decimate.hh"
+
+namespace whittle {
+
+/// The cost that the options ask for. A new cost gets a line in there.
+/// \param has_threshold_pairs whether there are pairs beside the edges
+std::unique_ptr<PairCost> make_cost(TriangleComplex& complex, const Restraints& restraints,
+                                    const DecimateOptions& options, bool has_threshold_pairs);
+
+/// The power of a length that is the unit of the cost that the options ask for.
+double cost_dimension(const DecimateOptions& options);
+
+}  // namespace whittle

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "complex/contraction_profile.hh"
+#include "whittle/engine/decimate.hh"
+
+namespace whittle {
+
+/// Refuses contractions. A refused pair waits until something changes that the guard looks at.
+class Guard {
+ public:
+  virtual ~Guard() = default;
+
+  /// Where its refusals are counted.
+  virtual std::uint64_t Rejections::*reason() const = 0;
+
+  /// Whether it refuses the pair wherever the merged vertex goes. Asked once a turn, before the cost settles a
+  /// position.
+  virtual bool refuses(ContractionProfile& /*profile*/) { return false; }
+  /// Whether it refuses the merged vertex at `position`.
+  virtual bool refuses_at(ContractionProfile& /*profile*/, const Vec3& /*position*/) { return false; }
+
+  /// How many rings around the pair it looks at: a change farther off can't lift its refusal. 1 or 2.
+  virtual int n_rings() const { return 1; }
+  /// Whether its refusals never change: such pairs don't wait.
+  virtual bool is_final() const { return false; }
+};
+
+/// In the order in which they are asked. The first one that refuses counts.
+using Guards = std::vector<std::unique_ptr<Guard>>;
+
+}  // namespace whittle

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "guard/guard.hh"
+#include "pairs/threshold_pair_sieve.hh"
+
+namespace whittle {
+
+/// Takes threshold pairs whose vertices share a face out of the way: there the edge decides. They are hidden, not
+/// refused, and so not counted.
+class HiddenPairGuard final : public Guard {
+ public:
+  HiddenPairGuard(const TriangleComplex& complex, ThresholdPairSieve& sieve) : complex_(complex), sieve_(sieve) {}
+
+  std::uint64_t Rejections::*reason() const override { return nullptr; }
+  bool refuses(ContractionProfile& profile) override {
+    return complex_.is_threshold_pair(profile.pair.id) && sieve_.hides(profile.pair);
+  }
+  bool is_final() const override { return true; }
+
+ private:
+  const TriangleComplex& complex_;
+  ThresholdPairSieve& sieve_;
+};
+
+}  // namespace whittle

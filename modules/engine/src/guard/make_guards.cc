@@ -1,0 +1,28 @@
+#include "guard/make_guards.hh"
+
+#include "guard/flip_guard.hh"
+#include "guard/hidden_pair_guard.hh"
+#include "guard/radius_ratio_guard.hh"
+#include "guard/restraint_guards.hh"
+#include "guard/sharp_edge_guard.hh"
+#include "guard/topology_guard.hh"
+
+namespace whittle {
+
+Guards make_guards(TriangleComplex& complex, const Restraints& restraints, ThresholdPairSieve& sieve,
+                   const DecimateOptions& options) {
+  Guards guards;
+  const auto add = [&guards]<class G>(std::unique_ptr<G> guard) { guards.push_back(std::move(guard)); };
+  if (restraints.any()) add(std::make_unique<LockedGuard>(restraints));
+  if (restraints.any()) add(std::make_unique<FeatureLineGuard>(complex, restraints));
+  if (complex.has_threshold_pairs()) add(std::make_unique<HiddenPairGuard>(complex, sieve));
+  add(std::make_unique<TopologyGuard>(complex, options.topology));
+  add(std::make_unique<FlipGuard>(complex, options.max_normal_flip_deg, options.quadric));
+  if (options.feature_angle_deg < 180) {
+    add(std::make_unique<SharpEdgeGuard>(complex, restraints, options.feature_angle_deg));
+  }
+  if (options.min_radius_ratio > 0) add(std::make_unique<RadiusRatioGuard>(complex, options.min_radius_ratio));
+  return guards;
+}
+
+}  // namespace whittle

@@ -1,0 +1,21 @@
+#include "guard/topology_guard.hh"
+
+#include "complex/joint.hh"
+#include "complex/link_condition.hh"
+
+namespace whittle {
+
+/// Threshold pairs may change the topology. With `Topology::keep` edges may not; at vertices that aren't manifold the
+/// link condition is sufficient but not necessary, so what the joint would do decides.
+bool TopologyGuard::refuses(ContractionProfile& profile) {
+  const auto& [id, a, b] = profile.pair;
+  const bool is_edge = !complex_.is_threshold_pair(id);
+  if (is_edge && link_condition(complex_, profile)) return false;
+  const bool keeps = is_edge && topology_ == Topology::keep;
+  if (keeps && complex_.is_manifold(a) && complex_.is_manifold(b)) return true;
+  plan_joint(complex_, profile);
+  const bool takes_last_face = profile.opposites.size() + profile.joint.coincident.size() == complex_.n_faces();
+  return takes_last_face || (keeps && !is_no_less_manifold(complex_, profile));
+}
+
+}  // namespace whittle

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "complex/triangle_complex.hh"
+#include "guard/guard.hh"
+
+namespace whittle {
+
+/// Refuses what changes the topology, as far as it is to be kept. Plans a joint in the profile for what is allowed to
+/// change it.
+class TopologyGuard final : public Guard {
+ public:
+  TopologyGuard(TriangleComplex& complex, Topology topology) : complex_(complex), topology_(topology) {}
+
+  std::uint64_t Rejections::*reason() const override { return &Rejections::link; }
+  bool refuses(ContractionProfile& profile) override;
+
+ private:
+  TriangleComplex& complex_;
+  Topology topology_;
+};
+
+}  // namespace whittle

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "complex/triangle_complex.hh"
+#include "queue/waiting_pairs.hh"
+
+namespace whittle {
+
+/// Pairs that a guard refused. Each waits at both its vertices.
+class RefusedPairs {
+ public:
+  explicit RefusedPairs(const TriangleComplex& complex)
+      : waiting_(complex.n_vertex_slots()), is_refused_(complex.n_pair_slots()) {}
+
+  bool any_at(Index v) const { return waiting_.any_at(v); }
+
+  void add(const Pair& pair) {
+    if (is_refused_[pair.id]) return;
+    is_refused_[pair.id] = true;
+    waiting_.add(pair.a, pair.id);
+    waiting_.add(pair.b, pair.id);
+  }
+
+  /// The ids of those that wait at v. They wait no more.
+  void take(Index v, std::vector<Index>& ids) {
+    ids.clear();
+    waiting_.take(v, ids);
+    const auto last = std::remove_if(ids.begin(), ids.end(), [this](Index id) { return !is_refused_[id]; });
+    ids.erase(last, ids.end());  // woken from their other vertex before
+    for (const Index id : ids) is_refused_[id] = false;
+  }
+
+ private:
+  WaitingPairs waiting_;
+  std::vector<bool> is_refused_;  ///< by id
+};
+
+}  // namespace whittle
