@@ -8,8 +8,8 @@
 # default sets are every effort and what the engine offers. Prints each difference; the exit code says if there was one.
 set -euo pipefail
 
-old=$1
-new=$2
+old=$(realpath "$1")
+new=$(realpath "$2")
 shift 2
 settings=$(dirname "${BASH_SOURCE[0]}")/same_bytes_settings.txt
 if [ "${1:-}" = --settings ]; then

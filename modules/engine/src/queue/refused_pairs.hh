@@ -26,9 +26,13 @@ class RefusedPairs {
   void take(Index v, std::vector<Index>& ids) {
     ids.clear();
     waiting_.take(v, ids);
-    const auto last = std::remove_if(ids.begin(), ids.end(), [this](Index id) { return !is_refused_[id]; });
-    ids.erase(last, ids.end());  // woken from their other vertex before
-    for (const Index id : ids) is_refused_[id] = false;
+    std::size_t n = 0;
+    for (const Index id : ids) {
+      if (!is_refused_[id]) continue;  // listed twice, or woken from its other vertex before
+      is_refused_[id] = false;
+      ids[n++] = id;
+    }
+    ids.resize(n);
   }
 
  private:
