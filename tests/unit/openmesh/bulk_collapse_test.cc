@@ -6,7 +6,7 @@
 #include <vector>
 #include <whittle/openmesh/bulk_collapse.hh>
 #include <whittle/openmesh/garbage_collection.hh>
-#include <whittle/openmesh/link_condition.hh>
+#include "link_condition.hh"
 
 #include "decimation.hh"
 #include "meshes.hh"

@@ -15,7 +15,7 @@
 #include <functional>
 #include <memory>
 #include <tuple>
-#include <whittle/openmesh/link_condition.hh>
+#include "link_condition.hh"
 #include <whittle/openmesh/mod_garland_heckbert.hh>
 
 #include "meshes.hh"

@@ -6,6 +6,7 @@
 
 #include "complex/neighbour_lists.hh"
 #include "whittle/engine/formula/merged_ring.hh"
+#include "whittle/engine/formula/pair_evaluation.hh"
 
 namespace whittle {
 
@@ -65,6 +66,9 @@ struct ContractionProfile {
   };
 
   Pair pair;
+  PairEvaluation ranked;  ///< its rank, now that its turn has come
+  Index survivor;         ///< which of both is to survive, once a position is settled
+
   StarFaces first;                ///< faces at a without b
   StarFaces second;               ///< faces at b without a
   std::vector<Common> opposites;  ///< the third corner of each face of a and b

@@ -62,6 +62,9 @@ class TriangleComplex {
   /// \param threshold_pairs pairs beside the edges; each vertex has a face, no two have a common one
   void connect(std::span<const VertexPair> threshold_pairs, unsigned threads);
 
+  /// Puts v elsewhere. \pre `connect` has not been called
+  void set_position(Index v, const Vec3& position) { vertices_[v].position = position; }
+
   // Vertices
   // -----------------------------------------------------------------------------------------------------------
 

@@ -6,6 +6,7 @@
 #include "complex/triangle_complex.hh"
 #include "whittle/core/detail/prefetch.hh"
 #include "whittle/engine/formula/pair_evaluation.hh"
+#include "whittle/engine/host.hh"
 #include "whittle/engine/reach.hh"
 
 namespace whittle {
@@ -25,6 +26,7 @@ struct VertexState {
 ///
 ///   see_faces()                    the faces of each vertex are listed
 ///   start()                        neighbours and edges are known
+///   resume(state)                  only if the run goes on from another one
 ///   rank(pairs)                    whenever the queue asks; looks at vertices alone
 ///   settle(profile, ranked)        a pair's turn has come: positions to try, the best first
 ///   final_cost(profile, ranked, p) the guards accept position p
@@ -35,6 +37,8 @@ class PairCost {
 
   virtual void see_faces(unsigned /*threads*/) {}
   virtual void start(unsigned /*threads*/) {}
+  /// Takes what was kept about vertices from an earlier run. Called after `start`. \param state by number in the input
+  virtual void resume(const DecimationState& /*state*/) {}
 
   /// \param pairs each with the vertex of the lower original number first, edges before threshold pairs. Several
   /// threads
@@ -46,8 +50,12 @@ class PairCost {
     return ranked;
   }
 
-  /// Where the merged vertex goes if the guards accept it there; if not, where it was ranked is tried.
-  virtual Vec3 settle(ContractionProfile& /*profile*/, const PairEvaluation& ranked) const { return ranked.position; }
+  /// Where the merged vertex may go, the best position first.
+  virtual Settlement settle(ContractionProfile& /*profile*/, const PairEvaluation& ranked) const {
+    Settlement settlement;
+    settlement.add(ranked.position);
+    return settlement;
+  }
 
   /// What a contraction to `position` costs: its rank, or more.
   virtual double final_cost(const ContractionProfile& /*profile*/, const PairEvaluation& ranked,

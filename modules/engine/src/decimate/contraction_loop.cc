@@ -4,6 +4,7 @@
 
 #include "cost/make_cost.hh"
 #include "guard/make_guards.hh"
+#include "host/host_cost.hh"
 #include "queue/eager_queue.hh"
 #include "queue/lazy_queue.hh"
 
@@ -33,18 +34,20 @@ Reach reach_of_touched(const PairCost& cost, const DecimateOptions& options) {
 }  // namespace
 
 ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraints, PairCost& cost,
-                                 const DecimateOptions& options, const DecimateTarget& target, const Frame& frame)
+                                 const DecimateOptions& options, const DecimateTarget& target, const Frame& frame,
+                                 DecimationHost* host)
     : complex_(complex),
       restraints_(restraints),
       cost_(cost),
       options_(options),
       target_(target),
       frame_(frame),
-      cost_dimension_(cost_dimension(options)),
+      cost_dimension_(host && host->cost() ? host->cost()->dimension() : cost_dimension(options)),
+      host_(host),
       n_initial_vertices_(complex.n_vertices()),
       n_initial_faces_(complex.n_faces()),
       sieve_(complex),
-      guards_(make_guards(complex, restraints, sieve_, options)),
+      guards_(make_guards(complex, restraints, sieve_, options, host)),
       queue_(make_queue(complex, cost, sieve_, options)),
       touched_(reach_of_touched(cost, options)),
       refused_(complex) {
@@ -98,31 +101,42 @@ std::optional<StopReason> ContractionLoop::take(const RankedPair& ranked) {
   }
   if (target_.max_cost && rank > *target_.max_cost) return StopReason::cost;
   complex_.gather(ranked.pair, profile_);
-  Vec3 position;
-  if (const Guard* guard = find_refusal(ranked, position)) {
-    refuse(ranked.pair, *guard);
-    return std::nullopt;
-  }
-  const double cost = cost_.final_cost(profile_, ranked.rank, position);
+  profile_.ranked = ranked.rank;
+  const std::optional<Vec3> position = settle(ranked);
+  if (!position) return std::nullopt;
+  const double cost = cost_.final_cost(profile_, ranked.rank, *position);
   if (cost > rank) {
     if (queue_->postpone(ranked.pair, cost)) return std::nullopt;
     if (target_.max_cost && cost > *target_.max_cost) return StopReason::cost;
   }
-  contract(ranked, position, std::max(cost, rank));
+  if (!contract(ranked, *position, std::max(cost, rank))) return StopReason::cancelled;
   return std::nullopt;
 }
 
-/// Settles the position. Where the pair was ranked is second best, if a guard refuses the best position.
-/// \return the guard that refuses; null if none does
-Guard* ContractionLoop::find_refusal(const RankedPair& ranked, Vec3& position) {
+/// The first position that no guard refuses; nullopt, and the refusal noted, if there is none.
+std::optional<Vec3> ContractionLoop::settle(const RankedPair& ranked) {
   for (const auto& guard : guards_) {
-    if (guard->refuses(profile_)) return guard.get();
+    if (!guard->refuses(profile_)) continue;
+    refuse(*guard);
+    return std::nullopt;
   }
-  position = cost_.settle(profile_, ranked.rank);
-  Guard* const refusal = find_refusal_at(position);
-  if (refusal == nullptr || position == ranked.rank.position) return refusal;
-  position = ranked.rank.position;
-  return find_refusal_at(position);
+  // The higher origin survives, so that no pair's rank among ties moves forward. But a vertex that may not move
+  // survives in any case.
+  const Index survivor = restraints_.pinned(ranked.pair) == Pinned::first ? ranked.pair.a : ranked.pair.b;
+  const Settlement settlement = cost_.settle(profile_, ranked.rank);
+  Guard* refusal = nullptr;
+  for (std::size_t i = 0; i < settlement.n; ++i) {
+    const Settlement::Option& option = settlement.options[i];
+    profile_.survivor = option.survivor == invalid_index ? survivor : option.survivor;
+    refusal = find_refusal_at(option.position);
+    if (refusal == nullptr) return option.position;
+  }
+  if (refusal == nullptr) {
+    refused_.add(ranked.pair);  // by a host's cost, which counts it
+  } else {
+    refuse(*refusal);
+  }
+  return std::nullopt;
 }
 
 Guard* ContractionLoop::find_refusal_at(const Vec3& position) {
@@ -132,32 +146,42 @@ Guard* ContractionLoop::find_refusal_at(const Vec3& position) {
   return nullptr;
 }
 
-void ContractionLoop::refuse(const Pair& pair, const Guard& guard) {
+void ContractionLoop::refuse(const Guard& guard) {
   if (guard.reason() != nullptr) ++(result_.rejections.*guard.reason());
-  if (!guard.is_final()) refused_.add(pair);
+  if (!guard.is_final()) refused_.add(profile_.pair);
 }
 
-/// The higher origin survives, so that no pair's rank among ties moves forward. But a vertex that stays where it is
-/// survives in any case.
-void ContractionLoop::contract(const RankedPair& ranked, const Vec3& position, double cost) {
-  const Pair& pair = ranked.pair;
-  const Index survivor = restraints_.pinned(pair) == Pinned::first ? pair.a : pair.b;
-  complex_.contract(profile_, survivor, position, change_);
-  result_.threshold_pairs.contracted += static_cast<std::uint64_t>(complex_.is_threshold_pair(pair.id));
+/// \return whether to go on
+bool ContractionLoop::contract(const RankedPair& ranked, const Vec3& position, double cost) {
+  complex_.contract(profile_, profile_.survivor, position, change_);
+  result_.threshold_pairs.contracted += static_cast<std::uint64_t>(complex_.is_threshold_pair(ranked.pair.id));
   result_.max_cost = std::max(result_.max_cost, cost);
-  if (options_.listener) {
-    options_.listener({complex_.origin(change_.survivor), complex_.origin(change_.removed),
-                       frame_.to_model(change_.position), frame_.cost_to_model(cost, cost_dimension_)});
-  }
+  const bool goes_on = tell_others(ranked.rank, cost);
   list_touched();
   cost_.merge(profile_, ranked.rank, change_);
   restraints_.note(complex_, profile_, change_);
   queue_->note(change_);
   wake_around();
   sieve_.merge(change_.survivor, change_.removed);
-  if (!profile_.is_joint || profile_.joint.lost_edges.empty()) return;
+  if (!profile_.is_joint || profile_.joint.lost_edges.empty()) return goes_on;
   reveal_at(change_.survivor);
   for (const ContractionProfile::Common& neighbour : profile_.joint.common) reveal_at(neighbour.vertex);
+  return goes_on;
+}
+
+/// Tells host and listener. \return whether to go on
+bool ContractionLoop::tell_others(const PairEvaluation& ranked, double cost) {
+  if (host_ == nullptr && !options_.listener) return true;
+  const Contraction contraction{complex_.origin(change_.survivor), complex_.origin(change_.removed),
+                                frame_.to_model(change_.position), frame_.cost_to_model(cost, cost_dimension_)};
+  bool goes_on = true;
+  if (host_ != nullptr) {
+    HostedContraction made = hosted(complex_, profile_, ranked, change_.position);
+    made.before = change_.before;
+    goes_on = host_->follow(made, contraction);
+  }
+  if (options_.listener) options_.listener(contraction);
+  return goes_on;
 }
 
 /// Makes the lists of the vertices around the merged one compact, as far as the cost looks.

@@ -26,7 +26,7 @@ class ContractionLoop {
  public:
   /// \param target its costs are in the frame
   ContractionLoop(TriangleComplex& complex, Restraints& restraints, PairCost& cost, const DecimateOptions& options,
-                  const DecimateTarget& target, const Frame& frame);
+                  const DecimateTarget& target, const Frame& frame, DecimationHost* host);
 
   DecimateResult run();
 
@@ -34,10 +34,11 @@ class ContractionLoop {
   bool target_reached() const;
   bool report_progress() const;
   std::optional<StopReason> take(const RankedPair& ranked);
-  Guard* find_refusal(const RankedPair& ranked, Vec3& position);
+  std::optional<Vec3> settle(const RankedPair& ranked);
   Guard* find_refusal_at(const Vec3& position);
-  void refuse(const Pair& pair, const Guard& guard);
-  void contract(const RankedPair& ranked, const Vec3& position, double cost);
+  void refuse(const Guard& guard);
+  bool tell_others(const PairEvaluation& ranked, double cost);
+  bool contract(const RankedPair& ranked, const Vec3& position, double cost);
   void list_touched();
   void wake_around();
   void wake(Index v);
@@ -50,6 +51,7 @@ class ContractionLoop {
   DecimateTarget target_;
   Frame frame_;
   double cost_dimension_;
+  DecimationHost* host_;
   std::uint64_t n_initial_vertices_;
   std::uint64_t n_initial_faces_;
 

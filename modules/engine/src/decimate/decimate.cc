@@ -5,6 +5,7 @@
 
 #include "cost/make_cost.hh"
 #include "decimate/contraction_loop.hh"
+#include "host/host_cost.hh"
 #include "whittle/core/feature_edges.hh"
 #include "whittle/core/geometry/vertex_normals.hh"
 #include "whittle/core/parts.hh"
@@ -222,22 +223,37 @@ std::string_view to_string(StopReason reason) {
   return "";
 }
 
-Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options) {
+namespace {
+
+Decimation run(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options,
+               DecimationHost* host) {
   check(target, options, mesh.positions.size());
   check(mesh);
-  const Frame frame = Frame::of_points(mesh.positions);
+  const DecimationState* const state = host ? host->state() : nullptr;
+  const Frame frame = state ? state->frame : Frame::of_points(mesh.positions);
   const ThresholdPairs pairs = threshold_pairs(mesh, options);
   TriangleComplex complex(mesh.positions, mesh.faces, frame, options.threads);
   Restraints restraints;
-  const std::unique_ptr<PairCost> cost = make_cost(complex, restraints, options, !pairs.pairs.empty());
+  if (state) {
+    for (Index v = 0; v < complex.n_vertex_slots(); ++v) {
+      complex.set_position(v, state->vertices[complex.origin(v)].position);
+    }
+  }
+  std::unique_ptr<PairCost> cost;
+  if (HostedCost* const hosted_cost = host ? host->cost() : nullptr) {
+    cost = std::make_unique<HostCost>(complex, restraints, *hosted_cost);
+  } else {
+    cost = make_cost(complex, restraints, options, !pairs.pairs.empty());
+  }
   cost->see_faces(options.threads);
   complex.connect(pairs.pairs, options.threads);
   cost->start(options.threads);
+  if (state) cost->resume(*state);
   const NonmanifoldCounts before = complex.count_nonmanifold();
   const std::vector<VertexPair> features = all_feature_edges(mesh, options);
   restraints = Restraints(complex, locked_vertices(complex, options), features, options.feature_angle_deg,
                           options.feature_tolerance * bounds_of(mesh.positions).diagonal() * frame.scale);
-  ContractionLoop loop(complex, restraints, *cost, options, target, frame);
+  ContractionLoop loop(complex, restraints, *cost, options, target, frame, host);
   DecimateResult result = loop.run();
   result.n_degenerate_faces = complex.n_degenerate_faces();
   result.n_coincident_faces = complex.n_coincident_faces();
@@ -254,6 +270,17 @@ Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const
   out.result = result;
   compare_surfaces(mesh, before, complex, options, out);
   return out;
+}
+
+}  // namespace
+
+Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options) {
+  return run(mesh, target, options, nullptr);
+}
+
+Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options,
+                    DecimationHost& host) {
+  return run(mesh, target, options, &host);
 }
 
 }  // namespace whittle

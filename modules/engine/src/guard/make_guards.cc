@@ -6,22 +6,25 @@
 #include "guard/restraint_guards.hh"
 #include "guard/sharp_edge_guard.hh"
 #include "guard/topology_guard.hh"
+#include "host/host_guards.hh"
 
 namespace whittle {
 
 Guards make_guards(TriangleComplex& complex, const Restraints& restraints, ThresholdPairSieve& sieve,
-                   const DecimateOptions& options) {
+                   const DecimateOptions& options, DecimationHost* host) {
   Guards guards;
   const auto add = [&guards]<class G>(std::unique_ptr<G> guard) { guards.push_back(std::move(guard)); };
   if (restraints.any()) add(std::make_unique<LockedGuard>(restraints));
   if (restraints.any()) add(std::make_unique<FeatureLineGuard>(complex, restraints));
   if (complex.has_threshold_pairs()) add(std::make_unique<HiddenPairGuard>(complex, sieve));
   add(std::make_unique<TopologyGuard>(complex, options.topology));
+  if (host != nullptr && host->keeps_topology()) add(std::make_unique<JointGuard>());
   add(std::make_unique<FlipGuard>(complex, options.max_normal_flip_deg, options.quadric));
   if (options.feature_angle_deg < 180) {
     add(std::make_unique<SharpEdgeGuard>(complex, restraints, options.feature_angle_deg));
   }
   if (options.min_radius_ratio > 0) add(std::make_unique<RadiusRatioGuard>(complex, options.min_radius_ratio));
+  if (host != nullptr) add(std::make_unique<HostGuard>(complex, *host));
   return guards;
 }
 

@@ -4,11 +4,12 @@
 #include "guard/guard.hh"
 #include "guard/restraints.hh"
 #include "pairs/threshold_pair_sieve.hh"
+#include "whittle/engine/host.hh"
 
 namespace whittle {
 
-/// The guards that the options ask for. A new guard gets a line in there.
+/// The guards that the options and a host, if any, ask for. A new guard gets a line in there.
 Guards make_guards(TriangleComplex& complex, const Restraints& restraints, ThresholdPairSieve& sieve,
-                   const DecimateOptions& options);
+                   const DecimateOptions& options, DecimationHost* host);
 
 }  // namespace whittle

@@ -31,12 +31,15 @@ void EagerQueue::fill_queue(unsigned threads) {
 }
 
 std::optional<RankedPair> EagerQueue::next() {
-  const std::optional<Candidate> candidate = next_candidate();
-  if (!candidate) return std::nullopt;
-  costs_[candidate->pair.id] = out;
-  cost_now_ = candidate->cost;
-  const Pair pair = pair_now(complex_, candidate->pair.id);
-  return RankedPair{pair, cost_.rank(pair)};
+  while (const std::optional<Candidate> candidate = next_candidate()) {
+    costs_[candidate->pair.id] = out;
+    cost_now_ = candidate->cost;
+    const Pair pair = pair_now(complex_, candidate->pair.id);
+    const PairEvaluation rank = cost_.rank(pair);
+    if (!(rank.cost > candidate->cost)) return RankedPair{pair, rank};
+    set_cost(pair, rank.cost);  // a host's cost may have risen without being told
+  }
+  return std::nullopt;
 }
 
 std::optional<Candidate> EagerQueue::next_candidate() {

@@ -43,18 +43,31 @@ void MemorylessCost::start(unsigned threads) {
   for (Index v = 0; v < complex_.n_vertex_slots(); ++v) has_planes_of_faces_[v] = complex_.is_ring(v);
 }
 
+void MemorylessCost::resume(const DecimationState& state) {
+  ranks_.resume(state);
+  face_area_ = state.face_area;
+  ranks_.multiply_by_memoryless_factor(face_area_.first());
+}
+
 /// Whether the merged vertex, and its neighbours, get the planes of their faces alone.
 bool MemorylessCost::forgets(const ContractionProfile& profile) const {
   return !profile.is_joint && complex_.is_ring(profile.pair.a) && complex_.is_ring(profile.pair.b);
 }
 
-Vec3 MemorylessCost::settle(ContractionProfile& profile, const PairEvaluation& ranked) const {
-  if (!forgets(profile)) return ranked.position;
-  look_at_ring(complex_, ranked.position, profile);
-  if (!ranked.is_minimum) return ranked.position;
-  const VertexQuadrics& quadrics = ranks_.quadrics();
-  const SymmetricMatrix sum = quadrics.matrix(profile.pair.a) + quadrics.matrix(profile.pair.b);
-  return ranked.position + volume_step(sum, profile.ring.volume());
+/// Where the volume is kept, else at the minimum.
+Settlement MemorylessCost::settle(ContractionProfile& profile, const PairEvaluation& ranked) const {
+  Settlement settlement;
+  if (forgets(profile)) {
+    look_at_ring(complex_, ranked.position, profile);
+    if (ranked.is_minimum) {
+      const VertexQuadrics& quadrics = ranks_.quadrics();
+      const SymmetricMatrix sum = quadrics.matrix(profile.pair.a) + quadrics.matrix(profile.pair.b);
+      const Vec3 best = ranked.position + volume_step(sum, profile.ring.volume());
+      if (best != ranked.position) settlement.add(best);
+    }
+  }
+  settlement.add(ranked.position);
+  return settlement;
 }
 
 double MemorylessCost::final_cost(const ContractionProfile& profile, const PairEvaluation& ranked,

@@ -18,10 +18,11 @@ class MemorylessCost final : public PairCost {
 
   void see_faces(unsigned threads) override { ranks_.see_faces(threads); }
   void start(unsigned threads) override;
+  void resume(const DecimationState& state) override;
 
   using PairCost::rank;
   void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override { ranks_.rank(pairs, ranks); }
-  Vec3 settle(ContractionProfile& profile, const PairEvaluation& ranked) const override;
+  Settlement settle(ContractionProfile& profile, const PairEvaluation& ranked) const override;
   double final_cost(const ContractionProfile& profile, const PairEvaluation& ranked,
                     const Vec3& position) const override;
   void merge(ContractionProfile& profile, const PairEvaluation& ranked, const Change& change) override;

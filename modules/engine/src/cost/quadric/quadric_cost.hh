@@ -21,6 +21,7 @@ class QuadricCost final : public PairCost {
 
   void see_faces(unsigned threads) override { quadrics_.sum_faces(threads); }
   void start(unsigned /*threads*/) override { quadrics_.add_borders(); }
+  void resume(const DecimationState& state) override { quadrics_.resume(state); }
 
   using PairCost::rank;
   void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;

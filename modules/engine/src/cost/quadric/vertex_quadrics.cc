@@ -97,21 +97,29 @@ void VertexQuadrics::add_borders() {
   }
 }
 
-/// The slope goes to the slot of the survivor's old one, if it had one.
+void VertexQuadrics::resume(const DecimationState& state) {
+  for (Index v = 0; v < quadrics_.size(); ++v) store(v, state.vertices[complex_.origin(v)].quadric);
+}
+
 void VertexQuadrics::merge(const Change& change, const Quadric& quadric) {
-  Stored& stored = quadrics_[change.survivor];
+  store(change.survivor, quadric);
+  if (has_points_) merge_points(change);
+}
+
+/// The slope goes to the slot of v's old one, if it had one.
+void VertexQuadrics::store(Index v, const Quadric& quadric) {
+  Stored& stored = quadrics_[v];
   stored.a = quadric.a;
   stored.c = quadric.c;
   if (quadric.b.isZero(0)) {
     stored.slope = invalid_index;
-  } else {
-    if (stored.slope == invalid_index) {
-      stored.slope = static_cast<Index>(slopes_.size());
-      slopes_.emplace_back();
-    }
-    slopes_[stored.slope] = quadric.b;
+    return;
   }
-  if (has_points_) merge_points(change);
+  if (stored.slope == invalid_index) {
+    stored.slope = static_cast<Index>(slopes_.size());
+    slopes_.emplace_back();
+  }
+  slopes_[stored.slope] = quadric.b;
 }
 
 /// Points of vertices joined by a threshold pair are in their quadric from now on.

@@ -22,6 +22,9 @@ class VertexQuadrics {
   /// Adds the planes through border edges. \pre the complex is connected
   void add_borders();
 
+  /// Takes all quadrics from an earlier run.
+  void resume(const DecimationState& state);
+
   const SymmetricMatrix& matrix(Index v) const { return quadrics_[v].a; }
   /// Whether v lies where its quadric is least, as most do: then its slope is zero.
   bool is_level(Index v) const { return quadrics_[v].slope == invalid_index; }
@@ -67,6 +70,7 @@ class VertexQuadrics {
   void sum_in_lanes(Index first);
   void set_points(std::size_t begin, std::size_t end);
   void merge_points(const Change& change);
+  void store(Index v, const Quadric& quadric);
 
   const TriangleComplex& complex_;
   QuadricOptions options_;

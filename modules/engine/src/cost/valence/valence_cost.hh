@@ -16,10 +16,11 @@ class ValenceCost final : public PairCost {
 
   void see_faces(unsigned threads) override { cost_->see_faces(threads); }
   void start(unsigned threads) override { cost_->start(threads); }
+  void resume(const DecimationState& state) override { cost_->resume(state); }
 
   using PairCost::rank;
   void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;
-  Vec3 settle(ContractionProfile& profile, const PairEvaluation& ranked) const override {
+  Settlement settle(ContractionProfile& profile, const PairEvaluation& ranked) const override {
     return cost_->settle(profile, ranked);
   }
   double final_cost(const ContractionProfile& profile, const PairEvaluation& ranked,

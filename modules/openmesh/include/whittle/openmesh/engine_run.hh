@@ -2,13 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "whittle/engine/decimate.hh"
 #include "whittle/openmesh/bulk_collapse.hh"
-#include "whittle/openmesh/conversions.hh"
 #include "whittle/openmesh/face_relinker.hh"
-#include "whittle/openmesh/status_bits.hh"
+#include "whittle/openmesh/run_input.hh"
 
 namespace whittle {
 
@@ -18,7 +18,7 @@ class PairDecimaterT;
 /// One call of `decimate` with the engine driver: `whittle::decimate` on a copy of the geometry, in which copies of a
 /// vertex are one, then the same contractions on the mesh, all at once.
 template <class MeshT>
-class EngineRunT {
+class EngineRunT final : private DecimationHost {
  public:
   /// \param target effective: with the cost module's limit
   EngineRunT(PairDecimaterT<MeshT>& decimater, const DecimateTarget& target, bool only_selected);
@@ -34,10 +34,12 @@ class EngineRunT {
     bool operator==(const Shape&) const = default;
   };
 
-  std::vector<VertexPair> find_features() const;
-  std::vector<std::uint8_t> fixed_vertices(bool only_selected) const;
+  // DecimationHost
+  bool follow(const HostedContraction& made, const Contraction& contraction) override;
+  const DecimationState* state() const override { return state_ ? &*state_ : nullptr; }
+
+  std::optional<DecimationState> state_of_module() const;
   Decimation contract();
-  Decimation contract_again(DecimateOptions options) const;
   static std::uint64_t count_vertices(const IndexedMesh& mesh);
 
   void write_back(Decimation& small);
@@ -48,18 +50,15 @@ class EngineRunT {
   void update_face_normals(const std::vector<Copy>& vertices, const std::vector<Index>& origins);
   void hand_over_quadrics(const std::vector<Copy>& vertices, std::vector<PlacedQuadric> quadrics, bool were_collapses);
 
-  Index handle_index(Index v) const { return numbers_.handles[v]; }
-  Index number(VertexHandle v) const { return numbers_.number_of[static_cast<std::size_t>(v.idx())]; }
-  VertexHandle handle(Index v) const { return VertexHandle(static_cast<int>(handle_index(v))); }
+  void blend();
 
   PairDecimaterT<MeshT>& decimater_;
   MeshT& mesh_;
   DecimateTarget target_;
-  detail::VertexNumbers numbers_;
-  IndexedMesh input_;
-  std::vector<VertexPair> features_;  ///< edges, in the engine's numbers
-  std::vector<std::uint8_t> locked_;
+  RunInputT<MeshT> input_;
+  std::optional<DecimationState> state_;
   std::vector<VertexMerge> merges_;  ///< by first copies
+  std::vector<float> shares_;        ///< of the removed vertices in the merged ones, if the mesh has attributes
 };
 
 }  // namespace whittle

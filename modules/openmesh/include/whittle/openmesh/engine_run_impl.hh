@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "whittle/openmesh/blend_attributes.hh"
 #include "whittle/openmesh/engine_run.hh"
 #include "whittle/openmesh/pair_decimater.hh"
 
@@ -13,106 +14,60 @@ EngineRunT<MeshT>::EngineRunT(PairDecimaterT<MeshT>& decimater, const DecimateTa
     : decimater_(decimater),
       mesh_(decimater.mesh()),
       target_(target),
-      numbers_(detail::number_vertices(mesh_, Copies::joined)),
-      input_(detail::geometry_of(mesh_, numbers_)),
-      features_(find_features()),
-      locked_(fixed_vertices(only_selected)) {}
+      input_(mesh_, Copies::joined,
+             [&decimater, only_selected](VertexHandle v) { return decimater.is_fixed(v, only_selected); }),
+      state_(state_of_module()) {}
 
 template <class MeshT>
 DecimateResult EngineRunT<MeshT>::run() {
   Decimation small = contract();
   write_back(small);
+  if (small.result.n_contractions > 0) decimater_.is_fresh_ = false;
   return small.result;
-}
-
-/// The edges with the feature bit, ascending. Between copies of two vertices there may be several.
-template <class MeshT>
-std::vector<VertexPair> EngineRunT<MeshT>::find_features() const {
-  std::vector<VertexPair> result;
-  const StatusBitsT<OpenMesh::EdgeHandle, MeshT> bits(mesh_);
-  for (int i = 0; i < static_cast<int>(mesh_.n_edges()); ++i) {
-    const OpenMesh::EdgeHandle e(i);
-    if (bits[e].deleted() || !bits[e].feature()) continue;
-    const auto [low, high] = std::minmax({number(mesh_.to_vertex_handle(mesh_.halfedge_handle(e, 0))),
-                                          number(mesh_.to_vertex_handle(mesh_.halfedge_handle(e, 1)))});
-    result.push_back({low, high});
-  }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
-}
-
-/// As the engine wants to have it: empty if there are none. A vertex is fixed if any of its copies is; those with the
-/// feature bit are unless they lie on a line of feature edges.
-template <class MeshT>
-std::vector<std::uint8_t> EngineRunT<MeshT>::fixed_vertices(bool only_selected) const {
-  std::vector<Index> n_features(input_.positions.size());
-  for (const auto& [a, b] : features_) {
-    ++n_features[a];
-    ++n_features[b];
-  }
-  std::vector<std::uint8_t> result(input_.positions.size());
-  bool any = false;
-  for (const VertexHandle v : mesh_.vertices()) {
-    const bool is_point = mesh_.status(v).feature() && n_features[number(v)] != 2;
-    if (!is_point && !decimater_.is_fixed(v, only_selected)) continue;
-    result[number(v)] = 1;
-    any = true;
-  }
-  if (!any) result.clear();
-  return result;
 }
 
 // The engine ----------------------------------------------------------------------------------------------------------
 
+/// After contractions the module knows more than the mesh: unrounded positions, and what quadrics remember.
+template <class MeshT>
+std::optional<DecimationState> EngineRunT<MeshT>::state_of_module() const {
+  if (decimater_.is_fresh_) return std::nullopt;
+  DecimationState state;
+  state.frame = decimater_.cost_->frame();
+  state.face_area = decimater_.cost_->face_area();
+  for (Index v = 0; v < input_.mesh.positions.size(); ++v) {
+    state.vertices.push_back(decimater_.cost_->quadric(input_.handle(v)));
+  }
+  return state;
+}
+
 template <class MeshT>
 Decimation EngineRunT<MeshT>::contract() {
-  bool is_aborted = false;
-  DecimateOptions options;
+  DecimateOptions options = decimater_.engine_options_but_cost();
   const CostOptions cost = *decimater_.cost_->engine_options();
   options.cost = cost.cost;
   options.quadric = cost.quadric;
   options.isotropy = cost.isotropy;
   options.valence_weight = cost.valence_weight;
-  options.order = Order::exact;  // as the mesh driver has it
-  options.pairs = decimater_.pairs_;
-  options.max_normal_flip_deg = decimater_.max_normal_flip_deg();
-  options.min_radius_ratio = decimater_.min_radius_ratio();
-  options.locked = locked_;
-  options.feature_edges = features_;
-  options.feature_tolerance = decimater_.feature_tolerance_;
-  options.threads = decimater_.threads_;
+  options.locked = input_.locked;
+  options.feature_edges = input_.features;
   options.keep_quadrics = true;
-  options.progress = [&is_aborted](const Progress&) { return !is_aborted; };
-  options.listener = [&](const Contraction& made) {
-    if (is_aborted) return;
-    merges_.push_back({handle(made.removed), handle(made.survivor)});
-    if (decimater_.listener_) {
-      decimater_.listener_({handle_index(made.survivor), handle_index(made.removed), made.position, made.cost});
-    }
-    is_aborted = !decimater_.notify_observer(merges_.size());
-  };
-  Decimation small = whittle::decimate(input_, target_, options);
-  if (!is_aborted) return small;
-  if (merges_.size() < small.result.n_contractions) small = contract_again(options);
-  small.result.stop = StopReason::cancelled;
-  return small;
+  return whittle::decimate(input_.mesh, target_, options, *this);
 }
 
-/// Up to the abort: the engine asks now and then only. A contraction takes one vertex at least; a few take more, as
-/// faces that coincide vanish, so how many are left after so many contractions has to be found out.
 template <class MeshT>
-Decimation EngineRunT<MeshT>::contract_again(DecimateOptions options) const {
-  options.progress = nullptr;
-  options.listener = nullptr;
-  DecimateTarget target;
-  target.vertices = count_vertices(input_) - merges_.size();
-  while (true) {
-    Decimation small = whittle::decimate(input_, target, options);
-    const std::uint64_t n_missing = merges_.size() - small.result.n_contractions;
-    if (n_missing == 0) return small;
-    target.vertices = small.result.n_vertices - n_missing;
+bool EngineRunT<MeshT>::follow(const HostedContraction& made, const Contraction& contraction) {
+  merges_.push_back({input_.handle(made.removed), input_.handle(made.survivor)});
+  if (has_vertex_attributes(mesh_)) {
+    const bool first_survives = made.survivor == made.first;
+    shares_.push_back(static_cast<float>(
+        share_along(made.before[first_survives ? 0 : 1], made.before[first_survives ? 1 : 0], made.position)));
   }
+  if (decimater_.listener_) {
+    decimater_.listener_({input_.numbers.handles[made.survivor], input_.numbers.handles[made.removed],
+                          contraction.position, contraction.cost});
+  }
+  return decimater_.notify_observer(merges_.size());
 }
 
 /// Those with a face.
@@ -130,6 +85,7 @@ std::uint64_t EngineRunT<MeshT>::count_vertices(const IndexedMesh& mesh) {
 template <class MeshT>
 void EngineRunT<MeshT>::write_back(Decimation& small) {
   const bool were_collapses = are_collapses(small);
+  blend();
   const std::vector<Copy> vertices = were_collapses ? collapse(small) : relink(small);
   for (const auto& [vertex, handle] : vertices) {
     const Vec3& position = small.mesh.positions[vertex];
@@ -138,6 +94,14 @@ void EngineRunT<MeshT>::write_back(Decimation& small) {
   }
   if (mesh_.has_face_normals()) update_face_normals(vertices, small.mesh.origins);
   hand_over_quadrics(vertices, std::move(small.quadrics), were_collapses);
+}
+
+/// In the order of the contractions, as if each had been made on the mesh.
+template <class MeshT>
+void EngineRunT<MeshT>::blend() {
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    blend_attributes(mesh_, merges_[i].survivor, merges_[i].removed, shares_[i]);
+  }
 }
 
 /// Whether the contractions are legal collapses on the mesh as it is. Without threshold pairs and copies they are, but
@@ -149,7 +113,7 @@ bool EngineRunT<MeshT>::are_collapses(const Decimation& small) const {
   if (small.result.threshold_pairs.contracted > 0 || small.result.n_coincident_faces > 0) return false;
   if (!first_copies(mesh_).empty()) return false;
   if (small.result.before.nonmanifold_vertices == 0) return true;
-  return shape_of(input_) == shape_of(small.mesh);
+  return shape_of(input_.mesh) == shape_of(small.mesh);
 }
 
 template <class MeshT>
@@ -184,7 +148,7 @@ std::vector<typename EngineRunT<MeshT>::Copy> EngineRunT<MeshT>::relink(const De
   joined.vertex_of.assign(mesh_.n_vertices(), invalid_index);
   for (const VertexHandle v : mesh_.vertices()) {
     const auto place = static_cast<std::size_t>(v.idx());
-    if (!mesh_.is_isolated(v)) joined.vertex_of[place] = small.vertex_map[numbers_.number_of[place]];
+    if (!mesh_.is_isolated(v)) joined.vertex_of[place] = small.vertex_map[input_.numbers.number_of[place]];
   }
   std::vector<Index> face_handles;
   for (const OpenMesh::FaceHandle f : mesh_.faces()) face_handles.push_back(static_cast<Index>(f.idx()));

@@ -39,7 +39,10 @@ class ModGarlandHeckbertT : public QuadricModuleT<MeshT> {
   double isotropy() const { return isotropy_; }
 
   /// Used from the next `initialize()` on. Default local.
-  void set_arithmetic(Arithmetic arithmetic) { arithmetic_ = arithmetic; }
+  void set_arithmetic(Arithmetic arithmetic) {
+    arithmetic_ = arithmetic;
+    this->note_new_options();
+  }
   Arithmetic arithmetic() const { return arithmetic_; }
 
   // `set_max_cost`: distance² · area, or distance² with uniform weights; with isotropy, (1−W) times that power of a
@@ -71,6 +74,9 @@ class ModGarlandHeckbertT : public QuadricModuleT<MeshT> {
   double active_isotropy_ = 0;                 ///< that of the last `initialize()`
   std::optional<StockQuadricT<MeshT>> stock_;  ///< with stock arithmetic, in place of all that
 };
+
+template <class MeshT>
+inline constexpr bool is_engine_cost<ModGarlandHeckbertT<MeshT>> = true;
 
 }  // namespace whittle
 

@@ -9,6 +9,7 @@ template <class MeshT>
 void ModGarlandHeckbertT<MeshT>::set_isotropy(double isotropy) {
   this->require(isotropy >= 0 && isotropy <= 1, "isotropy is not in [0, 1]");
   isotropy_ = isotropy;
+  this->note_new_options();
 }
 
 template <class MeshT>
@@ -30,6 +31,7 @@ void ModGarlandHeckbertT<MeshT>::initialize() {
   stock_.reset();
   if (arithmetic_ == Arithmetic::stock) {
     stock_.emplace(this->mesh());
+    this->forget_new_options();
   } else {
     QuadricModule::initialize();
   }

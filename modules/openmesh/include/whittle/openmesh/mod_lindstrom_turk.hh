@@ -63,6 +63,9 @@ class ModLindstromTurkT : public PlacingModuleT<MeshT> {
   NeighbourSums neighbours_of(VertexHandle first, VertexHandle second) const;
 };
 
+template <class MeshT>
+inline constexpr bool is_engine_cost<ModLindstromTurkT<MeshT>> = true;
+
 }  // namespace whittle
 
 #include "whittle/openmesh/mod_lindstrom_turk_impl.hh"

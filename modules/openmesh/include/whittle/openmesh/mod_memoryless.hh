@@ -41,6 +41,7 @@ class ModMemorylessT : public QuadricModuleT<MeshT> {
   /// \throw std::invalid_argument for a coordinate that is not finite
   void initialize() override;
   double cost_dimension() const override { return 5; }
+  MeanFaceArea face_area() const override { return face_area_; }
   void postprocess_collapse(const CollapseInfo& collapse) override;
 
   Vec3 place(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second,
@@ -86,6 +87,9 @@ class ModMemorylessT : public QuadricModuleT<MeshT> {
   MeanFaceArea face_area_;       ///< in the module's frame
   std::size_t n_faces_ = 0;      ///< left now
 };
+
+template <class MeshT>
+inline constexpr bool is_engine_cost<ModMemorylessT<MeshT>> = true;
 
 }  // namespace whittle
 

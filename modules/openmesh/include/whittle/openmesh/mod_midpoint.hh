@@ -33,4 +33,7 @@ class ModMidpointT : public PlacingModuleT<MeshT> {
   CostOptions plain_options() const override { return {Cost::midpoint, {}, 0, 0}; }
 };
 
+template <class MeshT>
+inline constexpr bool is_engine_cost<ModMidpointT<MeshT>> = true;
+
 }  // namespace whittle

@@ -7,6 +7,7 @@
 
 #include "whittle/core/frame.hh"
 #include "whittle/engine/decimate.hh"
+#include "whittle/engine/formula/memoryless_term.hh"
 #include "whittle/engine/formula/pair_evaluation.hh"
 #include "whittle/engine/reach.hh"
 
@@ -24,6 +25,10 @@ struct CostOptions {
 inline bool is_plain_quadric(const CostOptions& options) {
   return options.cost == Cost::quadric && options.isotropy == 0 && options.valence_weight == 0;
 }
+
+/// Whether a type is exactly one of our cost modules, which the engine knows.
+template <class ModuleT>
+inline constexpr bool is_engine_cost = false;
 
 /// What a cost module of ours knows beyond OpenMesh's interface: cost *and place* of a pair, in double.
 ///
@@ -47,6 +52,12 @@ class PairCostModuleT {
 
   /// Where a vertex is, before its coordinates were rounded to the scalar of the mesh.
   virtual Vec3 position(OpenMesh::VertexHandle v) const = 0;
+  /// That, and what the module remembers at the vertex.
+  virtual PlacedQuadric quadric(OpenMesh::VertexHandle v) const { return {position(v), {}}; }
+  /// What memoryless costs know of the mesh as it was at first.
+  virtual MeanFaceArea face_area() const { return {}; }
+  /// Whether options were set since `initialize()`, so that they have no effect yet.
+  virtual bool has_new_options() const { return false; }
   /// Cost and place of merging two vertices that share an edge. \pre first < second
   virtual PairEvaluation evaluate(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second, Pinned pinned) const = 0;
   /// The same for a collapse in one of OpenMesh's decimaters, where v1 stays in its place if it is locked or a feature;

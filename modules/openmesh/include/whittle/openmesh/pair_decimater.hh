@@ -17,14 +17,9 @@
 
 // A decimater over pairs for OpenMesh meshes: exact order, placement, both drivers the same contractions.
 //
-//   mesh driver:   queue every edge under (cost, lower, higher vertex index), in doubles
-//                  while no target is reached:
-//                    take the first; evaluate it again, and put it back if it has become or turns out dearer
-//                    if a guard or a module refuses it, where the cost places it and where it is least: it waits until
-//                    a vertex of its neighbourhood changes
-//                    else contract it onto the higher index, or onto the vertex that may not move
-//                    evaluate anew the edges at the merged vertex; wake what waits around it
-//   engine driver: whittle::decimate on a copy of the geometry, then the same contractions on the mesh, all at once
+//   both drivers:  the engine's loop on a copy of the geometry (contraction_loop.hh has it as pseudo-code)
+//   mesh driver:   modules rank, place and refuse; each contraction is made on the mesh at once
+//   engine driver: the engine's own costs and guards; the contractions are made on the mesh in the end, all at once
 //
 // With a pair threshold vertices that no edge joins are pairs, too, and what they leave is cut into copies where
 // half-edges can't hold it (vertex_copies.hh).
@@ -34,9 +29,9 @@ namespace whittle {
 /// What does the work in `PairDecimaterT`.
 enum class Driver {
   automatic,  ///< the engine where it can, else the mesh driver
-  engine,  ///< flat arrays, many times faster. Our cost modules, `ModFlipGuardT` and `ModRadiusRatioT` alone, directly
-           ///< after `initialize()`
-  mesh     ///< OpenMesh's connectivity; any modules
+  engine,  ///< many times faster. Exactly our cost modules, `ModFlipGuardT` and `ModRadiusRatioT`, nothing derived from
+           ///< them, and no others
+  mesh     ///< any modules; what a derived one overrides counts
 };
 
 /// How often a module refused a contraction.
@@ -48,7 +43,7 @@ struct ModuleRejections {
 template <class MeshT>
 class EngineRunT;
 template <class MeshT>
-class MeshContractionLoopT;
+class MeshRunT;
 
 /// Has the calls of OpenMesh's `DecimaterT` and takes the same modules. Differences in short (docs/dev/openmesh.md has
 /// them all):
@@ -80,7 +75,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   /// \param mesh must outlive the decimater
   explicit PairDecimaterT(MeshT& mesh) : Base(mesh), mesh_(mesh) {}
 
-  /// As the base's; call these two on a `PairDecimaterT`, not through the base, which can't be overridden.
+  /// As the base's. What is added through a reference to the base is refused by `initialize`.
   template <class ModuleT>
   bool add(OpenMesh::Decimater::ModHandleT<ModuleT>& handle);
   template <class ModuleT>
@@ -89,6 +84,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   /// Initializes every module for the mesh as it is; a second call starts anew. Needed after adding modules, setting
   /// their options, or changing the mesh; *not* between calls of `decimate`, the next goes on where the last one ended.
   /// \return false unless exactly one module ranks (isn't binary)
+  /// \throw std::logic_error if modules were added through a reference to the base: their types are unknown then
   bool initialize();
 
   /// Default automatic.
@@ -104,10 +100,9 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   ///
   /// Afterwards the mesh may have copies of vertices (`vertex_copies.hh`), and `geometry_of(mesh)` gives the indexed
   /// mesh in which they are one, as the engine made it; the next `initialize()` and `decimate` go on from that.
-  /// Only the engine driver contracts such pairs. Where it can't run, `decimate` throws: with foreign modules,
-  /// `Driver::mesh`, or a second time after one `initialize()`; and so it does with other costs than the quadric's, or
-  /// with isotropy or a valence weight. Locked vertices and `only_selected` count as for edges.
-  /// \throw std::invalid_argument if negative or not a number
+  /// Only the engine driver contracts such pairs. Where it can't run, `decimate` throws: with foreign modules or
+  /// `Driver::mesh`; and so it does with other costs than the quadric's, or with isotropy or a valence weight. Locked
+  /// vertices and `only_selected` count as for edges. \throw std::invalid_argument if negative or not a number
   void set_pair_threshold(double threshold);
   double pair_threshold() const { return pairs_.threshold; }
   /// The same, with how many pairs a vertex may have, and which are left out. \throw as above
@@ -150,7 +145,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
 
  private:
   friend class EngineRunT<MeshT>;
-  friend class MeshContractionLoopT<MeshT>;
+  friend class MeshRunT<MeshT>;
   using VertexHandle = OpenMesh::VertexHandle;
   using HalfedgeHandle = OpenMesh::HalfedgeHandle;
 
@@ -158,6 +153,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   struct Attached {
     Module* module;
     PairCostModuleT<MeshT>* cost;
+    bool is_engine_cost;  ///< exactly one of our cost modules
     ModFlipGuardT<MeshT>* flip_guard;
     ModRadiusRatioT<MeshT>* radius_guard;
   };
@@ -166,7 +162,9 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
     std::uint64_t faces = 0;
   };
 
+  void require_known_modules();
   void assign_roles();
+  DecimateOptions engine_options_but_cost() const;
   void require_initialized() const;
   Driver choose_driver() const;
   DecimateTarget checked(const DecimateTarget& target) const;
@@ -175,7 +173,6 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   double min_radius_ratio() const { return radius_guard_ ? radius_guard_->min_radius_ratio() : 0; }
   bool is_fixed(VertexHandle v, bool only_selected) const;
 
-  std::uint64_t contract(HalfedgeHandle to_survivor, const PairEvaluation& evaluation, const Vec3& position);
   void count_rejection(const Module& module);
 
   MeshT& mesh_;
@@ -185,6 +182,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
 
   // Roles, since `initialize()`. One of the first two is null.
   PairCostModuleT<MeshT>* cost_ = nullptr;
+  bool is_engine_cost_ = false;
   Module* foreign_cost_ = nullptr;
   ModFlipGuardT<MeshT>* flip_guard_ = nullptr;
   ModRadiusRatioT<MeshT>* radius_guard_ = nullptr;

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "whittle/openmesh/engine_run.hh"
-#include "whittle/openmesh/mesh_contraction_loop.hh"
+#include "whittle/openmesh/mesh_run.hh"
 #include "whittle/openmesh/pair_decimater.hh"
 
 namespace whittle {
@@ -16,10 +17,10 @@ template <class ModuleT>
 bool PairDecimaterT<MeshT>::add(OpenMesh::Decimater::ModHandleT<ModuleT>& handle) {
   if (!Base::add(handle)) return false;
   ModuleT& module = Base::module(handle);
-  Attached attached{&module, nullptr, nullptr, nullptr};
+  Attached attached{&module, nullptr, is_engine_cost<ModuleT>, nullptr, nullptr};
   if constexpr (std::is_base_of_v<PairCostModuleT<MeshT>, ModuleT>) attached.cost = &module;
-  if constexpr (std::is_base_of_v<ModFlipGuardT<MeshT>, ModuleT>) attached.flip_guard = &module;
-  if constexpr (std::is_base_of_v<ModRadiusRatioT<MeshT>, ModuleT>) attached.radius_guard = &module;
+  if constexpr (std::is_same_v<ModFlipGuardT<MeshT>, ModuleT>) attached.flip_guard = &module;
+  if constexpr (std::is_same_v<ModRadiusRatioT<MeshT>, ModuleT>) attached.radius_guard = &module;
   attached_.push_back(attached);
   is_ready_ = false;
   return true;
@@ -37,6 +38,7 @@ bool PairDecimaterT<MeshT>::remove(OpenMesh::Decimater::ModHandleT<ModuleT>& han
 
 template <class MeshT>
 bool PairDecimaterT<MeshT>::initialize() {
+  require_known_modules();
   this->set_uninitialized();  // the base does nothing a second time, and after a mere reset() lists its modules twice
   is_ready_ = Base::initialize();
   is_fresh_ = is_ready_;
@@ -44,9 +46,25 @@ bool PairDecimaterT<MeshT>::initialize() {
   return is_ready_;
 }
 
+/// The base's `add` can't be overridden, and its list of modules is its own. It says how many there are, in words.
+template <class MeshT>
+void PairDecimaterT<MeshT>::require_known_modules() {
+  this->set_uninitialized();
+  std::ostringstream info;
+  Base::info(info);
+  const std::string text = info.str();
+  const std::string label = "available modules: ";
+  const std::size_t place = text.find(label);
+  if (place == std::string::npos || std::stoul(text.substr(place + label.size())) == attached_.size()) return;
+  throw std::logic_error(
+      "PairDecimaterT: a module was added or removed through a reference to BaseDecimaterT; call add() and remove() on "
+      "the PairDecimaterT itself");
+}
+
 template <class MeshT>
 void PairDecimaterT<MeshT>::assign_roles() {
   cost_ = nullptr;
+  is_engine_cost_ = false;
   foreign_cost_ = nullptr;
   flip_guard_ = nullptr;
   radius_guard_ = nullptr;
@@ -61,6 +79,7 @@ void PairDecimaterT<MeshT>::assign_roles() {
   for (auto it = attached_.begin(); it != attached_.end(); ++it) {
     if (it == ranking && it->cost && it->cost->has_placement()) {
       cost_ = it->cost;
+      is_engine_cost_ = it->is_engine_cost;
     } else if (it == ranking) {
       foreign_cost_ = it->module;
     } else if (it->flip_guard) {
@@ -78,8 +97,8 @@ std::string PairDecimaterT<MeshT>::engine_obstacle() const {
   if (!is_ready_) return "not initialized";
   if (foreign_cost_) return "the costs are those of module " + foreign_cost_->name();
   if (!foreign_guards_.empty()) return "module " + foreign_guards_.front()->name() + " works on the mesh alone";
+  if (!is_engine_cost_) return "the cost module is not one of Whittle's own, but may be derived from one";
   if (!cost_->engine_options()) return "the engine doesn't know these costs";
-  if (!is_fresh_) return "contractions were made since initialize(), and the engine starts anew";
   return {};
 }
 
@@ -110,8 +129,14 @@ void PairDecimaterT<MeshT>::set_feature_tolerance(double tolerance) {
 
 template <class MeshT>
 void PairDecimaterT<MeshT>::require_initialized() const {
-  if (is_ready_ && this->is_initialized()) return;
-  throw std::logic_error("PairDecimaterT: not initialized; initialize() must have returned true since the last add()");
+  if (!is_ready_ || !this->is_initialized()) {
+    throw std::logic_error(
+        "PairDecimaterT: not initialized; initialize() must have returned true since the last add()");
+  }
+  if (cost_ && cost_->has_new_options()) {
+    throw std::logic_error(
+        "PairDecimaterT: options of the cost module were set after initialize(); call initialize() again");
+  }
 }
 
 template <class MeshT>
@@ -137,9 +162,8 @@ DecimateResult PairDecimaterT<MeshT>::decimate(const DecimateTarget& target, boo
   module_rejections_.clear();
   if (last_driver_ == Driver::engine) {
     result_ = EngineRunT<MeshT>(*this, effective, only_selected).run();
-    if (result_.n_contractions > 0) is_fresh_ = false;
   } else {
-    result_ = MeshContractionLoopT<MeshT>(*this, effective, only_selected).run();
+    result_ = MeshRunT<MeshT>(*this, effective, only_selected).run();
   }
   return result_;
 }
@@ -209,23 +233,17 @@ bool PairDecimaterT<MeshT>::is_fixed(VertexHandle v, bool only_selected) const {
   return status.locked() || (only_selected && !status.selected());
 }
 
-// Contractions --------------------------------------------------------------------------------------------------------
-
-/// \param position in the frame of `cost_`; with a foreign cost v1 keeps its place. \return faces removed
+/// What both drivers ask of the engine. Its order is exact in both.
 template <class MeshT>
-std::uint64_t PairDecimaterT<MeshT>::contract(HalfedgeHandle to_survivor, const PairEvaluation& evaluation,
-                                              const Vec3& position) {
-  CollapseInfo collapse(mesh_, to_survivor);
-  is_fresh_ = false;
-  if (cost_) cost_->place_next(evaluation, position);
-  Base::preprocess_collapse(collapse);
-  carry_feature_bits(mesh_, collapse);
-  mesh_.collapse(to_survivor);
-  if (mesh_.has_face_normals()) {
-    for (const OpenMesh::FaceHandle f : mesh_.vf_range(collapse.v1)) mesh_.set_normal(f, mesh_.calc_face_normal(f));
-  }
-  Base::postprocess_collapse(collapse);
-  return std::uint64_t{collapse.fl.is_valid()} + std::uint64_t{collapse.fr.is_valid()};
+DecimateOptions PairDecimaterT<MeshT>::engine_options_but_cost() const {
+  DecimateOptions options;
+  options.order = Order::exact;
+  options.pairs = pairs_;
+  options.max_normal_flip_deg = max_normal_flip_deg();
+  options.min_radius_ratio = min_radius_ratio();
+  options.feature_tolerance = feature_tolerance_;
+  options.threads = threads_;
+  return options;
 }
 
 template <class MeshT>

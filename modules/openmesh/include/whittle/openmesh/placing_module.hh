@@ -38,6 +38,15 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   void set_max_cost(double max_cost);
   void unset_max_cost() { max_cost_.reset(); }
 
+  /// The same under the names of OpenMesh's `ModQuadricT`.
+  void set_max_err(double max_err) { set_max_cost(max_err); }
+  /// \throw std::invalid_argument for a binary one: our cost modules always rank
+  void set_max_err(double max_err, bool is_binary) {
+    require(!is_binary, "the module ranks, and can't be binary");
+    set_max_cost(max_err);
+  }
+  void unset_max_err() { unset_max_cost(); }
+
   /// W of a penalty for valences far from 6, on borders from 4, times the cost (valence_term.hh): vertices get about
   /// six edges, and inside the surface none is left with three as long as any other contraction is allowed.
   /// [0, inf), default 0 = off. Used from the next `initialize()` on.
@@ -61,6 +70,8 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   std::optional<double> max_cost() const override;
   Reach reach() const override { return active_valence_weight_ > 0 ? Reach::opposite_rings : plain_reach(); }
   Vec3 position(OpenMesh::VertexHandle v) const override { return placed(v).position; }
+  PlacedQuadric quadric(OpenMesh::VertexHandle v) const override { return placed(v); }
+  bool has_new_options() const override { return has_new_options_; }
   PairEvaluation evaluate(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second, Pinned pinned) const override;
   PairEvaluation evaluate(const CollapseInfo& collapse) const override;
   void place_next(const PairEvaluation& evaluation, const Vec3& position) override {
@@ -77,7 +88,8 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   // The cost, but for valences.
   virtual PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const = 0;
   virtual Reach plain_reach() const = 0;
-  virtual CostOptions plain_options() const = 0;
+  /// As the engine knows the cost; only asked of our own modules.
+  virtual CostOptions plain_options() const { return {}; }
   /// What the merged vertex is to keep at `position`. Called while the mesh is as it was.
   virtual PlacedQuadric merge(VertexHandle, VertexHandle, const PairEvaluation&, const Vec3& position) {
     return {position, {}};
@@ -93,6 +105,10 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   }
   /// The next to ask for quadrics gets those of the mesh as it is.
   void forget_quadrics() { has_quadrics_ = false; }
+  /// To be called by setters of options that `initialize` takes over.
+  void note_new_options() { has_new_options_ = true; }
+  /// To be called by an `initialize` that does without this class's.
+  void forget_new_options() { has_new_options_ = false; }
   /// \throw std::invalid_argument with the module's and the option's name
   void require(bool condition, const std::string& what) const;
 
@@ -113,6 +129,7 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   std::optional<double> max_cost_;
   double valence_weight_ = 0;
   double active_valence_weight_ = 0;  ///< that of the last `initialize()`
+  bool has_new_options_ = false;
 
   Frame frame_;
   // Lazy: the quadrics of the mesh as it was at `initialize()`, and of what has been merged since.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "whittle/openmesh/blend_attributes.hh"
 #include "whittle/openmesh/feature_bits.hh"
 #include "whittle/openmesh/placing_module.hh"
 
@@ -20,6 +21,7 @@ template <class MeshT>
 void PlacingModuleT<MeshT>::set_valence_weight(double weight) {
   require(weight >= 0 && std::isfinite(weight), "valence_weight is negative or not finite");
   valence_weight_ = weight;
+  note_new_options();
 }
 
 template <class MeshT>
@@ -51,6 +53,7 @@ void PlacingModuleT<MeshT>::adopt(const std::vector<Index>& vertices, std::vecto
 template <class MeshT>
 void PlacingModuleT<MeshT>::initialize() {
   active_valence_weight_ = valence_weight_;
+  has_new_options_ = false;
   pending_.reset();
   frame_ = frame_of_mesh();
   has_quadrics_ = false;
@@ -162,6 +165,8 @@ void PlacingModuleT<MeshT>::preprocess_collapse(const CollapseInfo& collapse) {
     const PairEvaluation evaluation = evaluate_cheapest(collapse);
     place_next(evaluation, this->place(first, second, evaluation));
   }
+  blend_attributes(mesh_, collapse.v1, collapse.v0,
+                   share_along(position(collapse.v1), position(collapse.v0), pending_->position));
   merged_ = merge(first, second, pending_->evaluation, pending_->position);
   carry_feature_bits(mesh_, collapse);
   if (pending_->position == position(collapse.v1)) return;  // not rounded for nothing

@@ -17,6 +17,7 @@ void QuadricModuleT<MeshT>::set_options(const QuadricOptions& options) {
   check(options.regularization, "regularization");
   check(options.boundary_weight, "boundary_weight");
   options_ = options;
+  this->note_new_options();
 }
 
 template <class MeshT>

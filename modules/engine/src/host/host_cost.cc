@@ -1,0 +1,45 @@
+#include "host/host_cost.hh"
+
+#include <algorithm>
+
+namespace whittle {
+
+HostedContraction hosted(const TriangleComplex& complex, const ContractionProfile& profile,
+                         const PairEvaluation& ranked, const Vec3& position) {
+  const Index first = complex.origin(profile.pair.a);
+  const Index second = complex.origin(profile.pair.b);
+  const bool first_survives = profile.survivor == profile.pair.a;
+  return {first,
+          second,
+          first_survives ? first : second,
+          first_survives ? second : first,
+          {complex.position(profile.pair.a), complex.position(profile.pair.b)},
+          ranked,
+          position};
+}
+
+void HostCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
+  std::transform(pairs.begin(), pairs.end(), ranks.begin(), [this](const Pair& pair) {
+    return cost_.rank(complex_.origin(pair.a), complex_.origin(pair.b),
+                      restraints_.pinned(pair).value_or(Pinned::first));
+  });
+}
+
+Settlement HostCost::settle(ContractionProfile& profile, const PairEvaluation& ranked) const {
+  const auto& [id, a, b] = profile.pair;
+  const Index first = complex_.origin(a);
+  Settlement settlement =
+      cost_.settle(first, complex_.origin(b), restraints_.pinned(profile.pair).value_or(Pinned::first), ranked);
+  for (std::size_t i = 0; i < settlement.n; ++i) {
+    Index& survivor = settlement.options[i].survivor;
+    if (survivor != invalid_index) survivor = survivor == first ? a : b;
+  }
+  return settlement;
+}
+
+double HostCost::final_cost(const ContractionProfile& profile, const PairEvaluation& ranked,
+                            const Vec3& position) const {
+  return cost_.final_cost(hosted(complex_, profile, ranked, position));
+}
+
+}  // namespace whittle
