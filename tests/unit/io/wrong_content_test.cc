@@ -38,8 +38,7 @@ TEST(WrongContent, IsNamedWhateverTheExtension) {
         continue;
       }
       expect_error(sample.content, name,
-                   cat(name, ": the content is ", real, ", not ", name_of(named), "; rename it to .", real,
-                       " or give --format ", real));
+                   cat(name, ": the content is ", real, ", not ", name_of(named), "; rename it to .", real));
     }
   }
 }
@@ -47,6 +46,13 @@ TEST(WrongContent, IsNamedWhateverTheExtension) {
 TEST(WrongContent, IsReadWhenTheFormatIsNamed) {
   for (const Sample& sample : samples) {
     const std::span<const char> bytes(sample.content.data(), sample.content.size());
+    try {
+      read_mesh(bytes, "-", {.format = Format::obj});
+      FAIL() << "read";
+    } catch (const ReadError& error) {
+      const std::string right(name_of(sample.format));
+      EXPECT_EQ(error.what(), cat("-: the content is ", right, ", not obj; give --format ", right));
+    }
     EXPECT_EQ(read_mesh(bytes, "-", {.format = sample.format}).mesh.faces.size(), 1U);
   }
 }
