@@ -9,8 +9,12 @@ namespace {
 
 constexpr char common_group[] = "Common options";
 
-constexpr std::array<Choice<io::Format>, 4> formats{
-    {{"obj", io::Format::obj}, {"off", io::Format::off}, {"ply", io::Format::ply}, {"stl", io::Format::stl}}};
+io::Format parse_format(std::string_view text) {
+  for (const io::Format format : io::all_formats) {
+    if (io::name_of(format) == text) return format;
+  }
+  throw std::invalid_argument("'" + std::string(text) + "' is none of " + io::format_names("|"));
+}
 
 /// Whether the command line has "--option" or "--option value".
 bool is_given(const CLI::App& app, std::string_view side) {
@@ -56,14 +60,17 @@ CLI::Option* add_no_weld(CLI::App& app, InputOptions& options) {
 
 CLI::Option* add_format(CLI::App& app, InputOptions& options) {
   return add_value(
-             app, "--format", words_of<io::Format>(formats), options.format,
-             [](std::string_view text) { return parse_choice<io::Format>(text, formats); },
-             "the format of '-' and of files whose name doesn't tell it")
+             app, "--format", "EXT", options.format, [](std::string_view text) { return parse_format(text); },
+             "the format, such as ply, of '-' and of files whose name doesn't tell it")
       ->default_str("by name");
 }
 
 void add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description) {
   app.add_option(name, path, description)->required()->type_name("")->group("Arguments");
+}
+
+void add_mesh_file(CLI::App& app, std::string& path) {
+  add_file(app, "IN", path, "the mesh: an " + io::format_titles() + " file, or '-' for standard input");
 }
 
 void check_conflicts(const CLI::App& app, std::span<const Conflict> conflicts) {

@@ -44,6 +44,8 @@ CLI::Option* add_format(CLI::App& app, InputOptions& options);
 
 /// The file a positional argument names.
 void add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description);
+/// The mesh file to work on, as the argument IN. The help lists the formats.
+void add_mesh_file(CLI::App& app, std::string& path);
 
 /// Adds an option with one value, which `parse` makes of its text or throws std::invalid_argument.
 /// \param names as CLI11 takes them: "-r,--ratio". \param value_name how the help shows the value: "R".

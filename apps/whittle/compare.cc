@@ -172,7 +172,7 @@ ExitCode run_compare(const CLI::App& app, const CompareOptions& options) {
 void setup_compare(CLI::App& app, Command& command) {
   const auto options = std::make_shared<CompareOptions>();
   CLI::App* sub = app.add_subcommand("compare", "Simplify with whittle and with OpenMesh's ModQuadric, side by side.");
-  add_file(*sub, "IN", options->input, "the mesh: an OBJ, OFF, PLY or STL file, or '-' for standard input");
+  add_mesh_file(*sub, options->input);
   add_target_options(*sub, options->targets);
   add_sampling_options(*sub, options->distance);
   add_format(*sub, options->reading);

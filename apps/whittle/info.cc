@@ -130,10 +130,9 @@ std::string joined(const std::vector<std::string>& words) {
 std::string to_text(const Findings& findings) {
   const io::ReadResult& read = findings.read;
   const std::string repairs = io::to_string(read.repairs);
-  std::string format(io::name_of(read.format));
-  for (char& c : format) c = static_cast<char>(c - 'a' + 'A');
-  std::string text = findings.name + ": " + format + ", " + std::to_string(read.file_vertices) + " vertices, " +
-                     std::to_string(read.file_faces) + " faces in the file\n";
+  std::string text = findings.name + ": " + std::string(io::title_of(read.format)) + ", " +
+                     std::to_string(read.file_vertices) + " vertices, " + std::to_string(read.file_faces) +
+                     " faces in the file\n";
   text += "repairs: " + (repairs.empty() ? "none" : repairs) + '\n';
   text += "box: " + point_text(findings.bounds.min) + " to " + point_text(findings.bounds.max) + ", diagonal " +
           significant(findings.bounds.diagonal()) + '\n';
@@ -171,7 +170,7 @@ ExitCode run_info(const CLI::App& app, const InfoOptions& options) {
 void setup_info(CLI::App& app, Command& command) {
   const auto options = std::make_shared<InfoOptions>();
   CLI::App* sub = app.add_subcommand("info", "Say what is in a mesh file and what is wrong with it.");
-  add_file(*sub, "IN", options->input, "the mesh: an OBJ, OFF, PLY or STL file, or '-' for standard input");
+  add_mesh_file(*sub, options->input);
   add_format(*sub, options->reading);
   add_common_options(*sub, options->common);
   set_usage(*sub, "IN [OPTION]...");

@@ -10,7 +10,7 @@
 namespace whittle::app {
 namespace {
 
-constexpr char needs_format[] = "'-' needs --format: one of obj, off, ply, stl";
+std::string needs_format() { return "'-' needs --format: one of " + io::format_names(); }
 
 }  // namespace
 
@@ -25,7 +25,7 @@ std::optional<io::Format> format_by_name(const std::string& path) {
 io::Format format_for_output(const std::string& path, std::optional<io::Format> given) {
   if (const std::optional<io::Format> by_name = format_by_name(path)) return *by_name;
   if (given) return *given;
-  if (path == standard_stream) throw UsageError(needs_format);
+  if (path == standard_stream) throw UsageError(needs_format());
   try {
     return io::format_of(path);
   } catch (const std::invalid_argument& error) {
@@ -37,7 +37,7 @@ void check_inputs(const std::vector<std::string>& inputs, const std::vector<std:
                   std::optional<io::Format> given) {
   const auto n_standard = std::count(inputs.begin(), inputs.end(), standard_stream);
   if (n_standard > 1) throw UsageError("only one of the inputs can be standard input ('-')");
-  if (n_standard == 1 && !given) throw UsageError(needs_format);
+  if (n_standard == 1 && !given) throw UsageError(needs_format());
   const auto is_told = [](const std::string& path) { return format_by_name(path).has_value(); };
   if (given && std::all_of(inputs.begin(), inputs.end(), is_told) &&
       std::all_of(outputs.begin(), outputs.end(), is_told)) {

@@ -226,7 +226,7 @@ unsigned passes_of(const SimplifyOptions& options) {
 }  // namespace
 
 void add_simplify_options(CLI::App& app, SimplifyOptions& options) {
-  add_file(app, "IN", options.input, "the mesh: an OBJ, OFF, PLY or STL file, or '-' for standard input");
+  add_mesh_file(app, options.input);
   add_target_options(app, options.targets);
   app.add_flag("--strict", options.strict, "end with status 3 when the target was not met")
       ->default_str("off")

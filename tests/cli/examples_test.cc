@@ -126,7 +126,8 @@ std::size_t check(const fs::path& path) {
 
 TEST(Examples, PrintWhatTheDocumentationSays) {
   std::size_t n_commands = 0;
-  for (const auto& entry : fs::directory_iterator(fs::path(WHITTLE_DOCS_DIR) / "user")) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(WHITTLE_DOCS_DIR) / "user")) {
+    if (!entry.is_regular_file()) continue;
     SCOPED_TRACE(entry.path().filename().string());
     n_commands += check(entry.path());
   }
@@ -148,7 +149,7 @@ TEST(Examples, NameEveryPageInTheIndex) {
   const std::string index = read_text(fs::path(WHITTLE_DOCS_DIR) / "user" / "README.md");
   for (const auto& entry : fs::directory_iterator(fs::path(WHITTLE_DOCS_DIR) / "user")) {
     const std::string name = entry.path().filename().string();
-    if (name == "README.md") continue;
+    if (name == "README.md" || entry.is_directory()) continue;
     EXPECT_NE(index.find("(" + name + ")"), std::string::npos) << name;
   }
 }

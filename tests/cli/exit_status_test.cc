@@ -72,6 +72,19 @@ TEST(ExitStatus, IsFourForBadStandardInput) {
   expect_failure(whittle({"info", "-", "--format", "ply"}, options), 4, {"standard input: "});
 }
 
+TEST(ExitStatus, IsZeroAfterTheAdviceOnAWrongFormat) {
+  const TemporaryFolder folder;
+  fs::copy_file(data_file("knot.ply"), folder / "knot.obj");
+  expect_failure(whittle({"info", folder / "knot.obj"}), 4, {"the content is ply, not obj; rename it to .ply\n"});
+  fs::rename(folder / "knot.obj", folder / "knot.ply");
+  EXPECT_EQ(whittle({"info", folder / "knot.ply"}).exit_code, 0);
+  RunOptions options;
+  options.input = read_text(data_file("knot.ply"));
+  expect_failure(whittle({"info", "-", "--format", "obj"}, options), 4,
+                 {"the content is ply, not obj; give --format ply\n"});
+  EXPECT_EQ(whittle({"info", "-", "--format", "ply"}, options).exit_code, 0);
+}
+
 TEST(ExitStatus, IsFourWhereOpenMeshCannotHoldTheMesh) {
   const TemporaryFolder folder;
   expect_failure(whittle({"simplify", data_file("nonmanifold.obj"), "-o", folder / "out.obj", "--faces", "100",

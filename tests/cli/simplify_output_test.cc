@@ -103,7 +103,9 @@ TEST(Output, ReplacesAFileAndKeepsItsPermissions) {
 
 TEST(Output, IsInTheFormatOfItsName) {
   const TemporaryFolder folder;
-  for (const char* name : {"out.obj", "out.off", "out.ply", "out.stl", "OUT.PLY"}) {
+  std::vector<std::string> names{"OUT.PLY"};
+  for (const io::Format format : io::all_formats) names.push_back("out." + std::string(io::name_of(format)));
+  for (const std::string& name : names) {
     const Outcome outcome = whittle({"simplify", data_file("blob.obj"), "-o", folder / name, "--faces", "500"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome;
     EXPECT_EQ(io::read_mesh(folder / name).mesh.faces.size(), 500U) << name;

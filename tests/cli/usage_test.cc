@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "program.hh"
+#include "whittle/io/format.hh"
 
 namespace whittle::test {
 namespace {
@@ -119,7 +120,7 @@ TEST(Usage, NamesTheOptionAndTheRange) {
       {"--max-pairs", "4294967296", "at most 4294967295"},
       {"--topology", "loose", "keep|free"},
       {"--prune", "-2%", "S >= 0"},
-      {"--format", "glb", "obj|off|ply|stl"},
+      {"--format", "glb", io::format_names("|")},
       {"--threads", "-1", "at most 1024"},
       {"--threads", "1025", "at most 1024"},
   };
@@ -174,7 +175,7 @@ TEST(Usage, RefusesToWriteAFormatItDoesNotKnow) {
   const std::string mesh = data_file("cubes.obj");
   expect_usage_error(whittle({"simplify", mesh, "-o", folder / "out.glb", "--faces", "150"}), {"out.glb", "glTF"});
   expect_usage_error(whittle({"simplify", mesh, "-o", folder / "out", "--faces", "150"}),
-                     {"out", "obj, off, ply, stl"});
+                     {"out", io::format_names()});
   EXPECT_TRUE(folder.files().empty());
 }
 

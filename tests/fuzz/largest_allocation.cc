@@ -1,5 +1,5 @@
-// Replaces the program's operator new. In a file of its own: where GCC can inline one of the two operators but not the
-// other, it warns of a mismatch.
+// Replaces the program's operator new. It has a file of its own, so that GCC inlines neither operator: with only one
+// inlined it warns of a mismatch.
 #include "fuzz/largest_allocation.hh"
 
 #include <algorithm>

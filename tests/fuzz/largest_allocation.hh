@@ -4,7 +4,7 @@
 
 namespace whittle::test {
 
-/// Bytes of the largest single allocation by `new` in this program since it was last set to 0.
+/// Bytes of the largest single allocation by `new` since this was last set to 0.
 extern std::size_t largest_allocation;
 
 }  // namespace whittle::test

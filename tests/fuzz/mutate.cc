@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 22> nasty_words = {
 constexpr std::array<std::uint32_t, 8> nasty_integers = {0,          1,          3,          0x7FFFFFFF,
                                                          0x80000000, 0xFFFFFFFF, 0x7FC00000, 0x00010000};
 
-// Somewhere to cut: begin and length of a stretch of at most 40 bytes.
+// A part of the file, of at most 40 bytes.
 struct Stretch {
   std::size_t begin;
   std::size_t length;

@@ -6,8 +6,8 @@
 
 namespace whittle::test {
 
-/// The text or binary file with one to four small damages: bits flipped, bytes replaced, parts dropped, doubled, moved
-/// or cut off, numbers replaced by ones that are likely to hurt.
+/// A text or binary file with one to four small damages: flipped bits, replaced bytes, parts dropped, doubled, moved or
+/// cut off, numbers replaced by ones that are likely to hurt.
 std::string mutated(std::string file, Random& random);
 
 }  // namespace whittle::test

@@ -2,15 +2,20 @@
 
 #include <string_view>
 
+#include "whittle/io/format.hh"
+
 namespace whittle::test {
 
-/// Reads `bytes` as a mesh file and checks what the reader promises: a `ReadError`, or a valid mesh that survives being
+/// Reads a mesh file and checks what the reader promises: a `ReadError`, or a valid mesh that stays the same when it is
 /// written and read again.
-/// \param bytes the first one chooses the format and whether to weld, the rest is the file.
-/// \throw std::logic_error that says which promise was broken.
+/// \param bytes a byte that chooses the format and whether to weld, then the file.
+/// \throw std::logic_error that names the broken promise.
 void read_and_check(std::string_view bytes);
 
 /// The first byte for `read_and_check`.
-char choice(int format, bool weld);
+char choice_of(io::Format format, bool weld);
+
+/// The format that a first byte chooses; any byte chooses one.
+io::Format format_chosen(char choice);
 
 }  // namespace whittle::test

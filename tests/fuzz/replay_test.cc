@@ -1,5 +1,6 @@
-// Mutations of small files of every format: each gives an error or a valid mesh, and no single allocation is larger
-// than the file justifies. WHITTLE_FUZZ_RUNS and WHITTLE_FUZZ_SEED (environment) ask for more and for others.
+// Mutations of small files of every format. Each gives an error or a valid mesh, and no single allocation is larger
+// than the file justifies. The environment variables WHITTLE_FUZZ_RUNS and WHITTLE_FUZZ_SEED ask for more runs and
+// other seeds.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -27,7 +28,7 @@ std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
 std::string written(const IndexedMesh& mesh, io::Format format, bool ascii) {
   std::ostringstream out;
   io::write_mesh(out, format, mesh, {.ascii = ascii});
-  return choice(static_cast<int>(format), true) + out.str();
+  return choice_of(format, true) + out.str();
 }
 
 IndexedMesh with_attributes(IndexedMesh mesh) {
@@ -36,7 +37,7 @@ IndexedMesh with_attributes(IndexedMesh mesh) {
   return mesh;
 }
 
-// One of each way to write, and by hand what our writers don't write.
+// Each format as we write it, and by hand what our writers don't write.
 std::vector<std::string> seeds() {
   using namespace std::string_literals;
   const std::vector<IndexedMesh> meshes = {octahedron(), with_attributes(tetrahedron()), soup(cube()),
@@ -48,9 +49,9 @@ std::vector<std::string> seeds() {
       files.push_back(written(mesh, format, false));
     }
   }
-  const char obj = choice(0, true);
-  const char off = choice(1, true);
-  const char ply = choice(2, true);
+  const char obj = choice_of(io::Format::obj, true);
+  const char off = choice_of(io::Format::off, true);
+  const char ply = choice_of(io::Format::ply, true);
   files.push_back(obj +
                   "mtllib a\nv 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0\nv 0.5 0.25 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
                   "usemtl b\nf 1/1/1 2/1/1 3/1/1 4/1/1 5/1/1\nf -5//-1 -4//1 \\\n -3\ns 1\nl 1 2\n"s);
@@ -84,7 +85,7 @@ TEST(FuzzIo, EveryMutationGivesAnErrorOrAValidMesh) {
       Random random(seed * 1000 + f);
       std::string file = mutated(files[f], random);
       if (random.below(16) == 0) file += files[random.below(files.size())].substr(1);
-      // Vectors double, positions take 24 bytes and may stand for three in the file; 1 MiB for buffers.
+      // Vectors double. A position takes 24 bytes, and as few as three in the file. Buffers take 1 MiB.
       const std::size_t justified = 64 * file.size() + (std::size_t{1} << 20);
       largest_allocation = 0;
       try {
@@ -97,11 +98,11 @@ TEST(FuzzIo, EveryMutationGivesAnErrorOrAValidMesh) {
   }
 }
 
-// The mutations start from something worth breaking.
+// Mutations need valid files to start from.
 TEST(FuzzIo, EverySeedIsAValidFile) {
   for (const std::string& file : seeds()) {
     const std::string_view bytes = std::string_view(file).substr(1);
-    const io::Format format = io::all_formats[static_cast<unsigned char>(file[0]) % 4];
+    const io::Format format = format_chosen(file[0]);
     EXPECT_NO_THROW(io::read_mesh(bytes, "seed", {.format = format})) << bytes;
   }
 }

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <set>
 #include <stdexcept>
 #include <string>
+
+#include "format/format_row.hh"
 
 namespace whittle::io {
 namespace {
@@ -18,29 +22,64 @@ std::string refusal(const std::filesystem::path& path) {
   return {};
 }
 
-TEST(Format, FollowsTheEndingInUpperAndLowerCase) {
+TEST(FormatTable, HasARowForEachFormatInTheirOrder) {
+  for (std::size_t i = 0; i < all_formats.size(); ++i) {
+    EXPECT_EQ(all_formats[i], detail::format_table[i]->format);
+    EXPECT_EQ(&row_of(all_formats[i]), detail::format_table[i]);
+  }
+  EXPECT_THROW(row_of(static_cast<Format>(all_formats.size())), std::invalid_argument);
+}
+
+TEST(FormatTable, GivesEachNameAndExtensionToOneFormat) {
+  std::set<std::string_view> names;
+  std::set<std::string_view> extensions;
+  for (const detail::FormatRow* row : detail::format_table) {
+    EXPECT_TRUE(names.insert(row->name).second) << row->name;
+    EXPECT_FALSE(row->title.empty()) << row->name;
+    for (const std::string_view extension : row->extensions) {
+      EXPECT_TRUE(extensions.insert(extension).second) << extension;
+      EXPECT_EQ(format_from_extension(extension), row->format);
+    }
+    EXPECT_TRUE(extensions.contains(row->name)) << row->name;
+  }
+}
+
+TEST(FormatTable, HasAPageForEachFormat) {
+  for (const Format format : all_formats) {
+    const std::string page = std::string(name_of(format)) + ".md";
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(WHITTLE_DOCS_DIR) / "user" / "formats" / page)) << page;
+  }
+}
+
+TEST(FormatTable, IsListedInMessages) {
+  for (const Format format : all_formats) {
+    EXPECT_NE((", " + format_names() + ",").find(", " + std::string(name_of(format)) + ","), std::string::npos);
+    EXPECT_NE(format_titles().find(title_of(format)), std::string::npos);
+  }
+  EXPECT_TRUE(format_names("|").starts_with("obj|off|ply|stl")) << format_names("|");
+  EXPECT_TRUE(format_titles().starts_with("OBJ, OFF, PLY")) << format_titles();
+  EXPECT_TRUE(format_titles().ends_with(" or " + std::string(title_of(all_formats.back())))) << format_titles();
+}
+
+TEST(Format, FollowsTheExtensionInUpperAndLowerCase) {
   EXPECT_EQ(format_of("a/b.obj"), Format::obj);
   EXPECT_EQ(format_of("a.b/c.OFF"), Format::off);
   EXPECT_EQ(format_of("x.Ply"), Format::ply);
   EXPECT_EQ(format_of("1002_tray.STL"), Format::stl);
-}
-
-TEST(Format, IsFoundByABareEndingAndByItsName) {
-  EXPECT_EQ(format_from_ending(".PLY"), Format::ply);
-  for (const Format format : all_formats) EXPECT_EQ(format_from_ending(name_of(format)), format);
+  EXPECT_EQ(format_from_extension(".PLY"), Format::ply);
 }
 
 TEST(Format, NamesWhatIsKnownButNotSupported) {
-  EXPECT_EQ(refusal("Duck.glb"), "is glTF (.glb), a format that is not supported; use OBJ, OFF, PLY or STL");
+  EXPECT_EQ(refusal("Duck.glb"), "is glTF (.glb), a format that is not supported; use " + format_titles());
   EXPECT_NE(refusal("cube.om").find("OpenMesh's own format"), std::string::npos);
   EXPECT_NE(refusal("a.3DS").find("3D Studio"), std::string::npos);
-  EXPECT_NE(refusal("cow.off.gz").find("compressed"), std::string::npos);
+  EXPECT_EQ(refusal("cow.off.gz"), "is compressed (.gz), which is not supported; unpack it first (gunzip)");
 }
 
-TEST(Format, AsksForAnEndingWhereThereIsNone) {
-  EXPECT_EQ(refusal("mesh"), "has no ending that tells its format; name one of obj, off, ply, stl");
-  EXPECT_EQ(refusal(".obj"), refusal("mesh"));  // a hidden file without an ending
-  EXPECT_EQ(refusal("notes.txt"), "has the unknown ending \".txt\"; use OBJ, OFF, PLY or STL");
+TEST(Format, AsksForAnExtensionWhereThereIsNone) {
+  EXPECT_EQ(refusal("mesh"), "has no extension that tells its format; name one of " + format_names());
+  EXPECT_EQ(refusal(".obj"), refusal("mesh"));  // A hidden file without an extension.
+  EXPECT_EQ(refusal("notes.txt"), "has the unknown extension \".txt\"; use " + format_titles());
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ inline ReadResult read(std::string_view bytes, std::string_view name, bool weld 
   return read_mesh(std::span<const char>(bytes.data(), bytes.size()), name, {.weld = weld});
 }
 
-/// The error that reading ends with; nothing, and a failed test, if it doesn't.
+/// The error that reading ends with. Nothing, and a failed test, if there is no error.
 inline std::optional<ReadError> error_of(std::string_view bytes, std::string_view name) {
   try {
     read(bytes, name);
@@ -36,7 +36,7 @@ inline void expect_error(std::string_view bytes, std::string_view name, std::str
   EXPECT_EQ(std::string(error ? error->what() : ""), message);
 }
 
-/// What every reader promises of its result.
+/// Checks what every reader promises of its result.
 inline void expect_valid(const ReadResult& result, const std::string& what) {
   const IndexedMesh& mesh = result.mesh;
   const std::size_t vertices = mesh.positions.size();
@@ -47,7 +47,7 @@ inline void expect_valid(const ReadResult& result, const std::string& what) {
       ASSERT_LT(v, vertices) << what;
       is_used[v] = 1;
     }
-    ASSERT_TRUE(face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) << what;
+    ASSERT_TRUE(has_three_corners(face)) << what;
   }
   EXPECT_EQ(std::count(is_used.begin(), is_used.end(), 0), 0) << what << ": isolated vertices";
   for (const Vec3& p : mesh.positions) ASSERT_TRUE(p.allFinite()) << what;
@@ -67,7 +67,7 @@ inline void expect_valid(const ReadResult& result, const std::string& what) {
   }
 }
 
-/// All parts, one after the other.
+/// Joins all parts.
 template <class... Parts>
 std::string cat(const Parts&... parts) {
   std::string all;

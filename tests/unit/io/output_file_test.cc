@@ -79,7 +79,7 @@ TEST_F(OutputFileTest, LeavesTheOldFileUntilCommitted) {
 TEST_F(OutputFileTest, FollowsSymbolicLinks) {
   const fs::path target = folder_ / "target.txt";
   const fs::path link = folder_ / "link.txt";
-  fs::create_symlink("target.txt", link);  // to nothing yet
+  fs::create_symlink("target.txt", link);  // The target doesn't exist yet.
   for (const std::string text : {"first", "second"}) {
     OutputFile file(link);
     file.stream() << text;

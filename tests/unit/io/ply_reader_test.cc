@@ -170,7 +170,7 @@ TEST(PlyReader, TakesEqualVerticesInAStripForItsSeams) {
 }
 
 TEST(PlyReader, TakesDataThatBeginsWithALineBreak) {
-  // 0x0A is the first byte of the data: only the line break of end_header may be skipped.
+  // The data begin with 0x0A. Only the line break of end_header may be skipped.
   const std::string bytes =
       "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty uchar x\n"
       "property uchar y\nproperty uchar z\n" +

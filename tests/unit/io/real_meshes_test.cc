@@ -1,4 +1,4 @@
-// Counts of real meshes, as other tools give them and as they are after repair; and files that must be refused.
+// Real meshes: counts as other tools give them, and counts after repair. Files that must be refused.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,8 +46,8 @@ EdgeCounts count_edges(const IndexedMesh& mesh) {
 
 struct Known {
   std::string file;
-  std::size_t file_vertices, file_faces;  // as stored
-  std::size_t vertices, faces;            // repaired
+  std::size_t file_vertices, file_faces;  // As stored.
+  std::size_t vertices, faces;            // Repaired.
   std::size_t open_edges = 0;
   std::size_t nonmanifold_edges = 0;
   std::string repairs{};
@@ -72,8 +72,8 @@ TEST_P(RealMesh, IsReadAndRepaired) {
   EXPECT_EQ(edges.nonmanifold, known.nonmanifold_edges);
 }
 
-// As files of triangles only (STL) would hold it: where the mesh is manifold, welding gives it back. Where it isn't, a
-// soup doesn't say which faces belong together; they are told apart so that it becomes so.
+// A soup is what STL would hold. Welding gives a manifold mesh back. For other meshes a soup doesn't tell which faces
+// belong together: welding then makes a manifold mesh.
 TEST_P(RealMesh, ComesBackFromASoup) {
   const Known& known = GetParam();
   WHITTLE_REAL_MESH_OR_SKIP(path, known.file);
@@ -94,7 +94,7 @@ const std::vector<Known> meshes = {
     {"dinosaur.obj", 2002, 4000, 2002, 4000},
     {"bunny.obj", 35292, 70580, 35292, 70580},
     {"ankylosaurus.obj", 14762, 29520, 14762, 29520},
-    // Its one pair of vertices at the same position stays: one vertex would give an edge four faces.
+    // Its one pair of coincident vertices stays: one vertex would give an edge four faces.
     {"cow.off", 2762, 5520, 2762, 5520},
     {"bunny_28576.obj", 14290, 28576, 14290, 28576},
     // 2046 vertices lie on open borders, 54 at edges without length, each between two faces without area.
@@ -134,7 +134,8 @@ const std::vector<Known> meshes = {
     {"office_chair.obj", 3476, 3391, 3474, 6869, 157, 196,
      "triangulated 3351 polygons, welded 2 vertices, dropped 8 degenerate faces"},
     {"geo_delft_testarea.obj", 14760, 28619, 14760, 28611, 950, 33, "dropped 8 duplicate faces"},
-    // Flaps of two faces on the same corners; those that are turned the same way are duplicates, which opens the flap.
+    // Some flaps are two faces on the same corners. Faces in the same direction are duplicates: dropping one opens the
+    // flap.
     {"conrod_flipped.off", 3223, 6442, 3223, 6439, 6, 3, "dropped 3 duplicate faces"},
     {"dragon_vrip_res3.ply", 22998, 47794, 22982, 47592, 0, 2080, "dropped 202 duplicate faces, 16 isolated vertices"},
     {"boeing.off", 2741, 2564, 1264, 2564, 0, 0, "welded 1477 vertices"},
@@ -184,7 +185,7 @@ INSTANTIATE_TEST_SUITE_P(Known, RealMesh, testing::ValuesIn(meshes),
 
 struct Refused {
   std::string file;
-  std::string why;  // after the path
+  std::string why;  // After the path.
 };
 
 std::ostream& operator<<(std::ostream& out, const Refused& refused) { return out << refused.file; }
@@ -203,29 +204,29 @@ TEST_P(RefusedFile, IsRefusedWithAReason) {
 
 INSTANTIATE_TEST_SUITE_P(
     Known, RefusedFile,
-    testing::Values(
-        Refused{"nasty/Duck.glb", ": is glTF (.glb), a format that is not supported; use OBJ, OFF, PLY or STL"},
-        Refused{"nasty/cube_tri_version_2_0.om",
-                ": is OpenMesh's own format (.om), a format that is not supported; use OBJ, OFF, PLY or STL"},
-        Refused{"nasty/test-nan.obj", ":12: a coordinate is not finite: \"nan\""},
-        Refused{"nasty/inf_nan.obj", ":1: a coordinate is not finite: \"inf\""},
-        Refused{"nasty/malformed.obj", ":28: vertex number 0; OBJ counts from 1"},
-        Refused{"nasty/zero_face_index.obj", ":16: vertex number 0; OBJ counts from 1"},
-        Refused{"nasty/empty.off", ": the file is empty"}, Refused{"nasty/empty_header.ply", ": the file has no faces"},
-        Refused{"synthetic/empty_zero_bytes.obj", ": the file is empty"},
-        Refused{"synthetic/empty_zero_bytes.off", ": the file is empty"},
-        Refused{"synthetic/empty_zero_bytes.ply", ": the file is empty"},
-        Refused{"synthetic/empty_zero_bytes.stl", ": the file is empty"},
-        Refused{"synthetic/header_only.ply", ": the file has no faces"},
-        Refused{"synthetic/index_out_of_range.obj",
-                ":17: vertex number 100, but the file has 7 vertices; it may be truncated"},
-        Refused{"synthetic/ply_content_named.obj",
-                ": the content is ply, not obj; rename it to .ply or give --format ply"},
-        Refused{"synthetic/synth_cow_nan_inf.obj", ":12: a coordinate is not finite: \"nan\""},
-        Refused{"synthetic/truncated_binary.ply",
-                ": byte 85111: the file ends where a vertex number should be; it is truncated"},
-        Refused{"synthetic/vertices_only.off",
-                ": the file has 100 vertices but no faces; point clouds are not supported"}),
+    testing::Values(Refused{"nasty/Duck.glb",
+                            ": is glTF (.glb), a format that is not supported; use " + format_titles()},
+                    Refused{"nasty/cube_tri_version_2_0.om",
+                            ": is OpenMesh's own format (.om), a format that is not supported; use " + format_titles()},
+                    Refused{"nasty/test-nan.obj", ":12: a coordinate is not finite: \"nan\""},
+                    Refused{"nasty/inf_nan.obj", ":1: a coordinate is not finite: \"inf\""},
+                    Refused{"nasty/malformed.obj", ":28: vertex number 0; OBJ counts from 1"},
+                    Refused{"nasty/zero_face_index.obj", ":16: vertex number 0; OBJ counts from 1"},
+                    Refused{"nasty/empty.off", ": the file is empty"},
+                    Refused{"nasty/empty_header.ply", ": the file has no faces"},
+                    Refused{"synthetic/empty_zero_bytes.obj", ": the file is empty"},
+                    Refused{"synthetic/empty_zero_bytes.off", ": the file is empty"},
+                    Refused{"synthetic/empty_zero_bytes.ply", ": the file is empty"},
+                    Refused{"synthetic/empty_zero_bytes.stl", ": the file is empty"},
+                    Refused{"synthetic/header_only.ply", ": the file has no faces"},
+                    Refused{"synthetic/index_out_of_range.obj",
+                            ":17: vertex number 100, but the file has 7 vertices; it may be truncated"},
+                    Refused{"synthetic/ply_content_named.obj", ": the content is ply, not obj; rename it to .ply"},
+                    Refused{"synthetic/synth_cow_nan_inf.obj", ":12: a coordinate is not finite: \"nan\""},
+                    Refused{"synthetic/truncated_binary.ply",
+                            ": byte 85111: the file ends where a vertex number should be; it is truncated"},
+                    Refused{"synthetic/vertices_only.off",
+                            ": the file has 100 vertices but no faces; point clouds are not supported"}),
     [](const auto& instance) { return test_name(instance); });
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 using whittle::test::Random;
 
-// Doubles of every size: denormals, huge ones, whole ones, −0.
+// Doubles of every size: denormals, huge numbers, whole numbers, −0.
 double any_double(Random& random) {
   switch (random.below(6)) {
     case 0:
@@ -75,6 +75,12 @@ std::string written(const IndexedMesh& mesh, Format format, const WriteOptions& 
   return out.str();
 }
 
+// Whether the writer says so.
+bool holds_all(const IndexedMesh& mesh, Format format, const WriteOptions& options) {
+  std::ostringstream out;
+  return write_mesh(out, format, mesh, options).warnings.empty();
+}
+
 IndexedMesh read_back(const std::string& bytes, Format format) {
   return test::read(bytes, "a." + std::string(name_of(format)), false).mesh;
 }
@@ -97,8 +103,16 @@ struct Way {
   Format format;
   bool ascii;
 };
-const std::vector<Way> indexed_ways = {
-    {Format::obj, true}, {Format::off, true}, {Format::ply, true}, {Format::ply, false}};
+// STL stores no shared vertices and has tests of its own.
+const std::vector<Way> indexed_ways = [] {
+  std::vector<Way> ways;
+  for (const Format format : all_formats) {
+    for (const bool ascii : {true, false}) {
+      if (format != Format::stl) ways.push_back({format, ascii});
+    }
+  }
+  return ways;
+}();
 
 TEST(RoundTrip, KeepsEveryBitOfEveryDouble) {
   for (const auto& [format, ascii] : indexed_ways) {
@@ -148,6 +162,7 @@ TEST(RoundTrip, KeepsNormalsAndExactColors) {
         for (Color& color : mesh.colors) color[3] = 1;  // OBJ has no opacity
       }
       const WriteOptions options{.ascii = ascii, .exact_colors = true};
+      if (!holds_all(mesh, format, options)) continue;
       const IndexedMesh back = read_back(written(mesh, format, options), format);
       EXPECT_EQ(mesh.normals, back.normals) << name_of_case(format, options, seed);
       EXPECT_EQ(mesh.colors, back.colors) << name_of_case(format, options, seed);
@@ -157,9 +172,9 @@ TEST(RoundTrip, KeepsNormalsAndExactColors) {
 
 TEST(RoundTrip, KeepsColorsOfEightBitsWithoutAsking) {
   for (const auto& [format, ascii] : indexed_ways) {
-    if (format == Format::obj) continue;
     IndexedMesh mesh = random_mesh(1, any_double);
     add_attributes(mesh, 1, true);
+    if (!holds_all(mesh, format, {.ascii = ascii})) continue;
     const IndexedMesh back = read_back(written(mesh, format, {.ascii = ascii}), format);
     EXPECT_EQ(mesh.colors, back.colors) << name_of_case(format, {.ascii = ascii}, 1);
   }

@@ -56,7 +56,7 @@ TEST(StlReader, KeepsTheSoupWhenNotWelding) {
 
 TEST(StlReader, TakesUpperCaseOddSpacingAndLineEnds) {
   std::string text = "SOLID\r\nFACET NORMAL nan nan nan OUTER LOOP\rVERTEX 0 0 0 VERTEX 1 0 0\tVERTEX 0 1 0 ENDLOOP\n";
-  EXPECT_NE(error_of(text + "ENDFACET ENDSOLID", "a.stl"), std::nullopt);  // the normal's line is passed over whole
+  EXPECT_NE(error_of(text + "ENDFACET ENDSOLID", "a.stl"), std::nullopt);  // The normal's whole line is skipped.
   text =
       "SOLID\r\n  FACET NORMAL nan nan nan\r\n OUTER LOOP VERTEX 0 0 0 VERTEX 1 0 0\tVERTEX 0 1 0 ENDLOOP\rENDFACET "
       "ENDSOLID x";

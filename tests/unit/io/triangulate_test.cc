@@ -1,4 +1,4 @@
-#include "triangulate.hh"
+#include "repair/triangulate.hh"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ void make_counter_clockwise(std::vector<Vec3>& polygon) {
   if (doubled_area < 0) std::reverse(polygon.begin(), polygon.end());
 }
 
-// Triangles that all face the polygon's way and whose areas add up to its area cover it once: a triangulation.
+// Triangles cover the polygon once if all have its direction and their areas add up to its area.
 void expect_triangulation(const std::vector<Vec3>& positions, const Plane& plane, const std::string& what) {
   const std::vector<Triangle> triangles = triangulate(positions);
   const Vec3 normal = plane.normal();
@@ -78,7 +78,7 @@ TEST(Triangulation, SplitsAConvexQuadAlongTheShorterDiagonal) {
 }
 
 TEST(Triangulation, KeepsBothTrianglesOfAnArrowOnTheSameSide) {
-  // Corner 1 is reflex: the diagonal 0–2 lies outside although it is shorter.
+  // Corner 1 is reflex: the diagonal 0–2 is shorter but lies outside.
   EXPECT_EQ(triangulate({{-1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 6, 0}}), (std::vector<Triangle>{{0, 1, 3}, {1, 2, 3}}));
   EXPECT_EQ(triangulate({{0, 6, 0}, {-1, 0, 0}, {0, 1, 0}, {1, 0, 0}}), (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
 }
@@ -138,13 +138,13 @@ TEST(Triangulation, CoversASquareWithCornersAlongItsSides) {
 }
 
 TEST(Triangulation, CoversAPolygonWithABridgeToItsHole) {
-  // A square with a square hole: the outline goes along the bridge 0–4 twice.
+  // A square with a square hole: the outline runs along the bridge 0–4 twice.
   const std::vector<Vec3> p = {flat.at(0, 0), flat.at(9, 0), flat.at(9, 9), flat.at(0, 9), flat.at(0, 0),
                                flat.at(3, 3), flat.at(3, 6), flat.at(6, 6), flat.at(6, 3), flat.at(3, 3)};
   expect_triangulation(p, flat, "hole");
 }
 
-TEST(Triangulation, DoesNotDependOnUnitsOrPlace) {
+TEST(Triangulation, DoesNotDependOnUnitsOrPosition) {
   Random random(7);
   std::vector<Vec3> positions;
   for (int i = 0; i < 30; ++i) {
@@ -166,9 +166,9 @@ TEST(Triangulation, OfAPolygonThatCrossesItselfStillHasNMinusTwoTriangles) {
   std::vector<Vec3> star;
   star.reserve(5);
   for (int i = 0; i < 5; ++i) star.push_back(flat.at(std::cos(2.513 * i), std::sin(2.513 * i)));
-  for (const Triangle& t : triangulate(star)) EXPECT_TRUE(t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
+  for (const Triangle& t : triangulate(star)) EXPECT_TRUE(has_three_corners(t));
   std::vector<Vec3> point(7, Vec3(1, 2, 3));
-  for (const Triangle& t : triangulate(point)) EXPECT_TRUE(t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
+  for (const Triangle& t : triangulate(point)) EXPECT_TRUE(has_three_corners(t));
 }
 
 TEST(Triangulation, CoversAGearOfManyCorners) {
@@ -183,7 +183,7 @@ TEST(Triangulation, CoversAGearOfManyCorners) {
 }
 
 TEST(Triangulation, EndsSoonOnAHostilePolygon) {
-  // Zigzags across each other: hardly an ear anywhere.
+  // Zigzags across each other, with hardly an ear.
   Random random(1);
   std::vector<Vec3> positions;
   positions.reserve(5000);

@@ -27,18 +27,16 @@ Edge edge_of(const Triangle& face, std::size_t c) {
   return {a, b};
 }
 
-bool has_equal_corners(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
 std::map<Edge, std::vector<std::size_t>> faces_by_edge(const std::vector<Triangle>& faces) {
   std::map<Edge, std::vector<std::size_t>> edges;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (has_equal_corners(faces[f])) continue;
+    if (!has_three_corners(faces[f])) continue;
     for (std::size_t c = 0; c < 3; ++c) edges[edge_of(faces[f], c)].push_back(f);
   }
   return edges;
 }
 
-// The rule in its plainest form: who may be welded at all.
+// The vertices that may be welded, by the rule in its plainest form.
 std::vector<char> candidates(const IndexedMesh& mesh) {
   std::vector<char> is_candidate(mesh.positions.size(), 0);
   for (const auto& [edge, faces] : faces_by_edge(mesh.faces)) {
@@ -48,7 +46,7 @@ std::vector<char> candidates(const IndexedMesh& mesh) {
   return is_candidate;
 }
 
-// Everything that may be welded, whatever edges become of it.
+// Joins everything that may be welded, though edges may get more than two faces.
 std::vector<Index> weld_all(const IndexedMesh& mesh) {
   const std::vector<char> is_candidate = candidates(mesh);
   std::vector<Index> joined_to(mesh.positions.size());
@@ -64,7 +62,7 @@ std::vector<Index> weld_all(const IndexedMesh& mesh) {
   return joined_to;
 }
 
-// Edges on which faces of different stored edges meet, more than two of them.
+// Counts edges with more than two faces that had different edges before. \param original the number that each face had.
 std::size_t edges_gone_wrong(const IndexedMesh& before, const std::vector<Triangle>& welded,
                              const std::vector<std::size_t>& original) {
   std::size_t wrong = 0;
@@ -89,24 +87,24 @@ std::vector<Triangle> renumbered(const std::vector<Triangle>& faces, const std::
   return result;
 }
 
-// Remembers in `face_groups` which face each was.
+// Stores each face's number in `face_groups`.
 IndexedMesh numbered(IndexedMesh mesh) {
   mesh.face_groups.resize(mesh.faces.size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) mesh.face_groups[f] = static_cast<Index>(f);
   return mesh;
 }
 
-// Few positions, many vertices at each, faces at random or as edges chance to fit: everything that can go wrong.
+// Few positions, many vertices at each, random faces: everything that can go wrong.
 IndexedMesh random_coincident(std::uint64_t seed, std::size_t positions, Index vertices, std::size_t faces) {
   Random random(seed);
-  std::vector<Vec3> places;
-  for (std::size_t i = 0; i < positions; ++i) places.emplace_back(random.uniform(), random.uniform(), random.uniform());
+  std::vector<Vec3> sites;
+  for (std::size_t i = 0; i < positions; ++i) sites.emplace_back(random.uniform(), random.uniform(), random.uniform());
   IndexedMesh mesh;
-  for (Index v = 0; v < vertices; ++v) mesh.positions.push_back(places[random.below(positions)]);
+  for (Index v = 0; v < vertices; ++v) mesh.positions.push_back(sites[random.below(positions)]);
   while (mesh.faces.size() < faces) {
     Triangle face;
     for (Index& v : face) v = static_cast<Index>(random.below(vertices));
-    if (!has_equal_corners(face)) mesh.faces.push_back(face);
+    if (has_three_corners(face)) mesh.faces.push_back(face);
   }
   drop_duplicate_faces(mesh);
   return numbered(mesh);
@@ -118,7 +116,7 @@ struct Kind {
   std::size_t faces;
 };
 
-// From soups to meshes that share most of their vertices.
+// From soups to meshes with mostly shared vertices.
 const std::vector<Kind> kinds = {{4, 12, 4},  {4, 30, 10},  {5, 36, 12}, {6, 24, 16}, {8, 20, 20},
                                  {8, 60, 20}, {10, 14, 18}, {6, 90, 30}, {20, 60, 40}};
 
@@ -193,7 +191,7 @@ TEST(WeldBorders, JoinsEverythingWhereNoEdgeGetsAThirdFace) {
   EXPECT_GT(cases, 100U);
 }
 
-// Whether making the pairs of vertices one each would give an edge a third face.
+// Whether joining these pairs of vertices would give an edge a third face.
 bool would_be_wrong(const IndexedMesh& before, const IndexedMesh& after,
                     const std::vector<std::array<Index, 2>>& pairs) {
   std::vector<Index> number(before.positions.size());
@@ -324,7 +322,7 @@ TEST(WeldBorders, TakesNegativeZeroForZero) {
 }
 
 TEST(WeldBorders, ClosesEdgesWithoutLengthInsideASurface) {
-  // An octahedron with its top cut in two vertices at the same position, and two faces without area between them.
+  // An octahedron. Its top is cut into two vertices at the same position, with two faces without area between them.
   IndexedMesh mesh = whittle::test::octahedron();
   const Vec3 top = mesh.positions[mesh.faces[0][0]];
   Index apex = mesh.faces[0][0];
@@ -345,7 +343,7 @@ TEST(WeldBorders, ClosesEdgesWithoutLengthInsideASurface) {
   while (shared_corners(around[0], around[partner]).empty()) ++partner;
   const auto twin = static_cast<Index>(mesh.positions.size());
   mesh.positions.push_back(top);
-  std::vector<Index> ends;  // of the slit, beside the apex
+  std::vector<Index> ends;  // Of the slit, next to the apex.
   for (const std::size_t moved : {around[0], around[partner]}) {
     for (const std::size_t other : around) {
       if (other == around[0] || other == around[partner]) continue;
@@ -367,7 +365,7 @@ TEST(WeldBorders, ClosesEdgesWithoutLengthInsideASurface) {
 }
 
 TEST(WeldBorders, KeepsASurfaceClosedWhereAnEdgeWithoutLengthMustStay) {
-  // Two pyramids base to base, without the base 0 1 2: to close the edge 0–1 would give the edge to 2 four faces.
+  // Two pyramids base to base, without the base 0 1 2. Closing the edge 0–1 would give the edge to vertex 2 four faces.
   IndexedMesh mesh;
   mesh.positions = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, -1}};
   mesh.faces = {{3, 0, 1}, {3, 1, 2}, {3, 2, 0}, {4, 1, 0}, {4, 2, 1}, {4, 0, 2}};
@@ -391,7 +389,7 @@ TEST(WeldBorders, KeepsAttributesAndOriginOfTheLowestVertex) {
 }
 
 TEST(WeldBorders, DropsFacesThatLieTwiceAtADoubtfulEdge) {
-  // Two cubes that touch along an edge, as a soup, each face twice.
+  // A soup of two cubes that touch along an edge, with each face twice.
   IndexedMesh mesh = soup(whittle::test::two_cubes_on_an_edge());
   const auto twice = static_cast<Index>(mesh.positions.size());
   const IndexedMesh once = mesh;

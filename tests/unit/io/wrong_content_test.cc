@@ -1,4 +1,4 @@
-// Files whose content isn't what their ending says.
+// Files whose content isn't what their extension says.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -28,7 +28,7 @@ const std::vector<Sample> samples = {
      "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
     {Format::stl, stl}};
 
-TEST(WrongContent, IsToldByItsFormatWhateverTheEnding) {
+TEST(WrongContent, IsNamedWhateverTheExtension) {
   for (const Sample& sample : samples) {
     for (const Format named : all_formats) {
       const std::string name = "a." + std::string(name_of(named));
@@ -38,8 +38,7 @@ TEST(WrongContent, IsToldByItsFormatWhateverTheEnding) {
         continue;
       }
       expect_error(sample.content, name,
-                   cat(name, ": the content is ", real, ", not ", name_of(named), "; rename it to .", real,
-                       " or give --format ", real));
+                   cat(name, ": the content is ", real, ", not ", name_of(named), "; rename it to .", real));
     }
   }
 }
@@ -47,6 +46,13 @@ TEST(WrongContent, IsToldByItsFormatWhateverTheEnding) {
 TEST(WrongContent, IsReadWhenTheFormatIsNamed) {
   for (const Sample& sample : samples) {
     const std::span<const char> bytes(sample.content.data(), sample.content.size());
+    try {
+      read_mesh(bytes, "-", {.format = Format::obj});
+      FAIL() << "read";
+    } catch (const ReadError& error) {
+      const std::string right(name_of(sample.format));
+      EXPECT_EQ(error.what(), cat("-: the content is ", right, ", not obj; give --format ", right));
+    }
     EXPECT_EQ(read_mesh(bytes, "-", {.format = sample.format}).mesh.faces.size(), 1U);
   }
 }
@@ -97,7 +103,8 @@ TEST(WrongContent, OfOtherFormatsAndArchivesIsNamed) {
 }
 
 TEST(WrongContent, ThatIsBinaryIsNoObj) {
-  expect_error(std::string("v 0 0 0\n\0\x12\x13", 11), "a.obj", "a.obj: the content is binary data, not an OBJ file");
+  expect_error(std::string("v 0 0 0\n\0\x12\x13", 11), "a.obj",
+               "a.obj: the content is binary data; OBJ files are text");
 }
 
 TEST(WrongContent, OfNothingIsRefusedInEveryFormat) {
@@ -108,9 +115,9 @@ TEST(WrongContent, OfNothingIsRefusedInEveryFormat) {
   }
 }
 
-TEST(WrongContent, OfAFormatNotReadIsRefusedByItsEnding) {
+TEST(WrongContent, OfAnUnsupportedFormatIsRefusedByItsExtension) {
   expect_error("anything", "Duck.glb",
-               "Duck.glb: is glTF (.glb), a format that is not supported; use OBJ, OFF, PLY or STL");
+               "Duck.glb: is glTF (.glb), a format that is not supported; use " + format_titles());
 }
 
 TEST(ReadMesh, RefusesWhatItCannotOpen) {

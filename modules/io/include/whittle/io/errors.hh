@@ -7,30 +7,30 @@
 
 namespace whittle::io {
 
-/// A file that can't be opened, isn't supported or isn't valid. `what()` is one line without a line break:
-/// "file:line: problem" for text, "file: byte 1234: problem" for binary data, "file: problem" otherwise.
+/// A file can't be opened, isn't supported or isn't valid. `what()` is one line: "file:line: problem" for text,
+/// "file: byte 1234: problem" for binary data, "file: problem" otherwise.
 class ReadError : public std::runtime_error {
  public:
-  /// Where in the file the problem lies: a line (from 1) of text, or a byte (from 0) of binary data, or neither.
-  struct Place {
-    std::optional<std::uint64_t> line{};
-    std::optional<std::uint64_t> byte{};
+  /// Where in the file the problem lies. Empty if it concerns the whole file.
+  struct Location {
+    std::optional<std::uint64_t> line{};  ///< Of text, from 1.
+    std::optional<std::uint64_t> byte{};  ///< Of binary data, from 0.
   };
 
-  /// \param file name shown to the user. \param problem what is wrong and what to do, no full stop.
-  ReadError(std::string file, Place place, const std::string& problem);
-  ReadError(std::string file, const std::string& problem) : ReadError(std::move(file), Place{}, problem) {}
+  /// \param file its name, as users know it. \param problem what is wrong and what to do, without a full stop.
+  ReadError(std::string file, Location location, const std::string& problem);
+  ReadError(std::string file, const std::string& problem) : ReadError(std::move(file), Location{}, problem) {}
 
   const std::string& file() const { return file_; }
-  std::optional<std::uint64_t> line() const { return place_.line; }
-  std::optional<std::uint64_t> byte_offset() const { return place_.byte; }
+  std::optional<std::uint64_t> line() const { return location_.line; }
+  std::optional<std::uint64_t> byte_offset() const { return location_.byte; }
 
  private:
   std::string file_;
-  Place place_;
+  Location location_;
 };
 
-/// A file that can't be written: no permission, no such folder, disk full. `what()` is one line, "file: problem".
+/// A file can't be written: no permission, no such folder, disk full. `what()` is one line, "file: problem".
 class WriteError : public std::runtime_error {
  public:
   WriteError(std::string file, const std::string& problem);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace whittle::io {
@@ -9,18 +11,46 @@ namespace whittle::io {
 /// The mesh file formats that are read and written.
 enum class Format { obj, off, ply, stl };
 
-inline constexpr std::array<Format, 4> all_formats{Format::obj, Format::off, Format::ply, Format::stl};
+namespace detail {
 
-/// "obj", "off", "ply" or "stl": the ending without its dot, and what `--format` takes.
+/// All that is known of a format (src/format/format_row.hh). Each format defines its row among its own sources.
+struct FormatRow;
+extern const FormatRow obj_row;
+extern const FormatRow off_row;
+extern const FormatRow ply_row;
+extern const FormatRow stl_row;
+
+/// The table of formats, in the order of `Format`. Whatever asks about formats asks this table.
+inline constexpr std::array format_table{&obj_row, &off_row, &ply_row, &stl_row};
+
+}  // namespace detail
+
+inline constexpr auto all_formats = [] {
+  std::array<Format, detail::format_table.size()> formats{};
+  for (std::size_t i = 0; i < formats.size(); ++i) formats[i] = static_cast<Format>(i);
+  return formats;
+}();
+
+/// "obj": what `--format` takes and JSON reports have. Also an extension of the format's files.
 std::string_view name_of(Format format);
 
-/// The format a file name's ending stands for; upper and lower case are the same.
-/// \throw std::invalid_argument if the name has no ending or one that isn't read; formats known by name (glTF, 3DS,
-/// OpenMesh's OM, compressed files…) are named and the message says what to do. It doesn't repeat the path.
+/// "OBJ": for sentences.
+std::string_view title_of(Format format);
+
+/// "obj, off, ply, stl": the names of all formats.
+std::string format_names(std::string_view separator = ", ");
+
+/// "OBJ, OFF, PLY or STL": the titles of all formats, for sentences.
+std::string format_titles();
+
+/// The format that a file name's extension stands for, in upper or lower case.
+/// \throw std::invalid_argument if there is no extension, or none of a supported format. The message says what to do.
+/// It names formats that are known but not supported (glTF, 3DS, OpenMesh's OM, compressed files…). It doesn't repeat
+/// the path.
 Format format_of(const std::filesystem::path& path);
 
-/// Likewise for a bare ending, with or without its dot: "ply", ".PLY".
+/// Likewise for an extension, with or without its dot: "ply", ".PLY".
 /// \throw std::invalid_argument as `format_of`.
-Format format_from_ending(std::string_view ending);
+Format format_from_extension(std::string_view extension);
 
 }  // namespace whittle::io

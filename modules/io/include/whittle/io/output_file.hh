@@ -7,9 +7,9 @@
 
 namespace whittle::io {
 
-/// A file that appears complete or not at all: written beside its place under a temporary name, renamed by `commit`.
-/// Not committed (an exception, a cancelled run), it leaves nothing behind. A symbolic link is followed; what exists
-/// and isn't a regular file (a device, a pipe) is written directly.
+/// A file that appears complete or not at all. It is written under a temporary name in the same folder; `commit`
+/// renames it. Without `commit` (an exception, a cancelled run) nothing is left behind. A symbolic link is followed.
+/// What exists and isn't a regular file (a device, a pipe) is written directly.
 class OutputFile {
  public:
   /// \throw WriteError if the temporary file can't be made.
@@ -19,13 +19,14 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   std::ostream& stream() { return stream_; }
-  /// Flushes, closes and renames. \throw WriteError if anything since opening failed (a full disk shows here at last).
+  /// Flushes, closes and renames. \throw WriteError if anything since opening failed. A full disk shows here at the
+  /// latest.
   void commit();
 
  private:
-  std::filesystem::path path_;       // as given, for messages
-  std::filesystem::path target_;     // with links followed
-  std::filesystem::path temporary_;  // empty when written directly or committed
+  std::filesystem::path path_;       // As given, for messages.
+  std::filesystem::path target_;     // With links followed.
+  std::filesystem::path temporary_;  // Empty when written directly or committed.
   std::ofstream stream_;
 };
 

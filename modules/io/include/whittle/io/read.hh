@@ -16,39 +16,40 @@
 namespace whittle::io {
 
 struct ReadOptions {
-  /// Weld exact duplicates that lie on open borders (`weld_borders`). Default true; false keeps them apart.
+  /// Whether to weld exact duplicates of vertices on open borders (`weld_borders`).
   bool weld = true;
-  /// What the file is. Default: by the name's ending. Content that is evidently something else is an error either way.
+  /// Default: by the name's extension. Content that is evidently of another format is an error in any case.
   std::optional<Format> format{};
 };
 
 struct ReadResult {
-  /// At least one face; every vertex is referenced; `origins` is filled and ascending (the number of the vertex in the
-  /// file, from 0; in STL, of the corner). Normals and colours are filled when the file has them for vertices.
+  /// At least one face. Every vertex has a face. `origins` is filled and ascends: the vertex's number in the file, from
+  /// 0; in STL, the corner's. Normals and colours are filled if the file has them for vertices.
   IndexedMesh mesh;
-  /// `file_vertices` numbers: the vertex of `mesh` each vertex of the file became, `invalid_index` for those dropped.
-  /// Vertices welded together became the same.
+  /// `file_vertices` numbers: the vertex of `mesh` that each vertex of the file became, `invalid_index` if it was
+  /// dropped. Vertices that were welded together became the same.
   std::vector<Index> vertex_map;
-  /// What was repaired, kind by kind.
+  /// Counts of each kind of repair.
   Repairs repairs;
-  /// One line each, without a full stop: what the file has and the mesh doesn't carry, what was read leniently.
+  /// One line each, without a full stop: what the mesh doesn't carry, and which irregularities were accepted.
   std::vector<std::string> warnings;
   Format format = Format::obj;
-  std::size_t file_vertices = 0;  ///< As stored, before repairs; in STL three a facet.
-  std::size_t file_faces = 0;     ///< As stored: polygons before triangulation; a tristrip counts its triangles.
+  std::size_t file_vertices = 0;  ///< As stored, before repairs. In STL three per facet.
+  std::size_t file_faces = 0;     ///< As stored: polygons count once, tristrips by their triangles.
 };
 
-/// Reads a mesh file: triangulates polygons, then `repair` (repair.hh). docs/user/formats.md says what is carried.
-/// \throw ReadError for anything that isn't a complete, valid mesh file with at least one face left after repairs.
-/// \throw std::bad_alloc only for files that truly are too large for the memory: counts are checked against the size.
+/// Reads a mesh file: triangulates polygons, then repairs (`repair`). docs/user/formats.md says what is carried.
+/// \throw ReadError if the file isn't a complete and valid mesh file, or if no face is left after repairs.
+/// \throw std::bad_alloc only if the file is too large for the memory. Counts are checked against the file's size
+/// before anything is allocated.
 ReadResult read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
-/// Likewise from memory (standard input, tests).
-/// \param name shown in errors; its ending tells the format when `options.format` doesn't.
+/// Likewise from memory.
+/// \param name for messages. Its extension tells the format if `options.format` is empty.
 ReadResult read_mesh(std::span<const char> bytes, std::string_view name, const ReadOptions& options = {});
 
-/// The whole of an open file descriptor, such as standard input (0), for the overload above.
-/// \throw ReadError with `name` when reading fails.
+/// Reads an open file descriptor, such as standard input (0), up to its end. For the overload above.
+/// \param name for messages. \throw ReadError if reading fails.
 std::vector<char> read_all(int descriptor, std::string_view name);
 
 }  // namespace whittle::io

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <utility>
 
@@ -8,27 +9,32 @@
 
 namespace whittle {
 
-/// A list of values for each of so many indices, in one array.
-template <class T>
+/// A list of values for each index below a number, all in one array. Two passes of counting, no sort: O(lists +
+/// values). \tparam Offset counts the values of all lists; std::size_t where they may be more than `Index` can count.
+template <class T, class Offset = Index>
 class IndexLists {
  public:
   IndexLists() = default;
-  /// \param for_each calls what it is given with each index and a value for its list, in the order they are to have
-  ///        there; it is called twice
+  /// \param for_each is called twice with a function emit(index, value). It calls emit for the same values each time,
+  /// in
+  ///        the order that each list is to have.
   template <class ForEach>
-  IndexLists(std::size_t n_lists, const ForEach& for_each) : first_(n_lists + 1, 0) {
-    for_each([this](Index i, const T&) { ++first_[i + 1]; });
-    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+  IndexLists(std::size_t n_lists, const ForEach& for_each) : first_(n_lists + 2, 0) {
+    // Counts are stored two slots further on. While the lists are filled, first_[i + 1] is the end of list i.
+    for_each([this](Index i, const T&) { ++first_[std::size_t{i} + 2]; });
+    for (std::size_t i = 2; i < first_.size(); ++i) first_[i] += first_[i - 1];
     values_.resize(first_.back());
-    LargeArray<Index> end(first_.begin(), first_.end() - 1);
-    for_each([&](Index i, const T& value) { values_[end[i]++] = value; });
+    for_each([this](Index i, const T& value) { values_[first_[std::size_t{i} + 1]++] = value; });
   }
 
-  std::size_t size() const { return first_.size() - 1; }
-  std::span<const T> of(Index i) const { return std::span(values_).subspan(first_[i], first_[i + 1] - first_[i]); }
+  std::size_t size() const { return first_.size() - 2; }
+  std::span<const T> of(Index i) const { return std::span(values_).subspan(first_[i], length(i)); }
+  std::span<T> of(Index i) { return std::span(values_).subspan(first_[i], length(i)); }
 
  private:
-  LargeArray<Index> first_ = LargeArray<Index>(1, 0);  ///< where lists begin; one more at the end
+  std::size_t length(Index i) const { return first_[std::size_t{i} + 1] - first_[i]; }
+
+  LargeArray<Offset> first_ = LargeArray<Offset>(2, 0);  ///< Where each list begins. Two more at the end.
   LargeArray<T> values_;
 };
 

@@ -1,0 +1,70 @@
+#include "whittle/io/output_file.hh"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace whittle::io {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string system_message() { return std::strerror(errno); }
+
+// Unlike std::filesystem::canonical, this also follows a link to a file that doesn't exist yet.
+fs::path follow_links(fs::path path) {
+  constexpr int most_links = 40;  // As on Linux. Links may form a circle.
+  std::error_code ignored;
+  for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(path, ignored)); ++i) {
+    const fs::path to = fs::read_symlink(path, ignored);
+    if (ignored) break;
+    path = to.is_absolute() ? to : path.parent_path() / to;
+  }
+  return path;
+}
+
+}  // namespace
+
+OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(follow_links(path_)) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(target_, ignored);
+  if (fs::is_directory(status)) throw WriteError(path_.string(), "is a folder");
+  const bool direct = fs::exists(status) && !fs::is_regular_file(status);
+  fs::path opened = target_;
+  if (!direct) {
+    const std::string unique = '.' + std::to_string(::getpid()) + ".tmp";
+    opened = target_.parent_path() / ('.' + target_.filename().string() + unique);
+  }
+  errno = 0;
+  stream_.open(opened, std::ios::binary | std::ios::trunc);
+  if (!stream_) throw WriteError(path_.string(), "cannot be written: " + system_message());
+  if (direct) return;
+  temporary_ = opened;
+  // A replaced file keeps its permissions. If that fails, the file is written all the same.
+  if (fs::exists(status)) fs::permissions(temporary_, status.permissions(), ignored);
+}
+
+OutputFile::~OutputFile() {
+  if (temporary_.empty()) return;
+  stream_.close();
+  std::error_code ignored;
+  fs::remove(temporary_, ignored);
+}
+
+void OutputFile::commit() {
+  errno = 0;
+  stream_.close();
+  if (!stream_) throw WriteError(path_.string(), "writing failed: " + (errno != 0 ? system_message() : "disk full?"));
+  if (temporary_.empty()) return;
+  std::error_code problem;
+  fs::rename(temporary_, target_, problem);
+  if (problem) throw WriteError(path_.string(), "cannot be replaced: " + problem.message());
+  temporary_.clear();
+}
+
+}  // namespace whittle::io

@@ -1,0 +1,61 @@
+#include "whittle/io/format.hh"
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+
+#include "format/foreign.hh"
+#include "format/format_row.hh"
+
+namespace whittle::io {
+
+const detail::FormatRow& row_of(Format format) {
+  for (const detail::FormatRow* row : detail::format_table) {
+    if (row->format == format) return *row;
+  }
+  throw std::invalid_argument("not a format");
+}
+
+std::string_view name_of(Format format) { return row_of(format).name; }
+
+std::string_view title_of(Format format) { return row_of(format).title; }
+
+std::string format_names(std::string_view separator) {
+  std::string names;
+  for (const detail::FormatRow* row : detail::format_table) {
+    if (!names.empty()) names += separator;
+    names += row->name;
+  }
+  return names;
+}
+
+std::string format_titles() {
+  std::string titles;
+  for (const detail::FormatRow* row : detail::format_table) {
+    if (!titles.empty()) titles += row == detail::format_table.back() ? " or " : ", ";
+    titles += row->title;
+  }
+  return titles;
+}
+
+Format format_from_extension(std::string_view extension) {
+  if (!extension.empty() && extension.front() == '.') extension.remove_prefix(1);
+  std::string lower(extension);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const detail::FormatRow* row : detail::format_table) {
+    const auto known = row->extensions;
+    if (std::find(known.begin(), known.end(), lower) != known.end()) return row->format;
+  }
+  if (lower.empty()) {
+    throw std::invalid_argument("has no extension that tells its format; name one of " + format_names());
+  }
+  if (const std::optional<std::string> problem = problem_of_foreign_extension(lower)) {
+    throw std::invalid_argument(*problem);
+  }
+  throw std::invalid_argument("has the unknown extension \"." + std::string(extension) + "\"; use " + format_titles());
+}
+
+Format format_of(const std::filesystem::path& path) { return format_from_extension(path.extension().string()); }
+
+}  // namespace whittle::io

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/io/read.hh"
+
+namespace whittle::io {
+
+/// The largest number of vertices, or of faces, that a mesh can have: `invalid_index` is the number of none.
+inline constexpr std::uint64_t most_elements = invalid_index;
+
+/// Opacity of a colour that the file stores without one, in any scale.
+inline constexpr float opaque = std::numeric_limits<float>::infinity();
+
+/// Collects what a reader finds. Faces may come before the positions of their corners: polygons are triangulated in
+/// `finish`. Their triangles keep the polygon's position in the order of faces.
+class MeshBuilder {
+ public:
+  std::vector<Vec3>& positions() { return result_.mesh.positions; }
+  /// As stored: 0…1 or 0…255. `finish` scales them to [0, 1]: by 1/255 if one is clearly above 1. Missing opacity:
+  /// `opaque`.
+  std::vector<Color>& colors() { return result_.mesh.colors; }
+  /// As stored, of any length. `finish` scales them to unit length.
+  std::vector<std::array<float, 3>>& normals() { return result_.mesh.normals; }
+
+  std::size_t vertex_count() const { return result_.mesh.positions.size(); }
+
+  /// \pre `count` was checked against the file's size.
+  void reserve_faces(std::size_t count) { result_.mesh.faces.reserve(count); }
+
+  void add_triangle(const Triangle& face) {
+    ++result_.file_faces;
+    result_.mesh.faces.push_back(face);
+  }
+  /// Any number of corners. A corner that repeats its neighbour is left out. With fewer than three corners left, the
+  /// face is counted as degenerate.
+  void add_polygon(std::span<const Index> corners);
+
+  void warn(std::string warning) { result_.warnings.push_back(std::move(warning)); }
+
+  /// Triangulates, scales colours and normals, and fills in the origins.
+  ReadResult finish();
+
+ private:
+  struct Polygon {
+    std::size_t first_face;  // Of the n − 2 that are reserved for it.
+    std::size_t first_corner;
+    std::size_t corners;
+  };
+
+  void triangulate();
+  void scale_colors();
+  void normalize_normals();
+
+  ReadResult result_;
+  std::vector<Polygon> polygons_;
+  std::vector<Index> polygon_corners_;
+  std::vector<Index> scratch_;
+};
+
+}  // namespace whittle::io

@@ -1,0 +1,77 @@
+#include "whittle/io/read.hh"
+
+#include <stdexcept>
+
+#include "bytes/file_bytes.hh"
+#include "format/content.hh"
+#include "format/format_row.hh"
+#include "format/mesh_builder.hh"
+
+namespace whittle::io {
+
+namespace {
+
+Format choose_format(std::string_view name, const ReadOptions& options) {
+  if (options.format) return *options.format;
+  try {
+    return format_of(std::filesystem::path(name));
+  } catch (const std::invalid_argument& problem) {
+    throw ReadError(std::string(name), problem.what());
+  }
+}
+
+ReadResult parse(std::string_view bytes, std::string_view name, Format format) {
+  refuse_wrong_content(bytes, name, format);
+  return row_of(format).read(bytes, name);
+}
+
+// The vertex of the mesh that each vertex of the file became. \pre the mesh's origins are numbers of the file.
+std::vector<Index> vertex_map(const ReadResult& result, const std::vector<Index>& joined_to) {
+  std::vector<Index> map(result.file_vertices, invalid_index);
+  for (std::size_t v = 0; v < result.mesh.origins.size(); ++v) map[result.mesh.origins[v]] = static_cast<Index>(v);
+  for (std::size_t v = 0; v < joined_to.size(); ++v) map[v] = map[joined_to[v]];
+  return map;
+}
+
+void finish(ReadResult& result, std::string_view name, const ReadOptions& options, Format format) {
+  result.format = format;
+  if (result.file_faces == 0) {
+    throw ReadError(std::string(name), result.file_vertices == 0
+                                           ? "the file has no faces"
+                                           : "the file has " + std::to_string(result.file_vertices) +
+                                                 " vertices but no faces; point clouds are not supported");
+  }
+  if (result.mesh.faces.size() > most_elements) {
+    throw ReadError(std::string(name),
+                    "the polygons have more than the " + std::to_string(most_elements) + " triangles a mesh can have");
+  }
+  std::vector<Index> joined_to;
+  result.repairs += repair(result.mesh, options.weld, &joined_to);
+  if (result.mesh.faces.empty()) {
+    throw ReadError(std::string(name), "no face is left of " + std::to_string(result.file_faces) +
+                                           ": all are degenerate (" + to_string(result.repairs) + ")");
+  }
+  result.vertex_map = vertex_map(result, joined_to);
+}
+
+}  // namespace
+
+ReadResult read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
+  const std::string name = path.string();
+  const Format format = choose_format(name, options);
+  ReadResult result = [&] {
+    const FileBytes file(path);  // Freed before the repairs need memory.
+    return parse(file.view(), name, format);
+  }();
+  finish(result, name, options, format);
+  return result;
+}
+
+ReadResult read_mesh(std::span<const char> bytes, std::string_view name, const ReadOptions& options) {
+  const Format format = choose_format(name, options);
+  ReadResult result = parse(std::string_view(bytes.data(), bytes.size()), name, format);
+  finish(result, name, options, format);
+  return result;
+}
+
+}  // namespace whittle::io

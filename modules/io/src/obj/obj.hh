@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bytes/byte_sink.hh"
+#include "whittle/io/read.hh"
+#include "whittle/io/write.hh"
+
+namespace whittle::io {
+
+// `FormatRow` says what these do.
+ReadResult read_obj(std::string_view bytes, std::string_view name);
+void write_obj(ByteSink& sink, const IndexedMesh& mesh, const WriteOptions& options,
+               std::vector<std::string>& warnings);
+
+}  // namespace whittle::io

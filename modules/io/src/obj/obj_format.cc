@@ -1,0 +1,23 @@
+#include "format/format_row.hh"
+#include "obj/obj.hh"
+
+namespace whittle::io::detail {
+
+namespace {
+
+constexpr std::string_view extensions[] = {"obj"};
+
+}  // namespace
+
+constinit const FormatRow obj_row{
+    .format = Format::obj,
+    .name = "obj",
+    .title = "OBJ",
+    .extensions = extensions,
+    .beginning = Beginning::text,
+    .recognises = nullptr,
+    .read = read_obj,
+    .write = write_obj,
+};
+
+}  // namespace whittle::io::detail

@@ -1,0 +1,419 @@
+// Stanford PLY (G. Turk, "The PLY Polygon File Format", 1994). Elements and properties come in any order; those of
+// vertices, faces and tristrips are used. One reader serves text and binary: it takes numbers from a source, which
+// knows the encoding.
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "bytes/byte_cursor.hh"
+#include "bytes/text_cursor.hh"
+#include "format/mesh_builder.hh"
+#include "ply/ply.hh"
+#include "ply/ply_header.hh"
+
+namespace whittle::io {
+
+namespace {
+
+class TextSource {
+ public:
+  using Location = const char*;
+
+  TextSource(const TextCursor& cursor) : cursor_(cursor) {}
+
+  Location location() const { return cursor_.position(); }
+  [[noreturn]] void fail(Location location, const std::string& problem) const { cursor_.fail(location, problem); }
+
+  // A digit and a separator. The last number of the file may lack the separator.
+  static std::uint64_t least_bytes(const PlyProperty&) { return 2; }
+  std::uint64_t bytes_left() const { return cursor_.bytes_left() + 1; }
+
+  void begin_row() { cursor_.skip_space(); }
+  void end_row() {
+    cursor_.skip_blanks();
+    if (!cursor_.at_line_end()) cursor_.fail("more numbers in a line than the header announces");
+  }
+
+  // A number declared as float is rounded to float, as in a binary file.
+  double number(PlyType type, std::string_view what) {
+    cursor_.skip_blanks();
+    return type == PlyType::float32 ? static_cast<double>(cursor_.number<float>(what)) : cursor_.number<double>(what);
+  }
+  std::int64_t length(PlyType, std::string_view what) {
+    cursor_.skip_blanks();
+    return cursor_.whole_integer(what);
+  }
+  // Lists may go over several lines.
+  std::int64_t entry(PlyType, std::string_view what) {
+    cursor_.skip_space();
+    return cursor_.whole_integer(what);
+  }
+  void skip(PlyType type, std::uint64_t count, std::string_view what) {
+    for (std::uint64_t i = 0; i < count; ++i) {
+      cursor_.skip_space();
+      number(type, what);
+    }
+  }
+  void finish() {
+    cursor_.skip_space();
+    if (!cursor_.at_end()) cursor_.fail("the file goes on after what its header announces; its counts are wrong");
+  }
+
+ private:
+  TextCursor cursor_;
+};
+
+class BinarySource {
+ public:
+  using Location = std::size_t;
+
+  BinarySource(const ByteCursor& cursor) : cursor_(cursor) {}
+
+  Location location() const { return cursor_.offset(); }
+  [[noreturn]] void fail(Location location, const std::string& problem) const { cursor_.fail(location, problem); }
+
+  static std::uint64_t least_bytes(const PlyProperty& property) {
+    return size_of(property.count_type.value_or(property.type));
+  }
+  std::uint64_t bytes_left() const { return cursor_.bytes_left(); }
+
+  void begin_row() {}
+  void end_row() {}
+
+  double number(PlyType type, std::string_view what) {
+    switch (type) {
+      case PlyType::int8:
+        return cursor_.read<std::int8_t>(what);
+      case PlyType::uint8:
+        return cursor_.read<std::uint8_t>(what);
+      case PlyType::int16:
+        return cursor_.read<std::int16_t>(what);
+      case PlyType::uint16:
+        return cursor_.read<std::uint16_t>(what);
+      case PlyType::int32:
+        return cursor_.read<std::int32_t>(what);
+      case PlyType::uint32:
+        return cursor_.read<std::uint32_t>(what);
+      case PlyType::float32:
+        return cursor_.read<float>(what);
+      case PlyType::float64:
+        return cursor_.read<double>(what);
+    }
+    return 0;
+  }
+  std::int64_t length(PlyType type, std::string_view what) { return entry(type, what); }
+  std::int64_t entry(PlyType type, std::string_view what) {
+    if (type == PlyType::int32) return cursor_.read<std::int32_t>(what);
+    if (type == PlyType::uint8) return cursor_.read<std::uint8_t>(what);
+    const Location at = location();
+    const double value = number(type, what);
+    if (!(std::abs(value) < 9e15) || value != std::floor(value)) fail(at, std::string(what) + " is not whole");
+    return static_cast<std::int64_t>(value);
+  }
+  void skip(PlyType type, std::uint64_t count, std::string_view what) {
+    cursor_.require(count * size_of(type), what);
+    cursor_.skip(count * size_of(type));
+  }
+  // Padding at the end is harmless. Anything else contradicts the header.
+  void finish() {
+    for (std::size_t i = 0; i < cursor_.bytes_left(); ++i) {
+      const char c = cursor_.here()[i];
+      if (c != '\0' && c != '\n' && c != '\r' && c != ' ') {
+        cursor_.fail("the file goes on after what its header announces; its counts are wrong");
+      }
+    }
+  }
+
+ private:
+  ByteCursor cursor_;
+};
+
+// The meaning of a vertex property, and the index of its number in `Row`.
+enum Role : std::size_t { x, y, z, nx, ny, nz, red, green, blue, alpha, other };
+using Row = std::array<double, other + 1>;
+
+Role role_of(std::string_view property) {
+  struct Named {
+    std::string_view name;
+    Role role;
+  };
+  static constexpr Named names[] = {{"x", x},         {"y", y},     {"z", z},
+                                    {"nx", nx},       {"ny", ny},   {"nz", nz},
+                                    {"red", red},     {"r", red},   {"diffuse_red", red},
+                                    {"green", green}, {"g", green}, {"diffuse_green", green},
+                                    {"blue", blue},   {"b", blue},  {"diffuse_blue", blue},
+                                    {"alpha", alpha}, {"a", alpha}, {"diffuse_alpha", alpha}};
+  for (const auto& [name, role] : names) {
+    if (property == name) return role;
+  }
+  return other;
+}
+
+// The number that means full intensity. Integers of 8 and 16 bits use their full range. `MeshBuilder` scales all others
+// when the whole file is known.
+double color_scale(PlyType type) {
+  if (type == PlyType::uint8 || type == PlyType::int8) return 255;
+  if (type == PlyType::uint16 || type == PlyType::int16) return 65535;
+  return 1;
+}
+
+template <class Source>
+class BodyReader {
+ public:
+  BodyReader(const PlyHeader& header, const Source& source) : header_(header), source_(source) {
+    for (const PlyElement& element : header.elements) {
+      if (element.name == "vertex") vertices_ = element.count;
+    }
+  }
+
+  ReadResult read() {
+    for (const PlyElement& element : header_.elements) {
+      check_count(element);
+      if (element.name == "vertex") {
+        read_vertices(element);
+      } else if (element.name == "face") {
+        read_faces(element);
+      } else if (element.name == "tristrips") {
+        read_strips(element);
+      } else {
+        skip_element(element);
+      }
+    }
+    source_.finish();
+    return builder_.finish();
+  }
+
+ private:
+  using Location = typename Source::Location;
+
+  // Checks the file's length before anything is allocated for the elements.
+  void check_count(const PlyElement& element) {
+    std::uint64_t least = 0;
+    for (const PlyProperty& property : element.properties) least += Source::least_bytes(property);
+    if (least > 0 && element.count > source_.bytes_left() / least) {
+      source_.fail(source_.location(), "the file is too short for " + std::to_string(element.count) + " elements \"" +
+                                           element.name + "\"; it is truncated or its header is wrong");
+    }
+  }
+
+  void skip_property(const PlyElement& element, const PlyProperty& property) {
+    if (!property.count_type) {
+      source_.skip(property.type, 1, element.name);
+    } else {
+      source_.skip(property.type, read_length(*property.count_type, property.name), element.name);
+    }
+  }
+
+  std::uint64_t read_length(PlyType type, const std::string& list) {
+    const Location at = source_.location();
+    const std::int64_t length = source_.length(type, "the length of a list");
+    if (length < 0 || static_cast<std::uint64_t>(length) > source_.bytes_left()) {
+      source_.fail(at,
+                   "a list " + list + " of length " + std::to_string(length) + "; the file is truncated or invalid");
+    }
+    return static_cast<std::uint64_t>(length);
+  }
+
+  void skip_element(const PlyElement& element) {
+    if (element.count == 0 || element.properties.empty()) return;
+    builder_.warn("elements \"" + element.name + "\" are not carried");
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      source_.begin_row();
+      for (const PlyProperty& property : element.properties) skip_property(element, property);
+      source_.end_row();
+    }
+  }
+
+  struct VertexPlan {
+    std::vector<Role> roles;  // Of each property.
+    std::array<bool, other + 1> has{};
+    bool normals = false;
+    bool colors = false;
+    std::array<double, 4> color_scales{1, 1, 1, 1};
+  };
+
+  VertexPlan plan_vertices(const PlyElement& element) {
+    VertexPlan plan;
+    for (const PlyProperty& property : element.properties) {
+      const Role role = property.count_type ? other : role_of(property.name);
+      plan.roles.push_back(role);
+      plan.has[role] = true;
+      if (role >= red && role <= alpha) plan.color_scales[role - red] = color_scale(property.type);
+    }
+    if (element.count > 0 && !(plan.has[x] && plan.has[y] && plan.has[z])) {
+      source_.fail(source_.location(), "vertices need the properties x, y and z; the header lacks one");
+    }
+    plan.normals = plan.has[nx] && plan.has[ny] && plan.has[nz];
+    plan.colors = plan.has[red] && plan.has[green] && plan.has[blue];
+    std::string lost;
+    for (std::size_t i = 0; i < plan.roles.size(); ++i) {
+      const Role role = plan.roles[i];
+      const bool carried = role <= z || (role <= nz && plan.normals) || (role <= alpha && role >= red && plan.colors);
+      if (!carried) lost += (lost.empty() ? "" : ", ") + element.properties[i].name;
+    }
+    if (!lost.empty()) builder_.warn("vertex properties not carried: " + lost);
+    return plan;
+  }
+
+  void read_vertices(const PlyElement& element) {
+    const VertexPlan plan = plan_vertices(element);
+    const auto count = static_cast<std::size_t>(element.count);
+    if (element.properties.empty()) return;
+    builder_.positions().reserve(count);
+    if (plan.normals) builder_.normals().reserve(count);
+    if (plan.colors) builder_.colors().reserve(count);
+    Row row{};
+    for (std::size_t v = 0; v < count; ++v) {
+      source_.begin_row();
+      for (std::size_t p = 0; p < plan.roles.size(); ++p) {
+        const PlyProperty& property = element.properties[p];
+        const Role role = plan.roles[p];
+        if (property.count_type) {
+          skip_property(element, property);
+          continue;
+        }
+        const Location at = source_.location();
+        row[role] = source_.number(property.type, "a vertex property");
+        if (role <= z && !std::isfinite(row[role])) source_.fail(at, "a coordinate is not finite");
+      }
+      source_.end_row();
+      builder_.positions().emplace_back(row[x], row[y], row[z]);
+      if (plan.normals) {
+        builder_.normals().push_back(
+            {static_cast<float>(row[nx]), static_cast<float>(row[ny]), static_cast<float>(row[nz])});
+      }
+      if (plan.colors) add_color(plan, row);
+    }
+  }
+
+  void add_color(const VertexPlan& plan, const Row& row) {
+    Color color;
+    for (std::size_t i = 0; i < 4; ++i) color[i] = static_cast<float>(row[red + i] / plan.color_scales[i]);
+    if (!plan.has[alpha]) color[3] = opaque;
+    builder_.colors().push_back(color);
+  }
+
+  // The index of the property that holds the corners. Warns of the other properties.
+  std::size_t find_corners(const PlyElement& element) {
+    std::size_t found = element.properties.size();
+    std::string lost;
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const PlyProperty& property = element.properties[p];
+      if (property.count_type && (property.name == "vertex_indices" || property.name == "vertex_index")) {
+        found = p;
+      } else {
+        lost += (lost.empty() ? "" : ", ") + property.name;
+      }
+    }
+    if (element.count > 0 && found == element.properties.size()) {
+      source_.fail(source_.location(), "elements \"" + element.name + "\" have no list vertex_indices");
+    }
+    if (!lost.empty() && element.count > 0) builder_.warn(element.name + " properties not carried: " + lost);
+    return found;
+  }
+
+  void read_faces(const PlyElement& element) {
+    const std::size_t list = find_corners(element);
+    builder_.reserve_faces(static_cast<std::size_t>(element.count));
+    for (std::uint64_t f = 0; f < element.count; ++f) {
+      source_.begin_row();
+      for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        if (p != list) {
+          skip_property(element, element.properties[p]);
+          continue;
+        }
+        const PlyProperty& property = element.properties[p];
+        const std::uint64_t length = read_length(*property.count_type, property.name);
+        if (length == 3) {
+          const Index a = read_corner(property.type);
+          const Index b = read_corner(property.type);
+          builder_.add_triangle({a, b, read_corner(property.type)});
+          continue;
+        }
+        corners_.clear();
+        for (std::uint64_t c = 0; c < length; ++c) corners_.push_back(read_corner(property.type));
+        builder_.add_polygon(corners_);
+      }
+      source_.end_row();
+    }
+  }
+
+  Index read_corner(PlyType type) {
+    const Location at = source_.location();
+    const std::int64_t vertex = source_.entry(type, "a vertex number");
+    if (vertex < 0 || static_cast<std::uint64_t>(vertex) >= vertices_) fail_vertex_number(at, vertex);
+    return static_cast<Index>(vertex);
+  }
+
+  [[noreturn]] void fail_vertex_number(Location at, std::int64_t vertex) {
+    source_.fail(at, "vertex number " + std::to_string(vertex) + ", but the file has " + std::to_string(vertices_) +
+                         " vertices, counted from 0");
+  }
+
+  // Every three consecutive vertices of a strip are a triangle; every second triangle is turned over. −1 begins a new
+  // strip. A triangle with two equal corners joins two strips and is no face.
+  void read_strips(const PlyElement& element) {
+    const std::size_t list = find_corners(element);
+    for (std::uint64_t s = 0; s < element.count; ++s) {
+      source_.begin_row();
+      for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        if (p == list) {
+          read_strip(element.properties[p]);
+        } else {
+          skip_property(element, element.properties[p]);
+        }
+      }
+      source_.end_row();
+    }
+  }
+
+  void read_strip(const PlyProperty& property) {
+    const std::int64_t restart_if_unsigned =
+        property.type == PlyType::uint32 ? std::int64_t{std::numeric_limits<std::uint32_t>::max()} : -1;
+    const std::uint64_t length = read_length(*property.count_type, property.name);
+    std::size_t in_strip = 0;
+    Index a = 0;
+    Index b = 0;
+    for (std::uint64_t i = 0; i < length; ++i) {
+      const Location at = source_.location();
+      const std::int64_t vertex = source_.entry(property.type, "a vertex number");
+      if (vertex == -1 || vertex == restart_if_unsigned) {
+        in_strip = 0;
+        continue;
+      }
+      if (vertex < 0 || static_cast<std::uint64_t>(vertex) >= vertices_) fail_vertex_number(at, vertex);
+      const auto c = static_cast<Index>(vertex);
+      if (in_strip >= 2 && a != b && b != c && a != c) {
+        builder_.add_triangle(in_strip % 2 == 0 ? Triangle{a, b, c} : Triangle{b, a, c});
+      }
+      ++in_strip;
+      a = b;
+      b = c;
+    }
+  }
+
+  const PlyHeader& header_;
+  Source source_;
+  MeshBuilder builder_;
+  std::uint64_t vertices_ = 0;
+  std::vector<Index> corners_;
+};
+
+}  // namespace
+
+ReadResult read_ply(std::string_view bytes, std::string_view name) {
+  const std::string_view text = without_byte_order_mark(bytes);
+  const PlyHeader header = read_ply_header(text, name);
+  if (header.encoding == PlyEncoding::ascii) {
+    TextCursor cursor(text, name);
+    cursor.skip_to(header.data_start);
+    return BodyReader(header, TextSource(cursor)).read();
+  }
+  const std::endian order = header.encoding == PlyEncoding::big_endian ? std::endian::big : std::endian::little;
+  return BodyReader(header, BinarySource(ByteCursor(text, header.data_start, order, name))).read();
+}
+
+}  // namespace whittle::io

@@ -1,0 +1,114 @@
+#include "whittle/io/repair.hh"
+
+#include <algorithm>
+
+#include "repair/duplicate_faces.hh"
+#include "whittle/core/detail/drop.hh"
+#include "whittle/core/detail/index_lists.hh"
+
+namespace whittle::io {
+
+std::array<std::pair<std::string_view, std::size_t>, 5> Repairs::entries() const {
+  return {{{"welded_vertices", welded_vertices},
+           {"triangulated_polygons", triangulated_polygons},
+           {"degenerate_faces", degenerate_faces},
+           {"duplicate_faces", duplicate_faces},
+           {"isolated_vertices", isolated_vertices}}};
+}
+
+bool Repairs::any() const {
+  const auto all = entries();
+  return std::any_of(all.begin(), all.end(), [](const auto& entry) { return entry.second > 0; });
+}
+
+Repairs& Repairs::operator+=(const Repairs& more) {
+  welded_vertices += more.welded_vertices;
+  triangulated_polygons += more.triangulated_polygons;
+  degenerate_faces += more.degenerate_faces;
+  duplicate_faces += more.duplicate_faces;
+  isolated_vertices += more.isolated_vertices;
+  return *this;
+}
+
+std::string to_string(const Repairs& repairs) {
+  std::string text;
+  std::string_view last_verb;
+  const auto say = [&](std::string_view verb, std::size_t count, std::string_view one, std::string_view many) {
+    if (count == 0) return;
+    if (!text.empty()) text += ", ";
+    if (verb != last_verb) text += std::string(verb) + ' ';
+    text += std::to_string(count) + ' ' + std::string(count == 1 ? one : many);
+    last_verb = verb;
+  };
+  say("triangulated", repairs.triangulated_polygons, "polygon", "polygons");
+  say("welded", repairs.welded_vertices, "vertex", "vertices");
+  say("dropped", repairs.degenerate_faces, "degenerate face", "degenerate faces");
+  say("dropped", repairs.duplicate_faces, "duplicate face", "duplicate faces");
+  say("dropped", repairs.isolated_vertices, "isolated vertex", "isolated vertices");
+  return text;
+}
+
+std::vector<char> find_duplicate_faces(const std::vector<Triangle>& faces, std::size_t vertices) {
+  struct Item {
+    Index second;
+    Index third;
+    Index face;
+    auto operator<=>(const Item&) const = default;
+  };
+  IndexLists<Item> by_lowest(vertices, [&](const auto& emit) {
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const Triangle& t = faces[f];
+      if (!has_three_corners(t)) continue;
+      const auto lowest = static_cast<std::size_t>(std::min_element(t.begin(), t.end()) - t.begin());
+      emit(t[lowest], Item{t[(lowest + 1) % 3], t[(lowest + 2) % 3], static_cast<Index>(f)});
+    }
+  });
+  std::vector<char> is_duplicate(faces.size(), 0);
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const std::span<Item> items = by_lowest.of(static_cast<Index>(v));
+    if (items.size() < 2) continue;
+    std::sort(items.begin(), items.end());
+    for (std::size_t i = 1; i < items.size(); ++i) {
+      const bool same = items[i].second == items[i - 1].second && items[i].third == items[i - 1].third;
+      if (same) is_duplicate[items[i].face] = 1;
+    }
+  }
+  return is_duplicate;
+}
+
+std::size_t drop_degenerate_faces(IndexedMesh& mesh) {
+  return drop_faces(mesh, [&](std::size_t f) { return !has_three_corners(mesh.faces[f]); });
+}
+
+std::size_t drop_duplicate_faces(IndexedMesh& mesh) {
+  const std::vector<char> is_duplicate = find_duplicate_faces(mesh.faces, mesh.positions.size());
+  return drop_faces(mesh, [&](std::size_t f) { return is_duplicate[f] != 0; });
+}
+
+std::size_t drop_isolated_vertices(IndexedMesh& mesh) {
+  const std::size_t count = mesh.positions.size();
+  std::vector<char> is_used(count, 0);
+  for (const Triangle& face : mesh.faces) {
+    for (const Index v : face) is_used[v] = 1;
+  }
+  drop_vertices(mesh, [&](std::size_t v) { return is_used[v] == 0; });
+  return count - mesh.positions.size();
+}
+
+Repairs repair(IndexedMesh& mesh, bool weld, std::vector<Index>* joined_to) {
+  Repairs done;
+  if (joined_to != nullptr) joined_to->clear();
+  done.degenerate_faces = drop_degenerate_faces(mesh);
+  done.duplicate_faces = drop_duplicate_faces(mesh);
+  if (weld) {
+    done += weld_borders(mesh, joined_to);
+    if (done.welded_vertices > 0) {
+      done.degenerate_faces += drop_degenerate_faces(mesh);
+      done.duplicate_faces += drop_duplicate_faces(mesh);
+    }
+  }
+  done.isolated_vertices = drop_isolated_vertices(mesh) - done.welded_vertices;
+  return done;
+}
+
+}  // namespace whittle::io

@@ -1,0 +1,91 @@
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "format/colors.hh"
+#include "stl/stl.hh"
+
+namespace whittle::io {
+
+namespace {
+
+// Zero for a face without area. The corners are scaled first, so that products neither overflow nor vanish.
+Vec3 normal_of(const std::array<Vec3, 3>& corners) {
+  const Vec3 a = corners[1] - corners[0];
+  const Vec3 b = corners[2] - corners[0];
+  const double scale = std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
+  if (!(scale > 0) || !std::isfinite(scale)) return Vec3::Zero();
+  const Vec3 normal = (a / scale).cross(b / scale);
+  const double length = normal.norm();
+  if (!(length > 0)) return Vec3::Zero();
+  return normal / length;
+}
+
+std::array<Vec3, 3> corners_of(const IndexedMesh& mesh, const Triangle& face) {
+  return {mesh.positions[face[0]], mesh.positions[face[1]], mesh.positions[face[2]]};
+}
+
+void write_ascii(ByteSink& sink, const IndexedMesh& mesh) {
+  const auto put = [&](const Vec3& p) {
+    for (const double x : p) (sink << " ").number(x);
+    sink << "\n";
+  };
+  sink << "solid whittle\n";
+  for (const Triangle& face : mesh.faces) {
+    const auto corners = corners_of(mesh, face);
+    sink << "facet normal";
+    for (const double x : normal_of(corners)) (sink << " ").number(static_cast<float>(x));
+    sink << "\n";
+    sink << "outer loop\n";
+    for (const Vec3& corner : corners) {
+      sink << "vertex";
+      put(corner);
+    }
+    sink << "endloop\nendfacet\n";
+  }
+  sink << "endsolid whittle\n";
+}
+
+// Returns whether a coordinate was rounded.
+bool write_binary(ByteSink& sink, const IndexedMesh& mesh) {
+  constexpr std::size_t header_bytes = 80;
+  std::string header = "binary STL written by whittle";  // "solid" would begin a text file
+  header.resize(header_bytes, ' ');
+  if (mesh.faces.size() > std::numeric_limits<std::uint32_t>::max()) {
+    throw std::range_error("binary STL can't hold as many faces");
+  }
+  bool rounded = false;
+  sink << header;
+  sink.little_endian(static_cast<std::uint32_t>(mesh.faces.size()));
+  const auto put = [&](const Vec3& p) {
+    for (const double x : p) sink.little_endian(static_cast<float>(x));
+  };
+  for (const Triangle& face : mesh.faces) {
+    const auto corners = corners_of(mesh, face);
+    put(normal_of(corners));
+    for (const Vec3& corner : corners) {
+      if (corner.cwiseAbs().maxCoeff() > static_cast<double>(std::numeric_limits<float>::max())) {
+        throw std::range_error("a coordinate is too large for the 32 bits of binary STL; write PLY, OBJ or ASCII STL");
+      }
+      put(corner);
+      rounded = rounded || corner.cast<float>().cast<double>() != corner;
+    }
+    sink.little_endian(std::uint16_t{0});
+  }
+  return rounded;
+}
+
+}  // namespace
+
+void write_stl(ByteSink& sink, const IndexedMesh& mesh, const WriteOptions& options,
+               std::vector<std::string>& warnings) {
+  if (!mesh.colors.empty()) warnings.emplace_back("STL has no vertex colours: they are left out");
+  if (options.ascii) {
+    write_ascii(sink, mesh);
+  } else if (write_binary(sink, mesh)) {
+    warnings.emplace_back("binary STL has 32 bits a coordinate: positions are rounded");
+  }
+}
+
+}  // namespace whittle::io
