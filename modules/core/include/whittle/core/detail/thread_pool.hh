@@ -13,13 +13,13 @@ namespace whittle {
 ///
 /// A helper takes part if it is awake in time; the caller never waits for one to come, only for those at work to
 /// finish. There are no more threads than cores.
-class Crew {
+class ThreadPool {
  public:
   /// \param threads at most so many, the caller's included; 0 = all cores
-  explicit Crew(unsigned threads);
-  ~Crew();
-  Crew(const Crew&) = delete;
-  Crew& operator=(const Crew&) = delete;
+  explicit ThreadPool(unsigned threads);
+  ~ThreadPool();
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
 
   std::size_t n_helpers() const { return helpers_.size(); }
 
