@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "predicates.hh"
-#include "whittle/core/detail/parallel.hh"
+#include "whittle/core/detail/progress_meter.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/closest_point.hh"
 
@@ -151,12 +151,17 @@ class PairTest {
 
 }  // namespace
 
-std::vector<std::array<Index, 2>> self_intersections(const IndexedMesh& mesh, unsigned threads) {
-  const TriangleTree tree(mesh);
+std::vector<std::array<Index, 2>> self_intersections(const IndexedMesh& mesh, unsigned threads,
+                                                     const ProgressCallback& progress) {
+  detail::ProgressMeter meter(progress);
+  const detail::Workers workers(threads, &meter);
+  meter.start("building the search tree", 0.3);
+  const TriangleTree tree(mesh, bounds(mesh).center(), &meter);
   const PairTest meets(mesh);
   const std::size_t n = mesh.faces.size();
   const std::size_t n_blocks = (n + faces_per_block - 1) / faces_per_block;
 
+  meter.start("comparing faces", 1);
   std::vector<char> has_area(n);
   for_each_block(n_blocks, threads, [&](std::size_t block) {
     for (std::size_t f = block * faces_per_block; f < std::min(n, (block + 1) * faces_per_block); ++f) {
@@ -165,7 +170,7 @@ std::vector<std::array<Index, 2>> self_intersections(const IndexedMesh& mesh, un
   });
 
   std::vector<std::vector<std::array<Index, 2>>> found(n_blocks);
-  for_each_block(n_blocks, threads, [&](std::size_t block) {
+  for_each_block(n_blocks, workers, [&](std::size_t block) {
     for (std::size_t f = block * faces_per_block; f < std::min(n, (block + 1) * faces_per_block); ++f) {
       if (!has_area[f]) continue;
       const auto face = static_cast<Index>(f);
@@ -180,6 +185,7 @@ std::vector<std::array<Index, 2>> self_intersections(const IndexedMesh& mesh, un
 
   std::vector<std::array<Index, 2>> pairs;
   for (const auto& part : found) pairs.insert(pairs.end(), part.begin(), part.end());
+  meter.finish();
   return pairs;
 }
 

@@ -6,25 +6,24 @@
 #include <vector>
 
 #include "checks.hh"
-#include "edges.hh"
 #include "whittle/core/detail/disjoint_sets.hh"
+#include "whittle/core/detail/edge_table.hh"
 
 namespace whittle::metrics {
 
 namespace {
 
+using detail::EdgeTable;
+using detail::face_of;
 using Sets = DisjointSets<std::size_t>;
 
-std::size_t corner_at(const IndexedMesh& mesh, Index face, Index vertex) {
-  const Triangle& corners = mesh.faces[face];
-  return 3 * std::size_t{face} + (corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2);
+/// The number of the corner that a side has at a vertex.
+Index corner_at(const IndexedMesh& mesh, Index side, Index vertex) {
+  return detail::start_of(side, mesh.faces) == vertex ? side : detail::next_in_face(side);
 }
 
 bool is_misoriented(const IndexedMesh& mesh, const EdgeTable& edges, std::size_t e) {
-  const auto faces = edges.faces(e);
-  const auto [low, high, first] = edges[e];
-  return faces.size() == 2 &&
-         runs_along(mesh.faces[faces[0]], low, high) == runs_along(mesh.faces[faces[1]], low, high);
+  return edges.sides(e).size() == 2 && !edges.is_regular(e, mesh.faces);
 }
 
 /// Two nodes a face, one for each way to turn it; an edge joins the ways that go together. A face both ways of which
@@ -33,11 +32,13 @@ bool is_orientable(const IndexedMesh& mesh, const EdgeTable& edges) {
   const std::size_t n = mesh.faces.size();
   Sets ways(2 * n);
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto faces = edges.faces(e);
-    if (faces.size() != 2) continue;
+    const auto sides = edges.sides(e);
+    if (sides.size() != 2) continue;
+    const std::size_t first = face_of(sides[0]);
+    const std::size_t second = face_of(sides[1]);
     const bool turned = is_misoriented(mesh, edges, e);
-    ways.join(faces[0], faces[1] + (turned ? n : 0));
-    ways.join(faces[0] + n, faces[1] + (turned ? 0 : n));
+    ways.join(first, second + (turned ? n : 0));
+    ways.join(first + n, second + (turned ? 0 : n));
   }
   for (std::size_t f = 0; f < n; ++f) {
     if (ways.find(f) == ways.find(f + n)) return false;
@@ -51,11 +52,11 @@ std::size_t count_boundary_loops(const IndexedMesh& mesh, const EdgeTable& edges
   Sets curves(edges.size());
   std::size_t loops = 0;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (edges.faces(e).size() != 1) continue;
+    if (edges.sides(e).size() != 1) continue;
     ++loops;
-    const Index face = edges.faces(e)[0];
-    for (const Index vertex : {edges[e].low, edges[e].high}) {
-      std::size_t& first = first_in_fan[fans.find(corner_at(mesh, face, vertex))];
+    const Index side = edges.sides(e)[0];
+    for (const Index corner : {side, detail::next_in_face(side)}) {
+      std::size_t& first = first_in_fan[fans.find(corner)];
       if (first == edges.size()) {
         first = e;
       } else if (curves.join(first, e)) {
@@ -70,13 +71,13 @@ std::size_t count_boundary_loops(const IndexedMesh& mesh, const EdgeTable& edges
 
 Topology topology(const IndexedMesh& mesh) {
   check_indices(mesh);
-  const EdgeTable edges(mesh);
+  const EdgeTable edges(mesh.faces, mesh.positions.size());
   Topology result;
   result.edges = edges.size();
 
   std::vector<std::size_t> n_fans(mesh.positions.size(), 0);  // first the corners of a vertex, less one for each join
   for (const Triangle& face : mesh.faces) {
-    if (is_collapsed(face)) {
+    if (!has_three_corners(face)) {
       ++result.collapsed_faces;
     } else {
       ++result.faces;
@@ -88,16 +89,16 @@ Topology topology(const IndexedMesh& mesh) {
   Sets parts(mesh.positions.size()), fans(3 * mesh.faces.size());
   result.components = result.vertices;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto [low, high, first] = edges[e];
-    const auto faces = edges.faces(e);
+    const auto [low, high] = edges[e];
+    const auto sides = edges.sides(e);
     if (parts.join(low, high)) --result.components;
-    for (std::size_t i = 1; i < faces.size(); ++i) {
+    for (std::size_t i = 1; i < sides.size(); ++i) {
       for (const Index v : {low, high}) {
-        if (fans.join(corner_at(mesh, faces[0], v), corner_at(mesh, faces[i], v))) --n_fans[v];
+        if (fans.join(corner_at(mesh, sides[0], v), corner_at(mesh, sides[i], v))) --n_fans[v];
       }
     }
-    if (faces.size() == 1) ++result.boundary_edges;
-    if (faces.size() > 2) ++result.nonmanifold_edges;
+    if (sides.size() == 1) ++result.boundary_edges;
+    if (sides.size() > 2) ++result.nonmanifold_edges;
     if (is_misoriented(mesh, edges, e)) ++result.misoriented_edges;
   }
   for (const std::size_t n : n_fans) result.nonmanifold_vertices += n > 1 ? 1 : 0;
