@@ -3,7 +3,7 @@
 namespace whittle {
 namespace {
 
-/// About 50 µs: longer than most pauses between two jobs, short against a time slice.
+/// About 50 µs: longer than most pauses between jobs, short against a time slice.
 constexpr int spins_before_sleep = 2000;
 
 void pause() {
@@ -22,7 +22,7 @@ ThreadPool::ThreadPool(unsigned threads) {
 
 ThreadPool::~ThreadPool() {
   is_over_ = true;
-  job_ += 2;  // wakes them, without a job
+  job_ += 2;  // wakes the helpers without a job
   job_.notify_all();
   for (std::thread& helper : helpers_) helper.join();
 }
@@ -34,7 +34,7 @@ void ThreadPool::run(std::size_t n_blocks, const std::function<void(std::size_t)
   ++job_;
   job_.notify_all();
   take_blocks();
-  ++job_;  // who comes now is too late
+  ++job_;  // helpers that wake up now are too late
   while (n_at_work_ != 0) pause();
 }
 
@@ -53,7 +53,7 @@ void ThreadPool::help() {
       continue;
     }
     ++n_at_work_;
-    if (job % 2 == 1 && job_ == job) take_blocks();  // still the same: the caller will wait for this one
+    if (job % 2 == 1 && job_ == job) take_blocks();  // still the same job: the caller waits for this helper
     --n_at_work_;
     seen = job;
   }

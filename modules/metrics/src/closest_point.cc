@@ -70,10 +70,14 @@ TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin, detail::
     const Vec3 pa = mesh.positions[a] - origin, pb = mesh.positions[b] - origin, pc = mesh.positions[c] - origin;
     references[f] = {{pa.cwiseMin(pb).cwiseMin(pc), pa.cwiseMax(pb).cwiseMax(pc)}, static_cast<Index>(f)};
   }
+  const auto check = [meter] {
+    if (meter != nullptr) meter->update(0);
+  };
+  check();
   nodes_.reserve(n);
   nodes_.resize(1);
   build(0, references, 0, static_cast<std::uint32_t>(n), 0, meter);
-
+  check();
   slots_.reserve(n);
   slot_of_face_.resize(n);
   for (const Reference& reference : references) {
@@ -84,6 +88,7 @@ TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin, detail::
     const Vec3 b = mesh.positions[corners[1]] - origin;
     const Vec3 c = mesh.positions[corners[2]] - origin;
     slots_.push_back({a, b, c, trusted_normal(a, b, c), reference.face});
+    if (slots_.size() % (1U << 16) == 0) check();
   }
 }
 

@@ -36,7 +36,7 @@ std::uint64_t mix(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// Random numbers by number instead of in sequence: a SplitMix64 stream entered anywhere.
+/// Random access to the numbers of a SplitMix64 stream.
 class CounterRandom {
  public:
   CounterRandom(std::uint64_t seed, std::uint64_t stream) : key_(mix(mix(seed + step) + stream * step)) {}
@@ -50,7 +50,7 @@ class CounterRandom {
   std::uint64_t key_;
 };
 
-/// Points evenly spread over the faces of a mesh, relative to an origin.
+/// Spreads points evenly over the faces of a mesh. Positions are relative to an origin.
 class SurfaceSampler {
  public:
   SurfaceSampler(const IndexedMesh& mesh, const Vec3& origin, std::size_t n_samples, CounterRandom random)
@@ -70,8 +70,8 @@ class SurfaceSampler {
     return {mesh_.positions[v[0]] - origin_, mesh_.positions[v[1]] - origin_, mesh_.positions[v[2]] - origin_};
   }
 
-  /// Calls `visit(face, point)` for samples begin … end − 1, in the order of the faces: sample i lies at random in the
-  /// i-th of `n_samples` equal parts of the area.
+  /// Calls `visit(face, point)` for samples begin … end − 1, in the order of the faces. Sample i is a random point in
+  /// the i-th of `n_samples` equal parts of the area.
   template <class Visitor>
   void for_each(std::size_t begin, std::size_t end, const Visitor& visit) const {
     const double part = area_before_.back() / static_cast<double>(n_samples_);
@@ -93,10 +93,10 @@ class SurfaceSampler {
   Vec3 origin_;
   std::size_t n_samples_;
   CounterRandom random_;
-  std::vector<double> area_before_;  ///< Twice the area of all faces below, one more than there are faces.
+  std::vector<double> area_before_;  ///< F + 1; for each face twice the area of all faces before it.
 };
 
-/// What the points of a block, or of all, add up to.
+/// Sums over the points of a block, or of all blocks.
 struct Sums {
   std::size_t samples = 0, vertices = 0, normals = 0, flipped = 0;
   double distance = 0.0, sample_sq = 0.0, vertex_sq = 0.0, max_sq = 0.0, angle = 0.0;
@@ -114,7 +114,7 @@ struct Sums {
   }
 };
 
-/// One direction: the points of `from` against the surface `to`, both trees with the same origin.
+/// One direction: from the points of `from` to the surface `to`. Both trees have the same origin.
 struct Direction {
   const IndexedMesh& from;
   const IndexedMesh& to;

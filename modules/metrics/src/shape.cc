@@ -33,8 +33,8 @@ Quality quality(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   const double a = sides[0].norm(), b = sides[1].norm(), c = 1.0;
   const double twice_area = sides[0].cross(sides[1]).norm();
   const double half_perimeter = 0.5 * (a + b + c);
-  // The sides run around the triangle, so the angle opposite the shortest is between one of the others and the other's
-  // reverse.
+  // The sides run around the triangle. So the angle opposite the shortest one is that between one longer side and the
+  // reverse of the other.
   const double least_angle = std::atan2(sides[1].cross(sides[2]).norm(), -sides[1].dot(sides[2]));
   const double ratio = a > 0.0 ? 2.0 * twice_area * twice_area / (half_perimeter * a * b * c) : 0.0;
   return {std::min(ratio, 1.0), least_angle * 180.0 / std::numbers::pi};

@@ -1,11 +1,11 @@
-// One pass over the edges joins what hangs together: vertices into components, corners into fans (the corners two faces
-// have at a common edge belong to one fan), the ends of boundary edges into curves, faces into oriented patches.
+// One loop over the edges joins what is connected: vertices into components, corners into fans, and boundary edges into
+// curves. The corners of two faces at an end of their common edge are in one fan.
 #include "whittle/metrics/topology.hh"
 
 #include <algorithm>
 #include <vector>
 
-#include "checks.hh"
+#include "whittle/core/detail/checks.hh"
 #include "whittle/core/detail/disjoint_sets.hh"
 #include "whittle/core/detail/edge_table.hh"
 
@@ -15,7 +15,7 @@ namespace {
 
 using detail::EdgeTable;
 using detail::face_of;
-using Sets = DisjointSets<std::size_t>;
+using Sets = detail::DisjointSets<std::size_t>;
 
 /// The number of the corner that a side has at a vertex.
 Index corner_at(const IndexedMesh& mesh, Index side, Index vertex) {
@@ -26,8 +26,8 @@ bool is_misoriented(const IndexedMesh& mesh, const EdgeTable& edges, std::size_t
   return edges.sides(e).size() == 2 && !edges.is_regular(e, mesh.faces);
 }
 
-/// Two nodes a face, one for each way to turn it; an edge joins the ways that go together. A face both ways of which
-/// are in one set can't be turned right.
+/// Each face has two nodes, one for each orientation. An edge joins those orientations of its two faces that agree. If
+/// both orientations of a face end in one set, the surface is not orientable.
 bool is_orientable(const IndexedMesh& mesh, const EdgeTable& edges) {
   const std::size_t n = mesh.faces.size();
   Sets ways(2 * n);
@@ -46,7 +46,7 @@ bool is_orientable(const IndexedMesh& mesh, const EdgeTable& edges) {
   return true;
 }
 
-/// `fans`: the corners, joined. Of the boundary edges in a fan all are in the curve of the first one met.
+/// All boundary edges in a fan are in one curve, that of the first of them. \param fans the corners, joined
 std::size_t count_boundary_loops(const IndexedMesh& mesh, const EdgeTable& edges, Sets& fans) {
   std::vector<std::size_t> first_in_fan(3 * mesh.faces.size(), edges.size());
   Sets curves(edges.size());
@@ -70,12 +70,13 @@ std::size_t count_boundary_loops(const IndexedMesh& mesh, const EdgeTable& edges
 }  // namespace
 
 Topology topology(const IndexedMesh& mesh) {
-  check_indices(mesh);
+  check_corners(mesh.positions.size(), mesh.faces);
   const EdgeTable edges(mesh.faces, mesh.positions.size());
   Topology result;
   result.edges = edges.size();
 
-  std::vector<std::size_t> n_fans(mesh.positions.size(), 0);  // first the corners of a vertex, less one for each join
+  std::vector<std::size_t> n_fans(mesh.positions.size(),
+                                  0);  // first the corners of a vertex, then minus one for each join
   for (const Triangle& face : mesh.faces) {
     if (!has_three_corners(face)) {
       ++result.collapsed_faces;

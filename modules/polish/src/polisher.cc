@@ -23,7 +23,9 @@ constexpr double dense = 0.3;
 constexpr double preparation = 0.25;
 
 /// The border, and those features that have two faces.
-MeshLines lines_of(const IndexedMesh& mesh, const FaceNeighbors& neighbors, std::span<const VertexPair> features) {
+MeshLines lines_of(const IndexedMesh& mesh, const FaceNeighbors& neighbors, std::span<const VertexPair> features,
+                   const detail::Workers& workers) {
+  workers.update(0);
   std::vector<VertexPair> inner;
   for (const auto& [a, b] : features) {
     if (neighbors.inner_side(a, b).face != invalid_index) inner.push_back({std::min(a, b), std::max(a, b)});
@@ -53,12 +55,12 @@ double run_fraction(double n_passes, const PolishOptions& options) {
 }
 
 Connectivity::Connectivity(std::vector<Triangle> the_faces, std::size_t n_vertices, const SimplifiedSurface& original,
-                           const PolishOptions& options)
+                           const PolishOptions& options, const detail::Workers& workers)
     : faces(std::move(the_faces)),
       corners(corners_by_vertex(faces, n_vertices)),
       neighbors(faces, corners),
       limits(neighbors, options.features, options.feature_angle_deg, options.min_radius_ratio.value_or(0)),
-      error(original, faces, n_vertices) {}
+      error(original, faces, n_vertices, workers) {}
 
 Polisher::Polisher(const IndexedMesh& original, std::span<const Index> vertex_map, const IndexedMesh& mesh,
                    const PolishOptions& options, detail::ProgressMeter& meter)
@@ -68,9 +70,9 @@ Polisher::Polisher(const IndexedMesh& original, std::span<const Index> vertex_ma
       frame_(Frame::of_points(original.positions)),
       samples_(original, vertex_map, frame_, points_per_face(original, mesh), workers_),
       original_{original.faces, samples_.positions(), vertex_map},
-      mesh_(std::make_unique<Connectivity>(mesh.faces, mesh.positions.size(), original_, options)),
+      mesh_(std::make_unique<Connectivity>(mesh.faces, mesh.positions.size(), original_, options, workers_)),
       groups_(mesh.face_groups),
-      lines_(lines_of(mesh, mesh_->neighbors, options.features)),
+      lines_(lines_of(mesh, mesh_->neighbors, options.features, workers_)),
       line_samples_(original_lines(original), samples_.positions(), vertex_map),
       is_fixed_(fixed_vertices(mesh_->neighbors, lines_, mesh.positions.size(), options)),
       can_flip_(options.flips && mesh.corner_texcoords.empty()) {
@@ -114,6 +116,7 @@ std::size_t Polisher::points_per_face(const IndexedMesh& original, const Indexed
 
 /// Without lines in the mesh, the original's border is not needed.
 MeshLines Polisher::original_lines(const IndexedMesh& original) const {
+  workers_.update(0);
   std::vector<VertexPair> borders;
   if (!lines_.empty()) borders = detail::border_edges(original.faces, original.positions.size());
   return MeshLines(borders, options_.original_features, original.positions.size());
@@ -138,7 +141,7 @@ std::unique_ptr<Connectivity> Polisher::flip() {
   std::vector<Triangle> faces =
       flip_edges(mesh_->at(positions_), mesh_->neighbors, mesh_->limits, lines_, groups_, samples_, workers_);
   if (faces == mesh_->faces) return nullptr;
-  return std::make_unique<Connectivity>(std::move(faces), positions_.size(), original_, options_);
+  return std::make_unique<Connectivity>(std::move(faces), positions_.size(), original_, options_, workers_);
 }
 
 /// Where the vertices should go. \param unit of Fair's weights
@@ -148,8 +151,9 @@ std::vector<Vec3> Polisher::move(const Connectivity& mesh, double unit) {
   SurfaceFit fit(mesh.faces, mesh.corners, mesh.neighbors, mesh.limits, lines_, is_fixed_);
   fit.start(moved);
   line_samples_.for_each_foot([&fit](const LineFoot& foot, double weight) { fit.add(foot, weight); });
-  samples_.for_each_foot(
-      [&fit, unit](const Foot& foot, double weight) { fit.add(foot, weight * fair_weight(foot.distance, unit)); });
+  samples_.for_each_foot(workers_, [&fit, unit](const Foot& foot, double weight) {
+    fit.add(foot, weight * fair_weight(foot.distance, unit));
+  });
   for (int i = 0; i < n_sweeps; ++i) fit.sweep(workers_);
   start("checking", 0.9);
   const Surface before = mesh.at(positions_);

@@ -28,8 +28,9 @@ struct Connectivity {
   FaceLimits limits;
   TwoSidedError error;
 
+  /// \throw Cancelled
   Connectivity(std::vector<Triangle> the_faces, std::size_t n_vertices, const SimplifiedSurface& original,
-               const PolishOptions& options);
+               const PolishOptions& options, const detail::Workers& workers);
   Connectivity(const Connectivity&) = delete;
   Connectivity& operator=(const Connectivity&) = delete;
 

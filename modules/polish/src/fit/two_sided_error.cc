@@ -65,8 +65,9 @@ std::vector<TwoSidedError::Distance> one_sided(const Surface& from, const Surfac
 }  // namespace
 
 TwoSidedError::TwoSidedError(const SimplifiedSurface& original, std::span<const Triangle> mesh_faces,
-                             std::size_t n_mesh_vertices)
+                             std::size_t n_mesh_vertices, const detail::Workers& workers)
     : original_(original) {
+  workers.update(0);
   const std::span<const Index> vertex_map = original.vertex_map;
   std::vector<std::uint8_t> is_asked(n_mesh_vertices);
   const Choice points(mesh_faces.size());
@@ -82,6 +83,7 @@ TwoSidedError::TwoSidedError(const SimplifiedSurface& original, std::span<const 
                   if (is_near[v] != 0) add(vertex_map[v], v);
                 }
               }};
+  workers.update(0);
   original_corners_ = corners_by_vertex(original.faces, is_near);
 }
 

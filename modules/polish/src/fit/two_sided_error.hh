@@ -19,8 +19,9 @@ struct SimplifiedSurface {
 /// The distance between two surfaces, both ways, at some points of each. For comparing a mesh before and after a pass.
 class TwoSidedError {
  public:
-  /// Keeps references to what `original` refers to.
-  TwoSidedError(const SimplifiedSurface& original, std::span<const Triangle> mesh_faces, std::size_t n_mesh_vertices);
+  /// Keeps references to what `original` refers to. \throw Cancelled
+  TwoSidedError(const SimplifiedSurface& original, std::span<const Triangle> mesh_faces, std::size_t n_mesh_vertices,
+                const detail::Workers& workers);
 
   struct Distance {
     double square;

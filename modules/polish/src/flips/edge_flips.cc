@@ -182,7 +182,7 @@ class EdgeFlips {
         }
       }
     });
-    samples_.for_each_foot([&fits](const Foot& foot, double weight) { add(fits[foot.face], foot, weight); });
+    samples_.for_each_foot(workers, [&fits](const Foot& foot, double weight) { add(fits[foot.face], foot, weight); });
     return fits;
   }
 
@@ -292,7 +292,7 @@ class EdgeFlips {
   }
 
   bool do_intersect(Index f, Index g) const {
-    return n_common_corners(faces_[f], faces_[g]) < 2 && intersect(faces_[f], faces_[g], mesh_.positions);
+    return n_common_corners(faces_[f], faces_[g]) < 2 && detail::intersect(faces_[f], faces_[g], mesh_.positions);
   }
   void undo(Index f) {
     if (!is_flipped(f)) return;

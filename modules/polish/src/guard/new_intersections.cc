@@ -100,7 +100,7 @@ class MovedMesh {
   bool intersect_newly(Index f, Index g) const {
     const Triangle& s = before_.faces[f];
     const Triangle& t = before_.faces[g];
-    return intersect(s, t, positions_) && !intersect(s, t, before_.positions);
+    return detail::intersect(s, t, positions_) && !detail::intersect(s, t, before_.positions);
   }
 
   bool has_fresh_face(Index v) const {

@@ -77,6 +77,7 @@ class BoxTree {
       faces_.reserve(boxes.size());
       for (const Index i : order_) faces_.push_back(faces[i]);
     }
+    workers.update(0);
     while (levels_.empty() || levels_.back().size() > 1) {
       std::vector<Octet>& level = levels_.emplace_back((below.size() + fan_out - 1) / fan_out);
       std::vector<Box> above(level.size());

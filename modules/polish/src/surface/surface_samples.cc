@@ -63,7 +63,7 @@ void SurfaceSamples::prefetch_corners(std::size_t f, const PerVertex& more) cons
 }
 
 void SurfaceSamples::measure(const detail::Workers& workers) {
-  constexpr std::size_t check_mask = (std::size_t{1} << 18) - 1;  // some ten milliseconds from check to check
+  constexpr std::size_t check_mask = (std::size_t{1} << 16) - 1;  // some milliseconds from check to check
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     if ((f & check_mask) == 0) workers.update(0);
     prefetch_corners(f + ahead, normals_and_areas_);

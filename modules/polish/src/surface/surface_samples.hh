@@ -38,14 +38,20 @@ class SurfaceSamples {
   void set_foot(std::size_t i, const Foot& foot) { feet_[i] = foot; }
 
   /// Calls `use(foot, weight)` for each point that has a foot, always in the same order.
+  /// \throw Cancelled
   template <class Use>
-  void for_each_foot(const Use& use) const {
+  void for_each_foot(const detail::Workers& workers, const Use& use) const {
+    constexpr std::size_t check_mask = (std::size_t{1} << 16) - 1;  // some milliseconds from check to check
     const auto use_if_there = [&](const Foot& foot, double weight) {
       if (foot.face != invalid_index) use(foot, weight);
     };
-    for (std::size_t v = 0; v < n_vertices(); ++v) use_if_there(feet_[v], weight(v));
+    for (std::size_t v = 0; v < n_vertices(); ++v) {
+      if ((v & check_mask) == 0) workers.update(0);
+      use_if_there(feet_[v], weight(v));
+    }
     std::size_t i = n_vertices();
     for (std::size_t f = 0; f < faces_.size(); ++f) {
+      if ((f & check_mask) == 0) workers.update(0);
       const double weight = weight_in_face(f);
       for (const std::size_t end = i + per_face_; i < end; ++i) use_if_there(feet_[i], weight);
     }

@@ -9,7 +9,7 @@
 namespace whittle::metrics {
 
 struct DistanceOptions {
-  /// Area-weighted samples on each of the two surfaces, in [1, 2^40]; all vertices are taken in addition.
+  /// Area-weighted samples on each of the two surfaces, [1, 2^40]. All vertices are measured, too.
   std::size_t samples = 500'000;
   /// Chooses where the samples are; any value. Equal seeds give equal bytes.
   std::uint64_t seed = 1;
