@@ -1,7 +1,6 @@
 #include "whittle/core/detail/edge_table.hh"
 
 #include <algorithm>
-#include <cstdint>
 #include <stdexcept>
 
 #include "whittle/core/detail/index_lists.hh"
@@ -52,9 +51,17 @@ std::vector<std::uint64_t> neighbor_sums(std::span<const Triangle> faces, std::s
 
 }  // namespace
 
-EdgeTable::EdgeTable(std::span<const Triangle> faces, std::size_t n_vertices) {
+EdgeTable::EdgeTable(std::span<const Triangle> faces, std::size_t n_vertices, std::span<const std::uint8_t> is_chosen) {
   check_size(faces);
-  build(n_vertices, [faces](const auto& use) { for_each_side(faces, use); });
+  if (is_chosen.empty()) {
+    build(n_vertices, [faces](const auto& use) { for_each_side(faces, use); });
+    return;
+  }
+  build(n_vertices, [faces, is_chosen](const auto& use) {
+    for_each_side(faces, [&](Index from, Index to, Index side) {
+      if (is_chosen[face_of(side)] != 0) use(from, to, side);
+    });
+  });
 }
 
 template <class ForEachSide>

@@ -67,6 +67,14 @@ TEST(EdgeTable, TellsWhichEdgesAreRegular) {
   EXPECT_THAT(regular, ElementsAre(VertexPair{0, 1}));
 }
 
+TEST(EdgeTable, LeavesFacesOutThatAreNotChosen) {
+  const std::vector<Triangle> faces{{0, 1, 2}, {1, 0, 3}};
+  const EdgeTable edges(faces, 4, std::vector<std::uint8_t>{0, 1});
+  ASSERT_EQ(edges.size(), 3U);
+  EXPECT_EQ(edges[0], (VertexPair{0, 1}));
+  EXPECT_THAT(edges.sides(0), ElementsAre(3));
+}
+
 TEST(EdgeTable, MayBeEmpty) {
   EXPECT_EQ(EdgeTable().size(), 0U);
   EXPECT_EQ(EdgeTable({}, 0).size(), 0U);

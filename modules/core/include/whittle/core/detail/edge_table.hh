@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -25,9 +26,10 @@ class EdgeTable {
  public:
   EdgeTable() = default;
   /// Takes O(F) time where each vertex has few edges.
+  /// \param is_chosen per face, 0 leaves it out; or empty: all faces
   /// \pre all vertex numbers are below `n_vertices`
   /// \throw std::length_error for 2³² / 3 faces or more
-  EdgeTable(std::span<const Triangle> faces, std::size_t n_vertices);
+  EdgeTable(std::span<const Triangle> faces, std::size_t n_vertices, std::span<const std::uint8_t> is_chosen = {});
 
   std::size_t size() const { return edges_.size() - 1; }  ///< number of edges
   const VertexPair& operator[](std::size_t edge) const { return edges_[edge].ends; }
