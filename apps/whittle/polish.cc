@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "input.hh"
+#include "interruption.hh"
 #include "output.hh"
+#include "progress_bar.hh"
 #include "report.hh"
 #include "stopwatch.hh"
 #include "subcommands.hh"
@@ -72,6 +74,32 @@ void check(const CLI::App& app, const PolishCommand& options) {
   check_outputs(outputs, {options.reference, options.input}, options.common.force);
 }
 
+/// \throw Interrupted
+void polish_input(const PolishCommand& options, const Talk& talk, PolishRun& run) {
+  const IndexedMesh& reference = run.reference.read.mesh;
+  run.mesh = run.input.read.mesh;
+  ProgressBar bar(talk, "polishing");
+  // Searching and a pass take about the same time on large meshes.
+  const double search = 1.0 / (1 + options.passes);
+  const auto progress_between = [&bar](double from, double to) {
+    return [&bar, from, to](const TaskProgress& progress) {
+      bar.update(from + progress.fraction * (to - from), std::string(progress.stage));
+      return !SignalsWait::pending();
+    };
+  };
+  const SignalsWait signals_wait;
+  try {
+    const std::vector<Index> nearest =
+        metrics::nearest_vertices(reference, run.mesh, options.common.threads, progress_between(0, search));
+    PolishOptions polish_options{.passes = options.passes, .threads = options.common.threads};
+    polish_options.progress = progress_between(search, 1);
+    run.result = polish(reference, nearest, run.mesh, polish_options);
+  } catch (const Cancelled&) {
+    // The signal that cancelled the search is thrown below.
+  }
+  SignalsWait::throw_if_pending();
+}
+
 ExitCode run_polish(const CLI::App& app, const PolishCommand& options) {
   check(app, options);
   const Talk talk(options.common.volume());
@@ -82,10 +110,7 @@ ExitCode run_polish(const CLI::App& app, const PolishCommand& options) {
   run.warnings = run.reference.warnings;
   run.warnings.insert(run.warnings.end(), run.input.warnings.begin(), run.input.warnings.end());
   const Stopwatch polishing;
-  const IndexedMesh& reference = run.reference.read.mesh;
-  run.mesh = run.input.read.mesh;
-  run.result = polish(reference, metrics::nearest_vertices(reference, run.mesh, options.common.threads), run.mesh,
-                      {.passes = options.passes, .threads = options.common.threads});
+  polish_input(options, talk, run);
   run.polish_seconds = polishing.seconds();
   write_files(options, talk, watch, run);
   talk.say(shown_output(options.output) + ": " + polish_text(run.result) + " in " + seconds_text(watch.seconds()));

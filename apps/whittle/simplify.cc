@@ -105,14 +105,12 @@ void polish_result(const SimplifyOptions& options, Run& run) {
   PolishOptions polish_options{.passes = *options.polish_passes,
                                .flips = options.effort == Effort::best,
                                .fit_borders = options.decimate.boundary != Boundary::locked,
-                               .feature_angle_deg = options.decimate.feature_angle_deg,
                                .features = decimation.feature_edges,
                                .min_radius_ratio = options.decimate.min_radius_ratio,
                                .threads = options.common.threads};
-  std::vector<VertexPair> original_features;
+  if (options.decimate.feature_angle_deg < 180) polish_options.feature_angle_deg = options.decimate.feature_angle_deg;
   if (!decimation.feature_edges.empty()) {
-    original_features = feature_edges(original, options.decimate.feature_angle_deg);
-    polish_options.original_features = original_features;
+    polish_options.original_features = feature_edges(original, options.decimate.feature_angle_deg);
   }
   const SignalsWait signals_wait;
   run.polish = polish(original, decimation.vertex_map, decimation.mesh, polish_options);

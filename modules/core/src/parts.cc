@@ -12,7 +12,7 @@
 namespace whittle {
 
 Parts find_parts(std::size_t n_vertices, std::span<const Triangle> faces) {
-  DisjointSets<Index> sets(n_vertices);
+  detail::DisjointSets<Index> sets(n_vertices);
   Parts parts;
   parts.part_of.assign(n_vertices, invalid_index);
   for (const Triangle& face : faces) {
@@ -56,7 +56,7 @@ PrunedMesh without_small_parts(IndexedMesh mesh, double size) {
   result.mesh = std::move(mesh);
   const auto is_small = [&](double diagonal) { return diagonal < size; };
   result.n_dropped_parts = static_cast<std::size_t>(std::count_if(diagonals.begin(), diagonals.end(), is_small));
-  // Any corner, for a face with two equal ones may have them in different parts.
+  // Any corner: the corners of a degenerate face may be in different parts.
   result.n_dropped_faces = drop_faces(result.mesh, [&](std::size_t f) {
     const Triangle& face = result.mesh.faces[f];
     return std::any_of(face.begin(), face.end(), is_dropped);

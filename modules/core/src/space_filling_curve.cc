@@ -16,7 +16,7 @@ std::uint32_t spread_bits(std::uint32_t x) {
   return (x | (x << 2)) & 0x09249249;
 }
 
-/// Stable, by cell, 10 bits a pass.
+/// Stable sort by cell, 10 bits a pass.
 void radix_sort(std::vector<CurvePoint>& points) {
   std::vector<CurvePoint> sorted(points.size());
   for (const unsigned shift : {0U, 10U, 20U}) {

@@ -3,7 +3,7 @@
 namespace whittle {
 namespace {
 
-/// About 50 µs: longer than most pauses between two jobs, short against a time slice.
+/// About 50 µs: longer than most pauses between jobs, short against a time slice.
 constexpr int spins_before_sleep = 2000;
 
 void pause() {
@@ -14,35 +14,35 @@ void pause() {
 
 }  // namespace
 
-Crew::Crew(unsigned threads) {
+ThreadPool::ThreadPool(unsigned threads) {
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
   const unsigned n_helpers = (threads == 0 ? cores : std::min(threads, cores)) - 1;
   for (unsigned i = 0; i < n_helpers; ++i) helpers_.emplace_back([this] { help(); });
 }
 
-Crew::~Crew() {
+ThreadPool::~ThreadPool() {
   is_over_ = true;
-  job_ += 2;  // wakes them, without a job
+  job_ += 2;  // wakes the helpers without a job
   job_.notify_all();
   for (std::thread& helper : helpers_) helper.join();
 }
 
-void Crew::run(std::size_t n_blocks, const std::function<void(std::size_t)>& work) {
+void ThreadPool::run(std::size_t n_blocks, const std::function<void(std::size_t)>& work) {
   work_ = &work;
   n_blocks_ = n_blocks;
   next_block_ = 0;
   ++job_;
   job_.notify_all();
   take_blocks();
-  ++job_;  // who comes now is too late
+  ++job_;  // helpers that wake up now are too late
   while (n_at_work_ != 0) pause();
 }
 
-void Crew::take_blocks() {
+void ThreadPool::take_blocks() {
   for (std::size_t block = next_block_++; block < n_blocks_; block = next_block_++) (*work_)(block);
 }
 
-void Crew::help() {
+void ThreadPool::help() {
   unsigned seen = 0;
   while (!is_over_) {
     const unsigned job = job_;
@@ -53,7 +53,7 @@ void Crew::help() {
       continue;
     }
     ++n_at_work_;
-    if (job % 2 == 1 && job_ == job) take_blocks();  // still the same: the caller will wait for this one
+    if (job % 2 == 1 && job_ == job) take_blocks();  // still the same job: the caller waits for this helper
     --n_at_work_;
     seen = job;
   }

@@ -2,17 +2,17 @@
 
 #include <algorithm>
 
-namespace whittle {
+namespace whittle::detail {
 namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-/// Of two triangles, by the projections of their corners onto an axis; units of the axis' and the triangles' size.
-constexpr double most_overlap = 1e-12;  ///< up to which they only touch
-constexpr double least_extent = 1e-9;   ///< below which all of it is rounding
+/// Limits for projections of two triangles onto an axis, relative to the sizes of axis and triangles.
+constexpr double most_overlap = 1e-12;  ///< with this overlap or less they only touch
+constexpr double least_extent = 1e-9;   ///< a smaller projection is rounding error
 
-/// Whether one lies beyond the other, or up to a common corner, along the way from its center: what most neighbours on
-/// a surface do.
+/// Whether one triangle is entirely ahead of the other along the direction between their centres. A common corner is
+/// allowed. Holds for most neighbours on a surface.
 bool are_apart(const Corners& s, const Corners& t) {
   const Vec3 way = (t[0] - s[0]) + (t[1] - s[1]) + (t[2] - s[2]);
   const auto along = [&](const Vec3& corner) { return way.dot(corner - s[0]); };
@@ -23,7 +23,7 @@ bool are_apart(const Corners& s, const Corners& t) {
 
 }  // namespace
 
-/// No axis separates their projections. \cite ericson_2005_collision (section 5.2.1)
+/// They intersect if no axis separates their projections. \cite ericson_2005_collision (section 5.2.1)
 bool intersect(const Corners& s, const Corners& t) {
   if (are_apart(s, t)) return false;
   const Corners s_offsets{Vec3::Zero(), s[1] - s[0], s[2] - s[0]};
@@ -56,4 +56,4 @@ bool intersect(const Corners& s, const Corners& t) {
                       [&](const Vec3& side) { return separates_inside(side, t_sides); });
 }
 
-}  // namespace whittle
+}  // namespace whittle::detail

@@ -4,13 +4,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "checks.hh"
+#include "whittle/core/detail/checks.hh"
 
 namespace whittle::metrics {
 
 Bounds bounds(const IndexedMesh& mesh) {
   if (mesh.faces.empty()) throw std::invalid_argument("mesh has no faces");
-  check_indices(mesh);
+  check_corners(mesh.positions.size(), mesh.faces);
   Bounds box{Vec3::Constant(std::numeric_limits<double>::infinity()),
              Vec3::Constant(-std::numeric_limits<double>::infinity())};
   for (const Triangle& face : mesh.faces) {

@@ -1,8 +1,8 @@
-// Nearest point of a triangle: the foot point on its plane when that lies inside all three sides, else the nearest
-// point of the sides it lies outside of. Compared with the usual walk through Voronoi regions (Ericson: Real-Time
-// Collision Detection, 5.1.5) no barycentric coordinate is divided by an area, so thin triangles cost no accuracy.
+// The nearest point of a triangle is the foot on its plane if that is inside all three sides. Else it is the nearest
+// point of those sides that the foot is outside of. Unlike the usual walk through Voronoi regions (Ericson: Real-Time
+// Collision Detection, 5.1.5), this divides no barycentric coordinate by an area, so thin triangles lose no accuracy.
 //
-// The tree is split by the surface area heuristic in 16 bins along the widest axis of the box centres (Wald: On fast
+// Nodes are split by the surface area heuristic, in 16 bins along the widest axis of the box centres (Wald: On fast
 // Construction of SAH-based Bounding Volume Hierarchies, 2007).
 #include "whittle/metrics/closest_point.hh"
 
@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "triangle_math.hh"
+#include "whittle/core/detail/progress_meter.hh"
 
 namespace whittle::metrics {
 
@@ -32,7 +33,7 @@ double half_surface(const Bounds& box) {
   return side.x() * side.y() + side.y() * side.z() + side.z() * side.x();
 }
 
-/// Always summed in the same order, so that what is less in each component rounds to no more.
+/// Always summed in the same order: a vector that is smaller in each component never gets a greater length.
 double length_sq(const Vec3& v) { return (v.x() * v.x() + v.y() * v.y()) + v.z() * v.z(); }
 
 double distance_sq_to_box(const Vec3& point, const Bounds& box) {
@@ -58,7 +59,8 @@ struct TriangleTree::Reference {
 
 TriangleTree::TriangleTree(const IndexedMesh& mesh) : TriangleTree(mesh, bounds(mesh).center()) {}
 
-TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin) : origin_(origin) {
+TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin, detail::ProgressMeter* meter)
+    : origin_(origin) {
   bounds(mesh);  // for its checks
   if (!origin.allFinite()) throw std::invalid_argument("origin of the hierarchy is not finite");
   const std::size_t n = mesh.faces.size();
@@ -68,10 +70,14 @@ TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin) : origin
     const Vec3 pa = mesh.positions[a] - origin, pb = mesh.positions[b] - origin, pc = mesh.positions[c] - origin;
     references[f] = {{pa.cwiseMin(pb).cwiseMin(pc), pa.cwiseMax(pb).cwiseMax(pc)}, static_cast<Index>(f)};
   }
+  const auto check = [meter] {
+    if (meter != nullptr) meter->update(0);
+  };
+  check();
   nodes_.reserve(n);
   nodes_.resize(1);
-  build(0, references, 0, static_cast<std::uint32_t>(n), 0);
-
+  build(0, references, 0, static_cast<std::uint32_t>(n), 0, meter);
+  check();
   slots_.reserve(n);
   slot_of_face_.resize(n);
   for (const Reference& reference : references) {
@@ -82,11 +88,14 @@ TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin) : origin
     const Vec3 b = mesh.positions[corners[1]] - origin;
     const Vec3 c = mesh.positions[corners[2]] - origin;
     slots_.push_back({a, b, c, trusted_normal(a, b, c), reference.face});
+    if (slots_.size() % (1U << 16) == 0) check();
   }
 }
 
 void TriangleTree::build(std::uint32_t node, std::vector<Reference>& references, std::uint32_t begin, std::uint32_t end,
-                         std::size_t depth) {
+                         std::size_t depth, detail::ProgressMeter* meter) {
+  constexpr std::uint32_t large = 4096;  // takes about a millisecond
+  if (meter != nullptr && end - begin >= large) meter->update(begin / static_cast<double>(references.size()));
   Bounds box = empty_box, centers = empty_box;
   for (std::uint32_t i = begin; i < end; ++i) {
     extend(box, references[i].box);
@@ -103,8 +112,8 @@ void TriangleTree::build(std::uint32_t node, std::vector<Reference>& references,
   const auto child = static_cast<std::uint32_t>(nodes_.size());
   nodes_.resize(child + 2);
   nodes_[node].first = child;
-  build(child, references, begin, middle, depth + 1);
-  build(child + 1, references, middle, end, depth + 1);
+  build(child, references, begin, middle, depth + 1, meter);
+  build(child + 1, references, middle, end, depth + 1, meter);
 }
 
 std::uint32_t TriangleTree::split(std::vector<Reference>& references, std::uint32_t begin, std::uint32_t end,
@@ -185,8 +194,8 @@ Vec3 TriangleTree::nearest_in(const Slot& slot, const Vec3& point) {
     if (outside_bc) consider(slot.b, slot.c);
     if (outside_ca) consider(slot.a, slot.c);
   }
-  // Inside the face's own box, the distance can't round to less than the distance to any box around it: no order of the
-  // search can then miss the nearest face.
+  // Inside the face's own box, its distance can't round to less than that of any box around the face. So the search
+  // finds the nearest face in any order.
   return nearest.cwiseMax(slot.a.cwiseMin(slot.b).cwiseMin(slot.c)).cwiseMin(slot.a.cwiseMax(slot.b).cwiseMax(slot.c));
 }
 

@@ -1,11 +1,14 @@
-// Both surfaces are sampled in blocks; what a block contributes depends on its number alone (counter-based random
-// numbers, no state carried from block to block), and the blocks are summed in order. So the thread count can't show.
+// Both surfaces are sampled in blocks. The result of a block depends on its number alone: random numbers are a function
+// of a counter, and no state is carried from block to block. The blocks are summed in order. So the result is the same
+// for any number of threads.
 #include "whittle/metrics/distance.hh"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <future>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -14,7 +17,7 @@
 
 #include "noise.hh"
 #include "triangle_math.hh"
-#include "whittle/core/detail/parallel.hh"
+#include "whittle/core/detail/progress_meter.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/closest_point.hh"
 
@@ -33,7 +36,7 @@ std::uint64_t mix(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// Random numbers by number instead of in sequence: a SplitMix64 stream entered anywhere.
+/// Random access to the numbers of a SplitMix64 stream.
 class CounterRandom {
  public:
   CounterRandom(std::uint64_t seed, std::uint64_t stream) : key_(mix(mix(seed + step) + stream * step)) {}
@@ -47,7 +50,7 @@ class CounterRandom {
   std::uint64_t key_;
 };
 
-/// Points evenly spread over the faces of a mesh, relative to an origin.
+/// Spreads points evenly over the faces of a mesh. Positions are relative to an origin.
 class SurfaceSampler {
  public:
   SurfaceSampler(const IndexedMesh& mesh, const Vec3& origin, std::size_t n_samples, CounterRandom random)
@@ -67,8 +70,8 @@ class SurfaceSampler {
     return {mesh_.positions[v[0]] - origin_, mesh_.positions[v[1]] - origin_, mesh_.positions[v[2]] - origin_};
   }
 
-  /// Calls `visit(face, point)` for samples begin … end − 1, in the order of the faces: sample i lies at random in the
-  /// i-th of `n_samples` equal parts of the area.
+  /// Calls `visit(face, point)` for samples begin … end − 1, in the order of the faces. Sample i is a random point in
+  /// the i-th of `n_samples` equal parts of the area.
   template <class Visitor>
   void for_each(std::size_t begin, std::size_t end, const Visitor& visit) const {
     const double part = area_before_.back() / static_cast<double>(n_samples_);
@@ -90,10 +93,10 @@ class SurfaceSampler {
   Vec3 origin_;
   std::size_t n_samples_;
   CounterRandom random_;
-  std::vector<double> area_before_;  ///< Twice the area of all faces below, one more than there are faces.
+  std::vector<double> area_before_;  ///< F + 1; for each face twice the area of all faces before it.
 };
 
-/// What the points of a block, or of all, add up to.
+/// Sums over the points of a block, or of all blocks.
 struct Sums {
   std::size_t samples = 0, vertices = 0, normals = 0, flipped = 0;
   double distance = 0.0, sample_sq = 0.0, vertex_sq = 0.0, max_sq = 0.0, angle = 0.0;
@@ -111,7 +114,7 @@ struct Sums {
   }
 };
 
-/// One direction: the points of `from` against the surface `to`, both trees with the same origin.
+/// One direction: from the points of `from` to the surface `to`. Both trees have the same origin.
 struct Direction {
   const IndexedMesh& from;
   const IndexedMesh& to;
@@ -173,14 +176,15 @@ std::vector<Index> used_vertices(const IndexedMesh& mesh) {
   return vertices;
 }
 
-Sums measure(const Direction& direction, const DistanceOptions& options, std::uint64_t stream) {
+Sums measure(const Direction& direction, const DistanceOptions& options, std::uint64_t stream,
+             const detail::Workers& workers) {
   const SurfaceSampler sampler(direction.from, direction.tree.origin(), options.samples,
                                CounterRandom(options.seed, stream));
   const std::vector<Index> vertices = used_vertices(direction.from);
   const auto blocks_of = [](std::size_t n, std::size_t size) { return (n + size - 1) / size; };
   const std::size_t sample_blocks = blocks_of(options.samples, samples_per_block);
   std::vector<Sums> blocks(sample_blocks + blocks_of(vertices.size(), vertices_per_block));
-  for_each_block(blocks.size(), options.threads, [&](std::size_t block) {
+  for_each_block(blocks.size(), workers, [&](std::size_t block) {
     if (block < sample_blocks) {
       const std::size_t begin = block * samples_per_block;
       blocks[block] = direction.measure_samples(sampler, begin, std::min(begin + samples_per_block, options.samples));
@@ -193,6 +197,20 @@ Sums measure(const Direction& direction, const DistanceOptions& options, std::ui
   Sums total;
   for (const Sums& block : blocks) total.add(block);
   return total;
+}
+
+/// Runs two tasks at the same time if there are threads. The calling thread reports until both are done.
+template <class First, class Second>
+void build_side_by_side(const detail::Workers& workers, const First& first, const Second& second) {
+  if (workers.threads == 1) {
+    first();
+    second();
+    return;
+  }
+  std::future<void> other = std::async(std::launch::async, second);
+  first();
+  while (other.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) workers.update(1);
+  other.get();
 }
 
 DirectedDistance summarize(const Sums& sums) {
@@ -220,12 +238,18 @@ SurfaceDistance surface_distance(const IndexedMesh& reference, const IndexedMesh
   const Bounds reference_box = bounds(reference), test_box = bounds(test);
   const Vec3 origin = reference_box.center();
   const double noise = noise_rel * std::max(reference_box.diagonal(), test_box.diagonal());
+  detail::ProgressMeter meter(options.progress);
+  const detail::Workers workers(options.threads, &meter);
+  meter.start("building the search trees", 0.2);
   std::optional<TriangleTree> reference_tree, test_tree;
-  for_each_block(2, options.threads, [&](std::size_t side) {
-    (side == 0 ? reference_tree : test_tree).emplace(side == 0 ? reference : test, origin);
-  });
-  const Sums forward = measure({reference, test, *test_tree, noise * noise}, options, 0);
-  const Sums backward = measure({test, reference, *reference_tree, noise * noise}, options, 1);
+  build_side_by_side(
+      workers, [&] { reference_tree.emplace(reference, origin, &meter); },
+      [&] { test_tree.emplace(test, origin, &meter); });
+  meter.start("measuring", 0.6);
+  const Sums forward = measure({reference, test, *test_tree, noise * noise}, options, 0, workers);
+  meter.start("measuring", 1);
+  const Sums backward = measure({test, reference, *reference_tree, noise * noise}, options, 1, workers);
+  meter.finish();
 
   SurfaceDistance result;
   result.diagonal = reference_box.diagonal();

@@ -1,7 +1,8 @@
-// The mean is the trapezoidal rule on each segment: its inner samples stand for one interval each, its ends for half of
-// one. Segments are taken in blocks by number, and the blocks are summed in order, so the thread count can't show.
+// The mean is the trapezoidal rule on each segment: an inner sample represents one interval, an end half of one.
+// Segments are taken in blocks by number, and the blocks are summed in order. So the result is the same for any number
+// of threads.
 //
-// A segment goes into the hierarchy as a triangle with two corners in one place, which counts as the segment it is.
+// A segment goes into the hierarchy as a triangle with two equal corners, which counts as a segment.
 #include "whittle/metrics/line_distance.hh"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ namespace whittle::metrics {
 namespace {
 
 constexpr std::size_t segments_per_block = 64;
-/// As fine as float coordinates are; a segment has a million samples at most.
+/// As fine as float coordinates. A segment has at most a million samples.
 constexpr double min_spacing_rel = 1e-6;
 
 IndexedMesh as_mesh(std::span<const Segment> lines) {
@@ -40,7 +41,7 @@ IndexedMesh as_mesh(std::span<const Segment> lines) {
 struct Sums {
   double length = 0.0;        ///< Of the segments.
   double distance = 0.0;      ///< Integral over them, model units squared.
-  double mean_of_each = 0.0;  ///< Sum of their own means, should they have no length.
+  double mean_of_each = 0.0;  ///< Sum of the segments' means, in case none has a length.
   double max_sq = 0.0;
 
   void add(const Sums& other) {

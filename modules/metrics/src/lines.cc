@@ -6,25 +6,24 @@
 #include <stdexcept>
 #include <string>
 
-#include "edges.hh"
+#include "edge_normals.hh"
 #include "whittle/metrics/bounds.hh"
 
 namespace whittle::metrics {
 
 namespace {
 
-Segment segment_of(const IndexedMesh& mesh, const EdgeTable::Edge& edge) {
-  return {mesh.positions[edge.low], mesh.positions[edge.high]};
+Segment segment_of(const IndexedMesh& mesh, const VertexPair& edge) {
+  return {mesh.positions[edge.a], mesh.positions[edge.b]};
 }
 
 }  // namespace
 
 std::vector<Segment> border_lines(const IndexedMesh& mesh) {
   bounds(mesh);  // for its checks
-  const EdgeTable edges(mesh);
   std::vector<Segment> lines;
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (edges.faces(e).size() == 1) lines.push_back(segment_of(mesh, edges[e]));
+  for (const VertexPair& edge : detail::border_edges(mesh.faces, mesh.positions.size())) {
+    lines.push_back(segment_of(mesh, edge));
   }
   return lines;
 }
@@ -35,7 +34,7 @@ std::vector<Segment> feature_lines(const IndexedMesh& mesh, double angle_deg) {
   }
   bounds(mesh);  // for its checks
   const double angle = angle_deg * (std::numbers::pi / 180.0);
-  const EdgeTable edges(mesh);
+  const detail::EdgeTable edges(mesh.faces, mesh.positions.size());
   std::vector<Segment> lines;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto normals = normals_at(mesh, edges, e);

@@ -2,21 +2,25 @@
 
 #include <algorithm>
 
-#include "checks.hh"
-#include "whittle/core/detail/parallel.hh"
+#include "whittle/core/detail/progress_meter.hh"
 #include "whittle/metrics/closest_point.hh"
 
 namespace whittle::metrics {
 
-std::vector<Index> nearest_vertices(const IndexedMesh& from, const IndexedMesh& to, unsigned threads) {
-  bounds(from);  // for what it checks
-  const TriangleTree tree(to);
+std::vector<Index> nearest_vertices(const IndexedMesh& from, const IndexedMesh& to, unsigned threads,
+                                    const ProgressCallback& progress) {
+  bounds(from);  // for its checks
+  detail::ProgressMeter meter(progress);
+  const detail::Workers workers(threads, &meter);
+  meter.start("building the search tree", 0.3);
+  const TriangleTree tree(to, bounds(to).center(), &meter);
+  meter.start("searching", 1);
   std::vector<Index> nearest(from.positions.size(), invalid_index);
   std::vector<std::uint8_t> has_face(from.positions.size());
   for (const Triangle& face : from.faces) {
     for (const Index v : face) has_face[v] = 1;
   }
-  for_each_range(nearest.size(), threads, [&](std::size_t begin, std::size_t end) {
+  for_each_range(nearest.size(), workers, [&](std::size_t begin, std::size_t end) {
     Index hint = invalid_index;
     for (std::size_t v = begin; v < end; ++v) {
       if (has_face[v] == 0) continue;
@@ -26,6 +30,7 @@ std::vector<Index> nearest_vertices(const IndexedMesh& from, const IndexedMesh& 
           to.faces[hint], {}, [&](Index corner) { return (to.positions[corner] - point).squaredNorm(); });
     }
   });
+  meter.finish();
   return nearest;
 }
 

@@ -1,7 +1,7 @@
-// Signs of determinants: rounded arithmetic where its error bound settles the sign, else exact expansions, sums of
-// doubles that don't overlap, smallest first. Bounds and algorithms: Shewchuk: Adaptive Precision Floating-Point
-// Arithmetic and Fast Robust Geometric Predicates (1997); no stage lies between filter and exact value, because zeros
-// are left out of the expansions, so coordinates with few digits make short ones.
+// Signs of determinants. Rounded arithmetic is used where its error bound decides the sign. Else the determinant is
+// computed exactly, as an expansion: a sum of doubles that don't overlap, smallest first. Bounds and algorithms:
+// Shewchuk: Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates (1997). There is no stage
+// between filter and exact value. Expansions leave out zeros, so coordinates with few digits make short ones.
 #include "predicates.hh"
 
 #include <array>
@@ -53,7 +53,7 @@ Expansion<2> difference(double a, double b) {
   return result;
 }
 
-/// Shewchuk's Fast-Expansion-Sum with zero elimination: the terms of both merged by size, then added up.
+/// Shewchuk's Fast-Expansion-Sum with zero elimination: merges the terms of both by size, then adds them up.
 template <std::size_t N, std::size_t M>
 Expansion<N + M> operator+(const Expansion<N>& e, const Expansion<M>& f) {
   Expansion<N + M> result;

@@ -1,8 +1,11 @@
-// Candidates are pairs of faces with overlapping boxes, from the hierarchy. What decides is the sign of orientation
-// determinants alone, so the answer is exact:
-//   no common corner    an edge of one meets the other (two triangles in space have no other way to meet)
-//   one common corner   the edge opposite to it of one meets the other: what is common is convex and has the corner in
-//   it one common edge     both faces lie in one plane, on the same side of the edge three               always
+// The hierarchy finds candidates: pairs of faces with overlapping boxes. A candidate is decided by the signs of
+// orientation determinants alone, so the result is exact. Two faces intersect if they have
+//
+//   no common corner:     and an edge of one meets the other; two triangles have no other way to meet
+//   one common corner:    and the edge opposite to it, of either face, meets the other face; the intersection is convex
+//                         and contains the corner
+//   two common corners:   and both are in one plane, on the same side of the common edge
+//   three common corners
 #include "whittle/metrics/self_intersections.hh"
 
 #include <algorithm>
@@ -10,7 +13,7 @@
 #include <utility>
 
 #include "predicates.hh"
-#include "whittle/core/detail/parallel.hh"
+#include "whittle/core/detail/progress_meter.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/closest_point.hh"
 
@@ -23,7 +26,7 @@ using Corners = std::array<Vec3, 3>;
 constexpr std::size_t faces_per_block = 512;
 constexpr std::array<std::pair<int, int>, 3> coordinate_planes{{{0, 1}, {1, 2}, {2, 0}}};
 
-/// How a, b, c turn in the first coordinate plane where they are not on a line; `turn` 0 when there is none.
+/// How the corners turn in the first coordinate plane in which they are not on a line. `turn` is 0 if there is none.
 struct Projection {
   int x = 0, y = 1, turn = 0;
 
@@ -36,8 +39,8 @@ struct Projection {
   }
 };
 
-/// Whether closed segment and triangle, all in one plane, have a point in common: no line along a side of either has
-/// all of one strictly on one side and all of the other on the other.
+/// Whether a closed segment and a closed triangle in one plane have a common point. They have none if a line along a
+/// side of either one separates them strictly.
 bool meet_in_plane(const Vec3& from, const Vec3& to, const Corners& t) {
   const Projection plane(t);
   const auto turn = [&](const Vec3& a, const Vec3& b, const Vec3& c) { return orient2d(a, b, c, plane.x, plane.y); };
@@ -49,7 +52,7 @@ bool meet_in_plane(const Vec3& from, const Vec3& to, const Corners& t) {
   return !(s0 * s1 > 0 && s1 * s2 > 0);
 }
 
-/// Whether a closed segment and a closed triangle have a point in common.
+/// Whether a closed segment and a closed triangle have a common point.
 bool meet(const Vec3& from, const Vec3& to, const Corners& t) {
   const int from_side = orient3d(t[0], t[1], t[2], from), to_side = orient3d(t[0], t[1], t[2], to);
   if (from_side * to_side > 0) return false;
@@ -59,7 +62,7 @@ bool meet(const Vec3& from, const Vec3& to, const Corners& t) {
   return (s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0);
 }
 
-/// The corners of a face turned around so that corner `first` is in front.
+/// The corners of a face, rotated so that corner `first` comes first.
 Corners turned(const Corners& t, std::size_t first) { return {t[first], t[(first + 1) % 3], t[(first + 2) % 3]}; }
 
 bool meet_apart(const Corners& s, const Corners& t) {
@@ -75,17 +78,17 @@ bool meet_apart(const Corners& s, const Corners& t) {
   return false;
 }
 
-/// Corner 0 is common.
+/// \pre corner 0 is common
 bool meet_beyond_corner(const Corners& s, const Corners& t) { return meet(s[1], s[2], t) || meet(t[1], t[2], s); }
 
-/// Corner 0 is the one of its face that is not common.
+/// \pre corner 0 is the one that is not common
 bool meet_beyond_edge(const Corners& s, const Corners& t) {
   if (orient3d(s[0], s[1], s[2], t[0]) != 0) return false;
   const Projection plane(s);
   return orient2d(t[0], s[1], s[2], plane.x, plane.y) == plane.turn;
 }
 
-/// Vertex numbers with equal positions made one: of each vertex the lowest number that has its position.
+/// For each vertex the lowest vertex number with the same position.
 std::vector<Index> merge_by_position(const IndexedMesh& mesh) {
   std::vector<Index> order;
   {
@@ -137,7 +140,7 @@ class PairTest {
         return meet_apart(s, t);
       case 1:
         return meet_beyond_corner(turned(s, s_corner), turned(t, t_corner));
-      case 2:  // the corner that is not common is what the sum lacks to 0 + 1 + 2
+      case 2:  // 0 + 1 + 2 minus the sum is the corner that is not common
         return meet_beyond_edge(turned(s, 3 - s_sum), turned(t, 3 - t_sum));
       default:
         return true;
@@ -151,12 +154,18 @@ class PairTest {
 
 }  // namespace
 
-std::vector<std::array<Index, 2>> self_intersections(const IndexedMesh& mesh, unsigned threads) {
-  const TriangleTree tree(mesh);
+std::vector<std::array<Index, 2>> self_intersections(const IndexedMesh& mesh, unsigned threads,
+                                                     const ProgressCallback& progress) {
+  detail::ProgressMeter meter(progress);
+  const detail::Workers workers(threads, &meter);
+  meter.start("building the search tree", 0.3);
+  const TriangleTree tree(mesh, bounds(mesh).center(), &meter);
+  meter.start("merging corners", 0.4);
   const PairTest meets(mesh);
   const std::size_t n = mesh.faces.size();
   const std::size_t n_blocks = (n + faces_per_block - 1) / faces_per_block;
 
+  meter.start("comparing faces", 1);
   std::vector<char> has_area(n);
   for_each_block(n_blocks, threads, [&](std::size_t block) {
     for (std::size_t f = block * faces_per_block; f < std::min(n, (block + 1) * faces_per_block); ++f) {
@@ -165,7 +174,7 @@ std::vector<std::array<Index, 2>> self_intersections(const IndexedMesh& mesh, un
   });
 
   std::vector<std::vector<std::array<Index, 2>>> found(n_blocks);
-  for_each_block(n_blocks, threads, [&](std::size_t block) {
+  for_each_block(n_blocks, workers, [&](std::size_t block) {
     for (std::size_t f = block * faces_per_block; f < std::min(n, (block + 1) * faces_per_block); ++f) {
       if (!has_area[f]) continue;
       const auto face = static_cast<Index>(f);
@@ -180,6 +189,7 @@ std::vector<std::array<Index, 2>> self_intersections(const IndexedMesh& mesh, un
 
   std::vector<std::array<Index, 2>> pairs;
   for (const auto& part : found) pairs.insert(pairs.end(), part.begin(), part.end());
+  meter.finish();
   return pairs;
 }
 

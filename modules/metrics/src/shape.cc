@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "edges.hh"
+#include "edge_normals.hh"
 #include "whittle/metrics/bounds.hh"
 
 namespace whittle::metrics {
@@ -33,8 +33,8 @@ Quality quality(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   const double a = sides[0].norm(), b = sides[1].norm(), c = 1.0;
   const double twice_area = sides[0].cross(sides[1]).norm();
   const double half_perimeter = 0.5 * (a + b + c);
-  // The sides run around the triangle, so the angle opposite the shortest is between one of the others and the other's
-  // reverse.
+  // The sides run around the triangle. So the angle opposite the shortest one is that between one longer side and the
+  // reverse of the other.
   const double least_angle = std::atan2(sides[1].cross(sides[2]).norm(), -sides[1].dot(sides[2]));
   const double ratio = a > 0.0 ? 2.0 * twice_area * twice_area / (half_perimeter * a * b * c) : 0.0;
   return {std::min(ratio, 1.0), least_angle * 180.0 / std::numbers::pi};
@@ -56,12 +56,10 @@ void measure_faces(const IndexedMesh& mesh, Shape& result) {
   result.min_angle_mean_deg = angle_sum / static_cast<double>(mesh.faces.size());
 }
 
-void measure_edge_lengths(const IndexedMesh& mesh, const EdgeTable& edges, Shape& result) {
+void measure_edge_lengths(const IndexedMesh& mesh, const detail::EdgeTable& edges, Shape& result) {
   if (edges.size() == 0) return;
   const auto n = static_cast<double>(edges.size());
-  const auto length = [&](std::size_t e) {
-    return (mesh.positions[edges[e].high] - mesh.positions[edges[e].low]).norm();
-  };
+  const auto length = [&](std::size_t e) { return (mesh.positions[edges[e].b] - mesh.positions[edges[e].a]).norm(); };
   double sum = 0.0;
   for (std::size_t e = 0; e < edges.size(); ++e) sum += length(e);
   const double mean = sum / n;
@@ -74,18 +72,18 @@ void measure_edge_lengths(const IndexedMesh& mesh, const EdgeTable& edges, Shape
   result.edge_length_cv = mean > 0.0 ? std::sqrt(variance / n) : 0.0;
 }
 
-bool is_fold(const IndexedMesh& mesh, const EdgeTable& edges, std::size_t e) {
+bool is_fold(const IndexedMesh& mesh, const detail::EdgeTable& edges, std::size_t e) {
   const auto normals = normals_at(mesh, edges, e);
   return normals && (*normals)[0].dot((*normals)[1]) < fold_cosine;
 }
 
-ValenceStats measure_valences(const IndexedMesh& mesh, const EdgeTable& edges) {
+ValenceStats measure_valences(const IndexedMesh& mesh, const detail::EdgeTable& edges) {
   std::vector<std::size_t> valence(mesh.positions.size(), 0);
   std::vector<bool> at_boundary(mesh.positions.size(), false);
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    for (const Index v : {edges[e].low, edges[e].high}) {
+    for (const Index v : {edges[e].a, edges[e].b}) {
       ++valence[v];
-      if (edges.faces(e).size() == 1) at_boundary[v] = true;
+      if (edges.sides(e).size() == 1) at_boundary[v] = true;
     }
   }
   ValenceStats result;
@@ -110,7 +108,7 @@ Shape shape(const IndexedMesh& mesh) {
   bounds(mesh);  // for its checks
   Shape result;
   measure_faces(mesh, result);
-  const EdgeTable edges(mesh);
+  const detail::EdgeTable edges(mesh.faces, mesh.positions.size());
   measure_edge_lengths(mesh, edges, result);
   for (std::size_t e = 0; e < edges.size(); ++e) result.folds += is_fold(mesh, edges, e) ? 1 : 0;
   result.valence = measure_valences(mesh, edges);

@@ -1,43 +1,44 @@
-// One pass over the edges joins what hangs together: vertices into components, corners into fans (the corners two faces
-// have at a common edge belong to one fan), the ends of boundary edges into curves, faces into oriented patches.
+// One loop over the edges joins what is connected: vertices into components, corners into fans, and boundary edges into
+// curves. The corners of two faces at an end of their common edge are in one fan.
 #include "whittle/metrics/topology.hh"
 
 #include <algorithm>
 #include <vector>
 
-#include "checks.hh"
-#include "edges.hh"
+#include "whittle/core/detail/checks.hh"
 #include "whittle/core/detail/disjoint_sets.hh"
+#include "whittle/core/detail/edge_table.hh"
 
 namespace whittle::metrics {
 
 namespace {
 
-using Sets = DisjointSets<std::size_t>;
+using detail::EdgeTable;
+using detail::face_of;
+using Sets = detail::DisjointSets<std::size_t>;
 
-std::size_t corner_at(const IndexedMesh& mesh, Index face, Index vertex) {
-  const Triangle& corners = mesh.faces[face];
-  return 3 * std::size_t{face} + (corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2);
+/// The number of the corner that a side has at a vertex.
+Index corner_at(const IndexedMesh& mesh, Index side, Index vertex) {
+  return detail::start_of(side, mesh.faces) == vertex ? side : detail::next_in_face(side);
 }
 
 bool is_misoriented(const IndexedMesh& mesh, const EdgeTable& edges, std::size_t e) {
-  const auto faces = edges.faces(e);
-  const auto [low, high, first] = edges[e];
-  return faces.size() == 2 &&
-         runs_along(mesh.faces[faces[0]], low, high) == runs_along(mesh.faces[faces[1]], low, high);
+  return edges.sides(e).size() == 2 && !edges.is_regular(e, mesh.faces);
 }
 
-/// Two nodes a face, one for each way to turn it; an edge joins the ways that go together. A face both ways of which
-/// are in one set can't be turned right.
+/// Each face has two nodes, one for each orientation. An edge joins those orientations of its two faces that agree. If
+/// both orientations of a face end in one set, the surface is not orientable.
 bool is_orientable(const IndexedMesh& mesh, const EdgeTable& edges) {
   const std::size_t n = mesh.faces.size();
   Sets ways(2 * n);
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto faces = edges.faces(e);
-    if (faces.size() != 2) continue;
+    const auto sides = edges.sides(e);
+    if (sides.size() != 2) continue;
+    const std::size_t first = face_of(sides[0]);
+    const std::size_t second = face_of(sides[1]);
     const bool turned = is_misoriented(mesh, edges, e);
-    ways.join(faces[0], faces[1] + (turned ? n : 0));
-    ways.join(faces[0] + n, faces[1] + (turned ? 0 : n));
+    ways.join(first, second + (turned ? n : 0));
+    ways.join(first + n, second + (turned ? 0 : n));
   }
   for (std::size_t f = 0; f < n; ++f) {
     if (ways.find(f) == ways.find(f + n)) return false;
@@ -45,17 +46,17 @@ bool is_orientable(const IndexedMesh& mesh, const EdgeTable& edges) {
   return true;
 }
 
-/// `fans`: the corners, joined. Of the boundary edges in a fan all are in the curve of the first one met.
+/// All boundary edges in a fan are in one curve, that of the first of them. \param fans the corners, joined
 std::size_t count_boundary_loops(const IndexedMesh& mesh, const EdgeTable& edges, Sets& fans) {
   std::vector<std::size_t> first_in_fan(3 * mesh.faces.size(), edges.size());
   Sets curves(edges.size());
   std::size_t loops = 0;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (edges.faces(e).size() != 1) continue;
+    if (edges.sides(e).size() != 1) continue;
     ++loops;
-    const Index face = edges.faces(e)[0];
-    for (const Index vertex : {edges[e].low, edges[e].high}) {
-      std::size_t& first = first_in_fan[fans.find(corner_at(mesh, face, vertex))];
+    const Index side = edges.sides(e)[0];
+    for (const Index corner : {side, detail::next_in_face(side)}) {
+      std::size_t& first = first_in_fan[fans.find(corner)];
       if (first == edges.size()) {
         first = e;
       } else if (curves.join(first, e)) {
@@ -69,14 +70,15 @@ std::size_t count_boundary_loops(const IndexedMesh& mesh, const EdgeTable& edges
 }  // namespace
 
 Topology topology(const IndexedMesh& mesh) {
-  check_indices(mesh);
-  const EdgeTable edges(mesh);
+  check_corners(mesh.positions.size(), mesh.faces);
+  const EdgeTable edges(mesh.faces, mesh.positions.size());
   Topology result;
   result.edges = edges.size();
 
-  std::vector<std::size_t> n_fans(mesh.positions.size(), 0);  // first the corners of a vertex, less one for each join
+  std::vector<std::size_t> n_fans(mesh.positions.size(),
+                                  0);  // first the corners of a vertex, then minus one for each join
   for (const Triangle& face : mesh.faces) {
-    if (is_collapsed(face)) {
+    if (!has_three_corners(face)) {
       ++result.collapsed_faces;
     } else {
       ++result.faces;
@@ -88,16 +90,16 @@ Topology topology(const IndexedMesh& mesh) {
   Sets parts(mesh.positions.size()), fans(3 * mesh.faces.size());
   result.components = result.vertices;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto [low, high, first] = edges[e];
-    const auto faces = edges.faces(e);
+    const auto [low, high] = edges[e];
+    const auto sides = edges.sides(e);
     if (parts.join(low, high)) --result.components;
-    for (std::size_t i = 1; i < faces.size(); ++i) {
+    for (std::size_t i = 1; i < sides.size(); ++i) {
       for (const Index v : {low, high}) {
-        if (fans.join(corner_at(mesh, faces[0], v), corner_at(mesh, faces[i], v))) --n_fans[v];
+        if (fans.join(corner_at(mesh, sides[0], v), corner_at(mesh, sides[i], v))) --n_fans[v];
       }
     }
-    if (faces.size() == 1) ++result.boundary_edges;
-    if (faces.size() > 2) ++result.nonmanifold_edges;
+    if (sides.size() == 1) ++result.boundary_edges;
+    if (sides.size() > 2) ++result.nonmanifold_edges;
     if (is_misoriented(mesh, edges, e)) ++result.misoriented_edges;
   }
   for (const std::size_t n : n_fans) result.nonmanifold_vertices += n > 1 ? 1 : 0;

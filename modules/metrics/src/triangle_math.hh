@@ -8,9 +8,9 @@
 
 namespace whittle::metrics {
 
-/// The normal (b − a) × (c − a), twice the area long; zero when the triangle's height is below 1e-11 of its longest
-/// side: there rounding may turn the normal about that side by more than 3e-6, and whatever lies in between is within
-/// 5e-12 of the sides. Along the longest side it is right to rounding, however thin the triangle.
+/// The normal (b − a) × (c − a), as long as twice the area. Zero if the triangle's height is below 1e-11 of its longest
+/// side: then rounding may turn the normal about that side by more than 3e-6, and each point of the triangle is within
+/// 5e-12 of a side. The normal is perpendicular to the longest side up to rounding, however thin the triangle is.
 inline Vec3 trusted_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const std::array<Vec3, 3> sides{b - a, c - b, a - c};
   std::size_t k = 0;
@@ -18,8 +18,8 @@ inline Vec3 trusted_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
     if (sides[i].squaredNorm() > sides[k].squaredNorm()) k = i;
   }
   const Vec3 &longest = sides[k], &next = sides[(k + 1) % 3], &last = sides[(k + 2) % 3];
-  // The product of the two shorter sides has the least rounding error. What of it lies along the longest side can only
-  // be rounding, and would tilt the plane where it reaches furthest.
+  // The product of the two shorter sides has the least rounding error. Its part along the longest side is rounding
+  // error, which would tilt the plane where the triangle is longest, so it is removed.
   const double longest_sq = longest.squaredNorm();
   Vec3 normal = next.cross(last);
   if (!(normal.norm() > 1e-11 * longest_sq)) return Vec3::Zero();

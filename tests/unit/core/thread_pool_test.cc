@@ -7,15 +7,15 @@
 namespace whittle::test {
 namespace {
 
-class CrewOf : public testing::TestWithParam<unsigned> {};
+class ThreadPoolOf : public testing::TestWithParam<unsigned> {};
 
 /// Thousands of short jobs one after the other, each element met once and all of them when the call returns.
-TEST_P(CrewOf, MeetsEachElementOnce) {
-  Crew crew(GetParam());
+TEST_P(ThreadPoolOf, MeetsEachElementOnce) {
+  ThreadPool pool(GetParam());
   std::vector<int> n_met(1000);
   for (std::size_t job = 0; job < 5000; ++job) {
     const std::size_t n = job % n_met.size();
-    crew.for_each_range(n, 1 + job % 70, [&](std::size_t begin, std::size_t end) {
+    pool.for_each_range(n, 1 + job % 70, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) ++n_met[i];
     });
     ASSERT_EQ(std::accumulate(n_met.begin(), n_met.end(), 0), static_cast<int>(n)) << "job " << job;
@@ -24,9 +24,9 @@ TEST_P(CrewOf, MeetsEachElementOnce) {
   }
 }
 
-TEST_P(CrewOf, EndsWithoutAJob) { const Crew crew(GetParam()); }
+TEST_P(ThreadPoolOf, EndsWithoutAJob) { const ThreadPool pool(GetParam()); }
 
-INSTANTIATE_TEST_SUITE_P(Threads, CrewOf, testing::Values(0, 1, 2, 8), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Threads, ThreadPoolOf, testing::Values(0, 1, 2, 8), testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace whittle::test

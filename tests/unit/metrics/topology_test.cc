@@ -43,125 +43,151 @@ namespace {
 
 using test::Random;
 
-/// By the words of the definitions, with sets, maps and floods.
-Topology by_definition(const IndexedMesh& mesh) {
+/// Number of connected sets of things, two of which are joined if they share a key. \param keys the keys of each thing
+std::size_t count_sets(const std::vector<std::vector<std::size_t>>& keys) {
+  std::map<std::size_t, std::vector<std::size_t>> holders;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    for (const std::size_t key : keys[i]) holders[key].push_back(i);
+  }
+  std::vector<bool> seen(keys.size(), false);
+  std::size_t sets = 0;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (seen[i]) continue;
+    ++sets;
+    std::vector<std::size_t> open{i};
+    seen[i] = true;
+    while (!open.empty()) {
+      const std::size_t at = open.back();
+      open.pop_back();
+      for (const std::size_t key : keys[at]) {
+        for (const std::size_t next : holders[key]) {
+          if (!seen[next]) open.push_back(next);
+          seen[next] = true;
+        }
+      }
+    }
+  }
+  return sets;
+}
+
+/// The topology by the words of the definitions, with sets, maps and floods.
+class ByDefinition {
+ public:
+  explicit ByDefinition(const IndexedMesh& mesh) {
+    for (const Triangle& face : mesh.faces) {
+      if (std::set<Index>(face.begin(), face.end()).size() < 3) {
+        ++result_.collapsed_faces;
+      } else {
+        faces_.push_back(face);
+      }
+    }
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const Index from = faces_[f][c], to = faces_[f][(c + 1) % 3];
+        edges_[std::minmax(from, to)].emplace_back(f, from < to);
+        stars_[from].insert(f);
+      }
+    }
+  }
+
+  Topology topology() {
+    result_.vertices = stars_.size();
+    result_.faces = faces_.size();
+    result_.edges = edges_.size();
+    result_.euler =
+        static_cast<long>(stars_.size()) - static_cast<long>(edges_.size()) + static_cast<long>(faces_.size());
+    find_fans();
+    count_components();
+    count_edges();
+    orient();
+    result_.oriented = result_.misoriented_edges == 0;
+    result_.closed = result_.faces > 0 && result_.boundary_edges == 0;
+    result_.manifold = result_.nonmanifold_edges + result_.nonmanifold_vertices + result_.collapsed_faces == 0;
+    if (result_.manifold && result_.closed && result_.orientable) {
+      result_.genus = static_cast<long>(result_.components) - result_.euler / 2;
+    }
+    return result_;
+  }
+
+ private:
   using Edge = std::pair<Index, Index>;
-  Topology result;
-  std::vector<Triangle> faces;
-  for (const Triangle& face : mesh.faces) {
-    if (std::set<Index>(face.begin(), face.end()).size() < 3) {
-      ++result.collapsed_faces;
-    } else {
-      faces.push_back(face);
-    }
-  }
-  std::map<Edge, std::vector<std::pair<std::size_t, bool>>> edges;  // faces, and whether they run upwards along it
-  std::map<Index, std::set<std::size_t>> stars;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Index from = faces[f][c], to = faces[f][(c + 1) % 3];
-      edges[std::minmax(from, to)].emplace_back(f, from < to);
-      stars[from].insert(f);
-    }
-  }
-  result.vertices = stars.size();
-  result.faces = faces.size();
-  result.edges = edges.size();
-  result.euler = static_cast<long>(stars.size()) - static_cast<long>(edges.size()) + static_cast<long>(faces.size());
 
-  // Fan number of each (vertex, face), by flooding over the edges at the vertex.
-  std::map<std::pair<Index, std::size_t>, std::size_t> fan;
-  std::size_t n_fans = 0;
-  for (const auto& [vertex, star] : stars) {
-    std::size_t own_fans = 0;
-    for (const std::size_t seed : star) {
-      if (fan.count({vertex, seed}) > 0) continue;
-      ++own_fans;
-      std::vector<std::size_t> open{seed};
-      fan[{vertex, seed}] = n_fans;
-      while (!open.empty()) {
-        const std::size_t f = open.back();
-        open.pop_back();
-        for (const Index other : faces[f]) {
-          if (other == vertex) continue;
-          for (const auto& [g, up] : edges[std::minmax(vertex, other)]) {
-            if (fan.emplace(std::pair{vertex, g}, n_fans).second) open.push_back(g);
-          }
-        }
+  /// Numbers the fan of each face at each vertex, by flooding over the edges at the vertex.
+  void find_fans() {
+    std::size_t n_fans = 0;
+    for (const auto& [vertex, star] : stars_) {
+      const std::size_t first = n_fans;
+      for (const std::size_t seed : star) {
+        if (fan_.count({vertex, seed}) == 0) flood_fan(vertex, seed, n_fans++);
       }
-      ++n_fans;
+      if (n_fans - first > 1) ++result_.nonmanifold_vertices;
     }
-    if (own_fans > 1) ++result.nonmanifold_vertices;
   }
-
-  // Number of connected sets of `n` things, two of which are joined by sharing a key.
-  const auto count_sets = [](const std::vector<std::vector<std::size_t>>& keys) {
-    std::map<std::size_t, std::vector<std::size_t>> holders;
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-      for (const std::size_t key : keys[i]) holders[key].push_back(i);
-    }
-    std::vector<bool> seen(keys.size(), false);
-    std::size_t sets = 0;
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-      if (seen[i]) continue;
-      ++sets;
-      std::vector<std::size_t> open{i};
-      seen[i] = true;
-      while (!open.empty()) {
-        const std::size_t at = open.back();
-        open.pop_back();
-        for (const std::size_t key : keys[at]) {
-          for (const std::size_t next : holders[key]) {
-            if (!seen[next]) open.push_back(next);
-            seen[next] = true;
-          }
-        }
-      }
-    }
-    return sets;
-  };
-  std::vector<std::vector<std::size_t>> face_vertices, boundary_fans;
-  for (const Triangle& face : faces) face_vertices.emplace_back(face.begin(), face.end());
-  for (const auto& [edge, around] : edges) {
-    if (around.size() == 1) {
-      ++result.boundary_edges;
-      const std::size_t f = around[0].first;
-      boundary_fans.push_back({fan[{edge.first, f}], fan[{edge.second, f}]});
-    }
-    if (around.size() > 2) ++result.nonmanifold_edges;
-    if (around.size() == 2 && around[0].second == around[1].second) ++result.misoriented_edges;
-  }
-  result.components = count_sets(face_vertices);
-  result.boundary_loops = count_sets(boundary_fans);
-
-  // Turn faces, one after the other, as their neighbours ask; a contradiction means that there is no orientation.
-  std::map<std::size_t, bool> turned;
-  for (std::size_t seed = 0; seed < faces.size(); ++seed) {
-    if (turned.count(seed) > 0) continue;
+  void flood_fan(Index vertex, std::size_t seed, std::size_t number) {
     std::vector<std::size_t> open{seed};
-    turned[seed] = false;
+    fan_[{vertex, seed}] = number;
     while (!open.empty()) {
       const std::size_t f = open.back();
       open.pop_back();
-      for (std::size_t c = 0; c < 3; ++c) {
-        const auto& around = edges[std::minmax(faces[f][c], faces[f][(c + 1) % 3])];
-        if (around.size() != 2) continue;
-        const std::size_t g = around[0].first == f ? around[1].first : around[0].first;
-        const bool wanted = turned[f] != (around[0].second == around[1].second);
-        const auto [known, is_new] = turned.emplace(g, wanted);
-        if (is_new) open.push_back(g);
-        if (known->second != wanted) result.orientable = false;
+      for (const Index other : faces_[f]) {
+        if (other == vertex) continue;
+        for (const auto& [g, up] : edges_[std::minmax(vertex, other)]) {
+          if (fan_.emplace(std::pair{vertex, g}, number).second) open.push_back(g);
+        }
       }
     }
   }
-  result.oriented = result.misoriented_edges == 0;
-  result.closed = result.faces > 0 && result.boundary_edges == 0;
-  result.manifold = result.nonmanifold_edges + result.nonmanifold_vertices + result.collapsed_faces == 0;
-  if (result.manifold && result.closed && result.orientable) {
-    result.genus = static_cast<long>(result.components) - result.euler / 2;
+
+  void count_components() {
+    std::vector<std::vector<std::size_t>> face_vertices;
+    for (const Triangle& face : faces_) face_vertices.emplace_back(face.begin(), face.end());
+    result_.components = count_sets(face_vertices);
   }
-  return result;
-}
+
+  void count_edges() {
+    std::vector<std::vector<std::size_t>> boundary_fans;
+    for (const auto& [edge, around] : edges_) {
+      if (around.size() == 1) {
+        ++result_.boundary_edges;
+        const std::size_t f = around[0].first;
+        boundary_fans.push_back({fan_[{edge.first, f}], fan_[{edge.second, f}]});
+      }
+      if (around.size() > 2) ++result_.nonmanifold_edges;
+      if (around.size() == 2 && around[0].second == around[1].second) ++result_.misoriented_edges;
+    }
+    result_.boundary_loops = count_sets(boundary_fans);
+  }
+
+  /// Reverses faces, one after the other, as their neighbours need it. After a contradiction there is no orientation.
+  void orient() {
+    std::map<std::size_t, bool> reversed;
+    for (std::size_t seed = 0; seed < faces_.size(); ++seed) {
+      if (!reversed.emplace(seed, false).second) continue;
+      std::vector<std::size_t> open{seed};
+      while (!open.empty()) {
+        const std::size_t f = open.back();
+        open.pop_back();
+        for (std::size_t c = 0; c < 3; ++c) {
+          const auto& around = edges_[std::minmax(faces_[f][c], faces_[f][(c + 1) % 3])];
+          if (around.size() != 2) continue;
+          const std::size_t g = around[0].first == f ? around[1].first : around[0].first;
+          const bool wanted = reversed[f] != (around[0].second == around[1].second);
+          const auto [known, is_new] = reversed.emplace(g, wanted);
+          if (is_new) open.push_back(g);
+          if (known->second != wanted) result_.orientable = false;
+        }
+      }
+    }
+  }
+
+  Topology result_;
+  std::vector<Triangle> faces_;
+  std::map<Edge, std::vector<std::pair<std::size_t, bool>>> edges_;  ///< faces, and whether they run upwards along it
+  std::map<Index, std::set<std::size_t>> stars_;
+  std::map<std::pair<Index, std::size_t>, std::size_t> fan_;  ///< number of the fan of a vertex and a face
+};
+
+Topology by_definition(const IndexedMesh& mesh) { return ByDefinition(mesh).topology(); }
 
 /// nu × nv squares, opposite sides glued; one pair of sides the wrong way around, which makes it a bottle after Klein.
 /// The positions are those of a flat square: only the numbers count.

@@ -9,10 +9,14 @@
 #include "support/suites.hh"
 
 namespace whittle::test {
+
+using namespace polishing;
+
 namespace {
 
 struct Mesh {
-  explicit Mesh(const IndexedMesh& mesh) : faces(mesh.faces), corners(mesh), neighbors(faces, corners) {}
+  explicit Mesh(const IndexedMesh& mesh)
+      : faces(mesh.faces), corners(corners_by_vertex(faces, mesh.positions.size())), neighbors(faces, corners) {}
 
   std::vector<Triangle> faces;
   VertexCorners corners;

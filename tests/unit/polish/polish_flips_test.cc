@@ -8,6 +8,7 @@
 #include "support/suites.hh"
 #include "surface/face_neighbors.hh"
 #include "surface/mesh_lines.hh"
+#include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/feature_edges.hh"
 #include "whittle/engine/decimate.hh"
 #include "whittle/metrics/distance.hh"
@@ -19,6 +20,9 @@
 
 // Edges that polishing flips.
 namespace whittle::test {
+
+using namespace polishing;
+
 namespace {
 
 Decimation decimated(const IndexedMesh& mesh, double ratio, double angle_deg = 180) {
@@ -109,7 +113,8 @@ TEST(PolishFlips, KeepTheSurfaceWhole) {
     EXPECT_EQ(is.nonmanifold_vertices, was.nonmanifold_vertices);
     EXPECT_EQ(is.components, was.components);
     EXPECT_EQ(is.euler, was.euler);
-    EXPECT_EQ(border_edges(after.faces, after.positions.size()), border_edges(d.mesh.faces, d.mesh.positions.size()));
+    EXPECT_EQ(detail::border_edges(after.faces, after.positions.size()),
+              detail::border_edges(d.mesh.faces, d.mesh.positions.size()));
     EXPECT_LE(metrics::shape(after).folds, metrics::shape(d.mesh).folds);
     EXPECT_LE(metrics::self_intersections(after).size(), metrics::self_intersections(d.mesh).size());
   }
@@ -144,7 +149,7 @@ TEST(PolishFlips, LeaveFeaturesGroupsAndTextures) {
   for (const Triangle& face : grouped.mesh.faces) grouped.mesh.face_groups.push_back(face[0] % 2);
   const IndexedMesh after = polished(round, grouped, {.passes = 3, .flips = true});
   EXPECT_NE(after.faces, grouped.mesh.faces);
-  const VertexCorners corners(grouped.mesh);
+  const VertexCorners corners = corners_by_vertex(grouped.mesh.faces, grouped.mesh.positions.size());
   const FaceNeighbors neighbors(grouped.mesh.faces, corners);
   for (Index f = 0; f < grouped.mesh.faces.size(); ++f) {
     for (Index place = 0; place < 3; ++place) {

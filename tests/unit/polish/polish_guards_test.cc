@@ -19,6 +19,9 @@
 
 // What polishing must not do to a mesh, on meshes where it would.
 namespace whittle::test {
+
+using namespace polishing;
+
 namespace {
 
 struct Polished {
@@ -133,9 +136,9 @@ TEST(PolishGuards, TakeBackWhateverIntersects) {
   std::size_t n_wrong = 0;
   for (const auto& [name, mesh] : all_meshes()) {
     SCOPED_TRACE(name);
-    const VertexCorners corners(mesh);
+    const VertexCorners corners = corners_by_vertex(mesh.faces, mesh.positions.size());
     const FaceNeighbors neighbors(mesh.faces, corners);
-    const FaceLimits limits(neighbors, {}, 180);
+    const FaceLimits limits(neighbors, {}, std::nullopt);
     IndexedMesh moved = mesh;
     const double length = 0.3 * metrics::shape(mesh).edge_length_mean;
     for (Vec3& p : moved.positions) p += random.uniform_vector(-length, length);
@@ -157,9 +160,9 @@ TEST(PolishGuards, TakeBackWhateverIntersects) {
 
 TEST(PolishGuards, TakeNothingBackWhereNothingIntersects) {
   const IndexedMesh mesh = sphere(3);
-  const VertexCorners corners(mesh);
+  const VertexCorners corners = corners_by_vertex(mesh.faces, mesh.positions.size());
   const FaceNeighbors neighbors(mesh.faces, corners);
-  const FaceLimits limits(neighbors, {}, 180);
+  const FaceLimits limits(neighbors, {}, std::nullopt);
   const std::vector<Vec3> moved = noisy_sphere(3, 0.02, 1).positions;
   std::vector<Vec3> positions = moved;
   take_back_intersections({mesh.faces, corners, mesh.positions}, limits, positions, {}, 1);

@@ -20,6 +20,9 @@
 #include "whittle/metrics/shape.hh"
 
 namespace whittle::test {
+
+using namespace polishing;
+
 namespace {
 
 Decimation decimated(const IndexedMesh& mesh, double ratio, Cost cost = Cost::memoryless) {
@@ -113,7 +116,7 @@ TEST(FootFinder, FindsWhatSearchesOfFacesFind) {
   for (const IndexedMesh& original :
        {noisy_sphere(4, 0.05, 1), noisy_torus(60, 30, 1.0, 0.4, 0.02, 2), tessellated_cube(12), bracket(12)}) {
     const Decimation d = decimated(original, 0.1);
-    const VertexCorners corners(d.mesh);
+    const VertexCorners corners = corners_by_vertex(d.mesh.faces, d.mesh.positions.size());
     FootFinder finder(d.mesh.faces, corners);
     finder.look_at(d.mesh.positions, 1);
     const double size = bounds_of(original.positions).diagonal();
@@ -146,7 +149,7 @@ TEST(FootFinder, FindsWhatSearchesOfFacesFind) {
 
 TEST(FootFinder, HasNoneForPointsThatFaceTheOtherWay) {
   const IndexedMesh mesh = grid(4, 4);
-  const VertexCorners corners(mesh);
+  const VertexCorners corners = corners_by_vertex(mesh.faces, mesh.positions.size());
   FootFinder finder(mesh.faces, corners);
   finder.look_at(mesh.positions, 1);
   const Eigen::Vector3f up = area_normal(mesh, mesh.faces[0]).cast<float>();
@@ -181,7 +184,7 @@ TEST(SurfaceSamples, WeighWhatTheSurfaceHasOfArea) {
     square += face_area * (sum_sq + sum * sum) / 12;
   }
   const std::vector<Index> map(original.positions.size(), 0);
-  const VertexCorners corners(ground);
+  const VertexCorners corners = corners_by_vertex(ground.faces, ground.positions.size());
   FootFinder finder(ground.faces, corners);
   finder.look_at(ground.positions, 1);
   for (const std::size_t per_face : {std::size_t{1}, std::size_t{4}}) {
@@ -190,7 +193,7 @@ TEST(SurfaceSamples, WeighWhatTheSurfaceHasOfArea) {
     double weight = 0;
     double linear = 0;
     double found = 0;
-    samples.for_each_foot([&](const Foot& foot, double w) {
+    samples.for_each_foot(1, [&](const Foot& foot, double w) {
       weight += w;
       linear += w * foot.distance;
       found += w * foot.distance * foot.distance;

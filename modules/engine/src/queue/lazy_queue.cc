@@ -24,8 +24,8 @@ LazyQueue::LazyQueue(TriangleComplex& complex, const PairCost& cost, ThresholdPa
     : complex_(complex),
       cost_(cost),
       sieve_(sieve),
-      crew_(threads),
-      parcels_(crew_.n_helpers() == 0 ? 2 : n_shared_parcels),
+      thread_pool_(threads),
+      parcels_(thread_pool_.n_helpers() == 0 ? 2 : n_shared_parcels),
       raised_(complex.n_vertex_slots()),
       is_raised_(complex.n_pair_slots()),
       raised_costs_(std::make_unique_for_overwrite<float[]>(complex.n_pair_slots())) {
@@ -118,7 +118,7 @@ void LazyQueue::open_bucket() {
   n_taken_ = 0;
   n_done_at_opening_ = complex_.n_contractions();
   sieve_.sift(members_);
-  if (crew_.n_helpers() == 0 || members_.size() < fewest_shared) {
+  if (thread_pool_.n_helpers() == 0 || members_.size() < fewest_shared) {
     evaluate_members();
   } else {
     evaluate_members_on_all_threads();
@@ -155,7 +155,7 @@ void LazyQueue::evaluate_members_on_all_threads() {
   const std::size_t at_once = parcels_.size() * pairs_per_parcel;
   for (std::size_t begin = 0; begin < members_.size(); begin += at_once) {
     const std::size_t n = std::min(members_.size() - begin, at_once);
-    crew_.for_each_range(n, pairs_per_parcel, [this, begin](std::size_t first, std::size_t last) {
+    thread_pool_.for_each_range(n, pairs_per_parcel, [this, begin](std::size_t first, std::size_t last) {
       Parcel& parcel = parcels_[first / pairs_per_parcel];
       find_pairs(begin + first, begin + last, parcel);
       evaluate(parcel);

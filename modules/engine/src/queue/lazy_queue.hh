@@ -69,7 +69,7 @@ class LazyQueue final : public PairQueue {
   TriangleComplex& complex_;
   const PairCost& cost_;
   ThresholdPairSieve& sieve_;
-  Crew crew_;
+  ThreadPool thread_pool_;
 
   BucketQueue queue_;
   std::vector<Index> members_;      ///< of the bucket being opened

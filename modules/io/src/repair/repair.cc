@@ -55,7 +55,7 @@ std::vector<char> find_duplicate_faces(const std::vector<Triangle>& faces, std::
     Index face;
     auto operator<=>(const Item&) const = default;
   };
-  IndexLists<Item> by_lowest(vertices, [&](const auto& emit) {
+  detail::IndexLists<Item> by_lowest(vertices, [&](const auto& emit) {
     for (std::size_t f = 0; f < faces.size(); ++f) {
       const Triangle& t = faces[f];
       if (!has_three_corners(t)) continue;

@@ -32,7 +32,7 @@ struct EdgeEnd {
 template <class Choose, class Visit>
 void for_each_edge(const std::vector<Triangle>& faces, std::size_t vertices, const Choose& is_chosen,
                    const Visit& visit) {
-  IndexLists<EdgeEnd, std::size_t> by_lower(vertices, [&](const auto& emit) {
+  detail::IndexLists<EdgeEnd, std::size_t> by_lower(vertices, [&](const auto& emit) {
     for (std::size_t f = 0; f < faces.size(); ++f) {
       if (!is_chosen(f)) continue;
       const Triangle& t = faces[f];
@@ -70,7 +70,7 @@ std::vector<char> find_candidates(const IndexedMesh& mesh) {
   const std::vector<std::uint8_t> uses = count_uses_up_to_two(mesh);
   std::vector<char> is_candidate(vertices, 0);
   // An edge has two faces only if both its ends have. A soup has no such edge.
-  IndexLists<Index, std::size_t> by_lower(vertices, [&](const auto& emit) {
+  detail::IndexLists<Index, std::size_t> by_lower(vertices, [&](const auto& emit) {
     for (const Triangle& t : mesh.faces) {
       if (!has_three_corners(t)) continue;
       for (std::size_t c = 0; c < 3; ++c) {

@@ -5,26 +5,26 @@
 #include "whittle/core/detail/prefetch.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 
-namespace whittle {
+namespace whittle::polishing {
 namespace {
 
-/// μ: how much moving costs, of the weight of the points around. Holds a vertex along directions that no point cares
-/// about.
+/// μ: the cost of moving, as a share of the weight of the points around. It holds a vertex along directions in which no
+/// point pulls.
 constexpr double stiffness = 5e-4;
 
-/// How much a line weighs beside the surface: as a strip along it so many times as wide as its edges are long. More
-/// brings it nearer yet, at the surface's cost.
+/// Weight of a line against the surface: that of a strip this many times as wide as its edges are long. More would
+/// bring lines nearer to the original's, but the surface less near.
 constexpr double line_weight = 3;
 
-/// How far a vertex may leave the planes of its faces, as a multiple of how far the points are off: their squares.
+/// Largest squared distance of a vertex from the planes of its faces, over the mean squared distance of the points.
 constexpr double most_drift = 4;
 
-/// How far a vertex may move at all: the square of that, in areas of its faces. Of an equilateral one 0.05 are about a
-/// seventh of an edge. Where more is wanted, the mesh is too coarse for feet to say what is best.
+/// Largest squared move of a vertex, over the mean area of its faces. In equilateral faces this is about a seventh of
+/// an edge. Where a longer move is wanted, the mesh is too coarse for the feet to say what is best.
 constexpr double most_area = 0.05;
 
-/// A face that has turned by less than this cosine, and whose neighbours are at less than 90°, needs no look: if both
-/// faces at an edge have, they are at less than 142°.
+/// A face needs no check for folds if it has turned by less than this cosine (26°), and its neighbours were less than
+/// 90° apart from it. If both faces at an edge have, they are less than 142° apart.
 constexpr double wary_cosine = 0.9;
 
 constexpr double always_wary = 2;  ///< more than the square of any cosine
@@ -40,7 +40,7 @@ Vec3 solve(const SymmetricMatrix& m, const Vec3& r) {
   return Vec3(minor0.dot(r), row2.cross(row0).dot(r), row0.cross(row1).dot(r)) / row0.dot(minor0);
 }
 
-/// The part of x at right angles to a way; zero if it has no length.
+/// The part of x perpendicular to a direction; zero if the direction has no length.
 Vec3 across(const Vec3& way, const Vec3& x) {
   const double square = way.squaredNorm();
   return square > 0 ? Vec3(x - way.dot(x) / square * way) : Vec3::Zero();
@@ -69,9 +69,9 @@ void SurfaceFit::measure_faces() {
     if (length > 0) fits_[f].normal = normal / length;
     fits_[f].area = 0.5 * length;
   }
-  const auto is_near_folded = [this](Index f, Index place) {
-    const Index other = neighbors_.beyond(f, place).face;
-    return other != invalid_index && !(limits_.along(f, place, fits_[f].normal, fits_[other].normal) > 0);
+  const auto is_near_folded = [this](Index f, Index slot) {
+    const Index other = neighbors_.beyond(f, slot).face;
+    return other != invalid_index && !(limits_.along(f, slot, fits_[f].normal, fits_[other].normal) > 0);
   };
   for (Index f = 0; f < faces_.size(); ++f) {
     const bool may_always_turn =
@@ -117,10 +117,12 @@ void SurfaceFit::prefetch_around(Index v) const {
   }
 }
 
-void SurfaceFit::sweep() {
+void SurfaceFit::sweep(const detail::Workers& workers) {
   constexpr Index ahead = 4;
-  for (Index v = 0; v < corners_.n_vertices(); ++v) {
-    if (v + ahead < corners_.n_vertices()) prefetch_around(v + ahead);
+  constexpr Index check_mask = 4095;  // a few milliseconds from check to check
+  for (Index v = 0; v < corners_.size(); ++v) {
+    if ((v & check_mask) == 0) workers.update(v / static_cast<double>(corners_.size()));
+    if (v + ahead < corners_.size()) prefetch_around(v + ahead);
     if (is_fixed_[v] != 0) continue;
     const Pull pull = pull_at(v);
     if (!(pull.weight > 0) || pull.is_held) continue;
@@ -139,12 +141,12 @@ void SurfaceFit::sweep() {
 
 SurfaceFit::Pull SurfaceFit::pull_at(Index v) const {
   Pull pull;
-  for (const auto& [f, place] : corners_.of(v)) {
+  for (const auto& [f, slot] : corners_.of(v)) {
     const Face& fit = fits_[f];
     const Vec3& n = fit.normal;
-    double error = fit.errors[place];
-    for (Index k = 0; k < 3; ++k) error -= fit.product(place, k) * n.dot(moves_[faces_[f][k]]);
-    pull.matrix += SymmetricMatrix::outer(n, fit.product(place, place));
+    double error = fit.errors[slot];
+    for (Index k = 0; k < 3; ++k) error -= fit.product(slot, k) * n.dot(moves_[faces_[f][k]]);
+    pull.matrix += SymmetricMatrix::outer(n, fit.product(slot, slot));
     pull.force += error * n;
     pull.weight += fit.weight;
     pull.squares += fit.squares;
@@ -160,19 +162,19 @@ void SurfaceFit::add_lines(Index v, Pull& pull) const {
   for (const Index e : lines_.at(v)) {
     const auto& [from, to, is_border] = lines_.edges()[e];
     const LineSums& sums = line_sums_[e];
-    const std::size_t place = v == from ? 0 : 1;
+    const std::size_t slot = v == from ? 0 : 1;
     const Vec3& way = ways_[e];
     const double length = way.norm();
     if (!(length > 0)) continue;
     const double scale = line_weight * length;
-    const Vec3 moves = sums.products[place] * moves_[from] + sums.products[place + 1] * moves_[to];
+    const Vec3 moves = sums.products[slot] * moves_[from] + sums.products[slot + 1] * moves_[to];
     const auto across_way = [&](double factor) {
       SymmetricMatrix matrix = SymmetricMatrix::identity(factor);
       return matrix -= SymmetricMatrix::outer(way / length, factor);
     };
-    pull.matrix += across_way(scale * sums.products[2 * place]);
+    pull.matrix += across_way(scale * sums.products[2 * slot]);
     pull.lines += across_way(sums.weight);
-    pull.force += scale * (sums.errors[place] - across(way, moves));
+    pull.force += scale * (sums.errors[slot] - across(way, moves));
     pull.line_squares += sums.squares;
     weight += sums.weight;
   }
@@ -197,12 +199,12 @@ bool SurfaceFit::is_too_far(Index v, const Vec3& moved, const Pull& pull) const 
          !(moved.dot(pull.lines * moved) <= most_drift * pull.line_squares);
 }
 
-/// Whether a face turns too far, against how it was at the start or to a neighbour, or gets thin.
+/// Whether a face turns too far from where it was at the start, turns too far to a neighbour, or becomes thin.
 bool SurfaceFit::spoils_a_face(Index v, const Vec3& to) const {
   const std::vector<Vec3>& positions = *positions_;
-  for (const auto& [f, place] : corners_.of(v)) {
-    const Vec3& x = positions[corner_after(faces_[f], place, 1)];
-    const Vec3& y = positions[corner_after(faces_[f], place, 2)];
+  for (const auto& [f, slot] : corners_.of(v)) {
+    const Vec3& x = positions[corner_after(faces_[f], slot, 1)];
+    const Vec3& y = positions[corner_after(faces_[f], slot, 2)];
     const Vec3 normal = (x - to).cross(y - to);
     const double square = normal.squaredNorm();
     const double along = normal.dot(fits_[f].normal);
@@ -215,17 +217,17 @@ bool SurfaceFit::spoils_a_face(Index v, const Vec3& to) const {
   return false;
 }
 
-/// Whether the move turns a face of v to a neighbour in a way that isn't allowed.
+/// Whether the move turns a face of v to a neighbour in a forbidden way.
 bool SurfaceFit::turns_to_a_neighbor(Index face, Index v, const Vec3& to) const {
   const auto normal = [&](Index f, bool is_after) { return normal_with(f, v, is_after ? to : (*positions_)[v]); };
   return limits_.forbid(face, 0, normal) || limits_.forbid(face, 1, normal) || limits_.forbid(face, 2, normal);
 }
 
-/// A face's normal if v were elsewhere.
+/// A face's normal with v at another position.
 Vec3 SurfaceFit::normal_with(Index face, Index v, const Vec3& to) const {
   const auto position = [&](Index u) -> const Vec3& { return u == v ? to : (*positions_)[u]; };
   const auto& [a, b, c] = faces_[face];
   return (position(b) - position(a)).cross(position(c) - position(a));
 }
 
-}  // namespace whittle
+}  // namespace whittle::polishing

@@ -7,59 +7,63 @@
 #include "guard/face_limits.hh"
 #include "surface/foot_finder.hh"
 #include "surface/line_samples.hh"
+#include "surface/vertex_corners.hh"
 #include "whittle/core/detail/large_array.hh"
-#include "whittle/core/detail/vertex_corners.hh"
+#include "whittle/core/detail/progress_meter.hh"
 #include "whittle/core/geometry/symmetric_matrix.hh"
 
-namespace whittle {
+namespace whittle::polishing {
 
 /// Moves the vertices of a mesh to where its faces fit weighted points, each at its foot (polish.hh).
 class SurfaceFit {
  public:
-  /// Keeps references to all. \param is_fixed per vertex, whether it stays
+  /// Keeps references to all. \param is_fixed per vertex, whether it may not move
   SurfaceFit(const std::vector<Triangle>& faces, const VertexCorners& corners, const FaceNeighbors& neighbors,
              const FaceLimits& limits, const MeshLines& lines, const std::vector<std::uint8_t>& is_fixed);
 
-  /// Takes where the vertices are, and forgets all points.
+  /// Takes the vertices' positions, which sweeps will change, and forgets all points.
   void start(std::vector<Vec3>& positions);
   void add(const Foot& foot, double weight);
   void add(const LineFoot& foot, double weight);
-  /// Moves each vertex in its turn, by number.
-  void sweep();
+  /// Moves each vertex in turn, by ascending number.
+  /// \throw Cancelled
+  void sweep(const detail::Workers& workers);
 
  private:
-  /// A face before it was moved, and sums over the feet in it: of w b_j b_k, w b_j d, w d² and w. Two cache lines.
+  /// A face before it was moved, and sums over the feet in it: of w b_j b_k, w b_j d, w d² and w. It fills two cache
+  /// lines.
   struct alignas(64) Face {
     Vec3 normal = Vec3::Zero();  ///< of unit length, or zero
     double area = 0;
-    double wary_cosine_sq = 0;         ///< of the cosine to the normal below which it may fold
+    /// Squared cosine of the turn from which on the face may become a fold; more than 1: always.
+    double wary_cosine_sq = 0;
     std::array<double, 6> products{};  ///< 00, 01, 02, 11, 12, 22
     std::array<double, 3> errors{};
     double squares = 0;
     double weight = 0;
 
     double product(Index j, Index k) const {
-      constexpr std::array<std::array<std::size_t, 3>, 3> place{{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}};
-      return products[place[j][k]];
+      constexpr std::array<std::array<std::size_t, 3>, 3> index{{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}};
+      return products[index[j][k]];
     }
   };
-  /// Likewise over the feet on an edge, d the vector across it.
+  /// The same sums over the feet on an edge; d is the vector perpendicular to it.
   struct LineSums {
     std::array<double, 3> products{};  ///< 00, 01, 11
     std::array<Vec3, 2> errors{Vec3::Zero(), Vec3::Zero()};
     double squares = 0;
     double weight = 0;
   };
-  /// What the faces and lines at a vertex want of it.
+  /// The least squares problem of one vertex, from its faces and lines.
   struct Pull {
     SymmetricMatrix matrix;
     Vec3 force = Vec3::Zero();
     double weight = 0;
     double squares = 0;
-    SymmetricMatrix lines;  ///< Σ W P, P the projection across a line
+    SymmetricMatrix lines;  ///< Σ W P; P projects onto the plane perpendicular to a line
     double line_squares = 0;
-    double area = 0;       ///< of a face, on average
-    bool is_held = false;  ///< whether it is on a line of which no point has its foot here
+    double area = 0;       ///< mean area of its faces
+    bool is_held = false;  ///< whether it lies on lines on which no point has its foot
   };
 
   void measure_faces();
@@ -81,8 +85,8 @@ class SurfaceFit {
   std::vector<Vec3>* positions_ = nullptr;
   LargeArray<Face> fits_;
   std::vector<LineSums> line_sums_;  ///< per edge of the lines
-  std::vector<Vec3> ways_;           ///< per edge of the lines, from end to end, before it was moved
-  std::vector<Vec3> moves_;          ///< per vertex, so far
+  std::vector<Vec3> ways_;           ///< per edge of the lines, from end to end, at the start
+  std::vector<Vec3> moves_;          ///< per vertex, since the start
 };
 
-}  // namespace whittle
+}  // namespace whittle::polishing

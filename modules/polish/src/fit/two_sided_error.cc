@@ -5,17 +5,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "whittle/core/detail/parallel.hh"
 #include "whittle/core/geometry/nearest_on_triangle.hh"
 
-namespace whittle {
+namespace whittle::polishing {
 namespace {
 
-/// Which points of a mesh are asked: at least a thousand, enough to tell better from worse, as they are the same every
-/// time.
+/// The points of a mesh at which distances are measured: at least a thousand. That is enough to tell better from worse,
+/// since they are the same points every time.
 struct Choice {
   std::size_t per_face;
-  std::size_t step;  ///< from face to face
+  std::size_t step;  ///< every so many faces
   std::size_t n;
 
   explicit Choice(std::size_t n_faces) {
@@ -27,28 +26,28 @@ struct Choice {
   std::size_t face(std::size_t i) const { return i / per_face * step; }
 };
 
-/// The i-th of places that fill a triangle evenly. \cite roberts_2018_quasirandom
-Barycentric spread_place(std::size_t i) {
+/// The i-th of a sequence of points that fill a triangle evenly. \cite roberts_2018_quasirandom
+Barycentric spread_point(std::size_t i) {
   const double u = std::fmod(0.5 + 0.7548776662466927 * static_cast<double>(i), 1.0);
   const double v = std::fmod(0.5 + 0.5698402909980532 * static_cast<double>(i), 1.0);
   return u + v <= 1 ? Barycentric{u, v} : Barycentric{1 - u, 1 - v};
 }
 
-/// How far points in faces of `from`, weighted by the area of these, are from `to`.
-/// \param start gives a vertex of `to` near a point in a face, or `invalid_index`
+/// The distances from points in faces of `from`, weighted by the areas of these faces, to `to`.
+/// \param start `start(face, point)` is a vertex of `to` near that point, or `invalid_index`
 template <class Start>
 std::vector<TwoSidedError::Distance> one_sided(const Surface& from, const Surface& to, const Start& start,
-                                               unsigned threads) {
+                                               const detail::Workers& workers) {
   const Choice points(from.faces.size());
   std::vector<TwoSidedError::Distance> distances(points.n, {0, 0});
   constexpr std::size_t length = 64;
-  for_each_block((points.n + length - 1) / length, threads, [&](std::size_t block) {
+  for_each_block((points.n + length - 1) / length, workers, [&](std::size_t block) {
     for (std::size_t i = block * length; i < std::min(points.n, (block + 1) * length); ++i) {
       const Triangle& face = from.faces[points.face(i)];
       const Vec3& a = from.positions[face[0]];
       const Vec3 ab = from.positions[face[1]] - a;
       const Vec3 ac = from.positions[face[2]] - a;
-      const auto [second, third] = spread_place(i);
+      const auto [second, third] = spread_point(i);
       const Vec3 point = a + second * ab + third * ac;
       const Index near = start(face, point);
       if (near == invalid_index) continue;
@@ -66,8 +65,9 @@ std::vector<TwoSidedError::Distance> one_sided(const Surface& from, const Surfac
 }  // namespace
 
 TwoSidedError::TwoSidedError(const SimplifiedSurface& original, std::span<const Triangle> mesh_faces,
-                             std::size_t n_mesh_vertices)
+                             std::size_t n_mesh_vertices, const detail::Workers& workers)
     : original_(original) {
+  workers.update(0);
   const std::span<const Index> vertex_map = original.vertex_map;
   std::vector<std::uint8_t> is_asked(n_mesh_vertices);
   const Choice points(mesh_faces.size());
@@ -83,10 +83,12 @@ TwoSidedError::TwoSidedError(const SimplifiedSurface& original, std::span<const 
                   if (is_near[v] != 0) add(vertex_map[v], v);
                 }
               }};
-  original_corners_ = {original.faces, is_near};
+  workers.update(0);
+  original_corners_ = corners_by_vertex(original.faces, is_near);
 }
 
-std::vector<TwoSidedError::Distance> TwoSidedError::distances(const Surface& mesh, unsigned threads) const {
+std::vector<TwoSidedError::Distance> TwoSidedError::distances(const Surface& mesh,
+                                                              const detail::Workers& workers) const {
   const auto nearest = [](std::span<const Vec3> positions, const Vec3& point, Index& best, Index v) {
     if (best == invalid_index || (positions[v] - point).squaredNorm() < (positions[best] - point).squaredNorm())
       best = v;
@@ -106,10 +108,10 @@ std::vector<TwoSidedError::Distance> TwoSidedError::distances(const Surface& mes
     return best;
   };
   const Surface original{original_.faces, original_corners_, original_.positions};
-  std::vector<Distance> all = one_sided(original, mesh, in_mesh, threads);
-  const std::vector<Distance> back = one_sided(mesh, original, in_original, threads);
+  std::vector<Distance> all = one_sided(original, mesh, in_mesh, workers);
+  const std::vector<Distance> back = one_sided(mesh, original, in_original, workers);
   all.insert(all.end(), back.begin(), back.end());
   return all;
 }
 
-}  // namespace whittle
+}  // namespace whittle::polishing

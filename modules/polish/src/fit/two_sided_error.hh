@@ -5,34 +5,37 @@
 
 #include "surface/surface_walk.hh"
 #include "whittle/core/detail/index_lists.hh"
+#include "whittle/core/detail/progress_meter.hh"
 
-namespace whittle {
+namespace whittle::polishing {
 
-/// A surface, and what became of its vertices: vertices of a mesh, or `invalid_index`.
+/// A surface, and for each of its vertices the vertex of the simplified mesh, or `invalid_index`.
 struct SimplifiedSurface {
   std::span<const Triangle> faces;
   std::span<const Vec3> positions;
   std::span<const Index> vertex_map;
 };
 
-/// How far two surfaces are apart, both ways, at some points of each: for comparing what a mesh was with what it has
-/// become.
+/// The distance between two surfaces, both ways, at some points of each. For comparing a mesh before and after a pass.
 class TwoSidedError {
  public:
-  /// Keeps what `original` refers to.
-  TwoSidedError(const SimplifiedSurface& original, std::span<const Triangle> mesh_faces, std::size_t n_mesh_vertices);
+  /// Keeps references to what `original` refers to. \throw Cancelled
+  TwoSidedError(const SimplifiedSurface& original, std::span<const Triangle> mesh_faces, std::size_t n_mesh_vertices,
+                const detail::Workers& workers);
 
   struct Distance {
     double square;
-    double weight;  ///< those of each side add up to one half
+    double weight;  ///< the weights of each direction add up to one half
   };
-  /// At the same points every time. \param mesh has the faces that this was made for
-  std::vector<Distance> distances(const Surface& mesh, unsigned threads) const;
+  /// At the same points in every call. \param mesh has the faces that this was made for
+  /// \throw Cancelled
+  std::vector<Distance> distances(const Surface& mesh, const detail::Workers& workers) const;
 
  private:
   SimplifiedSurface original_;
-  IndexLists<Index> origins_;  ///< vertices of the original, by those that they are mapped to, of faces with points
-  VertexCorners original_corners_;  ///< at those
+  /// For each vertex of faces with points, the original's vertices that are mapped to it.
+  detail::IndexLists<Index> origins_;
+  VertexCorners original_corners_;  ///< of those vertices of the original
 };
 
-}  // namespace whittle
+}  // namespace whittle::polishing

@@ -7,18 +7,17 @@
 #include <set>
 
 #include "guard/overlapping_boxes.hh"
-#include "whittle/core/detail/parallel.hh"
 #include "whittle/core/geometry/nearest_on_triangle.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 #include "whittle/core/geometry/triangle_intersection.hh"
 
-namespace whittle {
+namespace whittle::polishing {
 namespace {
 
-/// What a flip must leave of the squared distances at most. Others come and go with the noise of a few points.
+/// Largest share of the squared distances that may be left after a flip. Smaller gains are noise of a few points.
 constexpr double most_left = 0.95;
 
-/// Root mean square of the distances, in lengths of the edge, below which faces fit as well as can be told.
+/// Faces with a root mean square distance below this, in lengths of the edge, fit as well as can be told.
 constexpr double least_rms = 1e-5;
 
 constexpr std::size_t least_valence = 4;
@@ -26,10 +25,10 @@ constexpr std::size_t most_valence = 9;
 
 using Faces = std::array<Triangle, 2>;
 
-/// An edge as a side of two faces.
+/// The flip of an edge, which is named by one of its two sides.
 struct Flip {
-  Index face, place;
-  double gain;  ///< how much less the sum of squared distances would be
+  Index face, slot;
+  double gain;  ///< by which it lowers the sum of squared distances
 };
 
 class EdgeFlips {
@@ -44,46 +43,46 @@ class EdgeFlips {
         samples_(samples),
         faces_(mesh.faces.begin(), mesh.faces.end()),
         partner_(mesh.faces.size(), invalid_index),
-        valences_(mesh.corners.n_vertices()) {
+        valences_(mesh.corners.size()) {
     for (Index v = 0; v < valences_.size(); ++v) valences_[v] = mesh.corners.of(v).size();
   }
 
-  /// Those that pay, the best first.
-  std::vector<Flip> find(unsigned threads) {
-    const std::vector<FaceFit> fits = fit(threads);
+  /// The flips that are worth it, the best first.
+  std::vector<Flip> find(const detail::Workers& workers) {
+    const std::vector<FaceFit> fits = fit(workers);
     std::vector<std::array<double, 3>> gains(faces_.size(), {0, 0, 0});
-    for_each_range(faces_.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for_each_range(faces_.size(), workers, [&](std::size_t begin, std::size_t end) {
       for (auto f = static_cast<Index>(begin); f < end; ++f) {
-        for (Index place = 0; place < 3; ++place) {
-          if (fits[f].tents[place].height == 0) continue;
-          const auto [other, other_place] = neighbors_.beyond(f, place);
+        for (Index slot = 0; slot < 3; ++slot) {
+          if (fits[f].tents[slot].height == 0) continue;
+          const auto [other, other_slot] = neighbors_.beyond(f, slot);
           if (other < f) continue;
           const double now = fits[f].squares + fits[other].squares;
-          const double gain = fits[f].gains[place] + fits[other].gains[other_place];
-          if (gain < (1 - most_left) * now || now < least_squares(f, place)) continue;
-          if (turns_little(f, place) && !makes_thin(f, place)) gains[f][place] = gain;
+          const double gain = fits[f].gains[slot] + fits[other].gains[other_slot];
+          if (gain < (1 - most_left) * now || now < least_squares(f, slot)) continue;
+          if (turns_little(f, slot) && !makes_thin(f, slot)) gains[f][slot] = gain;
         }
       }
     });
     std::vector<Flip> flips;
     for (Index f = 0; f < faces_.size(); ++f) {
-      for (Index place = 0; place < 3; ++place) {
-        if (gains[f][place] > 0) flips.push_back({f, place, gains[f][place]});
+      for (Index slot = 0; slot < 3; ++slot) {
+        if (gains[f][slot] > 0) flips.push_back({f, slot, gains[f][slot]});
       }
     }
     std::stable_sort(flips.begin(), flips.end(), [](const Flip& a, const Flip& b) { return a.gain > b.gain; });
     return flips;
   }
 
-  /// Makes those that are still allowed after the ones before.
+  /// Makes those flips that are still allowed after the ones before them.
   void make(const std::vector<Flip>& flips) {
     std::set<VertexPair> made;
-    for (const auto& [f, place, gain] : flips) {
-      const Index other = neighbors_.beyond(f, place).face;
-      const auto [u, v, a, b] = corners_of(f, place);
+    for (const auto& [f, slot, gain] : flips) {
+      const Index other = neighbors_.beyond(f, slot).face;
+      const auto [u, v, a, b] = corners_of(f, slot);
       if (touches_a_flip(f) || touches_a_flip(other) || !keeps_valences(u, v, a, b)) continue;
       if (!made.insert({std::min(a, b), std::max(a, b)}).second) continue;
-      const Faces flipped = faces_after(f, place);
+      const Faces flipped = faces_after(f, slot);
       faces_[f] = flipped[0];
       faces_[other] = flipped[1];
       partner_[f] = other;
@@ -94,13 +93,13 @@ class EdgeFlips {
   }
 
   /// Undoes flips until no flipped face intersects another.
-  void undo_intersecting(unsigned threads) {
+  void undo_intersecting(const detail::Workers& workers) {
     std::vector<Eigen::AlignedBox3f> boxes(faces_.size());
     for (Index f = 0; f < faces_.size(); ++f) {
       extend(boxes[f], faces_[f], mesh_.positions);
       extend(boxes[f], mesh_.faces[f], mesh_.positions);
     }
-    const std::vector<std::array<Index, 2>> pairs = overlapping_boxes(boxes, {}, threads);
+    const std::vector<std::array<Index, 2>> pairs = overlapping_boxes(boxes, {}, workers);
     for (bool is_done = false; !is_done;) {
       is_done = true;
       for (const auto& [f, g] : pairs) {
@@ -112,9 +111,9 @@ class EdgeFlips {
     }
   }
 
-  /// Gives the points of flipped faces their feet there.
-  void move_feet(unsigned threads) {
-    for_each_range(samples_.size(), threads, [this](std::size_t begin, std::size_t end) {
+  /// Gives the points of flipped faces new feet.
+  void move_feet(const detail::Workers& workers) {
+    for_each_range(samples_.size(), workers, [this](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const Index f = samples_.foot(i).face;
         if (f == invalid_index || !is_flipped(f)) continue;
@@ -128,25 +127,25 @@ class EdgeFlips {
   std::vector<Triangle> take_faces() { return std::move(faces_); }
 
  private:
-  /// Where a pair of faces is nearest to a point.
+  /// The point of two faces that is nearest to some point.
   struct Near {
     std::size_t which;
     Barycentric at;
     double distance_sq;
-    double height;  ///< over the face's plane
+    double height;  ///< of that point over the face's plane
   };
 
-  /// Between two faces and the two that a flip makes of them, as seen from one of them: highest where the old edge and
-  /// the new one are nearest to each other, and zero at the four corners.
+  /// The space between two faces and their flip, seen from one of the two faces. It is highest where the old and the
+  /// new edge are nearest to each other, and zero at the four corners.
   struct Tent {
-    double share = 0;   ///< of the old edge's second end in the place of the tip
-    double height = 0;  ///< of the new edge over the face there; 0 if it can't be flipped
+    double share = 0;   ///< where the tip is on the old edge, 0 … 1
+    double height = 0;  ///< of the new edge over the face there; 0 if the edge can't be flipped
   };
-  /// A face, what its points say of it, and of a flip of each of its sides.
+  /// How well a face fits its points, and how well it would after a flip of each side.
   struct FaceFit {
     std::array<Tent, 3> tents;
-    double squares = 0;             ///< of the points' distances
-    std::array<double, 3> gains{};  ///< how much less they would be
+    double squares = 0;             ///< sum of the points' squared distances
+    std::array<double, 3> gains{};  ///< by which a flip would lower it
   };
 
   bool is_flipped(Index f) const { return partner_[f] != invalid_index; }
@@ -166,33 +165,33 @@ class EdgeFlips {
     return second.distance_sq < first.distance_sq ? second : first;
   }
 
-  /// Of an edge where a flip may be worth something.
-  double least_squares(Index f, Index place) const {
+  /// Sum of squared distances below which an edge fits well enough.
+  double least_squares(Index f, Index slot) const {
     double weight = 0;
-    for (const Index g : {f, neighbors_.beyond(f, place).face}) weight += 0.5 * normal(mesh_.faces[g]).norm();
-    const Vec3 way = mesh_.positions[corner_after(mesh_.faces[f], place, 1)] - mesh_.positions[mesh_.faces[f][place]];
+    for (const Index g : {f, neighbors_.beyond(f, slot).face}) weight += 0.5 * normal(mesh_.faces[g]).norm();
+    const Vec3 way = mesh_.positions[corner_after(mesh_.faces[f], slot, 1)] - mesh_.positions[mesh_.faces[f][slot]];
     return weight * least_rms * least_rms * way.squaredNorm();
   }
-  std::vector<FaceFit> fit(unsigned threads) const {
+  std::vector<FaceFit> fit(const detail::Workers& workers) const {
     std::vector<FaceFit> fits(faces_.size());
-    for_each_range(faces_.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for_each_range(faces_.size(), workers, [&](std::size_t begin, std::size_t end) {
       for (auto f = static_cast<Index>(begin); f < end; ++f) {
-        for (Index place = 0; place < 3; ++place) {
-          if (neighbors_.beyond(f, place).face != invalid_index && keeps_surface(f, place))
-            fits[f].tents[place] = tent(f, place);
+        for (Index slot = 0; slot < 3; ++slot) {
+          if (neighbors_.beyond(f, slot).face != invalid_index && keeps_surface(f, slot))
+            fits[f].tents[slot] = tent(f, slot);
         }
       }
     });
-    samples_.for_each_foot([&fits](const Foot& foot, double weight) { add(fits[foot.face], foot, weight); });
+    samples_.for_each_foot(workers, [&fits](const Foot& foot, double weight) { add(fits[foot.face], foot, weight); });
     return fits;
   }
 
-  Tent tent(Index f, Index place) const {
-    const auto [u, v, a, b] = corners_of(f, place);
+  Tent tent(Index f, Index slot) const {
+    const auto [u, v, a, b] = corners_of(f, slot);
     const Vec3 edge = mesh_.positions[v] - mesh_.positions[u];
     const Vec3 other_edge = mesh_.positions[b] - mesh_.positions[a];
     const Vec3 between = mesh_.positions[a] - mesh_.positions[u];
-    // The shares of both where they are nearest to each other. \cite ericson_2005_collision (section 5.1.9)
+    // Where the two edges are nearest to each other. \cite ericson_2005_collision (section 5.1.9)
     const double e = edge.squaredNorm();
     const double o = other_edge.squaredNorm();
     const double eo = edge.dot(other_edge);
@@ -205,33 +204,33 @@ class EdgeFlips {
     return {share, up.dot(other_share * other_edge) / up.norm()};
   }
 
-  /// A flip takes the tent's height over its foot from a point's distance.
+  /// A flip lowers a point's distance by the tent's height at the point's foot.
   static void add(FaceFit& fit, const Foot& foot, double weight) {
     const std::array<double, 3> at{1.0 - foot.second - foot.third, foot.second, foot.third};
     fit.squares += weight * foot.distance * foot.distance;
-    for (std::size_t place = 0; place < 3; ++place) {
-      const auto& [share, height] = fit.tents[place];
+    for (std::size_t slot = 0; slot < 3; ++slot) {
+      const auto& [share, height] = fit.tents[slot];
       if (height == 0) continue;
-      const double x = height * std::max(0.0, std::min(at[place] / (1 - share), at[(place + 1) % 3] / share));
-      fit.gains[place] += weight * x * (2 * foot.distance - x);
+      const double x = height * std::max(0.0, std::min(at[slot] / (1 - share), at[(slot + 1) % 3] / share));
+      fit.gains[slot] += weight * x * (2 * foot.distance - x);
     }
   }
 
-  /// The edge's ends, as the face has them, and the other corner of the face and of the one beyond.
-  std::array<Index, 4> corners_of(Index f, Index place) const {
-    const auto [other, other_place] = neighbors_.beyond(f, place);
-    return {mesh_.faces[f][place], corner_after(mesh_.faces[f], place, 1), corner_after(mesh_.faces[f], place, 2),
-            corner_after(mesh_.faces[other], other_place, 2)};
+  /// The ends of an edge in the order of the face, then the third corner of the face and of its neighbour.
+  std::array<Index, 4> corners_of(Index f, Index slot) const {
+    const auto [other, other_slot] = neighbors_.beyond(f, slot);
+    return {mesh_.faces[f][slot], corner_after(mesh_.faces[f], slot, 1), corner_after(mesh_.faces[f], slot, 2),
+            corner_after(mesh_.faces[other], other_slot, 2)};
   }
-  Faces faces_after(Index f, Index place) const {
-    const auto [u, v, a, b] = corners_of(f, place);
+  Faces faces_after(Index f, Index slot) const {
+    const auto [u, v, a, b] = corners_of(f, slot);
     return {Triangle{a, u, b}, Triangle{b, v, a}};
   }
 
-  bool keeps_surface(Index f, Index place) const {
-    const auto [u, v, a, b] = corners_of(f, place);
-    const Index other = neighbors_.beyond(f, place).face;
-    if (neighbors_.is_twisted(f, place) || is_on_line(u, v)) return false;
+  bool keeps_surface(Index f, Index slot) const {
+    const auto [u, v, a, b] = corners_of(f, slot);
+    const Index other = neighbors_.beyond(f, slot).face;
+    if (neighbors_.is_twisted(f, slot) || is_on_line(u, v)) return false;
     if (!groups_.empty() && groups_[f] != groups_[other]) return false;
     return a != b && keeps_valences(u, v, a, b) && !is_edge(a, b);
   }
@@ -253,47 +252,47 @@ class EdgeFlips {
   }
 
   Vec3 normal(const Triangle& face) const { return area_normal(face, mesh_.positions); }
-  bool makes_thin(Index f, Index place) const {
+  bool makes_thin(Index f, Index slot) const {
     const auto least = [this](const Faces& faces) {
       const auto ratio = [this](const Triangle& face) {
         return radius_ratio(mesh_.positions[face[0]], mesh_.positions[face[1]], mesh_.positions[face[2]]);
       };
       return std::min(ratio(faces[0]), ratio(faces[1]));
     };
-    const Index other = neighbors_.beyond(f, place).face;
-    return limits_.forbid_thinning(least({mesh_.faces[f], mesh_.faces[other]}), least(faces_after(f, place)));
+    const Index other = neighbors_.beyond(f, slot).face;
+    return limits_.forbid_thinning(least({mesh_.faces[f], mesh_.faces[other]}), least(faces_after(f, slot)));
   }
-  bool turns_little(Index f, Index place) const {
-    const Index other = neighbors_.beyond(f, place).face;
-    const Faces after = faces_after(f, place);
+  bool turns_little(Index f, Index slot) const {
+    const Index other = neighbors_.beyond(f, slot).face;
+    const Faces after = faces_after(f, slot);
     const std::array<Vec3, 2> normals{normal(after[0]), normal(after[1])};
     const Vec3 sum = normal(mesh_.faces[f]) + normal(mesh_.faces[other]);
     for (const Vec3& n : normals) {
       if (!(cosine(n, sum) > least_turn_cosine)) return false;
     }
     if (!(cosine(normals[0], normals[1]) > limits_.least_cosine())) return false;
-    // The sides of both: from v to a and from a to u, from u to b and from b to v.
-    const auto [g, g_place] = neighbors_.beyond(f, place);
-    return is_allowed_beside(f, (place + 2) % 3, normals[0]) && is_allowed_beside(f, (place + 1) % 3, normals[1]) &&
-           is_allowed_beside(g, (g_place + 1) % 3, normals[0]) && is_allowed_beside(g, (g_place + 2) % 3, normals[1]);
+    // The four outer sides: from v to a, from a to u, from u to b, and from b to v.
+    const auto [g, g_slot] = neighbors_.beyond(f, slot);
+    return is_allowed_beside(f, (slot + 2) % 3, normals[0]) && is_allowed_beside(f, (slot + 1) % 3, normals[1]) &&
+           is_allowed_beside(g, (g_slot + 1) % 3, normals[0]) && is_allowed_beside(g, (g_slot + 2) % 3, normals[1]);
   }
-  /// A side of a face, if the face had another normal.
-  bool is_allowed_beside(Index f, Index place, const Vec3& normal_after) const {
+  /// Whether a side may have the angle that it would have if the face had another normal.
+  bool is_allowed_beside(Index f, Index slot, const Vec3& normal_after) const {
     return !limits_.forbid(
-        f, place, [&](Index g, bool is_after) { return g == f && is_after ? normal_after : normal(mesh_.faces[g]); });
+        f, slot, [&](Index g, bool is_after) { return g == f && is_after ? normal_after : normal(mesh_.faces[g]); });
   }
 
   bool touches_a_flip(Index f) const {
     if (is_flipped(f)) return true;
-    for (Index place = 0; place < 3; ++place) {
-      const Index other = neighbors_.beyond(f, place).face;
+    for (Index slot = 0; slot < 3; ++slot) {
+      const Index other = neighbors_.beyond(f, slot).face;
       if (other != invalid_index && is_flipped(other)) return true;
     }
     return false;
   }
 
   bool do_intersect(Index f, Index g) const {
-    return n_common_corners(faces_[f], faces_[g]) < 2 && intersect(faces_[f], faces_[g], mesh_.positions);
+    return n_common_corners(faces_[f], faces_[g]) < 2 && detail::intersect(faces_[f], faces_[g], mesh_.positions);
   }
   void undo(Index f) {
     if (!is_flipped(f)) return;
@@ -311,7 +310,7 @@ class EdgeFlips {
   std::span<const Index> groups_;
   SurfaceSamples& samples_;
   std::vector<Triangle> faces_;
-  std::vector<Index> partner_;  ///< per face, the one it was flipped with
+  std::vector<Index> partner_;  ///< per face, the face it was flipped with, or `invalid_index`
   std::vector<std::size_t> valences_;
 };
 
@@ -319,12 +318,12 @@ class EdgeFlips {
 
 std::vector<Triangle> flip_edges(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits,
                                  const MeshLines& lines, std::span<const Index> groups, SurfaceSamples& samples,
-                                 unsigned threads) {
+                                 const detail::Workers& workers) {
   EdgeFlips flips(mesh, neighbors, limits, lines, groups, samples);
-  flips.make(flips.find(threads));
-  flips.undo_intersecting(threads);
-  flips.move_feet(threads);
+  flips.make(flips.find(workers));
+  flips.undo_intersecting(workers);
+  flips.move_feet(workers);
   return flips.take_faces();
 }
 
-}  // namespace whittle
+}  // namespace whittle::polishing

@@ -7,18 +7,20 @@
 #include "surface/mesh_lines.hh"
 #include "surface/surface_samples.hh"
 #include "surface/surface_walk.hh"
+#include "whittle/core/detail/progress_meter.hh"
 
-namespace whittle {
+namespace whittle::polishing {
 
-/// Flips edges of a mesh, each the common side of two faces that becomes the other diagonal of their four corners,
-/// where that lessens the sum of the squared distances of the points that have their feet in the two. None is flipped
-/// where that would turn a face over, or faces to one another more than is allowed, make an edge that is there already,
-/// a vertex with fewer than four or more than nine faces, or faces intersect; nor is any edge of a line.
-/// \param groups per face or empty: edges between groups stay
-/// \param samples points with feet on the mesh, which are moved along
-/// \return the faces, most of them as they were
+/// Flips edges of a mesh: the common side of two faces is replaced by the other diagonal of their four corners. An edge
+/// is flipped where that lowers the sum of the squared distances of the points with feet in the two faces. It stays
+/// where the flip would turn a face over, turn neighbours in a forbidden way, make an edge that exists already, make a
+/// vertex with fewer than four or more than nine faces, or make faces intersect. Edges of lines stay, too.
+/// \param groups per face, or empty; edges between two groups stay
+/// \param samples points with feet on the mesh; those in flipped faces get new feet
+/// \return all faces, by the same numbers
+/// \throw Cancelled
 std::vector<Triangle> flip_edges(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits,
                                  const MeshLines& lines, std::span<const Index> groups, SurfaceSamples& samples,
-                                 unsigned threads);
+                                 const detail::Workers& workers);
 
-}  // namespace whittle
+}  // namespace whittle::polishing

@@ -4,23 +4,23 @@
 #include <limits>
 #include <numbers>
 
-namespace whittle {
+namespace whittle::polishing {
 
-FaceLimits::FaceLimits(const FaceNeighbors& neighbors, std::span<const VertexPair> features, double feature_angle_deg,
-                       double min_radius_ratio)
+FaceLimits::FaceLimits(const FaceNeighbors& neighbors, std::span<const VertexPair> features,
+                       std::optional<double> feature_angle_deg, double min_radius_ratio)
     : neighbors_(neighbors),
       least_cosine_(least_fold_cosine),
       min_radius_ratio_(std::max(min_radius_ratio, least_radius_ratio)),
       wide_(min_radius_ratio_ > least_radius_ratio ? std::numeric_limits<double>::infinity() : 0.05) {
-  if (!(feature_angle_deg < 180)) return;
-  least_cosine_ = std::cos(feature_angle_deg * std::numbers::pi / 180);
+  if (!feature_angle_deg) return;
+  least_cosine_ = std::cos(*feature_angle_deg * std::numbers::pi / 180);
   is_feature_.resize(neighbors.n_faces());
   for (const auto& [a, b] : features) {
-    const auto [face, place] = neighbors.inner_side(a, b);
+    const auto [face, slot] = neighbors.inner_side(a, b);
     if (face == invalid_index) continue;
-    const auto [other, other_place] = neighbors.beyond(face, place);
-    is_feature_[face][place] = is_feature_[other][other_place] = true;
+    const auto [other, other_slot] = neighbors.beyond(face, slot);
+    is_feature_[face][slot] = is_feature_[other][other_slot] = true;
   }
 }
 
-}  // namespace whittle
+}  // namespace whittle::polishing

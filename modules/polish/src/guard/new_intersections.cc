@@ -5,32 +5,32 @@
 #include <cmath>
 
 #include "guard/overlapping_boxes.hh"
-#include "whittle/core/detail/parallel.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 #include "whittle/core/geometry/triangle_intersection.hh"
 
-namespace whittle {
+namespace whittle::polishing {
 namespace {
 
 class MovedMesh {
  public:
-  MovedMesh(const Surface& before, const FaceLimits& limits, std::vector<Vec3>& positions, unsigned threads)
+  MovedMesh(const Surface& before, const FaceLimits& limits, std::vector<Vec3>& positions,
+            const detail::Workers& workers)
       : before_(before), limits_(limits), positions_(positions), is_fresh_(before.faces.size(), 1) {
-    find_near_pairs(threads);
+    find_near_pairs(workers);
     does_intersect_.resize(pairs_.size());
     is_crossed_.resize(positions.size());
   }
 
-  /// Faces that intersect one another, which they didn't before. Those that were not taken back since this was asked
-  /// last are not looked at again.
-  std::vector<Index> intersecting(unsigned threads) {
-    for_each_range(pairs_.size(), threads, [this](std::size_t begin, std::size_t end) {
+  /// Faces that intersect another face now, and didn't before. Pairs of which no corner has been put back since the
+  /// last call are not checked again.
+  std::vector<Index> intersecting(const detail::Workers& workers) {
+    for_each_range(pairs_.size(), workers, [this](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const auto& [f, g] = pairs_[i];
         does_intersect_[i] = (is_fresh_[f] != 0 || is_fresh_[g] != 0) && intersect_newly(f, g);
       }
     });
-    for_each_range(is_crossed_.size(), threads, [this](std::size_t begin, std::size_t end) {
+    for_each_range(is_crossed_.size(), workers, [this](std::size_t begin, std::size_t end) {
       for (auto v = static_cast<Index>(begin); v < end; ++v) {
         is_crossed_[v] = has_fresh_face(v) && !is_flat(v) && !intersecting_at(v).empty();
       }
@@ -48,19 +48,19 @@ class MovedMesh {
     return faces;
   }
 
-  /// Those of the faces that are turned further than is allowed, or too thin, and neighbours that they are turned to.
+  /// Those of the faces that are turned too far or too thin, and their neighbours to which they are turned too far.
   std::vector<Index> spoiled(std::span<const Index> faces) const {
     std::vector<Index> found;
     for (const Index f : faces) {
       if (is_turned(f) || is_thinned(f)) found.push_back(f);
-      for (Index place = 0; place < 3; ++place) {
-        if (turns_to_neighbor(f, place)) found.insert(found.end(), {f, limits_.beyond(f, place)});
+      for (Index slot = 0; slot < 3; ++slot) {
+        if (turns_to_neighbor(f, slot)) found.insert(found.end(), {f, limits_.beyond(f, slot)});
       }
     }
     return found;
   }
 
-  /// \return the vertices of these faces that were moved until now
+  /// Puts the corners of these faces back. \return those that were elsewhere
   std::vector<Index> take_back(std::span<const Index> faces) {
     std::vector<Index> vertices;
     for (const Index f : faces) {
@@ -83,16 +83,16 @@ class MovedMesh {
   }
 
  private:
-  /// Those without a common corner that may intersect wherever each corner is, where it was or where it is.
-  void find_near_pairs(unsigned threads) {
+  /// Faces without a common corner that may intersect, wherever each corner is: where it was, or where it is now.
+  void find_near_pairs(const detail::Workers& workers) {
     std::vector<Eigen::AlignedBox3f> boxes(before_.faces.size());
-    for_each_range(boxes.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for_each_range(boxes.size(), workers, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
         extend(boxes[f], before_.faces[f], before_.positions);
         extend(boxes[f], before_.faces[f], positions_);
       }
     });
-    pairs_ = overlapping_boxes(boxes, before_.faces, threads);
+    pairs_ = overlapping_boxes(boxes, before_.faces, workers);
   }
 
   bool is_moved(Index v) const { return positions_[v] != before_.positions[v]; }
@@ -100,7 +100,7 @@ class MovedMesh {
   bool intersect_newly(Index f, Index g) const {
     const Triangle& s = before_.faces[f];
     const Triangle& t = before_.faces[g];
-    return intersect(s, t, positions_) && !intersect(s, t, before_.positions);
+    return detail::intersect(s, t, positions_) && !detail::intersect(s, t, before_.positions);
   }
 
   bool has_fresh_face(Index v) const {
@@ -108,7 +108,7 @@ class MovedMesh {
     return std::any_of(corners.begin(), corners.end(), [this](const Corner& c) { return is_fresh_[c.face] != 0; });
   }
 
-  /// Of the faces at v those that newly intersect one with which they have nothing but v in common.
+  /// Those faces at v that newly intersect another face at v, with which they have only v in common.
   std::vector<Index> intersecting_at(Index v) const {
     const std::span<const Corner> corners = before_.corners.of(v);
     std::vector<Index> faces;
@@ -123,21 +123,22 @@ class MovedMesh {
     return faces;
   }
 
-  /// Whether the faces at v go once around it, none of them turned over, as seen from one direction: then no two of
-  /// them intersect. That holds for most vertices, and is sooner known than of each two faces.
+  /// Whether the faces at v, seen from one direction, go once around v and none is turned over. Then no two of them
+  /// intersect. This holds at most vertices, and is checked faster than all pairs of faces.
   bool is_flat(Index v) const {
     const std::span<const Corner> corners = before_.corners.of(v);
     if (corners.empty()) return false;
     Vec3 up = Vec3::Zero();
     for (const Corner& corner : corners) up += normal(corner.face, positions_);
     const auto end = [&](const Corner& corner, Index n) {
-      return corner_after(before_.faces[corner.face], corner.place, n);
+      return corner_after(before_.faces[corner.face], corner.slot, n);
     };
     const Vec3& center = positions_[v];
     const Vec3 way = up.cross(positions_[end(corners[0], 1)] - center);
     int n_along_way = 0;
     bool is_turned_over = false;
-    std::uint64_t sum = 0;  // of the first ends less the last ones, and of their squares: zero if it is closed
+    // Sums over the first ends minus the last ends, and over their squares: zero if the ring is closed.
+    std::uint64_t sum = 0;
     std::uint64_t sum_of_squares = 0;
     for (const Corner& corner : corners) {
       const std::uint64_t first = end(corner, 1);
@@ -162,8 +163,8 @@ class MovedMesh {
     const auto ratio = [&, a = a, b = b, c = c](std::span<const Vec3> at) { return radius_ratio(at[a], at[b], at[c]); };
     return limits_.forbid_thinning(ratio(before_.positions), ratio(positions_));
   }
-  bool turns_to_neighbor(Index face, Index place) const {
-    return limits_.forbid(face, place, [this](Index f, bool is_now) {
+  bool turns_to_neighbor(Index face, Index slot) const {
+    return limits_.forbid(face, slot, [this](Index f, bool is_now) {
       return normal(f, is_now ? std::span<const Vec3>(positions_) : before_.positions);
     });
   }
@@ -171,8 +172,8 @@ class MovedMesh {
   const Surface& before_;
   const FaceLimits& limits_;
   std::vector<Vec3>& positions_;
-  std::vector<std::array<Index, 2>> pairs_;   ///< near one another, without a common corner
-  std::vector<std::uint8_t> is_fresh_;        ///< per face, whether a corner was moved since it was looked at
+  std::vector<std::array<Index, 2>> pairs_;   ///< near each other, without a common corner
+  std::vector<std::uint8_t> is_fresh_;        ///< per face, whether a corner has moved since the last check
   std::vector<std::uint8_t> does_intersect_;  ///< scratch: per pair
   std::vector<std::uint8_t> is_crossed_;      ///< scratch: per vertex
 };
@@ -180,16 +181,16 @@ class MovedMesh {
 }  // namespace
 
 void take_back_intersections(const Surface& before, const FaceLimits& limits, std::vector<Vec3>& positions,
-                             std::span<const Index> taken_back, unsigned threads) {
-  MovedMesh mesh(before, limits, positions, threads);
+                             std::span<const Index> taken_back, const detail::Workers& workers) {
+  MovedMesh mesh(before, limits, positions, workers);
   std::vector<Index> changed = mesh.faces_at(taken_back);
   for (;;) {
     std::vector<Index> wrong = mesh.spoiled(changed);
-    const std::vector<Index> intersecting = mesh.intersecting(threads);
+    const std::vector<Index> intersecting = mesh.intersecting(workers);
     wrong.insert(wrong.end(), intersecting.begin(), intersecting.end());
     if (wrong.empty()) return;
     changed = mesh.faces_at(mesh.take_back(wrong));
   }
 }
 
-}  // namespace whittle
+}  // namespace whittle::polishing

@@ -2,16 +2,15 @@
 
 #include "guard/face_limits.hh"
 #include "surface/surface_walk.hh"
+#include "whittle/core/detail/progress_meter.hh"
 
-namespace whittle {
+namespace whittle::polishing {
 
-/// Puts vertices of a mesh that were moved back to where they were, until no two faces intersect that didn't before.
-/// Faces that share an edge only do when they are folded onto each other; taking back turns no faces over, or to their
-/// neighbours more than is allowed.
-/// \param before the mesh and where its vertices were
-/// \param positions where they are now
-/// \param taken_back vertices that have been put back already
+/// Puts moved vertices back to where they were, until no two faces intersect that didn't before. Faces with a common
+/// edge are not compared: they intersect only as folds, which `FaceLimits` forbids. No face is left that putting back
+/// has turned or thinned in a forbidden way. \param before the mesh, and where its vertices were \param positions where
+/// the vertices are now \param taken_back vertices that have been put back already \throw Cancelled
 void take_back_intersections(const Surface& before, const FaceLimits& limits, std::vector<Vec3>& positions,
-                             std::span<const Index> taken_back, unsigned threads);
+                             std::span<const Index> taken_back, const detail::Workers& workers);
 
-}  // namespace whittle
+}  // namespace whittle::polishing

@@ -6,10 +6,9 @@
 #include <limits>
 
 #include "whittle/core/detail/lanes.hh"
-#include "whittle/core/detail/parallel.hh"
 #include "whittle/core/geometry/space_filling_curve.hh"
 
-namespace whittle {
+namespace whittle::polishing {
 namespace {
 
 using Box = Eigen::AlignedBox3f;
@@ -44,7 +43,7 @@ struct alignas(32) Octet {
   return lanes;
 }
 
-/// All ones for those of the octet that have a point in common with a box of another one.
+/// All ones in the lanes of those boxes of an octet that overlap one box of another octet.
 [[gnu::always_inline]] inline Int8 overlaps(const Octet& octet, const Octet& other, std::size_t lane) {
   Int8 all = ~Int8{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -53,7 +52,7 @@ struct alignas(32) Octet {
   return all;
 }
 
-/// A bit for each lane.
+/// One bit for each lane.
 [[gnu::always_inline]] inline unsigned bits(const Int8& lanes) {
   Int8 x = lanes & Int8{1, 2, 4, 8, 16, 32, 64, 128};
   x |= __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3);
@@ -62,14 +61,15 @@ struct alignas(32) Octet {
   return static_cast<unsigned>(x[0]);
 }
 
-/// Boxes along a Morton curve, eight at a time in larger ones, and so on.
+/// A tree of boxes: boxes are sorted along a Morton curve, and each eight lie in one box of the next level.
 class BoxTree {
  public:
-  BoxTree(std::span<const Box> boxes, std::span<const Triangle> faces, unsigned threads) {
+  BoxTree(std::span<const Box> boxes, std::span<const Triangle> faces, const detail::Workers& workers) {
     std::vector<Vec3> centers;
     centers.reserve(boxes.size());
     for (const Box& box : boxes) centers.emplace_back(box.center().cast<double>());
-    order_ = morton_order(centers, Frame{}, threads);
+    order_ = morton_order(centers, Frame{}, workers.threads);
+    workers.update(0);
     std::vector<Box> below;
     below.reserve(boxes.size());
     for (const Index i : order_) below.push_back(boxes[i]);
@@ -77,6 +77,7 @@ class BoxTree {
       faces_.reserve(boxes.size());
       for (const Index i : order_) faces_.push_back(faces[i]);
     }
+    workers.update(0);
     while (levels_.empty() || levels_.back().size() > 1) {
       std::vector<Octet>& level = levels_.emplace_back((below.size() + fan_out - 1) / fan_out);
       std::vector<Box> above(level.size());
@@ -90,7 +91,7 @@ class BoxTree {
 
   std::size_t n_octets() const { return levels_.front().size(); }
 
-  /// Of an octet's boxes with each other, and with those further along the curve.
+  /// The pairs of an octet's boxes with each other, and with boxes further along the curve.
   void find(std::size_t octet, Pairs& pairs) const {
     has_double4 ? find_in_wide_registers(octet, pairs) : find_in_octets(octet, pairs);
   }
@@ -114,8 +115,8 @@ class BoxTree {
       const Int8 overlapping = overlaps(levels_[height][number], levels_[1][octet / fan_out], octet % fan_out);
       for (unsigned found = bits(overlapping); found != 0; found &= found - 1) {
         const std::size_t below = fan_out * number + static_cast<std::size_t>(std::countr_zero(found));
-        const bool is_past = ((below + 1) << (3 * (height - 1))) <= octet;  // all its octets
-        if (!is_past) waiting[n_waiting++] = {below, height - 1};
+        const bool is_before = ((below + 1) << (3 * (height - 1))) <= octet;  // all its octets are
+        if (!is_before) waiting[n_waiting++] = {below, height - 1};
       }
     }
   }
@@ -126,20 +127,20 @@ class BoxTree {
         is_one ? ~Int8{} : overlaps(levels_[0][octet], levels_[1][other / fan_out], other % fan_out);
     for (unsigned near = bits(overlapping); near != 0; near &= near - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(near));
-      const std::size_t place = fan_out * octet + lane;
-      const unsigned past = other == octet ? (2U << lane) - 1 : 0;  // found from the other side
-      for (unsigned found = bits(overlaps(levels_[0][other], levels_[0][octet], lane)) & ~past; found != 0;
+      const std::size_t slot = fan_out * octet + lane;
+      const unsigned seen = other == octet ? (2U << lane) - 1 : 0;  // pairs found from their other box
+      for (unsigned found = bits(overlaps(levels_[0][other], levels_[0][octet], lane)) & ~seen; found != 0;
            found &= found - 1) {
-        const std::size_t other_place = fan_out * other + static_cast<std::size_t>(std::countr_zero(found));
-        if (!faces_.empty() && n_common_corners(faces_[place], faces_[other_place]) != 0) continue;
-        const Index here = order_[place];
-        const Index there = order_[other_place];
+        const std::size_t other_slot = fan_out * other + static_cast<std::size_t>(std::countr_zero(found));
+        if (!faces_.empty() && n_common_corners(faces_[slot], faces_[other_slot]) != 0) continue;
+        const Index here = order_[slot];
+        const Index there = order_[other_slot];
         pairs.push_back({std::min(here, there), std::max(here, there)});
       }
     }
   }
 
-  static constexpr std::size_t most_levels = 11;  // of 2^32 boxes
+  static constexpr std::size_t most_levels = 11;  // enough for 2^32 boxes
 
   std::vector<Index> order_;                ///< along the curve
   std::vector<Triangle> faces_;             ///< along the curve, or none
@@ -149,12 +150,12 @@ class BoxTree {
 }  // namespace
 
 std::vector<std::array<Index, 2>> overlapping_boxes(std::span<const Box> boxes, std::span<const Triangle> faces,
-                                                    unsigned threads) {
+                                                    const detail::Workers& workers) {
   if (boxes.empty()) return {};
-  const BoxTree tree(boxes, faces, threads);
+  const BoxTree tree(boxes, faces, workers);
   constexpr std::size_t length = 64;
   std::vector<Pairs> found((tree.n_octets() + length - 1) / length);
-  for_each_block(found.size(), threads, [&](std::size_t block) {
+  for_each_block(found.size(), workers, [&](std::size_t block) {
     const std::size_t end = std::min(tree.n_octets(), (block + 1) * length);
     for (std::size_t octet = block * length; octet < end; ++octet) tree.find(octet, found[block]);
   });
@@ -163,4 +164,4 @@ std::vector<std::array<Index, 2>> overlapping_boxes(std::span<const Box> boxes, 
   return all;
 }
 
-}  // namespace whittle
+}  // namespace whittle::polishing

@@ -5,11 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "whittle/core/detail/progress_meter.hh"
 #include "whittle/core/indexed_mesh.hh"
 
-namespace whittle {
+namespace whittle::polishing {
 
-/// Makes a face's box hold it where its corners are there.
+/// Extends a box by a face with its corners at these positions.
 inline void extend(Eigen::AlignedBox3f& box, const Triangle& face, std::span<const Vec3> positions) {
   for (const Index v : face) box.extend(positions[v].cast<float>());
 }
@@ -20,10 +21,11 @@ inline int n_common_corners(const Triangle& s, const Triangle& t) {
   return n;
 }
 
-/// All pairs of boxes that have a point in common, each once, the lower number first, always in the same order.
-/// In single precision: boxes that overlap do so when rounded, too.
-/// \param faces whose boxes they are: then without those that have a corner in common; or none
+/// All pairs of boxes that have a common point, each once, with the lower number first, and always in the same order.
+/// Boxes in single precision are enough: rounding keeps overlapping boxes overlapping.
+/// \param faces the boxes' faces: pairs of faces with a common corner are left out; or empty
+/// \throw Cancelled
 std::vector<std::array<Index, 2>> overlapping_boxes(std::span<const Eigen::AlignedBox3f> boxes,
-                                                    std::span<const Triangle> faces, unsigned threads);
+                                                    std::span<const Triangle> faces, const detail::Workers& workers);
 
-}  // namespace whittle
+}  // namespace whittle::polishing

@@ -4,21 +4,21 @@
 #include <span>
 #include <vector>
 
-#include "whittle/core/detail/vertex_corners.hh"
+#include "surface/vertex_corners.hh"
 
-namespace whittle {
+namespace whittle::polishing {
 
-/// A face's side from a corner to the next one.
+/// A side of a face, from one corner to the next.
 struct Side {
   Index face = invalid_index;
-  Index place = 0;  ///< of that corner
+  Index slot = 0;  ///< of the corner that it starts at
 };
 
-/// How the faces at a vertex hang together over its edges.
+/// How the faces at a vertex are connected over the edges there.
 enum class Fan {
   closed,  ///< in one ring
   open,    ///< in one row, from border edge to border edge
-  none     ///< not in one, or there are none: the surface is no manifold there
+  none     ///< in neither, or there are no faces: the surface is not manifold there
 };
 
 /// What lies beyond the sides of a mesh's faces.
@@ -29,32 +29,33 @@ class FaceNeighbors {
 
   std::size_t n_faces() const { return faces_.size(); }
 
-  /// The same edge as a side of its other face; without a face where it hasn't exactly one.
-  const Side& beyond(Index face, Index place) const { return beyond_[face][place]; }
-  /// Whether no other face is at the edge.
-  bool is_border(Index face, Index place) const { return beyond(face, place).place == border; }
-  /// Whether the face beyond runs along the edge the same way: one of both is turned.
-  bool is_twisted(Index face, Index place) const {
-    const auto& [other, other_place] = beyond(face, place);
-    return faces_[other][other_place] == faces_[face][place];
+  /// The same edge as a side of its other face. Without a face where the edge has not exactly one other.
+  const Side& beyond(Index face, Index slot) const { return beyond_[face][slot]; }
+  /// Whether the edge has no other face.
+  bool is_border(Index face, Index slot) const { return beyond(face, slot).slot == border; }
+  /// Whether the face beyond runs along the edge in the same direction: one of the two is turned over.
+  /// \pre there is a face beyond
+  bool is_twisted(Index face, Index slot) const {
+    const auto& [other, other_slot] = beyond(face, slot);
+    return faces_[other][other_slot] == faces_[face][slot];
   }
 
-  /// A side between two vertices that has a face beyond; without a face where there is none.
+  /// A side between two vertices that has a face beyond. Without a face where there is none.
   Side inner_side(Index v, Index w) const;
 
   Fan fan(Index v) const;
 
  private:
-  static constexpr Index border = 3;   ///< the place of no face: there is none
-  static constexpr Index crowded = 4;  ///< there are several, or the edge has no length
+  // Slots of sides without a face, which say why there is none.
+  static constexpr Index border = 3;   ///< the edge has no second face
+  static constexpr Index crowded = 4;  ///< the edge has more than two faces, or the face has two equal corners
 
-  /// From face to face around a vertex, until there is no way on or it has come around.
+  /// From face to face around a vertex, up to an edge without a face beyond, or once around.
   struct Walk {
     std::size_t n_faces;
-    Side end;  ///< what lies beyond the last one
+    Side end;  ///< what lies beyond the last face
   };
 
-  Side find_beyond(Index face, Index place) const;
   Walk walk_around(Index v, const Side& start) const;
 
   std::span<const Triangle> faces_;
@@ -62,4 +63,4 @@ class FaceNeighbors {
   std::vector<std::array<Side, 3>> beyond_;
 };
 
-}  // namespace whittle
+}  // namespace whittle::polishing

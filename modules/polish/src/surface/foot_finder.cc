@@ -5,10 +5,9 @@
 #include <cstring>
 
 #include "whittle/core/detail/lanes.hh"
-#include "whittle/core/detail/parallel.hh"
 #include "whittle/core/detail/prefetch.hh"
 
-namespace whittle {
+namespace whittle::polishing {
 namespace {
 
 using Float8 = float __attribute__((vector_size(32)));
@@ -27,7 +26,7 @@ constexpr std::int32_t nowhere = 0x7fffffff;
   return load(lanes[0]) * v.x() + load(lanes[1]) * v.y() + load(lanes[2]) * v.z();
 }
 
-/// The least of eight, in all of them.
+/// The least of eight lanes.
 [[gnu::always_inline]] inline std::int32_t least(Int8 x) {
   const auto min = [](const Int8& a, const Int8& b) __attribute__((always_inline)) { return a < b ? a : b; };
   x = min(x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3));
@@ -36,17 +35,17 @@ constexpr std::int32_t nowhere = 0x7fffffff;
   return x[0];
 }
 
-/// \param next, last barycentric coordinates of the corners after this one
+/// \param next, last barycentric coordinates of the two corners after this one
 Foot foot(const Corner& corner, float next, float last, float distance) {
   const std::array<float, 3> weights{1 - next - last, next, last};  // of the corners from this one on
   constexpr std::array<std::size_t, 3> second{1, 0, 2};
   constexpr std::array<std::size_t, 3> third{2, 1, 0};
-  return {corner.face, weights[second[corner.place]], weights[third[corner.place]], distance};
+  return {corner.face, weights[second[corner.slot]], weights[third[corner.slot]], distance};
 }
 
 }  // namespace
 
-/// What the search in eight faces at a time does, for registers of any width.
+/// The search in eight faces at a time, compiled for registers of either width.
 class FootFinder::Lanes {
  public:
   [[gnu::always_inline]] static void find(const FootFinder& finder, std::span<const Query> queries,
@@ -77,7 +76,7 @@ class FootFinder::Lanes {
       const Float8 distance = dot(octet.normal, offset);
       const auto holds = (first >= -inside_slack) & (next >= -inside_slack) & (last >= -inside_slack) &
                          (dot(octet.normal, query.normal) > least_along);
-      // The bits of the distance, which are in order, with the face's number as the last three.
+      // The bits of a float without its sign are ordered as its values. The last three are replaced by the lane.
       const Int8 key = (reinterpret_cast<Int8>(distance) & 0x7ffffff8) | Int8{0, 1, 2, 3, 4, 5, 6, 7};
       const std::int32_t here = least((holds & key) | (~holds & nowhere));
       if (here >= nearest) continue;
@@ -91,16 +90,16 @@ class FootFinder::Lanes {
 };
 
 FootFinder::FootFinder(const std::vector<Triangle>& faces, const VertexCorners& corners)
-    : faces_(faces), corners_(corners), first_octet_(corners.n_vertices() + 1) {
-  for (Index v = 0; v < corners.n_vertices(); ++v) {
+    : faces_(faces), corners_(corners), first_octet_(corners.size() + 1) {
+  for (Index v = 0; v < corners.size(); ++v) {
     first_octet_[v + 1] = first_octet_[v] + static_cast<Index>((corners.of(v).size() + 7) / 8);
   }
   octets_.resize(first_octet_.back());
 }
 
-void FootFinder::look_at(std::span<const Vec3> positions, unsigned threads) {
+void FootFinder::look_at(std::span<const Vec3> positions, const detail::Workers& workers) {
   positions_ = positions;
-  for_each_range(positions.size(), threads, [this](std::size_t begin, std::size_t end) {
+  for_each_range(positions.size(), workers, [this](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<Index>(begin); v < end; ++v) fill_octets(v);
   });
 }
@@ -109,9 +108,9 @@ void FootFinder::fill_octets(Index v) {
   std::fill(octets_.begin() + first_octet_[v], octets_.begin() + first_octet_[v + 1], Octet{});
   const std::span<const Corner> corners = corners_.of(v);
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const auto& [f, place] = corners[i];
-    const Vec3 next = positions_[corner_after(faces_[f], place, 1)] - positions_[v];
-    const Vec3 last = positions_[corner_after(faces_[f], place, 2)] - positions_[v];
+    const auto& [f, slot] = corners[i];
+    const Vec3 next = positions_[corner_after(faces_[f], slot, 1)] - positions_[v];
+    const Vec3 last = positions_[corner_after(faces_[f], slot, 2)] - positions_[v];
     const Vec3 normal = next.cross(last);
     const double square = normal.squaredNorm();
     if (!(square > 0)) continue;
@@ -136,4 +135,4 @@ void FootFinder::find(std::span<const Query> queries, std::span<Foot> feet) cons
   has_double4 ? Lanes::find_in_wide_registers(*this, queries, feet) : Lanes::find(*this, queries, feet);
 }
 
-}  // namespace whittle
+}  // namespace whittle::polishing

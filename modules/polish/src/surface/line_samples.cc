@@ -5,17 +5,15 @@
 #include <cmath>
 #include <limits>
 
-#include "whittle/core/detail/parallel.hh"
-
-namespace whittle {
+namespace whittle::polishing {
 namespace {
 
-/// Of the way along an edge to its two points. The square of a linear function is integrated exactly (Gauss).
+/// Where the two points of an edge are. With these the square of a linear function is integrated exactly (Gauss).
 const std::array<double, 2> shares{0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)};
 
 constexpr double least_agreement = 0.5;  ///< cosine between the directions of a point's line and of its foot's
 
-/// More than enough where the start is near.
+/// Limit for a search; far fewer steps are enough from a start that is near.
 constexpr std::size_t most_steps = 16;
 
 bool has_lines(const MeshLines& lines, Index v, bool is_border) {
@@ -23,7 +21,7 @@ bool has_lines(const MeshLines& lines, Index v, bool is_border) {
   return std::any_of(edges.begin(), edges.end(), [&](Index e) { return lines.edges()[e].is_border == is_border; });
 }
 
-/// The vertex, or the nearest of its neighbours, that has lines of a kind.
+/// The vertex if it has lines of this kind, else the nearest of its neighbours that has some.
 Index nearest_start(Index v, const Vec3& point, bool is_border, const MeshLines& lines, const Surface& mesh) {
   if (has_lines(lines, v, is_border)) return v;
   Index nearest = invalid_index;
@@ -40,7 +38,7 @@ Index nearest_start(Index v, const Vec3& point, bool is_border, const MeshLines&
 }
 
 struct EdgePoint {
-  double share;  ///< of the way
+  double share;  ///< where on the edge, 0 … 1
   Vec3 offset;   ///< from there to the other point
 };
 
@@ -67,8 +65,8 @@ LineSamples::LineSamples(const MeshLines& lines, std::span<const Vec3> positions
   feet_.resize(samples_.size());
 }
 
-void LineSamples::find_feet(const MeshLines& lines, const Surface& mesh, unsigned threads) {
-  for_each_range(samples_.size(), threads, [&](std::size_t begin, std::size_t end) {
+void LineSamples::find_feet(const MeshLines& lines, const Surface& mesh, const detail::Workers& workers) {
+  for_each_range(samples_.size(), workers, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) feet_[i] = find(samples_[i], lines, mesh);
   });
 }
@@ -92,7 +90,7 @@ std::vector<double> LineSamples::distances(const MeshLines& lines, std::span<con
   return of_points;
 }
 
-/// Walks along the lines: from the edges at one vertex to those at the other end of the nearest one so far.
+/// Walks along the lines: from the edges at one vertex to the edges at the other end of the nearest edge so far.
 LineFoot LineSamples::find(const LineSample& sample, const MeshLines& lines, const Surface& mesh) {
   LineFoot foot;
   double least = std::numeric_limits<double>::infinity();
@@ -121,4 +119,4 @@ LineFoot LineSamples::find(const LineSample& sample, const MeshLines& lines, con
   return foot;
 }
 
-}  // namespace whittle
+}  // namespace whittle::polishing

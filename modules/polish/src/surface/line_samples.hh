@@ -5,27 +5,30 @@
 
 #include "surface/mesh_lines.hh"
 #include "surface/surface_walk.hh"
+#include "whittle/core/detail/progress_meter.hh"
 
-namespace whittle {
+namespace whittle::polishing {
 
-/// Where a point of a line has come to lie on another mesh's lines.
+/// The foot of a point of a line on another mesh's lines.
 struct LineFoot {
-  Index edge = invalid_index;  ///< none where no line of that kind is near and runs the same way
-  double share = 0;            ///< of the way along the edge
+  Index edge = invalid_index;  ///< `invalid_index`: no line of the same kind and direction is near
+  double share = 0;            ///< where on the edge, 0 … 1
   Vec3 offset = Vec3::Zero();  ///< from there to the point
 };
 
-/// Points that stand for the lines of a mesh, two on each edge: where a function is linear on an edge, the sum of its
-/// square over the points is the integral. And their feet on the lines of another mesh.
+/// Points that represent the lines of a mesh, and their feet on the lines of another mesh. Each edge has two points.
+/// Where a function is linear on an edge, the weighted sum of its square over the points is the integral.
 class LineSamples {
  public:
   /// \param vertex_map as `polish` says
   LineSamples(const MeshLines& lines, std::span<const Vec3> positions, std::span<const Index> vertex_map);
 
-  void find_feet(const MeshLines& lines, const Surface& mesh, unsigned threads);
+  /// \throw Cancelled
+  void find_feet(const MeshLines& lines, const Surface& mesh, const detail::Workers& workers);
 
-  /// How far lines are apart at the other mesh's vertices: the larger of the distances of points with feet on a vertex'
-  /// edges from these, and of the vertex from the edges of these points. 0 where there are none.
+  /// Per vertex of the other mesh, how far the lines are apart there: the larger of the distance of the points whose
+  /// feet are on its edges, and the distance of the vertex from the edges of these points. 0 where there are no such
+  /// points.
   std::vector<double> distances(const MeshLines& lines, std::span<const Vec3> positions) const;
 
   /// Calls `use(foot, weight)` for each point that has a foot, always in the same order.
@@ -38,9 +41,9 @@ class LineSamples {
 
  private:
   struct LineSample {
-    Vec3 from;     ///< of its edge
-    Vec3 way;      ///< along the edge
-    double share;  ///< of that
+    Vec3 from;     ///< start of its edge
+    Vec3 way;      ///< from there to the end of the edge
+    double share;  ///< where on the edge, 0 … 1
     Index start;   ///< a vertex of the other mesh near it
     bool is_border;
     double weight;
@@ -54,4 +57,4 @@ class LineSamples {
   std::vector<LineFoot> feet_;
 };
 
-}  // namespace whittle
+}  // namespace whittle::polishing

@@ -7,29 +7,26 @@
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/core/vertex_pair.hh"
 
-namespace whittle {
+namespace whittle::polishing {
 
-/// The edges of exactly one face, ascending.
-std::vector<VertexPair> border_edges(std::span<const Triangle> faces, std::size_t n_vertices);
-
-/// Edges of a mesh that make up its lines: the border, and features.
+/// The edges that make up a mesh's lines: its border and its features.
 class MeshLines {
  public:
   struct Edge {
     Index from, to;
-    bool is_border;  ///< or a feature
+    bool is_border;  ///< else it is a feature
   };
 
   MeshLines(std::span<const VertexPair> borders, std::span<const VertexPair> features, std::size_t n_vertices);
 
   bool empty() const { return edges_.empty(); }
   const std::vector<Edge>& edges() const { return edges_; }
-  /// Numbers of the edges at a vertex.
+  /// Indices of the edges at a vertex.
   std::span<const Index> at(Index v) const { return edges_at_.of(v); }
 
  private:
   std::vector<Edge> edges_;
-  IndexLists<Index> edges_at_;
+  detail::IndexLists<Index> edges_at_;
 };
 
-}  // namespace whittle
+}  // namespace whittle::polishing

@@ -5,16 +5,15 @@
 #include <cmath>
 
 #include "surface/surface_walk.hh"
-#include "whittle/core/detail/parallel.hh"
 #include "whittle/core/detail/prefetch.hh"
 
-namespace whittle {
+namespace whittle::polishing {
 namespace {
 
-/// Faces ahead of which their corners are asked for: some hundred nanoseconds.
+/// How many faces ahead corners are prefetched: the time of a miss, some hundred nanoseconds.
 constexpr std::size_t ahead = 12;
 
-/// Asks for feet so many at a time that all of it stays in the nearest cache.
+/// Finds feet in batches that are small enough for the first cache.
 class Batch {
  public:
   Batch(const FootFinder& finder, std::span<Foot> feet) : finder_(finder), feet_(feet) {}
@@ -31,7 +30,7 @@ class Batch {
 
  private:
   const FootFinder& finder_;
-  std::span<Foot> feet_;  ///< of those to come
+  std::span<Foot> feet_;  ///< of the queries to come
   std::array<FootFinder::Query, 128> queries_;
   std::size_t n_ = 0;
 };
@@ -39,21 +38,21 @@ class Batch {
 }  // namespace
 
 SurfaceSamples::SurfaceSamples(const IndexedMesh& surface, std::span<const Index> vertex_map, const Frame& frame,
-                               std::size_t per_face, unsigned threads)
+                               std::size_t per_face, const detail::Workers& workers)
     : faces_(surface.faces),
       vertex_map_(vertex_map),
       per_face_(per_face),
       positions_(surface.positions.size()),
       normals_and_areas_(surface.positions.size(), Eigen::Vector4f::Zero()),
       face_areas_(surface.faces.size()) {
-  for_each_range(positions_.size(), threads, [&](std::size_t begin, std::size_t end) {
+  for_each_range(positions_.size(), workers, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) positions_[v] = frame.to_frame(surface.positions[v]);
   });
-  measure();
+  measure(workers);
   feet_.resize(positions_.size() + per_face * faces_.size());
 }
 
-/// Brings near where a face's corners are, and what else there is of each.
+/// Prefetches the positions of a face's corners, and what `more` has of them.
 template <class PerVertex>
 void SurfaceSamples::prefetch_corners(std::size_t f, const PerVertex& more) const {
   if (f >= faces_.size()) return;
@@ -63,8 +62,10 @@ void SurfaceSamples::prefetch_corners(std::size_t f, const PerVertex& more) cons
   }
 }
 
-void SurfaceSamples::measure() {
+void SurfaceSamples::measure(const detail::Workers& workers) {
+  constexpr std::size_t check_mask = (std::size_t{1} << 16) - 1;  // some milliseconds from check to check
   for (std::size_t f = 0; f < faces_.size(); ++f) {
+    if ((f & check_mask) == 0) workers.update(0);
     prefetch_corners(f + ahead, normals_and_areas_);
     Eigen::Vector4f sum;
     sum.head<3>() = area_normal(faces_[f], positions_).cast<float>();
@@ -74,29 +75,29 @@ void SurfaceSamples::measure() {
   }
 }
 
-void SurfaceSamples::find_feet(const FootFinder& finder, unsigned threads) {
-  for_each_range(n_vertices(), threads, [&](std::size_t begin, std::size_t end) {
+void SurfaceSamples::find_feet(const FootFinder& finder, const detail::Workers& workers) {
+  for_each_range(n_vertices(), workers, [&](std::size_t begin, std::size_t end) {
     Batch batch(finder, std::span(feet_).subspan(begin));
     for (std::size_t v = begin; v < end; ++v) {
       batch.add({positions_[v], normals_and_areas_[v].head<3>(), vertex_map_[v]});
     }
     batch.finish();
   });
-  for_each_range(faces_.size(), threads, [&](std::size_t begin, std::size_t end) {
+  for_each_range(faces_.size(), workers, [&](std::size_t begin, std::size_t end) {
     Batch batch(finder, std::span(feet_).subspan(n_vertices() + begin * per_face_));
     for (std::size_t f = begin; f < end; ++f) {
       prefetch_corners(f + ahead, vertex_map_);
       const Eigen::Vector3f normal = area_normal(faces_[f], positions_).cast<float>();
       for (std::size_t i = 0; i < per_face_; ++i) {
-        batch.add({place_in_face(faces_[f], i), normal, vertex_map_[faces_[f][i == 0 ? 0 : i - 1]]});
+        batch.add({point_in_face(faces_[f], i), normal, vertex_map_[faces_[f][i == 0 ? 0 : i - 1]]});
       }
     }
     batch.finish();
   });
 }
 
-/// The centroid, or a point half way from there to a corner.
-Vec3 SurfaceSamples::place_in_face(const Triangle& face, std::size_t i) const {
+/// The centroid, or a point half-way between the centroid and a corner.
+Vec3 SurfaceSamples::point_in_face(const Triangle& face, std::size_t i) const {
   const Vec3 sum = positions_[face[0]] + positions_[face[1]] + positions_[face[2]];
   return i == 0 ? Vec3(sum / 3) : Vec3((sum + 3 * positions_[face[i - 1]]) / 6);
 }
@@ -104,7 +105,7 @@ Vec3 SurfaceSamples::place_in_face(const Triangle& face, std::size_t i) const {
 Vec3 SurfaceSamples::position(std::size_t i) const {
   if (i < n_vertices()) return positions_[i];
   const std::size_t in_faces = i - n_vertices();
-  return place_in_face(faces_[in_faces / per_face_], in_faces % per_face_);
+  return point_in_face(faces_[in_faces / per_face_], in_faces % per_face_);
 }
 
-}  // namespace whittle
+}  // namespace whittle::polishing

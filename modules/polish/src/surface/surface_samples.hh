@@ -5,25 +5,30 @@
 
 #include "surface/foot_finder.hh"
 #include "whittle/core/detail/large_array.hh"
+#include "whittle/core/detail/progress_meter.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/indexed_mesh.hh"
 
-namespace whittle {
+namespace whittle::polishing {
 
-/// Points that stand for a surface: its vertices, and one or four points in each face. Together they weigh what it has
-/// of area, vertices a quarter of it; so that, where a function is linear on a face, its sum over the face's points is
-/// the integral, and with one point the sum of its square is that of the square. And their feet on another surface.
+/// Points that represent a surface, and their feet on another surface. The points are the vertices, and one or four
+/// points in each face. Their weights add up to the area; vertices have a quarter of it. Where a function is linear on
+/// a face, its weighted sum over the face's points is its integral. With one point a face, the same holds for its
+/// square.
 class SurfaceSamples {
  public:
-  /// \param vertex_map as `polish` says \param per_face 1 or 4
+  /// Keeps references to the faces and the map.
+  /// \param vertex_map as `polish` has it \param per_face 1 or 4
+  /// \throw Cancelled
   SurfaceSamples(const IndexedMesh& surface, std::span<const Index> vertex_map, const Frame& frame,
-                 std::size_t per_face, unsigned threads);
+                 std::size_t per_face, const detail::Workers& workers);
 
-  std::span<const Vec3> positions() const { return positions_; }  ///< of the vertices, in the frame
+  std::span<const Vec3> positions() const { return positions_; }  ///< the vertices', in the frame
 
-  void find_feet(const FootFinder& finder, unsigned threads);
+  /// \throw Cancelled
+  void find_feet(const FootFinder& finder, const detail::Workers& workers);
 
-  /// Points by number: first the vertices, then those in faces.
+  /// Number of points: the vertices come first, then the points in faces.
   std::size_t size() const { return feet_.size(); }
   Vec3 position(std::size_t i) const;
   double weight(std::size_t i) const {
@@ -33,14 +38,20 @@ class SurfaceSamples {
   void set_foot(std::size_t i, const Foot& foot) { feet_[i] = foot; }
 
   /// Calls `use(foot, weight)` for each point that has a foot, always in the same order.
+  /// \throw Cancelled
   template <class Use>
-  void for_each_foot(const Use& use) const {
+  void for_each_foot(const detail::Workers& workers, const Use& use) const {
+    constexpr std::size_t check_mask = (std::size_t{1} << 16) - 1;  // some milliseconds from check to check
     const auto use_if_there = [&](const Foot& foot, double weight) {
       if (foot.face != invalid_index) use(foot, weight);
     };
-    for (std::size_t v = 0; v < n_vertices(); ++v) use_if_there(feet_[v], weight(v));
+    for (std::size_t v = 0; v < n_vertices(); ++v) {
+      if ((v & check_mask) == 0) workers.update(0);
+      use_if_there(feet_[v], weight(v));
+    }
     std::size_t i = n_vertices();
     for (std::size_t f = 0; f < faces_.size(); ++f) {
+      if ((f & check_mask) == 0) workers.update(0);
       const double weight = weight_in_face(f);
       for (const std::size_t end = i + per_face_; i < end; ++i) use_if_there(feet_[i], weight);
     }
@@ -50,18 +61,19 @@ class SurfaceSamples {
   std::size_t n_vertices() const { return positions_.size(); }
   template <class PerVertex>
   void prefetch_corners(std::size_t f, const PerVertex& more) const;
-  void measure();
-  Vec3 place_in_face(const Triangle& face, std::size_t i) const;
+  void measure(const detail::Workers& workers);
+  Vec3 point_in_face(const Triangle& face, std::size_t i) const;
   double weight_in_face(std::size_t f) const { return 0.75 * face_areas_[f] / static_cast<double>(per_face_); }
 
   const std::vector<Triangle>& faces_;
   std::span<const Index> vertex_map_;
   std::size_t per_face_;
   LargeArray<Vec3> positions_;  ///< in the frame
-  /// Of vertices: the sum of the normals around, each as long as twice the face's area, and a third of these areas.
+  /// Per vertex: the sum of its faces' normals, each as long as twice the face's area, and a third of the sum of the
+  /// areas.
   LargeArray<Eigen::Vector4f> normals_and_areas_;
   LargeArray<float> face_areas_;
   LargeArray<Foot> feet_;
 };
 
-}  // namespace whittle
+}  // namespace whittle::polishing

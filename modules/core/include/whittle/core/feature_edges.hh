@@ -7,10 +7,11 @@
 
 namespace whittle {
 
-/// The edges where a surface is sharp: those of exactly two faces whose normals differ by more than `angle_deg`,
-/// however the faces are oriented to each other's sides. Faces without area have no normal, and make none.
+/// The sharp edges of a surface: those with exactly two faces whose normals differ by more than `angle_deg`. If both
+/// faces run along the edge in the same direction, one of them is reversed first. Edges of faces without area are not
+/// sharp.
 /// \param angle_deg degrees, [0, 180]
-/// \return each with its lower vertex first, ascending
+/// \return ascending
 /// \throw std::invalid_argument for an angle out of range, or a face that names a vertex that isn't there
 std::vector<VertexPair> feature_edges(const IndexedMesh& mesh, double angle_deg);
 

@@ -16,7 +16,7 @@ struct PointBounds {
   double diagonal() const { return (high - low).stableNorm(); }
 };
 
-/// The box around points; of none, a box at the origin without extent.
+/// The box around points. Without points, a box of no extent at the origin.
 inline PointBounds bounds_of(std::span<const Vec3> points) {
   if (points.empty()) return {};
   PointBounds bounds{points[0], points[0]};
@@ -27,10 +27,10 @@ inline PointBounds bounds_of(std::span<const Vec3> points) {
   return bounds;
 }
 
-/// The engine's own coordinates: scaled by a power of two to a size between 1/2 and 1, and centred along those axes
-/// where the mesh lies far from the origin, so that neither the unit nor the place of a mesh changes a result.
+/// Internal coordinates, so that neither the unit nor the position of a mesh changes a result. They are scaled by a
+/// power of two to a size between 1/2 and 1, and centred along those axes where the mesh is far from the origin.
 ///
-/// Both ways are exact for the positions the frame was made for: a vertex that nothing moves keeps every bit.
+/// Both conversions are exact for the positions the frame was made for: a vertex that nothing moves keeps every bit.
 struct Frame {
   Vec3 center = Vec3::Zero();
   double scale = 1;    ///< frame units per model unit, a power of two
@@ -39,7 +39,8 @@ struct Frame {
   Vec3 to_frame(const Vec3& p) const { return (p - center) * scale; }
   Vec3 to_model(const Vec3& x) const { return x * unscale + center; }
 
-  /// A cost of the frame in model units, and back. \param dimension its unit's power of a length
+  /// Converts a cost from the frame to model units, and back. \param dimension the cost's unit is a length to this
+  /// power
   double cost_to_model(double cost, double dimension) const { return times_power(cost, unscale, dimension); }
   double cost_to_frame(double cost, double dimension) const { return times_power(cost, scale, dimension); }
 
@@ -56,7 +57,8 @@ struct Frame {
       const double a = low[axis];
       const double b = high[axis];
       extent = std::max(extent, 0.5 * b - 0.5 * a);
-      // Between half and twice the center a difference is exact (Sterbenz); elsewhere the origin is near enough.
+      // Differences to the center are exact between half and twice the center (Sterbenz). Elsewhere the
+      // mesh is near enough to the origin.
       if ((a > 0 && b / 3 <= a) || (b < 0 && a / 3 >= b)) frame.center[axis] = 0.5 * a + 0.5 * b;
     }
     if (extent > 0) {
@@ -68,7 +70,8 @@ struct Frame {
   }
 
  private:
-  /// In two halves: with a huge unit the whole power may be out of range where the product is not.
+  /// Multiplies twice by half the power: with a huge unit the whole power may be out of range, though the product
+  /// isn't.
   static double times_power(double cost, double factor, double power) {
     const double half = std::pow(factor, 0.5 * power);
     return cost * half * half;

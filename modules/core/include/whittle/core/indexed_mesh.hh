@@ -16,17 +16,17 @@ inline constexpr Index invalid_index = ~Index{0};
 using Vec3 = Eigen::Vector3d;
 /// Three vertex numbers, counter-clockwise seen from outside.
 using Triangle = std::array<Index, 3>;
-/// Whether no two corners are the same vertex. Faces without are none, to anything that asks how faces hang together.
+/// Whether no two corners are the same vertex. Other faces are degenerate: they have no edges and connect nothing.
 inline bool has_three_corners(const Triangle& face) {
   return face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
 }
 /// Red, green, blue, opacity, each in [0, 1].
 using Color = std::array<float, 4>;
 
-/// A triangle mesh as plain arrays: what files are read into, what the engine takes and gives.
+/// A triangle mesh as plain arrays.
 ///
-/// Any set of triangles is allowed (open, non-manifold, several parts). With V vertices and F faces an attribute array
-/// is either empty (absent, free of cost) or as long as its comment says.
+/// Any set of triangles is allowed: open, non-manifold, several parts. V is the number of vertices, F of faces. An
+/// attribute array is either empty (absent) or as long as its comment says.
 struct IndexedMesh {
   std::vector<Vec3> positions;  ///< V; finite, model units.
   std::vector<Triangle> faces;  ///< F; every number below V.
@@ -37,8 +37,8 @@ struct IndexedMesh {
   std::vector<Index> face_groups;                      ///< F; the material or group, a number into `group_names`.
   std::vector<std::string> group_names;
 
-  /// V; the number each vertex had in the file or array it first came from, ascending. Welding keeps the lowest of the
-  /// merged vertices' numbers, decimation that of the surviving vertex. Empty: vertex v has origin v.
+  /// V; the number that each vertex had in the first file or array, ascending. Welding keeps the lowest number of the
+  /// merged vertices, decimation that of the surviving vertex. Empty: vertex v has origin v.
   std::vector<Index> origins;
 };
 

@@ -5,34 +5,34 @@
 
 #include "whittle/core/indexed_mesh.hh"
 
-// Any set of triangles, cut until each of its parts is what half-edges can hold: an oriented manifold.
+// Cuts any set of triangles into oriented manifold parts, which half-edges can represent.
 //
-//   two faces are joined over an edge that has no third face, if they run along it in opposite directions
-//   the faces at a vertex fall into fans: those that can be reached from one another over such edges
-//   the vertex becomes as many vertices, one a fan, all at its position
+//   two faces are joined over an edge if it has no third face, and they run along it in opposite directions
+//   the faces at a vertex form fans: sets of faces connected over such edges
+//   each fan gets its own copy of the vertex, at the same position
 
 namespace whittle {
 
-/// Faces with vertices cut into copies.
+/// Faces, some of whose vertices are replaced by copies.
 struct ManifoldCut {
-  std::vector<Triangle> faces;   ///< all of them, in their order, each with its orientation and first corner
-  std::vector<Index> originals;  ///< of the vertices added, numbered on from the others: what each is a copy of
+  std::vector<Triangle> faces;   ///< all faces in their order, each with its orientation and first corner
+  std::vector<Index> originals;  ///< for each added vertex n_vertices + i, the vertex it is a copy of
 };
 
-/// The first copy of a vertex, that of its lowest face, keeps its number; the others are added in the order in which
-/// the faces come to them. So every edge has one face, or two that run along it in opposite directions, and the faces
-/// of every vertex are one open or closed fan. Faces with two equal corners are left as they are and count for nothing.
+/// The fan of a vertex's lowest face keeps the vertex's number. Copies for the others are added in the order of the
+/// faces. Afterwards each edge has one face, or two that run along it in opposite directions, and the faces of each
+/// vertex form one open or closed fan. Faces with two equal corners stay as they are, and are otherwise ignored.
 ///
-/// Of an edge with more than two faces, all are parted, and not joined in twos: which two belong together can't be
-/// told from the faces alone, and joining those that don't would tie two bodies together. Two that are in the same fan
-/// at both its ends have both ends in common still, and so the edge.
+/// At an edge with more than two faces all faces are parted; none are joined in twos. The faces alone don't tell which
+/// two belong together, and a wrong pair would connect two bodies. Two of these faces may be in the same fan at both
+/// ends of the edge. Then they still have both vertices, and so the edge, in common.
 /// \param faces every number below n_vertices
 /// \throw std::length_error for 2³² / 3 faces or more, or vertices past the range of `Index`
 ManifoldCut cut_into_manifold(std::size_t n_vertices, std::span<const Triangle> faces);
 
-/// Of side 3f + i, from corner i of face f to the next, the side of the other face at that edge: `invalid_index` unless
-/// there is just one, and it runs the other way.
-/// \param faces, \throw as above
+/// For side 3f + i, from corner i of face f to the next corner, the side of the other face at that edge.
+/// `invalid_index` unless there is exactly one other face, and it runs in the opposite direction. \param faces, \throw
+/// as above
 std::vector<Index> opposite_sides(std::size_t n_vertices, std::span<const Triangle> faces);
 
 }  // namespace whittle

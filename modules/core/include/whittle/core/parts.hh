@@ -6,27 +6,28 @@
 
 #include "whittle/core/indexed_mesh.hh"
 
-// The parts of a mesh: what hangs together over common vertices. Faces with two equal corners hold nothing together.
+// The parts of a mesh: faces connected over common vertices. Faces with two equal corners connect nothing.
 
 namespace whittle {
 
 struct Parts {
   std::size_t count = 0;
-  std::vector<Index> part_of;  ///< by vertex, numbered from 0 by their lowest vertices; `invalid_index` without a face
+  std::vector<Index> part_of;  ///< per vertex; `invalid_index` without a face. Parts are numbered by their lowest
+                               ///< vertices
 };
 
-/// In all but linear time. \pre the faces' vertex numbers are below `n_vertices`.
+/// Takes nearly linear time. \pre the faces' vertex numbers are below `n_vertices`.
 Parts find_parts(std::size_t n_vertices, std::span<const Triangle> faces);
 
-/// Of each part the diagonal of the box around its vertices, model units.
+/// For each part the diagonal of the box around its vertices, model units.
 std::vector<double> part_diagonals(std::span<const Vec3> positions, const Parts& parts);
 
 /// A mesh without some of its parts.
 struct PrunedMesh {
-  IndexedMesh mesh;  ///< the others, each with all its attributes, in their order; `origins` says which they were
-  std::vector<Index> vertex_map;    ///< input vertices → vertices of `mesh`; `invalid_index` of those dropped
-  std::size_t n_dropped_parts = 0;  ///< the smaller ones
-  std::size_t n_dropped_faces = 0;  ///< theirs
+  IndexedMesh mesh;                 ///< the other parts in their order, with attributes and `origins`
+  std::vector<Index> vertex_map;    ///< from input vertices to those of `mesh`; `invalid_index` if dropped
+  std::size_t n_dropped_parts = 0;  ///< number of parts below the size
+  std::size_t n_dropped_faces = 0;  ///< number of their faces
 };
 
 /// Drops the parts whose box has a diagonal below `size`, with their vertices. Vertices of no part stay.

@@ -6,7 +6,7 @@
 
 namespace whittle {
 
-/// Two vertices by their numbers, a < b.
+/// Two vertex numbers, a < b.
 struct VertexPair {
   Index a, b;
 

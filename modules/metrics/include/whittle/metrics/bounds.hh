@@ -13,7 +13,7 @@ struct Bounds {
   double diagonal() const { return (max - min).norm(); }
 };
 
-/// The box around the vertices that some face uses; vertices of no face don't count.
+/// The box around the vertices that have a face.
 /// \throw std::invalid_argument if the mesh has no faces, a face names a vertex that isn't there, or a position of a
 /// used vertex is not finite.
 Bounds bounds(const IndexedMesh& mesh);

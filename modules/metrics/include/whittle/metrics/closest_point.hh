@@ -8,6 +8,10 @@
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/metrics/bounds.hh"
 
+namespace whittle::detail {
+class ProgressMeter;
+}
+
 namespace whittle::metrics {
 
 /// Where a surface comes nearest to a point.
@@ -19,25 +23,26 @@ struct ClosestPoint {
 
 /// A bounding volume hierarchy over the faces of a mesh, for exact closest points.
 ///
-/// Any triangles will do: degenerate ones count as the segment or point they are, coincident ones are told apart by
-/// their number. Coordinates are kept relative to an origin near the mesh, so that a mesh far from zero loses nothing.
-/// The tree holds copies; the mesh may go away. Building costs O(F log F) time and about 200 bytes a face, a query
-/// O(log F) where the point is near the surface. Extents and distances have to be within 1e-70 … 1e70 (fourth powers of
-/// them are taken). All queries may run at the same time in any number of threads.
+/// Any triangles are allowed. Degenerate ones count as the segment or point that they are. Of coincident ones the
+/// lowest number is returned. Coordinates are kept relative to an origin near the mesh, so that a mesh far from zero
+/// loses no precision. The tree holds copies; the mesh may be destroyed. Building takes O(F log F) time and about 200
+/// bytes a face, a query O(log F) time where the point is near the surface. Extents and distances must be within 1e-70
+/// … 1e70, because their fourth powers are taken. Any number of threads may query at the same time.
 class TriangleTree {
  public:
   /// \throw std::invalid_argument as `bounds`.
   explicit TriangleTree(const IndexedMesh& mesh);
   /// With an origin of the caller's choice, for queries against several trees in the same local coordinates.
-  TriangleTree(const IndexedMesh& mesh, const Vec3& origin);
+  /// \param meter is told the progress, and may cancel; internal
+  TriangleTree(const IndexedMesh& mesh, const Vec3& origin, detail::ProgressMeter* meter = nullptr);
 
   /// The nearest point of the surface; of faces at exactly the same distance the one with the lowest number.
   /// \param point finite, model units.
-  /// \param hint a face thought to be near, such as the answer for a neighbouring point; only the time depends on it.
-  /// `invalid_index`: none.
+  /// \param hint a face that may be near, such as the result for a neighbouring point, or `invalid_index`. Only the
+  ///        time depends on it.
   ClosestPoint nearest(const Vec3& point, Index hint = invalid_index) const;
 
-  /// The same in coordinates relative to `origin()`, for argument and answer.
+  /// The same, with argument and result in coordinates relative to `origin()`.
   ClosestPoint nearest_local(const Vec3& offset, Index hint = invalid_index) const;
 
   const Vec3& origin() const { return origin_; }
@@ -51,25 +56,25 @@ class TriangleTree {
  private:
   struct Node {
     Bounds box;
-    std::uint32_t first = 0;  ///< Of a leaf its first slot, else its first child; the second follows.
-    std::uint32_t count = 0;  ///< Of a leaf its number of slots, else 0.
+    std::uint32_t first = 0;  ///< Index of a leaf's first slot, or of a node's first child; the second child is next.
+    std::uint32_t count = 0;  ///< A leaf's number of slots; 0 if not a leaf.
   };
-  /// A face with its corners by ascending vertex number, so that faces sharing an edge compute the same distance to it.
+  /// A face with its corners by ascending vertex number, so that faces with a common edge get the same distance to it.
   struct Slot {
     Vec3 a, b, c;
-    Vec3 normal;  ///< (b − a) × (c − a); zero if the face is thinner than its normal could be trusted.
+    Vec3 normal;  ///< (b − a) × (c − a); zero if the face is too thin for a reliable normal.
     Index face;
   };
   struct Reference;
 
-  /// Where the split heuristic has gone this deep, medians take over, which need at most 32 levels more.
+  /// Below this depth nodes are split at the median, which needs at most 32 levels more.
   static constexpr std::size_t max_heuristic_depth = 48;
   static constexpr std::size_t max_depth = max_heuristic_depth + 32;
   static constexpr std::uint32_t max_leaf = 4;
 
   void build(std::uint32_t node, std::vector<Reference>& references, std::uint32_t begin, std::uint32_t end,
-             std::size_t depth);
-  /// Orders the references so that those of the first child come first, and returns where the second's begin.
+             std::size_t depth, detail::ProgressMeter* meter);
+  /// Sorts the references into those of the first child and those of the second. Returns where the second's begin.
   static std::uint32_t split(std::vector<Reference>& references, std::uint32_t begin, std::uint32_t end,
                              const Bounds& centers, std::size_t depth);
   static Vec3 nearest_in(const Slot& slot, const Vec3& point);

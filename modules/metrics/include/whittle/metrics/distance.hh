@@ -4,16 +4,19 @@
 #include <cstdint>
 
 #include "whittle/core/indexed_mesh.hh"
+#include "whittle/core/progress.hh"
 
 namespace whittle::metrics {
 
 struct DistanceOptions {
-  /// Area-weighted samples on each of the two surfaces, in [1, 2^40]; all vertices are taken in addition.
+  /// Area-weighted samples on each of the two surfaces, [1, 2^40]. All vertices are measured, too.
   std::size_t samples = 500'000;
-  /// Where the samples lie; any value. Equal seeds give equal bytes, whatever the thread count.
+  /// Chooses where the samples are; any value. Equal seeds give equal bytes.
   std::uint64_t seed = 1;
-  /// Threads to work with; 0 = all cores.
+  /// Threads to work with; 0 = all cores. The result is the same for any number.
   unsigned threads = 0;
+  /// Is told the progress; returning false cancels with the exception `Cancelled`.
+  ProgressCallback progress{};
 };
 
 /// From the points of one surface to the other surface.
@@ -50,10 +53,11 @@ struct SurfaceDistance {
   DirectedDistance backward;  ///< From the test surface to the reference.
 };
 
-/// Samples both surfaces, stratified by area, and finds the exact nearest point on the other for each sample and
-/// vertex. Distances below 2^-48 of the greater of both diagonals are rounding noise and count as 0. A surface without
-/// any area is sampled with the same weight a face. \throw std::invalid_argument if a mesh has no faces, a face names a
-/// vertex that isn't there, a position is not finite, or `options` is out of range.
+/// Samples both surfaces, stratified by area, and finds the exact nearest point on the other surface for each sample
+/// and vertex. Distances below 2^-48 of the greater of both diagonals are rounding noise and count as 0. In a surface
+/// without area all faces get the same number of samples. \throw std::invalid_argument if a mesh has no faces, a face
+/// names a vertex that isn't there, a position is not finite, or `options` is out of range. \throw Cancelled if
+/// `options.progress` returned false.
 SurfaceDistance surface_distance(const IndexedMesh& reference, const IndexedMesh& test,
                                  const DistanceOptions& options = {});
 

@@ -8,17 +8,17 @@
 namespace whittle::metrics {
 
 struct LineDistanceOptions {
-  /// Samples on a segment are at most this far apart, over the greater diagonal of the boxes around both sets of lines.
-  /// In [1e-6, 1].
+  /// Largest distance between samples on a segment, over the larger diagonal of the boxes around both sets of lines.
+  /// [1e-6, 1].
   double spacing_rel = 1.0 / 2000.0;
-  /// Threads to work with; 0 = all cores. No result depends on it.
+  /// Threads to work with; 0 = all cores. The result is the same for any number.
   unsigned threads = 0;
 };
 
 /// From the points of one set of lines to the other set.
 struct DirectedLineDistance {
   double mean = 0.0;  ///< Over the length of the lines, model units.
-  /// Over the samples, model units: less than the one-sided Hausdorff distance by at most half the spacing.
+  /// Over the samples, model units. The one-sided Hausdorff distance is larger by at most half the spacing.
   double max = 0.0;
 };
 
@@ -31,11 +31,11 @@ struct LineDistance {
   DirectedLineDistance backward;  ///< From the test lines to the reference.
 };
 
-/// Samples every segment at both ends and evenly between, and finds the exact nearest point of the other set for each
-/// sample. Distances below 2^-48 of the greater of both diagonals are rounding noise and count as 0. Lines without any
-/// length are weighted alike in the mean.
+/// Samples every segment at both ends and evenly between them, and finds the exact nearest point of the other set for
+/// each sample. Distances below 2^-48 of the larger diagonal are rounding noise and count as 0. If no line has a
+/// length, all have the same weight in the mean.
 ///
-/// Nothing if either set is empty: there is no distance then, and 0 would be a lie.
+/// Nothing if either set is empty: then there is no distance.
 /// \throw std::invalid_argument if a point is not finite, or `options` is out of range.
 std::optional<LineDistance> line_distance(std::span<const Segment> reference, std::span<const Segment> test,
                                           const LineDistanceOptions& options = {});

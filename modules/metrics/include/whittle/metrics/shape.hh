@@ -7,16 +7,16 @@
 
 namespace whittle::metrics {
 
-/// Numbers of edges at the inner vertices: the used ones without a boundary edge.
+/// Numbers of edges at the inner vertices: those that have faces and no boundary edge.
 struct ValenceStats {
-  std::size_t vertices = 0;                      ///< Inner vertices; if 0, so is all else.
+  std::size_t vertices = 0;                      ///< Inner vertices; if 0, all else is 0.
   std::size_t min = 0;                           ///< Smallest valence.
   std::size_t max = 0;                           ///< Largest valence.
   double share_5_to_7 = 0.0;                     ///< Share of valences 5, 6 and 7, in [0, 1].
   std::map<std::size_t, std::size_t> histogram;  ///< Valence to number of vertices, no zeros.
 };
 
-/// How good the triangles of a mesh are.
+/// The quality of the triangles of a mesh.
 struct Shape {
   /// Twice the radius of the inscribed over that of the circumscribed circle, 2r/R, in [0, 1]; equilateral 1,
   /// degenerate 0.
@@ -31,12 +31,12 @@ struct Shape {
   ValenceStats valence;
   double edge_length_mean = 0.0;  ///< Model units.
   double edge_length_cv = 0.0;    ///< Standard deviation of the edge lengths over their mean.
-  /// Edges with two faces that nearly lie on each other: the cosine between their normals is below −0.94. Faces that
-  /// run along the edge the same way are compared as if one of them were turned.
+  /// Edges with two faces that are nearly folded onto each other: the cosine between their normals is below −0.94. If
+  /// both faces run along the edge in the same direction, one of them is reversed first.
   std::size_t folds = 0;
 };
 
-/// O(F) time. Means are over all faces, edges or inner vertices alike.
+/// O(F) time. Means give all faces, edges or inner vertices the same weight.
 /// \throw std::invalid_argument as `bounds`.
 Shape shape(const IndexedMesh& mesh);
 

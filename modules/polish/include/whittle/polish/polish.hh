@@ -1,70 +1,84 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "whittle/core/indexed_mesh.hh"
+#include "whittle/core/progress.hh"
 #include "whittle/core/vertex_pair.hh"
 
-// Polish: moves the vertices of a simplified mesh to where its faces fit the original surface best. Per pass
+// Polish moves the vertices of a simplified mesh to where its faces fit the original surface best. Each pass does this:
 //
-//   each point s of the original gets a foot: of those faces at the vertex that it became, or that a corner of its face
-//     did, which face the same way and hold the foot of the perpendicular, the nearest one; the barycentric coordinates
-//     b there, and d, the distance from the face's plane
-//   the vertices, each in its turn and twice, move to where Σ w (d − n · Σ b_j x_j)² + μ Σ W |x|² is least, x how far
-//     they have moved, n the face's normal, w the area a point stands for over 1 + |d| / e, e the root of the mean
-//     square distance between the surfaces: near points count by squares, far ones by distance (Fair's weights,
-//     \cite holland_1977_robust)
+//   find the foot of each point s of the original: the nearest of the faces at the vertex that s was merged into (or
+//     that a corner of its face was merged into), among those that face the same way as s and hold the foot of the
+//     perpendicular from s. The foot has barycentric coordinates b, and s has the signed distance d from the face's
+//     plane
+//   twice, move each vertex in turn to the minimum of Σ w (d − n · Σ b_j x_j)² + μ Σ W |x|². Here x_j is how far corner
+//     j of the face has moved, n is the face's normal, w is the area that the point represents over 1 + |d| / e, and e
+//     is the root mean square distance between the surfaces. These are Fair's weights: near points count by their
+//     squared distance, far ones by their distance. \cite holland_1977_robust
 //
-// The points are the original's vertices, with a quarter of the weight, and the centroids of its faces, or four points
-// in each if the simplified mesh has nearly as many. Borders and feature lines are fitted to the original's in the same
-// way: points on its edges have feet on edges of the simplified mesh, d is the vector to them across the edge, and the
-// sum of their squares is added, as if the line were a strip of surface.
+// The points are the original's vertices, which carry a quarter of the weight, and the centroids of its faces. Where
+// the simplified mesh has nearly as many faces as the original, each face has four points instead of its centroid.
 //
-// A vertex moves less far, or not at all, where that would turn a face over, or fold two neighbours (bring their
-// normals more than 120° apart, and further than they were; where both were less than 90° apart and neither has turned
-// by 26°, this isn't looked at, and they end below 142°), or take it from the planes of its own faces, or from its
-// lines, by more than the surface or the lines are off there anyway (corners stay corners), or from where it was by a
-// seventh of an edge. Then moves are taken back at vertices whose lines have come to be further from the original's
-// than these were anywhere, and around faces that have come to intersect others. In the end the distances between the
-// surfaces, both ways, tell whether a pass helped, by what Fair's weights make least; if not, it is taken back.
+// Borders and feature lines are fitted to those of the original in the same way. Points on the original's lines have
+// their feet on edges of the simplified mesh, and d is the vector from the foot, perpendicular to the edge. Their sum
+// of squares is added as if the line were a strip of surface.
+//
+// A vertex moves a shorter way, or not at all, where the full move would
+//   - turn a face over;
+//   - fold two neighbouring faces: bring their normals more than 120° apart, and further apart than before. This is not
+//     checked at faces that have turned by less than 26° and whose neighbours were less than 90° apart; these stay
+//     below 142°;
+//   - take the vertex further from the planes of its faces, or from its lines, than the surface or the lines are off
+//     there anyway (so corners stay corners);
+//   - take the vertex further than a seventh of an edge.
+// Then two kinds of moves are undone: those that took a line further from the original's than any line was before, and
+// those around faces that newly intersect others. In the end a pass is kept only if it lowers the distance between the
+// surfaces, measured both ways with Fair's weights.
 
 namespace whittle {
 
 struct PolishOptions {
-  unsigned passes = 1;                     ///< how often feet are found and vertices moved. 0 = nothing happens
-  std::span<const std::uint8_t> locked{};  ///< V of the simplified mesh or empty; vertices with a non-zero entry stay
-  /// Whether edges are flipped, too, before vertices are moved: where that lessens the sum of the squared distances of
-  /// the points that have their feet in an edge's two faces, makes no folds, intersections or vertices with fewer than
-  /// four or more than nine faces, and the edge is on no line nor between two groups of faces. Both faces keep their
-  /// numbers. A mesh with texture coordinates keeps its edges.
+  unsigned passes = 1;                 ///< how many passes at most; 0 = nothing happens
+  std::vector<std::uint8_t> locked{};  ///< V of the simplified mesh, or empty; vertices with a non-zero entry stay
+  /// Whether each pass also flips edges, before it moves vertices. An edge is flipped where that lowers the sum of the
+  /// squared distances of the points with feet in its two faces. A flip makes no folds, no intersections, and no vertex
+  /// with fewer than four or more than nine faces. Edges of lines stay, and edges between two face groups. Faces keep
+  /// their numbers. The edges of a mesh with texture coordinates stay.
   bool flips = false;
   bool fit_borders = true;  ///< whether border vertices move
 
-  /// Edges of two faces whose normals differ by more than this are sharp, degrees. (0, 180]; 180 = none. Features stay
-  /// sharp, and no other edges get so.
-  double feature_angle_deg = 180;
-  std::span<const VertexPair> features{};           ///< of the simplified mesh, as `Decimation::feature_edges`
-  std::span<const VertexPair> original_features{};  ///< what these were made from: `feature_edges` of the original
-  /// No face gets a smaller radius ratio (radius_ratio.hh) than this, or 0.001, unless it had a smaller one. [0, 1].
-  double min_radius_ratio = 0;
-  unsigned threads = 0;  ///< 0 = all cores; the result is the same
+  /// An edge is sharp where the normals of its two faces differ by more than this, degrees. (0, 180); none = no edge is
+  /// sharp. Features stay sharp, and no other edge becomes sharp.
+  std::optional<double> feature_angle_deg{};
+  std::vector<VertexPair> features{};           ///< edges of the simplified mesh, as `Decimation::feature_edges`
+  std::vector<VertexPair> original_features{};  ///< edges of the original, as `feature_edges` finds them
+  /// No face gets a smaller radius ratio (radius_ratio.hh) than this, unless it had a smaller one before. [0, 1]; less
+  /// than 0.001, or none, counts as 0.001.
+  std::optional<double> min_radius_ratio{};
+  unsigned threads = 0;  ///< 0 = all cores; the result is the same for any number
+  /// Cancelling leaves the mesh as the last pass that helped made it, or as it was.
+  ProgressCallback progress{};
 };
 
 struct PolishResult {
   std::uint64_t n_moved = 0;  ///< vertices that are not where they were
-  unsigned n_passes = 0;      ///< that helped; one that doesn't is taken back, and is the last
-  double rms_before = 0;      ///< distance between the surfaces, both ways, at some points of each; model units
-  double rms_after = 0;
+  unsigned n_passes = 0;      ///< passes that helped. The first one that does not is undone, and is the last
+  double rms_before = 0;      ///< root mean square distance between the surfaces, both ways, sampled; model units
+  double rms_after = 0;       ///< the same, afterwards
+  bool cancelled = false;     ///< whether `progress` ended the run. Cancelled before the first pass, both rms may be 0
 };
 
-/// Moves vertices of `mesh`, and computes its normals anew if it has some; nothing else of it changes but what `flips`
-/// says. Vertices stay where it isn't manifold, and where lines meet or end.
+/// Moves vertices of `mesh`, and recomputes its normals if it has some. Nothing else changes, except what
+/// `PolishOptions::flips` describes. Vertices where the mesh is not manifold stay, and those where lines meet or end.
 /// \param original what `mesh` was made from; all positions finite. Nothing happens if either has no faces
-/// \param vertex_map vertices of `original` → a vertex of `mesh` near it on the surface, as
-///        `Decimation::vertex_map` is; `invalid_index` for none: these don't count
-/// \throw std::invalid_argument if `vertex_map` or `locked` has a wrong length, or a number or the angle is out of
-/// range
+/// \param vertex_map for each vertex of `original` a vertex of `mesh` near it on the surface, as
+///        `Decimation::vertex_map` has them; vertices with `invalid_index` are ignored
+/// \throw std::invalid_argument if a face or feature names a vertex that isn't there, `vertex_map` or `locked` has a
+///        wrong length, or an option is out of range
 PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
                     const PolishOptions& options = {});
 

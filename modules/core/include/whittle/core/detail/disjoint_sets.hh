@@ -6,9 +6,9 @@
 #include <numeric>
 #include <vector>
 
-namespace whittle {
+namespace whittle::detail {
 
-/// Union-find over 0 … n − 1 with path halving; the root of a set is its least number.
+/// Union-find over 0 … n − 1 with path halving. The root of a set is its least number.
 template <std::unsigned_integral Number>
 class DisjointSets {
  public:
@@ -30,4 +30,4 @@ class DisjointSets {
   std::vector<Number> parent_;
 };
 
-}  // namespace whittle
+}  // namespace whittle::detail

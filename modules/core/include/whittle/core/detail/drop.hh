@@ -6,7 +6,7 @@
 
 #include "whittle/core/indexed_mesh.hh"
 
-// Faces and vertices dropped from a mesh, with all that is theirs. The others keep their order.
+// Drops faces and vertices from a mesh, with their attributes. The others keep their order.
 
 namespace whittle {
 
@@ -32,9 +32,9 @@ std::size_t drop_faces(IndexedMesh& mesh, const Predicate& is_dropped) {
   return count - kept;
 }
 
-/// Drops the vertices, of which no face may have one, for which `is_dropped(v)` holds, with their attributes. Unless
-/// all stay, `origins` is filled: it says who they were. \return V; the number each vertex has now, `invalid_index` if
-/// it was dropped
+/// Drops the vertices for which `is_dropped(v)` holds, with their attributes. If any is dropped, `origins` is filled.
+/// \pre no face has a dropped vertex
+/// \return V; the new number of each vertex, `invalid_index` if it was dropped
 template <class Predicate>
 std::vector<Index> drop_vertices(IndexedMesh& mesh, const Predicate& is_dropped) {
   const std::size_t count = mesh.positions.size();

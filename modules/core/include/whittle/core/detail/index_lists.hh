@@ -2,12 +2,11 @@
 
 #include <cstddef>
 #include <span>
-#include <utility>
 
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/core/indexed_mesh.hh"
 
-namespace whittle {
+namespace whittle::detail {
 
 /// A list of values for each index below a number, all in one array. Two passes of counting, no sort: O(lists +
 /// values). \tparam Offset counts the values of all lists; std::size_t where they may be more than `Index` can count.
@@ -16,8 +15,7 @@ class IndexLists {
  public:
   IndexLists() = default;
   /// \param for_each is called twice with a function emit(index, value). It calls emit for the same values each time,
-  /// in
-  ///        the order that each list is to have.
+  ///        in the order that each list is to have.
   template <class ForEach>
   IndexLists(std::size_t n_lists, const ForEach& for_each) : first_(n_lists + 2, 0) {
     // Counts are stored two slots further on. While the lists are filled, first_[i + 1] is the end of list i.
@@ -27,7 +25,8 @@ class IndexLists {
     for_each([this](Index i, const T& value) { values_[first_[std::size_t{i} + 1]++] = value; });
   }
 
-  std::size_t size() const { return first_.size() - 2; }
+  std::size_t size() const { return first_.size() - 2; }  ///< number of lists
+  std::size_t n_values() const { return values_.size(); }
   std::span<const T> of(Index i) const { return std::span(values_).subspan(first_[i], length(i)); }
   std::span<T> of(Index i) { return std::span(values_).subspan(first_[i], length(i)); }
 
@@ -38,4 +37,4 @@ class IndexLists {
   LargeArray<T> values_;
 };
 
-}  // namespace whittle
+}  // namespace whittle::detail

@@ -6,8 +6,8 @@
 
 #include "whittle/core/indexed_mesh.hh"
 
-// Several doubles computed on at once, each getting bit for bit what it would get alone. Which is why functions for
-// processors with wider registers can be chosen at run time: `if (has_double4) …`.
+// Computing on several doubles at once. Each gets bit for bit the result that it would get alone. So functions for
+// processors with wider registers may be chosen at run time: `if (has_double4) …`.
 
 namespace whittle {
 
@@ -17,10 +17,11 @@ using Double4 = double __attribute__((vector_size(32)));
 template <class Real>
 inline constexpr std::size_t n_lanes = sizeof(Real) / sizeof(double);
 
-/// What comparing them gives: bool, or one all-ones or zero integer an element.
+/// The result of a comparison: bool, or for each element an integer that is all ones or zero.
 template <class Real>
 using LaneMask = decltype(Real{} > Real{});
 
+/// Whether a mask is set in some lane.
 inline bool any(bool lane) { return lane; }
 template <class Mask>
 [[gnu::always_inline]] inline bool any(const Mask& mask) {
@@ -29,7 +30,7 @@ template <class Mask>
   return all != 0;
 }
 
-/// {at(0), at(1), …}
+/// real = {at(0), at(1), …}
 template <class Real, class At>
 [[gnu::always_inline]] inline void fill_lanes(Real& real, const At& at) {
   [&]<std::size_t... lane>(std::index_sequence<lane...>) __attribute__((always_inline)) { real = Real{at(lane)...}; }
@@ -41,8 +42,8 @@ struct FourLanes {
   Real first, second, third, fourth;
 };
 
-/// Four elements of each lane's array side by side: {at(0)[i], at(1)[i], …} for i = 0 … 3.
-/// \param at gives the first of the four of a lane
+/// Transposes four elements of each lane's array: {at(0)[i], at(1)[i], …} for i = 0 … 3.
+/// \param at `at(lane)` points to the first of the four
 template <class Real, class At>
 [[gnu::always_inline]] inline FourLanes<Real> transposed_lanes(const At& at) {
   FourLanes<Real> columns;
@@ -78,7 +79,7 @@ template <class Real>
   }
 }
 
-/// Each of x by itself.
+/// The square root of each lane.
 template <class Real>
 [[gnu::always_inline]] inline void take_square_roots(Real& x) {
   fill_lanes(x, [x](std::size_t i) { return std::sqrt(lane(x, i)); });
@@ -100,7 +101,7 @@ struct PointLanes {
   [[gnu::always_inline]] Real dot(const PointLanes& o) const { return x * o.x + y * o.y + z * o.z; }
 };
 
-/// \param at gives the point of a lane
+/// \param at `at(lane)` is the point of a lane
 template <class Real, class At>
 [[gnu::always_inline]] inline PointLanes<Real> point_lanes(const At& at) {
   PointLanes<Real> point;
@@ -112,8 +113,8 @@ template <class Real, class At>
 
 inline PointLanes<double> point_lanes(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
-/// Functions marked so may use Double4, and may only be called where `has_double4`. What they call with one must be
-/// inlined.
+/// Marks functions that may use Double4. Call them only if `has_double4`. Functions to which they pass a Double4 must
+/// be inlined.
 #ifdef __x86_64__
 #define WHITTLE_DOUBLE4 [[gnu::target("avx2")]]
 inline const bool has_double4 = __builtin_cpu_supports("avx2") != 0;

@@ -12,7 +12,7 @@
 
 namespace whittle {
 
-/// Asks for huge pages for large arrays: looked at in random order, most looks at small pages miss the address caches.
+/// Asks for huge pages for large arrays. With small pages, most accesses in random order miss the address caches.
 template <class T>
 struct LargeAllocator {
   using value_type = T;
@@ -39,7 +39,7 @@ struct LargeAllocator {
     ::operator delete (memory, std::align_val_t{64});
   }
 
-  /// Elements not given a value are left without one.
+  /// Elements without a given value stay uninitialised.
   template <class U>
   void construct(U* place) {
     ::new (static_cast<void*>(place)) U;
@@ -58,7 +58,7 @@ struct LargeAllocator {
 #ifdef __linux__
   static bool is_large(std::size_t n) { return n * sizeof(T) >= 2 * huge_page; }
 
-  /// Pages of its own, so that they are small again for whoever gets the memory next; from a huge page's beginning on.
+  /// Maps pages that are not shared with other memory, so that freeing them returns them. They begin at a huge page.
   static void* map(std::size_t size) {
     const std::size_t reserved = size + huge_page;
     void* begin = mmap(nullptr, reserved, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
@@ -69,7 +69,7 @@ struct LargeAllocator {
     const std::size_t page = 4096;
     const std::size_t end = before + (size + page - 1) / page * page;
     if (end < reserved) munmap(bytes + end, reserved - end);
-    madvise(bytes + before, size / huge_page * huge_page, MADV_HUGEPAGE);  // no matter if it fails
+    madvise(bytes + before, size / huge_page * huge_page, MADV_HUGEPAGE);  // may fail: the memory is valid all the same
     return bytes + before;
   }
 #endif

@@ -11,8 +11,8 @@
 namespace whittle {
 
 /// Calls `work(block)` once for each block below `n_blocks`, on up to `threads` threads (0 = all cores), in any order.
-/// Work that keeps its results apart by block gives the same answer for every number of threads. The first exception of
-/// a block is thrown again here, when all threads have ended.
+/// If each block has its own results, these are the same for any number of threads. After an exception no more blocks
+/// are begun; the first exception is thrown again when all threads have ended.
 template <class Work>
 void for_each_block(std::size_t n_blocks, unsigned threads, const Work& work) {
   const std::size_t wanted = threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
@@ -42,11 +42,12 @@ void for_each_block(std::size_t n_blocks, unsigned threads, const Work& work) {
   if (failure) std::rethrow_exception(failure);
 }
 
-/// Calls `work(begin, end)` for ranges that together make up 0 … n, in any order. Work that keeps its results apart by
-/// element gives the same answer for every number of threads.
+/// Calls `work(begin, end)` for ranges that together make up 0 … n, in any order. If each element has its own results,
+/// these are the same for any number of threads.
 template <class Work>
 void for_each_range(std::size_t n, unsigned threads, const Work& work) {
-  constexpr std::size_t length = 16384;  // some hundred microseconds of the work here; short against a whole array
+  constexpr std::size_t length =
+      16384;  // some hundred microseconds: long against taking a block, short against a whole array
   for_each_block((n + length - 1) / length, threads,
                  [&](std::size_t block) { work(block * length, std::min(n, (block + 1) * length)); });
 }

@@ -4,7 +4,7 @@
 
 namespace whittle {
 
-/// `condition ? yes : no` without a branch, for conditions that can't be foretold.
+/// `condition ? yes : no` without a branch, for unpredictable conditions.
 template <std::unsigned_integral T>
 T select(bool condition, T yes, T no) {
   return no ^ ((no ^ yes) & (T{0} - T{condition}));

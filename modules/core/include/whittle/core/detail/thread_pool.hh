@@ -9,17 +9,17 @@
 
 namespace whittle {
 
-/// Threads that stand by, for work too short to start threads for: tens of microseconds, again and again.
+/// Threads that wait for work. For many short jobs of some ten microseconds, too short for starting threads.
 ///
-/// A helper takes part if it is awake in time; the caller never waits for one to come, only for those at work to
-/// finish. There are no more threads than cores.
-class Crew {
+/// A helper takes part in a job if it wakes up in time. The caller waits only for helpers that have begun. There are no
+/// more threads than cores.
+class ThreadPool {
  public:
-  /// \param threads at most so many, the caller's included; 0 = all cores
-  explicit Crew(unsigned threads);
-  ~Crew();
-  Crew(const Crew&) = delete;
-  Crew& operator=(const Crew&) = delete;
+  /// \param threads largest number of threads, including the caller's; 0 = all cores
+  explicit ThreadPool(unsigned threads);
+  ~ThreadPool();
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
 
   std::size_t n_helpers() const { return helpers_.size(); }
 
@@ -38,8 +38,8 @@ class Crew {
   const std::function<void(std::size_t)>* work_ = nullptr;
   std::size_t n_blocks_ = 0;
   std::atomic<std::size_t> next_block_{0};
-  std::atomic<unsigned> n_at_work_{0};  ///< helpers that look at the job, or have a part in it
-  std::atomic<unsigned> job_{0};        ///< odd while there is one
+  std::atomic<unsigned> n_at_work_{0};  ///< helpers that check for a job or work on one
+  std::atomic<unsigned> job_{0};        ///< counts up; odd while there is a job
   std::atomic<bool> is_over_{false};
   std::vector<std::thread> helpers_;
 };

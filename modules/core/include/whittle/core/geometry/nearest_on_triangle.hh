@@ -4,12 +4,12 @@
 
 namespace whittle {
 
-/// Coordinates in a triangle; the first is what is left of 1.
+/// Barycentric coordinates in a triangle. The first one is 1 minus the others.
 struct Barycentric {
   double second, third;
 };
 
-/// The point of the triangle nearest to the origin; not a number if two corners are one. \cite ericson_2005_collision
+/// The point of the triangle that is nearest to the origin. NaN if two corners coincide. \cite ericson_2005_collision
 /// (section 5.1.5)
 inline Barycentric nearest_on_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a;
@@ -36,7 +36,7 @@ inline Barycentric nearest_on_triangle(const Vec3& a, const Vec3& b, const Vec3&
   return {over_b / sum, over_c / sum};
 }
 
-/// From the origin; not a number if two corners are one.
+/// Squared distance from the origin. NaN if two corners coincide.
 inline double distance_sq_to_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto [second, third] = nearest_on_triangle(a, b, c);
   return (a + second * (b - a) + third * (c - a)).squaredNorm();

@@ -9,15 +9,15 @@
 namespace whittle {
 
 struct CurvePoint {
-  std::uint32_t cell;  ///< its place along the curve, 30 bits
+  std::uint32_t cell;  ///< index along the curve, 30 bits
   Index number;        ///< of the position
 };
 
-/// The positions along a Morton curve through their bounding box in the frame, 1024 cells a side; equal cells by
-/// number.
+/// Sorts positions along a Morton curve through their bounding box in the frame, with 1024 cells a side. Positions in
+/// the same cell are sorted by number.
 std::vector<CurvePoint> along_morton_curve(std::span<const Vec3> positions, const Frame& frame, unsigned threads);
 
-/// Their numbers alone.
+/// The same, numbers only.
 std::vector<Index> morton_order(std::span<const Vec3> positions, const Frame& frame, unsigned threads);
 
 }  // namespace whittle

@@ -8,7 +8,7 @@
 
 namespace whittle {
 
-/// Unit normals: the sum of the faces' normals weighted by their areas.
+/// Unit normals of vertices: the normalised sum of their faces' normals, weighted by area.
 inline std::vector<std::array<float, 3>> vertex_normals(const IndexedMesh& mesh, const Frame& frame) {
   std::vector<Vec3> sums(mesh.positions.size(), Vec3::Zero());
   for (const Triangle& face : mesh.faces) {

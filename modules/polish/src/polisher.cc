@@ -1,0 +1,165 @@
+#include "polisher.hh"
+
+#include <algorithm>
+#include <utility>
+
+#include "fit/surface_fit.hh"
+#include "flips/edge_flips.hh"
+#include "guard/new_intersections.hh"
+#include "guard/strayed_lines.hh"
+#include "surface/foot_finder.hh"
+#include "whittle/core/detail/edge_table.hh"
+#include "whittle/core/geometry/vertex_normals.hh"
+
+namespace whittle::polishing {
+namespace {
+
+constexpr int n_sweeps = 2;
+
+/// Where the simplified mesh has more than this share of the original's faces, one point a face is too few to fit it.
+constexpr double dense = 0.3;
+
+/// Time for the preparations, as a share of a pass.
+constexpr double preparation = 0.25;
+
+/// The border, and those features that have two faces.
+MeshLines lines_of(const IndexedMesh& mesh, const FaceNeighbors& neighbors, std::span<const VertexPair> features,
+                   const detail::Workers& workers) {
+  workers.update(0);
+  std::vector<VertexPair> inner;
+  for (const auto& [a, b] : features) {
+    if (neighbors.inner_side(a, b).face != invalid_index) inner.push_back({std::min(a, b), std::max(a, b)});
+  }
+  std::sort(inner.begin(), inner.end());
+  inner.erase(std::unique(inner.begin(), inner.end()), inner.end());
+  return MeshLines(detail::border_edges(mesh.faces, mesh.positions.size()), inner, mesh.positions.size());
+}
+
+/// Locked vertices are fixed, and those where the mesh is not manifold, and where lines end or meet.
+std::vector<std::uint8_t> fixed_vertices(const FaceNeighbors& neighbors, const MeshLines& lines, std::size_t n_vertices,
+                                         const PolishOptions& options) {
+  std::vector<std::uint8_t> is_fixed(n_vertices);
+  for (Index v = 0; v < n_vertices; ++v) {
+    const Fan fan = neighbors.fan(v);
+    const std::size_t n_lines = lines.empty() ? 0 : lines.at(v).size();
+    is_fixed[v] = (!options.locked.empty() && options.locked[v] != 0) || fan == Fan::none ||
+                  (fan == Fan::open && !options.fit_borders) || (n_lines != 0 && n_lines != 2);
+  }
+  return is_fixed;
+}
+
+}  // namespace
+
+double run_fraction(double n_passes, const PolishOptions& options) {
+  return (preparation + n_passes) / (preparation + options.passes);
+}
+
+Connectivity::Connectivity(std::vector<Triangle> the_faces, std::size_t n_vertices, const SimplifiedSurface& original,
+                           const PolishOptions& options, const detail::Workers& workers)
+    : faces(std::move(the_faces)),
+      corners(corners_by_vertex(faces, n_vertices)),
+      neighbors(faces, corners),
+      limits(neighbors, options.features, options.feature_angle_deg, options.min_radius_ratio.value_or(0)),
+      error(original, faces, n_vertices, workers) {}
+
+Polisher::Polisher(const IndexedMesh& original, std::span<const Index> vertex_map, const IndexedMesh& mesh,
+                   const PolishOptions& options, detail::ProgressMeter& meter)
+    : options_(options),
+      meter_(meter),
+      workers_(options.threads, &meter),
+      frame_(Frame::of_points(original.positions)),
+      samples_(original, vertex_map, frame_, points_per_face(original, mesh), workers_),
+      original_{original.faces, samples_.positions(), vertex_map},
+      mesh_(std::make_unique<Connectivity>(mesh.faces, mesh.positions.size(), original_, options, workers_)),
+      groups_(mesh.face_groups),
+      lines_(lines_of(mesh, mesh_->neighbors, options.features, workers_)),
+      line_samples_(original_lines(original), samples_.positions(), vertex_map),
+      is_fixed_(fixed_vertices(mesh_->neighbors, lines_, mesh.positions.size(), options)),
+      can_flip_(options.flips && mesh.corner_texcoords.empty()) {
+  positions_.reserve(mesh.positions.size());
+  for (const Vec3& p : mesh.positions) positions_.push_back(frame_.to_frame(p));
+  distances_ = mesh_->distances(positions_, workers_);
+}
+
+bool Polisher::pass() {
+  ++n_passes_;
+  const double unit = root_mean_square(distances_);
+  if (!(unit > 0)) return false;
+  find_feet();
+  std::unique_ptr<Connectivity> flipped = flip();
+  const Connectivity& mesh = flipped ? *flipped : *mesh_;
+  std::vector<Vec3> moved = move(mesh, unit);
+  start("measuring", 1);
+  Distances distances = mesh.distances(moved, workers_);
+  if (!(fair_loss(distances, unit) < fair_loss(distances_, unit))) return false;
+  distances_ = std::move(distances);
+  positions_ = std::move(moved);
+  if (flipped) mesh_ = std::move(flipped);
+  return true;
+}
+
+std::uint64_t Polisher::write(IndexedMesh& mesh) const {
+  std::uint64_t n_moved = 0;
+  for (std::size_t v = 0; v < positions_.size(); ++v) {
+    if (positions_[v] == frame_.to_frame(mesh.positions[v])) continue;
+    mesh.positions[v] = frame_.to_model(positions_[v]);
+    ++n_moved;
+  }
+  mesh.faces = mesh_->faces;
+  if (!mesh.normals.empty()) mesh.normals = vertex_normals(mesh, frame_);
+  return n_moved;
+}
+
+std::size_t Polisher::points_per_face(const IndexedMesh& original, const IndexedMesh& mesh) {
+  return static_cast<double>(mesh.faces.size()) > dense * static_cast<double>(original.faces.size()) ? 4 : 1;
+}
+
+/// Without lines in the mesh, the original's border is not needed.
+MeshLines Polisher::original_lines(const IndexedMesh& original) const {
+  workers_.update(0);
+  std::vector<VertexPair> borders;
+  if (!lines_.empty()) borders = detail::border_edges(original.faces, original.positions.size());
+  return MeshLines(borders, options_.original_features, original.positions.size());
+}
+
+void Polisher::start(std::string_view stage, double until) {
+  meter_.start(stage, run_fraction(n_passes_ - 1 + until, options_));
+}
+
+void Polisher::find_feet() {
+  start("finding feet", 0.35);
+  FootFinder finder(mesh_->faces, mesh_->corners);
+  finder.look_at(positions_, workers_);
+  samples_.find_feet(finder, workers_);
+  line_samples_.find_feet(lines_, mesh_->at(positions_), workers_);
+}
+
+/// Nothing if no edge was flipped.
+std::unique_ptr<Connectivity> Polisher::flip() {
+  if (!can_flip_) return nullptr;
+  start("flipping edges", 0.45);
+  std::vector<Triangle> faces =
+      flip_edges(mesh_->at(positions_), mesh_->neighbors, mesh_->limits, lines_, groups_, samples_, workers_);
+  if (faces == mesh_->faces) return nullptr;
+  return std::make_unique<Connectivity>(std::move(faces), positions_.size(), original_, options_, workers_);
+}
+
+/// Where the vertices should go. \param unit of Fair's weights
+std::vector<Vec3> Polisher::move(const Connectivity& mesh, double unit) {
+  start("fitting", 0.7);
+  std::vector<Vec3> moved = positions_;
+  SurfaceFit fit(mesh.faces, mesh.corners, mesh.neighbors, mesh.limits, lines_, is_fixed_);
+  fit.start(moved);
+  line_samples_.for_each_foot([&fit](const LineFoot& foot, double weight) { fit.add(foot, weight); });
+  samples_.for_each_foot(workers_, [&fit, unit](const Foot& foot, double weight) {
+    fit.add(foot, weight * fair_weight(foot.distance, unit));
+  });
+  for (int i = 0; i < n_sweeps; ++i) fit.sweep(workers_);
+  start("checking", 0.9);
+  const Surface before = mesh.at(positions_);
+  const std::vector<Index> taken_back = take_back_strayed_lines(before, lines_, line_samples_, moved, workers_);
+  take_back_intersections(before, mesh.limits, moved, taken_back, workers_);
+  return moved;
+}
+
+}  // namespace whittle::polishing

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "fit/fair_weights.hh"
+#include "fit/two_sided_error.hh"
+#include "guard/face_limits.hh"
+#include "surface/face_neighbors.hh"
+#include "surface/line_samples.hh"
+#include "surface/mesh_lines.hh"
+#include "surface/surface_samples.hh"
+#include "surface/vertex_corners.hh"
+#include "whittle/core/detail/progress_meter.hh"
+#include "whittle/core/frame.hh"
+#include "whittle/polish/polish.hh"
+
+namespace whittle::polishing {
+
+/// The faces of a mesh, and what depends on these alone. The members refer to each other.
+struct Connectivity {
+  std::vector<Triangle> faces;
+  VertexCorners corners;
+  FaceNeighbors neighbors;
+  FaceLimits limits;
+  TwoSidedError error;
+
+  /// \throw Cancelled
+  Connectivity(std::vector<Triangle> the_faces, std::size_t n_vertices, const SimplifiedSurface& original,
+               const PolishOptions& options, const detail::Workers& workers);
+  Connectivity(const Connectivity&) = delete;
+  Connectivity& operator=(const Connectivity&) = delete;
+
+  Surface at(std::span<const Vec3> positions) const { return {faces, corners, positions}; }
+  Distances distances(std::span<const Vec3> positions, const detail::Workers& workers) const {
+    return error.distances(at(positions), workers);
+  }
+};
+
+/// Fraction of the whole run that is done after the preparations and some passes. \param n_passes may have a part of
+/// one
+double run_fraction(double n_passes, const PolishOptions& options);
+
+/// What one run of `polish` knows, in the frame of the original.
+class Polisher {
+ public:
+  /// Keeps references to all but `mesh`, of which it keeps the groups.
+  /// \throw Cancelled
+  Polisher(const IndexedMesh& original, std::span<const Index> vertex_map, const IndexedMesh& mesh,
+           const PolishOptions& options, detail::ProgressMeter& meter);
+
+  /// \return whether it helped; if not, nothing has changed
+  /// \throw Cancelled; nothing has changed then
+  bool pass();
+
+  /// Root mean square distance between the surfaces, model units.
+  double rms() const { return root_mean_square(distances_) * frame_.unscale; }
+
+  /// \return number of vertices that are not where they were
+  std::uint64_t write(IndexedMesh& mesh) const;
+
+ private:
+  static std::size_t points_per_face(const IndexedMesh& original, const IndexedMesh& mesh);
+  MeshLines original_lines(const IndexedMesh& original) const;
+  /// Begins a stage of the pass under way. \param until share of the pass at the stage's end
+  void start(std::string_view stage, double until);
+  void find_feet();
+  std::unique_ptr<Connectivity> flip();
+  std::vector<Vec3> move(const Connectivity& mesh, double unit);
+
+  const PolishOptions& options_;
+  detail::ProgressMeter& meter_;
+  detail::Workers workers_;
+  Frame frame_;
+  SurfaceSamples samples_;
+  SimplifiedSurface original_;
+  std::unique_ptr<Connectivity> mesh_;
+  std::span<const Index> groups_;
+  MeshLines lines_;
+  LineSamples line_samples_;
+  std::vector<std::uint8_t> is_fixed_;
+  bool can_flip_;
+  unsigned n_passes_ = 0;  ///< begun
+  std::vector<Vec3> positions_;
+  Distances distances_;
+};
+
+}  // namespace whittle::polishing
