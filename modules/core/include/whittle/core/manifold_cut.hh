@@ -32,7 +32,8 @@ ManifoldCut cut_into_manifold(std::size_t n_vertices, std::span<const Triangle> 
 
 /// Of side 3f + i, from corner i of face f to the next, the side of the other face at that edge: `invalid_index` unless
 /// there is just one, and it runs the other way.
-/// \param faces, \throw as above
+/// \param faces every number below n_vertices
+/// \throw std::length_error as `cut_into_manifold`
 std::vector<Index> opposite_sides(std::size_t n_vertices, std::span<const Triangle> faces);
 
 }  // namespace whittle
