@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "whittle/engine/decimate.hh"
+#include "whittle/engine/formula/pair_evaluation.hh"
 #include "whittle/openmesh/feature_lines.hh"
 #include "whittle/openmesh/link_condition.hh"
 #include "whittle/openmesh/moved_faces.hh"
@@ -29,7 +30,7 @@ class PairDecimaterT;
 template <class MeshT>
 class MeshContractionLoopT {
  public:
-  /// \param target.max_cost in model units, and only if the cost module is ours
+  /// \param target its `max_cost` is in model units, and counts only if the cost module is ours
   MeshContractionLoopT(PairDecimaterT<MeshT>& decimater, const DecimateTarget& target, bool only_selected);
 
   DecimateResult run();
