@@ -46,8 +46,8 @@ compile_and_run() {
   # shellcheck disable=SC2046 # flags are words
   PKG_CONFIG_PATH=$pkgconfig \
     "$compiler" "${flags[@]}" "${warnings[@]}" $(PKG_CONFIG_PATH=$pkgconfig flags_of whittle) \
-    "$here/consumer/$program.cc" -o "$binary" $(libraries_of "$pkgconfig" "$program")
-  "$binary"
+    "$here/consumer/$program.cc" -o "$binary" $(libraries_of "$pkgconfig" "$program") &&
+    "$binary"
 }
 
 libraries_of() {
