@@ -1,5 +1,5 @@
 # Every key after \cite in the sources under SOURCE is in docs/bibliography.bib.
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 file(STRINGS ${SOURCE}/docs/bibliography.bib entries REGEX "^@[a-z]+{")
 list(TRANSFORM entries REPLACE "^@[a-z]+{([^,]+),.*" "\\1")
 file(GLOB_RECURSE files ${SOURCE}/modules/*.hh ${SOURCE}/modules/*.cc ${SOURCE}/apps/*.hh ${SOURCE}/apps/*.cc)

@@ -23,7 +23,7 @@ check_tidy() {
 started=$SECONDS
 step() { say "[$(((SECONDS - started) / 60)) min] $*"; }
 
-install_packages "$logs/packages.log" "${build_packages[@]}" clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev git
+install_packages "$logs/packages.log" "${build_packages[@]}" clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev doxygen pkg-config git
 
 step "Format: clang-format on every tracked .hh and .cc"
 quietly "$logs/format.log" check_format
@@ -31,6 +31,9 @@ quietly "$logs/format.log" check_format
 step "GCC: building everything optimised, warnings are errors"
 configure release
 build release
+
+step "Doxygen: the reference of the public headers, warnings are errors"
+quietly "$logs/docs.log" cmake --build --preset docs
 
 step "clang-tidy on the modules and the program, Clang's own warnings among its checks"
 quietly "$logs/tidy.log" check_tidy

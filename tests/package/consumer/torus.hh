@@ -5,6 +5,9 @@
 #include <numbers>
 #include <vector>
 
+/// To a multiple of 2⁻²⁰, so that the torus is the same whatever the compiler makes of its formula (-ffast-math).
+inline double on_grid(double x) { return std::floor(x * 1048576 + 0.5) / 1048576; }
+
 /// A closed surface to decimate, without any library: 2 · n_around · n_tube faces, genus 1.
 struct Torus {
   std::vector<std::array<double, 3>> points;
@@ -16,7 +19,7 @@ struct Torus {
         const double u = 2 * std::numbers::pi * i / n_around;
         const double v = 2 * std::numbers::pi * j / n_tube;
         const double ring = 1 + 0.4 * std::cos(v);
-        points.push_back({ring * std::cos(u), ring * std::sin(u), 0.4 * std::sin(v)});
+        points.push_back({on_grid(ring * std::cos(u)), on_grid(ring * std::sin(u)), on_grid(0.4 * std::sin(v))});
         const unsigned next_i = (i + 1) % n_around;
         const unsigned next_j = (j + 1) % n_tube;
         const unsigned a = i * n_tube + j;

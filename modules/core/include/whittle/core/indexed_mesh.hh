@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "whittle/core/detail/abi.hh"
+
 namespace whittle {
 
 /// Number of a vertex or a face. Both counts stay below `invalid_index`.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <OpenMesh/Core/Utils/vector_traits.hh>  // before QuadricT.hh, which uses it without
+
 #include <OpenMesh/Core/Geometry/QuadricT.hh>
 #include <OpenMesh/Core/Mesh/Handles.hh>
 #include <OpenMesh/Core/Utils/PropertyManager.hh>

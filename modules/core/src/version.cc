@@ -1,0 +1,7 @@
+#include "whittle/version.hh"
+
+namespace whittle {
+
+const char* version() noexcept { return WHITTLE_VERSION_STRING; }
+
+}  // namespace whittle

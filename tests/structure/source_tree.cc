@@ -1,0 +1,77 @@
+#include "structure/source_tree.hh"
+
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+namespace fs = std::filesystem;
+
+std::string folder_of(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? std::string() : path.substr(0, slash);
+}
+
+SourceTree read_source_tree(const fs::path& root, const std::vector<std::string>& folders) {
+  SourceTree tree;
+  for (const std::string& folder : folders) {
+    const std::size_t n_before = tree.size();
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
+      const std::string extension = entry.path().extension().string();
+      if (!entry.is_regular_file() || (extension != ".cc" && extension != ".hh")) continue;
+      std::ifstream file(entry.path(), std::ios::binary);
+      tree[entry.path().lexically_relative(root).generic_string()] =
+          std::string(std::istreambuf_iterator<char>(file), {});
+    }
+    if (tree.size() == n_before) throw std::runtime_error("no sources under " + (root / folder).string());
+  }
+  return tree;
+}
+
+namespace {
+
+const std::set<std::string> generated_headers = {"whittle/version.hh"};
+
+/// The folders that `#include "name"` is looked up in, for a file of the tree.
+std::vector<std::string> include_folders(const SourceTree& tree, const std::string& from) {
+  std::vector<std::string> folders = {folder_of(from)};
+  std::set<std::string> modules;
+  for (const auto& [path, text] : tree)
+    if (path.starts_with("modules/")) modules.insert(path.substr(0, path.find('/', 8)));
+  for (const std::string& module : modules) {
+    if (from.starts_with(module + "/") || from.starts_with("tests/unit" + module.substr(module.find('/')) + "/"))
+      folders.push_back(module + "/src");
+    folders.push_back(module + "/include");
+  }
+  folders.insert(folders.end(), {"apps/whittle", "tests"});
+  return folders;
+}
+
+std::string resolve(const SourceTree& tree, const std::vector<std::string>& folders, const std::string& name) {
+  for (const std::string& folder : folders) {
+    const std::string path = fs::path(folder + "/" + name).lexically_normal().generic_string();
+    if (tree.contains(path)) return path;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<Include> includes_of(const SourceTree& tree) {
+  static const std::regex directive(R"re(^\s*#\s*include\s+(?:"([^"]+)"|<(whittle/[^>]+)>))re");
+  std::vector<Include> includes;
+  for (const auto& [path, text] : tree) {
+    const std::vector<std::string> folders = include_folders(tree, path);
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      std::smatch match;
+      if (line.find("include") == std::string::npos || !std::regex_search(line, match, directive)) continue;
+      const std::string name = match[1].matched ? match[1] : match[2];
+      if (!generated_headers.contains(name)) includes.push_back({path, resolve(tree, folders, name), name});
+    }
+  }
+  return includes;
+}

@@ -1,0 +1,182 @@
+// The shape of the source tree, and that each check of it finds what it is for.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "structure/layers.hh"
+#include "structure/sizes.hh"
+#include "structure/source_tree.hh"
+
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+const SourceTree& project() {
+  static const SourceTree tree = read_source_tree(WHITTLE_SOURCE_DIR, {"modules", "apps", "tests", "data"});
+  return tree;
+}
+
+std::string text_of(const std::string& name) {
+  std::ifstream file(WHITTLE_SOURCE_DIR "/tests/structure/" + name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<Layer> project_layers() { return read_layers(text_of("layers.txt")); }
+
+std::vector<std::string> allowances() {
+  std::vector<std::string> rows;
+  std::istringstream lines(text_of("allowances.txt"));
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty() && line.front() != '#') rows.push_back(line);
+  return rows;
+}
+
+/// Findings that no allowance lets pass.
+Findings not_allowed(const Findings& findings) {
+  const std::vector<std::string> rows = allowances();
+  Findings rest;
+  for (const std::string& finding : findings)
+    if (std::none_of(rows.begin(), rows.end(), [&](const std::string& row) { return finding.starts_with(row); }))
+      rest.push_back(finding);
+  return rest;
+}
+
+constexpr std::size_t most_lines_of_a_function = 60;
+constexpr std::size_t most_lines_of_a_header = 300;
+constexpr std::size_t most_files_of_a_folder = 20;
+
+TEST(Layers, PointOneWay) { EXPECT_THAT(not_allowed(forbidden_includes(project(), project_layers())), IsEmpty()); }
+
+TEST(Layers, NameFoldersThatExist) { EXPECT_THAT(idle_rows(project(), project_layers()), IsEmpty()); }
+
+TEST(Includes, GoInNoCircle) { EXPECT_THAT(not_allowed(include_circles(project())), IsEmpty()); }
+
+TEST(Sizes, FunctionsAreShort) {
+  EXPECT_THAT(not_allowed(long_functions(project(), most_lines_of_a_function)), IsEmpty());
+}
+
+TEST(Sizes, HeadersAreShort) { EXPECT_THAT(not_allowed(long_headers(project(), most_lines_of_a_header)), IsEmpty()); }
+
+TEST(Sizes, FoldersAreSmall) { EXPECT_THAT(not_allowed(full_folders(project(), most_files_of_a_folder)), IsEmpty()); }
+
+TEST(Allowances, AreAllNeeded) {
+  Findings findings = forbidden_includes(project(), project_layers());
+  for (const Findings& more :
+       {include_circles(project()), long_functions(project(), most_lines_of_a_function),
+        long_headers(project(), most_lines_of_a_header), full_folders(project(), most_files_of_a_folder)})
+    findings.insert(findings.end(), more.begin(), more.end());
+  for (const std::string& row : allowances())
+    EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [&](const auto& f) { return f.starts_with(row); }))
+        << "take out of allowances.txt: " << row;
+}
+
+// Planted violations -------------------------------------------------------------------------------------------------
+
+const char* const two_layers =
+    "# a comment\n"
+    "low   modules/low                 uses\n"
+    "deep  modules/high/src/deep       uses low\n"
+    "high  modules/high modules/other  uses low deep\n";
+
+TEST(LayerCheck, FindsAnIncludeThatPointsBack) {
+  const SourceTree tree = {
+      {"modules/low/include/whittle/low/a.hh", "#include <vector>\n#include \"whittle/high/b.hh\"\n"},
+      {"modules/high/include/whittle/high/b.hh", "#include <whittle/low/a.hh>\n"},
+      {"modules/high/src/deep/c.cc", "  #  include \"d.hh\"\n// #include \"whittle/high/b.hh\"\n"},
+      {"modules/high/src/d.hh", ""},
+  };
+  EXPECT_THAT(forbidden_includes(tree, read_layers(two_layers)),
+              ElementsAre("modules/high/src/deep/c.cc (deep) includes modules/high/src/d.hh (high)",
+                          "modules/low/include/whittle/low/a.hh (low) includes "
+                          "modules/high/include/whittle/high/b.hh (high)"));
+}
+
+TEST(LayerCheck, FindsFilesWithoutALayerAndNamesWithoutAFile) {
+  const SourceTree tree = {{"modules/low/src/a.cc", "#include \"missing.hh\"\n"}, {"modules/new/src/b.cc", ""}};
+  EXPECT_THAT(forbidden_includes(tree, read_layers(two_layers)),
+              ElementsAre("modules/new/src/b.cc is in no layer",
+                          "modules/low/src/a.cc includes \"missing.hh\", which is no file of the project"));
+}
+
+TEST(LayerCheck, FindsRowsWithoutAFile) {
+  const SourceTree tree = {{"modules/low/src/a.cc", ""}, {"modules/high/src/deep/b.cc", ""}};
+  EXPECT_THAT(idle_rows(tree, read_layers(two_layers)), ElementsAre("high: no file is in modules/other"));
+}
+
+TEST(LayerCheck, RefusesATableThatPointsBack) {
+  EXPECT_THROW(read_layers("low modules/low uses high\nhigh modules/high uses\n"), std::runtime_error);
+  EXPECT_THROW(read_layers("low uses\n"), std::runtime_error);
+}
+
+TEST(CircleCheck, FindsACircle) {
+  const SourceTree tree = {{"tests/a.hh", "#include \"b.hh\"\n"},
+                           {"tests/b.hh", "#include \"sub/c.hh\"\n#include \"b_impl.hh\"\n"},
+                           {"tests/b_impl.hh", "#include \"b.hh\"\n"},
+                           {"tests/sub/c.hh", "#include \"a.hh\"\n"}};
+  EXPECT_THAT(include_circles(tree), ElementsAre("tests/a.hh -> tests/b.hh -> tests/sub/c.hh -> tests/a.hh"));
+}
+
+/// `opening`, then so many lines of statements that closing it makes `n` lines.
+std::string function_of(const std::string& opening, std::size_t n) {
+  std::string text = opening + "\n";
+  for (std::size_t i = 2; i < n; ++i) text += i % 2 ? "  // }\n" : "  if (x) { y = '}'; }\n";
+  return text + "}\n";
+}
+
+TEST(FunctionCheck, FindsLongFunctionsOfEveryForm) {
+  const std::string before = "#define OPEN {\nnamespace a {\nenum class E { b, c };\nconstexpr int t[] = {1, 2};\n";
+  for (const std::string opening :
+       {"void f() {", "TEST(Suite, Name) {", "template <class T = int>\nauto A<T>::f(int x = {}) const -> int {",
+        "A::A(int x) : B(x), c_{x}, d_{} {", "bool operator==(A, B) noexcept {", "const auto f = [](int x) {",
+        "std::string f() { const char* s = R\"x(})\" }{)x\"; int n = 1'000;",
+        "struct A {\n  A() : a{1} {}\n};\nint f() {"}) {
+    const std::size_t extra = static_cast<std::size_t>(std::count(opening.begin(), opening.end(), '\n'));
+    for (const std::string& after :
+         {std::string("}\n"), std::string("struct S {\n  int n{};\n  void g() {}\n};\n}\n")}) {
+      const SourceTree longer = {{"a.cc", before + function_of(opening, 61) + after}};
+      EXPECT_EQ(long_functions(longer, 60).size(), 1) << opening;
+      const SourceTree shorter = {{"a.cc", before + function_of(opening, 60 - extra) + after}};
+      EXPECT_THAT(long_functions(shorter, 60), IsEmpty()) << opening;
+    }
+  }
+}
+
+TEST(FunctionCheck, NamesTheFunctionAndItsLine) {
+  const SourceTree tree = {{"a.cc", "\n\n" + function_of("int A::f(int) const {", 61)}};
+  EXPECT_THAT(long_functions(tree, 60), ElementsAre("a.cc: A::f has 61 lines, from line 3"));
+}
+
+TEST(FunctionCheck, LetsLongTablesAndClassesPass) {
+  const SourceTree tree = {{"a.cc", function_of("class A : public B {\n public:", 100) + ";\n" +
+                                        function_of("const std::map<int, int> table = {", 100) + ";\n"}};
+  EXPECT_THAT(long_functions(tree, 60), IsEmpty());
+}
+
+TEST(FunctionCheck, SeesTheFunctionsOfTheProject) {
+  std::size_t n_functions = 0;
+  for (const auto& [path, text] : project()) n_functions += function_sizes(text).size();
+  EXPECT_GT(n_functions, 2500);
+}
+
+TEST(HeaderCheck, FindsLongHeaders) {
+  const std::string text(301, '\n');
+  EXPECT_THAT(long_headers({{"a.hh", text}, {"b.hh", text.substr(1)}, {"c.cc", text}}, 300),
+              ElementsAre("a.hh has 301 lines"));
+}
+
+TEST(FolderCheck, FindsFullFolders) {
+  SourceTree tree;
+  for (int i = 0; i < 21; ++i) {
+    tree["a/" + std::to_string(i) + ".hh"] = "";
+    if (i > 0) tree["a/b/" + std::to_string(i) + ".hh"] = "";
+  }
+  EXPECT_THAT(full_folders(tree, 20), ElementsAre("a has 21 files"));
+}
+
+}  // namespace
