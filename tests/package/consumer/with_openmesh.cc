@@ -56,7 +56,8 @@ int main() {
   const std::size_t stock = faces_after(OpenMesh::Decimater::DecimaterT<Mesh>(first), first, target);
   Mesh second = openmesh_of(torus);
   const std::size_t pairs = faces_after(whittle::PairDecimaterT<Mesh>(second), second, target);
-  const std::size_t engine = whittle::decimate(arrays_of(torus), {.faces = target}).mesh.faces.size();
+  const std::size_t engine =
+      whittle::decimate(arrays_of(torus), whittle::DecimateTarget::faces(target)).mesh.faces.size();
 
   std::printf("%zu faces became %zu in OpenMesh's decimater, %zu in Whittle's, %zu in the engine\n", torus.faces.size(),
               stock, pairs, engine);

@@ -105,13 +105,12 @@ template <class MeshT>
 Decimation EngineRunT<MeshT>::contract_again(DecimateOptions options) const {
   options.progress = nullptr;
   options.listener = nullptr;
-  DecimateTarget target;
-  target.vertices = count_vertices(input_) - merges_.size();
+  DecimateTarget target = DecimateTarget::vertices(count_vertices(input_) - merges_.size());
   while (true) {
     Decimation small = whittle::decimate(input_, target, options);
     const std::uint64_t n_missing = merges_.size() - small.result.n_contractions;
     if (n_missing == 0) return small;
-    target.vertices = small.result.n_vertices - n_missing;
+    target = DecimateTarget::vertices(small.result.n_vertices - n_missing);
   }
 }
 

@@ -29,7 +29,7 @@ class PairDecimaterT;
 template <class MeshT>
 class MeshContractionLoopT {
  public:
-  /// \param target.max_cost in model units, and only if the cost module is ours
+  /// \param target with a limit of the cost, in model units, only if the cost module is ours
   MeshContractionLoopT(PairDecimaterT<MeshT>& decimater, const DecimateTarget& target, bool only_selected);
 
   DecimateResult run();
@@ -67,7 +67,7 @@ class MeshContractionLoopT {
   bool target_reached() const;
   std::optional<Entry> next_entry();
   std::optional<StopReason> take_turn(const Entry& entry);
-  bool is_too_dear(double cost) const { return target_.max_cost && cost > *target_.max_cost; }
+  bool is_too_dear(double cost) const { return cost_limit_ && cost > *cost_limit_; }
 
   /// Whether v stays whatever the edge. Vertices that have copies do: they would have to move together.
   bool is_fixed(VertexHandle v) const {
@@ -101,7 +101,8 @@ class MeshContractionLoopT {
 
   PairDecimaterT<MeshT>& decimater_;
   MeshT& mesh_;
-  DecimateTarget target_;  ///< max_cost in the cost module's frame
+  DecimateTarget target_;
+  std::optional<double> cost_limit_;  ///< that of the target, in the cost module's frame
   bool only_selected_;
   FlipLimit flip_limit_;
   double min_radius_ratio_;

@@ -22,8 +22,8 @@ MeshContractionLoopT<MeshT>::MeshContractionLoopT(PairDecimaterT<MeshT>& decimat
       feature_lines_(mesh_, feature_tolerance()),
       versions_(mesh_.n_halfedges()),
       is_waiting_(mesh_.n_halfedges()) {
-  if (target.max_cost) {
-    target_.max_cost = decimater.cost_->frame().cost_to_frame(*target.max_cost, decimater.cost_->cost_dimension());
+  if (const auto limit = target.cost_limit()) {
+    cost_limit_ = decimater.cost_->frame().cost_to_frame(*limit, decimater.cost_->cost_dimension());
   }
   const auto counts = decimater.count_elements();
   result_.n_vertices = counts.vertices;
@@ -84,8 +84,7 @@ void MeshContractionLoopT<MeshT>::enqueue(HalfedgeHandle candidate) {
 
 template <class MeshT>
 bool MeshContractionLoopT<MeshT>::target_reached() const {
-  return (target_.faces && result_.n_faces <= *target_.faces) ||
-         (target_.vertices && result_.n_vertices <= *target_.vertices);
+  return target_.is_reached_at(result_.n_faces, result_.n_vertices);
 }
 
 template <class MeshT>

@@ -20,9 +20,11 @@ struct CostOptions {
   double valence_weight = 0;
 };
 
-/// What threshold pairs go with.
-inline bool is_plain_quadric(const CostOptions& options) {
-  return options.cost == Cost::quadric && options.isotropy == 0 && options.valence_weight == 0;
+/// Whether threshold pairs go with the cost, in exact order.
+inline bool takes_threshold_pairs(const CostOptions& options) {
+  const CostConflicts& why_not = cost_traits(options.cost).why_not;
+  return why_not.threshold.empty() && why_not.threshold_in_exact_order.empty() && options.isotropy == 0 &&
+         options.valence_weight == 0;
 }
 
 /// What a cost module of ours knows beyond OpenMesh's interface: cost *and place* of a pair, in double.
