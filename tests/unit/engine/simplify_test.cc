@@ -96,6 +96,10 @@ TEST(Simplify, CanBeCancelledWhileContracting) {
   EXPECT_EQ(s.result.stop, StopReason::cancelled);
   EXPECT_LT(s.mesh.faces.size(), mesh.faces.size());
   EXPECT_EQ(s.polish.n_passes, 0U);
+  options.decimate.progress = [](const Progress& p) { return p.stage == Stage::decimate; };
+  const Simplification unpolished = simplify(mesh, DecimateTarget::faces(100), Effort::normal, options);
+  EXPECT_EQ(unpolished.result.stop, StopReason::target);
+  EXPECT_EQ(unpolished.polish.n_passes, 0U);
   options.decimate.progress = [](const Progress&) { return false; };
   const Simplification nothing = simplify(mesh, DecimateTarget::faces(10), Effort::normal, options);
   EXPECT_EQ(nothing.result.stop, StopReason::cancelled);

@@ -176,7 +176,7 @@ TEST(CostModules, TermsAreUsedFromTheNextInitializeOn) {
   module.set_valence_weight(0.5);
   EXPECT_EQ(module.reach(), Reach::ends);
   module.initialize();
-  EXPECT_EQ(module.reach(), Reach::wings);
+  EXPECT_EQ(module.reach(), Reach::opposite_rings);
 }
 
 // Numbers -------------------------------------------------------------------------------------------------------------

@@ -45,14 +45,16 @@ std::vector<std::uint8_t> locked_outputs(const std::vector<std::uint8_t>& locked
 }  // namespace
 
 PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOptions& options, Decimation& decimation) {
-  if (options.polish_passes == 0U) return {};
   const DecimateOptions& decimate = options.decimate;
+  if (options.polish_passes == 0U) return {};
+  const Progress before{decimation.result.n_vertices, decimation.result.n_faces, 0, Stage::polish};
+  if (decimate.progress && !decimate.progress(before)) return {};
   PolishOptions polish_options;
   polish_options.passes = *options.polish_passes;
   polish_options.flips = *options.flips;
   polish_options.fit_borders = decimate.boundary != Boundary::locked;
-  polish_options.feature_angle_deg = decimate.feature_angle_deg.value_or(180);
-  polish_options.min_radius_ratio = decimate.min_radius_ratio.value_or(0);
+  if (decimate.feature_angle_deg.value_or(180) < 180) polish_options.feature_angle_deg = *decimate.feature_angle_deg;
+  if (decimate.min_radius_ratio) polish_options.min_radius_ratio = *decimate.min_radius_ratio;
   polish_options.threads = decimate.threads;
   const std::vector<std::uint8_t> locked = locked_outputs(decimate.locked, decimation);
   polish_options.locked = locked;

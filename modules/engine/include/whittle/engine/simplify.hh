@@ -19,7 +19,8 @@ enum class Effort {
 
 struct SimplifyOptions {
   /// An empty `cost` is by effort; plain quadrics where another option needs them (`with_effort`). `progress` is asked
-  /// during polish, too. `locked` vertices also stay in polish. `keep_quadrics` gives those before polish.
+  /// before polish, too; false leaves the result as decimated. `locked` vertices also stay in polish. `keep_quadrics`
+  /// gives those before polish.
   DecimateOptions decimate{};
 
   /// At most so many passes of polish; one that doesn't help is taken back and ends them. 0 = no polish. Empty = by
