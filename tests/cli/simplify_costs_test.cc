@@ -210,7 +210,7 @@ TEST(SimplifyCosts, LockedBordersKeepEveryBit) {
 TEST(Simplify, GivesWhatTheLibraryGives) {
   const std::array<std::pair<std::string, Effort>, 3> efforts{
       {{"fast", Effort::fast}, {"normal", Effort::normal}, {"best", Effort::best}}};
-  for (const std::string& name : {"knot.ply", "terrain.ply", "bracket.stl", "cubes.obj"}) {
+  for (const char* const name : {"knot.ply", "terrain.ply", "bracket.stl", "cubes.obj"}) {
     const IndexedMesh input = io::read_mesh(data_file(name)).mesh;
     for (const auto& [word, effort] : efforts) {
       const IndexedMesh by_program = simplify(data_file(name), {"--faces", "200", "--effort", word}).mesh;
