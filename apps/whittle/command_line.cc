@@ -76,13 +76,12 @@ void add_mesh_file(CLI::App& app, std::string& path) {
 void check_conflicts(const CLI::App& app, std::span<const Conflict> conflicts) {
   for (const Conflict& conflict : conflicts) {
     if (!is_given(app, conflict.first) || !is_given(app, conflict.second)) continue;
-    throw UsageError(std::string(conflict.first) + " doesn't go with " + std::string(conflict.second) + ": " +
-                     std::string(conflict.why));
+    throw UsageError(conflict.first + " doesn't go with " + conflict.second + ": " + conflict.why);
   }
 }
 
 std::span<const Conflict> common_conflicts() {
-  static constexpr std::array<Conflict, 1> conflicts{{{"--quiet", "--verbose", "say less or say more"}}};
+  static const std::array<Conflict, 1> conflicts{{{"--quiet", "--verbose", "say less or say more"}}};
   return conflicts;
 }
 

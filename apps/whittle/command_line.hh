@@ -66,9 +66,9 @@ CLI::Option* add_value(CLI::App& app, const std::string& names, const std::strin
 
 /// Two options, or values of options, that don't go together.
 struct Conflict {
-  std::string_view first;
-  std::string_view second;
-  std::string_view why;
+  std::string first;
+  std::string second;
+  std::string why;
 };
 
 /// \param conflicts each side as on the command line: "--map", "--boundary free".

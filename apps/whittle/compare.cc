@@ -34,7 +34,7 @@ struct Contender {
 };
 
 struct Comparison {
-  DecimateTarget target;
+  DecimateTarget target = DecimateTarget::as_far_as_possible();
   Contender ours;
   Contender stock;
   double stock_seconds_build = 0;

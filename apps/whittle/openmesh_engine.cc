@@ -33,7 +33,7 @@ ModuleT& add_module(StockDecimater& decimater) {
 CostModule& add_plain_cost(StockDecimater& decimater, const DecimateOptions& options) {
   QuadricOptions quadric = options.quadric;
   if (options.boundary == Boundary::free) quadric.boundary_weight = 0;
-  switch (options.cost) {
+  switch (options.effective_cost()) {
     case Cost::lindstrom_turk:
       return add_module<ModLindstromTurkT<DoubleMesh>>(decimater);
     case Cost::midpoint:
@@ -60,11 +60,11 @@ CostModule& add_cost(StockDecimater& decimater, const DecimateOptions& options) 
 
 void add_guards(StockDecimater& decimater, const CostModule& cost, const DecimateOptions& options) {
   auto& flip_guard = add_module<ModFlipGuardT<DoubleMesh>>(decimater);
-  flip_guard.set_max_normal_flip_deg(options.max_normal_flip_deg);
+  flip_guard.set_max_normal_flip_deg(options.effective_max_normal_flip_deg());
   flip_guard.set_cost_module(&cost);
-  if (options.min_radius_ratio == 0) return;
+  if (!options.min_radius_ratio) return;
   auto& radius_guard = add_module<ModRadiusRatioT<DoubleMesh>>(decimater);
-  radius_guard.set_min_radius_ratio(options.min_radius_ratio);
+  radius_guard.set_min_radius_ratio(*options.min_radius_ratio);
   radius_guard.set_cost_module(&cost);
 }
 
@@ -126,15 +126,9 @@ Progress progress_after(std::size_t n_collapses, const IndexedMesh& input, const
     return initial > wanted ? static_cast<double>(each * n_collapses) / static_cast<double>(initial - wanted) : 1.0;
   };
   double fraction = 0;
-  if (target.faces) fraction = share(input.faces.size(), *target.faces, 2);
-  if (target.vertices) fraction = std::max(fraction, share(input.positions.size(), *target.vertices, 1));
+  if (target.n_faces()) fraction = share(input.faces.size(), *target.n_faces(), 2);
+  if (target.n_vertices()) fraction = std::max(fraction, share(input.positions.size(), *target.n_vertices(), 1));
   return {input.positions.size() - n_collapses, n_faces, std::min(1.0, fraction)};
-}
-
-StopReason stop_reason(const DecimateResult& result, const DecimateTarget& target) {
-  const bool has_faces = target.faces && result.n_faces <= *target.faces;
-  const bool has_vertices = target.vertices && result.n_vertices <= *target.vertices;
-  return has_faces || has_vertices ? StopReason::target : StopReason::exhausted;
 }
 
 /// The result and the vertex map, from the mesh as it is before its garbage is collected.
@@ -178,14 +172,15 @@ Decimation decimate_in_openmesh(const IndexedMesh& input, const std::string& nam
   });
   decimater.set_observer(&observer);
   decimater.initialize();
-  decimater.decimate_to_faces(target.vertices.value_or(0), target.faces.value_or(0));
+  decimater.decimate_to_faces(target.n_vertices().value_or(0), target.n_faces().value_or(0));
 
   Decimation out = extract(mesh, input, log);
   out.result.n_contractions = log.n_collapses();
   out.result.n_vertices = out.mesh.positions.size();
   out.result.n_faces = out.mesh.faces.size();
   out.result.max_cost = log.max_cost();
-  out.result.stop = cancelled ? StopReason::cancelled : stop_reason(out.result, target);
+  const bool is_reached = target.is_reached_at(out.result.n_faces, out.result.n_vertices);
+  out.result.stop = cancelled ? StopReason::cancelled : is_reached ? StopReason::target : StopReason::exhausted;
   return out;
 }
 

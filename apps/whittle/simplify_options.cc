@@ -1,6 +1,9 @@
 #include "simplify_options.hh"
 
 #include <array>
+#include <iterator>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "errors.hh"
@@ -11,10 +14,11 @@
 namespace whittle::app {
 namespace {
 
-constexpr std::array<Choice<Cost>, 4> costs{{{"quadric", Cost::quadric},
-                                             {"memoryless", Cost::memoryless},
-                                             {"lindstrom-turk", Cost::lindstrom_turk},
-                                             {"midpoint", Cost::midpoint}}};
+constexpr auto costs = [] {
+  std::array<Choice<Cost>, all_cost_traits.size()> choices{};
+  for (std::size_t i = 0; i < choices.size(); ++i) choices[i] = {all_cost_traits[i].name, all_cost_traits[i].cost};
+  return choices;
+}();
 constexpr std::array<Choice<Effort>, 3> efforts{
     {{"fast", Effort::fast}, {"normal", Effort::normal}, {"best", Effort::best}}};
 constexpr std::array<Choice<Order>, 2> orders{{{"exact", Order::exact}, {"approximate", Order::approximate}}};
@@ -27,43 +31,46 @@ constexpr std::array<Choice<Boundary>, 3> boundaries{
 constexpr std::array<Choice<Topology>, 2> topologies{{{"keep", Topology::keep}, {"free", Topology::free}}};
 constexpr std::array<Choice<Engine>, 2> engines{{{"flat", Engine::flat}, {"openmesh", Engine::openmesh}}};
 
-constexpr char no_pairs_why[] = "OpenMesh's decimater contracts edges alone";
-constexpr char no_quadrics_why[] = "the cost has no quadrics";
-constexpr char own_weights_why[] = "its planes change, and count by area";
-constexpr char own_placement_why[] = "the cost has a placement of its own";
-constexpr char edges_alone_why[] = "vertices that no edge joins go with plain quadrics alone";
-constexpr char not_in_openmesh_why[] = "only Whittle's own loop does that";
-constexpr std::array<Conflict, 28> conflicts{
-    {{"--weights uniform", "--cost memoryless", own_weights_why},
-     {"--weights area-angle", "--cost memoryless", own_weights_why},
-     {"--isotropic", "--cost memoryless", "it blends quadrics that remember with the length of edges"},
-     {"--weights uniform", "--cost lindstrom-turk", no_quadrics_why},
-     {"--weights area-angle", "--cost lindstrom-turk", no_quadrics_why},
-     {"--placement midpoint", "--cost lindstrom-turk", own_placement_why},
-     {"--placement endpoint", "--cost lindstrom-turk", own_placement_why},
-     {"--weights uniform", "--cost midpoint", no_quadrics_why},
-     {"--weights area-angle", "--cost midpoint", no_quadrics_why},
-     {"--placement midpoint", "--cost midpoint", own_placement_why},
-     {"--placement endpoint", "--cost midpoint", own_placement_why},
-     {"--boundary-weight", "--cost lindstrom-turk", "the cost has a term of its own for borders"},
-     {"--boundary-weight", "--cost midpoint", no_quadrics_why},
-     {"--isotropic", "--cost lindstrom-turk", "it blends quadrics with the length of edges"},
-     {"--isotropic", "--cost midpoint", "it blends quadrics with the length of edges"},
-     {"--threshold", "--cost lindstrom-turk", edges_alone_why},
-     {"--threshold", "--cost midpoint", edges_alone_why},
-     {"--threshold", "--isotropic", edges_alone_why},
-     {"--threshold", "--valence", edges_alone_why},
-     {"--boundary-weight", "--boundary free", "nothing holds borders that are free"},
-     {"--feature-angle", "--engine openmesh", not_in_openmesh_why},
-     {"--min-radius-ratio", "--engine openmesh", not_in_openmesh_why},
-     {"--order approximate", "--engine openmesh", not_in_openmesh_why},
-     {"--max-cost", "--engine openmesh", "OpenMesh looks at a cost when it is queued, not when its turn comes"},
-     {"--threshold", "--engine openmesh", no_pairs_why},
-     {"--max-pairs", "--engine openmesh", no_pairs_why},
-     {"--across-walls", "--engine openmesh", no_pairs_why},
-     {"--topology free", "--engine openmesh", "a half-edge mesh keeps its topology"}}};
+/// What a cost doesn't take, in the order in which conflicts are reported.
+void add_cost_conflicts(const CostTraits& traits, std::vector<Conflict>& conflicts) {
+  const auto add = [&](const char* option, std::string_view why) {
+    if (!why.empty()) conflicts.push_back({option, "--cost " + std::string(traits.name), std::string(why)});
+  };
+  const CostConflicts& why = traits.why_not;
+  add("--weights uniform", why.weights);
+  add("--weights area-angle", why.weights);
+  add("--placement midpoint", why.placement);
+  add("--placement endpoint", why.placement);
+  add("--boundary-weight", why.boundary_weight);
+  add("--isotropic", why.isotropy);
+  add("--valence", why.valence_weight);
+  add("--threshold", why.threshold);
+}
 
-constexpr Range flip_range{0, 180, false};
+std::vector<Conflict> conflicts() {
+  std::vector<Conflict> all;
+  for (const CostTraits& traits : all_cost_traits) add_cost_conflicts(traits, all);
+  const std::string edges_alone(plain_quadrics_alone);
+  const std::string no_pairs = "OpenMesh's decimater contracts edges alone";
+  const std::string not_in_openmesh = "only Whittle's own loop does that";
+  const Conflict more[] = {
+      {"--threshold", "--isotropic", edges_alone},
+      {"--threshold", "--valence", edges_alone},
+      {"--boundary-weight", "--boundary free", std::string(free_borders_have_no_weight)},
+      {"--feature-angle", "--engine openmesh", not_in_openmesh},
+      {"--min-radius-ratio", "--engine openmesh", not_in_openmesh},
+      {"--order approximate", "--engine openmesh", not_in_openmesh},
+      {"--max-cost", "--engine openmesh", "OpenMesh looks at a cost when it is queued, not when its turn comes"},
+      {"--threshold", "--engine openmesh", no_pairs},
+      {"--max-pairs", "--engine openmesh", no_pairs},
+      {"--across-walls", "--engine openmesh", no_pairs},
+      {"--topology free", "--engine openmesh", "a half-edge mesh keeps its topology"}};
+  all.insert(all.end(), std::begin(more), std::end(more));
+  return all;
+}
+
+constexpr Range angle_range{0, 180, false};
+constexpr Range ratio_range{0, 1};
 
 constexpr char pair_group[] = "Pairs and parts";
 constexpr char cost_group[] = "Cost";
@@ -89,6 +96,18 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, const std::strin
       ->default_str(shortest(target));
 }
 
+/// Defaults by cost for the help: "75; 60 with memoryless".
+template <class Text>
+std::string defaults_by_cost(const Text& text) {
+  const std::string usual = text(cost_traits(Cost::quadric));
+  std::string others;
+  for (const CostTraits& traits : all_cost_traits) {
+    if (text(traits) == usual) continue;
+    others += (others.empty() ? "; " : ", ") + text(traits) + " with " + std::string(traits.name);
+  }
+  return usual + others;
+}
+
 ThresholdOption parse_threshold(std::string_view text) {
   constexpr std::string_view automatic = "auto";
   if (text == automatic) return {true, {}};
@@ -99,8 +118,8 @@ ThresholdOption parse_threshold(std::string_view text) {
   }
 }
 
-void add_pair_options(CLI::App& app, SimplifyOptions& options) {
-  PairOptions& pairs = options.decimate.pairs;
+void add_pair_options(CLI::App& app, SimplifyCommand& options) {
+  PairOptions& pairs = options.simplify.decimate.pairs;
   add_value(
       app, "-t,--threshold", "T", options.threshold, parse_threshold,
       "also contract vertices closer than T that no edge joins: model units, a percentage of the diagonal such as "
@@ -110,16 +129,17 @@ void add_pair_options(CLI::App& app, SimplifyOptions& options) {
   add_value(
       app, "--max-pairs", "K", pairs.max_pairs,
       [](std::string_view text) {
-        return static_cast<std::uint32_t>(parse_count(text, 0, std::numeric_limits<std::uint32_t>::max()));
+        const std::uint64_t n = parse_count(text, 0, std::numeric_limits<std::uint32_t>::max());
+        return n == 0 ? std::nullopt : std::optional(static_cast<std::uint32_t>(n));
       },
       "of the vertices closer than T only the K nearest of each, 0: all")
-      ->default_str(std::to_string(pairs.max_pairs))
+      ->default_str(std::to_string(*pairs.max_pairs))
       ->group(pair_group);
   app.add_flag("--across-walls", pairs.across_walls, "also contract vertices on both sides of a wall thinner than T")
       ->default_str("off")
       ->group(pair_group);
   add_choice<Topology>(
-      app, "--topology", options.decimate.topology, topologies,
+      app, "--topology", options.simplify.decimate.topology, topologies,
       "keep: contracting an edge closes no tunnel, opens no hole and lets no part vanish; free: it may")
       ->group(pair_group);
   add_value(
@@ -130,8 +150,8 @@ void add_pair_options(CLI::App& app, SimplifyOptions& options) {
       ->group(pair_group);
 }
 
-void add_cost_options(CLI::App& app, SimplifyOptions& options) {
-  DecimateOptions& decimate = options.decimate;
+void add_cost_options(CLI::App& app, SimplifyCommand& options) {
+  DecimateOptions& decimate = options.simplify.decimate;
   QuadricOptions& quadric = decimate.quadric;
   add_choice<Effort>(
       app, "--effort", options.effort, efforts,
@@ -139,7 +159,7 @@ void add_cost_options(CLI::App& app, SimplifyOptions& options) {
       "--polish 3', and edges are flipped where that helps")
       ->group(cost_group);
   add_value(
-      app, "--cost", words_of<Cost>(costs), options.cost,
+      app, "--cost", words_of<Cost>(costs), decimate.cost,
       [](std::string_view text) { return parse_choice<Cost>(text, costs); },
       "what ranks and places: distance to the planes merged so far, or to those around as they are, change "
       "of volume, or the length of edges alone")
@@ -163,10 +183,11 @@ void add_cost_options(CLI::App& app, SimplifyOptions& options) {
       app, "--order", words_of<Order>(orders), decimate.order,
       [](std::string_view text) { return parse_choice<Order>(text, orders); },
       "exact: always the cheapest next; approximate: faster for costs other than plain quadrics")
-      ->default_str("exact; approximate with memoryless")
+      ->default_str(defaults_by_cost(
+          [](const CostTraits& traits) { return std::string(word_of<Order>(orders, traits.default_order)); }))
       ->group(cost_group);
   add_value(
-      app, "--polish", "N", options.polish_passes,
+      app, "--polish", "N", options.simplify.polish_passes,
       [](std::string_view text) { return static_cast<unsigned>(parse_count(text, 0, 1000)); },
       "passes that fit the result to the mesh it came from; one that doesn't help is taken back, and ends them (0: "
       "none)")
@@ -177,16 +198,23 @@ void add_cost_options(CLI::App& app, SimplifyOptions& options) {
       ->group(cost_group);
 }
 
-void add_guard_options(CLI::App& app, SimplifyOptions& options) {
-  DecimateOptions& decimate = options.decimate;
+void add_guard_options(CLI::App& app, SimplifyCommand& options) {
+  DecimateOptions& decimate = options.simplify.decimate;
   add_choice<Boundary>(app, "--boundary", decimate.boundary, boundaries,
                        "open borders are held by a weight, don't move at all, or move freely")
       ->group(guard_group);
   add_number(app, "--boundary-weight", "W", decimate.quadric.boundary_weight, {0},
              "how firmly weighted borders are held, a factor on the squared length of a border edge")
       ->group(guard_group);
-  add_number(app, "--feature-angle", "DEG", decimate.feature_angle_deg, {0, 180, false},
-             "edges sharper than DEG degrees are features: their lines stay, and no others get so sharp (180: none)")
+  add_value(
+      app, "--feature-angle", "DEG", decimate.feature_angle_deg,
+      [](std::string_view text) {
+        const double degrees = parse_number(text, angle_range, "DEG");
+        return degrees < 180 ? std::optional(degrees) : std::nullopt;
+      },
+      "edges sharper than DEG degrees are features: their lines stay, and no others get so sharp (180: none), " +
+          to_string(angle_range, "DEG"))
+      ->default_str("180")
       ->group(guard_group);
   add_value(
       app, "--feature-tolerance", "T", options.feature_tolerance,
@@ -195,37 +223,32 @@ void add_guard_options(CLI::App& app, SimplifyOptions& options) {
       ->default_str(to_string(options.feature_tolerance))
       ->group(guard_group);
   add_value(
-      app, "--max-normal-flip", "DEG", options.max_normal_flip_deg,
-      [](std::string_view text) { return parse_number(text, flip_range, "DEG"); },
-      "refuse a contraction that turns a face further than DEG degrees (180: never), " + to_string(flip_range, "DEG"))
-      ->default_str("75; 60 with memoryless, 110 with lindstrom-turk")
+      app, "--max-normal-flip", "DEG", decimate.max_normal_flip_deg,
+      [](std::string_view text) { return parse_number(text, angle_range, "DEG"); },
+      "refuse a contraction that turns a face further than DEG degrees (180: never), " + to_string(angle_range, "DEG"))
+      ->default_str(
+          defaults_by_cost([](const CostTraits& traits) { return shortest(traits.default_max_normal_flip_deg); }))
       ->group(guard_group);
-  add_number(app, "--min-radius-ratio", "X", decimate.min_radius_ratio, {0, 1},
-             "refuse a contraction that leaves a face with a smaller ratio of inner to outer circle, 1 for an "
-             "equilateral one, unless it was thinner before (0: never)")
+  add_value(
+      app, "--min-radius-ratio", "X", decimate.min_radius_ratio,
+      [](std::string_view text) {
+        const double ratio = parse_number(text, ratio_range, "X");
+        return ratio > 0 ? std::optional(ratio) : std::nullopt;
+      },
+      "refuse a contraction that leaves a face with a smaller ratio of inner to outer circle, 1 for an equilateral "
+      "one, unless it was thinner before (0: never), " +
+          to_string(ratio_range, "X"))
+      ->default_str("0")
       ->group(guard_group);
 }
 
-bool has_threshold(const SimplifyOptions& options) {
+bool has_threshold(const SimplifyCommand& options) {
   return options.threshold.is_automatic || options.threshold.length.value > 0;
-}
-
-/// Whether there is an option that memoryless quadrics don't have, or that they are poor with.
-bool needs_plain_quadrics(const SimplifyOptions& options) {
-  const DecimateOptions& decimate = options.decimate;
-  return options.engine == Engine::openmesh || decimate.isotropy > 0 || decimate.quadric.weights != Weights::area ||
-         (has_threshold(options) && decimate.order == Order::exact);
-}
-
-unsigned passes_of(const SimplifyOptions& options) {
-  const bool has_own_places = options.decimate.quadric.placement != Placement::optimal;
-  if (options.effort == Effort::fast || has_own_places) return 0;
-  return options.effort == Effort::best ? 3 : 1;
 }
 
 }  // namespace
 
-void add_simplify_options(CLI::App& app, SimplifyOptions& options) {
+void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
   add_mesh_file(app, options.input);
   add_target_options(app, options.targets);
   app.add_flag("--strict", options.strict, "end with status 3 when the target was not met")
@@ -249,21 +272,28 @@ void add_simplify_options(CLI::App& app, SimplifyOptions& options) {
   add_common_options(app, options.common);
 }
 
-SimplifyOptions settled(SimplifyOptions options) {
-  const bool is_plain = options.effort == Effort::fast || needs_plain_quadrics(options);
-  options.decimate.cost = options.cost.value_or(is_plain ? Cost::quadric : Cost::memoryless);
-  options.polish_passes = options.polish_passes.value_or(passes_of(options));
-  return options;
+SimplifyCommand settled(SimplifyCommand command) {
+  SimplifyOptions probe = command.simplify;
+  if (command.engine == Engine::openmesh) probe.decimate.cost = probe.decimate.cost.value_or(Cost::quadric);
+  // The threshold is known when the mesh is. The effort only looks at whether there is one.
+  if (has_threshold(command)) probe.decimate.pairs.threshold = std::numeric_limits<double>::infinity();
+  probe = with_effort(command.effort, std::move(probe));
+  command.simplify.decimate.cost = probe.decimate.cost;
+  command.simplify.polish_passes = probe.polish_passes;
+  command.simplify.flips = probe.flips;
+  return command;
 }
 
-void check(const CLI::App& app, const SimplifyOptions& options) {
+void check(const CLI::App& app, const SimplifyCommand& options) {
   check_targets(options.targets);
   check_conflicts(app, common_conflicts());
-  check_conflicts(app, conflicts);
-  if (has_threshold(options) && options.decimate.cost == Cost::memoryless && options.decimate.order == Order::exact) {
-    throw UsageError(
-        "'--threshold' and '--order exact' don't go together with '--cost memoryless': vertices that no edge joins "
-        "have no place in its exact order");
+  check_conflicts(app, conflicts());
+  const DecimateOptions& decimate = options.simplify.decimate;
+  const CostTraits& traits = cost_traits(decimate.effective_cost());
+  const std::string_view why = traits.why_not.threshold_in_exact_order;
+  if (has_threshold(options) && decimate.effective_order() == Order::exact && !why.empty()) {
+    throw UsageError("'--threshold' and '--order exact' don't go together with '--cost " + std::string(traits.name) +
+                     "': " + std::string(why));
   }
   check_inputs({options.input}, {options.output}, options.reading.format);
   format_for_output(options.output, options.reading.format);
@@ -273,30 +303,31 @@ void check(const CLI::App& app, const SimplifyOptions& options) {
   check_outputs(outputs, {options.input}, options.common.force);
 }
 
-nlohmann::ordered_json options_json(const SimplifyOptions& options) {
-  const QuadricOptions& quadric = options.decimate.quadric;
+nlohmann::ordered_json options_json(const SimplifyCommand& options) {
+  const DecimateOptions& decimate = options.simplify.decimate;
+  const QuadricOptions& quadric = decimate.quadric;
   return {
       {"weld", options.reading.weld},
       {"effort", word_of<Effort>(efforts, options.effort)},
-      {"cost", word_of<Cost>(costs, options.decimate.cost)},
-      {"valence", options.decimate.valence_weight},
-      {"isotropic", options.decimate.isotropy},
-      {"order", word_of<Order>(orders, options.order())},
-      {"polish", *options.polish_passes},
+      {"cost", to_string(decimate.effective_cost())},
+      {"valence", decimate.valence_weight},
+      {"isotropic", decimate.isotropy},
+      {"order", word_of<Order>(orders, decimate.effective_order())},
+      {"polish", *options.simplify.polish_passes},
       {"weights", word_of<Weights>(weights, quadric.weights)},
       {"placement", word_of<Placement>(placements, quadric.placement)},
-      {"boundary", word_of<Boundary>(boundaries, options.decimate.boundary)},
+      {"boundary", word_of<Boundary>(boundaries, decimate.boundary)},
       {"boundary_weight", quadric.boundary_weight},
       {"regularization", quadric.regularization},
-      {"feature_angle_deg", options.decimate.feature_angle_deg},
+      {"feature_angle_deg", decimate.feature_angle_deg.value_or(180)},
       {"feature_tolerance", to_string(options.feature_tolerance)},
-      {"max_normal_flip_deg", options.max_normal_flip()},
-      {"min_radius_ratio", options.decimate.min_radius_ratio},
+      {"max_normal_flip_deg", decimate.effective_max_normal_flip_deg()},
+      {"min_radius_ratio", decimate.min_radius_ratio.value_or(0)},
       {"threshold", options.threshold.is_automatic ? "auto" : to_string(options.threshold.length)},
-      {"max_pairs", options.decimate.pairs.max_pairs},
-      {"across_walls", options.decimate.pairs.across_walls},
+      {"max_pairs", decimate.pairs.max_pairs.value_or(0)},
+      {"across_walls", decimate.pairs.across_walls},
       {"point_weight", quadric.point_weight},
-      {"topology", word_of<Topology>(topologies, options.decimate.topology)},
+      {"topology", word_of<Topology>(topologies, decimate.topology)},
       {"prune", options.prune ? nlohmann::ordered_json(to_string(*options.prune)) : nlohmann::ordered_json(nullptr)},
       {"engine", word_of<Engine>(engines, options.engine)},
       {"strict", options.strict},

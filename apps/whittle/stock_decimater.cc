@@ -35,14 +35,14 @@ StockRun decimate_by_stock(const IndexedMesh& input, const std::string& name, co
     OpenMesh::Decimater::ModNormalFlippingT<DoubleMesh>::Handle flipping;
     decimater.add(quadric);
     decimater.add(flipping);
-    if (target.max_cost) decimater.module(quadric).set_max_err(*target.max_cost, false);
+    if (target.cost_limit()) decimater.module(quadric).set_max_err(*target.cost_limit(), false);
     ContractionObserver observer([&progress](std::size_t n_contractions) {
       progress(n_contractions);
       return true;
     });
     decimater.set_observer(&observer);
     decimater.initialize();
-    decimater.decimate_to_faces(target.vertices.value_or(0), target.faces.value_or(0));
+    decimater.decimate_to_faces(target.n_vertices().value_or(0), target.n_faces().value_or(0));
   }
   mesh.garbage_collection();
   run.seconds_decimate = decimating.seconds();

@@ -37,34 +37,37 @@ void check_targets(const TargetOptions& options) {
 }
 
 DecimateTarget resolve(const TargetOptions& options, std::uint64_t n_vertices) {
-  DecimateTarget target{options.faces, options.vertices, options.max_cost};
+  DecimateTarget target = DecimateTarget::as_far_as_possible();
+  if (options.faces) target = target.or_faces(*options.faces);
+  if (options.vertices) target = target.or_vertices(*options.vertices);
+  if (options.max_cost) target = target.or_max_cost(*options.max_cost);
   if (options.ratio) {
     const std::uint64_t kept = share_of(*options.ratio, n_vertices);
-    target.vertices = std::max(kept, target.vertices.value_or(0));
+    target = target.or_vertices(std::max(kept, target.n_vertices().value_or(0)));
   }
   return target;
 }
 
 bool is_met(const DecimateTarget& target, StopReason stop) {
-  const bool has_count = target.faces || target.vertices;
+  const bool has_count = target.n_faces() || target.n_vertices();
   return stop == StopReason::target || stop == StopReason::cost || (stop == StopReason::exhausted && !has_count);
 }
 
 std::string to_string(const DecimateTarget& target) {
   std::string text;
   const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : " or ") + part; };
-  if (target.faces) add(std::to_string(*target.faces) + " faces");
-  if (target.vertices) add(std::to_string(*target.vertices) + " vertices");
-  if (target.max_cost) add("cost " + shortest(*target.max_cost));
+  if (target.n_faces()) add(std::to_string(*target.n_faces()) + " faces");
+  if (target.n_vertices()) add(std::to_string(*target.n_vertices()) + " vertices");
+  if (target.cost_limit()) add("cost " + shortest(*target.cost_limit()));
   return text;
 }
 
 nlohmann::ordered_json target_json(const TargetOptions& options, const DecimateTarget& target) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  if (target.faces) json["faces"] = *target.faces;
-  if (target.vertices) json["vertices"] = *target.vertices;
+  if (target.n_faces()) json["faces"] = *target.n_faces();
+  if (target.n_vertices()) json["vertices"] = *target.n_vertices();
   if (options.ratio) json["ratio"] = *options.ratio;
-  if (target.max_cost) json["max_cost"] = *target.max_cost;
+  if (target.cost_limit()) json["max_cost"] = *target.cost_limit();
   return json;
 }
 

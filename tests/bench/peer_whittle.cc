@@ -18,7 +18,6 @@ class Whittle : public Peer {
   IndexedMesh decimate(const IndexedMesh& input, std::size_t n_faces, Meter& meter) const override {
     DecimateOptions options;
     if (effort_ != WhittleEffort::fast) options.cost = Cost::memoryless;
-    options.max_normal_flip_deg = best_max_normal_flip_deg(options.cost);
     options.threads = threads_;
     options.progress = [](const Progress&) { return true; };
     PolishOptions polish_options;
@@ -26,7 +25,7 @@ class Whittle : public Peer {
     polish_options.flips = effort_ == WhittleEffort::best;
     polish_options.threads = threads_;
     meter.start();
-    Decimation decimation = whittle::decimate(input, {.faces = n_faces}, options);
+    Decimation decimation = whittle::decimate(input, DecimateTarget::faces(n_faces), options);
     if (effort_ != WhittleEffort::fast) polish(input, decimation.vertex_map, decimation.mesh, polish_options);
     meter.stop();
     return std::move(decimation.mesh);

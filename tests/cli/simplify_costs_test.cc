@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "simplified.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/engine/simplify.hh"
 #include "whittle/io/read.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/line_distance.hh"
@@ -202,6 +204,20 @@ TEST(SimplifyCosts, LockedBordersKeepEveryBit) {
     std::vector<std::string> options = cost;
     options.insert(options.end(), {"--boundary", "locked"});
     EXPECT_EQ(border(with(terrain, "20%", options).mesh), before) << cost[1];
+  }
+}
+
+TEST(Simplify, GivesWhatTheLibraryGives) {
+  const std::array<std::pair<std::string, Effort>, 3> efforts{
+      {{"fast", Effort::fast}, {"normal", Effort::normal}, {"best", Effort::best}}};
+  for (const char* const name : {"knot.ply", "terrain.ply", "bracket.stl", "cubes.obj"}) {
+    const IndexedMesh input = io::read_mesh(data_file(name)).mesh;
+    for (const auto& [word, effort] : efforts) {
+      const IndexedMesh by_program = simplify(data_file(name), {"--faces", "200", "--effort", word}).mesh;
+      const IndexedMesh by_library = whittle::simplify(input, DecimateTarget::faces(200), effort).mesh;
+      EXPECT_EQ(by_program.faces, by_library.faces) << name << ' ' << word;
+      EXPECT_EQ(by_program.positions, by_library.positions) << name << ' ' << word;
+    }
   }
 }
 

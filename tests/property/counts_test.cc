@@ -58,10 +58,11 @@ TEST_P(Counts, AreThoseAskedForAndTheSurfaceStays) {
   };
   for (const double ratio : GetParam().ratios) {
     const auto asked = static_cast<std::uint64_t>(ratio * static_cast<double>(before.vertices));
-    EXPECT_EQ(check({.vertices = asked}, asked, " vertices").vertices, asked);
+    EXPECT_EQ(check(DecimateTarget::vertices(asked), asked, " vertices").vertices, asked);
   }
   for (const std::uint64_t asked : GetParam().n_faces) {
-    EXPECT_EQ(check({.faces = asked}, asked, " faces").faces, asked - asked % 2);  // closed: faces go in twos
+    EXPECT_EQ(check(DecimateTarget::faces(asked), asked, " faces").faces,
+              asked - asked % 2);  // closed: faces go in twos
   }
 }
 

@@ -33,7 +33,7 @@ class BunnyInvariance : public testing::TestWithParam<Cost> {
     options.cost = GetParam();
     options.threads = threads;
     options.listener = [&](const Contraction& c) { outcome.pairs.push_back({c.survivor, c.removed}); };
-    outcome.decimation = decimate(mesh, {.faces = mesh.faces.size() / 10}, options);
+    outcome.decimation = decimate(mesh, DecimateTarget::faces(mesh.faces.size() / 10), options);
     outcome.mean_error = metrics::surface_distance(mesh, outcome.decimation.mesh, {.samples = 200'000}).mean;
     return outcome;
   }

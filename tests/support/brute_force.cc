@@ -17,9 +17,24 @@ bool meet(const std::set<T>& a, const std::set<T>& b) {
   return std::ranges::any_of(a, [&](const T& x) { return b.contains(x); });
 }
 
+double default_flip_deg(Cost cost) {
+  switch (cost) {
+    case Cost::lindstrom_turk:
+      return 110;
+    case Cost::memoryless:
+      return 60;
+    case Cost::quadric:
+    case Cost::midpoint:
+      break;
+  }
+  return 75;
+}
+
 }  // namespace
 
 BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const DecimateOptions& options) : options_(options) {
+  options_.cost = options.cost.value_or(Cost::quadric);
+  options_.max_normal_flip_deg = options.max_normal_flip_deg.value_or(default_flip_deg(*options_.cost));
   Vec3 low = mesh.positions.at(0);
   Vec3 high = low;
   for (const Vec3& p : mesh.positions) {
@@ -62,12 +77,12 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
   }
   const double tolerance = options.feature_tolerance * bounds_of(mesh.positions).diagonal() * frame_.scale;
   restraints_ = BruteForceRestraints(positions_, faces_, locked, options, tolerance);
-  if (options.cost == Cost::memoryless) memory_.emplace(positions_, faces_);
+  if (options_.cost == Cost::memoryless) memory_.emplace(positions_, faces_);
   if (options.pairs.threshold > 0) find_threshold_pairs(options.pairs);
 }
 
 void BruteForceDecimater::find_threshold_pairs(const PairOptions& options) {
-  const double threshold = options.threshold * frame_.scale;
+  const double threshold = options.threshold.value() * frame_.scale;
   std::vector<std::vector<std::pair<double, Index>>> nearby(positions_.size());
   const std::map<Edge, int> edges = count_edge_faces(faces_);
   const auto is_used = [&](Index v) {
@@ -94,7 +109,7 @@ void BruteForceDecimater::find_threshold_pairs(const PairOptions& options) {
       nearby[a].emplace_back(distance_sq, b);
     }
     std::ranges::sort(nearby[a]);
-    if (options.max_pairs > 0 && nearby[a].size() > options.max_pairs) nearby[a].resize(options.max_pairs);
+    if (options.max_pairs && nearby[a].size() > *options.max_pairs) nearby[a].resize(*options.max_pairs);
     for (const auto& [distance_sq, b] : nearby[a]) threshold_pairs_.insert(edge(a, b));
   }
 }
@@ -315,7 +330,7 @@ bool BruteForceDecimater::keeps_topology(Index a, Index b) const {
 
 /// Whether the face may have its corner v moved.
 bool BruteForceDecimater::keeps_normals(const Triangle& face, Index v, const Vec3& to) const {
-  const double least_cosine = std::cos(options_.max_normal_flip_deg * std::numbers::pi / 180);
+  const double least_cosine = std::cos(*options_.max_normal_flip_deg * std::numbers::pi / 180);
   const std::size_t corner = corner_of(face, v);
   const Vec3& x = positions_[face[(corner + 1) % 3]];
   const Vec3& y = positions_[face[(corner + 2) % 3]];
@@ -335,7 +350,7 @@ bool BruteForceDecimater::keeps_shape(const Triangle& face, Index v, const Vec3&
   const Vec3& x = positions_[face[(corner + 1) % 3]];
   const Vec3& y = positions_[face[(corner + 2) % 3]];
   const double after = radius_ratio(to, x, y);
-  return after >= options_.min_radius_ratio || after >= radius_ratio(positions_[v], x, y);
+  return after >= options_.min_radius_ratio.value_or(0) || after >= radius_ratio(positions_[v], x, y);
 }
 
 void BruteForceDecimater::contract(const Choice& choice, Index survivor, Index removed) {
@@ -375,11 +390,11 @@ Quadric BruteForceDecimater::merge_quadrics(const Choice& choice) {
 std::vector<Contraction> BruteForceDecimater::run(const DecimateTarget& target) {
   const double dimension = cost_dimension(options_);
   std::vector<Contraction> done;
-  while ((!target.faces || n_faces() > *target.faces) && (!target.vertices || n_vertices() > *target.vertices)) {
+  while (n_faces() > target.n_faces().value_or(0) && n_vertices() > target.n_vertices().value_or(0)) {
     const std::optional<Choice> choice = next_choice();
     if (!choice) break;
     const double cost = frame_.cost_to_model(choice->cost, dimension);
-    if (target.max_cost && cost > *target.max_cost) break;
+    if (target.cost_limit() && cost > *target.cost_limit()) break;
     const bool keep_high = restraints_.pinned(choice->low, choice->high) != Pinned::first;
     const Index survivor = keep_high ? choice->high : choice->low;
     const Index removed = keep_high ? choice->low : choice->high;

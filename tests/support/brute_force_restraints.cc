@@ -49,15 +49,17 @@ std::set<Index> neighbours_of(std::span<const Triangle> faces, Index v) {
 BruteForceRestraints::BruteForceRestraints(std::span<const Vec3> positions, std::span<const Triangle> faces,
                                            const std::vector<bool>& locked, const DecimateOptions& options,
                                            double tolerance)
-    : sharp_angle_deg_(options.feature_angle_deg), tolerance_(tolerance), freedoms_(positions.size(), Freedom::full) {
+    : sharp_angle_deg_(options.feature_angle_deg.value_or(180)),
+      tolerance_(tolerance),
+      freedoms_(positions.size(), Freedom::full) {
   std::set<Edge> asked_for;
   for (const auto& [a, b] : options.feature_edges) asked_for.insert(edge(a, b));
   for (const auto& [ends, n_faces] : count_edge_faces(faces)) {
-    const bool is_on = options.feature_angle_deg < 180;
+    const bool is_on = sharp_angle_deg_ < 180;
     const bool is_one = asked_for.contains(ends) || (is_on && is_sharp(positions, faces, ends.first, ends.second));
     if (is_one) features_[ends];
   }
-  mark_freedoms(positions, options.feature_angle_deg);
+  mark_freedoms(positions, sharp_angle_deg_);
   for (Index v = 0; v < positions.size(); ++v) {
     if (locked[v]) freedoms_[v] = Freedom::locked;
   }

@@ -34,7 +34,7 @@ int main() {
   for (const auto& p : torus.points) mesh.positions.emplace_back(p[0], p[1], p[2]);
   for (const auto& face : torus.faces) mesh.faces.push_back({face[0], face[1], face[2]});
 
-  const whittle::Decimation small = whittle::decimate(mesh, {.faces = 300});
+  const whittle::Decimation small = whittle::decimate(mesh, whittle::DecimateTarget::faces(300));
 
   std::ostringstream file;
   whittle::io::write_mesh(file, whittle::io::Format::ply, small.mesh);

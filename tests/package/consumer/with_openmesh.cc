@@ -66,7 +66,8 @@ int main() {
   const std::size_t stock = faces_after(OpenMesh::Decimater::DecimaterT<Mesh>(first), first, target);
   Mesh second = openmesh_of(torus);
   const std::size_t pairs = faces_after(whittle::PairDecimaterT<Mesh>(second), second, target);
-  const std::size_t engine = whittle::decimate(arrays_of(torus), {.faces = target}).mesh.faces.size();
+  const std::size_t engine =
+      whittle::decimate(arrays_of(torus), whittle::DecimateTarget::faces(target)).mesh.faces.size();
 
   // OpenMesh's decimater is compiled with this program, and rounds as its flags have it: no digest of that.
   std::printf("%zu faces became %zu in OpenMesh's decimater, %zu in Whittle's, %zu in the engine, digest %llx\n",

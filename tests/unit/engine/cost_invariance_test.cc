@@ -76,7 +76,7 @@ class CostInvariance : public testing::TestWithParam<Setting> {
     std::vector<Contraction> done;
     DecimateOptions options = GetParam().options;
     options.listener = [&](const Contraction& c) { done.push_back(c); };
-    decimate(mesh, {.faces = mesh.faces.size() / 10}, options);
+    decimate(mesh, DecimateTarget::faces(mesh.faces.size() / 10), options);
     return done;
   }
   /// \param unit how long the mesh there calls what is 1 here
@@ -140,7 +140,7 @@ TEST_P(CostInvariance, ThreadsChangeNoBit) {
   const IndexedMesh mesh = noisy_sphere(5, 0.01, 13);
   DecimateOptions options = GetParam().options;
   options.threads = 1;
-  const DecimateTarget target{.faces = 10'000};
+  const DecimateTarget target = DecimateTarget::faces(10'000);
   const Decimation one = decimate(mesh, target, options);
   for (const unsigned threads : {2U, 3U, 8U}) {
     options.threads = threads;
@@ -166,7 +166,7 @@ TEST_P(ExactCostInvariance, OtherUnitsGiveTheSameContractions) {
 TEST_P(ExactCostInvariance, AnotherOrderOfVerticesAndFacesGivesTheSameSurface) {
   for (const auto& [name, mesh] : rough_meshes()) {
     SCOPED_TRACE(name);
-    const DecimateTarget target{.faces = mesh.faces.size() / 10};
+    const DecimateTarget target = DecimateTarget::faces(mesh.faces.size() / 10);
     const Decimation here = decimate(mesh, target, GetParam().options);
     const Permuted other = permuted(mesh, 12);
     const Decimation there = decimate(other.mesh, target, GetParam().options);
@@ -188,7 +188,7 @@ TEST_P(ExactCostInvariance, TheCostLimitIsInTheUnitOfTheCost) {
   const auto expected = static_cast<std::uint64_t>(first_above - all.begin());
   EXPECT_GT(expected, 0U);
   for (const double unit : {1.0, 1000.0, 0.001}) {
-    const DecimateTarget target{.max_cost = limit * std::pow(unit, GetParam().dimension)};
+    const DecimateTarget target = DecimateTarget::max_cost(limit * std::pow(unit, GetParam().dimension));
     const Decimation d = decimate(scaled(mesh, unit), target, GetParam().options);
     EXPECT_EQ(d.result.stop, StopReason::cost) << unit;
     EXPECT_EQ(d.result.n_contractions, expected) << unit;

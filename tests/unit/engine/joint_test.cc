@@ -14,11 +14,7 @@
 namespace whittle::test {
 namespace {
 
-DecimateTarget to_vertices(std::uint64_t n) {
-  DecimateTarget target;
-  target.vertices = n;
-  return target;
-}
+DecimateTarget to_vertices(std::uint64_t n) { return DecimateTarget::vertices(n); }
 
 DecimateOptions with_threshold(double threshold) {
   DecimateOptions options;
@@ -50,8 +46,12 @@ TEST(Joint, TwoBoxesWithAGapBecomeOneAndTheWallsBetweenThemVanish) {
 
 TEST(Joint, AreThoseStrictlyCloser) {
   const IndexedMesh mesh = boxes(2, 1, 0.125);
-  EXPECT_EQ(decimate(mesh, {}, with_threshold(0.125)).result.threshold_pairs.considered, 0U);
-  EXPECT_EQ(decimate(mesh, {}, with_threshold(0.1251)).result.threshold_pairs.considered, 4U);
+  EXPECT_EQ(
+      decimate(mesh, DecimateTarget::as_far_as_possible(), with_threshold(0.125)).result.threshold_pairs.considered,
+      0U);
+  EXPECT_EQ(
+      decimate(mesh, DecimateTarget::as_far_as_possible(), with_threshold(0.1251)).result.threshold_pairs.considered,
+      4U);
 }
 
 TEST(Joint, ABowTieIsCounted) {
@@ -66,9 +66,11 @@ TEST(Joint, AcrossAThinWallAreLeftOutUnlessAskedFor) {
   IndexedMesh plate = tessellated_cube(3);
   for (Vec3& p : plate.positions) p.z() *= 0.005;
   DecimateOptions options = with_threshold(0.02);
-  const std::uint64_t n_beside_walls = decimate(plate, {}, options).result.threshold_pairs.considered;
+  const std::uint64_t n_beside_walls =
+      decimate(plate, DecimateTarget::as_far_as_possible(), options).result.threshold_pairs.considered;
   options.pairs.across_walls = true;
-  const std::uint64_t n_all = decimate(plate, {}, options).result.threshold_pairs.considered;
+  const std::uint64_t n_all =
+      decimate(plate, DecimateTarget::as_far_as_possible(), options).result.threshold_pairs.considered;
   EXPECT_GE(n_all, n_beside_walls + 4);  // the inner vertices of both sides
 }
 
@@ -89,7 +91,7 @@ TEST(Joint, OfLockedVerticesLeaveThemWhereTheyAre) {
   const std::vector<std::uint8_t> locked(mesh.positions.size(), 1);
   DecimateOptions options = with_threshold(0.2);
   options.locked = locked;
-  const Decimation d = decimate(mesh, {}, options);
+  const Decimation d = decimate(mesh, DecimateTarget::as_far_as_possible(), options);
   EXPECT_EQ(d.result.n_contractions, 0U);
   EXPECT_EQ(d.result.threshold_pairs.considered, 4U);
 }
@@ -98,7 +100,7 @@ TEST(FreeTopology, LetsPartsVanishButNotTheLastFace) {
   DecimateOptions options;
   options.topology = whittle::Topology::free;
   options.max_normal_flip_deg = 180;
-  const Decimation d = decimate(joined(tetrahedron(), spheres(1, 1, 0)), {}, options);
+  const Decimation d = decimate(joined(tetrahedron(), spheres(1, 1, 0)), DecimateTarget::as_far_as_possible(), options);
   EXPECT_GT(d.mesh.faces.size(), 0U);
   EXPECT_EQ(d.result.n_vanished_components, 1U);
   EXPECT_EQ(d.result.before.components, 2U);
@@ -109,20 +111,18 @@ TEST(FreeTopology, ClosesTunnels) {
   DecimateOptions options;
   options.topology = whittle::Topology::free;
   const IndexedMesh mesh = torus(24, 6, 1.0, 0.1);
-  DecimateTarget target;
-  target.faces = 12;
+  const DecimateTarget target = DecimateTarget::faces(12);
   const Decimation kept = decimate(mesh, target);
-  EXPECT_GT(kept.mesh.faces.size(), target.faces);  // a torus has 14 faces at least
+  EXPECT_GT(kept.mesh.faces.size(), target.n_faces());  // a torus has 14 faces at least
   const Decimation d = decimate(mesh, target, options);
-  EXPECT_LE(d.mesh.faces.size(), *target.faces);
+  EXPECT_LE(d.mesh.faces.size(), target.n_faces());
   EXPECT_GT(d.mesh.faces.size(), 0U);
 }
 
 TEST(Joint, ResultsDoNotDependOnThreads) {
   const IndexedMesh mesh = spheres(3, 3, 0.02);
   DecimateOptions options = with_threshold(0.2);
-  DecimateTarget target;
-  target.faces = 200;
+  const DecimateTarget target = DecimateTarget::faces(200);
   options.threads = 1;
   const Decimation expected = decimate(mesh, target, options);
   EXPECT_GT(expected.result.threshold_pairs.contracted, 0U);
@@ -159,15 +159,17 @@ struct RandomCase {
       mesh.positions[vertex()] = place;
     }
     set_options();
-    if (one_in(2)) target.faces = static_cast<std::uint64_t>(whole(0, n_faces));
+    if (one_in(2)) target = DecimateTarget::faces(static_cast<std::uint64_t>(whole(0, n_faces)));
   }
 
   void set_options() {
     set_restraints();
     set_cost();
-    const bool is_plain = options.cost == Cost::quadric && options.isotropy == 0 && options.valence_weight == 0;
-    options.pairs.threshold = one_in(4) || !is_plain ? 0 : real(0.01, 2);
+    const bool is_plain =
+        options.effective_cost() == Cost::quadric && options.isotropy == 0 && options.valence_weight == 0;
+    if (!one_in(4) && is_plain) options.pairs.threshold = real(0.01, 2);
     options.pairs.max_pairs = static_cast<std::uint32_t>(one_in(3) ? whole(0, 6) : 32);
+    if (options.pairs.max_pairs == 0) options.pairs.max_pairs.reset();
     options.pairs.across_walls = one_in(2);
     options.topology = one_in(2) ? whittle::Topology::free : whittle::Topology::keep;
     options.quadric.point_weight = std::pow(10, real(-6, 0));
@@ -181,13 +183,15 @@ struct RandomCase {
     if (options.cost == Cost::memoryless) options.order = Order::exact;
     if (options.cost == Cost::quadric) options.isotropy = one_in(4) ? 1 : real(0, 1);
     if (one_in(2)) options.valence_weight = real(0, 4);
+    const bool has_placements = cost_traits(*options.cost).why_not.placement.empty();
+    if (!has_placements) options.quadric.placement = Placement::optimal;
   }
 
   void make_memoryless() {
     options.cost = Cost::memoryless;
     options.order = Order::exact;
     options.isotropy = 0;
-    options.pairs.threshold = 0;
+    options.pairs.threshold.reset();
   }
 
   void set_restraints() {
@@ -248,7 +252,7 @@ struct RandomCase {
   DecimateOptions options;
   std::vector<std::uint8_t> locked;
   std::vector<VertexPair> features;
-  DecimateTarget target;
+  DecimateTarget target = DecimateTarget::as_far_as_possible();
 };
 
 std::vector<Triangle> in_one_order(std::vector<Triangle> faces) {

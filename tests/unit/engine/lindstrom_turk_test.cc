@@ -380,7 +380,7 @@ TEST(PointConstraints, OfAQuadricGiveItsMinimum) {
 IndexedMesh decimated(const IndexedMesh& mesh, std::uint64_t n_vertices) {
   DecimateOptions options;
   options.cost = Cost::lindstrom_turk;
-  return decimate(mesh, {.vertices = n_vertices}, options).mesh;
+  return decimate(mesh, DecimateTarget::vertices(n_vertices), options).mesh;
 }
 
 TEST(LindstromTurk, KeepsTheVolumeOfClosedSurfaces) {

@@ -248,7 +248,7 @@ Decimation memoryless(const IndexedMesh& mesh, std::uint64_t n_faces, Order orde
   options.cost = Cost::memoryless;
   options.order = order;
   options.keep_quadrics = true;
-  return decimate(mesh, {.faces = n_faces}, options);
+  return decimate(mesh, DecimateTarget::faces(n_faces), options);
 }
 
 /// Of the result.
@@ -302,7 +302,7 @@ TEST(Memoryless, PlanesAreNeverLessThanNone) {
   options.pairs.threshold = 0.3;
   for (const auto& [name, mesh] : meshes) {
     for (std::uint64_t n_faces = mesh.faces.size() - 10; n_faces > 20; n_faces = n_faces * 9 / 10) {
-      for (const PlacedQuadric& vertex : decimate(mesh, {.faces = n_faces}, options).quadrics) {
+      for (const PlacedQuadric& vertex : decimate(mesh, DecimateTarget::faces(n_faces), options).quadrics) {
         const Eigen::Matrix3d a = dense(vertex.quadric.a);
         const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(a).eigenvalues()[0];
         EXPECT_GE(least, -1e-12 * a.trace()) << name << ", " << n_faces << " faces";
@@ -334,7 +334,7 @@ TEST(Memoryless, KeepsANeedle) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const IndexedMesh mesh = sphere_with_needle(seed);
     const double top = highest(mesh);
-    EXPECT_LT(highest(decimate(mesh, {.faces = mesh.faces.size() / 10}).mesh), top - 0.5);
+    EXPECT_LT(highest(decimate(mesh, DecimateTarget::faces(mesh.faces.size() / 10)).mesh), top - 0.5);
     for (const Order order : {Order::automatic, Order::exact}) {
       for (const std::uint64_t share : {10U, 40U}) {
         const Decimation d = memoryless(mesh, mesh.faces.size() / share, order);
@@ -351,18 +351,18 @@ TEST(Memoryless, KeepsTheVolumeOfAClosedSurface) {
     const std::uint64_t n_faces = mesh.faces.size() / 10;
     const double before = signed_volume(mesh);
     EXPECT_NEAR(signed_volume(memoryless(mesh, n_faces).mesh), before, 1e-12 * before) << name;
-    EXPECT_LT(signed_volume(decimate(mesh, {.faces = n_faces}).mesh), 0.995 * before) << name;
+    EXPECT_LT(signed_volume(decimate(mesh, DecimateTarget::faces(n_faces)).mesh), 0.995 * before) << name;
   }
 }
 
 TEST(Memoryless, ErrsLessThanPlainQuadrics) {
   for (const auto& [name, mesh] : {NamedMesh{"noisy_torus", noisy_torus(160, 80, 1, 0.35, 0.01, 5)},
                                    NamedMesh{"blob", blob(5, 5)}, NamedMesh{"knot", knot(400, 40)}}) {
-    const DecimateTarget target{.faces = mesh.faces.size() / 10};
+    const DecimateTarget target = DecimateTarget::faces(mesh.faces.size() / 10);
     const auto error_of = [&, &mesh = mesh](const IndexedMesh& result) {
       return metrics::surface_distance(mesh, result, {.samples = 100'000}).mean;
     };
-    const double ratio = error_of(memoryless(mesh, *target.faces).mesh) / error_of(decimate(mesh, target).mesh);
+    const double ratio = error_of(memoryless(mesh, *target.n_faces()).mesh) / error_of(decimate(mesh, target).mesh);
     std::cout << name << ": mean error x " << ratio << "\n";
     EXPECT_LE(ratio, 0.9) << name;
   }
@@ -386,7 +386,7 @@ TEST(Memoryless, RefusesWhatItDoesNotGoWith) {
     DecimateOptions options;
     options.cost = Cost::memoryless;
     change(options);
-    return decimate(cube(), {}, options);
+    return decimate(cube(), DecimateTarget::as_far_as_possible(), options);
   };
   EXPECT_THROW(run([](DecimateOptions& o) { o.quadric.weights = Weights::uniform; }), std::invalid_argument);
   EXPECT_THROW(run([](DecimateOptions& o) { o.quadric.weights = Weights::area_angle; }), std::invalid_argument);

@@ -86,8 +86,9 @@ class BruteForce {
 };
 
 std::string describe(const PairSearch& search) {
-  return "threshold " + std::to_string(search.threshold) + ", max_pairs " + std::to_string(search.max_pairs) +
-         (search.across_walls ? "" : ", not across walls") + ", threads " + std::to_string(search.threads);
+  return "threshold " + std::to_string(search.threshold) + ", max_pairs " +
+         std::to_string(search.max_pairs.value_or(0)) + (search.across_walls ? "" : ", not across walls") +
+         ", threads " + std::to_string(search.threads);
 }
 
 ThresholdPairs find_in(const IndexedMesh& mesh, const PairSearch& search) {
@@ -101,7 +102,8 @@ std::size_t expect_as_brute_force(const std::string& name, const IndexedMesh& me
   for (const std::uint32_t max_pairs : {0U, 1U, 2U, 7U, 32U}) {
     const ThresholdPairs expected = brute_force.pairs(max_pairs);
     for (const unsigned threads : {1U, 2U, 3U, 8U}) {
-      const PairSearch search{threshold, max_pairs, across_walls, threads};
+      PairSearch search{threshold, max_pairs, across_walls, threads};
+      if (max_pairs == 0) search.max_pairs.reset();
       const ThresholdPairs found = find_in(mesh, search);
       EXPECT_EQ(found.pairs, expected.pairs) << name << ", " << describe(search);
       EXPECT_EQ(found.capped, expected.capped) << name << ", " << describe(search);
@@ -229,7 +231,7 @@ TEST(ThresholdPairs, AreAllPairsAtInfinity) {
   for (const auto& [name, mesh] : all_meshes()) expect_as_brute_force(name, mesh, infinity);
   const IndexedMesh mesh = soup(sphere(1));
   const std::size_t n = mesh.positions.size();
-  const ThresholdPairs found = find_in(mesh, {.threshold = infinity, .max_pairs = 0, .across_walls = true});
+  const ThresholdPairs found = find_in(mesh, {.threshold = infinity, .max_pairs = std::nullopt, .across_walls = true});
   EXPECT_EQ(found.pairs.size(), n * (n - 1) / 2 - n);  // without the edges, as many as corners
 }
 
@@ -276,13 +278,13 @@ TEST(ThresholdPairs, FollowTheVerticesInAnotherOrder) {
   const IndexedMesh mesh = spheres(3, 2, 0.1);
   const Permuted other = permuted(mesh, 5);
   std::vector<VertexPair> back;
-  for (const VertexPair& pair : find_in(other.mesh, {.threshold = 0.3, .max_pairs = 0}).pairs) {
+  for (const VertexPair& pair : find_in(other.mesh, {.threshold = 0.3, .max_pairs = std::nullopt}).pairs) {
     const Index v = other.old_vertex[pair.a];
     const Index w = other.old_vertex[pair.b];
     back.push_back({std::min(v, w), std::max(v, w)});
   }
   std::sort(back.begin(), back.end());
-  EXPECT_EQ(back, find_in(mesh, {.threshold = 0.3, .max_pairs = 0}).pairs);
+  EXPECT_EQ(back, find_in(mesh, {.threshold = 0.3, .max_pairs = std::nullopt}).pairs);
 }
 
 /// The fan of a cone whose faces all have an apex of their own. Each apex has its pairs with those of the lowest

@@ -7,6 +7,7 @@
 #include <OpenMesh/Tools/Decimater/McDecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/MixedDecimaterT.hh>
 #include <cmath>
+#include <optional>
 
 #include "decimation.hh"
 #include "modules.hh"
@@ -175,7 +176,7 @@ TEST(CostModules, TermsAreUsedFromTheNextInitializeOn) {
   module.set_valence_weight(0.5);
   EXPECT_EQ(module.reach(), Reach::ends);
   module.initialize();
-  EXPECT_EQ(module.reach(), Reach::wings);
+  EXPECT_EQ(module.reach(), Reach::opposite_rings);
 }
 
 // Numbers -------------------------------------------------------------------------------------------------------------
@@ -392,6 +393,37 @@ TEST_P(CostsInParts, TwoRunsAreOneWhicheverDriverMakesTheFirst) {
   EXPECT_EQ(at_once.size(), 100U);
   expect_same_contractions(at_once, contractions(Driver::mesh, 40), "mesh driver twice");
   expect_same_contractions(at_once, contractions(Driver::engine, 40), "engine, then mesh driver");
+}
+
+// The angle by which faces may turn -----------------------------------------------------------------------------------
+
+TEST(FlipAngle, IsTheCostsOwnWithoutAFlipGuard) {
+  const IndexedMesh shape = noisy_sphere(3, 0.3, 2);
+  for (const CostTraits& traits : all_cost_traits) {
+    for (const Driver driver : {Driver::engine, Driver::mesh}) {
+      const auto contractions = [&](std::optional<double> angle_deg) {
+        DoubleMesh mesh = open_mesh<DoubleMesh>(shape);
+        PairDecimaterT<DoubleMesh> decimater(mesh);
+        add_cost(decimater, {traits.cost, {}, 0, 0});
+        if (angle_deg) add_module<ModFlipGuardT<DoubleMesh>>(decimater).set_max_normal_flip_deg(*angle_deg);
+        std::vector<Contraction> result;
+        decimater.set_listener([&](const Contraction& made) { result.push_back(made); });
+        EXPECT_TRUE(decimater.initialize());
+        decimater.set_driver(driver);
+        decimater.decimate_to(60);
+        return result;
+      };
+      const std::string context(traits.name);
+      const std::vector<Contraction> by_cost = contractions(std::nullopt);
+      expect_same_contractions(by_cost, contractions(traits.default_max_normal_flip_deg), context);
+      const auto same_pair = [](const Contraction& a, const Contraction& b) {
+        return a.survivor == b.survivor && a.removed == b.removed;
+      };
+      const std::vector<Contraction> otherwise = contractions(traits.default_max_normal_flip_deg - 20);
+      EXPECT_FALSE(std::equal(by_cost.begin(), by_cost.end(), otherwise.begin(), otherwise.end(), same_pair))
+          << context << ": the angle should matter on this mesh";
+    }
+  }
 }
 
 }  // namespace

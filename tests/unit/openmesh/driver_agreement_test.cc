@@ -205,8 +205,8 @@ std::vector<Setting> feature_settings() {
 void expect_agreement_on_all_shapes(const std::vector<Setting>& settings) {
   for (const auto& [name, shape] : holdable_meshes()) {
     for (const Setting& setting : settings) {
-      expect_agreement(open_mesh<DoubleMesh>(shape), setting, {}, name);
-      expect_agreement(open_mesh<FloatMesh>(shape), setting, {}, name + ", float");
+      expect_agreement(open_mesh<DoubleMesh>(shape), setting, DecimateTarget::as_far_as_possible(), name);
+      expect_agreement(open_mesh<FloatMesh>(shape), setting, DecimateTarget::as_far_as_possible(), name + ", float");
     }
   }
 }
@@ -218,10 +218,13 @@ TEST(DriverAgreement, OnEveryShapeWithFeatures) { expect_agreement_on_all_shapes
 TEST(DriverAgreement, RotatedScaledMovedAndPermuted) {
   for (const auto& [name, shape] : holdable_meshes()) {
     const IndexedMesh turned = rotated(shape, 3);
-    expect_agreement(open_mesh<DoubleMesh>(turned), {"rotated", {}}, {}, name);
-    expect_agreement(open_mesh<DoubleMesh>(scaled(turned, 1e-3)), {"scaled", {}}, {}, name);
-    expect_agreement(open_mesh<DoubleMesh>(moved(turned, Vec3(1e5, -3e6, 7))), {"moved", {}}, {}, name);
-    expect_agreement(open_mesh<DoubleMesh>(permuted(turned, 5).mesh), {"permuted", {}}, {}, name);
+    expect_agreement(open_mesh<DoubleMesh>(turned), {"rotated", {}}, DecimateTarget::as_far_as_possible(), name);
+    expect_agreement(open_mesh<DoubleMesh>(scaled(turned, 1e-3)), {"scaled", {}}, DecimateTarget::as_far_as_possible(),
+                     name);
+    expect_agreement(open_mesh<DoubleMesh>(moved(turned, Vec3(1e5, -3e6, 7))), {"moved", {}},
+                     DecimateTarget::as_far_as_possible(), name);
+    expect_agreement(open_mesh<DoubleMesh>(permuted(turned, 5).mesh), {"permuted", {}},
+                     DecimateTarget::as_far_as_possible(), name);
   }
 }
 
@@ -233,8 +236,10 @@ TEST(DriverAgreement, WithoutRegularisationAsFarAsCostsStandOutFromRounding) {
   setting.cost.quadric.regularization = 0;
   constexpr double rounding_floor = 1e-14;
   for (const auto& [name, shape] : holdable_meshes()) {
-    const auto by_mesh = run(open_mesh<DoubleMesh>(shape), setting, {}, Driver::mesh).contractions;
-    const auto by_engine = run(open_mesh<DoubleMesh>(shape), setting, {}, Driver::engine).contractions;
+    const auto by_mesh =
+        run(open_mesh<DoubleMesh>(shape), setting, DecimateTarget::as_far_as_possible(), Driver::mesh).contractions;
+    const auto by_engine =
+        run(open_mesh<DoubleMesh>(shape), setting, DecimateTarget::as_far_as_possible(), Driver::engine).contractions;
     const auto [m, e] = std::mismatch(by_mesh.begin(), by_mesh.end(), by_engine.begin(), by_engine.end(), same_bits);
     if (m == by_mesh.end() && e == by_engine.end()) continue;
     std::cout << "[     NOTE ] " << name << ": orders part at contraction " << m - by_mesh.begin() << " of "

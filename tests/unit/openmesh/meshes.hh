@@ -110,21 +110,9 @@ inline void expect_same_topology(const IndexedMesh& before, const IndexedMesh& a
 }
 
 /// Targets of one kind. (GCC 12 warns of designated initializers that leave a field out.)
-inline DecimateTarget to_faces(std::uint64_t n) {
-  DecimateTarget target;
-  target.faces = n;
-  return target;
-}
-inline DecimateTarget to_vertices(std::uint64_t n) {
-  DecimateTarget target;
-  target.vertices = n;
-  return target;
-}
-inline DecimateTarget to_cost(double cost) {
-  DecimateTarget target;
-  target.max_cost = cost;
-  return target;
-}
+inline DecimateTarget to_faces(std::uint64_t n) { return DecimateTarget::faces(n); }
+inline DecimateTarget to_vertices(std::uint64_t n) { return DecimateTarget::vertices(n); }
+inline DecimateTarget to_cost(double cost) { return DecimateTarget::max_cost(cost); }
 
 /// A collapse as OpenMesh's modules see it: v0 into v1.
 using Collapse = std::pair<int, int>;

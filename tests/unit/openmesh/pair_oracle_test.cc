@@ -13,13 +13,15 @@
 namespace whittle::test {
 namespace {
 
+const DecimateTarget as_far_as_possible = DecimateTarget::as_far_as_possible();
+
 std::vector<Contraction> by_mesh_driver(const IndexedMesh& shape, const DecimateTarget& target,
                                         const DecimateOptions& options) {
   DoubleMesh mesh = open_mesh<DoubleMesh>(shape);
   PairDecimaterT<DoubleMesh> decimater(mesh);
-  add_cost(decimater, {options.cost, options.quadric, options.isotropy, options.valence_weight});
-  add_module<ModFlipGuardT<DoubleMesh>>(decimater).set_max_normal_flip_deg(options.max_normal_flip_deg);
-  add_module<ModRadiusRatioT<DoubleMesh>>(decimater).set_min_radius_ratio(options.min_radius_ratio);
+  add_cost(decimater, {options.effective_cost(), options.quadric, options.isotropy, options.valence_weight});
+  add_module<ModFlipGuardT<DoubleMesh>>(decimater).set_max_normal_flip_deg(options.effective_max_normal_flip_deg());
+  add_module<ModRadiusRatioT<DoubleMesh>>(decimater).set_min_radius_ratio(options.min_radius_ratio.value_or(0));
   mark_edges(mesh, {options.feature_edges.begin(), options.feature_edges.end()});
   decimater.set_feature_tolerance(options.feature_tolerance);
   for (const OpenMesh::VertexHandle v : mesh.vertices()) {
@@ -41,7 +43,8 @@ std::vector<Contraction> by_mesh_driver(const IndexedMesh& shape, const Decimate
 
 TEST(PairDecimaterOracle, EveryShapeIsContractedAsByBruteForce) {
   for (const auto& [name, shape] : holdable_meshes()) {
-    expect_same_contractions(BruteForceDecimater(shape, {}).run({}), by_mesh_driver(shape, {}, {}), name);
+    expect_same_contractions(BruteForceDecimater(shape, {}).run(as_far_as_possible),
+                             by_mesh_driver(shape, as_far_as_possible, {}), name);
   }
 }
 
@@ -57,8 +60,8 @@ TEST(PairDecimaterOracle, SoItIsUnderAllWeightsAndPlacements) {
                                       std::to_string(static_cast<int>(placement)) + ", regularization " +
                                       std::to_string(regularization) + ", " + std::to_string(shape.faces.size()) +
                                       " faces";
-          expect_same_contractions(BruteForceDecimater(shape, options).run({}), by_mesh_driver(shape, {}, options),
-                                   context);
+          expect_same_contractions(BruteForceDecimater(shape, options).run(as_far_as_possible),
+                                   by_mesh_driver(shape, as_far_as_possible, options), context);
         }
       }
     }
@@ -72,7 +75,8 @@ TEST(PairDecimaterOracle, SoItIsWithLockedVerticesAndFreeBorders) {
     DecimateOptions options;
     options.quadric.boundary_weight = 0;
     options.locked = locked;
-    expect_same_contractions(BruteForceDecimater(shape, options).run({}), by_mesh_driver(shape, {}, options), name);
+    expect_same_contractions(BruteForceDecimater(shape, options).run(as_far_as_possible),
+                             by_mesh_driver(shape, as_far_as_possible, options), name);
   }
 }
 
@@ -84,7 +88,8 @@ TEST(PairDecimaterOracle, SoItIsUnderEveryCost) {
     options.valence_weight = cost.options.valence_weight;
     options.min_radius_ratio = 0.2;
     for (const auto& shape : {noisy_sphere(2, 0.1, 3), noisy_grid(7, 7, 0.3, 4), frustum(9), bracket(2)}) {
-      expect_same_contractions(BruteForceDecimater(shape, options).run({}), by_mesh_driver(shape, {}, options),
+      expect_same_contractions(BruteForceDecimater(shape, options).run(as_far_as_possible),
+                               by_mesh_driver(shape, as_far_as_possible, options),
                                cost.name + ", " + std::to_string(shape.faces.size()) + " faces");
     }
   }
@@ -103,7 +108,8 @@ TEST(PairDecimaterOracle, SoItIsWithFeatureEdges) {
         options.feature_tolerance = tolerance;
         options.locked = locked;
         expect_same_contractions(
-            BruteForceDecimater(shape, options).run({}), by_mesh_driver(shape, {}, options),
+            BruteForceDecimater(shape, options).run(as_far_as_possible),
+            by_mesh_driver(shape, as_far_as_possible, options),
             "tolerance " + std::to_string(tolerance) + ", " + std::to_string(shape.faces.size()) + " faces");
       }
     }
@@ -113,12 +119,10 @@ TEST(PairDecimaterOracle, SoItIsWithFeatureEdges) {
 TEST(PairDecimaterOracle, TargetsStopAtTheSameContraction) {
   const IndexedMesh shape = moved(scaled(blob(2, 9), 1000), Vec3(3e4, -1e5, 2e5));
   const double middle_cost = BruteForceDecimater(shape, {}).run(to_faces(160)).back().cost;
-  DecimateTarget all = to_faces(200);
-  all.vertices = 50;
-  all.max_cost = middle_cost / 2;
+  const DecimateTarget all = to_faces(200).or_vertices(50).or_max_cost(middle_cost / 2);
   for (const DecimateTarget& target : {to_faces(101), to_vertices(77), to_cost(middle_cost), all}) {
     expect_same_contractions(BruteForceDecimater(shape, {}).run(target), by_mesh_driver(shape, target, {}),
-                             "faces " + std::to_string(target.faces.value_or(0)));
+                             "faces " + std::to_string(target.n_faces().value_or(0)));
   }
 }
 

@@ -288,7 +288,7 @@ TEST(PairThreshold, LockedAndUnselectedVerticesKeepEveryBit) {
         run.mesh.status(v).set_locked(is_fixed(v));
       }
     }
-    const DecimateResult result = run.decimater.decimate(DecimateTarget{}, only_selected);
+    const DecimateResult result = run.decimater.decimate(DecimateTarget::as_far_as_possible(), only_selected);
     EXPECT_GT(result.threshold_pairs.contracted, 0U);
     expect_manifold(run.mesh, "locked");
     for (int i = 1; i < static_cast<int>(c.mesh.positions.size()); i += 4) {
@@ -302,14 +302,14 @@ TEST(PairThreshold, LockedAndUnselectedVerticesKeepEveryBit) {
 TEST(PairThreshold, AnAbortLeavesWhatWasContractedUpToIt) {
   for (const Case& c : gapped()) {
     PairRun<DoubleMesh> whole(c.mesh, c.threshold);
-    whole.decimater.decimate(DecimateTarget{});
+    whole.decimater.decimate(DecimateTarget::as_far_as_possible());
     const std::size_t n_all = whole.contractions.size();
     for (const std::size_t limit : {std::size_t{1}, n_all / 3, n_all - 1}) {
       const std::string context = c.name + ", aborted after " + std::to_string(limit);
       PairRun<DoubleMesh> run(c.mesh, c.threshold);
       StoppingObserver observer(limit, 1);
       run.decimater.set_observer(&observer);
-      const DecimateResult result = run.decimater.decimate(DecimateTarget{});
+      const DecimateResult result = run.decimater.decimate(DecimateTarget::as_far_as_possible());
       EXPECT_EQ(result.stop, StopReason::cancelled) << context;
       EXPECT_EQ(result.n_contractions, limit) << context;
       const auto end = whole.contractions.begin() + static_cast<std::ptrdiff_t>(limit);
@@ -360,7 +360,7 @@ TEST(PairThreshold, TheMeshDriverLeavesCopiesWhereTheyAre) {
     ASSERT_TRUE(run.decimater.initialize());
     const Topology before = topology(c.mesh);
     const std::vector<Index> copies = first_copies(run.mesh);
-    const DecimateResult result = run.decimater.decimate(DecimateTarget{});
+    const DecimateResult result = run.decimater.decimate(DecimateTarget::as_far_as_possible());
     EXPECT_EQ(run.decimater.last_driver(), Driver::mesh);
     expect_sound(run.mesh, c.name);
     const IndexedMesh after = geometry_of(run.mesh);

@@ -29,7 +29,8 @@ Decimation decimated(const IndexedMesh& mesh, double ratio, double angle_deg = 1
   DecimateOptions options;
   options.cost = Cost::memoryless;
   options.feature_angle_deg = angle_deg;
-  return decimate(mesh, {.faces = static_cast<std::uint64_t>(ratio * static_cast<double>(mesh.faces.size()))}, options);
+  return decimate(
+      mesh, DecimateTarget::faces(static_cast<std::uint64_t>(ratio * static_cast<double>(mesh.faces.size()))), options);
 }
 
 IndexedMesh polished(const IndexedMesh& original, const Decimation& d, const PolishOptions& options) {

@@ -33,7 +33,8 @@ Polished polished(const IndexedMesh& original, double ratio, const PolishOptions
   DecimateOptions options;
   options.cost = Cost::memoryless;
   Decimation d = decimate(
-      original, {.faces = static_cast<std::uint64_t>(ratio * static_cast<double>(original.faces.size()))}, options);
+      original, DecimateTarget::faces(static_cast<std::uint64_t>(ratio * static_cast<double>(original.faces.size()))),
+      options);
   Polished both{d.mesh, std::move(d.mesh)};
   polish(original, d.vertex_map, both.after, polish_options);
   return both;

@@ -29,7 +29,8 @@ Decimation decimated(const IndexedMesh& mesh, double ratio, double angle_deg = 1
   DecimateOptions options;
   options.cost = Cost::memoryless;
   options.feature_angle_deg = angle_deg;
-  return decimate(mesh, {.faces = static_cast<std::uint64_t>(ratio * static_cast<double>(mesh.faces.size()))}, options);
+  return decimate(
+      mesh, DecimateTarget::faces(static_cast<std::uint64_t>(ratio * static_cast<double>(mesh.faces.size()))), options);
 }
 
 IndexedMesh polished(const IndexedMesh& original, const Decimation& d, const PolishOptions& options = {}) {
@@ -158,7 +159,7 @@ TEST(PolishLines, StayWhereTheyAreRight) {
   DecimateOptions locked;
   locked.cost = Cost::memoryless;
   locked.boundary = Boundary::locked;
-  const Decimation d = decimate(original, {.faces = 500}, locked);
+  const Decimation d = decimate(original, DecimateTarget::faces(500), locked);
   const IndexedMesh after = polished(original, d);
   EXPECT_LT(border_distance(original, after).max, 1e-9);
   EXPECT_NE(after.positions, d.mesh.positions);

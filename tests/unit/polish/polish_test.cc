@@ -28,7 +28,8 @@ namespace {
 Decimation decimated(const IndexedMesh& mesh, double ratio, Cost cost = Cost::memoryless) {
   DecimateOptions options;
   options.cost = cost;
-  return decimate(mesh, {.faces = static_cast<std::uint64_t>(ratio * static_cast<double>(mesh.faces.size()))}, options);
+  return decimate(
+      mesh, DecimateTarget::faces(static_cast<std::uint64_t>(ratio * static_cast<double>(mesh.faces.size()))), options);
 }
 
 IndexedMesh polished(const IndexedMesh& original, const Decimation& d, const PolishOptions& options = {}) {

@@ -20,7 +20,7 @@ QuadricOptions quadric_options(const DecimateOptions& options) {
 std::unique_ptr<PairCost> make_plain_cost(TriangleComplex& complex, const Restraints& restraints,
                                           const DecimateOptions& options, bool has_threshold_pairs) {
   const QuadricOptions quadric = quadric_options(options);
-  switch (options.cost) {
+  switch (options.effective_cost()) {
     case Cost::lindstrom_turk:
       return std::make_unique<LindstromTurkCost>(complex, restraints);
     case Cost::memoryless:
@@ -46,17 +46,9 @@ std::unique_ptr<PairCost> make_cost(TriangleComplex& complex, const Restraints& 
 }
 
 double cost_dimension(const DecimateOptions& options) {
-  switch (options.cost) {
-    case Cost::lindstrom_turk:
-      return 6;
-    case Cost::memoryless:
-      return 5;
-    case Cost::midpoint:
-      return 1;
-    case Cost::quadric:
-      break;
-  }
-  return isotropic_dimension(options.quadric.weights == Weights::uniform ? 2 : 4, options.isotropy);
+  const double by_area = cost_traits(options.effective_cost()).dimension;
+  if (options.effective_cost() != Cost::quadric) return by_area;
+  return isotropic_dimension(options.quadric.weights == Weights::uniform ? 2 : by_area, options.isotropy);
 }
 
 }  // namespace whittle

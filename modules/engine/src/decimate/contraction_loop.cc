@@ -16,8 +16,7 @@ constexpr std::uint64_t progress_interval = 2048;
 
 /// Whether pairs stay where they were queued until their turn comes.
 bool is_lazy(const PairCost& cost, const DecimateOptions& options) {
-  if (cost.reach() == Reach::none || options.order == Order::approximate) return true;
-  return options.order == Order::automatic && options.cost == Cost::memoryless;
+  return cost.reach() == Reach::none || options.effective_order() == Order::approximate;
 }
 
 std::unique_ptr<PairQueue> make_queue(TriangleComplex& complex, const PairCost& cost, ThresholdPairSieve& sieve,
@@ -52,7 +51,7 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraint
       touched_(reach_of_touched(cost, options)),
       refused_(complex) {
   for (const auto& guard : guards_) n_rings_ = std::max(n_rings_, guard->n_rings());
-  if (target.max_cost) target_.max_cost = frame.cost_to_frame(*target.max_cost, cost_dimension_);
+  if (const auto limit = target.cost_limit()) cost_limit_ = frame.cost_to_frame(*limit, cost_dimension_);
 }
 
 DecimateResult ContractionLoop::run() {
@@ -77,9 +76,7 @@ DecimateResult ContractionLoop::run() {
 }
 
 bool ContractionLoop::target_reached() const {
-  const DecimateTarget& target = target_;
-  return (target.faces && complex_.n_faces() <= *target.faces) ||
-         (target.vertices && complex_.n_vertices() <= *target.vertices);
+  return target_.is_reached_at(complex_.n_faces(), complex_.n_vertices());
 }
 
 bool ContractionLoop::report_progress() const {
@@ -88,8 +85,8 @@ bool ContractionLoop::report_progress() const {
     if (!target || initial <= *target) return 0.0;
     return static_cast<double>(initial - now) / static_cast<double>(initial - *target);
   };
-  const double faces = share(n_initial_faces_, complex_.n_faces(), target_.faces);
-  const double vertices = share(n_initial_vertices_, complex_.n_vertices(), target_.vertices);
+  const double faces = share(n_initial_faces_, complex_.n_faces(), target_.n_faces());
+  const double vertices = share(n_initial_vertices_, complex_.n_vertices(), target_.n_vertices());
   return options_.progress({complex_.n_vertices(), complex_.n_faces(), std::min(1.0, std::max(faces, vertices))});
 }
 
@@ -99,7 +96,7 @@ std::optional<StopReason> ContractionLoop::take(const RankedPair& ranked) {
     complex_.remove_pair(ranked.pair.id);
     return std::nullopt;
   }
-  if (target_.max_cost && rank > *target_.max_cost) return StopReason::cost;
+  if (cost_limit_ && rank > *cost_limit_) return StopReason::cost;
   complex_.gather(ranked.pair, profile_);
   profile_.ranked = ranked.rank;
   const std::optional<Vec3> position = settle(ranked);
@@ -107,7 +104,7 @@ std::optional<StopReason> ContractionLoop::take(const RankedPair& ranked) {
   const double cost = cost_.final_cost(profile_, ranked.rank, *position);
   if (cost > rank) {
     if (queue_->postpone(ranked.pair, cost)) return std::nullopt;
-    if (target_.max_cost && cost > *target_.max_cost) return StopReason::cost;
+    if (cost_limit_ && cost > *cost_limit_) return StopReason::cost;
   }
   if (!contract(ranked, *position, std::max(cost, rank))) return StopReason::cancelled;
   return std::nullopt;

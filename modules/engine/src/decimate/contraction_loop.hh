@@ -24,7 +24,6 @@ namespace whittle {
 ///     else contract, and tell the change to cost, restraints, queue, waiting pairs and listener
 class ContractionLoop {
  public:
-  /// \param target its costs are in the frame
   ContractionLoop(TriangleComplex& complex, Restraints& restraints, PairCost& cost, const DecimateOptions& options,
                   const DecimateTarget& target, const Frame& frame, DecimationHost* host);
 
@@ -49,6 +48,7 @@ class ContractionLoop {
   PairCost& cost_;
   const DecimateOptions& options_;
   DecimateTarget target_;
+  std::optional<double> cost_limit_;  ///< that of the target, in the frame
   Frame frame_;
   double cost_dimension_;
   DecimationHost* host_;

@@ -19,11 +19,10 @@ Guards make_guards(TriangleComplex& complex, const Restraints& restraints, Thres
   if (complex.has_threshold_pairs()) add(std::make_unique<HiddenPairGuard>(complex, sieve));
   add(std::make_unique<TopologyGuard>(complex, options.topology));
   if (host != nullptr && host->keeps_topology()) add(std::make_unique<JointGuard>());
-  add(std::make_unique<FlipGuard>(complex, options.max_normal_flip_deg, options.quadric));
-  if (options.feature_angle_deg < 180) {
-    add(std::make_unique<SharpEdgeGuard>(complex, restraints, options.feature_angle_deg));
-  }
-  if (options.min_radius_ratio > 0) add(std::make_unique<RadiusRatioGuard>(complex, options.min_radius_ratio));
+  add(std::make_unique<FlipGuard>(complex, options.effective_max_normal_flip_deg(), options.quadric));
+  const double feature_angle_deg = options.feature_angle_deg.value_or(180);
+  if (feature_angle_deg < 180) add(std::make_unique<SharpEdgeGuard>(complex, restraints, feature_angle_deg));
+  if (options.min_radius_ratio > 0) add(std::make_unique<RadiusRatioGuard>(complex, *options.min_radius_ratio));
   if (host != nullptr) add(std::make_unique<HostGuard>(complex, *host));
   return guards;
 }

@@ -473,6 +473,7 @@ ThresholdPairs find_threshold_pairs(std::span<const Vec3> positions, std::span<c
   if (!(search.threshold >= 0)) {
     throw std::invalid_argument("find_threshold_pairs: the threshold is negative or not a number");
   }
+  if (search.max_pairs == 0) throw std::invalid_argument("find_threshold_pairs: max_pairs is 0; empty takes all");
   if (search.threshold == 0) return {};
   const Scene scene(positions, faces, search);
   const std::size_t n_members = scene.sites.n_members();
@@ -480,8 +481,7 @@ ThresholdPairs find_threshold_pairs(std::span<const Vec3> positions, std::span<c
   const double threshold = search.threshold * scene.sites.frame.scale;
   // At least what tells coincident vertices from others, should the square be too small for a number.
   const double threshold_sq = std::max(threshold * threshold, std::numeric_limits<double>::denorm_min());
-  const std::size_t max_partners =
-      search.max_pairs == 0 ? n_members : std::min<std::size_t>(search.max_pairs, n_members);
+  const std::size_t max_partners = std::min<std::size_t>(search.max_pairs.value_or(invalid_index), n_members);
   const PartnerLists partners(scene, threshold_sq, max_partners, search.threads);
   return {write_pairs(scene, partners, search.threads), partners.is_cut()};
 }

@@ -21,9 +21,11 @@ struct CostOptions {
   double valence_weight = 0;
 };
 
-/// What threshold pairs go with.
-inline bool is_plain_quadric(const CostOptions& options) {
-  return options.cost == Cost::quadric && options.isotropy == 0 && options.valence_weight == 0;
+/// Whether threshold pairs go with the cost, in exact order.
+inline bool takes_threshold_pairs(const CostOptions& options) {
+  const CostConflicts& why_not = cost_traits(options.cost).why_not;
+  return why_not.threshold.empty() && why_not.threshold_in_exact_order.empty() && options.isotropy == 0 &&
+         options.valence_weight == 0;
 }
 
 /// Whether a type is exactly one of our cost modules, which the engine knows.

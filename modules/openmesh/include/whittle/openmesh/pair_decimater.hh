@@ -5,6 +5,7 @@
 #include <OpenMesh/Tools/Decimater/BaseDecimaterT.hh>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -50,8 +51,9 @@ class MeshRunT;
 ///   - The cost module is `ModGarlandHeckbertT`, `ModMemorylessT`, `ModLindstromTurkT` or `ModMidpointT`, or any
 ///     non-binary module of OpenMesh's: then v1 keeps its place, both directions of an edge are candidates, and
 ///     OpenMesh's own legality rules hold.
-///   - A flip guard over both stars is always on, 75° unless a `ModFlipGuardT` says otherwise. Other binary modules are
-///     asked about both stars where the merged vertex moves, with v̄ as `p1`.
+///   - A flip guard over both stars is always on. Its angle is the default of the cost (`CostTraits`: 75°, with
+///     `ModMemorylessT` 60°, with `ModLindstromTurkT` 110°) unless a `ModFlipGuardT` says otherwise. Other binary
+///     modules are asked about both stars where the merged vertex moves, with v̄ as `p1`.
 ///   - Of a pair with one locked vertex the other one vanishes; with `only_selected`, vertices that aren't selected
 ///     count as locked.
 ///   - A vertex with two feature edges moves along them only, from vertex to vertex; one with another number of them
@@ -96,15 +98,17 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   Driver last_driver() const { return last_driver_; }
 
   /// Two vertices closer than this are a pair though no edge joins them: parts that lie side by side can become one.
-  /// Model units, [0, inf]; default 0 = no such pairs. Garland & Heckbert's valid pairs. \cite garland_1997_surface
+  /// Model units, [0, inf]; empty (default) = no such pairs. Garland & Heckbert's valid pairs.
+  /// \cite garland_1997_surface
   ///
   /// Afterwards the mesh may have copies of vertices (`vertex_copies.hh`), and `geometry_of(mesh)` gives the indexed
   /// mesh in which they are one, as the engine made it; the next `initialize()` and `decimate` go on from that.
   /// Only the engine driver contracts such pairs. Where it can't run, `decimate` throws: with foreign modules or
   /// `Driver::mesh`; and so it does with other costs than the quadric's, or with isotropy or a valence weight. Locked
-  /// vertices and `only_selected` count as for edges. \throw std::invalid_argument if negative or not a number
-  void set_pair_threshold(double threshold);
-  double pair_threshold() const { return pairs_.threshold; }
+  /// vertices and `only_selected` count as for edges.
+  /// \throw std::invalid_argument if negative or not a number
+  void set_pair_threshold(std::optional<double> threshold);
+  std::optional<double> pair_threshold() const { return pairs_.threshold; }
   /// The same, with how many pairs a vertex may have, and which are left out. \throw as above
   void set_pair_options(const PairOptions& options);
   const PairOptions& pair_options() const { return pairs_; }
@@ -127,11 +131,11 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   /// \param only_selected vertices that aren't selected neither move nor vanish
   /// \throw std::logic_error if not initialized, or if the engine was asked for, or a pair threshold set, and it can't
   ///        run (see `engine_obstacle`)
-  /// \throw std::invalid_argument if `target.max_cost` is negative, not a number, or given with a cost module that
-  ///        isn't ours
+  /// \throw std::invalid_argument if the target's limit of the cost is negative, not a number, or given with a cost
+  ///        module that isn't ours
   DecimateResult decimate(const DecimateTarget& target, bool only_selected = false);
 
-  /// At most `n_contractions`, 0 = as many as possible. \return how many there were
+  /// At most `n_contractions`, 0 = as many as possible, as in the stock. \return how many there were
   std::size_t decimate(std::size_t n_contractions = 0, bool only_selected = false);
   /// Until at most `n_vertices` are left. \return the number of contractions
   std::size_t decimate_to(std::size_t n_vertices, bool only_selected = false);
@@ -169,7 +173,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   Driver choose_driver() const;
   DecimateTarget checked(const DecimateTarget& target) const;
   Counts count_elements() const;
-  double max_normal_flip_deg() const { return flip_guard_ ? flip_guard_->max_normal_flip_deg() : 75; }
+  double max_normal_flip_deg() const;
   double min_radius_ratio() const { return radius_guard_ ? radius_guard_->min_radius_ratio() : 0; }
   bool is_fixed(VertexHandle v, bool only_selected) const;
 

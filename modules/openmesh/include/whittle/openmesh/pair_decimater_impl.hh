@@ -104,14 +104,14 @@ std::string PairDecimaterT<MeshT>::engine_obstacle() const {
 
 template <class MeshT>
 void PairDecimaterT<MeshT>::set_pair_options(const PairOptions& options) {
-  if (!(options.threshold >= 0)) {
+  if (options.threshold && !(*options.threshold >= 0)) {
     throw std::invalid_argument("PairDecimaterT: the pair threshold is negative or not a number");
   }
   pairs_ = options;
 }
 
 template <class MeshT>
-void PairDecimaterT<MeshT>::set_pair_threshold(double threshold) {
+void PairDecimaterT<MeshT>::set_pair_threshold(std::optional<double> threshold) {
   PairOptions options = pairs_;
   options.threshold = threshold;
   set_pair_options(options);
@@ -141,17 +141,16 @@ void PairDecimaterT<MeshT>::require_initialized() const {
 
 template <class MeshT>
 DecimateTarget PairDecimaterT<MeshT>::checked(const DecimateTarget& target) const {
-  DecimateTarget result = target;
-  if (target.max_cost && !(*target.max_cost >= 0)) {
+  const std::optional<double> asked = target.cost_limit();
+  if (asked && !(*asked >= 0)) {
     throw std::invalid_argument("PairDecimaterT: max_cost is negative or not a number");
   }
-  if (target.max_cost && !cost_) {
+  if (asked && !cost_) {
     throw std::invalid_argument("PairDecimaterT: max_cost needs a cost module of ours; limit " + foreign_cost_->name() +
                                 " by its own settings");
   }
   const std::optional<double> limit = cost_ ? cost_->max_cost() : std::nullopt;
-  if (limit) result.max_cost = std::min(*limit, target.max_cost.value_or(*limit));
-  return result;
+  return limit ? target.or_max_cost(std::min(*limit, asked.value_or(*limit))) : target;
 }
 
 template <class MeshT>
@@ -171,7 +170,7 @@ DecimateResult PairDecimaterT<MeshT>::decimate(const DecimateTarget& target, boo
 template <class MeshT>
 Driver PairDecimaterT<MeshT>::choose_driver() const {
   std::string obstacle = driver_ == Driver::mesh ? "the mesh driver was asked for" : engine_obstacle();
-  if (obstacle.empty() && pairs_.threshold > 0 && !is_plain_quadric(*cost_->engine_options())) {
+  if (obstacle.empty() && pairs_.threshold > 0 && !takes_threshold_pairs(*cost_->engine_options())) {
     obstacle = "such pairs go with the plain quadric cost alone";
   }
   if (obstacle.empty()) return Driver::engine;
@@ -188,25 +187,20 @@ Driver PairDecimaterT<MeshT>::choose_driver() const {
 template <class MeshT>
 std::size_t PairDecimaterT<MeshT>::decimate(std::size_t n_contractions, bool only_selected) {
   require_initialized();
-  DecimateTarget target;
+  DecimateTarget target = DecimateTarget::as_far_as_possible();
   const std::uint64_t n_vertices = count_elements().vertices;
-  if (n_contractions > 0 && n_contractions < n_vertices) target.vertices = n_vertices - n_contractions;
+  if (n_contractions > 0 && n_contractions < n_vertices) target = DecimateTarget::vertices(n_vertices - n_contractions);
   return decimate(target, only_selected).n_contractions;
 }
 
 template <class MeshT>
 std::size_t PairDecimaterT<MeshT>::decimate_to(std::size_t n_vertices, bool only_selected) {
-  DecimateTarget target;
-  target.vertices = n_vertices;
-  return decimate(target, only_selected).n_contractions;
+  return decimate(DecimateTarget::vertices(n_vertices), only_selected).n_contractions;
 }
 
 template <class MeshT>
 std::size_t PairDecimaterT<MeshT>::decimate_to_faces(std::size_t n_vertices, std::size_t n_faces, bool only_selected) {
-  DecimateTarget target;
-  target.vertices = n_vertices;
-  target.faces = n_faces;
-  return decimate(target, only_selected).n_contractions;
+  return decimate(DecimateTarget::vertices(n_vertices).or_faces(n_faces), only_selected).n_contractions;
 }
 
 template <class MeshT>
@@ -225,6 +219,14 @@ typename PairDecimaterT<MeshT>::Counts PairDecimaterT<MeshT>::count_elements() c
   }
   for ([[maybe_unused]] const OpenMesh::FaceHandle f : mesh_.faces()) ++counts.faces;
   return counts;
+}
+
+/// The cost's default without a `ModFlipGuardT`; with a cost that the engine doesn't know, that of plain quadrics.
+template <class MeshT>
+double PairDecimaterT<MeshT>::max_normal_flip_deg() const {
+  if (flip_guard_) return flip_guard_->max_normal_flip_deg();
+  const std::optional<CostOptions> known = cost_ ? cost_->engine_options() : std::nullopt;
+  return cost_traits(known ? known->cost : Cost::quadric).default_max_normal_flip_deg;
 }
 
 template <class MeshT>

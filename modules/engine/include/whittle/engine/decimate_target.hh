@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace whittle {
+
+/// What ends a run: the first limit reached. A target is always said; there is no default.
+///
+///   DecimateTarget::faces(500)
+///   DecimateTarget::vertices(300).or_max_cost(1e-3)
+class DecimateTarget {
+ public:
+  /// Stop once at most `n` faces are left.
+  static DecimateTarget faces(std::uint64_t n) { return as_far_as_possible().or_faces(n); }
+  /// Stop once at most `n` vertices are left.
+  static DecimateTarget vertices(std::uint64_t n) { return as_far_as_possible().or_vertices(n); }
+  /// Contract only what costs at most `cost`, in the unit of the cost (`Cost`), by model units. [0, inf).
+  static DecimateTarget max_cost(double cost) { return as_far_as_possible().or_max_cost(cost); }
+  /// Stop when the guards allow nothing more.
+  static DecimateTarget as_far_as_possible() { return {std::nullopt, std::nullopt, std::nullopt}; }
+
+  /// This target or that limit, whichever is reached first. A limit of the same kind is replaced.
+  DecimateTarget or_faces(std::uint64_t n) const { return {n, n_vertices_, cost_limit_}; }
+  DecimateTarget or_vertices(std::uint64_t n) const { return {n_faces_, n, cost_limit_}; }
+  DecimateTarget or_max_cost(double cost) const { return {n_faces_, n_vertices_, cost}; }
+
+  std::optional<std::uint64_t> n_faces() const { return n_faces_; }
+  std::optional<std::uint64_t> n_vertices() const { return n_vertices_; }
+  std::optional<double> cost_limit() const { return cost_limit_; }
+
+  /// Whether a mesh with such counts has reached the limit of faces or that of vertices.
+  bool is_reached_at(std::uint64_t n_faces, std::uint64_t n_vertices) const {
+    return (n_faces_ && n_faces <= *n_faces_) || (n_vertices_ && n_vertices <= *n_vertices_);
+  }
+
+ private:
+  DecimateTarget(std::optional<std::uint64_t> n_faces, std::optional<std::uint64_t> n_vertices,
+                 std::optional<double> cost_limit)
+      : n_faces_(n_faces), n_vertices_(n_vertices), cost_limit_(cost_limit) {}
+
+  std::optional<std::uint64_t> n_faces_;
+  std::optional<std::uint64_t> n_vertices_;
+  std::optional<double> cost_limit_;
+};
+
+}  // namespace whittle

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/core/vertex_pair.hh"
+#include "whittle/engine/cost_traits.hh"
+#include "whittle/engine/formula/quadric_term.hh"
+
+namespace whittle {
+
+/// What happens to edges with one face, and to their vertices.
+enum class Boundary {
+  weighted,  ///< Planes of weight `QuadricOptions::boundary_weight` hold them in place.
+  locked,    ///< Border vertices neither move nor vanish.
+  free       ///< Nothing holds them.
+};
+
+/// What an edge contraction may do to the topology. Threshold pairs join parts under both.
+enum class Topology {
+  keep,  ///< Nothing: it closes no tunnel, opens no hole, joins nothing, and no part vanishes.
+  free   ///< Anything but taking the last face: tunnels close, closed parts vanish. Faces that coincide then are left
+         ///< out.
+};
+
+/// Which vertices are pairs though no face joins them. \cite garland_1997_surface (section 3.2: valid pairs)
+struct PairOptions {
+  std::optional<double> threshold;              ///< Those closer than this, model units. [0, inf]; empty = none.
+  std::optional<std::uint32_t> max_pairs = 32;  ///< Only so many of each vertex, the nearest; a pair stays if it is
+                                                ///< among those of either vertex. At least 1; empty = all.
+  bool across_walls = false;  ///< Also those across the inside of a thin wall, whose normals face away.
+};
+
+/// What the library is doing.
+enum class Stage {
+  decimate,  ///< contracting pairs, and preparing that
+  polish     ///< fitting the result to the input (`simplify` alone)
+};
+
+/// How far a run has come.
+struct Progress {
+  std::uint64_t n_vertices;  ///< left now
+  std::uint64_t n_faces;     ///< left now
+  double fraction;           ///< of the stage, [0, 1]; while contracting, of the way to the nearest target
+  Stage stage = Stage::decimate;
+};
+
+/// One contraction, in the input's vertex numbers.
+struct Contraction {
+  Index survivor;
+  Index removed;
+  Vec3 position;  ///< of the survivor from now on, model units
+  double cost;    ///< unit as `DecimateTarget::max_cost`
+};
+
+/// Options own what they are given. An empty optional is off, or "by the cost" where the comment says so.
+struct DecimateOptions {
+  std::optional<Cost> cost;        ///< Empty = quadric in `decimate`, by effort in `simplify`.
+  QuadricOptions quadric;          ///< Of the costs that have quadrics.
+  double isotropy = 0;             ///< W of the blend of `Cost::quadric` with the edge's length (edge_length_term.hh).
+                                   ///< [0, 1]
+  double valence_weight = 0;       ///< W of the penalty for valences, times any cost (valence_term.hh). [0, inf)
+  Order order = Order::automatic;  ///< Automatic = by the cost.
+  PairOptions pairs;
+  Topology topology = Topology::keep;
+  Boundary boundary = Boundary::weighted;
+
+  /// A contraction that turns the normal of a remaining face further than this is refused, degrees. (0, 180]; at 180
+  /// only a face that loses its area is refused. Empty = by the cost: `CostTraits::default_max_normal_flip_deg`.
+  std::optional<double> max_normal_flip_deg;
+
+  /// A contraction that leaves a face with a smaller radius ratio (radius_ratio.hh) is refused, unless the face was
+  /// thinner before. [0, 1]; empty = off.
+  std::optional<double> min_radius_ratio;
+
+  /// V or empty; vertices with a non-zero entry neither move nor vanish. Their other neighbours may merge into them.
+  std::vector<std::uint8_t> locked;
+
+  /// Edges of two faces whose normals differ by more than this are sharp, and features, degrees. (0, 180]; empty = no
+  /// edges are. Vertices on a line of feature edges move along it only; where lines meet, end, or turn further than
+  /// this, they stay. Feature edges stay sharp, and no others get so.
+  std::optional<double> feature_angle_deg;
+
+  /// How far a feature line may come to lie from where it was, of the diagonal of the input's bounding box. [0, inf]
+  double feature_tolerance = 5e-4;
+
+  /// Edges that are features whatever their angle. Pairs that are no edge of the mesh don't count.
+  std::vector<VertexPair> feature_edges;
+
+  /// Whether `Decimation::quadrics` is wanted.
+  bool keep_quadrics = false;
+
+  /// Threads to use, 0 = all cores. No result depends on it.
+  unsigned threads = 0;
+
+  /// Called now and then from the calling thread; false ends the run with what is reached.
+  std::function<bool(const Progress&)> progress;
+
+  /// Called after each contraction, in order.
+  std::function<void(const Contraction&)> listener;
+
+  // What the fields above come to in `decimate` where they are empty.
+  Cost effective_cost() const { return cost.value_or(Cost::quadric); }
+  Order effective_order() const {
+    return order == Order::automatic ? cost_traits(effective_cost()).default_order : order;
+  }
+  double effective_max_normal_flip_deg() const {
+    return max_normal_flip_deg.value_or(cost_traits(effective_cost()).default_max_normal_flip_deg);
+  }
+};
+
+}  // namespace whittle

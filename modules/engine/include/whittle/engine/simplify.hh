@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+
+#include "whittle/engine/decimate.hh"
+#include "whittle/polish/polish.hh"
+
+// What `whittle simplify` does, in one call: decimation by the cost that an effort stands for, then polish, which fits
+// the result to the input.
+
+namespace whittle {
+
+/// How much time accuracy may take. Figures: docs/user/simplify.md.
+enum class Effort {
+  fast,    ///< plain quadrics, no polish
+  normal,  ///< memoryless quadrics, one pass of polish
+  best     ///< memoryless quadrics, three passes of polish, which also flip edges
+};
+
+struct SimplifyOptions {
+  /// An empty `cost` is by effort; plain quadrics where another option needs them (`with_effort`). `progress` is asked
+  /// before polish, too; false leaves the result as decimated. `locked` vertices also stay in polish. `keep_quadrics`
+  /// gives those before polish.
+  DecimateOptions decimate{};
+
+  /// At most so many passes of polish; one that doesn't help is taken back and ends them. 0 = no polish. Empty = by
+  /// effort; none where the placement isn't optimal, as polish would move the vertices from there.
+  std::optional<unsigned> polish_passes{};
+
+  /// Whether polish also flips edges. Empty = by effort.
+  std::optional<bool> flips{};
+};
+
+/// Fills in what is empty in `options` and depends on the effort: cost, passes and flips. `simplify` does this.
+SimplifyOptions with_effort(Effort effort, SimplifyOptions options);
+
+/// A decimation whose mesh is polished.
+struct Simplification : Decimation {
+  PolishResult polish;
+  double decimate_seconds = 0;
+  double polish_seconds = 0;
+};
+
+/// The second half of `simplify`: polishes a decimation of `original`, wherever it was made.
+/// \pre `options` as `with_effort` gives them
+PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOptions& options, Decimation& decimation);
+
+/// Simplifies `mesh`. A run that is cancelled while contracting is not polished.
+/// \throw as `decimate`
+Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, Effort effort = Effort::normal,
+                        const SimplifyOptions& options = {});
+
+}  // namespace whittle

@@ -1,0 +1,92 @@
+#include "decimate/checks.hh"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "whittle/core/detail/checks.hh"
+
+namespace whittle {
+namespace {
+
+void require(bool condition, const char* what) {
+  if (!condition) throw std::invalid_argument(std::string("decimate: ") + what);
+}
+
+bool is_finite_and_not_negative(double x) { return x >= 0 && std::isfinite(x); }
+
+void check_ranges(const DecimateOptions& options) {
+  const QuadricOptions& quadric = options.quadric;
+  require(is_finite_and_not_negative(quadric.regularization), "regularization is negative or not finite");
+  require(is_finite_and_not_negative(quadric.boundary_weight), "boundary_weight is negative or not finite");
+  require(is_finite_and_not_negative(quadric.point_weight), "point_weight is negative or not finite");
+  const auto is_angle = [](const std::optional<double>& degrees) {
+    return !degrees || (*degrees > 0 && *degrees <= 180);
+  };
+  require(is_angle(options.max_normal_flip_deg), "max_normal_flip_deg is not in (0, 180]");
+  require(is_angle(options.feature_angle_deg), "feature_angle_deg is not in (0, 180]");
+  require(options.feature_tolerance >= 0, "feature_tolerance is negative or not a number");
+  require(options.isotropy >= 0 && options.isotropy <= 1, "isotropy is not in [0, 1]");
+  require(is_finite_and_not_negative(options.valence_weight), "valence_weight is negative or not finite");
+  const double min_radius_ratio = options.min_radius_ratio.value_or(0);
+  require(min_radius_ratio >= 0 && min_radius_ratio <= 1, "min_radius_ratio is not in [0, 1]");
+  require(options.pairs.threshold.value_or(0) >= 0, "pairs.threshold is negative or not a number");
+  require(options.pairs.max_pairs != 0, "pairs.max_pairs is 0; empty takes all");
+}
+
+/// Options that are at their defaults count as not given.
+void check_conflicts(const DecimateOptions& options) {
+  const auto refuse = [](bool is_given, const char* option, std::string_view other, std::string_view why) {
+    if (!is_given || why.empty()) return;
+    throw std::invalid_argument("decimate: " + std::string(option) + " doesn't go with " + std::string(other) + ": " +
+                                std::string(why));
+  };
+  const CostTraits& traits = cost_traits(options.effective_cost());
+  const std::string cost = "the cost " + std::string(traits.name);
+  const QuadricOptions& quadric = options.quadric;
+  const QuadricOptions standard;
+  const bool has_pairs = options.pairs.threshold > 0;
+  const bool has_boundary_weight = quadric.boundary_weight != standard.boundary_weight;
+  refuse(quadric.weights != standard.weights, "weights", cost, traits.why_not.weights);
+  refuse(quadric.placement != standard.placement, "placement", cost, traits.why_not.placement);
+  refuse(has_boundary_weight, "boundary_weight", cost, traits.why_not.boundary_weight);
+  refuse(quadric.regularization != standard.regularization, "regularization", cost, traits.why_not.regularization);
+  refuse(options.isotropy > 0, "isotropy", cost, traits.why_not.isotropy);
+  refuse(options.valence_weight > 0, "valence_weight", cost, traits.why_not.valence_weight);
+  refuse(has_pairs, "pairs.threshold", cost, traits.why_not.threshold);
+  refuse(has_pairs && options.effective_order() == Order::exact, "pairs.threshold in exact order", cost,
+         traits.why_not.threshold_in_exact_order);
+  refuse(has_pairs && options.isotropy > 0, "pairs.threshold", "isotropy", plain_quadrics_alone);
+  refuse(has_pairs && options.valence_weight > 0, "pairs.threshold", "valence_weight", plain_quadrics_alone);
+  refuse(has_boundary_weight && options.boundary == Boundary::free, "boundary_weight", "free borders",
+         free_borders_have_no_weight);
+}
+
+}  // namespace
+
+void check(const DecimateTarget& target, const DecimateOptions& options, std::size_t n_vertices) {
+  require(target.cost_limit().value_or(0) >= 0, "max_cost is negative or not a number");
+  check_ranges(options);
+  check_conflicts(options);
+  require(options.locked.empty() || options.locked.size() == n_vertices, "locked has another length than the vertices");
+}
+
+void check(const IndexedMesh& mesh) {
+  if (mesh.faces.size() > (std::size_t{1} << 31)) throw std::length_error("decimate: more than 2^31 faces");
+  if (mesh.positions.size() >= invalid_index) throw std::length_error("decimate: more than 2^32 - 2 vertices");
+  for (const Triangle& face : mesh.faces) {
+    for (const Index v : face) {
+      if (v < mesh.positions.size()) continue;
+      throw std::invalid_argument("decimate: face " + std::to_string(&face - mesh.faces.data()) + " names vertex " +
+                                  std::to_string(v) + " of " + std::to_string(mesh.positions.size()));
+    }
+  }
+  for (const Vec3& p : mesh.positions) {
+    if (p.allFinite()) continue;
+    throw std::invalid_argument("decimate: vertex " + std::to_string(&p - mesh.positions.data()) +
+                                " has a coordinate that is not finite");
+  }
+  check_attribute_lengths(mesh, "decimate");
+}
+
+}  // namespace whittle

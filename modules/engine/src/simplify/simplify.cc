@@ -1,0 +1,89 @@
+#include "whittle/engine/simplify.hh"
+
+#include <chrono>
+#include <utility>
+
+#include "decimate/input_features.hh"
+
+namespace whittle {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Whether there is an option that memoryless quadrics don't take.
+bool needs_plain_quadrics(const DecimateOptions& options) {
+  const CostConflicts& why_not = cost_traits(Cost::memoryless).why_not;
+  const bool has_exact_pairs = options.pairs.threshold > 0 && options.order == Order::exact;
+  return (options.isotropy > 0 && !why_not.isotropy.empty()) ||
+         (options.quadric.weights != Weights::area && !why_not.weights.empty()) ||
+         (has_exact_pairs && !why_not.threshold_in_exact_order.empty());
+}
+
+Cost cost_by_effort(Effort effort, const DecimateOptions& options) {
+  return effort == Effort::fast || needs_plain_quadrics(options) ? Cost::quadric : Cost::memoryless;
+}
+
+unsigned passes_by_effort(Effort effort, const DecimateOptions& options) {
+  if (effort == Effort::fast || options.quadric.placement != Placement::optimal) return 0;
+  return effort == Effort::best ? 3 : 1;
+}
+
+/// Vertices of the output that a locked vertex of the input became; empty if none is locked.
+std::vector<std::uint8_t> locked_outputs(const std::vector<std::uint8_t>& locked, const Decimation& decimation) {
+  std::vector<std::uint8_t> result;
+  if (locked.empty()) return result;
+  result.resize(decimation.mesh.positions.size());
+  for (std::size_t v = 0; v < locked.size(); ++v) {
+    const Index output = decimation.vertex_map[v];
+    if (locked[v] != 0 && output != invalid_index) result[output] = 1;
+  }
+  return result;
+}
+
+}  // namespace
+
+PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOptions& options, Decimation& decimation) {
+  const DecimateOptions& decimate = options.decimate;
+  if (options.polish_passes == 0U) return {};
+  const Progress before{decimation.result.n_vertices, decimation.result.n_faces, 0, Stage::polish};
+  if (decimate.progress && !decimate.progress(before)) return {};
+  PolishOptions polish_options;
+  polish_options.passes = *options.polish_passes;
+  polish_options.flips = *options.flips;
+  polish_options.fit_borders = decimate.boundary != Boundary::locked;
+  if (decimate.feature_angle_deg.value_or(180) < 180) polish_options.feature_angle_deg = *decimate.feature_angle_deg;
+  if (decimate.min_radius_ratio) polish_options.min_radius_ratio = *decimate.min_radius_ratio;
+  polish_options.threads = decimate.threads;
+  const std::vector<std::uint8_t> locked = locked_outputs(decimate.locked, decimation);
+  polish_options.locked = locked;
+  polish_options.features = decimation.feature_edges;
+  std::vector<VertexPair> original_features;
+  if (!decimation.feature_edges.empty()) original_features = input_features(original, decimate);
+  polish_options.original_features = original_features;
+  return polish(original, decimation.vertex_map, decimation.mesh, polish_options);
+}
+
+SimplifyOptions with_effort(Effort effort, SimplifyOptions options) {
+  const DecimateOptions& decimate = options.decimate;
+  options.decimate.cost = decimate.cost.value_or(cost_by_effort(effort, decimate));
+  options.polish_passes = options.polish_passes.value_or(passes_by_effort(effort, decimate));
+  options.flips = options.flips.value_or(effort == Effort::best);
+  return options;
+}
+
+Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, Effort effort,
+                        const SimplifyOptions& options) {
+  const SimplifyOptions settled = with_effort(effort, options);
+  const Clock::time_point start = Clock::now();
+  Simplification result{decimate(mesh, target, settled.decimate), {}, 0, 0};
+  result.decimate_seconds = seconds_since(start);
+  if (result.result.stop == StopReason::cancelled) return result;
+  const Clock::time_point polish_start = Clock::now();
+  result.polish = polish_decimation(mesh, settled, result);
+  result.polish_seconds = seconds_since(polish_start);
+  return result;
+}
+
+}  // namespace whittle

@@ -1,0 +1,111 @@
+#include "whittle/engine/simplify.hh"
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.hh"
+#include "support/suites.hh"
+#include "whittle/core/feature_edges.hh"
+
+namespace whittle::test {
+namespace {
+
+void expect_same(const IndexedMesh& a, const IndexedMesh& b, const std::string& context) {
+  EXPECT_EQ(a.positions, b.positions) << context;
+  EXPECT_EQ(a.faces, b.faces) << context;
+}
+
+TEST(Simplify, IsDecimationAndPolishByEffort) {
+  for (const auto& [name, mesh] : all_meshes()) {
+    const DecimateTarget target = DecimateTarget::faces(mesh.faces.size() / 4);
+    DecimateOptions options;
+    expect_same(simplify(mesh, target, Effort::fast).mesh, decimate(mesh, target, options).mesh, name);
+    options.cost = Cost::memoryless;
+    for (const Effort effort : {Effort::normal, Effort::best}) {
+      Decimation expected = decimate(mesh, target, options);
+      PolishOptions polish_options;
+      polish_options.passes = effort == Effort::best ? 3 : 1;
+      polish_options.flips = effort == Effort::best;
+      const PolishResult polished = polish(mesh, expected.vertex_map, expected.mesh, polish_options);
+      const Simplification s = simplify(mesh, target, effort);
+      expect_same(s.mesh, expected.mesh, name);
+      EXPECT_EQ(s.vertex_map, expected.vertex_map) << name;
+      EXPECT_EQ(s.polish.n_moved, polished.n_moved) << name;
+    }
+  }
+}
+
+TEST(Simplify, TakesPlainQuadricsWhereAnOptionNeedsThem) {
+  const auto cost_of = [](const DecimateOptions& options) {
+    return with_effort(Effort::normal, {.decimate = options}).decimate.cost;
+  };
+  DecimateOptions options;
+  EXPECT_EQ(cost_of(options), Cost::memoryless);
+  options.isotropy = 0.5;
+  EXPECT_EQ(cost_of(options), Cost::quadric);
+  options = {};
+  options.quadric.weights = Weights::uniform;
+  EXPECT_EQ(cost_of(options), Cost::quadric);
+  options = {};
+  options.pairs.threshold = 0.1;
+  EXPECT_EQ(cost_of(options), Cost::memoryless);
+  options.order = Order::exact;
+  EXPECT_EQ(cost_of(options), Cost::quadric);
+  options.cost = Cost::midpoint;
+  EXPECT_EQ(cost_of(options), Cost::midpoint) << "said explicitly";
+}
+
+TEST(Simplify, LeavesVerticesWherePlacementPutThem) {
+  SimplifyOptions options;
+  options.decimate.quadric.placement = Placement::endpoint;
+  EXPECT_EQ(with_effort(Effort::best, options).polish_passes, 0U);
+  options.polish_passes = 2;
+  EXPECT_EQ(with_effort(Effort::best, options).polish_passes, 2U);
+}
+
+TEST(Simplify, KeepsLockedVerticesThroughPolish) {
+  const IndexedMesh mesh = noisy_sphere(4, 0.05, 1);
+  SimplifyOptions options;
+  options.decimate.locked.resize(mesh.positions.size());
+  for (std::size_t v = 0; v < mesh.positions.size(); v += 50) options.decimate.locked[v] = 1;
+  const Simplification s = simplify(mesh, DecimateTarget::faces(500), Effort::best, options);
+  EXPECT_GT(s.polish.n_moved, 0U);
+  for (std::size_t v = 0; v < mesh.positions.size(); v += 50) {
+    EXPECT_EQ(s.mesh.positions[s.vertex_map[v]], mesh.positions[v]) << v;
+  }
+}
+
+TEST(Simplify, PolishesFeatureLinesThatTheCallerNames) {
+  const IndexedMesh mesh = bracket(3);
+  SimplifyOptions by_angle;
+  by_angle.decimate.feature_angle_deg = 40;
+  SimplifyOptions by_name;
+  by_name.decimate.feature_edges = feature_edges(mesh, 40);
+  const DecimateTarget target = DecimateTarget::faces(mesh.faces.size() / 3);
+  for (const SimplifyOptions& options : {by_angle, by_name}) {
+    const Simplification s = simplify(mesh, target, Effort::normal, options);
+    EXPECT_FALSE(s.feature_edges.empty());
+    EXPECT_EQ(feature_edges(s.mesh, 40).size(), s.feature_edges.size());
+  }
+}
+
+TEST(Simplify, CanBeCancelledWhileContracting) {
+  const IndexedMesh mesh = blob(4, 2);
+  SimplifyOptions options;
+  options.decimate.progress = [&](const Progress& p) { return p.n_faces == mesh.faces.size(); };
+  const Simplification s = simplify(mesh, DecimateTarget::faces(10), Effort::normal, options);
+  EXPECT_EQ(s.result.stop, StopReason::cancelled);
+  EXPECT_LT(s.mesh.faces.size(), mesh.faces.size());
+  EXPECT_EQ(s.polish.n_passes, 0U);
+  options.decimate.progress = [](const Progress& p) { return p.stage == Stage::decimate; };
+  const Simplification unpolished = simplify(mesh, DecimateTarget::faces(100), Effort::normal, options);
+  EXPECT_EQ(unpolished.result.stop, StopReason::target);
+  EXPECT_EQ(unpolished.polish.n_passes, 0U);
+  options.decimate.progress = [](const Progress&) { return false; };
+  const Simplification nothing = simplify(mesh, DecimateTarget::faces(10), Effort::normal, options);
+  EXPECT_EQ(nothing.result.stop, StopReason::cancelled);
+  EXPECT_EQ(nothing.mesh.faces, mesh.faces);
+  EXPECT_EQ(nothing.result.n_contractions, 0U);
+}
+
+}  // namespace
+}  // namespace whittle::test
