@@ -21,7 +21,7 @@ struct Case {
   Case() {
     DecimateOptions options;
     options.cost = Cost::memoryless;
-    decimation = decimate(original, {.faces = original.faces.size() / 4}, options);
+    decimation = decimate(original, DecimateTarget::faces(original.faces.size() / 4), options);
   }
 
   struct Polished {

@@ -47,8 +47,6 @@ std::vector<std::uint8_t> locked_outputs(const std::vector<std::uint8_t>& locked
 PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOptions& options, Decimation& decimation) {
   const DecimateOptions& decimate = options.decimate;
   if (options.polish_passes == 0U) return {};
-  const Progress before{decimation.result.n_vertices, decimation.result.n_faces, 0, Stage::polish};
-  if (decimate.progress && !decimate.progress(before)) return {};
   PolishOptions polish_options;
   polish_options.passes = *options.polish_passes;
   polish_options.flips = *options.flips;
@@ -56,12 +54,15 @@ PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOption
   if (decimate.feature_angle_deg.value_or(180) < 180) polish_options.feature_angle_deg = *decimate.feature_angle_deg;
   if (decimate.min_radius_ratio) polish_options.min_radius_ratio = *decimate.min_radius_ratio;
   polish_options.threads = decimate.threads;
-  const std::vector<std::uint8_t> locked = locked_outputs(decimate.locked, decimation);
-  polish_options.locked = locked;
+  if (decimate.progress) {
+    polish_options.progress = [&](const TaskProgress& progress) {
+      const DecimateResult& result = decimation.result;
+      return decimate.progress({result.n_vertices, result.n_faces, progress.fraction, Stage::polish});
+    };
+  }
+  polish_options.locked = locked_outputs(decimate.locked, decimation);
   polish_options.features = decimation.feature_edges;
-  std::vector<VertexPair> original_features;
-  if (!decimation.feature_edges.empty()) original_features = input_features(original, decimate);
-  polish_options.original_features = original_features;
+  if (!decimation.feature_edges.empty()) polish_options.original_features = input_features(original, decimate);
   return polish(original, decimation.vertex_map, decimation.mesh, polish_options);
 }
 

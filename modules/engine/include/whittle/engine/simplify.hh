@@ -19,7 +19,7 @@ enum class Effort {
 
 struct SimplifyOptions {
   /// An empty `cost` is by effort; plain quadrics where another option needs them (`with_effort`). `progress` is asked
-  /// before polish, too; false leaves the result as decimated. `locked` vertices also stay in polish. `keep_quadrics`
+  /// during polish, too. `locked` vertices also stay in polish. `keep_quadrics`
   /// gives those before polish.
   DecimateOptions decimate{};
 
