@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "whittle/core/detail/edge_table.hh"
 #include "whittle/openmesh/blend_attributes.hh"
 #include "whittle/openmesh/engine_run.hh"
 #include "whittle/openmesh/pair_decimater.hh"
@@ -118,12 +119,7 @@ bool EngineRunT<MeshT>::are_collapses(const Decimation& small) const {
 
 template <class MeshT>
 typename EngineRunT<MeshT>::Shape EngineRunT<MeshT>::shape_of(const IndexedMesh& mesh) {
-  std::vector<std::pair<Index, Index>> edges;
-  edges.reserve(3 * mesh.faces.size());
-  for (const auto& [a, b, c] : mesh.faces)
-    edges.insert(edges.end(), {std::minmax(a, b), std::minmax(b, c), std::minmax(c, a)});
-  std::sort(edges.begin(), edges.end());
-  const auto n_edges = std::unique(edges.begin(), edges.end()) - edges.begin();
+  const auto n_edges = static_cast<std::ptrdiff_t>(detail::EdgeTable(mesh.faces, mesh.positions.size()).size());
   const auto n_vertices = static_cast<std::ptrdiff_t>(count_vertices(mesh));
   const std::size_t n_further_fans = cut_into_manifold(mesh.positions.size(), mesh.faces).originals.size();
   return {n_further_fans, n_vertices - n_edges + static_cast<std::ptrdiff_t>(mesh.faces.size())};

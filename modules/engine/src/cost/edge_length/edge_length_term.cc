@@ -1,0 +1,36 @@
+#include "whittle/engine/formula/edge_length_term.hh"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whittle {
+
+PairEvaluation evaluate_midpoint(const Vec3& first, const Vec3& second, Pinned pinned) {
+  const double length = (second - first).norm();
+  if (pinned == Pinned::first || pinned == Pinned::either) return {length, length, first, false};
+  if (pinned == Pinned::second) return {length, length, second, false};
+  return {length, length, 0.5 * (first + second), false};
+}
+
+PairEvaluation evaluate_isotropic(const PlacedQuadric& v0, const PlacedQuadric& v1, double isotropy,
+                                  Placement placement, Pinned pinned) {
+  const double length_sq = (v1.position - v0.position).squaredNorm();
+  Quadric sum = v1.quadric.about(v0.position - v1.position);
+  sum += v0.quadric;
+  PairEvaluation evaluation = evaluate_midpoint(v0.position, v1.position, pinned);
+  if (isotropy < 1) {
+    const double mu = 1e-3 * isotropy / (1 - isotropy) * sum.a.trace();
+    PlacedQuadric held0 = v0;
+    PlacedQuadric held1 = v1;
+    held0.quadric.a += SymmetricMatrix::identity(mu);
+    held1.quadric.a += SymmetricMatrix::identity(mu);
+    evaluation = evaluate_pair(held0, held1, placement, pinned);
+  }
+  const double error = std::max(0.0, sum(evaluation.position - v0.position));
+  evaluation.cost = std::pow(error, 1 - isotropy) * std::pow(length_sq, isotropy);
+  evaluation.bound = evaluation.cost;
+  evaluation.is_minimum = false;
+  return evaluation;
+}
+
+}  // namespace whittle
