@@ -1,0 +1,232 @@
+// What users of the modules met: derived modules, chains of levels, attributes, calls through the base.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <whittle/engine/formula/edge_length_term.hh>
+
+#include "meshes.hh"
+#include "modules.hh"
+
+namespace whittle::test {
+namespace {
+
+using Mesh = DoubleMesh;
+using OpenMesh::VertexHandle;
+
+/// Garland–Heckbert upside down: what costs most comes first.
+template <class MeshT>
+class ModReversedT : public ModGarlandHeckbertT<MeshT> {
+ public:
+  explicit ModReversedT(MeshT& mesh) : ModGarlandHeckbertT<MeshT>(mesh) {}
+  using Handle = OpenMesh::Decimater::ModHandleT<ModReversedT>;
+  using ModGarlandHeckbertT<MeshT>::evaluate;
+
+  PairEvaluation evaluate(VertexHandle first, VertexHandle second, Pinned pinned) const override {
+    PairEvaluation evaluation = ModGarlandHeckbertT<MeshT>::evaluate(first, second, pinned);
+    evaluation.cost = evaluation.bound = 1 / (1 + evaluation.cost);
+    return evaluation;
+  }
+};
+
+/// A cost of one's own: the length of the edge, to its middle, as ModMidpointT has it.
+template <class MeshT>
+class ModLengthT : public PlacingModuleT<MeshT> {
+ public:
+  DECIMATING_MODULE(ModLengthT, MeshT, Length);
+  explicit ModLengthT(MeshT& mesh) : PlacingModuleT<MeshT>(mesh) {}
+  double cost_dimension() const override { return 1; }
+
+ private:
+  PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const override {
+    return evaluate_midpoint(this->position(first), this->position(second), pinned);
+  }
+  Reach plain_reach() const override { return Reach::ends; }
+};
+
+/// A flip guard that refuses everything.
+template <class MeshT>
+class ModRefuseT : public ModFlipGuardT<MeshT> {
+ public:
+  using Handle = OpenMesh::Decimater::ModHandleT<ModRefuseT>;
+  explicit ModRefuseT(MeshT& mesh) : ModFlipGuardT<MeshT>(mesh) {}
+  float collapse_priority(const OpenMesh::Decimater::CollapseInfoT<MeshT>&) override { return -1; }
+};
+
+template <class ModuleT>
+std::vector<Contraction> contractions_by(Mesh mesh, const DecimateTarget& target, Driver* driver = nullptr) {
+  PairDecimaterT<Mesh> decimater(mesh);
+  add_module<ModuleT>(decimater);
+  std::vector<Contraction> result;
+  decimater.set_listener([&](const Contraction& made) { result.push_back(made); });
+  EXPECT_TRUE(decimater.initialize());
+  decimater.decimate(target);
+  if (driver != nullptr) *driver = decimater.last_driver();
+  return result;
+}
+
+TEST(DerivedModules, WhatTheyOverrideCounts) {
+  const Mesh mesh = open_mesh<Mesh>(noisy_torus(24, 12, 1, 0.4, 0.03, 3));
+  Driver driver{};
+  const auto reversed = contractions_by<ModReversedT<Mesh>>(mesh, to_faces(500), &driver);
+  EXPECT_EQ(driver, Driver::mesh);
+  ASSERT_FALSE(reversed.empty());
+  const auto plain = contractions_by<ModGarlandHeckbertT<Mesh>>(mesh, to_faces(500));
+  EXPECT_FALSE(same_bits(reversed.front(), plain.front()));
+}
+
+TEST(DerivedModules, ACostOfOnesOwnIsAskedAndNotTakenForQuadrics) {
+  const Mesh mesh = open_mesh<Mesh>(noisy_torus(24, 12, 1, 0.4, 0.03, 3));
+  Driver driver{};
+  const auto own = contractions_by<ModLengthT<Mesh>>(mesh, to_faces(200), &driver);
+  EXPECT_EQ(driver, Driver::mesh);
+  expect_same_contractions(contractions_by<ModMidpointT<Mesh>>(mesh, to_faces(200)), own, "torus");
+}
+
+TEST(DerivedModules, AGuardDerivedFromOursIsAsked) {
+  Mesh mesh = open_mesh<Mesh>(torus(14, 8));
+  PairDecimaterT<Mesh> decimater(mesh);
+  add_module<ModGarlandHeckbertT<Mesh>>(decimater);
+  add_module<ModRefuseT<Mesh>>(decimater);
+  ASSERT_TRUE(decimater.initialize());
+  EXPECT_THAT(decimater.engine_obstacle(), testing::HasSubstr("FlipGuard"));
+  EXPECT_EQ(decimater.decimate(), 0U);
+}
+
+TEST(BaseReference, ModulesAddedThroughItAreRefused) {
+  Mesh mesh = open_mesh<Mesh>(torus(14, 8));
+  PairDecimaterT<Mesh> decimater(mesh);
+  OpenMesh::Decimater::BaseDecimaterT<Mesh>& base = decimater;
+  ModGarlandHeckbertT<Mesh>::Handle cost;
+  base.add(cost);
+  EXPECT_THROW(decimater.initialize(), std::logic_error);
+  EXPECT_THROW(decimater.decimate_to(10), std::logic_error);
+}
+
+TEST(StockCalls, ANumberMeansContractions) {
+  Mesh mesh = open_mesh<Mesh>(noisy_torus(24, 12, 1, 0.4, 0.03, 3));
+  PairDecimaterT<Mesh> decimater(mesh);
+  add_module<ModGarlandHeckbertT<Mesh>>(decimater);
+  ASSERT_TRUE(decimater.initialize());
+  EXPECT_EQ(decimater.decimate({100}), 100U);
+  EXPECT_EQ(decimater.result().n_contractions, 100U);
+}
+
+TEST(StockCalls, MaxErrLimitsTheCost) {
+  Mesh mesh = open_mesh<Mesh>(noisy_torus(24, 12, 1, 0.4, 0.03, 3));
+  PairDecimaterT<Mesh> decimater(mesh);
+  auto& cost = add_module<ModGarlandHeckbertT<Mesh>>(decimater);
+  cost.set_max_err(1e-6);
+  ASSERT_TRUE(decimater.initialize());
+  const DecimateResult limited = decimater.decimate(DecimateTarget::as_far_as_possible());
+  EXPECT_EQ(limited.stop, StopReason::cost);
+  EXPECT_LE(limited.max_cost, 1e-6);
+  EXPECT_GT(limited.n_contractions, 0U);
+  cost.unset_max_err();
+  EXPECT_FALSE(cost.max_cost());
+  EXPECT_THROW(cost.set_max_err(1, true), std::invalid_argument);
+}
+
+TEST(Setters, AfterInitializeAreNotIgnored) {
+  Mesh mesh = open_mesh<Mesh>(noisy_torus(24, 12, 1, 0.4, 0.03, 3));
+  PairDecimaterT<Mesh> decimater(mesh);
+  auto& cost = add_module<ModGarlandHeckbertT<Mesh>>(decimater);
+  ASSERT_TRUE(decimater.initialize());
+  cost.set_isotropy(1);
+  EXPECT_THROW(decimater.decimate(to_faces(300)), std::logic_error);
+  ASSERT_TRUE(decimater.initialize());
+  EXPECT_EQ(decimater.decimate(to_faces(300)).n_faces, 300U);
+}
+
+/// Levels of one decimater, and one run to the last of them.
+void expect_chain_is_one_run(const NamedCost& cost, const IndexedMesh& shape, Driver driver) {
+  const std::string context = cost.name + (driver == Driver::engine ? ", engine" : ", mesh");
+  const auto run = [&](const std::vector<std::uint64_t>& levels) {
+    Mesh mesh = open_mesh<Mesh>(shape);
+    PairDecimaterT<Mesh> decimater(mesh);
+    add_cost(decimater, cost.options);
+    decimater.set_driver(driver);
+    std::vector<Contraction> result;
+    decimater.set_listener([&](const Contraction& made) { result.push_back(made); });
+    EXPECT_TRUE(decimater.initialize());
+    for (const std::uint64_t level : levels) {
+      decimater.decimate(to_faces(level));
+      EXPECT_EQ(decimater.last_driver(), driver) << context;
+      expect_sound(mesh, context);
+    }
+    return result;
+  };
+  expect_same_contractions(run({80}), run({400, 200, 80}), context);
+}
+
+TEST(ChainsOfLevels, StayOnTheEngineAndAreOneRun) {
+  for (const NamedCost& cost : named_costs()) {
+    expect_chain_is_one_run(cost, noisy_torus(24, 12, 1, 0.4, 0.03, 3), Driver::engine);
+    expect_chain_is_one_run(cost, noisy_grid(16, 16, 0.2, 9), Driver::engine);
+    expect_chain_is_one_run(cost, noisy_torus(24, 12, 1, 0.4, 0.03, 3), Driver::mesh);
+  }
+}
+
+TEST(ChainsOfLevels, MayChangeDrivers) {
+  const IndexedMesh shape = noisy_torus(24, 12, 1, 0.4, 0.03, 3);
+  for (const NamedCost& cost : named_costs()) {
+    const auto run = [&](Driver first, Driver second) {
+      Mesh mesh = open_mesh<Mesh>(shape);
+      PairDecimaterT<Mesh> decimater(mesh);
+      add_cost(decimater, cost.options);
+      std::vector<Contraction> result;
+      decimater.set_listener([&](const Contraction& made) { result.push_back(made); });
+      EXPECT_TRUE(decimater.initialize());
+      decimater.set_driver(first);
+      decimater.decimate(to_faces(300));
+      decimater.set_driver(second);
+      decimater.decimate(to_faces(100));
+      return result;
+    };
+    const auto expected = run(Driver::engine, Driver::engine);
+    expect_same_contractions(expected, run(Driver::engine, Driver::mesh), cost.name + ", engine then mesh");
+    expect_same_contractions(expected, run(Driver::mesh, Driver::engine), cost.name + ", mesh then engine");
+  }
+}
+
+/// A flat grid on which texture coordinates are places, and colours and normals are one.
+Mesh textured_grid() {
+  IndexedMesh shape = noisy_grid(12, 12, 0, 1);
+  Mesh mesh = open_mesh<Mesh>(shape);
+  mesh.request_vertex_texcoords2D();
+  mesh.request_vertex_normals();
+  for (const VertexHandle v : mesh.vertices()) {
+    const auto& p = mesh.point(v);
+    mesh.set_texcoord2D(v, {static_cast<float>(p[0]), static_cast<float>(p[1])});
+    mesh.set_normal(v, {0, 0, 1});
+  }
+  return mesh;
+}
+
+void expect_texture_in_place(const Mesh& mesh, const std::string& context) {
+  std::size_t n = 0;
+  for (const VertexHandle v : mesh.vertices()) {
+    const auto& p = mesh.point(v);
+    EXPECT_NEAR(mesh.texcoord2D(v)[0], p[0], 1e-4) << context << ", vertex " << v.idx();
+    EXPECT_NEAR(mesh.texcoord2D(v)[1], p[1], 1e-4) << context << ", vertex " << v.idx();
+    EXPECT_NEAR(mesh.normal(v).norm(), 1, 1e-6) << context;
+    ++n;
+  }
+  EXPECT_LT(n, 120U) << context;
+}
+
+TEST(VertexAttributes, MoveAlongTheEdgeWithTheVertex) {
+  for (const Driver driver : {Driver::engine, Driver::mesh}) {
+    Mesh mesh = textured_grid();
+    PairDecimaterT<Mesh> decimater(mesh);
+    add_module<ModMidpointT<Mesh>>(decimater);
+    decimater.set_driver(driver);
+    ASSERT_TRUE(decimater.initialize());
+    decimater.decimate(to_vertices(90));
+    expect_texture_in_place(mesh, driver == Driver::engine ? "engine" : "mesh");
+  }
+}
+
+}  // namespace
+}  // namespace whittle::test
