@@ -118,8 +118,8 @@ NeighbourSums SurfaceNow::neighbours_of(Index a, Index b) const {
 }
 
 PairEvaluation SurfaceNow::lindstrom_turk(Index a, Index b, Pinned pinned) const {
-  LindstromTurk term(volume_of(a, b), border_of(a, b), Vec3::Zero(), positions_[b] - positions_[a]);
-  if (!term.is_determined()) term.add_neighbours(neighbours_of(a, b));
+  LindstromTurk term(volume_of(a, b).lanes(), border_of(a, b), Vec3::Zero(), positions_[b] - positions_[a]);
+  if (!term.is_determined()) term.add_neighbours(neighbours_of(a, b).lanes());
   return in_frame(term.evaluate(pinned), positions_[a], positions_[b]);
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "support/volume_sums.hh"
 #include "whittle/engine/decimate.hh"
 #include "whittle/engine/formula/lindstrom_turk.hh"
 #include "whittle/engine/formula/pair_evaluation.hh"
