@@ -5,7 +5,6 @@
 #include <set>
 
 #include "support/face_list.hh"
-#include "whittle/engine/formula/edge_length_term.hh"
 
 namespace whittle::test {
 namespace {
@@ -25,13 +24,6 @@ Corners as_ring(const Corners& sorted) {
 }
 
 }  // namespace
-
-double cost_dimension(const DecimateOptions& options) {
-  if (options.cost == Cost::lindstrom_turk) return 6;
-  if (options.cost == Cost::midpoint) return 1;
-  if (options.cost == Cost::memoryless) return 5;
-  return isotropic_dimension(options.quadric.weights == Weights::uniform ? 2 : 4, options.isotropy);
-}
 
 SurfaceNow::SurfaceNow(std::span<const Vec3> positions, std::span<const Triangle> faces)
     : positions_(positions), vertices_(positions.size()) {

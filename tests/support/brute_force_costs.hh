@@ -12,9 +12,6 @@
 
 namespace whittle::test {
 
-/// The power of a length that is the unit of the options' cost.
-double cost_dimension(const DecimateOptions& options);
-
 /// What costs see of a surface at one moment, all of it found anew from its faces. Sums have the order that the engine
 /// promises, by vertex numbers, so that they agree to the bit; the arithmetic of one pair is the engine's.
 class SurfaceNow {
