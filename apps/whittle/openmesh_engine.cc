@@ -45,6 +45,9 @@ CostModule& add_plain_cost(StockDecimater& decimater, const DecimateOptions& opt
     }
     case Cost::quadric:
       break;
+    default:
+      throw UsageError("--engine openmesh has no module for --cost " +
+                       std::string(to_string(options.effective_cost())));
   }
   auto& module = add_module<ModGarlandHeckbertT<DoubleMesh>>(decimater);
   module.set_options(quadric);

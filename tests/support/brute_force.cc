@@ -17,24 +17,31 @@ bool meet(const std::set<T>& a, const std::set<T>& b) {
   return std::ranges::any_of(a, [&](const T& x) { return b.contains(x); });
 }
 
-double default_flip_deg(Cost cost) {
-  switch (cost) {
+/// What a cost has beside its formula.
+struct CostFacts {
+  double dimension;  ///< the power of a length that is its unit
+  double max_normal_flip_deg;
+};
+
+CostFacts facts_of(const DecimateOptions& options) {
+  switch (options.cost.value_or(Cost::quadric)) {
     case Cost::lindstrom_turk:
-      return 110;
+      return {6, 110};
     case Cost::memoryless:
-      return 60;
-    case Cost::quadric:
+      return {5, 60};
     case Cost::midpoint:
+      return {1, 75};
+    case Cost::quadric:
       break;
   }
-  return 75;
+  return {isotropic_dimension(options.quadric.weights == Weights::uniform ? 2 : 4, options.isotropy), 75};
 }
 
 }  // namespace
 
 BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const DecimateOptions& options) : options_(options) {
   options_.cost = options.cost.value_or(Cost::quadric);
-  options_.max_normal_flip_deg = options.max_normal_flip_deg.value_or(default_flip_deg(*options_.cost));
+  options_.max_normal_flip_deg = options.max_normal_flip_deg.value_or(facts_of(options).max_normal_flip_deg);
   Vec3 low = mesh.positions.at(0);
   Vec3 high = low;
   for (const Vec3& p : mesh.positions) {
@@ -42,7 +49,10 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
     high = high.cwiseMax(p);
   }
   frame_ = Frame::of_box(low, high);
-  for (const Vec3& p : mesh.positions) positions_.push_back(frame_.to_frame(p));
+  for (const Vec3& p : mesh.positions) {
+    stands_for_.push_back(static_cast<Index>(positions_.size()));
+    positions_.push_back(frame_.to_frame(p));
+  }
   for (const Triangle& f : mesh.faces) {
     if (f[0] != f[1] && f[1] != f[2] && f[2] != f[0]) faces_.push_back(f);
   }
@@ -123,6 +133,19 @@ std::uint64_t BruteForceDecimater::n_vertices() const {
   std::set<Index> used;
   for (const Triangle& f : faces_) used.insert(f.begin(), f.end());
   return used.size();
+}
+
+std::vector<Triangle> BruteForceDecimater::faces() const {
+  std::vector<Triangle> faces;
+  for (const auto& [a, b, c] : faces_) faces.push_back({stands_for_[a], stands_for_[b], stands_for_[c]});
+  return faces;
+}
+
+std::vector<std::pair<Index, Index>> BruteForceDecimater::feature_edges() const {
+  std::vector<std::pair<Index, Index>> edges;
+  for (const auto& [a, b] : restraints_.feature_edges()) edges.push_back(edge(stands_for_[a], stands_for_[b]));
+  std::ranges::sort(edges);
+  return edges;
 }
 
 std::vector<BruteForceDecimater::Choice> BruteForceDecimater::choices() const {
@@ -387,8 +410,20 @@ Quadric BruteForceDecimater::merge_quadrics(const Choice& choice) {
   return quadric;
 }
 
+/// Under endpoint placement the input vertex at whose position the merged vertex lies lives on; of two at the same
+/// position that of the survivor.
+std::pair<Index, Index> BruteForceDecimater::stand_ins(const Choice& choice, Index survivor, Index removed) const {
+  const std::pair as_they_are(stands_for_[survivor], stands_for_[removed]);
+  const bool has_quadrics = options_.cost == Cost::quadric || options_.cost == Cost::memoryless;
+  if (!has_quadrics || options_.quadric.placement != Placement::endpoint) return as_they_are;
+  for (const Index v : {survivor, removed}) {
+    if (choice.position == positions_[v]) return {stands_for_[v], stands_for_[v == survivor ? removed : survivor]};
+  }
+  return as_they_are;
+}
+
 std::vector<Contraction> BruteForceDecimater::run(const DecimateTarget& target) {
-  const double dimension = cost_dimension(options_);
+  const double dimension = facts_of(options_).dimension;
   std::vector<Contraction> done;
   while (n_faces() > target.n_faces().value_or(0) && n_vertices() > target.n_vertices().value_or(0)) {
     const std::optional<Choice> choice = next_choice();
@@ -398,8 +433,10 @@ std::vector<Contraction> BruteForceDecimater::run(const DecimateTarget& target) 
     const bool keep_high = restraints_.pinned(choice->low, choice->high) != Pinned::first;
     const Index survivor = keep_high ? choice->high : choice->low;
     const Index removed = keep_high ? choice->low : choice->high;
+    const auto [lives_on, gone] = stand_ins(*choice, survivor, removed);
     contract(*choice, survivor, removed);
-    done.push_back({survivor, removed, frame_.to_model(choice->position), cost});
+    stands_for_[survivor] = lives_on;
+    done.push_back({lives_on, gone, frame_.to_model(choice->position), cost});
   }
   return done;
 }

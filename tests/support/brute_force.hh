@@ -31,11 +31,11 @@ class BruteForceDecimater {
   std::vector<Contraction> run(const DecimateTarget& target);
 
   std::uint64_t n_faces() const { return faces_.size(); }
-  const std::vector<Triangle>& faces() const { return faces_; }  ///< of the mesh as it is now, in the input's numbers
+  std::vector<Triangle> faces() const;  ///< of the mesh as it is now, in the input's numbers
   std::size_t n_threshold_pairs() const { return threshold_pairs_.size(); }
   std::uint64_t n_vertices() const;
   /// Of the mesh as it is now, in the input's numbers, ascending.
-  std::vector<std::pair<Index, Index>> feature_edges() const { return restraints_.feature_edges(); }
+  std::vector<std::pair<Index, Index>> feature_edges() const;
 
  private:
   struct Choice {
@@ -65,11 +65,13 @@ class BruteForceDecimater {
   std::vector<bool> faces_left(Index a, Index b) const;
   std::vector<Triangle> faces_after(Index survivor, Index removed) const;
   void contract(const Choice& choice, Index survivor, Index removed);
+  std::pair<Index, Index> stand_ins(const Choice& choice, Index survivor, Index removed) const;
   Quadric merge_quadrics(const Choice& choice);
 
   DecimateOptions options_;
   Frame frame_;
   std::vector<Vec3> positions_;
+  std::vector<Index> stands_for_;  ///< per vertex, the input vertex that it is, as far as others are told
   std::vector<Quadric> quadrics_;
   std::vector<PointQuadric> points_;
   std::set<std::pair<Index, Index>> threshold_pairs_;  ///< lower vertex first; some may have a common face

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "support/face_list.hh"
-#include "whittle/engine/formula/edge_length_term.hh"
 
 namespace whittle::test {
 namespace {
@@ -25,13 +24,6 @@ Corners as_ring(const Corners& sorted) {
 }
 
 }  // namespace
-
-double cost_dimension(const DecimateOptions& options) {
-  if (options.cost == Cost::lindstrom_turk) return 6;
-  if (options.cost == Cost::midpoint) return 1;
-  if (options.cost == Cost::memoryless) return 5;
-  return isotropic_dimension(options.quadric.weights == Weights::uniform ? 2 : 4, options.isotropy);
-}
 
 SurfaceNow::SurfaceNow(std::span<const Vec3> positions, std::span<const Triangle> faces)
     : positions_(positions), vertices_(positions.size()) {
@@ -118,8 +110,8 @@ NeighbourSums SurfaceNow::neighbours_of(Index a, Index b) const {
 }
 
 PairEvaluation SurfaceNow::lindstrom_turk(Index a, Index b, Pinned pinned) const {
-  LindstromTurk term(volume_of(a, b), border_of(a, b), Vec3::Zero(), positions_[b] - positions_[a]);
-  if (!term.is_determined()) term.add_neighbours(neighbours_of(a, b));
+  LindstromTurk term(volume_of(a, b).lanes(), border_of(a, b), Vec3::Zero(), positions_[b] - positions_[a]);
+  if (!term.is_determined()) term.add_neighbours(neighbours_of(a, b).lanes());
   return in_frame(term.evaluate(pinned), positions_[a], positions_[b]);
 }
 

@@ -4,15 +4,13 @@
 #include <span>
 #include <vector>
 
+#include "support/volume_sums.hh"
 #include "whittle/engine/decimate.hh"
 #include "whittle/engine/formula/lindstrom_turk.hh"
 #include "whittle/engine/formula/pair_evaluation.hh"
 #include "whittle/engine/formula/valence_term.hh"
 
 namespace whittle::test {
-
-/// The power of a length that is the unit of the options' cost.
-double cost_dimension(const DecimateOptions& options);
 
 /// What costs see of a surface at one moment, all of it found anew from its faces. Sums have the order that the engine
 /// promises, by vertex numbers, so that they agree to the bit; the arithmetic of one pair is the engine's.

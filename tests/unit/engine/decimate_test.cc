@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <set>
 #include <whittle/core/frame.hh>
@@ -154,15 +155,64 @@ TEST(Decimate, LockedBordersKeepEveryBit) {
   EXPECT_EQ(n_border, 64U);
 }
 
-TEST(Decimate, EndpointPlacementTakesPositionsOfTheInput) {
-  const IndexedMesh mesh = moved(scaled(blob(3, 5), 1.0 / 3), {12.3, -45.6, 1e4});
-  const auto before = [](const Vec3& a, const Vec3& b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-  };
-  const std::set<Vec3, decltype(before)> positions(mesh.positions.begin(), mesh.positions.end(), before);
-  DecimateOptions options;
-  options.quadric.placement = Placement::endpoint;
-  for (const Vec3& p : decimate(mesh, faces(100), options).mesh.positions) EXPECT_TRUE(positions.contains(p)) << p;
+/// Closed, open and not manifold; far from the origin.
+std::vector<NamedMesh> endpoint_meshes() {
+  std::vector<NamedMesh> meshes = {{"torus", torus(24, 12)},    {"noisy torus", noisy_torus(24, 12, 1, 0.35, 0.02, 1)},
+                                   {"blob", blob(3, 5)},        {"bracket", bracket(4)},
+                                   {"terrain", terrain(16, 3)}, {"cubes on an edge", two_cubes_on_an_edge(4)},
+                                   {"book", book(3, 12)}};
+  for (NamedMesh& m : meshes) m.mesh = moved(scaled(m.mesh, 1.0 / 3), {12.3, -45.6, 1e4});
+  return meshes;
+}
+
+std::vector<DecimateOptions> endpoint_options() {
+  std::vector<DecimateOptions> all(4);
+  all[1].cost = Cost::memoryless;
+  all[2].feature_angle_deg = 40;
+  all[3].pairs.threshold = 0.05;
+  all[3].topology = whittle::Topology::free;
+  for (DecimateOptions& options : all) options.quadric.placement = Placement::endpoint;
+  return all;
+}
+
+TEST(Decimate, UnderEndpointPlacementEachVertexLiesAtItsOrigin) {
+  for (const auto& [name, mesh] : endpoint_meshes()) {
+    SCOPED_TRACE(name);
+    std::size_t n_lower = 0;  // merged vertices that are the lower one of two
+    for (DecimateOptions options : endpoint_options()) {
+      options.listener = [&](const Contraction& c) {
+        EXPECT_EQ(c.position, mesh.positions[c.survivor]);
+        n_lower += c.survivor < c.removed;
+      };
+      const Decimation d = decimate(mesh, faces(mesh.faces.size() / 4), options);
+      EXPECT_GT(d.result.n_contractions, 0U);
+      EXPECT_TRUE(std::ranges::is_sorted(d.mesh.origins));
+      for (std::size_t v = 0; v < d.mesh.positions.size(); ++v) {
+        ASSERT_EQ(d.mesh.positions[v], mesh.positions[d.mesh.origins[v]]) << "vertex " << v;
+        EXPECT_EQ(d.vertex_map[d.mesh.origins[v]], v);
+      }
+      for (std::size_t f = 0; f < d.mesh.faces.size(); ++f) {
+        for (std::size_t i = 0; i < 3; ++i) {
+          EXPECT_EQ(d.mesh.faces[f][i], d.vertex_map[mesh.faces[d.face_origins[f]][i]]);
+        }
+      }
+    }
+    EXPECT_GT(n_lower, 0U);
+  }
+}
+
+TEST(Decimate, UnderEndpointPlacementTheThreadsChangeNoOrigin) {
+  for (const auto& [name, mesh] : endpoint_meshes()) {
+    DecimateOptions options;
+    options.quadric.placement = Placement::endpoint;
+    options.threads = 1;
+    const Decimation one = decimate(mesh, faces(mesh.faces.size() / 4), options);
+    options.threads = 3;
+    const Decimation three = decimate(mesh, faces(mesh.faces.size() / 4), options);
+    EXPECT_EQ(one.mesh.origins, three.mesh.origins) << name;
+    EXPECT_EQ(one.mesh.positions, three.mesh.positions) << name;
+    EXPECT_EQ(one.mesh.faces, three.mesh.faces) << name;
+  }
 }
 
 TEST(Decimate, GreaterRegularizationMakesRounderTriangles) {

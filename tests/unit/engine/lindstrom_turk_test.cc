@@ -13,6 +13,7 @@
 #include "support/shapes.hh"
 #include "support/topology.hh"
 #include "support/transforms.hh"
+#include "support/volume_sums.hh"
 #include "whittle/engine/decimate.hh"
 #include "whittle/engine/formula/volume_placement.hh"
 
@@ -43,11 +44,11 @@ struct Neighbourhood {
     return sums;
   }
   PairEvaluation evaluate(Pinned pinned = Pinned::none) const {
-    LindstromTurk term(volume(), border_sums(), first, second);
+    LindstromTurk term(volume().lanes(), border_sums(), first, second);
     if (!term.is_determined()) {
       NeighbourSums sums;
       for (const Vec3& p : neighbours) sums.add(p);
-      term.add_neighbours(sums);
+      term.add_neighbours(sums.lanes());
     }
     return term.evaluate(pinned);
   }

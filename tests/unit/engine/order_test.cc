@@ -128,6 +128,10 @@ std::vector<Setting> all_settings() {
   });
   add("radius ratio 0.4", [](DecimateOptions& o) { o.min_radius_ratio = 0.4; });
   add("features 40", [](DecimateOptions& o) { o.feature_angle_deg = 40; });
+  add("features 40, endpoint", [](DecimateOptions& o) {
+    o.feature_angle_deg = 40;
+    o.quadric.placement = Placement::endpoint;
+  });
   add("features 40, lindstrom-turk", [](DecimateOptions& o) {
     o.feature_angle_deg = 40;
     o.cost = Cost::lindstrom_turk;

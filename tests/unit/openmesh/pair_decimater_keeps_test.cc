@@ -50,6 +50,26 @@ TEST_P(PairDecimaterKeeps, SurvivorsKeepHandlesAndProperties) {
   expect_sound(set.mesh, "after the second run");
 }
 
+TEST_P(PairDecimaterKeeps, UnderEndpointPlacementHandlesKeepTheirPoints) {
+  for (const IndexedMesh& shape : {torus(24, 12), blob(3, 4), terrain(14, 2), bracket(3)}) {
+    Decimation<DoubleMesh> set(shape, GetParam());
+    QuadricOptions options;
+    options.placement = Placement::endpoint;
+    set.module().set_options(options);
+    ASSERT_TRUE(set.decimater.initialize());
+    const DoubleMesh before = set.mesh;
+    set.decimater.decimate_to_faces(0, shape.faces.size() / 4);
+    std::size_t n_lower = 0;  // lower handles that survive
+    for (const Contraction& made : set.contractions) n_lower += made.survivor < made.removed;
+    EXPECT_GT(n_lower, 0U);
+    for (const VertexHandle v : set.mesh.vertices()) EXPECT_EQ(set.mesh.point(v), before.point(v)) << v.idx();
+    for (const Contraction& made : set.contractions) {
+      EXPECT_TRUE(set.mesh.status(VertexHandle(static_cast<int>(made.removed))).deleted());
+    }
+    expect_sound(set.mesh, "under endpoint placement");
+  }
+}
+
 TEST_P(PairDecimaterKeeps, DeletedElementsBeforeTheRunDoNotCount) {
   const IndexedMesh shape = noisy_sphere(3, 0.04, 8);
   DoubleMesh holed = open_mesh<DoubleMesh>(shape);

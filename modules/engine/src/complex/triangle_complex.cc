@@ -165,6 +165,11 @@ void TriangleComplex::contract(const ContractionProfile& profile, Index survivor
   --n_vertices_;
   ++n_contractions_;
   parents_[removed] = survivor;
+  if (!identities_.empty()) {
+    const Identities after = identities_after(profile.pair, survivor, position);
+    identities_[survivor] = after.survivor;
+    identities_[removed] = after.removed;
+  }
   vertices_[survivor].position = position;
   note_change(survivor);
   note_change(removed);
@@ -177,6 +182,19 @@ void TriangleComplex::contract(const ContractionProfile& profile, Index survivor
   } else {
     merge_stars(survivor, removed, profile.second, profile.first);
   }
+}
+
+void TriangleComplex::follow_positions() {
+  identities_.resize(vertices_.size());
+  for (Index v = 0; v < identities_.size(); ++v) identities_[v] = origin(v);
+}
+
+TriangleComplex::Identities TriangleComplex::identities_after(const Pair& pair, Index survivor,
+                                                              const Vec3& position) const {
+  const Index removed = survivor == pair.a ? pair.b : pair.a;
+  const bool is_at_removed = position == vertices_[removed].position && position != vertices_[survivor].position;
+  if (identities_.empty() || !is_at_removed) return {identity(survivor), identity(removed)};
+  return {identity(removed), identity(survivor)};
 }
 
 /// Of the two edges that become one, the first lives on.

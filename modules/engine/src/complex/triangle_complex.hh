@@ -75,8 +75,12 @@ class TriangleComplex {
   /// Faces that vanished because they coincided with others.
   std::uint64_t n_coincident_faces() const { return n_coincident_faces_; }
 
+  const Frame& frame() const { return frame_; }  ///< that all positions are in
   const Vec3& position(Index v) const { return vertices_[v].position; }
+  /// Its number in the input. Ties between pairs go by it.
   Index origin(Index v) const { return vertices_[v].origin; }
+  /// The input vertex that v stands for: its origin, unless `follow_positions` was called.
+  Index identity(Index v) const { return identities_.empty() ? origin(v) : identities_[v]; }
   VertexKind kind(Index v) const { return stars_[v].kind; }
   /// Whether its faces are one fan, closed or open.
   bool is_manifold(Index v) const { return kind(v) != VertexKind::junction; }
@@ -146,6 +150,14 @@ class TriangleComplex {
   /// Merges both vertices of a gathered pair into one of them.
   /// \param change gets what was done, but for `touched`
   void contract(const ContractionProfile& profile, Index survivor, const Vec3& position, Change& change);
+
+  /// From now on a merged vertex that lies at only one of the two stands for that one, whichever survives.
+  void follow_positions();
+  /// The identities of the merged vertex and of the other one, if the pair becomes one vertex at `position`.
+  struct Identities {
+    Index survivor, removed;
+  };
+  Identities identities_after(const Pair& pair, Index survivor, const Vec3& position) const;
 
   Index n_contractions() const { return n_contractions_; }
   /// The number of contractions after which v, or what a cost keeps about it, last changed.
@@ -220,8 +232,10 @@ class TriangleComplex {
   void merge_joint(Index survivor, Index removed, const ContractionProfile::Joint& joint);
   void set_star(Index v, std::span<const Neighbour> pairs);
 
+  Frame frame_;
   LargeArray<Vertex> vertices_;
-  std::vector<Index> parents_;  ///< towards the vertex it was merged into; itself if none
+  std::vector<Index> identities_;  ///< empty: the origins
+  std::vector<Index> parents_;     ///< towards the vertex it was merged into; itself if none
   LargeArray<Star> stars_;
   NeighbourLists neighbour_lists_;
   LargeArray<Ends> pairs_;  ///< the ends in the input; `first` of a merged edge is the edge that lives on

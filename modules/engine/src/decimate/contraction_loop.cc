@@ -150,10 +150,11 @@ void ContractionLoop::refuse(const Guard& guard) {
 
 /// \return whether to go on
 bool ContractionLoop::contract(const RankedPair& ranked, const Vec3& position, double cost) {
+  const HostedContraction made = hosted(complex_, profile_, ranked.rank, position);
   complex_.contract(profile_, profile_.survivor, position, change_);
   result_.threshold_pairs.contracted += static_cast<std::uint64_t>(complex_.is_threshold_pair(ranked.pair.id));
   result_.max_cost = std::max(result_.max_cost, cost);
-  const bool goes_on = tell_others(ranked.rank, cost);
+  const bool goes_on = tell_others(made, cost);
   list_touched();
   cost_.merge(profile_, ranked.rank, change_);
   restraints_.note(complex_, profile_, change_);
@@ -167,16 +168,11 @@ bool ContractionLoop::contract(const RankedPair& ranked, const Vec3& position, d
 }
 
 /// Tells host and listener. \return whether to go on
-bool ContractionLoop::tell_others(const PairEvaluation& ranked, double cost) {
+bool ContractionLoop::tell_others(const HostedContraction& made, double cost) {
   if (host_ == nullptr && !options_.listener) return true;
-  const Contraction contraction{complex_.origin(change_.survivor), complex_.origin(change_.removed),
-                                frame_.to_model(change_.position), frame_.cost_to_model(cost, cost_dimension_)};
-  bool goes_on = true;
-  if (host_ != nullptr) {
-    HostedContraction made = hosted(complex_, profile_, ranked, change_.position);
-    made.before = change_.before;
-    goes_on = host_->follow(made, contraction);
-  }
+  const Contraction contraction{made.survivor, made.removed, frame_.to_model(made.position),
+                                frame_.cost_to_model(cost, cost_dimension_)};
+  const bool goes_on = host_ == nullptr || host_->follow(made, contraction);
   if (options_.listener) options_.listener(contraction);
   return goes_on;
 }

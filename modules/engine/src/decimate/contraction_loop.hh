@@ -36,7 +36,7 @@ class ContractionLoop {
   std::optional<Vec3> settle(const RankedPair& ranked);
   Guard* find_refusal_at(const Vec3& position);
   void refuse(const Guard& guard);
-  bool tell_others(const PairEvaluation& ranked, double cost);
+  bool tell_others(const HostedContraction& made, double cost);
   bool contract(const RankedPair& ranked, const Vec3& position, double cost);
   void list_touched();
   void wake_around();

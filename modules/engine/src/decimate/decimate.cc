@@ -16,6 +16,12 @@
 namespace whittle {
 namespace {
 
+/// Whether each vertex of the result lies at one of the input.
+bool stays_at_vertices(const DecimateOptions& options) {
+  const bool has_quadrics = options.effective_cost() == Cost::quadric || options.effective_cost() == Cost::memoryless;
+  return has_quadrics && options.quadric.placement == Placement::endpoint;
+}
+
 /// Per vertex of the complex; empty if none is.
 std::vector<std::uint8_t> locked_vertices(const TriangleComplex& complex, const DecimateOptions& options) {
   std::vector<std::uint8_t> locked;
@@ -154,6 +160,9 @@ Decimation run(const IndexedMesh& mesh, const DecimateTarget& target, const Deci
     cost = std::make_unique<HostCost>(complex, restraints, *hosted_cost);
   } else {
     cost = make_cost(complex, restraints, options, !pairs.pairs.empty());
+  }
+  if (host && host->cost() ? host->cost()->stays_at_vertices() : stays_at_vertices(options)) {
+    complex.follow_positions();
   }
   cost->see_faces(options.threads);
   complex.connect(pairs.pairs, options.threads);

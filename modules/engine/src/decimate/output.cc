@@ -82,7 +82,7 @@ std::vector<Index> write_vertices(const IndexedMesh& input, TriangleComplex& com
   if (quadrics_of) out.quadrics.reserve(complex.n_vertices());
   for (Index v = 0; v < out.vertex_map.size(); ++v) {
     const Index r = out.vertex_map[v];
-    if (r == invalid_index || complex.origin(r) != v) continue;
+    if (r == invalid_index || complex.identity(r) != v) continue;
     output_of[r] = static_cast<Index>(mesh.positions.size());
     mesh.positions.push_back(frame.to_model(complex.position(r)));
     mesh.origins.push_back(input.origins.empty() ? v : input.origins[v]);

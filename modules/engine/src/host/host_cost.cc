@@ -6,13 +6,11 @@ namespace whittle {
 
 HostedContraction hosted(const TriangleComplex& complex, const ContractionProfile& profile,
                          const PairEvaluation& ranked, const Vec3& position) {
-  const Index first = complex.origin(profile.pair.a);
-  const Index second = complex.origin(profile.pair.b);
-  const bool first_survives = profile.survivor == profile.pair.a;
-  return {first,
-          second,
-          first_survives ? first : second,
-          first_survives ? second : first,
+  const auto [survivor, removed] = complex.identities_after(profile.pair, profile.survivor, position);
+  return {complex.identity(profile.pair.a),
+          complex.identity(profile.pair.b),
+          survivor,
+          removed,
           {complex.position(profile.pair.a), complex.position(profile.pair.b)},
           ranked,
           position};
@@ -20,16 +18,16 @@ HostedContraction hosted(const TriangleComplex& complex, const ContractionProfil
 
 void HostCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
   std::transform(pairs.begin(), pairs.end(), ranks.begin(), [this](const Pair& pair) {
-    return cost_.rank(complex_.origin(pair.a), complex_.origin(pair.b),
+    return cost_.rank(complex_.identity(pair.a), complex_.identity(pair.b),
                       restraints_.pinned(pair).value_or(Pinned::first));
   });
 }
 
 Settlement HostCost::settle(ContractionProfile& profile, const PairEvaluation& ranked) const {
   const auto& [id, a, b] = profile.pair;
-  const Index first = complex_.origin(a);
+  const Index first = complex_.identity(a);
   Settlement settlement =
-      cost_.settle(first, complex_.origin(b), restraints_.pinned(profile.pair).value_or(Pinned::first), ranked);
+      cost_.settle(first, complex_.identity(b), restraints_.pinned(profile.pair).value_or(Pinned::first), ranked);
   for (std::size_t i = 0; i < settlement.n; ++i) {
     Index& survivor = settlement.options[i].survivor;
     if (survivor != invalid_index) survivor = survivor == first ? a : b;

@@ -18,7 +18,7 @@
 //     take the pair of least cost; ties by (lower, higher) original vertex number
 //     if a guard refuses it: count the reason; the pair waits until something the guard looked at changes
 //     else contract: the vertex of the higher original number survives, moves to v̄ and takes Q₀ + Q₁
-//       (a locked vertex survives in any case)
+//       (a locked vertex survives in any case; under Placement::endpoint the one that lies at v̄ does)
 //
 // The order is exact, that of an algorithm which evaluates every pair again after each contraction, unless `Order` says
 // otherwise. Costs other than Garland–Heckbert's keep other things than Q.
@@ -88,7 +88,9 @@ struct DecimateResult {
 
 /// The decimated mesh and where the input's vertices went.
 struct Decimation {
-  IndexedMesh mesh;  ///< vertices by ascending origin, faces in the input's order; unmoved vertices keep every bit
+  /// Vertices by ascending origin, faces in the input's order; unmoved vertices keep every bit. Under
+  /// Placement::endpoint each vertex has the position of its origin.
+  IndexedMesh mesh;
   DecimateResult result;
   /// Those of the vertices of `mesh`, in the frame of the input's bounding box, if asked for: to go on from.
   std::vector<PlacedQuadric> quadrics;

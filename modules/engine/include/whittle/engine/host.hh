@@ -19,7 +19,7 @@ namespace whittle {
 
 /// A contraction that may be made, or was. Vertices are numbers of the input, positions and costs in the frame.
 struct HostedContraction {
-  Index first, second;         ///< the pair, first < second
+  Index first, second;         ///< the pair; first has the lower number, but under `stays_at_vertices`
   Index survivor, removed;     ///< one is first, the other second
   std::array<Vec3, 2> before;  ///< where first and second were
   PairEvaluation rank;         ///< what the pair was ranked by
@@ -51,6 +51,8 @@ class HostedCost {
   virtual double final_cost(const HostedContraction& contraction) = 0;
   /// Which pairs a contraction may make cheaper, or allow.
   virtual Reach reach() const = 0;
+  /// Whether each merged vertex goes to where one of the two is, which survives then.
+  virtual bool stays_at_vertices() const { return false; }
   /// The power of a length that is the unit of costs.
   virtual double dimension() const = 0;
 };

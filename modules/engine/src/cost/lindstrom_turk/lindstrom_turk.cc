@@ -47,47 +47,11 @@ Quadric scaled(const Quadric& q, double s) {
 
 double dot(const Vec3& a, const Vec3& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); }
 
-Quadric about_point(const Quadric& q, const Vec3& t) {
-  const Vec3 at = q.a * t;
-  return {q.a, q.b + at, q.c + dot(t, 2 * q.b + at)};
-}
-
-VolumeLanes<double> volume_lanes(const VolumeSums& sums) {
-  const auto& [a, b, c] = sums.squares;
-  return {point_lanes(sums.normal), sums.offset, a.xx, a.xy, a.xz, a.yy, a.yz, a.zz, point_lanes(b), c};
+Quadric squares_of(const VolumeLanes<double>& v) {
+  return {{v.xx, v.xy, v.xz, v.yy, v.yz, v.zz}, {v.b.x, v.b.y, v.b.z}, v.c};
 }
 
 }  // namespace
-
-VolumeSums& VolumeSums::operator+=(const VolumeSums& other) {
-  normal += other.normal;
-  offset += other.offset;
-  squares += other.squares;
-  return *this;
-}
-
-VolumeSums VolumeSums::about(const Vec3& t) const { return {normal, offset - dot(normal, t), about_point(squares, t)}; }
-
-void VolumeSums::remove(const Vec3& n) {
-  normal -= n;
-  squares.a += SymmetricMatrix::outer(n, -1);
-}
-
-NeighbourSums& NeighbourSums::operator+=(const NeighbourSums& other) {
-  position += other.position;
-  n += other.n;
-  return *this;
-}
-
-void NeighbourSums::add(const Vec3& p) {
-  position += p;
-  ++n;
-}
-
-void NeighbourSums::remove(const Vec3& p) {
-  position -= p;
-  --n;
-}
 
 /// |p × q − x × e|² = xᵀ (|e|² I − e eᵀ) x − 2 x · (e × (p × q)) + |p × q|², e = q − p.
 void BorderSums::add(const Vec3& p, const Vec3& q) {
@@ -144,9 +108,10 @@ Vec3 PointConstraints::solve() const {
   return sum / rows_[0].dot(c12);
 }
 
-LindstromTurk::LindstromTurk(const VolumeSums& volume, const BorderSums& border, const Vec3& first, const Vec3& second)
-    : volume_(volume_lanes(volume)),
-      objective_(scaled(volume.squares, lindstrom_turk_volume_weight / 36)),
+LindstromTurk::LindstromTurk(const VolumeLanes<double>& volume, const BorderSums& border, const Vec3& first,
+                             const Vec3& second)
+    : volume_(volume),
+      objective_(scaled(squares_of(volume), lindstrom_turk_volume_weight / 36)),
       first_(first),
       second_(second) {
   if (border.n_edges == 0) {
@@ -154,7 +119,8 @@ LindstromTurk::LindstromTurk(const VolumeSums& volume, const BorderSums& border,
     if (by_volume_->has_normal) return;
     by_volume_.reset();
   }
-  constraints_.add(volume.normal, volume.offset, constraint_noise_share * std::sqrt(volume.squares.a.trace()));
+  constraints_.add({volume.normal.x, volume.normal.y, volume.normal.z}, volume.offset,
+                   constraint_noise_share * std::sqrt(volume.trace()));
   if (border.n_edges > 0) {
     const double length_sq = (second - first).squaredNorm();
     objective_ += scaled(border.squares, (1 - lindstrom_turk_volume_weight) * length_sq / 4);
@@ -165,12 +131,13 @@ LindstromTurk::LindstromTurk(const VolumeSums& volume, const BorderSums& border,
   constraints_.add_least(objective_);
 }
 
-void LindstromTurk::add_neighbours(const NeighbourSums& neighbours) {
+void LindstromTurk::add_neighbours(const NeighbourLanes<double>& neighbours) {
   if (by_volume_) {
-    whittle::add_neighbours<double>(*by_volume_, {point_lanes(neighbours.position), static_cast<double>(neighbours.n)});
+    whittle::add_neighbours<double>(*by_volume_, neighbours);
     by_volume_->has_second = by_volume_->has_third = true;
   } else {
-    constraints_.add_least({SymmetricMatrix::identity(neighbours.n), -neighbours.position, 0});
+    const auto& [x, y, z] = neighbours.position;
+    constraints_.add_least({SymmetricMatrix::identity(neighbours.n), -Vec3(x, y, z), 0});
   }
 }
 

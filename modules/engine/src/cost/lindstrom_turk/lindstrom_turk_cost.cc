@@ -8,19 +8,9 @@
 #include "whittle/core/detail/lanes.hh"
 #include "whittle/core/detail/parallel.hh"
 #include "whittle/core/detail/select.hh"
-#include "whittle/engine/formula/volume_placement.hh"
+#include "whittle/engine/formula/volume_sums.hh"
 
 namespace whittle {
-namespace {
-
-/// The coordinates, and the last one again.
-[[gnu::always_inline]] inline Double4 side_by_side(const Vec3& p) { return Double4{p.x(), p.y(), p.z(), p.z()}; }
-
-/// From the second coordinate on.
-[[gnu::always_inline]] inline Double4 turned(const Double4& v) { return __builtin_shufflevector(v, v, 1, 2, 0, 3); }
-
-}  // namespace
-
 void LindstromTurkCost::start(unsigned threads) {
   stars_.resize(complex_.n_vertex_slots());
   for_each_range(stars_.size(), threads, [this](std::size_t begin, std::size_t end) {
@@ -35,25 +25,17 @@ void LindstromTurkCost::start(unsigned threads) {
   const std::span<const Neighbour> ring = complex_.neighbours(v);
   const Double4 p = side_by_side(complex_.position(v));
   const std::size_t first = lowest_place(complex_, ring);
-  Double4 normal{};
-  Double4 squares{};
-  Double4 products{};  // xz, xy, yz
-  Double4 link{};
+  StarAdder star;
   Double4 to_x = side_by_side(complex_.position(ring[first].vertex)) - p;
   std::size_t place = first;
   do {
     place = place + 1 < ring.size() ? place + 1 : 0;
     const Double4 to_y = side_by_side(complex_.position(ring[place].vertex)) - p;
-    const Double4 n_from_z = to_x * turned(to_y) - turned(to_x) * to_y;
-    const Double4 n = turned(n_from_z);
-    normal += n;
-    squares += n * n;
-    products += n * n_from_z;
-    link += to_y;
+    star.add_face(to_x, to_y);
+    star.add_neighbour(to_y);
     to_x = to_y;
   } while (place != first);
-  stars_[v] = {{squares[0], products[1], products[0], squares[1], products[2], squares[2], normal[0], normal[1],
-                normal[2], p[0], p[1], p[2], link[0], link[1], link[2], static_cast<double>(ring.size())}};
+  stars_[v] = star.sums(p, ring.size());
 }
 
 [[gnu::always_inline]] inline void LindstromTurkCost::sum_around_each(std::span<const Index> vertices) {
@@ -79,20 +61,11 @@ void LindstromTurkCost::sum_around(std::span<const Index> vertices) {
 }
 
 void LindstromTurkCost::sum_around_irregular(Index v) {
-  VolumeSums star;
-  NeighbourSums link;
-  const Vec3& p = complex_.position(v);
-  for_each_face(complex_, v, [&](Index x, Index y) {
-    const Vec3 n = (complex_.position(x) - p).cross(complex_.position(y) - p);
-    star.normal += n;
-    star.squares.a += SymmetricMatrix::outer(n, 1);
-  });
-  for (const Index w : ordered_neighbours(complex_, v)) link.add(complex_.position(w) - p);
-  const auto& [xx, xy, xz, yy, yz, zz] = star.squares.a;
-  const auto& n = star.normal;
-  const auto& [sum, n_neighbours] = link;
-  stars_[v] = {{xx, xy, xz, yy, yz, zz, n.x(), n.y(), n.z(), p.x(), p.y(), p.z(), sum.x(), sum.y(), sum.z(),
-                static_cast<double>(n_neighbours)}};
+  std::vector<LinkEdgePoints> faces;
+  std::vector<Vec3> neighbours;
+  for_each_face(complex_, v, [&](Index x, Index y) { faces.push_back({complex_.position(x), complex_.position(y)}); });
+  for (const Index w : ordered_neighbours(complex_, v)) neighbours.push_back(complex_.position(w));
+  stars_[v] = sum_star(complex_.position(v), faces, neighbours);
 }
 
 /// The two corners opposite to an edge inside the surface, by their original numbers.
@@ -118,71 +91,31 @@ bool LindstromTurkCost::find_sides(const Pair& pair, Sides& sides) const {
   return true;
 }
 
-/// Pairs of a group as seen from their first vertices.
-template <class Real>
-struct LindstromTurkCost::GroupShape {
-  PointLanes<Real> d;  ///< the second vertex
-  std::array<PointLanes<Real>, 2> corners;
-};
-
-/// As the one for a single pair does it, to the bit.
-template <class Real>
-[[gnu::always_inline]] inline NeighbourLanes<Real> LindstromTurkCost::neighbours_of(
-    const std::array<Sides, n_lanes<Real>>& group, const GroupShape<Real>& shape) const {
-  const auto [x_a, y_a, z_a, n_a] =
-      transposed_lanes<Real>([&](std::size_t lane) { return &stars_[group[lane].a].values[12]; });
-  const auto [x_b, y_b, z_b, n_b] =
-      transposed_lanes<Real>([&](std::size_t lane) { return &stars_[group[lane].b].values[12]; });
-  const auto& [d, corners] = shape;
-  const PointLanes<Real> of_b{x_b + n_b * d.x, y_b + n_b * d.y, z_b + n_b * d.z};
-  const PointLanes<Real> of_a{x_a, y_a, z_a};
-  return {of_a + of_b - d - corners[0] - corners[1], n_a + n_b - 4};
-}
-
-/// As `volume_of` and `LindstromTurk` do it, to the bit.
 template <class Real>
 [[gnu::always_inline]] inline void LindstromTurkCost::rank_group(const std::array<Sides, n_lanes<Real>>& group,
                                                                  std::span<const Pair> pairs,
                                                                  std::span<PairEvaluation> ranks) const {
-  const auto load = [&](const auto& vertex, std::size_t first) __attribute__((always_inline)) {
-    return transposed_lanes<Real>([&](std::size_t lane) { return &stars_[vertex(group[lane])].values[first]; });
+  const auto star_a = [&](std::size_t lane) -> const StarSums& { return stars_[group[lane].a]; };
+  const auto star_b = [&](std::size_t lane) -> const StarSums& { return stars_[group[lane].b]; };
+  const StarLanes<Real> a = star_lanes<Real>(star_a);
+  const StarLanes<Real> b = star_lanes<Real>(star_b);
+  const PointLanes<Real>& origin = a.position;
+  const PointLanes<Real> d = b.position - origin;
+  const auto corner = [&](std::size_t side) __attribute__((always_inline)) {
+    const auto star = [&](std::size_t lane) -> const StarSums& { return stars_[group[lane].corners[side]]; };
+    return star_positions<Real>(star) - origin;
   };
-  const auto a = [](const Sides& sides) { return sides.a; };
-  const auto b = [](const Sides& sides) { return sides.b; };
-  const auto [xx_a, xy_a, xz_a, yy_a] = load(a, 0);
-  const auto [yz_a, zz_a, nx_a, ny_a] = load(a, 4);
-  const auto [nz_a, x_a, y_a, z_a] = load(a, 8);
-  const auto [xx_b, xy_b, xz_b, yy_b] = load(b, 0);
-  const auto [yz_b, zz_b, nx_b, ny_b] = load(b, 4);
-  const auto [nz_b, x_b, y_b, z_b] = load(b, 8);
-  const PointLanes<Real> origin{x_a, y_a, z_a};
-  const PointLanes<Real> d = PointLanes<Real>{x_b, y_b, z_b} - origin;
   Real turn;
   fill_lanes(turn, [&](std::size_t lane) { return group[lane].turn; });
+  const std::array<CommonFaceLanes<Real>, 2> common{{{corner(0), turn}, {corner(1), -turn}}};
 
-  const VolumeLanes<Real> of_b{{nx_b, ny_b, nz_b}, Real{}, xx_b, xy_b, xz_b, yy_b, yz_b, zz_b, {}, Real{}};
-  const PointLanes<Real> slope = of_b.times(d);
-  VolumeLanes<Real> sums{{nx_a + nx_b, ny_a + ny_b, nz_a + nz_b},
-                         of_b.normal.dot(d),
-                         xx_a + xx_b,
-                         xy_a + xy_b,
-                         xz_a + xz_b,
-                         yy_a + yy_b,
-                         yz_a + yz_b,
-                         zz_a + zz_b,
-                         {-slope.x, -slope.y, -slope.z},
-                         d.dot(slope)};
-  GroupShape<Real> shape{d, {}};
-  for (std::size_t side = 0; side < 2; ++side) {
-    const auto corner = load([side](const Sides& sides) { return sides.corners[side]; }, 8);
-    shape.corners[side] = PointLanes<Real>{corner.second, corner.third, corner.fourth} - origin;
-    const auto cross = d.cross(shape.corners[side]);
-    const Real sign = side == 0 ? turn : -turn;
-    const PointLanes<Real> n{sign * cross.x, sign * cross.y, sign * cross.z};
-    sums.remove(n);
-  }
+  const VolumeLanes<Real> sums = pair_volume(a, b, d, common);
   VolumeConstraints<Real> constraints = volume_constraints(sums);
-  if (any(constraints.has_third == 0)) add_neighbours(constraints, neighbours_of(group, shape));
+  if (any(constraints.has_third == 0)) {
+    const NeighbourLanes<Real> of_a = neighbour_lanes<Real>(star_a);
+    const NeighbourLanes<Real> of_b = neighbour_lanes<Real>(star_b);
+    add_neighbours(constraints, pair_neighbours(of_a, of_b, d, common));
+  }
   const VolumePlacement<Real> placement = place_by_volume(constraints, sums, PointLanes<Real>{}, d);
   const PointLanes<Real> middle{0.5 * d.x, 0.5 * d.y, 0.5 * d.z};
   const PointLanes<Real> offset = placement.position - middle;
@@ -237,69 +170,38 @@ void LindstromTurkCost::rank(std::span<const Pair> pairs, std::span<PairEvaluati
   }
 }
 
-/// About its first vertex.
 PairEvaluation LindstromTurkCost::rank_one(const Pair& pair) const {
-  const Vec3& origin = complex_.position(pair.a);
-  LindstromTurk term(volume_of(pair), border_of(pair), Vec3::Zero(), complex_.position(pair.b) - origin);
-  if (!term.is_determined()) term.add_neighbours(neighbours_of(pair));
-  const PairEvaluation evaluation = term.evaluate(restraints_.pinned(pair).value_or(Pinned::first));
-  return in_frame(evaluation, origin, complex_.position(pair.b));
-}
-
-/// Of the planes of the second vertex's faces, those of faces with the first one pass through the origin, too.
-VolumeSums LindstromTurkCost::volume_of(const Pair& pair) const {
-  const Vec3& origin = complex_.position(pair.a);
-  const Vec3 d = complex_.position(pair.b) - origin;
-  VolumeSums sums{stars_[pair.a].normal(), 0, {stars_[pair.a].squares()}};
-  sums += VolumeSums{stars_[pair.b].normal(), 0, {stars_[pair.b].squares()}}.about(-d);
-  for_each_common_face(complex_, pair.a, pair.b,
-                       [&](Index c, int turn) { sums.remove(turn * d.cross(complex_.position(c) - origin)); });
-  return sums;
-}
-
-/// The border edges at either vertex, by the original number of the other end, those of the first vertex first.
-BorderSums LindstromTurkCost::border_of(const Pair& pair) const {
-  BorderSums sums;
-  const auto add_at = [&](Index v, Index but) {
-    if (complex_.is_ring(v)) return;
-    const std::vector<OtherCorners> corners = sorted_corners(complex_, v);
-    std::vector<std::pair<Index, bool>> ends;  // of v's edges, as often as they have faces; whether the face leaves v
-    for (const auto& [x, y] : corners) {
-      ends.emplace_back(x, true);
-      ends.emplace_back(y, false);
-    }
-    const auto origin_of = [&](const auto& end) { return complex_.origin(end.first); };
-    std::sort(ends.begin(), ends.end(), [&](const auto& x, const auto& y) { return origin_of(x) < origin_of(y); });
-    const Vec3& origin = complex_.position(pair.a);
-    for (auto first = ends.begin(); first != ends.end();) {
-      const auto last = std::find_if(first, ends.end(), [first](const auto& end) { return end.first != first->first; });
-      const auto [w, leaves] = *first;
-      const bool is_border = last - first == 1 && w != but;
-      first = last;
-      if (!is_border) continue;
-      const Vec3 from = complex_.position(v) - origin;
-      const Vec3 to = complex_.position(w) - origin;
-      leaves ? sums.add(from, to) : sums.add(to, from);
-    }
-  };
-  add_at(pair.a, invalid_index);
-  add_at(pair.b, pair.a);
-  return sums;
-}
-
-NeighbourSums LindstromTurkCost::neighbours_of(const Pair& pair) const {
-  const Vec3& origin = complex_.position(pair.a);
-  const Vec3 d = complex_.position(pair.b) - origin;
-  NeighbourSums sums = stars_[pair.a].neighbours();
-  sums += stars_[pair.b].neighbours().about(-d);
-  sums.remove(d);
-  sums.remove(Vec3::Zero());
-  Index last = invalid_index;
-  for_each_common_face(complex_, pair.a, pair.b, [&](Index c, int) {
-    if (c != last) sums.remove(complex_.position(c) - origin);
-    last = c;
+  std::vector<CommonFace> common;
+  for_each_common_face(complex_, pair.a, pair.b, [&](Index c, int turn) {
+    common.push_back({c, complex_.position(c), turn});
   });
-  return sums;
+  std::vector<BorderEdge> border;
+  add_border_at(pair.a, invalid_index, border);
+  add_border_at(pair.b, pair.a, border);
+  const Pinned pinned = restraints_.pinned(pair).value_or(Pinned::first);
+  return evaluate_lindstrom_turk(stars_[pair.a], stars_[pair.b], common, border, pinned);
+}
+
+/// The border edges at v but for the one to `but`, by the original number of the other end.
+void LindstromTurkCost::add_border_at(Index v, Index but, std::vector<BorderEdge>& border) const {
+  if (complex_.is_ring(v)) return;
+  std::vector<std::pair<Index, bool>> ends;  // of v's edges, as often as they have faces; whether the face leaves v
+  for (const auto& [x, y] : sorted_corners(complex_, v)) {
+    ends.emplace_back(x, true);
+    ends.emplace_back(y, false);
+  }
+  const auto origin_of = [&](const auto& end) { return complex_.origin(end.first); };
+  std::sort(ends.begin(), ends.end(), [&](const auto& x, const auto& y) { return origin_of(x) < origin_of(y); });
+  const Vec3& here = complex_.position(v);
+  for (auto first = ends.begin(); first != ends.end();) {
+    const auto last = std::find_if(first, ends.end(), [first](const auto& end) { return end.first != first->first; });
+    const auto [w, leaves] = *first;
+    const bool is_border = last - first == 1 && w != but;
+    first = last;
+    if (!is_border) continue;
+    const Vec3& there = complex_.position(w);
+    border.push_back(leaves ? BorderEdge{here, there} : BorderEdge{there, here});
+  }
 }
 
 void LindstromTurkCost::merge(ContractionProfile& /*profile*/, const PairEvaluation& /*ranked*/, const Change& change) {

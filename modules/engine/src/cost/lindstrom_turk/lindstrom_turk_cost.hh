@@ -7,7 +7,7 @@
 #include "guard/restraints.hh"
 #include "whittle/core/detail/lanes.hh"
 #include "whittle/core/detail/large_array.hh"
-#include "whittle/engine/formula/lindstrom_turk.hh"
+#include "whittle/engine/formula/lindstrom_turk_pair.hh"
 
 namespace whittle {
 
@@ -33,20 +33,7 @@ class LindstromTurkCost final : public PairCost {
   Reach sight() const override { return Reach::ring; }
 
  private:
-  /// Sums over the faces at a vertex and over its neighbours, about it, where planes have no offset; and where it is.
-  /// In the order in which lanes load them, two cache lines.
-  struct alignas(64) StarSums {
-    /// xx, xy, xz, yy, yz, zz of the squares, the normal, the position; of the neighbours the position and the number
-    std::array<double, 16> values;
-
-    SymmetricMatrix squares() const { return {values[0], values[1], values[2], values[3], values[4], values[5]}; }
-    Vec3 normal() const { return {values[6], values[7], values[8]}; }
-    NeighbourSums neighbours() const { return {{values[12], values[13], values[14]}, static_cast<int>(values[15])}; }
-  };
-
   struct Sides;
-  template <class Real>
-  struct GroupShape;
 
   void rank_four_at_once(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const;
   template <class Real>
@@ -54,14 +41,9 @@ class LindstromTurkCost final : public PairCost {
   template <class Real>
   void rank_group(const std::array<Sides, n_lanes<Real>>& group, std::span<const Pair> pairs,
                   std::span<PairEvaluation> ranks) const;
-  template <class Real>
-  NeighbourLanes<Real> neighbours_of(const std::array<Sides, n_lanes<Real>>& group,
-                                     const GroupShape<Real>& shape) const;
   bool find_sides(const Pair& pair, Sides& sides) const;
   PairEvaluation rank_one(const Pair& pair) const;
-  VolumeSums volume_of(const Pair& pair) const;
-  BorderSums border_of(const Pair& pair) const;
-  NeighbourSums neighbours_of(const Pair& pair) const;
+  void add_border_at(Index v, Index but, std::vector<BorderEdge>& border) const;
   void sum_around(std::span<const Index> vertices);
   void sum_around_with_double4(std::span<const Index> vertices);
   void sum_around_each(std::span<const Index> vertices);

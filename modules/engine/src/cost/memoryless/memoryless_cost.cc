@@ -110,36 +110,21 @@ void MemorylessCost::change_ring(const MergedRing& ring) {
   }
 }
 
-/// For a merged vertex without a ring. Each neighbour that is changed has two faces at it, and the order of two doesn't
-/// matter; what vanishes comes last.
+/// For a merged vertex without a ring.
 void MemorylessCost::change_neighbours(const ContractionProfile& profile, const Change& change) {
+  const auto corner = [this](Index v) { return PlaneChanges::Corner{v, complex_.position(v)}; };
   changes_.clear();
-  const auto add = [this](Index v, const SymmetricMatrix& planes) {
-    if (has_planes_of_faces_[v]) changes_.push_back({v, planes});
-  };
   for (const auto& [faces, end] :
        {std::pair(profile.first, change.before[0]), std::pair(profile.second, change.before[1])}) {
     for (std::size_t i = 0; i < faces.size(); ++i) {
-      const Vec3& x = complex_.position(faces[i].x);
-      const Vec3& y = complex_.position(faces[i].y);
-      SymmetricMatrix planes = corner_quadric(change.position, x, y, options_);
-      planes -= corner_quadric(end, x, y, options_);
-      add(faces[i].x, planes);
-      add(faces[i].y, planes);
+      changes_.move_face(end, change.position, corner(faces[i].x), corner(faces[i].y));
     }
   }
   for (const ContractionProfile::Common& opposite : profile.opposites) {
-    SymmetricMatrix planes;
-    planes -= corner_quadric(change.before[0], change.before[1], complex_.position(opposite.vertex), options_);
-    add(opposite.vertex, planes);
+    changes_.remove_face(change.before[0], change.before[1], corner(opposite.vertex));
   }
-  std::stable_sort(changes_.begin(), changes_.end(),
-                   [](const PlaneChange& x, const PlaneChange& y) { return x.vertex < y.vertex; });
-  for (auto next = changes_.begin(); next != changes_.end();) {
-    const Index neighbour = next->vertex;
-    SymmetricMatrix sum;
-    for (; next != changes_.end() && next->vertex == neighbour; ++next) sum += next->planes;
-    change_planes(neighbour, sum);
+  for (const auto& [neighbour, planes] : changes_.sum()) {
+    if (has_planes_of_faces_[neighbour]) change_planes(neighbour, planes);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "cost/quadric/quadric_cost.hh"
+#include "whittle/engine/formula/plane_changes.hh"
 
 namespace whittle {
 
@@ -14,7 +15,10 @@ class MemorylessCost final : public PairCost {
  public:
   MemorylessCost(TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options,
                  bool has_threshold_pairs)
-      : complex_(complex), options_(options), ranks_(complex, restraints, options, has_threshold_pairs) {}
+      : complex_(complex),
+        options_(options),
+        ranks_(complex, restraints, options, has_threshold_pairs),
+        changes_(options) {}
 
   void see_faces(unsigned threads) override { ranks_.see_faces(threads); }
   void start(unsigned threads) override;
@@ -32,11 +36,6 @@ class MemorylessCost final : public PairCost {
   bool changes_neighbours() const override { return true; }
 
  private:
-  /// By how much the planes at a vertex change because of one face.
-  struct PlaneChange {
-    Index vertex;
-    SymmetricMatrix planes;
-  };
   bool forgets(const ContractionProfile& profile) const;
   void change_planes(Index v, const SymmetricMatrix& change);
   void change_ring(const MergedRing& ring);
@@ -48,7 +47,7 @@ class MemorylessCost final : public PairCost {
   MeanFaceArea face_area_;
   QuadricCost ranks_;
   std::vector<bool> has_planes_of_faces_;  ///< per vertex, whether of its live faces and of no others
-  std::vector<PlaneChange> changes_;       ///< scratch
+  PlaneChanges changes_;                   ///< scratch
 };
 
 }  // namespace whittle

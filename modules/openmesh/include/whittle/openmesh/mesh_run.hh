@@ -38,6 +38,7 @@ class MeshRunT final : private DecimationHost, private HostedCost {
   Settlement settle(Index first, Index second, Pinned pinned, const PairEvaluation& rank) override;
   double final_cost(const HostedContraction& contraction) override;
   Reach reach() const override;
+  bool stays_at_vertices() const override;
   double dimension() const override;
 
   /// A collapse that a foreign cost ranks: v1 keeps its place.

@@ -123,6 +123,14 @@ Reach MeshRunT<MeshT>::reach() const {
 }
 
 template <class MeshT>
+bool MeshRunT<MeshT>::stays_at_vertices() const {
+  if (is_foreign()) return false;
+  const std::optional<CostOptions> options = decimater_.cost_->engine_options();
+  if (!options || (options->cost != Cost::quadric && options->cost != Cost::memoryless)) return false;
+  return options->quadric.placement == Placement::endpoint;
+}
+
+template <class MeshT>
 double MeshRunT<MeshT>::dimension() const {
   return is_foreign() ? 0 : decimater_.cost_->cost_dimension();
 }
@@ -204,7 +212,7 @@ template <class MeshT>
 void MeshRunT<MeshT>::collapse(const HostedContraction& made) {
   const HalfedgeHandle to_survivor = halfedge(made.removed, made.survivor);
   CollapseInfo info(mesh_, to_survivor);
-  if (!is_foreign()) decimater_.cost_->place_next(made.rank, made.position);
+  if (!is_foreign()) decimater_.cost_->place_next(made.rank, made.position, input_.handle(made.first));
   decimater_.preprocess_collapse(info);
   carry_feature_bits(mesh_, info);
   mesh_.collapse(to_survivor);

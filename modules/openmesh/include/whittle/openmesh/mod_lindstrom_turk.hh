@@ -1,10 +1,9 @@
 #pragma once
 
-#include <array>
 #include <utility>
 #include <vector>
 
-#include "whittle/engine/formula/lindstrom_turk.hh"
+#include "whittle/engine/formula/lindstrom_turk_pair.hh"
 #include "whittle/openmesh/placing_module.hh"
 
 // Lindstrom–Turk cost and placement as a module for OpenMesh's decimaters: the engine's term (lindstrom_turk.hh), with
@@ -45,22 +44,14 @@ class ModLindstromTurkT : public PlacingModuleT<MeshT> {
 
   /// The other corners of a face at a vertex, in its order.
   using OtherCorners = std::pair<VertexHandle, VertexHandle>;
-  /// The third corner of a face of two vertices, 1 if these are in the face's order, else −1; an invalid one where
-  /// there is no face.
-  using Third = std::pair<VertexHandle, int>;
-
   PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const override;
   Reach plain_reach() const override { return Reach::ring; }
   CostOptions plain_options() const override { return {Cost::lindstrom_turk, {}, 0, 0}; }
 
-  std::array<Third, 2> common_faces(VertexHandle first, VertexHandle second) const;
-  VolumeSums volume_of(VertexHandle first, VertexHandle second) const;
-  VolumeSums volume_at(VertexHandle v) const;
+  std::vector<CommonFace> common_faces(VertexHandle first, VertexHandle second) const;
   std::vector<OtherCorners> faces_at(VertexHandle v) const;
-  BorderSums border_of(VertexHandle first, VertexHandle second) const;
-  void add_border_at(VertexHandle v, VertexHandle but, const Vec3& origin, BorderSums& sums) const;
-  NeighbourSums neighbours_at(VertexHandle v) const;
-  NeighbourSums neighbours_of(VertexHandle first, VertexHandle second) const;
+  StarSums star_of(VertexHandle v) const;
+  void add_border_at(VertexHandle v, VertexHandle but, std::vector<BorderEdge>& border) const;
 };
 
 template <class MeshT>

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "whittle/engine/formula/merged_ring.hh"
+#include "whittle/engine/formula/plane_changes.hh"
 #include "whittle/openmesh/quadric_module.hh"
 
 // Memoryless quadrics as a cost module for OpenMesh's decimaters: the engine's term (memoryless_term.hh), with the same
@@ -60,12 +61,6 @@ class ModMemorylessT : public QuadricModuleT<MeshT> {
   using QuadricModule::surface;
   using typename QuadricModule::VertexHandle;
 
-  /// What the planes at a vertex change by.
-  struct Change {
-    VertexHandle vertex;
-    SymmetricMatrix planes;
-  };
-
   PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const override;
   Reach plain_reach() const override { return Reach::ring; }
   CostOptions plain_options() const override { return {Cost::memoryless, active(), 0, 0}; }
@@ -78,14 +73,14 @@ class ModMemorylessT : public QuadricModuleT<MeshT> {
   void measure_area();
   void find_ring(VertexHandle first, VertexHandle second, const Vec3& origin) const;
   void find_changes_around(VertexHandle first, VertexHandle second, const Vec3& position);
-  void add_changes_at(VertexHandle v, VertexHandle other, const Vec3& position);
-  SymmetricMatrix& change_at(VertexHandle v);
+  void add_changes_at(VertexHandle v, VertexHandle other, const Vec3& position, PlaneChanges& found) const;
+  PlaneChanges::Corner corner(VertexHandle v) const { return {static_cast<Index>(v.idx()), this->position(v)}; }
 
   // The ring of the pair last looked at; scratch.
   mutable MergedRing ring_;
-  std::vector<Change> changes_;  ///< at neighbours that don't remember, by the collapse under way
-  MeanFaceArea face_area_;       ///< in the module's frame
-  std::size_t n_faces_ = 0;      ///< left now
+  std::vector<PlaneChanges::Change> changes_;  ///< at neighbours that don't remember, by the collapse under way
+  MeanFaceArea face_area_;                     ///< in the module's frame
+  std::size_t n_faces_ = 0;                    ///< left now
 };
 
 template <class MeshT>

@@ -121,57 +121,46 @@ PlacedQuadric ModMemorylessT<MeshT>::merge(VertexHandle first, VertexHandle seco
   quadric.a = ring_.planes();
   for (std::size_t i = 0; i < ring_.size(); ++i) {
     const VertexHandle v(static_cast<int>(ring_.vertex(i)));
-    if (!remembers(v)) changes_.push_back({v, ring_.change(i)});
+    if (!remembers(v)) changes_.push_back({ring_.vertex(i), ring_.change(i)});
   }
   return {position, quadric};
 }
 
-/// At the neighbours of a pair of which one is on the border. Those inside have two faces each at the merged vertex,
-/// and the order of two doesn't matter; what vanishes comes last.
+/// At the neighbours of a pair of which one is on the border.
 template <class MeshT>
 void ModMemorylessT<MeshT>::find_changes_around(VertexHandle first, VertexHandle second, const Vec3& position) {
   const MeshT& mesh = surface();
-  add_changes_at(first, second, position);
-  add_changes_at(second, first, position);
+  PlaneChanges found(active());
+  add_changes_at(first, second, position, found);
+  add_changes_at(second, first, position, found);
   const OpenMesh::HalfedgeHandle edge = mesh.find_halfedge(first, second);
   for (const OpenMesh::HalfedgeHandle side : {edge, mesh.opposite_halfedge_handle(edge)}) {
     if (mesh.is_boundary(side)) continue;
-    const VertexHandle corner = mesh.to_vertex_handle(mesh.next_halfedge_handle(side));
-    change_at(corner) -=
-        corner_quadric(this->position(first), this->position(second), this->position(corner), active());
+    found.remove_face(this->position(first), this->position(second),
+                      corner(mesh.to_vertex_handle(mesh.next_halfedge_handle(side))));
   }
-  std::erase_if(changes_, [this](const Change& change) { return remembers(change.vertex); });
+  for (const PlaneChanges::Change& change : found.sum()) {
+    if (!remembers(VertexHandle(static_cast<int>(change.vertex)))) changes_.push_back(change);
+  }
 }
 
 /// Of the faces of one end that the other doesn't have.
 template <class MeshT>
-void ModMemorylessT<MeshT>::add_changes_at(VertexHandle v, VertexHandle other, const Vec3& position) {
+void ModMemorylessT<MeshT>::add_changes_at(VertexHandle v, VertexHandle other, const Vec3& position,
+                                           PlaneChanges& found) const {
   const MeshT& mesh = surface();
   for (const OpenMesh::HalfedgeHandle h : mesh.voh_range(v)) {
     if (mesh.is_boundary(h)) continue;
     const VertexHandle x = mesh.to_vertex_handle(h);
     const VertexHandle y = mesh.to_vertex_handle(mesh.next_halfedge_handle(h));
-    if (x == other || y == other) continue;
-    SymmetricMatrix change = corner_quadric(position, this->position(x), this->position(y), active());
-    change -= corner_quadric(this->position(v), this->position(x), this->position(y), active());
-    change_at(x) += change;
-    change_at(y) += change;
+    if (x != other && y != other) found.move_face(this->position(v), position, corner(x), corner(y));
   }
-}
-
-/// Zero at first.
-template <class MeshT>
-SymmetricMatrix& ModMemorylessT<MeshT>::change_at(VertexHandle v) {
-  const auto is_at_v = [v](const Change& change) { return change.vertex == v; };
-  auto change = std::find_if(changes_.begin(), changes_.end(), is_at_v);
-  if (change == changes_.end()) change = changes_.insert(change, {v, {}});
-  return change->planes;
 }
 
 template <class MeshT>
 void ModMemorylessT<MeshT>::postprocess_collapse(const CollapseInfo& collapse) {
   QuadricModule::postprocess_collapse(collapse);
-  for (const Change& change : changes_) placed(change.vertex).quadric.a += change.planes;
+  for (const auto& [v, planes] : changes_) placed(VertexHandle(static_cast<int>(v))).quadric.a += planes;
   n_faces_ -= std::size_t{collapse.fl.is_valid()} + std::size_t{collapse.fr.is_valid()};
 }
 

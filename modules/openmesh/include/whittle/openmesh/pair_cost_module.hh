@@ -78,7 +78,8 @@ class PairCostModuleT {
     return evaluation.cost;
   }
   /// The next collapse has this evaluation and goes to `position`, and not where `evaluate(collapse)` says.
-  virtual void place_next(const PairEvaluation& evaluation, const Vec3& position) = 0;
+  /// \param first the vertex that the evaluation took as first
+  virtual void place_next(const PairEvaluation& evaluation, const Vec3& position, OpenMesh::VertexHandle first) = 0;
 
   /// What the engine needs to contract by the same costs; nothing if it can't.
   virtual std::optional<CostOptions> engine_options() const = 0;

@@ -74,8 +74,8 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   bool has_new_options() const override { return has_new_options_; }
   PairEvaluation evaluate(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second, Pinned pinned) const override;
   PairEvaluation evaluate(const CollapseInfo& collapse) const override;
-  void place_next(const PairEvaluation& evaluation, const Vec3& position) override {
-    pending_ = Pending{evaluation, position};
+  void place_next(const PairEvaluation& evaluation, const Vec3& position, OpenMesh::VertexHandle first) override {
+    pending_ = Pending{evaluation, position, first};
   }
   std::optional<CostOptions> engine_options() const override;
   void adopt(const std::vector<Index>& vertices, std::vector<PlacedQuadric> quadrics, bool were_collapses) override;
@@ -115,7 +115,8 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
  private:
   struct Pending {
     PairEvaluation evaluation;
-    Vec3 position;  ///< where the merged vertex goes
+    Vec3 position;       ///< where the merged vertex goes
+    VertexHandle first;  ///< the one of the pair that the evaluation took as first
   };
   void set_binary(bool) {}  // it ranks: never binary
 

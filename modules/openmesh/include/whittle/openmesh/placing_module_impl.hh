@@ -163,11 +163,12 @@ void PlacingModuleT<MeshT>::preprocess_collapse(const CollapseInfo& collapse) {
   const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
   if (!pending_) {
     const PairEvaluation evaluation = evaluate_cheapest(collapse);
-    place_next(evaluation, this->place(first, second, evaluation));
+    place_next(evaluation, this->place(first, second, evaluation), first);
   }
   blend_attributes(mesh_, collapse.v1, collapse.v0,
                    share_along(position(collapse.v1), position(collapse.v0), pending_->position));
-  merged_ = merge(first, second, pending_->evaluation, pending_->position);
+  const bool is_v0_first = pending_->first == collapse.v0;
+  merged_ = merge(pending_->first, is_v0_first ? collapse.v1 : collapse.v0, pending_->evaluation, pending_->position);
   carry_feature_bits(mesh_, collapse);
   if (pending_->position == position(collapse.v1)) return;  // not rounded for nothing
   mesh_.set_point(collapse.v1, to_point<typename MeshT::Point>(frame_.to_model(pending_->position)));

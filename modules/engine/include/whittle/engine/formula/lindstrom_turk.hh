@@ -31,19 +31,6 @@
 
 namespace whittle {
 
-/// What volume is about: sums over faces.
-struct VolumeSums {
-  Vec3 normal = Vec3::Zero();  ///< Σ n
-  double offset = 0;           ///< Σ n · p
-  Quadric squares;             ///< x ↦ Σ (n · (x − p))²
-
-  VolumeSums& operator+=(const VolumeSums& other);
-  /// The same sums about o + t.
-  VolumeSums about(const Vec3& t) const;
-  /// Without a face through the origin. \param n its normal, as long as twice its area
-  void remove(const Vec3& n);
-};
-
 /// What borders are about: sums over border edges, each from p to q as its face has it.
 struct BorderSums {
   Vec3 edge = Vec3::Zero();  ///< Σ (q − p)
@@ -52,19 +39,6 @@ struct BorderSums {
   int n_edges = 0;
 
   void add(const Vec3& p, const Vec3& q);
-};
-
-/// Sums over neighbours: where they are. Those of a pair are the sums of its two vertices without the two themselves
-/// and without the corners of their common faces, which both have: a constant time.
-struct NeighbourSums {
-  Vec3 position = Vec3::Zero();  ///< Σ p
-  int n = 0;
-
-  NeighbourSums& operator+=(const NeighbourSums& other);
-  /// The same sums about o + t.
-  NeighbourSums about(const Vec3& t) const { return {position - n * t, n}; }
-  void add(const Vec3& p);
-  void remove(const Vec3& p);
 };
 
 /// Linear constraints on a point, at most three: rows a · x = b of unit length, independent of one another.
@@ -89,12 +63,12 @@ class PointConstraints {
 class LindstromTurk {
  public:
   /// \param first, second v0 and v1 as seen from the sums' origin
-  LindstromTurk(const VolumeSums& volume, const BorderSums& border, const Vec3& first, const Vec3& second);
+  LindstromTurk(const VolumeLanes<double>& volume, const BorderSums& border, const Vec3& first, const Vec3& second);
 
   /// Whether v̄ is fixed already: `add_neighbours` would change nothing.
   bool is_determined() const { return by_volume_ ? by_volume_->has_third : constraints_.size() == 3; }
   /// Takes triangle shape for what is not.
-  void add_neighbours(const NeighbourSums& neighbours);
+  void add_neighbours(const NeighbourLanes<double>& neighbours);
 
   /// Its `bound` is the cost, for there is none: a contraction nearby may make it less. The position is seen from the
   /// sums' origin. Where there are no three constraints, or what fulfils them is farther off than

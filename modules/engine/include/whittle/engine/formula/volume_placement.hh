@@ -21,11 +21,12 @@ inline constexpr double least_constraint_sine_sq = 3.0458649045213493e-4;
 /// A gradient's share of its quadric's trace below which rounding decides its direction.
 inline constexpr double constraint_noise_share = 1e-10;
 
-/// `VolumeSums`, for one pair or several side by side.
+/// Sums over faces, about some origin.
 template <class Real>
 struct VolumeLanes {
-  PointLanes<Real> normal;
-  Real offset;
+  PointLanes<Real> normal;  ///< Σ n
+  Real offset;              ///< Σ n · p
+  // Σ (n · (x − p))² = xᵀ A x + 2 b · x + c
   Real xx, xy, xz, yy, yz, zz;
   PointLanes<Real> b;
   Real c;
@@ -46,10 +47,10 @@ struct VolumeLanes {
   }
 };
 
-/// `NeighbourSums`, likewise.
+/// Sums over neighbours, about some origin.
 template <class Real>
 struct NeighbourLanes {
-  PointLanes<Real> position;
+  PointLanes<Real> position;  ///< Σ p
   Real n;
 };
 
