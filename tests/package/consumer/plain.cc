@@ -11,8 +11,8 @@
 #include <whittle/metrics/topology.hh>
 #include <whittle/version.hh>
 
+#include "../../../apps/examples/torus.hh"
 #include "digest.hh"
-#include "torus.hh"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <whittle/openmesh/mod_garland_heckbert.hh>
 #include <whittle/openmesh/pair_decimater.hh>
 
+#include "../../../apps/examples/torus.hh"
 #include "digest.hh"
-#include "torus.hh"
 
 namespace {
 

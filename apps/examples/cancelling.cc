@@ -1,0 +1,35 @@
+// Shows the progress of a run and cancels it: what has been reached by then is a valid mesh.
+#include <cstdio>
+#include <string>
+#include <whittle/engine/simplify.hh>
+
+#include "torus.hh"
+
+int main() {
+  const Torus torus(200, 100);
+  whittle::IndexedMesh mesh;
+  for (const auto& p : torus.points) mesh.positions.emplace_back(p[0], p[1], p[2]);
+  for (const auto& face : torus.faces) mesh.faces.push_back({face[0], face[1], face[2]});
+
+  // Called now and then, by the thread that called `simplify`. Returning false ends the run. A program with a window
+  // would draw a bar here, and ask whether its button was pressed.
+  unsigned n_calls = 0;
+  double fraction = 0;
+  bool is_falling = false;
+  whittle::SimplifyOptions options;
+  options.decimate.progress = [&](const whittle::Progress& progress) {
+    ++n_calls;
+    is_falling = is_falling || progress.fraction < fraction;
+    fraction = progress.fraction;
+    return progress.fraction < 0.5;
+  };
+  const whittle::DecimateTarget target = whittle::DecimateTarget::faces(1000);
+  const whittle::Simplification stopped = whittle::simplify(mesh, target, whittle::Effort::normal, options);
+
+  // The result says that it was cancelled. It has fewer faces than the input, but hasn't reached the target.
+  const std::size_t n_faces = stopped.mesh.faces.size();
+  std::printf("%s after %u calls: %zu faces became %zu\n", std::string(whittle::to_string(stopped.result.stop)).c_str(),
+              n_calls, mesh.faces.size(), n_faces);
+  const bool is_between = n_faces > 1000 && n_faces < mesh.faces.size();
+  return stopped.result.stop == whittle::StopReason::cancelled && is_between && !is_falling ? 0 : 1;
+}
