@@ -162,8 +162,7 @@ TEST(PairDecimaterErrors, TheEngineSaysWhyItCannotRun) {
 
   decimater.initialize();
   EXPECT_EQ(decimater.decimate(5), 5U);
-  EXPECT_THAT(message(decimater), testing::HasSubstr("since initialize()"));
-  decimater.initialize();
+  EXPECT_EQ(decimater.engine_obstacle(), "") << "the next run goes on";
   EXPECT_EQ(decimater.decimate(5), 5U);
 
   decimater.module(cost).set_arithmetic(Arithmetic::stock);
@@ -176,7 +175,7 @@ TEST(PairDecimaterDrivers, AutomaticTakesTheEngineWhereItCan) {
   set.decimater.decimate(50);
   EXPECT_EQ(set.decimater.last_driver(), Driver::engine);
   set.decimater.decimate(50);
-  EXPECT_EQ(set.decimater.last_driver(), Driver::mesh) << "the second run goes on where the first ended";
+  EXPECT_EQ(set.decimater.last_driver(), Driver::engine) << "the second run goes on where the first ended";
   set.decimater.initialize();
   set.decimater.decimate(50);
   EXPECT_EQ(set.decimater.last_driver(), Driver::engine);
@@ -195,7 +194,7 @@ TEST(PairDecimaterDrivers, TwoRunsAreOne) {
     in_parts.decimater.decimate(150);
     EXPECT_EQ(in_parts.decimater.last_driver(), Driver::engine);
     in_parts.decimater.decimate(100);
-    EXPECT_EQ(in_parts.decimater.last_driver(), Driver::mesh);
+    EXPECT_EQ(in_parts.decimater.last_driver(), Driver::engine);
     in_parts.decimater.decimate(150);
     expect_same_contractions(at_once.contractions, in_parts.contractions, "in parts");
   }

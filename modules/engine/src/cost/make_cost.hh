@@ -2,8 +2,8 @@
 
 #include <memory>
 
+#include "complex/restraints.hh"
 #include "cost/pair_cost.hh"
-#include "guard/restraints.hh"
 #include "whittle/engine/decimate.hh"
 
 namespace whittle {

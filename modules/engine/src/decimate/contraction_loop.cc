@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "cost/make_cost.hh"
-#include "guard/make_guards.hh"
+#include "decimate/make_guards.hh"
 #include "host/host_cost.hh"
 #include "queue/eager_queue.hh"
 #include "queue/lazy_queue.hh"

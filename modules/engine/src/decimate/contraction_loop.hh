@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "complex/restraints.hh"
 #include "cost/pair_cost.hh"
 #include "guard/guard.hh"
-#include "guard/restraints.hh"
 #include "pairs/threshold_pair_sieve.hh"
 #include "queue/pair_queue.hh"
 #include "queue/refused_pairs.hh"

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "complex/restraints.hh"
 #include "guard/guard.hh"
-#include "guard/restraints.hh"
 
 namespace whittle {
 

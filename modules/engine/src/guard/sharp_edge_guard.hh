@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "complex/restraints.hh"
 #include "complex/triangle_complex.hh"
 #include "guard/guard.hh"
-#include "guard/restraints.hh"
 
 namespace whittle {
 

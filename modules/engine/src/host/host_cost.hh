@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "complex/restraints.hh"
 #include "cost/pair_cost.hh"
-#include "guard/restraints.hh"
 #include "whittle/engine/host.hh"
 
 namespace whittle {

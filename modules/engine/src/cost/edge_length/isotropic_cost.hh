@@ -1,8 +1,8 @@
 #pragma once
 
+#include "complex/restraints.hh"
 #include "cost/pair_cost.hh"
 #include "cost/quadric/vertex_quadrics.hh"
-#include "guard/restraints.hh"
 
 namespace whittle {
 

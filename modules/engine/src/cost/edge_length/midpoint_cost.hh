@@ -1,7 +1,7 @@
 #pragma once
 
+#include "complex/restraints.hh"
 #include "cost/pair_cost.hh"
-#include "guard/restraints.hh"
 
 namespace whittle {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "complex/restraints.hh"
 #include "cost/pair_cost.hh"
-#include "guard/restraints.hh"
 #include "whittle/core/detail/lanes.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/engine/formula/lindstrom_turk_pair.hh"

@@ -2,9 +2,9 @@
 
 #include <optional>
 
+#include "complex/restraints.hh"
 #include "cost/pair_cost.hh"
 #include "cost/quadric/vertex_quadrics.hh"
-#include "guard/restraints.hh"
 
 namespace whittle {
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "complex/restraints.hh"
 #include "complex/triangle_complex.hh"
 #include "guard/guard.hh"
-#include "guard/restraints.hh"
 #include "pairs/threshold_pair_sieve.hh"
 #include "whittle/engine/host.hh"
 

@@ -1,4 +1,4 @@
-#include "guard/restraints.hh"
+#include "complex/restraints.hh"
 
 #include <algorithm>
 #include <array>

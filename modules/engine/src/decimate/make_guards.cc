@@ -1,4 +1,4 @@
-#include "guard/make_guards.hh"
+#include "decimate/make_guards.hh"
 
 #include "guard/flip_guard.hh"
 #include "guard/hidden_pair_guard.hh"
