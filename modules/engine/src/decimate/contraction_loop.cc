@@ -150,11 +150,12 @@ void ContractionLoop::refuse(const Guard& guard) {
 
 /// \return whether to go on
 bool ContractionLoop::contract(const RankedPair& ranked, const Vec3& position, double cost) {
-  const HostedContraction made = hosted(complex_, profile_, ranked.rank, position);
+  std::optional<HostedContraction> told;  // with the positions before
+  if (host_ != nullptr || options_.listener) told = hosted(complex_, profile_, ranked.rank, position);
   complex_.contract(profile_, profile_.survivor, position, change_);
   result_.threshold_pairs.contracted += static_cast<std::uint64_t>(complex_.is_threshold_pair(ranked.pair.id));
   result_.max_cost = std::max(result_.max_cost, cost);
-  const bool goes_on = tell_others(made, cost);
+  const bool goes_on = !told || tell_others(*told, cost);
   list_touched();
   cost_.merge(profile_, ranked.rank, change_);
   restraints_.note(complex_, profile_, change_);
@@ -169,7 +170,6 @@ bool ContractionLoop::contract(const RankedPair& ranked, const Vec3& position, d
 
 /// Tells host and listener. \return whether to go on
 bool ContractionLoop::tell_others(const HostedContraction& made, double cost) {
-  if (host_ == nullptr && !options_.listener) return true;
   const Contraction contraction{made.survivor, made.removed, frame_.to_model(made.position),
                                 frame_.cost_to_model(cost, cost_dimension_)};
   const bool goes_on = host_ == nullptr || host_->follow(made, contraction);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double near_share = 0.05;   ///< of the mesh, the widest gap that counts
 constexpr double margin = 1.1;        ///< more pairs than the nearest one make a joint of some width
-constexpr double least_share = 1e-9;  ///< of the part, where gaps are zero: parts that touch are to be joined, too
+constexpr double least_share = 1e-9;  ///< of the part, where gaps are zero, so that parts that touch are joined
 
 }  // namespace
 

@@ -6,12 +6,11 @@
 
 namespace whittle {
 
-/// Threshold pairs whose vertices have come to share a face: as long as they do, there is an edge, and the edge
-/// decides. A list a vertex; each pair is in that of one of its ends. Where vertices merge, so do their lists, in
-/// constant time.
+/// Threshold pairs whose vertices share a face. As long as they do, there is an edge, and the edge decides. Each pair
+/// is in the list of one of its ends. When vertices merge, their lists are joined in constant time.
 class HiddenPairs {
  public:
-  /// \param first_pair the lowest of their numbers, `n_pairs` follow; without any nothing is allocated
+  /// \param first_pair the lowest id of a threshold pair; there are `n_pairs`. Nothing is allocated for none.
   HiddenPairs(std::size_t n_vertices, Index first_pair, std::size_t n_pairs)
       : first_pair_(first_pair), lists_(n_pairs > 0 ? n_vertices : 0), next_(n_pairs), is_hidden_(n_pairs) {}
 

@@ -9,8 +9,8 @@
 #include "whittle/core/detail/parallel.hh"
 #include "whittle/engine/part_gaps.hh"
 
-// The least distance found from a part so far is as far as its other vertices have to look. And none looks into a
-// branch of the tree that lies in its own part: so those deep inside are done at once.
+// A vertex looks no further than the least distance that its part has found so far. It skips branches of the tree that
+// lie in its own part, so vertices deep inside a part are done at once.
 
 namespace whittle {
 namespace {
@@ -89,7 +89,7 @@ class GapFinder {
   /// \param reach_sq the least distance squared so far
   void look_into(const Node& node, std::size_t number, const Vec3& offset, Index site, double& reach_sq) {
     const Index part = part_of_site_[site];
-    // No site in there is nearer, not by rounding either: each term of the sum is at most as great.
+    // No site in there is nearer, even with rounding: each term of its sum is at least as great.
     if (labels_[number].part == part || offset.squaredNorm() >= reach_sq) return;
     const Vec3& point = sites_.points[site];
     if (node.child1 == nullptr) {
@@ -133,7 +133,7 @@ std::vector<double> gaps_between_parts(const IndexedMesh& mesh, const Parts& par
   if (parts.count < 2 || search.max_gap == 0) return gaps;
   const VertexSites sites = make_vertex_sites(mesh.positions, mesh.faces, search.threads);
   const double max_gap = search.max_gap * sites.frame.scale;
-  // At least what tells coincident vertices from others, should the square be too small for a number.
+  // The square of a tiny gap may round to zero: use at least what tells coincident vertices from others.
   const double max_gap_sq = std::max(max_gap * max_gap, std::numeric_limits<double>::denorm_min());
   GapFinder finder(sites, parts, max_gap_sq);
   for_each_range(sites.points.size(), search.threads, [&](std::size_t begin, std::size_t end) {

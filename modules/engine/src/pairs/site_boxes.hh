@@ -12,8 +12,8 @@ namespace whittle {
 
 using Box = Eigen::AlignedBox3d;
 
-/// Writes begin and begin + 1, of which only those stay whose lane is set, before the end that it returns. No branch,
-/// as which do can't be foretold.
+/// Writes those of begin and begin + 1 whose lane is set. \return the new end. The outcome is unpredictable, hence
+/// branch-free.
 template <class Mask>
 [[gnu::always_inline]] inline Index* write_set(const Mask& mask, Index begin, Index* end) {
   *end = begin;
@@ -28,11 +28,11 @@ inline void set_lane(PointLanes<Double2>& points, std::size_t lane, const Vec3& 
   points.z[lane] = p.z();
 }
 
-/// Sites along the curve, `fan_out` at a time in boxes, these likewise in larger ones, and so on: a tree that takes no
-/// sorting.
+/// A tree without sorting: each `fan_out` sites in succession on the curve have a box, each `fan_out` boxes a larger
+/// one, and so on.
 class SiteBoxes {
  public:
-  /// So many sites, and some more, are looked for.
+  /// A search ends when it has found more sites than this.
   static constexpr std::size_t limit = 256;
   static constexpr std::size_t fan_out = 8;
   using Sites = std::array<Index, limit + fan_out>;
@@ -47,7 +47,7 @@ class SiteBoxes {
     const PointLanes<double> low = point_lanes(box.min());
     const PointLanes<double> high = point_lanes(box.max());
     Sites others;
-    // What is found in a level, and in the one above it. In the end the sites.
+    // Found in a level, and in the one above it; at the end these are the sites.
     Index* found = levels_.size() % 2 == 0 ? sites.data() : others.data();
     Index* above = levels_.size() % 2 == 0 ? others.data() : sites.data();
     found[0] = 0;
@@ -90,7 +90,7 @@ class SiteBoxes {
     return result;
   }
 
-  std::vector<std::vector<Node>> levels_;  ///< that of the sites themselves first, one node last
+  std::vector<std::vector<Node>> levels_;  ///< first the level of the sites, last the one with a single node
 };
 
 }  // namespace whittle

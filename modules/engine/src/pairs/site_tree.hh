@@ -20,9 +20,9 @@ struct SiteCloud {
   }
 };
 
-/// Distances squared to the tree's planes, but none to its points: a result set is offered every point of the leaves
-/// within reach, and measures for itself. It can do so without a branch on the outcome, which can't be foretold, and in
-/// one formula everywhere: this halves the time of a search.
+/// Squared distances to the tree's planes, but not to its points. The result set is offered every point of the leaves
+/// within reach, and measures by itself: with one formula everywhere, and branch-free, as the outcome is
+/// unpredictable. This halves the time of a search.
 struct LeafMetric {
   using ElementType = double;
   using DistanceType = double;
@@ -35,8 +35,8 @@ struct LeafMetric {
 
 using SiteTree = nanoflann::KDTreeSingleIndexAdaptor<LeafMetric, SiteCloud, 3, Index>;
 
-/// How far a tree has to look so that it misses no point at a distance squared below `reach_sq`, though it sums the
-/// distances to its planes, some thousands at most, with rounding.
+/// How far a tree has to look to miss no point at a squared distance below `reach_sq`. It sums the distances to its
+/// planes, some thousands at most, with rounding.
 inline double with_margin(double reach_sq) { return reach_sq * (1 + 1e-9) + std::numeric_limits<double>::min(); }
 
 }  // namespace whittle

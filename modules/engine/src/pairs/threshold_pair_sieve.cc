@@ -32,7 +32,7 @@ void ThresholdPairSieve::sift(std::vector<Index>& pairs) {
   }
 }
 
-/// Lists those that are alive, with what has become of their ends; brings near what is asked of them next.
+/// Lists the pairs that are alive, with their ends as they are now. Prefetches what is asked of them next.
 void ThresholdPairSieve::look_up_alive(std::span<const Index> ids) {
   alive_.clear();
   for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -51,13 +51,13 @@ bool ThresholdPairSieve::hides(const Pair& pair) {
   return true;
 }
 
-/// Whether a pair has become the same as another one, as far as is remembered: merging vertices makes edges one, but
-/// not threshold pairs. Remembers it otherwise.
+/// Whether a pair has become equal to one that was seen lately. If not, remembers it. Merging vertices makes two edges
+/// one, but not two threshold pairs.
 bool ThresholdPairSieve::is_duplicate(const Pair& pair) {
   const auto [a, b] = std::minmax(pair.a, pair.b);
   constexpr std::uint64_t odd = 0x9E3779B97F4A7C15;
   Pair& known = known_[(std::uint64_t{a} * odd + b) * odd >> (64 - n_known_bits)];
-  // As long as both are vertices the other one joins them still, if it is alive.
+  // If the other pair is alive, it still joins the same two vertices.
   const bool is_same = known.a == a && known.b == b && known.id != pair.id;
   if (is_same && complex_.is_pair_alive(known.id)) return true;
   known = {pair.id, a, b};

@@ -8,13 +8,13 @@
 
 namespace whittle {
 
-/// Keeps those threshold pairs from being evaluated for which that would be in vain: duplicates, those that have become
-/// one vertex, and those that an edge decides. On a dense mesh that is nine of ten.
+/// Leaves out threshold pairs that need no ranking: duplicates, pairs that have become one vertex, and pairs that an
+/// edge decides. On a dense mesh these are nine of ten.
 class ThresholdPairSieve {
  public:
   explicit ThresholdPairSieve(TriangleComplex& complex);
 
-  /// Moves the threshold pairs among `pairs`, by number, behind the edges, those of them that are to be evaluated.
+  /// Sorts `pairs`, given by id: first the edges, then the threshold pairs that are to be ranked. Drops the rest.
   void sift(std::vector<Index>& pairs);
 
   /// If the ends of a threshold pair have a common face, hides the pair.

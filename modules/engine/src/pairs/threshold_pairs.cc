@@ -15,22 +15,22 @@
 #include "pairs/vertex_sites.hh"
 #include "whittle/core/detail/parallel.hh"
 
-// Each vertex lists its partners by itself, block after block of vertices along the curve; a pair is then written where
-// the lower vertex lists the higher one. Where that list is full and does not have it, the higher one adds the pair.
+// Each vertex lists its partners, block after block of vertices along the curve. A pair is written where the lower
+// vertex lists the higher one. If the lower one's list is full and lacks it, the higher one adds the pair.
 //
-// A few vertices that follow each other lie close together. They look for the sites near them together, and each then
-// measures how far it is from these. One that has very many looks for its nearest in a kd-tree, by itself.
+// Vertices in succession lie close together. A few of them look for nearby sites together; then each measures its
+// distance from these. A vertex with very many candidates looks for the nearest in a kd-tree, by itself.
 
 namespace whittle {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t leaf_size = 32;      // 16 to 32 make no difference to a search, the tree is sooner built with 32
-constexpr std::size_t max_hits = 96;       // of a search in the tree before they shorten its reach
+constexpr std::size_t leaf_size = 32;      // 16 to 32: equal search times; the tree is built fastest with 32
+constexpr std::size_t max_hits = 96;       // of a search in the tree before its reach is shortened
 constexpr std::size_t block_length = 512;  // some hundred microseconds of work
 constexpr std::size_t group_length = 8;    // members that look for candidates together
 
-/// Of each member the other two corners of its faces.
+/// For each member the other two corners of its faces.
 struct Fans {
   std::vector<std::size_t> begins;
   std::vector<Index> others;
@@ -48,7 +48,7 @@ Fans make_fans(std::span<const Triangle> faces, const VertexSites& sites) {
       if (has_three_corners(face)) use(sites.members[face[0]], sites.members[face[1]], sites.members[face[2]]);
     }
   };
-  // One place further on than where they begin, so that filling them moves them there.
+  // One slot beyond their begins: filling the lists moves each to its begin.
   for_each_face([&](Index a, Index b, Index c) {
     for (const Index corner : {a, b, c}) fans.begins[corner + 2] += 2;
   });
@@ -68,7 +68,7 @@ Fans make_fans(std::span<const Triangle> faces, const VertexSites& sites) {
   return fans;
 }
 
-/// Of each member the sum of its faces' normals, twice their areas long.
+/// For each member the sum of its faces' normals, each as long as twice the area.
 std::vector<Vec3> make_normals(std::span<const Triangle> faces, const VertexSites& sites) {
   std::vector<Vec3> normals(sites.n_members(), Vec3::Zero());
   for (const Triangle& face : faces) {
@@ -96,7 +96,7 @@ struct Scene {
     for_each_block(2, search.threads, build);
   }
 
-  /// Built when it is first asked for: many a search does without.
+  /// Built when first asked for. Many searches do without.
   const SiteTree& tree() const {
     std::call_once(is_tree_built_,
                    [&] { tree_.emplace(3, cloud_, nanoflann::KDTreeSingleIndexAdaptorParams(leaf_size)); });
@@ -105,7 +105,7 @@ struct Scene {
 
   double distance_sq(Index site, Index other) const { return (sites.points[site] - sites.points[other]).squaredNorm(); }
 
-  /// Whether the way from one to the other leads into the solid and out of it. The same from both sides, to the bit.
+  /// Whether the line from one to the other enters the solid and leaves it. To the bit the same in both directions.
   bool is_across_wall(Index member, Index other) const {
     const Vec3 way = sites.points[sites.sites[other]] - sites.points[sites.sites[member]];
     const Vec3& here = normals[member];
@@ -128,13 +128,13 @@ struct Partner {
   double distance_sq;
   Index vertex;  ///< its number in the input
 
-  /// By distance, equal ones by number.
+  /// By distance; ties by number.
   bool operator<(const Partner& other) const {
     return distance_sq < other.distance_sq || (distance_sq == other.distance_sq && vertex < other.vertex);
   }
 };
 
-/// Finds the partners of vertices. As nanoflann's result set it is offered sites.
+/// Finds the partners of vertices. Also nanoflann's result set, which is offered sites.
 class PartnerSearch {
  public:
   using DistanceType = double;
@@ -157,7 +157,7 @@ class PartnerSearch {
     const Box both = first.merged(second);
     const bool are_together = search_size_sq(first) + search_size_sq(second) >= search_size_sq(both);
     const bool has_candidates = are_together && find_candidates(both);
-    // Halves look into less where the curve jumps, but hardly so where the threshold is large against the box.
+    // Halves search less space where the curve jumps, but hardly less where the threshold exceeds the box.
     if (!has_candidates && middle > begin && both.sizes().norm() > margin_.x()) {
       find(begin, middle, use);
       find(middle, end, use);
@@ -178,7 +178,7 @@ class PartnerSearch {
   bool has_more() const { return has_more_; }
   const Partner& furthest() const { return partners_[n_partners_ - 1]; }
 
-  /// Asked for before each leaf, the time to make room for all of its points.
+  /// Asked for before each leaf: here room is made for all of its points.
   // NOLINTNEXTLINE(readability-identifier-naming): nanoflann's
   double worstDist() {
     if (n_hits_ + leaf_size > max_hits) sift();
@@ -195,7 +195,7 @@ class PartnerSearch {
  private:
   /// Finds all sites within the threshold of what is in the box, and some more. \return whether they are few enough
   bool find_candidates(const Box& box) {
-    // As rounding is monotonic, the larger box cuts none off.
+    // Rounding is monotonic, so the larger box misses no site.
     n_candidates_ = scene_.boxes.find({box.min() - margin_, box.max() + margin_}, candidates_);
     if (n_candidates_ > SiteBoxes::limit) return false;
     for (std::size_t i = 0; i < n_candidates_; ++i) set_lane(candidate_points_[i / 2], i % 2, points_[candidates_[i]]);
@@ -256,19 +256,19 @@ class PartnerSearch {
       if (sites.begins[site + 1] - member > 1) {
         if (distance_sq < reach_sq_) add_members(site, distance_sq);
         make_room(hits.size());
-      } else {  // without a branch, as whether it is one can't be foretold
+      } else {  // unpredictable, hence branch-free
         partners_[n_partners_] = {distance_sq, sites.vertices[member]};
         n_partners_ += static_cast<std::size_t>(distance_sq < reach_sq_) & static_cast<std::size_t>(is_partner(member));
       }
     }
     n_hits_ = 0;
-    // Not each time, so that it costs no more than finding them.
+    // Only at twice the limit, so that it costs no more than finding them.
     if (n_partners_ / 2 >= max_partners_) keep_nearest();
   }
 
   void add_members(Index site, double distance_sq) {
     const VertexSites& sites = scene_.sites;
-    // A site has its members by ascending number: no more of them than the limit can be among the nearest.
+    // Members of a site ascend by number: only the first ones up to the limit can be among the nearest.
     const std::size_t enough = n_partners_ + max_partners_ + 1;
     for (Index member = sites.begins[site]; member < sites.begins[site + 1] && n_partners_ < enough; ++member) {
       if (!is_partner(member)) continue;
@@ -293,20 +293,20 @@ class PartnerSearch {
     has_more_ = true;
     std::nth_element(partners_.data(), partners_.data() + (max_partners_ - 1), partners_.data() + n_partners_);
     n_partners_ = max_partners_;
-    // One as far away as the furthest may have a lower number.
+    // A member as far away as the furthest may have a lower number.
     reach_sq_ = std::min(reach_sq_, std::nextafter(furthest().distance_sq, infinity));
   }
 
   const Scene& scene_;
   const Vec3* points_;
   double threshold_sq_;
-  Vec3 margin_;  ///< finite, but more than the mesh is large, where the threshold is
+  Vec3 margin_;  ///< finite, even for an infinite threshold: then larger than the mesh
   std::size_t max_partners_;
-  std::vector<Index> excluded_for_;  ///< the member last looked at that each one is, or is in a face with
+  std::vector<Index> excluded_for_;  ///< per member: the one last searched for that it is, or shares a face with
 
   Index member_ = invalid_index;
   Vec3 point_;
-  double reach_sq_ = 0;  ///< what lies nearer, distance squared, may be a partner
+  double reach_sq_ = 0;  ///< squared distance; whatever is nearer may be a partner
 
   SiteBoxes::Sites candidates_;
   std::size_t n_candidates_ = 0;
@@ -328,7 +328,7 @@ struct Block {
   };
   std::vector<Index> partners;    ///< by their numbers in the input
   std::vector<List> lists;        ///< of each member
-  std::vector<Partner> furthest;  ///< of each list that was cut its last, infinitely far of others; empty if none was
+  std::vector<Partner> furthest;  ///< the last of each list that was cut, else infinitely far; empty if none was
 
   std::span<const Index> higher(const List& list) const {
     return std::span(partners).subspan(list.begin, list.n_higher);
@@ -340,7 +340,7 @@ struct Block {
   void add_list(Index vertex, std::span<const Partner> list) {
     const std::size_t begin = partners.size();
     partners.resize(begin + list.size());
-    // From both ends, without a branch on what can't be foretold.
+    // From both ends. Unpredictable, hence branch-free.
     std::size_t middle = begin;
     std::size_t last = partners.size();
     for (const Partner& partner : list) {
@@ -385,7 +385,7 @@ class PartnerLists {
   bool is_cut() const {
     return std::any_of(blocks_.begin(), blocks_.end(), [](const Block& block) { return !block.furthest.empty(); });
   }
-  /// Whether `partner`, which has listed the member, is missing in the member's own list.
+  /// Whether the member's own list lacks `partner`, which lists the member.
   bool is_cut_off(Index member, const Partner& partner) const {
     const Block& block = blocks_[member / block_length];
     return !block.furthest.empty() && block.furthest[member % block_length] < partner;
@@ -393,7 +393,7 @@ class PartnerLists {
 
  private:
   static Block search_block(PartnerSearch& search, const Scene& scene, std::size_t i) {
-    Block block;  // not in its place among the others, as threads writing to one cache line hinder each other
+    Block block;  // local, so that threads don't write to one cache line
     const std::size_t end = std::min(scene.sites.n_members(), (i + 1) * block_length);
     block.lists.reserve(block_length);
     const auto add = [&](Index member, std::span<const Partner> partners) {
@@ -479,7 +479,7 @@ ThresholdPairs find_threshold_pairs(std::span<const Vec3> positions, std::span<c
   const std::size_t n_members = scene.sites.n_members();
   if (n_members == 0) return {};
   const double threshold = search.threshold * scene.sites.frame.scale;
-  // At least what tells coincident vertices from others, should the square be too small for a number.
+  // The square of a tiny threshold may round to zero: use at least what tells coincident vertices from others.
   const double threshold_sq = std::max(threshold * threshold, std::numeric_limits<double>::denorm_min());
   const std::size_t max_partners = std::min<std::size_t>(search.max_pairs.value_or(invalid_index), n_members);
   const PartnerLists partners(scene, threshold_sq, max_partners, search.threads);

@@ -27,7 +27,7 @@ std::vector<Index> vertices_in_faces(std::size_t n_vertices, std::span<const Tri
   return vertices;
 }
 
-/// The positions along the curve, in each of its cells by position, equal positions by number.
+/// Sorted along the curve; within a cell of the curve by position, at one position by number.
 std::vector<CurvePoint> sorted_by_site(std::span<const Vec3> positions, const Frame& frame, unsigned threads) {
   std::vector<CurvePoint> points = along_morton_curve(positions, frame, threads);
   const auto precedes = [&](const CurvePoint& a, const CurvePoint& b) {

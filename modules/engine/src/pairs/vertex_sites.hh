@@ -7,8 +7,8 @@
 
 namespace whittle {
 
-/// The vertices of a mesh as places in space. Those at exactly the same position share a site and are its members; so
-/// however many there are, a search meets the place once.
+/// The vertices of a mesh as sites. Vertices at exactly one position are the members of one site, so a search meets
+/// the position once, however many there are.
 ///
 /// Sites, and with them their members, are numbered along a space-filling curve. Vertices that are in no face with
 /// three different corners are left out.

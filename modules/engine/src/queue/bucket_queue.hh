@@ -13,8 +13,8 @@
 
 namespace whittle {
 
-/// A monotone queue of numbers by cost, in buckets 1/128 of an octave wide. Holds no costs: whoever opens a bucket
-/// evaluates its members anew.
+/// A monotone queue of ids by cost, in buckets 1/128 of an octave wide. It holds no costs: whoever opens a bucket
+/// ranks its members again.
 ///
 /// Push and open cost a constant; memory is 4 to 8.3 bytes a member.
 class BucketQueue {
@@ -30,7 +30,7 @@ class BucketQueue {
     return bits <= first ? 0 : static_cast<Bucket>(std::min<std::uint64_t>(bits - first, n_buckets - 1));
   }
 
-  /// Puts in the first members, numbered from 0: one a bucket given.
+  /// Puts in the first members. \param buckets of members 0, 1, …
   void fill(std::span<const Bucket> buckets) {
     starts_.assign(n_buckets + 1, 0);
     for (const Bucket bucket : buckets) ++starts_[bucket + 1];
@@ -53,8 +53,8 @@ class BucketQueue {
     blocks_[head.block].members[head.n_in_block++] = member;
   }
 
-  /// Moves the members of the first bucket that has any to `members`, and opens it: from now on only later ones may be
-  /// pushed to. False when the queue is empty.
+  /// Opens the first bucket that has members, and moves these to `members`. From now on only later buckets take
+  /// members. \return false when the queue is empty
   bool open_next(std::vector<Index>& members) {
     members.clear();
     while (next_bucket_ < n_buckets && is_empty(next_bucket_)) ++next_bucket_;
@@ -75,7 +75,7 @@ class BucketQueue {
     return true;
   }
 
-  /// Whether the bucket is the open one or before it: what costs so little is not for this queue any more.
+  /// True once this bucket, or a later one, has been opened. It takes no members any more.
   bool is_past(Bucket bucket) const { return bucket < next_bucket_; }
 
  private:

@@ -9,11 +9,11 @@
 
 namespace whittle {
 
-/// The order for costs that a contraction nearby may lower: after each one all pairs within the cost's reach are
-/// evaluated anew, so that every pair's cost is known at any time.
+/// The queue for costs that a contraction nearby may lower. After each contraction all pairs within the cost's reach
+/// are ranked again, so every pair's cost is known at any time.
 ///
-/// A pair that is in has an entry where its cost says: in the queue in that bucket, or, if that is open or past, among
-/// the candidates under exactly that cost. Entries left over from other costs are passed over. Edges only.
+/// A queued pair has an entry in the bucket of its cost. If that bucket has been opened, the entry is among the
+/// candidates instead. Entries under older costs are skipped. Edges only.
 class EagerQueue final : public PairQueue {
  public:
   EagerQueue(TriangleComplex& complex, const PairCost& cost, unsigned threads);
@@ -24,7 +24,7 @@ class EagerQueue final : public PairQueue {
   void note(const Change& change) override;
 
  private:
-  /// The cost of pairs that are out.
+  /// The cost of pairs that are not queued.
   static constexpr double out = -1;
 
   void fill_queue(unsigned threads);
@@ -37,15 +37,15 @@ class EagerQueue final : public PairQueue {
   TriangleComplex& complex_;
   const PairCost& cost_;
   LargeArray<double> costs_;  ///< per pair
-  double cost_now_ = 0;       ///< that the pair taken out last had
+  double cost_now_ = 0;       ///< of the pair taken out last
   BucketQueue queue_;
   std::vector<Index> members_;    ///< of the bucket being opened
   std::vector<Candidate> batch_;  ///< candidates of the open bucket, in order
-  std::size_t n_taken_ = 0;       ///< how many of them have been passed
-  /// Those for the open bucket, or one before it, that turned up after it was opened.
+  std::size_t n_taken_ = 0;       ///< how many of them have been taken or skipped
+  /// Added to the open bucket, or to an earlier one, after it was opened.
   std::priority_queue<Candidate, std::vector<Candidate>, IsAfter> late_;
-  std::vector<Index> last_looked_at_;  ///< per pair, the contraction after which it was last collected
-  std::vector<Pair> pairs_;            ///< scratch: within reach
+  std::vector<Index> last_looked_at_;  ///< per pair, the number of contractions when it was last collected
+  std::vector<Pair> pairs_;            ///< scratch: the pairs within reach
   std::vector<PairEvaluation> evaluations_;
 };
 

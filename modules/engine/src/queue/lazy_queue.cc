@@ -9,10 +9,10 @@ namespace whittle {
 
 namespace {
 
-/// Members of a bucket from which on they are shared out among threads: some tens of microseconds.
+/// Buckets with at least so many members are shared among threads: some tens of microseconds of work.
 constexpr std::size_t fewest_shared = 256;
 
-/// Parcels that are shared out at a time. On flat ground all pairs may be in one bucket.
+/// Parcels that are shared among threads at a time. On flat ground all pairs may be in one bucket.
 constexpr std::size_t n_shared_parcels = 64;
 
 /// Candidates whose placements are remembered.
@@ -62,7 +62,7 @@ void LazyQueue::fill_queue(unsigned threads) {
   }
 }
 
-/// Puts the pairs in order and evaluates them.
+/// Ranks the pairs, each with the lower origin first.
 LazyQueue::Parcel& LazyQueue::evaluate(Parcel& parcel) const {
   const auto pairs = std::span(parcel.pairs).first(parcel.n);
   for (Pair& pair : pairs) pair = in_order(complex_, pair);
@@ -77,7 +77,7 @@ std::optional<RankedPair> LazyQueue::next() {
   return std::nullopt;
 }
 
-/// What the candidate has become; nullopt if it is a pair no more, or has grown, and been queued again.
+/// The candidate as it is now. nullopt if it is no pair any more, or costs more and is queued again.
 std::optional<RankedPair> LazyQueue::turn_of(const Candidate& then) {
   if (!complex_.is_pair_alive(then.pair.id)) return std::nullopt;
   if (is_unchanged(then)) {
@@ -110,7 +110,7 @@ std::optional<Candidate> LazyQueue::next_candidate() {
   }
 }
 
-/// Makes the members of the bucket just opened candidates; those that have grown beyond it go to a later one.
+/// Makes candidates of the members of the bucket just opened. Members that cost more now go to a later bucket.
 void LazyQueue::open_bucket() {
   batch_.clear();
   batch_.reserve(members_.size());
@@ -127,7 +127,7 @@ void LazyQueue::open_bucket() {
   if (complex_.has_threshold_pairs()) drop_duplicates();
 }
 
-/// Threshold pairs that have become the same, and what was queued twice.
+/// Drops threshold pairs that have become equal, and those queued twice.
 void LazyQueue::drop_duplicates() {
   const auto is_threshold_pair = [this](const Candidate& c) { return complex_.is_threshold_pair(c.pair.id); };
   const auto last = std::unique(batch_.begin(), batch_.end(), [&](const Candidate& x, const Candidate& y) {
@@ -138,7 +138,7 @@ void LazyQueue::drop_duplicates() {
   batch_.erase(last, batch_.end());
 }
 
-/// The next parcel is looked up before the last one is evaluated, so that what it asks for has time to come.
+/// The next parcel is looked up before the last one is ranked, so that its prefetches have time.
 void LazyQueue::evaluate_members() {
   Parcel* last = nullptr;
   for (std::size_t begin = 0; begin < members_.size(); begin += pairs_per_parcel) {
@@ -150,7 +150,7 @@ void LazyQueue::evaluate_members() {
   if (last != nullptr) sort_in(evaluate(*last));
 }
 
-/// The threads change nothing but each its own parcel, and `parents_` of the complex to the same.
+/// Each thread writes to its own parcel. All may shorten paths in the complex' `parents_`, to the same values.
 void LazyQueue::evaluate_members_on_all_threads() {
   const std::size_t at_once = parcels_.size() * pairs_per_parcel;
   for (std::size_t begin = 0; begin < members_.size(); begin += at_once) {
@@ -164,8 +164,8 @@ void LazyQueue::evaluate_members_on_all_threads() {
   }
 }
 
-/// Looks up the ends of those of members begin … end that are still pairs. Brings near what comes next: the pairs, what
-/// their ends have become, these.
+/// Looks up the ends of members begin … end that are still pairs. Prefetches what comes next: pairs, their ends, and
+/// the vertices that these have become.
 void LazyQueue::find_pairs(std::size_t begin, std::size_t end, Parcel& parcel) {
   const VertexState state = cost_.vertex_state();
   const auto prefetch_end = [&](Index v) {
@@ -189,7 +189,7 @@ void LazyQueue::sort_in(const Parcel& parcel) {
   for (std::size_t i = 0; i < parcel.n; ++i) sort_in(parcel.pairs[i], parcel.evaluations[i]);
 }
 
-/// Into the batch, or, if it has grown, into a later bucket.
+/// Into the batch, or into a later bucket if it costs more now.
 void LazyQueue::sort_in(const Pair& pair, const PairEvaluation& evaluation) {
   note_raised(pair, evaluation);
   const BucketQueue::Bucket bucket = BucketQueue::bucket_of(evaluation.cost);
@@ -212,7 +212,7 @@ void LazyQueue::enqueue(const Candidate& candidate) {
   }
 }
 
-/// Brings near what the turns to come will look at: first the lists, then the neighbours on them.
+/// Prefetches what the next turns look at: first the lists, then the neighbours on them.
 void LazyQueue::prefetch_turns() {
   const auto candidate_ahead = [&](std::size_t n, auto prefetch) {
     if (n_taken_ + n >= batch_.size()) return;
@@ -227,7 +227,7 @@ void LazyQueue::prefetch_turns() {
   candidate_ahead(3, [&](Index v) { complex_.for_each_likely_neighbour(v, [&](Index w) { state.prefetch(w); }); });
 }
 
-/// Whether the candidate's cost and placement are what an evaluation would give now.
+/// Whether ranking the candidate now would give the cost and placement that it has.
 bool LazyQueue::is_unchanged(const Candidate& candidate) const {
   return candidate.placement != invalid_index && cost_.sight() == Reach::none &&
          complex_.last_change(candidate.pair.a) <= n_done_at_opening_ &&
@@ -256,7 +256,7 @@ bool LazyQueue::postpone(const Pair& pair, double cost) {
   return true;
 }
 
-/// Queues anew those raised pairs at the merged vertex that have become cheaper.
+/// Queues again the raised pairs at the merged vertex that have become cheaper.
 void LazyQueue::note(const Change& change) {
   const Index survivor = change.survivor;
   const Index removed = change.removed;

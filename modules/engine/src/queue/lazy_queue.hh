@@ -13,14 +13,14 @@
 
 namespace whittle {
 
-/// The order where a pair's place in the queue is a lower bound of its cost (see `PairEvaluation::bound`), so that a
-/// contraction touches no neighbour's entry. Pairs are evaluated when their bucket is opened, all of them in one go,
-/// and once more when their turn comes if one of their vertices has changed. One kind of pair can get cheaper:
-/// - raised: its cost is above its bound (pinned, or placed elsewhere than at the minimum). It is queued under its
-///   cost, and waits at its vertices to be looked at again when one of them merges.
+/// The queue for costs with a lower bound (`PairEvaluation::bound`): a pair waits under the bound, so a contraction
+/// touches no other entry. All pairs of a bucket are ranked together when it is opened. A pair is ranked once more when
+/// its turn comes, if one of its vertices has changed. Only raised pairs can get cheaper:
+/// - raised: the cost is above the bound (pinned, or placed elsewhere than at the minimum). It is queued under its
+///   cost, and waits at its vertices to be ranked again when one of them merges.
 ///
 /// With a cost that has no such bound the order is approximate: a pair that a contraction nearby has made cheaper is
-/// noticed only at the place it had.
+/// noticed only when its old turn comes.
 class LazyQueue final : public PairQueue {
  public:
   LazyQueue(TriangleComplex& complex, const PairCost& cost, ThresholdPairSieve& sieve, unsigned threads);
@@ -33,13 +33,13 @@ class LazyQueue final : public PairQueue {
  private:
   static constexpr std::size_t pairs_per_parcel = 64;
 
-  /// Where a pair would go.
+  /// Where the merged vertex of a pair would go.
   struct Placed {
     double bound;
     Vec3 position;
     bool is_minimum;
   };
-  /// Pairs that are evaluated together, edges first: some microseconds, and all of it stays in the nearest cache.
+  /// Pairs that are ranked together, edges first: some microseconds of work, within the first-level cache.
   struct Parcel {
     std::size_t n = 0;
     std::array<Pair, pairs_per_parcel> pairs;
@@ -75,10 +75,10 @@ class LazyQueue final : public PairQueue {
   std::vector<Index> members_;      ///< of the bucket being opened
   std::vector<Parcel> parcels_;     ///< scratch: a thread works on one at a time
   LargeArray<Candidate> batch_;     ///< candidates of the open bucket, in order
-  std::vector<Placed> placements_;  ///< where they would go
-  Index n_done_at_opening_ = 0;     ///< contractions before it was opened
+  std::vector<Placed> placements_;  ///< where the merged vertices would go
+  Index n_done_at_opening_ = 0;     ///< number of contractions when the bucket was opened
   std::size_t n_taken_ = 0;         ///< how many of the batch have had their turn
-  /// Those for the open bucket, or one before it, that turned up after it was opened.
+  /// Added to the open bucket, or to an earlier one, after it was opened.
   std::priority_queue<Candidate, std::vector<Candidate>, IsAfter> late_;
 
   WaitingPairs raised_;

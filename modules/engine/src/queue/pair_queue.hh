@@ -12,7 +12,7 @@ struct RankedPair {
   PairEvaluation rank;
 };
 
-/// The queue of pairs: by cost; ties by the lower, then the higher original vertex number.
+/// Pairs in order of cost; ties by the lower, then the higher origin.
 class PairQueue {
  public:
   virtual ~PairQueue() = default;
@@ -20,23 +20,23 @@ class PairQueue {
   /// Takes the next pair out; nullopt when there is none.
   virtual std::optional<RankedPair> next() = 0;
 
-  /// Puts in a pair that has been taken out, or was never in. The lower original vertex comes first.
+  /// Puts in a pair that isn't queued. \pre `pair.a` has the lower origin
   virtual void add(const Pair& pair) = 0;
 
-  /// Puts the pair just taken out in again under a higher cost. False if others whose turn it is cost no less: then the
-  /// pair stays out.
+  /// Queues the pair just taken out again, under a higher cost. False if the pairs whose turn it is cost no less: then
+  /// it stays out.
   virtual bool postpone(const Pair& pair, double cost) = 0;
 
-  /// Told after each contraction, and after the cost.
+  /// Told after each contraction, once the cost has been told.
   virtual void note(const Change& change) = 0;
 };
 
-/// A queued pair, under a cost that it had.
+/// A queued pair, under the cost that it had when it was ranked last.
 struct Candidate {
   double cost;
-  std::uint64_t tie;  ///< the lower, then the higher original number of the two vertices
+  std::uint64_t tie;  ///< the lower, then the higher origin of the two vertices
   Pair pair;
-  Index placement = invalid_index;  ///< of its evaluation among those remembered, if there
+  Index placement = invalid_index;  ///< index among the remembered placements, if it is there
 
   friend bool is_before(const Candidate& x, const Candidate& y) {
     return x.cost != y.cost ? x.cost < y.cost : x.tie < y.tie;
@@ -50,12 +50,12 @@ inline Candidate candidate(const TriangleComplex& complex, const Pair& pair, dou
   return {cost, std::uint64_t{complex.origin(pair.a)} << 32 | complex.origin(pair.b), pair};
 }
 
-/// The vertex of the lower original number first.
+/// The vertex with the lower origin first.
 inline Pair in_order(const TriangleComplex& complex, const Pair& pair) {
   const bool is_a_first = complex.origin(pair.a) < complex.origin(pair.b);
   return {pair.id, select(is_a_first, pair.a, pair.b), select(is_a_first, pair.b, pair.a)};
 }
-/// With what its ends have become.
+/// With its ends as they are now.
 inline Pair pair_now(TriangleComplex& complex, Index id) {
   const auto [a, b] = complex.ends(id);
   return in_order(complex, {id, a, b});

@@ -22,13 +22,13 @@ class RefusedPairs {
     waiting_.add(pair.b, pair.id);
   }
 
-  /// The ids of those that wait at v. They wait no more.
+  /// Takes out the pairs that wait at v. \param ids theirs
   void take(Index v, std::vector<Index>& ids) {
     ids.clear();
     waiting_.take(v, ids);
     std::size_t n = 0;
     for (const Index id : ids) {
-      if (!is_refused_[id]) continue;  // listed twice, or woken from its other vertex before
+      if (!is_refused_[id]) continue;  // listed twice, or already woken at its other vertex
       is_refused_[id] = false;
       ids[n++] = id;
     }

@@ -29,7 +29,7 @@ class WaitingPairs {
     heads_[v] = node;
   }
 
-  /// Appends the pairs waiting at v to `pairs` and forgets them here.
+  /// Moves the pairs that wait at v to the end of `pairs`.
   void take(Index v, std::vector<Index>& pairs) {
     if (!any_[v]) return;
     any_[v] = false;
@@ -47,7 +47,7 @@ class WaitingPairs {
     Index pair = 0;
     Index next = invalid_index;
   };
-  std::vector<bool> any_;     ///< a bit per vertex, because every contraction asks for its whole neighbourhood
+  std::vector<bool> any_;     ///< a bit per vertex, as every contraction asks for its whole neighbourhood
   std::vector<Index> heads_;  ///< defined where `any_` is set; empty until something waits
   std::vector<Node> nodes_;
   Index free_ = invalid_index;

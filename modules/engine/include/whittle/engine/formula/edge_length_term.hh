@@ -20,7 +20,7 @@ namespace whittle {
 PairEvaluation evaluate_midpoint(const Vec3& first, const Vec3& second, Pinned pinned);
 
 /// \param isotropy W, [0, 1]
-/// \return `bound` is the cost, for there is none: an edge may get shorter.
+/// \return `bound` is the cost: there is no lower bound, as an edge may get shorter.
 PairEvaluation evaluate_isotropic(const PlacedQuadric& v0, const PlacedQuadric& v1, double isotropy,
                                   Placement placement, Pinned pinned);
 

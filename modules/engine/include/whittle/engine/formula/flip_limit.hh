@@ -10,15 +10,15 @@ namespace whittle {
 /// How far a face may turn when one of its corners moves.
 class FlipLimit {
  public:
-  /// \param max_angle_deg (0, 180]; at 180 only a face that loses its area is too much
+  /// \param max_angle_deg (0, 180]; at 180 only a face that loses its area is beyond the limit
   explicit FlipLimit(double max_angle_deg)
       : least_cosine_(max_angle_deg < 180 ? std::cos(max_angle_deg * std::numbers::pi / 180) : never),
         signed_min_cosine_sq_(max_angle_deg < 180 ? signed_square<double>(least_cosine_) : never) {}
 
-  /// Between a face's normals before and after; below all cosines if any will do.
+  /// The least cosine between a face's normals before and after; below all cosines if there is no limit.
   double least_cosine() const { return least_cosine_; }
 
-  /// Whether faces have an area. \param normal_sq the square of twice that \param arm, opposite two of their sides
+  /// Whether faces have an area. \param normal_sq the square of twice the area \param arm, opposite two of their sides
   template <class Real>
   [[gnu::always_inline]] static auto has_area(const Real& normal_sq, const PointLanes<Real>& arm,
                                               const PointLanes<Real>& opposite) {
@@ -30,7 +30,7 @@ class FlipLimit {
   bool is_exceeded(const Vec3& from, const Vec3& to, const Vec3& x, const Vec3& y) const {
     return is_exceeded(point_lanes(from), point_lanes(to), point_lanes(x), point_lanes(y));
   }
-  /// The same for several faces side by side: whether one of them does.
+  /// Whether one of several faces side by side does.
   template <class Real>
   [[gnu::always_inline]] bool is_exceeded(const PointLanes<Real>& from, const PointLanes<Real>& to,
                                           const PointLanes<Real>& x, const PointLanes<Real>& y) const {

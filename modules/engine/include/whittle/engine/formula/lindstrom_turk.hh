@@ -31,7 +31,7 @@
 
 namespace whittle {
 
-/// What borders are about: sums over border edges, each from p to q as its face has it.
+/// Sums over border edges, each from p to q in the order of its face.
 struct BorderSums {
   Vec3 edge = Vec3::Zero();  ///< Σ (q − p)
   Vec3 area = Vec3::Zero();  ///< Σ p × q
@@ -46,9 +46,9 @@ class PointConstraints {
  public:
   std::size_t size() const { return n_; }
 
-  /// Takes a · x = b, if a is longer than `noise` and at an angle of at least 1° to what those taken fix.
+  /// Takes a · x = b if a is longer than `noise`, and at least 1° off what the constraints taken before fix.
   void add(const Vec3& a, double b, double noise);
-  /// Takes as many as are missing to make xᵀ A x + 2 bᵀ x + c least subject to those taken.
+  /// Takes those that make xᵀ A x + 2 bᵀ x + c least, subject to the constraints taken before.
   void add_least(const Quadric& quadric);
   /// The point that fulfils all three. \pre size() == 3
   Vec3 solve() const;
@@ -65,14 +65,14 @@ class LindstromTurk {
   /// \param first, second v0 and v1 as seen from the sums' origin
   LindstromTurk(const VolumeLanes<double>& volume, const BorderSums& border, const Vec3& first, const Vec3& second);
 
-  /// Whether v̄ is fixed already: `add_neighbours` would change nothing.
+  /// Whether v̄ is fixed already, so that `add_neighbours` would change nothing.
   bool is_determined() const { return by_volume_ ? by_volume_->has_third : constraints_.size() == 3; }
-  /// Takes triangle shape for what is not.
+  /// Lets triangle shape decide what is not fixed.
   void add_neighbours(const NeighbourLanes<double>& neighbours);
 
-  /// Its `bound` is the cost, for there is none: a contraction nearby may make it less. The position is seen from the
-  /// sums' origin. Where there are no three constraints, or what fulfils them is farther off than
-  /// `max_placement_reach`, v̄ is the best of both ends and the midpoint.
+  /// There is no lower bound, as a contraction nearby may lower the cost: `bound` is the cost. The position is seen
+  /// from the sums' origin. Without three constraints, or where they place v̄ farther off than `max_placement_reach`, v̄
+  /// is the best of both ends and the midpoint.
   PairEvaluation evaluate(Pinned pinned) const;
 
  private:
@@ -88,8 +88,8 @@ class LindstromTurk {
   PointConstraints constraints_;
 };
 
-/// An evaluation whose sums are about the first vertex, with its position in the frame: to the bit that of the second
-/// one where v̄ is there.
+/// An evaluation about the first vertex, with its position in the frame. If v̄ is at the second vertex, it has that
+/// one's position to the bit.
 inline PairEvaluation in_frame(PairEvaluation evaluation, const Vec3& first, const Vec3& second) {
   const bool is_second = evaluation.position == second - first;
   evaluation.position = is_second ? second : Vec3(first + evaluation.position);

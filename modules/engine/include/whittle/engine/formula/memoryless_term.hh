@@ -6,14 +6,14 @@
 #include "whittle/core/detail/lanes.hh"
 #include "whittle/engine/formula/quadric.hh"
 
-// Memoryless quadrics: those of a vertex are the planes of its faces as they are now, not of all it has merged. With E
-// the minimum of the sum of both, as with Garland–Heckbert (quadric_term.hh), a pair costs
+// Memoryless quadrics: a vertex has the planes of its faces as they are now, not of all that it has merged. E is the
+// minimum of the sum of both quadrics, as with Garland–Heckbert (quadric_term.hh). A pair costs
 //
 //   E sqrt(W + 2 a₀)
 //
-// W is the weight of all planes in E, a₀ the mean area of the input's faces. E alone is the best for the mean square of
-// the distance, E W for the mean of its absolute value: where the surface is d off, these are W d² and, squared, W |d|.
-// Faces smaller than most are not to count for next to nothing. Unit: length⁵.
+// W is the weight of all planes in E, a₀ the mean area of the input's faces. E alone is best for the mean square of the
+// distance, E W for the mean of its absolute value: where the surface is d off, these are W d² and (W |d|)². a₀ keeps
+// small faces from counting for almost nothing. Unit: length⁵.
 //
 // v̄ leaves the minimum x* by a step that keeps the volume under the surface: of the points with Σ n_t · (x − p_t) = 0,
 // over the faces t at either vertex, the one that is least in a damped quadric,
@@ -23,10 +23,10 @@
 // n_t is the normal of a face, as long as twice its area, p_t one of its corners. Where the n_t cancel, |g|² at most
 // 1e-4 (Σ |n_t|)², or the step is longer than the way to the farthest neighbour, v̄ is x*.
 //
-// Planes don't see how long a needle is, or how wide a fin: next to no volume, nor area, is lost with it. Where the
-// faces look to all sides, |g|² < ½ (Σ |n_t|)², a contraction therefore costs no less than if the surface were d off
-// over two faces of mean area a, of twelve around: 2 a d² sqrt(12 a). a is that of the mesh as it is now, d how far the
-// surface moves: v0 and v1 from the faces there will be, v̄ from the faces there are, the farthest.
+// Planes don't see how long a needle is, or how wide a fin: almost no volume or area is lost with it. The faces there
+// look to all sides, |g|² < ½ (Σ |n_t|)². Such a contraction costs at least as much as a surface that is d off over two
+// faces of mean area a, of twelve around: 2 a d² sqrt(12 a). a is the mean area in the mesh as it is now. d is how far
+// the surface moves: the largest distance of v0 and v1 from the faces afterwards, and of v̄ from the faces before.
 //
 // \cite lindstrom_1998_fast (volume preservation), \cite hoppe_1999_attributes (memoryless quadrics)
 
@@ -39,7 +39,7 @@ struct StarVolume {
   double length = 0;           ///< Σ |n|
   double farthest_sq = 0;      ///< of the neighbours, from the origin
 
-  /// Whether the faces look to all sides.
+  /// Whether the faces look to all sides, as at needles and fins.
   bool is_thin() const { return normal.squaredNorm() < 0.5 * length * length; }
 };
 
@@ -56,17 +56,17 @@ inline double thin_cost(double displacement_sq, double area) {
   return 2 * area * displacement_sq * std::sqrt(12 * area);
 }
 
-/// The mean area of a mesh's faces, at first and later.
+/// The mean area of a mesh's faces, at the start and later.
 class MeanFaceArea {
  public:
   MeanFaceArea() = default;
-  /// \param area of `n_summed` faces; kept in so few digits that the order they were added in doesn't matter
+  /// \param area of `n_summed` faces; kept in so few digits that the order of summing doesn't matter
   /// \param n_faces of the whole mesh
   MeanFaceArea(double area, std::uint64_t n_summed, std::uint64_t n_faces)
       : first_(n_summed > 0 ? static_cast<float>(area / static_cast<double>(n_summed)) : 0), n_faces_(n_faces) {}
 
   double first() const { return first_; }
-  /// With so many faces on the same surface.
+  /// The mean area of so many faces on the same surface.
   double now(std::uint64_t n_faces) const {
     return first_ * static_cast<double>(n_faces_) / static_cast<double>(n_faces);
   }
@@ -82,7 +82,7 @@ inline Vec3 volume_step(const SymmetricMatrix& a, const StarVolume& volume) {
   constexpr double least_share = 1e-4;
   const Vec3& g = volume.normal;
   if (!(g.squaredNorm() > least_share * volume.length * volume.length)) return Vec3::Zero();
-  // The adjugate will do for the inverse: only the direction of d counts, and the damping makes it well-conditioned.
+  // The adjugate serves as the inverse: only the direction of d counts, and the damping makes it well-conditioned.
   const double diagonal = damping * a.trace();
   const Vec3 row0(a.xx + diagonal, a.xy, a.xz);
   const Vec3 row1(a.xy, a.yy + diagonal, a.yz);

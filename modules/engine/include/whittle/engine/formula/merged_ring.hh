@@ -10,8 +10,8 @@
 
 namespace whittle {
 
-/// The neighbours of both ends of an inner edge, once around: the ring that the merged vertex will have. Two that
-/// follow each other, the last and the first too, are the other corners of a face at one of the ends.
+/// The neighbours of both ends of an inner edge, once around: the one-ring that the merged vertex will have. Two in
+/// succession, cyclically, are the other corners of a face at one of the ends.
 ///
 ///          v0 --- v4          a, b: the ends; v0 lies left of the edge a b, v2 right of it
 ///        / | \   / |          v0 v1 v2: neighbours of a, `n_first` = 2 faces
@@ -19,12 +19,12 @@ namespace whittle {
 ///        \ | /   \ |
 ///          v2 --- v3
 ///
-/// A sum over these faces is that of four sums, each over every fourth face, from the first end's on: the same on all
-/// processors.
+/// A sum over these faces is made of four sums, each over every fourth face, beginning with the first end's: the same
+/// on all processors.
 class MergedRing {
  public:
-  /// To be filled before `look`: counter-clockwise, from the vertex left of the edge on, the first end's other
-  /// neighbours, then the second end's, without the two opposite vertices.
+  /// To be filled before `look`, counter-clockwise from the vertex left of the edge: the first end's other neighbours,
+  /// then the second end's without the two opposite vertices.
   std::vector<Index>& around() { return vertices_; }
 
   /// Looks at the faces as they are. \pre `around` is filled
@@ -45,22 +45,22 @@ class MergedRing {
   std::size_t size() const { return vertices_.size(); }
   Index vertex(std::size_t i) const { return vertices_[i]; }
 
-  /// Of the faces as they are, those of both ends included.
+  /// Of the faces as they are, including those that both ends have.
   const StarVolume& volume() const { return volume_; }
 
-  /// About how far the faces, and those with the merged vertex at `position`, are from each other: the farthest that an
-  /// end is from these, or `position` from those.
+  /// About how far the faces move if the merged vertex is at `position`: the largest of the distances of the two ends
+  /// from the faces afterwards and of `position` from the faces before.
   double displacement_sq(const Vec3& position) const;
 
   /// Looks at the faces as they would be with the merged vertex at `position`. \pre planes have weights by area
   void move_to(const Vec3& position, const QuadricOptions& options);
-  /// Where they have been looked at. \pre `move_to` was called since `look`
+  /// The position of the last `move_to`. \pre `move_to` was called since `look`
   const Vec3& moved_to() const { return moved_to_; }
   /// Least cosine between a face's normals before and after: −∞ where one loses its area, ∞ if none had one.
   double least_cosine() const { return least_cosine_; }
   /// The sum of the faces' planes after.
   const SymmetricMatrix& planes() const { return planes_; }
-  /// By how much that changes the planes at the i-th neighbour.
+  /// The change of the planes at the i-th neighbour.
   SymmetricMatrix change(std::size_t i) const {
     SymmetricMatrix change = changes_[i == 0 ? size() - 1 : i - 1].planes + changes_[i].planes;
     if (i == 0) change -= vanished_[0].planes;
@@ -70,7 +70,7 @@ class MergedRing {
 
  private:
   using Columns = std::array<std::vector<double>, 3>;
-  /// A column a number, a row a face: so lanes are loaded and stored at once.
+  /// A column for each number, a row for each face, so that lanes are loaded and stored at once.
   struct alignas(32) FourFaces {
     using Lanes = std::array<double, 4>;
     std::array<Lanes, 3> normal;  ///< of unit length, or zero
@@ -94,14 +94,14 @@ class MergedRing {
   std::size_t n_first_ = 0;  ///< faces at the first end alone; the opposite corners are at places 0 and this
   Vec3 origin_;
   Vec3 first_, second_;           ///< the ends
-  Columns neighbours_;            ///< the first one again at the end, and some more for lanes to load
+  Columns neighbours_;            ///< at the end the first one again, as often as lanes load it
   std::vector<FourFaces> faces_;  ///< at one end, as they are
   FourFaces common_;              ///< the two at both, and two without area
   StarVolume volume_;
   Vec3 moved_to_;
   double least_cosine_ = 0;
   SymmetricMatrix planes_;
-  std::vector<Change> changes_;     ///< what the faces' planes gain and lose
+  std::vector<Change> changes_;     ///< of each face's planes
   std::array<Change, 4> vanished_;  ///< of the two faces at both ends, and of two without area
 };
 

@@ -15,14 +15,14 @@ enum class Pinned {
 
 /// What contracting two vertices with quadrics E₀, E₁ would cost.
 struct PairEvaluation {
-  double bound;   ///< min over all x of E₀ + E₁: never falls when either end merges with others, so an old one is a
-                  ///< lower bound of every later cost. At least 0.
-  double cost;    ///< E₀ + E₁ at `position`; at least `bound`.
-  Vec3 position;  ///< v̄
+  double bound;  ///< min over all x of E₀ + E₁. Never falls when either end merges with others, so an old bound is a
+                 ///< lower bound of every later cost. At least 0.
+  double cost;              ///< E₀ + E₁ at `position`; at least `bound`.
+  Vec3 position;            ///< v̄
   bool is_minimum = false;  ///< whether that is where E₀ + E₁ is least
 };
 
-/// The evaluation where the minimum is not wanted, or not to be had: the best of the positions allowed.
+/// The evaluation if there is no minimum, or it may not be used: the best of the positions allowed.
 PairEvaluation evaluate_at_candidates(const PlacedQuadric& v0, const PlacedQuadric& v1, double bound,
                                       Placement placement, Pinned pinned);
 
@@ -41,7 +41,7 @@ inline PairEvaluation evaluate_pair(const PlacedQuadric& v0, const PlacedQuadric
   return evaluate_with_minimum(v0, v1, m.value, {m.x, m.y, m.z}, m.is_near != 0, placement, pinned);
 }
 
-/// The merged vertex. At a minimum its quadric has no slope, b = 0; what would be left of it is rounding.
+/// The merged vertex. At a minimum its quadric has no slope: b = 0 but for rounding, which is dropped.
 inline PlacedQuadric merged(const PlacedQuadric& v0, const PlacedQuadric& v1, const Vec3& position, bool is_minimum) {
   Quadric q = v0.quadric.about(position - v0.position);
   q += v1.quadric.about(position - v1.position);

@@ -3,14 +3,14 @@
 #include "whittle/core/detail/lanes.hh"
 #include "whittle/engine/formula/quadric.hh"
 
-// The minimum of the sum of two quadrics, for one pair or for two at once: `Real` is double or Double2.
+// The minimum of the sum of two quadrics, for one pair or several at once: `Real` is double, Double2 or Double4.
 
 namespace whittle {
 
-/// Farthest an optimal placement may lie from the middle of the pair, in lengths of the pair. The planes of a long,
-/// slightly conical surface all but meet at its distant tip: without a limit a contraction there makes a spike.
-/// Elsewhere it hardly matters: the mean error over six scans and CAD parts at 10 % and 1 % of the faces, as a share of
-/// ModQuadric's, was 0.6515, 0.6509 and 0.6509 for a reach of 2, 8 and 1000.
+/// Largest distance of an optimal placement from the middle of the pair, in lengths of the pair. The planes of a long,
+/// slightly conical surface nearly meet at its distant tip: without a limit a contraction there makes a spike.
+/// Elsewhere the limit hardly matters: the mean error over six scans and CAD parts at 10 % and 1 % of the faces, as a
+/// share of ModQuadric's, was 0.6515, 0.6509 and 0.6509 for a reach of 2, 8 and 1000.
 inline constexpr double max_placement_reach = 8;
 
 /// The elements of one placed quadric, or of several side by side.
@@ -35,7 +35,7 @@ struct PairMinimum {
 };
 
 /// By LDLᵀ, which is backward stable, unlike the adjugate, which loses the small eigenvalue of a nearly flat
-/// neighbourhood. There is no minimum where a pivot is below 1e-13 of the trace: there rounding decides.
+/// neighbourhood. There is no minimum if a pivot is below 1e-13 of the trace: rounding would decide.
 template <class Real>
 [[gnu::always_inline]] inline PairMinimum<Real> pair_minimum(const QuadricLanes<Real>& q0,
                                                              const QuadricLanes<Real>& q1) {

@@ -4,8 +4,8 @@
 
 namespace whittle {
 
-/// Σ W |x − p|² over the vertices merged into one, each with the weight W of its faces' planes and the place p it had
-/// at first. Kept as W_sum |x − center|² + spread.
+/// Σ W |x − p|² over the vertices merged into one: W the weight of a vertex's planes, p its position in the input. Kept
+/// as W_sum |x − center|² + spread.
 struct PointQuadric {
   Vec3 center = Vec3::Zero();
   double weight = 0;

@@ -6,9 +6,9 @@ namespace whittle {
 
 /// A quadric error function about a local origin o: E(o + x) = xᵀ A x + 2 bᵀ x + c, in weight · distance².
 ///
-/// Whittle keeps a vertex's quadric about that vertex's own position. There every plane of its faces passes through the
-/// origin, so b and c start at exactly zero, and the rounding noise of a cost is relative to the size of the
-/// neighbourhood, not to that of the mesh or to its distance from the world's origin.
+/// A vertex's quadric is about the vertex's own position. Every plane of its faces passes through it, so b and c start
+/// at exactly zero. The rounding of a cost is relative to the size of the neighbourhood, not to the size of the mesh or
+/// its distance from the world's origin.
 /// \cite garland_1997_surface section 4
 struct Quadric {
   SymmetricMatrix a;

@@ -47,7 +47,7 @@ struct QuadricOptions {
   /// [0, inf); 0 = borders are free.
   double boundary_weight = 20;
 
-  /// w of the point quadrics that hold a vertex in place once a threshold pair has joined it to another: w W |x − p|²
+  /// w of the point quadrics that hold a vertex once a threshold pair has joined it to another: w W |x − p|²
   /// for each vertex merged, W the weight of its faces' planes, p where it was. [0, inf).
   double point_weight = 1e-3;
 };

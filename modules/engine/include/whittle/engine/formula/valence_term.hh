@@ -9,11 +9,10 @@
 //
 // Δ is the change in the sum of the irregularities max(0, |n − r| − 1) of the vertices that change: the pair, which
 // becomes one vertex, and the corners of the faces that vanish (the faces), which lose an edge each. r = 6, on a border
-// 4; so 5 to 7 are as good as 6. Where a vertex inside the surface would be left with three edges, that comes after all
+// 4; so 5 to 7 are as good as 6. A contraction that leaves a vertex inside the surface with three edges comes after all
 // others: cost → (cost + 1) · 2²⁰.
 //
-// The penalty is that of the penalised cost by valence, 1 + W |n − 6|, made to look at what was there before, too:
-// docs/dev/costs.md has both.
+// The usual penalty, 1 + W |n − 6|, looks at the valences afterwards alone. docs/dev/costs.md compares both.
 
 namespace whittle {
 
@@ -31,7 +30,7 @@ class ValenceChange {
   /// Whether a vertex inside the surface would have three edges or fewer.
   bool leaves_three() const { return leaves_three_; }
 
-  /// \param cost of the contraction but for valences, in the frame: of a mesh of size 1
+  /// \param cost of the contraction without the penalty, in the frame: of a mesh of size 1
   /// \param weight W, [0, inf)
   double penalize(double cost, double weight) const {
     if (leaves_three_) return (cost + 1) * 0x1p20;

@@ -2,10 +2,9 @@
 
 #include "whittle/core/detail/lanes.hh"
 
-// Lindstrom–Turk inside a surface, where three things fix v̄: the volume is kept, then the squared volumes are least,
-// then, where these leave a choice, as on flat ground and along creases, so are the squared distances to the
-// neighbours. For one pair or for several at once: `Real` is double, Double2 or Double4. lindstrom_turk.hh has the
-// rest.
+// Lindstrom–Turk inside a surface. Three things fix v̄: the volume is kept; the squared volumes are least; and where
+// these leave a choice, as on flat ground and along creases, the squared distances to the neighbours are least. For one
+// pair or several at once: `Real` is double, Double2 or Double4. lindstrom_turk.hh has the rest.
 
 namespace whittle {
 
@@ -68,10 +67,10 @@ struct VolumeConstraints {
 template <class Real>
 struct VolumePlacement {
   PointLanes<Real> position;
-  Real cost;  ///< with what regularises it
+  Real cost;  ///< with its regularisation
 };
 
-/// What regularises a cost, but for λ / 36.
+/// The regularisation of a cost, without the factor λ / 36.
 template <class Real>
 [[gnu::always_inline]] inline Real spread_cost(const Real& trace, const PointLanes<Real>& to_first,
                                                const PointLanes<Real>& to_second) {
@@ -128,9 +127,8 @@ template <class Real>
   return {differ ? cosine : Real{} + 1, sine, differ ? length_sq : Real{} + 1};
 }
 
-/// What volumes alone say. Of their squares the gradients are taken along the directions across the normal in which
-/// these grow most and least, so that it does not depend on how the mesh is turned; each only if it is independent of
-/// the constraints before.
+/// The constraints by volumes alone. Gradients of the squares are taken along the directions across the normal in which
+/// the squares grow most and least, so that the mesh may be turned; each only if it is independent of those before.
 template <class Real>
 [[gnu::always_inline]] inline VolumeConstraints<Real> volume_constraints(const VolumeLanes<Real>& sums) {
   const Real trace = sums.trace();
@@ -179,7 +177,7 @@ template <class Real>
           (has_greatest & has_least) != 0};
 }
 
-/// Makes v̄ as near to the neighbours' mean as the constraints there are allow.
+/// Takes v̄ as near to the neighbours' mean as the constraints allow.
 template <class Real>
 [[gnu::always_inline]] inline void add_neighbours(VolumeConstraints<Real>& constraints,
                                                   const NeighbourLanes<Real>& neighbours) {
