@@ -143,8 +143,8 @@ Guard* ContractionLoop::find_refusal_at(const Vec3& position) {
   return nullptr;
 }
 
-void ContractionLoop::refuse(const Guard& guard) {
-  if (guard.reason() != nullptr) ++(result_.rejections.*guard.reason());
+void ContractionLoop::refuse(Guard& guard) {
+  guard.count(result_.rejections);
   if (!guard.is_final()) refused_.add(profile_.pair);
 }
 

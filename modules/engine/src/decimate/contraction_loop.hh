@@ -35,7 +35,7 @@ class ContractionLoop {
   std::optional<StopReason> take(const RankedPair& ranked);
   std::optional<Vec3> settle(const RankedPair& ranked);
   Guard* find_refusal_at(const Vec3& position);
-  void refuse(const Guard& guard);
+  void refuse(Guard& guard);
   bool tell_others(const HostedContraction& made, double cost);
   bool contract(const RankedPair& ranked, const Vec3& position, double cost);
   void list_touched();

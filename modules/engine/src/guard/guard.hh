@@ -13,8 +13,13 @@ class Guard {
  public:
   virtual ~Guard() = default;
 
-  /// Where its refusals are counted.
+  /// Where its refusals are counted; null for nowhere.
   virtual std::uint64_t Rejections::*reason() const = 0;
+
+  /// Counts a pair that it refused: at every position that was tried.
+  virtual void count(Rejections& rejections) {
+    if (reason() != nullptr) ++(rejections.*reason());
+  }
 
   /// Whether it refuses the pair wherever the merged vertex goes. Asked once a turn, before the cost settles a
   /// position.

@@ -18,6 +18,7 @@ class HostGuard final : public Guard {
   HostGuard(const TriangleComplex& complex, DecimationHost& host) : complex_(complex), host_(host) {}
 
   std::uint64_t Rejections::*reason() const override { return nullptr; }
+  void count(Rejections& /*rejections*/) override { host_.count_refusal(); }
   bool refuses_at(ContractionProfile& profile, const Vec3& position) override {
     return host_.refuses(hosted(complex_, profile, profile.ranked, position));
   }

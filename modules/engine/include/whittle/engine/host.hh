@@ -72,6 +72,8 @@ class DecimationHost {
   virtual bool keeps_topology() const { return false; }
   /// Whether it refuses what is to be done.
   virtual bool refuses(const HostedContraction& /*contraction*/) { return false; }
+  /// Told that a pair was refused for what `refuses` refused last.
+  virtual void count_refusal() {}
   /// Told after each contraction. \param contraction the same in model units \return false to end the run
   virtual bool follow(const HostedContraction& /*made*/, const Contraction& /*contraction*/) { return true; }
   /// A cost in the place of the engine's; null for none.

@@ -29,6 +29,7 @@ class MeshRunT final : private DecimationHost, private HostedCost {
   // DecimationHost
   bool keeps_topology() const override { return true; }
   bool refuses(const HostedContraction& contraction) override;
+  void count_refusal() override;
   bool follow(const HostedContraction& made, const Contraction& contraction) override;
   HostedCost* cost() override { return this; }
   const DecimationState* state() const override { return &state_; }
@@ -72,7 +73,8 @@ class MeshRunT final : private DecimationHost, private HostedCost {
   RunInputT<MeshT> input_;
   DecimationState state_;  ///< positions as they are now
   std::uint64_t n_contractions_ = 0;
-  Rejections rejections_;  ///< of legal collapses, before pairs come to the engine's guards
+  Module* refusing_module_ = nullptr;  ///< the one that refused last; null if a vertex was locked
+  Rejections rejections_;              ///< of legal collapses, before pairs come to the engine's guards
 };
 
 }  // namespace whittle

@@ -70,6 +70,7 @@ DecimateResult MeshRunT<MeshT>::run() {
   result.n_vertices = decimater_.count_elements().vertices;
   result.rejections.locked += rejections_.locked;
   result.rejections.link += rejections_.link;
+  result.rejections.feature += rejections_.feature;
   return result;
 }
 
@@ -142,8 +143,11 @@ typename MeshRunT<MeshT>::Collapses MeshRunT<MeshT>::legal_collapses(Index first
     if (const std::optional<Collapse> collapse = legal_collapse(removed, survivor))
       result.legal[result.n++] = *collapse;
   };
-  if (pinned != Pinned::second) add(second, first);
-  if (pinned != Pinned::first) add(first, second);
+  const auto count_pinned = [this](Index removed) {
+    ++(is_fixed(input_.handle(removed)) ? rejections_.locked : rejections_.feature);
+  };
+  pinned != Pinned::second ? add(second, first) : count_pinned(second);
+  pinned != Pinned::first ? add(first, second) : count_pinned(first);
   if (result.n == 2 && result.legal[1].priority < result.legal[0].priority) {
     std::swap(result.legal[0], result.legal[1]);
   }
@@ -178,7 +182,7 @@ bool MeshRunT<MeshT>::refuses(const HostedContraction& contraction) {
   const bool v1_moves = contraction.position != position(contraction.survivor);
   const CollapseInfo info(mesh_, halfedge(contraction.removed, contraction.survivor));
   if (is_fixed(info.v0) || (v1_moves && is_fixed(info.v1))) {
-    ++rejections_.locked;
+    refusing_module_ = nullptr;
     return true;
   }
   if (decimater_.foreign_guards_.empty()) return false;
@@ -187,10 +191,19 @@ bool MeshRunT<MeshT>::refuses(const HostedContraction& contraction) {
   if (v1_moves) forward.p1 = backward.p1 = to_point<typename MeshT::Point>(state_.frame.to_model(contraction.position));
   for (Module* module : decimater_.foreign_guards_) {
     if (module->collapse_priority(forward) >= 0 && (!v1_moves || module->collapse_priority(backward) >= 0)) continue;
-    decimater_.count_rejection(*module);
+    refusing_module_ = module;
     return true;
   }
   return false;
+}
+
+template <class MeshT>
+void MeshRunT<MeshT>::count_refusal() {
+  if (refusing_module_ != nullptr) {
+    decimater_.count_rejection(*refusing_module_);
+  } else {
+    ++rejections_.locked;
+  }
 }
 
 // Contractions --------------------------------------------------------------------------------------------------------
