@@ -6,9 +6,9 @@
 #include <vector>
 #include <whittle/openmesh/bulk_collapse.hh>
 #include <whittle/openmesh/garbage_collection.hh>
-#include "link_condition.hh"
 
 #include "decimation.hh"
+#include "link_condition.hh"
 #include "meshes.hh"
 #include "same_mesh.hh"
 #include "support/random.hh"

@@ -15,9 +15,9 @@
 #include <functional>
 #include <memory>
 #include <tuple>
-#include "link_condition.hh"
 #include <whittle/openmesh/mod_garland_heckbert.hh>
 
+#include "link_condition.hh"
 #include "meshes.hh"
 #include "support/shapes.hh"
 
