@@ -17,7 +17,7 @@ check_format() {
 
 # The sources of the modules and the program; headers are checked where they are included.
 check_tidy() {
-  run-clang-tidy-14 -quiet -p build/release -j "$jobs" "^$PWD/(modules|apps)/.*\.cc$"
+  run-clang-tidy-14 -quiet -p build/release -j "$jobs" "^$PWD/(modules|apps/whittle)/.*\.cc$"
 }
 
 started=$SECONDS

@@ -48,7 +48,7 @@ std::optional<std::string> problem_of(std::string_view bytes, std::string_view n
   const detail::FormatRow* const evident = evident_format(bytes);
   if (evident == &expected) return std::nullopt;
   if (evident != nullptr) return problem_of_other_format(*evident, expected, name);
-  if (const auto problem = problem_of_foreign_content(bytes)) return problem;
+  if (auto problem = problem_of_foreign_content(bytes)) return problem;
   if (expected.beginning == Beginning::any_bytes) return std::nullopt;
   if (looks_like_utf16(bytes)) return std::string(problem_of_utf16);
   if (expected.beginning == Beginning::text && has_null_byte(bytes)) {

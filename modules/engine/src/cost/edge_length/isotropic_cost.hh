@@ -11,11 +11,7 @@ class IsotropicCost final : public PairCost {
  public:
   IsotropicCost(const TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options,
                 double isotropy)
-      : complex_(complex),
-        restraints_(restraints),
-        options_(options),
-        isotropy_(isotropy),
-        quadrics_(complex, options, false) {}
+      : restraints_(restraints), options_(options), isotropy_(isotropy), quadrics_(complex, options, false) {}
 
   void see_faces(unsigned threads) override { quadrics_.sum_faces(threads); }
   void start(unsigned /*threads*/) override { quadrics_.add_borders(); }
@@ -29,7 +25,6 @@ class IsotropicCost final : public PairCost {
   Reach reach() const override { return Reach::ends; }
 
  private:
-  const TriangleComplex& complex_;
   const Restraints& restraints_;
   QuadricOptions options_;
   double isotropy_;
