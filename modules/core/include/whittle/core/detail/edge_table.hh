@@ -51,9 +51,9 @@ class EdgeTable {
     Index first;  ///< index of its first side
   };
 
-  /// \param for_each_side calls its argument with `(from, to, number)` for each side, by ascending number
+  /// \param for_each_own_side calls its argument with `(from, to, number)` for each side, by ascending number
   template <class ForEachSide>
-  void build(std::size_t n_vertices, const ForEachSide& for_each_side);
+  void build(std::size_t n_vertices, const ForEachSide& for_each_own_side);
 
   LargeArray<Edge> edges_ = LargeArray<Edge>(1, Edge{});  ///< one more at the end, for where the last one's sides end
   LargeArray<Index> sides_;                               ///< those of each edge together
