@@ -54,9 +54,9 @@ class TriangleComplex {
   TriangleComplex(std::span<const Vec3> positions, std::span<const Triangle> faces, const Frame& frame,
                   unsigned threads);
 
-  /// \pre `connect` has not been called
-  std::size_t n_listed_faces(Index v) const { return neighbours(v).size(); }
-  LinkEdge listed_face(Index v, std::size_t i) const { return as_face(neighbours(v)[i]); }
+  /// The faces at v, for `as_face` to read. \pre `connect` has not been called
+  std::span<const Neighbour> listed_faces(Index v) const { return neighbours(v); }
+  static LinkEdge as_face(const Neighbour& listed) { return {listed.vertex, listed.edge}; }
 
   /// Turns the lists of faces into lists of neighbours, and numbers the edges.
   /// \param threshold_pairs pairs beside the edges; each vertex has a face, no two have a common one
@@ -211,7 +211,6 @@ class TriangleComplex {
   Index root(Index v);
 
   // triangle_complex_build.cc
-  static LinkEdge as_face(const Neighbour& listed) { return {listed.vertex, listed.edge}; }
   static Neighbour as_listed(const LinkEdge& face) { return {face.x, face.y}; }
   std::vector<Index> number_vertices(std::span<const Vec3> positions, const Frame& frame, unsigned threads);
   void list_faces(std::span<const Triangle> faces, const std::vector<Index>& number_of);

@@ -31,8 +31,9 @@ struct ManifoldCut {
 ManifoldCut cut_into_manifold(std::size_t n_vertices, std::span<const Triangle> faces);
 
 /// For side 3f + i, from corner i of face f to the next corner, the side of the other face at that edge.
-/// `invalid_index` unless there is exactly one other face, and it runs in the opposite direction. \param faces, \throw
-/// as above
+/// `invalid_index` unless there is exactly one other face, and it runs in the opposite direction.
+/// \param faces every number below n_vertices
+/// \throw std::length_error for 2³² / 3 faces or more
 std::vector<Index> opposite_sides(std::size_t n_vertices, std::span<const Triangle> faces);
 
 }  // namespace whittle

@@ -75,7 +75,9 @@ class DecimationHost {
   /// Told that a pair was refused for what `refuses` refused last.
   virtual void count_refusal() {}
   /// Told after each contraction. \param contraction the same in model units \return false to end the run
-  virtual bool follow(const HostedContraction& /*made*/, const Contraction& /*contraction*/) { return true; }
+  virtual bool follow([[maybe_unused]] const HostedContraction& made, [[maybe_unused]] const Contraction& contraction) {
+    return true;
+  }
   /// A cost in the place of the engine's; null for none.
   virtual HostedCost* cost() { return nullptr; }
   /// What to go on from; null to begin anew.

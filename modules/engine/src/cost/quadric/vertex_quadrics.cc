@@ -12,16 +12,19 @@ namespace whittle {
 template <class Real>
 [[gnu::always_inline]] inline void VertexQuadrics::sum_in_lanes(Index first) {
   constexpr std::size_t n = n_lanes<Real>;
+  std::array<std::span<const Neighbour>, n> lists;
   std::size_t n_faces = 0;
-  for (Index i = 0; i < n; ++i) n_faces = std::max(n_faces, complex_.n_listed_faces(first + i));
+  for (Index i = 0; i < n; ++i) {
+    lists[i] = complex_.listed_faces(first + i);
+    n_faces = std::max(n_faces, lists[i].size());
+  }
   const auto vertex = [&](std::size_t lane) { return first + static_cast<Index>(lane); };
   const auto position = [&](Index v) -> const Vec3& { return complex_.position(v); };
   const auto center = point_lanes<Real>([&](std::size_t lane) -> const Vec3& { return position(vertex(lane)); });
   SymmetricLanes<Real> sum;
   for (std::size_t i = 0; i < n_faces; ++i) {
     const auto face = [&](std::size_t lane) {  // where there are no more, one without area
-      const Index v = vertex(lane);
-      return i < complex_.n_listed_faces(v) ? complex_.listed_face(v, i) : LinkEdge{v, v};
+      return i < lists[lane].size() ? TriangleComplex::as_face(lists[lane][i]) : LinkEdge{vertex(lane), vertex(lane)};
     };
     sum += corner_quadrics(
         center, point_lanes<Real>([&](std::size_t lane) -> const Vec3& { return position(face(lane).x); }),
