@@ -176,8 +176,9 @@ std::vector<DecimateOptions> endpoint_options() {
 }
 
 TEST(Decimate, UnderEndpointPlacementEachVertexLiesAtItsOrigin) {
-  for (const auto& [name, mesh] : endpoint_meshes()) {
-    SCOPED_TRACE(name);
+  for (const auto& entry : endpoint_meshes()) {  // named apart: Clang 14 captures no structured binding
+    const IndexedMesh& mesh = entry.mesh;
+    SCOPED_TRACE(entry.name);
     std::size_t n_lower = 0;  // merged vertices that are the lower one of two
     for (DecimateOptions options : endpoint_options()) {
       options.listener = [&](const Contraction& c) {

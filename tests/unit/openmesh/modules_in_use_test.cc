@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 #include <whittle/engine/formula/edge_length_term.hh>
 
 #include "meshes.hh"
@@ -104,12 +105,15 @@ TEST(BaseReference, ModulesAddedThroughItAreRefused) {
   EXPECT_THROW(decimater.decimate_to(10), std::logic_error);
 }
 
+// `decimate(100)` and `decimate({100})` can only mean contractions: a number is no target.
+static_assert(!std::is_convertible_v<int, DecimateTarget>);
+
 TEST(StockCalls, ANumberMeansContractions) {
   Mesh mesh = open_mesh<Mesh>(noisy_torus(24, 12, 1, 0.4, 0.03, 3));
   PairDecimaterT<Mesh> decimater(mesh);
   add_module<ModGarlandHeckbertT<Mesh>>(decimater);
   ASSERT_TRUE(decimater.initialize());
-  EXPECT_EQ(decimater.decimate({100}), 100U);
+  EXPECT_EQ(decimater.decimate(100), 100U);
   EXPECT_EQ(decimater.result().n_contractions, 100U);
 }
 

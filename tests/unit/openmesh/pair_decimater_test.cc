@@ -27,7 +27,7 @@ TEST_P(PairDecimater, StockCallsReachTheirTargets) {
   const IndexedMesh shape = blob(3, 1);  // 642 vertices, 1280 faces
   {
     Decimation<DoubleMesh> set(shape, GetParam());
-    EXPECT_EQ(set.decimater.decimate({100}), 100U) << "contractions, as in the stock";
+    EXPECT_EQ(set.decimater.decimate(100), 100U) << "contractions, as in the stock";
     EXPECT_EQ(set.decimater.result().n_vertices, 542U);
     EXPECT_EQ(set.decimater.result().stop, StopReason::target);
     EXPECT_EQ(set.decimater.last_driver(), GetParam());
