@@ -225,8 +225,7 @@ void ContractionLoop::wake_around() {
   }
 }
 
-void ContractionLoop::wake(Index v) {
-  if (!refused_.any_at(v)) return;
+void ContractionLoop::wake_pairs_at(Index v) {
   refused_.take(v, woken_);
   for (const Index id : woken_) {
     if (complex_.is_pair_alive(id)) queue_->add(pair_now(complex_, id));

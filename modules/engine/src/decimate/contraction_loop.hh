@@ -40,7 +40,10 @@ class ContractionLoop {
   bool contract(const RankedPair& ranked, const Vec3& position, double cost);
   void list_touched();
   void wake_around();
-  void wake(Index v);
+  void wake(Index v) {
+    if (refused_.any_at(v)) wake_pairs_at(v);
+  }
+  void wake_pairs_at(Index v);
   void reveal_at(Index v);
 
   TriangleComplex& complex_;

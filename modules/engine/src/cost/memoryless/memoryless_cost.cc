@@ -97,12 +97,6 @@ void MemorylessCost::merge(ContractionProfile& profile, const PairEvaluation& ra
   ranks_.merge(profile, ranked, change);
 }
 
-/// Of a neighbour of the merged vertex.
-void MemorylessCost::change_planes(Index v, const SymmetricMatrix& change) {
-  ranks_.quadrics().change_planes(v, change);
-  complex_.note_change(v);
-}
-
 void MemorylessCost::change_ring(const MergedRing& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Index neighbour = ring.vertex(i);

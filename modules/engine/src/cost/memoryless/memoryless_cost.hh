@@ -37,7 +37,11 @@ class MemorylessCost final : public PairCost {
 
  private:
   bool forgets(const ContractionProfile& profile) const;
-  void change_planes(Index v, const SymmetricMatrix& change);
+  /// Of a neighbour of the merged vertex.
+  void change_planes(Index v, const SymmetricMatrix& change) {
+    ranks_.quadrics().change_planes(v, change);
+    complex_.note_change(v);
+  }
   void change_ring(const MergedRing& ring);
   void change_neighbours(const ContractionProfile& profile, const Change& change);
   void remember_around(const ContractionProfile& profile);
