@@ -28,6 +28,7 @@ namespace {
 Decimation decimated(const IndexedMesh& mesh, double ratio, Cost cost = Cost::memoryless) {
   DecimateOptions options;
   options.cost = cost;
+  options.max_normal_flip_deg = 75;  // the bounds below are of these meshes
   return decimate(
       mesh, DecimateTarget::faces(static_cast<std::uint64_t>(ratio * static_cast<double>(mesh.faces.size()))), options);
 }
@@ -144,7 +145,7 @@ TEST(FootFinder, FindsWhatSearchesOfFacesFind) {
       EXPECT_GE(std::min({found.second, found.third, 1 - found.second - found.third}), -1.1e-4F);
     }
   }
-  EXPECT_LE(n_without, 6 * n_points / 100) << "of " << n_points;
+  EXPECT_LE(n_without, n_points / 20) << "of " << n_points;
   EXPECT_LE(n_farther, n_points / 100) << "of " << n_points;
 }
 
