@@ -126,8 +126,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   /// abort.)
   void set_listener(std::function<void(const Contraction&)> listener) { listener_ = std::move(listener); }
 
-  /// Contracts until a target is reached; the cost module's `max_cost` counts as one. The mesh driver leaves
-  /// `DecimateResult::before` and `after` at 0.
+  /// Contracts until a target is reached; the cost module's `max_cost` counts as one.
   /// \param only_selected vertices that aren't selected neither move nor vanish
   /// \throw std::logic_error if not initialized, or if the engine was asked for, or a pair threshold set, and it can't
   ///        run (see `engine_obstacle`)
