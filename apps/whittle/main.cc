@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "errors.hh"
-#include "exit_code.hh"
-#include "help.hh"
-#include "interruption.hh"
-#include "output.hh"
-#include "report.hh"
-#include "subcommands.hh"
-#include "talk.hh"
+#include "commands/subcommands.hh"
+#include "files/output.hh"
+#include "files/report.hh"
+#include "options/help.hh"
+#include "terminal/errors.hh"
+#include "terminal/exit_code.hh"
+#include "terminal/interruption.hh"
+#include "terminal/talk.hh"
 #include "whittle/io/errors.hh"
 
 namespace whittle::app {

@@ -1,4 +1,4 @@
-#include "answer.hh"
+#include "bench/answer.hh"
 
 #include <algorithm>
 #include <cmath>

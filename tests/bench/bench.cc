@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "command_line.hh"
-#include "csv.hh"
-#include "meshes.hh"
-#include "peer.hh"
-#include "plots.hh"
-#include "report.hh"
-#include "run_case.hh"
-#include "statistics.hh"
+#include "bench/command_line.hh"
+#include "bench/meshes.hh"
+#include "bench/peers/peer.hh"
+#include "bench/results/csv.hh"
+#include "bench/results/plots.hh"
+#include "bench/results/report.hh"
+#include "bench/results/statistics.hh"
+#include "bench/run_case.hh"
 #include "support/meshes.hh"
-#include "table.hh"
+#include "terminal/table.hh"
 
 // Whittle's engine beside other decimaters, on the same arrays, in one process. run.sh builds and calls it.
 

@@ -1,4 +1,4 @@
-#include "command_line.hh"
+#include "bench/command_line.hh"
 
 #include <exception>
 #include <iostream>

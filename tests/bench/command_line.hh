@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "clock.hh"
+#include "bench/processes/clock.hh"
 
 // What both benchmarks take on their command lines.
 

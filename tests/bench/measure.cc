@@ -1,11 +1,11 @@
-#include "measure.hh"
+#include "bench/measure.hh"
 
 #include <cstring>
 #include <exception>
 #include <span>
 #include <string_view>
 
-#include "forked.hh"
+#include "bench/processes/forked.hh"
 
 namespace whittle::bench {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "clock.hh"
-#include "peer.hh"
+#include "bench/peers/peer.hh"
+#include "bench/processes/clock.hh"
 
 namespace whittle::bench {
 

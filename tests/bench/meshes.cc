@@ -1,6 +1,6 @@
-#include "meshes.hh"
+#include "bench/meshes.hh"
 
-#include "subdivision.hh"
+#include "bench/subdivision.hh"
 #include "support/meshes.hh"
 #include "support/shapes.hh"
 #include "support/transforms.hh"

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "clock.hh"
-#include "command_line.hh"
-#include "csv.hh"
-#include "process.hh"
-#include "statistics.hh"
-#include "table.hh"
+#include "bench/command_line.hh"
+#include "bench/processes/clock.hh"
+#include "bench/processes/process.hh"
+#include "bench/results/csv.hh"
+#include "bench/results/statistics.hh"
+#include "terminal/table.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
 

@@ -1,11 +1,11 @@
-#include "run_case.hh"
+#include "bench/run_case.hh"
 
 #include <iostream>
 #include <map>
 #include <utility>
 
-#include "answer.hh"
-#include "statistics.hh"
+#include "bench/answer.hh"
+#include "bench/results/statistics.hh"
 
 namespace whittle::bench {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "command_line.hh"
-#include "measure.hh"
-#include "peer.hh"
-#include "report.hh"
+#include "bench/command_line.hh"
+#include "bench/measure.hh"
+#include "bench/peers/peer.hh"
+#include "bench/results/report.hh"
 
 namespace whittle::bench {
 

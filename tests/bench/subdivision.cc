@@ -1,4 +1,4 @@
-#include "subdivision.hh"
+#include "bench/subdivision.hh"
 
 #include <algorithm>
 #include <array>

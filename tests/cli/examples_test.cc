@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "help_text.hh"
-#include "program.hh"
+#include "program/help_text.hh"
+#include "program/program.hh"
 
 namespace whittle::test {
 namespace {

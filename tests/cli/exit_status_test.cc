@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "program.hh"
+#include "program/program.hh"
 
 namespace whittle::test {
 namespace {

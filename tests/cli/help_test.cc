@@ -1,5 +1,5 @@
 // The help, and that the tables of docs/user say the same.
-#include "help_text.hh"
+#include "program/help_text.hh"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "program.hh"
+#include "program/program.hh"
 
 namespace whittle::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "program.hh"
+#include "program/program.hh"
 
 namespace whittle::test {
 namespace {

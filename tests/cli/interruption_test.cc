@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "program.hh"
+#include "program/program.hh"
+#include "program/terminal.hh"
 #include "support/shapes.hh"
-#include "terminal.hh"
 #include "whittle/io/write.hh"
 
 namespace whittle::test {

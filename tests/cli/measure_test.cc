@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "program.hh"
+#include "program/program.hh"
 #include "support/shapes.hh"
 #include "support/transforms.hh"
 #include "whittle/io/write.hh"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "program.hh"
+#include "program/program.hh"
 #include "whittle/io/read.hh"
 #include "whittle/metrics/distance.hh"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "program.hh"
-#include "terminal.hh"
+#include "program/program.hh"
+#include "program/terminal.hh"
 
 namespace whittle::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "simplified.hh"
+#include "program/simplified.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/engine/simplify.hh"
 #include "whittle/io/read.hh"

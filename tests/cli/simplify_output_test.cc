@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -9,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "program.hh"
+#include "program/program.hh"
 #include "whittle/io/read.hh"
 
 namespace whittle::test {
@@ -192,6 +193,55 @@ std::vector<std::string> keys_of(const nlohmann::ordered_json& json, const std::
   return keys;
 }
 
+constexpr std::array schema_keys{"schema",
+                                 "program",
+                                 "input",
+                                 "input.path",
+                                 "input.vertices",
+                                 "input.faces",
+                                 "input.diagonal",
+                                 "input.repairs",
+                                 "options",
+                                 "output",
+                                 "output.path",
+                                 "output.vertices",
+                                 "output.faces",
+                                 "output.manifold",
+                                 "output.closed",
+                                 "output.components",
+                                 "output.boundary_loops",
+                                 "output.genus",
+                                 "output.nonmanifold_edges",
+                                 "output.nonmanifold_vertices",
+                                 "output.vanished_components",
+                                 "output.pruned_components",
+                                 "output.coincident_faces",
+                                 "input.components",
+                                 "input.nonmanifold_edges",
+                                 "input.nonmanifold_vertices",
+                                 "target",
+                                 "target.faces",
+                                 "target.met",
+                                 "stop",
+                                 "contractions",
+                                 "threshold_pairs",
+                                 "threshold_pairs.considered",
+                                 "threshold_pairs.contracted",
+                                 "threshold_pairs.threshold",
+                                 "threshold_pairs.capped",
+                                 "max_cost",
+                                 "rejections",
+                                 "rejections.flip",
+                                 "rejections.link",
+                                 "seconds",
+                                 "seconds.read",
+                                 "seconds.decimate",
+                                 "seconds.polish",
+                                 "seconds.write",
+                                 "seconds.total",
+                                 "peak_rss_bytes",
+                                 "warnings"};
+
 TEST(Report, HasEveryKeyOfItsSchema) {
   const TemporaryFolder folder;
   ASSERT_EQ(whittle({"simplify", data_file("knot.ply"), "-o", folder / "out.ply", "--faces", "5000", "--json",
@@ -200,54 +250,7 @@ TEST(Report, HasEveryKeyOfItsSchema) {
             0);
   const auto json = nlohmann::ordered_json::parse(read_text(folder / "report.json"));
   const std::vector<std::string> keys = keys_of(json);
-  for (const char* key : {"schema",
-                          "program",
-                          "input",
-                          "input.path",
-                          "input.vertices",
-                          "input.faces",
-                          "input.diagonal",
-                          "input.repairs",
-                          "options",
-                          "output",
-                          "output.path",
-                          "output.vertices",
-                          "output.faces",
-                          "output.manifold",
-                          "output.closed",
-                          "output.components",
-                          "output.boundary_loops",
-                          "output.genus",
-                          "output.nonmanifold_edges",
-                          "output.nonmanifold_vertices",
-                          "output.vanished_components",
-                          "output.pruned_components",
-                          "output.coincident_faces",
-                          "input.components",
-                          "input.nonmanifold_edges",
-                          "input.nonmanifold_vertices",
-                          "target",
-                          "target.faces",
-                          "target.met",
-                          "stop",
-                          "contractions",
-                          "threshold_pairs",
-                          "threshold_pairs.considered",
-                          "threshold_pairs.contracted",
-                          "threshold_pairs.threshold",
-                          "threshold_pairs.capped",
-                          "max_cost",
-                          "rejections",
-                          "rejections.flip",
-                          "rejections.link",
-                          "seconds",
-                          "seconds.read",
-                          "seconds.decimate",
-                          "seconds.polish",
-                          "seconds.write",
-                          "seconds.total",
-                          "peak_rss_bytes",
-                          "warnings"}) {
+  for (const char* key : schema_keys) {
     EXPECT_EQ(std::count(keys.begin(), keys.end(), key), 1) << key;
   }
   EXPECT_EQ(json["schema"], 1);

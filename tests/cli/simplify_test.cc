@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "simplified.hh"
+#include "program/simplified.hh"
 #include "whittle/io/read.hh"
 #include "whittle/metrics/line_distance.hh"
 #include "whittle/metrics/lines.hh"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "program.hh"
+#include "program/program.hh"
 #include "whittle/engine/cost_traits.hh"
 #include "whittle/io/format.hh"
 
@@ -82,9 +82,8 @@ struct BadValue {
   std::string said;
 };
 
-TEST(Usage, NamesTheOptionAndTheRange) {
-  const TemporaryFolder folder;
-  const std::vector<BadValue> cases{
+std::vector<BadValue> bad_values() {
+  return {
       {"--vertices", "0", "at least 1"},
       {"--vertices", "-5", "at least 1"},
       {"--vertices", "1e3", "whole number"},
@@ -132,7 +131,11 @@ TEST(Usage, NamesTheOptionAndTheRange) {
       {"--threads", "-1", "at most 1024"},
       {"--threads", "1025", "at most 1024"},
   };
-  for (const BadValue& bad : cases) {
+}
+
+TEST(Usage, NamesTheOptionAndTheRange) {
+  const TemporaryFolder folder;
+  for (const BadValue& bad : bad_values()) {
     SCOPED_TRACE(bad.option + " '" + bad.value + "'");
     const std::string name = bad.option == "-r" ? "--ratio" : bad.option == "-t" ? "--threshold" : bad.option;
     expect_usage_error(whittle(simplify_with(folder, {bad.option, bad.value})), {name, bad.said});

@@ -4,7 +4,7 @@
 #include <iomanip>
 #include <iostream>
 
-#include "cli/program.hh"
+#include "program/program.hh"
 #include "support/meshes.hh"
 
 // Whittle's quadrics against OpenMesh's ModQuadric with ModNormalFlipping, as `whittle compare` prints it. Slow,

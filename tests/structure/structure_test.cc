@@ -2,10 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 
 #include "structure/layers.hh"
 #include "structure/sizes.hh"
@@ -22,59 +20,26 @@ const SourceTree& project() {
   return tree;
 }
 
-std::string text_of(const std::string& name) {
-  std::ifstream file(WHITTLE_SOURCE_DIR "/tests/structure/" + name, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-std::vector<Layer> project_layers() { return read_layers(text_of("layers.txt")); }
-
-std::vector<std::string> allowances() {
-  std::vector<std::string> rows;
-  std::istringstream lines(text_of("allowances.txt"));
-  for (std::string line; std::getline(lines, line);)
-    if (!line.empty() && line.front() != '#') rows.push_back(line);
-  return rows;
-}
-
-/// Findings that no allowance lets pass.
-Findings not_allowed(const Findings& findings) {
-  const std::vector<std::string> rows = allowances();
-  Findings rest;
-  for (const std::string& finding : findings)
-    if (std::none_of(rows.begin(), rows.end(), [&](const std::string& row) { return finding.starts_with(row); }))
-      rest.push_back(finding);
-  return rest;
+std::vector<Layer> project_layers() {
+  std::ifstream file(WHITTLE_SOURCE_DIR "/tests/structure/layers.txt", std::ios::binary);
+  return read_layers({std::istreambuf_iterator<char>(file), {}});
 }
 
 constexpr std::size_t most_lines_of_a_function = 60;
 constexpr std::size_t most_lines_of_a_header = 300;
 constexpr std::size_t most_files_of_a_folder = 20;
 
-TEST(Layers, PointOneWay) { EXPECT_THAT(not_allowed(forbidden_includes(project(), project_layers())), IsEmpty()); }
+TEST(Layers, PointOneWay) { EXPECT_THAT(forbidden_includes(project(), project_layers()), IsEmpty()); }
 
 TEST(Layers, NameFoldersThatExist) { EXPECT_THAT(idle_rows(project(), project_layers()), IsEmpty()); }
 
-TEST(Includes, GoInNoCircle) { EXPECT_THAT(not_allowed(include_circles(project())), IsEmpty()); }
+TEST(Includes, GoInNoCircle) { EXPECT_THAT(include_circles(project()), IsEmpty()); }
 
-TEST(Sizes, FunctionsAreShort) {
-  EXPECT_THAT(not_allowed(long_functions(project(), most_lines_of_a_function)), IsEmpty());
-}
+TEST(Sizes, FunctionsAreShort) { EXPECT_THAT(long_functions(project(), most_lines_of_a_function), IsEmpty()); }
 
-TEST(Sizes, HeadersAreShort) { EXPECT_THAT(not_allowed(long_headers(project(), most_lines_of_a_header)), IsEmpty()); }
+TEST(Sizes, HeadersAreShort) { EXPECT_THAT(long_headers(project(), most_lines_of_a_header), IsEmpty()); }
 
-TEST(Sizes, FoldersAreSmall) { EXPECT_THAT(not_allowed(full_folders(project(), most_files_of_a_folder)), IsEmpty()); }
-
-TEST(Allowances, AreAllNeeded) {
-  Findings findings = forbidden_includes(project(), project_layers());
-  for (const Findings& more :
-       {include_circles(project()), long_functions(project(), most_lines_of_a_function),
-        long_headers(project(), most_lines_of_a_header), full_folders(project(), most_files_of_a_folder)})
-    findings.insert(findings.end(), more.begin(), more.end());
-  for (const std::string& row : allowances())
-    EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [&](const auto& f) { return f.starts_with(row); }))
-        << "take out of allowances.txt: " << row;
-}
+TEST(Sizes, FoldersAreSmall) { EXPECT_THAT(full_folders(project(), most_files_of_a_folder), IsEmpty()); }
 
 // Planted violations -------------------------------------------------------------------------------------------------
 

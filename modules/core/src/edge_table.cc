@@ -49,6 +49,14 @@ std::vector<std::uint64_t> neighbor_sums(std::span<const Triangle> faces, std::s
   return sums;
 }
 
+std::vector<std::uint8_t> face_counts_up_to_two(std::span<const Triangle> faces, std::size_t n_vertices) {
+  std::vector<std::uint8_t> counts(n_vertices);
+  for_each_side(faces, [&counts](Index from, Index /*to*/, Index /*number*/) {
+    if (counts[from] < 2) ++counts[from];
+  });
+  return counts;
+}
+
 }  // namespace
 
 EdgeTable::EdgeTable(std::span<const Triangle> faces, std::size_t n_vertices, std::span<const std::uint8_t> is_chosen) {
@@ -88,15 +96,15 @@ void EdgeTable::build(std::size_t n_vertices, const ForEachSide& for_each_own_si
   edges_.push_back({{invalid_index, invalid_index}, n_sides});
 }
 
-std::vector<VertexPair> border_edges(std::span<const Triangle> faces, std::size_t n_vertices) {
-  check_size(faces);
-  const std::vector<std::uint64_t> sums = neighbor_sums(faces, n_vertices);
+template <class IsCandidate>
+std::vector<VertexPair> EdgeTable::border_edges_among(std::span<const Triangle> faces, std::size_t n_vertices,
+                                                      const IsCandidate& is_candidate) {
   struct Side {
     Index from, to, number;
   };
   std::vector<Side> candidates;
   for_each_side(faces, [&](Index from, Index to, Index number) {
-    if (sums[from] != 0 && sums[to] != 0) candidates.push_back({from, to, number});
+    if (is_candidate(from, to)) candidates.push_back({from, to, number});
   });
   std::vector<VertexPair> borders;
   if (candidates.empty()) return borders;
@@ -108,6 +116,30 @@ std::vector<VertexPair> border_edges(std::span<const Triangle> faces, std::size_
     if (edges.sides(e).size() == 1) borders.push_back(edges[e]);
   }
   return borders;
+}
+
+std::vector<VertexPair> border_edges(std::span<const Triangle> faces, std::size_t n_vertices) {
+  check_size(faces);
+  const std::vector<std::uint64_t> sums = neighbor_sums(faces, n_vertices);
+  return EdgeTable::border_edges_among(faces, n_vertices,
+                                       [&sums](Index from, Index to) { return sums[from] != 0 && sums[to] != 0; });
+}
+
+std::vector<std::uint8_t> border_vertices(std::span<const Triangle> faces, std::size_t n_vertices) {
+  check_size(faces);
+  const std::vector<std::uint64_t> sums = neighbor_sums(faces, n_vertices);
+  const std::vector<std::uint8_t> n_faces = face_counts_up_to_two(faces, n_vertices);
+  std::vector<std::uint8_t> is_at_border(n_vertices);
+  const auto mark = [&](Index a, Index b) { is_at_border[a] = is_at_border[b] = 1; };
+  // An edge has two faces only if both its ends have. A soup has no such edge.
+  for_each_side(faces, [&](Index from, Index to, Index /*number*/) {
+    if (n_faces[from] == 1 || n_faces[to] == 1) mark(from, to);
+  });
+  const auto is_undecided = [&](Index from, Index to) {
+    return sums[from] != 0 && sums[to] != 0 && !(is_at_border[from] != 0 && is_at_border[to] != 0);
+  };
+  for (const auto& [a, b] : EdgeTable::border_edges_among(faces, n_vertices, is_undecided)) mark(a, b);
+  return is_at_border;
 }
 
 }  // namespace whittle::detail

@@ -4,7 +4,7 @@
 #include <array>
 #include <random>
 
-#include "support/brute_force.hh"
+#include "oracle/brute_force.hh"
 #include "support/shapes.hh"
 #include "support/topology.hh"
 #include "whittle/engine/decimate.hh"

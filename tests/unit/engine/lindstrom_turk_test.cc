@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "oracle/volume_sums.hh"
 #include "support/random.hh"
 #include "support/shapes.hh"
 #include "support/topology.hh"
 #include "support/transforms.hh"
-#include "support/volume_sums.hh"
 #include "whittle/engine/decimate.hh"
 #include "whittle/engine/formula/volume_placement.hh"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "complex/triangle_complex.hh"
-#include "support/brute_force_memoryless.hh"
+#include "oracle/brute_force_memoryless.hh"
 #include "support/face_list.hh"
 #include "support/random.hh"
 #include "support/shapes.hh"

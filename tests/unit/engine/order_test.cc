@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "support/brute_force.hh"
+#include "oracle/brute_force.hh"
 #include "support/shapes.hh"
 #include "support/transforms.hh"
 
@@ -66,100 +66,132 @@ struct Setting {
   double threshold = 0;  ///< of pairs, in mean edge lengths
 };
 
-std::vector<Setting> all_settings() {
-  std::vector<Setting> settings{{"defaults", {}}};
-  const auto add = [&](const std::string& name, auto change) {
-    settings.push_back({name, {}});
-    change(settings.back().options);
-  };
-  add("uniform", [](DecimateOptions& o) { o.quadric.weights = Weights::uniform; });
-  add("area_angle", [](DecimateOptions& o) { o.quadric.weights = Weights::area_angle; });
-  add("midpoint", [](DecimateOptions& o) { o.quadric.placement = Placement::midpoint; });
-  add("endpoint", [](DecimateOptions& o) { o.quadric.placement = Placement::endpoint; });
-  add("locked border", [](DecimateOptions& o) { o.boundary = Boundary::locked; });
-  add("free border", [](DecimateOptions& o) { o.boundary = Boundary::free; });
-  add("flip 180", [](DecimateOptions& o) { o.max_normal_flip_deg = 180; });
-  add("flip 20", [](DecimateOptions& o) { o.max_normal_flip_deg = 20; });
-  add("unregularised", [](DecimateOptions& o) { o.quadric.regularization = 0; });
-  settings.back().order_is_defined = false;
-  add("round triangles", [](DecimateOptions& o) { o.quadric.regularization = 4e-3; });
-  add("free topology", [](DecimateOptions& o) { o.topology = Topology::free; });
-  add("lindstrom-turk", [](DecimateOptions& o) { o.cost = Cost::lindstrom_turk; });
-  add("lindstrom-turk, locked border", [](DecimateOptions& o) {
-    o.cost = Cost::lindstrom_turk;
-    o.boundary = Boundary::locked;
-  });
-  add("lindstrom-turk, free topology", [](DecimateOptions& o) {
-    o.cost = Cost::lindstrom_turk;
-    o.topology = Topology::free;
-  });
-  const auto add_memoryless = [&](const std::string& name, auto change) {
+struct Settings {
+  std::vector<Setting> list{{"defaults", {}}};
+
+  template <class Change>
+  void add(const std::string& name, const Change& change) {
+    list.push_back({name, {}});
+    change(list.back().options);
+  }
+  template <class Change>
+  void add_memoryless(const std::string& name, const Change& change) {
     add("memoryless" + name, [&](DecimateOptions& o) {
       o.cost = Cost::memoryless;
       o.order = Order::exact;
       change(o);
     });
-  };
-  add_memoryless("", [](DecimateOptions&) {});
-  add_memoryless(", locked border", [](DecimateOptions& o) { o.boundary = Boundary::locked; });
-  add_memoryless(", free border", [](DecimateOptions& o) { o.boundary = Boundary::free; });
-  add_memoryless(", free topology", [](DecimateOptions& o) { o.topology = Topology::free; });
-  add_memoryless(", flip 180", [](DecimateOptions& o) { o.max_normal_flip_deg = 180; });
-  add_memoryless(", flip 20", [](DecimateOptions& o) { o.max_normal_flip_deg = 20; });
-  add_memoryless(", midpoint", [](DecimateOptions& o) { o.quadric.placement = Placement::midpoint; });
-  add_memoryless(", valence 1", [](DecimateOptions& o) { o.valence_weight = 1; });
-  add_memoryless(", radius ratio 0.4", [](DecimateOptions& o) { o.min_radius_ratio = 0.4; });
-  add_memoryless(", features 40", [](DecimateOptions& o) { o.feature_angle_deg = 40; });
-  add("edge length", [](DecimateOptions& o) { o.cost = Cost::midpoint; });
-  add("isotropic 0.3", [](DecimateOptions& o) { o.isotropy = 0.3; });
-  add("isotropic 1", [](DecimateOptions& o) { o.isotropy = 1; });
-  add("valence 0.5", [](DecimateOptions& o) { o.valence_weight = 0.5; });
-  add("valence 4, isotropic 1", [](DecimateOptions& o) {
+  }
+  template <class Change>
+  void add_threshold(double threshold, const std::string& name, const Change& change) {
+    add("threshold " + name, change);
+    list.back().threshold = threshold;
+  }
+};
+
+void add_plain_quadrics(Settings& settings) {
+  settings.add("uniform", [](DecimateOptions& o) { o.quadric.weights = Weights::uniform; });
+  settings.add("area_angle", [](DecimateOptions& o) { o.quadric.weights = Weights::area_angle; });
+  settings.add("midpoint", [](DecimateOptions& o) { o.quadric.placement = Placement::midpoint; });
+  settings.add("endpoint", [](DecimateOptions& o) { o.quadric.placement = Placement::endpoint; });
+  settings.add("locked border", [](DecimateOptions& o) { o.boundary = Boundary::locked; });
+  settings.add("free border", [](DecimateOptions& o) { o.boundary = Boundary::free; });
+  settings.add("flip 180", [](DecimateOptions& o) { o.max_normal_flip_deg = 180; });
+  settings.add("flip 20", [](DecimateOptions& o) { o.max_normal_flip_deg = 20; });
+  settings.add("unregularised", [](DecimateOptions& o) { o.quadric.regularization = 0; });
+  settings.list.back().order_is_defined = false;
+  settings.add("round triangles", [](DecimateOptions& o) { o.quadric.regularization = 4e-3; });
+  settings.add("free topology", [](DecimateOptions& o) { o.topology = Topology::free; });
+}
+
+void add_lindstrom_turk(Settings& settings) {
+  settings.add("lindstrom-turk", [](DecimateOptions& o) { o.cost = Cost::lindstrom_turk; });
+  settings.add("lindstrom-turk, locked border", [](DecimateOptions& o) {
+    o.cost = Cost::lindstrom_turk;
+    o.boundary = Boundary::locked;
+  });
+  settings.add("lindstrom-turk, free topology", [](DecimateOptions& o) {
+    o.cost = Cost::lindstrom_turk;
+    o.topology = Topology::free;
+  });
+}
+
+void add_memoryless(Settings& settings) {
+  settings.add_memoryless("", [](DecimateOptions&) {});
+  settings.add_memoryless(", locked border", [](DecimateOptions& o) { o.boundary = Boundary::locked; });
+  settings.add_memoryless(", free border", [](DecimateOptions& o) { o.boundary = Boundary::free; });
+  settings.add_memoryless(", free topology", [](DecimateOptions& o) { o.topology = Topology::free; });
+  settings.add_memoryless(", flip 180", [](DecimateOptions& o) { o.max_normal_flip_deg = 180; });
+  settings.add_memoryless(", flip 20", [](DecimateOptions& o) { o.max_normal_flip_deg = 20; });
+  settings.add_memoryless(", midpoint", [](DecimateOptions& o) { o.quadric.placement = Placement::midpoint; });
+  settings.add_memoryless(", valence 1", [](DecimateOptions& o) { o.valence_weight = 1; });
+  settings.add_memoryless(", radius ratio 0.4", [](DecimateOptions& o) { o.min_radius_ratio = 0.4; });
+  settings.add_memoryless(", features 40", [](DecimateOptions& o) { o.feature_angle_deg = 40; });
+}
+
+void add_edge_length_and_shape(Settings& settings) {
+  settings.add("edge length", [](DecimateOptions& o) { o.cost = Cost::midpoint; });
+  settings.add("isotropic 0.3", [](DecimateOptions& o) { o.isotropy = 0.3; });
+  settings.add("isotropic 1", [](DecimateOptions& o) { o.isotropy = 1; });
+  settings.add("valence 0.5", [](DecimateOptions& o) { o.valence_weight = 0.5; });
+  settings.add("valence 4, isotropic 1", [](DecimateOptions& o) {
     o.valence_weight = 4;
     o.isotropy = 1;
   });
-  add("valence 1, lindstrom-turk", [](DecimateOptions& o) {
+  settings.add("valence 1, lindstrom-turk", [](DecimateOptions& o) {
     o.valence_weight = 1;
     o.cost = Cost::lindstrom_turk;
   });
-  add("valence 1, free topology", [](DecimateOptions& o) {
+  settings.add("valence 1, free topology", [](DecimateOptions& o) {
     o.valence_weight = 1;
     o.topology = Topology::free;
   });
-  add("radius ratio 0.4", [](DecimateOptions& o) { o.min_radius_ratio = 0.4; });
-  add("features 40", [](DecimateOptions& o) { o.feature_angle_deg = 40; });
-  add("features 40, endpoint", [](DecimateOptions& o) {
+  settings.add("radius ratio 0.4", [](DecimateOptions& o) { o.min_radius_ratio = 0.4; });
+}
+
+void add_features(Settings& settings) {
+  settings.add("features 40", [](DecimateOptions& o) { o.feature_angle_deg = 40; });
+  settings.add("features 40, endpoint", [](DecimateOptions& o) {
     o.feature_angle_deg = 40;
     o.quadric.placement = Placement::endpoint;
   });
-  add("features 40, lindstrom-turk", [](DecimateOptions& o) {
+  settings.add("features 40, lindstrom-turk", [](DecimateOptions& o) {
     o.feature_angle_deg = 40;
     o.cost = Cost::lindstrom_turk;
   });
-  add("features 40, edge length", [](DecimateOptions& o) {
+  settings.add("features 40, edge length", [](DecimateOptions& o) {
     o.feature_angle_deg = 40;
     o.cost = Cost::midpoint;
   });
-  add("features 25 within 0.02", [](DecimateOptions& o) {
+  settings.add("features 25 within 0.02", [](DecimateOptions& o) {
     o.feature_angle_deg = 25;
     o.feature_tolerance = 0.02;
   });
-  const auto add_threshold = [&](double threshold, const std::string& name, auto change) {
-    add("threshold " + name, change);
-    settings.back().threshold = threshold;
-  };
-  add_threshold(0.7, "0.7", [](DecimateOptions&) {});
-  add_threshold(1.6, "1.6", [](DecimateOptions&) {});
-  add_threshold(1.6, "1.6, held hardly", [](DecimateOptions& o) { o.quadric.point_weight = 1e-9; });
-  add_threshold(2.1, "2.1, free topology", [](DecimateOptions& o) { o.topology = Topology::free; });
-  add_threshold(2.1, "2.1, flip 180", [](DecimateOptions& o) { o.max_normal_flip_deg = 180; });
-  add_threshold(2.1, "2.1, across walls, at most 3", [](DecimateOptions& o) {
+}
+
+void add_threshold_pairs(Settings& settings) {
+  settings.add_threshold(0.7, "0.7", [](DecimateOptions&) {});
+  settings.add_threshold(1.6, "1.6", [](DecimateOptions&) {});
+  settings.add_threshold(1.6, "1.6, held hardly", [](DecimateOptions& o) { o.quadric.point_weight = 1e-9; });
+  settings.add_threshold(2.1, "2.1, free topology", [](DecimateOptions& o) { o.topology = Topology::free; });
+  settings.add_threshold(2.1, "2.1, flip 180", [](DecimateOptions& o) { o.max_normal_flip_deg = 180; });
+  settings.add_threshold(2.1, "2.1, across walls, at most 3", [](DecimateOptions& o) {
     o.pairs.across_walls = true;
     o.pairs.max_pairs = 3;
   });
-  add_threshold(1.6, "1.6, midpoint", [](DecimateOptions& o) { o.quadric.placement = Placement::midpoint; });
-  add_threshold(1.6, "1.6, locked border", [](DecimateOptions& o) { o.boundary = Boundary::locked; });
-  return settings;
+  settings.add_threshold(1.6, "1.6, midpoint", [](DecimateOptions& o) { o.quadric.placement = Placement::midpoint; });
+  settings.add_threshold(1.6, "1.6, locked border", [](DecimateOptions& o) { o.boundary = Boundary::locked; });
+}
+
+std::vector<Setting> all_settings() {
+  Settings settings;
+  add_plain_quadrics(settings);
+  add_lindstrom_turk(settings);
+  add_memoryless(settings);
+  add_edge_length_and_shape(settings);
+  add_features(settings);
+  add_threshold_pairs(settings);
+  return settings.list;
 }
 
 double mean_edge_length(const IndexedMesh& mesh) {

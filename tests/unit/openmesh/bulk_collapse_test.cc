@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 #include <vector>
-#include <whittle/openmesh/bulk_collapse.hh>
+#include <whittle/openmesh/detail/bulk_collapse.hh>
 #include <whittle/openmesh/garbage_collection.hh>
 
 #include "decimation.hh"

@@ -12,8 +12,8 @@
 #include <string>
 #include <utility>
 #include <vector>
-#include <whittle/openmesh/bulk_collapse.hh>
-#include <whittle/openmesh/face_relinker.hh>
+#include <whittle/openmesh/detail/bulk_collapse.hh>
+#include <whittle/openmesh/detail/face_relinker.hh>
 #include <whittle/openmesh/garbage_collection.hh>
 
 #include "meshes.hh"

@@ -6,7 +6,7 @@
 
 #include "meshes.hh"
 #include "modules.hh"
-#include "support/brute_force.hh"
+#include "oracle/brute_force.hh"
 #include "support/shapes.hh"
 #include "support/transforms.hh"
 

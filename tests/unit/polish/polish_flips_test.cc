@@ -4,19 +4,18 @@
 #include <cmath>
 #include <vector>
 
+#include "decimated.hh"
 #include "support/shapes.hh"
 #include "support/suites.hh"
 #include "surface/face_neighbors.hh"
 #include "surface/mesh_lines.hh"
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/feature_edges.hh"
-#include "whittle/engine/decimate.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/nearest_vertices.hh"
 #include "whittle/metrics/self_intersections.hh"
 #include "whittle/metrics/shape.hh"
 #include "whittle/metrics/topology.hh"
-#include "whittle/polish/polish.hh"
 
 // Edges that polishing flips.
 namespace whittle::test {
@@ -24,20 +23,6 @@ namespace whittle::test {
 using namespace polishing;
 
 namespace {
-
-Decimation decimated(const IndexedMesh& mesh, double ratio, double angle_deg = 180) {
-  DecimateOptions options;
-  options.cost = Cost::memoryless;
-  options.feature_angle_deg = angle_deg;
-  return decimate(
-      mesh, DecimateTarget::faces(static_cast<std::uint64_t>(ratio * static_cast<double>(mesh.faces.size()))), options);
-}
-
-IndexedMesh polished(const IndexedMesh& original, const Decimation& d, const PolishOptions& options) {
-  IndexedMesh mesh = d.mesh;
-  polish(original, d.vertex_map, mesh, options);
-  return mesh;
-}
 
 std::size_t n_changed(const IndexedMesh& a, const IndexedMesh& b) {
   std::size_t n = 0;
@@ -136,7 +121,7 @@ TEST(PolishFlips, MakeNoVertexTooPoorOrRich) {
 TEST(PolishFlips, LeaveFeaturesGroupsAndTextures) {
   constexpr double angle = 40;
   const IndexedMesh original = bracket(16);
-  const Decimation d = decimated(original, 0.2, angle);
+  const Decimation d = decimated(original, 0.2, {.feature_angle_deg = angle});
   const std::vector<VertexPair> original_features = feature_edges(original, angle);
   const PolishOptions options{.passes = 3,
                               .flips = true,

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "decimated.hh"
 #include "support/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
@@ -12,9 +13,7 @@
 #include "surface/mesh_lines.hh"
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/feature_edges.hh"
-#include "whittle/engine/decimate.hh"
 #include "whittle/metrics/line_distance.hh"
-#include "whittle/polish/polish.hh"
 
 // Borders and features, which are fitted to the original's.
 namespace whittle::test {
@@ -24,20 +23,6 @@ using namespace polishing;
 namespace {
 
 constexpr double feature_angle_deg = 40;
-
-Decimation decimated(const IndexedMesh& mesh, double ratio, double angle_deg = 180) {
-  DecimateOptions options;
-  options.cost = Cost::memoryless;
-  options.feature_angle_deg = angle_deg;
-  return decimate(
-      mesh, DecimateTarget::faces(static_cast<std::uint64_t>(ratio * static_cast<double>(mesh.faces.size()))), options);
-}
-
-IndexedMesh polished(const IndexedMesh& original, const Decimation& d, const PolishOptions& options = {}) {
-  IndexedMesh mesh = d.mesh;
-  polish(original, d.vertex_map, mesh, options);
-  return mesh;
-}
 
 /// A sheet whose border is curved in space.
 IndexedMesh wavy_sheet(int n) {
@@ -211,7 +196,7 @@ TEST(PolishLines, AreBroughtNearerOnFeaturesWhichStayTheSame) {
   const std::vector<VertexPair> original_features = feature_edges(original, feature_angle_deg);
   for (const double ratio : {0.5, 0.2}) {
     SCOPED_TRACE(ratio);
-    const Decimation d = decimated(original, ratio, feature_angle_deg);
+    const Decimation d = decimated(original, ratio, {.feature_angle_deg = feature_angle_deg});
     const IndexedMesh after = polished(original, d,
                                        {.passes = 3,
                                         .feature_angle_deg = feature_angle_deg,
@@ -235,7 +220,7 @@ TEST(PolishLines, AreBroughtNearerOnFeaturesWhichStayTheSame) {
 TEST(PolishLines, MakeNoOtherEdgesSharp) {
   const IndexedMesh original = noisy_torus(80, 40, 1, 0.4, 0.02, 3);
   const std::vector<VertexPair> original_features = feature_edges(original, feature_angle_deg);
-  const Decimation d = decimated(original, 0.3, feature_angle_deg);
+  const Decimation d = decimated(original, 0.3, {.feature_angle_deg = feature_angle_deg});
   const PolishOptions options{
       .feature_angle_deg = feature_angle_deg, .features = d.feature_edges, .original_features = original_features};
   const auto sharp = feature_edges(d.mesh, feature_angle_deg);

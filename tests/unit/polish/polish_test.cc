@@ -1,4 +1,3 @@
-#include "whittle/polish/polish.hh"
 
 #include <gtest/gtest.h>
 
@@ -9,13 +8,13 @@
 #include <stdexcept>
 #include <vector>
 
+#include "decimated.hh"
 #include "support/random.hh"
 #include "support/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
 #include "surface/foot_finder.hh"
 #include "surface/surface_samples.hh"
-#include "whittle/engine/decimate.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/shape.hh"
 
@@ -25,20 +24,10 @@ using namespace polishing;
 
 namespace {
 
-Decimation decimated(const IndexedMesh& mesh, double ratio, Cost cost = Cost::memoryless) {
-  DecimateOptions options;
-  options.cost = cost;
-  options.max_normal_flip_deg = 75;  // the bounds below are of these meshes
-  return decimate(
-      mesh, DecimateTarget::faces(static_cast<std::uint64_t>(ratio * static_cast<double>(mesh.faces.size()))), options);
+/// The bounds below are of these meshes.
+Decimation decimated_within_75_deg(const IndexedMesh& mesh, double ratio) {
+  return decimated(mesh, ratio, {.max_normal_flip_deg = 75});
 }
-
-IndexedMesh polished(const IndexedMesh& original, const Decimation& d, const PolishOptions& options = {}) {
-  IndexedMesh mesh = d.mesh;
-  polish(original, d.vertex_map, mesh, options);
-  return mesh;
-}
-
 metrics::SurfaceDistance distance(const IndexedMesh& original, const IndexedMesh& mesh) {
   return metrics::surface_distance(original, mesh, {.samples = 10'000});
 }
@@ -117,7 +106,7 @@ TEST(FootFinder, FindsWhatSearchesOfFacesFind) {
   std::size_t n_farther = 0;
   for (const IndexedMesh& original :
        {noisy_sphere(4, 0.05, 1), noisy_torus(60, 30, 1.0, 0.4, 0.02, 2), tessellated_cube(12), bracket(12)}) {
-    const Decimation d = decimated(original, 0.1);
+    const Decimation d = decimated_within_75_deg(original, 0.1);
     const VertexCorners corners = corners_by_vertex(d.mesh.faces, d.mesh.positions.size());
     FootFinder finder(d.mesh.faces, corners);
     finder.look_at(d.mesh.positions, 1);
@@ -211,7 +200,7 @@ TEST(SurfaceSamples, WeighWhatTheSurfaceHasOfArea) {
 TEST(Polish, FitsSmoothSurfaces) {
   for (const IndexedMesh& original : {blob(5, 4), noisy_torus(120, 60, 1.0, 0.4, 0.01, 5), knot(200, 24)}) {
     for (const double ratio : {0.5, 0.1, 0.03}) {
-      const Decimation d = decimated(original, ratio);
+      const Decimation d = decimated_within_75_deg(original, ratio);
       const auto before = distance(original, d.mesh);
       const auto after = distance(original, polished(original, d));
       EXPECT_LT(after.mean, 0.98 * before.mean) << ratio;
@@ -225,7 +214,7 @@ TEST(Polish, FitsSmoothSurfaces) {
 TEST(Polish, LeavesCornersAndFlatSidesWhereTheyAre) {
   for (const IndexedMesh& original : {tessellated_cube(16), bracket(24), bracket(40)}) {
     const double size = bounds_of(original.positions).diagonal();
-    const Decimation d = decimated(original, 0.1);
+    const Decimation d = decimated_within_75_deg(original, 0.1);
     EXPECT_LT(distance(original, polished(original, d, {.passes = 3})).max,
               distance(original, d.mesh).max + 1e-6 * size);
   }
@@ -235,7 +224,7 @@ TEST(Polish, DoesNoHarm) {
   for (const auto& [name, original] : all_meshes()) {
     for (const double ratio : {0.6, 0.2}) {
       SCOPED_TRACE(name + " to " + std::to_string(ratio));
-      const Decimation d = decimated(original, ratio);
+      const Decimation d = decimated_within_75_deg(original, ratio);
       if (d.mesh.faces.empty()) continue;
       const IndexedMesh after = polished(original, d);
       EXPECT_EQ(after.faces, d.mesh.faces);
@@ -252,7 +241,7 @@ TEST(Polish, DoesNoHarm) {
 
 TEST(Polish, KeepsLockedAndBorderVerticesToTheBit) {
   const IndexedMesh original = terrain(40, 7);
-  const Decimation d = decimated(original, 0.1);
+  const Decimation d = decimated_within_75_deg(original, 0.1);
   std::vector<std::uint8_t> locked(d.mesh.positions.size());
   for (std::size_t v = 0; v < locked.size(); v += 3) locked[v] = 1;
   const IndexedMesh after = polished(original, d, {.locked = locked, .fit_borders = false});
@@ -274,7 +263,7 @@ TEST(Polish, KeepsLockedAndBorderVerticesToTheBit) {
 
 TEST(Polish, GivesTheSameForAnyThreadsUnitAndPlace) {
   const IndexedMesh original = noisy_sphere(5, 0.05, 8);
-  const Decimation d = decimated(original, 0.1);
+  const Decimation d = decimated_within_75_deg(original, 0.1);
   const IndexedMesh one = polished(original, d, {.passes = 2, .threads = 1});
   for (const unsigned threads : {2U, 3U, 8U}) {
     EXPECT_EQ(polished(original, d, {.passes = 2, .threads = threads}).positions, one.positions);
@@ -288,7 +277,7 @@ TEST(Polish, GivesTheSameForAnyThreadsUnitAndPlace) {
 TEST(Polish, ComputesNormalsAnew) {
   IndexedMesh original = blob(4, 9);
   original.normals.assign(original.positions.size(), {0, 0, 1});
-  const Decimation d = decimated(original, 0.1);
+  const Decimation d = decimated_within_75_deg(original, 0.1);
   const IndexedMesh after = polished(original, d);
   ASSERT_EQ(after.normals.size(), after.positions.size());
   EXPECT_NE(after.normals, d.mesh.normals);
@@ -296,7 +285,7 @@ TEST(Polish, ComputesNormalsAnew) {
 
 TEST(Polish, SaysWhatIsWrong) {
   const IndexedMesh original = blob(2, 1);
-  const Decimation d = decimated(original, 0.5);
+  const Decimation d = decimated_within_75_deg(original, 0.5);
   IndexedMesh mesh = d.mesh;
   std::vector<Index> map = d.vertex_map;
   map[3] = static_cast<Index>(mesh.positions.size());

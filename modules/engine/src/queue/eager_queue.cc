@@ -1,7 +1,5 @@
 #include "queue/eager_queue.hh"
 
-#include <algorithm>
-
 #include "whittle/core/detail/parallel.hh"
 
 namespace whittle {
@@ -43,19 +41,12 @@ std::optional<RankedPair> EagerQueue::next() {
 }
 
 std::optional<Candidate> EagerQueue::next_candidate() {
-  while (true) {
-    while (n_taken_ < batch_.size() && !is_current(batch_[n_taken_])) ++n_taken_;
-    while (!late_.empty() && !is_current(late_.top())) late_.pop();
-    const bool in_batch = n_taken_ < batch_.size();
-    if (in_batch && (late_.empty() || is_before(batch_[n_taken_], late_.top()))) return batch_[n_taken_++];
-    if (!late_.empty()) {
-      const Candidate candidate = late_.top();
-      late_.pop();
-      return candidate;
+  do {
+    while (const std::optional<Candidate> candidate = open_.take()) {
+      if (is_current(*candidate)) return candidate;
     }
-    if (!queue_.open_next(members_)) return std::nullopt;
-    open_bucket();
-  }
+  } while (open_bucket());
+  return std::nullopt;
 }
 
 bool EagerQueue::is_current(const Candidate& entry) const {
@@ -64,15 +55,17 @@ bool EagerQueue::is_current(const Candidate& entry) const {
   return candidate(complex_, pair_now(complex_, id), entry.cost).tie == entry.tie;
 }
 
-void EagerQueue::open_bucket() {
-  batch_.clear();
-  n_taken_ = 0;
+/// False if there is none left.
+bool EagerQueue::open_bucket() {
+  if (!queue_.open_next(members_)) return false;
+  open_.open(members_.size());
   for (const Index id : members_) {
     if (!complex_.is_pair_alive(id) || costs_[id] == out) continue;
     if (!queue_.is_past(BucketQueue::bucket_of(costs_[id]))) continue;
-    batch_.push_back(candidate(complex_, pair_now(complex_, id), costs_[id]));
+    open_.add(candidate(complex_, pair_now(complex_, id), costs_[id]));
   }
-  std::sort(batch_.begin(), batch_.end(), [](const Candidate& x, const Candidate& y) { return is_before(x, y); });
+  open_.sort();
+  return true;
 }
 
 void EagerQueue::add(const Pair& pair) { set_cost(pair, cost_.rank(pair).cost); }
@@ -89,7 +82,7 @@ void EagerQueue::set_cost(const Pair& pair, double cost) {
   costs_[pair.id] = cost;
   const BucketQueue::Bucket bucket = BucketQueue::bucket_of(cost);
   if (queue_.is_past(bucket)) {  // there its vertices' numbers count, too
-    late_.push(candidate(complex_, pair, cost));
+    open_.add_late(candidate(complex_, pair, cost));
   } else if (before == out || bucket != BucketQueue::bucket_of(before)) {
     queue_.push(pair.id, bucket);
   }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <queue>
 #include <vector>
 
 #include "queue/bucket_queue.hh"
+#include "queue/open_bucket.hh"
 #include "queue/pair_queue.hh"
 #include "whittle/core/detail/large_array.hh"
 
@@ -29,7 +29,7 @@ class EagerQueue final : public PairQueue {
 
   void fill_queue(unsigned threads);
   std::optional<Candidate> next_candidate();
-  void open_bucket();
+  bool open_bucket();
   bool is_current(const Candidate& entry) const;
   void collect_pairs_at(Index v);
   void set_cost(const Pair& pair, double cost);
@@ -39,11 +39,8 @@ class EagerQueue final : public PairQueue {
   LargeArray<double> costs_;  ///< per pair
   double cost_now_ = 0;       ///< of the pair taken out last
   BucketQueue queue_;
-  std::vector<Index> members_;    ///< of the bucket being opened
-  std::vector<Candidate> batch_;  ///< candidates of the open bucket, in order
-  std::size_t n_taken_ = 0;       ///< how many of them have been taken or skipped
-  /// Added to the open bucket, or to an earlier one, after it was opened.
-  std::priority_queue<Candidate, std::vector<Candidate>, IsAfter> late_;
+  std::vector<Index> members_;  ///< of the bucket being opened
+  OpenBucket open_;
   std::vector<Index> last_looked_at_;  ///< per pair, the number of contractions when it was last collected
   std::vector<Pair> pairs_;            ///< scratch: the pairs within reach
   std::vector<PairEvaluation> evaluations_;

@@ -94,28 +94,19 @@ std::optional<RankedPair> LazyQueue::turn_of(const Candidate& then) {
 }
 
 std::optional<Candidate> LazyQueue::next_candidate() {
-  while (true) {
-    const bool in_batch = n_taken_ < batch_.size();
-    if (in_batch && (late_.empty() || is_before(batch_[n_taken_], late_.top()))) {
-      prefetch_turns();
-      return batch_[n_taken_++];
-    }
-    if (!late_.empty()) {
-      const Candidate candidate = late_.top();
-      late_.pop();
-      return candidate;
-    }
-    if (!queue_.open_next(members_)) return std::nullopt;
-    open_bucket();
-  }
+  do {
+    prefetch_turns();
+    if (const std::optional<Candidate> candidate = open_.take()) return candidate;
+  } while (open_bucket());
+  return std::nullopt;
 }
 
-/// Makes candidates of the members of the bucket just opened. Members that cost more now go to a later bucket.
-void LazyQueue::open_bucket() {
-  batch_.clear();
-  batch_.reserve(members_.size());
+/// Makes candidates of the members of the bucket just opened. Members that cost more now go to a later bucket. False if
+/// there is no bucket left.
+bool LazyQueue::open_bucket() {
+  if (!queue_.open_next(members_)) return false;
+  open_.open(members_.size());
   placements_.clear();
-  n_taken_ = 0;
   n_done_at_opening_ = complex_.n_contractions();
   sieve_.sift(members_);
   if (thread_pool_.n_helpers() == 0 || members_.size() < fewest_shared) {
@@ -123,19 +114,19 @@ void LazyQueue::open_bucket() {
   } else {
     evaluate_members_on_all_threads();
   }
-  std::sort(batch_.begin(), batch_.end(), [](const Candidate& x, const Candidate& y) { return is_before(x, y); });
+  open_.sort();
   if (complex_.has_threshold_pairs()) drop_duplicates();
+  return true;
 }
 
 /// Drops threshold pairs that have become equal, and those queued twice.
 void LazyQueue::drop_duplicates() {
   const auto is_threshold_pair = [this](const Candidate& c) { return complex_.is_threshold_pair(c.pair.id); };
-  const auto last = std::unique(batch_.begin(), batch_.end(), [&](const Candidate& x, const Candidate& y) {
+  open_.drop_repeated([&](const Candidate& x, const Candidate& y) {
     const bool is_same = x.tie == y.tie && is_threshold_pair(x) && is_threshold_pair(y);
     if (is_same && y.pair.id != x.pair.id) complex_.remove_pair(y.pair.id);
     return is_same;
   });
-  batch_.erase(last, batch_.end());
 }
 
 /// The next parcel is looked up before the last one is ranked, so that its prefetches have time.
@@ -189,16 +180,17 @@ void LazyQueue::sort_in(const Parcel& parcel) {
   for (std::size_t i = 0; i < parcel.n; ++i) sort_in(parcel.pairs[i], parcel.evaluations[i]);
 }
 
-/// Into the batch, or into a later bucket if it costs more now.
+/// Into the open bucket, or into a later bucket if it costs more now.
 void LazyQueue::sort_in(const Pair& pair, const PairEvaluation& evaluation) {
   note_raised(pair, evaluation);
   const BucketQueue::Bucket bucket = BucketQueue::bucket_of(evaluation.cost);
   if (!queue_.is_past(bucket)) return queue_.push(pair.id, bucket);
-  batch_.push_back(candidate(complex_, pair, evaluation.cost));
+  Candidate member = candidate(complex_, pair, evaluation.cost);
   if (placements_.size() < most_placements) {
-    batch_.back().placement = static_cast<Index>(placements_.size());
+    member.placement = static_cast<Index>(placements_.size());
     placements_.push_back({evaluation.bound, evaluation.position, evaluation.is_minimum});
   }
+  open_.add(member);
   complex_.prefetch_star(pair.a);
   complex_.prefetch_star(pair.b);
 }
@@ -206,7 +198,7 @@ void LazyQueue::sort_in(const Pair& pair, const PairEvaluation& evaluation) {
 void LazyQueue::enqueue(const Candidate& candidate) {
   const BucketQueue::Bucket bucket = BucketQueue::bucket_of(candidate.cost);
   if (queue_.is_past(bucket)) {
-    late_.push(candidate);
+    open_.add_late(candidate);
   } else {
     queue_.push(candidate.pair.id, bucket);
   }
@@ -215,9 +207,10 @@ void LazyQueue::enqueue(const Candidate& candidate) {
 /// Prefetches what the next turns look at: first the lists, then the neighbours on them.
 void LazyQueue::prefetch_turns() {
   const auto candidate_ahead = [&](std::size_t n, auto prefetch) {
-    if (n_taken_ + n >= batch_.size()) return;
-    prefetch(batch_[n_taken_ + n].pair.a);
-    prefetch(batch_[n_taken_ + n].pair.b);
+    const Candidate* candidate = open_.ahead(n);
+    if (candidate == nullptr) return;
+    prefetch(candidate->pair.a);
+    prefetch(candidate->pair.b);
   };
   candidate_ahead(8, [&](Index v) { complex_.prefetch_list(v); });
   candidate_ahead(

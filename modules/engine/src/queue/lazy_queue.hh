@@ -2,11 +2,11 @@
 
 #include <array>
 #include <memory>
-#include <queue>
 #include <vector>
 
 #include "pairs/threshold_pair_sieve.hh"
 #include "queue/bucket_queue.hh"
+#include "queue/open_bucket.hh"
 #include "queue/pair_queue.hh"
 #include "queue/waiting_pairs.hh"
 #include "whittle/core/detail/thread_pool.hh"
@@ -49,7 +49,7 @@ class LazyQueue final : public PairQueue {
   void fill_queue(unsigned threads);
   std::optional<Candidate> next_candidate();
   std::optional<RankedPair> turn_of(const Candidate& then);
-  void open_bucket();
+  bool open_bucket();
   void drop_duplicates();
   void evaluate_members();
   void evaluate_members_on_all_threads();
@@ -72,14 +72,11 @@ class LazyQueue final : public PairQueue {
   ThreadPool thread_pool_;
 
   BucketQueue queue_;
-  std::vector<Index> members_;      ///< of the bucket being opened
-  std::vector<Parcel> parcels_;     ///< scratch: a thread works on one at a time
-  LargeArray<Candidate> batch_;     ///< candidates of the open bucket, in order
+  std::vector<Index> members_;   ///< of the bucket being opened
+  std::vector<Parcel> parcels_;  ///< scratch: a thread works on one at a time
+  OpenBucket open_;
   std::vector<Placed> placements_;  ///< where the merged vertices would go
   Index n_done_at_opening_ = 0;     ///< number of contractions when the bucket was opened
-  std::size_t n_taken_ = 0;         ///< how many of the batch have had their turn
-  /// Added to the open bucket, or to an earlier one, after it was opened.
-  std::priority_queue<Candidate, std::vector<Candidate>, IsAfter> late_;
 
   WaitingPairs raised_;
   std::vector<bool> is_raised_;            ///< per pair

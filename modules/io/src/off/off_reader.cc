@@ -74,6 +74,12 @@ void warn_of_what_is_not_carried(MeshBuilder& builder, const OffHeader& header, 
   if (extra_values) builder.warn("numbers after a vertex's coordinates are ignored: the keyword OFF announces none");
 }
 
+/// \param cursor where the file goes on
+template <class Cursor>
+[[noreturn]] void fail_for_wrong_counts(const Cursor& cursor, std::int64_t n_faces) {
+  cursor.fail("the file goes on after the " + std::to_string(n_faces) + " faces it announces; its counts are wrong");
+}
+
 class AsciiOffReader {
  public:
   AsciiOffReader(const TextCursor& cursor, const OffHeader& header) : cursor_(cursor), header_(header) {}
@@ -85,10 +91,7 @@ class AsciiOffReader {
     for (std::int64_t v = 0; v < counts_.vertices; ++v) read_vertex();
     for (std::int64_t f = 0; f < counts_.faces; ++f) read_face();
     cursor_.skip_space('#');
-    if (!cursor_.at_end()) {
-      cursor_.fail("the file goes on after the " + std::to_string(counts_.faces) +
-                   " faces it announces; its counts are wrong");
-    }
+    if (!cursor_.at_end()) fail_for_wrong_counts(cursor_, counts_.faces);
     warn_of_what_is_not_carried(builder_, header_, face_colors_, extra_values_);
     if (color_numbers_) builder_.warn("colours given by number are not carried");
     return builder_.finish();
@@ -243,10 +246,7 @@ class BinaryOffReader {
     builder_.reserve_faces(static_cast<std::size_t>(counts_.faces));
     for (std::int64_t v = 0; v < counts_.vertices; ++v) read_vertex();
     for (std::int64_t f = 0; f < counts_.faces; ++f) read_face();
-    if (cursor_.bytes_left() > 0) {
-      cursor_.fail("the file goes on after the " + std::to_string(counts_.faces) +
-                   " faces it announces; its counts are wrong");
-    }
+    if (cursor_.bytes_left() > 0) fail_for_wrong_counts(cursor_, counts_.faces);
     warn_of_what_is_not_carried(builder_, header_, face_colors_, false);
     return builder_.finish();
   }

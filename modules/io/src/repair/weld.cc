@@ -10,7 +10,7 @@
 #include "repair/duplicate_faces.hh"
 #include "repair/weld_resolver.hh"
 #include "whittle/core/detail/drop.hh"
-#include "whittle/core/detail/index_lists.hh"
+#include "whittle/core/detail/edge_table.hh"
 #include "whittle/io/repair.hh"
 
 namespace whittle::io {
@@ -21,75 +21,19 @@ namespace {
 constexpr char dropped_as_duplicate = 1;
 constexpr char dropped_as_degenerate = 2;
 
-struct EdgeEnd {
-  Index higher;
-  Index face;
-  auto operator<=>(const EdgeEnd&) const = default;
-};
-
-// Calls visit(lower, higher, faces) for every edge of the chosen faces. Edges and faces ascend. Three edges per face
-// may be more than `Index` can count.
-template <class Choose, class Visit>
-void for_each_edge(const std::vector<Triangle>& faces, std::size_t vertices, const Choose& is_chosen,
-                   const Visit& visit) {
-  detail::IndexLists<EdgeEnd, std::size_t> by_lower(vertices, [&](const auto& emit) {
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      if (!is_chosen(f)) continue;
-      const Triangle& t = faces[f];
-      for (std::size_t c = 0; c < 3; ++c) {
-        const auto [lower, higher] = std::minmax(t[c], t[(c + 1) % 3]);
-        emit(lower, EdgeEnd{higher, static_cast<Index>(f)});
-      }
-    }
-  });
-  for (std::size_t v = 0; v < vertices; ++v) {
-    const std::span<EdgeEnd> ends = by_lower.of(static_cast<Index>(v));
-    std::sort(ends.begin(), ends.end());
-    for (std::size_t first = 0; first < ends.size();) {
-      std::size_t last = first + 1;
-      while (last < ends.size() && ends[last].higher == ends[first].higher) ++last;
-      visit(static_cast<Index>(v), ends[first].higher, std::span<const EdgeEnd>(ends.subspan(first, last - first)));
-      first = last;
-    }
-  }
-}
-
-std::vector<std::uint8_t> count_uses_up_to_two(const IndexedMesh& mesh) {
-  std::vector<std::uint8_t> uses(mesh.positions.size(), 0);
-  for (const Triangle& face : mesh.faces) {
-    if (!has_three_corners(face)) continue;
-    for (const Index v : face) uses[v] = static_cast<std::uint8_t>(std::min(uses[v] + 1, 2));
-  }
-  return uses;
-}
+// Per vertex or face, 0 or 1.
+using Flags = std::vector<std::uint8_t>;
 
 // Flags the vertices that may be welded: those on open borders, and the ends of edges without length. The faces at an
 // edge without length have no area; welding makes them degenerate.
-std::vector<char> find_candidates(const IndexedMesh& mesh) {
-  const std::size_t vertices = mesh.positions.size();
-  const std::vector<std::uint8_t> uses = count_uses_up_to_two(mesh);
-  std::vector<char> is_candidate(vertices, 0);
-  // An edge has two faces only if both its ends have. A soup has no such edge.
-  detail::IndexLists<Index, std::size_t> by_lower(vertices, [&](const auto& emit) {
-    for (const Triangle& t : mesh.faces) {
-      if (!has_three_corners(t)) continue;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const auto [lower, higher] = std::minmax(t[c], t[(c + 1) % 3]);
-        if (uses[lower] > 1 && uses[higher] > 1) {
-          emit(lower, higher);
-        } else {
-          is_candidate[lower] = is_candidate[higher] = 1;
-        }
-      }
-    }
-  });
-  for (std::size_t v = 0; v < vertices; ++v) {
-    const std::span<Index> ends = by_lower.of(static_cast<Index>(v));
-    std::sort(ends.begin(), ends.end());
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      const bool is_alone = (i == 0 || ends[i - 1] != ends[i]) && (i + 1 == ends.size() || ends[i + 1] != ends[i]);
-      const bool has_no_length = mesh.positions[v] == mesh.positions[ends[i]];
-      if (is_alone || has_no_length) is_candidate[v] = is_candidate[ends[i]] = 1;
+Flags find_candidates(const IndexedMesh& mesh) {
+  Flags is_candidate = detail::border_vertices(mesh.faces, mesh.positions.size());
+  for (const Triangle& face : mesh.faces) {
+    if (!has_three_corners(face)) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Index a = face[c];
+      const Index b = face[(c + 1) % 3];
+      if (mesh.positions[a] == mesh.positions[b]) is_candidate[a] = is_candidate[b] = 1;
     }
   }
   return is_candidate;
@@ -106,7 +50,7 @@ std::uint64_t hash_of(const Vec3& p) {
 }
 
 // For each candidate, the lowest candidate at its position. For any other vertex, itself.
-std::vector<Index> group_by_position(const std::vector<Vec3>& positions, const std::vector<char>& is_candidate) {
+std::vector<Index> group_by_position(const std::vector<Vec3>& positions, const Flags& is_candidate) {
   std::vector<Index> group(positions.size());
   std::iota(group.begin(), group.end(), Index{0});
   const auto members = static_cast<std::size_t>(std::count(is_candidate.begin(), is_candidate.end(), 1));
@@ -130,43 +74,60 @@ std::vector<Triangle> renumber(const std::vector<Triangle>& faces, const std::ve
   return renumbered;
 }
 
-// The ends of an edge as a face stores them. \param a, b the ends by position.
-std::array<Index, 2> stored_edge(const Triangle& stored, const Triangle& grouped, Index a, Index b) {
+// The ends of an edge as a face stores them. \param edge its ends by position
+std::array<Index, 2> stored_edge(const Triangle& stored, const Triangle& grouped, const VertexPair& edge) {
   std::array<Index, 2> ends{};
   for (std::size_t c = 0; c < 3; ++c) {
-    if (grouped[c] == a) ends[0] = stored[c];
-    if (grouped[c] == b) ends[1] = stored[c];
+    if (grouped[c] == edge.a) ends[0] = stored[c];
+    if (grouped[c] == edge.b) ends[1] = stored[c];
   }
   return ends;
 }
 
-// Whether welding gives the edge a third face: it has more than two faces, and these have different edges in the mesh
-// as stored.
-bool is_doubtful(const IndexedMesh& mesh, const std::vector<Triangle>& grouped, Index a, Index b,
-                 std::span<const EdgeEnd> faces) {
-  if (faces.size() <= 2) return false;
-  const auto first = stored_edge(mesh.faces[faces[0].face], grouped[faces[0].face], a, b);
-  return std::any_of(faces.begin() + 1, faces.end(), [&](const EdgeEnd& end) {
-    return stored_edge(mesh.faces[end.face], grouped[end.face], a, b) != first;
-  });
-}
+// The edges by position, and how the mesh stores them.
+class GroupedEdges {
+ public:
+  // \param is_chosen the faces to look at; all have three corners by position
+  GroupedEdges(const IndexedMesh& mesh, const std::vector<Triangle>& grouped, const Flags& is_chosen)
+      : mesh_(mesh), grouped_(grouped), edges_(grouped, mesh.positions.size(), is_chosen) {}
 
-// Flags the positions at the ends of doubtful edges. \param is_chosen tells the faces to look at.
-template <class Choose>
-std::vector<char> find_doubtful_groups(const IndexedMesh& mesh, const std::vector<Triangle>& grouped,
-                                       const Choose& is_chosen) {
-  std::vector<char> is_doubtful_group(mesh.positions.size(), 0);
-  for_each_edge(grouped, mesh.positions.size(), is_chosen, [&](Index a, Index b, std::span<const EdgeEnd> faces) {
-    if (is_doubtful(mesh, grouped, a, b, faces)) is_doubtful_group[a] = is_doubtful_group[b] = 1;
-  });
+  std::size_t size() const { return edges_.size(); }
+  const VertexPair& operator[](std::size_t edge) const { return edges_[edge]; }
+  std::span<const Index> sides(std::size_t edge) const { return edges_.sides(edge); }
+  // The ends of the edge as the face of one of its sides stores them.
+  std::array<Index, 2> stored(std::size_t edge, Index side) const {
+    const Index face = detail::face_of(side);
+    return stored_edge(mesh_.faces[face], grouped_[face], edges_[edge]);
+  }
+  // Whether welding gives the edge a third face: it has more than two faces, and these have different edges in the mesh
+  // as stored.
+  bool is_doubtful(std::size_t edge) const {
+    const std::span<const Index> all = sides(edge);
+    if (all.size() <= 2) return false;
+    const auto first = stored(edge, all[0]);
+    return std::any_of(all.begin() + 1, all.end(), [&](Index side) { return stored(edge, side) != first; });
+  }
+
+ private:
+  const IndexedMesh& mesh_;
+  const std::vector<Triangle>& grouped_;
+  detail::EdgeTable edges_;
+};
+
+// Flags the positions at the ends of doubtful edges.
+Flags find_doubtful_groups(const GroupedEdges& edges, std::size_t n_vertices) {
+  Flags is_doubtful_group(n_vertices);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (edges.is_doubtful(e)) is_doubtful_group[edges[e].a] = is_doubtful_group[edges[e].b] = 1;
+  }
   return is_doubtful_group;
 }
 
-bool has_any(const std::vector<char>& flags) { return std::find(flags.begin(), flags.end(), 1) != flags.end(); }
+bool has_any(const Flags& flags) { return std::find(flags.begin(), flags.end(), 1) != flags.end(); }
 
 // Joins the ends of a face's edges without length, where their position is doubtful.
-void join_ends_without_length(WeldResolver& resolver, const std::vector<char>& is_doubtful_group,
-                              const Triangle& stored, const Triangle& grouped) {
+void join_ends_without_length(WeldResolver& resolver, const Flags& is_doubtful_group, const Triangle& stored,
+                              const Triangle& grouped) {
   for (std::size_t c = 0; c < 3; ++c) {
     const std::size_t next = (c + 1) % 3;
     const bool is_doubtful_end = grouped[c] == grouped[next] && is_doubtful_group[grouped[c]];
@@ -174,38 +135,46 @@ void join_ends_without_length(WeldResolver& resolver, const std::vector<char>& i
   }
 }
 
+void add_doubtful_edges(WeldResolver& resolver, const GroupedEdges& edges, const std::vector<Triangle>& grouped) {
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (!edges.is_doubtful(e)) continue;
+    resolver.begin_edge();
+    for (const Index side : edges.sides(e)) {
+      resolver.add_face(edges.stored(e, side), detail::start_of(side, grouped) == edges[e].a);
+    }
+  }
+}
+
+// Joins the stored vertices of edges with two faces, where their position is doubtful.
+void join_along_plain_edges(WeldResolver& resolver, const GroupedEdges& edges, const Flags& is_doubtful_group) {
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (edges.sides(e).size() != 2) continue;
+    const auto first = edges.stored(e, edges.sides(e)[0]);
+    const auto second = edges.stored(e, edges.sides(e)[1]);
+    if (is_doubtful_group[edges[e].a]) resolver.join(first[0], second[0]);
+    if (is_doubtful_group[edges[e].b]) resolver.join(first[1], second[1]);
+  }
+}
+
 // Joins vertices at doubtful positions as far as no edge gets a third face. `group` becomes the lowest vertex of each
 // joined set.
-template <class Choose>
-void resolve_doubtful(const IndexedMesh& mesh, const std::vector<Triangle>& grouped,
-                      const std::vector<char>& is_doubtful_group, const Choose& is_chosen, std::vector<Index>& group) {
-  const std::size_t vertices = mesh.positions.size();
+void resolve_doubtful(const IndexedMesh& mesh, const std::vector<Triangle>& grouped, const Flags& is_chosen,
+                      std::vector<Index>& group) {
+  const std::size_t n_vertices = mesh.positions.size();
+  const GroupedEdges edges(mesh, grouped, is_chosen);
+  const Flags is_doubtful_group = find_doubtful_groups(edges, n_vertices);
   WeldResolver resolver;
-  for (std::size_t v = 0; v < vertices; ++v) {
+  for (std::size_t v = 0; v < n_vertices; ++v) {
     if (is_doubtful_group[group[v]]) resolver.add_vertex(static_cast<Index>(v));
   }
-  for_each_edge(grouped, vertices, is_chosen, [&](Index a, Index b, std::span<const EdgeEnd> faces) {
-    if (!is_doubtful(mesh, grouped, a, b, faces)) return;
-    resolver.begin_edge();
-    for (const EdgeEnd& end : faces) {
-      const Triangle& face = grouped[end.face];
-      const auto corner = static_cast<std::size_t>(std::find(face.begin(), face.end(), a) - face.begin());
-      resolver.add_face(stored_edge(mesh.faces[end.face], face, a, b), face[(corner + 1) % 3] == b);
-    }
-  });
-  for_each_edge(grouped, vertices, is_chosen, [&](Index a, Index b, std::span<const EdgeEnd> faces) {
-    if (faces.size() != 2) return;
-    const auto first = stored_edge(mesh.faces[faces[0].face], grouped[faces[0].face], a, b);
-    const auto second = stored_edge(mesh.faces[faces[1].face], grouped[faces[1].face], a, b);
-    if (is_doubtful_group[a]) resolver.join(first[0], second[0]);
-    if (is_doubtful_group[b]) resolver.join(first[1], second[1]);
-  });
+  add_doubtful_edges(resolver, edges, grouped);
+  join_along_plain_edges(resolver, edges, is_doubtful_group);
   for (std::size_t f = 0; f < grouped.size(); ++f) {
     if (!has_three_corners(grouped[f]))
       join_ends_without_length(resolver, is_doubtful_group, mesh.faces[f], grouped[f]);
   }
   resolver.join_open_edges();
-  for (std::size_t v = 0; v < vertices; ++v) {
+  for (std::size_t v = 0; v < n_vertices; ++v) {
     if (is_doubtful_group[group[v]]) group[v] = resolver.lowest_joined(static_cast<Index>(v));
   }
 }
@@ -214,7 +183,7 @@ void resolve_doubtful(const IndexedMesh& mesh, const std::vector<Triangle>& grou
 // the surface there. It comes back unless it would be the third face of an edge.
 void bring_back(const IndexedMesh& mesh, const std::vector<Index>& group, std::vector<char>& is_dropped) {
   const std::vector<Triangle> welded = renumber(mesh.faces, group);
-  std::vector<char> is_back(welded.size(), 0);
+  Flags is_back(welded.size());
   for (std::size_t f = 0; f < welded.size(); ++f) {
     is_back[f] = is_dropped[f] == dropped_as_degenerate && has_three_corners(welded[f]);
   }
@@ -222,14 +191,16 @@ void bring_back(const IndexedMesh& mesh, const std::vector<Index>& group, std::v
   for (std::size_t f = 0; f < welded.size(); ++f) {
     if (is_back[f]) is_dropped[f] = 0;
   }
-  for_each_edge(
-      welded, mesh.positions.size(), [&](std::size_t f) { return !is_dropped[f] && has_three_corners(welded[f]); },
-      [&](Index a, Index b, std::span<const EdgeEnd> faces) {
-        if (!is_doubtful(mesh, welded, a, b, faces)) return;
-        for (const EdgeEnd& end : faces) {
-          if (is_back[end.face]) is_dropped[end.face] = dropped_as_degenerate;
-        }
-      });
+  Flags is_present(welded.size());
+  for (std::size_t f = 0; f < welded.size(); ++f) is_present[f] = !is_dropped[f] && has_three_corners(welded[f]);
+  const GroupedEdges edges(mesh, welded, is_present);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (!edges.is_doubtful(e)) continue;
+    for (const Index side : edges.sides(e)) {
+      const Index face = detail::face_of(side);
+      if (is_back[face]) is_dropped[face] = dropped_as_degenerate;
+    }
+  }
 }
 
 std::size_t count_welded(const std::vector<Index>& group) {
@@ -239,14 +210,14 @@ std::size_t count_welded(const std::vector<Index>& group) {
 }
 
 // Flags the faces that welding may change: those with a corner that isn't alone at its position.
-std::vector<char> find_touched_faces(const std::vector<Triangle>& faces, const std::vector<Index>& group) {
-  std::vector<char> is_shared(group.size(), 0);
+Flags find_touched_faces(const std::vector<Triangle>& faces, const std::vector<Index>& group) {
+  Flags is_shared(group.size());
   for (std::size_t v = 0; v < group.size(); ++v) {
     if (group[v] != v) is_shared[v] = is_shared[group[v]] = 1;
   }
-  std::vector<char> is_touched(faces.size());
+  Flags is_touched(faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    is_touched[f] = static_cast<char>(is_shared[faces[f][0]] | is_shared[faces[f][1]] | is_shared[faces[f][2]]);
+    is_touched[f] = static_cast<std::uint8_t>(is_shared[faces[f][0]] | is_shared[faces[f][1]] | is_shared[faces[f][2]]);
   }
   return is_touched;
 }
@@ -261,22 +232,22 @@ Repairs weld_borders(IndexedMesh& mesh, std::vector<Index>* joined_to) {
   if (done.welded_vertices == 0) return done;
 
   const std::vector<Triangle> grouped = renumber(mesh.faces, group);
-  const std::vector<char> is_touched = find_touched_faces(mesh.faces, group);
-  const auto counts = [&](std::size_t f) { return is_touched[f] && has_three_corners(grouped[f]); };
-  if (!has_any(find_doubtful_groups(mesh, grouped, counts))) {
+  const Flags is_touched = find_touched_faces(mesh.faces, group);
+  const std::size_t n_vertices = mesh.positions.size();
+  if (!has_any(find_doubtful_groups(GroupedEdges(mesh, grouped, is_touched), n_vertices))) {
     mesh.faces = grouped;
     if (joined_to != nullptr) *joined_to = std::move(group);
     return done;
   }
 
   // A duplicate of a face would make all edges of the face doubtful.
-  std::vector<char> is_dropped = find_duplicate_faces(grouped, mesh.positions.size());
+  std::vector<char> is_dropped = find_duplicate_faces(grouped, n_vertices);
   for (std::size_t f = 0; f < grouped.size(); ++f) {
     if (!has_three_corners(grouped[f])) is_dropped[f] = dropped_as_degenerate;
   }
-  const auto still_counts = [&](std::size_t f) { return is_touched[f] && !is_dropped[f]; };
-  const std::vector<char> is_doubtful_group = find_doubtful_groups(mesh, grouped, still_counts);
-  resolve_doubtful(mesh, grouped, is_doubtful_group, still_counts, group);
+  Flags is_kept(grouped.size());
+  for (std::size_t f = 0; f < grouped.size(); ++f) is_kept[f] = is_touched[f] && !is_dropped[f];
+  resolve_doubtful(mesh, grouped, is_kept, group);
   bring_back(mesh, group, is_dropped);
 
   done.welded_vertices = count_welded(group);

@@ -28,7 +28,7 @@ enum class Topology {
 
 /// Which vertices are pairs though no face joins them. \cite garland_1997_surface (section 3.2: valid pairs)
 struct PairOptions {
-  std::optional<double> threshold;              ///< Those closer than this, model units. [0, inf]; empty = none.
+  std::optional<double> threshold{};            ///< Those closer than this, model units. [0, inf]; empty = none.
   std::optional<std::uint32_t> max_pairs = 32;  ///< Only so many of each vertex, the nearest; a pair stays if it is
                                                 ///< among those of either vertex. At least 1; empty = all.
   bool across_walls = false;  ///< Also those across the inside of a thin wall, whose normals face away.
@@ -58,37 +58,37 @@ struct Contraction {
 
 /// Options own what they are given. An empty optional is off, or "by the cost" where the comment says so.
 struct DecimateOptions {
-  std::optional<Cost> cost;        ///< Empty = quadric in `decimate`, by effort in `simplify`.
-  QuadricOptions quadric;          ///< Of the costs that have quadrics.
+  std::optional<Cost> cost{};      ///< Empty = quadric in `decimate`, by effort in `simplify`.
+  QuadricOptions quadric{};        ///< Of the costs that have quadrics.
   double isotropy = 0;             ///< W of the blend of `Cost::quadric` with the edge's length (edge_length_term.hh).
                                    ///< [0, 1]
   double valence_weight = 0;       ///< W of the penalty for valences, times any cost (valence_term.hh). [0, inf)
   Order order = Order::automatic;  ///< Automatic = by the cost.
-  PairOptions pairs;
+  PairOptions pairs{};
   Topology topology = Topology::keep;
   Boundary boundary = Boundary::weighted;
 
   /// A contraction that turns the normal of a remaining face further than this is refused, degrees. (0, 180]; at 180
   /// only a face that loses its area is refused. Empty = by the cost: `CostTraits::default_max_normal_flip_deg`.
-  std::optional<double> max_normal_flip_deg;
+  std::optional<double> max_normal_flip_deg{};
 
   /// A contraction that leaves a face with a smaller radius ratio (radius_ratio.hh) is refused, unless the face was
   /// thinner before. [0, 1]; empty = off.
-  std::optional<double> min_radius_ratio;
+  std::optional<double> min_radius_ratio{};
 
   /// V or empty; vertices with a non-zero entry neither move nor vanish. Their other neighbours may merge into them.
-  std::vector<std::uint8_t> locked;
+  std::vector<std::uint8_t> locked{};
 
   /// Edges of two faces whose normals differ by more than this are sharp, and features, degrees. (0, 180]; empty = no
   /// edges are. Vertices on a line of feature edges move along it only; where lines meet, end, or turn further than
   /// this, they stay. Feature edges stay sharp, and no others get so.
-  std::optional<double> feature_angle_deg;
+  std::optional<double> feature_angle_deg{};
 
   /// How far a feature line may come to lie from where it was, of the diagonal of the input's bounding box. [0, inf]
   double feature_tolerance = 5e-4;
 
   /// Edges that are features whatever their angle. Pairs that are no edge of the mesh don't count.
-  std::vector<VertexPair> feature_edges;
+  std::vector<VertexPair> feature_edges{};
 
   /// Whether `Decimation::quadrics` is wanted.
   bool keep_quadrics = false;
@@ -97,10 +97,10 @@ struct DecimateOptions {
   unsigned threads = 0;
 
   /// Called now and then from the calling thread; false ends the run with what is reached.
-  std::function<bool(const Progress&)> progress;
+  std::function<bool(const Progress&)> progress{};
 
   /// Called after each contraction, in order.
-  std::function<void(const Contraction&)> listener;
+  std::function<void(const Contraction&)> listener{};
 
   // What the fields above come to in `decimate` where they are empty.
   Cost effective_cost() const { return cost.value_or(Cost::quadric); }

@@ -3,31 +3,21 @@
 #include <optional>
 
 #include "complex/restraints.hh"
-#include "cost/pair_cost.hh"
-#include "cost/quadric/vertex_quadrics.hh"
+#include "cost/quadric/summed_quadrics_cost.hh"
 
 namespace whittle {
 
 /// Garland–Heckbert (quadric_term.hh). Where the minimum of a pair is wanted and exists, as is mostly so, several pairs
 /// are ranked at once.
-class QuadricCost final : public PairCost {
+class QuadricCost final : public SummedQuadricsCost {
  public:
   QuadricCost(const TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options,
               bool has_threshold_pairs)
-      : complex_(complex),
-        restraints_(restraints),
-        options_(options),
-        quadrics_(complex, options, has_threshold_pairs) {}
-
-  void see_faces(unsigned threads) override { quadrics_.sum_faces(threads); }
-  void start(unsigned /*threads*/) override { quadrics_.add_borders(); }
-  void resume(const DecimationState& state) override { quadrics_.resume(state); }
+      : SummedQuadricsCost(complex, options, has_threshold_pairs), complex_(complex), restraints_(restraints) {}
 
   using PairCost::rank;
   void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;
   void merge(ContractionProfile& profile, const PairEvaluation& ranked, const Change& change) override;
-  PlacedQuadric quadric(Index v) const override { return quadrics_.placed(v); }
-  VertexState vertex_state() const override { return quadrics_.state(); }
   Reach reach() const override { return Reach::none; }
 
   VertexQuadrics& quadrics() { return quadrics_; }
@@ -41,8 +31,6 @@ class QuadricCost final : public PairCost {
 
   const TriangleComplex& complex_;
   const Restraints& restraints_;
-  QuadricOptions options_;
-  VertexQuadrics quadrics_;
   std::optional<double> first_area_;
 };
 

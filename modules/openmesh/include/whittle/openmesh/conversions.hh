@@ -10,7 +10,7 @@
 #include "whittle/core/frame.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/core/manifold_cut.hh"
-#include "whittle/openmesh/status_bits.hh"
+#include "whittle/openmesh/detail/status_bits.hh"
 #include "whittle/openmesh/vertex_copies.hh"
 
 // OpenMesh triangle meshes of any traits, to plain arrays and back.

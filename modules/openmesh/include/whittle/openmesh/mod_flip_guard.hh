@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "whittle/openmesh/face_guard.hh"
+#include "whittle/openmesh/detail/face_guard.hh"
 
 namespace whittle {
 

@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "whittle/openmesh/detail/stock_quadric.hh"
 #include "whittle/openmesh/quadric_module.hh"
-#include "whittle/openmesh/stock_quadric.hh"
 
 // Garland–Heckbert cost and placement as a module for OpenMesh's decimaters: the engine's term (quadric_term.hh), with
 // the same numbers in every bit.

@@ -16,7 +16,7 @@ namespace whittle {
 /// What a contraction costs and where it goes, as the engine is told: these fields of `DecimateOptions`.
 struct CostOptions {
   Cost cost = Cost::quadric;
-  QuadricOptions quadric;
+  QuadricOptions quadric{};
   double isotropy = 0;
   double valence_weight = 0;
 };

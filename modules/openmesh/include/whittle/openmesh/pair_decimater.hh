@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "whittle/engine/decimate.hh"
-#include "whittle/openmesh/feature_bits.hh"
+#include "whittle/openmesh/detail/feature_bits.hh"
 #include "whittle/openmesh/mod_flip_guard.hh"
 #include "whittle/openmesh/mod_radius_ratio.hh"
 #include "whittle/openmesh/pair_cost_module.hh"

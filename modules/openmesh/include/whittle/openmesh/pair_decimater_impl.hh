@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "whittle/openmesh/engine_run.hh"
-#include "whittle/openmesh/mesh_run.hh"
+#include "whittle/openmesh/detail/engine_run.hh"
+#include "whittle/openmesh/detail/mesh_run.hh"
 #include "whittle/openmesh/pair_decimater.hh"
 
 namespace whittle {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "whittle/openmesh/blend_attributes.hh"
-#include "whittle/openmesh/feature_bits.hh"
+#include "whittle/openmesh/detail/blend_attributes.hh"
+#include "whittle/openmesh/detail/feature_bits.hh"
 #include "whittle/openmesh/placing_module.hh"
 
 namespace whittle {

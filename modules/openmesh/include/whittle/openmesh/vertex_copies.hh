@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "whittle/core/indexed_mesh.hh"
-#include "whittle/openmesh/status_bits.hh"
+#include "whittle/openmesh/detail/status_bits.hh"
 
 // A half-edge mesh can't hold an edge with three faces, nor a vertex at which two fans of faces meet
 // (`manifold_cut.hh`). Such vertices are there several times, and a vertex property of the mesh tells which of them

@@ -45,6 +45,7 @@ class EdgeTable {
 
  private:
   friend std::vector<VertexPair> border_edges(std::span<const Triangle> faces, std::size_t n_vertices);
+  friend std::vector<std::uint8_t> border_vertices(std::span<const Triangle> faces, std::size_t n_vertices);
 
   struct Edge {
     VertexPair ends;
@@ -55,6 +56,12 @@ class EdgeTable {
   template <class ForEachSide>
   void build(std::size_t n_vertices, const ForEachSide& for_each_own_side);
 
+  /// The edges with exactly one side among those with `is_candidate(from, to)`, ascending.
+  /// \pre either all sides of an edge are candidates or none is
+  template <class IsCandidate>
+  static std::vector<VertexPair> border_edges_among(std::span<const Triangle> faces, std::size_t n_vertices,
+                                                    const IsCandidate& is_candidate);
+
   LargeArray<Edge> edges_ = LargeArray<Edge>(1, Edge{});  ///< one more at the end, for where the last one's sides end
   LargeArray<Index> sides_;                               ///< those of each edge together
 };
@@ -63,5 +70,9 @@ class EdgeTable {
 /// vertices may both lie on a border are sorted.
 /// \pre, \throw as `EdgeTable`
 std::vector<VertexPair> border_edges(std::span<const Triangle> faces, std::size_t n_vertices);
+
+/// Per vertex, 1 if it is an end of a border edge. Faster than `border_edges` where the faces share few vertices.
+/// \pre, \throw as `EdgeTable`
+std::vector<std::uint8_t> border_vertices(std::span<const Triangle> faces, std::size_t n_vertices);
 
 }  // namespace whittle::detail

@@ -1,0 +1,189 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands/stock_decimater.hh"
+#include "commands/subcommands.hh"
+#include "files/input.hh"
+#include "files/output.hh"
+#include "files/report.hh"
+#include "options/sampling.hh"
+#include "options/targets.hh"
+#include "terminal/interruption.hh"
+#include "terminal/progress_bar.hh"
+#include "terminal/stopwatch.hh"
+#include "terminal/table.hh"
+
+namespace whittle::app {
+namespace {
+
+struct CompareOptions {
+  std::string input;
+  TargetOptions targets;
+  InputOptions reading;
+  metrics::DistanceOptions distance;
+  CommonOptions common;
+};
+
+/// One side of the comparison.
+struct Contender {
+  std::size_t n_vertices = 0;
+  std::size_t n_faces = 0;
+  double seconds = 0;
+  metrics::SurfaceDistance distance;  ///< from the input
+};
+
+struct Comparison {
+  DecimateTarget target = DecimateTarget::as_far_as_possible();
+  Contender ours;
+  Contender stock;
+  double stock_seconds_build = 0;
+  std::uint64_t stock_lost_faces = 0;
+};
+
+Contender judged(const IndexedMesh& input, const IndexedMesh& result, double seconds, const CompareOptions& options) {
+  metrics::DistanceOptions distance = options.distance;
+  distance.threads = options.common.threads;
+  return {result.positions.size(), result.faces.size(), seconds, metrics::surface_distance(input, result, distance)};
+}
+
+Contender run_ours(const IndexedMesh& input, const DecimateTarget& target, const CompareOptions& options,
+                   const Talk& talk) {
+  const Stopwatch watch;
+  Decimation decimation;
+  {
+    ProgressBar bar(talk, "whittle");
+    DecimateOptions engine_options;
+    engine_options.threads = options.common.threads;
+    engine_options.progress = [&bar](const Progress& progress) {
+      bar.update(progress.fraction, std::to_string(progress.n_faces) + " faces");
+      return true;
+    };
+    decimation = decimate(input, target, engine_options);
+  }
+  return judged(input, decimation.mesh, watch.seconds(), options);
+}
+
+StockRun run_stock(const Input& input, const DecimateTarget& target, std::size_t expected_contractions,
+                   const Talk& talk) {
+  ProgressBar bar(talk, "OpenMesh ModQuadric");
+  return decimate_by_stock(input.read.mesh, input.name, target, [&](std::uint64_t n_contractions) {
+    const auto done =
+        static_cast<double>(n_contractions) / static_cast<double>(std::max<std::size_t>(expected_contractions, 1));
+    bar.update(done, std::to_string(n_contractions) + " contractions");
+  });
+}
+
+Comparison compare(const Input& input, const CompareOptions& options, const Talk& talk) {
+  const IndexedMesh& mesh = input.read.mesh;
+  Comparison comparison;
+  comparison.target = resolve(options.targets, mesh.positions.size());
+  comparison.ours = run_ours(mesh, comparison.target, options, talk);
+  const std::size_t expected = mesh.positions.size() - comparison.ours.n_vertices;
+  const StockRun stock = run_stock(input, comparison.target, expected, talk);
+  comparison.stock = judged(mesh, stock.mesh, stock.seconds_decimate, options);
+  comparison.stock_seconds_build = stock.seconds_build;
+  comparison.stock_lost_faces = stock.n_lost_faces;
+  return comparison;
+}
+
+Json contender_json(const Contender& contender, const char* name) {
+  Json json = {{"name", name}, {"vertices", contender.n_vertices}, {"faces", contender.n_faces}};
+  json["seconds"] = {{"decimate", contender.seconds}};
+  add_distance(json, contender.distance);
+  return json;
+}
+
+Json compare_json(const CompareOptions& options, const Input& input, const Comparison& comparison) {
+  Json json = new_report();
+  json["input"] = input_json(input, comparison.ours.distance.diagonal);
+  json["target"] = target_json(options.targets, comparison.target);
+  json["diagonal"] = comparison.ours.distance.diagonal;
+  json["whittle"] = contender_json(comparison.ours, "whittle");
+  json["openmesh"] = contender_json(comparison.stock, "OpenMesh ModQuadric + ModNormalFlipping");
+  json["openmesh"]["seconds"]["build"] = comparison.stock_seconds_build;
+  json["openmesh"]["lost_faces"] = comparison.stock_lost_faces;
+  return json;
+}
+
+/// "0.62" for ours over theirs; "-" where there is nothing to divide by.
+std::string ratio(double ours, double theirs) { return theirs > 0 ? significant(ours / theirs) : "-"; }
+
+/// One sentence; empty where one side has nothing to compare.
+std::string verdict(const Comparison& comparison) {
+  const double error = comparison.stock.distance.mean;
+  if (!(comparison.ours.seconds > 0) || !(error > 0)) return {};
+  return "whittle: " + significant(comparison.stock.seconds / comparison.ours.seconds) + " times as fast, " +
+         significant(comparison.ours.distance.mean / error) + " times the mean error\n";
+}
+
+std::string to_text(const Input& input, const Comparison& comparison) {
+  const Contender& ours = comparison.ours;
+  const Contender& stock = comparison.stock;
+  const double diagonal = ours.distance.diagonal;
+  Table table;
+  table.add({"", "whittle", "OpenMesh", "whittle/OpenMesh"});
+  const auto add_count = [&table](const char* name, std::size_t a, std::size_t b) {
+    table.add({name, std::to_string(a), std::to_string(b)});
+  };
+  const auto add = [&table](const std::string& name, double a, double b, const std::string& unit = "") {
+    table.add({name, significant(a) + unit, significant(b) + unit, ratio(a, b)});
+  };
+  const auto add_length = [&](const std::string& name, double a, double b) {
+    add(name, a, b);
+    if (diagonal > 0) add("  of the diagonal", 100 * a / diagonal, 100 * b / diagonal, " %");
+  };
+  add_count("faces", ours.n_faces, stock.n_faces);
+  add_count("vertices", ours.n_vertices, stock.n_vertices);
+  table.add({"time to decimate", seconds_text(ours.seconds), seconds_text(stock.seconds),
+             ratio(ours.seconds, stock.seconds)});
+  table.add({"time to build its mesh", "-", seconds_text(comparison.stock_seconds_build)});
+  add_length("mean error", ours.distance.mean, stock.distance.mean);
+  add_length("rms error", ours.distance.rms, stock.distance.rms);
+  add_length("largest error", ours.distance.max, stock.distance.max);
+  add("Garland-Heckbert 1997", ours.distance.garland_heckbert, stock.distance.garland_heckbert);
+  add("faces turned over", ours.distance.flipped_percent, stock.distance.flipped_percent, " %");
+  return input.name + ": " + std::to_string(input.read.mesh.faces.size()) + " faces, " +
+         std::to_string(input.read.mesh.positions.size()) + " vertices; target: " + to_string(comparison.target) +
+         "\n\n" + table.text() + "\n" + verdict(comparison);
+}
+
+ExitCode run_compare(const CLI::App& app, const CompareOptions& options) {
+  check_targets(options.targets);
+  check_conflicts(app, common_conflicts());
+  check_inputs({options.input}, {}, options.reading.format);
+  if (options.common.json) check_outputs({{"--json", *options.common.json}}, {options.input}, options.common.force);
+  const Talk talk(options.common.volume());
+  const Stopwatch watch;
+  const Input input = read_input(options.input, options.reading, talk);
+  const Comparison comparison = compare(input, options, talk);
+  if (comparison.stock_lost_faces > 0) {
+    talk.warning(input.name + ": OpenMesh's mesh can't hold " + std::to_string(comparison.stock_lost_faces) +
+                 " of the " + std::to_string(input.read.mesh.faces.size()) +
+                 " faces, so it had less to do, and what it lost counts as its error");
+  }
+  write_report(options.common, compare_json(options, input, comparison), to_text(input, comparison));
+  say_effort(talk, watch.seconds());
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void setup_compare(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<CompareOptions>();
+  CLI::App* sub = app.add_subcommand("compare", "Simplify with whittle and with OpenMesh's ModQuadric, side by side.");
+  add_mesh_file(*sub, options->input);
+  add_target_options(*sub, options->targets);
+  add_sampling_options(*sub, options->distance);
+  add_format(*sub, options->reading);
+  add_no_weld(*sub, options->reading);
+  add_common_options(*sub, options->common);
+  set_usage(*sub, "IN TARGET... [OPTION]...");
+  sub->footer(
+      "Examples:\n"
+      "  whittle compare dragon.ply --ratio 10%\n"
+      "  whittle compare dragon.ply --faces 5000 --json - | jq '.whittle.mean / .openmesh.mean'");
+  sub->callback([sub, options, &command] { command = [sub, options] { return run_compare(*sub, *options); }; });
+}
+
+}  // namespace whittle::app

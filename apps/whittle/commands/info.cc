@@ -1,0 +1,184 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands/subcommands.hh"
+#include "files/input.hh"
+#include "files/output.hh"
+#include "files/report.hh"
+#include "terminal/stopwatch.hh"
+#include "terminal/table.hh"
+#include "whittle/metrics/self_intersections.hh"
+
+namespace whittle::app {
+namespace {
+
+struct InfoOptions {
+  std::string input;
+  InputOptions reading;  ///< `weld` apart: both ways are shown
+  CommonOptions common;
+};
+
+/// One mesh, looked at from all sides.
+struct View {
+  metrics::Topology topology;
+  metrics::Shape shape;
+  std::size_t self_intersections = 0;
+};
+
+struct Findings {
+  std::string name;              ///< of the file, as shown
+  io::ReadResult read;           ///< after all repairs
+  std::optional<View> unwelded;  ///< when welding changed something
+  View repaired;
+  metrics::Bounds bounds;
+};
+
+View view(const IndexedMesh& mesh, unsigned threads) {
+  return {metrics::topology(mesh), metrics::shape(mesh), metrics::self_intersections(mesh, threads).size()};
+}
+
+Findings look_at(const InfoOptions& options) {
+  const MeshFile file(options.input, options.reading.format);
+  Findings findings;
+  findings.name = file.name();
+  findings.read = file.read(true);
+  findings.repaired = view(findings.read.mesh, options.common.threads);
+  findings.bounds = metrics::bounds(findings.read.mesh);
+  if (findings.read.repairs.welded_vertices > 0)
+    findings.unwelded = view(file.read(false).mesh, options.common.threads);
+  return findings;
+}
+
+Json point_json(const Vec3& point) { return {point.x(), point.y(), point.z()}; }
+
+Json view_json(const View& view) {
+  const metrics::Topology& topology = view.topology;
+  Json json = {{"vertices", topology.vertices}, {"faces", topology.faces}, {"edges", topology.edges}};
+  add_topology(json, topology);
+  json["boundary_edges"] = topology.boundary_edges;
+  json["misoriented_edges"] = topology.misoriented_edges;
+  json["oriented"] = topology.oriented;
+  json["orientable"] = topology.orientable;
+  json["euler"] = topology.euler;
+  json["degenerate_faces"] = view.shape.degenerate_faces;
+  json["folds"] = view.shape.folds;
+  json["self_intersections"] = view.self_intersections;
+  return json;
+}
+
+std::vector<std::string> attributes_of(const IndexedMesh& mesh) {
+  std::vector<std::string> names;
+  if (!mesh.normals.empty()) names.emplace_back("vertex normals");
+  if (!mesh.colors.empty()) names.emplace_back("vertex colours");
+  if (!mesh.corner_texcoords.empty()) names.emplace_back("texture coordinates");
+  if (!mesh.face_groups.empty()) names.emplace_back("groups");
+  return names;
+}
+
+Json info_json(const InfoOptions& options, const Findings& findings) {
+  const io::ReadResult& read = findings.read;
+  Json json = new_report();
+  json["path"] = options.input;
+  json["format"] = io::name_of(read.format);
+  json["file"] = {{"vertices", read.file_vertices}, {"faces", read.file_faces}};
+  json["repairs"] = repairs_json(read.repairs);
+  json["diagonal"] = findings.bounds.diagonal();
+  json["bounds"] = {{"min", point_json(findings.bounds.min)}, {"max", point_json(findings.bounds.max)}};
+  json.update(view_json(findings.repaired));
+  json["unwelded"] = findings.unwelded ? view_json(*findings.unwelded) : Json(nullptr);
+  json["attributes"] = attributes_of(read.mesh);
+  json["warnings"] = read.warnings;
+  return json;
+}
+
+/// The rows of one view: what is counted and the count.
+std::vector<std::pair<std::string, std::string>> rows(const View& view) {
+  const metrics::Topology& topology = view.topology;
+  const auto count = [](std::size_t n) { return std::to_string(n); };
+  return {{"vertices", count(topology.vertices)},
+          {"faces", count(topology.faces)},
+          {"edges", count(topology.edges)},
+          {"components", count(topology.components)},
+          {"closed", yes_no(topology.closed)},
+          {"border edges", count(topology.boundary_edges)},
+          {"border loops", count(topology.boundary_loops)},
+          {"manifold", yes_no(topology.manifold)},
+          {"non-manifold edges", count(topology.nonmanifold_edges)},
+          {"non-manifold vertices", count(topology.nonmanifold_vertices)},
+          {"Euler number", std::to_string(topology.euler)},
+          {"genus", topology.genus ? std::to_string(*topology.genus) : "-"},
+          {"oriented alike", topology.oriented     ? "yes"
+                             : topology.orientable ? "no, but can be"
+                                                   : "no, and can't be"},
+          {"misoriented edges", count(topology.misoriented_edges)},
+          {"faces without area", count(view.shape.degenerate_faces)},
+          {"folds", count(view.shape.folds)},
+          {"self-intersections", count(view.self_intersections)}};
+}
+
+std::string point_text(const Vec3& p) {
+  return significant(p.x()) + ' ' + significant(p.y()) + ' ' + significant(p.z());
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text.empty() ? "none" : text;
+}
+
+std::string to_text(const Findings& findings) {
+  const io::ReadResult& read = findings.read;
+  const std::string repairs = io::to_string(read.repairs);
+  std::string text = findings.name + ": " + std::string(io::title_of(read.format)) + ", " +
+                     std::to_string(read.file_vertices) + " vertices, " + std::to_string(read.file_faces) +
+                     " faces in the file\n";
+  text += "repairs: " + (repairs.empty() ? "none" : repairs) + '\n';
+  text += "box: " + point_text(findings.bounds.min) + " to " + point_text(findings.bounds.max) + ", diagonal " +
+          significant(findings.bounds.diagonal()) + '\n';
+  text += "attributes: " + joined(attributes_of(read.mesh)) + "\n\n";
+
+  Table table;
+  const auto repaired = rows(findings.repaired);
+  if (findings.unwelded) {
+    const auto unwelded = rows(*findings.unwelded);
+    table.add({"", "unwelded", "welded"});
+    for (std::size_t i = 0; i < repaired.size(); ++i) {
+      table.add({repaired[i].first, unwelded[i].second, repaired[i].second});
+    }
+  } else {
+    for (const auto& [name, value] : repaired) table.add({name, value});
+  }
+  return text + table.text();
+}
+
+ExitCode run_info(const CLI::App& app, const InfoOptions& options) {
+  check_conflicts(app, common_conflicts());
+  check_inputs({options.input}, {}, options.reading.format);
+  if (options.common.json) check_outputs({{"--json", *options.common.json}}, {options.input}, options.common.force);
+  const Talk talk(options.common.volume());
+  const Stopwatch watch;
+  const Findings findings = look_at(options);
+  for (const std::string& warning : findings.read.warnings) talk.warning(about(findings.name, warning));
+  write_report(options.common, info_json(options, findings), to_text(findings));
+  say_effort(talk, watch.seconds());
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void setup_info(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<InfoOptions>();
+  CLI::App* sub = app.add_subcommand("info", "Say what is in a mesh file and what is wrong with it.");
+  add_mesh_file(*sub, options->input);
+  add_format(*sub, options->reading);
+  add_common_options(*sub, options->common);
+  set_usage(*sub, "IN [OPTION]...");
+  sub->footer(
+      "Examples:\n"
+      "  whittle info part.stl\n"
+      "  whittle info part.stl --json - | jq .closed");
+  sub->callback([sub, options, &command] { command = [sub, options] { return run_info(*sub, *options); }; });
+}
+
+}  // namespace whittle::app

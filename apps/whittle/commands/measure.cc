@@ -1,0 +1,214 @@
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands/subcommands.hh"
+#include "files/input.hh"
+#include "files/output.hh"
+#include "files/report.hh"
+#include "options/sampling.hh"
+#include "options/values.hh"
+#include "terminal/stopwatch.hh"
+#include "terminal/table.hh"
+#include "whittle/metrics/line_distance.hh"
+#include "whittle/metrics/self_intersections.hh"
+
+namespace whittle::app {
+namespace {
+
+struct MeasureOptions {
+  std::string reference;
+  std::string test;
+  InputOptions reading;
+  metrics::DistanceOptions distance;
+  std::optional<double> feature_angle_deg;
+  CommonOptions common;
+};
+
+/// Lines of both meshes, borders or features.
+struct LinesMeasured {
+  bool in_reference = false;  ///< Whether there are any.
+  bool in_test = false;
+  std::optional<metrics::LineDistance> distance;  ///< If there are some in both.
+};
+
+struct Measurement {
+  metrics::SurfaceDistance distance;
+  LinesMeasured borders;
+  std::optional<LinesMeasured> features;  ///< If asked for.
+  metrics::Shape shape;
+  metrics::Topology topology;
+  std::size_t self_intersections = 0;
+};
+
+LinesMeasured measure_lines(const std::vector<metrics::Segment>& reference, const std::vector<metrics::Segment>& test,
+                            unsigned threads) {
+  return {!reference.empty(), !test.empty(), metrics::line_distance(reference, test, {.threads = threads})};
+}
+
+Measurement measure(const IndexedMesh& reference, const IndexedMesh& test, const MeasureOptions& options) {
+  metrics::DistanceOptions distance = options.distance;
+  distance.threads = options.common.threads;
+  const unsigned threads = options.common.threads;
+  Measurement measured;
+  measured.distance = metrics::surface_distance(reference, test, distance);
+  measured.borders = measure_lines(metrics::border_lines(reference), metrics::border_lines(test), threads);
+  if (const auto angle_deg = options.feature_angle_deg) {
+    measured.features =
+        measure_lines(metrics::feature_lines(reference, *angle_deg), metrics::feature_lines(test, *angle_deg), threads);
+  }
+  measured.shape = metrics::shape(test);
+  measured.topology = metrics::topology(test);
+  measured.self_intersections = metrics::self_intersections(test, threads).size();
+  return measured;
+}
+
+Json features_json(const Measurement& measured, const MeasureOptions& options) {
+  if (!measured.features) return nullptr;
+  Json json = lines_json(measured.features->distance, measured.distance.diagonal);
+  if (!json.is_null()) json["angle_deg"] = *options.feature_angle_deg;
+  return json;
+}
+
+Json measure_json(const Input& reference, const Input& test, const Measurement& measured,
+                  const MeasureOptions& options) {
+  Json json = new_report();
+  json["reference"] = input_json(reference, measured.distance.diagonal);
+  json["test"] = input_json(test, metrics::bounds(test.read.mesh).diagonal());
+  json["diagonal"] = measured.distance.diagonal;
+  add_distance(json, measured.distance);
+  json["border"] = lines_json(measured.borders.distance, measured.distance.diagonal);
+  json["features"] = features_json(measured, options);
+  add_shape(json, measured.shape);
+  json["self_intersections"] = measured.self_intersections;
+  add_topology(json, measured.topology);
+  return json;
+}
+
+/// "1.234 (0.5 %)"
+std::string length_text(double length, double diagonal) {
+  return significant(length) + " (" + percent(length / diagonal) + ")";
+}
+
+/// Rows for the distance between lines, none if there is no such distance. \param name "borders"
+void add_lines(Table& table, const std::string& name, const LinesMeasured& lines, double diagonal) {
+  if (!lines.distance) return;
+  const metrics::LineDistance& d = *lines.distance;
+  const auto length = [diagonal](double x) { return length_text(x, diagonal); };
+  table.add({name + ", mean", length(d.mean), length(d.forward.mean), length(d.backward.mean)});
+  table.add({name + ", largest", length(d.max), length(d.forward.max), length(d.backward.max)});
+}
+
+/// A line on why there is no distance between lines; empty if there is one. \param name "borders"
+std::string lines_missing(const std::string& name, const LinesMeasured& lines) {
+  if (lines.distance) return {};
+  const char* who = lines.in_reference ? "TEST has none" : lines.in_test ? "REF has none" : "neither mesh has any";
+  return "no distance between " + name + ": " + who + '\n';
+}
+
+std::string distance_table(const Measurement& measured) {
+  const metrics::SurfaceDistance& d = measured.distance;
+  Table table;
+  const auto length = [&d](double x) { return length_text(x, d.diagonal); };
+  const auto add = [&table](const char* name, const std::string& both, const std::string& there,
+                            const std::string& back) {
+    table.add({name, both, there, back});
+  };
+  add("", "both ways", "from REF to TEST", "from TEST to REF");
+  add("mean distance", length(d.mean), length(d.forward.mean), length(d.backward.mean));
+  add("rms distance", length(d.rms), length(d.forward.rms), length(d.backward.rms));
+  add("largest distance", length(d.max), length(d.forward.max), length(d.backward.max));
+  add("normals differ by, deg", significant(d.normal_deviation_deg), significant(d.forward.normal_deviation_deg),
+      significant(d.backward.normal_deviation_deg));
+  add("faces turned over", significant(d.flipped_percent) + " %", significant(d.forward.flipped_percent) + " %",
+      significant(d.backward.flipped_percent) + " %");
+  add_lines(table, "borders", measured.borders, d.diagonal);
+  if (measured.features) add_lines(table, "feature lines", *measured.features, d.diagonal);
+  std::string text =
+      table.text() + "Garland-Heckbert 1997, mean squared distance: " + significant(d.garland_heckbert) + '\n';
+  // That closed meshes have no borders needs no saying.
+  if (measured.borders.in_reference || measured.borders.in_test) text += lines_missing("borders", measured.borders);
+  if (measured.features) text += lines_missing("feature lines", *measured.features);
+  return text;
+}
+
+std::string shape_table(const Measurement& measured) {
+  const metrics::Shape& shape = measured.shape;
+  const metrics::Topology& topology = measured.topology;
+  Table table;
+  const auto add = [&table](const char* name, const std::string& value) { table.add({name, value}); };
+  add("radius ratio, mean / least", significant(shape.radius_ratio_mean) + " / " + significant(shape.radius_ratio_min));
+  add("least angle, mean / least, deg",
+      significant(shape.min_angle_mean_deg) + " / " + significant(shape.min_angle_min_deg));
+  add("valence 5 to 7", percent(shape.valence.share_5_to_7));
+  add("valence, least / greatest", std::to_string(shape.valence.min) + " / " + std::to_string(shape.valence.max));
+  add("edge lengths, deviation / mean", significant(shape.edge_length_cv));
+  add("folds", std::to_string(shape.folds));
+  add("self-intersections", std::to_string(measured.self_intersections));
+  add("degenerate faces", std::to_string(shape.degenerate_faces));
+  add("manifold / closed", yes_no(topology.manifold) + " / " + yes_no(topology.closed));
+  add("components", std::to_string(topology.components));
+  return table.text();
+}
+
+std::string file_line(const char* role, const Input& input) {
+  return role + input.name + ", " + std::to_string(input.read.mesh.faces.size()) + " faces, " +
+         std::to_string(input.read.mesh.positions.size()) + " vertices\n";
+}
+
+std::string to_text(const Input& reference, const Input& test, const Measurement& measured) {
+  return file_line("REF: ", reference) + file_line("TEST: ", test) +
+         "lengths in model units, and over the diagonal of REF's box, which is " +
+         significant(measured.distance.diagonal) + "\n\n" + distance_table(measured) + "\nTEST\n" +
+         shape_table(measured);
+}
+
+ExitCode run_measure(const CLI::App& app, const MeasureOptions& options) {
+  check_conflicts(app, common_conflicts());
+  check_inputs({options.reference, options.test}, {}, options.reading.format);
+  if (options.common.json) {
+    check_outputs({{"--json", *options.common.json}}, {options.reference, options.test}, options.common.force);
+  }
+  const Talk talk(options.common.volume());
+  const Stopwatch watch;
+  const Input reference = read_input(options.reference, options.reading, talk);
+  const Input test = read_input(options.test, options.reading, talk);
+  const Measurement measured = measure(reference.read.mesh, test.read.mesh, options);
+  write_report(options.common, measure_json(reference, test, measured, options), to_text(reference, test, measured));
+  say_effort(talk, watch.seconds());
+  return ExitCode::done;
+}
+
+void add_feature_angle(CLI::App& app, std::optional<double>& angle_deg) {
+  constexpr Range range{0, 180, false, false};
+  add_value(
+      app, "--feature-angle", "DEG", angle_deg,
+      [range](std::string_view text) { return parse_number(text, range, "DEG"); },
+      "also measure the feature lines, the edges whose two faces turn by more than DEG degrees, " +
+          to_string(range, "DEG"))
+      ->default_str("off");
+}
+
+}  // namespace
+
+void setup_measure(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<MeasureOptions>();
+  CLI::App* sub = app.add_subcommand("measure", "Say how far TEST is from REF, and how well TEST is made.");
+  add_file(*sub, "REF", options->reference, "the reference mesh, or '-' for standard input");
+  add_file(*sub, "TEST", options->test, "the mesh to judge, or '-' for standard input");
+  add_sampling_options(*sub, options->distance);
+  add_feature_angle(*sub, options->feature_angle_deg);
+  add_format(*sub, options->reading);
+  add_no_weld(*sub, options->reading);
+  add_common_options(*sub, options->common);
+  set_usage(*sub, "REF TEST [OPTION]...");
+  sub->footer(
+      "Examples:\n"
+      "  whittle measure dragon.ply small.ply\n"
+      "  whittle measure dragon.ply small.ply --json - | jq .mean_rel\n"
+      "  whittle measure fandisk.off small.off --feature-angle 40");
+  sub->callback([sub, options, &command] { command = [sub, options] { return run_measure(*sub, *options); }; });
+}
+
+}  // namespace whittle::app

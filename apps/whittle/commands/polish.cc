@@ -1,0 +1,148 @@
+#include "whittle/polish/polish.hh"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands/subcommands.hh"
+#include "files/input.hh"
+#include "files/output.hh"
+#include "files/report.hh"
+#include "options/values.hh"
+#include "terminal/interruption.hh"
+#include "terminal/progress_bar.hh"
+#include "terminal/stopwatch.hh"
+#include "terminal/table.hh"
+#include "whittle/metrics/nearest_vertices.hh"
+
+namespace whittle::app {
+namespace {
+
+struct PolishCommand {
+  std::string reference;
+  std::string input;
+  std::string output;
+  InputOptions reading;
+  unsigned passes = 3;
+  CommonOptions common;
+};
+
+struct PolishRun {
+  Input reference;
+  Input input;
+  IndexedMesh mesh;
+  PolishResult result;
+  double polish_seconds = 0;
+  double write_seconds = 0;
+  std::vector<std::string> warnings;
+};
+
+Json polish_report(const PolishCommand& options, const PolishRun& run, double total_seconds) {
+  const double diagonal = metrics::bounds(run.reference.read.mesh).diagonal();
+  Json json = new_report();
+  json["reference"] = input_json(run.reference, diagonal);
+  json["input"] = input_json(run.input, metrics::bounds(run.input.read.mesh).diagonal());
+  json["options"] = {{"passes", options.passes}, {"weld", options.reading.weld}, {"threads", options.common.threads}};
+  json["output"] = {{"path", options.output}};
+  json["polish"] = polish_json(run.result);
+  json["seconds"] = {{"read", run.reference.seconds + run.input.seconds},
+                     {"polish", run.polish_seconds},
+                     {"write", run.write_seconds},
+                     {"total", total_seconds}};
+  json["peak_rss_bytes"] = peak_memory_bytes();
+  json["warnings"] = run.warnings;
+  return json;
+}
+
+/// The result and the report appear together, or neither does.
+void write_files(const PolishCommand& options, const Talk& talk, const Stopwatch& since_start, PolishRun& run) {
+  const Stopwatch watch;
+  OutputFiles files;
+  write_mesh(files, options.output, options.reading.format, run.mesh, talk, run.warnings);
+  run.write_seconds = watch.seconds();
+  const std::string json =
+      options.common.json ? to_text(polish_report(options, run, since_start.seconds())) : std::string();
+  commit_with_report(files, options.common, json);
+}
+
+void check(const CLI::App& app, const PolishCommand& options) {
+  check_conflicts(app, common_conflicts());
+  check_inputs({options.reference, options.input}, {options.output}, options.reading.format);
+  format_for_output(options.output, options.reading.format);
+  std::vector<Output> outputs{{"--output", options.output}};
+  if (options.common.json) outputs.push_back({"--json", *options.common.json});
+  check_outputs(outputs, {options.reference, options.input}, options.common.force);
+}
+
+/// \throw Interrupted
+void polish_input(const PolishCommand& options, const Talk& talk, PolishRun& run) {
+  const IndexedMesh& reference = run.reference.read.mesh;
+  run.mesh = run.input.read.mesh;
+  ProgressBar bar(talk, "polishing");
+  // Searching and a pass take about the same time on large meshes.
+  const double search = 1.0 / (1 + options.passes);
+  const auto progress_between = [&bar](double from, double to) {
+    return [&bar, from, to](const TaskProgress& progress) {
+      bar.update(from + progress.fraction * (to - from), std::string(progress.stage));
+      return !SignalsWait::pending();
+    };
+  };
+  const SignalsWait signals_wait;
+  try {
+    const std::vector<Index> nearest =
+        metrics::nearest_vertices(reference, run.mesh, options.common.threads, progress_between(0, search));
+    PolishOptions polish_options{.passes = options.passes, .threads = options.common.threads};
+    polish_options.progress = progress_between(search, 1);
+    run.result = polish(reference, nearest, run.mesh, polish_options);
+  } catch (const Cancelled&) {
+    // The signal that cancelled the search is thrown below.
+  }
+  SignalsWait::throw_if_pending();
+}
+
+ExitCode run_polish(const CLI::App& app, const PolishCommand& options) {
+  check(app, options);
+  const Talk talk(options.common.volume());
+  const Stopwatch watch;
+  PolishRun run;
+  run.reference = read_input(options.reference, options.reading, talk);
+  run.input = read_input(options.input, options.reading, talk);
+  run.warnings = run.reference.warnings;
+  run.warnings.insert(run.warnings.end(), run.input.warnings.begin(), run.input.warnings.end());
+  const Stopwatch polishing;
+  polish_input(options, talk, run);
+  run.polish_seconds = polishing.seconds();
+  write_files(options, talk, watch, run);
+  talk.say(shown_output(options.output) + ": " + polish_text(run.result) + " in " + seconds_text(watch.seconds()));
+  say_effort(talk, watch.seconds());
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void setup_polish(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<PolishCommand>();
+  CLI::App* sub = app.add_subcommand("polish", "Fit a simplified mesh, anyone's, to the mesh it was made from.");
+  add_file(*sub, "REF", options->reference, "the mesh it was made from, or '-' for standard input");
+  add_file(*sub, "IN", options->input, "the simplified mesh, or '-' for standard input");
+  add_value(
+      *sub, "-o,--output", "OUT", options->output, [](std::string_view text) { return std::string(text); },
+      "the result: a file, replaced if it exists, or '-' for standard output")
+      ->required();
+  add_value(
+      *sub, "--passes", "N", options->passes,
+      [](std::string_view text) { return static_cast<unsigned>(parse_count(text, 0, 1000)); },
+      "how often to find what lies where and move vertices; a pass that doesn't help is taken back, and ends it")
+      ->default_str(std::to_string(options->passes));
+  add_format(*sub, options->reading);
+  add_no_weld(*sub, options->reading);
+  add_common_options(*sub, options->common);
+  set_usage(*sub, "REF IN -o OUT [OPTION]...");
+  sub->footer(
+      "Examples:\n"
+      "  whittle polish dragon.ply small.ply -o better.ply\n"
+      "  whittle polish part.stl part_of_another_program.obj -o part.obj --passes 1 --json -");
+  sub->callback([sub, options, &command] { command = [sub, options] { return run_polish(*sub, *options); }; });
+}
+
+}  // namespace whittle::app

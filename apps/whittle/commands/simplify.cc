@@ -1,0 +1,370 @@
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "commands/openmesh_engine.hh"
+#include "commands/simplify_options.hh"
+#include "commands/subcommands.hh"
+#include "files/input.hh"
+#include "files/output.hh"
+#include "files/report.hh"
+#include "options/values.hh"
+#include "terminal/errors.hh"
+#include "terminal/interruption.hh"
+#include "terminal/progress_bar.hh"
+#include "terminal/stopwatch.hh"
+#include "terminal/table.hh"
+#include "whittle/core/parts.hh"
+#include "whittle/engine/automatic_threshold.hh"
+#include "whittle/metrics/shape.hh"
+
+namespace whittle::app {
+namespace {
+
+struct Seconds {
+  double read = 0;
+  double decimate = 0;
+  double polish = 0;
+  double write = 0;
+  double total = 0;
+};
+
+/// A run and what is said about it.
+struct Run {
+  Input input;
+  DecimateTarget target = DecimateTarget::as_far_as_possible();
+  double diagonal = 0;  ///< of the input's bounding box
+  std::size_t n_pruned_parts = 0;
+  double threshold = 0;  ///< of pairs, model units
+  Simplification simplified;
+  bool met = false;
+  std::vector<std::string> warnings;
+  Seconds seconds;
+};
+
+/// Drops small parts from the input.
+void prune(const SimplifyCommand& options, const Talk& talk, Run& run) {
+  io::ReadResult& read = run.input.read;
+  PrunedMesh pruned = without_small_parts(std::move(read.mesh), options.prune->in_units(run.diagonal));
+  if (pruned.mesh.faces.empty()) {
+    throw UnsupportedMesh(run.input.name + ": nothing is left without the parts smaller than " +
+                          to_string(*options.prune) + "; choose a smaller --prune");
+  }
+  for (Index& v : read.vertex_map) v = v == invalid_index ? v : pruned.vertex_map[v];
+  read.mesh = std::move(pruned.mesh);
+  run.n_pruned_parts = pruned.n_dropped_parts;
+  if (pruned.n_dropped_parts == 0) return;
+  talk.say(run.input.name + ": dropped " + std::to_string(pruned.n_dropped_parts) + " small parts, " +
+           std::to_string(pruned.n_dropped_faces) + " faces");
+}
+
+/// Model units.
+double resolve_threshold(const SimplifyCommand& options, const Talk& talk, Run& run) {
+  if (!options.threshold.is_automatic) return options.threshold.length.in_units(run.diagonal);
+  const double threshold = automatic_threshold(run.input.read.mesh, options.common.threads);
+  if (threshold == 0) {
+    run.warnings.push_back(run.input.name +
+                           ": no parts lie near one another, '--threshold auto' contracts edges alone");
+    talk.warning(run.warnings.back());
+  }
+  return threshold;
+}
+
+/// A bar for each stage; ends the run where a signal is waiting.
+class StageBars {
+ public:
+  explicit StageBars(const Talk& talk) : talk_(talk) {}
+
+  bool update(const Progress& progress) {
+    if (!bar_ || progress.stage != stage_) {
+      stage_ = progress.stage;
+      bar_.reset();
+      bar_.emplace(talk_, stage_ == Stage::polish ? "polishing" : "decimating");
+    }
+    bar_->update(progress.fraction, std::to_string(progress.n_faces) + " faces");
+    return !SignalsWait::pending();
+  }
+
+ private:
+  const Talk& talk_;
+  Stage stage_ = Stage::decimate;
+  std::optional<ProgressBar> bar_;
+};
+
+/// The options with all that depends on the mesh.
+SimplifyOptions resolved(const SimplifyCommand& options, const Run& run) {
+  SimplifyOptions result = options.simplify;
+  DecimateOptions& decimate = result.decimate;
+  if (run.threshold > 0) decimate.pairs.threshold = run.threshold;
+  if (run.diagonal > 0) {
+    decimate.feature_tolerance = options.feature_tolerance.in_units(run.diagonal) / run.diagonal;
+  }
+  decimate.threads = options.common.threads;
+  return result;
+}
+
+/// Signals end the program at once while OpenMesh's decimater runs: it looks for them too rarely, and there is nothing
+/// to tidy up yet.
+Simplification simplify_in_openmesh(const SimplifyOptions& options, const Run& run) {
+  const IndexedMesh& mesh = run.input.read.mesh;
+  const Stopwatch decimating;
+  Simplification result{decimate_in_openmesh(mesh, run.input.name, run.target, options.decimate), {}, 0, 0};
+  result.decimate_seconds = decimating.seconds();
+  const Stopwatch polishing;
+  const SignalsWait signals_wait;
+  result.polish = polish_decimation(mesh, options, result);
+  SignalsWait::throw_if_pending();
+  result.polish_seconds = polishing.seconds();
+  return result;
+}
+
+Simplification simplify_input(const SimplifyCommand& options, const Talk& talk, const Run& run) {
+  StageBars bars(talk);
+  SimplifyOptions library_options = resolved(options, run);
+  library_options.decimate.progress = [&bars](const Progress& progress) { return bars.update(progress); };
+  if (options.engine == Engine::openmesh) return simplify_in_openmesh(library_options, run);
+  const SignalsWait signals_wait;
+  Simplification result = simplify(run.input.read.mesh, run.target, options.effort, library_options);
+  SignalsWait::throw_if_pending();
+  return result;
+}
+
+/// Warnings of the library, but for those that the report has elsewhere.
+void take_warnings(const Talk& talk, Run& run) {
+  for (const Warning& warning : run.simplified.result.warnings) {
+    if (warning.kind == WarningKind::pairs_capped) continue;  // `threshold_pairs.capped`
+    run.warnings.push_back(run.input.name + ": " + warning.text);
+    talk.warning(run.warnings.back());
+  }
+}
+
+/// A line for every vertex of the file: its number in the result, or -1.
+void write_map(std::ostream& out, const Run& run) {
+  for (const Index read : run.input.read.vertex_map) {
+    const Index written = read == invalid_index ? invalid_index : run.simplified.vertex_map[read];
+    if (written == invalid_index) {
+      out << "-1\n";
+    } else {
+      out << written << '\n';
+    }
+  }
+}
+
+std::string advice(const SimplifyCommand& options, const Rejections& rejections) {
+  if (options.engine == Engine::openmesh) return "--engine flat may get further";
+  const auto& [link, flip, shape, feature, locked] = rejections;
+  const std::uint64_t most = std::max({link, flip, shape, feature, locked});
+  if (most == 0) return "nothing is left that may be contracted";
+  if (most == feature) return "a greater --feature-angle or --feature-tolerance leaves more freedom";
+  if (most == shape) return "a smaller --min-radius-ratio allows thinner faces";
+  if (most == flip && options.simplify.decimate.effective_max_normal_flip_deg() < 180) {
+    return "a greater --max-normal-flip lets faces turn further";
+  }
+  if (locked > link) return "'--boundary weighted' lets borders shrink";
+  return "anything smaller would change the topology of the surface";
+}
+
+std::string refusals(const SimplifyCommand& options, const Rejections& refused) {
+  if (options.engine == Engine::openmesh) return "OpenMesh doesn't say what it refused";
+  std::string text = "refused: " + std::to_string(refused.link) + " by topology, " + std::to_string(refused.flip) +
+                     " by turning a face, ";
+  if (options.simplify.decimate.min_radius_ratio) text += std::to_string(refused.shape) + " by shape, ";
+  if (options.simplify.decimate.feature_angle_deg) text += std::to_string(refused.feature) + " by features, ";
+  return text + std::to_string(refused.locked) + " locked";
+}
+
+std::string shortfall(const SimplifyCommand& options, const Run& run) {
+  const DecimateResult& result = run.simplified.result;
+  return run.input.name + ": target not met: " + to_string(run.target) + " asked, " + std::to_string(result.n_faces) +
+         " faces and " + std::to_string(result.n_vertices) + " vertices reached; " +
+         refusals(options, result.rejections) + "; " + advice(options, result.rejections);
+}
+
+Json surface_json(const SurfaceCounts& counts) {
+  return {{"components", counts.components},
+          {"nonmanifold_edges", counts.nonmanifold_edges},
+          {"nonmanifold_vertices", counts.nonmanifold_vertices}};
+}
+
+Json output_json(const SimplifyCommand& options, const Run& run, const metrics::Topology& topology) {
+  Json json = {{"path", options.output}, {"vertices", topology.vertices}, {"faces", topology.faces}};
+  add_topology(json, topology);
+  json["vanished_components"] = run.simplified.result.n_vanished_components;
+  json["pruned_components"] = run.n_pruned_parts;
+  json["coincident_faces"] = run.simplified.result.n_coincident_faces;
+  return json;
+}
+
+Json threshold_pairs_json(const ThresholdPairCounts& pairs) {
+  return {{"considered", pairs.considered},
+          {"contracted", pairs.contracted},
+          {"threshold", pairs.threshold},
+          {"capped", pairs.capped}};
+}
+
+/// OpenMesh's decimater doesn't say what it refused, and why.
+Json rejections_json(const SimplifyCommand& options, const Rejections& refused) {
+  if (options.engine == Engine::openmesh) {
+    return {{"flip", nullptr}, {"link", nullptr}, {"shape", nullptr}, {"feature", nullptr}, {"locked", nullptr}};
+  }
+  return {{"flip", refused.flip},
+          {"link", refused.link},
+          {"shape", refused.shape},
+          {"feature", refused.feature},
+          {"locked", refused.locked}};
+}
+
+Json simplify_json(const SimplifyCommand& options, const Run& run) {
+  const IndexedMesh& mesh = run.simplified.mesh;
+  const DecimateResult& result = run.simplified.result;
+  Json json = new_report();
+  json["input"] = input_json(run.input, run.diagonal);
+  if (options.engine == Engine::flat) json["input"].update(surface_json(result.before));
+  json["options"] = options_json(options);
+  json["output"] = output_json(options, run, metrics::topology(mesh));
+  json["target"] = target_json(options.targets, run.target);
+  json["target"]["met"] = run.met;
+  json["stop"] = to_string(result.stop);
+  json["contractions"] = result.n_contractions;
+  json["threshold_pairs"] = threshold_pairs_json(result.threshold_pairs);
+  json["max_cost"] = result.max_cost;
+  json["rejections"] = rejections_json(options, result.rejections);
+  json["polish"] = *options.simplify.polish_passes > 0 ? polish_json(run.simplified.polish) : Json(nullptr);
+  json["seconds"] = {{"read", run.seconds.read},
+                     {"decimate", run.seconds.decimate},
+                     {"polish", run.seconds.polish},
+                     {"write", run.seconds.write},
+                     {"total", run.seconds.total}};
+  json["peak_rss_bytes"] = peak_memory_bytes();
+  json["warnings"] = run.warnings;
+  return json;
+}
+
+/// The penalty for valences makes such vertices rare, but refuses none.
+void warn_of_valence_three(const SimplifyCommand& options, const Talk& talk, Run& run) {
+  if (options.simplify.decimate.valence_weight == 0 || run.simplified.mesh.faces.empty()) return;
+  std::size_t n_vertices = 0;
+  for (const auto& [valence, count] : metrics::shape(run.simplified.mesh).valence.histogram) {
+    if (valence <= 3) n_vertices += count;
+  }
+  if (n_vertices == 0) return;
+  run.warnings.push_back(run.input.name + ": " + std::to_string(n_vertices) +
+                         (n_vertices == 1 ? " vertex has" : " vertices have") +
+                         " only three edges: they had them before, or nothing else was left to contract");
+  talk.warning(run.warnings.back());
+}
+
+/// Writes the result, the map and the report; all of them appear, or none does.
+void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwatch& since_start, Run& run) {
+  const Stopwatch watch;
+  OutputFiles files;
+  write_mesh(files, options.output, options.reading.format, run.simplified.mesh, talk, run.warnings);
+  if (options.map) files.write(*options.map, [&run](std::ostream& out) { write_map(out, run); });
+  run.seconds.write = watch.seconds();
+  run.seconds.total = since_start.seconds();
+  const std::string json = options.common.json ? to_text(simplify_json(options, run)) : std::string();
+  commit_with_report(files, options.common, json);
+}
+
+std::string threshold_pairs(const ThresholdPairCounts& pairs) {
+  return "threshold " + significant(pairs.threshold) + ": " + std::to_string(pairs.considered) + " pairs" +
+         (pairs.capped ? ", the nearest of each vertex" : "") + ", " + std::to_string(pairs.contracted) + " contracted";
+}
+
+void say_details(const SimplifyCommand& options, const Talk& talk, const Run& run) {
+  if (!talk.is_verbose()) return;
+  const DecimateResult& result = run.simplified.result;
+  talk.detail("contractions: " + std::to_string(result.n_contractions) + ", greatest cost " +
+              significant(result.max_cost) + ", stopped by: " + std::string(to_string(result.stop)));
+  talk.detail(refusals(options, result.rejections));
+  if (run.threshold > 0) talk.detail(threshold_pairs(result.threshold_pairs));
+  const bool is_polished = *options.simplify.polish_passes > 0;
+  if (is_polished) talk.detail("polish: " + polish_text(run.simplified.polish));
+  talk.detail("read " + seconds_text(run.seconds.read) + ", decimate " + seconds_text(run.seconds.decimate) +
+              (is_polished ? ", polish " + seconds_text(run.seconds.polish) : "") + ", write " +
+              seconds_text(run.seconds.write));
+  say_effort(talk, run.seconds.total);
+}
+
+std::string summary(const SimplifyCommand& options, const Run& run) {
+  const IndexedMesh& before = run.input.read.mesh;
+  const DecimateResult& after = run.simplified.result;
+  return shown_output(options.output) + ": " + std::to_string(before.faces.size()) + " -> " +
+         std::to_string(after.n_faces) + " faces, " + std::to_string(before.positions.size()) + " -> " +
+         std::to_string(after.n_vertices) + " vertices in " + seconds_text(run.seconds.total);
+}
+
+std::vector<std::string> lost_in_openmesh(const Input& input) {
+  std::vector<std::string> warnings;
+  const auto add = [&](const char* what) {
+    warnings.push_back(input.name + ": " + what + " are not carried by --engine openmesh");
+  };
+  if (!input.read.mesh.normals.empty()) add("vertex normals");
+  if (!input.read.mesh.colors.empty()) add("vertex colours");
+  return warnings;
+}
+
+ExitCode run_simplify(const CLI::App& app, const SimplifyCommand& options) {
+  check(app, options);
+  const Talk talk(options.common.volume());
+  const Stopwatch watch;
+  Run run;
+  run.input = read_input(options.input, options.reading, talk);
+  run.seconds.read = run.input.seconds;
+  run.warnings = run.input.warnings;
+  if (options.engine == Engine::openmesh) {
+    for (const std::string& lost : lost_in_openmesh(run.input)) {
+      run.warnings.push_back(lost);
+      talk.warning(lost);
+    }
+  }
+  run.target = resolve(options.targets, run.input.read.mesh.positions.size());
+  run.diagonal = metrics::bounds(run.input.read.mesh).diagonal();
+  if (options.prune) prune(options, talk, run);
+
+  const Stopwatch watch_threshold;
+  run.threshold = resolve_threshold(options, talk, run);
+  run.seconds.decimate = watch_threshold.seconds();
+  run.simplified = simplify_input(options, talk, run);
+  run.seconds.decimate += run.simplified.decimate_seconds;
+  run.seconds.polish = run.simplified.polish_seconds;
+  take_warnings(talk, run);
+  run.met = is_met(run.target, run.simplified.result.stop);
+
+  warn_of_valence_three(options, talk, run);
+  const std::string missed = run.met ? std::string() : shortfall(options, run);
+  if (!run.met) run.warnings.push_back(missed);
+  write_files(options, talk, watch, run);
+
+  say_details(options, talk, run);
+  talk.say(summary(options, run));
+  if (run.met) return ExitCode::done;
+  if (!options.strict) {
+    talk.warning(missed);
+    return ExitCode::done;
+  }
+  talk.error(missed);
+  return ExitCode::target_not_met;
+}
+
+}  // namespace
+
+void setup_simplify(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<SimplifyCommand>();
+  CLI::App* sub = app.add_subcommand("simplify", "Make a mesh smaller and keep its shape.");
+  add_simplify_options(*sub, *options);
+  set_usage(*sub, "IN -o OUT TARGET... [OPTION]...");
+  sub->footer(
+      "Examples:\n"
+      "  whittle simplify dragon.ply -o small.ply --ratio 10%\n"
+      "  whittle simplify part.stl -o part.obj --faces 5000 --strict --json report.json\n"
+      "  whittle simplify - -o - --format ply --faces 5000 < in.ply > out.ply");
+  sub->callback(
+      [sub, options, &command] { command = [sub, options] { return run_simplify(*sub, settled(*options)); }; });
+}
+
+}  // namespace whittle::app

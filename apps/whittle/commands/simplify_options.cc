@@ -1,0 +1,337 @@
+#include "commands/simplify_options.hh"
+
+#include <array>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "files/input.hh"
+#include "files/output.hh"
+#include "options/values.hh"
+#include "terminal/errors.hh"
+
+namespace whittle::app {
+namespace {
+
+constexpr auto costs = [] {
+  std::array<Choice<Cost>, all_cost_traits.size()> choices{};
+  for (std::size_t i = 0; i < choices.size(); ++i) choices[i] = {all_cost_traits[i].name, all_cost_traits[i].cost};
+  return choices;
+}();
+constexpr std::array<Choice<Effort>, 3> efforts{
+    {{"fast", Effort::fast}, {"normal", Effort::normal}, {"best", Effort::best}}};
+constexpr std::array<Choice<Order>, 2> orders{{{"exact", Order::exact}, {"approximate", Order::approximate}}};
+constexpr std::array<Choice<Weights>, 3> weights{
+    {{"area", Weights::area}, {"uniform", Weights::uniform}, {"area-angle", Weights::area_angle}}};
+constexpr std::array<Choice<Placement>, 3> placements{
+    {{"optimal", Placement::optimal}, {"midpoint", Placement::midpoint}, {"endpoint", Placement::endpoint}}};
+constexpr std::array<Choice<Boundary>, 3> boundaries{
+    {{"weighted", Boundary::weighted}, {"locked", Boundary::locked}, {"free", Boundary::free}}};
+constexpr std::array<Choice<Topology>, 2> topologies{{{"keep", Topology::keep}, {"free", Topology::free}}};
+constexpr std::array<Choice<Engine>, 2> engines{{{"flat", Engine::flat}, {"openmesh", Engine::openmesh}}};
+
+/// What a cost doesn't take, in the order in which conflicts are reported.
+void add_cost_conflicts(const CostTraits& traits, std::vector<Conflict>& conflicts) {
+  const auto add = [&](const char* option, std::string_view why) {
+    if (!why.empty()) conflicts.push_back({option, "--cost " + std::string(traits.name), std::string(why)});
+  };
+  const CostConflicts& why = traits.why_not;
+  add("--weights uniform", why.weights);
+  add("--weights area-angle", why.weights);
+  add("--placement midpoint", why.placement);
+  add("--placement endpoint", why.placement);
+  add("--boundary-weight", why.boundary_weight);
+  add("--isotropic", why.isotropy);
+  add("--valence", why.valence_weight);
+  add("--threshold", why.threshold);
+}
+
+std::vector<Conflict> conflicts() {
+  std::vector<Conflict> all;
+  for (const CostTraits& traits : all_cost_traits) add_cost_conflicts(traits, all);
+  const std::string edges_alone(plain_quadrics_alone);
+  const std::string no_pairs = "OpenMesh's decimater contracts edges alone";
+  const std::string not_in_openmesh = "only Whittle's own loop does that";
+  const Conflict more[] = {
+      {"--threshold", "--isotropic", edges_alone},
+      {"--threshold", "--valence", edges_alone},
+      {"--boundary-weight", "--boundary free", std::string(free_borders_have_no_weight)},
+      {"--feature-angle", "--engine openmesh", not_in_openmesh},
+      {"--min-radius-ratio", "--engine openmesh", not_in_openmesh},
+      {"--order approximate", "--engine openmesh", not_in_openmesh},
+      {"--max-cost", "--engine openmesh", "OpenMesh looks at a cost when it is queued, not when its turn comes"},
+      {"--threshold", "--engine openmesh", no_pairs},
+      {"--max-pairs", "--engine openmesh", no_pairs},
+      {"--across-walls", "--engine openmesh", no_pairs},
+      {"--topology free", "--engine openmesh", "a half-edge mesh keeps its topology"}};
+  all.insert(all.end(), std::begin(more), std::end(more));
+  return all;
+}
+
+constexpr Range angle_range{0, 180, false};
+constexpr Range ratio_range{0, 1};
+
+constexpr char pair_group[] = "Pairs and parts";
+constexpr char cost_group[] = "Cost";
+constexpr char guard_group[] = "Borders, features and guards";
+constexpr char file_group[] = "Files";
+
+template <class E, std::size_t N>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, E& target, const std::array<Choice<E>, N>& choices,
+                        const std::string& description) {
+  const std::span<const Choice<E>> all(choices);
+  return add_value(
+             app, name, words_of(all), target, [all](std::string_view text) { return parse_choice(text, all); },
+             description)
+      ->default_str(std::string(word_of(all, target)));
+}
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, const std::string& value_name, double& target,
+                        const Range& range, const std::string& description) {
+  return add_value(
+             app, name, value_name, target,
+             [range, value_name](std::string_view text) { return parse_number(text, range, value_name); },
+             description + ", " + to_string(range, value_name))
+      ->default_str(shortest(target));
+}
+
+/// Defaults by cost for the help: "75; 60 with memoryless".
+template <class Text>
+std::string defaults_by_cost(const Text& text) {
+  const std::string usual = text(cost_traits(Cost::quadric));
+  std::string others;
+  for (const CostTraits& traits : all_cost_traits) {
+    if (text(traits) == usual) continue;
+    others += (others.empty() ? "; " : ", ") + text(traits) + " with " + std::string(traits.name);
+  }
+  return usual + others;
+}
+
+ThresholdOption parse_threshold(std::string_view text) {
+  constexpr std::string_view automatic = "auto";
+  if (text == automatic) return {true, {}};
+  try {
+    return {false, parse_length(text, "T")};
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(std::string(error.what()) + ", or 'auto'");
+  }
+}
+
+void add_pair_options(CLI::App& app, SimplifyCommand& options) {
+  PairOptions& pairs = options.simplify.decimate.pairs;
+  add_value(
+      app, "-t,--threshold", "T", options.threshold, parse_threshold,
+      "also contract vertices closer than T that no edge joins: model units, a percentage of the diagonal such as "
+      "1%, or 'auto' to choose T from the distances between parts")
+      ->default_str("0")
+      ->group(pair_group);
+  add_value(
+      app, "--max-pairs", "K", pairs.max_pairs,
+      [](std::string_view text) {
+        const std::uint64_t n = parse_count(text, 0, std::numeric_limits<std::uint32_t>::max());
+        return n == 0 ? std::nullopt : std::optional(static_cast<std::uint32_t>(n));
+      },
+      "of the vertices closer than T only the K nearest of each, 0: all")
+      ->default_str(std::to_string(*pairs.max_pairs))
+      ->group(pair_group);
+  app.add_flag("--across-walls", pairs.across_walls, "also contract vertices on both sides of a wall thinner than T")
+      ->default_str("off")
+      ->group(pair_group);
+  add_choice<Topology>(
+      app, "--topology", options.simplify.decimate.topology, topologies,
+      "keep: contracting an edge closes no tunnel, opens no hole and lets no part vanish; free: it may")
+      ->group(pair_group);
+  add_value(
+      app, "--prune", "S", options.prune, [](std::string_view text) { return parse_length(text, "S"); },
+      "first drop the parts whose bounding box has a diagonal below S: model units, or a percentage of the whole "
+      "mesh's")
+      ->default_str("off")
+      ->group(pair_group);
+}
+
+void add_cost_options(CLI::App& app, SimplifyCommand& options) {
+  DecimateOptions& decimate = options.simplify.decimate;
+  QuadricOptions& quadric = decimate.quadric;
+  add_choice<Effort>(
+      app, "--effort", options.effort, efforts,
+      "fast: '--cost quadric', no polish; normal: '--cost memoryless --polish 1'; best: '--cost memoryless "
+      "--polish 3', and edges are flipped where that helps")
+      ->group(cost_group);
+  add_value(
+      app, "--cost", words_of<Cost>(costs), decimate.cost,
+      [](std::string_view text) { return parse_choice<Cost>(text, costs); },
+      "what ranks and places: distance to the planes merged so far, or to those around as they are, change "
+      "of volume, or the length of edges alone")
+      ->default_str("by --effort; quadric with --engine openmesh, and with what only it has")
+      ->group(cost_group);
+  add_choice<Weights>(
+      app, "--weights", quadric.weights, weights,
+      "how much the plane of a face counts at its corners: its area, 1, or its area times the angle over pi")
+      ->group(cost_group);
+  add_choice<Placement>(app, "--placement", quadric.placement, placements,
+                        "where the merged vertex goes: where the cost is least, halfway, or to the better end")
+      ->group(cost_group);
+  add_number(
+      app, "--valence", "W", decimate.valence_weight, {0},
+      "how much a contraction costs more that leaves vertices with fewer than 5 edges or more than 7 (on borders 3 "
+      "and 5)")
+      ->group(cost_group);
+  add_number(app, "--isotropic", "W", decimate.isotropy, {0, 1}, "from error alone (0) to even edges alone (1)")
+      ->group(cost_group);
+  add_value(
+      app, "--order", words_of<Order>(orders), decimate.order,
+      [](std::string_view text) { return parse_choice<Order>(text, orders); },
+      "exact: always the cheapest next; approximate: faster for costs other than plain quadrics")
+      ->default_str(defaults_by_cost(
+          [](const CostTraits& traits) { return std::string(word_of<Order>(orders, traits.default_order)); }))
+      ->group(cost_group);
+  add_value(
+      app, "--polish", "N", options.simplify.polish_passes,
+      [](std::string_view text) { return static_cast<unsigned>(parse_count(text, 0, 1000)); },
+      "passes that fit the result to the mesh it came from; one that doesn't help is taken back, and ends them (0: "
+      "none)")
+      ->default_str("by --effort; 0 with a --placement of its own")
+      ->group(cost_group);
+  add_choice<Engine>(app, "--engine", options.engine, engines,
+                     "where the work is done; openmesh: the same cost as a module in OpenMesh's own decimater")
+      ->group(cost_group);
+}
+
+void add_guard_options(CLI::App& app, SimplifyCommand& options) {
+  DecimateOptions& decimate = options.simplify.decimate;
+  add_choice<Boundary>(app, "--boundary", decimate.boundary, boundaries,
+                       "open borders are held by a weight, don't move at all, or move freely")
+      ->group(guard_group);
+  add_number(app, "--boundary-weight", "W", decimate.quadric.boundary_weight, {0},
+             "how firmly weighted borders are held, a factor on the squared length of a border edge")
+      ->group(guard_group);
+  add_value(
+      app, "--feature-angle", "DEG", decimate.feature_angle_deg,
+      [](std::string_view text) {
+        const double degrees = parse_number(text, angle_range, "DEG");
+        return degrees < 180 ? std::optional(degrees) : std::nullopt;
+      },
+      "edges sharper than DEG degrees are features: their lines stay, and no others get so sharp (180: none), " +
+          to_string(angle_range, "DEG"))
+      ->default_str("180")
+      ->group(guard_group);
+  add_value(
+      app, "--feature-tolerance", "T", options.feature_tolerance,
+      [](std::string_view text) { return parse_length(text, "T"); },
+      "how far a feature line may come to lie from where it was: model units, or a percentage of the diagonal")
+      ->default_str(to_string(options.feature_tolerance))
+      ->group(guard_group);
+  add_value(
+      app, "--max-normal-flip", "DEG", decimate.max_normal_flip_deg,
+      [](std::string_view text) { return parse_number(text, angle_range, "DEG"); },
+      "refuse a contraction that turns a face further than DEG degrees (180: never), " + to_string(angle_range, "DEG"))
+      ->default_str(
+          defaults_by_cost([](const CostTraits& traits) { return shortest(traits.default_max_normal_flip_deg); }))
+      ->group(guard_group);
+  add_value(
+      app, "--min-radius-ratio", "X", decimate.min_radius_ratio,
+      [](std::string_view text) {
+        const double ratio = parse_number(text, ratio_range, "X");
+        return ratio > 0 ? std::optional(ratio) : std::nullopt;
+      },
+      "refuse a contraction that leaves a face with a smaller ratio of inner to outer circle, 1 for an equilateral "
+      "one, unless it was thinner before (0: never), " +
+          to_string(ratio_range, "X"))
+      ->default_str("0")
+      ->group(guard_group);
+}
+
+bool has_threshold(const SimplifyCommand& options) {
+  return options.threshold.is_automatic || options.threshold.length.value > 0;
+}
+
+}  // namespace
+
+void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
+  add_mesh_file(app, options.input);
+  add_target_options(app, options.targets);
+  app.add_flag("--strict", options.strict, "end with status 3 when the target was not met")
+      ->default_str("off")
+      ->group(target_group);
+  add_value(
+      app, "-o,--output", "OUT", options.output, [](std::string_view text) { return std::string(text); },
+      "the result: a file, replaced if it exists, or '-' for standard output")
+      ->required()
+      ->group(file_group);
+  add_format(app, options.reading)->group(file_group);
+  add_no_weld(app, options.reading)->group(file_group);
+  add_value(
+      app, "--map", "FILE", options.map, [](std::string_view text) { return std::string(text); },
+      "write where each vertex of IN went: a line a vertex, its new number from 0, or -1")
+      ->default_str("off")
+      ->group(file_group);
+  add_pair_options(app, options);
+  add_cost_options(app, options);
+  add_guard_options(app, options);
+  add_common_options(app, options.common);
+}
+
+SimplifyCommand settled(SimplifyCommand command) {
+  SimplifyOptions probe = command.simplify;
+  if (command.engine == Engine::openmesh) probe.decimate.cost = probe.decimate.cost.value_or(Cost::quadric);
+  // The threshold is known when the mesh is. The effort only looks at whether there is one.
+  if (has_threshold(command)) probe.decimate.pairs.threshold = std::numeric_limits<double>::infinity();
+  probe = with_effort(command.effort, std::move(probe));
+  command.simplify.decimate.cost = probe.decimate.cost;
+  command.simplify.polish_passes = probe.polish_passes;
+  command.simplify.flips = probe.flips;
+  return command;
+}
+
+void check(const CLI::App& app, const SimplifyCommand& options) {
+  check_targets(options.targets);
+  check_conflicts(app, common_conflicts());
+  check_conflicts(app, conflicts());
+  const DecimateOptions& decimate = options.simplify.decimate;
+  const CostTraits& traits = cost_traits(decimate.effective_cost());
+  const std::string_view why = traits.why_not.threshold_in_exact_order;
+  if (has_threshold(options) && decimate.effective_order() == Order::exact && !why.empty()) {
+    throw UsageError("'--threshold' and '--order exact' don't go together with '--cost " + std::string(traits.name) +
+                     "': " + std::string(why));
+  }
+  check_inputs({options.input}, {options.output}, options.reading.format);
+  format_for_output(options.output, options.reading.format);
+  std::vector<Output> outputs{{"--output", options.output}};
+  if (options.map) outputs.push_back({"--map", *options.map});
+  if (options.common.json) outputs.push_back({"--json", *options.common.json});
+  check_outputs(outputs, {options.input}, options.common.force);
+}
+
+nlohmann::ordered_json options_json(const SimplifyCommand& options) {
+  const DecimateOptions& decimate = options.simplify.decimate;
+  const QuadricOptions& quadric = decimate.quadric;
+  return {
+      {"weld", options.reading.weld},
+      {"effort", word_of<Effort>(efforts, options.effort)},
+      {"cost", to_string(decimate.effective_cost())},
+      {"valence", decimate.valence_weight},
+      {"isotropic", decimate.isotropy},
+      {"order", word_of<Order>(orders, decimate.effective_order())},
+      {"polish", *options.simplify.polish_passes},
+      {"weights", word_of<Weights>(weights, quadric.weights)},
+      {"placement", word_of<Placement>(placements, quadric.placement)},
+      {"boundary", word_of<Boundary>(boundaries, decimate.boundary)},
+      {"boundary_weight", quadric.boundary_weight},
+      {"regularization", quadric.regularization},
+      {"feature_angle_deg", decimate.feature_angle_deg.value_or(180)},
+      {"feature_tolerance", to_string(options.feature_tolerance)},
+      {"max_normal_flip_deg", decimate.effective_max_normal_flip_deg()},
+      {"min_radius_ratio", decimate.min_radius_ratio.value_or(0)},
+      {"threshold", options.threshold.is_automatic ? "auto" : to_string(options.threshold.length)},
+      {"max_pairs", decimate.pairs.max_pairs.value_or(0)},
+      {"across_walls", decimate.pairs.across_walls},
+      {"point_weight", quadric.point_weight},
+      {"topology", word_of<Topology>(topologies, decimate.topology)},
+      {"prune", options.prune ? nlohmann::ordered_json(to_string(*options.prune)) : nlohmann::ordered_json(nullptr)},
+      {"engine", word_of<Engine>(engines, options.engine)},
+      {"strict", options.strict},
+      {"threads", options.common.threads}};
+}
+
+}  // namespace whittle::app

@@ -1,0 +1,161 @@
+#include "files/report.hh"
+
+#include <sys/resource.h>
+
+#include <ostream>
+
+#include "files/output.hh"
+#include "terminal/table.hh"
+#include "whittle/io/write.hh"
+
+namespace whittle::app {
+namespace {
+
+Json over_diagonal(double value, double diagonal) { return diagonal > 0 ? Json(value / diagonal) : Json(nullptr); }
+
+void add_length(Json& json, const std::string& key, double value, double diagonal) {
+  json[key] = value;
+  json[key + "_rel"] = over_diagonal(value, diagonal);
+}
+
+Json directed(const metrics::DirectedDistance& distance, double diagonal) {
+  Json json;
+  add_length(json, "mean", distance.mean, diagonal);
+  add_length(json, "rms", distance.rms, diagonal);
+  add_length(json, "max", distance.max, diagonal);
+  json["normal_deviation_deg"] = distance.normal_deviation_deg;
+  json["flipped_percent"] = distance.flipped_percent;
+  return json;
+}
+
+Json directed(const metrics::DirectedLineDistance& distance, double diagonal) {
+  Json json;
+  add_length(json, "mean", distance.mean, diagonal);
+  add_length(json, "max", distance.max, diagonal);
+  return json;
+}
+
+}  // namespace
+
+std::string program_and_version() { return "whittle " WHITTLE_VERSION; }
+
+Json new_report() { return {{"schema", 1}, {"program", program_and_version()}}; }
+
+std::string to_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
+
+Json repairs_json(const io::Repairs& repairs) {
+  Json json = Json::object();
+  for (const auto& [name, count] : repairs.entries()) json[std::string(name)] = count;
+  return json;
+}
+
+void add_topology(Json& json, const metrics::Topology& topology) {
+  json["manifold"] = topology.manifold;
+  json["closed"] = topology.closed;
+  json["components"] = topology.components;
+  json["boundary_loops"] = topology.boundary_loops;
+  json["genus"] = topology.genus ? Json(*topology.genus) : Json(nullptr);
+  json["nonmanifold_edges"] = topology.nonmanifold_edges;
+  json["nonmanifold_vertices"] = topology.nonmanifold_vertices;
+}
+
+void add_distance(Json& json, const metrics::SurfaceDistance& distance) {
+  const double diagonal = distance.diagonal;
+  add_length(json, "mean", distance.mean, diagonal);
+  add_length(json, "rms", distance.rms, diagonal);
+  add_length(json, "max", distance.max, diagonal);
+  json["garland_heckbert"] = distance.garland_heckbert;
+  json["garland_heckbert_rel"] = over_diagonal(distance.garland_heckbert, diagonal * diagonal);
+  json["forward"] = directed(distance.forward, diagonal);
+  json["backward"] = directed(distance.backward, diagonal);
+  json["normal_deviation_deg"] = distance.normal_deviation_deg;
+  json["flipped_percent"] = distance.flipped_percent;
+}
+
+Json lines_json(const std::optional<metrics::LineDistance>& distance, double diagonal) {
+  if (!distance) return nullptr;
+  Json json;
+  add_length(json, "mean", distance->mean, diagonal);
+  add_length(json, "max", distance->max, diagonal);
+  json["forward"] = directed(distance->forward, diagonal);
+  json["backward"] = directed(distance->backward, diagonal);
+  return json;
+}
+
+void add_shape(Json& json, const metrics::Shape& shape) {
+  json["radius_ratio"] = {{"mean", shape.radius_ratio_mean}, {"min", shape.radius_ratio_min}};
+  json["min_angle_deg"] = {{"mean", shape.min_angle_mean_deg}, {"min", shape.min_angle_min_deg}};
+  Json histogram = Json::object();
+  for (const auto& [valence, count] : shape.valence.histogram) histogram[std::to_string(valence)] = count;
+  json["valence"] = {{"min", shape.valence.min},
+                     {"max", shape.valence.max},
+                     {"share_5_to_7", shape.valence.share_5_to_7},
+                     {"histogram", std::move(histogram)}};
+  json["edge_length_cv"] = shape.edge_length_cv;
+  json["folds"] = shape.folds;
+  json["degenerate_faces"] = shape.degenerate_faces;
+}
+
+Json polish_json(const PolishResult& polish) {
+  return {{"passes", polish.n_passes},
+          {"moved", polish.n_moved},
+          {"rms_before", polish.rms_before},
+          {"rms_after", polish.rms_after}};
+}
+
+std::string polish_text(const PolishResult& polish) {
+  if (polish.n_passes == 0) return "left as it was, nothing brought the surfaces nearer";
+  return std::to_string(polish.n_passes) + (polish.n_passes == 1 ? " pass, " : " passes, ") +
+         std::to_string(polish.n_moved) + " vertices moved, rms distance " + significant(polish.rms_before) + " -> " +
+         significant(polish.rms_after);
+}
+
+Json input_json(const Input& input, double diagonal) {
+  return {{"path", input.path},
+          {"vertices", input.read.mesh.positions.size()},
+          {"faces", input.read.mesh.faces.size()},
+          {"diagonal", diagonal},
+          {"repairs", repairs_json(input.read.repairs)}};
+}
+
+std::uint64_t peak_memory_bytes() {
+  rusage usage = {};
+  if (::getrusage(RUSAGE_SELF, &usage) != 0) return 0;
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+void say_effort(const Talk& talk, double seconds) {
+  talk.detail(seconds_text(seconds) + " in all, " + std::to_string(peak_memory_bytes() >> 20) +
+              " MiB of memory at most");
+}
+
+std::string shown_output(const std::string& path) { return path == standard_stream ? standard_output_name : path; }
+
+void write_mesh(OutputFiles& files, const std::string& path, std::optional<io::Format> given, const IndexedMesh& mesh,
+                const Talk& talk, std::vector<std::string>& warnings) {
+  files.write(path, [&](std::ostream& out) {
+    for (const std::string& warning : io::write_mesh(out, format_for_output(path, given), mesh).warnings) {
+      warnings.push_back(about(shown_output(path), warning));
+      talk.warning(warnings.back());
+    }
+  });
+}
+
+void commit_with_report(OutputFiles& files, const CommonOptions& options, const std::string& json) {
+  const bool json_to_file = options.json && *options.json != standard_stream;
+  if (json_to_file) files.write(*options.json, [&json](std::ostream& out) { out << json; });
+  files.commit();
+  if (!json_to_file) print(json);
+}
+
+void write_report(const CommonOptions& options, const Json& json, const std::string& text) {
+  if (options.json == standard_stream) return print(to_text(json));
+  if (options.json) {
+    OutputFiles files;
+    files.write(*options.json, [&json](std::ostream& out) { out << to_text(json); });
+    files.commit();
+  }
+  print(text);
+}
+
+}  // namespace whittle::app

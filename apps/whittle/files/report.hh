@@ -1,0 +1,77 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "files/input.hh"
+#include "files/output.hh"
+#include "options/command_line.hh"
+#include "whittle/metrics/bounds.hh"
+#include "whittle/metrics/distance.hh"
+#include "whittle/metrics/line_distance.hh"
+#include "whittle/metrics/shape.hh"
+#include "whittle/metrics/topology.hh"
+#include "whittle/polish/polish.hh"
+
+// The JSON reports: schema 1. Keys are never renamed nor removed within a schema; more may be added.
+
+namespace whittle::app {
+
+using Json = nlohmann::ordered_json;
+
+/// "whittle 0.1.0"
+std::string program_and_version();
+
+/// {"schema": 1, "program": …}
+Json new_report();
+
+/// As text with a line break at the end. Bytes of file names that aren't UTF-8 become U+FFFD.
+std::string to_text(const Json& json);
+
+/// Key `repairs`: a count for every kind.
+Json repairs_json(const io::Repairs& repairs);
+
+/// Adds "manifold", "closed", "components", "boundary_loops", "genus", "nonmanifold_edges", "nonmanifold_vertices".
+void add_topology(Json& json, const metrics::Topology& topology);
+
+/// Adds "mean", "rms", "max", "garland_heckbert" with "…_rel", "forward", "backward", "normal_deviation_deg",
+/// "flipped_percent".
+void add_distance(Json& json, const metrics::SurfaceDistance& distance);
+
+/// {"mean", "max" with "…_rel", "forward", "backward"}; null if there is no distance.
+Json lines_json(const std::optional<metrics::LineDistance>& distance, double diagonal);
+
+/// Adds "radius_ratio", "min_angle_deg", "valence", "edge_length_cv", "folds", "degenerate_faces".
+void add_shape(Json& json, const metrics::Shape& shape);
+
+/// {"passes", "moved", "rms_before", "rms_after"}
+Json polish_json(const PolishResult& polish);
+
+/// "2 passes, 1234 vertices moved, rms distance 0.1 -> 0.09"
+std::string polish_text(const PolishResult& polish);
+
+/// {"path", "vertices", "faces", "diagonal", "repairs"}
+Json input_json(const Input& input, double diagonal);
+
+/// Largest amount of memory the program had so far.
+std::uint64_t peak_memory_bytes();
+
+/// Says, when verbose, how long it took and how much memory.
+void say_effort(const Talk& talk, double seconds);
+
+/// As shown: the path, or "standard output".
+std::string shown_output(const std::string& path);
+
+/// Adds a mesh to the files of a run. What its format can't hold is said, and added to `warnings`.
+void write_mesh(OutputFiles& files, const std::string& path, std::optional<io::Format> given, const IndexedMesh& mesh,
+                const Talk& talk, std::vector<std::string>& warnings);
+
+/// Adds the report to the files of a run if --json asks for one, and puts all in their places.
+void commit_with_report(OutputFiles& files, const CommonOptions& options, const std::string& json);
+
+/// Writes the report where --json says; `text`, the same for people, to standard output unless the report goes there.
+void write_report(const CommonOptions& options, const Json& json, const std::string& text);
+
+}  // namespace whittle::app

@@ -1,0 +1,88 @@
+#include "options/command_line.hh"
+
+#include <array>
+
+#include "options/values.hh"
+
+namespace whittle::app {
+namespace {
+
+constexpr char common_group[] = "Common options";
+
+io::Format parse_format(std::string_view text) {
+  for (const io::Format format : io::all_formats) {
+    if (io::name_of(format) == text) return format;
+  }
+  throw std::invalid_argument("'" + std::string(text) + "' is none of " + io::format_names("|"));
+}
+
+/// Whether the command line has "--option" or "--option value".
+bool is_given(const CLI::App& app, std::string_view side) {
+  const std::size_t space = side.find(' ');
+  const CLI::Option* option = app.get_option_no_throw(std::string(side.substr(0, space)));
+  if (option == nullptr || option->count() == 0) return false;
+  return space == std::string_view::npos || option->results().front() == side.substr(space + 1);
+}
+
+}  // namespace
+
+void add_common_options(CLI::App& app, CommonOptions& options) {
+  add_value(
+      app, "--json", "FILE|-", options.json, [](std::string_view text) { return std::string(text); },
+      "write the report as JSON to FILE, or to standard output")
+      ->default_str("off")
+      ->group(common_group);
+  app.add_flag("--quiet", options.quiet, "say nothing but errors on standard error")
+      ->default_str("off")
+      ->group(common_group);
+  app.add_flag("-v,--verbose", options.verbose, "say more on standard error")->default_str("off")->group(common_group);
+  app.add_flag("--force", options.force, "let an output file replace an input file")
+      ->default_str("off")
+      ->group(common_group);
+  add_value(
+      app, "--threads", "N", options.threads,
+      [](std::string_view text) { return static_cast<unsigned>(parse_count(text, 0, 1024)); },
+      "threads to work with, 0 <= N <= 1024; 0 takes all cores; no result depends on it")
+      ->default_str(std::to_string(options.threads))
+      ->group(common_group);
+  app.set_help_flag("-h,--help", "print this help")->group(common_group);
+}
+
+void set_usage(CLI::App& app, const std::string& usage) { app.get_option("--help")->option_text(usage); }
+
+CLI::Option* add_no_weld(CLI::App& app, InputOptions& options) {
+  return app
+      .add_flag_callback(
+          "--no-weld", [&options] { options.weld = false; },
+          "keep exact duplicates of vertices apart instead of making them one")
+      ->default_str("off");
+}
+
+CLI::Option* add_format(CLI::App& app, InputOptions& options) {
+  return add_value(
+             app, "--format", "EXT", options.format, [](std::string_view text) { return parse_format(text); },
+             "the format, such as ply, of '-' and of files whose name doesn't tell it")
+      ->default_str("by name");
+}
+
+void add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description) {
+  app.add_option(name, path, description)->required()->type_name("")->group("Arguments");
+}
+
+void add_mesh_file(CLI::App& app, std::string& path) {
+  add_file(app, "IN", path, "the mesh: an " + io::format_titles() + " file, or '-' for standard input");
+}
+
+void check_conflicts(const CLI::App& app, std::span<const Conflict> conflicts) {
+  for (const Conflict& conflict : conflicts) {
+    if (!is_given(app, conflict.first) || !is_given(app, conflict.second)) continue;
+    throw UsageError(conflict.first + " doesn't go with " + conflict.second + ": " + conflict.why);
+  }
+}
+
+std::span<const Conflict> common_conflicts() {
+  static const std::array<Conflict, 1> conflicts{{{"--quiet", "--verbose", "say less or say more"}}};
+  return conflicts;
+}
+
+}  // namespace whittle::app

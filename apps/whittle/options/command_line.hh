@@ -1,0 +1,81 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "terminal/errors.hh"
+#include "terminal/exit_code.hh"
+#include "terminal/talk.hh"
+#include "whittle/io/format.hh"
+
+namespace whittle::app {
+
+/// What is to be done once the command line is understood.
+using Command = std::function<ExitCode()>;
+
+/// What every subcommand takes.
+struct CommonOptions {
+  std::optional<std::string> json;  ///< file for the report, "-" for stdout
+  bool quiet = false;
+  bool verbose = false;
+  bool force = false;    ///< an output may replace an input
+  unsigned threads = 0;  ///< 0 = all cores
+
+  Volume volume() const { return quiet ? Volume::quiet : verbose ? Volume::verbose : Volume::normal; }
+};
+/// Added last, with --help among them: groups of options stand in the help in the order of their first ones.
+void add_common_options(CLI::App& app, CommonOptions& options);
+/// What follows "Usage: whittle NAME" in the help; CLI11 has a place for such a text at an option only.
+/// \pre `add_common_options` was called.
+void set_usage(CLI::App& app, const std::string& usage);
+
+/// How meshes are read.
+struct InputOptions {
+  bool weld = true;
+  std::optional<io::Format> format{};  ///< of files whose name doesn't tell it
+};
+CLI::Option* add_no_weld(CLI::App& app, InputOptions& options);
+CLI::Option* add_format(CLI::App& app, InputOptions& options);
+
+/// The file a positional argument names.
+void add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description);
+/// The mesh file to work on, as the argument IN. The help lists the formats.
+void add_mesh_file(CLI::App& app, std::string& path);
+
+/// Adds an option with one value, which `parse` makes of its text or throws std::invalid_argument.
+/// \param names as CLI11 takes them: "-r,--ratio". \param value_name how the help shows the value: "R".
+template <class T, class Parse>
+CLI::Option* add_value(CLI::App& app, const std::string& names, const std::string& value_name, T& target, Parse parse,
+                       const std::string& description) {
+  const std::string label = names.substr(names.find("--"));
+  const auto take = [&target, parse, label](const CLI::results_t& texts) {
+    try {
+      target = parse(std::string_view(texts.front()));
+    } catch (const std::invalid_argument& error) {
+      throw CLI::ValidationError(label, error.what());
+    }
+    return true;
+  };
+  return app.add_option(names, take, description)->type_name(value_name);
+}
+
+/// Two options, or values of options, that don't go together.
+struct Conflict {
+  std::string first;
+  std::string second;
+  std::string why;
+};
+
+/// \param conflicts each side as on the command line: "--map", "--boundary free".
+/// \throw UsageError that names both sides of the first conflict met.
+void check_conflicts(const CLI::App& app, std::span<const Conflict> conflicts);
+
+/// Conflicts of the options every subcommand has.
+std::span<const Conflict> common_conflicts();
+
+}  // namespace whittle::app

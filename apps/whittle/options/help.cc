@@ -1,0 +1,80 @@
+#include "options/help.hh"
+
+#include <sstream>
+#include <vector>
+
+namespace whittle::app {
+namespace {
+
+constexpr std::size_t column = 30;
+constexpr std::size_t line_width = 100;
+
+/// `text` in lines up to `line_width`, each starting in `column`.
+std::string wrapped(const std::string& text) {
+  std::string lines;
+  std::istringstream words(text);
+  std::string line(column, ' ');
+  for (std::string word; words >> word;) {
+    if (line.size() > column && line.size() + 1 + word.size() > line_width) {
+      lines += line + '\n';
+      line.assign(column, ' ');
+    }
+    if (line.size() > column) line += ' ';
+    line += word;
+  }
+  return lines + line + '\n';
+}
+
+std::string entry(const std::string& name, const std::string& description) {
+  const std::string text = wrapped(description);
+  const std::string first = "  " + name;
+  if (first.size() + 2 > column) return first + '\n' + text;
+  return first + text.substr(first.size());
+}
+
+/// "-r, --ratio R", "--json FILE|-"
+std::string shown_name(const CLI::Option* option) {
+  std::string name;
+  for (const char c : option->get_name(option->get_positional(), true)) {
+    name += c;
+    if (c == ',') name += ' ';
+  }
+  if (option->get_positional() || option->get_type_size() == 0) return name;
+  return name + ' ' + option->get_type_name();
+}
+
+std::string shown_description(const CLI::Option* option) {
+  if (option->get_required()) return option->get_description() + " (required)";
+  const std::string standard = option->get_default_str();
+  return option->get_description() + (standard.empty() ? "" : " (default: " + standard + ")");
+}
+
+std::string section(const std::string& title, const std::vector<const CLI::Option*>& options) {
+  if (options.empty()) return {};
+  std::string text = "\n";
+  text += title + ":\n";
+  for (const CLI::Option* option : options) text += entry(shown_name(option), shown_description(option));
+  return text;
+}
+
+}  // namespace
+
+std::string HelpFormatter::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode /*mode*/) const {
+  const bool is_top = app->get_parent() == nullptr;
+  std::string text = app->get_description() + "\n\nUsage: " + name + ' ';
+  if (is_top) {
+    text += "SUBCOMMAND ...\n\nSubcommands:\n";
+    for (const CLI::App* sub : app->get_subcommands({})) text += entry(sub->get_name(), sub->get_description());
+  } else {
+    text += app->get_option("--help")->get_option_text() + '\n';
+    text += section("Arguments", app->get_options([](const CLI::Option* option) { return option->get_positional(); }));
+  }
+  for (const std::string& group : app->get_groups()) {
+    text += section(group, app->get_options([&group](const CLI::Option* option) {
+      return option->get_group() == group && !option->get_positional();
+    }));
+  }
+  return text + '\n' + app->get_footer() + '\n';
+}
+
+}  // namespace whittle::app

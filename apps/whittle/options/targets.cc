@@ -1,0 +1,74 @@
+#include "options/targets.hh"
+
+#include <algorithm>
+
+#include "options/command_line.hh"
+#include "options/values.hh"
+
+namespace whittle::app {
+namespace {
+
+std::uint64_t at_least_one(std::string_view text) { return parse_count(text); }
+
+}  // namespace
+
+void add_target_options(CLI::App& app, TargetOptions& options) {
+  add_value(app, "--faces", "N", options.faces, at_least_one, "stop at N faces or fewer, N >= 1")
+      ->default_str("off")
+      ->group(target_group);
+  add_value(app, "--vertices", "N", options.vertices, at_least_one, "stop at N vertices or fewer, N >= 1")
+      ->default_str("off")
+      ->group(target_group);
+  add_value(app, "-r,--ratio", "R", options.ratio, parse_ratio,
+            "keep this share of the vertices, rounded down: 0 < R < 1, or a percentage such as 30%")
+      ->default_str("off")
+      ->group(target_group);
+  add_value(
+      app, "--max-cost", "C", options.max_cost, [](std::string_view text) { return parse_number(text, {0}, "C"); },
+      "contract nothing that costs more than C: distance squared times area in model units with plain quadrics "
+      "(distance squared with uniform weights), a length to the fifth with memoryless ones, C >= 0")
+      ->default_str("off")
+      ->group(target_group);
+}
+
+void check_targets(const TargetOptions& options) {
+  if (options.faces || options.vertices || options.ratio || options.max_cost) return;
+  throw UsageError("no target: give at least one of --faces, --vertices, --ratio and --max-cost");
+}
+
+DecimateTarget resolve(const TargetOptions& options, std::uint64_t n_vertices) {
+  DecimateTarget target = DecimateTarget::as_far_as_possible();
+  if (options.faces) target = target.or_faces(*options.faces);
+  if (options.vertices) target = target.or_vertices(*options.vertices);
+  if (options.max_cost) target = target.or_max_cost(*options.max_cost);
+  if (options.ratio) {
+    const std::uint64_t kept = share_of(*options.ratio, n_vertices);
+    target = target.or_vertices(std::max(kept, target.n_vertices().value_or(0)));
+  }
+  return target;
+}
+
+bool is_met(const DecimateTarget& target, StopReason stop) {
+  const bool has_count = target.n_faces() || target.n_vertices();
+  return stop == StopReason::target || stop == StopReason::cost || (stop == StopReason::exhausted && !has_count);
+}
+
+std::string to_string(const DecimateTarget& target) {
+  std::string text;
+  const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : " or ") + part; };
+  if (target.n_faces()) add(std::to_string(*target.n_faces()) + " faces");
+  if (target.n_vertices()) add(std::to_string(*target.n_vertices()) + " vertices");
+  if (target.cost_limit()) add("cost " + shortest(*target.cost_limit()));
+  return text;
+}
+
+nlohmann::ordered_json target_json(const TargetOptions& options, const DecimateTarget& target) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  if (target.n_faces()) json["faces"] = *target.n_faces();
+  if (target.n_vertices()) json["vertices"] = *target.n_vertices();
+  if (options.ratio) json["ratio"] = *options.ratio;
+  if (target.cost_limit()) json["max_cost"] = *target.cost_limit();
+  return json;
+}
+
+}  // namespace whittle::app

@@ -1,0 +1,65 @@
+#include "terminal/progress_bar.hh"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <string_view>
+#include <utility>
+
+namespace whittle::app {
+namespace {
+
+constexpr std::size_t bar_width = 30;
+constexpr auto redraw_interval = std::chrono::milliseconds(100);
+
+std::size_t terminal_width() {
+  winsize size = {};
+  if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+  return size.ws_col;
+}
+
+/// https://no-color.org: set and not empty.
+bool wants_color() {
+  const char* value = std::getenv("NO_COLOR");
+  return value == nullptr || *value == '\0';
+}
+
+}  // namespace
+
+ProgressBar::ProgressBar(const Talk& talk, std::string what)
+    : what_(std::move(what)), shown_(talk.shows_progress()), colored_(wants_color()) {}
+
+ProgressBar::~ProgressBar() { clear(); }
+
+void ProgressBar::clear() {
+  if (drawn_width_ == 0) return;
+  std::cerr << '\r' + std::string(drawn_width_, ' ') + '\r' << std::flush;
+  drawn_width_ = 0;
+}
+
+void ProgressBar::update(double fraction, const std::string& note) {
+  if (!shown_) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (now < next_) return;
+  next_ = now + redraw_interval;
+
+  fraction = std::clamp(fraction, 0.0, 1.0);
+  const auto filled = static_cast<std::size_t>(std::floor(fraction * bar_width));
+  const std::string before = what_ + " [";
+  const std::string percent = std::to_string(static_cast<int>(std::floor(100 * fraction)));
+  const std::string after = "] " + std::string(3 - percent.size(), ' ') + percent + " %  " + note;
+  const std::size_t width = before.size() + bar_width + after.size();
+  clear();
+  // A line that wraps can't be taken back.
+  if (width >= terminal_width()) return;
+  const std::string full(filled, '#');
+  const std::string empty(bar_width - filled, '.');
+  std::cerr << before + (colored_ ? "\x1b[32m" + full + "\x1b[0m" : full) + empty + after << std::flush;
+  drawn_width_ = width;
+}
+
+}  // namespace whittle::app

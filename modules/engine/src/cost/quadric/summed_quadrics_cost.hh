@@ -1,0 +1,25 @@
+#pragma once
+
+#include "cost/pair_cost.hh"
+#include "cost/quadric/vertex_quadrics.hh"
+
+namespace whittle {
+
+/// A cost of quadrics: those of the faces and borders at first, and a merged vertex has the sum of its two.
+class SummedQuadricsCost : public PairCost {
+ public:
+  SummedQuadricsCost(const TriangleComplex& complex, const QuadricOptions& options, bool has_threshold_pairs)
+      : options_(options), quadrics_(complex, options, has_threshold_pairs) {}
+
+  void see_faces(unsigned threads) final { quadrics_.sum_faces(threads); }
+  void start(unsigned /*threads*/) final { quadrics_.add_borders(); }
+  void resume(const DecimationState& state) final { quadrics_.resume(state); }
+  PlacedQuadric quadric(Index v) const final { return quadrics_.placed(v); }
+  VertexState vertex_state() const final { return quadrics_.state(); }
+
+ protected:
+  QuadricOptions options_;
+  VertexQuadrics quadrics_;
+};
+
+}  // namespace whittle

@@ -1,0 +1,200 @@
+#pragma once
+
+#include <utility>
+
+#include "whittle/openmesh/detail/bulk_collapse.hh"
+
+namespace whittle {
+
+template <class MeshT>
+BulkCollapseT<MeshT>::BulkCollapseT(MeshT& mesh, std::span<const VertexMerge> merges)
+    : mesh_(mesh),
+      vertex_bits_(mesh),
+      halfedge_bits_(mesh),
+      edge_bits_(mesh),
+      face_bits_(mesh),
+      fates_(mesh.n_vertices()),
+      clusters_(mesh.n_vertices()),
+      substitutes_(mesh.n_halfedges()) {
+  find_clusters(merges);
+}
+
+template <class MeshT>
+void BulkCollapseT<MeshT>::run() {
+  delete_inner_edges();
+  update_vertices();
+  link_faces();
+  link_border();
+}
+
+template <class MeshT>
+void BulkCollapseT<MeshT>::find_clusters(std::span<const VertexMerge> merges) {
+  for (std::size_t v = 0; v < clusters_.size(); ++v) clusters_[v] = VertexHandle(static_cast<int>(v));
+  for (std::size_t time = merges.size(); time-- > 0;) {  // from the end, where survivors survive
+    const auto& [removed, survivor] = merges[time];
+    const auto place = static_cast<std::size_t>(removed.idx());
+    fates_[place] = {survivor, static_cast<Index>(time)};
+    clusters_[place] = cluster(survivor);
+  }
+}
+
+/// And the faces at them.
+template <class MeshT>
+void BulkCollapseT<MeshT>::delete_inner_edges() {
+  for (int i = 0; i < static_cast<int>(mesh_.n_edges()); ++i) {
+    const EdgeHandle e(i);
+    if (edge_bits_[e].deleted()) continue;
+    const HalfedgeHandle h = mesh_.halfedge_handle(e, 0);
+    const HalfedgeHandle o = mesh_.halfedge_handle(e, 1);
+    if (cluster(mesh_.to_vertex_handle(h)) != cluster(mesh_.to_vertex_handle(o))) continue;
+    delete_edge(e);
+    delete_face(h);
+    delete_face(o);
+  }
+}
+
+template <class MeshT>
+void BulkCollapseT<MeshT>::delete_edge(EdgeHandle e) {
+  edge_bits_[e].set_deleted(true);
+  if (!halfedge_bits_) return;
+  for (const unsigned side : {0U, 1U}) halfedge_bits_[mesh_.halfedge_handle(e, side)].set_deleted(true);
+}
+
+/// That of h, if there is one.
+template <class MeshT>
+void BulkCollapseT<MeshT>::delete_face(HalfedgeHandle h) {
+  const FaceHandle face = mesh_.face_handle(h);
+  if (!face.is_valid()) return;
+  face_bits_[face].set_deleted(true);
+  mesh_.set_halfedge_handle(face, HalfedgeHandle());
+}
+
+/// Where a vertex has lost its outgoing halfedge, it gets one when faces are linked.
+template <class MeshT>
+void BulkCollapseT<MeshT>::update_vertices() {
+  for (int i = 0; i < static_cast<int>(mesh_.n_vertices()); ++i) {
+    const VertexHandle v(i);
+    const HalfedgeHandle h = mesh_.halfedge_handle(v);
+    if (cluster(v) != v) {
+      vertex_bits_[v].set_deleted(true);
+      mesh_.set_isolated(v);
+    } else if (h.is_valid() && (edge_bits_[mesh_.edge_handle(h)].deleted() || !ends_strip(h))) {
+      mesh_.set_isolated(v);
+    }
+  }
+}
+
+// Strips --------------------------------------------------------------------------------------------------------------
+
+/// \param first the strip's first edge, seen from a face that stays
+template <class MeshT>
+void BulkCollapseT<MeshT>::merge_strip(HalfedgeHandle first) {
+  HalfedgeHandle last = first;
+  strip_.assign(1, {first, {}});
+  while (!ends_strip(mesh_.opposite_halfedge_handle(last))) {
+    const Rung next = across(last);
+    while (strip_.size() > 1 && strip_.back().meeting.time < next.meeting.time) merge_last_rungs();
+    strip_.push_back(next);
+    last = next.halfedge;
+  }
+  while (strip_.size() > 1) merge_last_rungs();
+
+  const auto take_place = [this](HalfedgeHandle end, HalfedgeHandle by) {
+    substitute(end) = by;
+    if (mesh_.is_boundary(end)) border_.push_back(end);
+  };
+  const HalfedgeHandle left = strip_.front().halfedge;
+  take_place(first, left);
+  take_place(mesh_.opposite_halfedge_handle(last), mesh_.opposite_halfedge_handle(left));
+}
+
+/// The next edge of the strip, behind the vanished face on the other side of h; from the same cluster as h to the same
+/// one.
+template <class MeshT>
+typename BulkCollapseT<MeshT>::Rung BulkCollapseT<MeshT>::across(HalfedgeHandle h) const {
+  const HalfedgeHandle opposite = mesh_.opposite_halfedge_handle(h);
+  const HalfedgeHandle next = mesh_.next_halfedge_handle(opposite);
+  const HalfedgeHandle previous = mesh_.prev_halfedge_handle(opposite);
+  const VertexHandle from = mesh_.to_vertex_handle(opposite);
+  const VertexHandle to = mesh_.to_vertex_handle(h);
+  const VertexHandle third = mesh_.to_vertex_handle(next);
+  const bool is_next = cluster(third) == cluster(to);  // the side from `from` to `third`
+  return {is_next ? next : previous, meeting(is_next ? to : from, third)};
+}
+
+/// \pre two vertices of one cluster
+template <class MeshT>
+typename BulkCollapseT<MeshT>::Meeting BulkCollapseT<MeshT>::meeting(VertexHandle v, VertexHandle w) const {
+  for (bool is_swapped = false;;) {
+    if (fate(w).time < fate(v).time) {  // v is the next to merge
+      std::swap(v, w);
+      is_swapped = !is_swapped;
+    }
+    const Fate& next = fate(v);
+    if (next.into == w) return {next.time, !is_swapped};
+    v = next.into;
+  }
+}
+
+/// The last two become one.
+template <class MeshT>
+void BulkCollapseT<MeshT>::merge_last_rungs() {
+  const Rung last = strip_.back();
+  strip_.pop_back();
+  HalfedgeHandle& remaining = strip_.back().halfedge;
+  EdgeHandle vanishing = mesh_.edge_handle(last.halfedge);
+  if (last.meeting.second_survived) {
+    vanishing = mesh_.edge_handle(remaining);
+    remaining = last.halfedge;
+  }
+  delete_edge(vanishing);
+  if (edge_bits_[vanishing].feature()) edge_bits_[mesh_.edge_handle(remaining)].set_feature(true);
+}
+
+// What is left --------------------------------------------------------------------------------------------------------
+
+template <class MeshT>
+void BulkCollapseT<MeshT>::link_faces() {
+  for (int i = 0; i < static_cast<int>(mesh_.n_faces()); ++i) {
+    const FaceHandle face(i);
+    if (face_bits_[face].deleted()) continue;
+    std::array<HalfedgeHandle, 3> sides;
+    sides[0] = mesh_.halfedge_handle(face);
+    sides[1] = mesh_.next_halfedge_handle(sides[0]);
+    sides[2] = mesh_.next_halfedge_handle(sides[1]);
+    for (const HalfedgeHandle side : sides) {
+      if (!substitute(side).is_valid()) merge_strip(side);
+    }
+    mesh_.set_halfedge_handle(face, substitute(sides[0]));
+    for (std::size_t side = 0; side < 3; ++side) {
+      const HalfedgeHandle next = sides[(side + 1) % 3];
+      const VertexHandle to = link(sides[side], next);
+      mesh_.set_face_handle(substitute(sides[side]), face);
+      if (mesh_.is_isolated(to)) mesh_.set_halfedge_handle(to, substitute(next));
+    }
+  }
+}
+
+/// Border halfedges follow one another as before, but for those that vanished. A border vertex starts with one of them.
+template <class MeshT>
+void BulkCollapseT<MeshT>::link_border() {
+  for (const HalfedgeHandle h : border_) {
+    HalfedgeHandle next = mesh_.next_halfedge_handle(h);
+    while (!substitute(next).is_valid()) next = mesh_.next_halfedge_handle(next);
+    const VertexHandle to = link(h, next);
+    mesh_.set_boundary(substitute(h));
+    if (!mesh_.is_boundary(mesh_.halfedge_handle(to))) mesh_.set_halfedge_handle(to, substitute(next));
+  }
+}
+
+/// Sets what takes the place of h before what takes that of `next`. \return the vertex between
+template <class MeshT>
+OpenMesh::VertexHandle BulkCollapseT<MeshT>::link(HalfedgeHandle h, HalfedgeHandle next) {
+  const VertexHandle between = cluster(mesh_.to_vertex_handle(h));
+  mesh_.set_vertex_handle(substitute(h), between);
+  mesh_.set_next_halfedge_handle(substitute(h), substitute(next));
+  if (mesh_.halfedge_handle(between) == next) mesh_.set_halfedge_handle(between, substitute(next));
+  return between;
+}
+
+}  // namespace whittle

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "whittle/engine/decimate.hh"
+#include "whittle/openmesh/detail/bulk_collapse.hh"
+#include "whittle/openmesh/detail/face_relinker.hh"
+#include "whittle/openmesh/detail/run_input.hh"
+
+namespace whittle {
+
+template <class MeshT>
+class PairDecimaterT;
+
+/// One call of `decimate` with the engine driver: `whittle::decimate` on a copy of the geometry, in which copies of a
+/// vertex are one, then the same contractions on the mesh, all at once.
+template <class MeshT>
+class EngineRunT final : private DecimationHost {
+ public:
+  /// \param target effective: with the cost module's limit
+  EngineRunT(PairDecimaterT<MeshT>& decimater, const DecimateTarget& target, bool only_selected);
+
+  DecimateResult run();
+
+ private:
+  using VertexHandle = OpenMesh::VertexHandle;
+  using Copy = typename FaceRelinkerT<MeshT>::Copy;
+  struct Shape {
+    std::size_t n_further_fans;  ///< beside the first of each vertex
+    std::ptrdiff_t euler_number;
+    bool operator==(const Shape&) const = default;
+  };
+
+  // DecimationHost
+  bool follow(const HostedContraction& made, const Contraction& contraction) override;
+  const DecimationState* state() const override { return state_ ? &*state_ : nullptr; }
+
+  std::optional<DecimationState> state_of_module() const;
+  Decimation contract();
+  static std::uint64_t count_vertices(const IndexedMesh& mesh);
+
+  void write_back(Decimation& small);
+  bool are_collapses(const Decimation& small) const;
+  static Shape shape_of(const IndexedMesh& mesh);
+  std::vector<Copy> relink(const Decimation& small);
+  std::vector<Copy> collapse(const Decimation& small);
+  void update_face_normals(const std::vector<Copy>& vertices, const std::vector<Index>& origins);
+  void hand_over_quadrics(const std::vector<Copy>& vertices, std::vector<PlacedQuadric> quadrics, bool were_collapses);
+
+  void blend();
+
+  PairDecimaterT<MeshT>& decimater_;
+  MeshT& mesh_;
+  DecimateTarget target_;
+  RunInputT<MeshT> input_;
+  std::optional<DecimationState> state_;
+  std::vector<VertexMerge> merges_;  ///< by first copies
+  std::vector<float> shares_;        ///< of the removed vertices in the merged ones, if the mesh has attributes
+};
+
+}  // namespace whittle
+
+#include "whittle/openmesh/detail/engine_run_impl.hh"

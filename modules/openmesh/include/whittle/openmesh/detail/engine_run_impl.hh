@@ -1,0 +1,184 @@
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+#include "whittle/core/detail/edge_table.hh"
+#include "whittle/openmesh/detail/blend_attributes.hh"
+#include "whittle/openmesh/detail/engine_run.hh"
+#include "whittle/openmesh/pair_cost_module.hh"
+
+namespace whittle {
+
+template <class MeshT>
+EngineRunT<MeshT>::EngineRunT(PairDecimaterT<MeshT>& decimater, const DecimateTarget& target, bool only_selected)
+    : decimater_(decimater),
+      mesh_(decimater.mesh()),
+      target_(target),
+      input_(mesh_, Copies::joined,
+             [&decimater, only_selected](VertexHandle v) { return decimater.is_fixed(v, only_selected); }),
+      state_(state_of_module()) {}
+
+template <class MeshT>
+DecimateResult EngineRunT<MeshT>::run() {
+  Decimation small = contract();
+  write_back(small);
+  if (small.result.n_contractions > 0) decimater_.is_fresh_ = false;
+  return small.result;
+}
+
+// The engine ----------------------------------------------------------------------------------------------------------
+
+/// After contractions the module knows more than the mesh: unrounded positions, and what quadrics remember.
+template <class MeshT>
+std::optional<DecimationState> EngineRunT<MeshT>::state_of_module() const {
+  if (decimater_.is_fresh_) return std::nullopt;
+  DecimationState state;
+  state.frame = decimater_.cost_->frame();
+  state.face_area = decimater_.cost_->face_area();
+  for (Index v = 0; v < input_.mesh.positions.size(); ++v) {
+    state.vertices.push_back(decimater_.cost_->quadric(input_.handle(v)));
+  }
+  return state;
+}
+
+template <class MeshT>
+Decimation EngineRunT<MeshT>::contract() {
+  DecimateOptions options = decimater_.engine_options_but_cost();
+  const CostOptions cost = *decimater_.cost_->engine_options();
+  options.cost = cost.cost;
+  options.quadric = cost.quadric;
+  options.isotropy = cost.isotropy;
+  options.valence_weight = cost.valence_weight;
+  options.locked = input_.locked;
+  options.feature_edges = input_.features;
+  options.keep_quadrics = true;
+  return whittle::decimate(input_.mesh, target_, options, *this);
+}
+
+template <class MeshT>
+bool EngineRunT<MeshT>::follow(const HostedContraction& made, const Contraction& contraction) {
+  merges_.push_back({input_.handle(made.removed), input_.handle(made.survivor)});
+  if (has_vertex_attributes(mesh_)) {
+    const bool first_survives = made.survivor == made.first;
+    shares_.push_back(static_cast<float>(
+        share_along(made.before[first_survives ? 0 : 1], made.before[first_survives ? 1 : 0], made.position)));
+  }
+  if (decimater_.listener_) {
+    decimater_.listener_({input_.numbers.handles[made.survivor], input_.numbers.handles[made.removed],
+                          contraction.position, contraction.cost});
+  }
+  return decimater_.notify_observer(merges_.size());
+}
+
+/// Those with a face.
+template <class MeshT>
+std::uint64_t EngineRunT<MeshT>::count_vertices(const IndexedMesh& mesh) {
+  std::vector<bool> has_face(mesh.positions.size());
+  for (const Triangle& face : mesh.faces) {
+    for (const Index v : face) has_face[v] = true;
+  }
+  return static_cast<std::uint64_t>(std::count(has_face.begin(), has_face.end(), true));
+}
+
+// The mesh ------------------------------------------------------------------------------------------------------------
+
+template <class MeshT>
+void EngineRunT<MeshT>::write_back(Decimation& small) {
+  const bool were_collapses = are_collapses(small);
+  blend();
+  const std::vector<Copy> vertices = were_collapses ? collapse(small) : relink(small);
+  for (const auto& [vertex, handle] : vertices) {
+    const Vec3& position = small.mesh.positions[vertex];
+    if (position == to_vec3(mesh_.point(handle))) continue;  // not rounded for nothing
+    mesh_.set_point(handle, to_point<typename MeshT::Point>(position));
+  }
+  if (mesh_.has_face_normals()) update_face_normals(vertices, small.mesh.origins);
+  hand_over_quadrics(vertices, std::move(small.quadrics), were_collapses);
+}
+
+/// In the order of the contractions, as if each had been made on the mesh.
+template <class MeshT>
+void EngineRunT<MeshT>::blend() {
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    blend_attributes(mesh_, merges_[i].survivor, merges_[i].removed, shares_[i]);
+  }
+}
+
+/// Whether the contractions are legal collapses on the mesh as it is. Without threshold pairs and copies they are, but
+/// where vertices have several open fans, which OpenMesh holds: there the engine may also lay two border edges together
+/// or tear a fan apart. The first makes the Euler number greater, and fans never more; the second leaves the Euler
+/// number alone and makes one fan more. So neither goes unnoticed.
+template <class MeshT>
+bool EngineRunT<MeshT>::are_collapses(const Decimation& small) const {
+  if (small.result.threshold_pairs.contracted > 0 || small.result.n_coincident_faces > 0) return false;
+  if (!first_copies(mesh_).empty()) return false;
+  if (small.result.before.nonmanifold_vertices == 0) return true;
+  return shape_of(input_.mesh) == shape_of(small.mesh);
+}
+
+template <class MeshT>
+typename EngineRunT<MeshT>::Shape EngineRunT<MeshT>::shape_of(const IndexedMesh& mesh) {
+  const auto n_edges = static_cast<std::ptrdiff_t>(detail::EdgeTable(mesh.faces, mesh.positions.size()).size());
+  const auto n_vertices = static_cast<std::ptrdiff_t>(count_vertices(mesh));
+  const std::size_t n_further_fans = cut_into_manifold(mesh.positions.size(), mesh.faces).originals.size();
+  return {n_further_fans, n_vertices - n_edges + static_cast<std::ptrdiff_t>(mesh.faces.size())};
+}
+
+template <class MeshT>
+std::vector<typename EngineRunT<MeshT>::Copy> EngineRunT<MeshT>::collapse(const Decimation& small) {
+  BulkCollapseT<MeshT>(mesh_, merges_).run();
+  std::vector<Copy> vertices;
+  vertices.reserve(small.mesh.origins.size());
+  for (Index v = 0; v < small.mesh.origins.size(); ++v) {
+    vertices.push_back({v, VertexHandle(static_cast<int>(small.mesh.origins[v]))});
+  }
+  return vertices;
+}
+
+template <class MeshT>
+std::vector<typename EngineRunT<MeshT>::Copy> EngineRunT<MeshT>::relink(const Decimation& small) {
+  JoinedFaces joined;
+  joined.vertex_handles = small.mesh.origins;
+  joined.faces = small.mesh.faces;
+  joined.vertex_of.assign(mesh_.n_vertices(), invalid_index);
+  for (const VertexHandle v : mesh_.vertices()) {
+    const auto place = static_cast<std::size_t>(v.idx());
+    if (!mesh_.is_isolated(v)) joined.vertex_of[place] = small.vertex_map[input_.numbers.number_of[place]];
+  }
+  std::vector<Index> face_handles;
+  for (const OpenMesh::FaceHandle f : mesh_.faces()) face_handles.push_back(static_cast<Index>(f.idx()));
+  for (const Index f : small.face_origins) joined.face_handles.push_back(face_handles[f]);
+  return FaceRelinkerT<MeshT>(mesh_, joined).run();
+}
+
+/// Those of faces at merged vertices. \param origins first copies of the vertices
+template <class MeshT>
+void EngineRunT<MeshT>::update_face_normals(const std::vector<Copy>& vertices, const std::vector<Index>& origins) {
+  std::vector<bool> is_merged(mesh_.n_vertices());
+  for (const VertexMerge& merge : merges_) is_merged[static_cast<std::size_t>(merge.survivor.idx())] = true;
+  for (const auto& [vertex, handle] : vertices) {
+    is_merged[static_cast<std::size_t>(handle.idx())] = is_merged[origins[vertex]];
+  }
+  for (const OpenMesh::FaceHandle f : mesh_.faces()) {
+    const auto corners = face_corners(mesh_, f);
+    const auto at_merged = [&](VertexHandle v) { return is_merged[static_cast<std::size_t>(v.idx())]; };
+    if (std::any_of(corners.begin(), corners.end(), at_merged)) mesh_.set_normal(f, mesh_.calc_face_normal(f));
+  }
+}
+
+/// To the module: each copy has the whole of its vertex.
+template <class MeshT>
+void EngineRunT<MeshT>::hand_over_quadrics(const std::vector<Copy>& vertices, std::vector<PlacedQuadric> quadrics,
+                                           bool were_collapses) {
+  std::vector<Index> handles;
+  handles.reserve(vertices.size());
+  for (const Copy& copy : vertices) handles.push_back(static_cast<Index>(copy.handle.idx()));
+  for (std::size_t i = quadrics.size(); i < vertices.size(); ++i) {
+    const PlacedQuadric quadric = quadrics[vertices[i].vertex];
+    quadrics.push_back(quadric);
+  }
+  decimater_.cost_->adopt(handles, std::move(quadrics), were_collapses);
+}
+
+}  // namespace whittle

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <OpenMesh/Tools/Decimater/ModBaseT.hh>
+
+#include "whittle/openmesh/conversions.hh"
+#include "whittle/openmesh/detail/moved_faces.hh"
+#include "whittle/openmesh/pair_cost_module.hh"
+
+namespace whittle {
+
+/// A binary module that looks at the faces which a collapse moves: those of v0 *and* of v1, which moves too where it is
+/// placed, with the merged vertex in its place. It computes without touching the mesh, and needs no normals.
+///
+/// The stock decimater asks a guard when a collapse is queued, not when its turn comes: some faces still become what
+/// they must not. `PairDecimaterT` asks when the turn comes.
+template <class MeshT>
+class FaceGuardT : public OpenMesh::Decimater::ModBaseT<MeshT> {
+ public:
+  using ModBase = OpenMesh::Decimater::ModBaseT<MeshT>;
+  using CollapseInfo = typename ModBase::CollapseInfo;
+
+  /// The module that places the merged vertex, of the same decimater; null, the default: v1 keeps its place. In a stock
+  /// decimater a guard has no other way to know; `PairDecimaterT` knows by itself.
+  void set_cost_module(const PairCostModuleT<MeshT>* module) { cost_ = module; }
+
+ protected:
+  explicit FaceGuardT(MeshT& mesh) : ModBase(mesh, true), mesh_(mesh) {}
+
+  /// Illegal if `is_bad(from, to, x, y)` for any face (v, x, y) whose corner v moves.
+  template <class IsBad>
+  float priority(const CollapseInfo& collapse, const IsBad& is_bad) const {
+    return static_cast<float>(moves_bad_face(collapse, is_bad) ? ModBase::ILLEGAL_COLLAPSE : ModBase::LEGAL_COLLAPSE);
+  }
+
+ private:
+  void set_binary(bool) {}
+
+  template <class IsBad>
+  bool moves_bad_face(const CollapseInfo& collapse, const IsBad& is_bad) const {
+    if (cost_ && cost_->has_placement()) {
+      const auto position = [this](OpenMesh::VertexHandle v) { return cost_->position(v); };
+      return any_moved_face(mesh_, collapse, cost_->evaluate(collapse).position, position, is_bad);
+    }
+    const auto position = [this](OpenMesh::VertexHandle v) { return to_vec3(mesh_.point(v)); };
+    return any_moved_face(mesh_, collapse, to_vec3(collapse.p1), position, is_bad);
+  }
+
+  const MeshT& mesh_;
+  const PairCostModuleT<MeshT>* cost_ = nullptr;
+};
+
+}  // namespace whittle

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <OpenMesh/Core/Mesh/Handles.hh>
+#include <utility>
+#include <vector>
+
+#include "whittle/core/manifold_cut.hh"
+#include "whittle/openmesh/detail/status_bits.hh"
+#include "whittle/openmesh/vertex_copies.hh"
+
+namespace whittle {
+
+/// What is left of a mesh some vertices of which have been joined, whether an edge lay between them or not.
+struct JoinedFaces {
+  /// Handles of the vertices left, ascending: they are numbered in this order. Of copies, the first one's handle.
+  std::vector<Index> vertex_handles;
+  /// By handle: the vertex it is now part of, the same for all copies joined (`first_copies`). `invalid_index` where
+  /// it has vanished or had no face.
+  std::vector<Index> vertex_of;
+  std::vector<Triangle> faces;      ///< vertices of each, three different ones, in the order of `face_corners`
+  std::vector<Index> face_handles;  ///< of each, ascending
+};
+
+/// Gives an OpenMesh mesh the connectivity that joining some of its vertices leaves, in a few passes over the mesh.
+/// What a half-edge mesh can't hold is cut into copies (`manifold_cut.hh`, `vertex_copies.hh`).
+///
+///   - *Faces* left keep their handles and first corners; the others are marked deleted.
+///   - *Vertices* left keep their handles. Of one that is cut, the copy whose faces had it does. Where it was cut
+///   before,
+///     other copies keep theirs likewise. The rest are new, after all others, with all properties of the first.
+///     Vertices that had faces and are not left are marked deleted.
+///   - *Edges* have the handle of an edge that one of their faces had there, the lower one if it is free. Where faces
+///     were parted and the other one took it, it is a new one with the same properties. It is a feature if any
+///     edge between what its ends are made of was. Edges that none took are marked deleted.
+///
+/// Moves nothing. \pre the mesh has status bits of vertices, edges and faces.
+template <class MeshT>
+class FaceRelinkerT {
+ public:
+  using VertexHandle = OpenMesh::VertexHandle;
+
+  /// A vertex of `JoinedFaces`, as the mesh holds it.
+  struct Copy {
+    Index vertex;
+    VertexHandle handle;
+  };
+
+  /// \param joined must outlive this
+  FaceRelinkerT(MeshT& mesh, const JoinedFaces& joined);
+
+  /// \return all vertices left, those that are cut several times
+  std::vector<Copy> run();
+
+ private:
+  using HalfedgeHandle = OpenMesh::HalfedgeHandle;
+  using EdgeHandle = OpenMesh::EdgeHandle;
+  using FaceHandle = OpenMesh::FaceHandle;
+  using Side = Index;                    ///< 3f + i, from corner i of face f to the next
+  using Ends = std::pair<Index, Index>;  ///< vertices of an edge, the lower first
+
+  void find_old_sides();
+  void find_features();
+  void assign_vertices();
+  template <class Accepts>
+  void keep_handles(const Accepts& accepts, std::vector<bool>& is_taken);
+  void add_copies();
+  void mark_copies();
+  void assign_edges();
+  bool take_edge(Side side);
+  void add_edge(Side side);
+  void set_edge(Side side, HalfedgeHandle halfedge);
+  void carry_features();
+  void delete_vertices();
+  void delete_edges();
+  void delete_faces();
+  void link_sides();
+  void link_border();
+  void link_vertices();
+
+  static Side next(Side side) { return side % 3 == 2 ? side - 2 : side + 1; }
+  Index start(Side side) const { return cut_.faces[side / 3][side % 3]; }  ///< vertex of the cut
+  VertexHandle start_handle(Side side) const { return vertices_[start(side)]; }
+  EdgeHandle old_edge(Side side) const { return mesh_.edge_handle(old_sides_[side]); }
+  bool has_opposite(Side side) const { return opposite_[side] != invalid_index; }
+  bool is_taken(EdgeHandle e) const { return is_edge_taken_[static_cast<std::size_t>(e.idx())]; }
+  /// Of which vertex this one of the cut is a copy.
+  Index original(Index vertex) const {
+    const std::size_t n = joined_.vertex_handles.size();
+    return vertex < n ? vertex : cut_.originals[vertex - n];
+  }
+
+  MeshT& mesh_;
+  const JoinedFaces& joined_;
+  ManifoldCut cut_;
+  std::vector<Side> opposite_;             ///< by side of the cut
+  std::vector<HalfedgeHandle> old_sides_;  ///< by side: its halfedge before
+  std::vector<Ends> features_;             ///< ascending: edges that are features
+  std::vector<VertexHandle> vertices_;     ///< by vertex of the cut
+  std::vector<HalfedgeHandle> sides_;      ///< by side: its halfedge now
+  std::vector<bool> is_edge_taken_;        ///< by handle
+  std::vector<HalfedgeHandle> outgoing_;   ///< by vertex of the cut: a halfedge to start with
+};
+
+}  // namespace whittle
+
+#include "whittle/openmesh/detail/face_relinker_impl.hh"

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "whittle/engine/host.hh"
+#include "whittle/openmesh/conversions.hh"
+#include "whittle/openmesh/detail/status_bits.hh"
+
+namespace whittle {
+
+/// A mesh as the engine gets it from `PairDecimaterT`.
+template <class MeshT>
+struct RunInputT {
+  detail::VertexNumbers numbers;     ///< handles ↔ vertices of `mesh`
+  IndexedMesh mesh;                  ///< positions and faces
+  std::vector<VertexPair> features;  ///< edges with the feature bit, ascending
+  std::vector<std::uint8_t> locked;  ///< by vertex, or empty if none is
+
+  /// \param is_fixed handle → whether the vertex may neither move nor vanish
+  template <class IsFixed>
+  RunInputT(const MeshT& source, Copies copies, const IsFixed& is_fixed)
+      : numbers(detail::number_vertices(source, copies)),
+        mesh(detail::geometry_of(source, numbers)),
+        features(find_features(source)),
+        locked(find_locked(source, is_fixed)) {}
+
+  OpenMesh::VertexHandle handle(Index v) const { return OpenMesh::VertexHandle(static_cast<int>(numbers.handles[v])); }
+  Index number(OpenMesh::VertexHandle v) const { return numbers.number_of[static_cast<std::size_t>(v.idx())]; }
+
+ private:
+  /// Between copies of two vertices there may be several such edges.
+  std::vector<VertexPair> find_features(const MeshT& source) const {
+    std::vector<VertexPair> result;
+    const StatusBitsT<OpenMesh::EdgeHandle, const MeshT> bits(source);
+    for (int i = 0; i < static_cast<int>(source.n_edges()); ++i) {
+      const OpenMesh::EdgeHandle e(i);
+      if (bits[e].deleted() || !bits[e].feature()) continue;
+      const auto [low, high] = std::minmax({number(source.to_vertex_handle(source.halfedge_handle(e, 0))),
+                                            number(source.to_vertex_handle(source.halfedge_handle(e, 1)))});
+      result.push_back({low, high});
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  /// A vertex is locked if any of its copies is. The feature bit of a vertex locks it unless it lies on a feature line.
+  template <class IsFixed>
+  std::vector<std::uint8_t> find_locked(const MeshT& source, const IsFixed& is_fixed) const {
+    std::vector<Index> n_features(mesh.positions.size());
+    for (const auto& [a, b] : features) {
+      ++n_features[a];
+      ++n_features[b];
+    }
+    std::vector<std::uint8_t> result(mesh.positions.size());
+    bool any = false;
+    for (const OpenMesh::VertexHandle v : source.vertices()) {
+      const bool is_point = source.status(v).feature() && n_features[number(v)] != 2;
+      if (!is_point && !is_fixed(v)) continue;
+      result[number(v)] = 1;
+      any = true;
+    }
+    if (!any) result.clear();
+    return result;
+  }
+};
+
+}  // namespace whittle

@@ -1,0 +1,444 @@
+#include "oracle/brute_force.hh"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "support/face_list.hh"
+#include "whittle/core/geometry/radius_ratio.hh"
+#include "whittle/engine/formula/edge_length_term.hh"
+
+namespace whittle::test {
+namespace {
+
+template <class T>
+bool meet(const std::set<T>& a, const std::set<T>& b) {
+  return std::ranges::any_of(a, [&](const T& x) { return b.contains(x); });
+}
+
+/// What a cost has beside its formula.
+struct CostFacts {
+  double dimension;  ///< the power of a length that is its unit
+  double max_normal_flip_deg;
+};
+
+CostFacts facts_of(const DecimateOptions& options) {
+  switch (options.cost.value_or(Cost::quadric)) {
+    case Cost::lindstrom_turk:
+      return {6, 110};
+    case Cost::memoryless:
+      return {5, 60};
+    case Cost::midpoint:
+      return {1, 75};
+    case Cost::quadric:
+      break;
+  }
+  return {isotropic_dimension(options.quadric.weights == Weights::uniform ? 2 : 4, options.isotropy), 75};
+}
+
+}  // namespace
+
+BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const DecimateOptions& options) : options_(options) {
+  options_.cost = options.cost.value_or(Cost::quadric);
+  options_.max_normal_flip_deg = options.max_normal_flip_deg.value_or(facts_of(options).max_normal_flip_deg);
+  Vec3 low = mesh.positions.at(0);
+  Vec3 high = low;
+  for (const Vec3& p : mesh.positions) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  frame_ = Frame::of_box(low, high);
+  for (const Vec3& p : mesh.positions) {
+    stands_for_.push_back(static_cast<Index>(positions_.size()));
+    positions_.push_back(frame_.to_frame(p));
+  }
+  for (const Triangle& f : mesh.faces) {
+    if (f[0] != f[1] && f[1] != f[2] && f[2] != f[0]) faces_.push_back(f);
+  }
+  const std::map<Edge, int> n_faces = count_edge_faces(faces_);
+  if (options.boundary == Boundary::free) options_.quadric.boundary_weight = 0;
+
+  quadrics_.resize(positions_.size());
+  points_.resize(positions_.size());
+  std::vector<bool> locked(positions_.size());
+  for (Index v = 0; v < positions_.size(); ++v) {
+    SymmetricMatrix& sum = quadrics_[v].a;
+    for (const Triangle& f : faces_) {
+      if (!has(f, v)) continue;
+      const std::size_t corner = corner_of(f, v);
+      sum += corner_quadric(positions_[v], positions_[f[(corner + 1) % 3]], positions_[f[(corner + 2) % 3]],
+                            options_.quadric);
+    }
+    points_[v] = {positions_[v], 1 / (1 + 3 * options.quadric.regularization) * sum.trace(), 0};
+    for (const Triangle& f : faces_) {
+      if (!has(f, v)) continue;
+      const Index next = f[(corner_of(f, v) + 1) % 3];
+      const Index previous = f[(corner_of(f, v) + 2) % 3];
+      if (n_faces.at(edge(v, next)) == 1) {
+        sum += border_quadric(positions_[v], positions_[next], positions_[previous], options_.quadric);
+      }
+      if (n_faces.at(edge(previous, v)) == 1) {
+        sum += border_quadric(positions_[previous], positions_[v], positions_[next], options_.quadric);
+      }
+    }
+    locked[v] = (!options.locked.empty() && options.locked[v] != 0) ||
+                (options.boundary == Boundary::locked && link_of(v, faces_).vertices.contains(invalid_index));
+  }
+  const double tolerance = options.feature_tolerance * bounds_of(mesh.positions).diagonal() * frame_.scale;
+  restraints_ = BruteForceRestraints(positions_, faces_, locked, options, tolerance);
+  if (options_.cost == Cost::memoryless) memory_.emplace(positions_, faces_);
+  if (options.pairs.threshold > 0) find_threshold_pairs(options.pairs);
+}
+
+void BruteForceDecimater::find_threshold_pairs(const PairOptions& options) {
+  const double threshold = options.threshold.value() * frame_.scale;
+  std::vector<std::vector<std::pair<double, Index>>> nearby(positions_.size());
+  const std::map<Edge, int> edges = count_edge_faces(faces_);
+  const auto is_used = [&](Index v) {
+    return std::ranges::any_of(faces_, [v](const Triangle& f) { return has(f, v); });
+  };
+  const auto normal = [&](Index v) {
+    Vec3 sum = Vec3::Zero();
+    for (const Triangle& f : faces_) {
+      if (has(f, v)) sum += (positions_[f[1]] - positions_[f[0]]).cross(positions_[f[2]] - positions_[f[0]]);
+    }
+    return sum;
+  };
+  const auto is_across_wall = [&](Index a, Index b) {
+    const Vec3 way = positions_[b] - positions_[a];
+    return normal(a).dot(way) < 0 && normal(b).dot(way) > 0 && normal(a).dot(normal(b)) < 0;
+  };
+  for (Index a = 0; a < positions_.size(); ++a) {
+    if (!is_used(a)) continue;
+    for (Index b = 0; b < positions_.size(); ++b) {
+      if (b == a || !is_used(b) || edges.contains(edge(a, b))) continue;
+      const double distance_sq = (positions_[b] - positions_[a]).squaredNorm();
+      if (!(distance_sq < threshold * threshold)) continue;
+      if (!options.across_walls && is_across_wall(a, b)) continue;
+      nearby[a].emplace_back(distance_sq, b);
+    }
+    std::ranges::sort(nearby[a]);
+    if (options.max_pairs && nearby[a].size() > *options.max_pairs) nearby[a].resize(*options.max_pairs);
+    for (const auto& [distance_sq, b] : nearby[a]) threshold_pairs_.insert(edge(a, b));
+  }
+}
+
+PlacedQuadric BruteForceDecimater::placed(Index v, bool is_edge) const {
+  const PlacedQuadric result{positions_[v], quadrics_[v]};
+  return is_edge ? result : with_points(result, points_[v], options_.quadric.point_weight);
+}
+
+std::uint64_t BruteForceDecimater::n_vertices() const {
+  std::set<Index> used;
+  for (const Triangle& f : faces_) used.insert(f.begin(), f.end());
+  return used.size();
+}
+
+std::vector<Triangle> BruteForceDecimater::faces() const {
+  std::vector<Triangle> faces;
+  for (const auto& [a, b, c] : faces_) faces.push_back({stands_for_[a], stands_for_[b], stands_for_[c]});
+  return faces;
+}
+
+std::vector<std::pair<Index, Index>> BruteForceDecimater::feature_edges() const {
+  std::vector<std::pair<Index, Index>> edges;
+  for (const auto& [a, b] : restraints_.feature_edges()) edges.push_back(edge(stands_for_[a], stands_for_[b]));
+  std::ranges::sort(edges);
+  return edges;
+}
+
+std::vector<BruteForceDecimater::Choice> BruteForceDecimater::choices() const {
+  std::vector<Choice> choices;
+  const std::map<Edge, int> edges = count_edge_faces(faces_);
+  const bool is_looked_at = options_.cost == Cost::lindstrom_turk || options_.valence_weight > 0;
+  const SurfaceNow surface = is_looked_at ? SurfaceNow(positions_, faces_) : SurfaceNow({}, {});
+  for (const auto& [ends, count] : edges) choices.push_back(choice(ends.first, ends.second, true, surface));
+  const auto is_used = [&](Index v) {
+    return std::ranges::any_of(faces_, [v](const Triangle& f) { return has(f, v); });
+  };
+  for (const auto& [a, b] : threshold_pairs_) {
+    if (!edges.contains(edge(a, b)) && is_used(a) && is_used(b)) choices.push_back(choice(a, b, false, surface));
+  }
+  std::ranges::sort(choices, [](const Choice& a, const Choice& b) { return a.is_before(b); });
+  return choices;
+}
+
+BruteForceDecimater::Choice BruteForceDecimater::choice(Index a, Index b, bool is_edge,
+                                                        const SurfaceNow& surface) const {
+  PairEvaluation e = evaluate(a, b, is_edge, surface);
+  if (memory_) {
+    const double weight = quadrics_[a].a.trace() + quadrics_[b].a.trace();
+    e.cost *= memoryless_factor(weight, memory_->face_area().first());
+  }
+  if (options_.valence_weight > 0) e.cost = surface.valence_change(a, b).penalize(e.cost, options_.valence_weight);
+  return {e.cost, a, b, is_edge, e.position, e.is_minimum, e.position};
+}
+
+PairEvaluation BruteForceDecimater::evaluate(Index a, Index b, bool is_edge, const SurfaceNow& surface) const {
+  const Pinned pinned = restraints_.pinned(a, b).value_or(Pinned::first);  // if refused, it doesn't matter
+  if (options_.cost == Cost::lindstrom_turk) return surface.lindstrom_turk(a, b, pinned);
+  if (options_.cost == Cost::midpoint) return evaluate_midpoint(positions_[a], positions_[b], pinned);
+  const PlacedQuadric first = placed(a, is_edge);
+  const PlacedQuadric second = placed(b, is_edge);
+  const Placement placement = options_.quadric.placement;
+  if (options_.isotropy > 0) return evaluate_isotropic(first, second, options_.isotropy, placement, pinned);
+  return evaluate_pair(first, second, placement, pinned);
+}
+
+/// The first of those that are allowed, once all have their final costs.
+std::optional<BruteForceDecimater::Choice> BruteForceDecimater::next_choice() const {
+  std::optional<Choice> first;
+  for (const Choice& choice : choices()) {
+    if (first && first->is_before(choice)) break;
+    const std::optional<Choice> settled = settle(choice);
+    if (settled && (!first || settled->is_before(*first))) first = settled;
+  }
+  return first;
+}
+
+/// At the better place, if it is allowed there, and for what that costs; nullopt if it isn't allowed at all.
+std::optional<BruteForceDecimater::Choice> BruteForceDecimater::settle(Choice choice) const {
+  if (!forgets(choice)) return is_allowed(choice) ? std::optional(choice) : std::nullopt;
+  const FacesAroundPair around(positions_, faces_, choice.low, choice.high, choice.cheapest);
+  const StarVolume volume = around.volume();
+  if (choice.is_minimum) choice.position += volume_step(quadrics_[choice.low].a + quadrics_[choice.high].a, volume);
+  if (!is_allowed(choice)) {
+    choice.position = choice.cheapest;
+    if (!is_allowed(choice)) return std::nullopt;
+  }
+  if (!volume.is_thin()) return choice;
+  const double displacement_sq = around.displacement_sq(choice.position - choice.cheapest);
+  choice.cost = std::max(choice.cost, thin_cost(displacement_sq, memory_->face_area().now(n_faces())));
+  return choice;
+}
+
+bool BruteForceDecimater::forgets(const Choice& choice) const {
+  return memory_ && memory_->forgets(choice.low, choice.high, is_joint(choice.low, choice.high, choice.is_edge));
+}
+
+bool BruteForceDecimater::is_allowed(const Choice& choice) const {
+  const auto& [cost, a, b, is_edge, cheapest, is_minimum, position] = choice;
+  if (!restraints_.pinned(a, b) || !restraints_.keeps_lines(positions_, faces_, a, b, position)) return false;
+  if (is_edge && options_.topology == Topology::keep && !keeps_topology(a, b)) {
+    const bool is_manifold = !link_of(a, faces_).is_singular && !link_of(b, faces_).is_singular;
+    if (is_manifold || !is_no_less_manifold(a, b)) return false;
+  }
+  const std::vector<bool> is_left = faces_left(a, b);
+  if (std::ranges::count(is_left, true) == 0) return false;
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    if (!is_left[f]) continue;
+    for (const Index v : {a, b}) {
+      if (!has(faces_[f], v)) continue;
+      if (!keeps_normals(faces_[f], v, position) || !keeps_shape(faces_[f], v, position)) return false;
+    }
+  }
+  return restraints_.keeps_sharpness(positions_, faces_, faces_after(a, b), a, b, position);
+}
+
+/// Which faces there would be if a and b were one vertex. Those with both of them vanish. Where faces of a and faces of
+/// b come to lie on the same three vertices, as many of one orientation as of the other vanish all; else one of the
+/// more frequent orientation is left, one of a if there is.
+std::vector<bool> BruteForceDecimater::faces_left(Index a, Index b) const {
+  struct Pile {
+    std::array<std::vector<std::size_t>, 2> faces;  ///< by orientation
+    bool is_at_a = false;
+    bool is_at_b = false;
+  };
+  std::vector<bool> is_left(faces_.size(), true);
+  std::map<Edge, Pile> piles;
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    const Triangle& f = faces_[i];
+    if (!has(f, a) && !has(f, b)) continue;
+    is_left[i] = !(has(f, a) && has(f, b));
+    if (!is_left[i]) continue;
+    const std::size_t corner = corner_of(f, has(f, a) ? a : b);
+    const Index x = f[(corner + 1) % 3];
+    const Index y = f[(corner + 2) % 3];
+    Pile& pile = piles[edge(x, y)];
+    pile.faces[x < y].push_back(i);
+    pile.is_at_a |= has(f, a);
+    pile.is_at_b |= has(f, b);
+  }
+  for (const auto& [opposite_edge, pile] : piles) {
+    if (!pile.is_at_a || !pile.is_at_b) continue;
+    const auto& [backward, forward] = pile.faces;
+    for (const std::size_t i : backward) is_left[i] = false;
+    for (const std::size_t i : forward) is_left[i] = false;
+    if (backward.size() == forward.size()) continue;
+    const std::vector<std::size_t>& more = backward.size() > forward.size() ? backward : forward;
+    const auto of_a = std::ranges::find_if(more, [&](std::size_t i) { return has(faces_[i], a); });
+    is_left[of_a != more.end() ? *of_a : more.front()] = true;
+  }
+  return is_left;
+}
+
+std::vector<Triangle> BruteForceDecimater::faces_after(Index survivor, Index removed) const {
+  const std::vector<bool> is_left = faces_left(std::min(survivor, removed), std::max(survivor, removed));
+  std::vector<Triangle> faces;
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    if (is_left[i]) faces.push_back(faces_[i]);
+  }
+  for (Triangle& f : faces) std::ranges::replace(f, removed, survivor);
+  return faces;
+}
+
+/// Whether contracting (a, b) makes no more border edges, non-manifold edges and vertices of several fans, and leaves
+/// all neighbours of the two neighbours of the merged vertex, or of a neighbour of it.
+bool BruteForceDecimater::is_no_less_manifold(Index a, Index b) const {
+  struct Defects {
+    int border_edges = 0, edges = 0, vertices = 0;
+  };
+  const auto count = [](const std::vector<Triangle>& faces) {
+    Defects defects;
+    for (const auto& [ends, n] : count_edge_faces(faces)) {
+      defects.border_edges += n == 1;
+      defects.edges += n > 2;
+    }
+    std::set<Index> used;
+    for (const Triangle& f : faces) used.insert(f.begin(), f.end());
+    for (const Index v : used) {
+      Link link = link_of(v, faces);
+      link.vertices.erase(invalid_index);  // the cone
+      std::erase_if(link.edges, [](const Edge& e) { return e.second == invalid_index; });
+      defects.vertices += n_pieces(link) > 1;
+    }
+    return defects;
+  };
+  const Defects before = count(faces_);
+  const std::vector<Triangle> faces = faces_after(b, a);
+  const Defects after = count(faces);
+  const auto neighbours_of = [](Index v, const std::vector<Triangle>& in) {
+    std::set<Index> vertices = link_of(v, in).vertices;
+    vertices.erase(invalid_index);
+    return vertices;
+  };
+  std::set<Index> near = neighbours_of(b, faces);
+  near.insert(b);
+  for (const Index v : {a, b}) {
+    for (const Index neighbour : neighbours_of(v, faces_)) {
+      if (neighbour != a && neighbour != b && !meet(neighbours_of(neighbour, faces), near)) return false;
+    }
+  }
+  return after.border_edges <= before.border_edges && after.edges <= before.edges && after.vertices <= before.vertices;
+}
+
+bool BruteForceDecimater::keeps_topology(Index a, Index b) const {
+  const Link link_a = link_of(a, faces_);
+  const Link link_b = link_of(b, faces_);
+  std::set<Index> link_ab;
+  int n_ab = 0;
+  for (const Triangle& f : faces_) {
+    if (!has(f, a) || !has(f, b)) continue;
+    ++n_ab;
+    for (const Index v : f) {
+      if (v != a && v != b) link_ab.insert(v);
+    }
+  }
+  if (static_cast<int>(link_ab.size()) < n_ab) return false;  // faces on the same three corners
+  if (n_ab != 2) link_ab.insert(invalid_index);
+  const auto has_one_end = [&](const Triangle& f) { return has(f, a) != has(f, b); };
+  if (std::ranges::none_of(faces_, has_one_end)) return false;  // all faces at a and b would vanish
+
+  // Lk a ∩ Lk b = Lk ab, which has no edges as there are no tetrahedra.
+  std::set<Index> common;
+  std::ranges::set_intersection(link_a.vertices, link_b.vertices, std::inserter(common, common.end()));
+  if (common != link_ab) return false;
+  const std::set<Edge> edges_a(link_a.edges.begin(), link_a.edges.end());
+  const std::set<Edge> edges_b(link_b.edges.begin(), link_b.edges.end());
+  if (meet(edges_a, edges_b)) return false;
+  // The same among the irregular edges alone, with a cone over singular vertices.
+  return !meet(link_a.irregular, link_b.irregular) && !(link_a.is_singular && link_b.is_singular);
+}
+
+/// Whether the face may have its corner v moved.
+bool BruteForceDecimater::keeps_normals(const Triangle& face, Index v, const Vec3& to) const {
+  const double least_cosine = std::cos(*options_.max_normal_flip_deg * std::numbers::pi / 180);
+  const std::size_t corner = corner_of(face, v);
+  const Vec3& x = positions_[face[(corner + 1) % 3]];
+  const Vec3& y = positions_[face[(corner + 2) % 3]];
+  const Vec3 before = (x - positions_[v]).cross(y - positions_[v]);
+  const Vec3 after = (x - to).cross(y - to);
+  // No area: a sine of at most 1e-10 at x.
+  const auto has_area = [&](const Vec3& normal, const Vec3& apex) {
+    return normal.norm() > 1e-10 * (x - apex).norm() * (x - y).norm();
+  };
+  if (!has_area(before, positions_[v])) return true;
+  const bool may_turn = options_.max_normal_flip_deg == 180;
+  return has_area(after, to) && (may_turn || before.dot(after) >= least_cosine * before.norm() * after.norm());
+}
+
+bool BruteForceDecimater::keeps_shape(const Triangle& face, Index v, const Vec3& to) const {
+  const std::size_t corner = corner_of(face, v);
+  const Vec3& x = positions_[face[(corner + 1) % 3]];
+  const Vec3& y = positions_[face[(corner + 2) % 3]];
+  const double after = radius_ratio(to, x, y);
+  return after >= options_.min_radius_ratio.value_or(0) || after >= radius_ratio(positions_[v], x, y);
+}
+
+void BruteForceDecimater::contract(const Choice& choice, Index survivor, Index removed) {
+  std::vector<Triangle> faces = faces_after(survivor, removed);
+  restraints_.contract(positions_, faces, survivor, removed, choice.position);
+  quadrics_[survivor] = merge_quadrics(choice);
+  if (memory_) {
+    memory_->contract(survivor, removed, is_joint(choice.low, choice.high, choice.is_edge), faces_, faces);
+  }
+  points_[survivor] = choice.is_edge ? points_[choice.low] + points_[choice.high] : PointQuadric{};
+  positions_[survivor] = choice.position;
+  faces_ = std::move(faces);
+  std::set<Edge> pairs;
+  for (const auto& [a, b] : threshold_pairs_) {
+    const Edge pair = edge(a == removed ? survivor : a, b == removed ? survivor : b);
+    if (pair.first != pair.second) pairs.insert(pair);
+  }
+  threshold_pairs_ = std::move(pairs);
+}
+
+/// \return that of the merged vertex; memoryless ones of its neighbours are changed at once
+Quadric BruteForceDecimater::merge_quadrics(const Choice& choice) {
+  const auto& [cost, a, b, is_edge, cheapest, is_minimum, position] = choice;
+  if (options_.cost != Cost::quadric && options_.cost != Cost::memoryless) return {};
+  Quadric quadric = merged(placed(a, is_edge), placed(b, is_edge), position, is_minimum).quadric;
+  if (!memory_) return quadric;
+  const Vec3 origin = forgets(choice) ? cheapest : Vec3::Zero();
+  for (const Index v : memory_->forgetful_neighbours(a, b, is_joint(a, b, is_edge), faces_)) {
+    quadrics_[v].a += change_of_planes(positions_, faces_, a, b, v, position, origin, options_.quadric);
+  }
+  if (!forgets(choice)) return quadric;
+  quadric = {};
+  quadric.a = FacesAroundPair(positions_, faces_, a, b, origin).planes(position - origin, options_.quadric);
+  return quadric;
+}
+
+/// Under endpoint placement the input vertex at whose position the merged vertex lies lives on; of two at the same
+/// position that of the survivor.
+std::pair<Index, Index> BruteForceDecimater::stand_ins(const Choice& choice, Index survivor, Index removed) const {
+  const std::pair as_they_are(stands_for_[survivor], stands_for_[removed]);
+  const bool has_quadrics = options_.cost == Cost::quadric || options_.cost == Cost::memoryless;
+  if (!has_quadrics || options_.quadric.placement != Placement::endpoint) return as_they_are;
+  for (const Index v : {survivor, removed}) {
+    if (choice.position == positions_[v]) return {stands_for_[v], stands_for_[v == survivor ? removed : survivor]};
+  }
+  return as_they_are;
+}
+
+std::vector<Contraction> BruteForceDecimater::run(const DecimateTarget& target) {
+  const double dimension = facts_of(options_).dimension;
+  std::vector<Contraction> done;
+  while (n_faces() > target.n_faces().value_or(0) && n_vertices() > target.n_vertices().value_or(0)) {
+    const std::optional<Choice> choice = next_choice();
+    if (!choice) break;
+    const double cost = frame_.cost_to_model(choice->cost, dimension);
+    if (target.cost_limit() && cost > *target.cost_limit()) break;
+    const bool keep_high = restraints_.pinned(choice->low, choice->high) != Pinned::first;
+    const Index survivor = keep_high ? choice->high : choice->low;
+    const Index removed = keep_high ? choice->low : choice->high;
+    const auto [lives_on, gone] = stand_ins(*choice, survivor, removed);
+    contract(*choice, survivor, removed);
+    stands_for_[survivor] = lives_on;
+    done.push_back({lives_on, gone, frame_.to_model(choice->position), cost});
+  }
+  return done;
+}
+
+}  // namespace whittle::test

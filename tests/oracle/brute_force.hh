@@ -1,0 +1,83 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "oracle/brute_force_costs.hh"
+#include "oracle/brute_force_memoryless.hh"
+#include "oracle/brute_force_restraints.hh"
+#include "whittle/core/frame.hh"
+#include "whittle/engine/decimate.hh"
+#include "whittle/engine/formula/pair_evaluation.hh"
+#include "whittle/engine/formula/point_quadric.hh"
+
+namespace whittle::test {
+
+/// Decimation as its definition says, one contraction after the other: every edge of the mesh as it then is gets
+/// evaluated, and every threshold pair whose vertices have no common face; the least (cost, lower, higher vertex
+/// number) that is allowed is contracted. No queue, no bounds, no memory of refusals; the topology is looked at through
+/// the definition of links, costs and feature lines through theirs. Takes O(F²) or worse.
+///
+/// Shares with the engine the arithmetic of one pair (`evaluate_pair`, `merged`, `with_points` and what other costs
+/// have in their place) and the frame, nothing else.
+class BruteForceDecimater {
+ public:
+  BruteForceDecimater(const IndexedMesh& mesh, const DecimateOptions& options);
+
+  /// Contracts until `target`, or until nothing is allowed; returns what was contracted, positions in model units.
+  std::vector<Contraction> run(const DecimateTarget& target);
+
+  std::uint64_t n_faces() const { return faces_.size(); }
+  std::vector<Triangle> faces() const;  ///< of the mesh as it is now, in the input's numbers
+  std::size_t n_threshold_pairs() const { return threshold_pairs_.size(); }
+  std::uint64_t n_vertices() const;
+  /// Of the mesh as it is now, in the input's numbers, ascending.
+  std::vector<std::pair<Index, Index>> feature_edges() const;
+
+ private:
+  struct Choice {
+    double cost;
+    Index low, high;
+    bool is_edge;
+    Vec3 cheapest;  ///< where that is the cost
+    bool is_minimum;
+    Vec3 position;  ///< where the merged vertex goes: there, too, or to a better place
+
+    bool is_before(const Choice& o) const { return std::tie(cost, low, high) < std::tie(o.cost, o.low, o.high); }
+  };
+  void find_threshold_pairs(const PairOptions& options);
+  PlacedQuadric placed(Index v, bool is_edge) const;
+  std::vector<Choice> choices() const;
+  Choice choice(Index a, Index b, bool is_edge, const SurfaceNow& surface) const;
+  PairEvaluation evaluate(Index a, Index b, bool is_edge, const SurfaceNow& surface) const;
+  std::optional<Choice> next_choice() const;
+  std::optional<Choice> settle(Choice choice) const;
+  bool is_joint(Index a, Index b, bool is_edge) const { return !is_edge || !keeps_topology(a, b); }
+  bool forgets(const Choice& choice) const;
+  bool is_allowed(const Choice& choice) const;
+  bool keeps_topology(Index a, Index b) const;
+  bool is_no_less_manifold(Index a, Index b) const;
+  bool keeps_normals(const Triangle& face, Index v, const Vec3& to) const;
+  bool keeps_shape(const Triangle& face, Index v, const Vec3& to) const;
+  std::vector<bool> faces_left(Index a, Index b) const;
+  std::vector<Triangle> faces_after(Index survivor, Index removed) const;
+  void contract(const Choice& choice, Index survivor, Index removed);
+  std::pair<Index, Index> stand_ins(const Choice& choice, Index survivor, Index removed) const;
+  Quadric merge_quadrics(const Choice& choice);
+
+  DecimateOptions options_;
+  Frame frame_;
+  std::vector<Vec3> positions_;
+  std::vector<Index> stands_for_;  ///< per vertex, the input vertex that it is, as far as others are told
+  std::vector<Quadric> quadrics_;
+  std::vector<PointQuadric> points_;
+  std::set<std::pair<Index, Index>> threshold_pairs_;  ///< lower vertex first; some may have a common face
+  BruteForceRestraints restraints_;
+  std::optional<BruteForceMemory> memory_;  ///< of memoryless quadrics
+  std::vector<Triangle> faces_;             ///< of the mesh as it now is, in the input's order
+};
+
+}  // namespace whittle::test
