@@ -19,7 +19,7 @@ namespace {
 
 io::ReadResult read(const std::string& name) { return io::read_mesh(data_mesh(name)); }
 
-/// The README's rows "| `name` | faces | … |".
+/// A row "| `name` | faces | … |" of the README.
 struct Row {
   std::string name;
   std::size_t faces;

@@ -29,15 +29,15 @@ struct DataMesh {
   bool ascii = false;
 };
 
-/// Coordinates of six decimals, 0 without a sign: short files, and the last bit of somebody's sine doesn't show. For
-/// text.
+/// Rounds coordinates to six decimals, with 0 for −0. For text: files are short, and the last bit of a C library's sine
+/// has no effect.
 IndexedMesh with_decimals(IndexedMesh mesh) {
   for (Vec3& p : mesh.positions)
     for (double& x : p) x = std::round(x * 1e6) / 1e6 + 0.0;
   return mesh;
 }
 
-/// Coordinates of 24 bits, as binary files hold them.
+/// Rounds coordinates to 24 bits, as binary files hold them.
 IndexedMesh with_floats(IndexedMesh mesh) {
   for (Vec3& p : mesh.positions) p = p.cast<float>().cast<double>();
   return mesh;
@@ -52,7 +52,7 @@ IndexedMesh coloured_by_height(IndexedMesh mesh) {
     high = std::max(high, p.z());
   }
   for (const Vec3& p : mesh.positions) {
-    // Steps of a 20th are exact enough for 8 bits and don't depend on rounding of the height.
+    // In steps of 1/20, so that rounding of the height has no effect on the 8 bits of a colour.
     const auto t = static_cast<float>(std::round(20 * (p.z() - low) / (high - low)) / 20);
     mesh.colors.push_back({t, 0.4F + 0.6F * t * t, t * t, 1.0F});
   }
@@ -94,7 +94,7 @@ void write_all(const fs::path& folder) {
     whittle::io::write_mesh(folder / entry.name, entry.mesh, {.ascii = entry.ascii});
 }
 
-/// \return how many files are not as they should be.
+/// \return the number of files that differ, are missing, or aren't made here.
 int check_all(const fs::path& folder) {
   const std::vector<DataMesh> meshes = all_meshes();
   int wrong = 0;

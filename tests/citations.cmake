@@ -1,4 +1,4 @@
-# Every key after \cite in the sources under SOURCE is in docs/bibliography.bib.
+# Checks that every key after \cite in the sources under SOURCE is in docs/bibliography.bib.
 cmake_minimum_required(VERSION 3.22)
 file(STRINGS ${SOURCE}/docs/bibliography.bib entries REGEX "^@[a-z]+{")
 list(TRANSFORM entries REPLACE "^@[a-z]+{([^,]+),.*" "\\1")

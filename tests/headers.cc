@@ -1,1 +1,1 @@
-// Nothing of its own: the target of the precompiled headers needs a source.
+// Empty: the target of the precompiled headers needs a source file.

@@ -1,4 +1,4 @@
-// Shows the progress of a run and cancels it: what has been reached by then is a valid mesh.
+// Reports the progress of a run and cancels it. The result is a valid mesh all the same.
 #include <cstdio>
 #include <string>
 #include <whittle/engine/simplify.hh>
@@ -11,8 +11,8 @@ int main() {
   for (const auto& p : torus.points) mesh.positions.emplace_back(p[0], p[1], p[2]);
   for (const auto& face : torus.faces) mesh.faces.push_back({face[0], face[1], face[2]});
 
-  // Called now and then, by the thread that called `simplify`. Returning false ends the run. A program with a window
-  // would draw a bar here, and ask whether its button was pressed.
+  // Called now and then, on the thread that called `simplify`. Returning false ends the run. A program with a window
+  // would draw a progress bar here, and check whether its cancel button was pressed.
   unsigned n_calls = 0;
   double fraction = 0;
   bool is_falling = false;

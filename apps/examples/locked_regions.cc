@@ -6,7 +6,7 @@
 
 #include "torus.hh"
 
-/// The lower vertex comes first.
+/// An edge names the vertex with the lower number first.
 static whittle::VertexPair edge_between(whittle::Index a, whittle::Index b) { return {std::min(a, b), std::max(a, b)}; }
 
 int main() {
@@ -38,7 +38,7 @@ int main() {
     if (now != whittle::invalid_index && small.mesh.positions[now] == mesh.positions[v]) ++n_kept;
   }
 
-  // `feature_edges` of the result are what has become of the line. It still lies in the plane z = 0.
+  // The `feature_edges` of the result are what is left of the line. It still lies in the plane z = 0.
   double highest = 0;
   for (const auto& [a, b] : small.feature_edges)
     highest = std::max({highest, std::abs(small.mesh.positions[a].z()), std::abs(small.mesh.positions[b].z())});

@@ -37,7 +37,7 @@ Mesh textured_torus() {
 
 int main() {
   Mesh mesh = textured_torus();
-  // What we want to know afterwards: which vertex of the input each vertex was.
+  // A property of our own: the number that each vertex had in the input.
   OpenMesh::VProp<int> input_vertex(mesh, "input_vertex");
   for (const Mesh::VertexHandle v : mesh.vertices()) input_vertex[v] = v.idx();
 
@@ -46,7 +46,7 @@ int main() {
   decimater.add(cost);
   decimater.initialize();
   decimater.decimate(whittle::DecimateTarget::faces(500));
-  whittle::collect_garbage(mesh);  // removes what is marked as deleted
+  whittle::collect_garbage(mesh);  // removes elements that are marked as deleted
 
   // A surviving vertex keeps its properties. OpenMesh's texture coordinates, colours and normals are interpolated along
   // each edge that is contracted, so that they fit the new position.

@@ -10,7 +10,7 @@
 
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
-/// The cost: the length of the edge, times 2 on the right (x > 0), where the mesh is to stay finer. Unit: length.
+/// The cost: the length of the edge, times 2 on the right (x > 0), where the mesh should stay finer. Unit: length.
 template <class MeshT>
 class ModFinerRightT : public whittle::PlacingModuleT<MeshT> {
  public:
@@ -26,7 +26,7 @@ class ModFinerRightT : public whittle::PlacingModuleT<MeshT> {
   whittle::PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second,
                                          whittle::Pinned pinned) const override {
     auto evaluation = whittle::evaluate_midpoint(this->position(first), this->position(second), pinned);
-    // Modules compute in a frame, centred and scaled. The mesh has its own units.
+    // Modules compute in a frame, centred and scaled. `to_model` gives the position in the units of the mesh.
     if (this->frame().to_model(evaluation.position).x() > 0) evaluation.cost *= 2;
     evaluation.bound = evaluation.cost;
     return evaluation;
@@ -35,7 +35,7 @@ class ModFinerRightT : public whittle::PlacingModuleT<MeshT> {
   whittle::Reach plain_reach() const override { return whittle::Reach::ends; }
 };
 
-/// The guard: vertices merge only with those of their own part. A binary module, as OpenMesh has them.
+/// The guard: vertices merge only with vertices of the same part. It is a binary module, in OpenMesh's sense.
 template <class MeshT>
 class ModSamePartT : public OpenMesh::Decimater::ModBaseT<MeshT> {
  public:
@@ -48,7 +48,7 @@ class ModSamePartT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   }
 
  private:
-  OpenMesh::VProp<int> part_;  ///< the mesh's property of that name
+  OpenMesh::VProp<int> part_;  ///< the mesh's property "part"
 };
 
 int main() {

@@ -1,4 +1,4 @@
-// Simplifies a mesh that is two plain arrays, and gives two plain arrays back. Does what `whittle simplify` does.
+// Simplifies a mesh stored in two plain arrays, and gives two plain arrays back. Does what `whittle simplify` does.
 #include <cstdio>
 #include <vector>
 #include <whittle/engine/simplify.hh>
@@ -7,7 +7,7 @@
 
 namespace {
 
-/// The arrays of our program, as a graphics card takes them.
+/// The arrays of our program, in the form that a graphics card takes.
 struct Arrays {
   std::vector<float> coordinates;  ///< x, y, z of each vertex
   std::vector<unsigned> corners;   ///< three vertex numbers of each triangle
@@ -45,7 +45,7 @@ Arrays arrays_of(const whittle::IndexedMesh& mesh) {
 int main() {
   const whittle::IndexedMesh mesh = mesh_of(some_arrays());
 
-  // A target is always named. The effort says how much time accuracy may take: fast, normal (the default) or best.
+  // The target is required. The effort says how much time accuracy may take: fast, normal (the default) or best.
   const whittle::Simplification small =
       whittle::simplify(mesh, whittle::DecimateTarget::faces(300), whittle::Effort::best);
   for (const whittle::Warning& warning : small.result.warnings) std::printf("warning: %s\n", warning.text.c_str());

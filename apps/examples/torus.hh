@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-/// To a multiple of 2⁻²⁰, so that the torus is the same whatever the compiler makes of its formula (-ffast-math).
+/// Rounds to a multiple of 2⁻²⁰. So the torus is the same even if the compiler reorders its formula (-ffast-math).
 inline double on_grid(double x) { return std::floor(x * 1048576 + 0.5) / 1048576; }
 
 /// A closed surface to decimate, without any library: 2 · n_around · n_tube faces, genus 1.

@@ -8,11 +8,11 @@
 namespace whittle::bench {
 namespace {
 
-/// meshoptimizer stops within a pass of its goal, not exactly at it; what is stuck stops far above it.
+/// meshoptimizer stops within a pass of its goal, not exactly at it. A decimater that got stuck stops far above it.
 constexpr double face_tolerance = 0.01;
 
-/// Of the edge of a square as large as a face of the result. A mesh whose vertices all lie on the surface is off by the
-/// sagitta of such an edge, a small part of it; one with a hole or a spike, by more.
+/// Allowed mean error, as a share of the edge of a square as large as a face of the result. If all vertices lie on the
+/// surface, the error is the sagitta of such an edge, a small part of it. A hole or a spike gives more.
 constexpr double error_tolerance = 0.25;
 
 double area_of(const IndexedMesh& mesh) {

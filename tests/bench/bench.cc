@@ -94,7 +94,7 @@ bool shows_growth(const Row& small, const Row& large) {
   return !small.ms.empty() && !large.ms.empty() && std::abs(share(small) / share(large) - 1) < 0.01;
 }
 
-/// How the time of each peer grows between the two spheres, as the exponent of the number of faces.
+/// How the time of each peer grows between the two spheres: the exponent of the number of faces.
 std::string growth_text(const std::vector<Row>& rows) {
   app::Table table;
   table.add({"growth from sphere-70k to sphere-1394k", "exponent"});
@@ -111,7 +111,7 @@ std::string growth_text(const std::vector<Row>& rows) {
   return is_known ? table.text() : "";
 }
 
-/// Whether one of ours gave a wrong answer.
+/// Whether a peer of ours gave an answer that doesn't count.
 bool has_fault_of_ours(const std::vector<Row>& rows, const std::vector<NamedPeer>& peers) {
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (peers[i].peer->is_ours() && !rows[i].problem.empty()) return true;

@@ -6,19 +6,19 @@
 
 #include "bench/processes/clock.hh"
 
-// What both benchmarks take on their command lines.
+// The command line options that both benchmarks share.
 
 namespace whittle::bench {
 
-/// How often who is timed, and by which clock.
+/// How often each program is timed, and by which clock.
 struct Rounds {
   Clock clock = Clock::wall;
   int n = 5;
-  double slow_s = 5;     ///< who takes longer is timed once, in the first run
-  double limit_s = 300;  ///< who takes longer is stopped
+  double slow_s = 5;     ///< a peer that takes longer is timed only once, in the first run
+  double limit_s = 300;  ///< a peer that takes longer is stopped
 };
 
-/// Where the rows go, and what they say of the sources.
+/// Where the rows are written, and which source versions they name.
 struct RowsFile {
   std::string csv;
   std::string commit = "unknown";

@@ -17,14 +17,14 @@ void append(std::string& bytes, std::span<const T> values) {
   bytes.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
 }
 
-/// Fills `values` from the front of `bytes`, which loses it.
+/// Fills `values` from the front of `bytes` and removes that part.
 template <class T>
 void take(std::string_view& bytes, std::span<T> values) {
   std::memcpy(static_cast<void*>(values.data()), bytes.data(), values.size_bytes());
   bytes.remove_prefix(values.size_bytes());
 }
 
-/// What the forked process sends; then come the positions and the faces.
+/// The header that the forked process sends. The positions and the faces follow.
 struct Header {
   double ms;
   std::uint64_t has_peak;

@@ -18,11 +18,11 @@ struct FirstRun {
   std::optional<std::uint64_t> peak_bytes;  ///< see `Meter`
   std::string failure;                      ///< why there is no answer
 };
-/// \param limit_s seconds after which it is ended, everything it does counted
+/// \param limit_s seconds after which the process is ended; all its work counts
 FirstRun first_run(const Peer& peer, const IndexedMesh& input, std::size_t n_faces, Clock clock, double limit_s);
 
-/// Milliseconds of each peer in each round: all peers once, one after the other, in one process, forked for it. One
-/// more round comes first and doesn't count.
+/// Milliseconds of each peer in each round. All rounds run in one forked process; each peer runs once a round. A first
+/// round that doesn't count comes before.
 /// \return a row a peer, a number a round
 std::vector<std::vector<double>> time_interleaved(const std::vector<const Peer*>& peers, const IndexedMesh& input,
                                                   std::size_t n_faces, Clock clock, int rounds);

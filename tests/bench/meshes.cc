@@ -9,14 +9,14 @@
 namespace whittle::bench {
 namespace {
 
-// A fifth of an edge is about the noise of a scanner that resolves well.
+// A fifth of an edge is about the noise of a scanner with good resolution.
 constexpr double noise = 0.2;
 constexpr std::uint64_t noise_seed = 1;
 
 IndexedMesh noisy_sphere(int frequency) { return with_noise(geodesic_sphere(frequency), noise, noise_seed); }
 
 IndexedMesh noisy_subdivided(const std::optional<std::filesystem::path>& base, int n_steps) {
-  // As many faces as the scanned armadillo that is usual here, 86,482.
+  // As many faces as the scanned armadillo that is often used as a test mesh, 86,482.
   IndexedMesh mesh = base ? io::read_mesh(*base).mesh : test::knot(800, 54);
   for (int step = 0; step < n_steps; ++step) mesh = loop_subdivided(mesh);
   return with_noise(std::move(mesh), noise, noise_seed);

@@ -34,14 +34,14 @@ struct Options {
   Rounds rounds;
   std::string folder = "bench-programs";
   RowsFile rows{.csv = "programs.csv"};
-  // Where the programs are; those without a path don't take part.
+  // Paths of the programs; a program without a path is left out.
   std::string whittle;
   std::string openmesh;
   std::string meshoptimizer;
   std::string gltfpack;
 };
 
-/// The same mesh in files of both formats, coordinates as a float has them.
+/// The same mesh in files of both formats, coordinates rounded to float.
 struct Input {
   fs::path ply;
   fs::path obj;
@@ -54,13 +54,13 @@ struct Program {
   std::string formats;
   std::vector<std::string> command;
   fs::path output;
-  fs::path report;                         ///< JSON it can write; empty if it can't
-  std::vector<std::string> report_option;  ///< what makes it do so, which takes time that isn't to count
+  fs::path report;                         ///< JSON report it can write; empty if it can't
+  std::vector<std::string> report_option;  ///< the options that write the report; that takes time which must not count
 };
 
 bool is_ours(const Program& program) { return program.name.starts_with("whittle"); }
 
-/// Of `whittle simplify`, seconds.
+/// Stages of `whittle simplify`, in seconds.
 struct Stages {
   double read;
   double decimate;
@@ -71,7 +71,7 @@ struct Result {
   std::string failure;
   std::size_t n_faces = 0;
   std::vector<double> seconds;
-  std::vector<Stages> stages;  ///< a round each; empty for others than ours
+  std::vector<Stages> stages;  ///< one per round; empty for programs other than ours
 };
 
 void write_obj(const fs::path& path, const IndexedMesh& mesh) {
@@ -124,7 +124,7 @@ Program openmesh_program(const Options& options, const Input& input, const fs::p
   const fs::path folder = options.folder;
   const bool is_ply = file.extension() == ".ply";
   const fs::path output = folder / (is_ply ? "output.ply" : "output.obj");
-  // A negative number is that of the vertices to keep.
+  // A negative number means vertices to keep.
   const long n = -static_cast<long>(options.ratio * static_cast<double>(input.n_vertices));
   return {"OpenMesh commandlineDecimater",
           is_ply ? "PLY to PLY" : "OBJ to OBJ",
@@ -187,21 +187,21 @@ double run_once(const Program& program, const Options& options, bool with_report
   return options.rounds.clock == Clock::cpu ? run.cpu_s : run.wall_s;
 }
 
-/// Runs it once and looks at what it has made. Its time is that of this run until there are rounds.
+/// Runs the program once and checks its result. Its time is that of this run until there are rounds.
 Result first_result(const Program& program, const Input& input, const Options& options) {
   std::cerr << "   " << program.formats << ", " << program.name << std::endl;
   Result result;
   const double seconds = run_once(program, options, true, result);
   if (!result.failure.empty()) return result;
   result.n_faces = faces_of(program);
-  // Some count vertices, some faces; borders and handles make them part a little.
+  // Some programs count vertices, some faces. Borders and handles make these differ a little.
   const double share = static_cast<double>(result.n_faces) / static_cast<double>(input.n_faces);
   if (std::abs(share / options.ratio - 1) > 0.02) result.failure = "not the number of faces wanted";
   result.seconds = {seconds};
   return result;
 }
 
-/// One round of one program: a run that is timed, and for ours one more, which tells its stages.
+/// One round of one program: a timed run, and for ours a second run that reports the stages.
 void add_round(const Program& program, const Options& options, Result& result) {
   result.seconds.push_back(run_once(program, options, false, result));
   if (!is_ours(program)) return;
@@ -236,7 +236,7 @@ std::optional<double> stage(const Result& result, double Stages::*member) {
   return spread_of(values).median;
 }
 
-/// Reading and writing over decimating.
+/// The time of reading and writing over that of decimating.
 std::optional<double> share_of_files(const Result& result) {
   if (result.stages.empty()) return std::nullopt;
   std::vector<double> values;
@@ -252,7 +252,7 @@ struct Row {
 };
 
 std::vector<Row> rows_of(const std::vector<Program>& programs, const std::vector<Result>& results) {
-  std::map<std::string, const Result*> ours;  // by the format read
+  std::map<std::string, const Result*> ours;  // by input format
   std::vector<Row> rows;
   for (std::size_t i = 0; i < programs.size(); ++i) {
     const std::string format = programs[i].formats.substr(0, 3);

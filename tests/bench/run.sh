@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Times Whittle beside other decimaters, on the same meshes, and installs and builds what that takes:
+# Times Whittle beside other decimaters on the same meshes. Installs and builds what that needs:
 #   run.sh [OPTION]...             the engine beside the libraries of --peers; options are those of whittle_bench
 #   run.sh --programs [OPTION]...  `whittle simplify` beside other programs; options are those of whittle_bench_programs
-# Without --mesh (and --case) it is the dragon; in the first form also the bunny, where it is to be had, and all made
-# meshes, each of them in random order too, in a quarter of an hour. --help after either tells the options. Rows are
-# saved in build/bench/results.csv and programs.csv; --plot, here without a folder, draws the former in
-# build/bench/plots.
+# Without --mesh (and --case) both forms use the dragon. The first form also uses the bunny, if available, and all
+# generated meshes, each also in random order; this takes a quarter of an hour. --help after either form lists the
+# options. Rows are saved in build/bench/results.csv and programs.csv. --plot, here without a folder, draws results.csv
+# in build/bench/plots.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source apps/packages.sh
@@ -39,7 +39,7 @@ done
 commit=$(git describe --always --dirty 2>/dev/null || echo unknown)
 arguments+=(--commit "$commit")
 
-# what_it_takes PEER: the name it has for CMake and its Debian package; nothing for what the project has anyway.
+# what_it_takes PEER: its name in CMake and its Debian package; nothing for peers that the project contains anyway.
 what_it_takes() {
   case $1 in
     whittle | whittle:* | whittle-normal* | whittle-best* | openmesh | pair-decimater) ;;
@@ -52,7 +52,7 @@ what_it_takes() {
   esac
 }
 
-# build_with PEERS TARGET...: PEERS as CMake has them, separated by semicolons.
+# build_with PEERS TARGET...: PEERS as a CMake list, separated by semicolons.
 build_with() {
   local built=$1
   shift
@@ -90,7 +90,7 @@ measure_engine() {
   build_with "$(IFS=';' && echo "${built[*]}")" whittle_bench
   $mesh_is_chosen || choose_meshes
   say "Measuring; the rows go to $work/results.csv"
-  # Peers that could work on several threads are measured on one, as ours is.
+  # Peers that can use several threads are measured on one, like Whittle.
   OMP_NUM_THREADS=1 "$bin/whittle_bench" --peers "$peers" --csv "$work/results.csv" "${arguments[@]}"
 }
 

@@ -10,7 +10,7 @@
 namespace whittle::bench {
 namespace {
 
-/// What the peers' first runs gave, for those whose answer another's has to equal.
+/// Results of the peers' first runs, for those peers whose answer must equal another's.
 using Answers = std::map<std::string, std::pair<IndexedMesh, Answer>>;
 
 bool same_bytes(const IndexedMesh& a, const IndexedMesh& b) { return a.positions == b.positions && a.faces == b.faces; }
@@ -27,7 +27,7 @@ Answer judged_beside(const Answers& answers, const std::string& twin, const Ques
 
 void say_progress(const std::string& what) { std::cerr << "   " << what << std::endl; }
 
-/// Everything but the rounds. `row.ms` holds the time of this run if the answer counts.
+/// Everything except the rounds. `row.ms` holds the time of this run if the answer counts.
 Row first_row(const NamedPeer& contender, const Question& question, const RunOptions& options, Answers& answers) {
   const auto& [name, peer] = contender;
   say_progress(name);

@@ -5,7 +5,7 @@
 #   bash tests/bench/same_bytes.sh OLD NEW [--settings FILE] MESH...
 #
 # OLD and NEW are programs. Each line of FILE is one set of options of `whittle simplify`; '#' begins a comment. The
-# default sets are every effort and what the engine offers. Prints each difference; the exit code says if there was one.
+# default sets cover all efforts and the engine's options. Prints each difference. The exit status is 1 if there is one.
 set -euo pipefail
 
 old=$(realpath "$1")
@@ -19,14 +19,14 @@ fi
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# run PROGRAM NAME MESH OPTION...: all that it gives, in $folder/NAME*.
+# run PROGRAM NAME MESH OPTION...: stores all output in $folder/NAME*.
 run() {
   local program=$1 name=$2 mesh=$3 status=0
   shift 3
   (cd "$folder" && "$program" simplify "$mesh" -o "$name.ply" --map "$name.map" --json "$name.json" --force "$@" >"$name.out" 2>"$name.err") || status=$?
   echo "$status" >"$folder/$name.status"
   touch "$folder/$name.ply" "$folder/$name.map" "$folder/$name.json"
-  # What may differ: times, memory, and the name of the output itself.
+  # These may differ: times, memory, and the name of the output.
   perl -0pi -e 's/"seconds": \{.*?\}/"seconds": {}/s; s/"peak_rss_bytes": \d+/"peak_rss_bytes": 0/' "$folder/$name.json"
   perl -pi -e "s/\\b$name\\b/result/g; s/in [0-9.]+ m?s\$/in TIME/" "$folder/$name.json" "$folder/$name.err"
 }

@@ -21,7 +21,7 @@ struct Edge {
   bool is_border() const { return n_faces != 2; }
 };
 
-/// The edges of a mesh in the order in which the faces come to them.
+/// The edges of a mesh, in the order of their first faces.
 struct Edges {
   std::vector<Edge> edges;
   std::vector<std::array<std::size_t, 3>> of_face;  ///< edge i runs from corner i to the next one
@@ -55,7 +55,7 @@ struct Neighbours {
   }
 };
 
-/// Where the vertices of the mesh go.
+/// The new positions of the old vertices.
 std::vector<Vec3> moved_vertices(const IndexedMesh& mesh, const std::vector<Edge>& edges) {
   std::vector<Neighbours> all(mesh.positions.size());
   std::vector<Neighbours> on_border(mesh.positions.size());
@@ -93,7 +93,7 @@ double mean_edge_length(const IndexedMesh& mesh) {
   return sum / (3 * static_cast<double>(std::max<std::size_t>(mesh.faces.size(), 1)));
 }
 
-/// Weighted by area; of unit length, or zero.
+/// Area-weighted vertex normals, of unit length or zero.
 std::vector<Vec3> vertex_normals(const IndexedMesh& mesh) {
   std::vector<Vec3> normals(mesh.positions.size(), Vec3::Zero());
   for (const auto& [a, b, c] : mesh.faces) {
@@ -104,14 +104,15 @@ std::vector<Vec3> vertex_normals(const IndexedMesh& mesh) {
   return normals;
 }
 
-/// The points of a finely cut face, each known by its weights at the corners, so that faces share those of their edges.
+/// The points of a finely subdivided face, identified by their weights at the corners. So faces share the points on
+/// common edges.
 class GeodesicVertices {
  public:
   GeodesicVertices(const IndexedMesh& base, IndexedMesh& mesh) : base_(base), mesh_(mesh) {}
 
   /// \param weights whole numbers, not all of them 0
   Index at(const Triangle& face, const std::array<int, 3>& weights) {
-    std::array<std::pair<int, Index>, 3> point{};  // a corner of weight 0 plays no part
+    std::array<std::pair<int, Index>, 3> point{};  // corners of weight 0 are left out
     for (std::size_t i = 0; i < 3; ++i) point[i] = {weights[i], weights[i] > 0 ? face[i] : 0};
     std::ranges::sort(point);
     const auto [it, is_new] = known_.try_emplace(point, static_cast<Index>(mesh_.positions.size()));

@@ -4,16 +4,16 @@
 
 #include "whittle/core/indexed_mesh.hh"
 
-// Large meshes out of small ones.
+// Makes large meshes from small ones.
 
 namespace whittle::bench {
 
-/// One step of Loop's subdivision (with Warren's weights): four faces for each. Old vertices first, then those of the
-/// edges in the order in which the faces come to them. Edges with one face are borders; those with more than two take
-/// the rule of the border. Source: Loop: Smooth Subdivision Surfaces Based on Triangles (1987).
+/// One step of Loop's subdivision (with Warren's weights): each face becomes four. Old vertices come first, then the
+/// edges' vertices in the order of the edges' first faces. Edges with one face are borders; those with more than two
+/// use the border rule. Source: Loop: Smooth Subdivision Surfaces Based on Triangles (1987).
 IndexedMesh loop_subdivided(const IndexedMesh& mesh);
 
-/// Each vertex moved along its normal by at most `amplitude` times the mean edge length, at random.
+/// Moves each vertex along its normal at random, by at most `amplitude` times the mean edge length.
 IndexedMesh with_noise(IndexedMesh mesh, double amplitude, std::uint64_t seed);
 
 /// The unit sphere: each face of the icosahedron cut into `frequency`² faces. F 20·frequency².

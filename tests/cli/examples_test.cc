@@ -1,5 +1,5 @@
-// The examples of docs/user and of the README are run as they stand: each block that begins with "```console" in a new
-// folder with the meshes of data/ in it. What is printed there is what the program prints, but for times and memory.
+// Runs the examples of docs/user and of the README as they are written. Each block that begins with "```console" runs
+// in a new folder with the meshes of data/. The program must print what the page shows, except for times and memory.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A command and what the page says it prints.
+/// A command and its output on the page.
 struct Example {
   std::string command;
   std::vector<std::string> printed;
@@ -64,7 +64,7 @@ std::string content_of(const Page& page) {
   return content;
 }
 
-/// A line without what differs from run to run; columns of tables move with the width of the times in them.
+/// A line without what differs between runs. The width of the times moves table columns.
 std::string steady(const std::string& line) {
   std::string text = std::regex_replace(line, std::regex(R"(\d+\.\d+ s\b)"), "T s");
   text = std::regex_replace(text, std::regex(R"(\d+ MiB)"), "M MiB");
@@ -78,7 +78,7 @@ std::vector<std::string> steady(std::vector<std::string> lines) {
   return lines;
 }
 
-/// What the commands of a block print, run one after the other in a new folder.
+/// What the commands of a block print when run in order in a new folder.
 std::vector<std::vector<std::string>> printed_by(const Block& block) {
   const TemporaryFolder folder;
   for (const auto& entry : fs::directory_iterator(fs::path(data_file("knot.ply")).parent_path())) {
@@ -105,7 +105,7 @@ std::vector<std::vector<std::string>> printed_by(const Block& block) {
   return printed;
 }
 
-/// Runs all examples of a page. With WHITTLE_UPDATE_DOCS in the environment, writes what they print into the page.
+/// Runs all examples of a page. If WHITTLE_UPDATE_DOCS is in the environment, writes the output into the page.
 /// \return the number of commands.
 std::size_t check(const fs::path& path) {
   std::size_t n_commands = 0;

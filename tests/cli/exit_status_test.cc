@@ -1,4 +1,4 @@
-// How a run ends when the input or the machine is to blame.
+// Exit status when the input or the machine causes the error.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -162,7 +162,7 @@ TEST(ExitStatus, IsOneOutOfMemory) {
   GTEST_SKIP() << "the address sanitizer needs all addresses";
 #endif
   const TemporaryFolder folder;
-  // 400,000 facets in binary, 20 MB, take more than 60 MB to hold: three corners each.
+  // 400,000 facets in binary are 20 MB and take more than 60 MB in memory: three corners each.
   const std::uint32_t facets = 400'000;
   std::string stl(80, ' ');
   stl.append(reinterpret_cast<const char*>(&facets), sizeof facets);
@@ -189,7 +189,7 @@ TEST(ExitStatus, IsThreeForATargetNotMetUnderStrict) {
   const Outcome lenient = whittle(arguments);
   EXPECT_EQ(lenient.exit_code, 0) << lenient;
   EXPECT_EQ(lenient.out, "");
-  // Achieved against asked, why, and what to do.
+  // The message gives what was reached and what was asked for, why, and what to do.
   for (const char* said : {"warning: ", "cubes.obj: target not met: 10 faces asked, 100 faces and 100 vertices reached",
                            "by topology", "by turning a face", "locked"}) {
     EXPECT_NE(lenient.err.find(said), std::string::npos) << "not said: " << said << '\n' << lenient;

@@ -1,4 +1,4 @@
-// The help, and that the tables of docs/user say the same.
+// The help text, and whether the tables of docs/user agree with it.
 #include "program/help_text.hh"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ std::string page(const std::string& subcommand) {
   return read_text(std::filesystem::path(WHITTLE_DOCS_DIR) / "user" / (subcommand + ".md"));
 }
 
-/// "W", "FILE"
+/// The name of an argument: "W", "FILE".
 bool is_placeholder(const std::string& word) {
   return std::all_of(word.begin(), word.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
 }

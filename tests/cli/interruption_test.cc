@@ -1,4 +1,4 @@
-// Ctrl-C and its like: 128 + the signal's number, one line, nothing left behind.
+// Ctrl-C and other signals: exit status 128 + signal number, one line of output, no files left behind.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -37,7 +37,7 @@ TEST(Interruption, EndsReadingAtOnce) {
 TEST(Interruption, EndsDecimationWithNothingWritten) {
   const TemporaryFolder meshes;
   const TemporaryFolder folder;
-  // Large enough that the program is still at it when the signal comes, even if this test has to wait for a processor.
+  // Large enough that the program still runs when the signal comes, even if this test has to wait for a processor.
   const std::string mesh = meshes / "sphere.ply";
   io::write_mesh(mesh, noisy_sphere(8, 0.01, 1));
   for (const char* engine : {"flat", "openmesh"}) {

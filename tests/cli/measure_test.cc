@@ -162,7 +162,7 @@ TEST(Measure, TellsHowFarFeatureLinesAreApart) {
   const auto json = measured(box, larger, {"--feature-angle", "40"});
   const nlohmann::json features = json["features"];
   EXPECT_EQ(features["angle_deg"], 40.0);
-  // 0.1 further out in two directions, at the corners in three.
+  // The distance is 0.1 at edges in two directions, at corners in three.
   EXPECT_NEAR(features["forward"]["mean"].get<double>(), 0.1 * std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(features["forward"]["max"].get<double>(), 0.1 * std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(features["backward"]["max"].get<double>(), 0.1 * std::sqrt(3.0), 1e-12);

@@ -1,4 +1,4 @@
-// The progress bar: on a terminal only, gone in the end, plain where NO_COLOR is set.
+// The progress bar: shown on a terminal only, erased at the end, without colour if NO_COLOR is set.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace whittle::test {
 namespace {
 
-/// What a terminal gets to see of a run.
+/// What a run writes to a terminal.
 std::string seen_on_terminal(const std::vector<std::string>& more,
                              const std::map<std::string, std::string>& environment, unsigned short columns = 80) {
   const TemporaryFolder folder;
@@ -33,7 +33,7 @@ TEST(ProgressBar, IsDrawnOnATerminalAndGoneInTheEnd) {
   const std::string seen = seen_on_terminal({}, {{"TERM", "xterm"}, {"NO_COLOR", ""}});
   EXPECT_TRUE(has_bar(seen)) << seen;
   EXPECT_TRUE(has_color(seen)) << seen;
-  // The summary begins a line that was wiped.
+  // The summary begins on a line that was erased.
   const std::size_t wiped = seen.rfind(" \r");
   ASSERT_NE(wiped, std::string::npos) << seen;
   EXPECT_EQ(seen.compare(wiped + 2, 9, "whittle: "), 0) << seen;

@@ -67,7 +67,7 @@ TEST(SimplifyCosts, MoreEffortIsMoreAccurate) {
   EXPECT_EQ(with(knot, "5%", {"--polish", "3"}).mesh.faces, normal.mesh.faces);
 }
 
-/// One by one, whatever the effort says.
+/// Each option overrides what the effort would choose.
 TEST(SimplifyCosts, CostAndPolishCanBeChosen) {
   const std::string blob = data_file("blob.obj");
   const auto options = [&](const std::vector<std::string>& more) { return with(blob, "10%", more).report["options"]; };
@@ -80,7 +80,7 @@ TEST(SimplifyCosts, CostAndPolishCanBeChosen) {
   EXPECT_EQ(options({"--cost", "quadric"})["polish"], 1);
 }
 
-/// Not a conflict that nobody asked for.
+/// An option that doesn't go with the default cost changes the default to plain quadrics; it is no conflict.
 TEST(SimplifyCosts, PlainQuadricsAreTheDefaultWithWhatOnlyTheyHave) {
   const std::string blob = data_file("blob.obj");
   for (const std::vector<std::string>& more : {std::vector<std::string>{"--isotropic", "0.5"},
@@ -91,7 +91,7 @@ TEST(SimplifyCosts, PlainQuadricsAreTheDefaultWithWhatOnlyTheyHave) {
   EXPECT_EQ(with(blob, "10%", {"--threshold", "1%"}).report["options"]["cost"], "memoryless");
 }
 
-/// Halfway or at an end is where they were asked for.
+/// Endpoint placement was asked for, so polish moves no vertex.
 TEST(SimplifyCosts, PolishMovesNothingThatHasAPlaceOfItsOwn) {
   const IndexedMesh input = io::read_mesh(data_file("blob.obj")).mesh;
   const Simplified result = with(data_file("blob.obj"), "10%", {"--placement", "endpoint"});

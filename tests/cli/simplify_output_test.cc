@@ -1,4 +1,4 @@
-// What `simplify` writes: the result, the map, the report, and what it says.
+// The output of `simplify`: the result, the map, the report, and the messages.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ TEST(VertexMap, SendsEveryVertexOfTheFileSomewhere) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome;
     const std::vector<long> map = read_map(folder / "map");
     expect_total_and_onto(map, 2562, 300);
-    // Far vertices don't end up in one: each is near its new vertex, on a mesh of size about 2.
+    // Vertices far apart don't merge: each is near its new vertex, on a mesh of size about 2.
     const IndexedMesh before = io::read_mesh(data_file("blob.obj")).mesh;
     const IndexedMesh after = io::read_mesh(folder / "out.ply").mesh;
     for (std::size_t v = 0; v < map.size(); ++v) {
@@ -137,7 +137,7 @@ TEST(Output, TakesAFormatWhereTheNameTellsNone) {
       whittle({"simplify", folder / "blob", "-o", folder / "out", "--format", "obj", "--faces", "500"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome;
   EXPECT_EQ(io::read_mesh(folder / "out", {.format = io::Format::obj}).mesh.faces.size(), 500U);
-  // The name wins where it tells one.
+  // The extension takes precedence over --format.
   EXPECT_EQ(
       whittle({"simplify", folder / "blob", "-o", folder / "out.off", "--format", "obj", "--faces", "500"}).exit_code,
       0);
@@ -181,7 +181,7 @@ TEST(Talk, IsSilentWhenQuietAndLongerWhenVerbose) {
   }
 }
 
-/// Names of all members, nested ones as "a.b", in their order.
+/// Names of all members in order, nested ones as "a.b".
 std::vector<std::string> keys_of(const nlohmann::ordered_json& json, const std::string& prefix = "") {
   std::vector<std::string> keys;
   for (const auto& [key, value] : json.items()) {

@@ -31,7 +31,7 @@ TEST(Simplify, ReachesTheNumberOfFaces) {
     EXPECT_EQ(result.report["target"], (nlohmann::json{{"faces", faces}, {"met", true}}));
     EXPECT_EQ(result.report["stop"], "target");
   }
-  // Faces of a closed mesh go in twos.
+  // The number of faces of a closed mesh falls by two.
   EXPECT_EQ(n_faces(simplify(data_file("blob.obj"), {"--faces", "301"})), 300U);
 }
 

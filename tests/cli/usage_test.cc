@@ -1,4 +1,4 @@
-// What is wrong on the command line is one line on stderr that names it, and exit status 2.
+// A command line error gives one line on stderr that names it, and exit status 2.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,14 +26,14 @@ void expect_usage_error(const Outcome& outcome, const std::vector<std::string>& 
   }
 }
 
-/// As the help lists them.
+/// The names as the help lists them.
 std::string all_costs() {
   std::string names;
   for (const CostTraits& traits : all_cost_traits) names += (names.empty() ? "" : "|") + std::string(traits.name);
   return names;
 }
 
-/// `simplify` with everything it needs, and more.
+/// A valid `simplify` command with further arguments.
 Arguments simplify_with(const TemporaryFolder& folder, const Arguments& more) {
   Arguments arguments{"simplify", data_file("cubes.obj"), "-o", folder / "out.obj", "--faces", "150"};
   arguments.insert(arguments.end(), more.begin(), more.end());
@@ -64,7 +64,7 @@ TEST(Usage, NamesWhatIsUnknown) {
   const TemporaryFolder folder;
   expect_usage_error(whittle(simplify_with(folder, {"--fases", "9"})), {"--fases"});
   expect_usage_error(whittle(simplify_with(folder, {"another.obj"})), {"another.obj"});
-  // Not there yet, so not accepted in silence.
+  // An unknown option, or an unknown value of `--effort`, is an error.
   for (const char* option : {"--effort", "--record", "--curve"}) {
     expect_usage_error(whittle(simplify_with(folder, {option, "1"})), {option});
   }

@@ -1,5 +1,5 @@
-// Replaces the program's operator new. It has a file of its own, so that GCC inlines neither operator: with only one
-// inlined it warns of a mismatch.
+// Replaces the program's operators new and delete. They have a file of their own, so that GCC inlines neither. With
+// only one inlined it warns of a mismatch.
 #include "fuzz/largest_allocation.hh"
 
 #include <algorithm>

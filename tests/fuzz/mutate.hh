@@ -6,8 +6,8 @@
 
 namespace whittle::test {
 
-/// A text or binary file with one to four small damages: flipped bits, replaced bytes, parts dropped, doubled, moved or
-/// cut off, numbers replaced by ones that are likely to hurt.
+/// Damages a text or binary file slightly in one to four ways: flips bits, replaces bytes, drops, doubles, moves or
+/// cuts off parts, or replaces numbers by ones that are likely to cause errors.
 std::string mutated(std::string file, Random& random);
 
 }  // namespace whittle::test

@@ -6,8 +6,8 @@
 
 namespace whittle::test {
 
-/// Reads a mesh file and checks what the reader promises: a `ReadError`, or a valid mesh that stays the same when it is
-/// written and read again.
+/// Reads a mesh file and checks what the reader promises: it throws a `ReadError` or gives a valid mesh. That mesh
+/// stays the same when it is written and read again.
 /// \param bytes a byte that chooses the format and whether to weld, then the file.
 /// \throw std::logic_error that names the broken promise.
 void read_and_check(std::string_view bytes);

@@ -37,7 +37,7 @@ IndexedMesh with_attributes(IndexedMesh mesh) {
   return mesh;
 }
 
-// Each format as we write it, and by hand what our writers don't write.
+// Each format as our writer writes it, and by hand features that our writers don't use.
 std::vector<std::string> seeds() {
   using namespace std::string_literals;
   const std::vector<IndexedMesh> meshes = {octahedron(), with_attributes(tetrahedron()), soup(cube()),
@@ -85,7 +85,8 @@ TEST(FuzzIo, EveryMutationGivesAnErrorOrAValidMesh) {
       Random random(seed * 1000 + f);
       std::string file = mutated(files[f], random);
       if (random.below(16) == 0) file += files[random.below(files.size())].substr(1);
-      // Vectors double. A position takes 24 bytes, and as few as three in the file. Buffers take 1 MiB.
+      // Vectors grow by doubling. A position takes 24 bytes in memory, and possibly only three in the file. Buffers
+      // take 1 MiB.
       const std::size_t justified = 64 * file.size() + (std::size_t{1} << 20);
       largest_allocation = 0;
       try {

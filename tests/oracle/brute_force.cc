@@ -17,9 +17,9 @@ bool meet(const std::set<T>& a, const std::set<T>& b) {
   return std::ranges::any_of(a, [&](const T& x) { return b.contains(x); });
 }
 
-/// What a cost has beside its formula.
+/// Properties of a cost besides its formula.
 struct CostFacts {
-  double dimension;  ///< the power of a length that is its unit
+  double dimension;  ///< the unit of the cost is a length to this power
   double max_normal_flip_deg;
 };
 
@@ -176,7 +176,7 @@ BruteForceDecimater::Choice BruteForceDecimater::choice(Index a, Index b, bool i
 }
 
 PairEvaluation BruteForceDecimater::evaluate(Index a, Index b, bool is_edge, const SurfaceNow& surface) const {
-  const Pinned pinned = restraints_.pinned(a, b).value_or(Pinned::first);  // if refused, it doesn't matter
+  const Pinned pinned = restraints_.pinned(a, b).value_or(Pinned::first);  // if not allowed, any value will do
   if (options_.cost == Cost::lindstrom_turk) return surface.lindstrom_turk(a, b, pinned);
   if (options_.cost == Cost::midpoint) return evaluate_midpoint(positions_[a], positions_[b], pinned);
   const PlacedQuadric first = placed(a, is_edge);
@@ -186,7 +186,7 @@ PairEvaluation BruteForceDecimater::evaluate(Index a, Index b, bool is_edge, con
   return evaluate_pair(first, second, placement, pinned);
 }
 
-/// The first of those that are allowed, once all have their final costs.
+/// The first in order of the allowed pairs, with final costs.
 std::optional<BruteForceDecimater::Choice> BruteForceDecimater::next_choice() const {
   std::optional<Choice> first;
   for (const Choice& choice : choices()) {
@@ -197,7 +197,8 @@ std::optional<BruteForceDecimater::Choice> BruteForceDecimater::next_choice() co
   return first;
 }
 
-/// At the better place, if it is allowed there, and for what that costs; nullopt if it isn't allowed at all.
+/// Finds the position and the final cost: the better position if it is allowed, else the cheapest one. nullopt if
+/// neither is.
 std::optional<BruteForceDecimater::Choice> BruteForceDecimater::settle(Choice choice) const {
   if (!forgets(choice)) return is_allowed(choice) ? std::optional(choice) : std::nullopt;
   const FacesAroundPair around(positions_, faces_, choice.low, choice.high, choice.cheapest);
@@ -236,9 +237,9 @@ bool BruteForceDecimater::is_allowed(const Choice& choice) const {
   return restraints_.keeps_sharpness(positions_, faces_, faces_after(a, b), a, b, position);
 }
 
-/// Which faces there would be if a and b were one vertex. Those with both of them vanish. Where faces of a and faces of
-/// b come to lie on the same three vertices, as many of one orientation as of the other vanish all; else one of the
-/// more frequent orientation is left, one of a if there is.
+/// Which faces remain if a and b become one vertex. Faces with both a and b vanish. Faces of a and faces of b may then
+/// have the same three vertices. If such a pile has as many faces of one orientation as of the other, all of them
+/// vanish. Otherwise one face of the more frequent orientation remains: one at a, if there is one.
 std::vector<bool> BruteForceDecimater::faces_left(Index a, Index b) const {
   struct Pile {
     std::array<std::vector<std::size_t>, 2> faces;  ///< by orientation
@@ -283,8 +284,8 @@ std::vector<Triangle> BruteForceDecimater::faces_after(Index survivor, Index rem
   return faces;
 }
 
-/// Whether contracting (a, b) makes no more border edges, non-manifold edges and vertices of several fans, and leaves
-/// all neighbours of the two neighbours of the merged vertex, or of a neighbour of it.
+/// Whether contracting (a, b) adds no border edges, non-manifold edges or vertices of several fans. All neighbours of
+/// the two must also be neighbours of the merged vertex, or of one of its neighbours.
 bool BruteForceDecimater::is_no_less_manifold(Index a, Index b) const {
   struct Defects {
     int border_edges = 0, edges = 0, vertices = 0;
@@ -299,7 +300,7 @@ bool BruteForceDecimater::is_no_less_manifold(Index a, Index b) const {
     for (const Triangle& f : faces) used.insert(f.begin(), f.end());
     for (const Index v : used) {
       Link link = link_of(v, faces);
-      link.vertices.erase(invalid_index);  // the cone
+      link.vertices.erase(invalid_index);  // the cone vertex
       std::erase_if(link.edges, [](const Edge& e) { return e.second == invalid_index; });
       defects.vertices += n_pieces(link) > 1;
     }
@@ -340,18 +341,18 @@ bool BruteForceDecimater::keeps_topology(Index a, Index b) const {
   const auto has_one_end = [&](const Triangle& f) { return has(f, a) != has(f, b); };
   if (std::ranges::none_of(faces_, has_one_end)) return false;  // all faces at a and b would vanish
 
-  // Lk a ∩ Lk b = Lk ab, which has no edges as there are no tetrahedra.
+  // Lk a ∩ Lk b = Lk ab. Lk ab has no edges, because there are no tetrahedra.
   std::set<Index> common;
   std::ranges::set_intersection(link_a.vertices, link_b.vertices, std::inserter(common, common.end()));
   if (common != link_ab) return false;
   const std::set<Edge> edges_a(link_a.edges.begin(), link_a.edges.end());
   const std::set<Edge> edges_b(link_b.edges.begin(), link_b.edges.end());
   if (meet(edges_a, edges_b)) return false;
-  // The same among the irregular edges alone, with a cone over singular vertices.
+  // The same condition for the irregular edges alone, with a cone over singular vertices.
   return !meet(link_a.irregular, link_b.irregular) && !(link_a.is_singular && link_b.is_singular);
 }
 
-/// Whether the face may have its corner v moved.
+/// Whether the flip guard allows moving corner v of the face.
 bool BruteForceDecimater::keeps_normals(const Triangle& face, Index v, const Vec3& to) const {
   const double least_cosine = std::cos(*options_.max_normal_flip_deg * std::numbers::pi / 180);
   const std::size_t corner = corner_of(face, v);
@@ -359,7 +360,7 @@ bool BruteForceDecimater::keeps_normals(const Triangle& face, Index v, const Vec
   const Vec3& y = positions_[face[(corner + 2) % 3]];
   const Vec3 before = (x - positions_[v]).cross(y - positions_[v]);
   const Vec3 after = (x - to).cross(y - to);
-  // No area: a sine of at most 1e-10 at x.
+  // A face has area if the sine at x is above 1e-10.
   const auto has_area = [&](const Vec3& normal, const Vec3& apex) {
     return normal.norm() > 1e-10 * (x - apex).norm() * (x - y).norm();
   };
@@ -394,7 +395,7 @@ void BruteForceDecimater::contract(const Choice& choice, Index survivor, Index r
   threshold_pairs_ = std::move(pairs);
 }
 
-/// \return that of the merged vertex; memoryless ones of its neighbours are changed at once
+/// Returns the merged vertex's quadric. For memoryless costs it also updates the quadrics of neighbours.
 Quadric BruteForceDecimater::merge_quadrics(const Choice& choice) {
   const auto& [cost, a, b, is_edge, cheapest, is_minimum, position] = choice;
   if (options_.cost != Cost::quadric && options_.cost != Cost::memoryless) return {};
@@ -410,8 +411,8 @@ Quadric BruteForceDecimater::merge_quadrics(const Choice& choice) {
   return quadric;
 }
 
-/// Under endpoint placement the input vertex at whose position the merged vertex lies lives on; of two at the same
-/// position that of the survivor.
+/// Input vertices of the survivor and of the removed vertex. Under endpoint placement the input vertex at the merged
+/// vertex's position survives; if both lie there, the survivor's.
 std::pair<Index, Index> BruteForceDecimater::stand_ins(const Choice& choice, Index survivor, Index removed) const {
   const std::pair as_they_are(stands_for_[survivor], stands_for_[removed]);
   const bool has_quadrics = options_.cost == Cost::quadric || options_.cost == Cost::memoryless;

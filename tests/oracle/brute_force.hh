@@ -16,25 +16,25 @@
 
 namespace whittle::test {
 
-/// Decimation as its definition says, one contraction after the other: every edge of the mesh as it then is gets
-/// evaluated, and every threshold pair whose vertices have no common face; the least (cost, lower, higher vertex
-/// number) that is allowed is contracted. No queue, no bounds, no memory of refusals; the topology is looked at through
-/// the definition of links, costs and feature lines through theirs. Takes O(F²) or worse.
+/// Decimation by its definition, one contraction after the other. It evaluates every edge of the current mesh, and
+/// every threshold pair whose vertices share no face. Then it contracts the allowed pair with the least (cost, lower,
+/// higher vertex number). It has no queue, no bounds and no memory of refusals. Topology, costs and feature lines are
+/// evaluated from their definitions, the topology by links. Takes O(F²) or worse.
 ///
-/// Shares with the engine the arithmetic of one pair (`evaluate_pair`, `merged`, `with_points` and what other costs
-/// have in their place) and the frame, nothing else.
+/// Shares with the engine only the frame and the arithmetic of one pair: `evaluate_pair`, `merged`, `with_points` and
+/// the corresponding functions of other costs.
 class BruteForceDecimater {
  public:
   BruteForceDecimater(const IndexedMesh& mesh, const DecimateOptions& options);
 
-  /// Contracts until `target`, or until nothing is allowed; returns what was contracted, positions in model units.
+  /// Contracts until `target`, or until no pair is allowed. \return the contractions, positions in model units
   std::vector<Contraction> run(const DecimateTarget& target);
 
   std::uint64_t n_faces() const { return faces_.size(); }
-  std::vector<Triangle> faces() const;  ///< of the mesh as it is now, in the input's numbers
+  std::vector<Triangle> faces() const;  ///< of the current mesh, in the input's numbers
   std::size_t n_threshold_pairs() const { return threshold_pairs_.size(); }
   std::uint64_t n_vertices() const;
-  /// Of the mesh as it is now, in the input's numbers, ascending.
+  /// Of the current mesh, in the input's numbers, ascending.
   std::vector<std::pair<Index, Index>> feature_edges() const;
 
  private:
@@ -42,9 +42,9 @@ class BruteForceDecimater {
     double cost;
     Index low, high;
     bool is_edge;
-    Vec3 cheapest;  ///< where that is the cost
+    Vec3 cheapest;  ///< the position with that cost
     bool is_minimum;
-    Vec3 position;  ///< where the merged vertex goes: there, too, or to a better place
+    Vec3 position;  ///< position of the merged vertex: `cheapest`, or a better one
 
     bool is_before(const Choice& o) const { return std::tie(cost, low, high) < std::tie(o.cost, o.low, o.high); }
   };
@@ -71,13 +71,13 @@ class BruteForceDecimater {
   DecimateOptions options_;
   Frame frame_;
   std::vector<Vec3> positions_;
-  std::vector<Index> stands_for_;  ///< per vertex, the input vertex that it is, as far as others are told
+  std::vector<Index> stands_for_;  ///< per vertex, the input vertex that results name
   std::vector<Quadric> quadrics_;
   std::vector<PointQuadric> points_;
-  std::set<std::pair<Index, Index>> threshold_pairs_;  ///< lower vertex first; some may have a common face
+  std::set<std::pair<Index, Index>> threshold_pairs_;  ///< lower vertex first; some may share a face
   BruteForceRestraints restraints_;
   std::optional<BruteForceMemory> memory_;  ///< of memoryless quadrics
-  std::vector<Triangle> faces_;             ///< of the mesh as it now is, in the input's order
+  std::vector<Triangle> faces_;             ///< of the current mesh, in the input's order
 };
 
 }  // namespace whittle::test

@@ -9,8 +9,8 @@
 namespace whittle::test {
 namespace {
 
-/// The corners, sorted before, as a closed walk in which each face's second is the next one's first; nothing if they
-/// aren't one.
+/// Orders sorted corners as a closed walk: each face's second corner is the next face's first. Empty if they don't form
+/// one closed walk.
 template <class Corners>
 Corners as_ring(const Corners& sorted) {
   Corners ring;
@@ -43,7 +43,7 @@ SurfaceNow::SurfaceNow(std::span<const Vec3> positions, std::span<const Triangle
     const Link link = link_of(v, faces_at[v]);
     vertex.on_border = link.vertices.contains(invalid_index);
     vertex.neighbours.assign(link.vertices.begin(), link.vertices.end());
-    if (vertex.on_border) vertex.neighbours.pop_back();  // the cone
+    if (vertex.on_border) vertex.neighbours.pop_back();  // the cone vertex
     for (const auto& [x, y] : vertex.corners) {
       const Vec3 normal = (positions[x] - positions[v]).cross(positions[y] - positions[v]);
       vertex.volume.normal += normal;
@@ -55,7 +55,7 @@ SurfaceNow::SurfaceNow(std::span<const Vec3> positions, std::span<const Triangle
   }
 }
 
-/// By the third corner's number.
+/// The faces of both a and b, in order of the third corner's number.
 std::vector<SurfaceNow::Third> SurfaceNow::common_faces(Index a, Index b) const {
   std::vector<Third> thirds;
   for (const auto& [x, y] : vertices_[a].corners) {
@@ -66,7 +66,7 @@ std::vector<SurfaceNow::Third> SurfaceNow::common_faces(Index a, Index b) const 
   return thirds;
 }
 
-/// Those of a's faces, then of b's, without those of both.
+/// Sums over the faces of a, then over those of b, without the common faces.
 VolumeSums SurfaceNow::volume_of(Index a, Index b) const {
   const Vec3 d = positions_[b] - positions_[a];
   VolumeSums sums = vertices_[a].volume;
@@ -79,7 +79,7 @@ VolumeSums SurfaceNow::volume_of(Index a, Index b) const {
   return sums;
 }
 
-/// Those of a by the number of their other end, then those of b but for (a, b).
+/// The border edges of a in order of their other ends, then those of b except (a, b).
 BorderSums SurfaceNow::border_of(Index a, Index b) const {
   BorderSums sums;
   for (const Index v : {a, b}) {
@@ -96,7 +96,7 @@ BorderSums SurfaceNow::border_of(Index a, Index b) const {
   return sums;
 }
 
-/// Those of a, then of b, without each other and the corners of common faces.
+/// The neighbours of a, then those of b, without a and b themselves; corners of common faces count once.
 NeighbourSums SurfaceNow::neighbours_of(Index a, Index b) const {
   const Vec3 d = positions_[b] - positions_[a];
   std::set<Index> corners;
@@ -115,7 +115,7 @@ PairEvaluation SurfaceNow::lindstrom_turk(Index a, Index b, Pinned pinned) const
   return in_frame(term.evaluate(pinned), positions_[a], positions_[b]);
 }
 
-/// The merged vertex has the edges of both, but for the one between them, once where they are of one face.
+/// The merged vertex has the edges of both, except (a, b). Two edges of a common face become one.
 ValenceChange SurfaceNow::valence_change(Index a, Index b) const {
   const auto valence = [&](Index v) { return static_cast<int>(vertices_[v].neighbours.size()); };
   const auto on_border = [&](Index v) { return vertices_[v].on_border; };

@@ -12,30 +12,30 @@
 
 namespace whittle::test {
 
-/// What costs see of a surface at one moment, all of it found anew from its faces. Sums have the order that the engine
-/// promises, by vertex numbers, so that they agree to the bit; the arithmetic of one pair is the engine's.
+/// What costs need to know about the current surface, computed anew from its faces. Sums have the order that the engine
+/// promises, by vertex numbers, so they agree to the bit. The arithmetic of one pair is the engine's.
 class SurfaceNow {
  public:
-  /// \param positions those of vertices; not copied
+  /// \param positions of the vertices; not copied
   SurfaceNow(std::span<const Vec3> positions, std::span<const Triangle> faces);
 
   PairEvaluation lindstrom_turk(Index a, Index b, Pinned pinned) const;
   ValenceChange valence_change(Index a, Index b) const;
 
  private:
-  /// Of a face at a vertex, in its order.
+  /// The other two corners of a face at a vertex, in the face's order.
   struct OtherCorners {
     Index x, y;
     auto operator<=>(const OtherCorners&) const = default;
   };
   struct Vertex {
-    std::vector<OtherCorners> corners;  ///< of a ring from the lowest number on, of anything else sorted
+    std::vector<OtherCorners> corners;  ///< for one closed fan: in ring order from the lowest number; otherwise sorted
     VolumeSums volume;                  ///< about the vertex
-    NeighbourSums link;                 ///< about the vertex; of a ring in the order of `corners`, else ascending
-    std::vector<Index> neighbours;      ///< ascending
-    bool on_border = false;             ///< its faces are not one closed fan
+    NeighbourSums link;             ///< about the vertex; for one closed fan in the order of `corners`, else ascending
+    std::vector<Index> neighbours;  ///< ascending
+    bool on_border = false;         ///< its faces are not one closed fan
   };
-  /// The third corner of a face of two vertices, 1 if these are in the face's order, else −1.
+  /// The third corner of a face at two vertices. `turn` is 1 if these are in the face's order, else −1.
   struct Third {
     Index corner;
     int turn;

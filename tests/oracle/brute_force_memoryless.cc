@@ -11,7 +11,7 @@
 namespace whittle::test {
 namespace {
 
-/// The corner that follows x in the face (v, x, …).
+/// The corner after x in the face (v, x, …).
 Index corner_after(std::span<const Triangle> faces, Index v, Index x) {
   for (const Triangle& f : faces) {
     if (has(f, v) && f[(corner_of(f, v) + 1) % 3] == x) return f[(corner_of(f, v) + 2) % 3];
@@ -26,7 +26,7 @@ bool is_ring(Index v, std::span<const Triangle> faces) {
   return std::ranges::all_of(link.vertices, [&](Index x) { return corner_after(faces, v, x) != invalid_index; });
 }
 
-/// Of one or both.
+/// The faces at v or w.
 std::set<Index> neighbours_of(Index a, Index b, std::span<const Triangle> faces) {
   std::set<Index> vertices;
   for (const Triangle& f : faces) {

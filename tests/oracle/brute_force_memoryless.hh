@@ -10,54 +10,54 @@
 
 namespace whittle::test {
 
-/// The faces at both ends of an inner edge (a, b), found by their corners' numbers: first those of a, from the one
-/// after a face of both on, then those of b. Sums have the order that the engine promises: four sums, each over every
-/// fourth face, so that they agree to the bit.
+/// The faces at both ends of an inner edge (a, b), found by their corners' numbers. Those of a come first, starting
+/// after a common face, then those of b. Sums have the order that the engine promises: four sums, each over every
+/// fourth face. So they agree to the bit.
 class FacesAroundPair {
  public:
-  /// \pre the faces at a, and those at b, are one closed fan each, all of one orientation; of either some are not the
-  /// other's
-  /// \param origin what all is seen from
+  /// \pre a and b each have one closed fan of faces, all of one orientation; each has faces that the other doesn't have
+  /// \param origin the coordinates are relative to it
   FacesAroundPair(std::span<const Vec3> positions, std::span<const Triangle> faces, Index a, Index b,
                   const Vec3& origin);
 
-  /// Of the faces as they are.
+  /// Of the faces before the contraction.
   StarVolume volume() const;
-  /// How far they would move, were a and b one vertex at `apex`.
+  /// The largest of three squared distances, if a and b became one vertex at `apex`: from `apex` to the faces before,
+  /// and from a and from b to the faces after.
   double displacement_sq(const Vec3& apex) const;
-  /// The sum of the faces' planes, were a and b one vertex at `apex`.
+  /// Sum of the faces' planes if a and b became one vertex at `apex`.
   SymmetricMatrix planes(const Vec3& apex, const QuadricOptions& options) const;
 
  private:
-  /// A face of one end, that end first.
+  /// A face at one end; that end comes first.
   using Corners = std::array<Vec3, 3>;
 
-  std::vector<Corners> faces_;     ///< of one end alone
-  std::array<Corners, 2> common_;  ///< of both
+  std::vector<Corners> faces_;     ///< at one end only
+  std::array<Corners, 2> common_;  ///< at both ends
 };
 
-/// By how much the planes of the faces at v change if a and b become one vertex at `position`.
-/// \pre v is to have two faces at that vertex
-/// \param origin what all is seen from
+/// The change of the sum of planes of the faces at v when a and b become one vertex at `position`.
+/// \pre v has two faces at the merged vertex
+/// \param origin the coordinates are relative to it
 SymmetricMatrix change_of_planes(std::span<const Vec3> positions, std::span<const Triangle> faces, Index a, Index b,
                                  Index v, const Vec3& position, const Vec3& origin, const QuadricOptions& options);
 
-/// Which vertices have the planes of their faces as these are now, and which have those of all they have merged.
+/// Which vertices have the planes of their current faces, and which have the planes of all vertices merged into them.
 class BruteForceMemory {
  public:
-  /// \param faces of the mesh as it is at first
+  /// \param faces of the input mesh
   BruteForceMemory(std::span<const Vec3> positions, std::span<const Triangle> faces);
 
-  /// Of those at rings, each as often as it has corners there.
+  /// Of the vertices with a ring: each face counts once for every such corner.
   const MeanFaceArea& face_area() const { return face_area_; }
 
-  /// Whether the vertex that a and b are merged into is to have the planes of its faces alone.
+  /// Whether the merged vertex of a and b has the planes of its own faces only.
   /// \param is_joint whether the contraction needs more than the link condition
   bool forgets(Index a, Index b, bool is_joint) const { return !is_joint && is_ring_[a] && is_ring_[b]; }
-  /// The vertices beside a and b that have them already, and go on having them.
+  /// The neighbours of a and b that have the planes of their own faces, before and after the contraction.
   std::vector<Index> forgetful_neighbours(Index a, Index b, bool is_joint, std::span<const Triangle> faces) const;
 
-  /// \param before, after the faces
+  /// \param before, after the faces before and after the contraction
   void contract(Index survivor, Index removed, bool is_joint, std::span<const Triangle> before,
                 std::span<const Triangle> after);
 

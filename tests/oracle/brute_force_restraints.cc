@@ -19,7 +19,7 @@ double distance_to_segment(const Vec3& point, const Vec3& from, const Vec3& to) 
   return (offset - share * way).norm();
 }
 
-/// The normal of a face, turned over where it has the edge (x, y) the other way round.
+/// The normal of a face; reversed if the face has the edge (x, y) in the other direction.
 Vec3 normal_along(std::span<const Vec3> positions, const Triangle& face, Index x, Index y) {
   const std::size_t corner = corner_of(face, x);
   const Vec3& p = positions[x];
@@ -137,8 +137,8 @@ bool BruteForceRestraints::is_sharp(std::span<const Vec3> positions, std::span<c
   return n.dot(m) < cosine_of(sharp_angle_deg_) * n.norm() * m.norm();
 }
 
-/// The edges of the merged vertex and those opposite to it. Of the latter, those that don't have two faces before are
-/// none that could get sharp.
+/// Checks the edges of the merged vertex and its link edges. A link edge that does not have two faces before the
+/// contraction can't become sharp.
 bool BruteForceRestraints::keeps_sharpness(std::span<const Vec3> positions, std::span<const Triangle> faces,
                                            std::span<const Triangle> after, Index a, Index b,
                                            const Vec3& position) const {

@@ -11,26 +11,26 @@
 
 namespace whittle::test {
 
-/// Locked vertices and feature lines, by their definitions. Remembered is what these speak of: how free each vertex is,
-/// which edges are features, and where the line was that each of them stands for.
+/// Locked vertices and feature lines, by their definitions. Stores how freely each vertex may move, which edges are
+/// features, and the course of the line that each of them stands for.
 class BruteForceRestraints {
  public:
   using Edge = std::pair<Index, Index>;  ///< lower vertex first
 
   BruteForceRestraints() = default;
-  /// \param positions in the frame \param faces of the mesh, those without three corners left out
-  /// \param locked per vertex \param tolerance how far a line may come to lie from what it was, in the frame
+  /// \param positions in the frame \param faces of the mesh, without collapsed faces
+  /// \param locked per vertex \param tolerance how far a line may move away from its course, in the frame
   BruteForceRestraints(std::span<const Vec3> positions, std::span<const Triangle> faces,
                        const std::vector<bool>& locked, const DecimateOptions& options, double tolerance);
 
-  /// Where a pair may go; nullopt if neither vertex may leave its place.
+  /// Where the merged vertex of a pair may go; nullopt if neither vertex may move.
   std::optional<Pinned> pinned(Index a, Index b) const;
 
-  /// Whether contracting (a, b) to `position` keeps every feature line a line, near where it was.
+  /// Whether contracting (a, b) to `position` keeps all feature lines, and keeps them within the tolerance.
   bool keeps_lines(std::span<const Vec3> positions, std::span<const Triangle> faces, Index a, Index b,
                    const Vec3& position) const;
-  /// Whether it leaves no edge sharp that wasn't and is no feature, and no feature edge blunt that was sharp.
-  /// \param after the faces there would be, a the merged vertex
+  /// Whether no edge becomes sharp unless it is a feature, and no sharp feature edge becomes blunt.
+  /// \param after the faces after the contraction, a being the merged vertex
   bool keeps_sharpness(std::span<const Vec3> positions, std::span<const Triangle> faces,
                        std::span<const Triangle> after, Index a, Index b, const Vec3& position) const;
 
@@ -41,12 +41,12 @@ class BruteForceRestraints {
   std::vector<Edge> feature_edges() const;
 
  private:
-  enum class Freedom { full, line, corner, locked };  ///< each less than the one before
+  enum class Freedom { full, line, corner, locked };  ///< in order of decreasing freedom
   using Course = std::vector<Vec3>;
 
   bool may_move(Index v, bool along_feature) const;
   bool is_feature(Index a, Index b) const;
-  /// Which vertex of a feature edge goes to the other, and the other feature edge that it takes along.
+  /// The vertex of a feature edge that moves to the other one, and the next feature edge at it, which moves, too.
   struct Move {
     Index moved;
     std::optional<Edge> next;
@@ -59,7 +59,7 @@ class BruteForceRestraints {
   double sharp_angle_deg_ = 180;
   double tolerance_ = 0;
   std::vector<Freedom> freedoms_;    ///< per vertex
-  std::map<Edge, Course> features_;  ///< with where the line between the ends went
+  std::map<Edge, Course> features_;  ///< with the course of the line between the ends
 };
 
 }  // namespace whittle::test

@@ -4,7 +4,7 @@
 
 namespace whittle::test {
 
-/// The sums of Lindstrom–Turk as their definitions say, about some origin o: `VolumeLanes` and `NeighbourLanes`.
+/// The sums of Lindstrom–Turk by their definitions, about an origin o: compare `VolumeLanes` and `NeighbourLanes`.
 struct VolumeSums {
   Vec3 normal = Vec3::Zero();  ///< Σ n
   double offset = 0;           ///< Σ n · p
@@ -25,7 +25,7 @@ struct VolumeSums {
   }
 
  private:
-  // In the order of lanes, whatever Eigen does.
+  // Fixed summation order, the same as that of the lanes.
   static double dot(const Vec3& a, const Vec3& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); }
   Quadric about_point(const Vec3& t) const {
     const Vec3 at = squares.a * t;

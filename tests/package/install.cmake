@@ -1,4 +1,4 @@
-# Installs BUILD into FIRST and moves that to PREFIX, so that whatever still points to FIRST shows.
+# Installs BUILD into FIRST and moves it to PREFIX, so that references to FIRST that are left cause errors.
 file(REMOVE_RECURSE ${FIRST} ${PREFIX})
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${FIRST} COMMAND_ERROR_IS_FATAL ANY)
 file(RENAME ${FIRST} ${PREFIX})

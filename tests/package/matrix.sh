@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Compiles the programs of consumer/ in many ways and runs them: no warning, and the same results every time.
+# Compiles and runs the programs of consumer/ with many settings: no warnings, and always the same results.
 #
 #   matrix.sh FOLDER [PREFIX [COMPILER...]]
 #
-# FOLDER takes what is built. With PREFIX that installation is used, by all compilers. Without, Whittle itself is built and
-# installed by each of them, which takes minutes. Compilers: g++-12 and clang++-14, those that are there.
+# FOLDER takes the build files. With PREFIX all compilers use that installation. Otherwise each compiler builds and
+# installs Whittle itself, which takes minutes. Default compilers: g++-12 and clang++-14, if installed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 source_folder=$(cd "$here/../.." && pwd)
@@ -16,7 +16,7 @@ if [ ${#compilers[@]} = 0 ]; then compilers=(g++-12 clang++-14); fi
 mkdir -p "$folder"
 
 warnings=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
-# What a user may compile with: name, flags, programs. OpenMesh's own headers take RTTI.
+# Settings that a user may compile with: name, flags, programs. OpenMesh's own headers need RTTI.
 configurations=(
   "c++20|-std=c++20 -O1|plain with_openmesh"
   "c++23|-std=c++2b -O1|plain with_openmesh"
@@ -24,10 +24,10 @@ configurations=(
   "fast-math|-std=c++20 -O1 -ffast-math|plain with_openmesh"
 )
 
-# flags_of PACKAGE...: how to find the headers; those of others are not warned about.
+# flags_of PACKAGE...: include flags; headers of other projects give no warnings.
 flags_of() { pkg-config --cflags "$@" | sed -E 's/-I([^ ]*eigen3)/-isystem \1/g'; }
 
-# install_with COMPILER: Whittle, built by it, in FOLDER/COMPILER/prefix.
+# install_with COMPILER: builds Whittle and installs it in FOLDER/COMPILER/prefix.
 install_with() {
   local build=$folder/$1/build
   cmake -S "$source_folder" -B "$build" -G Ninja -DCMAKE_CXX_COMPILER="$1" -DCMAKE_BUILD_TYPE=Release \
@@ -35,7 +35,7 @@ install_with() {
   cmake --build "$build" --target install >>"$folder/$1.log"
 }
 
-# compile_and_run COMPILER PREFIX NAME FLAGS PROGRAM: prints what the program says.
+# compile_and_run COMPILER PREFIX NAME FLAGS PROGRAM: prints the program's output.
 compile_and_run() {
   local compiler=$1 prefix=$2 name=$3 program=$5
   local -a flags
@@ -58,7 +58,7 @@ libraries_of() {
 declare -A expected=()
 n_failed=0
 
-# check COMPILER PREFIX CONFIGURATION PROGRAM: compiles, runs, and compares with what the program said before.
+# check COMPILER PREFIX CONFIGURATION PROGRAM: compiles, runs, and compares the output with that of the first run.
 check() {
   local program=$4 name flags said
   IFS='|' read -r name flags _ <<<"$3"

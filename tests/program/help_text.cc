@@ -11,7 +11,7 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// Moves "(default: x)" or "(required)" from the end of the meaning to where it belongs.
+/// Moves "(default: x)" or "(required)" from the end of the meaning to `standard`.
 void split_standard(OptionText& option) {
   const std::string opening = " (default: ";
   const std::string required = " (required)";

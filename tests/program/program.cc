@@ -68,7 +68,7 @@ std::string search_path() {
   ::_exit(127);
 }
 
-/// Feeds `input`, reads both streams until both are closed.
+/// Writes `input` to the program and reads both streams until both are closed.
 void talk(int& input, const std::string& text, int output, int errors, Outcome& outcome) {
   std::size_t fed = 0;
   bool output_open = output >= 0;
@@ -80,7 +80,7 @@ void talk(int& input, const std::string& text, int output, int errors, Outcome& 
     require(::poll(waiting.data(), waiting.size(), -1) >= 0 || errno == EINTR, "poll");
     if (input >= 0 && waiting[0].revents != 0) {
       const ssize_t written = ::write(input, text.data() + fed, text.size() - fed);
-      // A program that ends without reading on is no error of ours.
+      // A program may end without reading all its input.
       if (written < 0 && errno != EAGAIN) fed = text.size();
       if (written > 0) fed += static_cast<std::size_t>(written);
     }

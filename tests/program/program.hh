@@ -12,32 +12,32 @@
 /// The program under test, run as its users run it.
 namespace whittle::test {
 
-/// How a run ended and what it said.
+/// How a run ended and what it printed.
 struct Outcome {
   int exit_code = -1;  ///< 128 + the number of the signal that killed it
   std::string out;
   std::string err;
 };
-/// Everything at once, for failure messages.
+/// All of it in one string, for failure messages.
 std::ostream& operator<<(std::ostream& stream, const Outcome& outcome);
 
 struct RunOptions {
-  std::string input;                               ///< what stdin has to offer
-  std::filesystem::path folder;                    ///< to run in; empty: this one
-  std::map<std::string, std::string> environment;  ///< set on top of ours
+  std::string input;                               ///< contents of stdin
+  std::filesystem::path folder;                    ///< working folder; empty: the current one
+  std::map<std::string, std::string> environment;  ///< variables added to the test's environment
   std::string stdout_to;                           ///< a file to write to instead of `out`
-  int stderr_to = -1;                              ///< a terminal, say, to write to instead of `err`
-  std::function<void()> prepare;                   ///< called in the child, right before the program
+  int stderr_to = -1;             ///< file descriptor, such as a terminal, to write to instead of `err`
+  std::function<void()> prepare;  ///< called in the child process right before the program starts
 };
 
-/// Runs the program with these arguments to its end.
+/// Runs the program with these arguments until it ends.
 Outcome whittle(const std::vector<std::string>& arguments, const RunOptions& options = {});
-/// Runs any program; along PATH, ours is first.
+/// Runs any program. Our program's folder comes first in PATH.
 Outcome run(const std::vector<std::string>& command, const RunOptions& options = {});
 /// The program and its arguments.
 std::vector<std::string> command(std::vector<std::string> arguments);
 
-/// A program that is still running. Killed when this goes before it ended.
+/// A program that is still running. The destructor kills it if it has not ended.
 class Running {
  public:
   explicit Running(const std::vector<std::string>& command, const RunOptions& options = {});
@@ -46,7 +46,8 @@ class Running {
   Running& operator=(const Running&) = delete;
 
   void signal(int number) const;
-  /// Writes to its stdin, and waits until it has taken that. The rest of the input comes with `finish`, or never.
+  /// Writes to its stdin, and waits until the program has read that. `finish` writes the rest of the input, if it is
+  /// called.
   void feed(const std::string& text) const;
   Outcome finish(const std::string& rest_of_input = {});
 
@@ -57,7 +58,7 @@ class Running {
   int errors_ = -1;
 };
 
-/// A new folder that is gone in the end.
+/// A new folder. The destructor deletes it.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -80,7 +81,7 @@ void write_text(const std::filesystem::path& path, const std::string& text);
 /// The file of data/, as a string.
 std::string data_file(const std::string& name);
 
-/// \throw with the whole text if it isn't JSON.
+/// \throw an exception with the whole text if it isn't JSON.
 nlohmann::json parse_json(const std::string& text);
 
 }  // namespace whittle::test

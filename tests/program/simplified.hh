@@ -8,7 +8,7 @@
 
 namespace whittle::test {
 
-/// A run that is expected to succeed: its report and its result.
+/// A run that must succeed: its report and its result.
 struct Simplified {
   Outcome outcome;
   nlohmann::json report;

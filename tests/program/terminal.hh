@@ -4,7 +4,7 @@
 
 namespace whittle::test {
 
-/// A terminal for a program to write to, and what it writes.
+/// A pseudo-terminal that a program writes to, and what it wrote.
 class Terminal {
  public:
   /// \param columns of the window.
@@ -13,11 +13,11 @@ class Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// For the program.
+  /// File descriptor for the program.
   int descriptor() const { return program_end_; }
   /// Waits until it has written `text`, at most a minute. \return everything written so far
   std::string read_until(const std::string& text);
-  /// Everything until all programs have closed the terminal.
+  /// Everything written until all programs have closed the terminal.
   std::string read_all();
 
  private:

@@ -8,7 +8,7 @@
 #include "support/meshes.hh"
 
 // Whittle's quadrics against OpenMesh's ModQuadric with ModNormalFlipping, as `whittle compare` prints it. Slow,
-// because OpenMesh takes its time on the dragon.
+// because OpenMesh is slow on the dragon.
 
 namespace whittle::test {
 namespace {

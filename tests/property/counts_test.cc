@@ -8,7 +8,7 @@
 #include "whittle/io/read.hh"
 #include "whittle/metrics/topology.hh"
 
-// The seeds' own examples: the count asked for is the count that comes out, and the surface stays what it was.
+// Each mesh ends at the number of faces asked for, and its topology and shape are kept.
 
 namespace whittle::test {
 namespace {
@@ -62,7 +62,7 @@ TEST_P(Counts, AreThoseAskedForAndTheSurfaceStays) {
   }
   for (const std::uint64_t asked : GetParam().n_faces) {
     EXPECT_EQ(check(DecimateTarget::faces(asked), asked, " faces").faces,
-              asked - asked % 2);  // closed: faces go in twos
+              asked - asked % 2);  // closed: faces vanish in twos
   }
 }
 

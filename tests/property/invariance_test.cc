@@ -8,7 +8,7 @@
 #include "whittle/io/read.hh"
 #include "whittle/metrics/distance.hh"
 
-// The bunny in other units, turned and far away: nothing that a user sees may change.
+// The bunny in other units, rotated and far away: results must not change.
 
 namespace whittle::test {
 namespace {
@@ -37,7 +37,7 @@ class BunnyInvariance : public testing::TestWithParam<Cost> {
     outcome.mean_error = metrics::surface_distance(mesh, outcome.decimation.mesh, {.samples = 200'000}).mean;
     return outcome;
   }
-  /// \param unit how long `there` calls what is 1 here
+  /// \param unit length in `there` of what is 1 in `here`
   void expect_near(const std::string& what, const Outcome& there, double unit, double tolerance) const {
     const double ratio = there.mean_error / unit / here_.mean_error;
     std::cout << what << ": " << there.decimation.result.n_faces << " faces, mean error x " << ratio << "\n";

@@ -31,7 +31,7 @@ Layer read_row(const std::string& line, const std::vector<Layer>& earlier) {
   return layer;
 }
 
-/// That of the longest folder the path lies in; null if there is none.
+/// The layer of the longest folder that contains the path; null if there is none.
 const Layer* layer_of(const std::vector<Layer>& layers, const std::string& path) {
   const Layer* found = nullptr;
   std::size_t longest = 0;
@@ -44,7 +44,7 @@ const Layer* layer_of(const std::vector<Layer>& layers, const std::string& path)
   return found;
 }
 
-/// x_impl.hh includes x.hh, which ends with including it: the two are one file to all others.
+/// x_impl.hh includes x.hh, and x.hh includes it at its end. For other files the two are one file.
 bool is_own_declaration(const Include& include) {
   const std::size_t suffix = include.from.rfind("_impl.hh");
   return suffix != std::string::npos && include.to == include.from.substr(0, suffix) + ".hh";

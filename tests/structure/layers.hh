@@ -13,18 +13,18 @@ struct Layer {
   std::set<std::string> uses;  ///< names of earlier rows
 };
 
-/// The rows of layers.txt, which says how they are written.
-/// \throw std::runtime_error for a row that isn't written so, or that uses a later one or itself
+/// The rows of layers.txt. That file explains its format.
+/// \throw std::runtime_error for a row in another format, or that uses a later row or itself
 std::vector<Layer> read_layers(const std::string& text);
 
-/// What a check found, one line each; empty: nothing.
+/// Errors that a check found, one line each; empty: none.
 using Findings = std::vector<std::string>;
 
-/// Includes that go from a layer to one that it may not use, files without a layer, and names that are no file.
+/// Includes from a layer to one that it may not use, files without a layer, and includes of files that don't exist.
 Findings forbidden_includes(const SourceTree& tree, const std::vector<Layer>& layers);
 
-/// Folders of the table that no file is in.
+/// Folders of the table that contain no file.
 Findings idle_rows(const SourceTree& tree, const std::vector<Layer>& layers);
 
-/// Files that include themselves over others: "a -> b -> a".
+/// Include cycles: "a -> b -> a".
 Findings include_circles(const SourceTree& tree);

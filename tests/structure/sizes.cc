@@ -15,13 +15,13 @@ void blank(std::string& text, std::size_t begin, std::size_t end) {
     if (text[i] != '\n') text[i] = ' ';
 }
 
-/// One past `closing`, looked for from `begin` on; the end of the text if it isn't there.
+/// Position after the first `closing` from `begin` on; the end of the text if there is none.
 std::size_t past(const std::string& text, const std::string& closing, std::size_t begin) {
   const std::size_t at = text.find(closing, begin);
   return at == std::string::npos ? text.size() : at + closing.size();
 }
 
-/// One past the literal whose opening quote is at `i`.
+/// Position after the literal whose opening quote is at `i`.
 std::size_t past_literal(const std::string& text, std::size_t i) {
   if (text[i] == '"' && i > 0 && text[i - 1] == 'R') {
     const std::size_t open = text.find('(', i);
@@ -32,14 +32,14 @@ std::size_t past_literal(const std::string& text, std::size_t i) {
   return end + 1;
 }
 
-/// One past the preprocessor's directive at `i`, with the lines it goes on in.
+/// Position after the preprocessor directive at `i`, including its continuation lines.
 std::size_t past_directive(const std::string& text, std::size_t i) {
   std::size_t end = past(text, "\n", i);
   while (end < text.size() && end >= 2 && text[end - 2] == '\\') end = past(text, "\n", end);
   return end;
 }
 
-/// The text with its comments, literals and directives blanked.
+/// The text with comments, literals and directives replaced by spaces.
 std::string bare_code(std::string text) {
   bool at_line_start = true;
   for (std::size_t i = 0; i < text.size();) {
@@ -69,7 +69,7 @@ std::string trimmed(const std::string& text) {
   return {first, last};
 }
 
-/// The declaration without `template <…>` in front.
+/// The declaration without the leading `template <…>`.
 std::string without_template(std::string head) {
   while (head.starts_with("template")) {
     std::size_t i = head.find('<');
@@ -84,7 +84,7 @@ std::string without_template(std::string head) {
   return head;
 }
 
-/// The text without what its parentheses hold; `depth` is how many are open at its end.
+/// The text without the contents of its parentheses. `depth` is the number of open ones at its end.
 std::string without_parentheses(const std::string& text, int& depth) {
   std::string outside;
   depth = 0;
@@ -96,7 +96,7 @@ std::string without_parentheses(const std::string& text, int& depth) {
   return outside;
 }
 
-/// What the brace after `declaration` opens, where no function is open.
+/// The kind of block that the brace after `declaration` opens, outside of functions.
 Block opened_by(const std::string& declaration) {
   static const std::regex scope(R"(^(inline\s+)?(namespace|class|struct|union|extern)\b)");
   static const std::regex names_operator(R"(\boperator\s*[^\s\w(]+)");
@@ -131,8 +131,8 @@ std::vector<FunctionSize> function_sizes(const std::string& text) {
   const std::string code = bare_code(text);
   std::vector<FunctionSize> sizes;
   std::vector<Block> blocks;
-  std::size_t head = 0;        // where the present declaration begins
-  std::size_t body_depth = 0;  // of `blocks` with the function's own; 0: no function is open
+  std::size_t head = 0;        // where the current declaration begins
+  std::size_t body_depth = 0;  // size of `blocks` with the function's own block; 0: no function is open
   std::size_t line = 1, head_line = 1;
   for (std::size_t i = 0; i < code.size(); ++i) {
     const char c = code[i];

@@ -6,14 +6,14 @@
 
 #include "structure/layers.hh"
 
-/// A function's definition, or another outermost block of statements, such as a test.
+/// The definition of a function, or another outermost block of statements, such as a test.
 struct FunctionSize {
   std::string name;  ///< the text before its parentheses
   std::size_t first_line;
-  std::size_t n_lines;  ///< from the line its declaration begins on to its last brace
+  std::size_t n_lines;  ///< from the first line of its declaration to its last brace
 };
 
-/// All of a file. Counts braces in the text without comments and literals, so it needs no compiler.
+/// All functions of a file. Counts braces in the text without comments and literals, so it needs no compiler.
 std::vector<FunctionSize> function_sizes(const std::string& text);
 
 std::size_t n_lines(const std::string& text);

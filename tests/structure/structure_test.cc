@@ -1,4 +1,4 @@
-// The shape of the source tree, and that each check of it finds what it is for.
+// Checks the source tree, and tests that each check finds violations.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -87,7 +87,7 @@ TEST(CircleCheck, FindsACircle) {
   EXPECT_THAT(include_circles(tree), ElementsAre("tests/a.hh -> tests/b.hh -> tests/sub/c.hh -> tests/a.hh"));
 }
 
-/// `opening`, then so many lines of statements that closing it makes `n` lines.
+/// `opening` and statements, `n` lines together with the closing line.
 std::string function_of(const std::string& opening, std::size_t n) {
   std::string text = opening + "\n";
   for (std::size_t i = 2; i < n; ++i) text += i % 2 ? "  // }\n" : "  if (x) { y = '}'; }\n";

@@ -7,7 +7,7 @@
 #include <vector>
 #include <whittle/core/indexed_mesh.hh>
 
-// A list of triangles seen through definitions: everything is counted anew from the list.
+// Queries on a plain list of triangles, by definition: each counts anew from the list.
 
 namespace whittle::test {
 
@@ -17,12 +17,12 @@ using Edge = std::pair<Index, Index>;
 inline Edge edge(Index a, Index b) { return std::minmax(a, b); }
 
 bool has(const Triangle& face, Index v);
-/// \pre the face has it
+/// \pre the face has that corner
 std::size_t corner_of(const Triangle& face, Index v);
 
 std::map<Edge, int> count_edge_faces(std::span<const Triangle> faces);
 
-/// What surrounds a vertex, with the cone vertex `invalid_index` over irregular edges and singular vertices.
+/// The link of a vertex, with the cone vertex `invalid_index` over irregular edges and singular vertices.
 struct Link {
   std::set<Index> vertices;
   std::multiset<Edge> edges;
@@ -30,10 +30,10 @@ struct Link {
   bool is_singular = false;   ///< neither one closed fan nor one open fan
 };
 
-/// \param faces those at v, maybe among others
+/// \param faces those at v; others are ignored
 Link link_of(Index v, std::span<const Triangle> faces);
 
-/// How many pieces the graph of the link's edges has.
+/// The number of connected components of the link's edges.
 int n_pieces(const Link& link);
 
 }  // namespace whittle::test

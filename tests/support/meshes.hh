@@ -6,8 +6,8 @@
 
 namespace whittle::test {
 
-/// The file `name` ("bunny.obj", "nasty/fan3.obj") in the folder of real meshes (CMake's WHITTLE_TEST_MESHES);
-/// nothing where the folder or the file is absent.
+/// The file `name` ("bunny.obj", "nasty/fan3.obj") in the folder of real meshes (CMake's WHITTLE_TEST_MESHES); nothing
+/// if the folder or the file is absent.
 std::optional<std::filesystem::path> real_mesh(const std::string& name);
 
 /// The file `name` in data/, which is always there. \throw std::runtime_error if it isn't.
@@ -15,7 +15,7 @@ std::filesystem::path data_mesh(const std::string& name);
 
 }  // namespace whittle::test
 
-/// Defines `variable` as the path of a real mesh, or skips the test and says which mesh is missing.
+/// Defines `variable` as the path of a real mesh, or skips the test with a message that names the missing mesh.
 #define WHITTLE_REAL_MESH_OR_SKIP(variable, name)          \
   std::filesystem::path variable;                          \
   if (const auto found = ::whittle::test::real_mesh(name)) \

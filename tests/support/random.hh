@@ -16,7 +16,7 @@ class Random {
     return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
   }
 
-  /// Uniform in [low, high)³, x drawn first: arguments of a call are evaluated in an order that differs by compiler.
+  /// Uniform in [low, high)³. x is drawn first: compilers evaluate the arguments of a call in different orders.
   Vec3 uniform_vector(double low, double high) {
     Vec3 v;
     for (double& x : v) x = uniform(low, high);

@@ -21,13 +21,13 @@ void require(bool condition, const char* what) {
 
 Index index(int i) { return static_cast<Index>(i); }
 
-/// The two triangles of a square a b c d given counter-clockwise, cut along a–c.
+/// The two triangles of a square a b c d, given counter-clockwise and cut along a–c.
 void add_square(IndexedMesh& mesh, Index a, Index b, Index c, Index d) {
   mesh.faces.push_back({a, b, c});
   mesh.faces.push_back({a, c, d});
 }
 
-/// The squares of nu × nv vertices in rows of nv, the last of each row and column joined to the first.
+/// The squares of a periodic grid: nu × nv vertices in rows of nv, both directions closed.
 void add_wrapped_squares(IndexedMesh& mesh, int nu, int nv) {
   for (int i = 0; i < nu; ++i)
     for (int j = 0; j < nv; ++j) {
@@ -37,7 +37,7 @@ void add_wrapped_squares(IndexedMesh& mesh, int nu, int nv) {
     }
 }
 
-/// One round of cutting each face in four, new vertices at the middles of the edges.
+/// One round of cutting each face in four, with new vertices at the middles of the edges.
 void subdivide(IndexedMesh& mesh) {
   std::map<std::pair<Index, Index>, Index> middle;
   auto midpoint = [&](Index a, Index b) {
@@ -68,7 +68,7 @@ Vec3 torus_point(double u, double v, double major_radius, double minor_radius) {
   return {ring * std::cos(u), ring * std::sin(u), minor_radius * std::sin(v)};
 }
 
-/// A torus whose tube has the radius `radius_at()` at each vertex, asked in the order of the vertices.
+/// A torus whose tube has the radius `radius_at()` at each vertex; called in the order of the vertices.
 template <class RadiusAt>
 IndexedMesh torus_with(int nu, int nv, double major_radius, RadiusAt radius_at) {
   require(nu >= 3 && nv >= 3, "a torus needs three vertices each way round");
@@ -109,8 +109,8 @@ IndexedMesh icosahedron() {
 }
 
 IndexedMesh csaszar_torus() {
-  // The seven-vertex triangulation of the torus in the cyclic order i, i+1, i+3 and i, i+3, i+2 (modulo 7), with the
-  // well-known coordinates that have no two faces intersect.
+  // The seven-vertex triangulation of the torus in the cyclic order i, i+1, i+3 and i, i+3, i+2 (modulo 7). With the
+  // well-known coordinates no two faces intersect.
   IndexedMesh mesh;
   mesh.positions = {{3, -3, 0}, {3, 3, 1}, {1, 2, 3}, {-1, -2, 3}, {-3, -3, 1}, {-3, 3, 0}, {0, 0, 15}};
   for (Index i = 0; i < 7; ++i) {
@@ -181,7 +181,7 @@ IndexedMesh blob(int levels, std::uint64_t seed) {
   };
   Random random(seed);
   std::vector<Bump> bumps;
-  // Heights alternate, so that the sum stays near 1 whatever the seed; the clamp below bounds the rare pile-up.
+  // Heights alternate in sign, so the sum stays near 1 for any seed. The clamp below limits rare outliers.
   for (int i = 0; i < 14; ++i) {
     const double height = (i % 2 == 0 ? 1.0 : -0.6) * random.uniform(0.1, 0.35);
     const Vec3 direction = random_direction(random);
@@ -201,7 +201,7 @@ IndexedMesh knot(int n_along, int n_around) {
   IndexedMesh mesh;
   for (int i = 0; i < n_along; ++i) {
     const double t = 2 * pi * i / n_along;
-    // The curve winds three times about the tube of the torus of radii 2 and 1 while going twice about its axis.
+    // The curve winds three times around the tube of the torus of radii 2 and 1, and twice around the torus axis.
     const Vec3 outward(std::cos(3 * t) * std::cos(2 * t), std::cos(3 * t) * std::sin(2 * t), std::sin(3 * t));
     const Vec3 centre = 2 * Vec3(std::cos(2 * t), std::sin(2 * t), 0) + outward;
     const double ring = 2 + std::cos(3 * t);
@@ -288,7 +288,7 @@ IndexedMesh moebius(int n_along, int n_across) {
       const double ring = 1.0 + 0.4 * v * std::cos(u / 2);
       mesh.positions.emplace_back(ring * std::cos(u), ring * std::sin(u), 0.4 * v * std::sin(u / 2));
     }
-  // The last column of squares meets the first one upside down.
+  // The last column of squares is joined to the first one upside down.
   auto vertex = [&](int i, int j) { return i < n_along ? index(i * columns + j) : index(n_across - j); };
   for (int i = 0; i < n_along; ++i)
     for (int j = 0; j < n_across; ++j)

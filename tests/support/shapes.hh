@@ -4,8 +4,8 @@
 #include <vector>
 #include <whittle/core/indexed_mesh.hh>
 
-/// Meshes made on the spot, each with its counts: V vertices, F faces, g the genus. Closed ones are oriented outwards.
-/// Without a word on it a mesh is manifold, connected and without duplicate, degenerate or isolated elements.
+/// Meshes made by code, each with its counts: V vertices, F faces, genus g. Closed ones are oriented outwards. Unless
+/// stated otherwise, a mesh is manifold, connected and without duplicate, degenerate or isolated elements.
 /// Impossible arguments (fewer than three vertices around and so on) throw std::invalid_argument.
 namespace whittle::test {
 
@@ -19,9 +19,9 @@ IndexedMesh octahedron();
 IndexedMesh icosahedron();
 /// The cube (±1)³. V 8, F 12, g 0.
 IndexedMesh cube();
-/// The cube (±1)³, each side n × n squares cut in two. V 6n² + 2, F 12n², g 0. n at least 1.
+/// The cube (±1)³, each side n × n squares cut in two. V 6n² + 2, F 12n², g 0. n is at least 1.
 IndexedMesh tessellated_cube(int n);
-/// The torus of Császár: every two vertices share an edge, so no edge at all may be contracted. V 7, F 14, g 1.
+/// The torus of Császár: every two vertices share an edge, so no edge may be contracted. V 7, F 14, g 1.
 IndexedMesh csaszar_torus();
 
 // Closed, round -------------------------------------------------------------------------------------------------------
@@ -31,15 +31,15 @@ IndexedMesh sphere(int levels);
 /// The unit sphere by latitude and longitude; both poles (0, 0, ±1) have valence n_lon.
 /// V (n_lat − 1)·n_lon + 2, F 2·n_lon·(n_lat − 1), g 0. n_lat at least 2, n_lon at least 3.
 IndexedMesh uv_sphere(int n_lat, int n_lon);
-/// V nu·nv, F 2·nu·nv, g 1; around the z axis, nu times about it and nv times about the tube. Every valence 6.
+/// V nu·nv, F 2·nu·nv, g 1; nu vertices around the z axis, nv around the tube. Every valence 6.
 IndexedMesh torus(int nu, int nv, double major_radius = 1.0, double minor_radius = 0.35);
 /// `torus` with each vertex moved along the normal by at most `amplitude`, at random.
 IndexedMesh noisy_torus(int nu, int nv, double major_radius, double minor_radius, double amplitude, std::uint64_t seed);
 /// `sphere` with each vertex moved along its radius by at most `amplitude`, at random.
 IndexedMesh noisy_sphere(int levels, double amplitude, std::uint64_t seed);
-/// A smooth lump: `sphere` with some soft bumps and dents, radius about 0.6 to 1.6, star-shaped. Counts as `sphere`.
+/// A smooth star-shaped lump: `sphere` with some soft bumps and dents, radius about 0.6 to 1.6. Counts as `sphere`.
 IndexedMesh blob(int levels, std::uint64_t seed);
-/// A rope tied to a trefoil, with six ridges twisted around it, about 6 × 6 × 3 in size.
+/// A rope tied into a trefoil knot, with six ridges twisted around it, about 6 × 6 × 3 in size.
 /// V n_along·n_around, F 2·n_along·n_around, g 1. Every valence 6.
 IndexedMesh knot(int n_along, int n_around);
 
@@ -47,13 +47,14 @@ IndexedMesh knot(int n_along, int n_around);
 
 /// The flat rectangle [0, nx] × [0, ny] at z = 0, normals up. V (nx + 1)(ny + 1), F 2·nx·ny, one border.
 IndexedMesh grid(int nx, int ny);
-/// `grid` with every vertex at its own random height in ±amplitude.
+/// `grid` with a random height in ±amplitude for every vertex.
 IndexedMesh noisy_grid(int nx, int ny, double amplitude, std::uint64_t seed);
 /// A hilly height field over the unit square, rough at every scale. V (n + 1)², F 2n², one border.
 IndexedMesh terrain(int n, std::uint64_t seed);
 /// A tube of radius 1 about the z axis, z from 0 to 2. V n_around·(n_along + 1), F 2·n_around·n_along, two borders.
 IndexedMesh open_cylinder(int n_around, int n_along);
-/// Half twist, not orientable. V n_along·(n_across + 1), F 2·n_along·n_across, one border; Euler number 0.
+/// A Möbius strip: half a twist, not orientable. V n_along·(n_across + 1), F 2·n_along·n_across, one border; Euler
+/// number 0.
 /// n_along at least 5.
 IndexedMesh moebius(int n_along, int n_across = 1);
 /// V 3, F 1.
@@ -66,7 +67,7 @@ IndexedMesh two_triangles();
 /// A cone, base radius 1 and apex at z = height; the apex and the middle of the base have valence n. V n + 2, F 2n, g
 /// 0.
 IndexedMesh cone(int n_around, double height = 2.0);
-/// A cone cut off: radii 1 and 0.5, sides of one long thin pair of faces each. V 2n + 2, F 4n, g 0.
+/// A truncated cone: radii 1 and 0.5, each side one long thin pair of faces. V 2n + 2, F 4n, g 0.
 IndexedMesh frustum(int n_around, double height = 20.0);
 /// An angle bracket: a plate with a round hole through it and a wall standing on its edge; flat sides, sharp edges.
 /// With n = `n_side` (at least 2) squares along a side: V 10n² + 12n + 2, F 20n² + 24n + 4, g 1.
@@ -74,7 +75,7 @@ IndexedMesh bracket(int n_side);
 
 // Several parts -------------------------------------------------------------------------------------------------------
 
-/// Both meshes as the parts of one; attributes are dropped.
+/// Both meshes as parts of one; attributes are dropped.
 IndexedMesh joined(const IndexedMesh& a, const IndexedMesh& b);
 /// `count` unit spheres in a row along x with `gap` between them; each as `sphere(levels)`.
 IndexedMesh spheres(int count, int levels, double gap = 0.5);
@@ -87,22 +88,22 @@ IndexedMesh boxes(int nx, int ny, double gap = 0.2);
 IndexedMesh bow_tie();
 /// Three faces with a common edge. V 5, F 3.
 IndexedMesh three_faces_on_an_edge();
-/// Square grids of 2 × n_along squares with a common side, like the pages of a book.
+/// Square grids of 2 × n_along squares with a common side, like pages of a book.
 /// V (n_along + 1)(2 n_pages + 1), F 4 n_pages n_along.
 IndexedMesh book(int n_pages, int n_along);
-/// Two cubes with one common edge, each of its n pieces with four faces; sides of n × n squares.
+/// Two cubes with one common edge. Each of the edge's n segments has four faces; sides of n × n squares.
 /// V 12n² − n + 3, F 24n².
 IndexedMesh two_cubes_on_an_edge(int n = 1);
 /// Two faces on the same three vertices, back to back: closed, without volume. V 3, F 2, Euler number 2.
 IndexedMesh pillow();
-/// Every face with three vertices of its own (as STL has it). V 3F.
+/// Every face with three vertices of its own (as in STL). V 3F.
 IndexedMesh soup(const IndexedMesh& mesh);
-/// Vertices at exactly the same position made one, whatever becomes of the surface; the first of them stays, attributes
-/// are dropped.
+/// Vertices at exactly the same position become one, the first of them, even if the surface becomes non-manifold.
+/// Attributes are dropped.
 IndexedMesh glued(const IndexedMesh& mesh);
-/// The first `count` faces once more at the end, starting at another corner each time.
+/// Adds copies of the first `count` faces at the end, each starting at another corner than the original.
 IndexedMesh with_duplicate_faces(const IndexedMesh& mesh, int count);
-/// `count` vertices that no face uses, spread among the others; attributes are dropped.
+/// Adds `count` vertices that no face uses, spread among the others; attributes are dropped.
 IndexedMesh with_isolated_vertices(const IndexedMesh& mesh, int count, std::uint64_t seed);
 /// Every face turned over.
 IndexedMesh inside_out(const IndexedMesh& mesh);

@@ -1,4 +1,4 @@
-// Shapes with flat sides and sharp edges: patches of squares, glued where they meet.
+// Shapes with flat sides and sharp edges: patches of squares, joined where they meet.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -45,7 +45,7 @@ class PatchBuilder {
   std::map<std::array<std::int64_t, 3>, Index> vertices_;
 };
 
-/// The place i of 0…n on the way from a to b, the ends exactly.
+/// Point i of 0…n on the way from a to b; the ends are exact.
 double between(double a, double b, int i, int n) { return i == n ? b : a + (b - a) * i / n; }
 
 // The bracket: the plate [-1, 1]² × [0, thickness] and the wall [-1 - thickness, -1] × [-1, 1] × [0, height].
@@ -63,7 +63,7 @@ Eigen::Vector2d outline(int j, int n) {
   return {t, -1};
 }
 
-/// Point j on the edge of the hole, in the same direction from the middle as point j of the outline.
+/// Point j on the edge of the hole, in the same direction from the centre as point j of the outline.
 Eigen::Vector2d hole(int j, int n) { return hole_radius * outline(j, n).normalized(); }
 
 void add_plate(PatchBuilder& builder, int n) {
@@ -75,7 +75,7 @@ void add_plate(PatchBuilder& builder, int n) {
   builder.add(n, 4 * n, [&](int r, int j) { return at(ring(j, r), thickness); });
   builder.add(4 * n, n, [&](int j, int r) { return at(ring(j, r), 0); });
   builder.add(1, 4 * n, [&](int s, int j) { return at(hole(j, n), between(0, thickness, s, 1)); });
-  // Three sides of the outline; the fourth, x = -1, is where the wall begins.
+  // Three sides of the outline. The wall begins at the fourth, x = -1.
   builder.add(2 * n, 1, [&](int j, int s) { return at(outline(j, n), between(0, thickness, s, 1)); });
   builder.add(n, 1, [&](int j, int s) { return at(outline(3 * n + j, n), between(0, thickness, s, 1)); });
 }

@@ -1,4 +1,4 @@
-// Shapes of several parts, shapes that are not manifold, and what spoils a good one.
+// Shapes of several parts, non-manifold shapes, and functions that add defects to a mesh.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -44,7 +44,7 @@ IndexedMesh boxes(int nx, int ny, double gap) {
 }
 
 IndexedMesh bow_tie() {
-  // Vertex 0 of both tetrahedra is (1, 1, 1); the second is the first one's mirror image in that point.
+  // Vertex 0 of both tetrahedra is (1, 1, 1). The second tetrahedron is the first one mirrored at that point.
   IndexedMesh mesh = tetrahedron();
   for (Index v = 1; v < 4; ++v) mesh.positions.push_back(2 * mesh.positions[0] - mesh.positions[v]);
   const auto mirrored = [](Index v) { return v == 0 ? v : v + 3; };
@@ -81,7 +81,7 @@ IndexedMesh book(int n_pages, int n_along) {
 }
 
 IndexedMesh two_cubes_on_an_edge(int n) {
-  // Moved by (2, 2, 0), the edge (-1, -1, z) of the second cube lies on the edge (1, 1, z) of the first, exactly.
+  // Moved by (2, 2, 0), the second cube's edge (-1, -1, z) lies exactly on the first cube's edge (1, 1, z).
   IndexedMesh mesh = tessellated_cube(n);
   append(mesh, tessellated_cube(n), Vec3(2, 2, 0));
   return glued(mesh);

@@ -2,7 +2,7 @@
 
 #include "support/shapes.hh"
 
-// The name is the call itself.
+// Stringizes the call to get its name.
 #define WHITTLE_NAMED(call) \
   NamedMesh { #call, call }
 

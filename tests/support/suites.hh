@@ -4,7 +4,7 @@
 #include <vector>
 #include <whittle/core/indexed_mesh.hh>
 
-/// Small meshes by kind, for tests that loop over them; a few hundred faces at most, so that brute force is cheap.
+/// Small meshes by kind, for tests that loop over them: a few hundred faces at most, so brute force is fast.
 namespace whittle::test {
 
 struct NamedMesh {
@@ -12,7 +12,7 @@ struct NamedMesh {
   IndexedMesh mesh;
 };
 
-/// Closed, manifold, oriented: organic, with sharp edges, of several genera and parts.
+/// Closed, manifold, oriented: organic shapes, shapes with sharp edges, different genera, several parts.
 std::vector<NamedMesh> closed_meshes();
 /// Manifold with a border (one of them not orientable).
 std::vector<NamedMesh> open_meshes();

@@ -143,12 +143,12 @@ TEST(Shape, HasTheVolumeOfItsClosedForm) {
   EXPECT_NEAR(surface_area(tessellated_cube(5)), 24.0, 1e-12);
   EXPECT_NEAR(signed_volume(tetrahedron()), 8.0 / 3, 1e-12);
   EXPECT_NEAR(signed_volume(csaszar_torus()), 125.0, 1e-12);
-  // A polygon of n corners in place of a circle, n = 200: short by a share of about 2π²/(3n²), 1.6e-4.
+  // A polygon of n = 200 corners replaces a circle. It is too small by a factor of about 2π²/(3n²), 1.6e-4.
   EXPECT_NEAR(signed_volume(cone(200)) / (2 * std::numbers::pi / 3), 1, 2e-4);
   const double pi2 = std::numbers::pi * std::numbers::pi;
   EXPECT_NEAR(signed_volume(torus(200, 200)) / (2 * pi2 * 0.35 * 0.35), 1, 1e-3);
   EXPECT_NEAR(signed_volume(sphere(5)) / (4 * std::numbers::pi / 3), 1, 2e-3);
-  // Plate 2 × 2 × 0.25 without the hole's 4n-gon, wall 0.25 × 2 × 2.
+  // Plate 2 × 2 × 0.25 without the 4n-gon of the hole; wall 0.25 × 2 × 2.
   EXPECT_NEAR(signed_volume(bracket(30)), 1.0 - 0.25 * std::numbers::pi * 0.25 + 1.0, 1e-3);
 }
 
@@ -187,7 +187,7 @@ TEST(Shape, RefusesImpossibleArguments) {
   EXPECT_THROW(with_duplicate_faces(cube(), 13), std::invalid_argument);
 }
 
-// The number of std::mt19937_64's ten-thousandth draw stands in the C++ standard; this checks our own scaling of it.
+// The C++ standard gives the ten-thousandth number of std::mt19937_64. This test checks our own scaling of it.
 TEST(Random, IsTheSameEverywhere) {
   Random random(5489);
   for (int i = 0; i < 9999; ++i) random.bits();

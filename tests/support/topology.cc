@@ -57,7 +57,7 @@ bool is_one_fan(const std::vector<Edge>& opposite) {
 Topology topology(const IndexedMesh& mesh) {
   Topology result;
   result.faces = static_cast<int>(mesh.faces.size());
-  std::map<Edge, std::vector<bool>> edges;  // whether each face runs from the lower to the higher vertex
+  std::map<Edge, std::vector<bool>> edges;  // for each face, whether it runs from the lower to the higher vertex
   std::map<Index, std::vector<Edge>> opposite;
   for (const Triangle& face : mesh.faces) {
     if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) {

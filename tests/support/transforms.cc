@@ -42,7 +42,7 @@ IndexedMesh rotated(const IndexedMesh& mesh, const Vec3& axis, double angle_deg)
 
 IndexedMesh rotated(const IndexedMesh& mesh, std::uint64_t seed) {
   Random random(seed);
-  // The third coordinate keeps away from 0, so that the axis has a length; which axes are likelier doesn't matter.
+  // The third coordinate stays away from 0, so the axis has a length. The axes need not be equally likely.
   const Vec3 axis = random.uniform_vector(-1, 1) + Vec3(0, 0, 1.1);
   const double angle_deg = random.uniform(20, 340);
   return rotated(mesh, axis, angle_deg);

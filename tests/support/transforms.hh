@@ -4,7 +4,7 @@
 #include <vector>
 #include <whittle/core/indexed_mesh.hh>
 
-/// The same mesh elsewhere, at another size or in another order: what no result may depend on.
+/// The same mesh at another position, in another size or in another order. Results must not depend on these.
 namespace whittle::test {
 
 /// Turned about `axis` (any length but zero) by `angle_deg`; normals too.
@@ -23,7 +23,7 @@ struct Permuted {
 /// Vertices and faces in another order.
 Permuted permuted(const IndexedMesh& mesh, std::uint64_t seed);
 
-/// Length of the diagonal of the box around all positions, 0 without any.
+/// Length of the diagonal of the bounding box of all positions; 0 without any.
 double diagonal(const IndexedMesh& mesh);
 
 }  // namespace whittle::test

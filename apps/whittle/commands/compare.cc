@@ -106,10 +106,10 @@ Json compare_json(const CompareOptions& options, const Input& input, const Compa
   return json;
 }
 
-/// "0.62" for ours over theirs; "-" where there is nothing to divide by.
+/// "0.62": ours over theirs; "-" if theirs is 0.
 std::string ratio(double ours, double theirs) { return theirs > 0 ? significant(ours / theirs) : "-"; }
 
-/// One sentence; empty where one side has nothing to compare.
+/// One sentence; empty if our time or OpenMesh's error is 0.
 std::string verdict(const Comparison& comparison) {
   const double error = comparison.stock.distance.mean;
   if (!(comparison.ours.seconds > 0) || !(error > 0)) return {};
@@ -117,7 +117,7 @@ std::string verdict(const Comparison& comparison) {
          significant(comparison.ours.distance.mean / error) + " times the mean error\n";
 }
 
-std::string to_text(const Input& input, const Comparison& comparison) {
+std::string summary_of(const Input& input, const Comparison& comparison) {
   const Contender& ours = comparison.ours;
   const Contender& stock = comparison.stock;
   const double diagonal = ours.distance.diagonal;
@@ -162,7 +162,7 @@ ExitCode run_compare(const CLI::App& app, const CompareOptions& options) {
                  " of the " + std::to_string(input.read.mesh.faces.size()) +
                  " faces, so it had less to do, and what it lost counts as its error");
   }
-  write_report(options.common, compare_json(options, input, comparison), to_text(input, comparison));
+  write_report(options.common, compare_json(options, input, comparison), summary_of(input, comparison));
   say_effort(talk, watch.seconds());
   return ExitCode::done;
 }

@@ -18,8 +18,8 @@ struct DoubleTraits : OpenMesh::DefaultTraits {
 /// OpenMesh's triangle mesh with coordinates in double.
 using DoubleMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
 
-/// Holds the status bits of a mesh while it lives. The decimaters request them too, but give them back before what is
-/// deleted was collected.
+/// Keeps the status bits of a mesh requested while it exists. The decimaters request them too, but release them before
+/// the garbage collection.
 class HeldStatus {
  public:
   explicit HeldStatus(DoubleMesh& mesh) : mesh_(mesh) {
@@ -41,7 +41,8 @@ class HeldStatus {
   DoubleMesh& mesh_;
 };
 
-/// Tells the number of contractions now and then; ends the run when told false.
+/// Calls back with the number of contractions every `interval` contractions. Ends the run when the callback returns
+/// false.
 class ContractionObserver : public OpenMesh::Decimater::Observer {
  public:
   explicit ContractionObserver(std::function<bool(std::size_t n_contractions)> goes_on)

@@ -15,11 +15,11 @@ namespace {
 
 struct InfoOptions {
   std::string input;
-  InputOptions reading;  ///< `weld` apart: both ways are shown
+  InputOptions reading;  ///< `weld` is not used: both ways are shown
   CommonOptions common;
 };
 
-/// One mesh, looked at from all sides.
+/// What is known of one mesh.
 struct View {
   metrics::Topology topology;
   metrics::Shape shape;
@@ -27,9 +27,9 @@ struct View {
 };
 
 struct Findings {
-  std::string name;              ///< of the file, as shown
+  std::string name;              ///< of the file, in messages
   io::ReadResult read;           ///< after all repairs
-  std::optional<View> unwelded;  ///< when welding changed something
+  std::optional<View> unwelded;  ///< set if welding changed something
   View repaired;
   metrics::Bounds bounds;
 };
@@ -92,7 +92,7 @@ Json info_json(const InfoOptions& options, const Findings& findings) {
   return json;
 }
 
-/// The rows of one view: what is counted and the count.
+/// The rows of the table for one view: a title and a value each.
 std::vector<std::pair<std::string, std::string>> rows(const View& view) {
   const metrics::Topology& topology = view.topology;
   const auto count = [](std::size_t n) { return std::to_string(n); };
@@ -127,7 +127,7 @@ std::string joined(const std::vector<std::string>& words) {
   return text.empty() ? "none" : text;
 }
 
-std::string to_text(const Findings& findings) {
+std::string summary_of(const Findings& findings) {
   const io::ReadResult& read = findings.read;
   const std::string repairs = io::to_string(read.repairs);
   std::string text = findings.name + ": " + std::string(io::title_of(read.format)) + ", " +
@@ -160,7 +160,7 @@ ExitCode run_info(const CLI::App& app, const InfoOptions& options) {
   const Stopwatch watch;
   const Findings findings = look_at(options);
   for (const std::string& warning : findings.read.warnings) talk.warning(about(findings.name, warning));
-  write_report(options.common, info_json(options, findings), to_text(findings));
+  write_report(options.common, info_json(options, findings), summary_of(findings));
   say_effort(talk, watch.seconds());
   return ExitCode::done;
 }

@@ -26,17 +26,17 @@ struct MeasureOptions {
   CommonOptions common;
 };
 
-/// Lines of both meshes, borders or features.
+/// How the borders, or the feature lines, of both meshes compare.
 struct LinesMeasured {
-  bool in_reference = false;  ///< Whether there are any.
+  bool in_reference = false;  ///< whether it has any
   bool in_test = false;
-  std::optional<metrics::LineDistance> distance;  ///< If there are some in both.
+  std::optional<metrics::LineDistance> distance;  ///< set if both have some
 };
 
 struct Measurement {
   metrics::SurfaceDistance distance;
   LinesMeasured borders;
-  std::optional<LinesMeasured> features;  ///< If asked for.
+  std::optional<LinesMeasured> features;  ///< set if asked for
   metrics::Shape shape;
   metrics::Topology topology;
   std::size_t self_intersections = 0;
@@ -91,7 +91,7 @@ std::string length_text(double length, double diagonal) {
   return significant(length) + " (" + percent(length / diagonal) + ")";
 }
 
-/// Rows for the distance between lines, none if there is no such distance. \param name "borders"
+/// Adds the rows for the distance between lines; none if there is no such distance. \param name "borders"
 void add_lines(Table& table, const std::string& name, const LinesMeasured& lines, double diagonal) {
   if (!lines.distance) return;
   const metrics::LineDistance& d = *lines.distance;
@@ -100,7 +100,7 @@ void add_lines(Table& table, const std::string& name, const LinesMeasured& lines
   table.add({name + ", largest", length(d.max), length(d.forward.max), length(d.backward.max)});
 }
 
-/// A line on why there is no distance between lines; empty if there is one. \param name "borders"
+/// A line that says why there is no distance between lines; empty if there is one. \param name "borders"
 std::string lines_missing(const std::string& name, const LinesMeasured& lines) {
   if (lines.distance) return {};
   const char* who = lines.in_reference ? "TEST has none" : lines.in_test ? "REF has none" : "neither mesh has any";
@@ -127,7 +127,7 @@ std::string distance_table(const Measurement& measured) {
   if (measured.features) add_lines(table, "feature lines", *measured.features, d.diagonal);
   std::string text =
       table.text() + "Garland-Heckbert 1997, mean squared distance: " + significant(d.garland_heckbert) + '\n';
-  // That closed meshes have no borders needs no saying.
+  // If both meshes are closed, missing borders are not worth a line.
   if (measured.borders.in_reference || measured.borders.in_test) text += lines_missing("borders", measured.borders);
   if (measured.features) text += lines_missing("feature lines", *measured.features);
   return text;
@@ -157,7 +157,7 @@ std::string file_line(const char* role, const Input& input) {
          std::to_string(input.read.mesh.positions.size()) + " vertices\n";
 }
 
-std::string to_text(const Input& reference, const Input& test, const Measurement& measured) {
+std::string summary_of(const Input& reference, const Input& test, const Measurement& measured) {
   return file_line("REF: ", reference) + file_line("TEST: ", test) +
          "lengths in model units, and over the diagonal of REF's box, which is " +
          significant(measured.distance.diagonal) + "\n\n" + distance_table(measured) + "\nTEST\n" +
@@ -175,7 +175,7 @@ ExitCode run_measure(const CLI::App& app, const MeasureOptions& options) {
   const Input reference = read_input(options.reference, options.reading, talk);
   const Input test = read_input(options.test, options.reading, talk);
   const Measurement measured = measure(reference.read.mesh, test.read.mesh, options);
-  write_report(options.common, measure_json(reference, test, measured, options), to_text(reference, test, measured));
+  write_report(options.common, measure_json(reference, test, measured, options), summary_of(reference, test, measured));
   say_effort(talk, watch.seconds());
   return ExitCode::done;
 }

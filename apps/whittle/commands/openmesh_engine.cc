@@ -71,7 +71,7 @@ void add_guards(StockDecimater& decimater, const CostModule& cost, const Decimat
   radius_guard.set_cost_module(&cost);
 }
 
-/// Refuses nothing; notes where vertices went and what it cost.
+/// A module that refuses nothing. It records which vertex each one was merged into, and the greatest cost.
 template <class MeshT>
 class ModCollapseLogT : public OpenMesh::Decimater::ModBaseT<MeshT> {
  public:
@@ -81,8 +81,8 @@ class ModCollapseLogT : public OpenMesh::Decimater::ModBaseT<MeshT> {
 
   void set_cost_module(const CostModule& module) { cost_ = &module; }
 
-  /// Binary modules hear of a collapse before the one that ranks, so the quadrics are those before it. The true cost:
-  /// the one in OpenMesh's heap may be out of date.
+  /// Evaluates the cost again, because the one in OpenMesh's heap may be out of date. Binary modules are called before
+  /// the module that ranks, so the quadrics are those before the collapse.
   void preprocess_collapse(const CollapseInfo& collapse) override {
     max_cost_ = std::max(max_cost_, cost_->evaluate(collapse).cost);
     merged_into_[static_cast<std::size_t>(collapse.v0.idx())] = static_cast<Index>(collapse.v1.idx());
@@ -90,9 +90,9 @@ class ModCollapseLogT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   }
 
   std::size_t n_collapses() const { return n_collapses_; }
-  /// Model units.
+  /// The greatest cost of a collapse, by model units.
   double max_cost() const { return cost_->frame().cost_to_model(max_cost_, cost_->cost_dimension()); }
-  /// The vertex that v is part of now.
+  /// The vertex that v has been merged into, or v.
   Index survivor(Index v) const {
     while (merged_into_[v] != invalid_index) v = merged_into_[v];
     return v;
@@ -134,7 +134,7 @@ Progress progress_after(std::size_t n_collapses, const IndexedMesh& input, const
   return {input.positions.size() - n_collapses, n_faces, std::min(1.0, fraction)};
 }
 
-/// The result and the vertex map, from the mesh as it is before its garbage is collected.
+/// The result and the vertex map. \pre the garbage of `mesh` has not been collected
 Decimation extract(const DoubleMesh& mesh, const IndexedMesh& input, const CollapseLog& log) {
   Decimation out;
   out.mesh = geometry_of(mesh);

@@ -79,7 +79,7 @@ void polish_input(const PolishCommand& options, const Talk& talk, PolishRun& run
   const IndexedMesh& reference = run.reference.read.mesh;
   run.mesh = run.input.read.mesh;
   ProgressBar bar(talk, "polishing");
-  // Searching and a pass take about the same time on large meshes.
+  // On large meshes the search takes about as long as one pass.
   const double search = 1.0 / (1 + options.passes);
   const auto progress_between = [&bar](double from, double to) {
     return [&bar, from, to](const TaskProgress& progress) {

@@ -33,13 +33,13 @@ struct Seconds {
   double total = 0;
 };
 
-/// A run and what is said about it.
+/// A run, and what the messages and the report say about it.
 struct Run {
   Input input;
   DecimateTarget target = DecimateTarget::as_far_as_possible();
   double diagonal = 0;  ///< of the input's bounding box
   std::size_t n_pruned_parts = 0;
-  double threshold = 0;  ///< of pairs, model units
+  double threshold = 0;  ///< of threshold pairs, model units; 0 = none
   Simplification simplified;
   bool met = false;
   std::vector<std::string> warnings;
@@ -62,7 +62,7 @@ void prune(const SimplifyCommand& options, const Talk& talk, Run& run) {
            std::to_string(pruned.n_dropped_faces) + " faces");
 }
 
-/// Model units.
+/// The threshold in model units. Warns if it is automatic and no parts lie near one another.
 double resolve_threshold(const SimplifyCommand& options, const Talk& talk, Run& run) {
   if (!options.threshold.is_automatic) return options.threshold.length.in_units(run.diagonal);
   const double threshold = automatic_threshold(run.input.read.mesh, options.common.threads);
@@ -74,7 +74,7 @@ double resolve_threshold(const SimplifyCommand& options, const Talk& talk, Run& 
   return threshold;
 }
 
-/// A bar for each stage; ends the run where a signal is waiting.
+/// Draws a progress bar for each stage, and ends the run if a signal is pending.
 class StageBars {
  public:
   explicit StageBars(const Talk& talk) : talk_(talk) {}
@@ -95,7 +95,7 @@ class StageBars {
   std::optional<ProgressBar> bar_;
 };
 
-/// The options with all that depends on the mesh.
+/// The options for the library, with the fields that depend on the mesh.
 SimplifyOptions resolved(const SimplifyCommand& options, const Run& run) {
   SimplifyOptions result = options.simplify;
   DecimateOptions& decimate = result.decimate;
@@ -107,8 +107,8 @@ SimplifyOptions resolved(const SimplifyCommand& options, const Run& run) {
   return result;
 }
 
-/// Signals end the program at once while OpenMesh's decimater runs: it looks for them too rarely, and there is nothing
-/// to tidy up yet.
+/// Signals end the program at once while OpenMesh's decimater runs. It would check for them too rarely, and there are
+/// no temporary files yet.
 Simplification simplify_in_openmesh(const SimplifyOptions& options, const Run& run) {
   const IndexedMesh& mesh = run.input.read.mesh;
   const Stopwatch decimating;
@@ -133,7 +133,7 @@ Simplification simplify_input(const SimplifyCommand& options, const Talk& talk, 
   return result;
 }
 
-/// Warnings of the library, but for those that the report has elsewhere.
+/// Takes over the warnings of the library, except those that the report has elsewhere.
 void take_warnings(const Talk& talk, Run& run) {
   for (const Warning& warning : run.simplified.result.warnings) {
     if (warning.kind == WarningKind::pairs_capped) continue;  // `threshold_pairs.capped`
@@ -142,7 +142,7 @@ void take_warnings(const Talk& talk, Run& run) {
   }
 }
 
-/// A line for every vertex of the file: its number in the result, or -1.
+/// Writes a line for every vertex of the file: its number in the result, or -1.
 void write_map(std::ostream& out, const Run& run) {
   for (const Index read : run.input.read.vertex_map) {
     const Index written = read == invalid_index ? invalid_index : run.simplified.vertex_map[read];
@@ -206,7 +206,7 @@ Json threshold_pairs_json(const ThresholdPairCounts& pairs) {
           {"capped", pairs.capped}};
 }
 
-/// OpenMesh's decimater doesn't say what it refused, and why.
+/// All are null with OpenMesh's decimater, which doesn't count refusals.
 Json rejections_json(const SimplifyCommand& options, const Rejections& refused) {
   if (options.engine == Engine::openmesh) {
     return {{"flip", nullptr}, {"link", nullptr}, {"shape", nullptr}, {"feature", nullptr}, {"locked", nullptr}};
@@ -244,7 +244,7 @@ Json simplify_json(const SimplifyCommand& options, const Run& run) {
   return json;
 }
 
-/// The penalty for valences makes such vertices rare, but refuses none.
+/// The penalty for valences makes vertices with three edges rare, but refuses none.
 void warn_of_valence_three(const SimplifyCommand& options, const Talk& talk, Run& run) {
   if (options.simplify.decimate.valence_weight == 0 || run.simplified.mesh.faces.empty()) return;
   std::size_t n_vertices = 0;
@@ -258,7 +258,7 @@ void warn_of_valence_three(const SimplifyCommand& options, const Talk& talk, Run
   talk.warning(run.warnings.back());
 }
 
-/// Writes the result, the map and the report; all of them appear, or none does.
+/// Writes the result, the map and the report. All of them appear, or none does.
 void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwatch& since_start, Run& run) {
   const Stopwatch watch;
   OutputFiles files;

@@ -31,7 +31,7 @@ constexpr std::array<Choice<Boundary>, 3> boundaries{
 constexpr std::array<Choice<Topology>, 2> topologies{{{"keep", Topology::keep}, {"free", Topology::free}}};
 constexpr std::array<Choice<Engine>, 2> engines{{{"flat", Engine::flat}, {"openmesh", Engine::openmesh}}};
 
-/// What a cost doesn't take, in the order in which conflicts are reported.
+/// Adds the options that a cost doesn't take, in the order in which conflicts are reported.
 void add_cost_conflicts(const CostTraits& traits, std::vector<Conflict>& conflicts) {
   const auto add = [&](const char* option, std::string_view why) {
     if (!why.empty()) conflicts.push_back({option, "--cost " + std::string(traits.name), std::string(why)});
@@ -96,7 +96,7 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, const std::strin
       ->default_str(shortest(target));
 }
 
-/// Defaults by cost for the help: "75; 60 with memoryless".
+/// A default that depends on the cost, for the help: "75; 60 with memoryless".
 template <class Text>
 std::string defaults_by_cost(const Text& text) {
   const std::string usual = text(cost_traits(Cost::quadric));
@@ -275,7 +275,7 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
 SimplifyCommand settled(SimplifyCommand command) {
   SimplifyOptions probe = command.simplify;
   if (command.engine == Engine::openmesh) probe.decimate.cost = probe.decimate.cost.value_or(Cost::quadric);
-  // The threshold is known when the mesh is. The effort only looks at whether there is one.
+  // The threshold depends on the mesh, which hasn't been read yet. The effort depends only on whether there is one.
   if (has_threshold(command)) probe.decimate.pairs.threshold = std::numeric_limits<double>::infinity();
   probe = with_effort(command.effort, std::move(probe));
   command.simplify.decimate.cost = probe.decimate.cost;

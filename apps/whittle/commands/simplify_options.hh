@@ -15,16 +15,16 @@ namespace whittle::app {
 /// Where the contraction loop runs.
 enum class Engine {
   flat,     ///< on the engine's arrays
-  openmesh  ///< the module of the same cost in OpenMesh's stock decimater
+  openmesh  ///< in OpenMesh's stock decimater, with the module of the same cost
 };
 
-/// How close vertices must be to be a pair without an edge.
+/// The threshold below which two vertices without an edge are a pair.
 struct ThresholdOption {
   bool is_automatic = false;  ///< chosen from the distances between the parts of the mesh
-  Length length;              ///< otherwise this
+  Length length;              ///< the threshold, if it is not automatic
 };
 
-/// What the command line asks for. Fields of `simplify` that depend on the mesh are filled in once it is read.
+/// The options of `whittle simplify`. Fields of `simplify` that depend on the mesh are set after it has been read.
 struct SimplifyCommand {
   std::string input;
   std::string output;
@@ -33,7 +33,7 @@ struct SimplifyCommand {
   Effort effort = Effort::normal;
   SimplifyOptions simplify;
   ThresholdOption threshold;
-  Length feature_tolerance{5e-4, true};  ///< how far feature lines may stray
+  Length feature_tolerance{5e-4, true};  ///< how far a feature line may come to lie from where it was
   std::optional<Length> prune;           ///< parts smaller than this are dropped
   Engine engine = Engine::flat;
   std::optional<std::string> map;  ///< file for the vertex map
@@ -41,15 +41,15 @@ struct SimplifyCommand {
   CommonOptions common;
 };
 
-/// With the cost, the passes and the flips filled in that the effort stands for.
+/// `command` with the cost, the polish passes and the flips that the effort stands for, where they are not given.
 SimplifyCommand settled(SimplifyCommand command);
 
 void add_simplify_options(CLI::App& app, SimplifyCommand& options);
 
-/// \throw UsageError for what is missing, contradictory, or would overwrite an input.
+/// \throw UsageError for options that are missing or contradictory, or that would overwrite an input.
 void check(const CLI::App& app, const SimplifyCommand& options);
 
-/// Key `options` of the report: every option but the targets and those that say how much is printed.
+/// Key `options` of the report: every option except the targets and those that control what is printed.
 nlohmann::ordered_json options_json(const SimplifyCommand& options);
 
 }  // namespace whittle::app

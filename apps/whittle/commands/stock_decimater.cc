@@ -23,7 +23,7 @@ StockRun decimate_by_stock(const IndexedMesh& input, const std::string& name, co
   mesh.request_face_normals();
   mesh.update_face_normals();
   if (run.n_lost_faces > 0) {
-    mesh.delete_isolated_vertices();  // else they would count for the target
+    mesh.delete_isolated_vertices();  // otherwise they would count towards the target
     mesh.garbage_collection();
   }
   run.seconds_build = building.seconds();

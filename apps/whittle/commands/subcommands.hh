@@ -2,7 +2,7 @@
 
 #include "options/command_line.hh"
 
-// Each adds a subcommand that, when it is the one called, leaves what is to be done in `command`.
+// Each function adds a subcommand. If that one is called, parsing the command line sets `command` to its work.
 
 namespace whittle::app {
 

@@ -11,15 +11,15 @@
 
 namespace whittle::app {
 
-/// How the standard streams are named on the command line.
+/// The name of the standard streams on the command line.
 inline constexpr std::string_view standard_stream = "-";
 inline constexpr char standard_input_name[] = "standard input";
 
-/// The format a file name tells, if it does.
+/// The format by the extension of a file name, if it has a known one.
 std::optional<io::Format> format_by_name(const std::string& path);
 
-/// The format to write a file in: that of its name, else the one given.
-/// \throw UsageError if neither tells it.
+/// The format to write a file in: the one by its name, otherwise `given`.
+/// \throw UsageError if there is neither.
 io::Format format_for_output(const std::string& path, std::optional<io::Format> given);
 
 /// \throw UsageError if two inputs are standard input, if one is and --format is missing, or if --format is given
@@ -27,13 +27,14 @@ io::Format format_for_output(const std::string& path, std::optional<io::Format> 
 void check_inputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
                   std::optional<io::Format> given);
 
-/// A mesh file that may be read more than once; of standard input, which can't, the content is kept.
+/// A mesh file that may be read more than once. The content of standard input is kept, because it can be read only
+/// once.
 class MeshFile {
  public:
-  /// \param given the format, where the name doesn't tell it.
+  /// \param given the format; used if the name doesn't tell it
   MeshFile(std::string path, std::optional<io::Format> given);
   io::ReadResult read(bool weld) const;
-  /// As shown: the path, or "standard input".
+  /// The name in messages: the path, or "standard input".
   std::string name() const { return path_ == standard_stream ? standard_input_name : path_; }
 
  private:
@@ -42,19 +43,19 @@ class MeshFile {
   std::vector<char> standard_input_;
 };
 
-/// A mesh as it was read.
+/// A mesh that was read from a file, and what is known of the file.
 struct Input {
-  std::string path;  ///< as given
-  std::string name;  ///< as shown: the path, or "standard input"
+  std::string path;  ///< as on the command line
+  std::string name;  ///< in messages: the path, or "standard input"
   io::ReadResult read;
   std::vector<std::string> warnings;  ///< those of `read`, with the name in front
-  double seconds = 0;                 ///< it took to read
+  double seconds = 0;                 ///< that reading took
 };
 
-/// "NAME: TEXT", how a line that is about a file begins.
+/// "NAME: TEXT": a line about a file.
 std::string about(const std::string& name, const std::string& text);
 
-/// Reads a mesh, and says what was repaired and what is not carried.
+/// Reads a mesh. Prints what was repaired and what is not carried.
 /// \throw io::ReadError as `io::read_mesh`.
 Input read_input(const std::string& path, const InputOptions& options, const Talk& talk);
 

@@ -20,7 +20,7 @@ bool is_same_file(const std::string& a, const std::string& b) {
   if (a == standard_stream || b == standard_stream) return a == b;
   std::error_code error;
   if (fs::equivalent(a, b, error)) return true;
-  // Files that don't exist yet are the same when their names are.
+  // Files that don't exist yet are compared by name.
   return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
 }
 
@@ -51,7 +51,7 @@ io::WriteError write_failure(const std::string& name) {
   return {name, "can't be written: " + std::string(errno != 0 ? std::strerror(errno) : "write error")};
 }
 
-/// Has `fill` write to a stream; whatever goes wrong by the end of it names the file.
+/// Has `fill` write to a stream, and flushes it. \throw io::WriteError with the name of the file if either fails
 void fill_checked(std::ostream& stream, const std::string& name, const std::function<void(std::ostream&)>& fill) {
   errno = 0;
   try {

@@ -20,23 +20,26 @@ struct Output {
   std::string path;
 };
 
+/// Checks the outputs of a run before its work starts.
 /// \throw UsageError if two outputs are the same file or both standard output, or if an output is one of the `inputs`
 ///        and `force` isn't set.
-/// \throw io::WriteError if the folder of an output isn't there or can't be written to: before the work, not after.
+/// \throw io::WriteError if the folder of an output doesn't exist or can't be written to.
 void check_outputs(const std::vector<Output>& outputs, const std::vector<std::string>& inputs, bool force);
 
-/// The files a run writes: all appear once everything is written, or none does. Signals wait from the first file on.
+/// The files that a run writes. All appear once everything is written, or none does. From the first file on, signals
+/// stay pending (`SignalsWait`).
 class OutputFiles {
  public:
-  /// Hands `fill` a stream for the file, or standard output for "-", where what is written is on its way at once.
+  /// Calls `fill` with a stream for the file. For "-" it is standard output, where everything is written at once and
+  /// can't be undone.
   /// \throw io::WriteError that names the file.
   void write(const std::string& path, const std::function<void(std::ostream&)>& fill);
 
-  /// Puts all files in their places. \throw io::WriteError; Interrupted if a signal is waiting.
+  /// Renames all files to their final names. \throw io::WriteError; Interrupted if a signal is pending.
   void commit();
 
  private:
-  // The files go before signals act again.
+  // Declared before `files_`: temporary files are removed before signals act again.
   std::optional<SignalsWait> signals_wait_;
   std::vector<std::unique_ptr<io::OutputFile>> files_;
 };

@@ -27,20 +27,20 @@ std::string program_and_version();
 /// {"schema": 1, "program": …}
 Json new_report();
 
-/// As text with a line break at the end. Bytes of file names that aren't UTF-8 become U+FFFD.
+/// JSON text with a line break at the end. Bytes that aren't UTF-8 (in file names) become U+FFFD.
 std::string to_text(const Json& json);
 
-/// Key `repairs`: a count for every kind.
+/// Key `repairs`: a count for each kind of repair.
 Json repairs_json(const io::Repairs& repairs);
 
 /// Adds "manifold", "closed", "components", "boundary_loops", "genus", "nonmanifold_edges", "nonmanifold_vertices".
 void add_topology(Json& json, const metrics::Topology& topology);
 
-/// Adds "mean", "rms", "max", "garland_heckbert" with "…_rel", "forward", "backward", "normal_deviation_deg",
+/// Adds "mean", "rms", "max", "garland_heckbert", each with "…_rel", "forward", "backward", "normal_deviation_deg",
 /// "flipped_percent".
 void add_distance(Json& json, const metrics::SurfaceDistance& distance);
 
-/// {"mean", "max" with "…_rel", "forward", "backward"}; null if there is no distance.
+/// {"mean", "max", each with "…_rel", "forward", "backward"}; null if there is no distance.
 Json lines_json(const std::optional<metrics::LineDistance>& distance, double diagonal);
 
 /// Adds "radius_ratio", "min_angle_deg", "valence", "edge_length_cv", "folds", "degenerate_faces".
@@ -55,23 +55,24 @@ std::string polish_text(const PolishResult& polish);
 /// {"path", "vertices", "faces", "diagonal", "repairs"}
 Json input_json(const Input& input, double diagonal);
 
-/// Largest amount of memory the program had so far.
+/// The most memory that the program has used so far.
 std::uint64_t peak_memory_bytes();
 
-/// Says, when verbose, how long it took and how much memory.
+/// If verbose, prints how long the run took and how much memory it used at most.
 void say_effort(const Talk& talk, double seconds);
 
-/// As shown: the path, or "standard output".
+/// The name in messages: the path, or "standard output".
 std::string shown_output(const std::string& path);
 
-/// Adds a mesh to the files of a run. What its format can't hold is said, and added to `warnings`.
+/// Adds a mesh to the files of a run. Prints warnings about what the format can't hold, and adds them to `warnings`.
 void write_mesh(OutputFiles& files, const std::string& path, std::optional<io::Format> given, const IndexedMesh& mesh,
                 const Talk& talk, std::vector<std::string>& warnings);
 
-/// Adds the report to the files of a run if --json asks for one, and puts all in their places.
+/// Completes the files of a run (`OutputFiles::commit`), with the report if --json names a file. Otherwise prints
+/// `json` to standard output. \param json empty if no report is wanted
 void commit_with_report(OutputFiles& files, const CommonOptions& options, const std::string& json);
 
-/// Writes the report where --json says; `text`, the same for people, to standard output unless the report goes there.
+/// Writes the report where --json says. Prints `text`, the same for people, unless the report goes to standard output.
 void write_report(const CommonOptions& options, const Json& json, const std::string& text);
 
 }  // namespace whittle::app

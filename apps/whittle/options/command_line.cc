@@ -16,7 +16,7 @@ io::Format parse_format(std::string_view text) {
   throw std::invalid_argument("'" + std::string(text) + "' is none of " + io::format_names("|"));
 }
 
-/// Whether the command line has "--option" or "--option value".
+/// Whether the command line has `side`: "--option" or "--option value".
 bool is_given(const CLI::App& app, std::string_view side) {
   const std::size_t space = side.find(' ');
   const CLI::Option* option = app.get_option_no_throw(std::string(side.substr(0, space)));

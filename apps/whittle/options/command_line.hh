@@ -15,10 +15,10 @@
 
 namespace whittle::app {
 
-/// What is to be done once the command line is understood.
+/// The work of a subcommand. It runs after the command line has been parsed.
 using Command = std::function<ExitCode()>;
 
-/// What every subcommand takes.
+/// The options of every subcommand.
 struct CommonOptions {
   std::optional<std::string> json;  ///< file for the report, "-" for stdout
   bool quiet = false;
@@ -28,27 +28,31 @@ struct CommonOptions {
 
   Volume volume() const { return quiet ? Volume::quiet : verbose ? Volume::verbose : Volume::normal; }
 };
-/// Added last, with --help among them: groups of options stand in the help in the order of their first ones.
+/// Also adds --help. Call this last: the help lists groups of options in the order in which their first options were
+/// added.
 void add_common_options(CLI::App& app, CommonOptions& options);
-/// What follows "Usage: whittle NAME" in the help; CLI11 has a place for such a text at an option only.
+/// Sets the text that follows "Usage: whittle NAME" in the help. It is stored at the option --help, because in CLI11
+/// only options can hold such a text.
 /// \pre `add_common_options` was called.
 void set_usage(CLI::App& app, const std::string& usage);
 
 /// How meshes are read.
 struct InputOptions {
   bool weld = true;
-  std::optional<io::Format> format{};  ///< of files whose name doesn't tell it
+  std::optional<io::Format> format{};  ///< of files whose name doesn't tell the format
 };
 CLI::Option* add_no_weld(CLI::App& app, InputOptions& options);
 CLI::Option* add_format(CLI::App& app, InputOptions& options);
 
-/// The file a positional argument names.
+/// Adds a positional argument that names a file.
 void add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description);
-/// The mesh file to work on, as the argument IN. The help lists the formats.
+/// Adds the argument IN: the mesh file to work on. Its help lists the formats.
 void add_mesh_file(CLI::App& app, std::string& path);
 
-/// Adds an option with one value, which `parse` makes of its text or throws std::invalid_argument.
-/// \param names as CLI11 takes them: "-r,--ratio". \param value_name how the help shows the value: "R".
+/// Adds an option with one value.
+/// \param names as CLI11 takes them: "-r,--ratio"
+/// \param value_name how the help shows the value: "R"
+/// \param parse turns the text into the value, or throws std::invalid_argument
 template <class T, class Parse>
 CLI::Option* add_value(CLI::App& app, const std::string& names, const std::string& value_name, T& target, Parse parse,
                        const std::string& description) {
@@ -71,11 +75,11 @@ struct Conflict {
   std::string why;
 };
 
-/// \param conflicts each side as on the command line: "--map", "--boundary free".
-/// \throw UsageError that names both sides of the first conflict met.
+/// \param conflicts each side as on the command line: "--map", "--boundary free"
+/// \throw UsageError that names both sides of the first conflict found
 void check_conflicts(const CLI::App& app, std::span<const Conflict> conflicts);
 
-/// Conflicts of the options every subcommand has.
+/// Conflicts among the options that every subcommand has.
 std::span<const Conflict> common_conflicts();
 
 }  // namespace whittle::app

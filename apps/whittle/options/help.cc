@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t column = 30;
 constexpr std::size_t line_width = 100;
 
-/// `text` in lines up to `line_width`, each starting in `column`.
+/// `text` in lines of at most `line_width` columns, each indented by `column`.
 std::string wrapped(const std::string& text) {
   std::string lines;
   std::istringstream words(text);

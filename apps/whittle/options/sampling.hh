@@ -6,7 +6,7 @@
 
 namespace whittle::app {
 
-/// --samples and --seed.
+/// Adds --samples and --seed.
 void add_sampling_options(CLI::App& app, metrics::DistanceOptions& options);
 
 }  // namespace whittle::app

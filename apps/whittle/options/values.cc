@@ -75,7 +75,8 @@ double parse_ratio(std::string_view text) {
 
 std::uint64_t share_of(double ratio, std::uint64_t n) {
   const double product = ratio * static_cast<double>(n);
-  // The ratio was rounded once when read (twice as a percentage) and the product once: less than four half-ulps.
+  // The ratio was rounded once when parsed (twice as a percentage), the product once: less than four half-ulps
+  // together.
   return static_cast<std::uint64_t>(std::floor(product * (1 + 4 * std::numeric_limits<double>::epsilon())));
 }
 

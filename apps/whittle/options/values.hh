@@ -7,12 +7,12 @@
 #include <string>
 #include <string_view>
 
-// How the values of options are written. Every parser takes the whole text or throws std::invalid_argument with what is
-// wrong and what would do; the message doesn't name the option.
+// Parsers for the values of options. Each parses the whole text or throws std::invalid_argument. The message says what
+// is wrong and what is valid, but doesn't name the option.
 
 namespace whittle::app {
 
-/// Where a real number may lie; finite in any case.
+/// An interval of finite numbers.
 struct Range {
   double low;
   double high = std::numeric_limits<double>::infinity();
@@ -25,24 +25,24 @@ struct Range {
   }
 };
 
-/// "0 < X <= 180", "X >= 0" with the name of the value for X.
+/// "0 < X <= 180", "X >= 0". \param name printed in place of X
 std::string to_string(const Range& range, std::string_view name);
 
 double parse_number(std::string_view text, const Range& range, std::string_view name);
 
-/// A whole number in [low, high], in decimal digits.
+/// A whole number in [low, high], written in decimal digits.
 std::uint64_t parse_count(std::string_view text, std::uint64_t low = 1,
                           std::uint64_t high = std::numeric_limits<std::uint64_t>::max());
 
-/// A length, of a mesh that isn't known yet.
+/// A length for a mesh that hasn't been read yet.
 struct Length {
   double value = 0;          ///< model units, or a share of the diagonal of the mesh's bounding box
-  bool is_relative = false;  ///< which
+  bool is_relative = false;  ///< whether `value` is a share of the diagonal
 
   double in_units(double diagonal) const { return is_relative ? value * diagonal : value; }
 };
 
-/// At least 0: "0.5", or "1%" of the diagonal. \param name that of the value
+/// At least 0: "0.5", or "1%" of the diagonal. \param name of the value, for the message
 Length parse_length(std::string_view text, std::string_view name);
 
 /// "0.5", "1%"
@@ -51,13 +51,13 @@ std::string to_string(const Length& length);
 /// A share in (0, 1): "0.3" or "30%".
 double parse_ratio(std::string_view text);
 
-/// floor(ratio · n), where a product that is a whole number but for rounding (0.29 · 100) counts as that number.
+/// floor(ratio · n). A product that is a whole number except for rounding (0.29 · 100) counts as that number.
 std::uint64_t share_of(double ratio, std::uint64_t n);
 
-/// The shortest decimal number that reads back as x: "75", "0.3", "1e-09".
+/// The shortest decimal text that reads back as x: "75", "0.3", "1e-09".
 std::string shortest(double x);
 
-/// One of the words an option takes.
+/// One of the words that an option takes, and the value that it stands for.
 template <class E>
 struct Choice {
   std::string_view word;

@@ -5,19 +5,19 @@
 
 namespace whittle::app {
 
-/// The command line asks for what can't be; `what()` names the option and says what would do. Exit status 2.
+/// The command line is wrong. `what()` names the option and says what is valid. Exit status 2.
 class UsageError : public std::runtime_error {
  public:
   explicit UsageError(const std::string& problem) : std::runtime_error(problem) {}
 };
 
-/// The mesh was read but can't be worked on as asked; `what()` names the file. Exit status 4.
+/// The mesh was read, but the command can't work on it. `what()` names the file. Exit status 4.
 class UnsupportedMesh : public std::runtime_error {
  public:
   explicit UnsupportedMesh(const std::string& problem) : std::runtime_error(problem) {}
 };
 
-/// A signal asked the program to end; nothing was left half-written.
+/// A signal asked the program to end. No file was left half-written.
 class Interrupted : public std::exception {
  public:
   explicit Interrupted(int signal) : signal_(signal) {}

@@ -11,17 +11,17 @@
 namespace whittle::app {
 namespace {
 
-// Both are read and written by the handler, so they must not lock.
+// The signal handler uses both, so they must be lock-free.
 std::atomic<int> pending_signal{0};
 std::atomic<int> n_waiting{0};
 static_assert(std::atomic<int>::is_always_lock_free);
 
-/// Only what is allowed inside a signal handler.
+/// The signal handler. Calls async-signal-safe functions only.
 void on_signal(int signal) {
   pending_signal = signal;
   if (n_waiting > 0) return;
   constexpr std::string_view message = interrupted_message;
-  // The program ends whether or not anybody can be told.
+  // The program ends even if the message can't be written.
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, message.data(), message.size());
   ::_exit(128 + signal);
 }
@@ -34,7 +34,7 @@ void handle_signals() {
   sigemptyset(&action.sa_mask);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction inherited = {};
-    // What the caller chose to ignore (nohup, a background job of a script) stays ignored.
+    // A signal that the caller ignores (nohup, a background job of a script) stays ignored.
     if (sigaction(signal, nullptr, &inherited) == 0 && inherited.sa_handler == SIG_IGN) continue;
     sigaction(signal, &action, nullptr);
   }

@@ -2,13 +2,13 @@
 
 namespace whittle::app {
 
-/// Has Ctrl-C, SIGTERM and SIGHUP end the program with 128 + the signal's number and one line on stderr: at once where
-/// nothing needs tidying up, else as soon as the code in charge looks. Writing to a closed pipe becomes an error like
-/// any other.
+/// Makes Ctrl-C, SIGTERM and SIGHUP end the program with 128 + the signal's number and one line on stderr. The program
+/// ends at once, or, while a `SignalsWait` exists, as soon as the code asks for signals. Writing to a closed pipe
+/// becomes an ordinary error.
 void handle_signals();
 
-/// While one of these lives, a signal waits to be asked for instead of ending the program: for stretches that look
-/// often, and for those that have temporary files to remove.
+/// While an object of this class exists, a signal doesn't end the program; it stays pending until the code asks for it.
+/// For code that asks often, and for code that has temporary files to remove.
 class SignalsWait {
  public:
   SignalsWait();
@@ -16,13 +16,13 @@ class SignalsWait {
   SignalsWait(const SignalsWait&) = delete;
   SignalsWait& operator=(const SignalsWait&) = delete;
 
-  /// Whether a signal is waiting.
+  /// Whether a signal is pending.
   static bool pending();
   /// \throw Interrupted if one is.
   static void throw_if_pending();
 };
 
-/// What an interrupted run says.
+/// What an interrupted run prints on stderr.
 inline constexpr char interrupted_message[] = "whittle: interrupted\n";
 
 }  // namespace whittle::app

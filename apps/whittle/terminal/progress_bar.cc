@@ -22,7 +22,7 @@ std::size_t terminal_width() {
   return size.ws_col;
 }
 
-/// https://no-color.org: set and not empty.
+/// No colour if NO_COLOR is set and not empty. https://no-color.org
 bool wants_color() {
   const char* value = std::getenv("NO_COLOR");
   return value == nullptr || *value == '\0';
@@ -54,7 +54,7 @@ void ProgressBar::update(double fraction, const std::string& note) {
   const std::string after = "] " + std::string(3 - percent.size(), ' ') + percent + " %  " + note;
   const std::size_t width = before.size() + bar_width + after.size();
   clear();
-  // A line that wraps can't be taken back.
+  // A line that wraps can't be erased.
   if (width >= terminal_width()) return;
   const std::string full(filled, '#');
   const std::string empty(bar_width - filled, '.');

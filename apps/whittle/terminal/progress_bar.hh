@@ -8,17 +8,17 @@
 
 namespace whittle::app {
 
-/// One line on a terminal that is redrawn in place and gone in the end. Plain where NO_COLOR is set; nothing at all
-/// where `Talk::shows_progress` says no.
+/// A line on a terminal that is redrawn in place, and erased by the destructor. It has no colour if NO_COLOR is set.
+/// Nothing is drawn if `Talk::shows_progress` is false.
 class ProgressBar {
  public:
-  /// \param what the work, a few words.
+  /// \param what a few words for the work
   ProgressBar(const Talk& talk, std::string what);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// Redraws, at most ten times a second. \param fraction done, [0, 1]. \param note what is left, a few words.
+  /// Redraws, at most ten times a second. \param fraction done, [0, 1] \param note a few words after the percentage
   void update(double fraction, const std::string& note);
 
  private:

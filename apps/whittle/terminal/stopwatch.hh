@@ -4,7 +4,7 @@
 
 namespace whittle::app {
 
-/// Wall-clock seconds since it was made.
+/// Wall-clock seconds since its construction.
 class Stopwatch {
  public:
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }

@@ -5,8 +5,8 @@
 
 namespace whittle::app {
 
-/// Rows of cells in columns, the first one left-aligned, the others right-aligned; two spaces between them. An empty
-/// row is an empty line.
+/// Rows of cells in columns with two spaces between them. The first column is left-aligned, the others are
+/// right-aligned. An empty row is an empty line.
 class Table {
  public:
   void add(std::vector<std::string> row);
@@ -16,9 +16,9 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// Four digits that count: "0.01234", "1.234e-05".
+/// Four significant digits: "0.01234", "1.234e-05".
 std::string significant(double x);
-/// A share in [0, 1] likewise, as "1.234 %".
+/// A share in [0, 1] with four significant digits: "1.234 %".
 std::string percent(double share);
 /// "0.034 s"
 std::string seconds_text(double seconds);

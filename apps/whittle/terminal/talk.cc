@@ -9,12 +9,12 @@
 namespace whittle::app {
 namespace {
 
-/// One write a line, so that lines of several programs on one terminal don't mix.
+/// Each line is one write, so that the lines of several programs on one terminal don't mix.
 void write_line(std::string_view kind, std::string_view line) {
   std::string text = "whittle: ";
   text += kind;
   text += line;
-  // One line on the terminal, whatever a file name or an argument holds.
+  // Keep it one line, even if a file name or an argument has control characters.
   for (char& c : text) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
   }

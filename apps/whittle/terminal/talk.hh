@@ -11,7 +11,7 @@ enum class Volume {
   verbose  ///< also how each step went
 };
 
-/// What the program says on stderr, a line at a time, each beginning with "whittle: ".
+/// Prints lines on stderr. Each begins with "whittle: ".
 class Talk {
  public:
   explicit Talk(Volume volume) : volume_(volume) {}
@@ -22,7 +22,7 @@ class Talk {
   void detail(std::string_view line) const;
 
   bool is_verbose() const { return volume_ == Volume::verbose; }
-  /// Not when quiet, and only where stderr is a terminal.
+  /// True if stderr is a terminal that isn't dumb (`TERM`), unless quiet.
   bool shows_progress() const;
 
  private:

@@ -38,13 +38,13 @@ IndexedMesh as_mesh(std::span<const Segment> lines) {
   return mesh;
 }
 
-struct Sums {
+struct LineSums {
   double length = 0.0;        ///< Of the segments.
   double distance = 0.0;      ///< Integral over them, model units squared.
   double mean_of_each = 0.0;  ///< Sum of the segments' means, in case none has a length.
   double max_sq = 0.0;
 
-  void add(const Sums& other) {
+  void add(const LineSums& other) {
     length += other.length;
     distance += other.distance;
     mean_of_each += other.mean_of_each;
@@ -53,12 +53,12 @@ struct Sums {
 };
 
 /// The points of some lines against the lines in a tree.
-struct Direction {
+struct LineDirection {
   const TriangleTree& tree;
   double spacing;
   double noise_sq;
 
-  void measure(const Segment& segment, Index& hint, Sums& sums) const {
+  void measure(const Segment& segment, Index& hint, LineSums& sums) const {
     const Vec3 from = segment.from - tree.origin(), along = segment.to - segment.from;
     const double length = along.norm();
     const std::size_t intervals = length > spacing ? static_cast<std::size_t>(std::ceil(length / spacing)) : 1;
@@ -80,7 +80,7 @@ struct Direction {
   }
 
   DirectedLineDistance measure(std::span<const Segment> lines, unsigned threads) const {
-    std::vector<Sums> blocks((lines.size() + segments_per_block - 1) / segments_per_block);
+    std::vector<LineSums> blocks((lines.size() + segments_per_block - 1) / segments_per_block);
     for_each_block(blocks.size(), threads, [&](std::size_t block) {
       Index hint = invalid_index;
       const std::size_t begin = block * segments_per_block;
@@ -88,8 +88,8 @@ struct Direction {
         measure(segment, hint, blocks[block]);
       }
     });
-    Sums total;
-    for (const Sums& block : blocks) total.add(block);
+    LineSums total;
+    for (const LineSums& block : blocks) total.add(block);
     const double mean =
         total.length > 0.0 ? total.distance / total.length : total.mean_of_each / static_cast<double>(lines.size());
     return {mean, std::sqrt(total.max_sq)};
@@ -113,8 +113,8 @@ std::optional<LineDistance> line_distance(std::span<const Segment> reference, st
   const TriangleTree test_tree(test_mesh, reference_box.center());
 
   LineDistance result;
-  result.forward = Direction{test_tree, spacing, noise * noise}.measure(reference, options.threads);
-  result.backward = Direction{reference_tree, spacing, noise * noise}.measure(test, options.threads);
+  result.forward = LineDirection{test_tree, spacing, noise * noise}.measure(reference, options.threads);
+  result.backward = LineDirection{reference_tree, spacing, noise * noise}.measure(test, options.threads);
   result.mean = 0.5 * (result.forward.mean + result.backward.mean);
   result.max = std::max(result.forward.max, result.backward.max);
   return result;

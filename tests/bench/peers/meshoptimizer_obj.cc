@@ -6,8 +6,8 @@
 #include <cstring>
 #include <vector>
 
-// What somebody writes who has an OBJ file of triangles and meshoptimizer: the smallest program that does the same.
-// meshoptimizer_obj IN OUT RATIO; it trusts the file to be what it expects.
+// The smallest program that simplifies an OBJ file of triangles with meshoptimizer.
+// meshoptimizer_obj IN OUT RATIO; it does not check the file.
 
 int main(int argc, char** argv) {
   std::FILE* in = argc == 4 ? std::fopen(argv[1], "r") : nullptr;

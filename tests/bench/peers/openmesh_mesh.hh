@@ -11,11 +11,11 @@
 
 namespace whittle::bench {
 
-/// As most users of OpenMesh have it: coordinates in float.
+/// The usual OpenMesh mesh: coordinates in float.
 using OpenMeshMesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
-/// Makes the mesh. It holds its status bits itself: decimaters request them too, but give them back before what is
-/// deleted was collected.
+/// Makes the mesh and requests its status bits. Decimaters request them, too, but release them before the deleted
+/// elements are collected.
 /// \throw std::runtime_error if a half-edge mesh can't hold all faces
 inline void fill(OpenMeshMesh& mesh, const IndexedMesh& input) {
   require_none_refused(to_open_mesh(input, mesh, NonManifold::refuse).size(), input.faces.size());

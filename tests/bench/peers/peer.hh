@@ -20,29 +20,28 @@ class Peer {
   Peer(const Peer&) = delete;
   Peer& operator=(const Peer&) = delete;
 
-  /// Decimates until at most `n_faces` faces are left, by the peer's own defaults otherwise.
-  /// \param meter is started when the input is in the form that the peer takes, and stopped when the result is in the
-  ///        form that it gives
+  /// Decimates until at most `n_faces` faces are left, otherwise with the peer's own defaults.
+  /// \param meter is started when the input is in the peer's own form, and stopped when the result is in that form
   /// \throw std::runtime_error if the peer can't hold the mesh
   virtual IndexedMesh decimate(const IndexedMesh& input, std::size_t n_faces, Meter& meter) const = 0;
 
-  /// Name of the peer whose answer this one's must equal in every byte; empty = none.
+  /// Name of the peer whose answer this one's must equal byte for byte; empty = none.
   virtual std::string twin() const { return {}; }
-  /// Whether a wrong answer is a fault of Whittle's.
+  /// Whether a wrong answer is an error of Whittle.
   virtual bool is_ours() const { return false; }
 };
 
-/// The names `make_peer` knows, in the order of the table: those that were asked for when the benchmark was built.
-/// "whittle:N" is whittle on N threads, and so with "whittle-normal" and "whittle-best".
+/// The names `make_peer` knows, in the order of the table: the peers that this benchmark was built with. "whittle:N" is
+/// whittle on N threads; "whittle-normal:N" and "whittle-best:N" likewise.
 std::vector<std::string> peer_names();
 /// \throw std::invalid_argument for a name that isn't among them
 std::unique_ptr<Peer> make_peer(std::string_view name);
 
-/// As the program's.
+/// The same as in the program.
 enum class WhittleEffort { fast, normal, best };
 std::string_view name_of(WhittleEffort effort);
 
-// A file each; both of CGAL in one.
+// One file for each peer; cgal has two peers in one file.
 std::unique_ptr<Peer> make_whittle(WhittleEffort effort, unsigned threads);
 std::unique_ptr<Peer> make_meshoptimizer();
 std::unique_ptr<Peer> make_openmesh();

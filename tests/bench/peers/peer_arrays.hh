@@ -7,7 +7,7 @@
 
 #include "whittle/core/indexed_mesh.hh"
 
-// What several peers need to take arrays over and to give them back.
+// What several peers need to convert the arrays to their own form and back.
 
 namespace whittle::bench {
 
@@ -26,7 +26,7 @@ inline IndexedMesh without_unused_vertices(const IndexedMesh& mesh) {
   return result;
 }
 
-/// \throw std::runtime_error unless 0, for meshes that a half-edge structure can't hold
+/// \throw std::runtime_error unless n is 0, for meshes that a half-edge structure can't hold
 inline void require_none_refused(std::size_t n_refused, std::size_t n_faces) {
   if (n_refused == 0) return;
   throw std::runtime_error("it can't hold " + std::to_string(n_refused) + " of the " + std::to_string(n_faces) +

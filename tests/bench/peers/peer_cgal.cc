@@ -19,7 +19,7 @@ namespace sms = CGAL::Surface_mesh_simplification;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-/// CGAL's own predicates count edges, of which a contraction on a border takes others than one inside.
+/// CGAL's own predicates count edges. A contraction on a border removes fewer edges than one inside.
 struct StopAtFaces {
   std::size_t n_faces;
   template <class Cost, class Profile>

@@ -5,9 +5,8 @@
 #include "bench/peers/peer.hh"
 #include "bench/peers/peer_arrays.hh"
 
-// meshoptimizer's meshopt_simplify. Its input is positions in float and indices, its output indices in an array that
-// the caller provides: both are there before the clock starts. The error is not limited, so that the face count stops
-// it.
+// meshoptimizer's meshopt_simplify. Its input is positions in float and indices. Its output is indices in an array that
+// the caller provides. Both exist before the clock starts. The error is not limited: only the number of faces stops it.
 
 namespace whittle::bench {
 namespace {

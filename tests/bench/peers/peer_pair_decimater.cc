@@ -4,8 +4,8 @@
 #include "whittle/openmesh/mod_garland_heckbert.hh"
 #include "whittle/openmesh/pair_decimater.hh"
 
-// Whittle's decimater for OpenMesh meshes: from an OpenMesh mesh to the same mesh decimated and collected, on one
-// thread, with its defaults, which choose the engine.
+// Whittle's decimater for OpenMesh meshes, with garbage collection, on one thread. With its defaults it uses the engine
+// driver.
 
 namespace whittle::bench {
 namespace {

@@ -8,8 +8,7 @@
 #include "bench/peers/peer.hh"
 #include "bench/peers/peer_arrays.hh"
 
-// VTK's vtkQuadricDecimation with its defaults, on coordinates in double. It stops by the share of the faces taken
-// away.
+// VTK's vtkQuadricDecimation with its defaults, on coordinates in double. Its target is the share of faces to remove.
 
 namespace whittle::bench {
 namespace {

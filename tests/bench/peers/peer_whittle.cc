@@ -5,7 +5,7 @@
 #include "whittle/engine/decimate.hh"
 #include "whittle/polish/polish.hh"
 
-// Whittle's engine as the program runs it with --effort: optimal placement, every guard, counted rejections; and with a
+// Whittle's engine as the program runs it with --effort: optimal placement, all guards, counted refusals, and a
 // progress callback.
 
 namespace whittle::bench {

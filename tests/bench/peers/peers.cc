@@ -9,7 +9,7 @@ namespace {
 
 using Factory = std::function<std::unique_ptr<Peer>()>;
 
-/// WHITTLE_BENCH_HAS_… comes from CMake.
+/// CMake defines WHITTLE_BENCH_HAS_….
 const std::vector<std::pair<std::string, Factory>>& factories() {
   static const std::vector<std::pair<std::string, Factory>> all = {
       {"whittle", [] { return make_whittle(WhittleEffort::fast, 1); }},
@@ -34,7 +34,7 @@ const std::vector<std::pair<std::string, Factory>>& factories() {
   return all;
 }
 
-/// Whittle on so many threads, for "NAME:N" with one of its names; null for any other name.
+/// Whittle on N threads, for "NAME:N" with one of its names; null for any other name.
 std::unique_ptr<Peer> whittle_on_threads(std::string_view name) {
   const std::size_t colon = name.find(':');
   if (colon == name.npos) return nullptr;

@@ -7,7 +7,7 @@ enum class Clock {
   cpu  ///< of all threads together, user and system
 };
 
-/// As the rows name it.
+/// The name that the rows give it.
 constexpr const char* to_string(Clock clock) { return clock == Clock::wall ? "wall" : "cpu"; }
 
 }  // namespace whittle::bench

@@ -22,11 +22,11 @@ namespace {
 
 using Time = std::chrono::steady_clock::time_point;
 
-// The first character of what is sent; the rest is the result, or what went wrong.
+// The first character of the message. The rest is the result, or the error.
 constexpr char done = '+';
 constexpr char failed = '-';
 
-/// \return whether all of it was taken
+/// \return whether everything was written
 bool send(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t n = write(descriptor, bytes.data(), bytes.size());
@@ -37,7 +37,7 @@ bool send(int descriptor, std::string_view bytes) {
   return true;
 }
 
-/// The forked process's side. It ends without the usual cleaning up, which belongs to its parent.
+/// Runs in the forked process. It ends by `_exit`: the cleaning up belongs to its parent.
 [[noreturn]] void work_and_send(const std::function<std::string()>& work, int descriptor) {
   malloc_trim(0);
   std::string message;
@@ -49,7 +49,7 @@ bool send(int descriptor, std::string_view bytes) {
   _exit(send(descriptor, message) ? 0 : 1);
 }
 
-/// \return false when the time is over
+/// \return false after the deadline
 bool wait_for_bytes(int descriptor, Time deadline) {
   while (true) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
@@ -60,11 +60,11 @@ bool wait_for_bytes(int descriptor, Time deadline) {
   }
 }
 
-/// All until the other end is closed; nothing when the time is over before.
+/// Everything until the other end is closed; nothing after the deadline.
 std::optional<std::string> receive(int descriptor, Time deadline) {
   std::string bytes;
   while (wait_for_bytes(descriptor, deadline)) {
-    constexpr std::size_t piece = 1 << 16;  // as much as a pipe holds
+    constexpr std::size_t piece = 1 << 16;  // the capacity of a pipe
     const std::size_t size = bytes.size();
     bytes.resize(size + piece);
     const ssize_t n = read(descriptor, bytes.data() + size, piece);

@@ -15,7 +15,7 @@ double now_ms(clockid_t clock) {
   return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
 }
 
-/// A line of /proc/self/status that is given in kB: "VmRSS:", "VmHWM:".
+/// The value of a line of /proc/self/status in kB: "VmRSS:", "VmHWM:".
 std::optional<std::uint64_t> status_bytes(const std::string& key) {
   std::ifstream status("/proc/self/status");
   std::string word;
@@ -26,7 +26,7 @@ std::optional<std::uint64_t> status_bytes(const std::string& key) {
   return std::nullopt;
 }
 
-/// From now on "VmHWM:" is the greatest resident size since now.
+/// Resets "VmHWM:": it becomes the greatest resident size from now on.
 bool reset_peak() {
   std::ofstream clear_refs("/proc/self/clear_refs");
   clear_refs << '5' << std::flush;

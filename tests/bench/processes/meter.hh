@@ -6,14 +6,14 @@
 
 namespace whittle::bench {
 
-/// Measures what a peer does between `start()` and `stop()`, which it calls once each, around the decimation alone:
-/// what it does before and after, to take the arrays over and to give them back, doesn't count.
+/// Measures a peer between `start()` and `stop()`. The peer calls each once, around the decimation alone. Converting
+/// the arrays before and after doesn't count.
 class Meter {
  public:
   enum class Memory {
     ignored,
-    /// Gives freed memory back to the system at the start, so that all of what is used counts as new. A peer that
-    /// meets its own freed memory is faster.
+    /// Returns freed memory to the system at the start, so that all memory used counts as new. A peer that reuses its
+    /// own freed memory is faster.
     watched
   };
   explicit Meter(Memory memory = Memory::ignored) : memory_(memory) {}
@@ -22,10 +22,10 @@ class Meter {
   void stop();
 
   double wall_ms() const { return wall_ms_; }
-  /// Of all threads of the process, user and system.
+  /// Processor time of all threads of the process, user and system.
   double cpu_ms() const { return cpu_ms_; }
-  /// Greatest resident size since the start, beyond the one at the start; none unless watched, or where the system
-  /// doesn't tell it.
+  /// Greatest resident size since the start, less that at the start. None unless watched, or if the system doesn't
+  /// report it.
   std::optional<std::uint64_t> peak_bytes() const { return peak_bytes_; }
 
  private:

@@ -17,13 +17,13 @@
 namespace whittle::bench {
 namespace {
 
-constexpr int cannot_start = 127;  // as the shell has it
+constexpr int cannot_start = 127;  // the shell's exit status
 
 [[noreturn]] void become(const std::vector<std::string>& command, const std::filesystem::path& log, double limit_s) {
   const int input = open("/dev/null", O_RDONLY);
   const int output = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
   if (input < 0 || output < 0 || dup2(input, 0) < 0 || dup2(output, 1) < 0 || dup2(output, 2) < 0) _exit(cannot_start);
-  // The alarm goes over to the new program, which doesn't expect it and ends.
+  // The alarm outlives exec: SIGALRM ends the new program.
   itimerval limit{};
   limit.it_value.tv_sec = static_cast<time_t>(std::ceil(limit_s));
   setitimer(ITIMER_REAL, &limit, nullptr);

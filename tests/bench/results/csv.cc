@@ -6,7 +6,7 @@
 namespace whittle::bench {
 namespace {
 
-/// Quoted where it has to be.
+/// Quoted if CSV needs it.
 std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";

@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::string_view permuted_suffix = "/permuted";
 
-/// What the names of meshes that differ in size alone have in common: "sphere" of "sphere-70k".
+/// The common part of the names of meshes that differ in size only: "sphere" of "sphere-70k".
 std::string family_of(const std::string& mesh) {
   const std::size_t dash = mesh.rfind('-');
   return dash == std::string::npos ? mesh : mesh.substr(0, dash);
 }
 
-/// A name in the order in which rows have it first.
+/// The different names, in order of first appearance.
 std::vector<std::string> names_of(const std::vector<Row>& rows, std::string Row::*member) {
   std::vector<std::string> names;
   for (const Row& row : rows)

@@ -10,7 +10,7 @@
 namespace whittle::bench {
 namespace {
 
-/// Tenths where they say something.
+/// One decimal for small numbers, none for large ones.
 std::string ms_text(double ms) { return formatted(ms < 100 ? "%.1f" : "%.0f", ms); }
 
 /// Adds min, median and max, or `none` three times.
@@ -24,7 +24,7 @@ void add_spread(std::vector<std::string>& cells, const std::vector<double>& ms, 
   for (const double value : {spread.min, spread.median, spread.max}) cells.push_back(to_text(value));
 }
 
-/// What is to be said of the answer.
+/// The text of the column `answer`.
 std::string remark(const Row& row) {
   if (!row.problem.empty()) return row.problem;
   return row.answer && !row.answer->defect.empty() ? row.answer->defect : "ok";

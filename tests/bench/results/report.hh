@@ -20,11 +20,11 @@ struct Row {
   std::size_t n_faces = 0;   ///< of the input
   std::size_t n_wanted = 0;  ///< of the result
   std::optional<Answer> answer;
-  std::vector<double> ms;  ///< a number a round; empty unless the answer counts
+  std::vector<double> ms;  ///< one number per round; empty unless the answer counts
   std::optional<double> ratio_to_meshoptimizer;
   std::optional<double> ratio_to_whittle;
-  std::optional<double> peak_bytes_per_face;  ///< face of the input
-  std::string problem;                        ///< why it has no times
+  std::optional<double> peak_bytes_per_face;  ///< per face of the input
+  std::string problem;                        ///< why there are no times
 };
 
 /// What all rows of a run share.
@@ -34,7 +34,7 @@ struct Setting {
   std::string commit;
 };
 
-/// The rows of one mesh, for people.
+/// The rows of one mesh, as a table to read.
 std::string to_text(const std::vector<Row>& rows);
 
 /// A comma-separated file with a header line. Rows are in the file as soon as they are added.

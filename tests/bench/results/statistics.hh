@@ -12,7 +12,7 @@ struct Spread {
 /// \pre at least one value
 Spread spread_of(std::vector<double> values);
 
-/// Median of a[i] / b[i], round by round; the quotient of the medians where one of them was timed in fewer rounds.
+/// Median of a[i] / b[i] over the rounds; quotient of the medians if one of them has fewer rounds.
 /// \pre both have at least one value
 double median_ratio(const std::vector<double>& a, const std::vector<double>& b);
 

@@ -23,11 +23,11 @@ constexpr double top = 50;
 constexpr double bottom = 460;
 constexpr double legend_step = 22;
 
-// Okabe and Ito's, without the yellow that is lost on white; told apart by people who don't see all colours.
+// The colours of Okabe and Ito, for the colour-blind. Yellow is left out: it can't be seen on white.
 constexpr std::array<const char*, 7> colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                 "#e69f00", "#56b4e9", "#888888"};
 
-/// 1, 2 and 5 times the powers of ten, from the last one at or below `low` to the first one at or above `high`.
+/// 1, 2 and 5 times powers of ten, from the last one at or below `low` to the first one at or above `high`.
 std::vector<double> ticks_around(double low, double high) {
   constexpr double rounding = 1e-9;
   std::vector<double> ticks;
@@ -41,7 +41,7 @@ std::vector<double> ticks_around(double low, double high) {
   }
 }
 
-/// From values to pixels, by their logarithms.
+/// Maps values to pixels on a logarithmic scale.
 struct Axis {
   std::vector<double> ticks;
   double begin;  ///< pixel of the first tick
@@ -66,7 +66,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// The elements of a drawing, as text; coordinates in tenths of a pixel.
+/// Collects the elements of a drawing as text. Coordinates have one decimal.
 class Drawing {
  public:
   Drawing() {
@@ -92,7 +92,7 @@ class Drawing {
     out_ << "\"/>\n";
   }
 
-  /// A square, a diamond, a triangle, or one that stands on its tip. \param title shown under the mouse
+  /// A square, a diamond, a triangle, or an inverted triangle. \param title tooltip
   void add_marker(double x, double y, std::size_t series, const std::string& title) {
     constexpr double m = 5;
     using Corners = std::vector<std::array<double, 2>>;
@@ -143,7 +143,7 @@ void draw(Drawing& drawing, const ChartSeries& series, std::size_t i, const Axis
   drawing.add_text(right + 36, legend_y + 4, "start", series.name);
 }
 
-/// The series with what can be drawn of them.
+/// The series, with only those points that can be drawn.
 std::vector<ChartSeries> drawable(const std::vector<ChartSeries>& all) {
   std::vector<ChartSeries> result;
   for (ChartSeries series : all) {

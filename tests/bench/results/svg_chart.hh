@@ -9,8 +9,8 @@ namespace whittle::bench {
 struct ChartPoint {
   double x;
   double y;
-  std::string name;  ///< shown under the mouse
-  std::string line;  ///< points of one series with the same word here are joined, by ascending x; empty: none
+  std::string name;  ///< tooltip
+  std::string line;  ///< points of one series with the same word here are joined in order of x; empty: not joined
 };
 
 struct ChartSeries {
@@ -26,9 +26,9 @@ struct Chart {
   std::vector<ChartSeries> series;
 };
 
-/// As an SVG file, readable on white and on black. Points that aren't above 0 are left out, and so are series without
-/// points; a chart without any isn't written.
-/// \return whether it was
+/// Writes an SVG file, readable on white and on black. Points with a value of 0 or below are left out, and so are
+/// series without points. A chart without series isn't written.
+/// \return whether the file was written
 /// \throw std::runtime_error if the file can't be written
 bool write_svg(const std::filesystem::path& path, const Chart& chart);
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <cstring>
 
-/// FNV-1a over the bits of what it is given: equal results have equal digests.
+/// FNV-1a over the bits of its arguments: equal results have equal digests.
 class Digest {
  public:
   void add(double x) {

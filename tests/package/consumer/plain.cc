@@ -1,4 +1,4 @@
-// A program of another project, without OpenMesh: decimates a torus, writes it, reads it again and looks at it.
+// A program of another project, without OpenMesh: decimates a torus, writes it, reads it again and checks it.
 #include <cstdint>
 #include <cstdio>
 #include <cstring>

@@ -57,7 +57,7 @@ TEST(EdgeTable, HasEachEdgeOnceWithItsSides) {
 }
 
 TEST(EdgeTable, TellsWhichEdgesAreRegular) {
-  const std::vector<Triangle> faces{{0, 1, 2}, {1, 0, 3}, {1, 2, 3}};  // the last one runs along 1-2 as the first does
+  const std::vector<Triangle> faces{{0, 1, 2}, {1, 0, 3}, {1, 2, 3}};  // 1-2 runs the same way in first and last
   const EdgeTable edges(faces, 4);
   ASSERT_EQ(edges.size(), 6U);
   std::vector<VertexPair> regular;

@@ -30,7 +30,7 @@ TEST(FeatureEdges, OfACubeAreItsTwelve) {
 TEST(FeatureEdges, OfASmoothSurfaceThereAreNone) {
   EXPECT_TRUE(feature_edges(sphere(3), 20).empty());
   EXPECT_TRUE(feature_edges(torus(40, 30), 20).empty());
-  EXPECT_TRUE(feature_edges(grid(4, 4), 1).empty());  // its border is none
+  EXPECT_TRUE(feature_edges(grid(4, 4), 1).empty());  // border edges are not features
 }
 
 TEST(FeatureEdges, DoNotDependOnWhichSideFacesShow) {
@@ -56,10 +56,10 @@ TEST(FeatureEdges, DoNotDependOnTheUnitNorThePlace) {
 
 TEST(FeatureEdges, OfFacesWithoutAreaThereAreNone) {
   IndexedMesh mesh = cube();
-  mesh.faces.push_back({0, 0, 1});  // left out
+  mesh.faces.push_back({0, 0, 1});  // left out: collapsed
   EXPECT_EQ(feature_edges(mesh, 40).size(), 12U);
 
-  // A wedge with a face without area along its ridge: neither edge of that is between two normals.
+  // A wedge with a face without area along its ridge. Neither edge of that face lies between two normals.
   IndexedMesh wedge = two_triangles();
   ASSERT_EQ(feature_edges(wedge, 5).size(), 1U);
   const auto [a, b] = feature_edges(wedge, 5).front();
@@ -73,7 +73,7 @@ TEST(FeatureEdges, OfFacesWithoutAreaThereAreNone) {
 TEST(FeatureEdges, HaveExactlyTwoFaces) {
   EXPECT_TRUE(feature_edges(three_faces_on_an_edge(), 5).empty());
   EXPECT_TRUE(feature_edges(single_triangle(), 5).empty());
-  EXPECT_EQ(feature_edges(pillow(), 179).size(), 3U);  // its sides are back to back
+  EXPECT_EQ(feature_edges(pillow(), 179).size(), 3U);  // its two sides are back to back
   EXPECT_TRUE(feature_edges(pillow(), 180).empty());
 }
 

@@ -1,4 +1,4 @@
-// The formulas for several at once, held against themselves for one: each lane gets the same bits.
+// Formulas for several pairs at once, compared with the same formulas for one: each lane gets the same bits.
 #include "whittle/core/detail/lanes.hh"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ class Lanes : public testing::Test {
 using Widths = testing::Types<Double2, Double4>;
 TYPED_TEST_SUITE(Lanes, Widths, );
 
-/// Of small whole numbers, so that faces without area are among the faces made of them.
+/// Small integers, so some of the faces have no area.
 Vec3 random_point(Random& random) {
   const auto coordinate = [&] { return static_cast<double>(random.below(7)) - 3; };
   const double x = coordinate();
@@ -72,7 +72,7 @@ TYPED_TEST(Lanes, PairMinimaAreTheSame) {
     for (std::size_t k = 0; k < TestFixture::n; ++k) {
       const auto one = pair_minimum(first[k], second[k]);
       ASSERT_EQ(one.is_near, all.is_near[k] != 0);
-      if (!one.is_near) continue;  // divided by nothing, perhaps
+      if (!one.is_near) continue;  // the divisor may be 0
       ++n_near;
       ASSERT_EQ(one.value, all.value[k]);
       ASSERT_EQ(Vec3(one.x, one.y, one.z), Vec3(all.x[k], all.y[k], all.z[k]));

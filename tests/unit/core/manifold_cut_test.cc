@@ -24,7 +24,7 @@ using testing::IsEmpty;
 
 ManifoldCut cut(const IndexedMesh& mesh) { return cut_into_manifold(mesh.positions.size(), mesh.faces); }
 
-/// Faces of the cut as they were before it.
+/// The faces of the cut mesh with the vertices they had before the cut.
 std::vector<Triangle> rejoined(const ManifoldCut& cut, std::size_t n_vertices) {
   std::vector<Triangle> faces = cut.faces;
   for (Triangle& face : faces) {
@@ -37,8 +37,8 @@ std::vector<Triangle> rejoined(const ManifoldCut& cut, std::size_t n_vertices) {
 
 using Corner = std::pair<Index, Index>;  // a face and one of its vertices
 
-/// The fans at every vertex by their definition: for each corner, the lowest one of its fan. By sets that grow until
-/// nothing changes.
+/// The fans at every vertex by their definition: for each corner, the lowest corner of its fan. Sets grow until nothing
+/// changes.
 std::map<Corner, Corner> fans_by_definition(const IndexedMesh& mesh) {
   std::map<std::pair<Index, Index>, std::vector<Index>> faces_from;  // by directed edge
   std::map<Corner, Corner> lowest;
@@ -89,7 +89,7 @@ void expect_cut_by_definition(const IndexedMesh& mesh, const std::string& name) 
   EXPECT_EQ(fan_of.size(), fans.size()) << name << ": a fan with two vertices";
 }
 
-/// With what spoils a mesh: random faces of it doubled, turned over, pinched together or missing.
+/// Adds defects to a mesh: random faces are doubled, reversed, pinched together or removed.
 IndexedMesh spoilt(const IndexedMesh& mesh, std::uint64_t seed) {
   Random random(seed);
   IndexedMesh result;
@@ -183,7 +183,7 @@ TEST(OppositeSides, ArePairsThatRunBothWaysAlongAnEdge) {
   const std::vector<Triangle> faces{{0, 1, 2}, {1, 0, 3}, {3, 3, 2}, {2, 1, 4}, {1, 2, 5}, {5, 2, 0}};
   const std::vector<Index> opposite = opposite_sides(6, faces);
   const Index none = invalid_index;
-  EXPECT_THAT(opposite, ElementsAre(3, none, none, 0, none, none, none, none, none,  // 1 2 has three faces
+  EXPECT_THAT(opposite, ElementsAre(3, none, none, 0, none, none, none, none, none,  // edge 1 2 has three faces
                                     none, none, none, none, 15, none, 13, none, none))
       << "2 0 is run along twice the same way";
 }

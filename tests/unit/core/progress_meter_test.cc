@@ -42,7 +42,7 @@ TEST(ProgressMeter, IsSilentWithoutACallback) {
   meter.finish();
 }
 
-/// The calling thread alone reports; all threads stop.
+/// Only the calling thread reports; all threads stop.
 TEST(ProgressMeter, CancelsWorkOnAllThreads) {
   for (const unsigned threads : {1U, 2U, 8U}) {
     SCOPED_TRACE(threads);

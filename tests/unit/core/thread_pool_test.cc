@@ -9,7 +9,7 @@ namespace {
 
 class ThreadPoolOf : public testing::TestWithParam<unsigned> {};
 
-/// Thousands of short jobs one after the other, each element met once and all of them when the call returns.
+/// Thousands of short jobs in succession. Each element is visited once, and all of them before the call returns.
 TEST_P(ThreadPoolOf, MeetsEachElementOnce) {
   ThreadPool pool(GetParam());
   std::vector<int> n_met(1000);

@@ -12,18 +12,19 @@
 #include "support/transforms.hh"
 #include "whittle/engine/decimate.hh"
 
-// What no result may depend on, whatever ranks and places contractions.
+// Results must not depend on these, for any cost and any placement.
 
 namespace whittle::test {
 namespace {
 
 struct Setting {
   std::string name;
-  double dimension;  ///< the power of a length that is the cost's unit
+  double dimension;  ///< the unit of the cost is a length to this power
   DecimateOptions options;
 
-  /// In an approximate order some contractions depend on which costs share a bucket, which is so only in units that
-  /// differ by powers of two, and on which of two edges that become one lives on, which their vertices' numbers decide.
+  /// In an approximate order some contractions depend on which costs share a bucket. That changes in all units except
+  /// those that differ by powers of two. They also depend on which of two merged edges lives on; the vertices' numbers
+  /// decide that.
   bool has_exact_order() const { return options.cost != Cost::memoryless || options.order == Order::exact; }
 };
 
@@ -79,28 +80,28 @@ class CostInvariance : public testing::TestWithParam<Setting> {
     decimate(mesh, DecimateTarget::faces(mesh.faces.size() / 10), options);
     return done;
   }
-  /// \param unit how long the mesh there calls what is 1 here
+  /// \param unit length in `there` of what is 1 in `here`
   static void expect_same(const std::vector<Contraction>& here, const std::vector<Contraction>& there, double unit) {
     ASSERT_EQ(there.size(), here.size());
     const double cost_unit = std::pow(unit, GetParam().dimension);
     for (std::size_t i = 0; i < here.size(); ++i) {
       ASSERT_EQ(there[i].survivor, here[i].survivor) << i;
       ASSERT_EQ(there[i].removed, here[i].removed) << i;
-      // Of lengths of about 1, and of coordinates that were moved, the rounding; grown by some hundred contractions.
+      // Rounding at lengths of about 1 and at moved coordinates, grown over some hundred contractions.
       ASSERT_NEAR(there[i].cost / cost_unit, here[i].cost, 1e-6 * here[i].cost + 1e-13) << i;
     }
   }
 };
 
-/// With every vertex moved a little at random: over an even grid a vertex may change the volume as much by going one
-/// way as by going another.
+/// Moves every vertex a little at random. On an even grid, opposite moves of a vertex may change the volume by the same
+/// amount.
 IndexedMesh shaken(IndexedMesh mesh, double amplitude) {
   Random random(14);
   for (Vec3& p : mesh.positions) p += random.uniform_vector(-amplitude, amplitude);
   return mesh;
 }
 
-/// No two costs are within rounding of each other.
+/// Meshes without two costs that differ by rounding only.
 std::vector<std::pair<std::string, IndexedMesh>> rough_meshes() {
   return {{"noisy_sphere", noisy_sphere(3, 0.03, 10)},
           {"noisy_grid", shaken(noisy_grid(20, 16, 0.3, 11), 0.1)},
@@ -162,7 +163,7 @@ TEST_P(ExactCostInvariance, OtherUnitsGiveTheSameContractions) {
   }
 }
 
-/// Survivors are other ones, for those are the vertices of higher numbers.
+/// The survivors are different ones, because vertices with higher numbers survive.
 TEST_P(ExactCostInvariance, AnotherOrderOfVerticesAndFacesGivesTheSameSurface) {
   for (const auto& [name, mesh] : rough_meshes()) {
     SCOPED_TRACE(name);

@@ -5,7 +5,7 @@
 #include "whittle/engine/formula/edge_length_term.hh"
 #include "whittle/engine/formula/valence_term.hh"
 
-// What costs and guards say of one pair, or of one triangle.
+// What costs and guards give for a single pair or a single triangle.
 
 namespace whittle::test {
 namespace {
@@ -16,7 +16,7 @@ PlacedQuadric random_vertex(Random& random) {
   return vertex;
 }
 
-/// In another unit: areas times squared distances, as quadrics are with area weights.
+/// A cost in another unit: areas times squared distances, like area-weighted quadrics.
 PlacedQuadric in_unit(const PlacedQuadric& vertex, double unit) {
   const auto& [a, b, c] = vertex.quadric;
   const double area = unit * unit;
@@ -103,7 +103,7 @@ TEST(Isotropic, HasTheUnitItSays) {
 
 // Valences ------------------------------------------------------------------------------------------------------------
 
-/// An inner edge: before and after, the pair's valences and the wings'.
+/// The valences of an inner edge's ends and wings, before and after.
 ValenceChange inner_edge(int a, int b, int wing, int other_wing) {
   ValenceChange change;
   for (const int valence : {a, b, wing, other_wing}) change.add_before(valence, false);
@@ -117,14 +117,14 @@ TEST(ValenceChange, FiveToSevenAreAsGoodAsSix) {
 }
 
 TEST(ValenceChange, CostsWhatIrregularityItAdds) {
-  EXPECT_EQ(inner_edge(6, 6, 6, 6).penalize(3, 0.5), 3 * 1.5);  // 8 edges: irregular by 1
-  EXPECT_EQ(inner_edge(7, 7, 6, 6).penalize(3, 0.5), 3 * 2.5);  // 10: by 3
-  EXPECT_EQ(inner_edge(6, 6, 5, 5).penalize(3, 0.5), 3 * 2.5);  // 8, and two of 4
+  EXPECT_EQ(inner_edge(6, 6, 6, 6).penalize(3, 0.5), 3 * 1.5);  // merged vertex of 8 edges: irregular by 1
+  EXPECT_EQ(inner_edge(7, 7, 6, 6).penalize(3, 0.5), 3 * 2.5);  // 10 edges: irregular by 3
+  EXPECT_EQ(inner_edge(6, 6, 5, 5).penalize(3, 0.5), 3 * 2.5);  // 8 edges, and two wings of 4
 }
 
 TEST(ValenceChange, IsPaidForWhatIrregularityItTakesAway) {
   EXPECT_EQ(inner_edge(5, 5, 8, 6).penalize(3, 0.5), 3 / 1.5);
-  EXPECT_EQ(inner_edge(4, 5, 8, 9).penalize(3, 0.5), 3 / 2.5);  // 1 + 0 + 1 + 2 before; 5, 7 and 8 after
+  EXPECT_EQ(inner_edge(4, 5, 8, 9).penalize(3, 0.5), 3 / 2.5);  // irregular by 1 + 0 + 1 + 2; then 5, 7 and 8
 }
 
 TEST(ValenceChange, OfNoWeightChangesNothing) { EXPECT_EQ(inner_edge(9, 9, 6, 6).penalize(3, 0), 3); }
@@ -133,9 +133,9 @@ TEST(ValenceChange, OnABorderFourIsRegular) {
   ValenceChange change;
   for (const int valence : {3, 4, 5}) change.add_before(valence, true);
   EXPECT_EQ(change.penalize(3, 1), 3);
-  change.add_after(6, true);  // by 1
+  change.add_after(6, true);  // irregular by 1
   EXPECT_EQ(change.penalize(3, 1), 6);
-  change.add_before(1, true);  // by 2
+  change.add_before(1, true);  // irregular by 2
   EXPECT_EQ(change.penalize(3, 1), 1.5);
 }
 

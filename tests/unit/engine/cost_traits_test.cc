@@ -22,7 +22,7 @@ std::string message_of(const DecimateOptions& options) {
   return {};
 }
 
-/// An option that a cost may refuse, and why.
+/// An option that a cost may refuse, and the reason.
 struct Option {
   std::string name;
   std::string_view CostConflicts::*why;

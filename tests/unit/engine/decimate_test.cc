@@ -20,7 +20,7 @@ namespace {
 DecimateTarget faces(std::uint64_t n) { return DecimateTarget::faces(n); }
 
 TEST(Decimate, StopsAtTheFirstCountNotAboveTheTarget) {
-  const IndexedMesh mesh = blob(3, 1);  // closed: faces go in twos
+  const IndexedMesh mesh = blob(3, 1);  // closed: faces vanish in twos
   for (const std::uint64_t target : {1279U, 1001U, 1000U, 300U, 51U}) {
     const Decimation d = decimate(mesh, faces(target));
     EXPECT_EQ(d.result.n_faces, target - target % 2) << "target " << target;
@@ -116,7 +116,7 @@ TEST(Decimate, NeverMakesANonManifoldMeshWorse) {
     EXPECT_LE(after.nonmanifold_edges, before.nonmanifold_edges);
     EXPECT_LE(after.nonmanifold_vertices, before.nonmanifold_vertices);
     EXPECT_LE(after.border_edges, before.border_edges);
-    EXPECT_EQ(after.components, before.components);  // but duplicates of faces may go, and with them the Euler number
+    EXPECT_EQ(after.components, before.components);  // duplicate faces may vanish, which changes the Euler number
   }
 }
 
@@ -176,10 +176,10 @@ std::vector<DecimateOptions> endpoint_options() {
 }
 
 TEST(Decimate, UnderEndpointPlacementEachVertexLiesAtItsOrigin) {
-  for (const auto& entry : endpoint_meshes()) {  // named apart: Clang 14 captures no structured binding
+  for (const auto& entry : endpoint_meshes()) {  // no structured binding: Clang 14 can't capture one
     const IndexedMesh& mesh = entry.mesh;
     SCOPED_TRACE(entry.name);
-    std::size_t n_lower = 0;  // merged vertices that are the lower one of two
+    std::size_t n_lower = 0;  // number of survivors with the lower number
     for (DecimateOptions options : endpoint_options()) {
       options.listener = [&](const Contraction& c) {
         EXPECT_EQ(c.position, mesh.positions[c.survivor]);
@@ -257,7 +257,7 @@ TEST(Decimate, OriginsGoThroughFromTheInput) {
   for (Index v = 0; v < mesh.positions.size(); ++v) mesh.origins.push_back(3 * v + 5);
   const Decimation d = decimate(mesh, faces(100));
   for (Index v = 0; v < mesh.positions.size(); ++v) {
-    if (d.mesh.origins[d.vertex_map[v]] == mesh.origins[v]) return;  // at least the survivors
+    if (d.mesh.origins[d.vertex_map[v]] == mesh.origins[v]) return;  // true of every vertex that survives
   }
   FAIL() << "no origin of the input is left";
 }
@@ -425,7 +425,7 @@ TEST(DecimateInvariance, PowersOfTwoAsTheUnitChangeNoBit) {
 }
 
 TEST(DecimateInvariance, OtherUnitsTurnsAndPlacesGiveTheSameContractions) {
-  // Random heights, so that no two costs are within rounding of each other.
+  // Random heights, so no two costs differ by rounding only.
   const IndexedMesh mesh = noisy_sphere(4, 0.02, 10);
   const std::vector<Contraction> here = contractions(mesh);
   for (const double factor : {1000.0, 0.001})
@@ -444,7 +444,7 @@ TEST(DecimateInvariance, AnotherOrderOfVerticesAndFacesGivesTheSameSurface) {
   for (Index v = 0; v < other.old_vertex.size(); ++v) {
     const Vec3& p = there.mesh.positions[there.vertex_map[v]];
     const Vec3& q = here.mesh.positions[here.vertex_map[other.old_vertex[v]]];
-    // Sums in another order: rounding, amplified by the condition of the solve (1 / regularisation at worst).
+    // Sums in another order: rounding, amplified by the condition of the solve (at most 1 / regularisation).
     ASSERT_NEAR((p - q).norm(), 0, 1e-6) << "vertex " << v;
   }
 }

@@ -7,7 +7,7 @@
 namespace whittle::test {
 namespace {
 
-/// The corner of a face over the edge (x, y), turned by an angle about it.
+/// The third corner of a face over the edge (x, y), rotated about that edge by an angle.
 Vec3 turned_corner(double angle_deg) {
   const double angle = angle_deg * std::numbers::pi / 180;
   return Vec3(0.3, std::cos(angle), std::sin(angle));

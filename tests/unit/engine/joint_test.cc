@@ -22,7 +22,7 @@ DecimateOptions with_threshold(double threshold) {
   return options;
 }
 
-/// The cube (±1)³ and its image in a mirror beside it.
+/// The cube (±1)³ and its mirror image beside it.
 IndexedMesh mirrored_cubes(double gap) {
   IndexedMesh image = inside_out(cube());
   for (Vec3& p : image.positions) p.x() = 2 + gap - p.x();
@@ -113,7 +113,7 @@ TEST(FreeTopology, ClosesTunnels) {
   const IndexedMesh mesh = torus(24, 6, 1.0, 0.1);
   const DecimateTarget target = DecimateTarget::faces(12);
   const Decimation kept = decimate(mesh, target);
-  EXPECT_GT(kept.mesh.faces.size(), target.n_faces());  // a torus has 14 faces at least
+  EXPECT_GT(kept.mesh.faces.size(), target.n_faces());  // a torus has at least 14 faces
   const Decimation d = decimate(mesh, target, options);
   EXPECT_LE(d.mesh.faces.size(), target.n_faces());
   EXPECT_GT(d.mesh.faces.size(), 0U);
@@ -136,7 +136,7 @@ TEST(Joint, ResultsDoNotDependOnThreads) {
 
 // Anything against brute force ----------------------------------------------------------------------------------------
 
-/// Small sets of triangles of every kind, with options of every kind.
+/// Small random sets of triangles with random options.
 struct RandomCase {
   explicit RandomCase(std::uint64_t seed) : random(seed) {
     mesh = random_mesh(seed);
@@ -261,7 +261,7 @@ std::vector<Triangle> in_one_order(std::vector<Triangle> faces) {
   return faces;
 }
 
-/// In the input's numbers.
+/// In the input's vertex numbers.
 std::vector<std::pair<Index, Index>> features_of(const Decimation& d) {
   std::vector<std::pair<Index, Index>> features;
   for (const auto& [a, b] : d.feature_edges) features.push_back(std::minmax(d.mesh.origins[a], d.mesh.origins[b]));
@@ -309,7 +309,7 @@ TEST_F(RandomTriangles, AreContractedAsByBruteForce) {
     expect_as_by_brute_force(c);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(n_joined_, 1000U);  // or this would be about nothing
+  EXPECT_GT(n_joined_, 1000U);  // make sure that the test meets joints
   EXPECT_GT(n_coincident_, 1000U);
   EXPECT_GT(n_features_, 1000U);
 }

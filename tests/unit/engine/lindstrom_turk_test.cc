@@ -22,14 +22,14 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Faces and border edges around a pair, in coordinates of their own.
+/// Faces and border edges around a pair, in local coordinates.
 struct Neighbourhood {
   Vec3 first, second;
   std::vector<std::array<Vec3, 3>> faces;
   std::vector<std::pair<Vec3, Vec3>> border;
   std::vector<Vec3> neighbours;
 
-  /// About the origin.
+  /// Sums about the origin.
   VolumeSums volume() const {
     VolumeSums sums;
     for (const auto& [p, q, r] : faces) {
@@ -53,7 +53,7 @@ struct Neighbourhood {
     return term.evaluate(pinned);
   }
 
-  /// Volumes and areas as they are defined.
+  /// Volumes and areas by their definitions.
   double signed_volume(const Vec3& x) const {
     double sum = 0;
     for (const auto& [p, q, r] : faces) sum += (p - x).dot((q - x).cross(r - x)) / 6;
@@ -77,9 +77,9 @@ struct Neighbourhood {
   double objective(const Vec3& x) const {
     return 0.5 * sum_of_squared_volumes(x) + 0.5 * (second - first).squaredNorm() * sum_of_squared_areas(x);
   }
-  /// What a cost has beside.
+  /// The regularisation term of the cost.
   double spread(const Vec3& x) const {
-    double sum = 0;  // of the squares of areas
+    double sum = 0;  // sum of squared areas
     for (const auto& [p, q, r] : faces) sum += (0.5 * (q - p).cross(r - p)).squaredNorm();
     const double mean_distance_sq = 0.5 * ((x - first).squaredNorm() + (x - second).squaredNorm());
     return 0.5 * lindstrom_turk_regularization * sum / 9 * mean_distance_sq;
@@ -96,8 +96,9 @@ struct Neighbourhood {
   }
 };
 
-/// A pair (−½, 0, 0), (½, 0, 0), its neighbours on a rough ring around it; or on a part of one, the ends of which are
-/// on a border with the pair: then their edges to it and the pair are border edges.
+/// A pair (−½, 0, 0), (½, 0, 0) with its neighbours on a rough ring around it. On a border the neighbours form only a
+/// part of a ring. Its ends are on the border with the pair, so the edges from them to the pair and the pair's edge are
+/// border edges.
 Neighbourhood rough(Random& random, bool on_border, double roughness = 0.3) {
   Neighbourhood result{{-0.5, 0, 0}, {0.5, 0, 0}, {}, {}, {}};
   const auto n = 7 + random.below(4);
@@ -126,7 +127,7 @@ Neighbourhood rough(Random& random, bool on_border, double roughness = 0.3) {
 
 template <class Function>
 Vec3 gradient(const Function& f, const Vec3& x) {
-  constexpr double step = 1e-3;  // central differences have no error of their own for a quadric
+  constexpr double step = 1e-3;  // central differences have no truncation error for a quadric
   Vec3 result;
   for (int axis = 0; axis < 3; ++axis) {
     Vec3 ahead = x;
@@ -186,8 +187,8 @@ TEST(LindstromTurk, InsideASurfaceKeepsTheVolumeWithTheLeastSquares) {
   }
 }
 
-/// The border goes anywhere, so that volume and boundary fix all of v̄; along an even one the area leaves one direction
-/// free.
+/// The border runs in random directions, so volume and boundary constraints fix all of v̄. Along a straight border the
+/// area would leave one direction free.
 TEST(LindstromTurk, OnABorderKeepsTheVolumeAndTheSweptAreaLeast) {
   Random random(4);
   int n_fixed = 0;
@@ -228,10 +229,10 @@ TEST(LindstromTurk, OnAPlaneTheNeighboursPlaceTheVertex) {
   }
 }
 
-/// On both sides of the edge y = 0, which the pair lies on, flat: they meet in a ridge.
+/// The pair lies on the edge y = 0. Both sides of it are flat and meet in a ridge.
 Neighbourhood ridge(Random& random) {
   Neighbourhood n = rough(random, false, 0.1);
-  while (n.neighbours.size() % 2 == 1) n = rough(random, false, 0.1);  // or there is no neighbour at the other end
+  while (n.neighbours.size() % 2 == 1) n = rough(random, false, 0.1);  // there must be one at the other end
   return n.transformed([](const Vec3& p) -> Vec3 {
     const double y = std::abs(p.y()) < 0.2 ? 0 : p.y();
     return {p.x(), y, -0.4 * std::abs(y)};
@@ -252,11 +253,11 @@ TEST(LindstromTurk, OnARidgeTheNeighboursPlaceTheVertexAlongIt) {
   }
 }
 
-/// From flat to steep: so shallow that the gradients are all but parallel to the normal, the neighbours take their
-/// place one after the other.
+/// From flat to steep. If it is so shallow that the gradients are almost parallel to the normal, the neighbours'
+/// constraints replace them one after the other.
 TEST(LindstromTurk, InsideASurfaceFulfilsTheConstraintsInTurn) {
   Random random(12);
-  std::array<int, 4> n_by_size{};  // by the number of constraints before the neighbours
+  std::array<int, 4> n_by_size{};  // by the number of constraints before the neighbours' ones
   for (int i = 0; i < 1000; ++i) {
     const double height = std::pow(10, random.uniform(-5, 0));
     const Neighbourhood n = rough(random, false).transformed([height](const Vec3& p) -> Vec3 {
@@ -272,7 +273,7 @@ TEST(LindstromTurk, InsideASurfaceFulfilsTheConstraintsInTurn) {
     constraints.add_least({SymmetricMatrix::identity(sums.n), -sums.position, 0});
     ASSERT_EQ(constraints.size(), 3U);
     const Vec3 expected = constraints.solve();
-    if (expected.norm() > 7) continue;  // 8 is too far
+    if (expected.norm() > 7) continue;  // the limit is 8
     const PairEvaluation e = n.evaluate();
     expect_near(e.position, expected, 1e-8);
     EXPECT_NEAR(e.cost, n.cost(e.position), 1e-13) << i;
@@ -314,7 +315,7 @@ TEST(LindstromTurk, PinnedStaysAtTheEndsAllowed) {
 
 // Constraints ---------------------------------------------------------------------------------------------------------
 
-/// At an angle to x, towards y.
+/// A unit vector at an angle to x, towards y.
 Vec3 turned(double angle_deg) { return {std::cos(angle_deg * degree), std::sin(angle_deg * degree), 0}; }
 
 TEST(PointConstraints, ParallelToOneTakenAreNot) {
@@ -394,7 +395,7 @@ TEST(LindstromTurk, KeepsTheVolumeOfClosedSurfaces) {
   }
 }
 
-/// Σ p × q / 2 over the border edges: of a planar border its directed area.
+/// Σ p × q / 2 over the border edges: the directed area of a planar border.
 Vec3 border_area(const IndexedMesh& mesh) {
   Vec3 sum = Vec3::Zero();
   for (const Triangle& face : mesh.faces) {
@@ -412,7 +413,7 @@ Vec3 border_area(const IndexedMesh& mesh) {
   return sum;
 }
 
-/// Where the surface is rough the volume comes first, and the area can't be kept as well.
+/// Where the surface is rough, the volume constraint comes first, and the area can't be kept as well.
 TEST(LindstromTurk, KeepsTheAreaInsideTheBorderOfAPlane) {
   Random random(10);
   IndexedMesh flat = grid(12, 10);

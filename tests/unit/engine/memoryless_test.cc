@@ -38,13 +38,12 @@ double largest_difference(const SymmetricMatrix& a, const SymmetricMatrix& b) {
 }
 
 // The step that keeps the volume
-// ---------------------------------------------------------------------------------------
 
-/// Planes and volume of a few random faces, one of whose corners is near the origin.
+/// Planes and volume of a few random faces. Each has one corner near the origin.
 struct RandomStep {
   explicit RandomStep(std::uint64_t seed) {
     Random random(seed);
-    const double thinness = std::pow(10, random.uniform(-6, 0));  // flat ground to anything
+    const double thinness = std::pow(10, random.uniform(-6, 0));  // from flat ground to any shape
     for (int i = 0; i < 8; ++i) {
       std::array<Vec3, 3> face;
       for (Vec3& p : face) p = random.uniform_vector(-1, 1).cwiseProduct(Vec3(1, 1, thinness));
@@ -75,7 +74,7 @@ TEST(VolumeStep, KeepsTheVolume) {
   EXPECT_GT(n_steps, 900);
 }
 
-/// min xᵀ (A + 0.01 tr(A) I) x with g · x = h, by Lagrange's equations.
+/// min xᵀ (A + 0.01 tr(A) I) x with g · x = h, by Lagrange multipliers.
 TEST(VolumeStep, IsToTheConstrainedMinimumOfTheDampedQuadric) {
   int n_steps = 0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
@@ -110,9 +109,8 @@ TEST(VolumeStep, IsNoneBeyondTheFarthestNeighbour) {
 }
 
 // Sums over the faces around a pair
-// ------------------------------------------------------------------------------------
 
-/// Vertices 0 and 1 with so many faces each that the other doesn't have, the ring about them at random heights.
+/// Vertices 0 and 1, each with the given number of faces that the other doesn't have, in a ring at random heights.
 IndexedMesh two_fans(Index n_first, Index n_second, std::uint64_t seed) {
   Random random(seed);
   const Index n = n_first + n_second;
@@ -128,7 +126,7 @@ IndexedMesh two_fans(Index n_first, Index n_second, std::uint64_t seed) {
   return mesh;
 }
 
-/// The ring of (0, 1) as a connected complex has it.
+/// The ring of (0, 1) as the complex has it.
 struct FoundRing {
   FoundRing(const IndexedMesh& mesh, const Vec3& origin) : complex(mesh.positions, mesh.faces, Frame{}, 1) {
     complex.connect({}, 1);
@@ -162,7 +160,7 @@ class MergedRingSums : public testing::Test {
       }
     }
   }
-  /// Of the faces at `v`, after 0 and 1 have become one at `apex`, less those before.
+  /// The planes of the faces at `v`, after 0 and 1 have become one at `apex`, less those before.
   static SymmetricMatrix change_at(const IndexedMesh& mesh, Index v, const Vec3& apex) {
     SymmetricMatrix before;
     SymmetricMatrix after;
@@ -219,7 +217,7 @@ TEST_F(MergedRingSums, OfPlanesAreThoseOverTheFacesMoved) {
   });
 }
 
-/// One at a time here, four at a time there.
+/// The oracle sums one at a time, the engine four at a time.
 TEST_F(MergedRingSums, HaveThePromisedOrder) {
   for_each_pair_of_fans([&](const IndexedMesh& mesh) {
     FoundRing found(mesh, origin_);
@@ -241,7 +239,6 @@ TEST_F(MergedRingSums, HaveThePromisedOrder) {
 }
 
 // Whole runs
-// -----------------------------------------------------------------------------------------------------------
 
 Decimation memoryless(const IndexedMesh& mesh, std::uint64_t n_faces, Order order = Order::automatic) {
   DecimateOptions options;
@@ -251,7 +248,7 @@ Decimation memoryless(const IndexedMesh& mesh, std::uint64_t n_faces, Order orde
   return decimate(mesh, DecimateTarget::faces(n_faces), options);
 }
 
-/// Of the result.
+/// Sum of planes of the faces at v in the result.
 SymmetricMatrix planes_at(Index v, const Decimation& d) {
   SymmetricMatrix sum;
   for (const Triangle& face : d.mesh.faces) {
@@ -262,7 +259,7 @@ SymmetricMatrix planes_at(Index v, const Decimation& d) {
   return sum;
 }
 
-/// Those at inner vertices, however many contractions beside them, or at a border beside them, have changed the faces.
+/// Holds at inner vertices after any number of contractions beside them, also beside a border.
 TEST(Memoryless, PlanesAreThoseOfTheFacesThereAre) {
   std::vector<NamedMesh> meshes = closed_meshes();
   for (NamedMesh& open : open_meshes()) {
@@ -286,7 +283,7 @@ TEST(Memoryless, PlanesAreThoseOfTheFacesThereAre) {
   EXPECT_GT(n_vertices, 2000U);
 }
 
-/// As they would be where a vertex loses planes that it doesn't have.
+/// Planes would become negative if a vertex lost planes that it doesn't have.
 TEST(Memoryless, PlanesAreNeverLessThanNone) {
   const IndexedMesh sphere = noisy_sphere(3, 0.1, 1);
   const std::vector<NamedMesh> meshes{
@@ -312,7 +309,7 @@ TEST(Memoryless, PlanesAreNeverLessThanNone) {
   }
 }
 
-/// A sphere of radius 1 with a needle of length 1 on it, 0.004 thick at its foot, made of its faces near the pole.
+/// A sphere of radius 1 with a needle of length 1, 0.004 thick at its foot. It is made of the faces near the pole.
 IndexedMesh sphere_with_needle(std::uint64_t seed) {
   IndexedMesh mesh = noisy_sphere(5, 0.02, seed);
   constexpr double foot = 0.1;
@@ -329,7 +326,7 @@ double highest(const IndexedMesh& mesh) {
   return z;
 }
 
-/// With plain quadrics two thirds of it are gone at a tenth of the faces.
+/// Plain quadrics remove two thirds of the needle at a tenth of the faces.
 TEST(Memoryless, KeepsANeedle) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const IndexedMesh mesh = sphere_with_needle(seed);
@@ -344,7 +341,7 @@ TEST(Memoryless, KeepsANeedle) {
   }
 }
 
-/// Steps not taken, where a face would have turned, are few here.
+/// The volume step is refused where a face would turn too far; that is rare here.
 TEST(Memoryless, KeepsTheVolumeOfAClosedSurface) {
   for (const auto& [name, mesh] : {NamedMesh{"noisy_sphere", noisy_sphere(4, 0.03, 3)},
                                    NamedMesh{"noisy_torus", noisy_torus(60, 30, 1, 0.35, 0.02, 5)}}) {
@@ -368,7 +365,7 @@ TEST(Memoryless, ErrsLessThanPlainQuadrics) {
   }
 }
 
-/// Where only a part of the contractions is made in the order of their costs, hardly worse.
+/// In the default order only a part of the contractions is in order of cost. The result is hardly worse.
 TEST(Memoryless, IsNearlyAsGoodInTheDefaultOrder) {
   const IndexedMesh mesh = blob(5, 5);
   const auto error_in = [&](Order order) {

@@ -11,7 +11,7 @@
 namespace whittle::test {
 namespace {
 
-// `decimate` and `simplify` need a target that says what it counts: neither `{}` nor `{100}` compiles.
+// `decimate` and `simplify` need a target that names what it counts: neither `{}` nor `{100}` compiles.
 template <class Mesh>
 concept DecimatesWithoutTarget = requires(const Mesh& mesh) {
   decimate(mesh, {});

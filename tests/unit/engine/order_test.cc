@@ -6,7 +6,7 @@
 #include "support/shapes.hh"
 #include "support/transforms.hh"
 
-// The engine's contractions against those of an algorithm that evaluates every edge anew after each one.
+// Compares the engine's contractions with those of an algorithm that evaluates every edge anew after each contraction.
 
 namespace whittle::test {
 namespace {
@@ -60,10 +60,10 @@ std::vector<Case> all_shapes() {
 struct Setting {
   std::string name;
   DecimateOptions options;
-  /// Without regularisation every contraction on flat ground costs zero but for rounding, which then decides the order:
-  /// there only the costs are compared, to a rounding floor (frame size 1, face weights of at most 1).
+  /// Without regularisation every contraction on flat ground costs nothing but rounding, and rounding decides the
+  /// order. There only the costs are compared, to a rounding floor (frame size 1, face weights of at most 1).
   bool order_is_defined = true;
-  double threshold = 0;  ///< of pairs, in mean edge lengths
+  double threshold = 0;  ///< for pairs, in mean edge lengths
 };
 
 struct Settings {

@@ -23,7 +23,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Parts parts_of(const IndexedMesh& mesh) { return find_parts(mesh.positions.size(), mesh.faces); }
 
-/// Each face's least vertex spreads to its corners until nothing changes.
+/// Part labels by brute force: each face spreads its least label to its corners until nothing changes.
 std::vector<Index> lowest_of_part_by_spreading(const IndexedMesh& mesh) {
   std::vector<Index> lowest(mesh.positions.size(), invalid_index);
   for (const Triangle& face : mesh.faces) {
@@ -53,7 +53,7 @@ void expect_as_by_spreading(const std::string& name, const IndexedMesh& mesh) {
   for (Index v = 0; v < lowest.size(); ++v) {
     if (lowest[v] == invalid_index) {
       EXPECT_EQ(parts.part_of[v], invalid_index) << name << ", vertex " << v;
-    } else {  // numbered by their lowest vertices
+    } else {  // parts are numbered in order of their lowest vertices
       EXPECT_EQ(parts.part_of[v], lowest[v] == v ? n_met++ : parts.part_of[lowest[v]]) << name << ", vertex " << v;
     }
   }
@@ -86,13 +86,13 @@ TEST(Parts, HaveTheDiagonalsOfTheirBoxes) {
   ASSERT_EQ(diagonals.size(), 2U);
   EXPECT_DOUBLE_EQ(diagonals[0], 2 * std::sqrt(3.0));
   EXPECT_DOUBLE_EQ(diagonals[1], std::sqrt(3.0));
-  for (const double factor : {1e-300, 1e300}) {  // whose squares are no numbers
+  for (const double factor : {1e-300, 1e300}) {  // their squares overflow or underflow
     const IndexedMesh other = scaled(mesh, factor);
     EXPECT_NEAR(part_diagonals(other.positions, parts_of(other))[0] / factor, 2 * std::sqrt(3.0), 1e-12);
   }
 }
 
-/// Each vertex compared with each other.
+/// Compares every two vertices.
 std::vector<double> gaps_by_brute_force(const IndexedMesh& mesh) {
   const Parts parts = parts_of(mesh);
   std::vector<double> gaps_sq(parts.count, infinity);
@@ -189,8 +189,8 @@ TEST(PartGaps, HaveTheUnitOfTheMesh) {
   }
 }
 
-/// A mesh of three parts, sizes 3.4, 0.34 and 1.7, and a vertex of no part before them; every attribute says whose it
-/// is.
+/// A mesh of three parts, sizes 3.4, 0.34 and 1.7, preceded by a vertex in no part. Every attribute value tells the
+/// part it belongs to.
 IndexedMesh three_cubes() {
   IndexedMesh mesh;
   mesh.positions.push_back({7, 7, 7});
@@ -260,7 +260,7 @@ TEST(WithoutSmallParts, SaysWhoWasKept) {
   EXPECT_EQ(pruned.mesh.origins, (std::vector<Index>{8, 9, 10, 11, 12, 13, 14, 15}));
 }
 
-/// The size is the least that is kept.
+/// A part of exactly the limit's size is kept.
 TEST(WithoutSmallParts, KeepsPartsOfTheSizeItself) {
   const IndexedMesh mesh = two_triangles();
   const double size = part_diagonals(mesh.positions, parts_of(mesh))[0];
@@ -269,7 +269,7 @@ TEST(WithoutSmallParts, KeepsPartsOfTheSizeItself) {
   EXPECT_TRUE(without_small_parts(mesh, infinity).mesh.faces.empty());
 }
 
-/// One between a part that goes and one that stays, and one in the latter.
+/// One such face lies between a removed part and a kept one, the other in the kept one.
 TEST(WithoutSmallParts, DropsFacesWithTwoEqualCornersOnlyWithTheirVertices) {
   IndexedMesh mesh = joined(scaled(cube(), 0.1), cube());
   mesh.faces.push_back({8, 8, 0});

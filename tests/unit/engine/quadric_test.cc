@@ -43,7 +43,7 @@ TEST(PairMinimum, SolvesAsEigenDoes) {
     q.a += SymmetricMatrix::identity(1e-9);
     const PairMinimum<double> minimum = minimum_of(q);
     const Vec3 x(minimum.x, minimum.y, minimum.z);
-    // Backward stable: the residual is rounding of |M||x|, however ill-conditioned M is.
+    // The solve is backward stable: the residual is rounding of |M||x|, however ill-conditioned M is.
     EXPECT_LE((dense(q.a) * x + q.b).norm(), 1e-13 * (1 + dense(q.a).norm() * x.norm())) << "matrix " << i;
     const double largest_term = q.c + dense(q.a).norm() * x.squaredNorm();
     EXPECT_NEAR(minimum.value, std::max(0.0, q(x)), 1e-13 * (1 + largest_term)) << "matrix " << i;
@@ -70,15 +70,15 @@ TEST(Quadric, AboutAnotherOriginIsTheSameFunction) {
   }
 }
 
-/// The cube (±1)³ with uniform weights: each of the corner's faces adds a unit plane of one of its three sides, which
-/// meet at the corner (1, 1, 1)·s.
+/// The cube (±1)³ with uniform weights. Each face at a corner adds the unit plane of one of the corner's three sides.
+/// These planes meet at the corner (1, 1, 1)·s.
 TEST(CornerQuadric, OfACubesCornerIsTheMatrixByHand) {
   const IndexedMesh mesh = cube();
   const QuadricOptions options{.weights = Weights::uniform, .regularization = 0};
   for (Index v = 0; v < mesh.positions.size(); ++v) {
     const Vec3& corner = mesh.positions[v];
     SymmetricMatrix sum;
-    std::array<double, 3> n_sides{};  // triangles of the side perpendicular to x, y, z at this corner: one or two
+    std::array<double, 3> n_sides{};  // triangles of the sides perpendicular to x, y, z here: one or two each
     for (const Triangle& f : mesh.faces) {
       const auto i = std::find(f.begin(), f.end(), v);
       if (i == f.end()) continue;
@@ -91,7 +91,7 @@ TEST(CornerQuadric, OfACubesCornerIsTheMatrixByHand) {
         }
       }
     }
-    // About the world's origin: Σ n_k (x_k − s_k)², that is diag(n), −n_k s_k and Σ n_k.
+    // About the origin: Σ n_k (x_k − s_k)², that is diag(n), −n_k s_k and Σ n_k.
     const Quadric q = Quadric{sum, Vec3::Zero(), 0}.about(-corner);
     EXPECT_EQ(dense(q.a), Eigen::Matrix3d(Vec3(n_sides[0], n_sides[1], n_sides[2]).asDiagonal())) << "corner " << v;
     EXPECT_EQ(q.b, Vec3(-n_sides[0] * corner.x(), -n_sides[1] * corner.y(), -n_sides[2] * corner.z()));
@@ -109,7 +109,7 @@ TEST(CornerQuadric, IsGarlandAndHeckbertsPlaneMatrix) {
     for (std::size_t i = 0; i < 3; ++i) {
       const SymmetricMatrix share = corner_quadric(corners[i], corners[(i + 1) % 3], corners[(i + 2) % 3],
                                                    {.weights = weights, .regularization = 0});
-      const double weight = share.trace();  // n is a unit vector
+      const double weight = share.trace();  // the trace is the weight, because n is a unit vector
       sum_of_weights += weight;
       const Quadric q = Quadric{share, Vec3::Zero(), 0}.about(-corners[i]);
       const Eigen::Matrix4d expected = weight * plane_matrix(cross.normalized(), corners[0]);
@@ -117,14 +117,14 @@ TEST(CornerQuadric, IsGarlandAndHeckbertsPlaneMatrix) {
       EXPECT_TRUE(q.b.isApprox(expected.topRightCorner<3, 1>(), 1e-13));
       EXPECT_NEAR(q.c, expected(3, 3), 1e-14);
     }
-    // The angles of a triangle sum to π.
+    // The angles of a triangle add up to π.
     EXPECT_NEAR(sum_of_weights, weights == Weights::uniform ? 3 : weights == Weights::area ? 3 * area : area, 1e-14);
   }
 }
 
 TEST(BorderQuadric, IsThePlaneThroughTheEdgePerpendicularToTheFace) {
   const QuadricOptions options{.regularization = 0, .boundary_weight = 7};
-  // The edge lies along x, length 2; the face in the plane z = 0.
+  // The edge lies along x with length 2; the face lies in the plane z = 0.
   const SymmetricMatrix q = border_quadric({0, 0, 0}, {2, 0, 0}, {0.3, 1.7, 0}, options);
   EXPECT_TRUE(dense(q).isApprox(Eigen::Matrix3d(Vec3(0, 7 * 4, 0).asDiagonal()), 1e-15)) << dense(q);
   EXPECT_TRUE(dense(border_quadric({1, 1, 1}, {1, 1, 1}, {2, 0, 0}, options)).isZero());
@@ -193,7 +193,7 @@ TEST(EvaluatePair, HonoursThePlacement) {
   EXPECT_EQ(evaluate_pair({p0, q0}, {p1, q1}, Placement::optimal, Pinned::second).position, p1);
 }
 
-/// All planes are those of a long cone: they meet at its tip, 1000 pair lengths away.
+/// All planes are those of a long cone. They meet at its tip, 1000 pair lengths away.
 TEST(EvaluatePair, MakesNoSpikeTowardsADistantMinimum) {
   const Vec3 tip(0, 0, 1000);
   Quadric q;

@@ -17,7 +17,7 @@
 #include "support/transforms.hh"
 #include "whittle/io/read.hh"
 
-// Against a search that compares each vertex with each other, in model units.
+// Compares the search with one that compares every two vertices, in model units.
 
 namespace whittle {
 
@@ -41,7 +41,7 @@ class BruteForce {
       for (const Index v : face) {
         used.insert(v);
         normals_[v] += normal;
-        for (const Index w : face) neighbours.insert({v, w});  // each its own, too
+        for (const Index w : face) neighbours.insert({v, w});  // includes v itself
       }
     }
     for (const Index v : used) {
@@ -71,7 +71,7 @@ class BruteForce {
   double distance_sq(Index v, Index w) const { return (mesh_.positions[v] - mesh_.positions[w]).squaredNorm(); }
 
   bool is_near(Index v, Index w, double threshold) const {
-    if (mesh_.positions[v] == mesh_.positions[w]) return 0 < threshold;  // though its square may be no more than 0
+    if (mesh_.positions[v] == mesh_.positions[w]) return 0 < threshold;  // a tiny threshold's square may underflow to 0
     return distance_sq(v, w) < threshold * threshold;
   }
 
@@ -95,7 +95,7 @@ ThresholdPairs find_in(const IndexedMesh& mesh, const PairSearch& search) {
   return find_threshold_pairs(mesh.positions, mesh.faces, search);
 }
 
-/// With several limits and numbers of threads. \return the number of pairs without a limit
+/// Compares for several limits and numbers of threads. \return the number of pairs without a limit
 std::size_t expect_as_brute_force(const std::string& name, const IndexedMesh& mesh, double threshold,
                                   bool across_walls = true) {
   const BruteForce brute_force(mesh, threshold, across_walls);
@@ -117,7 +117,7 @@ std::size_t expect_as_brute_force_with_walls(const std::string& name, const Inde
   return expect_as_brute_force(name, mesh, threshold, true);
 }
 
-/// Faces between any vertices, some with equal corners, so that a few vertices are in none.
+/// Random faces, some with equal corners. A few vertices are in no face.
 IndexedMesh with_random_faces(std::vector<Vec3> positions, std::uint64_t seed) {
   Random random(seed);
   IndexedMesh mesh;
@@ -135,7 +135,7 @@ IndexedMesh with_random_faces(std::vector<Vec3> positions, std::uint64_t seed) {
 TEST(ThresholdPairs, OfRandomPointsAreThoseOfBruteForce) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     Random random(seed);
-    std::vector<Vec3> positions(1500);  // several blocks and leaves of the search
+    std::vector<Vec3> positions(1500);  // fills several blocks and leaves of the search
     for (Vec3& p : positions) p = random.uniform_vector(-1, 1);
     const IndexedMesh mesh = with_random_faces(positions, seed);
     const std::string name = "random points, seed " + std::to_string(seed);
@@ -161,7 +161,7 @@ TEST(ThresholdPairs, OfClustersAreThoseOfBruteForce) {
   }
 }
 
-/// Most pairs have the same length as many others, and many exactly the threshold, which is not below it.
+/// Many pairs have equal lengths, and many have exactly the threshold's length. Those are no pairs.
 TEST(ThresholdPairs, OfGridPointsAreThoseOfBruteForce) {
   std::vector<Vec3> positions;
   for (int i = 0; i < 512; ++i) positions.push_back(Vec3(i % 8, i / 8 % 8, i / 64));
@@ -187,7 +187,7 @@ TEST(ThresholdPairs, OfCoincidentPointsAreThoseOfBruteForce) {
   }
 }
 
-/// Halving the box again and again, the tree is as deep as it can be.
+/// The box is halved again and again, so the tree has its greatest depth.
 TEST(ThresholdPairs, OfPointsCloserAndCloserAreThoseOfBruteForce) {
   std::vector<Vec3> positions;
   for (int i = 0; i < 300; ++i) {
@@ -232,7 +232,7 @@ TEST(ThresholdPairs, AreAllPairsAtInfinity) {
   const IndexedMesh mesh = soup(sphere(1));
   const std::size_t n = mesh.positions.size();
   const ThresholdPairs found = find_in(mesh, {.threshold = infinity, .max_pairs = std::nullopt, .across_walls = true});
-  EXPECT_EQ(found.pairs.size(), n * (n - 1) / 2 - n);  // without the edges, as many as corners
+  EXPECT_EQ(found.pairs.size(), n * (n - 1) / 2 - n);  // all pairs but the edges; there are n edges
 }
 
 TEST(ThresholdPairs, AreNoneWithoutFaces) {
@@ -244,7 +244,7 @@ TEST(ThresholdPairs, AreNoneWithoutFaces) {
   EXPECT_TRUE(find_in(mesh, {.threshold = 1}).pairs.empty());
 }
 
-/// A vertex in no face may lie anywhere, or nowhere.
+/// The position of a vertex in no face may be anything, also NaN or infinite.
 TEST(ThresholdPairs, IgnoreVerticesWithoutFaces) {
   IndexedMesh mesh = spheres(2, 2, 0.1);
   const ThresholdPairs expected = find_in(mesh, {.threshold = 0.3});
@@ -287,8 +287,8 @@ TEST(ThresholdPairs, FollowTheVerticesInAnotherOrder) {
   EXPECT_EQ(back, find_in(mesh, {.threshold = 0.3, .max_pairs = std::nullopt}).pairs);
 }
 
-/// The fan of a cone whose faces all have an apex of their own. Each apex has its pairs with those of the lowest
-/// numbers; looking at each of the others as well would take forever.
+/// The fan of a cone in which every face has its own apex. Each apex has pairs with the apexes of the lowest numbers.
+/// Comparing it with all others as well would take too long.
 TEST(ThresholdPairs, OfVeryManyVerticesAtOnePointAreThoseOfTheLowestNumbers) {
   constexpr Index n = 100'000;
   constexpr Index max_pairs = 4;
@@ -313,15 +313,15 @@ TEST(ThresholdPairs, OfVeryManyVerticesAtOnePointAreThoseOfTheLowestNumbers) {
 }
 
 TEST(ThresholdPairs, AreCappedOnlyAboveTheLimit) {
-  const IndexedMesh mesh = soup(tetrahedron());  // each vertex at one place with two others
+  const IndexedMesh mesh = soup(tetrahedron());  // each vertex coincides with two others
   EXPECT_FALSE(find_in(mesh, {.threshold = 0.1, .max_pairs = 2}).capped);
   EXPECT_EQ(find_in(mesh, {.threshold = 0.1, .max_pairs = 2}).pairs.size(), 12U);
   EXPECT_TRUE(find_in(mesh, {.threshold = 0.1, .max_pairs = 1}).capped);
   EXPECT_EQ(find_in(mesh, {.threshold = 0.1, .max_pairs = 1}).pairs.size(),
-            8U);  // of three the first two, first and third
+            8U);  // of every three: first and second, first and third
 }
 
-/// The horizontal square [0, 4]² at height z, one vertex a unit.
+/// The horizontal square [0, 4]² at height z, with a vertex spacing of 1.
 IndexedMesh sheet(double z, bool faces_up) {
   const IndexedMesh flat = moved(grid(4, 4), Vec3(0, 0, z));
   return faces_up ? flat : inside_out(flat);
@@ -345,7 +345,7 @@ TEST(ThresholdPairs, AcrossAGapStay) {
   EXPECT_EQ(find_in(bodies, {.threshold = 0.2, .across_walls = false}).pairs, everything);
 }
 
-/// A plate and a sheet further away than the plate is thick.
+/// A plate and a sheet. The gap between them is larger than the plate's thickness.
 TEST(ThresholdPairs, AcrossWallsDontCountForTheLimit) {
   const IndexedMesh plate = joined(sheet(0, false), sheet(0.1, true));
   const IndexedMesh both = joined(plate, sheet(0.3, false));

@@ -18,7 +18,7 @@ inline ReadResult read(std::string_view bytes, std::string_view name, bool weld 
   return read_mesh(std::span<const char>(bytes.data(), bytes.size()), name, {.weld = weld});
 }
 
-/// The error that reading ends with. Nothing, and a failed test, if there is no error.
+/// The error that reading ends with. Without an error the test fails and nothing is returned.
 inline std::optional<ReadError> error_of(std::string_view bytes, std::string_view name) {
   try {
     read(bytes, name);
@@ -67,7 +67,7 @@ inline void expect_valid(const ReadResult& result, const std::string& what) {
   }
 }
 
-/// Joins all parts.
+/// Concatenates all parts.
 template <class... Parts>
 std::string cat(const Parts&... parts) {
   std::string all;
@@ -75,7 +75,7 @@ std::string cat(const Parts&... parts) {
   return all;
 }
 
-/// The bytes of a number in the given order.
+/// The bytes of a number in the given byte order.
 template <class Number>
 std::string bytes_of(Number value, std::endian order = std::endian::little) {
   auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(value);

@@ -85,7 +85,7 @@ TEST(ObjReader, CarriesVertexColors) {
   ASSERT_EQ(result.mesh.colors.size(), 3U);
   EXPECT_EQ(result.mesh.colors[0], (Color{1, 0, 0, 1}));
   EXPECT_EQ(result.mesh.colors[1], (Color{0, 0.5, 0, 0.25}));
-  EXPECT_EQ(result.mesh.colors[2], (Color{1, 1, 1, 1}));  // Without a colour: white.
+  EXPECT_EQ(result.mesh.colors[2], (Color{1, 1, 1, 1}));  // A vertex without a colour is white.
 }
 
 TEST(ObjReader, ScalesColorsOfUpTo255) {

@@ -1,4 +1,4 @@
-// Real meshes: counts as other tools give them, and counts after repair. Files that must be refused.
+// Real meshes: counts as other tools report them, and counts after repair. Also files that must be refused.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -72,8 +72,8 @@ TEST_P(RealMesh, IsReadAndRepaired) {
   EXPECT_EQ(edges.nonmanifold, known.nonmanifold_edges);
 }
 
-// A soup is what STL would hold. Welding gives a manifold mesh back. For other meshes a soup doesn't tell which faces
-// belong together: welding then makes a manifold mesh.
+// A soup is what STL would store. Welding restores a manifold mesh. For other meshes a soup doesn't tell which faces
+// belong together; welding then makes a manifold mesh.
 TEST_P(RealMesh, ComesBackFromASoup) {
   const Known& known = GetParam();
   WHITTLE_REAL_MESH_OR_SKIP(path, known.file);
@@ -94,7 +94,7 @@ const std::vector<Known> meshes = {
     {"dinosaur.obj", 2002, 4000, 2002, 4000},
     {"bunny.obj", 35292, 70580, 35292, 70580},
     {"ankylosaurus.obj", 14762, 29520, 14762, 29520},
-    // Its one pair of coincident vertices stays: one vertex would give an edge four faces.
+    // One pair of coincident vertices is not welded, because an edge would get four faces.
     {"cow.off", 2762, 5520, 2762, 5520},
     {"bunny_28576.obj", 14290, 28576, 14290, 28576},
     // 2046 vertices lie on open borders, 54 at edges without length, each between two faces without area.
@@ -134,8 +134,8 @@ const std::vector<Known> meshes = {
     {"office_chair.obj", 3476, 3391, 3474, 6869, 157, 196,
      "triangulated 3351 polygons, welded 2 vertices, dropped 8 degenerate faces"},
     {"geo_delft_testarea.obj", 14760, 28619, 14760, 28611, 950, 33, "dropped 8 duplicate faces"},
-    // Some flaps are two faces on the same corners. Faces in the same direction are duplicates: dropping one opens the
-    // flap.
+    // Some flaps are two faces on the same corners. If both have the same orientation they are duplicates. Dropping one
+    // opens the flap.
     {"conrod_flipped.off", 3223, 6442, 3223, 6439, 6, 3, "dropped 3 duplicate faces"},
     {"dragon_vrip_res3.ply", 22998, 47794, 22982, 47592, 0, 2080, "dropped 202 duplicate faces, 16 isolated vertices"},
     {"boeing.off", 2741, 2564, 1264, 2564, 0, 0, "welded 1477 vertices"},
@@ -185,7 +185,7 @@ INSTANTIATE_TEST_SUITE_P(Known, RealMesh, testing::ValuesIn(meshes),
 
 struct Refused {
   std::string file;
-  std::string why;  // After the path.
+  std::string why;  // The message after the path.
 };
 
 std::ostream& operator<<(std::ostream& out, const Refused& refused) { return out << refused.file; }

@@ -75,7 +75,7 @@ std::string written(const IndexedMesh& mesh, Format format, const WriteOptions& 
   return out.str();
 }
 
-// Whether the writer says so.
+// Whether the writer reports a loss.
 bool holds_all(const IndexedMesh& mesh, Format format, const WriteOptions& options) {
   std::ostringstream out;
   return write_mesh(out, format, mesh, options).warnings.empty();

@@ -49,7 +49,7 @@ void make_counter_clockwise(std::vector<Vec3>& polygon) {
   if (doubled_area < 0) std::reverse(polygon.begin(), polygon.end());
 }
 
-// Triangles cover the polygon once if all have its direction and their areas add up to its area.
+// Triangles cover the polygon exactly once if all have its orientation and their areas add up to its area.
 void expect_triangulation(const std::vector<Vec3>& positions, const Plane& plane, const std::string& what) {
   const std::vector<Triangle> triangles = triangulate(positions);
   const Vec3 normal = plane.normal();
@@ -183,7 +183,7 @@ TEST(Triangulation, CoversAGearOfManyCorners) {
 }
 
 TEST(Triangulation, EndsSoonOnAHostilePolygon) {
-  // Zigzags across each other, with hardly an ear.
+  // Zigzags that cross each other; there is hardly an ear.
   Random random(1);
   std::vector<Vec3> positions;
   positions.reserve(5000);

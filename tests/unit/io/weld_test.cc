@@ -36,7 +36,7 @@ std::map<Edge, std::vector<std::size_t>> faces_by_edge(const std::vector<Triangl
   return edges;
 }
 
-// The vertices that may be welded, by the rule in its plainest form.
+// The vertices that may be welded, by the rule in its simplest form.
 std::vector<char> candidates(const IndexedMesh& mesh) {
   std::vector<char> is_candidate(mesh.positions.size(), 0);
   for (const auto& [edge, faces] : faces_by_edge(mesh.faces)) {
@@ -46,7 +46,7 @@ std::vector<char> candidates(const IndexedMesh& mesh) {
   return is_candidate;
 }
 
-// Joins everything that may be welded, though edges may get more than two faces.
+// Welds all vertices that the rule allows, even if edges get more than two faces.
 std::vector<Index> weld_all(const IndexedMesh& mesh) {
   const std::vector<char> is_candidate = candidates(mesh);
   std::vector<Index> joined_to(mesh.positions.size());
@@ -62,7 +62,7 @@ std::vector<Index> weld_all(const IndexedMesh& mesh) {
   return joined_to;
 }
 
-// Counts edges with more than two faces that had different edges before. \param original the number that each face had.
+// Counts edges with more than two faces that were different edges before. \param original the number that each face had
 std::size_t edges_gone_wrong(const IndexedMesh& before, const std::vector<Triangle>& welded,
                              const std::vector<std::size_t>& original) {
   std::size_t wrong = 0;
@@ -94,7 +94,7 @@ IndexedMesh numbered(IndexedMesh mesh) {
   return mesh;
 }
 
-// Few positions, many vertices at each, random faces: everything that can go wrong.
+// Few positions, many vertices at each, random faces: the worst case.
 IndexedMesh random_coincident(std::uint64_t seed, std::size_t positions, Index vertices, std::size_t faces) {
   Random random(seed);
   std::vector<Vec3> sites;
@@ -116,7 +116,7 @@ struct Kind {
   std::size_t faces;
 };
 
-// From soups to meshes with mostly shared vertices.
+// From soups to meshes in which most vertices are shared.
 const std::vector<Kind> kinds = {{4, 12, 4},  {4, 30, 10},  {5, 36, 12}, {6, 24, 16}, {8, 20, 20},
                                  {8, 60, 20}, {10, 14, 18}, {6, 90, 30}, {20, 60, 40}};
 
@@ -191,7 +191,7 @@ TEST(WeldBorders, JoinsEverythingWhereNoEdgeGetsAThirdFace) {
   EXPECT_GT(cases, 100U);
 }
 
-// Whether joining these pairs of vertices would give an edge a third face.
+// Whether welding these pairs of vertices would give an edge a third face.
 bool would_be_wrong(const IndexedMesh& before, const IndexedMesh& after,
                     const std::vector<std::array<Index, 2>>& pairs) {
   std::vector<Index> number(before.positions.size());

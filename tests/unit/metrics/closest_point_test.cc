@@ -22,8 +22,8 @@ namespace {
 using test::Random;
 using Wide = Eigen::Matrix<long double, 3, 1>;
 
-/// The distance by another route than the one tested, in long double: the least over the corners, the feet on the lines
-/// of the sides and the foot on the plane, as far as they lie in the triangle.
+/// The distance, computed in another way than in the tested code, in long double. It is the least over the corners, the
+/// feet on the side lines, and the foot on the plane, of those that lie in the triangle.
 long double distance_by_features(const Wide& p, const Wide& a, const Wide& b, const Wide& c) {
   long double best_sq = std::min({(p - a).squaredNorm(), (p - b).squaredNorm(), (p - c).squaredNorm()});
   const auto side = [&](const Wide& from, const Wide& to) {
@@ -56,8 +56,7 @@ Vec3 random_point(Random& random, double low, double high) {
   return {x, y, z};
 }
 
-/// Triangles with corners of their own around random centres in the unit cube; the size of each is 10 to a random
-/// power.
+/// Separate triangles around random centres in the unit cube. The size of each is 10 to a random power.
 IndexedMesh random_triangles(std::size_t n, double min_log_size, double max_log_size, std::uint64_t seed) {
   Random random(seed);
   IndexedMesh mesh;
@@ -96,15 +95,15 @@ IndexedMesh random_thin_triangles(std::size_t n, double thickness, std::uint64_t
   return mesh;
 }
 
-/// Tolerance: point, corners and origin are rounded once each (2^-53 of the extent), the foot on a side or plane is off
-/// by a few such units; 32 in all, against the extent of what is involved. `extra` is relative to the same.
+/// Tolerance: point, corners and origin are rounded once each (2^-53 of the extent). The foot on a side or plane is off
+/// by a few such units. In all 32 units of the extent of mesh and query. `extra` is relative to the same extent.
 void expect_agrees_with_brute_force(const IndexedMesh& mesh, const std::string& what, std::uint64_t seed,
                                     double extra = 0.0) {
   const Bounds box = bounds(mesh);
   const TriangleTree tree(mesh);
   Random random(seed);
   for (int i = 0; i < 400; ++i) {
-    // Near, around and far outside.
+    // Near, around and far outside the mesh.
     const double reach = i % 4 == 3 ? 10.0 : 0.6;
     const Vec3 point = box.center() + reach * (box.max - box.min).cwiseProduct(random_point(random, -1.0, 1.0));
     const ClosestPoint found = tree.nearest(point);
@@ -112,7 +111,7 @@ void expect_agrees_with_brute_force(const IndexedMesh& mesh, const std::string& 
     const auto expected = static_cast<double>(brute_force_distance(mesh, point));
     const double tolerance = (32 * 0x1p-53 + extra) * (box.diagonal() + expected + box.center().norm() * 0.25);
     ASSERT_NEAR(distance, expected, tolerance) << what << ", seed " << seed << ", query " << i;
-    // The point is on the face, and as far away as said.
+    // The point lies on the face, at the reported distance.
     const auto [a, b, c] = mesh.faces[found.face];
     ASSERT_LE(static_cast<double>(
                   distance_by_features(found.point.cast<long double>(), mesh.positions[a].cast<long double>(),
@@ -135,7 +134,7 @@ TEST(TriangleTree, AgreesWithBruteForceOnThinAndDegenerateTriangles) {
     expect_agrees_with_brute_force(random_thin_triangles(200, thickness, 5), "thin, case " + std::to_string(thickness),
                                    5);
   }
-  // A face that is hardly more than a line is taken for its sides: half of 1e-11 off, as triangle_math.hh says.
+  // A face that is almost a line is replaced by its sides: error at most half of 1e-11, see triangle_math.hh.
   for (int exponent = 8; exponent <= 16; ++exponent) {
     expect_agrees_with_brute_force(random_thin_triangles(200, std::pow(10.0, -exponent), 5),
                                    "thickness 1e-" + std::to_string(exponent), 5, 5e-12);
@@ -143,11 +142,11 @@ TEST(TriangleTree, AgreesWithBruteForceOnThinAndDegenerateTriangles) {
 }
 
 TEST(TriangleTree, IsAccurateRightAboveThinTriangles) {
-  // Where the foot on the plane lies inside the face, which no random point would ever hit.
+  // Query points whose foot on the plane lies inside the face. Random points never hit these faces.
   for (int exponent = 3; exponent <= 17; ++exponent) {
     const IndexedMesh mesh = random_thin_triangles(200, std::pow(10.0, -exponent), 16);
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-      if (f % 4 > 1) continue;  // these are lines and points
+      if (f % 4 > 1) continue;  // the other faces are lines and points
       const auto& [ia, ib, ic] = mesh.faces[f];
       const Wide a = mesh.positions[ia].cast<long double>(), b = mesh.positions[ib].cast<long double>();
       const Wide c = mesh.positions[ic].cast<long double>();
@@ -175,12 +174,13 @@ TEST(TriangleTree, AgreesWithBruteForceAtAnySizeAndPlace) {
   expect_agrees_with_brute_force(test::scaled(mesh, 1e-9), "scaled 1e-9", 7);
   expect_agrees_with_brute_force(test::scaled(mesh, 1e9), "scaled 1e9", 7);
   expect_agrees_with_brute_force(test::scaled(mesh, 1e-40), "scaled 1e-40", 7);
-  // The tolerance grows with the place, as a quarter of the coordinates' own rounding; see below for the rest.
+  // The tolerance grows with the distance from the origin, by a quarter of the coordinates' rounding. The next test is
+  // exact.
   expect_agrees_with_brute_force(test::moved(mesh, Vec3(1e6, -2e6, 3e6)), "moved far", 7);
 }
 
 TEST(TriangleTree, LosesNothingFarFromTheOrigin) {
-  // Coordinates that are exact both here and there, so that the distances have to be the same to the last bit.
+  // The coordinates are exact at both places, so the distances must be equal to the last bit.
   Random random(8);
   IndexedMesh here = test::sphere(2);
   for (Vec3& p : here.positions) p = (p * 0x1p20).array().round() * 0x1p-20;
@@ -226,7 +226,7 @@ TEST(TriangleTree, PrefersTheLowestOfCoincidentFaces) {
 }
 
 TEST(TriangleTree, PrefersTheLowestOfFacesAroundAnEdge) {
-  // Outside of a convex edge both faces are equally near, through the same edge; likewise at a corner.
+  // Outside a convex edge both faces are equally near, at the same point of the edge; likewise at a corner.
   const IndexedMesh cube = test::tessellated_cube(4);
   const TriangleTree tree(cube);
   Random random(10);
@@ -250,7 +250,7 @@ TEST(TriangleTree, AnswersTheSameWithAnyHint) {
     for (int i = 0; i < 50; ++i) {
       const Vec3 point = random_point(random, -2.0, 2.0);
       const ClosestPoint plain = tree.nearest(point);
-      for (Index hint = 0; hint <= mesh.faces.size(); ++hint) {  // the last one is no face at all
+      for (Index hint = 0; hint <= mesh.faces.size(); ++hint) {  // the last hint is no face
         const ClosestPoint hinted = tree.nearest(point, hint);
         ASSERT_EQ(hinted.face, plain.face) << name << ", query " << i << ", hint " << hint;
         ASSERT_EQ(hinted.distance_sq, plain.distance_sq) << name << ", query " << i << ", hint " << hint;
@@ -261,7 +261,7 @@ TEST(TriangleTree, AnswersTheSameWithAnyHint) {
 }
 
 TEST(TriangleTree, AnswersTheSameWithAnyHintWhereRoundingMatters) {
-  // Points on and close to the faces, sides and corners of a turned mesh, where the foot may round to outside of the
+  // Points on and close to the faces, sides and corners of a rotated mesh. There rounding may put the foot outside the
   // box.
   const IndexedMesh mesh = test::rotated(test::joined(test::tessellated_cube(6), test::sphere(2)), 14);
   const TriangleTree tree(mesh, Vec3::Zero());
@@ -282,8 +282,8 @@ TEST(TriangleTree, AnswersTheSameWithAnyHintWhereRoundingMatters) {
 }
 
 TEST(TriangleTree, AnswersTheSameWithAnyHintAboveAFlatGrid) {
-  // Above a vertex of an axis-parallel plane six faces are equally near, and as near as their boxes: the foot on the
-  // plane must not round to nearer than that, or the others are not looked at.
+  // Above a vertex of an axis-parallel plane six faces and their boxes are equally near. The foot on the plane must not
+  // round to nearer than that: then the other faces would be skipped.
   const IndexedMesh mesh = test::moved(test::scaled(test::grid(6, 6), 0.37), Vec3(0.0, 0.0, 0.1));
   const TriangleTree tree(mesh, Vec3::Zero());
   Random random(15);
@@ -321,8 +321,8 @@ TEST(TriangleTree, AnswersManyThreadsAtOnce) {
 }
 
 TEST(TriangleTree, CopesWithSizesThatShrinkForever) {
-  // Each face is a sixteenth as large and as near to zero as the one before: any split by area takes off just the
-  // largest.
+  // Each face is a sixteenth of the size of the one before, and sixteen times nearer to zero. Any split by area
+  // separates only the largest face.
   constexpr int n = 116;
   IndexedMesh mesh;
   for (int i = 0; i < n; ++i) {

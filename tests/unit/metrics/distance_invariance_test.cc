@@ -1,4 +1,4 @@
-// What the distance must not depend on: threads, units, place, order.
+// The distance must not depend on threads, units, position and order.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -13,7 +13,7 @@
 namespace whittle::metrics {
 namespace {
 
-/// A smooth lump and a coarser one that is near it.
+/// A smooth lump and a coarser one near it.
 const IndexedMesh& reference() {
   static const IndexedMesh mesh = test::blob(4, 3);
   return mesh;
@@ -42,7 +42,7 @@ std::vector<std::uint64_t> bits(const SurfaceDistance& d) {
 }
 
 /// \param tolerance of the lengths, relative. Angles may differ more: where a sample is equally near to two faces,
-/// rounding decides which one it is compared with.
+/// rounding decides which of them gives the normal.
 void expect_same(const SurfaceDistance& d, double factor, double tolerance, double angle_tolerance,
                  const std::string& what) {
   const SurfaceDistance expected = surface_distance(reference(), approximation(), options);
@@ -69,7 +69,7 @@ TEST(SurfaceDistance, ChangesWithTheSeedWithinItsSamplingError) {
 }
 
 TEST(SurfaceDistance, OfASingleSampleIsRightOnAverage) {
-  // The one sample may lie anywhere on the whole surface: see the squares in distance_test.cc for the mean.
+  // The one sample may lie anywhere on the surface; distance_test.cc derives the mean of these squares.
   const auto square = [](double low, double high) {
     IndexedMesh mesh;
     mesh.positions = {{low, low, 0.0}, {high, low, 0.0}, {high, high, 0.0}, {low, high, 0.0}};
@@ -78,12 +78,12 @@ TEST(SurfaceDistance, OfASingleSampleIsRightOnAverage) {
   };
   const IndexedMesh small = square(0.0, 1.0);
   IndexedMesh large = square(-1.0, 2.0);
-  large.faces = {{0, 2, 3}, {0, 1, 2}};  // as good, and a sampler that starts with the first face gets the other one
+  large.faces = {{0, 2, 3}, {0, 1, 2}};  // same surface; a sampler that starts with the first face gets the other one
   constexpr int n = 4000;
   double sum = 0.0, above = 0.0;
   for (std::uint64_t seed = 1; seed <= n; ++seed) {
     sum += surface_distance(small, large, {.samples = 1, .seed = seed, .threads = 1}).backward.mean;
-    // Against the half above the diagonal, the points below it are off: those above are just as many.
+    // The reference is half of the square. The sample lies on that half with probability 1/2.
     IndexedMesh half = large;
     half.faces.resize(1);
     above += surface_distance(half, large, {.samples = 1, .seed = seed, .threads = 1}).backward.mean == 0.0 ? 1.0 : 0.0;
@@ -101,7 +101,7 @@ TEST(SurfaceDistance, ConvergesAtAnyNumberOfSamples) {
 }
 
 TEST(SurfaceDistance, ScalesWithTheUnit) {
-  for (const double factor : {1024.0, 0x1p-40}) {  // no rounding at all, so not even ties fall differently
+  for (const double factor : {1024.0, 0x1p-40}) {  // powers of two: no rounding, so even ties are the same
     const SurfaceDistance d =
         surface_distance(test::scaled(reference(), factor), test::scaled(approximation(), factor), options);
     expect_same(d, factor, 0.0, 0.0, std::to_string(factor));
@@ -117,11 +117,12 @@ TEST(SurfaceDistance, DoesNotDependOnThePlace) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const SurfaceDistance d =
         surface_distance(test::rotated(reference(), seed), test::rotated(approximation(), seed), options);
-    SurfaceDistance turned = d;  // the box is another one
+    SurfaceDistance turned = d;  // the box has another diagonal
     turned.diagonal = surface_distance(reference(), approximation(), {.samples = 1}).diagonal;
     expect_same(turned, 1.0, 1e-9, 0.05, "rotated, seed " + std::to_string(seed));
   }
-  // A million diagonals away the coordinates are rounded to 1e-10 of it, and the mean distance is about a hundredth.
+  // A million diagonals away, coordinates are rounded to 1e-10 of a diagonal. The mean distance is about a hundredth of
+  // one.
   const Vec3 far(3e6, -1e6, 2e6);
   const SurfaceDistance d = surface_distance(test::moved(reference(), far), test::moved(approximation(), far), options);
   expect_same(d, 1.0, 1e-6, 0.05, "moved");
@@ -130,8 +131,8 @@ TEST(SurfaceDistance, DoesNotDependOnThePlace) {
 TEST(SurfaceDistance, DependsOnTheOrderOnlyThroughTheSamples) {
   const SurfaceDistance d =
       surface_distance(test::permuted(reference(), 1).mesh, test::permuted(approximation(), 2).mesh, options);
-  // Another order of the faces puts the samples elsewhere: 5 / sqrt(30000) is 3 %. The maximum is a vertex here or a
-  // sample near to one.
+  // Another order of the faces moves the samples: 5 / sqrt(30000) is 3 %. The maximum is at a vertex in one run, or at
+  // a sample near it in the other.
   expect_same(d, 1.0, 0.03, 0.3, "permuted");
 }
 

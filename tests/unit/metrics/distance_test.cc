@@ -1,6 +1,6 @@
-// Against closed forms. What is the same at every point of a surface has to come out exactly, but for rounding; what
-// varies has to come out within five standard errors of independent samples, 5 sigma / sqrt(n), which stratified ones
-// stay below.
+// Comparisons with closed forms. A distance that is the same at every point must be exact but for rounding. A distance
+// that varies must be within five standard errors of independent samples, 5 sigma / sqrt(n). Stratified samples have
+// smaller errors.
 #include "whittle/metrics/distance.hh"
 
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ TEST(SurfaceDistance, IsExactlyZeroBetweenEqualMeshes) {
 }
 
 TEST(SurfaceDistance, OfParallelSquaresIsTheirOffset) {
-  const double h = 0.37;  // sums of 40,000 of it round, block by block of 2048, by at most 2048 * 2^-53 of it
+  const double h = 0.37;  // rounding of a sum of 40,000, in blocks of 2048: at most 2048 * 2^-53 of h
   const SurfaceDistance d = surface_distance(square(0.0, 1.0, 0.0), square(0.0, 1.0, h), options);
   expect_constant(d.forward, h, 1e-13, "forward");
   expect_constant(d.backward, h, 1e-13, "backward");
@@ -79,14 +79,14 @@ TEST(SurfaceDistance, OfParallelSquaresIsTheirOffset) {
 }
 
 TEST(SurfaceDistance, OfSquaresOfDifferentSizeCountsTheBorder) {
-  // Of the large square's nine parts one is the small one, four are strips (distance uniform in [0, 1]) and four are
-  // corners (the distance of a unit square's points from a corner: mean (sqrt 2 + asinh 1) / 3, mean square 2/3).
+  // The large square has nine parts. One is the small square. On four strips the distance is uniform in [0, 1]. On four
+  // corners it is that of a unit square's points from a corner: mean (sqrt 2 + asinh 1) / 3, mean square 2/3.
   const SurfaceDistance d = surface_distance(square(0.0, 1.0, 0.0), square(-1.0, 2.0, 0.0), options);
   expect_zero(d.forward, "small to large");
   const double mean = (4.0 * 0.5 + 4.0 * (std::numbers::sqrt2 + std::asinh(1.0)) / 3.0) / 9.0;
   const double mean_sq = (4.0 / 3.0 + 4.0 * 2.0 / 3.0) / 9.0;
   EXPECT_NEAR(d.backward.mean, mean, 5.0 * standard_error(mean, mean_sq));
-  // The squares are in [0, 2] with the mean 4/9: their standard deviation is below sqrt(2 * 4/9).
+  // The squares are in [0, 2] with mean 4/9, so their standard deviation is below sqrt(2 * 4/9).
   EXPECT_NEAR(d.backward.mean_sq, mean_sq, 5.0 * std::sqrt(8.0 / 9.0 / n_samples));
   EXPECT_DOUBLE_EQ(d.backward.max, std::numbers::sqrt2);
   EXPECT_DOUBLE_EQ(d.mean, 0.5 * d.backward.mean);
@@ -96,14 +96,15 @@ TEST(SurfaceDistance, OfSquaresOfDifferentSizeCountsTheBorder) {
 }
 
 TEST(SurfaceDistance, GarlandHeckbertTakesSamplesAndVerticesAlike) {
-  // As above; the four vertices of the large square have squared distance 2, those of the small one 0.
+  // As above. The four vertices of the large square have squared distance 2, those of the small one 0.
   const SurfaceDistance d = surface_distance(square(0.0, 1.0, 0.0), square(-1.0, 2.0, 0.0), options);
   const double n = n_samples;
   EXPECT_NEAR(d.garland_heckbert, (n * d.backward.mean_sq + 4.0 * 2.0) / (2.0 * n + 8.0), 1e-14);
 }
 
 TEST(SurfaceDistance, BetweenScaledCubes) {
-  // The faces of (±1)³ lie s − 1 inside of those of (±s)³; the other way the parts beyond the edges are further off.
+  // The faces of (±1)³ lie s − 1 inside those of (±s)³. In the other direction, points beyond the edges are farther
+  // away.
   const double s = 1.25, gap = s - 1.0;
   const SurfaceDistance d = surface_distance(test::cube(), test::scaled(test::cube(), s), options);
   expect_constant(d.forward, gap, 1e-13, "small to large");
@@ -114,9 +115,9 @@ TEST(SurfaceDistance, BetweenScaledCubes) {
 }
 
 TEST(SurfaceDistance, BetweenACubeAndItsMovedCopy) {
-  // Moved by δ along x: one end face is δ away everywhere; of the other, points nearer than δ to its rim are nearer to
-  // the sides; of the four sides a strip sticks out by up to δ.
-  const double delta = 0.05, n_sides = 24.0;  // area
+  // Moved by δ along x. One end face is δ away everywhere. On the other end face, points nearer than δ to the rim are
+  // nearer to the sides. On the four sides a strip sticks out by up to δ.
+  const double delta = 0.05, n_sides = 24.0;  // total area of the faces
   const SurfaceDistance d = surface_distance(test::cube(), test::moved(test::cube(), Vec3(delta, 0.0, 0.0)), options);
   const double end = 4.0 * delta;
   const double other_end = 4.0 * (delta - delta * delta + delta * delta * delta / 3.0);
@@ -130,9 +131,9 @@ TEST(SurfaceDistance, BetweenACubeAndItsMovedCopy) {
 }
 
 TEST(SurfaceDistance, BetweenConcentricSpheres) {
-  // Faces dip inside the sphere as far as the foot of the origin on them. So points of the unit sphere's mesh are at
-  // radii in [inner, 1], those of the other at s times that; whatever is s·inner − 1 … s − inner apart along a ray
-  // through the origin can't be nearer than the first, nor further than the second.
+  // Faces lie inside the sphere, at most as deep as the foot of the origin on them. So points of the unit sphere's mesh
+  // have radii in [inner, 1], and those of the other mesh have s times that. Along a ray from the origin the meshes are
+  // between s·inner − 1 and s − inner apart. These bound the distance from below and above.
   const IndexedMesh sphere = test::sphere(4);
   double inner = 1.0;
   for (const auto& [a, b, c] : sphere.faces) {
@@ -147,16 +148,16 @@ TEST(SurfaceDistance, BetweenConcentricSpheres) {
       EXPECT_GE(distance, s * inner - 1.0);
       EXPECT_LE(distance, s - inner);
     }
-    // A foot point is at most half a face away from the point's ray; normals within a face's angle, 2 asin of the
-    // longest edge's half, at level 4 below 4.5 degrees.
+    // A foot point is at most half a face away from the point's ray. Normals differ by less than a face's angle, 2 asin
+    // of half the longest edge: below 4.5 degrees at level 4.
     EXPECT_LT(direction.normal_deviation_deg, 4.5);
     EXPECT_EQ(direction.flipped_percent, 0.0);
   }
 }
 
 TEST(SurfaceDistance, TellsASphereWithoutItsCapFromTheWholeOne) {
-  // The cap above the polar angle 3π/16 is missing. Its pole is furthest off: nearest are the middles of the polygon of
-  // 32 edges around it.
+  // The cap above the polar angle 3π/16 is missing. Its pole is farthest away. The nearest points are the edge
+  // midpoints of the surrounding polygon of 32 edges.
   const IndexedMesh whole = test::uv_sphere(16, 32);
   const double polar = 3.0 * std::numbers::pi / 16.0;
   IndexedMesh open = whole;
@@ -178,7 +179,7 @@ TEST(SurfaceDistance, TellsASphereWithoutItsCapFromTheWholeOne) {
 }
 
 TEST(SurfaceDistance, VerticesCountForTheMaximumOnly) {
-  // A spike whose faces have hardly any area: no sample comes near its tip.
+  // A spike whose faces have almost no area: no sample lies near its tip.
   IndexedMesh spiked = square(0.0, 1.0, 0.0);
   spiked.positions.emplace_back(0.5, 0.5, 3.0);
   spiked.positions.emplace_back(0.5 + 1e-9, 0.5, 0.0);
@@ -219,22 +220,22 @@ TEST(SurfaceDistance, FacesTurnedOverAreFlipped) {
 }
 
 TEST(SurfaceDistance, FacesWithoutNormalDontCountForAngles) {
-  for (const double height : {0.0, 1e-12}) {  // none, or one that says nothing (at right angles to the other's)
+  for (const double height : {0.0, 1e-12}) {  // no normal, or one at right angles to the other's
     IndexedMesh line;
     line.positions = {{0.0, 0.0, 0.0}, {0.5, 0.0, height}, {1.0, 0.0, 0.0}};
     line.faces = {{0, 1, 2}};
     const SurfaceDistance d = surface_distance(line, square(0.0, 1.0, 1.0), options);
     expect_constant(d.forward, 1.0, 1e-11, "line to square");
     EXPECT_EQ(d.normal_deviation_deg, 0.0);
-    // The other way: the distance of (x, y, 1) from the axis, sqrt(1 + y²), is sqrt 2 at most and 1 + 1/3 in mean
-    // square.
+    // Backward: the distance of (x, y, 1) from the axis is sqrt(1 + y²), at most sqrt 2, with a mean square of 1 + 1/3.
     EXPECT_NEAR(d.backward.max, std::numbers::sqrt2, 1e-11);
     EXPECT_NEAR(d.backward.mean_sq, 4.0 / 3.0, 5.0 * std::sqrt(4.0 / 45.0 / n_samples));
   }
 }
 
 TEST(SurfaceDistance, SamplesAreSpreadByArea) {
-  // One face a thousand times the other, the small one 1 above the plane of the reference: a thousandth of the samples.
+  // One face is a thousand times as large as the other. The small one lies 1 above the reference plane and gets a
+  // thousandth of the samples.
   IndexedMesh flat;
   flat.positions = {{0.0, 0.0, 0.0},  {1000.0, 0.0, 0.0}, {0.0, 2.0, 0.0},
                     {10.0, 0.1, 1.0}, {11.0, 0.1, 1.0},   {10.0, 2.1, 1.0}};
@@ -242,7 +243,7 @@ TEST(SurfaceDistance, SamplesAreSpreadByArea) {
   flat.faces = {{0, 1, 2}};
   both.faces = {{0, 1, 2}, {3, 4, 5}};
   const SurfaceDistance d = surface_distance(flat, both, options);
-  EXPECT_NEAR(d.backward.mean_sq, 1.0 / 1001.0, 2.0 / n_samples);  // stratified: off by one sample at either end
+  EXPECT_NEAR(d.backward.mean_sq, 1.0 / 1001.0, 2.0 / n_samples);  // stratified: one sample more or less per end
 }
 
 TEST(SurfaceDistance, RejectsBadArguments) {

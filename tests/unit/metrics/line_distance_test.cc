@@ -23,7 +23,7 @@ namespace {
 using Lines = std::vector<Segment>;
 using Wide = Eigen::Matrix<long double, 3, 1>;
 
-/// Some of them points; sizes from a thousandth to ten.
+/// Some segments are points; sizes from a thousandth to ten.
 Lines random_lines(std::size_t n, std::uint64_t seed) {
   test::Random random(seed);
   Lines lines;
@@ -55,7 +55,7 @@ long double distance(const Wide& point, const Lines& lines) {
   return best;
 }
 
-/// By the definition: the mean by Simpson's rule instead of the trapezoidal one, every distance against all lines.
+/// By definition: the mean by Simpson's rule instead of the trapezoidal rule, every distance against all lines.
 DirectedLineDistance brute_force(const Lines& from, const Lines& to, double spacing) {
   long double total = 0, integral = 0, max = 0;
   for (const Segment& line : from) {
@@ -108,8 +108,8 @@ TEST(LineDistance, AgreesWithBruteForce) {
       const DirectedLineDistance expected =
           forward ? brute_force(reference, test, spacing) : brute_force(test, reference, spacing);
       const DirectedLineDistance& found = forward ? d.forward : d.backward;
-      // The distance changes along a line by at most the way gone: at a peak it can be off by half a spacing. The mean
-      // is off by about the spacing squared over the length at each kink, and there are few.
+      // The distance changes along a line by at most the arc length, so at a peak it can be off by half a spacing. At
+      // each kink the mean is off by about the spacing squared over the length. There are few kinks.
       const std::string what = "seed " + std::to_string(seed) + (forward ? ", forward" : ", backward");
       EXPECT_NEAR(found.max, expected.max, 0.5 * spacing) << what;
       EXPECT_NEAR(found.mean, expected.mean, 0.01 * spacing) << what;
@@ -120,7 +120,7 @@ TEST(LineDistance, AgreesWithBruteForce) {
 }
 
 TEST(LineDistance, OfEndsIsExact) {
-  // With the coarsest spacing there are no samples but the ends, so each number is a brute-force one to rounding.
+  // With the coarsest spacing only the ends are samples, so each number is a brute-force result to rounding.
   const Lines reference = random_lines(50, 11), test = random_lines(60, 12);
   const LineDistance d = distance_between(reference, test, {.spacing_rel = 1.0});
   long double total = 0, integral = 0, max = 0;
@@ -153,14 +153,15 @@ TEST(LineDistance, DoesNotDependOnHowALineIsCut) {
     EXPECT_DOUBLE_EQ(d.forward.mean, 2.0);
     EXPECT_DOUBLE_EQ(d.forward.max, 2.0);
     EXPECT_DOUBLE_EQ(d.backward.max, std::sqrt(5.0));
-    // A way x beyond either end the distance is sqrt(4 + x²); the rule is off by the spacing squared.
+    // At x beyond either end the distance is sqrt(4 + x²). The trapezoidal rule's error is of the order of the spacing
+    // squared.
     const double beyond = 0.5 * (std::sqrt(5.0) + 4.0 * std::asinh(0.5));
     EXPECT_NEAR(d.backward.mean, (8.0 * 2.0 + 2.0 * beyond) / 10.0, 1e-6);
   }
 }
 
 TEST(LineDistance, WeightsByLength) {
-  // A line of length 3 at height 1, one of length 1 at height 2, far from each other.
+  // A line of length 3 at height 1 and one of length 1 at height 2, far from each other.
   const Lines ground{{{0.0, 0.0, 0.0}, {100.0, 0.0, 0.0}}};
   const Lines above{{{0.0, 0.0, 1.0}, {3.0, 0.0, 1.0}}, {{90.0, 0.0, 2.0}, {91.0, 0.0, 2.0}}};
   const LineDistance d = distance_between(above, ground);
@@ -199,22 +200,22 @@ TEST(LineDistance, IsNothingWhereThereAreNoLines) {
 }
 
 TEST(LineDistance, OfTheFeaturesOfABoxAndItsMovedCopy) {
-  // Moved by δ along x. Of the 4 edges along x a piece of length δ sticks out. The 8 others are δ away from their
-  // copies, but for the ends of the 4 at the side the box moves to: these are nearer to the copies of edges along x.
+  // Moved by δ along x. Of the 4 edges along x, a piece of length δ sticks out. The 8 others are δ away from their
+  // copies. But the ends of 4 of these, on the side the box moves to, are nearer to the copies of edges along x.
   const double delta = 0.05;
   const IndexedMesh box = test::tessellated_cube(3);
   const Lines lines = feature_lines(box, 40.0);
   const Lines moved = feature_lines(test::moved(box, Vec3(delta, 0.0, 0.0)), 40.0);
   const LineDistance d = distance_between(lines, moved);
   const double mean = (4.0 * delta * delta / 2.0 + 4.0 * 2.0 * delta + 4.0 * (2.0 * delta - delta * delta)) / 24.0;
-  // The rule is exact but for the intervals with the kinks, 12 of them, where it is off by at most an eighth of the
-  // spacing squared.
+  // The rule is exact except in the 12 intervals with kinks. There its error is at most an eighth of the spacing
+  // squared.
   const double spacing = std::sqrt(12.0) / 2000.0, tolerance = 12.0 * spacing * spacing / 8.0 / 24.0;
   for (const DirectedLineDistance& direction : {d.forward, d.backward}) {
     EXPECT_NEAR(direction.mean, mean, tolerance);
     EXPECT_NEAR(direction.max, delta, 1e-15);
   }
-  // Moved along its diagonal: the corner the box leaves behind is furthest off.
+  // Moved along its diagonal: the corner at the back is farthest away.
   const LineDistance aslant = distance_between(lines, feature_lines(test::moved(box, Vec3(delta, delta, delta)), 40.0));
   EXPECT_NEAR(aslant.max, std::numbers::sqrt3 * delta, 1e-15);
 }
@@ -224,11 +225,11 @@ TEST(LineDistance, OfTheBordersOfOpenGrids) {
   const LineDistance lifted =
       distance_between(border_lines(grid), border_lines(test::moved(grid, Vec3(0.0, 0.0, 0.25))));
   for (const double x : numbers_of(lifted)) EXPECT_NEAR(x, 0.25, 1e-14);
-  // A row of squares less: a side of it is missing, and a piece of length 1 at either end of that.
+  // One row of squares is missing: one side of it, and a piece of length 1 at either end.
   const LineDistance shorter = distance_between(border_lines(grid), border_lines(test::grid(6, 3)));
   EXPECT_DOUBLE_EQ(shorter.forward.max, 1.0);
   EXPECT_NEAR(shorter.forward.mean, (6.0 * 1.0 + 2.0 * 0.5) / 20.0, 1e-12);
-  // The far side of the smaller one lies 1 inside of the side beyond, its ends on the sides of the larger one.
+  // The far side of the smaller grid lies 1 inside the larger one's, with its ends on the larger one's sides.
   EXPECT_DOUBLE_EQ(shorter.backward.max, 1.0);
   EXPECT_NEAR(shorter.backward.mean, (4.0 * 1.0 + 2.0 * 0.5) / 18.0, 1e-6);
 }
@@ -255,7 +256,7 @@ TEST(LineDistance, DoesNotDependOnUnitPlaceAndOrder) {
   };
   const auto scale = [](double factor) { return Eigen::Affine3d(Eigen::Scaling(factor)); };
   for (const double factor : {1024.0, 0x1p-40}) expect_near(by(scale(factor)), expected, factor, 0.0, "powers of two");
-  // One sample more or less on a segment, where its length is nearly a multiple of the spacing, is rounding, too.
+  // Where a segment's length is close to a multiple of the spacing, rounding may add or drop a sample.
   const double spacing = diagonal / 2000.0;
   for (const double factor : {1000.0, 0.001}) {
     expect_near(by(scale(factor)), expected, factor, 1e-4 * spacing, "scaled " + std::to_string(factor));
@@ -264,7 +265,7 @@ TEST(LineDistance, DoesNotDependOnUnitPlaceAndOrder) {
   expect_near(by(quarter), expected, 1.0, 1e-4 * spacing, "turned by 90 degrees");
   const Eigen::Affine3d far(Eigen::Translation3d(1e5, -2e5, 3e5));
   expect_near(by(far), expected, 1.0, 1e-4 * spacing, "moved");
-  // Turned by any angle the box has another diagonal, at most sqrt 3 times as long, and the samples lie elsewhere.
+  // Rotated, the box has another diagonal, at most sqrt 3 times as long, so the samples are elsewhere.
   const Eigen::Affine3d turned(Eigen::AngleAxisd(1.0, Vec3(1.0, 2.0, 3.0).normalized()));
   expect_near(by(turned), expected, 1.0, 0.5 * std::numbers::sqrt3 * spacing, "turned");
 

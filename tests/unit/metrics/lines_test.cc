@@ -24,7 +24,7 @@ double length_of(const std::vector<Segment>& lines) {
   return length;
 }
 
-/// Two faces along the x axis, one of them turned up by `angle_deg` out of the plane of the other.
+/// Two faces along the x axis. One of them is turned up by `angle_deg` from the plane of the other.
 IndexedMesh hinge(double angle_deg) {
   const double angle = angle_deg * std::numbers::pi / 180.0;
   IndexedMesh mesh;
@@ -76,7 +76,7 @@ TEST(FeatureLines, OfABoxAreItsTwelveEdges) {
 
 TEST(FeatureLines, AreSharperThanTheAngle) {
   for (const double angle : {0.01, 1.0, 40.0, 90.0, 135.0, 179.9}) {
-    // The cosine says nothing of angles this close to 0 or 180 degrees; a rounding of 1e-16 must not be seen at 1e-9.
+    // The cosine can't resolve angles this close to 0 or 180 degrees. A rounding error of 1e-16 must not show at 1e-9.
     EXPECT_EQ(feature_lines(hinge(angle), angle - 1e-9).size(), 1U) << angle;
     EXPECT_EQ(feature_lines(hinge(angle), angle + 1e-9).size(), 0U) << angle;
     EXPECT_EQ(feature_lines(hinge(-angle), angle - 1e-9).size(), 1U) << angle;
@@ -123,7 +123,7 @@ TEST(FeatureLines, DontDependOnUnitPlaceAndOrder) {
   for (const IndexedMesh& other : others) {
     const std::vector<Segment> now = feature_lines(other, 40.0);
     EXPECT_EQ(now.size(), lines.size());
-    EXPECT_NEAR(length_of(now), length_of(lines), 1e-9 * length_of(lines));  // 3e4 away 1e-11 of a unit is lost
+    EXPECT_NEAR(length_of(now), length_of(lines), 1e-9 * length_of(lines));  // 3e4 away rounding is 1e-11 of a unit
   }
 }
 

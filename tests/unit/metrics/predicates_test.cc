@@ -54,7 +54,7 @@ TEST(Predicates, Orient2dIsPositiveForALeftTurn) {
 }
 
 TEST(Predicates, Orient3dIsExactOnNearlyFlatIntegers) {
-  // d is a combination of the others, so on their plane, or a few units off.
+  // d is a combination of the other points: on their plane, or a few units off it.
   int zeros = 0, nonzeros = 0;
   for (const double unit : {1.0, 0x1p-70, 0x1p60}) {
     Random random(1);
@@ -76,7 +76,7 @@ TEST(Predicates, Orient3dIsExactOnNearlyFlatIntegers) {
 }
 
 TEST(Predicates, Orient3dIsExactOnMixedMagnitudes) {
-  // Differences that don't fit a double: coordinates of very different size, a plane through all but one unit.
+  // Differences that don't fit into a double: coordinates of very different size, on a plane except for one unit.
   for (int i = -3; i <= 3; ++i) {
     const double tiny = i * 0x1p-40;
     const Vec3 a(0x1p60, 0, 1), b(0, 0x1p60, 1), c(-0x1p60, -0x1p60, 1), d(3, 5, 1 + tiny);
@@ -85,7 +85,7 @@ TEST(Predicates, Orient3dIsExactOnMixedMagnitudes) {
 }
 
 TEST(Predicates, Orient2dIsExactNearALine) {
-  // Kettner et al.: Classroom Examples of Robustness Problems in Geometric Computations: points a few units in the last
+  // Kettner et al.: Classroom Examples of Robustness Problems in Geometric Computations. Points a few units in the last
   // place around (0.5, 0.5), against the line through (12, 12) and (24, 24). In units of 2^-53 all are integers.
   const auto exact = [](std::int64_t px, std::int64_t py) {
     const std::int64_t one = std::int64_t{1} << 53;

@@ -29,7 +29,7 @@ int run_and_cancel(const Task& task) {
     return true;
   });
   EXPECT_EQ(last, 1);
-  // There may be fewer reports next time: those within a stage come by time. The first one always comes.
+  // The next run may have fewer reports, because those within a stage depend on time. The first one always comes.
   EXPECT_THROW(task([](const TaskProgress&) { return false; }), Cancelled);
   return n_reports;
 }

@@ -1,4 +1,4 @@
-// Counts of real meshes as others have them, where these meshes are at hand.
+// Counts of real meshes as other tools report them; skipped if the meshes are absent.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(Metrics, RealMesh,
                                          Known{"nasty/nonmanifold_cubes.obj", 1, 6, 0, 1, 0},  //
                                          Known{"dragon_vrip.ply", 151, 4270, 0, 0, 0}));
 
-/// A number that is known of a file.
+/// A known number for a file.
 struct Count {
   std::string file;
   long value;
@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Metrics, RealMeshGenus,
 
 class RealMeshSelfIntersections : public testing::TestWithParam<Count> {};
 
-/// Manifold triangle meshes without coincident vertices, which CGAL takes for different ones.
+/// Manifold triangle meshes without coincident vertices. CGAL treats coincident vertices as different.
 TEST_P(RealMeshSelfIntersections, AreAsManyAsCgalFinds) {
   WHITTLE_REAL_MESH_OR_SKIP(path, GetParam().file);
   EXPECT_EQ(self_intersections(io::read_mesh(path).mesh).size(), static_cast<std::size_t>(GetParam().value));

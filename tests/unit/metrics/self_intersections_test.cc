@@ -22,7 +22,7 @@ using test::Random;
 using Pairs = std::vector<std::array<Index, 2>>;
 __extension__ using Wide = __int128;
 
-/// (x, y, z) over w > 0, without a common divisor.
+/// The point (x, y, z) / w, w > 0, without a common divisor.
 struct RationalPoint {
   Wide x, y, z, w;
   bool operator==(const RationalPoint&) const = default;
@@ -53,12 +53,12 @@ IntegerVector cross(const IntegerVector& a, const IntegerVector& b) {
 }
 bool is_zero(const IntegerVector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
-/// w times the product of `normal` with p − through.
+/// w times the dot product of `normal` with p − through.
 Wide height(const RationalPoint& p, const IntegerVector& normal, const IntegerVector& through) {
   return normal.x * (p.x - through.x * p.w) + normal.y * (p.y - through.y * p.w) + normal.z * (p.z - through.z * p.w);
 }
 
-/// The part of a convex polygon (also a segment or a point) where `normal` · (p − through) >= 0.
+/// The part of a convex polygon (or segment, or point) where `normal` · (p − through) >= 0.
 std::vector<RationalPoint> clipped(const std::vector<RationalPoint>& polygon, const IntegerVector& normal,
                                    const IntegerVector& through) {
   std::vector<RationalPoint> result;
@@ -74,7 +74,7 @@ std::vector<RationalPoint> clipped(const std::vector<RationalPoint>& polygon, co
   return result;
 }
 
-/// All pairs, each by clipping one face to the other in rational numbers. Positions have to be small integers.
+/// All pairs. Each is tested by clipping one face to the other in rational numbers. Positions must be small integers.
 Pairs by_clipping(const IndexedMesh& mesh) {
   const auto corner = [&](std::size_t face, std::size_t c) {
     const Vec3& p = mesh.positions[mesh.faces[face][c]];
@@ -106,7 +106,7 @@ Pairs by_clipping(const IndexedMesh& mesh) {
         if (common.empty()) return true;
         if (common.size() == 1) return !(p == common[0]);
         if (common.size() == 3) return true;
-        // Off the line through both common corners, which are integers.
+        // The common point is off the line through both common corners, which are integers.
         const RationalPoint &a = common[0], &b = common[1];
         const Wide dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
         const Wide px = p.x - a.x * p.w, py = p.y - a.y * p.w, pz = p.z - a.z * p.w;
@@ -185,9 +185,9 @@ TEST(SelfIntersections, KnowCornersByPosition) {
 }
 
 TEST(SelfIntersections, NamedMeshesHaveNone) {
-  // Sheets and solids that don't run into each other; two cubes meeting in a common edge share just that.
+  // Sheets and solids that don't intersect. Two cubes that meet in a common edge share only that edge.
   for (const auto& [name, mesh] : test::closed_meshes()) {
-    if (name.rfind("csaszar", 0) == 0) continue;  // below
+    if (name.rfind("csaszar", 0) == 0) continue;  // tested below
     EXPECT_EQ(self_intersections(mesh), none) << name;
   }
   for (const auto& [name, mesh] : test::open_meshes()) EXPECT_EQ(self_intersections(mesh), none) << name;
@@ -226,7 +226,7 @@ TEST(SelfIntersections, DontDependOnUnitPlaceOrOrder) {
     EXPECT_EQ(self_intersections(test::scaled(mesh, 0x1p60)), expected) << "seed " << seed;
     EXPECT_EQ(self_intersections(test::scaled(mesh, 1000.0)), expected) << "seed " << seed;
     EXPECT_EQ(self_intersections(test::moved(mesh, Vec3(0x1p40, -0x1p45, 0x1p30))), expected) << "seed " << seed;
-    IndexedMesh sheared = mesh;  // exact, and no plane is along the axes any more
+    IndexedMesh sheared = mesh;  // exact; afterwards no plane is parallel to the axes
     for (Vec3& p : sheared.positions) p = Vec3(p.x() + 3.0 * p.y(), p.y() - 2.0 * p.z(), p.z() + 5.0 * p.x());
     EXPECT_EQ(self_intersections(sheared), expected) << "seed " << seed;
 

@@ -21,7 +21,7 @@ IndexedMesh triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
   return mesh;
 }
 
-/// Two unit-high faces on the x axis whose normals make the angle `deg`; the second is turned over if `misoriented`.
+/// Two faces of height 1 on the x axis whose normals form the angle `deg`. The second is reversed if `misoriented`.
 IndexedMesh hinge(double deg, bool misoriented) {
   const double angle = deg * std::numbers::pi / 180.0;
   IndexedMesh mesh;
@@ -161,7 +161,7 @@ TEST(Shape, DoesNotDependOnUnitPlaceOrOrder) {
     const Shape expected = shape(mesh);
     const auto expect_same = [&](const IndexedMesh& other, double tolerance, const std::string& what) {
       const Shape s = shape(other);
-      // Against the mean as an absolute measure: ratios, angles and the coefficient have no unit.
+      // Tolerances are absolute, because ratios, angles and the coefficient have no unit.
       EXPECT_NEAR(s.radius_ratio_mean, expected.radius_ratio_mean, tolerance) << name << what;
       EXPECT_NEAR(s.radius_ratio_min, expected.radius_ratio_min, tolerance) << name << what;
       EXPECT_NEAR(s.min_angle_mean_deg, expected.min_angle_mean_deg, 60.0 * tolerance) << name << what;
@@ -176,7 +176,7 @@ TEST(Shape, DoesNotDependOnUnitPlaceOrOrder) {
       expect_same(test::scaled(mesh, factor), 1e-12, ", scaled " + std::to_string(factor));
     }
     expect_same(test::permuted(mesh, 2).mesh, 1e-12, ", permuted");
-    // A million away, coordinates are rounded to 1e-10, edges down to 0.1 or so to 1e-9 of themselves.
+    // A million away, coordinates are rounded to 1e-10, so edges of length 0.1 are rounded to 1e-9 of themselves.
     expect_same(test::moved(mesh, Vec3(1e6, -1e6, 1e6)), 1e-7, ", moved");
   }
 }

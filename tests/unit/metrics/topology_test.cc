@@ -43,7 +43,8 @@ namespace {
 
 using test::Random;
 
-/// Number of connected sets of things, two of which are joined if they share a key. \param keys the keys of each thing
+/// The number of connected sets of items. Two items are connected if they share a key. \param keys the keys of each
+/// item
 std::size_t count_sets(const std::vector<std::vector<std::size_t>>& keys) {
   std::map<std::size_t, std::vector<std::size_t>> holders;
   for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -70,7 +71,7 @@ std::size_t count_sets(const std::vector<std::vector<std::size_t>>& keys) {
   return sets;
 }
 
-/// The topology by the words of the definitions, with sets, maps and floods.
+/// The topology by its definitions, with sets, maps and flood fill.
 class ByDefinition {
  public:
   explicit ByDefinition(const IndexedMesh& mesh) {
@@ -158,7 +159,7 @@ class ByDefinition {
     result_.boundary_loops = count_sets(boundary_fans);
   }
 
-  /// Reverses faces, one after the other, as their neighbours need it. After a contradiction there is no orientation.
+  /// Reverses faces one after the other to match their neighbours. After a contradiction there is no orientation.
   void orient() {
     std::map<std::size_t, bool> reversed;
     for (std::size_t seed = 0; seed < faces_.size(); ++seed) {
@@ -182,15 +183,15 @@ class ByDefinition {
 
   Topology result_;
   std::vector<Triangle> faces_;
-  std::map<Edge, std::vector<std::pair<std::size_t, bool>>> edges_;  ///< faces, and whether they run upwards along it
+  std::map<Edge, std::vector<std::pair<std::size_t, bool>>> edges_;  ///< faces; true if from lower to higher vertex
   std::map<Index, std::set<std::size_t>> stars_;
   std::map<std::pair<Index, std::size_t>, std::size_t> fan_;  ///< number of the fan of a vertex and a face
 };
 
 Topology by_definition(const IndexedMesh& mesh) { return ByDefinition(mesh).topology(); }
 
-/// nu × nv squares, opposite sides glued; one pair of sides the wrong way around, which makes it a bottle after Klein.
-/// The positions are those of a flat square: only the numbers count.
+/// nu × nv squares with opposite sides joined, one pair of sides reversed: a Klein bottle. The positions are those of a
+/// flat square; only the vertex numbers matter.
 IndexedMesh klein_bottle(Index nu, Index nv) {
   IndexedMesh mesh;
   for (Index u = 0; u < nu; ++u) {
@@ -206,7 +207,7 @@ IndexedMesh klein_bottle(Index nu, Index nv) {
   return mesh;
 }
 
-/// The projective plane with the least number of vertices: the icosahedron with opposite points made one.
+/// The projective plane with the fewest vertices: the icosahedron with opposite points identified.
 IndexedMesh projective_plane() {
   IndexedMesh mesh;
   mesh.positions.resize(6, Vec3::Zero());

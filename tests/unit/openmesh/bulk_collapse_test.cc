@@ -1,4 +1,4 @@
-// Many collapses at once leave what the same collapses leave one by one.
+// Many collapses at once give the same mesh as the same collapses one by one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using OpenMesh::FaceHandle;
 using OpenMesh::HalfedgeHandle;
 using OpenMesh::VertexHandle;
 
-/// As PairDecimaterT's mesh driver does it.
+/// Collapses one edge in the same way as PairDecimaterT's mesh driver.
 void collapse_one(DoubleMesh& mesh, HalfedgeHandle h) {
   const OpenMesh::Decimater::CollapseInfoT<DoubleMesh> collapse(mesh, h);
   const auto carry = [&mesh](HalfedgeHandle from, HalfedgeHandle to) {
@@ -35,7 +35,7 @@ void collapse_one(DoubleMesh& mesh, HalfedgeHandle h) {
   mesh.collapse(h);
 }
 
-/// Collapses edges at random, either way round, as far as the topology allows or `limit` says.
+/// Collapses random edges in random directions, as long as the topology and `limit` allow.
 std::vector<VertexMerge> collapse_at_random(DoubleMesh& mesh, std::size_t limit, std::uint64_t seed) {
   std::vector<VertexMerge> merges;
   Random random(seed);
@@ -146,7 +146,7 @@ TEST(PairDecimaterWriteBack, TheModulesQuadricsGoAlongWithGarbageCollection) {
   DoubleMesh& mesh = run.mesh;
   run.decimater.decimate_to(200);
   OpenMesh::VProp<Vec3> position(mesh);
-  OpenMesh::VProp<double> cost(mesh);  // of the edge at which the vertex starts
+  OpenMesh::VProp<double> cost(mesh);  // per vertex, the cost of the edge of its outgoing halfedge
   const auto cost_at = [&](VertexHandle v) {
     const VertexHandle w = mesh.to_vertex_handle(mesh.halfedge_handle(v));
     return run.module().evaluate(v, w, Pinned::none).cost;

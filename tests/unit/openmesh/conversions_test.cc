@@ -90,7 +90,8 @@ std::vector<NamedMesh> odd_meshes() {
   return result;
 }
 
-/// There and back: the same faces in the same order, no vertex more; what lies between is a manifold.
+/// Converts there and back. The result has the same faces in the same order and no additional vertices. The mesh
+/// between is manifold.
 void expect_round_trip(const IndexedMesh& shape, const std::string& name) {
   ColorMesh mesh;
   ASSERT_THAT(to_open_mesh(shape, mesh), testing::IsEmpty()) << name;
@@ -117,7 +118,7 @@ TEST(Conversions, RoundTripLosesNoFaceOfAnyMesh) {
   }
 }
 
-/// What can be read of the real meshes in a folder; exact duplicates of vertices made one, or not.
+/// All readable real meshes in a folder, with exact duplicates of vertices welded or not.
 std::vector<NamedMesh> readable_meshes(const std::filesystem::path& folder) {
   std::vector<NamedMesh> result;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -128,7 +129,7 @@ std::vector<NamedMesh> readable_meshes(const std::filesystem::path& folder) {
         IndexedMesh mesh = io::read_mesh(entry.path(), options).mesh;
         mesh.origins.clear();
         result.push_back({entry.path().string(), std::move(mesh)});
-      } catch (const io::ReadError&) {  // what reading refuses has tests of its own
+      } catch (const io::ReadError&) {  // other tests cover what reading refuses
         break;
       }
     }

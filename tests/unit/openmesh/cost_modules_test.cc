@@ -1,4 +1,4 @@
-// Our cost modules other than plain Garland–Heckbert: in OpenMesh's decimaters, and what their numbers are.
+// Our cost modules other than plain Garland–Heckbert: in OpenMesh's decimaters, and the costs they compute.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using OpenMesh::VertexHandle;
 
 class CostInStockDecimaters : public testing::TestWithParam<NamedCost> {
  protected:
-  /// Decimates to 300 faces by `decimate(decimater)`, and checks what is left.
+  /// Decimates to 300 faces by `decimate(decimater)` and checks the result.
   template <template <class> class DecimaterT, class MeshT, class Decimate>
   void run(const Decimate& decimate) {
     const IndexedMesh shape = noisy_torus(32, 16, 1, 0.4, 0.02, 5);
@@ -65,7 +65,7 @@ TEST_P(CostInStockDecimaters, MixedDecimaterTakesIt) {
 }
 
 TEST_P(CostInStockDecimaters, TheUnitOfTheMeshChangesNoCollapse) {
-  // Costs fall with up to the sixth power of the size: in model units they would be 0 as floats.
+  // Costs scale with up to the sixth power of the size. In model units they would underflow to 0 as floats.
   const IndexedMesh shape = noisy_sphere(2, 0.05, 8);
   const auto collapses = [&](double factor) {
     DoubleMesh mesh = open_mesh<DoubleMesh>(scaled(shape, factor));
@@ -94,7 +94,7 @@ TEST_P(CostInStockDecimaters, LockedVerticesKeepTheirPlace) {
 }
 
 TEST(CostModules, FeatureBitsGoWithTheEdgesThatTakeTheirsPlace) {
-  // A ridge with a kink: v0 of the collapse is its kink, and the ridge goes on along the wing's edge to v1.
+  // A ridge with a kink: v0 of the collapse is at the kink, and the ridge continues along the wing's edge to v1.
   DoubleMesh mesh = open_mesh<DoubleMesh>(grid(4, 4));
   OpenMesh::Decimater::DecimaterT<DoubleMesh> decimater(mesh);
   auto& cost = add_module<ModMidpointT<DoubleMesh>>(decimater);
@@ -228,7 +228,7 @@ TEST(ModMemoryless, KeepsTheVolumeInOpenMeshsDecimaterToo) {
 }
 
 TEST(ModMemoryless, WhereTheBestPlaceIsRefusedTheMinimumIsTried) {
-  // A guard that wants v1 to be where the cost is least.
+  // A guard that requires v1 to be at the position of least cost.
   struct ModLeastCost : OpenMesh::Decimater::ModBaseT<DoubleMesh> {
     explicit ModLeastCost(DoubleMesh& mesh) : ModBaseT(mesh, true) {}
     float collapse_priority(const CollapseInfo& collapse) override {
@@ -260,7 +260,7 @@ TEST(ModMemoryless, WhereTheBestPlaceIsRefusedTheMinimumIsTried) {
   EXPECT_LT(volume_after(true), 0.995 * volume) << "at the minima it shrinks";
 }
 
-/// Where the costs of all edges are least, model units.
+/// The positions of least cost of all edges, in model units.
 std::vector<Vec3> minima_of_edges(const DoubleMesh& mesh, const PairCostModuleT<DoubleMesh>& module) {
   std::vector<Vec3> minima;
   for (const OpenMesh::EdgeHandle e : mesh.edges()) {
@@ -273,7 +273,7 @@ std::vector<Vec3> minima_of_edges(const DoubleMesh& mesh, const PairCostModuleT<
 }
 
 TEST(ModMemoryless, GoesByTheFacesThereAreAfterJoints) {
-  // Two spheres that share a vertex: the engine joins its copies, and vertices around remember.
+  // Two spheres that share a vertex. The engine joins its copies, and the vertices around keep their planes.
   const auto by_x = [](const Vec3& p, const Vec3& q) { return p.x() < q.x(); };
   const IndexedMesh left = noisy_sphere(3, 0.1, 1);
   IndexedMesh right = noisy_sphere(3, 0.1, 2);
@@ -323,7 +323,7 @@ TEST(ModLindstromTurk, TheCostGrowsWithTheSixthPowerOfTheSize) {
   EXPECT_GT(*std::max_element(expected.begin(), expected.end()), 1e-3);
 }
 
-/// Valences and edge lengths of what is left.
+/// Valences and edge lengths of the result.
 struct Shape {
   int n_three = 0;
   int n_irregular = 0;  ///< valences other than 5, 6, 7

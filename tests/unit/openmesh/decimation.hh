@@ -28,13 +28,13 @@ struct Decimation {
   std::vector<Contraction> contractions;
 };
 
-/// Whether v is there still, at the same place.
+/// Whether v still exists, at the same position.
 template <class MeshT>
 bool unmoved(const MeshT& mesh, const IndexedMesh& before, OpenMesh::VertexHandle v) {
   return !mesh.status(v).deleted() && to_vec3(mesh.point(v)) == before.positions[static_cast<std::size_t>(v.idx())];
 }
 
-/// Base of the tests that both drivers have to pass.
+/// Base class of the tests that run with both drivers.
 class EachDriver : public testing::TestWithParam<Driver> {};
 inline const auto each_driver = testing::Values(Driver::engine, Driver::mesh);
 inline std::string driver_name(const testing::TestParamInfo<Driver>& test) {

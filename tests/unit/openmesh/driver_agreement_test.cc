@@ -1,4 +1,4 @@
-// Both drivers of PairDecimaterT make the same contractions: same pairs, places and costs, to the bit.
+// Both drivers of PairDecimaterT make the same contractions: same pairs, positions and costs, to the bit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 /// Which feature bits are set.
 enum class Features {
   none,
-  sharp_edges,  ///< those of 30° and more; of their vertices some
+  sharp_edges,  ///< those of 30° and more, and some of their vertices
   many          ///< every seventh edge and every thirteenth vertex
 };
 
@@ -94,7 +94,7 @@ void expect_agreement(const MeshT& mesh, const Setting& setting, const DecimateT
   EXPECT_EQ(by_mesh.result.stop, by_engine.result.stop) << context;
 }
 
-/// Collects named settings, each a change of the defaults.
+/// Collects named settings. Each changes some of the defaults.
 class Settings {
  public:
   template <class Change>
@@ -124,7 +124,7 @@ std::vector<Setting> quadric_settings() {
       .take();
 }
 
-/// Other costs, and each with every term that goes with it.
+/// The other costs, each with every term that it takes.
 std::vector<Setting> cost_settings() {
   return Settings()
       .add("valence", [](Setting& s) { s.cost.valence_weight = 1; })
@@ -201,7 +201,7 @@ std::vector<Setting> feature_settings() {
       .take();
 }
 
-/// Of doubles and of floats.
+/// On meshes of doubles and of floats.
 void expect_agreement_on_all_shapes(const std::vector<Setting>& settings) {
   for (const auto& [name, shape] : holdable_meshes()) {
     for (const Setting& setting : settings) {
@@ -229,9 +229,9 @@ TEST(DriverAgreement, RotatedScaledMovedAndPermuted) {
 }
 
 TEST(DriverAgreement, WithoutRegularisationAsFarAsCostsStandOutFromRounding) {
-  // Then every contraction on flat ground costs zero but for rounding. The engine's queue rests on lower bounds, which
-  // rounding breaks there, and the orders part ways. Until they do, everything is the same; where they do, both cost
-  // nothing but rounding (frame size 1, weights of at most 1).
+  // Then every contraction on flat ground costs zero but for rounding. The engine's queue needs lower bounds. Rounding
+  // breaks these there, and the two orders differ. Until the first difference, everything is the same. There, both
+  // costs are rounding only (frame size 1, weights of at most 1).
   Setting setting{"unregularised", {}};
   setting.cost.quadric.regularization = 0;
   constexpr double rounding_floor = 1e-14;

@@ -1,5 +1,5 @@
-// The connectivity after vertices were joined: valid, with every handle that can be kept, and the joined mesh when
-// copies are one again.
+// The connectivity after vertices were joined. It is valid and keeps every handle that can be kept. Without copies it
+// is that of the joined mesh.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ using OpenMesh::VertexHandle;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// For each vertex the one that it is joined to, or itself. No chains.
+/// For each vertex the vertex that it is joined to, or itself. There are no chains.
 using Joins = std::vector<Index>;
 
 Joins no_joins(std::size_t n_vertices) {
@@ -42,7 +42,7 @@ Joins no_joins(std::size_t n_vertices) {
   return joins;
 }
 
-/// Each of `n` times two vertices at random, which need be nothing to each other.
+/// Joins two random vertices, related or not, `n` times.
 Joins random_joins(std::size_t n_vertices, std::size_t n, std::uint64_t seed) {
   Random random(seed);
   Joins joins = no_joins(n_vertices);
@@ -54,7 +54,7 @@ Joins random_joins(std::size_t n_vertices, std::size_t n, std::uint64_t seed) {
   return joins;
 }
 
-/// Vertices closer than `threshold`, one to another.
+/// Joins vertices closer than `threshold` to each other.
 Joins joins_within(const IndexedMesh& mesh, double threshold) {
   Joins joins = no_joins(mesh.positions.size());
   for (Index v = 0; v < joins.size(); ++v) {
@@ -108,7 +108,7 @@ Task make_task(const DoubleMesh& mesh, const Joins& joins) {
   return task;
 }
 
-/// What a mesh carries along, to tell afterwards whose it was.
+/// Properties of a mesh that identify its elements afterwards.
 struct Labels {
   OpenMesh::VProp<int> vertex;
   OpenMesh::FProp<int> face;
@@ -167,7 +167,7 @@ void expect_labels_kept(const DoubleMesh& mesh, const Labels& labels, const Join
   }
 }
 
-/// Joins and looks at everything that is promised.
+/// Joins vertices and checks everything that is promised.
 void join_and_check(DoubleMesh& mesh, const Joins& joins, const std::string& context) {
   const Task task = make_task(mesh, joins);
   const Labels labels(mesh, task.joined);
@@ -179,7 +179,7 @@ void join_and_check(DoubleMesh& mesh, const Joins& joins, const std::string& con
   expect_labels_kept(mesh, labels, task.joined, copies, context);
 }
 
-/// Joins at random, four times over, with the garbage collected between the last two.
+/// Joins random vertices four times in succession. Before the last time garbage is collected.
 void join_again_and_again(DoubleMesh mesh, std::size_t n_joins, std::uint64_t seed, const std::string& name) {
   for (int round = 1; round <= 4; ++round) {
     const std::string context = name + ", " + std::to_string(n_joins) + " joins, seed " + std::to_string(seed) +

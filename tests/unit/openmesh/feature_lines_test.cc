@@ -1,4 +1,4 @@
-// Feature bits in PairDecimaterT, whichever driver runs: what they hold, and what becomes of them.
+// Feature bits in PairDecimaterT with either driver: what they prevent, and how they change.
 #include <gtest/gtest.h>
 
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
@@ -33,7 +33,7 @@ double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return (p - a - share * (b - a)).norm();
 }
 
-/// To the nearest marked edge.
+/// Distance to the nearest marked edge.
 double distance_to_lines(const DoubleMesh& mesh, const Vec3& p) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [a, b] : marked_edges(mesh)) {
@@ -43,7 +43,7 @@ double distance_to_lines(const DoubleMesh& mesh, const Vec3& p) {
   return least;
 }
 
-/// A cylinder of 24 vertices around, the ring at half its height a feature.
+/// A cylinder with 24 vertices around; the ring at half its height is a feature line.
 struct Ring {
   explicit Ring(Driver driver) : shape(open_cylinder(24, 8)), set(shape, driver) {
     for (const auto e : set.mesh.edges()) set.mesh.status(e).set_feature(is_on(e.v0()) && is_on(e.v1()));
@@ -95,7 +95,7 @@ TEST_P(FeatureLines, ALineStaysWithinTheTolerance) {
 }
 
 TEST_P(FeatureLines, ACubeIsHeldByItsEdges) {
-  // Each side's inner edges vanish, each edge of the cube becomes one; its corners, where three meet, stay.
+  // Each side's inner edges vanish. Each edge of the cube becomes one edge. Its corners, where three edges meet, stay.
   const IndexedMesh shape = tessellated_cube(6);
   Decimation<DoubleMesh> set(shape, GetParam());
   mark_edges(set.mesh, feature_edges(shape, 45));
@@ -177,7 +177,7 @@ TEST(FeatureLinesOfCopies, BitsAreTheEnginesWhereThresholdPairsAreContracted) {
   ASSERT_TRUE(set.decimater.initialize());
   set.decimater.decimate(target);
   EXPECT_EQ(set.decimater.last_driver(), Driver::engine);
-  // Several edges of the mesh may be one, between copies of its ends.
+  // Several mesh edges may become one edge, because its ends have copies.
   const detail::VertexNumbers numbers = detail::number_vertices(set.mesh, Copies::joined);
   std::vector<VertexPair> actual;
   for (const auto& [a, b] : marked_edges(set.mesh)) {
@@ -190,7 +190,7 @@ TEST(FeatureLinesOfCopies, BitsAreTheEnginesWhereThresholdPairsAreContracted) {
 }
 
 TEST(FeatureLines, HoldForCostsOfOpenMeshToo) {
-  // Bits of edges alone: to OpenMesh's own rule nothing is a feature.
+  // Only edges have bits: OpenMesh's own rule sees no feature.
   const IndexedMesh shape = tessellated_cube(6);
   DoubleMesh mesh = open_mesh<DoubleMesh>(shape);
   PairDecimaterT<DoubleMesh> decimater(mesh);

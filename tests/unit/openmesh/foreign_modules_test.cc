@@ -29,7 +29,7 @@ using OpenMesh::HalfedgeHandle;
 using OpenMesh::VertexHandle;
 using Mesh = DoubleMesh;
 
-/// Adds and sets up modules, to any decimater. Keeps the handles, which the decimater writes to.
+/// Adds and sets up modules in any decimater. Keeps their handles, because the decimater writes to them.
 class Modules {
  public:
   template <template <class> class ModuleT>
@@ -63,7 +63,7 @@ class Modules {
   std::vector<std::function<void(BaseDecimaterT<Mesh>&)>> to_base_;
 };
 
-/// A mesh whose normals are there, so that no module has to make and announce them.
+/// A mesh with normals, so that no module has to request and compute them.
 Mesh with_normals(const IndexedMesh& shape) {
   Mesh mesh = open_mesh<Mesh>(shape);
   mesh.request_face_normals();
@@ -71,8 +71,8 @@ Mesh with_normals(const IndexedMesh& shape) {
   return mesh;
 }
 
-/// The order that the mesh driver promises for a foreign cost, without a queue: after each collapse every halfedge is
-/// asked anew.
+/// The order that the mesh driver promises for a foreign cost, without a queue. Every halfedge is evaluated anew after
+/// each collapse.
 class BruteForce : public BaseDecimaterT<Mesh> {
  public:
   explicit BruteForce(Mesh& mesh) : BaseDecimaterT<Mesh>(mesh) {}
@@ -157,7 +157,7 @@ TEST_P(ForeignModules, CollapseAsByBruteForce) {
                                                                    {"bracket", bracket(2)},
                                                                    {"open_cylinder", open_cylinder(12, 5)}};
   std::size_t n_total = 0;
-  for (const auto& entry : shapes) {  // named apart: Clang 14 captures no structured binding
+  for (const auto& entry : shapes) {  // no structured binding: Clang 14 can't capture one
     const std::string& name = entry.first;
     const IndexedMesh& shape = entry.second;
     Mesh expected_mesh = with_normals(shape);
@@ -186,8 +186,8 @@ TEST_P(ForeignModules, CollapseAsByBruteForce) {
 }
 
 TEST(ForeignGuards, AreAskedAboutBothStarsAndCounted) {
-  // ModNormalFlipping looks at v0's faces with v0 at p1; here the merged vertex moves. With 20 degrees it is the
-  // stricter guard: no face may turn further, at either vertex.
+  // ModNormalFlipping looks at v0's faces with v0 moved to p1, but here the merged vertex moves. With 20 degrees it is
+  // the stricter guard: no face may turn further, at either vertex.
   Mesh mesh = with_normals(noisy_torus(40, 20, 1, 0.4, 0.04, 2));
   PairDecimaterT<Mesh> decimater(mesh);
   ModGarlandHeckbertT<Mesh>::Handle cost;
@@ -248,8 +248,8 @@ TEST(ForeignGuards, EveryBinaryModuleOfOpenMeshRunsBesideOurCost) {
 }
 
 TEST(ForeignGuards, ModHausdorffStaysWithinItsTolerance) {
-  // Its promise: each removed vertex lies within the tolerance of a face around the vertex it went to. On a sphere
-  // that bounds how far the faces sink.
+  // ModHausdorff promises that each removed vertex lies within the tolerance of a face around the vertex it merged
+  // into. On a sphere that bounds how far the faces sink.
   Mesh mesh = with_normals(sphere(3));
   PairDecimaterT<Mesh> decimater(mesh);
   ModGarlandHeckbertT<Mesh>::Handle cost;
@@ -287,7 +287,7 @@ TEST(ForeignCosts, OnlySelectedAndLockedLookAtTheRemovedVertex) {
 }
 
 TEST(ForeignCosts, TheBorderStaysTheBorder) {
-  // Short edges everywhere, and the cost knows nothing of borders: OpenMesh's rules keep them.
+  // All edges are short and the cost ignores borders: OpenMesh's rules keep them.
   const IndexedMesh shape = noisy_grid(12, 12, 0.01, 3);
   Mesh mesh = with_normals(shape);
   PairDecimaterT<Mesh> decimater(mesh);

@@ -106,7 +106,7 @@ TEST(ModGarlandHeckbert, PropertiesGoWithTheModule) {
   EXPECT_EQ(n_properties(), before);
 }
 
-/// Compares every face normal with the face, after each collapse.
+/// Compares every stored face normal with the face after each collapse.
 template <class MeshT>
 class NormalObserver : public OpenMesh::Decimater::Observer {
  public:
@@ -148,7 +148,7 @@ TYPED_TEST(InStockDecimaters, FaceNormalsAreRightAfterEveryCollapse) {
 }
 
 TEST(ModGarlandHeckbert, OtherModulesSeeTheMergedVertexInItsPlace) {
-  // A module that compares, in its own postprocess_collapse, v1's point with where the cost module says v1 goes.
+  // A module that compares, in its own postprocess_collapse, v1's point with the position given by the cost module.
   struct ModWitness : OpenMesh::Decimater::ModBaseT<DoubleMesh> {
     explicit ModWitness(DoubleMesh& mesh) : ModBaseT(mesh, true) {}
     void preprocess_collapse(const CollapseInfo& collapse) override {
@@ -176,7 +176,7 @@ TEST(ModGarlandHeckbert, OtherModulesSeeTheMergedVertexInItsPlace) {
   EXPECT_EQ(decimater.module(witness).n_wrong, 0);
 }
 
-/// Which vertices moved or vanished.
+/// The vertices that moved or vanished.
 template <class MeshT>
 std::vector<int> changed_vertices(const MeshT& mesh, const IndexedMesh& before) {
   std::vector<int> changed;
@@ -207,7 +207,7 @@ TEST(ModGarlandHeckbert, LockedAndFeatureVerticesKeepTheirPlace) {
 }
 
 TEST(ModGarlandHeckbert, AFeatureLineKeepsToItsVertices) {
-  // A ridge along the middle of a flat strip; its edges and vertices are features.
+  // A ridge along the middle of a flat strip. Its edges and vertices are features.
   IndexedMesh shape = grid(12, 4);
   for (Vec3& p : shape.positions) p.z() = p.y() == 2 ? 0.7 + 0.05 * std::sin(p.x()) : 0;
   DoubleMesh mesh = open_mesh<DoubleMesh>(shape);
@@ -234,7 +234,7 @@ TEST(ModGarlandHeckbert, AFeatureLineKeepsToItsVertices) {
 }
 
 TEST(ModGarlandHeckbert, BorderPlanesHoldTheOutline) {
-  // A border v1 moves, but along the border: the flat rectangle stays one.
+  // A border vertex v1 moves, but only along the border: the flat rectangle stays a rectangle.
   const IndexedMesh shape = grid(10, 7);
   DoubleMesh mesh = open_mesh<DoubleMesh>(shape);
   OpenMesh::Decimater::DecimaterT<DoubleMesh> decimater(mesh);
@@ -243,7 +243,7 @@ TEST(ModGarlandHeckbert, BorderPlanesHoldTheOutline) {
   decimater.add(cost);
   decimater.add(guard);
   decimater.module(guard).set_cost_module(&decimater.module(cost));
-  decimater.module(cost).set_max_cost(1e-6);  // far above the regularisation, far below cutting a corner
+  decimater.module(cost).set_max_cost(1e-6);  // far above the regularisation, far below the cost of cutting a corner
   ASSERT_TRUE(decimater.initialize());
   decimater.decimate();
   const IndexedMesh after = geometry_of(mesh);
@@ -252,7 +252,7 @@ TEST(ModGarlandHeckbert, BorderPlanesHoldTheOutline) {
 }
 
 TEST(ModGarlandHeckbert, TheUnitOfTheMeshChangesNoCollapse) {
-  // Costs fall with the fourth power of the size: in model units they would be 0 as floats below a size of 1e-9.
+  // Costs scale with the fourth power of the size. In model units they would be 0 as floats below a size of 1e-9.
   const IndexedMesh shape = noisy_sphere(3, 0.05, 8);
   const auto collapses = [](const IndexedMesh& s) {
     DoubleMesh mesh = open_mesh<DoubleMesh>(s);
@@ -271,7 +271,7 @@ TEST(ModGarlandHeckbert, TheUnitOfTheMeshChangesNoCollapse) {
 }
 
 TEST(ModGarlandHeckbert, MaxCostIsDistanceSquaredTimesArea) {
-  // Two faces over a ridge: contracting across costs what the definition says, here and at any size.
+  // Two faces over a ridge. Contracting across it costs what the definition gives, also at any other size.
   const IndexedMesh shape = two_triangles();
   const auto first_cost = [](const IndexedMesh& s, Weights weights) {
     DoubleMesh mesh = open_mesh<DoubleMesh>(s);
@@ -307,7 +307,8 @@ TEST(ModGarlandHeckbert, MaxCostRefusesAndTheToleranceFactorScalesIt) {
   EXPECT_GE(module.collapse_priority(collapse), 0);
   module.set_max_cost(cost * 0.999);
   EXPECT_LT(module.collapse_priority(collapse), 0);
-  // Scaled from what was set, not from what was scaled last; 0 is not for ever.
+  // The factor scales the limit that was set, not the limit scaled last. After a factor of 0 another factor works
+  // again.
   module.set_max_cost(cost * 3);
   for (const double factor : {0.5, 0.0, 0.25, 0.5, 1.0}) {
     module.set_error_tolerance_factor(factor);
@@ -350,10 +351,10 @@ TEST(ModFlipGuard, WithoutAPlacementV1KeepsItsPlace) {
   Fan fan;
   ModFlipGuardT<DoubleMesh> guard(fan.mesh);
   EXPECT_GE(guard.collapse_priority(fan.collapse(0, 1)), 0) << "a flat convex fan collapses onto its rim";
-  fan.mesh.set_point(VertexHandle(2), {0.2, 0.1, 0});  // a notch: now 0 → 1 turns the face (0, 2, 3) over
+  fan.mesh.set_point(VertexHandle(2), {0.2, 0.1, 0});  // a notch: now 0 → 1 flips the face (0, 2, 3)
   EXPECT_LT(guard.collapse_priority(fan.collapse(0, 1)), 0);
   fan.mesh.set_point(VertexHandle(3), {-0.5, 0.75, 0});
-  fan.mesh.set_point(VertexHandle(2), {0.25, 0.375, 0});  // 2 halfway between 1 and 3: that face loses its area
+  fan.mesh.set_point(VertexHandle(2), {0.25, 0.375, 0});  // 2 is halfway between 1 and 3: that face loses its area
   EXPECT_LT(guard.collapse_priority(fan.collapse(0, 1)), 0);
   guard.set_max_normal_flip_deg(180);
   EXPECT_LT(guard.collapse_priority(fan.collapse(0, 1)), 0);
@@ -361,7 +362,7 @@ TEST(ModFlipGuard, WithoutAPlacementV1KeepsItsPlace) {
 }
 
 TEST(ModFlipGuard, WithAPlacementBothStarsAreTested) {
-  // Every direction of every edge of a bumpy shape, against the same test written out over the list of faces.
+  // Every direction of every edge of a bumpy shape, compared with the same test written over the list of faces.
   const IndexedMesh shape = noisy_torus(16, 8, 1, 0.4, 0.15, 3);
   DoubleMesh mesh = open_mesh<DoubleMesh>(shape);
   mesh.request_vertex_status();

@@ -14,6 +14,7 @@
 #include <whittle/openmesh/conversions.hh>
 #include <whittle/openmesh/pair_decimater.hh>
 
+#include "instantiations.hh"
 #include "support/shapes.hh"
 #include "support/suites.hh"
 #include "support/topology.hh"
@@ -21,14 +22,7 @@
 
 namespace whittle::test {
 
-struct DoubleTraits : OpenMesh::DefaultTraits {
-  using Point = OpenMesh::Vec3d;
-  using Normal = OpenMesh::Vec3d;
-};
-using FloatMesh = OpenMesh::TriMesh_ArrayKernelT<>;
-using DoubleMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
-
-/// The shape as an OpenMesh mesh, which must be able to hold it.
+/// The shape as an OpenMesh mesh. The half-edge mesh must be able to hold it.
 template <class MeshT>
 MeshT open_mesh(const IndexedMesh& shape) {
   MeshT mesh;
@@ -43,7 +37,7 @@ MeshT read_open_mesh(const std::filesystem::path& file) {
   return mesh;
 }
 
-/// Those of the meshes that a half-edge mesh holds: manifold and oriented.
+/// The meshes of a list that a half-edge mesh can hold: manifold and oriented.
 inline std::vector<NamedMesh> holdable(std::vector<NamedMesh> meshes) {
   std::erase_if(meshes, [](const NamedMesh& entry) {
     const Topology t = topology(entry.mesh);
@@ -52,12 +46,12 @@ inline std::vector<NamedMesh> holdable(std::vector<NamedMesh> meshes) {
   return meshes;
 }
 
-/// All closed and open shapes that a half-edge mesh holds, and one more.
+/// All closed and open shapes that a half-edge mesh can hold, and one more.
 inline std::vector<NamedMesh> holdable_meshes() {
   std::vector<NamedMesh> result = closed_meshes();
   for (NamedMesh& entry : open_meshes()) result.push_back(std::move(entry));
   result = holdable(std::move(result));
-  // Not manifold, but held: a vertex with two open fans.
+  // Non-manifold, but a half-edge mesh can hold it: a vertex with two open fans.
   const IndexedMesh first = noisy_grid(5, 5, 0.3, 1);
   IndexedMesh second = moved(noisy_grid(5, 4, 0.3, 2), first.positions.back());
   second.positions.front() = first.positions.back();
@@ -65,7 +59,7 @@ inline std::vector<NamedMesh> holdable_meshes() {
   return result;
 }
 
-/// Checks every handle of what isn't deleted against its neighbours.
+/// Checks every handle of elements that aren't deleted against its neighbours.
 template <class MeshT>
 void expect_sound(const MeshT& mesh, const std::string& context) {
   const auto is_gone = [&mesh](OpenMesh::HalfedgeHandle h) { return mesh.status(mesh.edge_handle(h)).deleted(); };
@@ -98,7 +92,7 @@ void expect_sound(const MeshT& mesh, const std::string& context) {
   }
 }
 
-/// The same topology but for the counts: parts, border loops, Euler number, manifold.
+/// Expects the same topology except for the counts: parts, border loops, Euler number, manifold.
 inline void expect_same_topology(const IndexedMesh& before, const IndexedMesh& after, const std::string& context) {
   const Topology a = topology(before);
   const Topology b = topology(after);
@@ -117,7 +111,7 @@ inline DecimateTarget to_cost(double cost) { return DecimateTarget::max_cost(cos
 /// A collapse as OpenMesh's modules see it: v0 into v1.
 using Collapse = std::pair<int, int>;
 
-/// A binary module that refuses nothing and takes down every collapse.
+/// A binary module that refuses nothing and records every collapse.
 template <class MeshT>
 class ModRecorderT : public OpenMesh::Decimater::ModBaseT<MeshT> {
  public:
@@ -144,7 +138,7 @@ class StoppingObserver : public OpenMesh::Decimater::Observer {
   std::size_t limit_;
 };
 
-/// Contractions with bits that compare.
+/// Whether two contractions are equal, with exactly equal positions and costs.
 inline bool same_bits(const Contraction& a, const Contraction& b) {
   return a.survivor == b.survivor && a.removed == b.removed && a.position == b.position && a.cost == b.cost;
 }

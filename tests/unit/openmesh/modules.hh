@@ -67,7 +67,7 @@ VertexPair ends(const auto& mesh, OpenMesh::EdgeHandle e) {
   return {std::min(index(0), index(1)), std::max(index(0), index(1))};
 }
 
-/// Of the edges with the feature bit, ascending.
+/// The edges with the feature bit, ascending.
 template <class MeshT>
 std::vector<VertexPair> marked_edges(const MeshT& mesh) {
   std::vector<VertexPair> edges;
@@ -78,7 +78,7 @@ std::vector<VertexPair> marked_edges(const MeshT& mesh) {
   return edges;
 }
 
-/// Gives the bit to those of these edges that there are.
+/// Sets the feature bit on those of these edges that exist.
 template <class MeshT>
 void mark_edges(MeshT& mesh, const std::vector<VertexPair>& edges) {
   for (const OpenMesh::EdgeHandle e : mesh.edges()) {

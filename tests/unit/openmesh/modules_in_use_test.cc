@@ -1,4 +1,4 @@
-// What users of the modules met: derived modules, chains of levels, attributes, calls through the base.
+// Problems that users of the modules had: derived modules, chains of levels, attributes, calls through the base.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 using Mesh = DoubleMesh;
 using OpenMesh::VertexHandle;
 
-/// Garland–Heckbert upside down: what costs most comes first.
+/// Garland–Heckbert reversed: the greatest cost comes first.
 template <class MeshT>
 class ModReversedT : public ModGarlandHeckbertT<MeshT> {
  public:
@@ -31,7 +31,7 @@ class ModReversedT : public ModGarlandHeckbertT<MeshT> {
   }
 };
 
-/// A cost of one's own: the length of the edge, to its middle, as ModMidpointT has it.
+/// A user's own cost: the length of the edge, placed at its middle, like ModMidpointT.
 template <class MeshT>
 class ModLengthT : public PlacingModuleT<MeshT> {
  public:
@@ -105,7 +105,7 @@ TEST(BaseReference, ModulesAddedThroughItAreRefused) {
   EXPECT_THROW(decimater.decimate_to(10), std::logic_error);
 }
 
-// `decimate(100)` and `decimate({100})` can only mean contractions: a number is no target.
+// `decimate(100)` and `decimate({100})` can only mean contractions: a number doesn't convert to a target.
 static_assert(!std::is_convertible_v<int, DecimateTarget>);
 
 TEST(StockCalls, ANumberMeansContractions) {
@@ -147,7 +147,7 @@ TEST(Setters, AfterInitializeAreNotIgnored) {
   EXPECT_EQ(decimater.decimate(to_faces(300)).n_faces, 300U);
 }
 
-/// Levels of one decimater, and one run to the last of them.
+/// Compares several levels of one decimater with one run to the last level.
 void expect_chain_is_one_run(const NamedCost& cost, const IndexedMesh& shape, Driver driver) {
   const std::string context = cost.name + (driver == Driver::engine ? ", engine" : ", mesh");
   const auto run = [&](const std::vector<std::uint64_t>& levels) {
@@ -198,7 +198,7 @@ TEST(ChainsOfLevels, MayChangeDrivers) {
   }
 }
 
-/// A flat grid on which texture coordinates are places, and colours and normals are one.
+/// A flat grid whose texture coordinates equal the positions, and whose colours and normals are constant.
 Mesh textured_grid() {
   IndexedMesh shape = noisy_grid(12, 12, 0, 1);
   Mesh mesh = open_mesh<Mesh>(shape);

@@ -1,4 +1,4 @@
-// What PairDecimaterT leaves as it is, whichever driver runs: handles, properties, locked elements.
+// What PairDecimaterT keeps, with either driver: handles, properties, locked elements.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ TEST_P(PairDecimaterKeeps, SurvivorsKeepHandlesAndProperties) {
   for (const OpenMesh::FaceHandle f : set.mesh.faces()) EXPECT_EQ(face_number[f] % 5, 0);
   expect_sound(set.mesh, "after garbage collection");
 
-  // The module's own properties moved along: the next run goes on.
+  // The module's own properties were compacted, too: the next run continues.
   set.decimater.set_driver(Driver::automatic);
   EXPECT_EQ(set.decimater.decimate_to(100), 52U);
   expect_sound(set.mesh, "after the second run");
@@ -59,7 +59,7 @@ TEST_P(PairDecimaterKeeps, UnderEndpointPlacementHandlesKeepTheirPoints) {
     ASSERT_TRUE(set.decimater.initialize());
     const DoubleMesh before = set.mesh;
     set.decimater.decimate_to_faces(0, shape.faces.size() / 4);
-    std::size_t n_lower = 0;  // lower handles that survive
+    std::size_t n_lower = 0;  // number of survivors with the lower handle
     for (const Contraction& made : set.contractions) n_lower += made.survivor < made.removed;
     EXPECT_GT(n_lower, 0U);
     for (const VertexHandle v : set.mesh.vertices()) EXPECT_EQ(set.mesh.point(v), before.point(v)) << v.idx();
@@ -90,7 +90,7 @@ TEST_P(PairDecimaterKeeps, DeletedElementsBeforeTheRunDoNotCount) {
   EXPECT_EQ(decimater.decimate_to(600), 39U) << "639 of 642 vertices are there";
   expect_sound(holed, "after the run");
 
-  // The same as on a mesh that never had them, but for the numbers.
+  // The same as on a mesh without deleted elements, except for the numbers.
   Decimation<DoubleMesh> clean(rest, GetParam());
   clean.decimater.decimate_to(600);
   ASSERT_EQ(clean.contractions.size(), contractions.size());

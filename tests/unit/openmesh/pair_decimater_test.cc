@@ -1,4 +1,4 @@
-// PairDecimaterT's calls, whichever driver runs.
+// PairDecimaterT's interface, with either driver.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -186,7 +186,7 @@ TEST(PairDecimaterDrivers, AutomaticTakesTheEngineWhereItCan) {
 }
 
 TEST(PairDecimaterDrivers, TwoRunsAreOne) {
-  // The engine driver keeps the module's quadrics up to date, so that the next run goes on from them.
+  // The engine driver keeps the module's quadrics up to date, so that the next run continues from them.
   for (const IndexedMesh& shape : {blob(3, 7), moved(terrain(18, 4), Vec3(500, -70, 90))}) {
     Decimation<DoubleMesh> at_once(shape, Driver::mesh);
     at_once.decimater.decimate(400);
@@ -209,7 +209,7 @@ TEST_P(PairDecimater, InitializeTwiceStartsAnew) {
   twice.decimater.decimate(200);
   expect_same_contractions(once.contractions, twice.contractions, "initialized twice");
 
-  // After a run: as if the mesh were new.
+  // After another `initialize()` the run starts from a fresh state.
   ASSERT_TRUE(twice.decimater.initialize());
   twice.contractions.clear();
   twice.decimater.decimate(200);
@@ -238,16 +238,16 @@ TEST_P(PairDecimater, TheObserverIsToldCountsAndMayAbort) {
   expect_sound(set.mesh, "after the abort");
   expect_same_topology(shape, geometry_of(set.mesh), "after the abort");
 
-  // And goes on from there when asked to.
+  // It continues when asked to.
   set.decimater.set_observer(nullptr);
   set.decimater.set_driver(Driver::automatic);
   EXPECT_EQ(set.decimater.decimate(180), 180U);
   expect_same_contractions(whole.contractions, set.contractions, "aborted and resumed");
 }
 
-// What the traps are about --------------------------------------------------------------------------------------------
+// What the protections are for ----------------------------------------------------------------------------------------
 
-/// Watches how far the faces around each contraction turn.
+/// Records how far the faces around each contraction turn.
 template <class MeshT>
 class ModFlipWatchT : public OpenMesh::Decimater::ModBaseT<MeshT> {
  public:
@@ -307,7 +307,7 @@ TEST_P(PairDecimater, UnitAndPlaceChangeNoContraction) {
 }
 
 TEST_P(PairDecimater, FloatMeshesAreRoundedOnWriteBackOnly) {
-  // The same contractions as on a mesh of doubles with the same, rounded, input.
+  // The same contractions as on a mesh of doubles with the same rounded input.
   IndexedMesh shape = noisy_torus(40, 20, 1, 0.4, 0.02, 5);
   for (Vec3& p : shape.positions) p = p.cast<float>().cast<double>();
   Decimation<FloatMesh> single(shape, GetParam());

@@ -1,5 +1,5 @@
-// The mesh driver against brute force, on every small manifold shape: the same contractions, in every bit, ties and
-// flat ground included, since both evaluate the same pairs from the same numbers.
+// Compares the mesh driver with brute force on every small manifold shape: the same contractions, to the bit, including
+// ties and flat ground. Both evaluate the same pairs from the same numbers.
 #include <gtest/gtest.h>
 
 #include <whittle/core/feature_edges.hh>

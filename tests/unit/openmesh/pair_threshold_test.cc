@@ -1,5 +1,5 @@
-// Threshold pairs on OpenMesh meshes, and meshes with copies: afterwards a half-edge mesh like any other, which holds
-// what the engine made of the indexed mesh.
+// Threshold pairs on OpenMesh meshes, and meshes with copies. The result is an ordinary half-edge mesh that holds what
+// the engine made of the indexed mesh.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ using OpenMesh::FaceHandle;
 using OpenMesh::VertexHandle;
 using testing::HasSubstr;
 
-/// A mesh, cut if need be, and a decimater with a threshold.
+/// A mesh, cut if necessary, and a decimater with a threshold.
 template <class MeshT>
 struct PairRun {
   PairRun(const IndexedMesh& shape, double threshold) : mesh(cut(shape)), decimater(mesh) {
@@ -79,7 +79,7 @@ struct Case {
   double threshold;
 };
 
-/// Parts that lie close to each other.
+/// Parts that lie close together.
 std::vector<Case> gapped() {
   return {{"two spheres", spheres(2, 3, 0.02), 0.15},
           {"boxes(10, 10)", boxes(10, 10, 0.2), 0.25},
@@ -93,7 +93,7 @@ std::vector<Case> gapped() {
           {"halves", joined(noisy_grid(8, 8, 0.2, 3), moved(noisy_grid(8, 8, 0.2, 3), Vec3(8.05, 0, 0))), 0.1}};
 }
 
-/// What isn't manifold, without a threshold and with one.
+/// Non-manifold meshes, without and with a threshold.
 std::vector<Case> nonmanifold() {
   std::vector<Case> result;
   for (const double threshold : {0.0, 0.3}) {
@@ -106,7 +106,7 @@ std::vector<Case> nonmanifold() {
   return result;
 }
 
-/// Runs on an OpenMesh mesh and on the plain arrays, and compares. \return how many threshold pairs were contracted
+/// Runs on an OpenMesh mesh and on plain arrays, and compares. \return the number of contracted threshold pairs
 std::uint64_t expect_as_by_engine(const Case& c, const DecimateTarget& target, const std::string& what) {
   const std::string context = c.name + ", threshold " + std::to_string(c.threshold) + ", " + what;
   std::vector<Contraction> contractions;
@@ -151,7 +151,7 @@ TEST(PairThreshold, MeshesWithCopiesAreDecimatedAsOne) {
   }
 }
 
-/// Two sheets with some vertices of their borders in common.
+/// Two sheets that share some border vertices.
 IndexedMesh touching_sheets(std::uint64_t seed) {
   Random random(seed);
   const IndexedMesh first = noisy_grid(5, 5, 0.3, seed);
@@ -171,7 +171,7 @@ void expect_no_edge_twice(const DoubleMesh& mesh, const std::string& context) {
 }
 
 TEST(PairThreshold, SheetsThatTouchAreLeftAsTheyAreOrCut) {
-  // OpenMesh holds vertices with several open fans without copies. But the engine may join the fans.
+  // OpenMesh can hold vertices with several open fans without copies, but the engine may join the fans.
   int n_cut = 0;
   int n_left = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {

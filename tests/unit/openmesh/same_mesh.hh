@@ -8,7 +8,7 @@
 
 namespace whittle::test {
 
-/// All of it.
+/// Requests all status bits.
 inline void request_status(DoubleMesh& mesh) {
   mesh.request_vertex_status();
   mesh.request_halfedge_status();
@@ -24,7 +24,8 @@ inline DoubleMesh mesh_with_status(const IndexedMesh& shape) {
   return mesh;
 }
 
-/// Every handle and every status bit of what isn't deleted. An inner vertex may start with another halfedge of its own.
+/// Compares every handle and every status bit of elements that aren't deleted. The outgoing halfedge of an inner vertex
+/// may differ.
 inline void expect_same_mesh(const DoubleMesh& expected, const DoubleMesh& actual, const std::string& context) {
   for (int i = 0; i < static_cast<int>(expected.n_edges()); ++i) {
     const OpenMesh::EdgeHandle e(i);

@@ -1,4 +1,4 @@
-// ModValenceT and ModRadiusRatioT: what they refuse, in OpenMesh's decimaters and in PairDecimaterT.
+// ModValenceT and ModRadiusRatioT: what they refuse in OpenMesh's decimaters and in PairDecimaterT.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 using OpenMesh::VertexHandle;
 using StockDecimater = OpenMesh::Decimater::DecimaterT<DoubleMesh>;
 
-/// A fan of n faces around vertex 0 in the plane, its rim at vertices 1 to n, and its collapses.
+/// A fan of n faces around vertex 0 in the plane, with rim vertices 1 to n, and its collapses.
 struct Fan {
   explicit Fan(int n) {
     const VertexHandle center = mesh.add_vertex({0, 0, 0});
@@ -41,7 +41,7 @@ struct Fan {
 
 // Valences ------------------------------------------------------------------------------------------------------------
 
-/// How far the worst vertex is outside the default ranges.
+/// How far outside the default ranges the worst vertex is.
 int worst_excess(const DoubleMesh& mesh) {
   int worst = 0;
   for (const VertexHandle v : mesh.vertices()) {
@@ -82,7 +82,7 @@ TEST(ModValence, BordersHaveARangeOfTheirOwn) {
 }
 
 TEST(ModValence, WhatWaitsIsWokenWhenValencesChange) {
-  // If something refused had not been looked at again, a further run, which looks at everything, would contract it.
+  // A further run looks at all pairs. It would contract any refused pair that had not been looked at again.
   for (const bool foreign : {false, true}) {
     DoubleMesh mesh = open_mesh<DoubleMesh>(noisy_sphere(3, 0.1, 6));
     PairDecimaterT<DoubleMesh> decimater(mesh);
@@ -99,7 +99,7 @@ TEST(ModValence, WhatWaitsIsWokenWhenValencesChange) {
 }
 
 TEST(ModValence, WhatIsOutsideMayGetBetterAndNotWorse) {
-  // Both poles have 24 edges: they may lose some, and none may be added to them.
+  // Both poles have 24 edges. They may lose some, but not gain any.
   DoubleMesh mesh = open_mesh<DoubleMesh>(uv_sphere(12, 24));
   PairDecimaterT<DoubleMesh> decimater(mesh);
   add_cost(decimater, {});
@@ -215,11 +215,11 @@ TEST(ModRadiusRatio, LooksAtBothStarsWithTheMergedVertexInItsPlace) {
   ModRadiusRatioT<DoubleMesh> guard(fan.mesh);
   guard.set_min_radius_ratio(0.3);
   EXPECT_TRUE(guard.is_binary());
-  // v1 keeps its place: of the rest the thinnest face is (1, 2, 3), an angle of 120°: ratio 0.46….
+  // v1 keeps its position. The thinnest remaining face is (1, 2, 3), with an angle of 120°: ratio 0.46….
   EXPECT_GE(guard.collapse_priority(fan.collapse(0, 1)), 0);
   guard.set_min_radius_ratio(0.6);
   EXPECT_LT(guard.collapse_priority(fan.collapse(0, 1)), 0);
-  // With a cost module that moves the merged vertex to the middle, all are rounder than that.
+  // With a cost module that moves the merged vertex to the middle, all faces are rounder than that.
   ModMidpointT<DoubleMesh> midpoint(fan.mesh);
   midpoint.initialize();
   guard.set_cost_module(&midpoint);

@@ -1,4 +1,4 @@
-// Arithmetic::stock in the stock decimater: the collapses of ModQuadricT, one by one, over floats and doubles.
+// Arithmetic::stock in the stock decimater: the same collapses as ModQuadricT, one by one, for floats and doubles.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,10 +50,10 @@ Run by_our_module(const MeshT& mesh, std::size_t n_faces, double max_cost) {
   return decimate_by_stock<ModGarlandHeckbertT>(mesh, n_faces, prepare);
 }
 
-/// Down to `n_faces`, and once more with a cost limit that ends the run early. \return the collapses of both
+/// Runs to `n_faces`, and once more with a cost limit that ends the run early. \return the collapses of both
 template <class MeshT>
 std::vector<std::size_t> expect_same_collapses(const MeshT& mesh, std::size_t n_faces, const std::string& context) {
-  // Any limit that some collapses pass and some don't: a plane's area times a hundredth of the size, squared.
+  // A limit that some collapses pass and some don't: a plane's area times a hundredth of the size, squared.
   const IndexedMesh geometry = geometry_of(mesh);
   Vec3 low = geometry.positions.at(0);
   Vec3 high = low;

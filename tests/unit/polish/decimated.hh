@@ -5,7 +5,7 @@
 
 namespace whittle::test {
 
-/// The mesh at `ratio` of its faces, by memoryless quadrics, with the map that polish needs.
+/// The mesh, decimated to `ratio` of its faces by memoryless quadrics, with the vertex map that polish needs.
 inline Decimation decimated(const IndexedMesh& mesh, double ratio, DecimateOptions options = {}) {
   options.cost = Cost::memoryless;
   const double n_faces = ratio * static_cast<double>(mesh.faces.size());

@@ -80,13 +80,13 @@ TEST(FaceNeighbors, TellClosedFansFromOpenOnesAndWhatIsNone) {
   EXPECT_EQ(count(with_isolated_vertices(tetrahedron(), 2, 1), Fan::none), 2);
 }
 
-/// Neither of which may take the other's faces for a ring of its own.
+/// Neither fan may use the other's faces for its own ring.
 TEST(FaceNeighbors, SeesTwoFansOfDifferentSizes) {
   IndexedMesh mesh;  // fans of four and of three faces around vertex 0
   mesh.positions.resize(8, Vec3::Zero());
   mesh.faces = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {0, 5, 6}, {0, 6, 7}, {0, 7, 5}};
   EXPECT_EQ(fans(mesh)[0], Fan::none);
-  mesh.faces.resize(6);  // a ring and a row
+  mesh.faces.resize(6);  // a closed ring and an open row
   EXPECT_EQ(fans(mesh)[0], Fan::none);
   mesh.faces.resize(4);
   EXPECT_EQ(fans(mesh)[0], Fan::closed);

@@ -17,7 +17,7 @@
 #include "whittle/metrics/shape.hh"
 #include "whittle/metrics/topology.hh"
 
-// Edges that polishing flips.
+// Edge flips during polish.
 namespace whittle::test {
 
 using namespace polishing;
@@ -36,7 +36,7 @@ bool has_edge(const IndexedMesh& mesh, Index v, Index w) {
   });
 }
 
-/// Two roofs with ridges along either diagonal of their squares: one has all its edges across it, the other none.
+/// Two roofs with ridges along the diagonals of their squares. One has all its edges across the ridge, the other none.
 TEST(PolishFlips, LayEdgesAlongARidge) {
   std::size_t n_flips = 0;
   for (const double side : {1.0, -1.0}) {

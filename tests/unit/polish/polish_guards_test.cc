@@ -17,7 +17,7 @@
 #include "whittle/metrics/shape.hh"
 #include "whittle/polish/polish.hh"
 
-// What polishing must not do to a mesh, on meshes where it would.
+// The guards of polish, on meshes that would break without them.
 namespace whittle::test {
 
 using namespace polishing;
@@ -63,7 +63,7 @@ TEST(PolishGuards, MakeNoFolds) {
   }
 }
 
-/// With a limit above it on the angle between two faces that flips may leave.
+/// The flip limit on the angle between two faces is larger than the fold angle here.
 TEST(PolishGuards, MakeNoFoldsByFlips) {
   for (const auto& [name, original] : rough_meshes()) {
     for (const double angle_deg : {150.0, 175.0}) {
@@ -125,7 +125,7 @@ TEST(OverlappingBoxes, AreWhatComparingAllFinds) {
   }
 }
 
-/// Those of the second that are not in the first.
+/// The faces of the second mesh that the first one doesn't have.
 Pairs added(const Pairs& before, const Pairs& after) {
   Pairs added;
   std::set_difference(after.begin(), after.end(), before.begin(), before.end(), std::back_inserter(added));
@@ -170,7 +170,7 @@ TEST(PolishGuards, TakeNothingBackWhereNothingIntersects) {
   EXPECT_EQ(positions, moved);
 }
 
-/// Two rough sheets so near each other that either, fitted by itself, would come through the other.
+/// Two rough sheets close to each other. If each were fitted alone, they would intersect.
 TEST(PolishGuards, MakeNoIntersections) {
   const std::vector<NamedMesh> sheets{{"sphere", noisy_sphere(4, 0.05, 1)},
                                       {"torus", noisy_torus(60, 30, 1, 0.4, 0.05, 3)},

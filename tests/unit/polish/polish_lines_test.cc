@@ -15,7 +15,7 @@
 #include "whittle/core/feature_edges.hh"
 #include "whittle/metrics/line_distance.hh"
 
-// Borders and features, which are fitted to the original's.
+// Borders and feature lines, which are fitted to those of the original.
 namespace whittle::test {
 
 using namespace polishing;
@@ -66,7 +66,7 @@ TEST(MeshLines, KnowTheEdgesAtAVertex) {
   EXPECT_TRUE(lines.at(4).empty());
 }
 
-/// A bent line over a straight edge: what is linear on each of its edges is integrated exactly.
+/// A bent line over a straight edge. A function that is linear on each of its edges is integrated exactly.
 TEST(LineSamples, WeighWhatTheLinesHaveOfLength) {
   const std::vector<Vec3> bent{Vec3(0, 0, 0), Vec3(1, 0.1, 0), Vec3(3, -0.2, 0.1), Vec3(4, 0.1, 0)};
   const std::vector<VertexPair> bent_edges{{0, 1}, {1, 2}, {2, 3}};

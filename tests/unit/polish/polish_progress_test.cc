@@ -57,7 +57,7 @@ TEST(PolishProgress, ComesInOrderAndChangesNothing) {
   EXPECT_EQ(told.result.rms_after, silent.result.rms_after);
 }
 
-/// Cancelled at every report, the mesh is what the passes before that made it.
+/// After cancelling at any report, the mesh is the result of the passes completed before.
 TEST(PolishProgress, LeavesWhatTheLastPassMadeWhenCancelled) {
   const Case c;
   std::vector<Case::Polished> expected;
@@ -97,7 +97,7 @@ TEST(PolishProgress, AsksOftenOnAMillionFaces) {
                                      return true;
                                    }});
   EXPECT_EQ(result.n_passes, 1U);
-  // Ten times what it should be: other programs may run at the same time.
+  // Ten times the expected value: other programs may run at the same time.
   EXPECT_LT(longest, std::chrono::seconds(3));
   RecordProperty("longest_ms", static_cast<int>(longest / std::chrono::milliseconds(1)));
 }

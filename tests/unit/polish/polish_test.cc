@@ -24,7 +24,7 @@ using namespace polishing;
 
 namespace {
 
-/// The bounds below are of these meshes.
+/// The bounds below hold for these meshes.
 Decimation decimated_within_75_deg(const IndexedMesh& mesh, double ratio) {
   return decimated(mesh, ratio, {.max_normal_flip_deg = 75});
 }
@@ -37,7 +37,7 @@ Vec3 area_normal(const IndexedMesh& mesh, const Triangle& face) {
   return (mesh.positions[face[1]] - p).cross(mesh.positions[face[2]] - p);
 }
 
-/// Distance of a point from a triangle, by looking at its inside and at its edges.
+/// Distance of a point from a triangle: the least over its inside and its edges.
 double triangle_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto to_edge = [&p](const Vec3& from, const Vec3& to) {
     const double t = std::clamp((p - from).dot(to - from) / (to - from).squaredNorm(), 0.0, 1.0);
@@ -56,7 +56,7 @@ struct BruteFoot {
   double distance = std::numeric_limits<double>::infinity();
 };
 
-/// Of all faces that face the same way.
+/// The nearest of all faces whose normals agree with the given one.
 BruteFoot nearest_of_all(const IndexedMesh& mesh, const Vec3& position, const Vec3& unit_normal) {
   BruteFoot nearest;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
@@ -74,7 +74,8 @@ Vec3 position_of(const IndexedMesh& mesh, const Foot& foot) {
          double{foot.third} * mesh.positions[c];
 }
 
-/// Of the faces at a vertex those that hold the foot and face the same way; by `slack` too many or too few.
+/// The nearest of the faces at a vertex that contain the foot and whose normals agree. `slack` widens or narrows the
+/// test.
 BruteFoot nearest_at(const IndexedMesh& mesh, const FootFinder::Query& query, double slack) {
   BruteFoot nearest;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
@@ -151,11 +152,11 @@ TEST(FootFinder, HasNoneForPointsThatFaceTheOtherWay) {
   EXPECT_EQ(find(finder, {above, up, invalid_index}).face, invalid_index);
 }
 
-/// A function that is linear on each face of the original, here its height over a plane, is integrated exactly, and
-/// with one point in a face its square, too.
+/// A function that is linear on each face of the original, here its height over a plane, is integrated exactly. If a
+/// face has only one point, its square is integrated exactly, too.
 TEST(SurfaceSamples, WeighWhatTheSurfaceHasOfArea) {
   const IndexedMesh original = terrain(12, 3);
-  IndexedMesh ground;  // one face below all of it
+  IndexedMesh ground;  // one face below the whole mesh
   ground.positions = {Vec3(-9, -9, -1), Vec3(20, -9, -1), Vec3(-9, 20, -1)};
   ground.faces = {{0, 1, 2}};
   double area = 0;

@@ -15,8 +15,7 @@
 namespace whittle {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t leaf_size = 16;
+constexpr std::size_t sites_per_leaf = 16;
 
 /// Makes `least` no more than `value`.
 void lower(std::atomic<double>& least, double value) {
@@ -30,7 +29,7 @@ class GapFinder {
  public:
   /// \param max_gap_sq in the frame
   GapFinder(const VertexSites& sites, const Parts& parts, double max_gap_sq)
-      : sites_(sites), cloud_{sites.points}, tree_(3, cloud_, leaf_size), gaps_sq_(parts.count) {
+      : sites_(sites), cloud_{sites.points}, tree_(3, cloud_, sites_per_leaf), gaps_sq_(parts.count) {
     for (auto& gap_sq : gaps_sq_) gap_sq = max_gap_sq;
     for (Index site = 0; site < sites.points.size(); ++site) add_site(site, parts);
     label(*tree_.root_node);
@@ -129,7 +128,7 @@ std::vector<double> gaps_between_parts(const IndexedMesh& mesh, const Parts& par
   if (!(search.max_gap >= 0)) {
     throw std::invalid_argument("gaps_between_parts: max_gap is negative or not a number");
   }
-  std::vector<double> gaps(parts.count, infinity);
+  std::vector<double> gaps(parts.count, std::numeric_limits<double>::infinity());
   if (parts.count < 2 || search.max_gap == 0) return gaps;
   const VertexSites sites = make_vertex_sites(mesh.positions, mesh.faces, search.threads);
   const double max_gap = search.max_gap * sites.frame.scale;

@@ -5,7 +5,7 @@ namespace whittle::io::detail {
 
 namespace {
 
-constexpr std::string_view extensions[] = {"obj"};
+constexpr std::string_view obj_extensions[] = {"obj"};
 
 }  // namespace
 
@@ -13,7 +13,7 @@ constinit const FormatRow obj_row{
     .format = Format::obj,
     .name = "obj",
     .title = "OBJ",
-    .extensions = extensions,
+    .extensions = obj_extensions,
     .beginning = Beginning::text,
     .recognises = nullptr,
     .read = read_obj,

@@ -6,10 +6,10 @@ namespace whittle::io::detail {
 
 namespace {
 
-constexpr std::string_view extensions[] = {"off"};
+constexpr std::string_view off_extensions[] = {"off"};
 
 // "OFF", "COFF", "STCNOFF BINARY"…
-Evidence recognise(std::string_view bytes) {
+Evidence recognise_off(std::string_view bytes) {
   const std::string_view text = without_byte_order_mark(bytes);
   const std::string_view keyword = text.substr(0, text.find_first_of(" \t\r\n"));
   if (keyword.size() > 8 || !keyword.ends_with("OFF")) return Evidence::none;
@@ -23,9 +23,9 @@ constinit const FormatRow off_row{
     .format = Format::off,
     .name = "off",
     .title = "OFF",
-    .extensions = extensions,
+    .extensions = off_extensions,
     .beginning = Beginning::text_header,
-    .recognises = recognise,
+    .recognises = recognise_off,
     .read = read_off,
     .write = write_off,
 };

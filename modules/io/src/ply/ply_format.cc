@@ -6,9 +6,9 @@ namespace whittle::io::detail {
 
 namespace {
 
-constexpr std::string_view extensions[] = {"ply"};
+constexpr std::string_view ply_extensions[] = {"ply"};
 
-Evidence recognise(std::string_view bytes) {
+Evidence recognise_ply(std::string_view bytes) {
   const std::string_view text = without_byte_order_mark(bytes);
   return text.starts_with("ply\n") || text.starts_with("ply\r") ? Evidence::likely : Evidence::none;
 }
@@ -19,9 +19,9 @@ constinit const FormatRow ply_row{
     .format = Format::ply,
     .name = "ply",
     .title = "PLY",
-    .extensions = extensions,
+    .extensions = ply_extensions,
     .beginning = Beginning::text_header,
-    .recognises = recognise,
+    .recognises = recognise_ply,
     .read = read_ply,
     .write = write_ply,
 };

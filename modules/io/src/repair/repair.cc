@@ -55,7 +55,7 @@ std::vector<char> find_duplicate_faces(const std::vector<Triangle>& faces, std::
     Index face;
     auto operator<=>(const Item&) const = default;
   };
-  detail::IndexLists<Item> by_lowest(vertices, [&](const auto& emit) {
+  whittle::detail::IndexLists<Item> by_lowest(vertices, [&](const auto& emit) {
     for (std::size_t f = 0; f < faces.size(); ++f) {
       const Triangle& t = faces[f];
       if (!has_three_corners(t)) continue;

@@ -27,7 +27,7 @@ using Flags = std::vector<std::uint8_t>;
 // Flags the vertices that may be welded: those on open borders, and the ends of edges without length. The faces at an
 // edge without length have no area; welding makes them degenerate.
 Flags find_candidates(const IndexedMesh& mesh) {
-  Flags is_candidate = detail::border_vertices(mesh.faces, mesh.positions.size());
+  Flags is_candidate = whittle::detail::border_vertices(mesh.faces, mesh.positions.size());
   for (const Triangle& face : mesh.faces) {
     if (!has_three_corners(face)) continue;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -96,7 +96,7 @@ class GroupedEdges {
   std::span<const Index> sides(std::size_t edge) const { return edges_.sides(edge); }
   // The ends of the edge as the face of one of its sides stores them.
   std::array<Index, 2> stored(std::size_t edge, Index side) const {
-    const Index face = detail::face_of(side);
+    const Index face = whittle::detail::face_of(side);
     return stored_edge(mesh_.faces[face], grouped_[face], edges_[edge]);
   }
   // Whether welding gives the edge a third face: it has more than two faces, and these have different edges in the mesh
@@ -111,7 +111,7 @@ class GroupedEdges {
  private:
   const IndexedMesh& mesh_;
   const std::vector<Triangle>& grouped_;
-  detail::EdgeTable edges_;
+  whittle::detail::EdgeTable edges_;
 };
 
 // Flags the positions at the ends of doubtful edges.
@@ -140,7 +140,7 @@ void add_doubtful_edges(WeldResolver& resolver, const GroupedEdges& edges, const
     if (!edges.is_doubtful(e)) continue;
     resolver.begin_edge();
     for (const Index side : edges.sides(e)) {
-      resolver.add_face(edges.stored(e, side), detail::start_of(side, grouped) == edges[e].a);
+      resolver.add_face(edges.stored(e, side), whittle::detail::start_of(side, grouped) == edges[e].a);
     }
   }
 }
@@ -197,7 +197,7 @@ void bring_back(const IndexedMesh& mesh, const std::vector<Index>& group, std::v
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (!edges.is_doubtful(e)) continue;
     for (const Index side : edges.sides(e)) {
-      const Index face = detail::face_of(side);
+      const Index face = whittle::detail::face_of(side);
       if (is_back[face]) is_dropped[face] = dropped_as_degenerate;
     }
   }

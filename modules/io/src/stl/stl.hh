@@ -10,6 +10,9 @@
 
 namespace whittle::io {
 
+/// A binary file begins with so many bytes of any text; the number of facets follows.
+constexpr std::size_t stl_header_bytes = 80;
+
 // `FormatRow` says what these do.
 ReadResult read_stl(std::string_view bytes, std::string_view name);
 void write_stl(ByteSink& sink, const IndexedMesh& mesh, const WriteOptions& options,

@@ -6,14 +6,14 @@ namespace whittle::io::detail {
 
 namespace {
 
-constexpr std::string_view extensions[] = {"stl"};
+constexpr std::string_view stl_extensions[] = {"stl"};
 
 bool starts_with_word(std::string_view text, std::string_view word) {
   if (!text.starts_with(word)) return false;
   return text.size() == word.size() || static_cast<unsigned char>(text[word.size()]) <= ' ';
 }
 
-Evidence recognise(std::string_view bytes) {
+Evidence recognise_stl(std::string_view bytes) {
   if (is_binary_stl_by_size(bytes)) return Evidence::certain;
   const std::string_view text = without_byte_order_mark(bytes);
   const bool has_facet = text.substr(0, 1024).find("facet") != std::string_view::npos;
@@ -26,9 +26,9 @@ constinit const FormatRow stl_row{
     .format = Format::stl,
     .name = "stl",
     .title = "STL",
-    .extensions = extensions,
+    .extensions = stl_extensions,
     .beginning = Beginning::any_bytes,  // a binary file's count may be wrong: the reader says so
-    .recognises = recognise,
+    .recognises = recognise_stl,
     .read = read_stl,
     .write = write_stl,
 };

@@ -15,8 +15,7 @@ namespace whittle::io {
 
 namespace {
 
-constexpr std::size_t header_bytes = 80;
-constexpr std::size_t prefix_bytes = header_bytes + sizeof(std::uint32_t);
+constexpr std::size_t prefix_bytes = stl_header_bytes + sizeof(std::uint32_t);
 constexpr std::size_t facet_bytes = 50;  // 12 floats (normal and corners) and 2 attribute bytes
 
 bool equals_ignoring_case(std::string_view text, std::string_view lower) {
@@ -41,17 +40,17 @@ void check_facet_count(std::uint64_t facets, std::string_view name) {
 ReadResult read_binary(std::string_view bytes, std::string_view name) {
   ByteCursor cursor(bytes, 0, std::endian::little, name);
   cursor.require(prefix_bytes, "the header and the number of facets");
-  cursor.skip(header_bytes);
+  cursor.skip(stl_header_bytes);
   const auto facets = cursor.read<std::uint32_t>("the number of facets");
   check_facet_count(facets, name);
   if (cursor.bytes_left() < facets * std::uint64_t{facet_bytes}) {
-    cursor.fail(header_bytes, "the file is too short for " + std::to_string(facets) + " facets, there are " +
-                                  std::to_string(cursor.bytes_left() / facet_bytes) +
-                                  "; it is truncated or its count is wrong");
+    cursor.fail(stl_header_bytes, "the file is too short for " + std::to_string(facets) + " facets, there are " +
+                                      std::to_string(cursor.bytes_left() / facet_bytes) +
+                                      "; it is truncated or its count is wrong");
   }
   if (cursor.bytes_left() - facets * std::size_t{facet_bytes} >= facet_bytes) {
-    cursor.fail(header_bytes, "the file goes on after the " + std::to_string(facets) + " facets it announces, to " +
-                                  std::to_string(cursor.bytes_left() / facet_bytes) + "; its count is wrong");
+    cursor.fail(stl_header_bytes, "the file goes on after the " + std::to_string(facets) + " facets it announces, to " +
+                                      std::to_string(cursor.bytes_left() / facet_bytes) + "; its count is wrong");
   }
 
   MeshBuilder builder;
@@ -151,7 +150,7 @@ bool looks_like_text(std::string_view bytes) {
 
 bool is_binary_stl_by_size(std::string_view bytes) {
   if (bytes.size() < prefix_bytes) return false;
-  const std::uint64_t facets = load<std::uint32_t>(bytes.data() + header_bytes, std::endian::little);
+  const std::uint64_t facets = load<std::uint32_t>(bytes.data() + stl_header_bytes, std::endian::little);
   return facets > 0 && bytes.size() == prefix_bytes + facets * facet_bytes;
 }
 

@@ -49,9 +49,8 @@ void write_ascii(ByteSink& sink, const IndexedMesh& mesh) {
 
 // Returns whether a coordinate was rounded.
 bool write_binary(ByteSink& sink, const IndexedMesh& mesh) {
-  constexpr std::size_t header_bytes = 80;
   std::string header = "binary STL written by whittle";  // "solid" would begin a text file
-  header.resize(header_bytes, ' ');
+  header.resize(stl_header_bytes, ' ');
   if (mesh.faces.size() > std::numeric_limits<std::uint32_t>::max()) {
     throw std::range_error("binary STL can't hold as many faces");
   }

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 
+#include "surface/eight_floats.hh"
 #include "whittle/core/detail/lanes.hh"
 #include "whittle/core/geometry/space_filling_curve.hh"
 
@@ -12,9 +13,6 @@ namespace whittle::polishing {
 namespace {
 
 using Box = Eigen::AlignedBox3f;
-using Float8 = float __attribute__((vector_size(32)));
-using Int8 = std::int32_t __attribute__((vector_size(32)));
-using EightFloats = std::array<float, 8>;
 using Pairs = std::vector<std::array<Index, 2>>;
 
 constexpr std::size_t fan_out = 8;
@@ -36,12 +34,6 @@ struct alignas(32) Octet {
     }
   }
 };
-
-[[gnu::always_inline]] inline Float8 load(const EightFloats& from) {
-  Float8 lanes;
-  std::memcpy(&lanes, from.data(), sizeof(lanes));
-  return lanes;
-}
 
 /// All ones in the lanes of those boxes of an octet that overlap one box of another octet.
 [[gnu::always_inline]] inline Int8 overlaps(const Octet& octet, const Octet& other, std::size_t lane) {

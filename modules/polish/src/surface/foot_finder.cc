@@ -10,19 +10,11 @@
 namespace whittle::polishing {
 namespace {
 
-using Float8 = float __attribute__((vector_size(32)));
-using Int8 = std::int32_t __attribute__((vector_size(32)));
-
-constexpr float least_agreement = 0.5;  ///< cosine between the normals of a point and of its face
-constexpr float inside_slack = 1e-4F;   ///< how far outside a face is still inside, in barycentric coordinates
+constexpr float least_normal_agreement = 0.5;  ///< cosine between the normals of a point and of its face
+constexpr float inside_slack = 1e-4F;          ///< how far outside a face is still inside, in barycentric coordinates
 constexpr std::int32_t nowhere = 0x7fffffff;
 
-[[gnu::always_inline]] inline Float8 load(const std::array<float, 8>& from) {
-  Float8 lanes;
-  std::memcpy(&lanes, from.data(), sizeof(lanes));
-  return lanes;
-}
-[[gnu::always_inline]] inline Float8 dot(const std::array<std::array<float, 8>, 3>& lanes, const Eigen::Vector3f& v) {
+[[gnu::always_inline]] inline Float8 dot(const std::array<EightFloats, 3>& lanes, const Eigen::Vector3f& v) {
   return load(lanes[0]) * v.x() + load(lanes[1]) * v.y() + load(lanes[2]) * v.z();
 }
 
@@ -65,7 +57,7 @@ class FootFinder::Lanes {
   [[gnu::always_inline]] static Foot find(const FootFinder& finder, const Query& query) {
     const Index v = query.start;
     const Eigen::Vector3f offset = (query.position - finder.positions_[v]).cast<float>();
-    const float least_along = least_agreement * std::sqrt(query.normal.squaredNorm());
+    const float least_along = least_normal_agreement * std::sqrt(query.normal.squaredNorm());
     std::int32_t nearest = nowhere;
     Foot found;
     for (Index i = finder.first_octet_[v]; i < finder.first_octet_[v + 1]; ++i) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "surface/eight_floats.hh"
 #include "surface/vertex_corners.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/core/detail/progress_meter.hh"
@@ -37,7 +38,6 @@ class FootFinder {
   void find(std::span<const Query> queries, std::span<Foot> feet) const;
 
  private:
-  using EightFloats = std::array<float, 8>;
   /// Up to eight faces at a vertex side by side, relative to the vertex: unit normals, and the gradients of the
   /// barycentric coordinates of the next corner and of the one after that. Zeros where there is no face.
   struct alignas(32) Octet {

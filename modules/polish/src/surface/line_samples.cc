@@ -11,7 +11,7 @@ namespace {
 /// Where the two points of an edge are. With these the square of a linear function is integrated exactly (Gauss).
 const std::array<double, 2> shares{0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)};
 
-constexpr double least_agreement = 0.5;  ///< cosine between the directions of a point's line and of its foot's
+constexpr double least_way_agreement = 0.5;  ///< cosine between the directions of a point's line and of its foot's
 
 /// Limit for a search; far fewer steps are enough from a start that is near.
 constexpr std::size_t most_steps = 16;
@@ -105,7 +105,7 @@ LineFoot LineSamples::find(const LineSample& sample, const MeshLines& lines, con
     for (const Index e : lines.at(v)) {
       const auto& [from, to, is_border] = lines.edges()[e];
       const Vec3 way = mesh.positions[to] - mesh.positions[from];
-      const double least_along = least_agreement * way.norm() * sample.way.norm();
+      const double least_along = least_way_agreement * way.norm() * sample.way.norm();
       if (is_border != sample.is_border || !(std::abs(way.dot(sample.way)) > least_along)) continue;
       const auto [share, offset] = nearest_on_edge(sample.position(), mesh.positions[from], way);
       if (!(offset.squaredNorm() < least)) continue;

@@ -9,16 +9,16 @@ namespace whittle::polishing {
 namespace {
 
 /// Limit for a walk; far fewer steps are enough from a start that is near.
-constexpr std::size_t most_steps = 48;
+constexpr std::size_t most_vertices = 48;
 
 }  // namespace
 
 NearestPoint walk_to_nearest(const Surface& surface, const Vec3& point, Index start) {
   const auto& [faces, corners, positions] = surface;
-  std::array<Index, most_steps> seen;
+  std::array<Index, most_vertices> seen;
   std::size_t n_seen = 0;
   NearestPoint nearest;
-  for (Index v = start; v != invalid_index && n_seen < most_steps;) {
+  for (Index v = start; v != invalid_index && n_seen < most_vertices;) {
     seen[n_seen++] = v;
     const Vec3 a = positions[v] - point;
     for (const Corner& corner : corners.of(v)) {

@@ -13,7 +13,7 @@
 #include "whittle/openmesh/detail/status_bits.hh"
 #include "whittle/openmesh/vertex_copies.hh"
 
-// OpenMesh triangle meshes of any traits, to plain arrays and back.
+// Converts OpenMesh triangle meshes with any traits to plain arrays and back.
 
 namespace whittle {
 
@@ -34,7 +34,7 @@ PointT to_point(const Vec3& p) {
   return result;
 }
 
-/// The corners of a face, counter-clockwise, first the one that OpenMesh's FaceVertexIter comes to first.
+/// The corners of a face, counter-clockwise, in the order of OpenMesh's FaceVertexIter.
 template <class MeshT>
 std::array<OpenMesh::VertexHandle, 3> face_corners(const MeshT& mesh, OpenMesh::FaceHandle face) {
   const OpenMesh::HalfedgeHandle h0 = mesh.halfedge_handle(face);
@@ -42,7 +42,7 @@ std::array<OpenMesh::VertexHandle, 3> face_corners(const MeshT& mesh, OpenMesh::
   return {mesh.to_vertex_handle(h0), mesh.to_vertex_handle(h1), mesh.to_vertex_handle(mesh.next_halfedge_handle(h1))};
 }
 
-/// The box around the vertices that aren't deleted.
+/// The bounding box of the vertices that aren't deleted.
 template <class MeshT>
 PointBounds mesh_bounds(const MeshT& mesh) {
   PointBounds bounds;
@@ -58,7 +58,7 @@ PointBounds mesh_bounds(const MeshT& mesh) {
 
 namespace detail {
 
-/// OpenMesh keeps colours as floats in [0, 1] or as whole numbers in [0, 255], of three or four channels.
+/// OpenMesh has colours of three or four channels, as floats in [0, 1] or integers in [0, 255].
 template <class ColorT>
 Color from_mesh_color(const ColorT& color) {
   using Traits = OpenMesh::vector_traits<ColorT>;
@@ -101,17 +101,17 @@ class QuietOpenMesh {
 
 }  // namespace detail
 
-/// What becomes of vertices that are copies of one vertex (`vertex_copies.hh`).
+/// What is done with copies of a vertex (`vertex_copies.hh`).
 enum class Copies {
-  joined,  ///< those at exactly one position are one vertex again
-  apart    ///< each is a vertex, as in the mesh
+  joined,  ///< copies at exactly one position become one vertex again
+  apart    ///< each copy is a vertex, as in the mesh
 };
 
 namespace detail {
 
-/// The vertices of a mesh that isn't deleted, and of copies the first, numbered in the order of the handles.
+/// The vertices that aren't deleted, numbered in the order of the handles. Of copies only the first is numbered.
 struct VertexNumbers {
-  std::vector<Index> number_of;  ///< by handle: that of the first copy for all of them. Of deleted ones, anything
+  std::vector<Index> number_of;  ///< by handle; copies have the number of the first. Undefined for deleted vertices
   std::vector<Index> handles;    ///< by number, ascending
 };
 
@@ -160,14 +160,14 @@ IndexedMesh geometry_of(const MeshT& mesh, const VertexNumbers& numbers) {
 
 }  // namespace detail
 
-/// Positions and faces of what isn't deleted, in the order of the handles; copies of a vertex in the place of the
-/// first. `origins` says which vertex handle each vertex was, and is empty where that is its own number.
+/// Positions and faces that aren't deleted, in the order of the handles. Copies of a vertex are one vertex, at the
+/// index of the first. `origins` is the handle of each vertex; it is empty if all handles equal their numbers.
 template <class MeshT>
 IndexedMesh geometry_of(const MeshT& mesh, Copies copies = Copies::joined) {
   return detail::geometry_of(mesh, detail::number_vertices(mesh, copies));
 }
 
-/// `geometry_of(mesh)` with the vertex normals and colours, where the mesh has them; of copies, those of the first.
+/// `geometry_of(mesh)` with vertex normals and colours if the mesh has them; copies have those of the first.
 template <class MeshT>
 IndexedMesh to_indexed_mesh(const MeshT& mesh, Copies copies = Copies::joined) {
   const detail::VertexNumbers numbers = detail::number_vertices(mesh, copies);
@@ -183,15 +183,15 @@ IndexedMesh to_indexed_mesh(const MeshT& mesh, Copies copies = Copies::joined) {
   return result;
 }
 
-/// What becomes of vertices and edges that a half-edge mesh can't hold.
+/// What is done where a half-edge mesh can't hold vertices or edges.
 enum class NonManifold {
-  cut,    ///< they are cut into copies (`cut_into_manifold`), and no face is lost
-  refuse  ///< faces that don't fit on those before them are left out
+  cut,    ///< vertices are cut into copies (`cut_into_manifold`); no face is lost
+  refuse  ///< faces that don't fit to those added before are left out
 };
 
 namespace detail {
 
-/// Adds vertices with what is carried of them.
+/// Adds vertices, with normals and colours if both sides have them.
 template <class MeshT>
 class VertexAdder {
  public:
@@ -201,7 +201,7 @@ class VertexAdder {
         carry_normals_(!source.normals.empty() && mesh.has_vertex_normals()),
         carry_colors_(!source.colors.empty() && mesh.has_vertex_colors()) {}
 
-  /// As v of the source is.
+  /// Adds a copy of vertex v of the source.
   OpenMesh::VertexHandle add(Index v) const {
     const OpenMesh::VertexHandle handle = mesh_.add_vertex(to_point<typename MeshT::Point>(source_.positions[v]));
     if (carry_normals_) {
@@ -219,10 +219,10 @@ class VertexAdder {
   bool carry_colors_;
 };
 
-/// \return those that the mesh doesn't take, or with two equal corners
+/// \return faces that the mesh doesn't take, or that have two equal corners
 template <class MeshT>
 std::vector<Index> add_faces(const std::vector<Triangle>& faces, MeshT& mesh) {
-  const QuietOpenMesh quiet;  // what it would print is what we return
+  const QuietOpenMesh quiet;  // it would print what we return
   std::vector<Index> refused;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const auto [a, b, c] = faces[f];
@@ -236,14 +236,14 @@ std::vector<Index> add_faces(const std::vector<Triangle>& faces, MeshT& mesh) {
 
 }  // namespace detail
 
-/// Makes `mesh` a copy of `source`: vertex v becomes handle v, with its normal and colour where both have them (so call
-/// `request_vertex_colors()` first). What the mesh held is cleared; its properties stay, their values don't.
+/// Makes `mesh` a copy of `source`: vertex v becomes handle v, with normal and colour if both have them. (So call
+/// `request_vertex_colors()` first.) The old content of the mesh is cleared. Its properties stay, their values don't.
 /// Positions are rounded to the scalar of the mesh. Texture coordinates and groups are not carried.
 ///
-/// Where vertices were cut, further copies have handles after all others, the property `copies_property` says which
+/// Where vertices are cut, the added copies have handles after all others. The property `copies_property` says which
 /// belong together, and `to_indexed_mesh` gives the source's vertices and faces back.
 /// \return the faces left out, ascending: those with two equal corners. With `NonManifold::refuse` also a third face at
-///         an edge, a neighbour turned the other way round, a second closed fan at a vertex.
+///         an edge, a neighbour of opposite orientation, and a second closed fan at a vertex
 template <class MeshT>
 [[nodiscard]] std::vector<Index> to_open_mesh(const IndexedMesh& source, MeshT& mesh,
                                               NonManifold non_manifold = NonManifold::cut) {

@@ -5,8 +5,8 @@
 
 namespace whittle {
 
-/// `mesh.garbage_collection()`, compiled with the program. OpenMesh's library may have been built with its asserts on,
-/// as Debian's is; then its own takes four times as long.
+/// `mesh.garbage_collection()`, compiled with the flags of the program. OpenMesh's library may have been built with
+/// asserts, as Debian's is. Then its own version takes four times as long.
 template <class MeshT>
 void collect_garbage(MeshT& mesh) {
   std::array<OpenMesh::VertexHandle*, 0> vertices;  // handles to keep up to date: none

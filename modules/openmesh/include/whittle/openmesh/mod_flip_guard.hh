@@ -6,13 +6,14 @@
 
 namespace whittle {
 
-/// Refuses a collapse that turns a remaining face further than an angle, or takes its area away.
+/// Refuses a collapse that turns a remaining face further than an angle, or takes away its area.
 ///
-/// With n₀ = (x − v) × (y − v) and n₁ the same with v̄, for each face (v, x, y) at v0 or v1 that stays: refused when
-/// n₀·n₁ < cos(angle) |n₀||n₁|, or n₁ = 0 ≠ n₀. Unlike OpenMesh's ModNormalFlippingT it looks at both stars, since a
-/// placed v1 moves too (`FaceGuardT`: tell it the cost module).
+/// For each remaining face (v, x, y) at v0 or v1 let n₀ = (x − v) × (y − v), and n₁ the same with v̄ for v. The
+/// collapse is refused when n₀·n₁ < cos(angle) |n₀||n₁|, or n₁ = 0 ≠ n₀. Unlike OpenMesh's ModNormalFlippingT the
+/// module looks at both stars, since v1 moves too. In a stock decimater tell it the cost module
+/// (`FaceGuardT::set_cost_module`).
 ///
-/// `PairDecimaterT` makes this test always, with this module's angle if it is there.
+/// `PairDecimaterT` always makes this test. If this module was added, its angle is used.
 template <class MeshT>
 class ModFlipGuardT : public FaceGuardT<MeshT> {
  public:
@@ -20,8 +21,9 @@ class ModFlipGuardT : public FaceGuardT<MeshT> {
 
   explicit ModFlipGuardT(MeshT& mesh) : FaceGuardT<MeshT>(mesh) {}
 
-  /// (0, 180], default 75; 180 refuses only what loses its area. The error tolerance factor of the decimater scales it.
-  /// \throw std::invalid_argument outside
+  /// (0, 180], default 75; at 180 only a face that loses its area is refused. The error tolerance factor of the
+  /// decimater scales it.
+  /// \throw std::invalid_argument outside this range
   void set_max_normal_flip_deg(double angle) {
     if (!(angle > 0 && angle <= 180)) {
       throw std::invalid_argument("ModFlipGuardT: max_normal_flip_deg is not in (0, 180]");

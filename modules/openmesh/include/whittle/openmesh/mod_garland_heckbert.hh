@@ -5,25 +5,27 @@
 #include "whittle/openmesh/detail/stock_quadric.hh"
 #include "whittle/openmesh/quadric_module.hh"
 
-// Garland–Heckbert cost and placement as a module for OpenMesh's decimaters: the engine's term (quadric_term.hh), with
-// the same numbers in every bit.
+// Garland–Heckbert cost and placement as a module for OpenMesh's decimaters. It computes the engine's term
+// (quadric_term.hh), bit for bit.
 //
-//   cost = E₀(v̄) + E₁(v̄);  unit: distance² · area, or distance² with uniform weights (no length, as ModQuadricT's
-//   isn't).
-//   With isotropy W:  cost^(1−W) (L²)^W, L the length of the edge (edge_length_term.hh); in its unit, too.
-//   With a valence weight: times a penalty (valence_term.hh).
+//   cost = E₀(v̄) + E₁(v̄)
+//   with isotropy W: cost^(1−W) (L²)^W, L the length of the edge (edge_length_term.hh)
+//   with a valence weight: times a penalty (valence_term.hh)
 //
-// Rejects what costs more than `max_cost`, nothing else: add ModFlipGuardT beside it.
+// The unit is distance² · area, or distance² with uniform weights. It is no length, nor is ModQuadricT's. Isotropy
+// blends the unit in the same way as the cost.
+//
+// The module refuses only collapses that cost more than `max_cost`. Add ModFlipGuardT beside it.
 // \cite garland_1997_surface (sections 4 and 6)
 
 namespace whittle {
 
 enum class Arithmetic {
   local,  ///< Whittle's: centred, scaled, each quadric about its vertex, costs in double
-  stock  ///< ModQuadricT's to the last bit, to be checked against; weights, placement and the other options don't count
+  stock   ///< ModQuadricT's to the last bit, for comparisons; ignores all other options but `max_cost`
 };
 
-/// What it does in which decimater, and the options it shares with our other cost modules: `PlacingModuleT`.
+/// `PlacingModuleT` says what the module does in which decimater, and has the options that all our cost modules share.
 template <class MeshT>
 class ModGarlandHeckbertT : public QuadricModuleT<MeshT> {
  public:
@@ -31,22 +33,23 @@ class ModGarlandHeckbertT : public QuadricModuleT<MeshT> {
 
   explicit ModGarlandHeckbertT(MeshT& mesh) : QuadricModuleT<MeshT>(mesh) {}
 
-  /// W of the blend with the length of the edge: at 0 the quadric's cost and placement alone, at 1 the order is by
-  /// length and v̄ the middle; between, triangles get more even the higher it is. [0, 1], default 0. Used from the next
-  /// `initialize()` on.
-  /// \throw std::invalid_argument outside
+  /// W of the blend with the length of the edge. At 0 the quadric alone gives cost and placement. At 1 the order is by
+  /// length, and v̄ is the middle of the edge. In between, triangles are more even the higher W is.
+  /// [0, 1], default 0. Takes effect at the next `initialize()`.
+  /// \throw std::invalid_argument outside this range
   void set_isotropy(double isotropy);
   double isotropy() const { return isotropy_; }
 
-  /// Used from the next `initialize()` on. Default local.
+  /// Default local. Takes effect at the next `initialize()`.
   void set_arithmetic(Arithmetic arithmetic) {
     arithmetic_ = arithmetic;
     this->note_new_options();
   }
   Arithmetic arithmetic() const { return arithmetic_; }
 
-  // `set_max_cost`: distance² · area, or distance² with uniform weights; with isotropy, (1−W) times that power of a
-  // length and W times its square. With stock arithmetic what costs as much is refused, too.
+  // The unit of `set_max_cost` is distance² · area, or distance² with uniform weights: a length to the power p = 4 or
+  // 2. With isotropy W the power is (1−W) p + 2 W. With stock arithmetic a collapse that costs exactly `max_cost` is
+  // refused, too.
 
   /// \throw std::invalid_argument for a coordinate that is not finite
   void initialize() override;
@@ -72,7 +75,7 @@ class ModGarlandHeckbertT : public QuadricModuleT<MeshT> {
   Arithmetic arithmetic_ = Arithmetic::local;
 
   double active_isotropy_ = 0;                 ///< that of the last `initialize()`
-  std::optional<StockQuadricT<MeshT>> stock_;  ///< with stock arithmetic, in place of all that
+  std::optional<StockQuadricT<MeshT>> stock_;  ///< set with stock arithmetic; then nothing else is used
 };
 
 template <class MeshT>

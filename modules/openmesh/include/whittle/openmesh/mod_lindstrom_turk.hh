@@ -6,28 +6,29 @@
 #include "whittle/engine/formula/lindstrom_turk_pair.hh"
 #include "whittle/openmesh/placing_module.hh"
 
-// Lindstrom–Turk cost and placement as a module for OpenMesh's decimaters: the engine's term (lindstrom_turk.hh), with
-// the same numbers in every bit.
+// Lindstrom–Turk cost and placement as a module for OpenMesh's decimaters. It computes the engine's term
+// (lindstrom_turk.hh), bit for bit.
 //
-//   v̄ keeps the volume and the outline of the border, then makes f least;  cost = f(v̄) and a trace of spread, unit:
-//   length⁶
+//   v̄ keeps the volume and the outline of the border, then makes f least
 //   f = ½ Σ V_t(v̄)² + ½ L² Σ |A_e(v̄)|², over the faces t and border edges e at v0 or v1
+//   cost = f(v̄) and a trace of spread, unit: length⁶
 //
-// Nothing is remembered: a cost is that of the faces as they are, so that a contraction changes those of all pairs at
-// the merged vertex and at its neighbours. `PairDecimaterT` ranks all these anew. OpenMesh's own decimaters rank anew
-// the pairs at v0's former neighbours, in a heap with one entry a vertex; others keep the place of an old cost.
+// Nothing is remembered: costs depend only on the faces as they are. So a contraction changes the costs of all pairs at
+// the merged vertex and at its neighbours. `PairDecimaterT` ranks all these pairs again. OpenMesh's `DecimaterT` has a
+// heap with one entry per vertex. It ranks only v0's former neighbours again; the other entries keep an old cost.
 //
-// Rejects what costs more than `max_cost`, nothing else: add ModFlipGuardT beside it, and let
-// it turn faces up to 110°: Lindstrom–Turk keeps volumes, and is more accurate where it may do so.
+// The module refuses only collapses that cost more than `max_cost`. Add ModFlipGuardT beside it, and let it turn faces
+// up to 110°: with this limit Lindstrom–Turk, which keeps volumes, is more accurate.
 // \cite lindstrom_1998_fast (sections 4 and 5), \cite lindstrom_1999_evaluation
 
 namespace whittle {
 
-/// What it does in which decimater, and the options it shares with our other cost modules: `PlacingModuleT`. Its float
-/// priority is the cube root of the cost.
+/// `PlacingModuleT` says what the module does in which decimater, and has the options that all our cost modules share.
+/// The float priority is the cube root of the cost.
 ///
-/// Sums have the order of the engine: faces at a vertex counter-clockwise from the neighbour of lowest index on, at a
-/// border vertex by the indices of their other corners; its neighbours likewise; everything else by index.
+/// Sums have the order of the engine. Faces at an inner vertex are taken counter-clockwise, from the neighbour of
+/// lowest index on. Faces at a border vertex are taken by the indices of their other corners. Neighbours are taken in
+/// the same way, everything else by index.
 template <class MeshT>
 class ModLindstromTurkT : public PlacingModuleT<MeshT> {
  public:
@@ -42,7 +43,7 @@ class ModLindstromTurkT : public PlacingModuleT<MeshT> {
   using HalfedgeHandle = OpenMesh::HalfedgeHandle;
   using PlacingModuleT<MeshT>::surface;
 
-  /// The other corners of a face at a vertex, in its order.
+  /// The other corners of a face at a vertex, in the face's order.
   using OtherCorners = std::pair<VertexHandle, VertexHandle>;
   PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const override;
   Reach plain_reach() const override { return Reach::ring; }

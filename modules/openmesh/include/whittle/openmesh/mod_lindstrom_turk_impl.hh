@@ -62,7 +62,7 @@ StarSums ModLindstromTurkT<MeshT>::star_of(VertexHandle v) const {
   return sum_star(this->position(v), faces, neighbours);
 }
 
-/// The border edges at v, but for the one to `but`.
+/// Adds the border edges at v, except the one to `but`.
 template <class MeshT>
 void ModLindstromTurkT<MeshT>::add_border_at(VertexHandle v, VertexHandle but, std::vector<BorderEdge>& border) const {
   const MeshT& mesh = surface();

@@ -6,27 +6,27 @@
 #include "whittle/engine/formula/plane_changes.hh"
 #include "whittle/openmesh/quadric_module.hh"
 
-// Memoryless quadrics as a cost module for OpenMesh's decimaters: the engine's term (memoryless_term.hh), with the same
-// numbers in every bit.
+// Memoryless quadrics as a cost module for OpenMesh's decimaters. It computes the engine's term (memoryless_term.hh),
+// bit for bit.
 //
 //   cost = E sqrt(W + 2 a₀), E the minimum of E₀ + E₁, W their weight, a₀ the mean area of faces;  unit: length⁵
-//   v̄ = x*, where E is least, and a step that keeps the volume
+//   v̄ = x* plus a step that keeps the volume; x* is where E₀ + E₁ is least
 //
-// At thin parts the cost is more. With a valence weight it is multiplied by a penalty (valence_term.hh).
+// The cost is higher at thin parts. With a valence weight it is multiplied by a penalty (valence_term.hh).
 //
-// E₀ and E₁ are of the planes of the faces as they are. A contraction changes those of the merged vertex and of its
-// neighbours, and so the costs of all pairs at these. `PairDecimaterT` ranks them anew. OpenMesh's own decimaters rank
-// anew the pairs at v0's former neighbours, in a heap with one entry a vertex; others keep the place of an old cost.
+// E₀ and E₁ have the planes of the faces as they are. A contraction changes those of the merged vertex and of its
+// neighbours, and so the costs of all pairs at these. `PairDecimaterT` ranks these pairs again. OpenMesh's `DecimaterT`
+// has a heap with one entry per vertex. It ranks only v0's former neighbours again; the other entries keep an old cost.
 //
-// Rejects what costs more than `max_cost`, nothing else: add ModFlipGuardT beside it.
+// The module refuses only collapses that cost more than `max_cost`. Add ModFlipGuardT beside it.
 // \cite lindstrom_1998_fast (volume preservation), \cite hoppe_1999_attributes (memoryless quadrics)
 
 namespace whittle {
 
-/// What it does in which decimater, and the options it shares with our other cost modules: `PlacingModuleT`.
+/// `PlacingModuleT` says what the module does in which decimater, and has the options that all our cost modules share.
 ///
-/// Border vertices remember the planes of all they have merged, as with `ModGarlandHeckbertT`. Where v̄ is refused,
-/// `PairDecimaterT` tries x*; OpenMesh's own decimaters refuse the collapse.
+/// Border vertices remember the planes of all vertices merged into them, as with `ModGarlandHeckbertT`. If v̄ is
+/// refused, `PairDecimaterT` tries x*. OpenMesh's own decimaters refuse the collapse.
 template <class MeshT>
 class ModMemorylessT : public QuadricModuleT<MeshT> {
  public:
@@ -34,9 +34,9 @@ class ModMemorylessT : public QuadricModuleT<MeshT> {
 
   explicit ModMemorylessT(MeshT& mesh) : QuadricModuleT<MeshT>(mesh) {}
 
-  /// Used from the next `initialize()` on.
-  /// \throw std::invalid_argument where regularization or boundary_weight is negative or not finite, or weights aren't
-  ///        by area
+  /// Takes effect at the next `initialize()`.
+  /// \throw std::invalid_argument if regularization or boundary_weight is negative or not finite, or weights aren't by
+  ///        area
   void set_options(const QuadricOptions& options);
 
   /// \throw std::invalid_argument for a coordinate that is not finite
@@ -47,11 +47,11 @@ class ModMemorylessT : public QuadricModuleT<MeshT> {
 
   Vec3 place(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second,
              const PairEvaluation& evaluation) const override;
-  /// More at thin parts, the more the fewer faces are left.
+  /// Higher at thin parts, and the more so the fewer faces are left.
   double final_cost(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second, const PairEvaluation& evaluation,
                     const Vec3& position) const override;
-  /// Contractions that the mesh couldn't have made itself leave vertices inside that remember: from these on it goes by
-  /// the faces as they are.
+  /// Contractions that were no collapses may leave inner vertices that remember merged planes. Then the quadrics are
+  /// computed again from the faces as they are.
   void adopt(const std::vector<Index>& vertices, std::vector<PlacedQuadric> quadrics, bool were_collapses) override;
 
  private:
@@ -76,9 +76,9 @@ class ModMemorylessT : public QuadricModuleT<MeshT> {
   void add_changes_at(VertexHandle v, VertexHandle other, const Vec3& position, PlaneChanges& found) const;
   PlaneChanges::Corner corner(VertexHandle v) const { return {static_cast<Index>(v.idx()), this->position(v)}; }
 
-  // The ring of the pair last looked at; scratch.
+  // Scratch: the merged ring of the last pair.
   mutable MergedRing ring_;
-  std::vector<PlaneChanges::Change> changes_;  ///< at neighbours that don't remember, by the collapse under way
+  std::vector<PlaneChanges::Change> changes_;  ///< by the collapse under way, at neighbours that don't remember
   MeanFaceArea face_area_;                     ///< in the module's frame
   std::size_t n_faces_ = 0;                    ///< left now
 };

@@ -21,14 +21,14 @@ void ModMemorylessT<MeshT>::initialize() {
   measure_area();
 }
 
-/// Not deleted.
+/// Without deleted ones.
 template <class MeshT>
 std::size_t ModMemorylessT<MeshT>::count_faces() const {
   const auto faces = surface().faces();
   return static_cast<std::size_t>(std::distance(faces.begin(), faces.end()));
 }
 
-/// Each face as often as it has corners inside, as the engine has it.
+/// Adds each face once per corner inside the surface, as the engine does.
 template <class MeshT>
 void ModMemorylessT<MeshT>::measure_area() {
   const MeshT& mesh = surface();
@@ -85,7 +85,7 @@ double ModMemorylessT<MeshT>::final_cost(OpenMesh::VertexHandle first, OpenMesh:
   return std::max(evaluation.cost, thin_cost(displacement_sq, face_area_.now(n_faces_)));
 }
 
-/// In the order that the engine sums in.
+/// Fills the ring in the engine's order.
 template <class MeshT>
 void ModMemorylessT<MeshT>::find_ring(VertexHandle first, VertexHandle second, const Vec3& origin) const {
   const MeshT& mesh = surface();
@@ -99,14 +99,14 @@ void ModMemorylessT<MeshT>::find_ring(VertexHandle first, VertexHandle second, c
   const OpenMesh::HalfedgeHandle edge = mesh.find_halfedge(first, second);
   add_neighbours_after(edge);
   const std::size_t n_first = around.size() - 1;
-  around.pop_back();  // the corner right of the edge: the next ones begin with it
+  around.pop_back();  // the corner right of the edge: the second end's neighbours begin with it
   add_neighbours_after(mesh.opposite_halfedge_handle(edge));
   around.pop_back();  // the corner left of it
   ring_.look(placed(first).position, placed(second).position, n_first, origin,
              [this](Index v) -> const Vec3& { return placed(VertexHandle(static_cast<int>(v))).position; });
 }
 
-/// Two vertices inside lose their memory; any other pair keeps it.
+/// Two inner vertices get the planes of the faces after the collapse. Any other pair gets the sum of both quadrics.
 template <class MeshT>
 PlacedQuadric ModMemorylessT<MeshT>::merge(VertexHandle first, VertexHandle second, const PairEvaluation& evaluation,
                                            const Vec3& position) {
@@ -126,7 +126,7 @@ PlacedQuadric ModMemorylessT<MeshT>::merge(VertexHandle first, VertexHandle seco
   return {position, quadric};
 }
 
-/// At the neighbours of a pair of which one is on the border.
+/// Finds the changes at the neighbours of a pair with a border vertex.
 template <class MeshT>
 void ModMemorylessT<MeshT>::find_changes_around(VertexHandle first, VertexHandle second, const Vec3& position) {
   const MeshT& mesh = surface();
@@ -144,7 +144,7 @@ void ModMemorylessT<MeshT>::find_changes_around(VertexHandle first, VertexHandle
   }
 }
 
-/// Of the faces of one end that the other doesn't have.
+/// Adds the changes by faces at v that don't have `other`.
 template <class MeshT>
 void ModMemorylessT<MeshT>::add_changes_at(VertexHandle v, VertexHandle other, const Vec3& position,
                                            PlaneChanges& found) const {

@@ -7,13 +7,13 @@
 //
 //   cost = |v1 − v0|,  v̄ = (v0 + v1) / 2;  unit: length.
 //
-// Rejects what is longer than `max_cost`, nothing else: add ModFlipGuardT beside it. Fast and even, but blind to the
-// shape: what it costs in error is for other modules to limit.
+// The module refuses only edges longer than `max_cost`. Add ModFlipGuardT beside it. It is fast and gives even
+// triangles, but doesn't look at the shape. Other modules must limit the error.
 
 namespace whittle {
 
-/// What it does in which decimater, and the options it shares with our other cost modules: `PlacingModuleT`. Where v1
-/// or another vertex stays, v̄ is there.
+/// `PlacingModuleT` says what the module does in which decimater, and has the options that all our cost modules share.
+/// If a vertex of the pair must stay, v̄ is its position.
 template <class MeshT>
 class ModMidpointT : public PlacingModuleT<MeshT> {
  public:

@@ -17,14 +17,16 @@ struct ValenceRange {
 
 /// Refuses a collapse that leaves a vertex with too few or too many edges, unless it was worse before.
 ///
-/// With n₀ and n₁ edges at v0 and v1 and w faces at the edge between them, the merged vertex has n₀ + n₁ − 2 − w, and
-/// the wings vl and vr have one less than before. Refused when one of the three is outside its range after the
-/// collapse, and was not farther outside before it (of v0 and v1, the one farther outside counts). So on a mesh whose
-/// valences are all within the ranges they stay so.
+/// With n₀ and n₁ edges at v0 and v1 and w faces at the edge between them, the merged vertex has n₀ + n₁ − 2 − w edges.
+/// The wings vl and vr lose one edge each. A collapse is refused when one of the three vertices is outside its range
+/// afterwards, and was not farther outside before. (Of v0 and v1 the one farther outside counts.) So valences that are
+/// all within the ranges stay there.
 ///
-/// The stock decimater asks a module when a collapse is queued, not when its turn comes: there some vertices still get
-/// out of the range. `PairDecimaterT` asks when the turn comes, on its mesh driver: the engine doesn't know this
-/// module. A ranking that avoids such valences, instead of forbidding them, is our cost modules' `set_valence_weight`.
+/// OpenMesh's `DecimaterT` asks a module when a collapse is queued, not when its turn comes. There some vertices still
+/// get out of the range. `PairDecimaterT` asks when the turn comes. It then uses the mesh driver, as the engine doesn't
+/// know this module.
+///
+/// To avoid such valences by a higher cost, use `set_valence_weight` of our cost modules.
 template <class MeshT>
 class ModValenceT : public OpenMesh::Decimater::ModBaseT<MeshT> {
  public:
@@ -36,11 +38,11 @@ class ModValenceT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   void set_inner_range(const ValenceRange& range) { inner_ = checked(range); }
   const ValenceRange& inner_range() const { return inner_; }
 
-  /// Of vertices on a border, whose edges there count, too. Default 2 to 7. \throw std::invalid_argument as above
+  /// Of vertices on a border. Border edges count, too. Default 2 to 7. \throw std::invalid_argument as above
   void set_border_range(const ValenceRange& range) { border_ = checked(range); }
   const ValenceRange& border_range() const { return border_; }
 
-  /// The error tolerance factor of the decimater doesn't count.
+  /// The error tolerance factor of the decimater has no effect.
   float collapse_priority(const CollapseInfo& collapse) override {
     return static_cast<float>(is_refused(collapse) ? Base::ILLEGAL_COLLAPSE : Base::LEGAL_COLLAPSE);
   }

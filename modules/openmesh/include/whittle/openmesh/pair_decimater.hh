@@ -16,23 +16,23 @@
 #include "whittle/openmesh/mod_radius_ratio.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
 
-// A decimater over pairs for OpenMesh meshes: exact order, placement, both drivers the same contractions.
+// A decimater over pairs for OpenMesh meshes: exact order, placement, and the same contractions with both drivers.
 //
-//   both drivers:  the engine's loop on a copy of the geometry (contraction_loop.hh has it as pseudo-code)
+//   both drivers:  the engine's loop on a copy of the geometry (pseudo-code: contraction_loop.hh)
 //   mesh driver:   modules rank, place and refuse; each contraction is made on the mesh at once
-//   engine driver: the engine's own costs and guards; the contractions are made on the mesh in the end, all at once
+//   engine driver: the engine's own costs and guards; all contractions are made on the mesh at the end
 //
-// With a pair threshold vertices that no edge joins are pairs, too, and what they leave is cut into copies where
-// half-edges can't hold it (vertex_copies.hh).
+// With a pair threshold, close vertices that no edge joins are pairs, too. Where half-edges can't hold the result, it
+// is cut into copies of vertices (vertex_copies.hh).
 
 namespace whittle {
 
-/// What does the work in `PairDecimaterT`.
+/// What makes the contractions in `PairDecimaterT`.
 enum class Driver {
-  automatic,  ///< the engine where it can, else the mesh driver
-  engine,  ///< many times faster. Exactly our cost modules, `ModFlipGuardT` and `ModRadiusRatioT`, nothing derived from
-           ///< them, and no others
-  mesh     ///< any modules; what a derived one overrides counts
+  automatic,  ///< the engine driver where it can run, else the mesh driver
+  engine,     ///< many times faster; takes only our cost modules, `ModFlipGuardT` and `ModRadiusRatioT`, and no types
+              ///< derived from them
+  mesh        ///< takes any modules, and calls what derived ones override
 };
 
 /// How often a module refused a contraction.
@@ -46,26 +46,27 @@ class EngineRunT;
 template <class MeshT>
 class MeshRunT;
 
-/// Has the calls of OpenMesh's `DecimaterT` and takes the same modules. Differences in short (docs/dev/openmesh.md has
-/// them all):
-///   - The cost module is `ModGarlandHeckbertT`, `ModMemorylessT`, `ModLindstromTurkT` or `ModMidpointT`, or any
-///     non-binary module of OpenMesh's: then v1 keeps its place, both directions of an edge are candidates, and
-///     OpenMesh's own legality rules hold.
+/// Has the calls of OpenMesh's `DecimaterT` and takes the same modules. The main differences (docs/dev/openmesh.md has
+/// all of them):
+///   - The cost module is one of ours (`ModGarlandHeckbertT`, `ModMemorylessT`, `ModLindstromTurkT`, `ModMidpointT`) or
+///     any non-binary module of OpenMesh's. With the latter v1 keeps its position, both directions of an edge are
+///     candidates, and OpenMesh's own legality rules hold.
 ///   - A flip guard over both stars is always on. Its angle is the default of the cost (`CostTraits`: 75°, with
-///     `ModMemorylessT` 60°, with `ModLindstromTurkT` 110°) unless a `ModFlipGuardT` says otherwise. Other binary
-///     modules are asked about both stars where the merged vertex moves, with v̄ as `p1`.
-///   - Of a pair with one locked vertex the other one vanishes; with `only_selected`, vertices that aren't selected
+///     `ModMemorylessT` 60°, with `ModLindstromTurkT` 110°), or that of a `ModFlipGuardT`. Other binary modules get v̄
+///     as `p1`. If v1 moves, they are asked about both stars.
+///   - Of a pair with one locked vertex the other one vanishes. With `only_selected`, vertices that aren't selected
 ///     count as locked.
-///   - A vertex with two feature edges moves along them only, from vertex to vertex; one with another number of them
-///     stays, and so does one with the feature bit and none. Lines keep their loops and stay near to where they were.
-///   - Counts are those of what isn't deleted. Vertices without a face don't count, copies of a vertex as one.
-///   - Copies of a vertex (`vertex_copies.hh`) that are at one position are one vertex to the engine driver. The mesh
-///     driver can't move them together, so it neither moves nor removes them.
+///   - A vertex with two feature edges moves along them only, from vertex to vertex. A vertex with one, three or more
+///     stays, and so does one with the feature bit and no feature edge. Lines keep their loops and stay near to where
+///     they were.
+///   - Counts leave out deleted elements and vertices without a face. Copies of a vertex count as one.
+///   - The engine driver takes copies of a vertex (`vertex_copies.hh`) at one position as one vertex. The mesh driver
+///     can't move them together, so it neither moves nor removes them.
 ///
-/// As in the stock, surviving handles and their properties persist, and removed elements are marked deleted until
-/// `garbage_collection()`. *The engine driver writes to the mesh at the end only (or when aborted):* until then an
-/// observer or listener sees it as it was. Where it contracted threshold pairs or vertices have copies, new copies may
-/// come at the end: `FaceRelinkerT` says what persists.
+/// As in the stock decimater, surviving handles and their properties persist. Removed elements are marked deleted until
+/// `garbage_collection()`. *The engine driver writes to the mesh only at the end (or when aborted):* until then an
+/// observer or listener sees the mesh as it was. If threshold pairs were contracted or vertices have copies, the engine
+/// driver may add copies at the end: `FaceRelinkerT` says what persists.
 template <class MeshT>
 class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
  public:
@@ -77,14 +78,15 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   /// \param mesh must outlive the decimater
   explicit PairDecimaterT(MeshT& mesh) : Base(mesh), mesh_(mesh) {}
 
-  /// As the base's. What is added through a reference to the base is refused by `initialize`.
+  /// As the base's. `initialize` throws if modules were added through a reference to the base.
   template <class ModuleT>
   bool add(OpenMesh::Decimater::ModHandleT<ModuleT>& handle);
   template <class ModuleT>
   bool remove(OpenMesh::Decimater::ModHandleT<ModuleT>& handle);
 
-  /// Initializes every module for the mesh as it is; a second call starts anew. Needed after adding modules, setting
-  /// their options, or changing the mesh; *not* between calls of `decimate`, the next goes on where the last one ended.
+  /// Initializes every module for the mesh as it is. A second call starts anew. Call it after adding modules, setting
+  /// their options, or changing the mesh. Don't call it between calls of `decimate`: the next one goes on where the
+  /// last one ended.
   /// \return false unless exactly one module ranks (isn't binary)
   /// \throw std::logic_error if modules were added through a reference to the base: their types are unknown then
   bool initialize();
@@ -94,56 +96,56 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   Driver driver() const { return driver_; }
   /// Why the engine driver can't run now; empty if it can.
   std::string engine_obstacle() const;
-  /// The one that ran last: engine or mesh.
+  /// The driver that ran last: engine or mesh.
   Driver last_driver() const { return last_driver_; }
 
-  /// Two vertices closer than this are a pair though no edge joins them: parts that lie side by side can become one.
-  /// Model units, [0, inf]; empty (default) = no such pairs. Garland & Heckbert's valid pairs.
+  /// Two vertices closer than this are a pair even if no edge joins them. So parts that lie side by side can become
+  /// one. Model units, [0, inf]; empty (default) = no such pairs. These are the valid pairs of Garland & Heckbert.
   /// \cite garland_1997_surface
   ///
-  /// Afterwards the mesh may have copies of vertices (`vertex_copies.hh`), and `geometry_of(mesh)` gives the indexed
-  /// mesh in which they are one, as the engine made it; the next `initialize()` and `decimate` go on from that.
-  /// Only the engine driver contracts such pairs. Where it can't run, `decimate` throws: with foreign modules or
-  /// `Driver::mesh`; and so it does with other costs than the quadric's, or with isotropy or a valence weight. Locked
-  /// vertices and `only_selected` count as for edges.
+  /// Afterwards the mesh may have copies of vertices (`vertex_copies.hh`). `geometry_of(mesh)` joins them: it gives the
+  /// indexed mesh that the engine made. The next `initialize()` and `decimate` go on from that.
+  /// Only the engine driver contracts such pairs. `decimate` throws with foreign modules, with `Driver::mesh`, with
+  /// other costs than the quadric's, with isotropy and with a valence weight. Locked vertices and `only_selected` have
+  /// the same effect as for edges.
   /// \throw std::invalid_argument if negative or not a number
   void set_pair_threshold(std::optional<double> threshold);
   std::optional<double> pair_threshold() const { return pairs_.threshold; }
-  /// The same, with how many pairs a vertex may have, and which are left out. \throw as above
+  /// Sets the threshold together with the other options of such pairs. \throw as above
   void set_pair_options(const PairOptions& options);
   const PairOptions& pair_options() const { return pairs_; }
 
-  /// How far a feature line may come to lie from what it was when `decimate` was called, of the diagonal of the mesh's
-  /// bounding box. [0, inf]; default that of the engine, 5e-4.
+  /// How far a feature line may move from where it was when `decimate` was called, as a share of the diagonal of the
+  /// mesh's bounding box. [0, inf]; default 5e-4, that of the engine.
   /// \throw std::invalid_argument if negative or not a number
   void set_feature_tolerance(double tolerance);
   double feature_tolerance() const { return feature_tolerance_; }
 
-  /// Threads of the engine driver, 0 (default) = all cores. No result depends on it.
+  /// Threads of the engine driver, 0 (default) = all cores. The result doesn't depend on it.
   void set_threads(unsigned threads) { threads_ = threads; }
 
-  /// Called after each contraction, in order; vertices are handle indices. (The observer is told counts, and may
+  /// Called after each contraction, in order; vertices are handle indices. (The observer gets only counts, but can
   /// abort.)
   void set_listener(std::function<void(const Contraction&)> listener) { listener_ = std::move(listener); }
 
-  /// Contracts until a target is reached; the cost module's `max_cost` counts as one.
+  /// Contracts until a target is reached. The `max_cost` of the cost module counts as one.
   /// \param only_selected vertices that aren't selected neither move nor vanish
-  /// \throw std::logic_error if not initialized, or if the engine was asked for, or a pair threshold set, and it can't
-  ///        run (see `engine_obstacle`)
-  /// \throw std::invalid_argument if the target's limit of the cost is negative, not a number, or given with a cost
-  ///        module that isn't ours
+  /// \throw std::logic_error if not initialized, or if the engine driver was asked for or is needed for a pair
+  ///        threshold, and can't run (see `engine_obstacle`)
+  /// \throw std::invalid_argument if the target's cost limit is negative or not a number, or if the cost module isn't
+  ///        ours and the target has a cost limit
   DecimateResult decimate(const DecimateTarget& target, bool only_selected = false);
 
-  /// At most `n_contractions`, 0 = as many as possible, as in the stock. \return how many there were
+  /// Makes at most `n_contractions`, 0 = as many as possible, as in the stock. \return how many were made
   std::size_t decimate(std::size_t n_contractions = 0, bool only_selected = false);
-  /// Until at most `n_vertices` are left. \return the number of contractions
+  /// Contracts until at most `n_vertices` are left. \return the number of contractions
   std::size_t decimate_to(std::size_t n_vertices, bool only_selected = false);
-  /// Until at most `n_vertices` or at most `n_faces` are left. \return the number of contractions
+  /// Contracts until at most `n_vertices` or at most `n_faces` are left. \return the number of contractions
   std::size_t decimate_to_faces(std::size_t n_vertices = 0, std::size_t n_faces = 0, bool only_selected = false);
 
-  /// Of the last run.
+  /// The result of the last run.
   const DecimateResult& result() const { return result_; }
-  /// Of the last run: what modules other than `ModFlipGuardT` and `ModRadiusRatioT` refused; those that did.
+  /// Refusals in the last run by modules other than `ModFlipGuardT` and `ModRadiusRatioT`, for those that refused.
   const std::vector<ModuleRejections>& module_rejections() const { return module_rejections_; }
 
  private:
@@ -152,7 +154,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   using VertexHandle = OpenMesh::VertexHandle;
   using HalfedgeHandle = OpenMesh::HalfedgeHandle;
 
-  /// A module, with the interfaces of ours that it has.
+  /// A module, and those of our interfaces that it implements.
   struct Attached {
     Module* module;
     PairCostModuleT<MeshT>* cost;
@@ -180,10 +182,10 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
 
   MeshT& mesh_;
   std::vector<Attached> attached_;
-  bool is_ready_ = false;  ///< our side of `is_initialized()`
+  bool is_ready_ = false;  ///< since `initialize()`; the base has its own `is_initialized()`
   bool is_fresh_ = false;  ///< nothing contracted since `initialize()`
 
-  // Roles, since `initialize()`. One of the first two is null.
+  // Roles of the modules, set by `initialize()`. One of `cost_` and `foreign_cost_` is null.
   PairCostModuleT<MeshT>* cost_ = nullptr;
   bool is_engine_cost_ = false;
   Module* foreign_cost_ = nullptr;

@@ -39,14 +39,14 @@ bool PairDecimaterT<MeshT>::remove(OpenMesh::Decimater::ModHandleT<ModuleT>& han
 template <class MeshT>
 bool PairDecimaterT<MeshT>::initialize() {
   require_known_modules();
-  this->set_uninitialized();  // the base does nothing a second time, and after a mere reset() lists its modules twice
+  this->set_uninitialized();  // else the base does nothing a second time; after a mere reset() it lists modules twice
   is_ready_ = Base::initialize();
   is_fresh_ = is_ready_;
   if (is_ready_) assign_roles();
   return is_ready_;
 }
 
-/// The base's `add` can't be overridden, and its list of modules is its own. It says how many there are, in words.
+/// The base's `add` can't be overridden, and its list of modules is private. Only `info` gives their number, in words.
 template <class MeshT>
 void PairDecimaterT<MeshT>::require_known_modules() {
   this->set_uninitialized();
@@ -69,7 +69,7 @@ void PairDecimaterT<MeshT>::assign_roles() {
   flip_guard_ = nullptr;
   radius_guard_ = nullptr;
   foreign_guards_.clear();
-  // The base's rule: the module that isn't binary; failing that, the one called "Quadric".
+  // The base's rule: the module that isn't binary, or else the one called "Quadric".
   auto ranking =
       std::find_if(attached_.begin(), attached_.end(), [](const Attached& a) { return !a.module->is_binary(); });
   if (ranking == attached_.end()) {
@@ -221,7 +221,7 @@ typename PairDecimaterT<MeshT>::Counts PairDecimaterT<MeshT>::count_elements() c
   return counts;
 }
 
-/// The cost's default without a `ModFlipGuardT`; with a cost that the engine doesn't know, that of plain quadrics.
+/// Without a `ModFlipGuardT` the cost's default. Costs that the engine doesn't know have the default of plain quadrics.
 template <class MeshT>
 double PairDecimaterT<MeshT>::max_normal_flip_deg() const {
   if (flip_guard_) return flip_guard_->max_normal_flip_deg();
@@ -235,7 +235,7 @@ bool PairDecimaterT<MeshT>::is_fixed(VertexHandle v, bool only_selected) const {
   return status.locked() || (only_selected && !status.selected());
 }
 
-/// What both drivers ask of the engine. Its order is exact in both.
+/// The engine's options in both drivers. The order is exact in both.
 template <class MeshT>
 DecimateOptions PairDecimaterT<MeshT>::engine_options_but_cost() const {
   DecimateOptions options;

@@ -17,39 +17,44 @@
 
 namespace whittle {
 
-/// What our cost modules have in common: OpenMesh's interface, in the words of `PairCostModuleT`; where vertices are,
-/// in double; the limit of the cost; and the penalty for valences.
+/// Base of our cost modules. It implements OpenMesh's interface by means of `PairCostModuleT`. It keeps positions in
+/// double, limits the cost, and applies the penalty for valences.
 ///
-/// In the stock `DecimaterT`, `McDecimaterT` and `MixedDecimaterT`, over meshes of floats or doubles, the merged vertex
-/// moves to v̄ before other modules see the collapse done, and face normals are right. v1 keeps its place where it is
-/// locked or a feature, or v0 is a feature. An edge that is merged with a feature edge becomes one. The float priority
-/// is taken from the cost in the module's frame (a mesh of size 1), so that small units don't make it 0. For exact
-/// costs and order there is `PairDecimaterT`.
+/// Works in OpenMesh's `DecimaterT`, `McDecimaterT` and `MixedDecimaterT`, over meshes of floats or doubles:
+/// - The merged vertex moves to v̄ before the collapse. Face normals and other modules' `postprocess_collapse` see it
+///   there.
+/// - v1 keeps its position if it is locked or a feature, or if v0 is a feature.
+/// - An edge that is merged with a feature edge becomes one.
+/// - The float priority is computed from the cost in the module's frame (a mesh of size 1). So small units don't make
+///   it 0.
 ///
-/// Between `initialize()` and the end of decimating nobody else may change the mesh.
+/// For exact costs and order use `PairDecimaterT`.
+///
+/// Nobody else may change the mesh between `initialize()` and the end of the decimation.
 template <class MeshT>
 class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairCostModuleT<MeshT> {
  public:
   using ModBase = OpenMesh::Decimater::ModBaseT<MeshT>;
   using CollapseInfo = typename ModBase::CollapseInfo;
 
-  /// Collapses that cost more are refused. [0, inf], model units, as the module has them. Default: none are.
+  /// Collapses that cost more are refused. [0, inf], in the unit of the cost, model units. Default: no limit.
   /// \throw std::invalid_argument if negative or not a number
   void set_max_cost(double max_cost);
   void unset_max_cost() { max_cost_.reset(); }
 
-  /// The same under the names of OpenMesh's `ModQuadricT`.
+  /// `set_max_cost` under its name in OpenMesh's `ModQuadricT`.
   void set_max_err(double max_err) { set_max_cost(max_err); }
-  /// \throw std::invalid_argument for a binary one: our cost modules always rank
+  /// \throw std::invalid_argument if `is_binary`: our cost modules always rank
   void set_max_err(double max_err, bool is_binary) {
     require(!is_binary, "the module ranks, and can't be binary");
     set_max_cost(max_err);
   }
   void unset_max_err() { unset_max_cost(); }
 
-  /// W of a penalty for valences far from 6, on borders from 4, times the cost (valence_term.hh): vertices get about
-  /// six edges, and inside the surface none is left with three as long as any other contraction is allowed.
-  /// [0, inf), default 0 = off. Used from the next `initialize()` on.
+  /// Weight W of a factor on the cost that penalises valences far from 6, or far from 4 on borders (valence_term.hh).
+  /// Vertices then get about six edges. Inside the surface no vertex is left with three while any other contraction is
+  /// allowed.
+  /// [0, inf), default 0 = off. Takes effect at the next `initialize()`.
   /// \throw std::invalid_argument if negative or not finite
   void set_valence_weight(double weight);
   double valence_weight() const { return valence_weight_; }
@@ -85,29 +90,29 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
 
   explicit PlacingModuleT(MeshT& mesh) : ModBase(mesh, false), mesh_(mesh), numbers_(mesh) {}
 
-  // The cost, but for valences.
+  // The cost without the penalty for valences.
   virtual PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const = 0;
   virtual Reach plain_reach() const = 0;
-  /// As the engine knows the cost; only asked of our own modules.
+  /// The engine's options for this cost. The engine driver uses them for our own modules only.
   virtual CostOptions plain_options() const { return {}; }
-  /// What the merged vertex is to keep at `position`. Called while the mesh is as it was.
+  /// The position and quadric of the merged vertex. Called before the collapse.
   virtual PlacedQuadric merge(VertexHandle, VertexHandle, const PairEvaluation&, const Vec3& position) {
     return {position, {}};
   }
-  /// Adds to the quadrics of all vertices, which are zero so far.
+  /// Adds the planes of the mesh to the quadrics of all vertices, which are zero before.
   virtual void add_planes() const {}
 
   const MeshT& surface() const { return mesh_; }
-  /// Makes them when first asked for one: the engine can do without.
+  /// Quadrics are computed at the first call: the engine driver doesn't need them.
   PlacedQuadric& placed(VertexHandle v) const {
     if (!has_quadrics_) make_quadrics();
     return quadrics_[numbers_[v]];
   }
-  /// The next to ask for quadrics gets those of the mesh as it is.
+  /// The next call of `placed` computes all quadrics again, from the mesh as it is.
   void forget_quadrics() { has_quadrics_ = false; }
-  /// To be called by setters of options that `initialize` takes over.
+  /// Setters of options that take effect in `initialize` call this.
   void note_new_options() { has_new_options_ = true; }
-  /// To be called by an `initialize` that does without this class's.
+  /// An `initialize` that doesn't call the one of this class calls this.
   void forget_new_options() { has_new_options_ = false; }
   /// \throw std::invalid_argument with the module's and the option's name
   void require(bool condition, const std::string& what) const;
@@ -116,9 +121,9 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   struct Pending {
     PairEvaluation evaluation;
     Vec3 position;       ///< where the merged vertex goes
-    VertexHandle first;  ///< the one of the pair that the evaluation took as first
+    VertexHandle first;  ///< the vertex that was `first` in the evaluation
   };
-  void set_binary(bool) {}  // it ranks: never binary
+  void set_binary(bool) {}  // never binary, as it ranks
 
   Frame frame_of_mesh() const;
   void make_quadrics() const;
@@ -133,12 +138,12 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   bool has_new_options_ = false;
 
   Frame frame_;
-  // Lazy: the quadrics of the mesh as it was at `initialize()`, and of what has been merged since.
+  // Computed on demand: the quadrics of the mesh at `initialize()`, updated with each collapse since.
   mutable bool has_quadrics_ = false;
   mutable std::vector<PlacedQuadric> quadrics_;
-  mutable OpenMesh::VProp<Index> numbers_;  ///< of vertices in `quadrics_`; goes along with garbage collection
+  mutable OpenMesh::VProp<Index> numbers_;  ///< index in `quadrics_`; garbage collection moves it along
   std::optional<Pending> pending_;          ///< the collapse under way
-  PlacedQuadric merged_;                    ///< what it leaves
+  PlacedQuadric merged_;                    ///< the merged vertex of that collapse
 };
 
 }  // namespace whittle

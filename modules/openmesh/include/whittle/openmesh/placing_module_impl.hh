@@ -78,7 +78,7 @@ void PlacingModuleT<MeshT>::make_quadrics() const {
   add_planes();
 }
 
-/// With no planes yet.
+/// Its quadric has no planes yet.
 template <class MeshT>
 void PlacingModuleT<MeshT>::add_vertex(VertexHandle v) const {
   numbers_[v] = static_cast<Index>(quadrics_.size());
@@ -129,23 +129,23 @@ PairEvaluation PlacingModuleT<MeshT>::evaluate(const CollapseInfo& collapse) con
   return evaluation;
 }
 
-/// At the place where the cost is least.
+/// The evaluation at the position of least cost, before `place` and `final_cost`.
 template <class MeshT>
 PairEvaluation PlacingModuleT<MeshT>::evaluate_cheapest(const CollapseInfo& collapse) const {
-  // Whoever collapses a feature v0 does so along a feature edge: then v̄ must stay on that line.
+  // OpenMesh collapses a feature v0 along feature edges only. Then v̄ must stay on that line.
   const auto& at_v1 = mesh_.status(collapse.v1);
   const bool v1_stays = at_v1.locked() || at_v1.feature() || mesh_.status(collapse.v0).feature();
   const bool v1_is_first = collapse.v1 < collapse.v0;
   const Pinned pinned = !v1_stays ? Pinned::none : v1_is_first ? Pinned::first : Pinned::second;
   const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
   PairEvaluation evaluation = evaluate(first, second, pinned);
-  if (v1_stays) evaluation.position = position(collapse.v1);  // to the bit, whatever sums were taken about
+  if (v1_stays) evaluation.position = position(collapse.v1);  // exactly: sums may have rounded it
   return evaluation;
 }
 
 // Collapses in OpenMesh's decimaters ----------------------------------------------------------------------------------
 
-/// Of costs in length⁵ and length⁶ the cube root: on a fine mesh they themselves would be 0 as floats.
+/// The cube root of costs in length⁵ or length⁶: as floats these would round to 0 on a fine mesh.
 template <class MeshT>
 float PlacingModuleT<MeshT>::collapse_priority(const CollapseInfo& collapse) {
   const double cost = evaluate(collapse).cost;
@@ -153,11 +153,11 @@ float PlacingModuleT<MeshT>::collapse_priority(const CollapseInfo& collapse) {
     return static_cast<float>(ModBase::ILLEGAL_COLLAPSE);
   }
   const double priority = this->cost_dimension() > 4 ? std::cbrt(cost) : cost;
-  return static_cast<float>(std::min(priority, 0.5 * double{FLT_MAX}));  // DecimaterT wants less than FLT_MAX
+  return static_cast<float>(std::min(priority, 0.5 * double{FLT_MAX}));  // DecimaterT needs less than FLT_MAX
 }
 
-/// Moves v1 already here, after the other modules have seen the mesh as it was: what they and the decimater do between
-/// the collapse and our `postprocess_collapse`, face normals above all, then rests on the merged vertex's place.
+/// Moves v1 before the collapse, but after `preprocess_collapse` of the other modules. Until our `postprocess_collapse`
+/// the decimater and the other modules compute face normals and more: these then use the position of the merged vertex.
 template <class MeshT>
 void PlacingModuleT<MeshT>::preprocess_collapse(const CollapseInfo& collapse) {
   const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
@@ -170,7 +170,7 @@ void PlacingModuleT<MeshT>::preprocess_collapse(const CollapseInfo& collapse) {
   const bool is_v0_first = pending_->first == collapse.v0;
   merged_ = merge(pending_->first, is_v0_first ? collapse.v1 : collapse.v0, pending_->evaluation, pending_->position);
   carry_feature_bits(mesh_, collapse);
-  if (pending_->position == position(collapse.v1)) return;  // not rounded for nothing
+  if (pending_->position == position(collapse.v1)) return;  // don't round a vertex that doesn't move
   mesh_.set_point(collapse.v1, to_point<typename MeshT::Point>(frame_.to_model(pending_->position)));
 }
 

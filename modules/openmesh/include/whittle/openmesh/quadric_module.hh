@@ -5,12 +5,12 @@
 
 namespace whittle {
 
-/// What our cost modules with quadrics have in common: options, the planes of the mesh as it is, costs and sums.
+/// Base of our cost modules with quadrics: their options, the planes of the mesh, costs and sums.
 template <class MeshT>
 class QuadricModuleT : public PlacingModuleT<MeshT> {
  public:
-  /// Used from the next `initialize()` on.
-  /// \throw std::invalid_argument where regularization or boundary_weight is negative or not finite
+  /// Takes effect at the next `initialize()`.
+  /// \throw std::invalid_argument if regularization or boundary_weight is negative or not finite
   void set_options(const QuadricOptions& options);
   const QuadricOptions& options() const { return options_; }
 

@@ -31,8 +31,9 @@ PlacedQuadric QuadricModuleT<MeshT>::merge(VertexHandle first, VertexHandle seco
   return merged(placed(first), placed(second), position, evaluation.is_minimum);
 }
 
-// Quadrics of the mesh as it is. The order of every sum is that of the engine: a vertex's faces by their number, then
-// for each of its faces in that order the border edge that leaves the vertex in it, and the one that arrives.
+// Quadrics of the mesh as it is. Every sum has the engine's order. First come the planes of a vertex's faces, by face
+// number. Then come its border edges, for each face in that order: the edge that leaves the vertex, then the one that
+// arrives.
 
 template <class MeshT>
 void QuadricModuleT<MeshT>::add_planes() const {

@@ -10,17 +10,17 @@
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/openmesh/detail/status_bits.hh"
 
-// A half-edge mesh can't hold an edge with three faces, nor a vertex at which two fans of faces meet
-// (`manifold_cut.hh`). Such vertices are there several times, and a vertex property of the mesh tells which of them
-// belong together.
+// A half-edge mesh can't hold an edge with three faces, two faces that run along an edge the same way, or two closed
+// fans of faces at a vertex (`manifold_cut.hh`). Such vertices are stored as several copies. A vertex property of the
+// mesh says which copies belong together.
 
 namespace whittle {
 
-/// Name of that property, an int: vertices with the same number above 0 are copies of one vertex; 0 = v has no copies.
-/// So vertices added later have none, and garbage collection, which moves the numbers along, keeps it true.
+/// Name of that property, an int. Vertices with the same number above 0 are copies of one vertex; 0 = no copies.
+/// Vertices added later have 0. Garbage collection moves the numbers along with the vertices.
 inline constexpr const char* copies_property = "whittle:copies";
 
-/// \return invalid where the mesh has no such property: then no vertex has copies
+/// \return invalid if the mesh has no such property: then no vertex has copies
 template <class MeshT>
 OpenMesh::VPropHandleT<int> find_copies_property(const MeshT& mesh) {
   OpenMesh::VPropHandleT<int> property;
@@ -28,7 +28,7 @@ OpenMesh::VPropHandleT<int> find_copies_property(const MeshT& mesh) {
   return property;
 }
 
-/// The same, added if need be.
+/// The same; adds the property if the mesh doesn't have it.
 template <class MeshT>
 OpenMesh::VPropHandleT<int> require_copies_property(MeshT& mesh) {
   OpenMesh::VPropHandleT<int> property = find_copies_property(mesh);
@@ -37,8 +37,8 @@ OpenMesh::VPropHandleT<int> require_copies_property(MeshT& mesh) {
 }
 
 /// By vertex handle, the first of its copies: the lowest handle among those that belong together *and are at exactly
-/// one position*; itself where there is none before it. Empty where all are themselves. Copies that something has moved
-/// apart are vertices of their own: making them one would move faces.
+/// one position*. A vertex without an earlier copy has its own handle. Empty if all vertices have their own. Copies
+/// that were moved apart are vertices of their own: joining them would move faces.
 template <class MeshT>
 std::vector<Index> first_copies(const MeshT& mesh) {
   const OpenMesh::VPropHandleT<int> property = find_copies_property(mesh);

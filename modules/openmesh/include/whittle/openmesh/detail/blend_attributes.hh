@@ -8,21 +8,21 @@
 
 namespace whittle {
 
-/// How far along the edge from `from` to `to` a point lies, [0, 1].
+/// How far along the edge from `from` to `to` a point lies, as a share in [0, 1].
 inline double share_along(const Vec3& from, const Vec3& to, const Vec3& point) {
   const Vec3 way = to - from;
   const double length_sq = way.squaredNorm();
   return length_sq > 0 ? std::clamp((point - from).dot(way) / length_sq, 0.0, 1.0) : 0;
 }
 
-/// Whether vertices carry anything that a merged one has to have from both.
+/// Whether vertices have attributes that `blend_attributes` interpolates.
 template <class MeshT>
 bool has_vertex_attributes(const MeshT& mesh) {
   return mesh.has_vertex_texcoords1D() || mesh.has_vertex_texcoords2D() || mesh.has_vertex_texcoords3D() ||
          mesh.has_vertex_colors() || mesh.has_vertex_normals();
 }
 
-/// Gives a merged vertex what lies between both vertices' texture coordinates, colours and normals.
+/// Interpolates texture coordinates, colours and normals of a merged vertex between both vertices.
 /// \param share of the removed vertex, [0, 1]; 0 changes nothing
 template <class MeshT>
 void blend_attributes(MeshT& mesh, OpenMesh::VertexHandle survivor, OpenMesh::VertexHandle removed, double share) {

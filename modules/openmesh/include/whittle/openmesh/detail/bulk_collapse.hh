@@ -16,21 +16,21 @@ struct VertexMerge {
   OpenMesh::VertexHandle survivor;
 };
 
-/// Makes many collapses on OpenMesh's connectivity at once, in a few passes over the mesh. Each must be legal when its
-/// turn comes. What is left is what `mesh.collapse` would leave, called for one after the other, to the handle and the
-/// status bit; only a vertex whose outgoing halfedge vanished may have another one. Of edges that become one the
-/// remaining one is a feature if any was.
+/// Makes many collapses on OpenMesh's connectivity at once, in a few passes over the mesh. Each collapse must be legal
+/// when its turn comes. The result equals that of calling `mesh.collapse` for one after the other, to the handle and
+/// the status bit. There is one exception: a vertex whose outgoing halfedge vanished may have another one. Where edges
+/// become one, the remaining edge is a feature if any of them was.
 ///
 /// Vertices merged into one are a cluster. An edge within a cluster vanishes, and so do the faces at it. The other
-/// edges of those faces form strips: edges between the same two clusters a and b, from one face that stays, or the
-/// border, to the next.
+/// edges of those faces form strips. A strip has edges between the same two clusters a and b. It runs from a remaining
+/// face, or the border, to the next.
 ///
 ///              b---b---b
 ///       stays / \ / \ / stays     A strip of five edges, and the four faces in it that vanish.
 ///            a---a---a
 ///
-/// A strip becomes one edge. Whenever one of its faces vanished, the edges on both its sides became one, and the one
-/// at the surviving vertex remained; so the order in which they did decides which one is left.
+/// A strip becomes one edge. Whenever one of its faces vanishes, the edges on both its sides become one: the edge at
+/// the surviving vertex remains. So the order of the collapses decides which edge is left.
 template <class MeshT>
 class BulkCollapseT {
  public:
@@ -47,17 +47,17 @@ class BulkCollapseT {
   /// What a vertex was merged into.
   struct Fate {
     VertexHandle into;
-    Index time = invalid_index;  ///< number of the collapse; later than all others for those that survive
+    Index time = invalid_index;  ///< number of the collapse; greater than all others for survivors
   };
   /// How two vertices became one.
   struct Meeting {
     Index time;
-    bool second_survived;  ///< what the second had been merged into
+    bool second_survived;  ///< whether what the second had been merged into survived
   };
   /// An edge of a strip and the face before it.
   struct Rung {
     HalfedgeHandle halfedge;
-    Meeting meeting;  ///< of the face's two corners in one cluster: the one at the edge before, the one at this edge
+    Meeting meeting;  ///< of the face's corners in one cluster: first that of the edge before, second that of this edge
   };
 
   void find_clusters(std::span<const VertexMerge> merges);
@@ -77,7 +77,7 @@ class BulkCollapseT {
   VertexHandle cluster(VertexHandle v) const { return clusters_[static_cast<std::size_t>(v.idx())]; }
   const Fate& fate(VertexHandle v) const { return fates_[static_cast<std::size_t>(v.idx())]; }
   HalfedgeHandle& substitute(HalfedgeHandle h) { return substitutes_[static_cast<std::size_t>(h.idx())]; }
-  /// Whether a strip ends at h: its face stays, or there is none.
+  /// Whether a strip ends at h: the face of h stays, or h has none.
   bool ends_strip(HalfedgeHandle h) const {
     const FaceHandle face = mesh_.face_handle(h);
     return !face.is_valid() || !face_bits_[face].deleted();
@@ -90,10 +90,10 @@ class BulkCollapseT {
   StatusBitsT<FaceHandle, MeshT> face_bits_;
   std::vector<Fate> fates_;                  ///< by vertex
   std::vector<VertexHandle> clusters_;       ///< by vertex: the survivor
-  std::vector<HalfedgeHandle> substitutes_;  ///< by halfedge of a face that stays, or of the border: what takes its
-                                             ///< place. Invalid for others
-  std::vector<HalfedgeHandle> border_;       ///< those of the border
-  std::vector<Rung> strip_;                  ///< scratch: what is left of the strip under look
+  std::vector<HalfedgeHandle> substitutes_;  ///< by halfedge of a remaining face or of the border: the halfedge that
+                                             ///< replaces it. Invalid for others
+  std::vector<HalfedgeHandle> border_;       ///< border halfedges at ends of strips
+  std::vector<Rung> strip_;                  ///< scratch: the remaining edges of the current strip
 };
 
 }  // namespace whittle

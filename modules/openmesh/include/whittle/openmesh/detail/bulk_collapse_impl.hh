@@ -30,7 +30,7 @@ void BulkCollapseT<MeshT>::run() {
 template <class MeshT>
 void BulkCollapseT<MeshT>::find_clusters(std::span<const VertexMerge> merges) {
   for (std::size_t v = 0; v < clusters_.size(); ++v) clusters_[v] = VertexHandle(static_cast<int>(v));
-  for (std::size_t time = merges.size(); time-- > 0;) {  // from the end, where survivors survive
+  for (std::size_t time = merges.size(); time-- > 0;) {  // backwards: the cluster of the survivor is final then
     const auto& [removed, survivor] = merges[time];
     const auto place = static_cast<std::size_t>(removed.idx());
     fates_[place] = {survivor, static_cast<Index>(time)};
@@ -38,7 +38,7 @@ void BulkCollapseT<MeshT>::find_clusters(std::span<const VertexMerge> merges) {
   }
 }
 
-/// And the faces at them.
+/// Also deletes the faces at these edges.
 template <class MeshT>
 void BulkCollapseT<MeshT>::delete_inner_edges() {
   for (int i = 0; i < static_cast<int>(mesh_.n_edges()); ++i) {
@@ -60,7 +60,7 @@ void BulkCollapseT<MeshT>::delete_edge(EdgeHandle e) {
   for (const unsigned side : {0U, 1U}) halfedge_bits_[mesh_.halfedge_handle(e, side)].set_deleted(true);
 }
 
-/// That of h, if there is one.
+/// Deletes the face of h, if there is one.
 template <class MeshT>
 void BulkCollapseT<MeshT>::delete_face(HalfedgeHandle h) {
   const FaceHandle face = mesh_.face_handle(h);
@@ -69,7 +69,7 @@ void BulkCollapseT<MeshT>::delete_face(HalfedgeHandle h) {
   mesh_.set_halfedge_handle(face, HalfedgeHandle());
 }
 
-/// Where a vertex has lost its outgoing halfedge, it gets one when faces are linked.
+/// A vertex that lost its outgoing halfedge gets a new one in `link_faces`.
 template <class MeshT>
 void BulkCollapseT<MeshT>::update_vertices() {
   for (int i = 0; i < static_cast<int>(mesh_.n_vertices()); ++i) {
@@ -108,8 +108,8 @@ void BulkCollapseT<MeshT>::merge_strip(HalfedgeHandle first) {
   take_place(mesh_.opposite_halfedge_handle(last), mesh_.opposite_halfedge_handle(left));
 }
 
-/// The next edge of the strip, behind the vanished face on the other side of h; from the same cluster as h to the same
-/// one.
+/// The next edge of the strip, beyond the vanished face on the other side of h. It has the same direction as h: from
+/// the same cluster to the same cluster.
 template <class MeshT>
 typename BulkCollapseT<MeshT>::Rung BulkCollapseT<MeshT>::across(HalfedgeHandle h) const {
   const HalfedgeHandle opposite = mesh_.opposite_halfedge_handle(h);
@@ -136,7 +136,7 @@ typename BulkCollapseT<MeshT>::Meeting BulkCollapseT<MeshT>::meeting(VertexHandl
   }
 }
 
-/// The last two become one.
+/// Makes the last two edges of the strip one.
 template <class MeshT>
 void BulkCollapseT<MeshT>::merge_last_rungs() {
   const Rung last = strip_.back();
@@ -175,7 +175,8 @@ void BulkCollapseT<MeshT>::link_faces() {
   }
 }
 
-/// Border halfedges follow one another as before, but for those that vanished. A border vertex starts with one of them.
+/// Border halfedges keep their order; vanished ones are left out. The outgoing halfedge of a border vertex is made one
+/// of them.
 template <class MeshT>
 void BulkCollapseT<MeshT>::link_border() {
   for (const HalfedgeHandle h : border_) {
@@ -187,7 +188,7 @@ void BulkCollapseT<MeshT>::link_border() {
   }
 }
 
-/// Sets what takes the place of h before what takes that of `next`. \return the vertex between
+/// Links the substitute of h to the substitute of `next`. \return the vertex between
 template <class MeshT>
 OpenMesh::VertexHandle BulkCollapseT<MeshT>::link(HalfedgeHandle h, HalfedgeHandle next) {
   const VertexHandle between = cluster(mesh_.to_vertex_handle(h));

@@ -15,12 +15,12 @@ namespace whittle {
 template <class MeshT>
 class PairDecimaterT;
 
-/// One call of `decimate` with the engine driver: `whittle::decimate` on a copy of the geometry, in which copies of a
-/// vertex are one, then the same contractions on the mesh, all at once.
+/// One call of `decimate` with the engine driver. It runs `whittle::decimate` on a copy of the geometry, in which
+/// copies of a vertex are one. Then it makes the same contractions on the mesh, all at once.
 template <class MeshT>
 class EngineRunT final : private DecimationHost {
  public:
-  /// \param target effective: with the cost module's limit
+  /// \param target with the limit of the cost module
   EngineRunT(PairDecimaterT<MeshT>& decimater, const DecimateTarget& target, bool only_selected);
 
   DecimateResult run();
@@ -29,7 +29,7 @@ class EngineRunT final : private DecimationHost {
   using VertexHandle = OpenMesh::VertexHandle;
   using Copy = typename FaceRelinkerT<MeshT>::Copy;
   struct Shape {
-    std::size_t n_further_fans;  ///< beside the first of each vertex
+    std::size_t n_further_fans;  ///< fans beyond the first of each vertex
     std::ptrdiff_t euler_number;
     bool operator==(const Shape&) const = default;
   };

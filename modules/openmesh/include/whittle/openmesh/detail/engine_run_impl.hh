@@ -29,7 +29,7 @@ DecimateResult EngineRunT<MeshT>::run() {
 
 // The engine ----------------------------------------------------------------------------------------------------------
 
-/// After contractions the module knows more than the mesh: unrounded positions, and what quadrics remember.
+/// After contractions the module knows more than the mesh: unrounded positions, and accumulated quadrics.
 template <class MeshT>
 std::optional<DecimationState> EngineRunT<MeshT>::state_of_module() const {
   if (decimater_.is_fresh_) return std::nullopt;
@@ -71,7 +71,7 @@ bool EngineRunT<MeshT>::follow(const HostedContraction& made, const Contraction&
   return decimater_.notify_observer(merges_.size());
 }
 
-/// Those with a face.
+/// Counts vertices with a face.
 template <class MeshT>
 std::uint64_t EngineRunT<MeshT>::count_vertices(const IndexedMesh& mesh) {
   std::vector<bool> has_face(mesh.positions.size());
@@ -90,14 +90,14 @@ void EngineRunT<MeshT>::write_back(Decimation& small) {
   const std::vector<Copy> vertices = were_collapses ? collapse(small) : relink(small);
   for (const auto& [vertex, handle] : vertices) {
     const Vec3& position = small.mesh.positions[vertex];
-    if (position == to_vec3(mesh_.point(handle))) continue;  // not rounded for nothing
+    if (position == to_vec3(mesh_.point(handle))) continue;  // don't round a vertex that hasn't moved
     mesh_.set_point(handle, to_point<typename MeshT::Point>(position));
   }
   if (mesh_.has_face_normals()) update_face_normals(vertices, small.mesh.origins);
   hand_over_quadrics(vertices, std::move(small.quadrics), were_collapses);
 }
 
-/// In the order of the contractions, as if each had been made on the mesh.
+/// Interpolates attributes in the order of the contractions, as if each had been made on the mesh.
 template <class MeshT>
 void EngineRunT<MeshT>::blend() {
   for (std::size_t i = 0; i < shares_.size(); ++i) {
@@ -105,10 +105,10 @@ void EngineRunT<MeshT>::blend() {
   }
 }
 
-/// Whether the contractions are legal collapses on the mesh as it is. Without threshold pairs and copies they are, but
-/// where vertices have several open fans, which OpenMesh holds: there the engine may also lay two border edges together
-/// or tear a fan apart. The first makes the Euler number greater, and fans never more; the second leaves the Euler
-/// number alone and makes one fan more. So neither goes unnoticed.
+/// Whether the contractions are legal collapses on the mesh as it is. Without threshold pairs and copies they are, with
+/// one exception: vertices with several open fans, which OpenMesh can hold. There the engine may also join two border
+/// edges or part a fan. Joining increases the Euler number, and never the number of fans. Parting keeps the Euler
+/// number and adds a fan. So both are noticed.
 template <class MeshT>
 bool EngineRunT<MeshT>::are_collapses(const Decimation& small) const {
   if (small.result.threshold_pairs.contracted > 0 || small.result.n_coincident_faces > 0) return false;
@@ -152,7 +152,7 @@ std::vector<typename EngineRunT<MeshT>::Copy> EngineRunT<MeshT>::relink(const De
   return FaceRelinkerT<MeshT>(mesh_, joined).run();
 }
 
-/// Those of faces at merged vertices. \param origins first copies of the vertices
+/// Updates the normals of faces at merged vertices. \param origins handles of the vertices' first copies
 template <class MeshT>
 void EngineRunT<MeshT>::update_face_normals(const std::vector<Copy>& vertices, const std::vector<Index>& origins) {
   std::vector<bool> is_merged(mesh_.n_vertices());
@@ -167,7 +167,7 @@ void EngineRunT<MeshT>::update_face_normals(const std::vector<Copy>& vertices, c
   }
 }
 
-/// To the module: each copy has the whole of its vertex.
+/// Hands the quadrics over to the module. Each copy gets the whole quadric of its vertex.
 template <class MeshT>
 void EngineRunT<MeshT>::hand_over_quadrics(const std::vector<Copy>& vertices, std::vector<PlacedQuadric> quadrics,
                                            bool were_collapses) {

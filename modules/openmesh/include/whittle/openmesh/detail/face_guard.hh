@@ -8,19 +8,19 @@
 
 namespace whittle {
 
-/// A binary module that looks at the faces which a collapse moves: those of v0 *and* of v1, which moves too where it is
-/// placed, with the merged vertex in its place. It computes without touching the mesh, and needs no normals.
+/// A binary module that looks at the faces which a collapse moves: those of v0 *and* of v1, which a cost module may
+/// move, too. It computes the moved faces without changing the mesh, and needs no normals.
 ///
-/// The stock decimater asks a guard when a collapse is queued, not when its turn comes: some faces still become what
-/// they must not. `PairDecimaterT` asks when the turn comes.
+/// The stock decimater asks a guard when a collapse is queued, not when its turn comes. So some bad faces are still
+/// made. `PairDecimaterT` asks when the turn comes.
 template <class MeshT>
 class FaceGuardT : public OpenMesh::Decimater::ModBaseT<MeshT> {
  public:
   using ModBase = OpenMesh::Decimater::ModBaseT<MeshT>;
   using CollapseInfo = typename ModBase::CollapseInfo;
 
-  /// The module that places the merged vertex, of the same decimater; null, the default: v1 keeps its place. In a stock
-  /// decimater a guard has no other way to know; `PairDecimaterT` knows by itself.
+  /// The module of the same decimater that places the merged vertex. Null, the default: v1 keeps its position. A guard
+  /// in a stock decimater has no other way to find it; `PairDecimaterT` finds it by itself.
   void set_cost_module(const PairCostModuleT<MeshT>* module) { cost_ = module; }
 
  protected:

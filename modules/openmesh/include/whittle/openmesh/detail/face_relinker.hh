@@ -10,30 +10,29 @@
 
 namespace whittle {
 
-/// What is left of a mesh some vertices of which have been joined, whether an edge lay between them or not.
+/// What is left of a mesh after some of its vertices were joined, with or without an edge between them.
 struct JoinedFaces {
-  /// Handles of the vertices left, ascending: they are numbered in this order. Of copies, the first one's handle.
+  /// Handles of the vertices left, ascending; they are numbered in this order. Copies have the handle of the first.
   std::vector<Index> vertex_handles;
-  /// By handle: the vertex it is now part of, the same for all copies joined (`first_copies`). `invalid_index` where
-  /// it has vanished or had no face.
+  /// By handle: the vertex that it is now part of, the same for all joined copies (`first_copies`). `invalid_index` if
+  /// the vertex has vanished or had no face.
   std::vector<Index> vertex_of;
-  std::vector<Triangle> faces;      ///< vertices of each, three different ones, in the order of `face_corners`
+  std::vector<Triangle> faces;      ///< three different vertices of each, in the order of `face_corners`
   std::vector<Index> face_handles;  ///< of each, ascending
 };
 
-/// Gives an OpenMesh mesh the connectivity that joining some of its vertices leaves, in a few passes over the mesh.
-/// What a half-edge mesh can't hold is cut into copies (`manifold_cut.hh`, `vertex_copies.hh`).
+/// Gives an OpenMesh mesh the connectivity that results from joining some of its vertices, in a few passes over the
+/// mesh. What a half-edge mesh can't hold is cut into copies (`manifold_cut.hh`, `vertex_copies.hh`).
 ///
 ///   - *Faces* left keep their handles and first corners; the others are marked deleted.
-///   - *Vertices* left keep their handles. Of one that is cut, the copy whose faces had it does. Where it was cut
-///   before,
-///     other copies keep theirs likewise. The rest are new, after all others, with all properties of the first.
-///     Vertices that had faces and are not left are marked deleted.
-///   - *Edges* have the handle of an edge that one of their faces had there, the lower one if it is free. Where faces
-///     were parted and the other one took it, it is a new one with the same properties. It is a feature if any
-///     edge between what its ends are made of was. Edges that none took are marked deleted.
+///   - *Vertices* left keep their handles. If a vertex is cut, the copy whose faces had its handle keeps it. If it was
+///     cut before, other copies keep their handles in the same way. Any other copies are new, after all others, with
+///     all properties of the first. Vertices that had faces and are not left are marked deleted.
+///   - *Edges* keep the handle of an edge that one of their faces had there: the lower handle if it is free. If two
+///     faces were parted and the other face took the edge, the edge is new, with the same properties. An edge is a
+///     feature if any edge between the vertices joined at its ends was one. Edges that no face took are marked deleted.
 ///
-/// Moves nothing. \pre the mesh has status bits of vertices, edges and faces.
+/// Positions don't change. \pre the mesh has status bits of vertices, edges and faces.
 template <class MeshT>
 class FaceRelinkerT {
  public:
@@ -48,7 +47,7 @@ class FaceRelinkerT {
   /// \param joined must outlive this
   FaceRelinkerT(MeshT& mesh, const JoinedFaces& joined);
 
-  /// \return all vertices left, those that are cut several times
+  /// \return all vertices left; a cut vertex is listed once per copy
   std::vector<Copy> run();
 
  private:
@@ -83,7 +82,7 @@ class FaceRelinkerT {
   EdgeHandle old_edge(Side side) const { return mesh_.edge_handle(old_sides_[side]); }
   bool has_opposite(Side side) const { return opposite_[side] != invalid_index; }
   bool is_taken(EdgeHandle e) const { return is_edge_taken_[static_cast<std::size_t>(e.idx())]; }
-  /// Of which vertex this one of the cut is a copy.
+  /// The vertex of which a vertex of the cut is a copy, or itself.
   Index original(Index vertex) const {
     const std::size_t n = joined_.vertex_handles.size();
     return vertex < n ? vertex : cut_.originals[vertex - n];
@@ -93,12 +92,12 @@ class FaceRelinkerT {
   const JoinedFaces& joined_;
   ManifoldCut cut_;
   std::vector<Side> opposite_;             ///< by side of the cut
-  std::vector<HalfedgeHandle> old_sides_;  ///< by side: its halfedge before
+  std::vector<HalfedgeHandle> old_sides_;  ///< by side: its old halfedge
   std::vector<Ends> features_;             ///< ascending: edges that are features
   std::vector<VertexHandle> vertices_;     ///< by vertex of the cut
-  std::vector<HalfedgeHandle> sides_;      ///< by side: its halfedge now
+  std::vector<HalfedgeHandle> sides_;      ///< by side: its new halfedge
   std::vector<bool> is_edge_taken_;        ///< by handle
-  std::vector<HalfedgeHandle> outgoing_;   ///< by vertex of the cut: a halfedge to start with
+  std::vector<HalfedgeHandle> outgoing_;   ///< by vertex of the cut: its outgoing halfedge
 };
 
 }  // namespace whittle

@@ -33,7 +33,8 @@ std::vector<typename FaceRelinkerT<MeshT>::Copy> FaceRelinkerT<MeshT>::run() {
   return copies;
 }
 
-// What was ------------------------------------------------------------------------------------------------------------
+// The mesh before
+// ------------------------------------------------------------------------------------------------------
 
 template <class MeshT>
 void FaceRelinkerT<MeshT>::find_old_sides() {
@@ -72,7 +73,7 @@ void FaceRelinkerT<MeshT>::assign_vertices() {
 
     std::vector<bool> is_taken(mesh_.n_vertices());
     keep_handles([&](VertexHandle h, Index v) { return h == own[v]; }, is_taken);
-    for (Index v = 0; v < own.size(); ++v) {  // no face left had it
+    for (Index v = 0; v < own.size(); ++v) {  // no remaining face had the handle
       if (!vertices_[v].is_valid() && !is_taken[static_cast<std::size_t>(own[v].idx())]) vertices_[v] = own[v];
     }
     const std::vector<Index> firsts = first_copies(mesh_);
@@ -85,7 +86,7 @@ void FaceRelinkerT<MeshT>::assign_vertices() {
   mark_copies();
 }
 
-/// Gives vertices of the cut that have none the handle that a corner of their faces had, where that
+/// Gives vertices of the cut that have no handle yet the handle that a corner of their faces had, if it is free and
 /// `accepts(handle, original)`.
 template <class MeshT>
 template <class Accepts>
@@ -111,7 +112,7 @@ void FaceRelinkerT<MeshT>::add_copies() {
   }
 }
 
-/// Tells which belong together, by numbers from 1 on.
+/// Writes which vertices belong together, as numbers from 1 on.
 template <class MeshT>
 void FaceRelinkerT<MeshT>::mark_copies() {
   if (cut_.originals.empty() && !find_copies_property(mesh_).is_valid()) return;
@@ -140,7 +141,7 @@ void FaceRelinkerT<MeshT>::assign_edges() {
   }
 }
 
-/// Whether the edge that the side had is free; it is that of the side now.
+/// Gives the side its old edge, if that is free. \return whether it was
 template <class MeshT>
 bool FaceRelinkerT<MeshT>::take_edge(Side side) {
   if (is_taken(old_edge(side))) return false;
@@ -181,7 +182,7 @@ void FaceRelinkerT<MeshT>::carry_features() {
 
 // What vanishes -------------------------------------------------------------------------------------------------------
 
-/// Those that had faces; others stay as they are.
+/// Deletes vertices that had faces and are not left. Isolated vertices stay.
 template <class MeshT>
 void FaceRelinkerT<MeshT>::delete_vertices() {
   std::vector<bool> is_left(mesh_.n_vertices());
@@ -239,7 +240,7 @@ void FaceRelinkerT<MeshT>::link_sides() {
   }
 }
 
-/// Every vertex is in one border at most, and starts with a halfedge of it.
+/// Every vertex is on one border at most. Its outgoing halfedge is then a border halfedge.
 template <class MeshT>
 void FaceRelinkerT<MeshT>::link_border() {
   const auto is_border = [this](Side side) { return !has_opposite(side); };
@@ -255,7 +256,7 @@ void FaceRelinkerT<MeshT>::link_border() {
   }
 }
 
-/// Inner vertices go on to start where they did, if that is still theirs.
+/// Inner vertices keep their outgoing halfedge if it still starts at them.
 template <class MeshT>
 void FaceRelinkerT<MeshT>::link_vertices() {
   for (Index v = 0; v < vertices_.size(); ++v) {

@@ -6,8 +6,8 @@
 
 namespace whittle {
 
-/// Of the two edges that a collapse makes one, OpenMesh keeps v1's: makes it a feature if either is. To be called
-/// before the collapse.
+/// A collapse makes two edges one, of which OpenMesh keeps v1's. Makes that edge a feature if either of the two is.
+/// Call before the collapse.
 template <class MeshT>
 void carry_feature_bits(MeshT& mesh, const OpenMesh::Decimater::CollapseInfoT<MeshT>& collapse) {
   if (!mesh.has_edge_status()) return;
@@ -27,7 +27,7 @@ int count_feature_edges(const MeshT& mesh, OpenMesh::VertexHandle v) {
       std::count_if(edges.begin(), edges.end(), [&mesh](auto edge) { return mesh.status(edge).feature(); }));
 }
 
-/// Whether v has the feature bit, but is not on a feature line, with two feature edges: then it stays where it is.
+/// Whether v has the feature bit, but not two feature edges, so that it is on no line. Then it stays where it is.
 template <class MeshT>
 bool is_feature_point(const MeshT& mesh, OpenMesh::VertexHandle v) {
   return mesh.status(v).feature() && count_feature_edges(mesh, v) != 2;

@@ -10,12 +10,12 @@ template <class MeshT>
 class PairDecimaterT;
 
 /// One call of `decimate` with the mesh driver: the engine's loop, in which OpenMesh's modules take part. The cost
-/// module ranks and places; binary modules are guards; each contraction is made on the mesh as soon as the engine has
-/// made it, so that modules and observers see the mesh as it is.
+/// module ranks and places; binary modules are guards. Each contraction of the engine is made on the mesh at once, so
+/// that modules and observers see the mesh as it is.
 template <class MeshT>
 class MeshRunT final : private DecimationHost, private HostedCost {
  public:
-  /// \param target effective: with the cost module's limit
+  /// \param target with the limit of the cost module
   MeshRunT(PairDecimaterT<MeshT>& decimater, const DecimateTarget& target, bool only_selected);
 
   DecimateResult run();
@@ -42,7 +42,7 @@ class MeshRunT final : private DecimationHost, private HostedCost {
   bool stays_at_vertices() const override;
   double dimension() const override;
 
-  /// A collapse that a foreign cost ranks: v1 keeps its place.
+  /// A collapse that a foreign cost ranks: v1 keeps its position.
   struct Collapse {
     double priority;
     Index survivor;
@@ -69,12 +69,12 @@ class MeshRunT final : private DecimationHost, private HostedCost {
   MeshT& mesh_;
   DecimateTarget target_;
   bool only_selected_;
-  std::vector<bool> has_copies_;  ///< by handle; empty where none has
+  std::vector<bool> has_copies_;  ///< by handle; empty if there are no copies
   RunInputT<MeshT> input_;
   DecimationState state_;  ///< positions as they are now
   std::uint64_t n_contractions_ = 0;
   Module* refusing_module_ = nullptr;  ///< the one that refused last; null if a vertex was locked
-  Rejections rejections_;              ///< of legal collapses, before pairs come to the engine's guards
+  Rejections rejections_;              ///< by `legal_collapse`, before the engine's guards are asked
 };
 
 }  // namespace whittle

@@ -10,7 +10,7 @@
 
 namespace whittle {
 
-/// Copies of a vertex would have to move together: they stay.
+/// Copies of a vertex would have to move together, which the mesh driver can't do: they stay.
 template <class MeshT>
 MeshRunT<MeshT>::MeshRunT(PairDecimaterT<MeshT>& decimater, const DecimateTarget& target, bool only_selected)
     : decimater_(decimater),
@@ -31,7 +31,7 @@ std::vector<bool> MeshRunT<MeshT>::vertices_with_copies(const MeshT& mesh) {
   return result;
 }
 
-/// As status bits say now: modules may lock vertices on the way.
+/// By the status bits as they are now: modules may lock vertices during the run.
 template <class MeshT>
 bool MeshRunT<MeshT>::is_fixed(VertexHandle v) const {
   return decimater_.is_fixed(v, only_selected_) ||
@@ -43,7 +43,7 @@ bool MeshRunT<MeshT>::is_foreign() const {
   return decimater_.foreign_cost_ != nullptr;
 }
 
-/// Modules of ours know positions before they were rounded to the scalar of the mesh.
+/// Our cost modules have positions that are not rounded to the scalar of the mesh.
 template <class MeshT>
 DecimationState MeshRunT<MeshT>::initial_state() const {
   DecimationState state;
@@ -88,8 +88,8 @@ PairEvaluation MeshRunT<MeshT>::rank(Index first, Index second, Pinned pinned) {
   return {priority, priority, position(survivor), false};
 }
 
-/// Where the cost is least is second best for a cost of ours. With a foreign one the collapse in the other direction
-/// is.
+/// The second choice of our costs is the position of least cost. That of a foreign cost is the collapse in the other
+/// direction.
 template <class MeshT>
 Settlement MeshRunT<MeshT>::settle(Index first, Index second, Pinned pinned, const PairEvaluation& rank) {
   Settlement settlement;
@@ -117,7 +117,7 @@ double MeshRunT<MeshT>::final_cost(const HostedContraction& contraction) {
   return collapse ? collapse->priority : rank.cost;
 }
 
-/// A foreign cost may look at whole stars.
+/// Foreign costs may look at whole stars.
 template <class MeshT>
 Reach MeshRunT<MeshT>::reach() const {
   return is_foreign() ? Reach::opposite_rings : decimater_.cost_->reach();
@@ -154,8 +154,8 @@ typename MeshRunT<MeshT>::Collapses MeshRunT<MeshT>::legal_collapses(Index first
   return result;
 }
 
-/// Modules of OpenMesh's are written for collapses that its decimaters call legal: v1 keeps its place, a border vertex
-/// stays on the border. They are asked about no others.
+/// OpenMesh's modules are written for collapses that its decimaters call legal: v1 keeps its position, and a border
+/// vertex stays on the border. So they are asked about legal collapses only.
 template <class MeshT>
 std::optional<typename MeshRunT<MeshT>::Collapse> MeshRunT<MeshT>::legal_collapse(Index removed, Index survivor) {
   const CollapseInfo info(mesh_, halfedge(removed, survivor));
@@ -175,8 +175,8 @@ std::optional<typename MeshRunT<MeshT>::Collapse> MeshRunT<MeshT>::legal_collaps
 
 // Guards --------------------------------------------------------------------------------------------------------------
 
-/// A guard of OpenMesh's looks at the faces of v0 with v0 at p1. So it is asked with v̄ for p1; and where v1 moves,
-/// about v1's faces too, as if v1 collapsed.
+/// A guard of OpenMesh's looks at the faces of v0 with v0 at p1. So it gets v̄ as p1. If v1 moves, it is also asked
+/// about v1's faces, as if v1 collapsed.
 template <class MeshT>
 bool MeshRunT<MeshT>::refuses(const HostedContraction& contraction) {
   const bool v1_moves = contraction.position != position(contraction.survivor);

@@ -9,8 +9,8 @@
 
 namespace whittle {
 
-/// Whether `is_bad(from, to, x, y)` holds for any face (v, x, y) of v when v moves to `to`, those at the edge to
-/// `other` left out: they vanish. Changes nothing. \param position_of vertex handle → Vec3
+/// Whether `is_bad(from, to, x, y)` holds for any face (v, x, y) when v moves to `to`. Faces at the edge to `other` are
+/// left out, as they vanish. Changes nothing. \param position_of vertex handle → Vec3
 template <class MeshT, class PositionOf, class IsBad>
 bool any_moved_face_at(const MeshT& mesh, OpenMesh::VertexHandle v, OpenMesh::VertexHandle other, const Vec3& to,
                        const PositionOf& position_of, const IsBad& is_bad) {
@@ -40,7 +40,7 @@ inline auto turns_beyond(const FlipLimit& limit) {
   };
 }
 
-/// Whether a face gets a radius ratio below `min_ratio`, and below what it was.
+/// Whether the radius ratio of a face gets below `min_ratio`, and below what it was.
 inline auto gets_thinner_than(double min_ratio) {
   return [min_ratio](const Vec3& from, const Vec3& to, const Vec3& x, const Vec3& y) {
     const double after = radius_ratio(to, x, y);

@@ -10,10 +10,10 @@
 
 namespace whittle {
 
-/// A mesh as the engine gets it from `PairDecimaterT`.
+/// The input that `PairDecimaterT` gives the engine.
 template <class MeshT>
 struct RunInputT {
-  detail::VertexNumbers numbers;     ///< handles ↔ vertices of `mesh`
+  detail::VertexNumbers numbers;     ///< handles of the vertices of `mesh`, and the reverse
   IndexedMesh mesh;                  ///< positions and faces
   std::vector<VertexPair> features;  ///< edges with the feature bit, ascending
   std::vector<std::uint8_t> locked;  ///< by vertex, or empty if none is
@@ -30,7 +30,7 @@ struct RunInputT {
   Index number(OpenMesh::VertexHandle v) const { return numbers.number_of[static_cast<std::size_t>(v.idx())]; }
 
  private:
-  /// Between copies of two vertices there may be several such edges.
+  /// Several edges may join copies of the same two vertices: the pair is listed once.
   std::vector<VertexPair> find_features(const MeshT& source) const {
     std::vector<VertexPair> result;
     const StatusBitsT<OpenMesh::EdgeHandle, const MeshT> bits(source);
@@ -46,7 +46,8 @@ struct RunInputT {
     return result;
   }
 
-  /// A vertex is locked if any of its copies is. The feature bit of a vertex locks it unless it lies on a feature line.
+  /// A vertex is locked if any of its copies is. A vertex with the feature bit is locked unless it lies on a feature
+  /// line.
   template <class IsFixed>
   std::vector<std::uint8_t> find_locked(const MeshT& source, const IsFixed& is_fixed) const {
     std::vector<Index> n_features(mesh.positions.size());

@@ -6,8 +6,8 @@
 
 namespace whittle {
 
-/// The status bits of all elements of one kind, for loops over many of them: `mesh.status(handle)` looks the property
-/// up each time. Valid until the mesh gains or loses elements or the property.
+/// Direct access to the status bits of all elements of one kind, for loops over many of them. (`mesh.status(handle)`
+/// looks the property up each time.) Valid until the mesh gains or loses elements or the property.
 template <class HandleT, class MeshT>
 class StatusBitsT {
  public:

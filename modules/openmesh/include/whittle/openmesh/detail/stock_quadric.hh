@@ -1,6 +1,6 @@
 #pragma once
 
-#include <OpenMesh/Core/Utils/vector_traits.hh>  // before QuadricT.hh, which uses it without
+#include <OpenMesh/Core/Utils/vector_traits.hh>  // before QuadricT.hh, which uses it without including it
 
 #include <OpenMesh/Core/Geometry/QuadricT.hh>
 #include <OpenMesh/Core/Mesh/Handles.hh>
@@ -14,10 +14,10 @@
 
 namespace whittle {
 
-/// The quadrics of OpenMesh's ModQuadricT to the last bit: uncentred, weighted by area, v1 keeps its place.
+/// The quadrics of OpenMesh's ModQuadricT to the last bit: uncentred, weighted by area; v1 keeps its position.
 ///
-/// Exists to be checked against, and to repeat old results. Rounding makes such costs negative on flat ground, where
-/// the stock decimater then refuses the collapse; and far from the origin they drown in it.
+/// Used for comparisons, and to repeat old results. Rounding makes such costs negative on flat ground, and the stock
+/// decimater then refuses the collapse. Far from the origin the rounding errors exceed the costs.
 template <class MeshT>
 class StockQuadricT {
  public:
