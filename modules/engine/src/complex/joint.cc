@@ -116,7 +116,7 @@ void plan_neighbour(TriangleComplex& complex, Index v, ContractionProfile& profi
   ContractionProfile::Joint& joint = profile.joint;
   const std::span<const Neighbour> now = complex.live_pairs(v);
   std::vector<Neighbour> live(now.begin(), now.end());
-  for (Neighbour& neighbour : live) neighbour.vertex = select(neighbour.vertex == b, a, neighbour.vertex);
+  for (Neighbour& neighbour : live) neighbour.vertex = select_branch_free(neighbour.vertex == b, a, neighbour.vertex);
   std::vector<Neighbour>& faces = joint.faces.emplace_back();
   for (std::size_t i = 0; i < live.size(); i += 2) {
     if (live[i].vertex != live[i + 1].vertex) faces.insert(faces.end(), {live[i], live[i + 1]});

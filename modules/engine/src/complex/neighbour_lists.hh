@@ -44,8 +44,8 @@ class NeighbourLists {
 
   void prefetch(const List& list) const {
     const Neighbour* neighbours = neighbours_.data() + place(list);
-    whittle::prefetch(neighbours);
-    whittle::prefetch(neighbours + 7);
+    prefetch_line(neighbours);
+    prefetch_line(neighbours + 7);
   }
 
  private:

@@ -119,7 +119,7 @@ class TriangleComplex {
   /// vertices for a pair that isn't alive: that is unpredictable, hence branch-free.
   Ends ends(Index id) {
     const auto [first, second] = pairs_[id];
-    return {representative(select(is_pair_alive(id), first, Index{0})), representative(second)};
+    return {representative(select_branch_free(is_pair_alive(id), first, Index{0})), representative(second)};
   }
   /// Before the first contraction; several threads may ask.
   Ends initial_ends(Index id) const { return pairs_[id]; }
@@ -175,13 +175,13 @@ class TriangleComplex {
   // Prefetching
   // --------------------------------------------------------------------------------------------------------
 
-  void prefetch_pair(Index id) const { prefetch(&pairs_[id]); }
+  void prefetch_pair(Index id) const { prefetch_line(&pairs_[id]); }
   void prefetch_ends(Index id) const {
-    prefetch(parents_.data() + pairs_[id].first);
-    prefetch(parents_.data() + pairs_[id].second);
+    prefetch_line(parents_.data() + pairs_[id].first);
+    prefetch_line(parents_.data() + pairs_[id].second);
   }
-  void prefetch_vertex(Index v) const { prefetch(&vertices_[v]); }
-  void prefetch_star(Index v) const { prefetch(&stars_[v]); }
+  void prefetch_vertex(Index v) const { prefetch_line(&vertices_[v]); }
+  void prefetch_star(Index v) const { prefetch_line(&stars_[v]); }
   void prefetch_list(Index v) const { neighbour_lists_.prefetch(stars_[v].list); }
   /// Calls `use` with what each neighbour has been merged into, if that was once at most, as it mostly is.
   template <class Use>

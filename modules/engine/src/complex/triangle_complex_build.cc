@@ -208,10 +208,10 @@ Index TriangleComplex::find_edge(const Ends& edge, Index begin, Index end) const
   const auto is_sought = [&](Index e) { return std::bit_cast<std::uint64_t>(pairs_[e]) == key; };
   Index found = invalid_index;
   if (begin + n_first <= pairs_.size()) {
-    for (Index e = begin + n_first; e-- > begin;) found = select(is_sought(e), e, found);
+    for (Index e = begin + n_first; e-- > begin;) found = select_branch_free(is_sought(e), e, found);
     begin += n_first;
   }
-  for (Index e = begin; found == invalid_index; ++e) found = select(is_sought(e), e, found);
+  for (Index e = begin; found == invalid_index; ++e) found = select_branch_free(is_sought(e), e, found);
   return found;
 }
 

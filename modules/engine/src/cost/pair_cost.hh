@@ -16,7 +16,7 @@ struct VertexState {
   const std::byte* begin = nullptr;
   std::size_t stride = 0;  ///< bytes a vertex; 0 = nothing is kept
 
-  void prefetch(Index v) const { whittle::prefetch(begin + stride * v); }
+  void prefetch(Index v) const { prefetch_line(begin + stride * v); }
 };
 
 /// Ranks pairs, then settles where the merged vertex goes and what that costs. A cost keeps what it needs to know about

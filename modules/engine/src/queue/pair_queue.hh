@@ -53,7 +53,7 @@ inline Candidate candidate(const TriangleComplex& complex, const Pair& pair, dou
 /// The vertex with the lower origin first.
 inline Pair in_order(const TriangleComplex& complex, const Pair& pair) {
   const bool is_a_first = complex.origin(pair.a) < complex.origin(pair.b);
-  return {pair.id, select(is_a_first, pair.a, pair.b), select(is_a_first, pair.b, pair.a)};
+  return {pair.id, select_branch_free(is_a_first, pair.a, pair.b), select_branch_free(is_a_first, pair.b, pair.a)};
 }
 /// With its ends as they are now.
 inline Pair pair_now(TriangleComplex& complex, Index id) {

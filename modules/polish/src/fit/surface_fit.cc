@@ -112,8 +112,8 @@ void SurfaceFit::add(const LineFoot& foot, double weight) {
 
 void SurfaceFit::prefetch_around(Index v) const {
   for (const Corner& corner : corners_.of(v)) {
-    prefetch(&fits_[corner.face]);
-    prefetch(&fits_[corner.face].products[3]);
+    prefetch_line(&fits_[corner.face]);
+    prefetch_line(&fits_[corner.face].products[3]);
   }
 }
 

@@ -119,8 +119,8 @@ void FootFinder::fill_octets(Index v) {
 void FootFinder::prefetch(Index start) const {
   if (start == invalid_index) return;
   const auto* octet = reinterpret_cast<const char*>(&octets_[first_octet_[start]]);
-  for (std::size_t i = 0; i < sizeof(Octet); i += 64) whittle::prefetch(octet + i);
-  whittle::prefetch(corners_.of(start).data());
+  for (std::size_t i = 0; i < sizeof(Octet); i += 64) prefetch_line(octet + i);
+  prefetch_line(corners_.of(start).data());
 }
 
 void FootFinder::find(std::span<const Query> queries, std::span<Foot> feet) const {

@@ -57,8 +57,8 @@ template <class PerVertex>
 void SurfaceSamples::prefetch_corners(std::size_t f, const PerVertex& more) const {
   if (f >= faces_.size()) return;
   for (const Index v : faces_[f]) {
-    prefetch(&positions_[v]);
-    prefetch(&more[v]);
+    prefetch_line(&positions_[v]);
+    prefetch_line(&more[v]);
   }
 }
 

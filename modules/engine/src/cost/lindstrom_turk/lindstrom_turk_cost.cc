@@ -86,7 +86,8 @@ bool LindstromTurkCost::find_sides(const Pair& pair, Sides& sides) const {
   sides.a = pair.a;
   sides.b = pair.b;
   const bool behind_is_first = complex_.origin(behind) < complex_.origin(ahead);
-  sides.corners = {select(behind_is_first, behind, ahead), select(behind_is_first, ahead, behind)};
+  sides.corners = {select_branch_free(behind_is_first, behind, ahead),
+                   select_branch_free(behind_is_first, ahead, behind)};
   sides.turn = behind_is_first ? -1 : 1;
   return true;
 }
@@ -111,7 +112,7 @@ template <class Real>
 
   const VolumeLanes<Real> sums = pair_volume(a, b, d, common);
   VolumeConstraints<Real> constraints = volume_constraints(sums);
-  if (any(constraints.has_third == 0)) {
+  if (any_lane(constraints.has_third == 0)) {
     const NeighbourLanes<Real> of_a = neighbour_lanes<Real>(star_a);
     const NeighbourLanes<Real> of_b = neighbour_lanes<Real>(star_b);
     add_neighbours(constraints, pair_neighbours(of_a, of_b, d, common));

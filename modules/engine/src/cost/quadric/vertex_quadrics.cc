@@ -31,10 +31,10 @@ template <class Real>
         point_lanes<Real>([&](std::size_t lane) -> const Vec3& { return position(face(lane).y); }), options_);
   }
   for (std::size_t i = 0; i < n; ++i) {
-    quadrics_[vertex(i)] = {
-        {lane(sum.xx, i), lane(sum.xy, i), lane(sum.xz, i), lane(sum.yy, i), lane(sum.yz, i), lane(sum.zz, i)},
-        0,
-        invalid_index};
+    quadrics_[vertex(i)] = {{lane_of(sum.xx, i), lane_of(sum.xy, i), lane_of(sum.xz, i), lane_of(sum.yy, i),
+                             lane_of(sum.yz, i), lane_of(sum.zz, i)},
+                            0,
+                            invalid_index};
   }
 }
 

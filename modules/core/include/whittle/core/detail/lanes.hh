@@ -22,9 +22,9 @@ template <class Real>
 using LaneMask = decltype(Real{} > Real{});
 
 /// Whether a mask is set in some lane.
-inline bool any(bool lane) { return lane; }
+inline bool any_lane(bool lane) { return lane; }
 template <class Mask>
-[[gnu::always_inline]] inline bool any(const Mask& mask) {
+[[gnu::always_inline]] inline bool any_lane(const Mask& mask) {
   auto all = mask[0];
   for (std::size_t lane = 1; lane < sizeof(mask) / sizeof(mask[0]); ++lane) all |= mask[lane];
   return all != 0;
@@ -71,7 +71,7 @@ template <class Real, class At>
 }
 
 template <class Real>
-[[gnu::always_inline]] inline double lane(const Real& real, std::size_t i) {
+[[gnu::always_inline]] inline double lane_of(const Real& real, std::size_t i) {
   if constexpr (n_lanes<Real> == 1) {
     return real;
   } else {
@@ -82,7 +82,7 @@ template <class Real>
 /// The square root of each lane.
 template <class Real>
 [[gnu::always_inline]] inline void take_square_roots(Real& x) {
-  fill_lanes(x, [x](std::size_t i) { return std::sqrt(lane(x, i)); });
+  fill_lanes(x, [x](std::size_t i) { return std::sqrt(lane_of(x, i)); });
 }
 
 template <class Real>

@@ -3,7 +3,7 @@
 namespace whittle {
 
 /// Asks for the cache line at `address`, which need not be valid.
-inline void prefetch(const void* address) {
+inline void prefetch_line(const void* address) {
   __builtin_prefetch(address);
   asm volatile("");  // without it GCC drops calls of this function, as without effect
 }

@@ -6,7 +6,7 @@ namespace whittle {
 
 /// `condition ? yes : no` without a branch, for unpredictable conditions.
 template <std::unsigned_integral T>
-T select(bool condition, T yes, T no) {
+T select_branch_free(bool condition, T yes, T no) {
   return no ^ ((no ^ yes) & (T{0} - T{condition}));
 }
 

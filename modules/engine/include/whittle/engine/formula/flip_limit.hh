@@ -46,7 +46,7 @@ class FlipLimit {
     const auto turns = signed_square(cosine) < signed_min_cosine_sq_ * (before_sq * after_sq);
     const auto had_area = has_area(before_sq, arm_before, opposite);
     const auto keeps_area = has_area(after_sq, arm_after, opposite);
-    return any((had_area & (turns | (keeps_area == 0))) != 0);
+    return any_lane((had_area & (turns | (keeps_area == 0))) != 0);
   }
 
  private:

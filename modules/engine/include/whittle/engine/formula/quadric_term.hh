@@ -108,7 +108,7 @@ template <class Real>
   if (options.weights == Weights::area_angle) {
     const Real cosine = to_next.dot(to_previous);
     Real angle;
-    fill_lanes(angle, [&](std::size_t i) { return std::atan2(lane(length, i), lane(cosine, i)); });
+    fill_lanes(angle, [&](std::size_t i) { return std::atan2(lane_of(length, i), lane_of(cosine, i)); });
     weight *= angle / std::numbers::pi;
   }
   return plane_quadric(plane.normal, weight, options);

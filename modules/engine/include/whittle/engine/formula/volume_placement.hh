@@ -92,13 +92,13 @@ template <class Mask, class Real>
 
 /// Two unit vectors perpendicular to a third one and to one another.
 template <class Real>
-struct Basis {
+struct NormalBasis {
   PointLanes<Real> u, v;
 };
 
 /// \cite duff_2017_basis
 template <class Real>
-[[gnu::always_inline]] inline Basis<Real> basis_across(const PointLanes<Real>& n) {
+[[gnu::always_inline]] inline NormalBasis<Real> basis_across(const PointLanes<Real>& n) {
   const Real sign = n.z < 0 ? Real{} - 1 : Real{} + 1;
   const Real p = -1 / (sign + n.z);
   const Real q = n.x * n.y * p;
