@@ -12,6 +12,14 @@
 
 #include "program/program.hh"
 
+#if defined(__SANITIZE_ADDRESS__)
+#define WHITTLE_ADDRESS_SANITIZER 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define WHITTLE_ADDRESS_SANITIZER 1
+#endif
+#endif
+
 namespace whittle::test {
 namespace {
 
@@ -133,7 +141,7 @@ TEST(ExitStatus, LeavesNothingHalfWritten) {
   small.prepare = [] {
     const rlimit limit{10000, 10000};
     ::setrlimit(RLIMIT_FSIZE, &limit);
-    ::signal(SIGXFSZ, SIG_IGN);
+    ::signal(SIGXFSZ, SIG_DFL);
   };
   expect_failure(
       whittle({"simplify", data_file("knot.ply"), "-o", folder / "out.ply", "--ratio", "0.5", "--quiet"}, small), 1,
@@ -142,20 +150,70 @@ TEST(ExitStatus, LeavesNothingHalfWritten) {
   EXPECT_EQ(read_text(folder / "out.ply"), "as it was");
 }
 
+TEST(ExitStatus, IsOneForAWriteProtectedOutputUnlessForced) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out.obj";
+  write_text(out, "precious");
+  fs::permissions(out, fs::perms::owner_read);
+  std::vector<std::string> arguments{"simplify", data_file("cubes.obj"), "-o", out, "--faces", "150"};
+  expect_failure(whittle(arguments), 1, {"out.obj", "write-protected", "--force"});
+  EXPECT_EQ(read_text(out), "precious");
+  arguments.emplace_back("--force");
+  EXPECT_EQ(whittle(arguments).exit_code, 0);
+  EXPECT_NE(read_text(out), "precious");
+}
+
+TEST(ExitStatus, IsZeroWithFewerThreadsThanAskedFor) {
+#ifdef WHITTLE_ADDRESS_SANITIZER
+  GTEST_SKIP() << "the address sanitizer needs all addresses";
+#endif
+  const TemporaryFolder folder;
+  RunOptions no_threads;  // each would get a stack of a gigabyte, which is more than there is
+  no_threads.prepare = [] {
+    const rlimit stack{1U << 30, 1U << 30};
+    const rlimit all{900U << 20, 900U << 20};
+    ::setrlimit(RLIMIT_STACK, &stack);
+    ::setrlimit(RLIMIT_AS, &all);
+  };
+  const std::string mesh = data_file("knot.ply");
+  const std::string one = folder / "one.ply";
+  const std::string many = folder / "many.ply";
+  const std::vector<std::string> simplify{"simplify", mesh, "--ratio", "0.1", "--effort", "best"};
+  const auto with = [&simplify](const std::string& out, const char* threads) {
+    std::vector<std::string> arguments = simplify;
+    arguments.insert(arguments.end(), {"-o", out, "--threads", threads});
+    return arguments;
+  };
+  EXPECT_EQ(whittle(with(one, "1")).exit_code, 0);
+  const Outcome limited = whittle(with(many, "8"), no_threads);
+  EXPECT_EQ(limited.exit_code, 0) << limited;
+  EXPECT_EQ(read_text(many), read_text(one));
+  const Outcome measured = whittle({"measure", mesh, one, "--samples", "1000", "--threads", "8"}, no_threads);
+  EXPECT_EQ(measured.exit_code, 0) << measured;
+}
+
+TEST(ExitStatus, IsZeroForStreamsThatAreOpenAlready) {
+  const TemporaryFolder folder;
+  const std::string script =
+      "whittle simplify \"$0\" -o /dev/stdout --format ply --ratio 0.5 --quiet > \"$1/a.ply\" &&"
+      "whittle simplify \"$0\" -o >(cat > \"$1/b.ply\") --format ply --ratio 0.5 --quiet && wait $! &&"
+      "mkfifo \"$1/pipe.ply\" && (cat \"$1/pipe.ply\" > \"$1/c.ply\" &"
+      " whittle simplify \"$0\" -o \"$1/pipe.ply\" --ratio 0.5 --quiet; wait) &&"
+      "whittle simplify <(cat \"$0\") --format ply -o \"$1/d.ply\" --ratio 0.5 --quiet &&"
+      "whittle simplify \"$0\" -o - --format ply --ratio 0.5 --quiet > \"$1/expected.ply\"";
+  const Outcome outcome = run({"bash", "-c", script, data_file("knot.ply"), folder.path().string()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome;
+  for (const char* name : {"a.ply", "b.ply", "c.ply", "d.ply"}) {
+    EXPECT_TRUE(read_text(folder / name) == read_text(folder / "expected.ply")) << name << outcome;
+  }
+}
+
 TEST(ExitStatus, IsOneWhenNobodyReadsStandardOutput) {
   const Outcome outcome =
       run({"bash", "-c", "(whittle simplify \"$0\" -o - --format ply --ratio 0.9 --quiet; echo $? >&2) | true",
            data_file("knot.ply")});
   EXPECT_EQ(outcome.err, "whittle: standard output: can't be written: Broken pipe\n1\n") << outcome;
 }
-
-#if defined(__SANITIZE_ADDRESS__)
-#define WHITTLE_ADDRESS_SANITIZER 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define WHITTLE_ADDRESS_SANITIZER 1
-#endif
-#endif
 
 TEST(ExitStatus, IsOneOutOfMemory) {
 #ifdef WHITTLE_ADDRESS_SANITIZER

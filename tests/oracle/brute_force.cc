@@ -89,6 +89,7 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
   restraints_ = BruteForceRestraints(positions_, faces_, locked, options, tolerance);
   if (options_.cost == Cost::memoryless) memory_.emplace(positions_, faces_);
   if (options.pairs.threshold > 0) find_threshold_pairs(options.pairs);
+  had_threshold_pairs_ = !threshold_pairs_.empty();
 }
 
 void BruteForceDecimater::find_threshold_pairs(const PairOptions& options) {
@@ -284,20 +285,28 @@ std::vector<Triangle> BruteForceDecimater::faces_after(Index survivor, Index rem
   return faces;
 }
 
-/// Whether contracting (a, b) adds no border edges, non-manifold edges or vertices of several fans. All neighbours of
+/// Whether contracting (a, b) adds no border edges, misoriented edges, non-manifold edges or vertices of several fans,
+/// and keeps the Euler number, unless threshold pairs were there at the start. All neighbours of
 /// the two must also be neighbours of the merged vertex, or of one of its neighbours.
 bool BruteForceDecimater::is_no_less_manifold(Index a, Index b) const {
   struct Defects {
-    int border_edges = 0, edges = 0, vertices = 0;
+    int border_edges = 0, misoriented = 0, edges = 0, vertices = 0, euler = 0;
   };
   const auto count = [](const std::vector<Triangle>& faces) {
     Defects defects;
     for (const auto& [ends, n] : count_edge_faces(faces)) {
       defects.border_edges += n == 1;
       defects.edges += n > 2;
+      defects.euler -= 1;
     }
+    std::map<Edge, int> upward;  // the faces that run along the edge from its lower vertex
+    for (const Triangle& f : faces) {
+      for (std::size_t i = 0; i < 3; ++i) upward[edge(f[i], f[(i + 1) % 3])] += f[i] < f[(i + 1) % 3];
+    }
+    for (const auto& [ends, n] : count_edge_faces(faces)) defects.misoriented += n == 2 && upward[ends] != 1;
     std::set<Index> used;
     for (const Triangle& f : faces) used.insert(f.begin(), f.end());
+    defects.euler += static_cast<int>(used.size() + faces.size());
     for (const Index v : used) {
       Link link = link_of(v, faces);
       link.vertices.erase(invalid_index);  // the cone vertex
@@ -321,7 +330,8 @@ bool BruteForceDecimater::is_no_less_manifold(Index a, Index b) const {
       if (neighbour != a && neighbour != b && !meet(neighbours_of(neighbour, faces), near)) return false;
     }
   }
-  return after.border_edges <= before.border_edges && after.edges <= before.edges && after.vertices <= before.vertices;
+  return (had_threshold_pairs_ || after.euler == before.euler) && after.border_edges <= before.border_edges &&
+         after.misoriented <= before.misoriented && after.edges <= before.edges && after.vertices <= before.vertices;
 }
 
 bool BruteForceDecimater::keeps_topology(Index a, Index b) const {

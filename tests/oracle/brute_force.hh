@@ -75,6 +75,7 @@ class BruteForceDecimater {
   std::vector<Quadric> quadrics_;
   std::vector<PointQuadric> points_;
   std::set<std::pair<Index, Index>> threshold_pairs_;  ///< lower vertex first; some may share a face
+  bool had_threshold_pairs_ = false;                   ///< at the start
   BruteForceRestraints restraints_;
   std::optional<BruteForceMemory> memory_;  ///< of memoryless quadrics
   std::vector<Triangle> faces_;             ///< of the current mesh, in the input's order

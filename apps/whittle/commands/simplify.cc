@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "commands/advice.hh"
 #include "commands/openmesh_engine.hh"
 #include "commands/simplify_options.hh"
 #include "commands/subcommands.hh"
@@ -154,20 +155,6 @@ void write_map(std::ostream& out, const Run& run) {
   }
 }
 
-std::string advice(const SimplifyCommand& options, const Rejections& rejections) {
-  if (options.engine == Engine::openmesh) return "--engine flat may get further";
-  const auto& [link, flip, shape, feature, locked] = rejections;
-  const std::uint64_t most = std::max({link, flip, shape, feature, locked});
-  if (most == 0) return "nothing is left that may be contracted";
-  if (most == feature) return "a greater --feature-angle or --feature-tolerance leaves more freedom";
-  if (most == shape) return "a smaller --min-radius-ratio allows thinner faces";
-  if (most == flip && options.simplify.decimate.effective_max_normal_flip_deg() < 180) {
-    return "a greater --max-normal-flip lets faces turn further";
-  }
-  if (locked > link) return "'--boundary weighted' lets borders shrink";
-  return "anything smaller would change the topology of the surface";
-}
-
 std::string refusals(const SimplifyCommand& options, const Rejections& refused) {
   if (options.engine == Engine::openmesh) return "OpenMesh doesn't say what it refused";
   std::string text = "refused: " + std::to_string(refused.link) + " by topology, " + std::to_string(refused.flip) +
@@ -177,11 +164,21 @@ std::string refusals(const SimplifyCommand& options, const Rejections& refused) 
   return text + std::to_string(refused.locked) + " locked";
 }
 
+/// What stood in the way of the target, and what lifts it.
+std::string obstacle(const SimplifyCommand& options, const Run& run) {
+  const DecimateResult& result = run.simplified.result;
+  const std::string refused = refusals(options, result.rejections) + "; ";
+  if (options.engine == Engine::openmesh) return refused + "'--engine flat' may get further";
+  const std::string left = reasons_at_end(result.refused_at_end);
+  if (left.empty()) return refused + "nothing is left that may be contracted";
+  return refused + "the pairs left: " + left + "; " +
+         advice(run.input.read.mesh, run.simplified, run.target, resolved(options, run).decimate);
+}
+
 std::string shortfall(const SimplifyCommand& options, const Run& run) {
   const DecimateResult& result = run.simplified.result;
   return run.input.name + ": target not met: " + to_string(run.target) + " asked, " + std::to_string(result.n_faces) +
-         " faces and " + std::to_string(result.n_vertices) + " vertices reached; " +
-         refusals(options, result.rejections) + "; " + advice(options, result.rejections);
+         " faces and " + std::to_string(result.n_vertices) + " vertices reached; " + obstacle(options, run);
 }
 
 Json surface_json(const SurfaceCounts& counts) {
@@ -233,6 +230,7 @@ Json simplify_json(const SimplifyCommand& options, const Run& run) {
   json["threshold_pairs"] = threshold_pairs_json(result.threshold_pairs);
   json["max_cost"] = result.max_cost;
   json["rejections"] = rejections_json(options, result.rejections);
+  json["refused_at_end"] = rejections_json(options, result.refused_at_end);
   json["polish"] = *options.simplify.polish_passes > 0 ? polish_json(run.simplified.polish) : Json(nullptr);
   json["seconds"] = {{"read", run.seconds.read},
                      {"decimate", run.seconds.decimate},

@@ -5,10 +5,23 @@
 #include <algorithm>
 #include <utility>
 
+#include "options/values.hh"
+#include "terminal/errors.hh"
 #include "terminal/stopwatch.hh"
+#include "whittle/core/detail/checks.hh"
 
 namespace whittle::app {
 namespace {
+
+/// \throw UnsupportedMesh naming a vertex that is too far from the origin to compute with
+void refuse_large_coordinates(const IndexedMesh& mesh, const std::string& name) {
+  const auto bad = std::find_if_not(mesh.positions.begin(), mesh.positions.end(), is_in_range);
+  if (bad == mesh.positions.end()) return;
+  throw UnsupportedMesh(name + ": coordinates too large: vertex " +
+                        std::to_string(mesh.origins[static_cast<std::size_t>(bad - mesh.positions.begin())]) +
+                        ", counted from 0, lies at " + shortest(bad->x()) + ' ' + shortest(bad->y()) + ' ' +
+                        shortest(bad->z()) + "; scale the mesh, or drop the vertex, to stay below 3e150");
+}
 
 std::string needs_format() { return "'-' needs --format: one of " + io::format_names(); }
 
@@ -52,8 +65,10 @@ MeshFile::MeshFile(std::string path, std::optional<io::Format> given) : path_(st
 
 io::ReadResult MeshFile::read(bool weld) const {
   const io::ReadOptions options{.weld = weld, .format = format_};
-  if (path_ == standard_stream) return io::read_mesh(standard_input_, standard_input_name, options);
-  return io::read_mesh(path_, options);
+  io::ReadResult result = path_ == standard_stream ? io::read_mesh(standard_input_, standard_input_name, options)
+                                                   : io::read_mesh(path_, options);
+  refuse_large_coordinates(result.mesh, name());
+  return result;
 }
 
 std::string about(const std::string& name, const std::string& text) { return name + ": " + text; }

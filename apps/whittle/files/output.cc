@@ -35,6 +35,18 @@ void check_folder(const std::string& path) {
   }
 }
 
+/// Renaming the result would replace such a file all the same.
+void refuse_write_protected(const Output& output) {
+  std::error_code error;
+  const fs::file_status status = fs::status(output.path, error);
+  constexpr auto write = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+  if (output.path == standard_stream || !fs::is_regular_file(status) ||
+      (status.permissions() & write) != fs::perms::none) {
+    return;
+  }
+  throw io::WriteError(output.path, "is write-protected; --force lets it be replaced");
+}
+
 void refuse_same_place(const Output& a, const Output& b) {
   if (!is_same_file(a.path, b.path)) return;
   throw UsageError(a.option + ' ' + a.path + " doesn't go with " + b.option + ' ' + b.path +
@@ -71,6 +83,7 @@ void check_outputs(const std::vector<Output>& outputs, const std::vector<std::st
     for (const std::string& input : inputs) {
       if (!force) refuse_input(outputs[i], input);
     }
+    if (!force) refuse_write_protected(outputs[i]);
     check_folder(outputs[i].path);
   }
 }

@@ -23,7 +23,8 @@ struct Output {
 /// Checks the outputs of a run before its work starts.
 /// \throw UsageError if two outputs are the same file or both standard output, or if an output is one of the `inputs`
 ///        and `force` isn't set.
-/// \throw io::WriteError if the folder of an output doesn't exist or can't be written to.
+/// \throw io::WriteError if the folder of an output doesn't exist or can't be written to, or if an output is there,
+///        write-protected, and `force` isn't set.
 void check_outputs(const std::vector<Output>& outputs, const std::vector<std::string>& inputs, bool force);
 
 /// The files that a run writes. All appear once everything is written, or none does. From the first file on, signals

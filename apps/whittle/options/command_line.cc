@@ -36,7 +36,7 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
       ->default_str("off")
       ->group(common_group);
   app.add_flag("-v,--verbose", options.verbose, "say more on standard error")->default_str("off")->group(common_group);
-  app.add_flag("--force", options.force, "let an output file replace an input file")
+  app.add_flag("--force", options.force, "let an output file replace an input file, or one that is write-protected")
       ->default_str("off")
       ->group(common_group);
   add_value(

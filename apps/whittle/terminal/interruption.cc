@@ -38,7 +38,9 @@ void handle_signals() {
     if (sigaction(signal, nullptr, &inherited) == 0 && inherited.sa_handler == SIG_IGN) continue;
     sigaction(signal, &action, nullptr);
   }
+  // Writing then fails with a message, and temporary files go.
   ::signal(SIGPIPE, SIG_IGN);
+  ::signal(SIGXFSZ, SIG_IGN);
 }
 
 SignalsWait::SignalsWait() { ++n_waiting; }

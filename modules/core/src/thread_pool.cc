@@ -1,5 +1,7 @@
 #include "whittle/core/detail/thread_pool.hh"
 
+#include <system_error>
+
 namespace whittle {
 namespace {
 
@@ -17,7 +19,12 @@ void pause() {
 ThreadPool::ThreadPool(unsigned threads) {
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
   const unsigned n_helpers = (threads == 0 ? cores : std::min(threads, cores)) - 1;
-  for (unsigned i = 0; i < n_helpers; ++i) helpers_.emplace_back([this] { help(); });
+  helpers_.reserve(n_helpers);
+  try {
+    for (unsigned i = 0; i < n_helpers; ++i) helpers_.emplace_back([this] { help(); });
+  } catch (const std::system_error&) {
+    // The system has no more threads. Those that there are do the work.
+  }
 }
 
 ThreadPool::~ThreadPool() {

@@ -16,8 +16,9 @@ Bounds bounds(const IndexedMesh& mesh) {
   for (const Triangle& face : mesh.faces) {
     for (const Index v : face) {
       const Vec3& position = mesh.positions[v];
-      if (!position.allFinite())
-        throw std::invalid_argument("position of vertex " + std::to_string(v) + " is not finite");
+      if (!is_in_range(position)) {
+        throw std::invalid_argument("position of vertex " + std::to_string(v) + " is not finite, or above 3e150");
+      }
       box.min = box.min.cwiseMin(position);
       box.max = box.max.cwiseMax(position);
     }

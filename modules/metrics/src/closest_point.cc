@@ -20,6 +20,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int n_bins = 16;
+constexpr double most_extent = 1e70;
 
 const Bounds empty_box{Vec3::Constant(infinity), Vec3::Constant(-infinity)};
 
@@ -61,7 +62,8 @@ TriangleTree::TriangleTree(const IndexedMesh& mesh) : TriangleTree(mesh, bounds(
 
 TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin, detail::ProgressMeter* meter)
     : origin_(origin) {
-  bounds(mesh);  // for its checks
+  const Bounds box = bounds(mesh);
+  if ((box.max - box.min).maxCoeff() > most_extent) throw std::invalid_argument("mesh is larger than 1e70; scale it");
   if (!origin.allFinite()) throw std::invalid_argument("origin of the hierarchy is not finite");
   const std::size_t n = mesh.faces.size();
   std::vector<Reference> references(n);

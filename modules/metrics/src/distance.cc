@@ -13,6 +13,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "noise.hh"
@@ -20,6 +21,7 @@
 #include "whittle/core/detail/progress_meter.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/closest_point.hh"
+#include "working_scale.hh"
 
 namespace whittle::metrics {
 
@@ -202,13 +204,16 @@ Sums measure(const Direction& direction, const DistanceOptions& options, std::ui
 /// Runs two tasks at the same time if there are threads. The calling thread reports until both are done.
 template <class First, class Second>
 void build_side_by_side(const detail::Workers& workers, const First& first, const Second& second) {
-  if (workers.threads == 1) {
-    first();
-    second();
-    return;
+  std::future<void> other;
+  if (workers.threads != 1) {
+    try {
+      other = std::async(std::launch::async, second);
+    } catch (const std::system_error&) {
+      // The system has no more threads.
+    }
   }
-  std::future<void> other = std::async(std::launch::async, second);
   first();
+  if (!other.valid()) return second();
   while (other.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) workers.update(1);
   other.get();
 }
@@ -228,6 +233,26 @@ DirectedDistance summarize(const Sums& sums) {
   return result;
 }
 
+DirectedDistance scaled(DirectedDistance distance, double scale) {
+  distance.mean *= scale;
+  distance.mean_sq *= scale * scale;
+  distance.rms *= scale;
+  distance.max *= scale;
+  return distance;
+}
+
+SurfaceDistance scaled(SurfaceDistance distance, double scale) {
+  distance.diagonal *= scale;
+  distance.forward = scaled(distance.forward, scale);
+  distance.backward = scaled(distance.backward, scale);
+  distance.mean *= scale;
+  distance.mean_sq *= scale * scale;
+  distance.rms *= scale;
+  distance.max *= scale;
+  distance.garland_heckbert *= scale * scale;
+  return distance;
+}
+
 }  // namespace
 
 SurfaceDistance surface_distance(const IndexedMesh& reference, const IndexedMesh& test,
@@ -236,6 +261,9 @@ SurfaceDistance surface_distance(const IndexedMesh& reference, const IndexedMesh
     throw std::invalid_argument("number of samples is to be in 1 ... 2^40, not " + std::to_string(options.samples));
   }
   const Bounds reference_box = bounds(reference), test_box = bounds(test);
+  if (const double scale = working_scale({reference_box, test_box}); scale != 1.0) {
+    return scaled(surface_distance(scaled(reference, scale), scaled(test, scale), options), 1.0 / scale);
+  }
   const Vec3 origin = reference_box.center();
   const double noise = noise_rel * std::max(reference_box.diagonal(), test_box.diagonal());
   detail::ProgressMeter meter(options.progress);

@@ -12,9 +12,10 @@
 #include <vector>
 
 #include "noise.hh"
-#include "whittle/core/detail/parallel.hh"
+#include "whittle/core/detail/progress_meter.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/closest_point.hh"
+#include "working_scale.hh"
 
 namespace whittle::metrics {
 
@@ -79,9 +80,9 @@ struct LineDirection {
     sums.mean_of_each += mean;
   }
 
-  DirectedLineDistance measure(std::span<const Segment> lines, unsigned threads) const {
+  DirectedLineDistance measure(std::span<const Segment> lines, const detail::Workers& workers) const {
     std::vector<LineSums> blocks((lines.size() + segments_per_block - 1) / segments_per_block);
-    for_each_block(blocks.size(), threads, [&](std::size_t block) {
+    for_each_block(blocks.size(), workers, [&](std::size_t block) {
       Index hint = invalid_index;
       const std::size_t begin = block * segments_per_block;
       for (const Segment& segment : lines.subspan(begin, std::min(segments_per_block, lines.size() - begin))) {
@@ -96,6 +97,21 @@ struct LineDirection {
   }
 };
 
+std::vector<Segment> scaled(std::span<const Segment> lines, double scale) {
+  std::vector<Segment> result;
+  result.reserve(lines.size());
+  for (const auto& [from, to] : lines) result.push_back({from * scale, to * scale});
+  return result;
+}
+
+LineDistance scaled(LineDistance distance, double scale) {
+  for (double* length : {&distance.forward.mean, &distance.forward.max, &distance.backward.mean, &distance.backward.max,
+                         &distance.mean, &distance.max}) {
+    *length *= scale;
+  }
+  return distance;
+}
+
 }  // namespace
 
 std::optional<LineDistance> line_distance(std::span<const Segment> reference, std::span<const Segment> test,
@@ -107,14 +123,22 @@ std::optional<LineDistance> line_distance(std::span<const Segment> reference, st
   if (reference.empty() || test.empty()) return std::nullopt;
   const IndexedMesh reference_mesh = as_mesh(reference), test_mesh = as_mesh(test);
   const Bounds reference_box = bounds(reference_mesh), test_box = bounds(test_mesh);
+  if (const double scale = working_scale({reference_box, test_box}); scale != 1.0) {
+    return scaled(*line_distance(scaled(reference, scale), scaled(test, scale), options), 1.0 / scale);
+  }
   const double diagonal = std::max(reference_box.diagonal(), test_box.diagonal());
   const double spacing = options.spacing_rel * diagonal, noise = noise_rel * diagonal;
-  const TriangleTree reference_tree(reference_mesh, reference_box.center());
-  const TriangleTree test_tree(test_mesh, reference_box.center());
+  detail::ProgressMeter meter(options.progress);
+  const detail::Workers workers(options.threads, &meter);
+  meter.start("building the search trees", 0.2);
+  const TriangleTree reference_tree(reference_mesh, reference_box.center(), &meter);
+  const TriangleTree test_tree(test_mesh, reference_box.center(), &meter);
+  meter.start("measuring lines", 1);
 
   LineDistance result;
-  result.forward = LineDirection{test_tree, spacing, noise * noise}.measure(reference, options.threads);
-  result.backward = LineDirection{reference_tree, spacing, noise * noise}.measure(test, options.threads);
+  result.forward = LineDirection{test_tree, spacing, noise * noise}.measure(reference, workers);
+  result.backward = LineDirection{reference_tree, spacing, noise * noise}.measure(test, workers);
+  meter.finish();
   result.mean = 0.5 * (result.forward.mean + result.backward.mean);
   result.max = std::max(result.forward.max, result.backward.max);
   return result;

@@ -8,6 +8,7 @@
 
 #include "edge_normals.hh"
 #include "whittle/metrics/bounds.hh"
+#include "working_scale.hh"
 
 namespace whittle::metrics {
 
@@ -32,12 +33,13 @@ std::vector<Segment> feature_lines(const IndexedMesh& mesh, double angle_deg) {
   if (!(angle_deg > 0.0 && angle_deg < 180.0)) {
     throw std::invalid_argument("feature angle is to be in (0, 180) degrees, not " + std::to_string(angle_deg));
   }
-  bounds(mesh);  // for its checks
+  const double scale = working_scale({bounds(mesh)});
+  const IndexedMesh& seen = scale == 1.0 ? mesh : scaled(mesh, scale);
   const double angle = angle_deg * (std::numbers::pi / 180.0);
   const detail::EdgeTable edges(mesh.faces, mesh.positions.size());
   std::vector<Segment> lines;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto normals = normals_at(mesh, edges, e);
+    const auto normals = normals_at(seen, edges, e);
     if (!normals) continue;
     const auto& [a, b] = *normals;
     if (std::atan2(a.cross(b).norm(), a.dot(b)) > angle) lines.push_back(segment_of(mesh, edges[e]));

@@ -4,16 +4,20 @@
 
 #include "whittle/core/detail/progress_meter.hh"
 #include "whittle/metrics/closest_point.hh"
+#include "working_scale.hh"
 
 namespace whittle::metrics {
 
 std::vector<Index> nearest_vertices(const IndexedMesh& from, const IndexedMesh& to, unsigned threads,
                                     const ProgressCallback& progress) {
-  bounds(from);  // for its checks
+  const Bounds from_box = bounds(from), to_box = bounds(to);
+  if (const double scale = working_scale({from_box, to_box}); scale != 1.0) {
+    return nearest_vertices(scaled(from, scale), scaled(to, scale), threads, progress);
+  }
   detail::ProgressMeter meter(progress);
   const detail::Workers workers(threads, &meter);
   meter.start("building the search tree", 0.3);
-  const TriangleTree tree(to, bounds(to).center(), &meter);
+  const TriangleTree tree(to, to_box.center(), &meter);
   meter.start("searching", 1);
   std::vector<Index> nearest(from.positions.size(), invalid_index);
   std::vector<std::uint8_t> has_face(from.positions.size());

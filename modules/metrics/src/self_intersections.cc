@@ -16,6 +16,7 @@
 #include "whittle/core/detail/progress_meter.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/closest_point.hh"
+#include "working_scale.hh"
 
 namespace whittle::metrics {
 
@@ -156,10 +157,14 @@ class PairTest {
 
 std::vector<std::array<Index, 2>> self_intersections(const IndexedMesh& mesh, unsigned threads,
                                                      const ProgressCallback& progress) {
+  const Bounds box = bounds(mesh);
+  if (const double scale = working_scale({box}); scale != 1.0) {
+    return self_intersections(scaled(mesh, scale), threads, progress);
+  }
   detail::ProgressMeter meter(progress);
   const detail::Workers workers(threads, &meter);
   meter.start("building the search tree", 0.3);
-  const TriangleTree tree(mesh, bounds(mesh).center(), &meter);
+  const TriangleTree tree(mesh, box.center(), &meter);
   meter.start("merging corners", 0.4);
   const PairTest meets(mesh);
   const std::size_t n = mesh.faces.size();

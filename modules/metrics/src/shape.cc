@@ -11,6 +11,7 @@
 
 #include "edge_normals.hh"
 #include "whittle/metrics/bounds.hh"
+#include "working_scale.hh"
 
 namespace whittle::metrics {
 
@@ -105,7 +106,11 @@ ValenceStats measure_valences(const IndexedMesh& mesh, const detail::EdgeTable& 
 }  // namespace
 
 Shape shape(const IndexedMesh& mesh) {
-  bounds(mesh);  // for its checks
+  if (const double scale = working_scale({bounds(mesh)}); scale != 1.0) {
+    Shape result = shape(scaled(mesh, scale));
+    result.edge_length_mean /= scale;
+    return result;
+  }
   Shape result;
   measure_faces(mesh, result);
   const detail::EdgeTable edges(mesh.faces, mesh.positions.size());

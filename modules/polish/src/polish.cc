@@ -21,6 +21,8 @@ void check_edges(std::span<const VertexPair> edges, std::size_t n_vertices) {
 void check(const IndexedMesh& original, std::span<const Index> vertex_map, const IndexedMesh& mesh,
            const PolishOptions& options) {
   check_attribute_lengths(mesh, "polish");
+  check_positions(original.positions, "polish");
+  check_positions(mesh.positions, "polish");
   check_corners(original.positions.size(), original.faces);
   check_corners(mesh.positions.size(), mesh.faces);
   if (vertex_map.size() != original.positions.size()) {

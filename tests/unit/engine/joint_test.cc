@@ -6,7 +6,9 @@
 
 #include "oracle/brute_force.hh"
 #include "support/shapes.hh"
+#include "support/suites.hh"
 #include "support/topology.hh"
+#include "support/transforms.hh"
 #include "whittle/engine/decimate.hh"
 
 // Contractions that change the topology: threshold pairs, and edges under free topology.
@@ -94,6 +96,36 @@ TEST(Joint, OfLockedVerticesLeaveThemWhereTheyAre) {
   const Decimation d = decimate(mesh, DecimateTarget::as_far_as_possible(), options);
   EXPECT_EQ(d.result.n_contractions, 0U);
   EXPECT_EQ(d.result.threshold_pairs.considered, 4U);
+}
+
+/// Open tubes in a row; each touches the next in a vertex of its rim.
+IndexedMesh touching_tubes(int count) {
+  const IndexedMesh tube = open_cylinder(8, 5);
+  IndexedMesh row = tube;
+  const Vec3 step = tube.positions.back() - tube.positions.front();
+  for (int i = 1; i < count; ++i) row = joined(row, moved(tube, i * step));
+  return glued(row);
+}
+
+TEST(KeptTopology, HoldsAtVerticesThatAreNotManifold) {
+  std::vector<NamedMesh> meshes = nonmanifold_meshes();
+  meshes.push_back({"touching tubes", touching_tubes(4)});
+  EXPECT_EQ(topology(meshes.back().mesh).nonmanifold_vertices, 3);
+  for (const auto& [name, mesh] : meshes) {
+    const Topology before = topology(mesh);
+    for (const Cost cost : {Cost::quadric, Cost::memoryless, Cost::lindstrom_turk, Cost::midpoint}) {
+      DecimateOptions options;
+      options.cost = cost;
+      options.max_normal_flip_deg = 180;
+      const Topology after = topology(decimate(mesh, DecimateTarget::faces(1), options).mesh);
+      const std::string what = name + ", " + std::string(to_string(cost));
+      EXPECT_EQ(after.euler(), before.euler()) << what;
+      EXPECT_EQ(after.components, before.components) << what;
+      EXPECT_LE(after.misoriented_edges, before.misoriented_edges) << what;
+      EXPECT_LE(after.nonmanifold_edges, before.nonmanifold_edges) << what;
+      EXPECT_LE(after.nonmanifold_vertices, before.nonmanifold_vertices) << what;
+    }
+  }
 }
 
 TEST(FreeTopology, LetsPartsVanishButNotTheLastFace) {

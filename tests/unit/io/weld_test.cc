@@ -400,6 +400,28 @@ TEST(WeldBorders, DropsFacesThatLieTwiceAtADoubtfulEdge) {
   EXPECT_TRUE(topology(mesh).closed() && topology(mesh).manifold()) << topology(mesh);
 }
 
+TEST(Repair, DropsCopiesOfASheetWithVerticesOfTheirOwn) {
+  const IndexedMesh sheet = whittle::test::noisy_grid(6, 5, 0.2, 1);
+  IndexedMesh mesh = sheet;
+  for (const std::size_t n_copies : {1U, 2U}) {
+    mesh = whittle::test::joined(mesh, sheet);
+    IndexedMesh repaired = mesh;
+    const Repairs repairs = repair(repaired);
+    EXPECT_EQ(repairs.duplicate_faces, n_copies * sheet.faces.size());
+    EXPECT_EQ(repairs.welded_vertices, 0U);
+    EXPECT_EQ(repaired.faces, sheet.faces);
+    EXPECT_EQ(repaired.positions, sheet.positions);
+  }
+}
+
+TEST(Repair, KeepsASheetAndItsBackSide) {
+  const IndexedMesh sheet = whittle::test::noisy_grid(6, 5, 0.2, 1);
+  IndexedMesh mesh = whittle::test::joined(sheet, whittle::test::inside_out(sheet));
+  EXPECT_EQ(repair(mesh).duplicate_faces, 0U);
+  EXPECT_EQ(mesh.faces.size(), 2 * sheet.faces.size());
+  EXPECT_EQ(topology(mesh).misoriented_edges, 0);
+}
+
 TEST(WeldBorders, EndsSoonWhereThousandsOfFacesMeetInAnEdge) {
   IndexedMesh mesh;
   for (Index f = 0; f < 20000; ++f) {

@@ -7,10 +7,10 @@
 #include <whittle/openmesh/detail/bulk_collapse.hh>
 #include <whittle/openmesh/garbage_collection.hh>
 
-#include "decimation.hh"
-#include "link_condition.hh"
-#include "meshes.hh"
-#include "same_mesh.hh"
+#include "common/decimation.hh"
+#include "common/link_condition.hh"
+#include "common/meshes.hh"
+#include "common/same_mesh.hh"
 #include "support/random.hh"
 #include "support/shapes.hh"
 #include "support/transforms.hh"

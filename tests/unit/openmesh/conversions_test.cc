@@ -10,7 +10,7 @@
 #include <vector>
 #include <whittle/io/read.hh>
 
-#include "meshes.hh"
+#include "common/meshes.hh"
 #include "support/meshes.hh"
 #include "support/shapes.hh"
 #include "support/suites.hh"

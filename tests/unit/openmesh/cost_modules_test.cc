@@ -9,8 +9,8 @@
 #include <cmath>
 #include <optional>
 
-#include "decimation.hh"
-#include "modules.hh"
+#include "common/decimation.hh"
+#include "common/modules.hh"
 #include "support/shapes.hh"
 #include "support/transforms.hh"
 

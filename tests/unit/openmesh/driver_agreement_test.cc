@@ -7,8 +7,8 @@
 #include <limits>
 #include <whittle/core/feature_edges.hh>
 
-#include "meshes.hh"
-#include "modules.hh"
+#include "common/meshes.hh"
+#include "common/modules.hh"
 #include "support/meshes.hh"
 #include "support/shapes.hh"
 #include "support/transforms.hh"

@@ -16,8 +16,8 @@
 #include <whittle/openmesh/detail/face_relinker.hh>
 #include <whittle/openmesh/garbage_collection.hh>
 
-#include "meshes.hh"
-#include "same_mesh.hh"
+#include "common/meshes.hh"
+#include "common/same_mesh.hh"
 #include "support/random.hh"
 #include "support/shapes.hh"
 #include "support/suites.hh"

@@ -7,8 +7,8 @@
 #include <limits>
 #include <whittle/core/feature_edges.hh>
 
-#include "decimation.hh"
-#include "modules.hh"
+#include "common/decimation.hh"
+#include "common/modules.hh"
 #include "support/shapes.hh"
 
 namespace whittle::test {

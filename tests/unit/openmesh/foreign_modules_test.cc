@@ -17,8 +17,8 @@
 #include <tuple>
 #include <whittle/openmesh/mod_garland_heckbert.hh>
 
-#include "link_condition.hh"
-#include "meshes.hh"
+#include "common/link_condition.hh"
+#include "common/meshes.hh"
 #include "support/shapes.hh"
 
 namespace whittle::test {

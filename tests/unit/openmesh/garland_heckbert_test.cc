@@ -11,7 +11,7 @@
 #include <whittle/openmesh/mod_flip_guard.hh>
 #include <whittle/openmesh/mod_garland_heckbert.hh>
 
-#include "meshes.hh"
+#include "common/meshes.hh"
 #include "support/shapes.hh"
 #include "support/transforms.hh"
 

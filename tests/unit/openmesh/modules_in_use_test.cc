@@ -7,8 +7,8 @@
 #include <type_traits>
 #include <whittle/engine/formula/edge_length_term.hh>
 
-#include "meshes.hh"
-#include "modules.hh"
+#include "common/meshes.hh"
+#include "common/modules.hh"
 
 namespace whittle::test {
 namespace {

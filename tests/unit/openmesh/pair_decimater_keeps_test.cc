@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "decimation.hh"
-#include "meshes.hh"
+#include "common/decimation.hh"
+#include "common/meshes.hh"
 #include "support/shapes.hh"
 #include "support/transforms.hh"
 

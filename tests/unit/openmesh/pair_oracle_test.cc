@@ -4,8 +4,8 @@
 
 #include <whittle/core/feature_edges.hh>
 
-#include "meshes.hh"
-#include "modules.hh"
+#include "common/meshes.hh"
+#include "common/modules.hh"
 #include "oracle/brute_force.hh"
 #include "support/shapes.hh"
 #include "support/transforms.hh"

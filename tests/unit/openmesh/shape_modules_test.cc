@@ -11,8 +11,8 @@
 #include <whittle/openmesh/mod_radius_ratio.hh>
 #include <whittle/openmesh/mod_valence.hh>
 
-#include "decimation.hh"
-#include "modules.hh"
+#include "common/decimation.hh"
+#include "common/modules.hh"
 #include "support/shapes.hh"
 
 namespace whittle::test {

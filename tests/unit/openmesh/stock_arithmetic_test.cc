@@ -7,7 +7,7 @@
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #include <whittle/openmesh/mod_garland_heckbert.hh>
 
-#include "meshes.hh"
+#include "common/meshes.hh"
 #include "support/meshes.hh"
 #include "support/shapes.hh"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
 #include <tuple>
 
 #include "whittle/core/detail/select.hh"
@@ -142,25 +143,25 @@ struct Defects {
     std::size_t n_faces;
     auto operator<=>(const Edge&) const = default;
   };
-  std::vector<Edge> edges;     ///< those that do not have two faces; some are listed twice
+  std::vector<Edge> edges;     ///< those that are not regular, or misoriented; some are listed twice
   std::size_t n_vertices = 0;  ///< of several fans
 
   void add(Link& link, Index v, std::span<const Neighbour> pairs) {
     link.gather(pairs);
     n_vertices += static_cast<std::size_t>(link.n_fans() > 1);
     for (const Link::Entry& entry : link.entries()) {
-      if (entry.n_faces[0] == 2) continue;
+      if (entry.n_faces[0] == 2 && entry.n_ahead == 1) continue;
       edges.push_back({std::min(v, entry.vertex), std::max(v, entry.vertex), entry.n_faces[0]});
     }
   }
 
-  /// Border edges, non-manifold edges, non-manifold vertices.
-  std::array<std::size_t, 3> counts() {
+  /// Border edges, misoriented edges, non-manifold edges, non-manifold vertices.
+  std::array<std::size_t, 4> counts() {
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    const auto n_border = static_cast<std::size_t>(
-        std::count_if(edges.begin(), edges.end(), [](const Edge& edge) { return edge.n_faces == 1; }));
-    return {n_border, edges.size() - n_border, n_vertices};
+    std::array<std::size_t, 4> result{0, 0, 0, n_vertices};
+    for (const Edge& edge : edges) ++result[std::min<std::size_t>(edge.n_faces, 3) - 1];
+    return result;
   }
 };
 
@@ -203,7 +204,14 @@ bool is_no_less_manifold(TriangleComplex& complex, const ContractionProfile& pro
   }
   const auto n_before = before.counts();
   const auto n_after = after.counts();
-  return n_after[0] <= n_before[0] && n_after[1] <= n_before[1] && n_after[2] <= n_before[2];
+  return std::equal(n_after.begin(), n_after.end(), n_before.begin(), std::less_equal<>());
+}
+
+// Vertices minus edges plus faces. One vertex and the pair's edge go; the two edges to a common neighbour become one;
+// lost edges, opposite and coincident faces go.
+bool keeps_euler_number(const ContractionProfile& profile) {
+  const ContractionProfile::Joint& joint = profile.joint;
+  return joint.common.size() + joint.lost_edges.size() == profile.opposites.size() + joint.coincident.size();
 }
 
 }  // namespace whittle

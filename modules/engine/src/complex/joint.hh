@@ -18,9 +18,12 @@ namespace whittle {
 /// left. Otherwise one of the more frequent orientation is left, at a if there is one.
 void plan_joint(TriangleComplex& complex, ContractionProfile& profile);
 
-/// Whether a planned joint makes no more border edges, non-manifold edges and non-manifold vertices, and keeps all
-/// neighbours of the two vertices as neighbours of the merged vertex, or of a neighbour of it. So no part falls apart
-/// or vanishes.
+/// Whether a planned joint makes no more border edges, misoriented edges, non-manifold edges and non-manifold vertices,
+/// and keeps all neighbours of the two vertices as neighbours of the merged vertex, or of a neighbour of it. So no part
+/// falls apart or vanishes.
 bool is_no_less_manifold(TriangleComplex& complex, const ContractionProfile& profile);
+
+/// Whether a planned joint of an edge keeps the Euler number. \pre `is_no_less_manifold`
+bool keeps_euler_number(const ContractionProfile& profile);
 
 }  // namespace whittle

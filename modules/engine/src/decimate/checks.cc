@@ -81,11 +81,7 @@ void check(const IndexedMesh& mesh) {
                                   std::to_string(v) + " of " + std::to_string(mesh.positions.size()));
     }
   }
-  for (const Vec3& p : mesh.positions) {
-    if (p.allFinite()) continue;
-    throw std::invalid_argument("decimate: vertex " + std::to_string(&p - mesh.positions.data()) +
-                                " has a coordinate that is not finite");
-  }
+  check_positions(mesh.positions, "decimate");
   check_attribute_lengths(mesh, "decimate");
 }
 

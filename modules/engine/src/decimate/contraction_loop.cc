@@ -14,6 +14,9 @@ namespace {
 /// Turns between two calls of the progress callback: about a millisecond.
 constexpr std::uint64_t progress_interval = 2048;
 
+/// In the place of a guard's number.
+constexpr RefusedPairs::Refuser refused_by_cost = 0xfe;
+
 /// Whether pairs stay where they were queued until their turn comes.
 bool is_lazy(const PairCost& cost, const DecimateOptions& options) {
   return cost.reach() == Reach::none || options.effective_order() == Order::approximate;
@@ -68,6 +71,7 @@ DecimateResult ContractionLoop::run() {
     }
   }
   result_.stop = *stop;
+  if (*stop == StopReason::exhausted) result_.refused_at_end = count_refused_pairs();
   result_.n_contractions = complex_.n_contractions();
   result_.n_vertices = complex_.n_vertices();
   result_.n_faces = complex_.n_faces();
@@ -112,40 +116,54 @@ std::optional<StopReason> ContractionLoop::take(const RankedPair& ranked) {
 
 /// The first position that no guard refuses; nullopt, and the refusal noted, if there is none.
 std::optional<Vec3> ContractionLoop::settle(const RankedPair& ranked) {
-  for (const auto& guard : guards_) {
-    if (!guard->refuses(profile_)) continue;
-    refuse(*guard);
+  for (std::size_t i = 0; i < guards_.size(); ++i) {
+    if (!guards_[i]->refuses(profile_)) continue;
+    refuse(i);
     return std::nullopt;
   }
   // The higher origin survives, so that no pair's rank among ties moves forward. But a vertex that may not move
   // survives in any case.
   const Index survivor = restraints_.pinned(ranked.pair) == Pinned::first ? ranked.pair.a : ranked.pair.b;
   const Settlement settlement = cost_.settle(profile_, ranked.rank);
-  Guard* refusal = nullptr;
+  std::optional<std::size_t> refusal;
   for (std::size_t i = 0; i < settlement.n; ++i) {
     const Settlement::Option& option = settlement.options[i];
     profile_.survivor = option.survivor == invalid_index ? survivor : option.survivor;
     refusal = find_refusal_at(option.position);
-    if (refusal == nullptr) return option.position;
+    if (!refusal) return option.position;
   }
-  if (refusal == nullptr) {
-    refused_.add(ranked.pair);  // by a host's cost, which counts it
-  } else {
+  if (refusal) {
     refuse(*refusal);
+  } else {
+    refused_.add(ranked.pair, refused_by_cost);  // by a host's cost, which counts it
   }
   return std::nullopt;
 }
 
-Guard* ContractionLoop::find_refusal_at(const Vec3& position) {
-  for (const auto& guard : guards_) {
-    if (guard->refuses_at(profile_, position)) return guard.get();
+/// The number of the guard that refuses the position.
+std::optional<std::size_t> ContractionLoop::find_refusal_at(const Vec3& position) {
+  for (std::size_t i = 0; i < guards_.size(); ++i) {
+    if (guards_[i]->refuses_at(profile_, position)) return i;
   }
-  return nullptr;
+  return std::nullopt;
 }
 
-void ContractionLoop::refuse(Guard& guard) {
-  guard.count(result_.rejections);
-  if (!guard.is_final()) refused_.add(profile_.pair);
+/// Notes that the guard of this number refused the pair.
+void ContractionLoop::refuse(std::size_t guard) {
+  guards_[guard]->count(result_.rejections);
+  const auto refuser = static_cast<RefusedPairs::Refuser>(guard);
+  guards_[guard]->is_final() ? refused_.add_for_good(profile_.pair, refuser) : refused_.add(profile_.pair, refuser);
+}
+
+/// Each pair that is left counts once, for the guard that refused it last.
+Rejections ContractionLoop::count_refused_pairs() const {
+  Rejections counts;
+  for (Index id = 0; id < complex_.n_pair_slots(); ++id) {
+    const RefusedPairs::Refuser refuser = refused_.refuser(id);
+    if (refuser >= guards_.size() || !complex_.is_pair_alive(id)) continue;
+    if (const auto reason = guards_[refuser]->reason()) ++(counts.*reason);
+  }
+  return counts;
 }
 
 /// \return whether to go on

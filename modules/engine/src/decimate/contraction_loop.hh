@@ -34,8 +34,9 @@ class ContractionLoop {
   bool report_progress() const;
   std::optional<StopReason> take(const RankedPair& ranked);
   std::optional<Vec3> settle(const RankedPair& ranked);
-  Guard* find_refusal_at(const Vec3& position);
-  void refuse(Guard& guard);
+  std::optional<std::size_t> find_refusal_at(const Vec3& position);
+  void refuse(std::size_t guard);
+  Rejections count_refused_pairs() const;
   bool tell_others(const HostedContraction& made, double cost);
   bool contract(const RankedPair& ranked, const Vec3& position, double cost);
   void list_touched();

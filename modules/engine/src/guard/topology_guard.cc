@@ -15,7 +15,10 @@ bool TopologyGuard::refuses(ContractionProfile& profile) {
   if (keeps && complex_.is_manifold(a) && complex_.is_manifold(b)) return true;
   plan_joint(complex_, profile);
   const bool takes_last_face = profile.opposites.size() + profile.joint.coincident.size() == complex_.n_faces();
-  return takes_last_face || (keeps && !is_no_less_manifold(complex_, profile));
+  if (takes_last_face || !keeps) return takes_last_face;
+  // Where threshold pairs join parts, walls between these vanish and gaps close. That changes the Euler number.
+  const bool may_change_euler_number = complex_.has_threshold_pairs();
+  return !is_no_less_manifold(complex_, profile) || !(may_change_euler_number || keeps_euler_number(profile));
 }
 
 }  // namespace whittle

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "complex/triangle_complex.hh"
@@ -7,20 +8,27 @@
 
 namespace whittle {
 
-/// Pairs that a guard refused. Each waits at both its vertices.
+/// Pairs that were refused, each with a number for who did so. A pair waits at both its vertices, unless its refusal is
+/// final.
 class RefusedPairs {
  public:
+  using Refuser = std::uint8_t;
+  static constexpr Refuser none = 0xff;  ///< the pair is not refused
+
   explicit RefusedPairs(const TriangleComplex& complex)
-      : waiting_(complex.n_vertex_slots()), is_refused_(complex.n_pair_slots()) {}
+      : waiting_(complex.n_vertex_slots()), refusers_(complex.n_pair_slots(), none) {}
 
   bool any_at(Index v) const { return waiting_.any_at(v); }
+  Refuser refuser(Index id) const { return refusers_[id]; }
 
-  void add(const Pair& pair) {
-    if (is_refused_[pair.id]) return;
-    is_refused_[pair.id] = true;
+  void add(const Pair& pair, Refuser refuser) {
+    const bool waits_already = refusers_[pair.id] != none;
+    refusers_[pair.id] = refuser;
+    if (waits_already) return;
     waiting_.add(pair.a, pair.id);
     waiting_.add(pair.b, pair.id);
   }
+  void add_for_good(const Pair& pair, Refuser refuser) { refusers_[pair.id] = refuser; }
 
   /// Takes out the pairs that wait at v. \param ids theirs
   void take(Index v, std::vector<Index>& ids) {
@@ -28,8 +36,8 @@ class RefusedPairs {
     waiting_.take(v, ids);
     std::size_t n = 0;
     for (const Index id : ids) {
-      if (!is_refused_[id]) continue;  // listed twice, or already woken at its other vertex
-      is_refused_[id] = false;
+      if (refusers_[id] == none) continue;  // listed twice, or already woken at its other vertex
+      refusers_[id] = none;
       ids[n++] = id;
     }
     ids.resize(n);
@@ -37,7 +45,7 @@ class RefusedPairs {
 
  private:
   WaitingPairs waiting_;
-  std::vector<bool> is_refused_;  ///< by id
+  std::vector<Refuser> refusers_;  ///< by id
 };
 
 }  // namespace whittle

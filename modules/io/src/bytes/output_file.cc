@@ -16,6 +16,13 @@ namespace fs = std::filesystem;
 
 std::string system_message() { return std::strerror(errno); }
 
+// Whether the name stands for something that is open already: /dev/stdout, /dev/fd/63, /proc/self/fd/1. Then even a
+// regular file is not to be replaced by another.
+bool is_open_already(const fs::path& path) {
+  const std::string name = path.lexically_normal().string();
+  return name.starts_with("/dev/") || name.starts_with("/proc/");
+}
+
 // Unlike std::filesystem::canonical, this also follows a link to a file that doesn't exist yet.
 fs::path follow_links(fs::path path) {
   constexpr int most_links = 40;  // As on Linux. Links may form a circle.
@@ -30,18 +37,19 @@ fs::path follow_links(fs::path path) {
 
 }  // namespace
 
-OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(follow_links(path_)) {
+OutputFile::OutputFile(fs::path path)
+    : path_(std::move(path)), target_(is_open_already(path_) ? path_ : follow_links(path_)) {
   std::error_code ignored;
   const fs::file_status status = fs::status(target_, ignored);
   if (fs::is_directory(status)) throw WriteError(path_.string(), "is a folder");
-  const bool direct = fs::exists(status) && !fs::is_regular_file(status);
+  const bool direct = is_open_already(target_) || (fs::exists(status) && !fs::is_regular_file(status));
   fs::path opened = target_;
   if (!direct) {
     const std::string unique = '.' + std::to_string(::getpid()) + ".tmp";
     opened = target_.parent_path() / ('.' + target_.filename().string() + unique);
   }
   errno = 0;
-  stream_.open(opened, std::ios::binary | std::ios::trunc);
+  stream_.open(opened, std::ios::binary | (direct ? std::ios::app : std::ios::trunc));
   if (!stream_) throw WriteError(path_.string(), "cannot be written: " + system_message());
   if (direct) return;
   temporary_ = opened;

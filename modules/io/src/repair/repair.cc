@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "repair/duplicate_faces.hh"
+#include "repair/weld.hh"
 #include "whittle/core/detail/drop.hh"
 #include "whittle/core/detail/index_lists.hh"
 
@@ -101,7 +102,7 @@ Repairs repair(IndexedMesh& mesh, bool weld, std::vector<Index>* joined_to) {
   done.degenerate_faces = drop_degenerate_faces(mesh);
   done.duplicate_faces = drop_duplicate_faces(mesh);
   if (weld) {
-    done += weld_borders(mesh, joined_to);
+    done += weld_borders_without_copies(mesh, joined_to);
     if (done.welded_vertices > 0) {
       done.degenerate_faces += drop_degenerate_faces(mesh);
       done.duplicate_faces += drop_duplicate_faces(mesh);

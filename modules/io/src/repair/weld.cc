@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "repair/duplicate_faces.hh"
+#include "repair/weld.hh"
 #include "repair/weld_resolver.hh"
 #include "whittle/core/detail/drop.hh"
 #include "whittle/core/detail/edge_table.hh"
@@ -203,6 +204,34 @@ void bring_back(const IndexedMesh& mesh, const std::vector<Index>& group, std::v
   }
 }
 
+// Whether welding may lay two copies of a face together: they run along a common edge in the same direction, to third
+// corners at one position.
+bool may_join_copies(const IndexedMesh& mesh, const std::vector<Triangle>& grouped, const GroupedEdges& edges) {
+  constexpr std::size_t most_compared = 16;
+  const auto third = [&](Index side) -> const Vec3& {
+    return mesh.positions[whittle::detail::start_of(whittle::detail::previous_in_face(side), grouped)];
+  };
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const std::span<const Index> sides = edges.sides(e);
+    if (sides.size() > most_compared) return true;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const bool same_way =
+            whittle::detail::start_of(sides[i], grouped) == whittle::detail::start_of(sides[j], grouped);
+        if (same_way && third(sides[i]) == third(sides[j])) return true;
+      }
+    }
+  }
+  return false;
+}
+
+// Drops each face whose corners lie where those of an earlier one do, in the same cyclic order, whatever its vertices.
+std::size_t drop_faces_at_equal_positions(IndexedMesh& mesh) {
+  const std::vector<Index> group = group_by_position(mesh.positions, Flags(mesh.positions.size(), 1));
+  const std::vector<char> is_copy = find_duplicate_faces(renumber(mesh.faces, group), mesh.positions.size());
+  return drop_faces(mesh, [&](std::size_t f) { return is_copy[f] != 0; });
+}
+
 std::size_t count_welded(const std::vector<Index>& group) {
   std::size_t welded = 0;
   for (std::size_t v = 0; v < group.size(); ++v) welded += group[v] != v;
@@ -224,7 +253,9 @@ Flags find_touched_faces(const std::vector<Triangle>& faces, const std::vector<I
 
 }  // namespace
 
-Repairs weld_borders(IndexedMesh& mesh, std::vector<Index>* joined_to) {
+namespace {
+
+Repairs weld(IndexedMesh& mesh, std::vector<Index>* joined_to, bool drops_copies) {
   Repairs done;
   if (joined_to != nullptr) joined_to->clear();
   std::vector<Index> group = group_by_position(mesh.positions, find_candidates(mesh));
@@ -234,7 +265,14 @@ Repairs weld_borders(IndexedMesh& mesh, std::vector<Index>* joined_to) {
   const std::vector<Triangle> grouped = renumber(mesh.faces, group);
   const Flags is_touched = find_touched_faces(mesh.faces, group);
   const std::size_t n_vertices = mesh.positions.size();
-  if (!has_any(find_doubtful_groups(GroupedEdges(mesh, grouped, is_touched), n_vertices))) {
+  const GroupedEdges edges(mesh, grouped, is_touched);
+  if (drops_copies && may_join_copies(mesh, grouped, edges)) {
+    const std::size_t n_copies = drop_faces_at_equal_positions(mesh);
+    done = weld(mesh, joined_to, false);
+    done.duplicate_faces += n_copies;
+    return done;
+  }
+  if (!has_any(find_doubtful_groups(edges, n_vertices))) {
     mesh.faces = grouped;
     if (joined_to != nullptr) *joined_to = std::move(group);
     return done;
@@ -259,6 +297,14 @@ Repairs weld_borders(IndexedMesh& mesh, std::vector<Index>* joined_to) {
   drop_faces(mesh, [&](std::size_t f) { return is_dropped[f] != 0; });
   if (joined_to != nullptr && done.welded_vertices > 0) *joined_to = std::move(group);
   return done;
+}
+
+}  // namespace
+
+Repairs weld_borders(IndexedMesh& mesh, std::vector<Index>* joined_to) { return weld(mesh, joined_to, false); }
+
+Repairs weld_borders_without_copies(IndexedMesh& mesh, std::vector<Index>* joined_to) {
+  return weld(mesh, joined_to, true);
 }
 
 }  // namespace whittle::io

@@ -30,7 +30,8 @@ using Color = std::array<float, 4>;
 /// Any set of triangles is allowed: open, non-manifold, several parts. V is the number of vertices, F of faces. An
 /// attribute array is either empty (absent) or as long as its comment says.
 struct IndexedMesh {
-  std::vector<Vec3> positions;  ///< V; finite, model units.
+  std::vector<Vec3>
+      positions;  ///< V; finite, model units. At most 2^500 (3e150), so that squares of lengths are finite.
   std::vector<Triangle> faces;  ///< F; every number below V.
 
   std::vector<std::array<float, 3>> normals;           ///< V; unit length (zero where undefined).

@@ -77,6 +77,8 @@ struct DecimateResult {
   double max_cost = 0;  ///< greatest cost of a contraction made; unit as `DecimateTarget::max_cost`
   StopReason stop = StopReason::exhausted;
   Rejections rejections;
+  /// What stands in the way of going on, if `stop` is `exhausted`: the pairs that are left, each once.
+  Rejections refused_at_end;
   std::uint64_t n_degenerate_faces = 0;  ///< faces of the input with two equal corners, left out from the start
   std::uint64_t n_coincident_faces = 0;  ///< vanished where joining vertices laid them on others
   ThresholdPairCounts threshold_pairs;

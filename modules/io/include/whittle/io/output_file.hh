@@ -9,7 +9,8 @@ namespace whittle::io {
 
 /// A file that appears complete or not at all. It is written under a temporary name in the same folder; `commit`
 /// renames it. Without `commit` (an exception, a cancelled run) nothing is left behind. A symbolic link is followed.
-/// What exists and isn't a regular file (a device, a pipe) is written directly.
+/// What exists and isn't a regular file (a device, a pipe) is written directly, as is all below /dev and /proc
+/// (/dev/stdout), where writing begins at the end.
 class OutputFile {
  public:
   /// \throw WriteError if the temporary file can't be made.

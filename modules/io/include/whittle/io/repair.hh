@@ -30,6 +30,10 @@ std::string to_string(const Repairs& repairs);
 
 /// Does all of the below: drops degenerate and duplicate faces, welds if asked, drops the faces that welding made
 /// degenerate or duplicate, and drops isolated vertices. Welded vertices don't count as isolated.
+///
+/// A sheet that is there twice with vertices of its own would be welded to its copy along the rim. Where that would
+/// happen, copies of faces are dropped before welding: those at the positions of an earlier face, in the same cyclic
+/// order.
 /// \pre positions are finite, every corner is below V, attribute arrays are empty or full.
 /// \param joined_to as for `weld_borders`.
 Repairs repair(IndexedMesh& mesh, bool weld = true, std::vector<Index>* joined_to = nullptr);

@@ -27,10 +27,11 @@ struct ClosestPoint {
 /// lowest number is returned. Coordinates are kept relative to an origin near the mesh, so that a mesh far from zero
 /// loses no precision. The tree holds copies; the mesh may be destroyed. Building takes O(F log F) time and about 200
 /// bytes a face, a query O(log F) time where the point is near the surface. Extents and distances must be within 1e-70
-/// … 1e70, because their fourth powers are taken. Any number of threads may query at the same time.
+/// … 1e70, because their fourth powers are taken; greater extents are refused. Any number of threads may query at the
+/// same time.
 class TriangleTree {
  public:
-  /// \throw std::invalid_argument as `bounds`.
+  /// \throw std::invalid_argument as `bounds`, and for extents above 1e70.
   explicit TriangleTree(const IndexedMesh& mesh);
   /// With an origin of the caller's choice, for queries against several trees in the same local coordinates.
   /// \param meter is told the progress, and may cancel; internal

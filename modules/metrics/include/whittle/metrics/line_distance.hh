@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 
+#include "whittle/core/progress.hh"
 #include "whittle/metrics/lines.hh"
 
 namespace whittle::metrics {
@@ -13,6 +14,8 @@ struct LineDistanceOptions {
   double spacing_rel = 1.0 / 2000.0;
   /// Threads to work with; 0 = all cores. The result is the same for any number.
   unsigned threads = 0;
+  /// Is told the progress; returning false cancels with the exception `Cancelled`.
+  ProgressCallback progress{};
 };
 
 /// From the points of one set of lines to the other set.
@@ -36,7 +39,8 @@ struct LineDistance {
 /// length, all have the same weight in the mean.
 ///
 /// Nothing if either set is empty: then there is no distance.
-/// \throw std::invalid_argument if a point is not finite, or `options` is out of range.
+/// \throw std::invalid_argument if a point is not finite, or `options` is out of range. \throw Cancelled if
+/// `options.progress` returned false.
 std::optional<LineDistance> line_distance(std::span<const Segment> reference, std::span<const Segment> test,
                                           const LineDistanceOptions& options = {});
 

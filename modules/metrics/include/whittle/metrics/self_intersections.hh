@@ -17,7 +17,6 @@ namespace whittle::metrics {
 /// `Shape::degenerate_faces` counts them.
 ///
 /// The result is exact for the given coordinates: orientation tests use a floating-point filter, then expansions.
-/// Extents must be within 1e-90 … 1e90, so that products of three coordinate differences neither over- nor underflow.
 /// \param threads 0 = all cores; the result is the same for any number.
 /// \throw std::invalid_argument as `bounds`. \throw Cancelled if `progress` returned false.
 std::vector<std::array<Index, 2>> self_intersections(const IndexedMesh& mesh, unsigned threads = 0,

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -36,7 +37,11 @@ void for_each_block(std::size_t n_blocks, unsigned threads, const Work& work) {
   {
     std::vector<std::jthread> pool;
     pool.reserve(n_threads - 1);
-    for (std::size_t i = 1; i < n_threads; ++i) pool.emplace_back(run);
+    try {
+      for (std::size_t i = 1; i < n_threads; ++i) pool.emplace_back(run);
+    } catch (const std::system_error&) {
+      // The system has no more threads. Those that there are do the work.
+    }
     run();
   }
   if (failure) std::rethrow_exception(failure);

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "whittle/io/repair.hh"
+
+namespace whittle::io {
+
+/// As `weld_borders`. But where that would lay copies of a face together, all copies of faces in the mesh are dropped
+/// first: faces at equal positions in the same cyclic order as an earlier one, whatever their vertices.
+Repairs weld_borders_without_copies(IndexedMesh& mesh, std::vector<Index>* joined_to);
+
+}  // namespace whittle::io

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include "whittle/metrics/bounds.hh"
+
+namespace whittle::metrics {
+
+/// The power of two to multiply coordinates by before products of several lengths are taken, so that these neither
+/// over- nor underflow. 1 for meshes of ordinary size. Multiplying by it loses nothing.
+inline double working_scale(std::initializer_list<Bounds> boxes) {
+  constexpr int largest_exponent = 200;
+  double extent = 0.0;
+  for (const Bounds& box : boxes) extent = std::max(extent, (box.max - box.min).maxCoeff());
+  if (!(extent > 0.0)) return 1.0;
+  const int exponent = std::ilogb(extent);
+  return std::abs(exponent) <= largest_exponent ? 1.0 : std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
+}
+
+/// Positions and faces of the mesh, without its attributes, at another scale.
+inline IndexedMesh scaled(const IndexedMesh& mesh, double scale) {
+  IndexedMesh result;
+  result.faces = mesh.faces;
+  result.positions.reserve(mesh.positions.size());
+  for (const Vec3& p : mesh.positions) result.positions.emplace_back(p * scale);
+  return result;
+}
+
+}  // namespace whittle::metrics
