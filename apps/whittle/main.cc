@@ -11,6 +11,7 @@
 #include "files/output.hh"
 #include "files/report.hh"
 #include "options/help.hh"
+#include "options/parse_problems.hh"
 #include "terminal/errors.hh"
 #include "terminal/exit_code.hh"
 #include "terminal/interruption.hh"
@@ -38,10 +39,23 @@ int fail_usage(const CLI::App& app, const std::string& problem) {
 }
 
 std::string no_subcommand(const CLI::App& app, int argc, char** argv) {
+  std::vector<std::string> all;
+  for (const CLI::App* sub : app.get_subcommands({})) all.push_back(sub->get_name());
   std::string names;
-  for (const CLI::App* sub : app.get_subcommands({})) names += (names.empty() ? "" : ", ") + sub->get_name();
+  for (const std::string& name : all) names += (names.empty() ? "" : ", ") + name;
   if (argc < 2) return "a subcommand is missing: one of " + names;
-  return std::string("'") + argv[1] + "' is not a subcommand: one of " + names;
+  const std::string word = argv[1];
+  return "'" + word + "' is not a subcommand: one of " + names + did_you_mean(word, all);
+}
+
+/// `help`, `help simplify` as `--help`, `simplify --help`.
+std::vector<char*> without_help_word(int argc, char** argv) {
+  static char help[] = "--help";
+  std::vector<char*> arguments(argv, argv + argc);
+  if (argc < 2 || std::string(argv[1]) != "help") return arguments;
+  arguments.erase(arguments.begin() + 1);
+  arguments.push_back(help);
+  return arguments;
 }
 
 int parse_and_run(CLI::App& app, const Command& command, int argc, char** argv) {
@@ -53,7 +67,8 @@ int parse_and_run(CLI::App& app, const Command& command, int argc, char** argv) 
     print(text.str());
     return static_cast<int>(ExitCode::done);
   } catch (const CLI::ParseError& error) {
-    return fail_usage(app, called_subcommand(app).empty() ? no_subcommand(app, argc, argv) : error.what());
+    const std::vector<CLI::App*> called = app.get_subcommands();
+    return fail_usage(app, called.empty() ? no_subcommand(app, argc, argv) : problem_of(*called.front(), error));
   }
   try {
     return static_cast<int>(command());
@@ -80,7 +95,7 @@ int main(int argc, char** argv) {
     CLI::App app("Makes triangle meshes smaller and keeps their shape.", "whittle");
     app.formatter(std::make_shared<HelpFormatter>());
     app.set_help_flag("-h,--help", "print this help");
-    app.set_version_flag("--version", program_and_version(), "print the version");
+    app.set_version_flag("-V,--version", program_and_version(), "print the version");
     app.require_subcommand(1);
     Command command;
     setup_simplify(app, command);
@@ -89,10 +104,11 @@ int main(int argc, char** argv) {
     setup_polish(app, command);
     setup_compare(app, command);
     app.footer(
-        "'whittle SUBCOMMAND --help' tells the options of each.\n"
+        "'whittle SUBCOMMAND --help' tells the options of each, and so does 'whittle help SUBCOMMAND'.\n"
         "Exit status: 0 done, 1 failure, 2 usage, 3 target not met (--strict), 4 input unreadable or invalid,\n"
         "130 interrupted.");
-    return parse_and_run(app, command, argc, argv);
+    std::vector<char*> arguments = without_help_word(argc, argv);
+    return parse_and_run(app, command, static_cast<int>(arguments.size()), arguments.data());
   } catch (const std::bad_alloc&) {
     return fail(ExitCode::failure, "out of memory; try a machine with more, or a smaller part of the mesh");
   } catch (const std::exception& error) {

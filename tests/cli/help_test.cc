@@ -100,6 +100,16 @@ TEST(Version, IsOneLineOnStandardOutput) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome;
   EXPECT_EQ(outcome.out, "whittle " WHITTLE_VERSION "\n") << outcome;
   EXPECT_EQ(outcome.err, "") << outcome;
+  EXPECT_EQ(whittle({"-V"}).out, outcome.out);
+}
+
+TEST(Help, IsThereAsASubcommandToo) {
+  EXPECT_EQ(whittle({"help"}).out, whittle({"--help"}).out);
+  for (const char* sub : {"simplify", "measure", "info", "polish", "compare"}) {
+    const Outcome outcome = whittle({"help", sub});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome;
+    EXPECT_EQ(outcome.out, whittle({sub, "--help"}).out);
+  }
 }
 
 }  // namespace

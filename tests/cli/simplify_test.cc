@@ -44,6 +44,11 @@ TEST(Simplify, ReachesTheNumberOfVertices) {
 TEST(Simplify, KeepsTheShareOfTheVerticesRoundedDown) {
   // 2562 vertices.
   EXPECT_EQ(n_vertices(simplify(data_file("blob.obj"), {"--ratio", "0.3"})), 768U);
+  const Simplified by_faces = simplify(data_file("terrain.ply"), {"--face-ratio", "10%"});
+  EXPECT_EQ(by_faces.report["target"]["faces"], 460);  // of 4608
+  EXPECT_EQ(by_faces.report["target"]["face_ratio"], 0.1);
+  EXPECT_LE(n_faces(by_faces), 460U);
+  EXPECT_GE(n_faces(by_faces), 459U);
   EXPECT_EQ(n_vertices(simplify(data_file("blob.obj"), {"-r", "30%"})), 768U);
   EXPECT_EQ(n_vertices(simplify(data_file("blob.obj"), {"-r0.5"})), 1281U);
   // 200 vertices: 0.29 · 200 is a little below 58 in binary.
@@ -65,6 +70,7 @@ TEST(Simplify, StopsAtTheFirstTargetReached) {
   EXPECT_EQ(n_faces(simplify(data_file("blob.obj"), {"--faces", "1000", "--vertices", "100"})), 1000U);
   EXPECT_EQ(n_vertices(simplify(data_file("blob.obj"), {"--faces", "100", "--vertices", "1000"})), 1000U);
   EXPECT_EQ(n_vertices(simplify(data_file("blob.obj"), {"--ratio", "0.3", "--vertices", "100"})), 768U);
+  EXPECT_EQ(n_faces(simplify(data_file("blob.obj"), {"--face-ratio", "0.25", "--faces", "100"})), 1280U);
   const Simplified result = simplify(data_file("blob.obj"), {"--faces", "4", "--max-cost", "1e-6"});
   EXPECT_GT(n_faces(result), 4U);
   EXPECT_EQ(result.report["stop"], "cost");

@@ -43,6 +43,7 @@ Arguments simplify_with(const TemporaryFolder& folder, const Arguments& more) {
 TEST(Usage, NeedsASubcommand) {
   expect_usage_error(whittle({}), {"subcommand", "simplify, measure, info, polish, compare", "see 'whittle --help'"});
   expect_usage_error(whittle({"shrink", "a.obj"}), {"'shrink' is not a subcommand", "see 'whittle --help'"});
+  expect_usage_error(whittle({"simpify", "a.obj"}), {"'simpify' is not a subcommand", "did you mean 'simplify'?"});
   expect_usage_error(whittle({"--fast"}), {"--fast", "see 'whittle --help'"});
 }
 
@@ -53,7 +54,7 @@ TEST(Usage, NamesWhatIsMissing) {
   expect_usage_error(whittle({"simplify", mesh, "--faces", "9"}), {"--output", "required"});
   expect_usage_error(whittle({"simplify", mesh, "-o", folder / "out.obj"}),
                      {"no target", "--faces", "--vertices", "--ratio", "--max-cost"});
-  expect_usage_error(whittle({"simplify", mesh, "-o", folder / "out.obj", "--faces"}), {"--faces"});
+  expect_usage_error(whittle({"simplify", mesh, "-o", folder / "out.obj", "--faces"}), {"--faces needs a value"});
   expect_usage_error(whittle({"measure", mesh}), {"TEST", "required", "see 'whittle measure --help'"});
   expect_usage_error(whittle({"info"}), {"IN", "required", "see 'whittle info --help'"});
   expect_usage_error(whittle({"compare", mesh}), {"no target", "see 'whittle compare --help'"});
@@ -62,8 +63,13 @@ TEST(Usage, NamesWhatIsMissing) {
 
 TEST(Usage, NamesWhatIsUnknown) {
   const TemporaryFolder folder;
-  expect_usage_error(whittle(simplify_with(folder, {"--fases", "9"})), {"--fases"});
-  expect_usage_error(whittle(simplify_with(folder, {"another.obj"})), {"another.obj"});
+  expect_usage_error(whittle(simplify_with(folder, {"--fases", "9"})),
+                     {"--fases is not an option of 'simplify'", "did you mean '--faces'?"});
+  expect_usage_error(whittle(simplify_with(folder, {"--max-norml-flip=9"})), {"did you mean '--max-normal-flip'?"});
+  const Outcome far = whittle(simplify_with(folder, {"--watertight"}));
+  expect_usage_error(far, {"--watertight is not an option of 'simplify'"});
+  EXPECT_EQ(far.err.find("did you mean"), std::string::npos) << far;
+  expect_usage_error(whittle(simplify_with(folder, {"another.obj"})), {"one argument too many: 'another.obj'"});
   // An unknown option, or an unknown value of `--effort`, is an error.
   for (const char* option : {"--effort", "--record", "--curve"}) {
     expect_usage_error(whittle(simplify_with(folder, {option, "1"})), {option});
@@ -100,6 +106,7 @@ std::vector<BadValue> bad_values() {
       {"--ratio", "nan", "0 < R < 1"},
       {"--ratio", "half", "0 < R < 1"},
       {"-r", "2", "--ratio"},
+      {"--face-ratio", "2", "0 < R < 1"},
       {"--max-cost", "-1", "C >= 0"},
       {"--max-cost", "inf", "C >= 0"},
       {"--max-cost", "nan", "C >= 0"},
@@ -152,7 +159,7 @@ TEST(Usage, NamesTheOptionAndTheRange) {
 
 TEST(Usage, RefusesAnOptionGivenTwice) {
   const TemporaryFolder folder;
-  expect_usage_error(whittle(simplify_with(folder, {"--faces", "9"})), {"--faces"});
+  expect_usage_error(whittle(simplify_with(folder, {"--faces", "9"})), {"--faces is given 2 times"});
 }
 
 TEST(Usage, NamesBothOptionsThatDoNotGoTogether) {

@@ -77,7 +77,7 @@ StockRun run_stock(const Input& input, const DecimateTarget& target, std::size_t
 Comparison compare(const Input& input, const CompareOptions& options, const Talk& talk) {
   const IndexedMesh& mesh = input.read.mesh;
   Comparison comparison;
-  comparison.target = resolve(options.targets, mesh.positions.size());
+  comparison.target = resolve(options.targets, mesh.positions.size(), mesh.faces.size());
   comparison.ours = run_ours(mesh, comparison.target, options, talk);
   const std::size_t expected = mesh.positions.size() - comparison.ours.n_vertices;
   const StockRun stock = run_stock(input, comparison.target, expected, talk);

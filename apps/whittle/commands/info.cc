@@ -6,6 +6,7 @@
 #include "files/input.hh"
 #include "files/output.hh"
 #include "files/report.hh"
+#include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
 #include "whittle/metrics/self_intersections.hh"
@@ -34,19 +35,21 @@ struct Findings {
   metrics::Bounds bounds;
 };
 
-View view(const IndexedMesh& mesh, unsigned threads) {
-  return {metrics::topology(mesh), metrics::shape(mesh), metrics::self_intersections(mesh, threads).size()};
+View view(const IndexedMesh& mesh, unsigned threads, const Talk& talk) {
+  ProgressBar bar(talk, "comparing faces");
+  return {metrics::topology(mesh), metrics::shape(mesh),
+          metrics::self_intersections(mesh, threads, part_of(bar, 0, 1)).size()};
 }
 
-Findings look_at(const InfoOptions& options) {
+Findings look_at(const InfoOptions& options, const Talk& talk) {
   const MeshFile file(options.input, options.reading.format);
   Findings findings;
   findings.name = file.name();
   findings.read = file.read(true);
-  findings.repaired = view(findings.read.mesh, options.common.threads);
+  findings.repaired = view(findings.read.mesh, options.common.threads, talk);
   findings.bounds = metrics::bounds(findings.read.mesh);
   if (findings.read.repairs.welded_vertices > 0)
-    findings.unwelded = view(file.read(false).mesh, options.common.threads);
+    findings.unwelded = view(file.read(false).mesh, options.common.threads, talk);
   return findings;
 }
 
@@ -158,7 +161,7 @@ ExitCode run_info(const CLI::App& app, const InfoOptions& options) {
   if (options.common.json) check_outputs({{"--json", *options.common.json}}, {options.input}, options.common.force);
   const Talk talk(options.common.volume());
   const Stopwatch watch;
-  const Findings findings = look_at(options);
+  const Findings findings = look_at(options, talk);
   for (const std::string& warning : findings.read.warnings) talk.warning(about(findings.name, warning));
   write_report(options.common, info_json(options, findings), summary_of(findings));
   say_effort(talk, watch.seconds());

@@ -9,6 +9,7 @@
 #include "files/report.hh"
 #include "options/sampling.hh"
 #include "options/values.hh"
+#include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
 #include "whittle/metrics/line_distance.hh"
@@ -43,24 +44,29 @@ struct Measurement {
 };
 
 LinesMeasured measure_lines(const std::vector<metrics::Segment>& reference, const std::vector<metrics::Segment>& test,
-                            unsigned threads) {
-  return {!reference.empty(), !test.empty(), metrics::line_distance(reference, test, {.threads = threads})};
+                            unsigned threads, const ProgressCallback& progress) {
+  return {!reference.empty(), !test.empty(),
+          metrics::line_distance(reference, test, {.threads = threads, .progress = progress})};
 }
 
-Measurement measure(const IndexedMesh& reference, const IndexedMesh& test, const MeasureOptions& options) {
+Measurement measure(const IndexedMesh& reference, const IndexedMesh& test, const MeasureOptions& options,
+                    const Talk& talk) {
+  ProgressBar bar(talk, "measuring");
   metrics::DistanceOptions distance = options.distance;
   distance.threads = options.common.threads;
+  distance.progress = part_of(bar, 0, 0.7);
   const unsigned threads = options.common.threads;
   Measurement measured;
   measured.distance = metrics::surface_distance(reference, test, distance);
-  measured.borders = measure_lines(metrics::border_lines(reference), metrics::border_lines(test), threads);
+  measured.borders =
+      measure_lines(metrics::border_lines(reference), metrics::border_lines(test), threads, part_of(bar, 0.7, 0.75));
   if (const auto angle_deg = options.feature_angle_deg) {
-    measured.features =
-        measure_lines(metrics::feature_lines(reference, *angle_deg), metrics::feature_lines(test, *angle_deg), threads);
+    measured.features = measure_lines(metrics::feature_lines(reference, *angle_deg),
+                                      metrics::feature_lines(test, *angle_deg), threads, part_of(bar, 0.75, 0.8));
   }
   measured.shape = metrics::shape(test);
   measured.topology = metrics::topology(test);
-  measured.self_intersections = metrics::self_intersections(test, threads).size();
+  measured.self_intersections = metrics::self_intersections(test, threads, part_of(bar, 0.8, 1)).size();
   return measured;
 }
 
@@ -174,7 +180,7 @@ ExitCode run_measure(const CLI::App& app, const MeasureOptions& options) {
   const Stopwatch watch;
   const Input reference = read_input(options.reference, options.reading, talk);
   const Input test = read_input(options.test, options.reading, talk);
-  const Measurement measured = measure(reference.read.mesh, test.read.mesh, options);
+  const Measurement measured = measure(reference.read.mesh, test.read.mesh, options, talk);
   write_report(options.common, measure_json(reference, test, measured, options), summary_of(reference, test, measured));
   say_effort(talk, watch.seconds());
   return ExitCode::done;

@@ -81,18 +81,12 @@ void polish_input(const PolishCommand& options, const Talk& talk, PolishRun& run
   ProgressBar bar(talk, "polishing");
   // On large meshes the search takes about as long as one pass.
   const double search = 1.0 / (1 + options.passes);
-  const auto progress_between = [&bar](double from, double to) {
-    return [&bar, from, to](const TaskProgress& progress) {
-      bar.update(from + progress.fraction * (to - from), std::string(progress.stage));
-      return !SignalsWait::pending();
-    };
-  };
   const SignalsWait signals_wait;
   try {
     const std::vector<Index> nearest =
-        metrics::nearest_vertices(reference, run.mesh, options.common.threads, progress_between(0, search));
+        metrics::nearest_vertices(reference, run.mesh, options.common.threads, part_of(bar, 0, search));
     PolishOptions polish_options{.passes = options.passes, .threads = options.common.threads};
-    polish_options.progress = progress_between(search, 1);
+    polish_options.progress = part_of(bar, search, 1);
     run.result = polish(reference, nearest, run.mesh, polish_options);
   } catch (const Cancelled&) {
     // The signal that cancelled the search is thrown below.

@@ -320,7 +320,7 @@ ExitCode run_simplify(const CLI::App& app, const SimplifyCommand& options) {
       talk.warning(lost);
     }
   }
-  run.target = resolve(options.targets, run.input.read.mesh.positions.size());
+  run.target = resolve(options.targets, run.input.read.mesh.positions.size(), run.input.read.mesh.faces.size());
   run.diagonal = metrics::bounds(run.input.read.mesh).diagonal();
   if (options.prune) prune(options, talk, run);
 

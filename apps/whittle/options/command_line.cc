@@ -32,7 +32,7 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
       "write the report as JSON to FILE, or to standard output")
       ->default_str("off")
       ->group(common_group);
-  app.add_flag("--quiet", options.quiet, "say nothing but errors on standard error")
+  app.add_flag("-q,--quiet", options.quiet, "say nothing but errors on standard error")
       ->default_str("off")
       ->group(common_group);
   app.add_flag("-v,--verbose", options.verbose, "say more on standard error")->default_str("off")->group(common_group);

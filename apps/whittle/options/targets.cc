@@ -23,6 +23,10 @@ void add_target_options(CLI::App& app, TargetOptions& options) {
             "keep this share of the vertices, rounded down: 0 < R < 1, or a percentage such as 30%")
       ->default_str("off")
       ->group(target_group);
+  add_value(app, "--face-ratio", "R", options.face_ratio, parse_ratio,
+            "keep this share of the faces, rounded down: 0 < R < 1, or a percentage such as 30%")
+      ->default_str("off")
+      ->group(target_group);
   add_value(
       app, "--max-cost", "C", options.max_cost, [](std::string_view text) { return parse_number(text, {0}, "C"); },
       "contract nothing that costs more than C: distance squared times area in model units with plain quadrics "
@@ -32,11 +36,11 @@ void add_target_options(CLI::App& app, TargetOptions& options) {
 }
 
 void check_targets(const TargetOptions& options) {
-  if (options.faces || options.vertices || options.ratio || options.max_cost) return;
-  throw UsageError("no target: give at least one of --faces, --vertices, --ratio and --max-cost");
+  if (options.faces || options.vertices || options.ratio || options.face_ratio || options.max_cost) return;
+  throw UsageError("no target: give at least one of --faces, --vertices, --ratio, --face-ratio and --max-cost");
 }
 
-DecimateTarget resolve(const TargetOptions& options, std::uint64_t n_vertices) {
+DecimateTarget resolve(const TargetOptions& options, std::uint64_t n_vertices, std::uint64_t n_faces) {
   DecimateTarget target = DecimateTarget::as_far_as_possible();
   if (options.faces) target = target.or_faces(*options.faces);
   if (options.vertices) target = target.or_vertices(*options.vertices);
@@ -44,6 +48,10 @@ DecimateTarget resolve(const TargetOptions& options, std::uint64_t n_vertices) {
   if (options.ratio) {
     const std::uint64_t kept = share_of(*options.ratio, n_vertices);
     target = target.or_vertices(std::max(kept, target.n_vertices().value_or(0)));
+  }
+  if (options.face_ratio) {
+    const std::uint64_t kept = share_of(*options.face_ratio, n_faces);
+    target = target.or_faces(std::max(kept, target.n_faces().value_or(0)));
   }
   return target;
 }
@@ -67,6 +75,7 @@ nlohmann::ordered_json target_json(const TargetOptions& options, const DecimateT
   if (target.n_faces()) json["faces"] = *target.n_faces();
   if (target.n_vertices()) json["vertices"] = *target.n_vertices();
   if (options.ratio) json["ratio"] = *options.ratio;
+  if (options.face_ratio) json["face_ratio"] = *options.face_ratio;
   if (target.cost_limit()) json["max_cost"] = *target.cost_limit();
   return json;
 }

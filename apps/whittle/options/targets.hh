@@ -18,6 +18,7 @@ struct TargetOptions {
   std::optional<std::uint64_t> faces;     ///< at least 1
   std::optional<std::uint64_t> vertices;  ///< at least 1
   std::optional<double> ratio;            ///< share of the vertices to keep, (0, 1)
+  std::optional<double> face_ratio;       ///< share of the faces to keep, (0, 1)
   std::optional<double> max_cost;         ///< at least 0; in the unit of the cost (`Cost`), by model units
 };
 void add_target_options(CLI::App& app, TargetOptions& options);
@@ -25,9 +26,9 @@ void add_target_options(CLI::App& app, TargetOptions& options);
 /// \throw UsageError without any target.
 void check_targets(const TargetOptions& options);
 
-/// The targets for a mesh of `n_vertices`. With both --vertices and --ratio the greater number counts: it is reached
-/// first.
-DecimateTarget resolve(const TargetOptions& options, std::uint64_t n_vertices);
+/// The targets for a mesh with these counts. With both --vertices and --ratio the greater number counts: it is reached
+/// first. So it is with --faces and --face-ratio.
+DecimateTarget resolve(const TargetOptions& options, std::uint64_t n_vertices, std::uint64_t n_faces);
 
 /// Whether the target is met. A run that stopped at a cost limit has met it. Without a limit of faces or vertices the
 /// target is met even if nothing was left to contract.
@@ -36,7 +37,8 @@ bool is_met(const DecimateTarget& target, StopReason stop);
 /// "5120 faces or 2560 vertices or cost 0.001"
 std::string to_string(const DecimateTarget& target);
 
-/// Key `target` of the reports, without `met`: those of "faces", "vertices", "ratio", "max_cost" that are set.
+/// Key `target` of the reports, without `met`: those of "faces", "vertices", "ratio", "face_ratio", "max_cost" that are
+/// set.
 nlohmann::ordered_json target_json(const TargetOptions& options, const DecimateTarget& target);
 
 }  // namespace whittle::app

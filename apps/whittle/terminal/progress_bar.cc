@@ -10,6 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include "terminal/interruption.hh"
+
 namespace whittle::app {
 namespace {
 
@@ -60,6 +62,13 @@ void ProgressBar::update(double fraction, const std::string& note) {
   const std::string empty(bar_width - filled, '.');
   std::cerr << before + (colored_ ? "\x1b[32m" + full + "\x1b[0m" : full) + empty + after << std::flush;
   drawn_width_ = width;
+}
+
+ProgressCallback part_of(ProgressBar& bar, double from, double to) {
+  return [&bar, from, to](const TaskProgress& progress) {
+    bar.update(from + progress.fraction * (to - from), std::string(progress.stage));
+    return !SignalsWait::pending();
+  };
 }
 
 }  // namespace whittle::app

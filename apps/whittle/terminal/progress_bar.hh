@@ -5,6 +5,7 @@
 #include <string>
 
 #include "terminal/talk.hh"
+#include "whittle/core/progress.hh"
 
 namespace whittle::app {
 
@@ -30,5 +31,9 @@ class ProgressBar {
   std::size_t drawn_width_ = 0;
   std::chrono::steady_clock::time_point next_;
 };
+
+/// Shows a task of the library as a part of the bar, from one fraction of it to another. Cancels the task if a signal
+/// is pending. \param bar must outlive the callback
+ProgressCallback part_of(ProgressBar& bar, double from, double to);
 
 }  // namespace whittle::app

@@ -104,9 +104,9 @@ struct Decimation {
 /// Decimates `mesh`. Colours are averaged over the vertices merged, normals computed anew where the input has them;
 /// texture coordinates and groups are not carried, which `DecimateResult::warnings` says.
 /// Works on any triangle set. Results don't depend on the unit, on where the mesh lies, or on the number of threads.
-/// \throw std::invalid_argument for a face number out of range, a coordinate that isn't finite, an attribute of a wrong
-///        length, an option out of its range, an option that the cost doesn't take (`CostTraits`), or `locked` of
-///        another length than the vertices.
+/// \throw std::invalid_argument for a face number out of range, a coordinate that isn't finite or is above 3e150, an
+///        attribute of a wrong length, an option out of its range, an option that the cost doesn't take (`CostTraits`),
+///        or `locked` of another length than the vertices.
 /// \throw std::length_error for more than 2³¹ faces or 2³² − 2 edges.
 Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options = {});
 

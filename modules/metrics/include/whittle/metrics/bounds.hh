@@ -15,7 +15,7 @@ struct Bounds {
 
 /// The box around the vertices that have a face.
 /// \throw std::invalid_argument if the mesh has no faces, a face names a vertex that isn't there, or a position of a
-/// used vertex is not finite.
+/// used vertex is not finite or above 3e150.
 Bounds bounds(const IndexedMesh& mesh);
 
 }  // namespace whittle::metrics
