@@ -65,10 +65,10 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 }
 
 std::string problem_of(const CLI::App& sub, const CLI::ParseError& error) {
-  const std::string said = error.what();
+  std::string said = error.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return unexpected(sub);
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return said;
-  if (const std::string twice = given_twice(sub); !twice.empty()) return twice;
+  if (std::string twice = given_twice(sub); !twice.empty()) return twice;
   return said.substr(0, said.find(':')) + " needs a value";
 }
 
