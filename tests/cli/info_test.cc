@@ -40,6 +40,33 @@ TEST(Info, CountsWhatIsInEveryMeshOfData) {
   }
 }
 
+TEST(Info, SaysWhatSuitsTheKindOfMesh) {
+  using Words = std::vector<std::string>;
+  struct Expected {
+    const char* name;
+    Words kind;
+    Words options;
+  };
+  const std::vector<Expected> cases{
+      {"knot.ply", {"closed"}, {}},
+      {"blob.obj", {"closed"}, {}},
+      {"terrain.ply", {"open", "tile"}, {"--boundary locked"}},
+      {"bracket.stl", {"closed", "CAD"}, {"--feature-angle 40"}},
+      {"cubes.obj", {"closed", "parts"}, {"--threshold auto", "--self-intersections refuse"}}};
+  for (const Expected& expected : cases) {
+    SCOPED_TRACE(expected.name);
+    const auto json = info(data_file(expected.name));
+    EXPECT_EQ(json["kind"], expected.kind);
+    Words options;
+    for (const auto& suggestion : json["suggestions"]) options.push_back(suggestion["option"]);
+    EXPECT_EQ(options, expected.options);
+    const Outcome text = whittle({"info", data_file(expected.name)});
+    for (const std::string& option : expected.options) {
+      EXPECT_NE(text.out.find("  " + option + ": "), std::string::npos) << text;
+    }
+  }
+}
+
 TEST(Info, ShowsTheFileBesideWhatBecomesOfIt) {
   const auto json = info(data_file("bracket.stl"));
   EXPECT_EQ(json["file"], (nlohmann::json{{"vertices", 4428}, {"faces", 1476}}));

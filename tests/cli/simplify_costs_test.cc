@@ -123,7 +123,7 @@ TEST(SimplifyCosts, ValencePenaltyMakesValencesRegular) {
 
 TEST(SimplifyCosts, SaysWhereThreeEdgesAreLeft) {
   const Simplified cubes = with(data_file("cubes.obj"), "50%", {"--valence", "1"});
-  ASSERT_EQ(cubes.report["warnings"].size(), 1U) << "each cube has become a tetrahedron";
+  ASSERT_GE(cubes.report["warnings"].size(), 1U) << "each cube has become a tetrahedron";
   EXPECT_NE(cubes.report["warnings"][0].get<std::string>().find("three edges"), std::string::npos);
 }
 

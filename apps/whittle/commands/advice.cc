@@ -1,11 +1,15 @@
 #include "commands/advice.hh"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "whittle/core/frame.hh"
+#include "whittle/core/parts.hh"
 #include "whittle/engine/automatic_threshold.hh"
+#include "whittle/io/border_gaps.hh"
 
 namespace whittle::app {
 namespace {
@@ -17,27 +21,47 @@ struct Reason {
   std::uint64_t Rejections::*count;
   const char* text;
 };
-constexpr Reason reasons[] = {{&Rejections::link, "by topology"},
-                              {&Rejections::flip, "by turning a face"},
-                              {&Rejections::shape, "by shape"},
-                              {&Rejections::feature, "by features"},
-                              {&Rejections::locked, "locked"}};
+constexpr Reason reasons[] = {{&Rejections::link, "by topology"}, {&Rejections::flip, "by turning a face"},
+                              {&Rejections::shape, "by shape"},   {&Rejections::feature, "by features"},
+                              {&Rejections::locked, "locked"},    {&Rejections::intersection, "by intersecting"}};
 
 /// An option that lifts a reason.
 struct Lift {
   std::uint64_t Rejections::*reason;
   std::string option;
-  DecimateOptions options;  ///< those of the run, with it
+  DecimateOptions options;                                ///< those of the run, with it
+  std::function<IndexedMesh(IndexedMesh)> change_mesh{};  ///< what it does to the input, if anything
 };
 
-/// Those that are not given already, the most frequent reason first.
-std::vector<Lift> lifts(const Decimation& result, const DecimateOptions& options) {
+/// Options that change the input so that fewer contractions change its topology.
+void add_lifts_of_input(const IndexedMesh& mesh, const DecimateOptions& options, std::vector<Lift>& all) {
+  constexpr double small = 0.01;        // of the diagonal
+  constexpr double most_dropped = 0.1;  // of the faces
+  if (const double tolerance = io::find_border_gaps(mesh).tolerance(); tolerance > 0) {
+    all.push_back({&Rejections::link, "--weld auto", options, [tolerance](IndexedMesh changed) {
+                     io::weld_gaps(changed, tolerance);
+                     return changed;
+                   }});
+  }
+  const auto prune = [size = small * bounds_of(mesh.positions).diagonal()](IndexedMesh changed) {
+    return without_small_parts(std::move(changed), size);
+  };
+  const std::size_t n_dropped = prune(mesh).n_dropped_faces;
+  if (n_dropped > 0 && static_cast<double>(n_dropped) < most_dropped * static_cast<double>(mesh.faces.size())) {
+    all.push_back({&Rejections::link, "--prune 1%", options,
+                   [prune](IndexedMesh changed) { return prune(std::move(changed)).mesh; }});
+  }
+}
+
+/// Those that are not given already, the most frequent reason first. \param mesh what they are to be tried on
+std::vector<Lift> lifts(const IndexedMesh& mesh, const Decimation& result, const DecimateOptions& options) {
   std::vector<Lift> all;
   const auto add = [&](bool helps, std::uint64_t Rejections::*reason, const char* option, const auto& change) {
     if (!helps || result.result.refused_at_end.*reason == 0) return;
     all.push_back({reason, option, options});
     change(all.back().options);
   };
+  if (result.result.refused_at_end.link > 0) add_lifts_of_input(mesh, options, all);
   add(options.topology == Topology::keep, &Rejections::link, "--topology free",
       [](DecimateOptions& o) { o.topology = Topology::free; });
   const bool has_pairs = options.pairs.threshold > 0;
@@ -56,17 +80,20 @@ std::vector<Lift> lifts(const Decimation& result, const DecimateOptions& options
       [](DecimateOptions& o) { o.feature_angle_deg.reset(); });
   add(options.boundary == Boundary::locked, &Rejections::locked, "--boundary weighted",
       [](DecimateOptions& o) { o.boundary = Boundary::weighted; });
+  add(options.refuse_intersections, &Rejections::intersection, "--self-intersections allow",
+      [](DecimateOptions& o) { o.refuse_intersections = false; });
   std::stable_sort(all.begin(), all.end(), [&](const Lift& x, const Lift& y) {
     return result.result.refused_at_end.*x.reason > result.result.refused_at_end.*y.reason;
   });
   return all;
 }
 
-DecimateResult try_on(const IndexedMesh& mesh, const DecimateTarget& target, DecimateOptions options) {
+DecimateResult try_on(const IndexedMesh& mesh, const DecimateTarget& target, const Lift& lift) {
+  DecimateOptions options = lift.options;
   options.listener = nullptr;
   options.progress = nullptr;
   options.keep_quadrics = false;
-  return decimate(mesh, target, options).result;
+  return decimate(lift.change_mesh ? lift.change_mesh(mesh) : mesh, target, options).result;
 }
 
 /// The best of several trials so far.
@@ -91,14 +118,14 @@ std::string reasons_at_end(const Rejections& refused) {
 
 std::string advice(const IndexedMesh& input, const Decimation& result, const DecimateTarget& target,
                    const DecimateOptions& options) {
-  const std::vector<Lift> all = lifts(result, options);
-  if (all.empty()) return "no option lifts that";
-  if (result.mesh.faces.size() > most_faces_tried) return "'" + all.front().option + "' may get further";
   const IndexedMesh& mesh = input.faces.size() <= most_faces_tried ? input : result.mesh;
+  const std::vector<Lift> all = lifts(mesh, result, options);
+  if (all.empty()) return "no option lifts that";
+  if (mesh.faces.size() > most_faces_tried) return "'" + all.front().option + "' may get further";
   std::string reaching;
   std::optional<Best> best;
   for (const Lift& lift : all) {
-    const DecimateResult reached = try_on(mesh, target, lift.options);
+    const DecimateResult reached = try_on(mesh, target, lift);
     if (reached.stop != StopReason::exhausted) reaching += (reaching.empty() ? "'" : " or '") + lift.option + "'";
     if (reached.n_faces < (best ? best->n_faces : result.mesh.faces.size())) best = {lift.option, reached.n_faces};
   }

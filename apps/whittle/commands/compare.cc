@@ -176,7 +176,7 @@ void setup_compare(CLI::App& app, Command& command) {
   add_target_options(*sub, options->targets);
   add_sampling_options(*sub, options->distance);
   add_format(*sub, options->reading);
-  add_no_weld(*sub, options->reading);
+  add_weld_options(*sub, options->reading);
   add_common_options(*sub, options->common);
   set_usage(*sub, "IN TARGET... [OPTION]...");
   sub->footer(

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "commands/mesh_kind.hh"
 #include "commands/subcommands.hh"
 #include "files/input.hh"
 #include "files/output.hh"
@@ -32,6 +33,7 @@ struct Findings {
   io::ReadResult read;           ///< after all repairs
   std::optional<View> unwelded;  ///< set if welding changed something
   View repaired;
+  MeshKind kind;
   metrics::Bounds bounds;
 };
 
@@ -47,6 +49,7 @@ Findings look_at(const InfoOptions& options, const Talk& talk) {
   findings.name = file.name();
   findings.read = file.read(true);
   findings.repaired = view(findings.read.mesh, options.common.threads, talk);
+  findings.kind = kind_of(findings.read.mesh, findings.repaired.topology, options.common.threads);
   findings.bounds = metrics::bounds(findings.read.mesh);
   if (findings.read.repairs.welded_vertices > 0)
     findings.unwelded = view(file.read(false).mesh, options.common.threads, talk);
@@ -79,6 +82,12 @@ std::vector<std::string> attributes_of(const IndexedMesh& mesh) {
   return names;
 }
 
+Json suggestions_json(const std::vector<Suggestion>& suggestions) {
+  Json json = Json::array();
+  for (const auto& [option, reason] : suggestions) json.push_back({{"option", option}, {"reason", reason}});
+  return json;
+}
+
 Json info_json(const InfoOptions& options, const Findings& findings) {
   const io::ReadResult& read = findings.read;
   Json json = new_report();
@@ -89,6 +98,9 @@ Json info_json(const InfoOptions& options, const Findings& findings) {
   json["diagonal"] = findings.bounds.diagonal();
   json["bounds"] = {{"min", point_json(findings.bounds.min)}, {"max", point_json(findings.bounds.max)}};
   json.update(view_json(findings.repaired));
+  json["kind"] = findings.kind.words;
+  json["flat_edges"] = findings.kind.flat_edges;
+  json["suggestions"] = suggestions_json(findings.kind.suggestions);
   json["unwelded"] = findings.unwelded ? view_json(*findings.unwelded) : Json(nullptr);
   json["attributes"] = attributes_of(read.mesh);
   json["warnings"] = read.warnings;
@@ -139,7 +151,9 @@ std::string summary_of(const Findings& findings) {
   text += "repairs: " + (repairs.empty() ? "none" : repairs) + '\n';
   text += "box: " + point_text(findings.bounds.min) + " to " + point_text(findings.bounds.max) + ", diagonal " +
           significant(findings.bounds.diagonal()) + '\n';
-  text += "attributes: " + joined(attributes_of(read.mesh)) + "\n\n";
+  text += "attributes: " + joined(attributes_of(read.mesh)) + '\n';
+  text +=
+      "kind: " + joined(findings.kind.words) + "; " + percent(findings.kind.flat_edges) + " of the edges are flat\n\n";
 
   Table table;
   const auto repaired = rows(findings.repaired);
@@ -152,7 +166,11 @@ std::string summary_of(const Findings& findings) {
   } else {
     for (const auto& [name, value] : repaired) table.add({name, value});
   }
-  return text + table.text();
+  text += table.text();
+  const std::vector<Suggestion>& suggestions = findings.kind.suggestions;
+  if (!suggestions.empty()) text += "\nOptions of 'simplify' that suit it:\n";
+  for (const auto& [option, reason] : suggestions) text += "  " + option + ": " + reason + '\n';
+  return text;
 }
 
 ExitCode run_info(const CLI::App& app, const InfoOptions& options) {

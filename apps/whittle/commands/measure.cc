@@ -206,7 +206,7 @@ void setup_measure(CLI::App& app, Command& command) {
   add_sampling_options(*sub, options->distance);
   add_feature_angle(*sub, options->feature_angle_deg);
   add_format(*sub, options->reading);
-  add_no_weld(*sub, options->reading);
+  add_weld_options(*sub, options->reading);
   add_common_options(*sub, options->common);
   set_usage(*sub, "REF TEST [OPTION]...");
   sub->footer(

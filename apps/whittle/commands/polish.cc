@@ -42,7 +42,10 @@ Json polish_report(const PolishCommand& options, const PolishRun& run, double to
   Json json = new_report();
   json["reference"] = input_json(run.reference, diagonal);
   json["input"] = input_json(run.input, metrics::bounds(run.input.read.mesh).diagonal());
-  json["options"] = {{"passes", options.passes}, {"weld", options.reading.weld}, {"threads", options.common.threads}};
+  json["options"] = {{"passes", options.passes},
+                     {"weld", options.reading.weld},
+                     {"weld_tolerance", to_string(options.reading.weld_tolerance)},
+                     {"threads", options.common.threads}};
   json["output"] = {{"path", options.output}};
   json["polish"] = polish_json(run.result);
   json["seconds"] = {{"read", run.reference.seconds + run.input.seconds},
@@ -129,7 +132,7 @@ void setup_polish(CLI::App& app, Command& command) {
       "how often to find what lies where and move vertices; a pass that doesn't help is taken back, and ends it")
       ->default_str(std::to_string(options->passes));
   add_format(*sub, options->reading);
-  add_no_weld(*sub, options->reading);
+  add_weld_options(*sub, options->reading);
   add_common_options(*sub, options->common);
   set_usage(*sub, "REF IN -o OUT [OPTION]...");
   sub->footer(

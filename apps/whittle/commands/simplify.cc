@@ -19,8 +19,12 @@
 #include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
+#include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/parts.hh"
 #include "whittle/engine/automatic_threshold.hh"
+#include "whittle/io/border_gaps.hh"
+#include "whittle/metrics/meeting_parts.hh"
+#include "whittle/metrics/self_intersections.hh"
 #include "whittle/metrics/shape.hh"
 
 namespace whittle::app {
@@ -43,6 +47,8 @@ struct Run {
   double threshold = 0;  ///< of threshold pairs, model units; 0 = none
   Simplification simplified;
   bool met = false;
+  std::optional<std::size_t> n_intersections_before;  ///< pairs of faces, if they were counted
+  std::optional<std::size_t> n_intersections_after;
   std::vector<std::string> warnings;
   Seconds seconds;
 };
@@ -161,6 +167,8 @@ std::string refusals(const SimplifyCommand& options, const Rejections& refused) 
                      " by turning a face, ";
   if (options.simplify.decimate.min_radius_ratio) text += std::to_string(refused.shape) + " by shape, ";
   if (options.simplify.decimate.feature_angle_deg) text += std::to_string(refused.feature) + " by features, ";
+  if (options.self_intersections == SelfIntersections::refuse)
+    text += std::to_string(refused.intersection) + " by intersecting, ";
   return text + std::to_string(refused.locked) + " locked";
 }
 
@@ -192,6 +200,7 @@ Json output_json(const SimplifyCommand& options, const Run& run, const metrics::
   add_topology(json, topology);
   json["vanished_components"] = run.simplified.result.n_vanished_components;
   json["pruned_components"] = run.n_pruned_parts;
+  json["self_intersections"] = run.n_intersections_after ? Json(*run.n_intersections_after) : Json(nullptr);
   json["coincident_faces"] = run.simplified.result.n_coincident_faces;
   return json;
 }
@@ -206,13 +215,11 @@ Json threshold_pairs_json(const ThresholdPairCounts& pairs) {
 /// All are null with OpenMesh's decimater, which doesn't count refusals.
 Json rejections_json(const SimplifyCommand& options, const Rejections& refused) {
   if (options.engine == Engine::openmesh) {
-    return {{"flip", nullptr}, {"link", nullptr}, {"shape", nullptr}, {"feature", nullptr}, {"locked", nullptr}};
+    return {{"flip", nullptr},    {"link", nullptr},   {"shape", nullptr},
+            {"feature", nullptr}, {"locked", nullptr}, {"intersection", nullptr}};
   }
-  return {{"flip", refused.flip},
-          {"link", refused.link},
-          {"shape", refused.shape},
-          {"feature", refused.feature},
-          {"locked", refused.locked}};
+  return {{"flip", refused.flip},       {"link", refused.link},     {"shape", refused.shape},
+          {"feature", refused.feature}, {"locked", refused.locked}, {"intersection", refused.intersection}};
 }
 
 Json simplify_json(const SimplifyCommand& options, const Run& run) {
@@ -220,6 +227,7 @@ Json simplify_json(const SimplifyCommand& options, const Run& run) {
   const DecimateResult& result = run.simplified.result;
   Json json = new_report();
   json["input"] = input_json(run.input, run.diagonal);
+  json["input"]["self_intersections"] = run.n_intersections_before ? Json(*run.n_intersections_before) : Json(nullptr);
   if (options.engine == Engine::flat) json["input"].update(surface_json(result.before));
   json["options"] = options_json(options);
   json["output"] = output_json(options, run, metrics::topology(mesh));
@@ -242,6 +250,12 @@ Json simplify_json(const SimplifyCommand& options, const Run& run) {
   return json;
 }
 
+/// Whether a twentieth of the vertices and more lie on open borders.
+bool has_much_border(const IndexedMesh& mesh) {
+  const auto is_border = detail::border_vertices(mesh.faces, mesh.positions.size());
+  return 20 * static_cast<std::size_t>(std::count(is_border.begin(), is_border.end(), 1)) >= mesh.positions.size();
+}
+
 /// The penalty for valences makes vertices with three edges rare, but refuses none.
 void warn_of_valence_three(const SimplifyCommand& options, const Talk& talk, Run& run) {
   if (options.simplify.decimate.valence_weight == 0 || run.simplified.mesh.faces.empty()) return;
@@ -254,6 +268,43 @@ void warn_of_valence_three(const SimplifyCommand& options, const Talk& talk, Run
                          (n_vertices == 1 ? " vertex has" : " vertices have") +
                          " only three edges: they had them before, or nothing else was left to contract");
   talk.warning(run.warnings.back());
+}
+
+/// Narrow gaps between borders keep a mesh from getting small: what rounding has taken apart can't merge.
+void warn_of_gaps(const SimplifyCommand& options, const Talk& talk, Run& run) {
+  const bool is_welded_exactly = options.reading.weld && run.input.weld_tolerance == 0;
+  if (!is_welded_exactly || !has_much_border(run.simplified.mesh)) return;
+  IndexedMesh mesh = run.input.read.mesh;
+  const double tolerance = io::find_border_gaps(mesh).tolerance();
+  if (tolerance == 0) return;
+  const std::size_t n_welded = io::weld_gaps(mesh, tolerance).welded_vertices;
+  if (n_welded == 0) return;
+  run.warnings.push_back(run.input.name + ": gaps between borders; '--weld auto' welds " + std::to_string(n_welded) +
+                         " vertices that lie at most " + significant(tolerance) + " apart");
+  talk.warning(run.warnings.back());
+}
+
+void warn_of_meeting_parts(const SimplifyCommand& options, const Talk& talk, Run& run) {
+  const std::size_t n = metrics::newly_meeting_parts(run.input.read.mesh, run.simplified.mesh,
+                                                     run.simplified.vertex_map, options.common.threads)
+                            .size();
+  if (n == 0) return;
+  const bool is_refused = options.self_intersections == SelfIntersections::refuse;
+  run.warnings.push_back(run.input.name + ": " + std::to_string(n) +
+                         (n == 1 ? " pair of parts intersects" : " pairs of parts intersect") + " that didn't before" +
+                         (is_refused ? "" : "; '--self-intersections refuse' keeps parts apart"));
+  talk.warning(run.warnings.back());
+}
+
+void count_intersections(const SimplifyCommand& options, const Talk& talk, Run& run) {
+  if (options.self_intersections == SelfIntersections::allow) return;
+  const auto count = [&](const IndexedMesh& mesh, double from, double to, ProgressBar& bar) {
+    if (mesh.faces.empty()) return std::size_t{0};
+    return metrics::self_intersections(mesh, options.common.threads, part_of(bar, from, to)).size();
+  };
+  ProgressBar bar(talk, "counting intersections");
+  run.n_intersections_before = count(run.input.read.mesh, 0, 0.8, bar);
+  run.n_intersections_after = count(run.simplified.mesh, 0.8, 1, bar);
 }
 
 /// Writes the result, the map and the report. All of them appear, or none does.
@@ -293,7 +344,11 @@ std::string summary(const SimplifyCommand& options, const Run& run) {
   const DecimateResult& after = run.simplified.result;
   return shown_output(options.output) + ": " + std::to_string(before.faces.size()) + " -> " +
          std::to_string(after.n_faces) + " faces, " + std::to_string(before.positions.size()) + " -> " +
-         std::to_string(after.n_vertices) + " vertices in " + seconds_text(run.seconds.total);
+         std::to_string(after.n_vertices) + " vertices" +
+         (run.n_intersections_after ? ", " + std::to_string(*run.n_intersections_before) + " -> " +
+                                          std::to_string(*run.n_intersections_after) + " self-intersections"
+                                    : "") +
+         " in " + seconds_text(run.seconds.total);
 }
 
 std::vector<std::string> lost_in_openmesh(const Input& input) {
@@ -334,6 +389,9 @@ ExitCode run_simplify(const CLI::App& app, const SimplifyCommand& options) {
   run.met = is_met(run.target, run.simplified.result.stop);
 
   warn_of_valence_three(options, talk, run);
+  if (run.met) warn_of_gaps(options, talk, run);
+  warn_of_meeting_parts(options, talk, run);
+  count_intersections(options, talk, run);
   const std::string missed = run.met ? std::string() : shortfall(options, run);
   if (!run.met) run.warnings.push_back(missed);
   write_files(options, talk, watch, run);

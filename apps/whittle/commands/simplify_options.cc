@@ -29,6 +29,8 @@ constexpr std::array<Choice<Placement>, 3> placements{
 constexpr std::array<Choice<Boundary>, 3> boundaries{
     {{"weighted", Boundary::weighted}, {"locked", Boundary::locked}, {"free", Boundary::free}}};
 constexpr std::array<Choice<Topology>, 2> topologies{{{"keep", Topology::keep}, {"free", Topology::free}}};
+constexpr std::array<Choice<SelfIntersections>, 3> self_intersections{
+    {{"allow", SelfIntersections::allow}, {"count", SelfIntersections::count}, {"refuse", SelfIntersections::refuse}}};
 constexpr std::array<Choice<Engine>, 2> engines{{{"flat", Engine::flat}, {"openmesh", Engine::openmesh}}};
 
 /// Adds the options that a cost doesn't take, in the order in which conflicts are reported.
@@ -64,6 +66,7 @@ std::vector<Conflict> conflicts() {
       {"--threshold", "--engine openmesh", no_pairs},
       {"--max-pairs", "--engine openmesh", no_pairs},
       {"--across-walls", "--engine openmesh", no_pairs},
+      {"--self-intersections refuse", "--engine openmesh", not_in_openmesh},
       {"--topology free", "--engine openmesh", "a half-edge mesh keeps its topology"}};
   all.insert(all.end(), std::begin(more), std::end(more));
   return all;
@@ -108,20 +111,11 @@ std::string defaults_by_cost(const Text& text) {
   return usual + others;
 }
 
-ThresholdOption parse_threshold(std::string_view text) {
-  constexpr std::string_view automatic = "auto";
-  if (text == automatic) return {true, {}};
-  try {
-    return {false, parse_length(text, "T")};
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(std::string(error.what()) + ", or 'auto'");
-  }
-}
-
 void add_pair_options(CLI::App& app, SimplifyCommand& options) {
   PairOptions& pairs = options.simplify.decimate.pairs;
   add_value(
-      app, "-t,--threshold", "T", options.threshold, parse_threshold,
+      app, "-t,--threshold", "T", options.threshold,
+      [](std::string_view text) { return parse_automatic_length(text, "T"); },
       "also contract vertices closer than T that no edge joins: model units, a percentage of the diagonal such as "
       "1%, or 'auto' to choose T from the distances between parts")
       ->default_str("0")
@@ -242,6 +236,14 @@ void add_guard_options(CLI::App& app, SimplifyCommand& options) {
       ->group(guard_group);
 }
 
+void add_self_intersections(CLI::App& app, SelfIntersections& target) {
+  add_choice<SelfIntersections>(app, "--self-intersections", target, self_intersections,
+                                "allow: warn if parts come to intersect that didn't; count: also count all "
+                                "intersecting faces, before and after; refuse: also refuse contractions that would "
+                                "make faces intersect")
+      ->group(guard_group);
+}
+
 bool has_threshold(const SimplifyCommand& options) {
   return options.threshold.is_automatic || options.threshold.length.value > 0;
 }
@@ -260,7 +262,7 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
       ->required()
       ->group(file_group);
   add_format(app, options.reading)->group(file_group);
-  add_no_weld(app, options.reading)->group(file_group);
+  add_weld_options(app, options.reading, file_group);
   add_value(
       app, "--map", "FILE", options.map, [](std::string_view text) { return std::string(text); },
       "write where each vertex of IN went: a line a vertex, its new number from 0, or -1")
@@ -269,6 +271,7 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
   add_pair_options(app, options);
   add_cost_options(app, options);
   add_guard_options(app, options);
+  add_self_intersections(app, options.self_intersections);
   add_common_options(app, options.common);
 }
 
@@ -281,6 +284,7 @@ SimplifyCommand settled(SimplifyCommand command) {
   command.simplify.decimate.cost = probe.decimate.cost;
   command.simplify.polish_passes = probe.polish_passes;
   command.simplify.flips = probe.flips;
+  command.simplify.decimate.refuse_intersections = command.self_intersections == SelfIntersections::refuse;
   return command;
 }
 
@@ -308,6 +312,7 @@ nlohmann::ordered_json options_json(const SimplifyCommand& options) {
   const QuadricOptions& quadric = decimate.quadric;
   return {
       {"weld", options.reading.weld},
+      {"weld_tolerance", to_string(options.reading.weld_tolerance)},
       {"effort", word_of<Effort>(efforts, options.effort)},
       {"cost", to_string(decimate.effective_cost())},
       {"valence", decimate.valence_weight},
@@ -323,11 +328,12 @@ nlohmann::ordered_json options_json(const SimplifyCommand& options) {
       {"feature_tolerance", to_string(options.feature_tolerance)},
       {"max_normal_flip_deg", decimate.effective_max_normal_flip_deg()},
       {"min_radius_ratio", decimate.min_radius_ratio.value_or(0)},
-      {"threshold", options.threshold.is_automatic ? "auto" : to_string(options.threshold.length)},
+      {"threshold", to_string(options.threshold)},
       {"max_pairs", decimate.pairs.max_pairs.value_or(0)},
       {"across_walls", decimate.pairs.across_walls},
       {"point_weight", quadric.point_weight},
       {"topology", word_of<Topology>(topologies, decimate.topology)},
+      {"self_intersections", word_of<SelfIntersections>(self_intersections, options.self_intersections)},
       {"prune", options.prune ? nlohmann::ordered_json(to_string(*options.prune)) : nlohmann::ordered_json(nullptr)},
       {"engine", word_of<Engine>(engines, options.engine)},
       {"strict", options.strict},

@@ -18,10 +18,11 @@ enum class Engine {
   openmesh  ///< in OpenMesh's stock decimater, with the module of the same cost
 };
 
-/// The threshold below which two vertices without an edge are a pair.
-struct ThresholdOption {
-  bool is_automatic = false;  ///< chosen from the distances between the parts of the mesh
-  Length length;              ///< the threshold, if it is not automatic
+/// What happens where faces come to intersect that didn't before.
+enum class SelfIntersections {
+  allow,  ///< a warning if parts are concerned
+  count,  ///< also, all are counted before and after
+  refuse  ///< also, contractions that would make them are refused
 };
 
 /// The options of `whittle simplify`. Fields of `simplify` that depend on the mesh are set after it has been read.
@@ -32,10 +33,12 @@ struct SimplifyCommand {
   InputOptions reading;
   Effort effort = Effort::normal;
   SimplifyOptions simplify;
-  ThresholdOption threshold;
+  AutomaticLength threshold;  ///< below which two vertices without an edge are a pair; automatic: from the distances
+                              ///< between the parts of the mesh
   Length feature_tolerance{5e-4, true};  ///< how far a feature line may come to lie from where it was
   std::optional<Length> prune;           ///< parts smaller than this are dropped
   Engine engine = Engine::flat;
+  SelfIntersections self_intersections = SelfIntersections::allow;
   std::optional<std::string> map;  ///< file for the vertex map
   bool strict = false;
   CommonOptions common;

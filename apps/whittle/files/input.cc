@@ -9,6 +9,8 @@
 #include "terminal/errors.hh"
 #include "terminal/stopwatch.hh"
 #include "whittle/core/detail/checks.hh"
+#include "whittle/core/frame.hh"
+#include "whittle/io/border_gaps.hh"
 
 namespace whittle::app {
 namespace {
@@ -71,6 +73,25 @@ io::ReadResult MeshFile::read(bool weld) const {
   return result;
 }
 
+namespace {
+
+/// Welds vertices that lie near each other, if the options ask for that.
+void weld_gaps(Input& input, const AutomaticLength& tolerance) {
+  io::ReadResult& read = input.read;
+  input.weld_tolerance = tolerance.is_automatic ? io::find_border_gaps(read.mesh).tolerance()
+                                                : tolerance.length.in_units(bounds_of(read.mesh.positions).diagonal());
+  if (input.weld_tolerance == 0) {
+    if (tolerance.is_automatic)
+      read.warnings.emplace_back("no gaps between borders, '--weld auto' welds exact duplicates alone");
+    return;
+  }
+  std::vector<Index> welded;
+  read.repairs += io::weld_gaps(read.mesh, input.weld_tolerance, &welded);
+  for (Index& v : read.vertex_map) v = v == invalid_index ? v : welded[v];
+}
+
+}  // namespace
+
 std::string about(const std::string& name, const std::string& text) { return name + ": " + text; }
 
 Input read_input(const std::string& path, const InputOptions& options, const Talk& talk) {
@@ -78,6 +99,7 @@ Input read_input(const std::string& path, const InputOptions& options, const Tal
   const MeshFile file(path, options.format);
   const std::string name = file.name();
   Input input{path, name, file.read(options.weld), {}};
+  weld_gaps(input, options.weld_tolerance);
   input.seconds = watch.seconds();
   if (input.read.repairs.any()) talk.say(name + ": " + io::to_string(input.read.repairs));
   for (const std::string& warning : input.read.warnings) {

@@ -50,6 +50,7 @@ struct Input {
   io::ReadResult read;
   std::vector<std::string> warnings;  ///< those of `read`, with the name in front
   double seconds = 0;                 ///< that reading took
+  double weld_tolerance = 0;          ///< to which vertices were welded, model units; 0 = exact duplicates alone
 };
 
 /// "NAME: TEXT": a line about a file.

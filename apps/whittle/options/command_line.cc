@@ -50,12 +50,19 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
 
 void set_usage(CLI::App& app, const std::string& usage) { app.get_option("--help")->option_text(usage); }
 
-CLI::Option* add_no_weld(CLI::App& app, InputOptions& options) {
-  return app
-      .add_flag_callback(
-          "--no-weld", [&options] { options.weld = false; },
-          "keep exact duplicates of vertices apart instead of making them one")
-      ->default_str("off");
+void add_weld_options(CLI::App& app, InputOptions& options, const std::string& group) {
+  add_value(
+      app, "--weld", "T", options.weld_tolerance,
+      [](std::string_view text) { return parse_automatic_length(text, "T"); },
+      "weld vertices on open borders that lie within T of each other: model units, a percentage of the diagonal, or "
+      "'auto' to choose T from the gaps between borders (0: exact duplicates alone)")
+      ->default_str("0")
+      ->group(group);
+  app.add_flag_callback(
+         "--no-weld", [&options] { options.weld = false; },
+         "keep exact duplicates of vertices apart instead of making them one")
+      ->default_str("off")
+      ->group(group);
 }
 
 CLI::Option* add_format(CLI::App& app, InputOptions& options) {
@@ -81,7 +88,8 @@ void check_conflicts(const CLI::App& app, std::span<const Conflict> conflicts) {
 }
 
 std::span<const Conflict> common_conflicts() {
-  static const std::array<Conflict, 1> conflicts{{{"--quiet", "--verbose", "say less or say more"}}};
+  static const std::array<Conflict, 2> conflicts{{{"--quiet", "--verbose", "say less or say more"},
+                                                  {"--weld", "--no-weld", "vertices are welded or they are not"}}};
   return conflicts;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "options/values.hh"
 #include "terminal/errors.hh"
 #include "terminal/exit_code.hh"
 #include "terminal/talk.hh"
@@ -38,10 +39,12 @@ void set_usage(CLI::App& app, const std::string& usage);
 
 /// How meshes are read.
 struct InputOptions {
-  bool weld = true;
+  bool weld = true;                    ///< exact duplicates of vertices on open borders
+  AutomaticLength weld_tolerance{};    ///< also vertices on open borders that are so near; 0 = exact duplicates alone
   std::optional<io::Format> format{};  ///< of files whose name doesn't tell the format
 };
-CLI::Option* add_no_weld(CLI::App& app, InputOptions& options);
+/// Adds --weld and --no-weld. \param group of the help; or empty: that of options without one
+void add_weld_options(CLI::App& app, InputOptions& options, const std::string& group = "OPTIONS");
 CLI::Option* add_format(CLI::App& app, InputOptions& options);
 
 /// Adds a positional argument that names a file.

@@ -9,6 +9,8 @@
 namespace whittle::app {
 namespace {
 
+constexpr std::string_view automatic = "auto";
+
 std::invalid_argument not_valid(std::string_view text, const std::string& expected) {
   return std::invalid_argument("'" + std::string(text) + "' is not " + expected);
 }
@@ -49,6 +51,19 @@ Length parse_length(std::string_view text, std::string_view name) {
 
 std::string to_string(const Length& length) {
   return length.is_relative ? shortest(length.value * 100) + '%' : shortest(length.value);
+}
+
+AutomaticLength parse_automatic_length(std::string_view text, std::string_view name) {
+  if (text == automatic) return {true, {}};
+  try {
+    return {false, parse_length(text, name)};
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(std::string(error.what()) + ", or '" + std::string(automatic) + "'");
+  }
+}
+
+std::string to_string(const AutomaticLength& length) {
+  return length.is_automatic ? std::string(automatic) : to_string(length.length);
 }
 
 std::uint64_t parse_count(std::string_view text, std::uint64_t low, std::uint64_t high) {

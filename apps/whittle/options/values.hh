@@ -48,6 +48,18 @@ Length parse_length(std::string_view text, std::string_view name);
 /// "0.5", "1%"
 std::string to_string(const Length& length);
 
+/// A length that may be left to the program.
+struct AutomaticLength {
+  bool is_automatic = false;  ///< chosen by the mesh
+  Length length;              ///< if it is not automatic
+};
+
+/// As `parse_length`, or "auto".
+AutomaticLength parse_automatic_length(std::string_view text, std::string_view name);
+
+/// "0.5", "1%", "auto"
+std::string to_string(const AutomaticLength& length);
+
 /// A share in (0, 1): "0.3" or "30%".
 double parse_ratio(std::string_view text);
 

@@ -53,7 +53,10 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraint
       queue_(make_queue(complex, cost, sieve_, options)),
       touched_(reach_of_touched(cost, options)),
       refused_(complex) {
-  for (const auto& guard : guards_) n_rings_ = std::max(n_rings_, guard->n_rings());
+  for (const auto& guard : guards_) {
+    n_rings_ = std::max(n_rings_, guard->n_rings());
+    if (guard->follows()) followers_.push_back(guard.get());
+  }
   if (const auto limit = target.cost_limit()) cost_limit_ = frame.cost_to_frame(*limit, cost_dimension_);
 }
 
@@ -177,6 +180,7 @@ bool ContractionLoop::contract(const RankedPair& ranked, const Vec3& position, d
   list_touched();
   cost_.merge(profile_, ranked.rank, change_);
   restraints_.note(complex_, profile_, change_);
+  for (Guard* guard : followers_) guard->note(change_);
   queue_->note(change_);
   wake_around();
   sieve_.merge(change_.survivor, change_.removed);

@@ -61,7 +61,8 @@ class ContractionLoop {
 
   ThresholdPairSieve sieve_;
   Guards guards_;
-  int n_rings_ = 1;  ///< how far the guards look
+  std::vector<Guard*> followers_;  ///< the guards that are told of each contraction
+  int n_rings_ = 1;                ///< how far the guards look
   std::unique_ptr<PairQueue> queue_;
   Reach touched_;  ///< which vertices `Change::touched` lists
   RefusedPairs refused_;

@@ -2,6 +2,7 @@
 
 #include "guard/flip_guard.hh"
 #include "guard/hidden_pair_guard.hh"
+#include "guard/intersection_guard.hh"
 #include "guard/radius_ratio_guard.hh"
 #include "guard/restraint_guards.hh"
 #include "guard/sharp_edge_guard.hh"
@@ -23,6 +24,7 @@ Guards make_guards(TriangleComplex& complex, const Restraints& restraints, Thres
   const double feature_angle_deg = options.feature_angle_deg.value_or(180);
   if (feature_angle_deg < 180) add(std::make_unique<SharpEdgeGuard>(complex, restraints, feature_angle_deg));
   if (options.min_radius_ratio > 0) add(std::make_unique<RadiusRatioGuard>(complex, *options.min_radius_ratio));
+  if (options.refuse_intersections) add(std::make_unique<IntersectionGuard>(complex));
   if (host != nullptr) add(std::make_unique<HostGuard>(complex, *host));
   return guards;
 }

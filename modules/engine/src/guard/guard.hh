@@ -27,6 +27,10 @@ class Guard {
   /// Whether it refuses the merged vertex at `position`.
   virtual bool refuses_at(ContractionProfile& /*profile*/, const Vec3& /*position*/) { return false; }
 
+  /// Whether it is told of each contraction by `note`.
+  virtual bool follows() const { return false; }
+  virtual void note(const Change& /*change*/) {}
+
   /// How many rings around the pair it looks at: a change farther off can't lift its refusal. 1 or 2.
   virtual int n_rings() const { return 1; }
   /// Whether its refusals never change: such pairs don't wait.

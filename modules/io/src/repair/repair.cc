@@ -86,14 +86,33 @@ std::size_t drop_duplicate_faces(IndexedMesh& mesh) {
   return drop_faces(mesh, [&](std::size_t f) { return is_duplicate[f] != 0; });
 }
 
-std::size_t drop_isolated_vertices(IndexedMesh& mesh) {
-  const std::size_t count = mesh.positions.size();
-  std::vector<char> is_used(count, 0);
+namespace {
+
+std::vector<Index> drop_isolated(IndexedMesh& mesh) {
+  std::vector<char> is_used(mesh.positions.size(), 0);
   for (const Triangle& face : mesh.faces) {
     for (const Index v : face) is_used[v] = 1;
   }
-  drop_vertices(mesh, [&](std::size_t v) { return is_used[v] == 0; });
+  return drop_vertices(mesh, [&](std::size_t v) { return is_used[v] == 0; });
+}
+
+}  // namespace
+
+std::size_t drop_isolated_vertices(IndexedMesh& mesh) {
+  const std::size_t count = mesh.positions.size();
+  drop_isolated(mesh);
   return count - mesh.positions.size();
+}
+
+std::vector<Index> tidy_after_welding(IndexedMesh& mesh, Repairs& done) {
+  if (done.welded_vertices > 0) {
+    done.degenerate_faces += drop_degenerate_faces(mesh);
+    done.duplicate_faces += drop_duplicate_faces(mesh);
+  }
+  const std::size_t count = mesh.positions.size();
+  std::vector<Index> renumbered = drop_isolated(mesh);
+  done.isolated_vertices += count - mesh.positions.size() - done.welded_vertices;
+  return renumbered;
 }
 
 Repairs repair(IndexedMesh& mesh, bool weld, std::vector<Index>* joined_to) {
@@ -101,14 +120,8 @@ Repairs repair(IndexedMesh& mesh, bool weld, std::vector<Index>* joined_to) {
   if (joined_to != nullptr) joined_to->clear();
   done.degenerate_faces = drop_degenerate_faces(mesh);
   done.duplicate_faces = drop_duplicate_faces(mesh);
-  if (weld) {
-    done += weld_borders_without_copies(mesh, joined_to);
-    if (done.welded_vertices > 0) {
-      done.degenerate_faces += drop_degenerate_faces(mesh);
-      done.duplicate_faces += drop_duplicate_faces(mesh);
-    }
-  }
-  done.isolated_vertices = drop_isolated_vertices(mesh) - done.welded_vertices;
+  if (weld) done += weld_borders_without_copies(mesh, joined_to);
+  tidy_after_welding(mesh, done);
   return done;
 }
 

@@ -10,4 +10,8 @@ namespace whittle::io {
 /// first: faces at equal positions in the same cyclic order as an earlier one, whatever their vertices.
 Repairs weld_borders_without_copies(IndexedMesh& mesh, std::vector<Index>* joined_to);
 
+/// Drops the faces that welding made degenerate or duplicate, and isolated vertices. Adds the counts to `done`, those
+/// of welding; welded vertices don't count as isolated. \return as `drop_vertices`
+std::vector<Index> tidy_after_welding(IndexedMesh& mesh, Repairs& done);
+
 }  // namespace whittle::io

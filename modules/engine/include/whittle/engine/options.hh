@@ -76,6 +76,10 @@ struct DecimateOptions {
   /// thinner before. [0, 1]; empty = off.
   std::optional<double> min_radius_ratio{};
 
+  /// Whether a contraction is refused that would make faces intersect that didn't before. Faces of one part count like
+  /// those of different parts. Faces with a common edge are not compared.
+  bool refuse_intersections = false;
+
   /// V or empty; vertices with a non-zero entry neither move nor vanish. Their other neighbours may merge into them.
   std::vector<std::uint8_t> locked{};
 

@@ -1,0 +1,123 @@
+#include "commands/mesh_kind.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "terminal/table.hh"
+#include "whittle/core/detail/edge_table.hh"
+#include "whittle/core/frame.hh"
+#include "whittle/core/parts.hh"
+#include "whittle/engine/automatic_threshold.hh"
+#include "whittle/io/border_gaps.hh"
+
+namespace whittle::app {
+namespace {
+
+constexpr double flat_deg = 0.5;           ///< an edge turns less if its faces lie in one plane
+constexpr double cad_share = 0.4;          ///< of flat edges; scans and organic shapes have hardly any
+constexpr double soup_share = 0.5;         ///< of border edges
+constexpr double small_part = 0.01;        ///< of the mesh's diagonal
+constexpr double border_tolerance = 1e-6;  ///< of the diagonal: on the bounding box
+
+/// Of the edges with two faces, in which these lie in one plane.
+double share_of_flat_edges(const IndexedMesh& mesh) {
+  const detail::EdgeTable edges(mesh.faces, mesh.positions.size());
+  const Frame frame = Frame::of_points(mesh.positions);
+  const auto normal = [&](Index side) {
+    const auto& [a, b, c] = mesh.faces[detail::face_of(side)];
+    const Vec3 p = frame.to_frame(mesh.positions[a]);
+    return Vec3(
+        (frame.to_frame(mesh.positions[b]) - p).cross(frame.to_frame(mesh.positions[c]) - p).stableNormalized());
+  };
+  const double least_sine = std::sin(flat_deg * std::numbers::pi / 180);
+  std::size_t n_flat = 0;
+  std::size_t n_regular = 0;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (!edges.is_regular(e, mesh.faces)) continue;
+    ++n_regular;
+    const Vec3 first = normal(edges.sides(e)[0]);
+    const Vec3 second = normal(edges.sides(e)[1]);
+    n_flat += static_cast<std::size_t>(first.dot(second) > 0 && first.cross(second).norm() < least_sine);
+  }
+  return n_regular == 0 ? 0 : static_cast<double>(n_flat) / static_cast<double>(n_regular);
+}
+
+/// Whether all border vertices lie on the sides of the bounding box, seen along one axis: a piece that was cut out.
+bool is_tile(const IndexedMesh& mesh) {
+  const PointBounds box = bounds_of(mesh.positions);
+  const double tolerance = border_tolerance * box.diagonal();
+  const auto is_border = detail::border_vertices(mesh.faces, mesh.positions.size());
+  for (int up = 0; up < 3; ++up) {
+    bool is_cut = true;
+    for (std::size_t v = 0; v < is_border.size() && is_cut; ++v) {
+      if (is_border[v] == 0) continue;
+      bool is_on_side = false;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double x = mesh.positions[v][axis];
+        const double to_side = std::min(x - box.low[axis], box.high[axis] - x);
+        is_on_side = is_on_side || (axis != up && to_side <= tolerance);
+      }
+      is_cut = is_on_side;
+    }
+    if (is_cut) return true;
+  }
+  return false;
+}
+
+std::size_t count_small_parts(const IndexedMesh& mesh, const Parts& parts) {
+  const double size = small_part * bounds_of(mesh.positions).diagonal();
+  const std::vector<double> diagonals = part_diagonals(mesh.positions, parts);
+  return static_cast<std::size_t>(
+      std::count_if(diagonals.begin(), diagonals.end(), [size](double diagonal) { return diagonal < size; }));
+}
+
+void suggest_for_borders(const IndexedMesh& mesh, MeshKind& kind) {
+  const io::BorderGaps gaps = io::find_border_gaps(mesh);
+  if (gaps.n_vertices > 0) {
+    kind.suggestions.push_back({"--weld auto", std::to_string(gaps.n_vertices) +
+                                                   " vertices lie at gaps between borders, at most " +
+                                                   significant(gaps.widest) + " wide"});
+    return;
+  }
+  if (!is_tile(mesh)) return;
+  kind.words.emplace_back("tile");
+  kind.suggestions.push_back(
+      {"--boundary locked", "if it has neighbours: the border lies on the bounding box, and they are to fit on"});
+}
+
+void suggest_for_parts(const IndexedMesh& mesh, unsigned threads, MeshKind& kind) {
+  const Parts parts = find_parts(mesh.positions.size(), mesh.faces);
+  if (parts.count < 2) return;
+  kind.words.emplace_back("parts");
+  if (const std::size_t n_small = count_small_parts(mesh, parts); n_small > 0 && n_small < parts.count) {
+    kind.suggestions.push_back({"--prune 1%", std::to_string(n_small) + " of " + std::to_string(parts.count) +
+                                                  " parts are smaller than 1 % of the diagonal"});
+  }
+  if (automatic_threshold(mesh, threads) > 0) {
+    kind.suggestions.push_back({"--threshold auto", "if parts may join: some lie near one another"});
+    kind.suggestions.push_back({"--self-intersections refuse", "if they are to stay apart"});
+  }
+}
+
+}  // namespace
+
+MeshKind kind_of(const IndexedMesh& mesh, const metrics::Topology& topology, unsigned threads) {
+  MeshKind kind;
+  kind.words.emplace_back(topology.closed ? "closed" : "open");
+  const bool is_soup = static_cast<double>(topology.boundary_edges) > soup_share * static_cast<double>(topology.edges);
+  if (is_soup) kind.words.emplace_back("soup");
+  kind.flat_edges = share_of_flat_edges(mesh);
+  if (kind.flat_edges >= cad_share) {
+    kind.words.emplace_back("CAD");
+    kind.suggestions.push_back({"--feature-angle 40", "if sharp edges are to stay exactly where they are"});
+  }
+  if (!topology.closed) suggest_for_borders(mesh, kind);
+  suggest_for_parts(mesh, threads, kind);
+  if (topology.nonmanifold_edges > 0) {
+    kind.suggestions.push_back({"--topology free", "if the result may get smaller than its topology allows"});
+  }
+  return kind;
+}
+
+}  // namespace whittle::app

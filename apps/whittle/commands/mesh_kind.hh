@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/metrics/topology.hh"
+
+namespace whittle::app {
+
+/// An option of `simplify` that suits a mesh.
+struct Suggestion {
+  std::string option;
+  std::string reason;
+};
+
+/// What sort of mesh it is, and what suits it.
+struct MeshKind {
+  /// "closed" or "open"; "soup" where faces hardly hang together, "CAD" where most edges are flat, "tile" where the
+  /// border lies on the bounding box, "parts" where there are several.
+  std::vector<std::string> words;
+  double flat_edges = 0;  ///< share of the edges of two faces that lie in one plane, [0, 1]
+  std::vector<Suggestion> suggestions;
+};
+
+/// \param topology that of `mesh` \pre the mesh has faces
+MeshKind kind_of(const IndexedMesh& mesh, const metrics::Topology& topology, unsigned threads);
+
+}  // namespace whittle::app

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "complex/triangle_complex.hh"
+
+namespace whittle {
+
+/// Boxes in single precision are enough: rounding keeps overlapping boxes overlapping.
+using StarBox = Eigen::AlignedBox3f;
+
+/// A binary tree of boxes around the stars of all vertices. Vertices are numbered along a space-filling curve, so
+/// neighbouring leaves lie near each other. Merged vertices leave empty boxes behind.
+class StarBoxes {
+ public:
+  explicit StarBoxes(TriangleComplex& complex);
+
+  /// Notes that faces at v have changed.
+  void update(Index v);
+
+  /// Calls `visit` with each vertex whose star's box overlaps `box`, until it returns false.
+  template <class Visit>
+  void visit(const StarBox& box, const Visit& visit) const {
+    std::array<std::size_t, 64> waiting;  // one a level, and the tree has fewer
+    std::size_t n_waiting = 0;
+    waiting[n_waiting++] = 1;
+    while (n_waiting > 0) {
+      const std::size_t node = waiting[--n_waiting];
+      if (!nodes_[node].intersects(box)) continue;
+      if (node >= n_leaves_) {
+        if (!visit(static_cast<Index>(node - n_leaves_))) return;
+        continue;
+      }
+      waiting[n_waiting++] = 2 * node + 1;
+      waiting[n_waiting++] = 2 * node;
+    }
+  }
+
+ private:
+  StarBox box_of_star(Index v) const;
+
+  TriangleComplex& complex_;
+  std::size_t n_leaves_;        ///< a power of two
+  std::vector<StarBox> nodes_;  ///< the root is 1, the children of i are 2i and 2i + 1, the leaf of v is n_leaves_ + v
+};
+
+}  // namespace whittle

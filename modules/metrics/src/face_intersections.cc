@@ -1,0 +1,203 @@
+// The hierarchy finds candidates: pairs of faces with overlapping boxes. A candidate is decided by the signs of
+// orientation determinants alone, so the result is exact. Two faces intersect if they have
+//
+//   no common corner:     and an edge of one meets the other; two triangles have no other way to meet
+//   one common corner:    and the edge opposite to it, of either face, meets the other face; the intersection is convex
+//                         and contains the corner
+//   two common corners:   and both are in one plane, on the same side of the common edge
+//   three common corners
+#include "face_intersections.hh"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "predicates.hh"
+#include "whittle/core/detail/progress_meter.hh"
+#include "whittle/metrics/bounds.hh"
+#include "whittle/metrics/closest_point.hh"
+#include "working_scale.hh"
+
+namespace whittle::metrics {
+
+namespace {
+
+using Corners = std::array<Vec3, 3>;
+
+constexpr std::size_t faces_per_block = 512;
+constexpr std::array<std::pair<int, int>, 3> coordinate_planes{{{0, 1}, {1, 2}, {2, 0}}};
+
+/// How the corners turn in the first coordinate plane in which they are not on a line. `turn` is 0 if there is none.
+struct Projection {
+  int x = 0, y = 1, turn = 0;
+
+  explicit Projection(const Corners& t) {
+    for (const auto& [px, py] : coordinate_planes) {
+      turn = orient2d(t[0], t[1], t[2], px, py);
+      x = px, y = py;
+      if (turn != 0) return;
+    }
+  }
+};
+
+/// Whether a closed segment and a closed triangle in one plane have a common point. They have none if a line along a
+/// side of either one separates them strictly.
+bool meet_in_plane(const Vec3& from, const Vec3& to, const Corners& t) {
+  const Projection plane(t);
+  const auto turn = [&](const Vec3& a, const Vec3& b, const Vec3& c) { return orient2d(a, b, c, plane.x, plane.y); };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 &a = t[i], &b = t[(i + 1) % 3];
+    if (turn(a, b, from) * plane.turn < 0 && turn(a, b, to) * plane.turn < 0) return false;
+  }
+  const int s0 = turn(from, to, t[0]), s1 = turn(from, to, t[1]), s2 = turn(from, to, t[2]);
+  return !(s0 * s1 > 0 && s1 * s2 > 0);
+}
+
+/// Whether a closed segment and a closed triangle have a common point.
+bool meet(const Vec3& from, const Vec3& to, const Corners& t) {
+  const int from_side = orient3d(t[0], t[1], t[2], from), to_side = orient3d(t[0], t[1], t[2], to);
+  if (from_side * to_side > 0) return false;
+  if (from_side == 0 && to_side == 0) return meet_in_plane(from, to, t);
+  const int s0 = orient3d(from, to, t[0], t[1]), s1 = orient3d(from, to, t[1], t[2]),
+            s2 = orient3d(from, to, t[2], t[0]);
+  return (s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0);
+}
+
+/// The corners of a face, rotated so that corner `first` comes first.
+Corners turned(const Corners& t, std::size_t first) { return {t[first], t[(first + 1) % 3], t[(first + 2) % 3]}; }
+
+bool meet_apart(const Corners& s, const Corners& t) {
+  const auto all_on_one_side = [](const Corners& plane, const Corners& points) {
+    const int side = orient3d(plane[0], plane[1], plane[2], points[0]);
+    return side != 0 && orient3d(plane[0], plane[1], plane[2], points[1]) == side &&
+           orient3d(plane[0], plane[1], plane[2], points[2]) == side;
+  };
+  if (all_on_one_side(s, t) || all_on_one_side(t, s)) return false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (meet(s[i], s[(i + 1) % 3], t) || meet(t[i], t[(i + 1) % 3], s)) return true;
+  }
+  return false;
+}
+
+/// \pre corner 0 is common
+bool meet_beyond_corner(const Corners& s, const Corners& t) { return meet(s[1], s[2], t) || meet(t[1], t[2], s); }
+
+/// \pre corner 0 is the one that is not common
+bool meet_beyond_edge(const Corners& s, const Corners& t) {
+  if (orient3d(s[0], s[1], s[2], t[0]) != 0) return false;
+  const Projection plane(s);
+  return orient2d(t[0], s[1], s[2], plane.x, plane.y) == plane.turn;
+}
+
+/// For each vertex the lowest vertex number with the same position.
+std::vector<Index> merge_by_position(const IndexedMesh& mesh) {
+  std::vector<Index> order;
+  {
+    std::vector<bool> used(mesh.positions.size(), false);
+    for (const Triangle& face : mesh.faces) {
+      for (const Index v : face) used[v] = true;
+    }
+    for (std::size_t v = 0; v < used.size(); ++v) {
+      if (used[v]) order.push_back(static_cast<Index>(v));
+    }
+  }
+  const auto& positions = mesh.positions;
+  std::sort(order.begin(), order.end(), [&](Index left, Index right) {
+    const Vec3 &l = positions[left], &r = positions[right];
+    if (l.x() != r.x()) return l.x() < r.x();
+    if (l.y() != r.y()) return l.y() < r.y();
+    return l.z() != r.z() ? l.z() < r.z() : left < right;
+  });
+  std::vector<Index> merged(positions.size(), invalid_index);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool same = i > 0 && positions[order[i]] == positions[order[i - 1]];
+    merged[order[i]] = same ? merged[order[i - 1]] : order[i];
+  }
+  return merged;
+}
+
+class PairTest {
+ public:
+  explicit PairTest(const IndexedMesh& mesh) : mesh_(mesh), merged_(merge_by_position(mesh)) {}
+
+  Corners corners(Index face) const {
+    const auto [a, b, c] = mesh_.faces[face];
+    return {mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]};
+  }
+
+  bool operator()(Index left, Index right) const {
+    const Corners s = corners(left), t = corners(right);
+    std::size_t n_common = 0, s_sum = 0, t_sum = 0, s_corner = 0, t_corner = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        if (merged_[mesh_.faces[left][i]] != merged_[mesh_.faces[right][j]]) continue;
+        ++n_common;
+        s_corner = i, t_corner = j;
+        s_sum += i, t_sum += j;
+      }
+    }
+    switch (n_common) {
+      case 0:
+        return meet_apart(s, t);
+      case 1:
+        return meet_beyond_corner(turned(s, s_corner), turned(t, t_corner));
+      case 2:  // 0 + 1 + 2 minus the sum is the corner that is not common
+        return meet_beyond_edge(turned(s, 3 - s_sum), turned(t, 3 - t_sum));
+      default:
+        return true;
+    }
+  }
+
+ private:
+  const IndexedMesh& mesh_;
+  std::vector<Index> merged_;
+};
+
+}  // namespace
+
+std::vector<std::array<Index, 2>> face_intersections(const IndexedMesh& mesh,
+                                                     const std::function<bool(Index, Index)>& is_wanted,
+                                                     unsigned threads, const ProgressCallback& progress) {
+  const Bounds box = bounds(mesh);
+  if (const double scale = working_scale({box}); scale != 1.0) {
+    return face_intersections(scaled(mesh, scale), is_wanted, threads, progress);
+  }
+  detail::ProgressMeter meter(progress);
+  const detail::Workers workers(threads, &meter);
+  meter.start("building the search tree", 0.3);
+  const TriangleTree tree(mesh, box.center(), &meter);
+  meter.start("merging corners", 0.4);
+  const PairTest meets(mesh);
+  const std::size_t n = mesh.faces.size();
+  const std::size_t n_blocks = (n + faces_per_block - 1) / faces_per_block;
+
+  meter.start("comparing faces", 1);
+  std::vector<char> has_area(n);
+  for_each_block(n_blocks, threads, [&](std::size_t block) {
+    for (std::size_t f = block * faces_per_block; f < std::min(n, (block + 1) * faces_per_block); ++f) {
+      has_area[f] = Projection(meets.corners(static_cast<Index>(f))).turn != 0;
+    }
+  });
+
+  std::vector<std::vector<std::array<Index, 2>>> found(n_blocks);
+  for_each_block(n_blocks, workers, [&](std::size_t block) {
+    for (std::size_t f = block * faces_per_block; f < std::min(n, (block + 1) * faces_per_block); ++f) {
+      if (!has_area[f]) continue;
+      const auto face = static_cast<Index>(f);
+      const auto [a, b, c] = meets.corners(face);
+      const Vec3 min = a.cwiseMin(b).cwiseMin(c) - tree.origin(), max = a.cwiseMax(b).cwiseMax(c) - tree.origin();
+      tree.visit_boxes({min, max}, [&](Index other) {
+        if (other <= face || !has_area[other] || (is_wanted && !is_wanted(face, other))) return;
+        if (meets(face, other)) found[block].push_back({face, other});
+      });
+    }
+    std::sort(found[block].begin(), found[block].end());
+  });
+
+  std::vector<std::array<Index, 2>> pairs;
+  for (const auto& part : found) pairs.insert(pairs.end(), part.begin(), part.end());
+  meter.finish();
+  return pairs;
+}
+
+}  // namespace whittle::metrics

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/core/progress.hh"
+
+namespace whittle::metrics {
+
+/// As `self_intersections`, but only of the pairs for which `is_wanted` holds, or all if it is empty.
+/// \param is_wanted called from several threads, with the lower number first
+std::vector<std::array<Index, 2>> face_intersections(const IndexedMesh& mesh,
+                                                     const std::function<bool(Index, Index)>& is_wanted,
+                                                     unsigned threads, const ProgressCallback& progress);
+
+}  // namespace whittle::metrics

@@ -1,0 +1,134 @@
+#include "whittle/metrics/meeting_parts.hh"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <stdexcept>
+
+#include "face_intersections.hh"
+#include "whittle/core/detail/drop.hh"
+#include "whittle/core/parts.hh"
+
+namespace whittle::metrics {
+namespace {
+
+using Box = Eigen::AlignedBox3d;
+using PartPairs = std::vector<std::array<Index, 2>>;
+
+/// With more parts, all faces are compared: comparing all parts would take longer.
+constexpr std::size_t most_parts_compared = 2000;
+
+Box box_of(const IndexedMesh& mesh, const Triangle& face) {
+  Box box;
+  for (const Index v : face) box.extend(mesh.positions[v]);
+  return box;
+}
+
+/// For each part a box around where its own box overlaps that of another.
+std::vector<Box> overlaps(const std::vector<Box>& boxes) {
+  std::vector<Index> order(boxes.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  const auto begins_before = [&](Index p, Index q) { return boxes[p].min().x() < boxes[q].min().x(); };
+  std::stable_sort(order.begin(), order.end(), begins_before);
+  std::vector<Box> common(boxes.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Box& box = boxes[order[i]];
+    for (std::size_t j = i + 1; j < order.size() && boxes[order[j]].min().x() <= box.max().x(); ++j) {
+      if (!box.intersects(boxes[order[j]])) continue;
+      const Box both = box.intersection(boxes[order[j]]);
+      common[order[i]].extend(both);
+      common[order[j]].extend(both);
+    }
+  }
+  return common;
+}
+
+/// Per face, whether it may intersect a face of another part. \param part_of per face, `invalid_index` for none
+std::vector<char> faces_near_other_parts(const IndexedMesh& mesh, const std::vector<Index>& part_of,
+                                         std::size_t n_parts) {
+  std::vector<char> is_near(mesh.faces.size());
+  for (std::size_t f = 0; f < is_near.size(); ++f) is_near[f] = part_of[f] != invalid_index;
+  if (n_parts > most_parts_compared) return is_near;
+  std::vector<Box> boxes(n_parts);
+  for (std::size_t f = 0; f < is_near.size(); ++f) {
+    if (is_near[f]) boxes[part_of[f]].extend(box_of(mesh, mesh.faces[f]));
+  }
+  const std::vector<Box> common = overlaps(boxes);
+  for (std::size_t f = 0; f < is_near.size(); ++f) {
+    is_near[f] = is_near[f] && common[part_of[f]].intersects(box_of(mesh, mesh.faces[f]));
+  }
+  return is_near;
+}
+
+/// Pairs of parts that intersect, ascending. \param part_of as above
+PartPairs meeting_parts(const IndexedMesh& mesh, std::vector<Index> part_of, std::size_t n_parts, unsigned threads) {
+  const std::vector<char> is_near = faces_near_other_parts(mesh, part_of, n_parts);
+  IndexedMesh near;
+  near.positions = mesh.positions;
+  std::size_t n_near = 0;
+  for (std::size_t f = 0; f < is_near.size(); ++f) {
+    if (!is_near[f]) continue;
+    near.faces.push_back(mesh.faces[f]);
+    part_of[n_near++] = part_of[f];
+  }
+  if (near.faces.empty()) return {};
+  std::vector<char> is_used(near.positions.size());
+  for (const Triangle& face : near.faces) {
+    for (const Index v : face) is_used[v] = 1;
+  }
+  drop_vertices(near, [&](std::size_t v) { return is_used[v] == 0; });
+  const auto are_apart = [&](Index f, Index g) { return part_of[f] != part_of[g]; };
+  PartPairs pairs;
+  for (const auto& [f, g] : face_intersections(near, are_apart, threads, {})) {
+    pairs.push_back({std::min(part_of[f], part_of[g]), std::max(part_of[f], part_of[g])});
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+/// The part that each face of the mesh before became one of; of parts in `pairs` alone.
+std::vector<Index> parts_before(const IndexedMesh& before, std::span<const Index> vertex_map, const Parts& parts,
+                                const PartPairs& pairs) {
+  std::vector<char> is_asked(parts.count);
+  for (const auto& [p, q] : pairs) is_asked[p] = is_asked[q] = 1;
+  std::vector<Index> part_of(before.faces.size(), invalid_index);
+  for (std::size_t f = 0; f < part_of.size(); ++f) {
+    for (const Index v : before.faces[f]) {
+      if (vertex_map[v] == invalid_index) continue;
+      const Index part = parts.part_of[vertex_map[v]];
+      if (part != invalid_index && is_asked[part]) part_of[f] = part;
+    }
+  }
+  return part_of;
+}
+
+void check_map(const IndexedMesh& before, const IndexedMesh& after, std::span<const Index> vertex_map) {
+  if (vertex_map.size() != before.positions.size()) {
+    throw std::invalid_argument("the vertex map has another length than the vertices");
+  }
+  const auto is_valid = [&](Index v) { return v == invalid_index || v < after.positions.size(); };
+  if (!std::all_of(vertex_map.begin(), vertex_map.end(), is_valid)) {
+    throw std::invalid_argument("the vertex map has a vertex number out of range");
+  }
+}
+
+}  // namespace
+
+PartPairs newly_meeting_parts(const IndexedMesh& before, const IndexedMesh& after, std::span<const Index> vertex_map,
+                              unsigned threads) {
+  check_map(before, after, vertex_map);
+  const Parts parts = find_parts(after.positions.size(), after.faces);
+  if (parts.count < 2) return {};
+  std::vector<Index> part_of(after.faces.size());
+  for (std::size_t f = 0; f < part_of.size(); ++f) part_of[f] = parts.part_of[after.faces[f][0]];
+  const PartPairs now = meeting_parts(after, std::move(part_of), parts.count, threads);
+  if (now.empty()) return {};
+  const PartPairs earlier = meeting_parts(before, parts_before(before, vertex_map, parts, now), parts.count, threads);
+  PartPairs newly;
+  std::set_difference(now.begin(), now.end(), earlier.begin(), earlier.end(), std::back_inserter(newly));
+  return newly;
+}
+
+}  // namespace whittle::metrics

@@ -1,0 +1,123 @@
+// Borders with narrow gaps, and parts that nearly touch.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "program/program.hh"
+#include "support/random.hh"
+#include "support/shapes.hh"
+#include "whittle/io/write.hh"
+
+namespace whittle::test {
+namespace {
+
+/// Writes a soup whose corners differ by rounding.
+std::string write_rounded_soup(const TemporaryFolder& folder) {
+  IndexedMesh mesh = soup(torus(40, 20));
+  Random random(1);
+  for (Vec3& p : mesh.positions) p += random.uniform_vector(-1e-7, 1e-7);
+  const std::string path = folder / "soup.ply";
+  io::write_mesh(path, mesh);
+  return path;
+}
+
+std::string write_near_spheres(const TemporaryFolder& folder) {
+  const std::string path = folder / "spheres.ply";
+  IndexedMesh mesh = spheres(4, 4, 0.001);
+  Random random(2);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const double y = mesh.positions[v].y();
+    mesh.positions[v].y() = 0.8 * y + 0.6 * mesh.positions[v].z();  // vertices don't face vertices
+    mesh.positions[v].z() = 0.8 * mesh.positions[v].z() - 0.6 * y;
+  }
+  io::write_mesh(path, mesh);
+  return path;
+}
+
+TEST(Weld, ByToleranceMakesASurfaceOfARoundedSoup) {
+  const TemporaryFolder folder;
+  const std::string mesh = write_rounded_soup(folder);
+  const std::vector<std::string> run{"simplify", mesh, "-o", folder / "out.ply", "--faces", "200", "--json", "-"};
+  const Outcome apart = whittle(run);
+  EXPECT_EQ(apart.exit_code, 0);
+  EXPECT_EQ(parse_json(apart.out)["target"]["met"], false);
+  EXPECT_NE(apart.err.find("'--weld auto' or"), std::string::npos) << apart;
+  for (const char* tolerance : {"auto", "0.001", "0.01%"}) {
+    std::vector<std::string> welding = run;
+    welding.insert(welding.end(), {"--weld", tolerance});
+    const Outcome welded = whittle(welding);
+    const auto json = parse_json(welded.out);
+    EXPECT_EQ(json["target"]["met"], true) << tolerance << welded;
+    EXPECT_EQ(json["input"]["vertices"], 800) << tolerance;
+    EXPECT_EQ(json["input"]["repairs"]["welded_vertices"], 4800 - 800);
+    EXPECT_EQ(json["output"]["closed"], true);
+    EXPECT_GT(json["input"]["weld_tolerance"], 0);
+    EXPECT_EQ(json["options"]["weld_tolerance"], tolerance);
+  }
+}
+
+TEST(Weld, IsAdvisedWhereTheTargetIsMetToo) {
+  const TemporaryFolder folder;
+  const std::string mesh = write_rounded_soup(folder);
+  const Outcome outcome = whittle({"simplify", mesh, "-o", folder / "out.ply", "--faces", "1600"});
+  EXPECT_NE(outcome.err.find("gaps between borders; '--weld auto' welds 4000 vertices"), std::string::npos) << outcome;
+  const Outcome refused = whittle({"simplify", mesh, "-o", folder / "out.ply", "--faces", "1600", "--no-weld"});
+  EXPECT_EQ(refused.err.find("--weld auto"), std::string::npos) << refused;
+}
+
+TEST(Weld, SaysIfThereAreNoGaps) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      whittle({"simplify", data_file("terrain.ply"), "-o", folder / "out.ply", "--faces", "500", "--weld", "auto"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_NE(outcome.err.find("no gaps between borders"), std::string::npos) << outcome;
+}
+
+TEST(Weld, KeepsTheVertexMapTrue) {
+  const TemporaryFolder folder;
+  const std::string mesh = write_rounded_soup(folder);
+  const Outcome outcome = whittle({"simplify", mesh, "-o", folder / "out.ply", "--faces", "1600", "--weld", "auto",
+                                   "--map", folder / "map", "--effort", "fast"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  std::istringstream lines(read_text(folder / "map"));
+  std::vector<long> map;
+  for (long v = 0; lines >> v;) map.push_back(v);
+  ASSERT_EQ(map.size(), 4800U);
+  const IndexedMesh before = soup(torus(40, 20));
+  for (std::size_t v = 0; v < map.size(); ++v) {
+    ASSERT_GE(map[v], 0);
+    ASSERT_LT(map[v], 800);
+    for (std::size_t w = 0; w < v && v < 300; ++w) {
+      EXPECT_EQ(map[v] == map[w], before.positions[v] == before.positions[w]) << v << ' ' << w;
+    }
+  }
+}
+
+TEST(CloseParts, AreWarnedOfIfTheyMeet) {
+  const TemporaryFolder folder;
+  const std::string mesh = write_near_spheres(folder);
+  const std::vector<std::string> run{"simplify", mesh, "-o", folder / "out.ply", "--face-ratio", "4%", "--json", "-"};
+  const Outcome met = whittle(run);
+  EXPECT_NE(met.err.find("of parts intersect"), std::string::npos) << met;
+  EXPECT_NE(met.err.find("'--self-intersections refuse'"), std::string::npos) << met;
+  EXPECT_EQ(parse_json(met.out)["output"]["self_intersections"], nullptr);
+
+  std::vector<std::string> counting = run;
+  counting.insert(counting.end(), {"--self-intersections", "count"});
+  const Outcome counted = whittle(counting);
+  EXPECT_EQ(parse_json(counted.out)["input"]["self_intersections"], 0);
+  EXPECT_GT(parse_json(counted.out)["output"]["self_intersections"], 0);
+  EXPECT_NE(counted.err.find(" self-intersections"), std::string::npos) << counted;
+
+  counting.back() = "refuse";
+  const Outcome refused = whittle(counting);
+  const auto json = parse_json(refused.out);
+  EXPECT_EQ(json["output"]["self_intersections"], 0) << refused;
+  EXPECT_GT(json["rejections"]["intersection"], 0);
+  EXPECT_EQ(json["target"]["met"], true) << refused;
+  EXPECT_EQ(refused.err.find("of parts intersect"), std::string::npos) << refused;
+}
+
+}  // namespace
+}  // namespace whittle::test

@@ -1,0 +1,119 @@
+// Decimation that makes no faces intersect. metrics::self_intersections, which is exact, judges the results.
+#include <gtest/gtest.h>
+
+#include "guard/star_boxes.hh"
+#include "support/random.hh"
+#include "support/shapes.hh"
+#include "support/suites.hh"
+#include "whittle/engine/simplify.hh"
+#include "whittle/metrics/self_intersections.hh"
+
+namespace whittle::test {
+namespace {
+
+std::size_t n_intersections(const IndexedMesh& mesh) { return metrics::self_intersections(mesh).size(); }
+
+/// Unit spheres on a cubic lattice, turned at random, with a narrow gap between neighbours.
+IndexedMesh packed_spheres(int n_side, int levels, double gap, std::uint64_t seed) {
+  Random random(seed);
+  IndexedMesh all;
+  for (int i = 0; i < n_side * n_side * n_side; ++i) {
+    IndexedMesh one = sphere(levels);
+    const Vec3 axis = random.uniform_vector(-1, 1).normalized();
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(random.uniform(0, 3), axis).toRotationMatrix();
+    const Vec3 center = (2 + gap) * Vec3(i % n_side, i / n_side % n_side, i / (n_side * n_side));
+    for (Vec3& p : one.positions) p = turn * p + center;
+    all = all.positions.empty() ? one : joined(all, one);
+  }
+  return all;
+}
+
+/// Two hilly sheets, one closely above the other.
+IndexedMesh close_sheets(std::uint64_t seed) {
+  const IndexedMesh below = terrain(24, seed);
+  IndexedMesh above = below;
+  for (Vec3& p : above.positions) p.z() += 0.005;
+  return joined(below, above);
+}
+
+TEST(IntersectionGuard, KeepsPartsApart) {
+  std::size_t n_without = 0;
+  std::uint64_t n_refused = 0;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    for (const IndexedMesh& mesh : {packed_spheres(2, 2, 0.002, seed), close_sheets(seed)}) {
+      ASSERT_EQ(n_intersections(mesh), 0U);
+      for (const Effort effort : {Effort::fast, Effort::normal, Effort::best}) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + ", effort " + std::to_string(static_cast<int>(effort)));
+        const DecimateTarget target = DecimateTarget::faces(mesh.faces.size() / 5);
+        SimplifyOptions options;
+        n_without += n_intersections(simplify(mesh, target, effort, options).mesh);
+        options.decimate.refuse_intersections = true;
+        const Simplification kept = simplify(mesh, target, effort, options);
+        EXPECT_EQ(n_intersections(kept.mesh), 0U);
+        n_refused += kept.result.rejections.intersection;
+        EXPECT_LE(kept.mesh.faces.size(), mesh.faces.size() / 2);
+      }
+    }
+  }
+  EXPECT_GT(n_without, 100U) << "the meshes are too easy";
+  EXPECT_GT(n_refused, 100U);
+}
+
+TEST(IntersectionGuard, LetsWhatIntersectsAlreadyGetSmaller) {
+  IndexedMesh apart = sphere(3);
+  for (Vec3& p : apart.positions) p.x() += 1.01;
+  const IndexedMesh mesh = joined(sphere(3), apart);
+  ASSERT_GT(n_intersections(mesh), 0U);
+  DecimateOptions options;
+  options.refuse_intersections = true;
+  const Decimation result = decimate(mesh, DecimateTarget::faces(mesh.faces.size() / 8), options);
+  EXPECT_EQ(result.result.stop, StopReason::target);
+}
+
+TEST(IntersectionGuard, MakesNoneOnAnyMesh) {
+  for (const auto& [name, mesh] : all_meshes()) {
+    SCOPED_TRACE(name);
+    if (n_intersections(mesh) > 0) continue;
+    for (const Cost cost : {Cost::quadric, Cost::memoryless, Cost::lindstrom_turk}) {
+      DecimateOptions options;
+      options.cost = cost;
+      options.refuse_intersections = true;
+      options.max_normal_flip_deg = 89;
+      for (const double share : {0.5, 0.1}) {
+        const auto n_faces = static_cast<std::uint64_t>(share * static_cast<double>(mesh.faces.size()));
+        const Decimation result = decimate(mesh, DecimateTarget::faces(std::max<std::uint64_t>(n_faces, 1)), options);
+        EXPECT_EQ(n_intersections(result.mesh), 0U) << to_string(cost) << ' ' << share;
+      }
+    }
+  }
+}
+
+TEST(StarBoxes, FindTheStarsThatABruteForceSearchFinds) {
+  const IndexedMesh mesh = blob(3, 4);
+  TriangleComplex complex(mesh.positions, mesh.faces, Frame::of_points(mesh.positions), 1);
+  complex.connect({}, 1);
+  StarBoxes boxes(complex);
+  Random random(9);
+  for (int i = 0; i < 200; ++i) {
+    StarBox box(Vec3(random.uniform_vector(-1, 1)).cast<float>());
+    box.extend(Vec3(random.uniform_vector(-1, 1)).cast<float>());
+    std::vector<Index> found;
+    boxes.visit(box, [&](Index v) {
+      found.push_back(v);
+      return true;
+    });
+    std::sort(found.begin(), found.end());
+    std::vector<Index> expected;
+    for (Index v = 0; v < complex.n_vertex_slots(); ++v) {
+      StarBox star(complex.position(v).cast<float>());
+      for (const Neighbour& neighbour : complex.live_pairs(v)) {
+        star.extend(complex.position(neighbour.vertex).cast<float>());
+      }
+      if (star.intersects(box)) expected.push_back(v);
+    }
+    EXPECT_EQ(found, expected);
+  }
+}
+
+}  // namespace
+}  // namespace whittle::test
