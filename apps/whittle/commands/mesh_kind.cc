@@ -56,7 +56,8 @@ bool is_tile(const IndexedMesh& mesh) {
       for (int axis = 0; axis < 3; ++axis) {
         const double x = mesh.positions[v][axis];
         const double to_side = std::min(x - box.low[axis], box.high[axis] - x);
-        is_on_side = is_on_side || (axis != up && to_side <= tolerance);
+        const bool is_side = axis != up && box.high[axis] - box.low[axis] > 2 * tolerance;
+        is_on_side = is_on_side || (is_side && to_side <= tolerance);
       }
       is_cut = is_on_side;
     }

@@ -90,6 +90,26 @@ TEST(Triangulation, FansAConvexPolygon) {
   EXPECT_EQ(triangulate(positions), (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}));
 }
 
+TEST(Triangulation, GivesNoCornerOfALargeConvexPolygonManyTriangles) {
+  for (const int n : {17, 18, 33, 100, 1000}) {
+    std::vector<Vec3> positions;
+    for (int i = 0; i < n; ++i)
+      positions.push_back(flat.at(std::cos(2 * 3.14159 * i / n), std::sin(2 * 3.14159 * i / n)));
+    const std::vector<Triangle> faces = triangulate(positions);
+    ASSERT_EQ(faces.size(), positions.size() - 2);
+    std::vector<int> n_faces(positions.size());
+    double area = 0;
+    for (const auto& [a, b, c] : faces) {
+      for (const Index v : {a, b, c}) ++n_faces[v];
+      const double part = (positions[b] - positions[a]).cross(positions[c] - positions[a]).norm() / 2;
+      EXPECT_GT(part, 0);
+      area += part;
+    }
+    EXPECT_NEAR(area, 0.5 * n * std::sin(2 * 3.14159 / n), 1e-4) << n;
+    EXPECT_LE(*std::max_element(n_faces.begin(), n_faces.end()), 2 * std::log2(n)) << n;
+  }
+}
+
 TEST(Triangulation, CoversRandomStarShapedPolygonsInAnyPlane) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     Random random(seed);

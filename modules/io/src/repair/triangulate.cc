@@ -12,6 +12,7 @@ namespace whittle::io {
 namespace {
 
 constexpr std::uint64_t tests_per_corner = 2000;
+constexpr std::size_t most_fan_corners = 16;
 
 Vec3 newell_normal(std::span<const Index> polygon, const std::vector<Vec3>& positions) {
   const Vec3& origin = positions[polygon[0]];  // Far from zero, the products would lose the polygon's shape.
@@ -20,6 +21,20 @@ Vec3 newell_normal(std::span<const Index> polygon, const std::vector<Vec3>& posi
     normal += (positions[polygon[i]] - origin).cross(positions[polygon[i + 1]] - origin);
   }
   return normal;
+}
+
+void make_fan(std::span<const Index> polygon, std::span<Triangle> out) {
+  for (std::size_t i = 0; i + 2 < polygon.size(); ++i) out[i] = {polygon[0], polygon[i + 1], polygon[i + 2]};
+}
+
+// A triangle between the ends and the middle of a chain of corners, then both halves of the chain. No corner gets many
+// triangles.
+void halve(std::span<const Index> chain, std::span<Triangle> out) {
+  if (chain.size() < 3) return;
+  const std::size_t middle = chain.size() / 2;
+  out[0] = {chain.front(), chain[middle], chain.back()};
+  halve(chain.first(middle + 1), out.subspan(1));
+  halve(chain.subspan(middle), out.subspan(middle));
 }
 
 }  // namespace
@@ -36,7 +51,7 @@ void PolygonTriangulator::triangulate(std::span<const Index> polygon, const std:
   }
   project(polygon, positions);
   if (is_strictly_convex()) {
-    for (std::size_t i = 0; i + 2 < polygon.size(); ++i) out[i] = {polygon[0], polygon[i + 1], polygon[i + 2]};
+    polygon.size() <= most_fan_corners ? make_fan(polygon, out) : halve(polygon, out);
     return;
   }
   clip_ears(polygon, out);
@@ -91,7 +106,7 @@ double PolygonTriangulator::turn(std::uint32_t a, std::uint32_t b, std::uint32_t
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 }
 
-// Also true for a star that goes round twice. A fan is as good for it as any other triangulation.
+// Also true for a star that goes round twice. A fan is as good for it as any other.
 bool PolygonTriangulator::is_strictly_convex() const {
   const auto n = static_cast<std::uint32_t>(points_.size());
   for (std::uint32_t i = 0; i < n; ++i) {
