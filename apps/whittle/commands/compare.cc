@@ -20,7 +20,7 @@ namespace {
 struct CompareOptions {
   std::string input;
   TargetOptions targets;
-  InputOptions reading;
+  FileOptions files;
   metrics::DistanceOptions distance;
   CommonOptions common;
 };
@@ -151,11 +151,11 @@ std::string summary_of(const Input& input, const Comparison& comparison) {
 ExitCode run_compare(const CLI::App& app, const CompareOptions& options) {
   check_targets(options.targets);
   check_conflicts(app, common_conflicts());
-  check_inputs({options.input}, {}, options.reading.format);
+  check_formats({options.input}, {}, options.files);
   if (options.common.json) check_outputs({{"--json", *options.common.json}}, {options.input}, options.common.force);
   const Talk talk(options.common.volume());
   const Stopwatch watch;
-  const Input input = read_input(options.input, options.reading, talk);
+  const Input input = read_input(options.input, options.files, talk);
   const Comparison comparison = compare(input, options, talk);
   if (comparison.stock_lost_faces > 0) {
     talk.warning(input.name + ": OpenMesh's mesh can't hold " + std::to_string(comparison.stock_lost_faces) +
@@ -175,8 +175,8 @@ void setup_compare(CLI::App& app, Command& command) {
   add_mesh_file(*sub, options->input);
   add_target_options(*sub, options->targets);
   add_sampling_options(*sub, options->distance);
-  add_format(*sub, options->reading);
-  add_weld_options(*sub, options->reading);
+  add_format(*sub, options->files);
+  add_weld_options(*sub, options->files);
   add_common_options(*sub, options->common);
   set_usage(*sub, "IN TARGET... [OPTION]...");
   sub->footer(

@@ -17,7 +17,7 @@ namespace {
 
 struct InfoOptions {
   std::string input;
-  InputOptions reading;  ///< `weld` is not used: both ways are shown
+  FileOptions files;  ///< `weld` is not used: both ways are shown
   CommonOptions common;
 };
 
@@ -44,7 +44,7 @@ View view(const IndexedMesh& mesh, unsigned threads, const Talk& talk) {
 }
 
 Findings look_at(const InfoOptions& options, const Talk& talk) {
-  const MeshFile file(options.input, options.reading.format);
+  const MeshFile file(options.input, options.files);
   Findings findings;
   findings.name = file.name();
   findings.read = file.read(true);
@@ -175,7 +175,7 @@ std::string summary_of(const Findings& findings) {
 
 ExitCode run_info(const CLI::App& app, const InfoOptions& options) {
   check_conflicts(app, common_conflicts());
-  check_inputs({options.input}, {}, options.reading.format);
+  check_formats({options.input}, {}, options.files);
   if (options.common.json) check_outputs({{"--json", *options.common.json}}, {options.input}, options.common.force);
   const Talk talk(options.common.volume());
   const Stopwatch watch;
@@ -192,7 +192,7 @@ void setup_info(CLI::App& app, Command& command) {
   const auto options = std::make_shared<InfoOptions>();
   CLI::App* sub = app.add_subcommand("info", "Say what is in a mesh file and what is wrong with it.");
   add_mesh_file(*sub, options->input);
-  add_format(*sub, options->reading);
+  add_format(*sub, options->files);
   add_common_options(*sub, options->common);
   set_usage(*sub, "IN [OPTION]...");
   sub->footer(

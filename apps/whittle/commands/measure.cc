@@ -21,7 +21,7 @@ namespace {
 struct MeasureOptions {
   std::string reference;
   std::string test;
-  InputOptions reading;
+  FileOptions files;
   metrics::DistanceOptions distance;
   std::optional<double> feature_angle_deg;
   CommonOptions common;
@@ -172,14 +172,14 @@ std::string summary_of(const Input& reference, const Input& test, const Measurem
 
 ExitCode run_measure(const CLI::App& app, const MeasureOptions& options) {
   check_conflicts(app, common_conflicts());
-  check_inputs({options.reference, options.test}, {}, options.reading.format);
+  check_formats({options.reference, options.test}, {}, options.files);
   if (options.common.json) {
     check_outputs({{"--json", *options.common.json}}, {options.reference, options.test}, options.common.force);
   }
   const Talk talk(options.common.volume());
   const Stopwatch watch;
-  const Input reference = read_input(options.reference, options.reading, talk);
-  const Input test = read_input(options.test, options.reading, talk);
+  const Input reference = read_input(options.reference, options.files, talk);
+  const Input test = read_input(options.test, options.files, talk);
   const Measurement measured = measure(reference.read.mesh, test.read.mesh, options, talk);
   write_report(options.common, measure_json(reference, test, measured, options), summary_of(reference, test, measured));
   say_effort(talk, watch.seconds());
@@ -205,8 +205,8 @@ void setup_measure(CLI::App& app, Command& command) {
   add_file(*sub, "TEST", options->test, "the mesh to judge, or '-' for standard input");
   add_sampling_options(*sub, options->distance);
   add_feature_angle(*sub, options->feature_angle_deg);
-  add_format(*sub, options->reading);
-  add_weld_options(*sub, options->reading);
+  add_format(*sub, options->files);
+  add_weld_options(*sub, options->files);
   add_common_options(*sub, options->common);
   set_usage(*sub, "REF TEST [OPTION]...");
   sub->footer(

@@ -22,7 +22,7 @@ struct PolishCommand {
   std::string reference;
   std::string input;
   std::string output;
-  InputOptions reading;
+  FileOptions files;
   unsigned passes = 3;
   CommonOptions common;
 };
@@ -43,8 +43,9 @@ Json polish_report(const PolishCommand& options, const PolishRun& run, double to
   json["reference"] = input_json(run.reference, diagonal);
   json["input"] = input_json(run.input, metrics::bounds(run.input.read.mesh).diagonal());
   json["options"] = {{"passes", options.passes},
-                     {"weld", options.reading.weld},
-                     {"weld_tolerance", to_string(options.reading.weld_tolerance)},
+                     {"weld", options.files.weld},
+                     {"weld_tolerance", to_string(options.files.weld_tolerance)},
+                     {"ascii", options.files.ascii},
                      {"threads", options.common.threads}};
   json["output"] = {{"path", options.output}};
   json["polish"] = polish_json(run.result);
@@ -61,7 +62,7 @@ Json polish_report(const PolishCommand& options, const PolishRun& run, double to
 void write_files(const PolishCommand& options, const Talk& talk, const Stopwatch& since_start, PolishRun& run) {
   const Stopwatch watch;
   OutputFiles files;
-  write_mesh(files, options.output, options.reading.format, run.mesh, talk, run.warnings);
+  write_mesh(files, options.output, options.files, run.mesh, talk, run.warnings);
   run.write_seconds = watch.seconds();
   const std::string json =
       options.common.json ? to_text(polish_report(options, run, since_start.seconds())) : std::string();
@@ -70,8 +71,7 @@ void write_files(const PolishCommand& options, const Talk& talk, const Stopwatch
 
 void check(const CLI::App& app, const PolishCommand& options) {
   check_conflicts(app, common_conflicts());
-  check_inputs({options.reference, options.input}, {options.output}, options.reading.format);
-  format_for_output(options.output, options.reading.format);
+  check_formats({options.reference, options.input}, {options.output}, options.files);
   std::vector<Output> outputs{{"--output", options.output}};
   if (options.common.json) outputs.push_back({"--json", *options.common.json});
   check_outputs(outputs, {options.reference, options.input}, options.common.force);
@@ -102,8 +102,8 @@ ExitCode run_polish(const CLI::App& app, const PolishCommand& options) {
   const Talk talk(options.common.volume());
   const Stopwatch watch;
   PolishRun run;
-  run.reference = read_input(options.reference, options.reading, talk);
-  run.input = read_input(options.input, options.reading, talk);
+  run.reference = read_input(options.reference, options.files, talk);
+  run.input = read_input(options.input, options.files, talk);
   run.warnings = run.reference.warnings;
   run.warnings.insert(run.warnings.end(), run.input.warnings.begin(), run.input.warnings.end());
   const Stopwatch polishing;
@@ -131,8 +131,9 @@ void setup_polish(CLI::App& app, Command& command) {
       [](std::string_view text) { return static_cast<unsigned>(parse_count(text, 0, 1000)); },
       "how often to find what lies where and move vertices; a pass that doesn't help is taken back, and ends it")
       ->default_str(std::to_string(options->passes));
-  add_format(*sub, options->reading);
-  add_weld_options(*sub, options->reading);
+  add_format(*sub, options->files);
+  add_ascii(*sub, options->files);
+  add_weld_options(*sub, options->files);
   add_common_options(*sub, options->common);
   set_usage(*sub, "REF IN -o OUT [OPTION]...");
   sub->footer(

@@ -272,7 +272,7 @@ void warn_of_valence_three(const SimplifyCommand& options, const Talk& talk, Run
 
 /// Narrow gaps between borders keep a mesh from getting small: what rounding has taken apart can't merge.
 void warn_of_gaps(const SimplifyCommand& options, const Talk& talk, Run& run) {
-  const bool is_welded_exactly = options.reading.weld && run.input.weld_tolerance == 0;
+  const bool is_welded_exactly = options.files.weld && run.input.weld_tolerance == 0;
   if (!is_welded_exactly || !has_much_border(run.simplified.mesh)) return;
   IndexedMesh mesh = run.input.read.mesh;
   const double tolerance = io::find_border_gaps(mesh).tolerance();
@@ -311,7 +311,7 @@ void count_intersections(const SimplifyCommand& options, const Talk& talk, Run& 
 void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwatch& since_start, Run& run) {
   const Stopwatch watch;
   OutputFiles files;
-  write_mesh(files, options.output, options.reading.format, run.simplified.mesh, talk, run.warnings);
+  write_mesh(files, options.output, options.files, run.simplified.mesh, talk, run.warnings);
   if (options.map) files.write(*options.map, [&run](std::ostream& out) { write_map(out, run); });
   run.seconds.write = watch.seconds();
   run.seconds.total = since_start.seconds();
@@ -366,7 +366,7 @@ ExitCode run_simplify(const CLI::App& app, const SimplifyCommand& options) {
   const Talk talk(options.common.volume());
   const Stopwatch watch;
   Run run;
-  run.input = read_input(options.input, options.reading, talk);
+  run.input = read_input(options.input, options.files, talk);
   run.seconds.read = run.input.seconds;
   run.warnings = run.input.warnings;
   if (options.engine == Engine::openmesh) {

@@ -261,8 +261,9 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
       "the result: a file, replaced if it exists, or '-' for standard output")
       ->required()
       ->group(file_group);
-  add_format(app, options.reading)->group(file_group);
-  add_weld_options(app, options.reading, file_group);
+  add_format(app, options.files)->group(file_group);
+  add_ascii(app, options.files)->group(file_group);
+  add_weld_options(app, options.files, file_group);
   add_value(
       app, "--map", "FILE", options.map, [](std::string_view text) { return std::string(text); },
       "write where each vertex of IN went: a line a vertex, its new number from 0, or -1")
@@ -299,8 +300,7 @@ void check(const CLI::App& app, const SimplifyCommand& options) {
     throw UsageError("'--threshold' and '--order exact' don't go together with '--cost " + std::string(traits.name) +
                      "': " + std::string(why));
   }
-  check_inputs({options.input}, {options.output}, options.reading.format);
-  format_for_output(options.output, options.reading.format);
+  check_formats({options.input}, {options.output}, options.files);
   std::vector<Output> outputs{{"--output", options.output}};
   if (options.map) outputs.push_back({"--map", *options.map});
   if (options.common.json) outputs.push_back({"--json", *options.common.json});
@@ -311,8 +311,9 @@ nlohmann::ordered_json options_json(const SimplifyCommand& options) {
   const DecimateOptions& decimate = options.simplify.decimate;
   const QuadricOptions& quadric = decimate.quadric;
   return {
-      {"weld", options.reading.weld},
-      {"weld_tolerance", to_string(options.reading.weld_tolerance)},
+      {"weld", options.files.weld},
+      {"weld_tolerance", to_string(options.files.weld_tolerance)},
+      {"ascii", options.files.ascii},
       {"effort", word_of<Effort>(efforts, options.effort)},
       {"cost", to_string(decimate.effective_cost())},
       {"valence", decimate.valence_weight},

@@ -30,7 +30,7 @@ struct SimplifyCommand {
   std::string input;
   std::string output;
   TargetOptions targets;
-  InputOptions reading;
+  FileOptions files;
   Effort effort = Effort::normal;
   SimplifyOptions simplify;
   AutomaticLength threshold;  ///< below which two vertices without an edge are a pair; automatic: from the distances

@@ -27,6 +27,18 @@ void refuse_large_coordinates(const IndexedMesh& mesh, const std::string& name) 
 
 std::string needs_format() { return "'-' needs --format: one of " + io::format_names(); }
 
+/// \throw UsageError if neither name nor options tell it
+io::Format output_format(const std::string& path, const FileOptions& options) {
+  if (const std::optional<io::Format> by_name = format_by_name(path)) return *by_name;
+  if (options.format) return *options.format;
+  if (path == standard_stream) throw UsageError(needs_format());
+  try {
+    return io::format_of(path);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(path + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 std::optional<io::Format> format_by_name(const std::string& path) {
@@ -37,31 +49,30 @@ std::optional<io::Format> format_by_name(const std::string& path) {
   }
 }
 
-io::Format format_for_output(const std::string& path, std::optional<io::Format> given) {
-  if (const std::optional<io::Format> by_name = format_by_name(path)) return *by_name;
-  if (given) return *given;
-  if (path == standard_stream) throw UsageError(needs_format());
-  try {
-    return io::format_of(path);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(path + ": " + error.what());
+io::Format format_for_output(const std::string& path, const FileOptions& options) {
+  const io::Format format = output_format(path, options);
+  if (options.ascii && !io::has_text_and_binary(format)) {
+    throw UsageError("--ascii is for " + io::titles_with_text_and_binary() + "; " + std::string(io::title_of(format)) +
+                     " is always written the same way");
   }
+  return format;
 }
 
-void check_inputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
-                  std::optional<io::Format> given) {
+void check_formats(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
+                   const FileOptions& options) {
   const auto n_standard = std::count(inputs.begin(), inputs.end(), standard_stream);
   if (n_standard > 1) throw UsageError("only one of the inputs can be standard input ('-')");
-  if (n_standard == 1 && !given) throw UsageError(needs_format());
+  if (n_standard == 1 && !options.format) throw UsageError(needs_format());
   const auto is_told = [](const std::string& path) { return format_by_name(path).has_value(); };
-  if (given && std::all_of(inputs.begin(), inputs.end(), is_told) &&
+  if (options.format && std::all_of(inputs.begin(), inputs.end(), is_told) &&
       std::all_of(outputs.begin(), outputs.end(), is_told)) {
     throw UsageError("--format is for '-' and for names that don't tell the format; here every name does");
   }
+  for (const std::string& output : outputs) format_for_output(output, options);
 }
 
-MeshFile::MeshFile(std::string path, std::optional<io::Format> given) : path_(std::move(path)) {
-  if (!format_by_name(path_)) format_ = given;
+MeshFile::MeshFile(std::string path, const FileOptions& options) : path_(std::move(path)) {
+  if (!format_by_name(path_)) format_ = options.format;
   if (path_ == standard_stream) standard_input_ = io::read_all(STDIN_FILENO, standard_input_name);
 }
 
@@ -94,9 +105,9 @@ void weld_gaps(Input& input, const AutomaticLength& tolerance) {
 
 std::string about(const std::string& name, const std::string& text) { return name + ": " + text; }
 
-Input read_input(const std::string& path, const InputOptions& options, const Talk& talk) {
+Input read_input(const std::string& path, const FileOptions& options, const Talk& talk) {
   const Stopwatch watch;
-  const MeshFile file(path, options.format);
+  const MeshFile file(path, options);
   const std::string name = file.name();
   Input input{path, name, file.read(options.weld), {}};
   weld_gaps(input, options.weld_tolerance);

@@ -18,21 +18,21 @@ inline constexpr char standard_input_name[] = "standard input";
 /// The format by the extension of a file name, if it has a known one.
 std::optional<io::Format> format_by_name(const std::string& path);
 
-/// The format to write a file in: the one by its name, otherwise `given`.
-/// \throw UsageError if there is neither.
-io::Format format_for_output(const std::string& path, std::optional<io::Format> given);
+/// The format to write a file in: the one by its name, otherwise that of --format.
+/// \throw UsageError if there is neither, or if --ascii is given and the format has no choice of text.
+io::Format format_for_output(const std::string& path, const FileOptions& options);
 
 /// \throw UsageError if two inputs are standard input, if one is and --format is missing, or if --format is given
-///        although every name tells its format.
-void check_inputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
-                  std::optional<io::Format> given);
+///        although every name tells its format; as `format_for_output` for each output.
+void check_formats(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
+                   const FileOptions& options);
 
 /// A mesh file that may be read more than once. The content of standard input is kept, because it can be read only
 /// once.
 class MeshFile {
  public:
-  /// \param given the format; used if the name doesn't tell it
-  MeshFile(std::string path, std::optional<io::Format> given);
+  MeshFile(std::string path, const FileOptions& options);
+  /// \param weld in place of that of the options
   io::ReadResult read(bool weld) const;
   /// The name in messages: the path, or "standard input".
   std::string name() const { return path_ == standard_stream ? standard_input_name : path_; }
@@ -58,6 +58,6 @@ std::string about(const std::string& name, const std::string& text);
 
 /// Reads a mesh. Prints what was repaired and what is not carried.
 /// \throw io::ReadError as `io::read_mesh`.
-Input read_input(const std::string& path, const InputOptions& options, const Talk& talk);
+Input read_input(const std::string& path, const FileOptions& options, const Talk& talk);
 
 }  // namespace whittle::app

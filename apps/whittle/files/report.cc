@@ -129,10 +129,11 @@ void say_effort(const Talk& talk, double seconds) {
 
 std::string shown_output(const std::string& path) { return path == standard_stream ? standard_output_name : path; }
 
-void write_mesh(OutputFiles& files, const std::string& path, std::optional<io::Format> given, const IndexedMesh& mesh,
+void write_mesh(OutputFiles& files, const std::string& path, const FileOptions& options, const IndexedMesh& mesh,
                 const Talk& talk, std::vector<std::string>& warnings) {
   files.write(path, [&](std::ostream& out) {
-    for (const std::string& warning : io::write_mesh(out, format_for_output(path, given), mesh).warnings) {
+    const io::WriteOptions how{.ascii = options.ascii};
+    for (const std::string& warning : io::write_mesh(out, format_for_output(path, options), mesh, how).warnings) {
       warnings.push_back(about(shown_output(path), warning));
       talk.warning(warnings.back());
     }

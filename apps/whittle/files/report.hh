@@ -65,7 +65,7 @@ void say_effort(const Talk& talk, double seconds);
 std::string shown_output(const std::string& path);
 
 /// Adds a mesh to the files of a run. Prints warnings about what the format can't hold, and adds them to `warnings`.
-void write_mesh(OutputFiles& files, const std::string& path, std::optional<io::Format> given, const IndexedMesh& mesh,
+void write_mesh(OutputFiles& files, const std::string& path, const FileOptions& options, const IndexedMesh& mesh,
                 const Talk& talk, std::vector<std::string>& warnings);
 
 /// Completes the files of a run (`OutputFiles::commit`), with the report if --json names a file. Otherwise prints

@@ -50,7 +50,7 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
 
 void set_usage(CLI::App& app, const std::string& usage) { app.get_option("--help")->option_text(usage); }
 
-void add_weld_options(CLI::App& app, InputOptions& options, const std::string& group) {
+void add_weld_options(CLI::App& app, FileOptions& options, const std::string& group) {
   add_value(
       app, "--weld", "T", options.weld_tolerance,
       [](std::string_view text) { return parse_automatic_length(text, "T"); },
@@ -65,11 +65,17 @@ void add_weld_options(CLI::App& app, InputOptions& options, const std::string& g
       ->group(group);
 }
 
-CLI::Option* add_format(CLI::App& app, InputOptions& options) {
+CLI::Option* add_format(CLI::App& app, FileOptions& options) {
   return add_value(
              app, "--format", "EXT", options.format, [](std::string_view text) { return parse_format(text); },
              "the format, such as ply, of '-' and of files whose name doesn't tell it")
       ->default_str("by name");
+}
+
+CLI::Option* add_ascii(CLI::App& app, FileOptions& options) {
+  return app
+      .add_flag("--ascii", options.ascii, "write text instead of binary data: " + io::titles_with_text_and_binary())
+      ->default_str("off");
 }
 
 void add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description) {

@@ -37,15 +37,17 @@ void add_common_options(CLI::App& app, CommonOptions& options);
 /// \pre `add_common_options` was called.
 void set_usage(CLI::App& app, const std::string& usage);
 
-/// How meshes are read.
-struct InputOptions {
+/// How mesh files are read and written.
+struct FileOptions {
   bool weld = true;                    ///< exact duplicates of vertices on open borders
   AutomaticLength weld_tolerance{};    ///< also vertices on open borders that are so near; 0 = exact duplicates alone
   std::optional<io::Format> format{};  ///< of files whose name doesn't tell the format
+  bool ascii = false;                  ///< text, in formats that are written as text or as binary data
 };
 /// Adds --weld and --no-weld. \param group of the help; or empty: that of options without one
-void add_weld_options(CLI::App& app, InputOptions& options, const std::string& group = "OPTIONS");
-CLI::Option* add_format(CLI::App& app, InputOptions& options);
+void add_weld_options(CLI::App& app, FileOptions& options, const std::string& group = "OPTIONS");
+CLI::Option* add_format(CLI::App& app, FileOptions& options);
+CLI::Option* add_ascii(CLI::App& app, FileOptions& options);
 
 /// Adds a positional argument that names a file.
 void add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description);

@@ -4,10 +4,12 @@
 
 #include <filesystem>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "format/format_row.hh"
+#include "support/shapes.hh"
 
 namespace whittle::io {
 namespace {
@@ -59,6 +61,18 @@ TEST(FormatTable, IsListedInMessages) {
   EXPECT_TRUE(format_names("|").starts_with("obj|off|ply|stl")) << format_names("|");
   EXPECT_TRUE(format_titles().starts_with("OBJ, OFF, PLY")) << format_titles();
   EXPECT_TRUE(format_titles().ends_with(" or " + std::string(title_of(all_formats.back())))) << format_titles();
+}
+
+TEST(FormatTable, SaysWhereAsciiMakesADifference) {
+  for (const Format format : all_formats) {
+    std::ostringstream text;
+    std::ostringstream binary;
+    write_mesh(text, format, whittle::test::cube(), {.ascii = true});
+    write_mesh(binary, format, whittle::test::cube(), {.ascii = false});
+    EXPECT_EQ(text.str() != binary.str(), has_text_and_binary(format)) << name_of(format);
+    const bool is_listed = titles_with_text_and_binary().find(title_of(format)) != std::string::npos;
+    EXPECT_EQ(is_listed, has_text_and_binary(format)) << name_of(format);
+  }
 }
 
 TEST(Format, FollowsTheExtensionInUpperAndLowerCase) {

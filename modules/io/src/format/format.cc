@@ -3,11 +3,31 @@
 #include <algorithm>
 #include <cctype>
 #include <stdexcept>
+#include <vector>
 
 #include "format/foreign.hh"
 #include "format/format_row.hh"
 
 namespace whittle::io {
+
+namespace {
+
+/// "PLY, STL or OFF": the titles of the formats that `holds` is true of.
+template <class Holds>
+std::string titles_of(const Holds& holds) {
+  std::vector<std::string_view> titles;
+  for (const detail::FormatRow* row : detail::format_table) {
+    if (holds(*row)) titles.push_back(row->title);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    if (i > 0) text += i + 1 == titles.size() ? " or " : ", ";
+    text += titles[i];
+  }
+  return text;
+}
+
+}  // namespace
 
 const detail::FormatRow& row_of(Format format) {
   for (const detail::FormatRow* row : detail::format_table) {
@@ -20,6 +40,8 @@ std::string_view name_of(Format format) { return row_of(format).name; }
 
 std::string_view title_of(Format format) { return row_of(format).title; }
 
+bool has_text_and_binary(Format format) { return row_of(format).has_text_and_binary; }
+
 std::string format_names(std::string_view separator) {
   std::string names;
   for (const detail::FormatRow* row : detail::format_table) {
@@ -30,12 +52,11 @@ std::string format_names(std::string_view separator) {
 }
 
 std::string format_titles() {
-  std::string titles;
-  for (const detail::FormatRow* row : detail::format_table) {
-    if (!titles.empty()) titles += row == detail::format_table.back() ? " or " : ", ";
-    titles += row->title;
-  }
-  return titles;
+  return titles_of([](const detail::FormatRow&) { return true; });
+}
+
+std::string titles_with_text_and_binary() {
+  return titles_of([](const detail::FormatRow& row) { return row.has_text_and_binary; });
 }
 
 Format format_from_extension(std::string_view extension) {

@@ -32,6 +32,9 @@ struct FormatRow {
   std::span<const std::string_view> extensions;  ///< Lower case, without the dot.
   Beginning beginning;
 
+  /// Whether it is written as text or as binary data, by `WriteOptions::ascii`. If not, there is one way to write it.
+  bool has_text_and_binary;
+
   /// Whether content is of this format whatever the file's name says. The surest format wins, of equally sure ones the
   /// first of the table. Null if the format's files have nothing in common to tell them by.
   Evidence (*recognises)(std::string_view bytes);

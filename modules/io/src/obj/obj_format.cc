@@ -15,6 +15,7 @@ constinit const FormatRow obj_row{
     .title = "OBJ",
     .extensions = obj_extensions,
     .beginning = Beginning::text,
+    .has_text_and_binary = false,
     .recognises = nullptr,
     .read = read_obj,
     .write = write_obj,

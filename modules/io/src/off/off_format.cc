@@ -25,6 +25,7 @@ constinit const FormatRow off_row{
     .title = "OFF",
     .extensions = off_extensions,
     .beginning = Beginning::text_header,
+    .has_text_and_binary = false,
     .recognises = recognise_off,
     .read = read_off,
     .write = write_off,

@@ -21,6 +21,7 @@ constinit const FormatRow ply_row{
     .title = "PLY",
     .extensions = ply_extensions,
     .beginning = Beginning::text_header,
+    .has_text_and_binary = true,
     .recognises = recognise_ply,
     .read = read_ply,
     .write = write_ply,

@@ -28,6 +28,7 @@ constinit const FormatRow stl_row{
     .title = "STL",
     .extensions = stl_extensions,
     .beginning = Beginning::any_bytes,  // a binary file's count may be wrong: the reader says so
+    .has_text_and_binary = true,
     .recognises = recognise_stl,
     .read = read_stl,
     .write = write_stl,

@@ -37,11 +37,17 @@ std::string_view name_of(Format format);
 /// "OBJ": for sentences.
 std::string_view title_of(Format format);
 
+/// Whether the format is written as text or as binary data, by `WriteOptions::ascii`. The others are written one way.
+bool has_text_and_binary(Format format);
+
 /// "obj, off, ply, stl": the names of all formats.
 std::string format_names(std::string_view separator = ", ");
 
 /// "OBJ, OFF, PLY or STL": the titles of all formats, for sentences.
 std::string format_titles();
+
+/// "PLY or STL": the titles of the formats that `has_text_and_binary`.
+std::string titles_with_text_and_binary();
 
 /// The format that a file name's extension stands for, in upper or lower case.
 /// \throw std::invalid_argument if there is no extension, or none of a supported format. The message says what to do.

@@ -1,0 +1,73 @@
+// How meshes are read and written, whatever the subcommand.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "program/program.hh"
+#include "whittle/io/read.hh"
+#include "whittle/io/write.hh"
+
+namespace whittle::test {
+namespace {
+
+IndexedMesh unwelded(const std::string& path) { return io::read_mesh(path, {.weld = false}).mesh; }
+
+void expect_usage_error(const Outcome& outcome, const std::vector<std::string>& said) {
+  EXPECT_EQ(outcome.exit_code, 2) << outcome;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome;
+  for (const std::string& text : said) {
+    EXPECT_NE(outcome.err.find(text), std::string::npos) << "not said: " << text << '\n' << outcome;
+  }
+}
+
+TEST(Ascii, WritesTextThatReadsBackAsTheSameNumbers) {
+  const TemporaryFolder folder;
+  for (const std::string extension : {"ply", "stl"}) {
+    const std::string binary = folder / ("binary." + extension);
+    const std::string text = folder / ("text." + extension);
+    std::vector<std::string> arguments{"simplify", data_file("blob.obj"), "--faces", "500", "-o", binary};
+    ASSERT_EQ(whittle(arguments).exit_code, 0);
+    arguments.back() = text;
+    arguments.emplace_back("--ascii");
+    const Outcome outcome = whittle(arguments);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome;
+    EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << "text loses nothing\n" << outcome;
+    const std::string content = read_text(text);
+    EXPECT_TRUE(content.starts_with(extension == "ply" ? "ply\nformat ascii 1.0\n" : "solid "))
+        << content.substr(0, 40);
+    const IndexedMesh mesh = unwelded(text);
+    EXPECT_EQ(mesh.faces, unwelded(binary).faces);
+    const IndexedMesh expected = unwelded(binary);
+    ASSERT_EQ(mesh.positions.size(), expected.positions.size());
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      const bool is_same = extension == "ply" ? mesh.positions[v] == expected.positions[v]
+                                              : mesh.positions[v].cast<float>() == expected.positions[v].cast<float>();
+      EXPECT_TRUE(is_same) << extension << ", vertex " << v;
+    }
+  }
+}
+
+TEST(Ascii, IsTakenByPolishToo) {
+  const TemporaryFolder folder;
+  const std::string mesh = data_file("blob.obj");
+  const Outcome outcome = whittle({"polish", mesh, mesh, "-o", folder / "out.ply", "--ascii", "--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_EQ(parse_json(outcome.out)["options"]["ascii"], true);
+  EXPECT_TRUE(read_text(folder / "out.ply").starts_with("ply\nformat ascii"));
+}
+
+TEST(Ascii, IsRefusedWhereThereIsNoChoice) {
+  const TemporaryFolder folder;
+  for (const io::Format format : io::all_formats) {
+    if (io::has_text_and_binary(format)) continue;
+    const std::string out = folder / ("out." + std::string(io::name_of(format)));
+    expect_usage_error(whittle({"simplify", data_file("blob.obj"), "--faces", "500", "-o", out, "--ascii"}),
+                       {"--ascii is for PLY or STL", std::string(io::title_of(format)) + " is always"});
+  }
+  EXPECT_TRUE(folder.files().empty());
+}
+
+}  // namespace
+}  // namespace whittle::test
