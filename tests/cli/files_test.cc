@@ -69,5 +69,55 @@ TEST(Ascii, IsRefusedWhereThereIsNoChoice) {
   EXPECT_TRUE(folder.files().empty());
 }
 
+TEST(InputFormat, AndOutputFormatAreApart) {
+  RunOptions options;
+  options.input = read_text(data_file("blob.obj"));
+  const Outcome outcome = whittle(
+      {"simplify", "-", "-o", "-", "--input-format", "obj", "--output-format", "stl", "--faces", "500"}, options);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(io::read_mesh(outcome.out, "a.stl").mesh.faces.size(), 500U);
+  // --format is for the side that has none of its own.
+  for (const std::string side : {"--input-format", "--output-format"}) {
+    const std::string other = side == "--input-format" ? "off" : "obj";
+    const std::string own = side == "--input-format" ? "obj" : "off";
+    const Outcome mixed =
+        whittle({"simplify", "-", "-o", "-", side, own, "--format", other, "--faces", "500"}, options);
+    ASSERT_EQ(mixed.exit_code, 0) << mixed.err;
+    EXPECT_EQ(mixed.out.substr(0, 4), "OFF\n") << side;
+  }
+}
+
+TEST(InputFormat, OverrulesTheName) {
+  const TemporaryFolder folder;
+  write_text(folder / "in.off", read_text(data_file("blob.obj")));
+  EXPECT_EQ(whittle({"info", folder / "in.off"}).exit_code, 4);
+  EXPECT_EQ(whittle({"info", folder / "in.off", "--input-format", "obj"}).exit_code, 0);
+  const std::string mesh = folder / "in.off";
+  EXPECT_EQ(whittle({"measure", mesh, mesh, "--input-format", "obj"}).exit_code, 0);
+  EXPECT_EQ(whittle({"compare", mesh, "--faces", "500", "--input-format", "obj"}).exit_code, 0);
+  const Outcome outcome =
+      whittle({"polish", mesh, mesh, "-o", folder / "out.obj", "--input-format", "obj", "--output-format", "ply"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_TRUE(read_text(folder / "out.obj").starts_with("ply\n"));
+}
+
+TEST(InputFormat, IsAdvisedWhereAnotherWasGivenAgainstTheName) {
+  const Outcome wrong = whittle({"info", data_file("knot.ply"), "--input-format", "off"});
+  EXPECT_EQ(wrong.exit_code, 4) << wrong;
+  EXPECT_NE(wrong.err.find("the content is ply, not off; give --input-format ply\n"), std::string::npos) << wrong;
+  EXPECT_EQ(whittle({"info", data_file("knot.ply"), "--input-format", "ply"}).exit_code, 0);
+}
+
+TEST(Format, IsRefusedWhereNothingIsLeftForIt) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> both{
+      "simplify",        "-",   "-o",       "-",  "--faces", "500", "--input-format", "obj",
+      "--output-format", "ply", "--format", "obj"};
+  expect_usage_error(whittle(both), {"--format", "another option"});
+  expect_usage_error(whittle({"simplify", "-", "-o", folder / "a.obj", "--faces", "500"}), {"'-'", "--input-format"});
+  expect_usage_error(whittle({"simplify", data_file("blob.obj"), "-o", "-", "--faces", "500"}),
+                     {"'-'", "--output-format"});
+}
+
 }  // namespace
 }  // namespace whittle::test

@@ -135,6 +135,8 @@ std::vector<BadValue> bad_values() {
       {"--topology", "loose", "keep|free"},
       {"--prune", "-2%", "S >= 0"},
       {"--format", "glb", io::format_names("|")},
+      {"--input-format", "glb", io::format_names("|")},
+      {"--output-format", "glb", io::format_names("|")},
       {"--threads", "-1", "at most 1024"},
       {"--threads", "1025", "at most 1024"},
   };

@@ -176,6 +176,7 @@ void setup_compare(CLI::App& app, Command& command) {
   add_target_options(*sub, options->targets);
   add_sampling_options(*sub, options->distance);
   add_format(*sub, options->files);
+  add_input_format(*sub, options->files);
   add_weld_options(*sub, options->files);
   add_common_options(*sub, options->common);
   set_usage(*sub, "IN TARGET... [OPTION]...");

@@ -262,6 +262,8 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
       ->required()
       ->group(file_group);
   add_format(app, options.files)->group(file_group);
+  add_input_format(app, options.files)->group(file_group);
+  add_output_format(app, options.files)->group(file_group);
   add_ascii(app, options.files)->group(file_group);
   add_weld_options(app, options.files, file_group);
   add_value(

@@ -25,13 +25,16 @@ void refuse_large_coordinates(const IndexedMesh& mesh, const std::string& name) 
                         shortest(bad->z()) + "; scale the mesh, or drop the vertex, to stay below 3e150");
 }
 
-std::string needs_format() { return "'-' needs --format: one of " + io::format_names(); }
+std::string needs_format(const std::string& option) {
+  return "'-' needs --format or " + option + ": one of " + io::format_names();
+}
 
 /// \throw UsageError if neither name nor options tell it
 io::Format output_format(const std::string& path, const FileOptions& options) {
+  if (options.output_format) return *options.output_format;
   if (const std::optional<io::Format> by_name = format_by_name(path)) return *by_name;
   if (options.format) return *options.format;
-  if (path == standard_stream) throw UsageError(needs_format());
+  if (path == standard_stream) throw UsageError(needs_format("--output-format"));
   try {
     return io::format_of(path);
   } catch (const std::invalid_argument& error) {
@@ -62,17 +65,19 @@ void check_formats(const std::vector<std::string>& inputs, const std::vector<std
                    const FileOptions& options) {
   const auto n_standard = std::count(inputs.begin(), inputs.end(), standard_stream);
   if (n_standard > 1) throw UsageError("only one of the inputs can be standard input ('-')");
-  if (n_standard == 1 && !options.format) throw UsageError(needs_format());
+  if (n_standard == 1 && !options.format && !options.input_format) throw UsageError(needs_format("--input-format"));
   const auto is_told = [](const std::string& path) { return format_by_name(path).has_value(); };
-  if (options.format && std::all_of(inputs.begin(), inputs.end(), is_told) &&
-      std::all_of(outputs.begin(), outputs.end(), is_told)) {
-    throw UsageError("--format is for '-' and for names that don't tell the format; here every name does");
+  if (options.format && (options.input_format || std::all_of(inputs.begin(), inputs.end(), is_told)) &&
+      (options.output_format || std::all_of(outputs.begin(), outputs.end(), is_told))) {
+    throw UsageError(
+        "--format is for '-' and for names that don't tell the format; here every name does, or another option");
   }
   for (const std::string& output : outputs) format_for_output(output, options);
 }
 
 MeshFile::MeshFile(std::string path, const FileOptions& options) : path_(std::move(path)) {
-  if (!format_by_name(path_)) format_ = options.format;
+  format_ = options.input_format;
+  if (!format_ && !format_by_name(path_)) format_ = options.format;
   if (path_ == standard_stream) standard_input_ = io::read_all(STDIN_FILENO, standard_input_name);
 }
 

@@ -18,12 +18,12 @@ inline constexpr char standard_input_name[] = "standard input";
 /// The format by the extension of a file name, if it has a known one.
 std::optional<io::Format> format_by_name(const std::string& path);
 
-/// The format to write a file in: the one by its name, otherwise that of --format.
+/// The format to write a file in: that of --output-format, otherwise the one by its name, otherwise that of --format.
 /// \throw UsageError if there is neither, or if --ascii is given and the format has no choice of text.
 io::Format format_for_output(const std::string& path, const FileOptions& options);
 
-/// \throw UsageError if two inputs are standard input, if one is and --format is missing, or if --format is given
-///        although every name tells its format; as `format_for_output` for each output.
+/// \throw UsageError if two inputs are standard input, if one is and nothing tells its format, or if --format is
+///        given although names and other options tell every format; as `format_for_output` for each output.
 void check_formats(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
                    const FileOptions& options);
 

@@ -16,6 +16,13 @@ io::Format parse_format(std::string_view text) {
   throw std::invalid_argument("'" + std::string(text) + "' is none of " + io::format_names("|"));
 }
 
+CLI::Option* add_format_option(CLI::App& app, const std::string& name, std::optional<io::Format>& format,
+                               const std::string& description) {
+  return add_value(
+             app, name, "EXT", format, [](std::string_view text) { return parse_format(text); }, description)
+      ->default_str("by name");
+}
+
 /// Whether the command line has `side`: "--option" or "--option value".
 bool is_given(const CLI::App& app, std::string_view side) {
   const std::size_t space = side.find(' ');
@@ -66,10 +73,18 @@ void add_weld_options(CLI::App& app, FileOptions& options, const std::string& gr
 }
 
 CLI::Option* add_format(CLI::App& app, FileOptions& options) {
-  return add_value(
-             app, "--format", "EXT", options.format, [](std::string_view text) { return parse_format(text); },
-             "the format, such as ply, of '-' and of files whose name doesn't tell it")
-      ->default_str("by name");
+  return add_format_option(app, "--format", options.format,
+                           "the format, such as ply, of '-' and of files whose name doesn't tell it");
+}
+
+CLI::Option* add_input_format(CLI::App& app, FileOptions& options) {
+  return add_format_option(app, "--input-format", options.input_format,
+                           "the format to read, whatever a file's name says");
+}
+
+CLI::Option* add_output_format(CLI::App& app, FileOptions& options) {
+  return add_format_option(app, "--output-format", options.output_format,
+                           "the format to write, whatever the name of OUT says");
 }
 
 CLI::Option* add_ascii(CLI::App& app, FileOptions& options) {

@@ -42,11 +42,15 @@ struct FileOptions {
   bool weld = true;                    ///< exact duplicates of vertices on open borders
   AutomaticLength weld_tolerance{};    ///< also vertices on open borders that are so near; 0 = exact duplicates alone
   std::optional<io::Format> format{};  ///< of files whose name doesn't tell the format
-  bool ascii = false;                  ///< text, in formats that are written as text or as binary data
+  std::optional<io::Format> input_format{};   ///< of what is read, whatever its name
+  std::optional<io::Format> output_format{};  ///< of what is written, whatever its name
+  bool ascii = false;                         ///< text, in formats that are written as text or as binary data
 };
 /// Adds --weld and --no-weld. \param group of the help; or empty: that of options without one
 void add_weld_options(CLI::App& app, FileOptions& options, const std::string& group = "OPTIONS");
 CLI::Option* add_format(CLI::App& app, FileOptions& options);
+CLI::Option* add_input_format(CLI::App& app, FileOptions& options);
+CLI::Option* add_output_format(CLI::App& app, FileOptions& options);
 CLI::Option* add_ascii(CLI::App& app, FileOptions& options);
 
 /// Adds a positional argument that names a file.

@@ -25,21 +25,25 @@ const detail::FormatRow* evident_format(std::string_view bytes) {
 
 bool has_null_byte(std::string_view bytes) { return bytes.substr(0, 1024).find('\0') != std::string_view::npos; }
 
-bool tells_format(std::string_view name) {
+std::optional<Format> format_by_name(std::string_view name) {
   try {
-    format_of(name);
+    return format_of(name);
   } catch (const std::invalid_argument&) {
-    return false;
+    return std::nullopt;
   }
-  return true;
 }
 
-// The program takes --format only for names that don't tell the format.
+// Names options of the program. It takes --format only for names that don't tell the format.
+std::string advice_on(const detail::FormatRow& expected, std::string_view name) {
+  const std::optional<Format> named = format_by_name(name);
+  if (!named) return "give --format ";
+  return *named == expected.format ? "rename it to ." : "give --input-format ";
+}
+
 std::string problem_of_other_format(const detail::FormatRow& evident, const detail::FormatRow& expected,
                                     std::string_view name) {
   const std::string right(evident.name);
-  return "the content is " + right + ", not " + std::string(expected.name) + "; " +
-         (tells_format(name) ? "rename it to ." : "give --format ") + right;
+  return "the content is " + right + ", not " + std::string(expected.name) + "; " + advice_on(expected, name) + right;
 }
 
 std::optional<std::string> problem_of(std::string_view bytes, std::string_view name,
