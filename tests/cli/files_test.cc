@@ -69,6 +69,40 @@ TEST(Ascii, IsRefusedWhereThereIsNoChoice) {
   EXPECT_TRUE(folder.files().empty());
 }
 
+TEST(Gzip, GoesInAndOut) {
+  const TemporaryFolder folder;
+  const std::string packed = folder / "out.ply.gz";
+  std::vector<std::string> arguments{"simplify", data_file("blob.obj"), "--faces", "500", "-o", folder / "out.ply"};
+  ASSERT_EQ(whittle(arguments).exit_code, 0);
+  arguments.back() = packed;
+  const Outcome outcome = whittle(arguments);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_EQ(run({"gzip", "-dc", packed}).out, read_text(folder / "out.ply"));
+  EXPECT_EQ(run({"gzip", "-t", packed}).exit_code, 0);
+
+  const Outcome info = whittle({"info", packed, "--json", "-"});
+  EXPECT_EQ(parse_json(info.out)["faces"], 500) << info;
+  RunOptions options;
+  options.input = read_text(packed);
+  EXPECT_EQ(parse_json(whittle({"info", "-", "--format", "ply", "--json", "-"}, options).out)["faces"], 500);
+}
+
+TEST(Gzip, ThatIsDamagedIsUnreadable) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(whittle({"simplify", data_file("blob.obj"), "--faces", "500", "-o", folder / "in.ply.gz"}).exit_code, 0);
+  const std::string whole = read_text(folder / "in.ply.gz");
+  std::string flipped = whole;
+  flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 4);
+  for (const std::string& bytes : {whole.substr(0, whole.size() / 2), flipped, whole + "more"}) {
+    write_text(folder / "in.ply.gz", bytes);
+    const Outcome outcome = whittle({"simplify", folder / "in.ply.gz", "--faces", "100", "-o", folder / "out.ply"});
+    EXPECT_EQ(outcome.exit_code, 4) << outcome;
+    EXPECT_NE(outcome.err.find("in.ply.gz: the "), std::string::npos) << outcome;
+    EXPECT_NE(outcome.err.find("gzip data"), std::string::npos) << outcome;
+  }
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"in.ply.gz"});
+}
+
 TEST(InputFormat, AndOutputFormatAreApart) {
   RunOptions options;
   options.input = read_text(data_file("blob.obj"));

@@ -25,9 +25,9 @@ std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
   return text != nullptr ? std::stoull(text) : otherwise;
 }
 
-std::string written(const IndexedMesh& mesh, io::Format format, bool ascii) {
+std::string written(const IndexedMesh& mesh, io::Format format, const io::WriteOptions& options) {
   std::ostringstream out;
-  io::write_mesh(out, format, mesh, {.ascii = ascii});
+  io::write_mesh(out, format, mesh, options);
   return choice_of(format, true) + out.str();
 }
 
@@ -45,8 +45,9 @@ std::vector<std::string> seeds() {
   std::vector<std::string> files;
   for (const IndexedMesh& mesh : meshes) {
     for (const io::Format format : io::all_formats) {
-      files.push_back(written(mesh, format, true));
-      files.push_back(written(mesh, format, false));
+      files.push_back(written(mesh, format, {.ascii = true}));
+      files.push_back(written(mesh, format, {}));
+      files.push_back(written(mesh, format, {.gzip = true}));
     }
   }
   const char obj = choice_of(io::Format::obj, true);

@@ -132,7 +132,7 @@ std::string shown_output(const std::string& path) { return path == standard_stre
 void write_mesh(OutputFiles& files, const std::string& path, const FileOptions& options, const IndexedMesh& mesh,
                 const Talk& talk, std::vector<std::string>& warnings) {
   files.write(path, [&](std::ostream& out) {
-    const io::WriteOptions how{.ascii = options.ascii};
+    const io::WriteOptions how{.ascii = options.ascii, .gzip = io::has_gzip_extension(path)};
     for (const std::string& warning : io::write_mesh(out, format_for_output(path, options), mesh, how).warnings) {
       warnings.push_back(about(shown_output(path), warning));
       talk.warning(warnings.back());

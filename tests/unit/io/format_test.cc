@@ -83,11 +83,21 @@ TEST(Format, FollowsTheExtensionInUpperAndLowerCase) {
   EXPECT_EQ(format_from_extension(".PLY"), Format::ply);
 }
 
+TEST(Format, FollowsTheExtensionBeforeThatOfGzip) {
+  EXPECT_EQ(format_of("a/cow.off.gz"), Format::off);
+  EXPECT_EQ(format_of("cow.PLY.GZ"), Format::ply);
+  EXPECT_EQ(refusal("cow.gz"), refusal("cow"));
+  EXPECT_TRUE(has_gzip_extension("a.gz/cow.PLY.GZ"));
+  EXPECT_FALSE(has_gzip_extension("a.gz/cow.ply"));
+}
+
 TEST(Format, NamesWhatIsKnownButNotSupported) {
   EXPECT_EQ(refusal("Duck.glb"), "is glTF (.glb), a format that is not supported; use " + format_titles());
   EXPECT_NE(refusal("cube.om").find("OpenMesh's own format"), std::string::npos);
   EXPECT_NE(refusal("a.3DS").find("3D Studio"), std::string::npos);
-  EXPECT_EQ(refusal("cow.off.gz"), "is compressed (.gz), which is not supported; unpack it first (gunzip)");
+  EXPECT_EQ(refusal("cow.off.xz"), "is compressed (.xz), which is not supported; unpack it first (unxz)");
+  EXPECT_EQ(refusal("cow.off.gz.gz"), "is compressed (.gz), which is not supported; unpack it first (gunzip)");
+  EXPECT_EQ(refusal("Duck.glb.gz"), refusal("Duck.glb"));
 }
 
 TEST(Format, AsksForAnExtensionWhereThereIsNone) {

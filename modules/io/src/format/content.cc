@@ -34,16 +34,17 @@ std::optional<Format> format_by_name(std::string_view name) {
 }
 
 // Names options of the program. It takes --format only for names that don't tell the format.
-std::string advice_on(const detail::FormatRow& expected, std::string_view name) {
+std::string advice_on(const std::string& right, const detail::FormatRow& expected, std::string_view name) {
   const std::optional<Format> named = format_by_name(name);
-  if (!named) return "give --format ";
-  return *named == expected.format ? "rename it to ." : "give --input-format ";
+  if (!named) return "give --format " + right;
+  if (*named != expected.format) return "give --input-format " + right;
+  return "rename it to ." + right + (has_gzip_extension(name) ? ".gz" : "");
 }
 
 std::string problem_of_other_format(const detail::FormatRow& evident, const detail::FormatRow& expected,
                                     std::string_view name) {
   const std::string right(evident.name);
-  return "the content is " + right + ", not " + std::string(expected.name) + "; " + advice_on(expected, name) + right;
+  return "the content is " + right + ", not " + std::string(expected.name) + "; " + advice_on(right, expected, name);
 }
 
 std::optional<std::string> problem_of(std::string_view bytes, std::string_view name,

@@ -27,6 +27,13 @@ std::string titles_of(const Holds& holds) {
   return text;
 }
 
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
 }  // namespace
 
 const detail::FormatRow& row_of(Format format) {
@@ -61,9 +68,7 @@ std::string titles_with_text_and_binary() {
 
 Format format_from_extension(std::string_view extension) {
   if (!extension.empty() && extension.front() == '.') extension.remove_prefix(1);
-  std::string lower(extension);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string lower = lower_case(extension);
   for (const detail::FormatRow* row : detail::format_table) {
     const auto known = row->extensions;
     if (std::find(known.begin(), known.end(), lower) != known.end()) return row->format;
@@ -77,6 +82,10 @@ Format format_from_extension(std::string_view extension) {
   throw std::invalid_argument("has the unknown extension \"." + std::string(extension) + "\"; use " + format_titles());
 }
 
-Format format_of(const std::filesystem::path& path) { return format_from_extension(path.extension().string()); }
+bool has_gzip_extension(const std::filesystem::path& path) { return lower_case(path.extension().string()) == ".gz"; }
+
+Format format_of(const std::filesystem::path& path) {
+  return format_from_extension((has_gzip_extension(path) ? path.stem() : path).extension().string());
+}
 
 }  // namespace whittle::io

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "bytes/file_bytes.hh"
+#include "bytes/gzip.hh"
 #include "format/content.hh"
 #include "format/format_row.hh"
 #include "format/mesh_builder.hh"
@@ -20,9 +21,16 @@ Format choose_format(std::string_view name, const ReadOptions& options) {
   }
 }
 
-ReadResult parse(std::string_view bytes, std::string_view name, Format format) {
+ReadResult parse_unpacked(std::string_view bytes, std::string_view name, Format format) {
   refuse_wrong_content(bytes, name, format);
   return row_of(format).read(bytes, name);
+}
+
+// The content tells whether it is packed, not the name: servers unpack files and leave their names, or the reverse.
+ReadResult parse(std::string_view bytes, std::string_view name, Format format) {
+  if (!is_gzip(bytes)) return parse_unpacked(bytes, name, format);
+  const std::vector<char> unpacked = gunzip(bytes, name);
+  return parse_unpacked({unpacked.data(), unpacked.size()}, name, format);
 }
 
 // The vertex of the mesh that each vertex of the file became. \pre the mesh's origins are numbers of the file.

@@ -3,6 +3,7 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "bytes/gzip.hh"
 #include "format/format_row.hh"
 #include "whittle/io/output_file.hh"
 
@@ -10,8 +11,8 @@ namespace whittle::io {
 
 namespace {
 
-WriteResult format_mesh(std::ostream& out, Format format, const IndexedMesh& mesh, const WriteOptions& options,
-                        const std::string& name) {
+WriteResult write_unpacked(std::ostream& out, Format format, const IndexedMesh& mesh, const WriteOptions& options,
+                           const std::string& name) {
   WriteResult result;
   ByteSink sink(out);
   try {
@@ -23,12 +24,24 @@ WriteResult format_mesh(std::ostream& out, Format format, const IndexedMesh& mes
   return result;
 }
 
+WriteResult format_mesh(std::ostream& out, Format format, const IndexedMesh& mesh, const WriteOptions& options,
+                        const std::string& name) {
+  if (!options.gzip.value_or(false)) return write_unpacked(out, format, mesh, options, name);
+  GzipBuffer packed(out);
+  std::ostream stream(&packed);
+  WriteResult result = write_unpacked(stream, format, mesh, options, name);
+  packed.finish();
+  return result;
+}
+
 }  // namespace
 
 WriteResult write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, const WriteOptions& options) {
   const Format format = options.format ? *options.format : format_of(path);
+  WriteOptions by_name = options;
+  by_name.gzip = options.gzip.value_or(has_gzip_extension(path));
   OutputFile file(path);
-  WriteResult result = format_mesh(file.stream(), format, mesh, options, path.string());
+  WriteResult result = format_mesh(file.stream(), format, mesh, by_name, path.string());
   file.commit();
   return result;
 }

@@ -49,9 +49,12 @@ std::string format_titles();
 /// "PLY or STL": the titles of the formats that `has_text_and_binary`.
 std::string titles_with_text_and_binary();
 
-/// The format that a file name's extension stands for, in upper or lower case.
+/// Whether a file name ends in ".gz", in upper or lower case: the file is packed with gzip.
+bool has_gzip_extension(const std::filesystem::path& path);
+
+/// The format that a file name's extension stands for, in upper or lower case: of "mesh.ply.gz" the one before ".gz".
 /// \throw std::invalid_argument if there is no extension, or none of a supported format. The message says what to do.
-/// It names formats that are known but not supported (glTF, 3DS, OpenMesh's OM, compressed files…). It doesn't repeat
+/// It names formats that are known but not supported (glTF, 3DS, OpenMesh's OM, archives…). It doesn't repeat
 /// the path.
 Format format_of(const std::filesystem::path& path);
 

@@ -38,10 +38,10 @@ struct ReadResult {
   std::size_t file_faces = 0;     ///< As stored: polygons count once, tristrips by their triangles.
 };
 
-/// Reads a mesh file: triangulates polygons, then repairs (`repair`). docs/user/formats.md says what is carried.
-/// \throw ReadError if the file isn't a complete and valid mesh file, or if no face is left after repairs.
-/// \throw std::bad_alloc only if the file is too large for the memory. Counts are checked against the file's size
-/// before anything is allocated.
+/// Reads a mesh file, unpacks it if its content is gzip data, triangulates polygons, then repairs (`repair`).
+/// docs/user/formats.md says what is carried. \throw ReadError if the file isn't a complete and valid mesh file, or if
+/// no face is left after repairs. \throw std::bad_alloc only if the file is too large for the memory. Counts are
+/// checked against the file's size before anything is allocated.
 ReadResult read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// Likewise from memory.

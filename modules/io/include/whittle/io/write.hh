@@ -20,6 +20,8 @@ struct WriteOptions {
   bool exact_colors = false;
   /// Default: by the name's extension.
   std::optional<Format> format{};
+  /// Whether to pack with gzip. Default: by the name's extension, `.gz`; a stream is not packed.
+  std::optional<bool> gzip{};
 };
 
 struct WriteResult {
