@@ -103,6 +103,7 @@ int main(int argc, char** argv) {
     setup_info(app, command);
     setup_polish(app, command);
     setup_compare(app, command);
+    setup_convert(app, command);
     app.footer(
         "'whittle SUBCOMMAND --help' tells the options of each, and so does 'whittle help SUBCOMMAND'.\n"
         "Exit status: 0 done, 1 failure, 2 usage, 3 target not met (--strict), 4 input unreadable or invalid,\n"

@@ -13,7 +13,7 @@
 namespace whittle::test {
 namespace {
 
-const std::vector<std::string> subcommands{"simplify", "measure", "info", "polish", "compare"};
+const std::vector<std::string> subcommands{"simplify", "measure", "info", "polish", "compare", "convert"};
 
 std::string page(const std::string& subcommand) {
   return read_text(std::filesystem::path(WHITTLE_DOCS_DIR) / "user" / (subcommand + ".md"));
@@ -73,6 +73,7 @@ TEST(Help, DocumentsEveryConflict) {
       const std::string mesh = data_file("cubes.obj");
       std::vector<std::string> arguments{sub, mesh};
       if (sub == "measure" || sub == "polish") arguments.push_back(mesh);
+      if (sub == "convert") arguments.push_back(folder / "out.obj");
       if (sub == "simplify" || sub == "compare") arguments.insert(arguments.end(), {"--faces", "150"});
       const bool names_output = first.starts_with("--output") || second.starts_with("--output");
       if ((sub == "simplify" || sub == "polish") && !names_output)
@@ -105,7 +106,7 @@ TEST(Version, IsOneLineOnStandardOutput) {
 
 TEST(Help, IsThereAsASubcommandToo) {
   EXPECT_EQ(whittle({"help"}).out, whittle({"--help"}).out);
-  for (const char* sub : {"simplify", "measure", "info", "polish", "compare"}) {
+  for (const std::string& sub : subcommands) {
     const Outcome outcome = whittle({"help", sub});
     EXPECT_EQ(outcome.exit_code, 0) << outcome;
     EXPECT_EQ(outcome.out, whittle({sub, "--help"}).out);

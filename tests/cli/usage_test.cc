@@ -41,7 +41,7 @@ Arguments simplify_with(const TemporaryFolder& folder, const Arguments& more) {
 }
 
 TEST(Usage, NeedsASubcommand) {
-  expect_usage_error(whittle({}), {"subcommand", "simplify, measure, info, polish, compare", "see 'whittle --help'"});
+  expect_usage_error(whittle({}), {"subcommand", "simplify, measure, info, polish, compare, convert", "see 'whittle --help'"});
   expect_usage_error(whittle({"shrink", "a.obj"}), {"'shrink' is not a subcommand", "see 'whittle --help'"});
   expect_usage_error(whittle({"simpify", "a.obj"}), {"'simpify' is not a subcommand", "did you mean 'simplify'?"});
   expect_usage_error(whittle({"--fast"}), {"--fast", "see 'whittle --help'"});
@@ -57,6 +57,7 @@ TEST(Usage, NamesWhatIsMissing) {
   expect_usage_error(whittle({"simplify", mesh, "-o", folder / "out.obj", "--faces"}), {"--faces needs a value"});
   expect_usage_error(whittle({"measure", mesh}), {"TEST", "required", "see 'whittle measure --help'"});
   expect_usage_error(whittle({"info"}), {"IN", "required", "see 'whittle info --help'"});
+  expect_usage_error(whittle({"convert", mesh}), {"OUT", "required", "see 'whittle convert --help'"});
   expect_usage_error(whittle({"compare", mesh}), {"no target", "see 'whittle compare --help'"});
   EXPECT_TRUE(folder.files().empty());
 }

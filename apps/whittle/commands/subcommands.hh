@@ -11,5 +11,6 @@ void setup_measure(CLI::App& app, Command& command);
 void setup_info(CLI::App& app, Command& command);
 void setup_polish(CLI::App& app, Command& command);
 void setup_compare(CLI::App& app, Command& command);
+void setup_convert(CLI::App& app, Command& command);
 
 }  // namespace whittle::app

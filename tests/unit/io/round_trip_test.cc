@@ -204,7 +204,8 @@ TEST(WriteMesh, SaysWhatTheFormatCannotHold) {
   add_attributes(mesh, 1, true);
   std::ostringstream out;
   EXPECT_EQ(write_mesh(out, Format::stl, mesh).warnings,
-            (std::vector<std::string>{"STL has no vertex colours: they are left out",
+            (std::vector<std::string>{"STL has no vertex normals: they are left out",
+                                      "STL has no vertex colours: they are left out",
                                       "binary STL has 32 bits a coordinate: positions are rounded"}));
   EXPECT_EQ(write_mesh(out, Format::obj, mesh).warnings,
             (std::vector<std::string>{"OBJ has no opacity: it is left out"}));

@@ -79,6 +79,7 @@ bool write_binary(ByteSink& sink, const IndexedMesh& mesh) {
 
 void write_stl(ByteSink& sink, const IndexedMesh& mesh, const WriteOptions& options,
                std::vector<std::string>& warnings) {
+  if (!mesh.normals.empty()) warnings.emplace_back("STL has no vertex normals: they are left out");
   if (!mesh.colors.empty()) warnings.emplace_back("STL has no vertex colours: they are left out");
   if (options.ascii) {
     write_ascii(sink, mesh);

@@ -1,0 +1,94 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands/subcommands.hh"
+#include "files/input.hh"
+#include "files/output.hh"
+#include "files/report.hh"
+#include "terminal/stopwatch.hh"
+#include "terminal/table.hh"
+
+namespace whittle::app {
+namespace {
+
+struct ConvertCommand {
+  std::string input;
+  std::string output;
+  FileOptions files;
+  CommonOptions common;
+};
+
+struct Conversion {
+  Input input;
+  double write_seconds = 0;
+  std::vector<std::string> warnings;
+};
+
+Json convert_json(const ConvertCommand& options, const Conversion& run, double total_seconds) {
+  const IndexedMesh& mesh = run.input.read.mesh;
+  Json json = new_report();
+  json["input"] = input_json(run.input, metrics::bounds(mesh).diagonal());
+  json["input"]["format"] = io::name_of(run.input.read.format);
+  json["options"] = {{"weld", options.files.weld}, {"ascii", options.files.ascii}};
+  json["output"] = {{"path", options.output},
+                    {"format", io::name_of(format_for_output(options.output, options.files))},
+                    {"vertices", mesh.positions.size()},
+                    {"faces", mesh.faces.size()}};
+  json["seconds"] = {{"read", run.input.seconds}, {"write", run.write_seconds}, {"total", total_seconds}};
+  json["peak_rss_bytes"] = peak_memory_bytes();
+  json["warnings"] = run.warnings;
+  return json;
+}
+
+void check(const CLI::App& app, const ConvertCommand& options) {
+  check_conflicts(app, common_conflicts());
+  check_formats({options.input}, {options.output}, options.files);
+  std::vector<Output> outputs{{"OUT", options.output}};
+  if (options.common.json) outputs.push_back({"--json", *options.common.json});
+  check_outputs(outputs, {options.input}, options.common.force);
+}
+
+ExitCode run_convert(const CLI::App& app, const ConvertCommand& options) {
+  check(app, options);
+  const Talk talk(options.common.volume());
+  const Stopwatch watch;
+  Conversion run;
+  run.input = read_input(options.input, options.files, talk);
+  run.warnings = run.input.warnings;
+  const IndexedMesh& mesh = run.input.read.mesh;
+  const Stopwatch writing;
+  OutputFiles files;
+  write_mesh(files, options.output, options.files, mesh, talk, run.warnings);
+  run.write_seconds = writing.seconds();
+  commit_with_report(files, options.common,
+                     options.common.json ? to_text(convert_json(options, run, watch.seconds())) : std::string());
+  talk.say(shown_output(options.output) + ": " + std::to_string(mesh.faces.size()) + " faces, " +
+           std::to_string(mesh.positions.size()) + " vertices in " + seconds_text(watch.seconds()));
+  say_effort(talk, watch.seconds());
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void setup_convert(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<ConvertCommand>();
+  CLI::App* sub = app.add_subcommand("convert", "Write a mesh in another format, and simplify nothing.");
+  add_mesh_file(*sub, options->input);
+  add_file(*sub, "OUT", options->output, "the result: a file, replaced if it exists, or '-' for standard output");
+  add_format(*sub, options->files);
+  add_input_format(*sub, options->files);
+  add_output_format(*sub, options->files);
+  add_ascii(*sub, options->files);
+  add_no_weld(*sub, options->files);
+  add_common_options(*sub, options->common);
+  set_usage(*sub, "IN OUT [OPTION]...");
+  sub->footer(
+      "Examples:\n"
+      "  whittle convert part.stl part.ply\n"
+      "  whittle convert scan.ply scan.obj.gz\n"
+      "  whittle convert - - --input-format obj --output-format stl < in.obj > out.stl");
+  sub->callback([sub, options, &command] { command = [sub, options] { return run_convert(*sub, *options); }; });
+}
+
+}  // namespace whittle::app
