@@ -1,13 +1,12 @@
 #include <CLI/CLI.hpp>
-#include <exception>
 #include <iostream>
 #include <memory>
-#include <new>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "commands/subcommands.hh"
+#include "files/failure.hh"
 #include "files/output.hh"
 #include "files/report.hh"
 #include "options/help.hh"
@@ -16,7 +15,6 @@
 #include "terminal/exit_code.hh"
 #include "terminal/interruption.hh"
 #include "terminal/talk.hh"
-#include "whittle/io/errors.hh"
 
 namespace whittle::app {
 namespace {
@@ -74,10 +72,6 @@ int parse_and_run(CLI::App& app, const Command& command, int argc, char** argv) 
     return static_cast<int>(command());
   } catch (const UsageError& error) {
     return fail_usage(app, error.what());
-  } catch (const io::ReadError& error) {
-    return fail(ExitCode::unreadable, error.what());
-  } catch (const UnsupportedMesh& error) {
-    return fail(ExitCode::unreadable, error.what());
   } catch (const Interrupted& interruption) {
     std::cerr << interrupted_message;
     return 128 + interruption.signal();
@@ -110,9 +104,8 @@ int main(int argc, char** argv) {
         "130 interrupted.");
     std::vector<char*> arguments = without_help_word(argc, argv);
     return parse_and_run(app, command, static_cast<int>(arguments.size()), arguments.data());
-  } catch (const std::bad_alloc&) {
-    return fail(ExitCode::failure, "out of memory; try a machine with more, or a smaller part of the mesh");
-  } catch (const std::exception& error) {
-    return fail(ExitCode::failure, error.what());
+  } catch (...) {
+    const Failure failure = current_failure();
+    return fail(failure.code, failure.problem);
   }
 }

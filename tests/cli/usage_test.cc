@@ -41,7 +41,8 @@ Arguments simplify_with(const TemporaryFolder& folder, const Arguments& more) {
 }
 
 TEST(Usage, NeedsASubcommand) {
-  expect_usage_error(whittle({}), {"subcommand", "simplify, measure, info, polish, compare, convert", "see 'whittle --help'"});
+  expect_usage_error(whittle({}),
+                     {"subcommand", "simplify, measure, info, polish, compare, convert", "see 'whittle --help'"});
   expect_usage_error(whittle({"shrink", "a.obj"}), {"'shrink' is not a subcommand", "see 'whittle --help'"});
   expect_usage_error(whittle({"simpify", "a.obj"}), {"'simpify' is not a subcommand", "did you mean 'simplify'?"});
   expect_usage_error(whittle({"--fast"}), {"--fast", "see 'whittle --help'"});
@@ -70,7 +71,10 @@ TEST(Usage, NamesWhatIsUnknown) {
   const Outcome far = whittle(simplify_with(folder, {"--watertight"}));
   expect_usage_error(far, {"--watertight is not an option of 'simplify'"});
   EXPECT_EQ(far.err.find("did you mean"), std::string::npos) << far;
-  expect_usage_error(whittle(simplify_with(folder, {"another.obj"})), {"one argument too many: 'another.obj'"});
+  expect_usage_error(whittle(simplify_with(folder, {"another.obj"})),
+                     {"one argument too many: 'another.obj'", "'out/{stem}.ply'"});
+  expect_usage_error(whittle({"info", data_file("cubes.obj"), "another.obj"}),
+                     {"one argument too many: 'another.obj'"});
   // An unknown option, or an unknown value of `--effort`, is an error.
   for (const char* option : {"--effort", "--record", "--curve"}) {
     expect_usage_error(whittle(simplify_with(folder, {option, "1"})), {option});

@@ -9,6 +9,7 @@
 #include "commands/advice.hh"
 #include "commands/openmesh_engine.hh"
 #include "commands/simplify_options.hh"
+#include "commands/simplify_runs.hh"
 #include "commands/subcommands.hh"
 #include "files/input.hh"
 #include "files/output.hh"
@@ -308,15 +309,18 @@ void count_intersections(const SimplifyCommand& options, const Talk& talk, Run& 
 }
 
 /// Writes the result, the map and the report. All of them appear, or none does.
-void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwatch& since_start, Run& run) {
+/// \return the report, if `wants_report` or --json asks for it
+Json write_files(const SimplifyCommand& options, const Talk& talk, const Stopwatch& since_start, bool wants_report,
+                 Run& run) {
   const Stopwatch watch;
   OutputFiles files;
   write_mesh(files, options.output, options.files, run.simplified.mesh, talk, run.warnings);
   if (options.map) files.write(*options.map, [&run](std::ostream& out) { write_map(out, run); });
   run.seconds.write = watch.seconds();
   run.seconds.total = since_start.seconds();
-  const std::string json = options.common.json ? to_text(simplify_json(options, run)) : std::string();
-  commit_with_report(files, options.common, json);
+  Json report = wants_report || options.common.json ? simplify_json(options, run) : Json();
+  commit_with_report(files, options.common, options.common.json ? to_text(report) : std::string());
+  return report;
 }
 
 std::string threshold_pairs(const ThresholdPairCounts& pairs) {
@@ -361,8 +365,8 @@ std::vector<std::string> lost_in_openmesh(const Input& input) {
   return warnings;
 }
 
-ExitCode run_simplify(const CLI::App& app, const SimplifyCommand& options) {
-  check(app, options);
+/// \param wants_report even without --json
+SimplifyOutcome simplify_one(const SimplifyCommand& options, bool wants_report) {
   const Talk talk(options.common.volume());
   const Stopwatch watch;
   Run run;
@@ -394,17 +398,30 @@ ExitCode run_simplify(const CLI::App& app, const SimplifyCommand& options) {
   count_intersections(options, talk, run);
   const std::string missed = run.met ? std::string() : shortfall(options, run);
   if (!run.met) run.warnings.push_back(missed);
-  write_files(options, talk, watch, run);
+  SimplifyOutcome outcome;
+  outcome.report = write_files(options, talk, watch, wants_report, run);
 
   say_details(options, talk, run);
   talk.say(summary(options, run));
-  if (run.met) return ExitCode::done;
+  if (run.met) return outcome;
   if (!options.strict) {
     talk.warning(missed);
-    return ExitCode::done;
+    return outcome;
   }
   talk.error(missed);
-  return ExitCode::target_not_met;
+  outcome.code = ExitCode::target_not_met;
+  return outcome;
+}
+
+ExitCode run_simplify(const CLI::App& app, const SimplifyCommand& command) {
+  check_options(app, command);
+  std::vector<SimplifyCommand> runs = runs_of(command);
+  check_files(runs);
+  if (!is_named_by_stem(command)) return simplify_one(runs.front(), false).code;
+  for (SimplifyCommand& run : runs) run.common.json.reset();  // there is one report of all
+  return run_each(command, runs, [&command](const SimplifyCommand& run) {
+    return simplify_one(run, command.common.json.has_value());
+  });
 }
 
 }  // namespace
@@ -413,11 +430,12 @@ void setup_simplify(CLI::App& app, Command& command) {
   const auto options = std::make_shared<SimplifyCommand>();
   CLI::App* sub = app.add_subcommand("simplify", "Make a mesh smaller and keep its shape.");
   add_simplify_options(*sub, *options);
-  set_usage(*sub, "IN -o OUT TARGET... [OPTION]...");
+  set_usage(*sub, "IN... -o OUT TARGET... [OPTION]...");
   sub->footer(
       "Examples:\n"
       "  whittle simplify dragon.ply -o small.ply --ratio 10%\n"
       "  whittle simplify part.stl -o part.obj --faces 5000 --strict --json report.json\n"
+      "  whittle simplify *.stl -o 'out/{stem}.ply' --face-ratio 10%\n"
       "  whittle simplify - -o - --format ply --faces 5000 < in.ply > out.ply");
   sub->callback(
       [sub, options, &command] { command = [sub, options] { return run_simplify(*sub, settled(*options)); }; });

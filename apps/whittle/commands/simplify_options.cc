@@ -251,14 +251,15 @@ bool has_threshold(const SimplifyCommand& options) {
 }  // namespace
 
 void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
-  add_mesh_file(app, options.input);
+  add_mesh_files(app, options.inputs);
   add_target_options(app, options.targets);
   app.add_flag("--strict", options.strict, "end with status 3 when the target was not met")
       ->default_str("off")
       ->group(target_group);
   add_value(
       app, "-o,--output", "OUT", options.output, [](std::string_view text) { return std::string(text); },
-      "the result: a file, replaced if it exists, or '-' for standard output")
+      "the result: a file, replaced if it exists, or '-' for standard output; '{stem}' in it stands for the name of IN "
+      "without folder and extension")
       ->required()
       ->group(file_group);
   add_format(app, options.files)->group(file_group);
@@ -268,7 +269,8 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
   add_weld_options(app, options.files, file_group);
   add_value(
       app, "--map", "FILE", options.map, [](std::string_view text) { return std::string(text); },
-      "write where each vertex of IN went: a line a vertex, its new number from 0, or -1")
+      "write where each vertex of IN went: a line a vertex, its new number from 0, or -1; "
+      "'{stem}' as in OUT")
       ->default_str("off")
       ->group(file_group);
   add_pair_options(app, options);
@@ -291,7 +293,7 @@ SimplifyCommand settled(SimplifyCommand command) {
   return command;
 }
 
-void check(const CLI::App& app, const SimplifyCommand& options) {
+void check_options(const CLI::App& app, const SimplifyCommand& options) {
   check_targets(options.targets);
   check_conflicts(app, common_conflicts());
   check_conflicts(app, conflicts());
@@ -302,11 +304,22 @@ void check(const CLI::App& app, const SimplifyCommand& options) {
     throw UsageError("'--threshold' and '--order exact' don't go together with '--cost " + std::string(traits.name) +
                      "': " + std::string(why));
   }
-  check_formats({options.input}, {options.output}, options.files);
-  std::vector<Output> outputs{{"--output", options.output}};
-  if (options.map) outputs.push_back({"--map", *options.map});
-  if (options.common.json) outputs.push_back({"--json", *options.common.json});
-  check_outputs(outputs, {options.input}, options.common.force);
+}
+
+void check_files(const std::vector<SimplifyCommand>& runs) {
+  std::vector<std::string> inputs;
+  std::vector<std::string> meshes;
+  std::vector<Output> outputs;
+  for (const SimplifyCommand& run : runs) {
+    inputs.push_back(run.input);
+    meshes.push_back(run.output);
+    outputs.push_back({"--output", run.output});
+    if (run.map) outputs.push_back({"--map", *run.map});
+  }
+  const SimplifyCommand& any = runs.front();
+  if (any.common.json) outputs.push_back({"--json", *any.common.json});
+  check_formats(inputs, meshes, any.files);
+  check_outputs(outputs, inputs, any.common.force);
 }
 
 nlohmann::ordered_json options_json(const SimplifyCommand& options) {

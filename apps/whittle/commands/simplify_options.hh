@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "options/command_line.hh"
 #include "options/targets.hh"
@@ -27,8 +28,9 @@ enum class SelfIntersections {
 
 /// The options of `whittle simplify`. Fields of `simplify` that depend on the mesh are set after it has been read.
 struct SimplifyCommand {
-  std::string input;
-  std::string output;
+  std::vector<std::string> inputs;  ///< as on the command line
+  std::string input;                ///< of one run
+  std::string output;               ///< of one run; on the command line it may have `{stem}`
   TargetOptions targets;
   FileOptions files;
   Effort effort = Effort::normal;
@@ -39,7 +41,7 @@ struct SimplifyCommand {
   std::optional<Length> prune;           ///< parts smaller than this are dropped
   Engine engine = Engine::flat;
   SelfIntersections self_intersections = SelfIntersections::allow;
-  std::optional<std::string> map;  ///< file for the vertex map
+  std::optional<std::string> map;  ///< file for the vertex map; `{stem}` as in `output`
   bool strict = false;
   CommonOptions common;
 };
@@ -49,8 +51,12 @@ SimplifyCommand settled(SimplifyCommand command);
 
 void add_simplify_options(CLI::App& app, SimplifyCommand& options);
 
-/// \throw UsageError for options that are missing or contradictory, or that would overwrite an input.
-void check(const CLI::App& app, const SimplifyCommand& options);
+/// \throw UsageError for options that are missing or contradictory.
+void check_options(const CLI::App& app, const SimplifyCommand& options);
+
+/// \throw UsageError if a format isn't told, if an output would overwrite an input or another output
+/// \throw io::WriteError as `check_outputs`
+void check_files(const std::vector<SimplifyCommand>& runs);
 
 /// Key `options` of the report: every option except the targets and those that control what is printed.
 nlohmann::ordered_json options_json(const SimplifyCommand& options);

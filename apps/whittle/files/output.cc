@@ -1,11 +1,14 @@
 #include "files/output.hh"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <map>
+#include <set>
 
 #include "files/input.hh"
 #include "terminal/errors.hh"
@@ -16,12 +19,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_same_file(const std::string& a, const std::string& b) {
-  if (a == standard_stream || b == standard_stream) return a == b;
+/// Equal for two names of one file. Files that don't exist yet have their names.
+std::string identity_of(const std::string& path) {
+  if (path == standard_stream) return path;
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0) {
+    return std::to_string(status.st_dev) + ':' + std::to_string(status.st_ino);
+  }
   std::error_code error;
-  if (fs::equivalent(a, b, error)) return true;
-  // Files that don't exist yet are compared by name.
-  return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+  return fs::weakly_canonical(path, error).string();
 }
 
 void check_folder(const std::string& path) {
@@ -47,15 +53,23 @@ void refuse_write_protected(const Output& output) {
   throw io::WriteError(output.path, "is write-protected; --force lets it be replaced");
 }
 
-void refuse_same_place(const Output& a, const Output& b) {
-  if (!is_same_file(a.path, b.path)) return;
-  throw UsageError(a.option + ' ' + a.path + " doesn't go with " + b.option + ' ' + b.path +
-                   ": only one can be written there");
+void refuse_same_places(const std::vector<Output>& outputs) {
+  std::map<std::string, const Output*> taken;
+  for (const Output& output : outputs) {
+    const auto [place, is_new] = taken.try_emplace(identity_of(output.path), &output);
+    if (is_new) continue;
+    throw UsageError(output.option + ' ' + output.path + " doesn't go with " + place->second->option + ' ' +
+                     place->second->path + ": only one can be written there");
+  }
 }
 
-void refuse_input(const Output& output, const std::string& input) {
-  if (output.path == standard_stream || !is_same_file(output.path, input)) return;
-  throw UsageError(output.option + ": " + output.path + " is an input too; --force lets it be replaced");
+void refuse_inputs(const std::vector<Output>& outputs, const std::vector<std::string>& inputs) {
+  std::set<std::string> read;
+  for (const std::string& input : inputs) read.insert(identity_of(input));
+  for (const Output& output : outputs) {
+    if (output.path == standard_stream || !read.contains(identity_of(output.path))) continue;
+    throw UsageError(output.option + ": " + output.path + " is an input too; --force lets it be replaced");
+  }
 }
 
 /// \pre `errno` was 0 before the stream was last used.
@@ -78,13 +92,11 @@ void fill_checked(std::ostream& stream, const std::string& name, const std::func
 }  // namespace
 
 void check_outputs(const std::vector<Output>& outputs, const std::vector<std::string>& inputs, bool force) {
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) refuse_same_place(outputs[i], outputs[j]);
-    for (const std::string& input : inputs) {
-      if (!force) refuse_input(outputs[i], input);
-    }
-    if (!force) refuse_write_protected(outputs[i]);
-    check_folder(outputs[i].path);
+  refuse_same_places(outputs);
+  if (!force) refuse_inputs(outputs, inputs);
+  for (const Output& output : outputs) {
+    if (!force) refuse_write_protected(output);
+    check_folder(output.path);
   }
 }
 

@@ -16,6 +16,13 @@ io::Format parse_format(std::string_view text) {
   throw std::invalid_argument("'" + std::string(text) + "' is none of " + io::format_names("|"));
 }
 
+template <class Paths>
+void add_argument(CLI::App& app, const std::string& name, Paths& paths, const std::string& description) {
+  app.add_option(name, paths, description)->required()->type_name("")->group("Arguments");
+}
+
+std::string mesh_file() { return "the mesh: an " + io::format_titles() + " file, or '-' for standard input"; }
+
 CLI::Option* add_format_option(CLI::App& app, const std::string& name, std::optional<io::Format>& format,
                                const std::string& description) {
   return add_value(
@@ -94,11 +101,13 @@ CLI::Option* add_ascii(CLI::App& app, FileOptions& options) {
 }
 
 void add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description) {
-  app.add_option(name, path, description)->required()->type_name("")->group("Arguments");
+  add_argument(app, name, path, description);
 }
 
-void add_mesh_file(CLI::App& app, std::string& path) {
-  add_file(app, "IN", path, "the mesh: an " + io::format_titles() + " file, or '-' for standard input");
+void add_mesh_file(CLI::App& app, std::string& path) { add_argument(app, "IN", path, mesh_file()); }
+
+void add_mesh_files(CLI::App& app, std::vector<std::string>& paths) {
+  add_argument(app, "IN", paths, mesh_file() + "; several if OUT has '{stem}'");
 }
 
 void check_conflicts(const CLI::App& app, std::span<const Conflict> conflicts) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "options/values.hh"
 #include "terminal/errors.hh"
@@ -57,6 +58,8 @@ CLI::Option* add_ascii(CLI::App& app, FileOptions& options);
 void add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description);
 /// Adds the argument IN: the mesh file to work on. Its help lists the formats.
 void add_mesh_file(CLI::App& app, std::string& path);
+/// Likewise for one file or several.
+void add_mesh_files(CLI::App& app, std::vector<std::string>& paths);
 
 /// Adds an option with one value.
 /// \param names as CLI11 takes them: "-r,--ratio"

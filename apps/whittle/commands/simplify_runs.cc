@@ -1,0 +1,100 @@
+#include "commands/simplify_runs.hh"
+
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include "files/failure.hh"
+#include "files/report.hh"
+#include "terminal/errors.hh"
+
+namespace whittle::app {
+namespace {
+
+bool has_stem(const std::string& path) { return path.find(stem_word) != std::string::npos; }
+
+/// "mesh" of "folder/mesh.ply.gz"
+std::string stem_of(const std::string& input) {
+  if (input == standard_stream) throw UsageError("'-' has no name to put for '{stem}' in --output");
+  const std::filesystem::path name = std::filesystem::path(input).filename();
+  return (io::has_gzip_extension(name) ? name.stem() : name).stem().string();
+}
+
+std::string with_stem(std::string path, const std::string& stem) {
+  for (std::size_t at = 0; (at = path.find(stem_word, at)) != std::string::npos; at += stem.size()) {
+    path.replace(at, stem_word.size(), stem);
+  }
+  return path;
+}
+
+void check_stems(const SimplifyCommand& command) {
+  if (command.inputs.size() == 1) return;
+  if (!is_named_by_stem(command)) {
+    throw UsageError("one argument too many: '" + command.inputs[1] +
+                     "'; several inputs need '{stem}' in --output, such as 'out/{stem}.ply'");
+  }
+  if (command.map && !has_stem(*command.map)) {
+    throw UsageError("--map: several inputs make several maps; it needs '{stem}' as --output");
+  }
+}
+
+/// \throw UsageError naming two inputs that would be written to one file
+void refuse_same_outputs(const std::vector<SimplifyCommand>& runs) {
+  std::map<std::string, std::string> input_of;
+  for (const SimplifyCommand& run : runs) {
+    const auto [other, is_new] = input_of.try_emplace(run.output, run.input);
+    if (!is_new) {
+      throw UsageError(other->second + " and " + run.input + " would both be written to " + run.output);
+    }
+  }
+}
+
+SimplifyOutcome outcome_of(const SimplifyCommand& run,
+                           const std::function<SimplifyOutcome(const SimplifyCommand&)>& simplify) {
+  try {
+    return simplify(run);
+  } catch (...) {
+    const Failure failure = current_failure();
+    Talk(run.common.volume()).error(failure.problem);
+    Json report = new_report();
+    report["input"] = {{"path", run.input}};
+    report["error"] = failure.problem;
+    return {failure.code, std::move(report)};
+  }
+}
+
+}  // namespace
+
+bool is_named_by_stem(const SimplifyCommand& command) { return has_stem(command.output); }
+
+std::vector<SimplifyCommand> runs_of(const SimplifyCommand& command) {
+  check_stems(command);
+  std::vector<SimplifyCommand> runs(command.inputs.size(), command);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    SimplifyCommand& run = runs[i];
+    run.input = command.inputs[i];
+    if (!is_named_by_stem(command)) continue;
+    run.output = with_stem(run.output, stem_of(run.input));
+    if (run.map) run.map = with_stem(*run.map, stem_of(run.input));
+  }
+  refuse_same_outputs(runs);
+  return runs;
+}
+
+ExitCode run_each(const SimplifyCommand& command, const std::vector<SimplifyCommand>& runs,
+                  const std::function<SimplifyOutcome(const SimplifyCommand&)>& simplify) {
+  ExitCode first_failure = ExitCode::done;
+  Json json = new_report();
+  json["runs"] = Json::array();
+  for (const SimplifyCommand& run : runs) {
+    SimplifyOutcome outcome = outcome_of(run, simplify);
+    if (first_failure == ExitCode::done) first_failure = outcome.code;
+    if (!command.common.json) continue;
+    outcome.report["exit_status"] = static_cast<int>(outcome.code);
+    json["runs"].push_back(std::move(outcome.report));
+  }
+  write_report(command.common, json, "");
+  return first_failure;
+}
+
+}  // namespace whittle::app

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "commands/simplify_options.hh"
+#include "terminal/exit_code.hh"
+
+// One call of `whittle simplify` for several inputs: each is a run of its own, with the same options.
+
+namespace whittle::app {
+
+/// What stands for the input's name, without folder and extensions, in OUT and in --map.
+inline constexpr std::string_view stem_word = "{stem}";
+
+/// Whether OUT has `{stem}`.
+bool is_named_by_stem(const SimplifyCommand& command);
+
+/// A run for each input. \throw UsageError if there are several and OUT or --map lacks `{stem}`, if an input has no
+/// name to put there, or if two would be written to one file.
+std::vector<SimplifyCommand> runs_of(const SimplifyCommand& command);
+
+struct SimplifyOutcome {
+  ExitCode code = ExitCode::done;
+  nlohmann::ordered_json report;  ///< null unless it was asked for
+};
+
+/// Does all runs, one after another. A failure is printed, and the next run begins. Writes one report of all where
+/// --json says: `runs` has the report of each, or what went wrong.
+/// \param simplify does a run \return the exit status of the first run that failed
+/// \throw Interrupted; what the runs before have written stays
+ExitCode run_each(const SimplifyCommand& command, const std::vector<SimplifyCommand>& runs,
+                  const std::function<SimplifyOutcome(const SimplifyCommand&)>& simplify);
+
+}  // namespace whittle::app

@@ -1,0 +1,145 @@
+// Several inputs in one call of `simplify`.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "program/program.hh"
+#include "whittle/io/read.hh"
+
+namespace whittle::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Arguments = std::vector<std::string>;
+
+class SeveralInputs : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directory(folder_ / "out");
+    fs::create_directory(folder_ / "in");
+    for (const char* name : {"cubes.obj", "blob.obj", "bracket.stl"}) fs::copy_file(data_file(name), folder_ / name);
+    options_.folder = folder_.path();
+  }
+  Outcome simplify(const Arguments& inputs, const Arguments& more = {"-o", "out/{stem}.ply", "--face-ratio", "60%"}) {
+    Arguments arguments{"simplify"};
+    arguments.insert(arguments.end(), inputs.begin(), inputs.end());
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return whittle(arguments, options_);
+  }
+  std::vector<std::string> written() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_ / "out")) names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+  void expect_refused(const Outcome& outcome, const std::string& said) const {
+    EXPECT_EQ(outcome.exit_code, 2) << outcome;
+    EXPECT_NE(outcome.err.find(said), std::string::npos) << "not said: " << said << '\n' << outcome;
+    EXPECT_TRUE(written().empty()) << outcome;
+  }
+
+  TemporaryFolder folder_;
+  RunOptions options_;
+};
+
+TEST_F(SeveralInputs, AreRunsOfTheirOwn) {
+  const Outcome outcome = simplify({"cubes.obj", "blob.obj", "bracket.stl"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_EQ(written(), (Arguments{"blob.ply", "bracket.ply", "cubes.ply"}));
+  for (const std::string name : {"cubes.obj", "blob.obj", "bracket.stl"}) {
+    const std::string stem = name.substr(0, name.find('.'));
+    ASSERT_EQ(simplify({name}, {"-o", "alone.ply", "--face-ratio", "60%"}).exit_code, 0);
+    EXPECT_EQ(read_text(folder_ / ("out/" + stem + ".ply")), read_text(folder_ / "alone.ply")) << name;
+  }
+}
+
+TEST_F(SeveralInputs, MayFollowTheOptions) {
+  const Outcome outcome =
+      whittle({"simplify", "-o", "out/{stem}.ply", "--faces", "150", "cubes.obj", "blob.obj"}, options_);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_EQ(written(), (Arguments{"blob.ply", "cubes.ply"}));
+}
+
+TEST_F(SeveralInputs, GoOnAfterAFailureAndEndWithTheFirst) {
+  write_text(folder_ / "bad.obj", "v 0 0 0\nf 1 2 9\n");
+  const Outcome outcome = simplify({"cubes.obj", "bad.obj", "blob.obj"},
+                                   {"-o", "out/{stem}.ply", "--faces", "90", "--strict", "--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 3) << "the cubes can't have so few\n" << outcome;
+  EXPECT_EQ(written(), (Arguments{"blob.ply", "cubes.ply"}));
+  EXPECT_NE(outcome.err.find("whittle: bad.obj:2: "), std::string::npos) << outcome;
+
+  const auto json = parse_json(outcome.out);
+  EXPECT_EQ(json["schema"], 1);
+  ASSERT_EQ(json["runs"].size(), 3U);
+  EXPECT_EQ(json["runs"][0]["exit_status"], 3);
+  EXPECT_EQ(json["runs"][0]["target"]["met"], false);
+  EXPECT_EQ(json["runs"][1]["exit_status"], 4);
+  EXPECT_EQ(json["runs"][1]["input"]["path"], "bad.obj");
+  EXPECT_NE(json["runs"][1]["error"].get<std::string>().find("bad.obj:2: "), std::string::npos);
+  EXPECT_EQ(json["runs"][2]["exit_status"], 0);
+  EXPECT_EQ(json["runs"][2]["output"]["path"], "out/blob.ply");
+
+  EXPECT_EQ(simplify({"missing.obj", "cubes.obj"}, {"-o", "out/{stem}.ply", "--faces", "90", "--strict"}).exit_code, 4);
+}
+
+TEST_F(SeveralInputs, GoOnWhereOneOutputCannotBeWritten) {
+  fs::create_directory(folder_ / "out/cubes.ply");
+  const Outcome outcome = simplify({"cubes.obj", "blob.obj"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome;
+  EXPECT_EQ(written(), (Arguments{"blob.ply", "cubes.ply"}));
+}
+
+TEST_F(SeveralInputs, HaveReportAndMaps) {
+  const Outcome outcome = simplify({"cubes.obj", "blob.obj"}, {"-o", "out/{stem}.ply", "--faces", "150", "--map",
+                                                               "out/{stem}.map", "--json", "report.json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_EQ(written(), (Arguments{"blob.map", "blob.ply", "cubes.map", "cubes.ply"}));
+  const std::string map = read_text(folder_ / "out/cubes.map");
+  EXPECT_EQ(std::count(map.begin(), map.end(), '\n'), 200);
+  const auto json = parse_json(read_text(folder_ / "report.json"));
+  ASSERT_EQ(json["runs"].size(), 2U);
+  const auto alone = parse_json(simplify({"cubes.obj"}, {"-o", "alone.ply", "--faces", "150", "--json", "-"}).out);
+  for (const auto& [key, value] : alone.items()) EXPECT_TRUE(json["runs"][0].contains(key)) << key;
+}
+
+TEST_F(SeveralInputs, OfOneFileHaveTheSameReport) {
+  const auto json = parse_json(simplify({"cubes.obj"}, {"-o", "out/{stem}.ply", "--faces", "150", "--json", "-"}).out);
+  EXPECT_EQ(json["runs"].size(), 1U);
+  EXPECT_EQ(written(), Arguments{"cubes.ply"});
+}
+
+TEST_F(SeveralInputs, LeaveOutFolderAndExtensions) {
+  ASSERT_EQ(simplify({"blob.obj"}, {"-o", "in/one.two.PLY.gz", "--faces", "500"}).exit_code, 0);
+  ASSERT_EQ(simplify({"in/one.two.PLY.gz", "./cubes.obj"}, {"-o", "out/{stem}-{stem}.obj", "--faces", "150"}).exit_code,
+            0);
+  EXPECT_EQ(written(), (Arguments{"cubes-cubes.obj", "one.two-one.two.obj"}));
+}
+
+TEST_F(SeveralInputs, OfOneNameAreRefusedBeforeAnythingIsWritten) {
+  fs::copy_file(data_file("cubes.obj"), folder_ / "in/blob.obj");
+  expect_refused(simplify({"cubes.obj", "blob.obj", "in/blob.obj"}),
+                 "blob.obj and in/blob.obj would both be written to out/blob.ply");
+  expect_refused(simplify({"blob.obj", "blob.obj"}), "blob.obj and blob.obj would both");
+}
+
+TEST_F(SeveralInputs, NeedTheirStem) {
+  expect_refused(simplify({"cubes.obj", "blob.obj"}, {"-o", "out/a.ply", "--faces", "150"}), "'{stem}' in --output");
+  expect_refused(simplify({"cubes.obj", "blob.obj"}, {"-o", "out/{stem}.ply", "--faces", "150", "--map", "out/map"}),
+                 "--map: several inputs");
+  expect_refused(simplify({"cubes.obj", "-"}, {"-o", "out/{stem}.ply", "--faces", "150", "--input-format", "obj"}),
+                 "'-' has no name");
+}
+
+TEST_F(SeveralInputs, AreReplacedUnderForceOnly) {
+  const std::string before = read_text(folder_ / "blob.obj");
+  expect_refused(simplify({"cubes.obj", "blob.obj"}, {"-o", "{stem}.obj", "--faces", "150"}), "is an input too");
+  EXPECT_EQ(read_text(folder_ / "blob.obj"), before);
+  EXPECT_EQ(simplify({"cubes.obj", "blob.obj"}, {"-o", "{stem}.obj", "--faces", "150", "--force"}).exit_code, 0);
+  EXPECT_NE(read_text(folder_ / "blob.obj"), before);
+}
+
+}  // namespace
+}  // namespace whittle::test
