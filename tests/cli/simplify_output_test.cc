@@ -12,6 +12,7 @@
 
 #include "program/program.hh"
 #include "whittle/io/read.hh"
+#include "whittle/io/write.hh"
 
 namespace whittle::test {
 namespace {
@@ -142,6 +143,38 @@ TEST(Output, TakesAFormatWhereTheNameTellsNone) {
       whittle({"simplify", folder / "blob", "-o", folder / "out.off", "--format", "obj", "--faces", "500"}).exit_code,
       0);
   EXPECT_EQ(read_text(folder / "out.off").substr(0, 3), "OFF");
+}
+
+TEST(Normals, AreKeptRecomputedOrDropped) {
+  const TemporaryFolder folder;
+  IndexedMesh mesh = io::read_mesh(data_file("blob.obj")).mesh;
+  mesh.normals.assign(mesh.positions.size(), {0, 0, 1});
+  io::write_mesh(folder / "in.ply", mesh);
+  const auto simplified = [&folder](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"simplify", folder / "in.ply", "-o", folder / "out.ply", "--faces", "500"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = whittle(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome;
+    return io::read_mesh(folder / "out.ply").mesh;
+  };
+  const IndexedMesh kept = simplified({});
+  ASSERT_EQ(kept.normals.size(), 252U);
+  for (const auto& normal : kept.normals)
+    EXPECT_EQ(normal, (std::array<float, 3>{0, 0, 1})) << "polish keeps them, too";
+  EXPECT_EQ(simplified({"--normals", "keep"}).normals, kept.normals);
+
+  const IndexedMesh anew = simplified({"--normals", "recompute"});
+  EXPECT_EQ(anew.positions, kept.positions);
+  const auto is_upwards = [](const std::array<float, 3>& normal) { return normal[2] > 0.99F; };
+  EXPECT_LT(std::count_if(anew.normals.begin(), anew.normals.end(), is_upwards), 100);
+  EXPECT_EQ(anew.normals.size(), 252U);
+
+  const IndexedMesh dropped = simplified({"--normals", "drop"});
+  EXPECT_EQ(dropped.positions, kept.positions);
+  EXPECT_TRUE(dropped.normals.empty());
+  const Outcome openmesh = whittle({"simplify", folder / "in.ply", "-o", folder / "out.ply", "--faces", "500",
+                                    "--engine", "openmesh", "--normals", "drop"});
+  EXPECT_EQ(openmesh.err.find("not carried"), std::string::npos) << openmesh;
 }
 
 TEST(Talk, IsOneLineOfSummary) {

@@ -355,12 +355,12 @@ std::string summary(const SimplifyCommand& options, const Run& run) {
          " in " + seconds_text(run.seconds.total);
 }
 
-std::vector<std::string> lost_in_openmesh(const Input& input) {
+std::vector<std::string> lost_in_openmesh(const SimplifyCommand& options, const Input& input) {
   std::vector<std::string> warnings;
   const auto add = [&](const char* what) {
     warnings.push_back(input.name + ": " + what + " are not carried by --engine openmesh");
   };
-  if (!input.read.mesh.normals.empty()) add("vertex normals");
+  if (!input.read.mesh.normals.empty() && options.simplify.decimate.normals != Normals::drop) add("vertex normals");
   if (!input.read.mesh.colors.empty()) add("vertex colours");
   return warnings;
 }
@@ -374,7 +374,7 @@ SimplifyOutcome simplify_one(const SimplifyCommand& options, bool wants_report) 
   run.seconds.read = run.input.seconds;
   run.warnings = run.input.warnings;
   if (options.engine == Engine::openmesh) {
-    for (const std::string& lost : lost_in_openmesh(run.input)) {
+    for (const std::string& lost : lost_in_openmesh(options, run.input)) {
       run.warnings.push_back(lost);
       talk.warning(lost);
     }

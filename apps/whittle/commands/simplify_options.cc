@@ -31,6 +31,8 @@ constexpr std::array<Choice<Boundary>, 3> boundaries{
 constexpr std::array<Choice<Topology>, 2> topologies{{{"keep", Topology::keep}, {"free", Topology::free}}};
 constexpr std::array<Choice<SelfIntersections>, 3> self_intersections{
     {{"allow", SelfIntersections::allow}, {"count", SelfIntersections::count}, {"refuse", SelfIntersections::refuse}}};
+constexpr std::array<Choice<Normals>, 3> normals{
+    {{"keep", Normals::keep}, {"recompute", Normals::recompute}, {"drop", Normals::drop}}};
 constexpr std::array<Choice<Engine>, 2> engines{{{"flat", Engine::flat}, {"openmesh", Engine::openmesh}}};
 
 /// Adds the options that a cost doesn't take, in the order in which conflicts are reported.
@@ -273,6 +275,9 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
       "'{stem}' as in OUT")
       ->default_str("off")
       ->group(file_group);
+  add_choice<Normals>(app, "--normals", options.simplify.decimate.normals, normals,
+                      "vertex normals: the mean of those merged, those of the faces of the result, or none")
+      ->group(file_group);
   add_pair_options(app, options);
   add_cost_options(app, options);
   add_guard_options(app, options);
@@ -329,6 +334,7 @@ nlohmann::ordered_json options_json(const SimplifyCommand& options) {
       {"weld", options.files.weld},
       {"weld_tolerance", to_string(options.files.weld_tolerance)},
       {"ascii", options.files.ascii},
+      {"normals", word_of<Normals>(normals, decimate.normals)},
       {"effort", word_of<Effort>(efforts, options.effort)},
       {"cost", to_string(decimate.effective_cost())},
       {"valence", decimate.valence_weight},

@@ -106,7 +106,7 @@ std::uint64_t Polisher::write(IndexedMesh& mesh) const {
     ++n_moved;
   }
   mesh.faces = mesh_->faces;
-  if (!mesh.normals.empty()) mesh.normals = vertex_normals(mesh, frame_);
+  if (options_.recompute_normals && !mesh.normals.empty()) mesh.normals = vertex_normals(mesh, frame_);
   return n_moved;
 }
 

@@ -282,6 +282,7 @@ TEST(Polish, ComputesNormalsAnew) {
   const IndexedMesh after = polished(original, d);
   ASSERT_EQ(after.normals.size(), after.positions.size());
   EXPECT_NE(after.normals, d.mesh.normals);
+  EXPECT_EQ(polished(original, d, {.recompute_normals = false}).normals, d.mesh.normals);
 }
 
 TEST(Polish, SaysWhatIsWrong) {

@@ -181,7 +181,7 @@ Decimation run(const IndexedMesh& mesh, const DecimateTarget& target, const Deci
   result.threshold_pairs = counts_of(pairs, options);
   result.threshold_pairs.contracted = n_contracted;
   result.warnings = warnings_about(mesh, result.threshold_pairs);
-  Decimation out = make_output(mesh, complex, frame, options.keep_quadrics ? cost.get() : nullptr);
+  Decimation out = make_output(mesh, complex, frame, options.normals, options.keep_quadrics ? cost.get() : nullptr);
   out.feature_edges = output_features(restraints.feature_edges(complex), complex, out.vertex_map);
   out.result = std::move(result);
   compare_surfaces(mesh, before, complex, options, out);

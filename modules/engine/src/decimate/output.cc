@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 #include "whittle/core/geometry/vertex_normals.hh"
@@ -53,23 +54,57 @@ void leave_out_coincident(std::vector<Index>& faces, std::span<const Triangle> i
   });
 }
 
+/// The sum of an attribute over the vertices merged into each vertex of the result, and their number.
+template <std::size_t N>
+struct MergedSum {
+  MergedSum(const std::vector<std::array<float, N>>& values, const std::vector<Index>& vertex_map,
+            std::size_t n_vertices)
+      : sums(n_vertices), counts(n_vertices) {
+    for (std::size_t v = 0; v < vertex_map.size(); ++v) {
+      if (vertex_map[v] == invalid_index) continue;
+      for (std::size_t i = 0; i < N; ++i) sums[vertex_map[v]][i] += values[v][i];
+      ++counts[vertex_map[v]];
+    }
+  }
+
+  std::vector<std::array<double, N>> sums;
+  std::vector<std::size_t> counts;
+};
+
 /// The mean colour of the vertices merged into each vertex of the result.
 std::vector<Color> merged_colors(const IndexedMesh& input, const std::vector<Index>& vertex_map,
                                  std::size_t n_vertices) {
-  std::vector<std::array<double, 4>> sums(n_vertices);
-  std::vector<double> counts(n_vertices);
-  for (std::size_t v = 0; v < vertex_map.size(); ++v) {
-    if (vertex_map[v] == invalid_index) continue;
-    for (std::size_t channel = 0; channel < 4; ++channel) sums[vertex_map[v]][channel] += input.colors[v][channel];
-    ++counts[vertex_map[v]];
-  }
+  const MergedSum<4> merged(input.colors, vertex_map, n_vertices);
   std::vector<Color> colors(n_vertices);
   for (std::size_t v = 0; v < n_vertices; ++v) {
     for (std::size_t channel = 0; channel < 4; ++channel) {
-      colors[v][channel] = static_cast<float>(sums[v][channel] / counts[v]);
+      colors[v][channel] = static_cast<float>(merged.sums[v][channel] / static_cast<double>(merged.counts[v]));
     }
   }
   return colors;
+}
+
+/// The mean direction of the normals merged into each vertex of `mesh`, the result. Where they cancel out it is that of
+/// the faces of `mesh`.
+std::vector<std::array<float, 3>> merged_normals(const IndexedMesh& input, const std::vector<Index>& vertex_map,
+                                                 const IndexedMesh& mesh, const Frame& frame) {
+  constexpr double least_mean = 1e-3;  // below that the mean of unit vectors has no direction to speak of
+  const MergedSum<3> merged(input.normals, vertex_map, mesh.positions.size());
+  std::vector<std::array<float, 3>> normals = vertex_normals(mesh, frame);
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    const auto& sum = merged.sums[v];
+    const double length = std::hypot(sum[0], sum[1], sum[2]);
+    const bool is_alone = merged.counts[v] == 1;  // then it keeps every bit
+    if (!is_alone && !(length >= least_mean * static_cast<double>(merged.counts[v]))) continue;
+    for (std::size_t i = 0; i < 3; ++i) normals[v][i] = static_cast<float>(is_alone ? sum[i] : sum[i] / length);
+  }
+  return normals;
+}
+
+std::vector<std::array<float, 3>> output_normals(const IndexedMesh& input, const std::vector<Index>& vertex_map,
+                                                 const IndexedMesh& mesh, const Frame& frame, Normals normals) {
+  if (input.normals.empty() || normals == Normals::drop) return {};
+  return normals == Normals::keep ? merged_normals(input, vertex_map, mesh, frame) : vertex_normals(mesh, frame);
 }
 
 /// Fills in vertices and quadrics. \return vertices of the complex → vertices of the output
@@ -93,7 +128,7 @@ std::vector<Index> write_vertices(const IndexedMesh& input, TriangleComplex& com
 
 }  // namespace
 
-Decimation make_output(const IndexedMesh& input, TriangleComplex& complex, const Frame& frame,
+Decimation make_output(const IndexedMesh& input, TriangleComplex& complex, const Frame& frame, Normals normals,
                        const PairCost* quadrics_of) {
   Decimation out;
   out.vertex_map = representatives(complex);
@@ -107,7 +142,7 @@ Decimation make_output(const IndexedMesh& input, TriangleComplex& complex, const
   mesh.faces.reserve(out.face_origins.size());
   for (const Index f : out.face_origins) mesh.faces.push_back(mapped(input.faces[f], out.vertex_map));
   if (!input.colors.empty()) mesh.colors = merged_colors(input, out.vertex_map, mesh.positions.size());
-  if (!input.normals.empty()) mesh.normals = vertex_normals(mesh, frame);
+  mesh.normals = output_normals(input, out.vertex_map, mesh, frame, normals);
   return out;
 }
 

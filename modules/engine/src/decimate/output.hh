@@ -11,7 +11,7 @@ namespace whittle {
 
 /// The mesh and the maps of a decimation, from a complex after its contractions; `result` and `feature_edges` are left
 /// to the caller. \param quadrics_of whose quadrics are wanted; null for none
-Decimation make_output(const IndexedMesh& input, TriangleComplex& complex, const Frame& frame,
+Decimation make_output(const IndexedMesh& input, TriangleComplex& complex, const Frame& frame, Normals normals,
                        const PairCost* quadrics_of);
 
 /// What of the input's attributes is not carried.

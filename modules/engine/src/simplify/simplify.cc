@@ -53,6 +53,7 @@ PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOption
   polish_options.fit_borders = decimate.boundary != Boundary::locked;
   if (decimate.feature_angle_deg.value_or(180) < 180) polish_options.feature_angle_deg = *decimate.feature_angle_deg;
   if (decimate.min_radius_ratio) polish_options.min_radius_ratio = *decimate.min_radius_ratio;
+  polish_options.recompute_normals = decimate.normals == Normals::recompute;
   polish_options.threads = decimate.threads;
   if (decimate.progress) {
     polish_options.progress = [&](const TaskProgress& progress) {

@@ -102,7 +102,7 @@ struct Decimation {
   std::vector<Index> vertex_map;  ///< input vertices → vertices of `mesh`; `invalid_index` where it was in no face
 };
 
-/// Decimates `mesh`. Colours are averaged over the vertices merged, normals computed anew where the input has them;
+/// Decimates `mesh`. Colours are averaged over the vertices merged, and normals as `DecimateOptions::normals` says;
 /// texture coordinates and groups are not carried, which `DecimateResult::warnings` says.
 /// Works on any triangle set. Results don't depend on the unit, on where the mesh lies, or on the number of threads.
 /// \throw std::invalid_argument for a face number out of range, a coordinate that isn't finite or is above 3e150, an

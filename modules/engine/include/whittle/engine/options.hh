@@ -26,6 +26,13 @@ enum class Topology {
          ///< out.
 };
 
+/// What becomes of the vertex normals of a mesh that has some.
+enum class Normals {
+  keep,       ///< The mean of those of the vertices merged into one; a vertex that nothing merged into keeps its own.
+  recompute,  ///< Those of the faces of the result, weighted by area.
+  drop        ///< The result has none.
+};
+
 /// Which vertices are pairs though no face joins them. \cite garland_1997_surface (section 3.2: valid pairs)
 struct PairOptions {
   std::optional<double> threshold{};            ///< Those closer than this, model units. [0, inf]; empty = none.
@@ -93,6 +100,8 @@ struct DecimateOptions {
 
   /// Edges that are features whatever their angle. Pairs that are no edge of the mesh don't count.
   std::vector<VertexPair> feature_edges{};
+
+  Normals normals = Normals::keep;
 
   /// Whether `Decimation::quadrics` is wanted.
   bool keep_quadrics = false;

@@ -59,7 +59,8 @@ struct PolishOptions {
   /// No face gets a smaller radius ratio (radius_ratio.hh) than this, unless it had a smaller one before. [0, 1]; less
   /// than 0.001, or none, counts as 0.001.
   std::optional<double> min_radius_ratio{};
-  unsigned threads = 0;  ///< 0 = all cores; the result is the same for any number
+  bool recompute_normals = true;  ///< whether the normals of a mesh that has some are computed anew from its faces
+  unsigned threads = 0;           ///< 0 = all cores; the result is the same for any number
   /// Cancelling leaves the mesh as the last pass that helped made it, or as it was.
   ProgressCallback progress{};
 };
@@ -72,10 +73,10 @@ struct PolishResult {
   bool cancelled = false;     ///< whether `progress` ended the run. Cancelled before the first pass, both rms may be 0
 };
 
-/// Moves vertices of `mesh`, and recomputes its normals if it has some. Nothing else changes, except what
-/// `PolishOptions::flips` describes. Vertices where the mesh is not manifold stay, and those where lines meet or end.
-/// \param original what `mesh` was made from; all positions finite. Nothing happens if either has no faces
-/// \param vertex_map for each vertex of `original` a vertex of `mesh` near it on the surface, as
+/// Moves vertices of `mesh`. Nothing else changes, except what `PolishOptions::flips` and `recompute_normals` describe.
+/// Vertices where the mesh is not manifold stay, and those where lines meet or end. \param original what `mesh` was
+/// made from; all positions finite. Nothing happens if either has no faces \param vertex_map for each vertex of
+/// `original` a vertex of `mesh` near it on the surface, as
 ///        `Decimation::vertex_map` has them; vertices with `invalid_index` are ignored
 /// \throw std::invalid_argument if a face or feature names a vertex that isn't there, `vertex_map` or `locked` has a
 ///        wrong length, or an option is out of range
