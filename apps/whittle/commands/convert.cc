@@ -30,7 +30,9 @@ Json convert_json(const ConvertCommand& options, const Conversion& run, double t
   Json json = new_report();
   json["input"] = input_json(run.input, metrics::bounds(mesh).diagonal());
   json["input"]["format"] = io::name_of(run.input.read.format);
-  json["options"] = {{"weld", options.files.weld}, {"ascii", options.files.ascii}};
+  json["options"] = {{"weld", options.files.weld},
+                     {"weld_tolerance", to_string(options.files.weld_tolerance)},
+                     {"ascii", options.files.ascii}};
   json["output"] = {{"path", options.output},
                     {"format", io::name_of(format_for_output(options.output, options.files))},
                     {"vertices", mesh.positions.size()},
@@ -80,7 +82,7 @@ void setup_convert(CLI::App& app, Command& command) {
   add_input_format(*sub, options->files);
   add_output_format(*sub, options->files);
   add_ascii(*sub, options->files);
-  add_no_weld(*sub, options->files);
+  add_weld_options(*sub, options->files);
   add_common_options(*sub, options->common);
   set_usage(*sub, "IN OUT [OPTION]...");
   sub->footer(
