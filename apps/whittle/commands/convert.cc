@@ -6,6 +6,7 @@
 #include "files/input.hh"
 #include "files/output.hh"
 #include "files/report.hh"
+#include "options/values.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
 
