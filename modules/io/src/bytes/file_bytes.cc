@@ -1,34 +1,17 @@
 #include "bytes/file_bytes.hh"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <string>
 #include <vector>
 
+#include "bytes/system_file.hh"
 #include "whittle/io/read.hh"
 
 namespace whittle::io {
 
 namespace {
-
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 [[noreturn]] void fail_reading(std::string_view name) {
   throw ReadError(std::string(name), std::string("cannot be read: ") + std::strerror(errno));
@@ -36,11 +19,9 @@ class Descriptor {
 
 // Reads until `size` bytes are there or the file ends. Returns the number of bytes read.
 std::size_t read_up_to(int descriptor, char* to, std::size_t size, std::string_view name) {
-  constexpr std::size_t largest_read = std::size_t{1} << 30;  // Linux reads at most 2 GiB at once
   std::size_t done = 0;
   while (done < size) {
-    const ssize_t got = ::read(descriptor, to + done, std::min(size - done, largest_read));
-    if (got < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t got = read_some(descriptor, to + done, size - done);
     if (got < 0) fail_reading(name);
     if (got == 0) break;
     done += static_cast<std::size_t>(got);
@@ -64,13 +45,11 @@ std::vector<char> read_all(int descriptor, std::string_view name) {
 
 FileBytes::FileBytes(const std::filesystem::path& path) {
   const std::string name = path.string();
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.number() < 0) throw ReadError(name, std::string("cannot be opened: ") + std::strerror(errno));
-  struct stat status {};
-  if (::fstat(file.number(), &status) != 0) fail_reading(name);
-  if (S_ISDIR(status.st_mode)) throw ReadError(name, "is a folder, not a mesh file");
-  if (S_ISREG(status.st_mode) && status.st_size > 0) {
-    const auto size = static_cast<std::size_t>(status.st_size);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) throw ReadError(name, "is a folder, not a mesh file");
+  const InputDescriptor file(path);
+  if (!file.is_open()) throw ReadError(name, std::string("cannot be opened: ") + std::strerror(errno));
+  if (const std::size_t size = file.size().value_or(0); size > 0) {
     data_ = std::make_unique_for_overwrite<char[]>(size);
     size_ = read_up_to(file.number(), data_.get(), size, name);
     return;

@@ -1,12 +1,12 @@
 #include "whittle/io/output_file.hh"
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <string>
 #include <system_error>
 #include <utility>
+
+#include "bytes/system_file.hh"
 
 namespace whittle::io {
 
@@ -45,7 +45,7 @@ OutputFile::OutputFile(fs::path path)
   const bool direct = is_open_already(target_) || (fs::exists(status) && !fs::is_regular_file(status));
   fs::path opened = target_;
   if (!direct) {
-    const std::string unique = '.' + std::to_string(::getpid()) + ".tmp";
+    const std::string unique = '.' + std::to_string(process_number()) + ".tmp";
     opened = target_.parent_path() / ('.' + target_.filename().string() + unique);
   }
   errno = 0;
