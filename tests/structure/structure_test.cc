@@ -8,6 +8,7 @@
 #include "structure/layers.hh"
 #include "structure/sizes.hh"
 #include "structure/source_tree.hh"
+#include "structure/words.hh"
 
 namespace {
 
@@ -40,6 +41,17 @@ TEST(Sizes, FunctionsAreShort) { EXPECT_THAT(long_functions(project(), most_line
 TEST(Sizes, HeadersAreShort) { EXPECT_THAT(long_headers(project(), most_lines_of_a_header), IsEmpty()); }
 
 TEST(Sizes, FoldersAreSmall) { EXPECT_THAT(full_folders(project(), most_files_of_a_folder), IsEmpty()); }
+
+TEST(Words, OfSomeCompilersStandInOneHeader) {
+  EXPECT_THAT(words_of_some_compilers(project(), "modules", "modules/core/include/whittle/core/detail/compiler.hh"),
+              IsEmpty());
+}
+
+TEST(Words, NoResultDependsOnHowASystemRounds) {
+  for (const std::string folder : {"core", "engine", "io", "polish"}) {
+    EXPECT_THAT(functions_rounded_anyhow(project(), "modules/" + folder), IsEmpty());
+  }
+}
 
 // Planted violations -------------------------------------------------------------------------------------------------
 
@@ -142,6 +154,21 @@ TEST(FolderCheck, FindsFullFolders) {
     if (i > 0) tree["a/b/" + std::to_string(i) + ".hh"] = "";
   }
   EXPECT_THAT(full_folders(tree, 20), ElementsAre("a has 21 files"));
+}
+
+TEST(WordCheck, FindsWordsOfSomeCompilers) {
+  const SourceTree tree = {
+      {"modules/a.hh", "[[gnu::pure]] int f();\nint g() { asm(\"\"); return __builtin_ctz(1); }\n"},
+      {"modules/b.hh", "struct __attribute__((packed)) A {};\n"},
+      {"tests/c.hh", "__extension__ int x;\n"}};
+  EXPECT_THAT(words_of_some_compilers(tree, "modules", "modules/b.hh"),
+              ElementsAre("modules/a.hh: gnu::pure", "modules/a.hh: asm", "modules/a.hh: __builtin_ctz"));
+}
+
+TEST(WordCheck, FindsFunctionsRoundedAnyhow) {
+  const SourceTree tree = {{"modules/a.cc", "x = std::cos(y) + std::sqrt(z) + std::pow(x, 2) + std::log1p(y);\n"}};
+  EXPECT_THAT(functions_rounded_anyhow(tree, "modules"),
+              ElementsAre("modules/a.cc: std::cos(", "modules/a.cc: std::pow(", "modules/a.cc: std::log1p("));
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
 #include "whittle/core/feature_edges.hh"
 
-#include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "whittle/core/detail/checks.hh"
 #include "whittle/core/detail/edge_table.hh"
+#include "whittle/core/detail/portable_math.hh"
 #include "whittle/core/frame.hh"
 
 namespace whittle {
@@ -18,7 +17,7 @@ std::vector<VertexPair> feature_edges(const IndexedMesh& mesh, double angle_deg)
     const Vec3 p = frame.to_frame(mesh.positions[a]);
     return (frame.to_frame(mesh.positions[b]) - p).cross(frame.to_frame(mesh.positions[c]) - p);
   };
-  const double least_cosine = std::cos(angle_deg * std::numbers::pi / 180);
+  const double least_cosine = detail::cosine_of_deg(angle_deg);
   const detail::EdgeTable edges(mesh.faces, mesh.positions.size());
   const auto is_sharp = [&](std::size_t edge) {
     const std::span<const Index> sides = edges.sides(edge);

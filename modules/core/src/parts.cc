@@ -8,6 +8,7 @@
 #include "whittle/core/detail/checks.hh"
 #include "whittle/core/detail/disjoint_sets.hh"
 #include "whittle/core/detail/drop.hh"
+#include "whittle/core/frame.hh"
 
 namespace whittle {
 
@@ -40,7 +41,7 @@ std::vector<double> part_diagonals(std::span<const Vec3> positions, const Parts&
     high[part] = high[part].cwiseMax(positions[v]);
   }
   std::vector<double> diagonals(parts.count);
-  for (std::size_t part = 0; part < parts.count; ++part) diagonals[part] = (high[part] - low[part]).stableNorm();
+  for (std::size_t part = 0; part < parts.count; ++part) diagonals[part] = PointBounds{low[part], high[part]}.diagonal();
   return diagonals;
 }
 

@@ -2,17 +2,13 @@
 
 #include <system_error>
 
+#include "whittle/core/detail/compiler.hh"
+
 namespace whittle {
 namespace {
 
 /// About 50 µs: longer than most pauses between jobs, short against a time slice.
 constexpr int spins_before_sleep = 2000;
-
-void pause() {
-#if defined(__x86_64__) || defined(__i386__)
-  __builtin_ia32_pause();
-#endif
-}
 
 }  // namespace
 
@@ -42,7 +38,7 @@ void ThreadPool::run(std::size_t n_blocks, const std::function<void(std::size_t)
   job_.notify_all();
   take_blocks();
   ++job_;  // helpers that wake up now are too late
-  while (n_at_work_ != 0) pause();
+  while (n_at_work_ != 0) pause_processor();
 }
 
 void ThreadPool::take_blocks() {
@@ -55,7 +51,7 @@ void ThreadPool::help() {
     const unsigned job = job_;
     if (job == seen) {
       int n_spins = 0;
-      while (job_ == seen && ++n_spins < spins_before_sleep) pause();
+      while (job_ == seen && ++n_spins < spins_before_sleep) pause_processor();
       if (job_ == seen) job_.wait(seen);
       continue;
     }

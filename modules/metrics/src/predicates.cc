@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "whittle/core/detail/error_free.hh"
+
 namespace whittle::metrics {
 
 namespace {
@@ -30,23 +32,8 @@ struct Expansion {
   int sign_of() const { return size > 0 ? sign(terms[size - 1]) : 0; }
 };
 
-struct Pair {
-  double value, error;
-};
-
-/// value + error = a + b exactly; Shewchuk's Two-Sum.
-Pair two_sum(double a, double b) {
-  const double sum = a + b, b_part = sum - a, a_part = sum - b_part;
-  return {sum, (a - a_part) + (b - b_part)};
-}
-
-Pair two_product(double a, double b) {
-  const double product = a * b;
-  return {product, std::fma(a, b, -product)};
-}
-
 Expansion<2> difference(double a, double b) {
-  const auto [value, error] = two_sum(a, -b);
+  const auto [value, error] = detail::two_sum(a, -b);
   Expansion<2> result;
   result.push(error);
   result.push(value);
@@ -61,7 +48,7 @@ Expansion<N + M> operator+(const Expansion<N>& e, const Expansion<M>& f) {
   std::size_t i = 0, j = 0;
   while (i < e.size || j < f.size) {
     const bool take_e = j >= f.size || (i < e.size && std::abs(e.terms[i]) <= std::abs(f.terms[j]));
-    const auto [value, error] = two_sum(rest, take_e ? e.terms[i++] : f.terms[j++]);
+    const auto [value, error] = detail::two_sum(rest, take_e ? e.terms[i++] : f.terms[j++]);
     result.push(error);
     rest = value;
   }
@@ -81,9 +68,9 @@ Expansion<2 * N> scale(const Expansion<N>& e, double factor) {
   Expansion<2 * N> result;
   double rest = 0.0;
   for (std::size_t i = 0; i < e.size; ++i) {
-    const auto [product, product_error] = two_product(e.terms[i], factor);
-    const auto [middle, low] = two_sum(rest, product_error);
-    const auto [high, error] = two_sum(product, middle);
+    const auto [product, product_error] = detail::two_product(e.terms[i], factor);
+    const auto [middle, low] = detail::two_sum(rest, product_error);
+    const auto [high, error] = detail::two_sum(product, middle);
     result.push(low);
     result.push(error);
     rest = high;

@@ -1,4 +1,5 @@
-// Formulas for several pairs at once, compared with the same formulas for one: each lane gets the same bits.
+// Formulas for several pairs at once, compared with the same formulas for one: each lane gets the same bits. So it does
+// in the arrays that stand for vectors where the compiler has none.
 #include "whittle/core/detail/lanes.hh"
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include <bit>
 
 #include "support/random.hh"
+#include "whittle/core/detail/lane_array.hh"
 #include "whittle/engine/formula/flip_limit.hh"
 #include "whittle/engine/formula/pair_minimum.hh"
 #include "whittle/engine/formula/quadric_term.hh"
@@ -19,7 +21,7 @@ class Lanes : public testing::Test {
  public:
   static constexpr std::size_t n = n_lanes<Real>;
 };
-using Widths = testing::Types<Double2, Double4>;
+using Widths = testing::Types<Double2, Double4, detail::LaneArray<double, 2>, detail::LaneArray<double, 4>>;
 TYPED_TEST_SUITE(Lanes, Widths, );
 
 /// Small integers, so some of the faces have no area.

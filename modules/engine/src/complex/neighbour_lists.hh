@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "whittle/core/detail/compiler.hh"
 #include "whittle/core/detail/large_array.hh"
-#include "whittle/core/detail/prefetch.hh"
 #include "whittle/core/indexed_mesh.hh"
 
 namespace whittle {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
+
+#include "whittle/core/detail/portable_math.hh"
 
 namespace whittle {
 
@@ -35,7 +35,7 @@ void Restraints::mark_features(const TriangleComplex& complex, std::span<const V
     add(a, b);
     add(b, a);
   }
-  const double least_cosine = std::cos(corner_angle_deg * std::numbers::pi / 180);
+  const double least_cosine = detail::cosine_of_deg(corner_angle_deg);
   const auto turns = [&](Index v) {
     const Vec3 in = complex.position(v) - complex.position(others[v][0]);
     const Vec3 out = complex.position(others[v][1]) - complex.position(v);

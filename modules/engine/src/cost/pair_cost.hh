@@ -4,7 +4,7 @@
 #include <span>
 
 #include "complex/triangle_complex.hh"
-#include "whittle/core/detail/prefetch.hh"
+#include "whittle/core/detail/compiler.hh"
 #include "whittle/engine/formula/pair_evaluation.hh"
 #include "whittle/engine/host.hh"
 #include "whittle/engine/reach.hh"

@@ -9,11 +9,10 @@ namespace {
 
 /// Whether moving the common corner of `faces` exceeds the limit for one of them.
 template <class Real>
-[[gnu::always_inline]] inline bool exceeds_in_lanes(const TriangleComplex& complex, const FlipLimit& limit,
-                                                    const StarFaces& faces, const Vec3& from, const Vec3& to) {
-  const auto everywhere = [](const Vec3& p) __attribute__((always_inline)) {
-    return [&p](std::size_t) -> const Vec3& { return p; };
-  };
+WHITTLE_INLINE bool exceeds_in_lanes(const TriangleComplex& complex, const FlipLimit& limit, const StarFaces& faces,
+                                     const Vec3& from, const Vec3& to) {
+  const auto everywhere = [](const Vec3& p)
+                              WHITTLE_INLINE_LAMBDA { return [&p](std::size_t) -> const Vec3& { return p; }; };
   const auto from_lanes = point_lanes<Real>(everywhere(from));
   const auto to_lanes = point_lanes<Real>(everywhere(to));
   for (std::size_t i = 0; i < faces.size(); i += n_lanes<Real>) {
@@ -25,8 +24,8 @@ template <class Real>
   return false;
 }
 
-WHITTLE_DOUBLE4 bool exceeds_with_four(const TriangleComplex& complex, const FlipLimit& limit, const StarFaces& faces,
-                                       const Vec3& from, const Vec3& to) {
+WHITTLE_AVX2 bool exceeds_with_four(const TriangleComplex& complex, const FlipLimit& limit, const StarFaces& faces,
+                                    const Vec3& from, const Vec3& to) {
   return exceeds_in_lanes<Double4>(complex, limit, faces, from, to);
 }
 

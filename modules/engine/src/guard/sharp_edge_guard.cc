@@ -1,13 +1,13 @@
 #include "guard/sharp_edge_guard.hh"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+
+#include "whittle/core/detail/portable_math.hh"
 
 namespace whittle {
 
 SharpEdgeGuard::SharpEdgeGuard(TriangleComplex& complex, const Restraints& restraints, double angle_deg)
-    : complex_(complex), restraints_(restraints), least_cosine_(std::cos(angle_deg * std::numbers::pi / 180)) {}
+    : complex_(complex), restraints_(restraints), least_cosine_(detail::cosine_of_deg(angle_deg)) {}
 
 bool SharpEdgeGuard::refuses_at(ContractionProfile& profile, const Vec3& position) {
   const Pair& pair = profile.pair;

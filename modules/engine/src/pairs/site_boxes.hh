@@ -15,7 +15,7 @@ using Box = Eigen::AlignedBox3d;
 /// Writes those of begin and begin + 1 whose lane is set. \return the new end. The outcome is unpredictable, hence
 /// branch-free.
 template <class Mask>
-[[gnu::always_inline]] inline Index* write_set(const Mask& mask, Index begin, Index* end) {
+WHITTLE_INLINE Index* write_set(const Mask& mask, Index begin, Index* end) {
   *end = begin;
   end -= mask[0];
   *end = begin + 1;

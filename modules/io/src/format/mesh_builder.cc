@@ -57,7 +57,9 @@ void MeshBuilder::scale_colors() {
 // A normal that is of unit length up to the rounding of its digits stays, so that reading and writing keep it.
 void MeshBuilder::normalize_normals() {
   for (auto& n : result_.mesh.normals) {
-    const double length = std::hypot(static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2]));
+    double square = 0;  // of floats: neither too large nor too small for a double
+    for (const double c : n) square += c * c;
+    const double length = std::sqrt(square);
     if (std::abs(length - 1) < 1e-4) continue;
     if (!(length > 0) || !std::isfinite(length)) {
       n = {0, 0, 0};

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fit/two_sided_error.hh"
+#include "whittle/core/detail/portable_math.hh"
 
 // Fair's weights. Up to a unit distance a point counts by its squared distance, beyond that by its distance.
 // \cite holland_1977_robust
@@ -26,7 +27,7 @@ inline double fair_loss(const Distances& distances, double unit) {
   double sum = 0;
   for (const auto& [square, weight] : distances) {
     const double x = std::sqrt(square) / unit;
-    sum += weight * (x - std::log1p(x));
+    sum += weight * (x - detail::log_of_one_plus(x));
   }
   return sum;
 }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "whittle/core/detail/prefetch.hh"
+#include "whittle/core/detail/compiler.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 
 namespace whittle::polishing {

@@ -1,8 +1,8 @@
 #include "guard/face_limits.hh"
 
-#include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "whittle/core/detail/portable_math.hh"
 
 namespace whittle::polishing {
 
@@ -13,7 +13,7 @@ FaceLimits::FaceLimits(const FaceNeighbors& neighbors, std::span<const VertexPai
       min_radius_ratio_(std::max(min_radius_ratio, least_radius_ratio)),
       wide_(min_radius_ratio_ > least_radius_ratio ? std::numeric_limits<double>::infinity() : 0.05) {
   if (!feature_angle_deg) return;
-  least_cosine_ = std::cos(*feature_angle_deg * std::numbers::pi / 180);
+  least_cosine_ = detail::cosine_of_deg(*feature_angle_deg);
   is_feature_.resize(neighbors.n_faces());
   for (const auto& [a, b] : features) {
     const auto [face, slot] = neighbors.inner_side(a, b);

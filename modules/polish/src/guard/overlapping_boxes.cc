@@ -36,7 +36,7 @@ struct alignas(32) Octet {
 };
 
 /// All ones in the lanes of those boxes of an octet that overlap one box of another octet.
-[[gnu::always_inline]] inline Int8 overlaps(const Octet& octet, const Octet& other, std::size_t lane) {
+WHITTLE_INLINE Int8 overlaps(const Octet& octet, const Octet& other, std::size_t lane) {
   Int8 all = ~Int8{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     all &= (load(octet.low[axis]) <= other.high[axis][lane]) & (load(octet.high[axis]) >= other.low[axis][lane]);
@@ -45,11 +45,11 @@ struct alignas(32) Octet {
 }
 
 /// One bit for each lane.
-[[gnu::always_inline]] inline unsigned bits(const Int8& lanes) {
+WHITTLE_INLINE unsigned bits(const Int8& lanes) {
   Int8 x = lanes & Int8{1, 2, 4, 8, 16, 32, 64, 128};
-  x |= __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3);
-  x |= __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5);
-  x |= __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6);
+  x |= shuffled<4, 5, 6, 7, 0, 1, 2, 3>(x, x);
+  x |= shuffled<2, 3, 0, 1, 6, 7, 4, 5>(x, x);
+  x |= shuffled<1, 0, 3, 2, 5, 4, 7, 6>(x, x);
   return static_cast<unsigned>(x[0]);
 }
 
@@ -89,9 +89,9 @@ class BoxTree {
   }
 
  private:
-  WHITTLE_DOUBLE4 void find_in_wide_registers(std::size_t octet, Pairs& pairs) const { find_in_octets(octet, pairs); }
+  WHITTLE_AVX2 void find_in_wide_registers(std::size_t octet, Pairs& pairs) const { find_in_octets(octet, pairs); }
 
-  [[gnu::always_inline]] inline void find_in_octets(std::size_t octet, Pairs& pairs) const {
+  WHITTLE_INLINE void find_in_octets(std::size_t octet, Pairs& pairs) const {
     struct Waiting {
       std::size_t octet, height;
     };
@@ -113,7 +113,7 @@ class BoxTree {
     }
   }
 
-  [[gnu::always_inline]] inline void write_pairs(std::size_t octet, std::size_t other, Pairs& pairs) const {
+  WHITTLE_INLINE void write_pairs(std::size_t octet, std::size_t other, Pairs& pairs) const {
     const bool is_one = levels_.size() == 1;
     const Int8 overlapping =
         is_one ? ~Int8{} : overlaps(levels_[0][octet], levels_[1][other / fan_out], other % fan_out);

@@ -1,11 +1,11 @@
 #include "surface/foot_finder.hh"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
 
+#include "whittle/core/detail/compiler.hh"
 #include "whittle/core/detail/lanes.hh"
-#include "whittle/core/detail/prefetch.hh"
 
 namespace whittle::polishing {
 namespace {
@@ -14,16 +14,16 @@ constexpr float least_normal_agreement = 0.5;  ///< cosine between the normals o
 constexpr float inside_slack = 1e-4F;          ///< how far outside a face is still inside, in barycentric coordinates
 constexpr std::int32_t nowhere = 0x7fffffff;
 
-[[gnu::always_inline]] inline Float8 dot(const std::array<EightFloats, 3>& lanes, const Eigen::Vector3f& v) {
+WHITTLE_INLINE Float8 dot(const std::array<EightFloats, 3>& lanes, const Eigen::Vector3f& v) {
   return load(lanes[0]) * v.x() + load(lanes[1]) * v.y() + load(lanes[2]) * v.z();
 }
 
 /// The least of eight lanes.
-[[gnu::always_inline]] inline std::int32_t least(Int8 x) {
-  const auto min = [](const Int8& a, const Int8& b) __attribute__((always_inline)) { return a < b ? a : b; };
-  x = min(x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3));
-  x = min(x, __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5));
-  x = min(x, __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6));
+WHITTLE_INLINE std::int32_t least(Int8 x) {
+  const auto min = [](const Int8& a, const Int8& b) WHITTLE_INLINE_LAMBDA { return select_lanes(a < b, a, b); };
+  x = min(x, shuffled<4, 5, 6, 7, 0, 1, 2, 3>(x, x));
+  x = min(x, shuffled<2, 3, 0, 1, 6, 7, 4, 5>(x, x));
+  x = min(x, shuffled<1, 0, 3, 2, 5, 4, 7, 6>(x, x));
   return x[0];
 }
 
@@ -40,21 +40,20 @@ Foot foot(const Corner& corner, float next, float last, float distance) {
 /// The search in eight faces at a time, compiled for registers of either width.
 class FootFinder::Lanes {
  public:
-  [[gnu::always_inline]] static void find(const FootFinder& finder, std::span<const Query> queries,
-                                          std::span<Foot> feet) {
+  WHITTLE_INLINE static void find(const FootFinder& finder, std::span<const Query> queries, std::span<Foot> feet) {
     constexpr std::size_t ahead = 8;  // some hundred nanoseconds
     for (std::size_t i = 0; i < queries.size(); ++i) {
       if (i + ahead < queries.size()) finder.prefetch(queries[i + ahead].start);
       feet[i] = queries[i].start == invalid_index ? Foot{} : find(finder, queries[i]);
     }
   }
-  WHITTLE_DOUBLE4 static void find_in_wide_registers(const FootFinder& finder, std::span<const Query> queries,
-                                                     std::span<Foot> feet) {
+  WHITTLE_AVX2 static void find_in_wide_registers(const FootFinder& finder, std::span<const Query> queries,
+                                                  std::span<Foot> feet) {
     find(finder, queries, feet);
   }
 
  private:
-  [[gnu::always_inline]] static Foot find(const FootFinder& finder, const Query& query) {
+  WHITTLE_INLINE static Foot find(const FootFinder& finder, const Query& query) {
     const Index v = query.start;
     const Eigen::Vector3f offset = (query.position - finder.positions_[v]).cast<float>();
     const float least_along = least_normal_agreement * std::sqrt(query.normal.squaredNorm());
@@ -69,7 +68,7 @@ class FootFinder::Lanes {
       const auto holds = (first >= -inside_slack) & (next >= -inside_slack) & (last >= -inside_slack) &
                          (dot(octet.normal, query.normal) > least_along);
       // The bits of a float without its sign are ordered as its values. The last three are replaced by the lane.
-      const Int8 key = (reinterpret_cast<Int8>(distance) & 0x7ffffff8) | Int8{0, 1, 2, 3, 4, 5, 6, 7};
+      const Int8 key = (std::bit_cast<Int8>(distance) & 0x7ffffff8) | Int8{0, 1, 2, 3, 4, 5, 6, 7};
       const std::int32_t here = least((holds & key) | (~holds & nowhere));
       if (here >= nearest) continue;
       nearest = here;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "surface/surface_walk.hh"
-#include "whittle/core/detail/prefetch.hh"
+#include "whittle/core/detail/compiler.hh"
 
 namespace whittle::polishing {
 namespace {

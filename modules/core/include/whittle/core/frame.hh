@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "whittle/core/detail/portable_math.hh"
 #include "whittle/core/indexed_mesh.hh"
 
 namespace whittle {
@@ -13,7 +14,10 @@ struct PointBounds {
   Vec3 low = Vec3::Zero();
   Vec3 high = Vec3::Zero();
 
-  double diagonal() const { return (high - low).stableNorm(); }
+  double diagonal() const {
+    const Vec3 size = high - low;
+    return detail::hypotenuse(size.x(), detail::hypotenuse(size.y(), size.z()));
+  }
 };
 
 /// The box around points. Without points, a box of no extent at the origin.
@@ -73,7 +77,7 @@ struct Frame {
   /// Multiplies twice by half the power: with a huge unit the whole power may be out of range, though the product
   /// isn't.
   static double times_power(double cost, double factor, double power) {
-    const double half = std::pow(factor, 0.5 * power);
+    const double half = detail::power(factor, 0.5 * power);
     return cost * half * half;
   }
 };

@@ -1,7 +1,8 @@
 #include "whittle/engine/formula/edge_length_term.hh"
 
 #include <algorithm>
-#include <cmath>
+
+#include "whittle/core/detail/portable_math.hh"
 
 namespace whittle {
 
@@ -27,7 +28,7 @@ PairEvaluation evaluate_isotropic(const PlacedQuadric& v0, const PlacedQuadric& 
     evaluation = evaluate_pair(held0, held1, placement, pinned);
   }
   const double error = std::max(0.0, sum(evaluation.position - v0.position));
-  evaluation.cost = std::pow(error, 1 - isotropy) * std::pow(length_sq, isotropy);
+  evaluation.cost = detail::power(error, 1 - isotropy) * detail::power(length_sq, isotropy);
   evaluation.bound = evaluation.cost;
   evaluation.is_minimum = false;
   return evaluation;

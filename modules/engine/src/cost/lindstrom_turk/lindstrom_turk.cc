@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "whittle/core/detail/portable_math.hh"
+
 namespace whittle {
 namespace {
 
@@ -27,11 +29,11 @@ std::pair<Vec3, Vec3> main_directions_across(const SymmetricMatrix& m, const Vec
   const Vec3 v = normal.cross(u);
   const double half_difference = 0.5 * (u.dot(m * u) - v.dot(m * v));
   const double mixed = u.dot(m * v);
-  const double radius = std::hypot(half_difference, mixed);
+  const double radius = detail::hypotenuse(half_difference, mixed);
   // (cos, sin) of the greatest one's angle to u, not of unit length; of two forms the one without cancellation.
   double along = half_difference >= 0 ? radius + half_difference : mixed;
   double across = half_difference >= 0 ? mixed : radius - half_difference;
-  const double length = std::hypot(along, across);
+  const double length = detail::hypotenuse(along, across);
   if (!(length > 0)) return {u, v};  // the same in all directions
   along /= length;
   across /= length;

@@ -21,7 +21,7 @@ void LindstromTurkCost::start(unsigned threads) {
 }
 
 /// Counter-clockwise from the lowest original number on.
-[[gnu::always_inline]] inline void LindstromTurkCost::sum_around_ring(Index v) {
+WHITTLE_INLINE void LindstromTurkCost::sum_around_ring(Index v) {
   const std::span<const Neighbour> ring = complex_.neighbours(v);
   const Double4 p = side_by_side(complex_.position(v));
   const std::size_t first = lowest_place(complex_, ring);
@@ -38,7 +38,7 @@ void LindstromTurkCost::start(unsigned threads) {
   stars_[v] = star.sums(p, ring.size());
 }
 
-[[gnu::always_inline]] inline void LindstromTurkCost::sum_around_each(std::span<const Index> vertices) {
+WHITTLE_INLINE void LindstromTurkCost::sum_around_each(std::span<const Index> vertices) {
   for (const Index v : vertices) {
     if (complex_.is_ring(v) && complex_.has_faces(v)) {
       sum_around_ring(v);
@@ -48,7 +48,7 @@ void LindstromTurkCost::start(unsigned threads) {
   }
 }
 
-WHITTLE_DOUBLE4 void LindstromTurkCost::sum_around_with_double4(std::span<const Index> vertices) {
+WHITTLE_AVX2 void LindstromTurkCost::sum_around_with_double4(std::span<const Index> vertices) {
   sum_around_each(vertices);
 }
 
@@ -93,16 +93,15 @@ bool LindstromTurkCost::find_sides(const Pair& pair, Sides& sides) const {
 }
 
 template <class Real>
-[[gnu::always_inline]] inline void LindstromTurkCost::rank_group(const std::array<Sides, n_lanes<Real>>& group,
-                                                                 std::span<const Pair> pairs,
-                                                                 std::span<PairEvaluation> ranks) const {
+WHITTLE_INLINE void LindstromTurkCost::rank_group(const std::array<Sides, n_lanes<Real>>& group,
+                                                  std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
   const auto star_a = [&](std::size_t lane) -> const StarSums& { return stars_[group[lane].a]; };
   const auto star_b = [&](std::size_t lane) -> const StarSums& { return stars_[group[lane].b]; };
   const StarLanes<Real> a = star_lanes<Real>(star_a);
   const StarLanes<Real> b = star_lanes<Real>(star_b);
   const PointLanes<Real>& origin = a.position;
   const PointLanes<Real> d = b.position - origin;
-  const auto corner = [&](std::size_t side) __attribute__((always_inline)) {
+  const auto corner = [&](std::size_t side) WHITTLE_INLINE_LAMBDA {
     const auto star = [&](std::size_t lane) -> const StarSums& { return stars_[group[lane].corners[side]]; };
     return star_positions<Real>(star) - origin;
   };
@@ -135,8 +134,8 @@ template <class Real>
 }
 
 template <class Real>
-[[gnu::always_inline]] inline void LindstromTurkCost::rank_in_lanes(std::span<const Pair> pairs,
-                                                                    std::span<PairEvaluation> ranks) const {
+WHITTLE_INLINE void LindstromTurkCost::rank_in_lanes(std::span<const Pair> pairs,
+                                                     std::span<PairEvaluation> ranks) const {
   std::array<Sides, n_lanes<Real>> group;
   std::size_t n = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -157,8 +156,8 @@ template <class Real>
   rank_group<Real>(group, pairs, ranks);
 }
 
-WHITTLE_DOUBLE4 void LindstromTurkCost::rank_four_at_once(std::span<const Pair> pairs,
-                                                          std::span<PairEvaluation> ranks) const {
+WHITTLE_AVX2 void LindstromTurkCost::rank_four_at_once(std::span<const Pair> pairs,
+                                                       std::span<PairEvaluation> ranks) const {
   rank_in_lanes<Double4>(pairs, ranks);
 }
 

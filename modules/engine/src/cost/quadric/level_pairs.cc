@@ -7,7 +7,7 @@ namespace whittle {
 namespace {
 
 template <class Real, bool with_points, class VertexAt>
-[[gnu::always_inline]] inline QuadricLanes<Real> placed(const VertexQuadrics& quadrics, const VertexAt& vertex) {
+WHITTLE_INLINE QuadricLanes<Real> placed(const VertexQuadrics& quadrics, const VertexAt& vertex) {
   if constexpr (with_points) {
     return quadrics.placed_level_with_points<Real>(vertex);
   } else {
@@ -16,9 +16,8 @@ template <class Real, bool with_points, class VertexAt>
 }
 
 template <class Real, bool with_points>
-[[gnu::always_inline]] inline void find_minima_in_lanes(const VertexQuadrics& quadrics, std::span<const Pair> pairs,
-                                                        std::span<PairEvaluation> ranks,
-                                                        const std::optional<double>& first_area) {
+WHITTLE_INLINE void find_minima_in_lanes(const VertexQuadrics& quadrics, std::span<const Pair> pairs,
+                                         std::span<PairEvaluation> ranks, const std::optional<double>& first_area) {
   std::size_t i = 0;
   for (; i + n_lanes<Real> <= pairs.size(); i += n_lanes<Real>) {
     const Pair* const group = &pairs[i];
@@ -41,8 +40,8 @@ template <class Real, bool with_points>
 }
 
 template <bool with_points>
-WHITTLE_DOUBLE4 void find_minima_of_four(const VertexQuadrics& quadrics, std::span<const Pair> pairs,
-                                         std::span<PairEvaluation> ranks, const std::optional<double>& first_area) {
+WHITTLE_AVX2 void find_minima_of_four(const VertexQuadrics& quadrics, std::span<const Pair> pairs,
+                                      std::span<PairEvaluation> ranks, const std::optional<double>& first_area) {
   find_minima_in_lanes<Double4, with_points>(quadrics, pairs, ranks, first_area);
 }
 

@@ -10,7 +10,7 @@ namespace whittle {
 
 /// The quadrics of a vertex a lane, each summed over its faces in their order.
 template <class Real>
-[[gnu::always_inline]] inline void VertexQuadrics::sum_in_lanes(Index first) {
+WHITTLE_INLINE void VertexQuadrics::sum_in_lanes(Index first) {
   constexpr std::size_t n = n_lanes<Real>;
   std::array<std::span<const Neighbour>, n> lists;
   std::size_t n_faces = 0;
@@ -39,13 +39,13 @@ template <class Real>
 }
 
 template <class Real>
-[[gnu::always_inline]] inline void VertexQuadrics::sum_range_in_lanes(std::size_t begin, std::size_t end) {
+WHITTLE_INLINE void VertexQuadrics::sum_range_in_lanes(std::size_t begin, std::size_t end) {
   auto v = static_cast<Index>(begin);
   for (; v + n_lanes<Real> <= end; v += n_lanes<Real>) sum_in_lanes<Real>(v);
   for (; v < end; ++v) sum_in_lanes<double>(v);
 }
 
-WHITTLE_DOUBLE4 void VertexQuadrics::sum_four_at_once(std::size_t begin, std::size_t end) {
+WHITTLE_AVX2 void VertexQuadrics::sum_four_at_once(std::size_t begin, std::size_t end) {
   sum_range_in_lanes<Double4>(begin, end);
 }
 

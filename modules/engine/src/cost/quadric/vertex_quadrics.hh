@@ -41,10 +41,10 @@ class VertexQuadrics {
 
   /// Level vertices side by side. \param vertex lane → vertex
   template <class Real, class VertexAt>
-  [[gnu::always_inline]] QuadricLanes<Real> placed_level(const VertexAt& vertex) const;
+  WHITTLE_INLINE QuadricLanes<Real> placed_level(const VertexAt& vertex) const;
   /// Level vertices with their points side by side.
   template <class Real, class VertexAt>
-  [[gnu::always_inline]] QuadricLanes<Real> placed_level_with_points(const VertexAt& vertex) const;
+  WHITTLE_INLINE QuadricLanes<Real> placed_level_with_points(const VertexAt& vertex) const;
 
   /// Stores the quadric of a merged vertex.
   void merge(const Change& change, const Quadric& quadric);
@@ -81,7 +81,7 @@ class VertexQuadrics {
 };
 
 template <class Real, class VertexAt>
-[[gnu::always_inline]] inline QuadricLanes<Real> VertexQuadrics::placed_level(const VertexAt& vertex) const {
+WHITTLE_INLINE QuadricLanes<Real> VertexQuadrics::placed_level(const VertexAt& vertex) const {
   const auto quadric = [&](std::size_t lane) -> const Stored& { return quadrics_[vertex(lane)]; };
   const auto point =
       point_lanes<Real>([&](std::size_t lane) -> const Vec3& { return complex_.position(vertex(lane)); });
@@ -100,8 +100,7 @@ template <class Real, class VertexAt>
 }
 
 template <class Real, class VertexAt>
-[[gnu::always_inline]] inline QuadricLanes<Real> VertexQuadrics::placed_level_with_points(
-    const VertexAt& vertex) const {
+WHITTLE_INLINE QuadricLanes<Real> VertexQuadrics::placed_level_with_points(const VertexAt& vertex) const {
   const auto points_at = [&](std::size_t lane) -> const PointQuadric& { return points_[vertex(lane)]; };
   PointQuadricLanes<Real> points{};
   points.center = point_lanes<Real>([&](std::size_t lane) -> const Vec3& { return points_at(lane).center; });

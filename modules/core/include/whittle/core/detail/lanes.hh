@@ -2,17 +2,34 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <utility>
 
+#include "whittle/core/detail/compiler.hh"
 #include "whittle/core/indexed_mesh.hh"
 
-// Computing on several doubles at once. Each gets bit for bit the result that it would get alone. So functions for
-// processors with wider registers may be chosen at run time: `if (has_double4) …`.
+#ifndef WHITTLE_HAS_LANES
+#include "whittle/core/detail/lane_array.hh"
+#endif
+
+// Computing on several numbers at once. Each gets bit for bit the result that it would get alone. So functions for
+// processors with wider registers may be chosen at run time: `if (has_double4) …`. And where the compiler has no
+// vectors, arrays with the same operators take their place. Vectors have `?:` but arrays can't, hence `select_lanes`.
 
 namespace whittle {
 
-using Double2 = double __attribute__((vector_size(16)));
-using Double4 = double __attribute__((vector_size(32)));
+namespace detail {
+#ifdef WHITTLE_HAS_LANES
+template <class T, int n>
+using Lanes = typename LaneVector<T, n>::Type;
+#else
+template <class T, int n>
+using Lanes = LaneArray<T, n>;
+#endif
+}  // namespace detail
+
+using Double2 = detail::Lanes<double, 2>;
+using Double4 = detail::Lanes<double, 4>;
 
 template <class Real>
 inline constexpr std::size_t n_lanes = sizeof(Real) / sizeof(double);
@@ -24,16 +41,30 @@ using LaneMask = decltype(Real{} > Real{});
 /// Whether a mask is set in some lane.
 inline bool any_lane(bool lane) { return lane; }
 template <class Mask>
-[[gnu::always_inline]] inline bool any_lane(const Mask& mask) {
+WHITTLE_INLINE bool any_lane(const Mask& mask) {
   auto all = mask[0];
   for (std::size_t lane = 1; lane < sizeof(mask) / sizeof(mask[0]); ++lane) all |= mask[lane];
   return all != 0;
 }
 
+/// In each lane `yes` where the condition holds, else `no`. (lane_array.hh has this for arrays.)
+template <class Real>
+WHITTLE_INLINE Real select_lanes(const LaneMask<Real>& condition, const Real& yes, const Real& no) {
+  return condition ? yes : no;
+}
+
+/// The numbers at `from`, which may lie anywhere.
+template <class Vector, class Number>
+WHITTLE_INLINE Vector load_lanes(const Number* from) {
+  Vector lanes;
+  std::memcpy(static_cast<void*>(&lanes), from, sizeof(lanes));
+  return lanes;
+}
+
 /// real = {at(0), at(1), …}
 template <class Real, class At>
-[[gnu::always_inline]] inline void fill_lanes(Real& real, const At& at) {
-  [&]<std::size_t... lane>(std::index_sequence<lane...>) __attribute__((always_inline)) { real = Real{at(lane)...}; }
+WHITTLE_INLINE void fill_lanes(Real& real, const At& at) {
+  [&]<std::size_t... lane>(std::index_sequence<lane...>) WHITTLE_INLINE_LAMBDA { real = Real{at(lane)...}; }
   (std::make_index_sequence<n_lanes<Real>>());
 }
 
@@ -45,22 +76,21 @@ struct FourLanes {
 /// Transposes four elements of each lane's array: {at(0)[i], at(1)[i], …} for i = 0 … 3.
 /// \param at `at(lane)` points to the first of the four
 template <class Real, class At>
-[[gnu::always_inline]] inline FourLanes<Real> transposed_lanes(const At& at) {
+WHITTLE_INLINE FourLanes<Real> transposed_lanes(const At& at) {
   FourLanes<Real> columns;
   if constexpr (n_lanes<Real> == 4) {
-    using Row = double __attribute__((vector_size(32), may_alias, aligned(8)));
-    const Real row0 = *reinterpret_cast<const Row*>(at(0));
-    const Real row1 = *reinterpret_cast<const Row*>(at(1));
-    const Real row2 = *reinterpret_cast<const Row*>(at(2));
-    const Real row3 = *reinterpret_cast<const Row*>(at(3));
-    const Real even01 = __builtin_shufflevector(row0, row1, 0, 4, 2, 6);
-    const Real odd01 = __builtin_shufflevector(row0, row1, 1, 5, 3, 7);
-    const Real even23 = __builtin_shufflevector(row2, row3, 0, 4, 2, 6);
-    const Real odd23 = __builtin_shufflevector(row2, row3, 1, 5, 3, 7);
-    columns.first = __builtin_shufflevector(even01, even23, 0, 1, 4, 5);
-    columns.second = __builtin_shufflevector(odd01, odd23, 0, 1, 4, 5);
-    columns.third = __builtin_shufflevector(even01, even23, 2, 3, 6, 7);
-    columns.fourth = __builtin_shufflevector(odd01, odd23, 2, 3, 6, 7);
+    const Real row0 = load_lanes<Real>(at(0));
+    const Real row1 = load_lanes<Real>(at(1));
+    const Real row2 = load_lanes<Real>(at(2));
+    const Real row3 = load_lanes<Real>(at(3));
+    const Real even01 = shuffled<0, 4, 2, 6>(row0, row1);
+    const Real odd01 = shuffled<1, 5, 3, 7>(row0, row1);
+    const Real even23 = shuffled<0, 4, 2, 6>(row2, row3);
+    const Real odd23 = shuffled<1, 5, 3, 7>(row2, row3);
+    columns.first = shuffled<0, 1, 4, 5>(even01, even23);
+    columns.second = shuffled<0, 1, 4, 5>(odd01, odd23);
+    columns.third = shuffled<2, 3, 6, 7>(even01, even23);
+    columns.fourth = shuffled<2, 3, 6, 7>(odd01, odd23);
   } else {
     fill_lanes(columns.first, [&](std::size_t lane) { return at(lane)[0]; });
     fill_lanes(columns.second, [&](std::size_t lane) { return at(lane)[1]; });
@@ -71,7 +101,7 @@ template <class Real, class At>
 }
 
 template <class Real>
-[[gnu::always_inline]] inline double lane_of(const Real& real, std::size_t i) {
+WHITTLE_INLINE double lane_of(const Real& real, std::size_t i) {
   if constexpr (n_lanes<Real> == 1) {
     return real;
   } else {
@@ -81,7 +111,7 @@ template <class Real>
 
 /// The square root of each lane.
 template <class Real>
-[[gnu::always_inline]] inline void take_square_roots(Real& x) {
+WHITTLE_INLINE void take_square_roots(Real& x) {
   fill_lanes(x, [x](std::size_t i) { return std::sqrt(lane_of(x, i)); });
 }
 
@@ -89,21 +119,21 @@ template <class Real>
 struct PointLanes {
   Real x, y, z;
 
-  [[gnu::always_inline]] friend PointLanes operator+(const PointLanes& a, const PointLanes& b) {
+  WHITTLE_INLINE friend PointLanes operator+(const PointLanes& a, const PointLanes& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
   }
-  [[gnu::always_inline]] friend PointLanes operator-(const PointLanes& a, const PointLanes& b) {
+  WHITTLE_INLINE friend PointLanes operator-(const PointLanes& a, const PointLanes& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
   }
-  [[gnu::always_inline]] PointLanes cross(const PointLanes& o) const {
+  WHITTLE_INLINE PointLanes cross(const PointLanes& o) const {
     return {y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x};
   }
-  [[gnu::always_inline]] Real dot(const PointLanes& o) const { return x * o.x + y * o.y + z * o.z; }
+  WHITTLE_INLINE Real dot(const PointLanes& o) const { return x * o.x + y * o.y + z * o.z; }
 };
 
 /// \param at `at(lane)` is the point of a lane
 template <class Real, class At>
-[[gnu::always_inline]] inline PointLanes<Real> point_lanes(const At& at) {
+WHITTLE_INLINE PointLanes<Real> point_lanes(const At& at) {
   PointLanes<Real> point;
   fill_lanes(point.x, [&](std::size_t lane) { return at(lane).x(); });
   fill_lanes(point.y, [&](std::size_t lane) { return at(lane).y(); });
@@ -113,14 +143,7 @@ template <class Real, class At>
 
 inline PointLanes<double> point_lanes(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
-/// Marks functions that may use Double4. Call them only if `has_double4`. Functions to which they pass a Double4 must
-/// be inlined.
-#ifdef __x86_64__
-#define WHITTLE_DOUBLE4 [[gnu::target("avx2")]]
-inline const bool has_double4 = __builtin_cpu_supports("avx2") != 0;
-#else
-#define WHITTLE_DOUBLE4
-inline const bool has_double4 = false;
-#endif
+/// Whether functions marked WHITTLE_AVX2 may be called. Functions to which they pass a Double4 must be inlined.
+inline const bool has_double4 = has_avx2();
 
 }  // namespace whittle

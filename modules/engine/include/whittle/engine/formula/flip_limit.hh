@@ -1,9 +1,7 @@
 #pragma once
 
-#include <cmath>
-#include <numbers>
-
 #include "whittle/core/detail/lanes.hh"
+#include "whittle/core/detail/portable_math.hh"
 
 namespace whittle {
 
@@ -12,7 +10,7 @@ class FlipLimit {
  public:
   /// \param max_angle_deg (0, 180]; at 180 only a face that loses its area is beyond the limit
   explicit FlipLimit(double max_angle_deg)
-      : least_cosine_(max_angle_deg < 180 ? std::cos(max_angle_deg * std::numbers::pi / 180) : never),
+      : least_cosine_(max_angle_deg < 180 ? detail::cosine_of_deg(max_angle_deg) : never),
         signed_min_cosine_sq_(max_angle_deg < 180 ? signed_square<double>(least_cosine_) : never) {}
 
   /// The least cosine between a face's normals before and after; below all cosines if there is no limit.
@@ -20,8 +18,8 @@ class FlipLimit {
 
   /// Whether faces have an area. \param normal_sq the square of twice the area \param arm, opposite two of their sides
   template <class Real>
-  [[gnu::always_inline]] static auto has_area(const Real& normal_sq, const PointLanes<Real>& arm,
-                                              const PointLanes<Real>& opposite) {
+  WHITTLE_INLINE static auto has_area(const Real& normal_sq, const PointLanes<Real>& arm,
+                                      const PointLanes<Real>& opposite) {
     return normal_sq > (no_area_sine_sq * opposite.dot(opposite)) * arm.dot(arm);
   }
 
@@ -32,8 +30,8 @@ class FlipLimit {
   }
   /// Whether one of several faces side by side does.
   template <class Real>
-  [[gnu::always_inline]] bool is_exceeded(const PointLanes<Real>& from, const PointLanes<Real>& to,
-                                          const PointLanes<Real>& x, const PointLanes<Real>& y) const {
+  WHITTLE_INLINE bool is_exceeded(const PointLanes<Real>& from, const PointLanes<Real>& to, const PointLanes<Real>& x,
+                                  const PointLanes<Real>& y) const {
     const auto opposite = y - x;
     const auto arm_before = x - from;
     const auto arm_after = x - to;
@@ -56,8 +54,8 @@ class FlipLimit {
   static constexpr double never = -2;  ///< below all cosines, with rounding
 
   template <class Real>
-  [[gnu::always_inline]] static Real signed_square(const Real& x) {
-    return x * (x < 0 ? -x : x);
+  WHITTLE_INLINE static Real signed_square(const Real& x) {
+    return x * select_lanes(x < 0, -x, x);
   }
 
   double least_cosine_;

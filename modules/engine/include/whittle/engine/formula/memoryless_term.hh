@@ -45,7 +45,7 @@ struct StarVolume {
 
 /// What to multiply E by. \param weight W \param first_area a₀
 template <class Real>
-[[gnu::always_inline]] inline Real memoryless_factor(const Real& weight, double first_area) {
+WHITTLE_INLINE Real memoryless_factor(const Real& weight, double first_area) {
   Real factor = weight + 2 * first_area;
   take_square_roots(factor);
   return factor;

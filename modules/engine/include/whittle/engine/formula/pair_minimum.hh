@@ -37,8 +37,7 @@ struct PairMinimum {
 /// By LDLᵀ, which is backward stable, unlike the adjugate, which loses the small eigenvalue of a nearly flat
 /// neighbourhood. There is no minimum if a pivot is below 1e-13 of the trace: rounding would decide.
 template <class Real>
-[[gnu::always_inline]] inline PairMinimum<Real> pair_minimum(const QuadricLanes<Real>& q0,
-                                                             const QuadricLanes<Real>& q1) {
+WHITTLE_INLINE PairMinimum<Real> pair_minimum(const QuadricLanes<Real>& q0, const QuadricLanes<Real>& q1) {
   // Both about p0. Q₁ about p0 = p1 − d: b = b₁ − A₁ d, c = c₁ + dᵀ(A₁ d − 2 b₁).
   const Real dx = q1.px - q0.px;
   const Real dy = q1.py - q0.py;
@@ -81,7 +80,7 @@ template <class Real>
   const Real mz = z - 0.5 * dz;
   const Real reach_sq = (max_placement_reach * max_placement_reach) * (dx * dx + dy * dy + dz * dz);
   const LaneMask<Real> is_near = (exists & (mx * mx + my * my + mz * mz <= reach_sq)) != 0;
-  return {(exists & (value > 0)) ? value : Real{}, q0.px + x, q0.py + y, q0.pz + z, is_near};
+  return {select_lanes(exists & (value > 0), value, Real{}), q0.px + x, q0.py + y, q0.pz + z, is_near};
 }
 
 }  // namespace whittle

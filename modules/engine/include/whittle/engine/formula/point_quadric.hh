@@ -28,8 +28,7 @@ struct PointQuadricLanes {
 
 /// Adds `factor` times the points.
 template <class Real>
-[[gnu::always_inline]] inline void add_points(QuadricLanes<Real>& v, const PointQuadricLanes<Real>& points,
-                                              double factor) {
+WHITTLE_INLINE void add_points(QuadricLanes<Real>& v, const PointQuadricLanes<Real>& points, double factor) {
   const Real weight = factor * points.weight;
   const auto offset = PointLanes<Real>{v.px, v.py, v.pz} - points.center;
   v.xx += weight, v.yy += weight, v.zz += weight;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "whittle/core/detail/lanes.hh"
+#include "whittle/core/detail/portable_math.hh"
 #include "whittle/engine/formula/quadric.hh"
 
 // Garland–Heckbert cost of contracting a pair (v0, v1) to v̄:
@@ -57,7 +58,7 @@ template <class Real>
 struct SymmetricLanes {
   Real xx{}, xy{}, xz{}, yy{}, yz{}, zz{};
 
-  [[gnu::always_inline]] SymmetricLanes& operator+=(const SymmetricLanes& o) {
+  WHITTLE_INLINE SymmetricLanes& operator+=(const SymmetricLanes& o) {
     xx += o.xx, xy += o.xy, xz += o.xz, yy += o.yy, yz += o.yz, zz += o.zz;
     return *this;
   }
@@ -68,8 +69,8 @@ inline SymmetricMatrix matrix(const SymmetricLanes<double>& m) { return {m.xx, m
 /// The quadric of a plane through its vertex, about that vertex, where it is a matrix alone: w n nᵀ + ε w I.
 /// \param normal n, of unit length
 template <class Real>
-[[gnu::always_inline]] inline SymmetricLanes<Real> plane_quadric(const PointLanes<Real>& normal, const Real& weight,
-                                                                 const QuadricOptions& options) {
+WHITTLE_INLINE SymmetricLanes<Real> plane_quadric(const PointLanes<Real>& normal, const Real& weight,
+                                                  const QuadricOptions& options) {
   const auto [x, y, z] = normal;
   const PointLanes<Real> w{weight * x, weight * y, weight * z};
   const Real diagonal = options.regularization * weight;
@@ -85,30 +86,28 @@ struct FacePlanes {
 
 /// \param normal (next − corner) × (previous − corner)
 template <class Real>
-[[gnu::always_inline]] inline FacePlanes<Real> face_planes(const PointLanes<Real>& normal) {
+WHITTLE_INLINE FacePlanes<Real> face_planes(const PointLanes<Real>& normal) {
   Real length = normal.dot(normal);
   take_square_roots(length);
-  const Real inverse = length > 0 ? 1 / length : Real{};
+  const Real inverse = select_lanes(length > 0, 1 / length, Real{});
   return {{normal.x * inverse, normal.y * inverse, normal.z * inverse}, length};
 }
 
 /// Shares of faces (corner, next, previous) in the quadrics of their first corners, about those. Zero for a face
 /// without area.
 template <class Real>
-[[gnu::always_inline]] inline SymmetricLanes<Real> corner_quadrics(const PointLanes<Real>& corner,
-                                                                   const PointLanes<Real>& next,
-                                                                   const PointLanes<Real>& previous,
-                                                                   const QuadricOptions& options) {
+WHITTLE_INLINE SymmetricLanes<Real> corner_quadrics(const PointLanes<Real>& corner, const PointLanes<Real>& next,
+                                                    const PointLanes<Real>& previous, const QuadricOptions& options) {
   const auto to_next = next - corner;
   const auto to_previous = previous - corner;
   const FacePlanes<Real> plane = face_planes(to_next.cross(to_previous));
   const Real& length = plane.length;
-  Real weight = length > 0 ? Real{} + 1 : Real{};
+  Real weight = select_lanes(length > 0, Real{} + 1, Real{});
   if (options.weights != Weights::uniform) weight = 0.5 * length;
   if (options.weights == Weights::area_angle) {
     const Real cosine = to_next.dot(to_previous);
     Real angle;
-    fill_lanes(angle, [&](std::size_t i) { return std::atan2(lane_of(length, i), lane_of(cosine, i)); });
+    fill_lanes(angle, [&](std::size_t i) { return detail::angle_of(lane_of(length, i), lane_of(cosine, i)); });
     weight *= angle / std::numbers::pi;
   }
   return plane_quadric(plane.normal, weight, options);

@@ -31,7 +31,7 @@ struct VolumeLanes {
   Real c;
 
   /// Without a face through the origin. \param n its normal, as long as twice its area
-  [[gnu::always_inline]] void remove(const PointLanes<Real>& n) {
+  WHITTLE_INLINE void remove(const PointLanes<Real>& n) {
     normal = normal - n;
     xx -= n.x * n.x;
     xy -= n.x * n.y;
@@ -40,8 +40,8 @@ struct VolumeLanes {
     yz -= n.y * n.z;
     zz -= n.z * n.z;
   }
-  [[gnu::always_inline]] Real trace() const { return xx + yy + zz; }
-  [[gnu::always_inline]] PointLanes<Real> times(const PointLanes<Real>& v) const {
+  WHITTLE_INLINE Real trace() const { return xx + yy + zz; }
+  WHITTLE_INLINE PointLanes<Real> times(const PointLanes<Real>& v) const {
     return {xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z, xz * v.x + yz * v.y + zz * v.z};
   }
 };
@@ -72,22 +72,22 @@ struct VolumePlacement {
 
 /// The regularisation of a cost, without the factor λ / 36.
 template <class Real>
-[[gnu::always_inline]] inline Real spread_cost(const Real& trace, const PointLanes<Real>& to_first,
-                                               const PointLanes<Real>& to_second) {
+WHITTLE_INLINE Real spread_cost(const Real& trace, const PointLanes<Real>& to_first,
+                                const PointLanes<Real>& to_second) {
   return (0.5 * lindstrom_turk_regularization) * trace * (to_first.dot(to_first) + to_second.dot(to_second));
 }
 
 /// s · p + t · q
 template <class Real>
-[[gnu::always_inline]] inline PointLanes<Real> combined(const Real& s, const PointLanes<Real>& p, const Real& t,
-                                                        const PointLanes<Real>& q) {
+WHITTLE_INLINE PointLanes<Real> combined(const Real& s, const PointLanes<Real>& p, const Real& t,
+                                         const PointLanes<Real>& q) {
   return {s * p.x + t * q.x, s * p.y + t * q.y, s * p.z + t * q.z};
 }
 
 template <class Mask, class Real>
-[[gnu::always_inline]] inline PointLanes<Real> choose(const Mask& condition, const PointLanes<Real>& yes,
-                                                      const PointLanes<Real>& no) {
-  return {condition ? yes.x : no.x, condition ? yes.y : no.y, condition ? yes.z : no.z};
+WHITTLE_INLINE PointLanes<Real> choose(const Mask& condition, const PointLanes<Real>& yes, const PointLanes<Real>& no) {
+  return {select_lanes(condition, yes.x, no.x), select_lanes(condition, yes.y, no.y),
+          select_lanes(condition, yes.z, no.z)};
 }
 
 /// Two unit vectors perpendicular to a third one and to one another.
@@ -98,8 +98,8 @@ struct NormalBasis {
 
 /// \cite duff_2017_basis
 template <class Real>
-[[gnu::always_inline]] inline NormalBasis<Real> basis_across(const PointLanes<Real>& n) {
-  const Real sign = n.z < 0 ? Real{} - 1 : Real{} + 1;
+WHITTLE_INLINE NormalBasis<Real> basis_across(const PointLanes<Real>& n) {
+  const Real sign = select_lanes(n.z < 0, Real{} - 1, Real{} + 1);
   const Real p = -1 / (sign + n.z);
   const Real q = n.x * n.y * p;
   return {{1 + sign * n.x * n.x * p, sign * q, -sign * n.x}, {q, sign + n.y * n.y * p, -n.y}};
@@ -115,22 +115,22 @@ struct MainDirection {
 
 /// \param xx, xy, yy the quadric's matrix
 template <class Real>
-[[gnu::always_inline]] inline MainDirection<Real> main_direction(const Real& xx, const Real& xy, const Real& yy) {
+WHITTLE_INLINE MainDirection<Real> main_direction(const Real& xx, const Real& xy, const Real& yy) {
   const Real half_difference = 0.5 * (xx - yy);
   Real radius = half_difference * half_difference + xy * xy;
   take_square_roots(radius);
   // Of two forms the one without cancellation.
-  const Real cosine = half_difference >= 0 ? radius + half_difference : xy;
-  const Real sine = half_difference >= 0 ? xy : radius - half_difference;
+  const Real cosine = select_lanes(half_difference >= 0, radius + half_difference, xy);
+  const Real sine = select_lanes(half_difference >= 0, xy, radius - half_difference);
   const Real length_sq = cosine * cosine + sine * sine;
   const auto differ = length_sq > 0;  // or it is the same in all directions
-  return {differ ? cosine : Real{} + 1, sine, differ ? length_sq : Real{} + 1};
+  return {select_lanes(differ, cosine, Real{} + 1), sine, select_lanes(differ, length_sq, Real{} + 1)};
 }
 
 /// The constraints by volumes alone. Gradients of the squares are taken along the directions across the normal in which
 /// the squares grow most and least, so that the mesh may be turned; each only if it is independent of those before.
 template <class Real>
-[[gnu::always_inline]] inline VolumeConstraints<Real> volume_constraints(const VolumeLanes<Real>& sums) {
+WHITTLE_INLINE VolumeConstraints<Real> volume_constraints(const VolumeLanes<Real>& sums) {
   const Real trace = sums.trace();
   Real length = sums.normal.dot(sums.normal);
   const auto has_normal = length > (constraint_noise_share * constraint_noise_share) * trace;
@@ -165,7 +165,7 @@ template <class Real>
 
   const PointLanes<Real> second = choose(has_greatest, greatest, choose(has_least, least, u));
   const Real least_value = cosine * v_value - sine * u_value;
-  const Real second_value = has_greatest ? cosine * u_value + sine * v_value : least_value;
+  const Real second_value = select_lanes(has_greatest, cosine * u_value + sine * v_value, least_value);
   return {n,
           second,
           least,
@@ -179,23 +179,22 @@ template <class Real>
 
 /// Takes v̄ as near to the neighbours' mean as the constraints allow.
 template <class Real>
-[[gnu::always_inline]] inline void add_neighbours(VolumeConstraints<Real>& constraints,
-                                                  const NeighbourLanes<Real>& neighbours) {
+WHITTLE_INLINE void add_neighbours(VolumeConstraints<Real>& constraints, const NeighbourLanes<Real>& neighbours) {
   const Real share = 1 / neighbours.n;
   const PointLanes<Real> mean{neighbours.position.x * share, neighbours.position.y * share,
                               neighbours.position.z * share};
   const PointLanes<Real> across = constraints.normal.cross(constraints.second);
-  constraints.second_value = constraints.has_second ? constraints.second_value : constraints.second.dot(mean);
+  constraints.second_value =
+      select_lanes(constraints.has_second, constraints.second_value, constraints.second.dot(mean));
   constraints.third = choose(constraints.has_third, constraints.third, across);
-  constraints.third_value = constraints.has_third ? constraints.third_value : across.dot(mean);
+  constraints.third_value = select_lanes(constraints.has_third, constraints.third_value, across.dot(mean));
 }
 
 /// By Cramer's rule. \param first, second v0 and v1 as seen from the sums' origin
 template <class Real>
-[[gnu::always_inline]] inline VolumePlacement<Real> place_by_volume(const VolumeConstraints<Real>& constraints,
-                                                                    const VolumeLanes<Real>& sums,
-                                                                    const PointLanes<Real>& first,
-                                                                    const PointLanes<Real>& second) {
+WHITTLE_INLINE VolumePlacement<Real> place_by_volume(const VolumeConstraints<Real>& constraints,
+                                                     const VolumeLanes<Real>& sums, const PointLanes<Real>& first,
+                                                     const PointLanes<Real>& second) {
   const auto& [n, row1, row2, n_value, value1, value2, has_normal, has_second, has_third] = constraints;
   const PointLanes<Real> c01 = n.cross(row1);
   const PointLanes<Real> c12 = row1.cross(row2);
@@ -208,7 +207,7 @@ template <class Real>
   const PointLanes<Real> slope{2 * sums.b.x + ax.x, 2 * sums.b.y + ax.y, 2 * sums.b.z + ax.z};
   const Real squares = sums.c + x.dot(slope);
   const Real spread = spread_cost(sums.trace(), x - first, x - second);
-  return {x, (lindstrom_turk_volume_weight / 36) * ((squares > 0 ? squares : Real{}) + spread)};
+  return {x, (lindstrom_turk_volume_weight / 36) * (select_lanes(squares > 0, squares, Real{}) + spread)};
 }
 
 }  // namespace whittle

@@ -17,26 +17,26 @@
 namespace whittle {
 
 /// The coordinates, and the last one again.
-[[gnu::always_inline]] inline Double4 side_by_side(const Vec3& p) { return Double4{p.x(), p.y(), p.z(), p.z()}; }
+WHITTLE_INLINE Double4 side_by_side(const Vec3& p) { return Double4{p.x(), p.y(), p.z(), p.z()}; }
 
 /// From the second coordinate on.
-[[gnu::always_inline]] inline Double4 turned(const Double4& v) { return __builtin_shufflevector(v, v, 1, 2, 0, 3); }
+WHITTLE_INLINE Double4 turned(const Double4& v) { return shuffled<1, 2, 0, 3>(v, v); }
 
 /// Sums over a star. Points are `side_by_side`, seen from the vertex.
 class StarAdder {
  public:
   /// Adds a face by its other two corners.
-  [[gnu::always_inline]] void add_face(const Double4& x, const Double4& y) {
+  WHITTLE_INLINE void add_face(const Double4& x, const Double4& y) {
     const Double4 n_from_z = x * turned(y) - turned(x) * y;
     const Double4 n = turned(n_from_z);
     normal_ += n;
     squares_ += n * n;
     products_ += n * n_from_z;
   }
-  [[gnu::always_inline]] void add_neighbour(const Double4& p) { neighbours_ += p; }
+  WHITTLE_INLINE void add_neighbour(const Double4& p) { neighbours_ += p; }
 
   /// \param p the vertex
-  [[gnu::always_inline]] StarSums sums(const Double4& p, std::size_t n_neighbours) const {
+  WHITTLE_INLINE StarSums sums(const Double4& p, std::size_t n_neighbours) const {
     return {{squares_[0], products_[1], products_[0], squares_[1], products_[2], squares_[2], normal_[0], normal_[1],
              normal_[2], p[0], p[1], p[2], neighbours_[0], neighbours_[1], neighbours_[2],
              static_cast<double>(n_neighbours)}};
@@ -59,8 +59,8 @@ struct StarLanes {
 
 /// \param star lane → StarSums
 template <class Real, class StarAt>
-[[gnu::always_inline]] inline StarLanes<Real> star_lanes(const StarAt& star) {
-  const auto load = [&](std::size_t first) __attribute__((always_inline)) {
+WHITTLE_INLINE StarLanes<Real> star_lanes(const StarAt& star) {
+  const auto load = [&](std::size_t first) WHITTLE_INLINE_LAMBDA {
     return transposed_lanes<Real>([&](std::size_t lane) { return &star(lane).values[first]; });
   };
   const auto [xx, xy, xz, yy] = load(0);
@@ -71,14 +71,14 @@ template <class Real, class StarAt>
 
 /// The position alone. \param star lane → StarSums
 template <class Real, class StarAt>
-[[gnu::always_inline]] inline PointLanes<Real> star_positions(const StarAt& star) {
+WHITTLE_INLINE PointLanes<Real> star_positions(const StarAt& star) {
   const auto [nz, x, y, z] = transposed_lanes<Real>([&](std::size_t lane) { return &star(lane).values[8]; });
   return {x, y, z};
 }
 
 /// \param star lane → StarSums
 template <class Real, class StarAt>
-[[gnu::always_inline]] inline NeighbourLanes<Real> neighbour_lanes(const StarAt& star) {
+WHITTLE_INLINE NeighbourLanes<Real> neighbour_lanes(const StarAt& star) {
   const auto [x, y, z, n] = transposed_lanes<Real>([&](std::size_t lane) { return &star(lane).values[12]; });
   return {PointLanes<Real>{x, y, z}, n};
 }
@@ -92,8 +92,8 @@ struct CommonFaceLanes {
 
 /// About the first vertex. \param d b − a \param common a range of `CommonFaceLanes`
 template <class Real, class CommonFaces>
-[[gnu::always_inline]] inline VolumeLanes<Real> pair_volume(const StarLanes<Real>& a, const StarLanes<Real>& b,
-                                                            const PointLanes<Real>& d, const CommonFaces& common) {
+WHITTLE_INLINE VolumeLanes<Real> pair_volume(const StarLanes<Real>& a, const StarLanes<Real>& b,
+                                             const PointLanes<Real>& d, const CommonFaces& common) {
   const VolumeLanes<Real> of_b{b.normal, Real{}, b.xx, b.xy, b.xz, b.yy, b.yz, b.zz, {}, Real{}};
   const PointLanes<Real> slope = of_b.times(d);
   VolumeLanes<Real> sums{a.normal + b.normal, b.normal.dot(d), a.xx + b.xx,
@@ -109,10 +109,8 @@ template <class Real, class CommonFaces>
 
 /// As `pair_volume`. \param common each third corner once
 template <class Real, class CommonFaces>
-[[gnu::always_inline]] inline NeighbourLanes<Real> pair_neighbours(const NeighbourLanes<Real>& a,
-                                                                   const NeighbourLanes<Real>& b,
-                                                                   const PointLanes<Real>& d,
-                                                                   const CommonFaces& common) {
+WHITTLE_INLINE NeighbourLanes<Real> pair_neighbours(const NeighbourLanes<Real>& a, const NeighbourLanes<Real>& b,
+                                                    const PointLanes<Real>& d, const CommonFaces& common) {
   const PointLanes<Real> b_from_a{b.position.x + b.n * d.x, b.position.y + b.n * d.y, b.position.z + b.n * d.z};
   PointLanes<Real> sum = a.position + b_from_a - d;
   for (const auto& [corner, turn] : common) sum = sum - corner;
