@@ -56,7 +56,7 @@ class FootFinder::Lanes {
   WHITTLE_INLINE static Foot find(const FootFinder& finder, const Query& query) {
     const Index v = query.start;
     const Eigen::Vector3f offset = (query.position - finder.positions_[v]).cast<float>();
-    const float least_along = least_normal_agreement * std::sqrt(query.normal.squaredNorm());
+    const float least_along = least_normal_agreement * std::sqrt(length_sq(query.normal));
     std::int32_t nearest = nowhere;
     Foot found;
     for (Index i = finder.first_octet_[v]; i < finder.first_octet_[v + 1]; ++i) {

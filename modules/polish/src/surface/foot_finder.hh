@@ -11,6 +11,9 @@
 
 namespace whittle::polishing {
 
+/// |v|². Eigen's sum has another order on other processors.
+inline float length_sq(const Eigen::Vector3f& v) { return v.x() * v.x() + (v.y() * v.y() + v.z() * v.z()); }
+
 /// The foot of a point on a surface.
 struct Foot {
   Index face = invalid_index;  ///< `invalid_index`: the point has no foot

@@ -67,10 +67,9 @@ void SurfaceSamples::measure(const detail::Workers& workers) {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     if ((f & check_mask) == 0) workers.update(0);
     prefetch_corners(f + ahead, normals_and_areas_);
-    Eigen::Vector4f sum;
-    sum.head<3>() = area_normal(faces_[f], positions_).cast<float>();
-    face_areas_[f] = 0.5F * std::sqrt(sum.head<3>().squaredNorm());
-    sum.w() = face_areas_[f] / 3;
+    const Eigen::Vector3f normal = area_normal(faces_[f], positions_).cast<float>();
+    face_areas_[f] = 0.5F * std::sqrt(length_sq(normal));
+    const Eigen::Vector4f sum(normal.x(), normal.y(), normal.z(), face_areas_[f] / 3);
     for (const Index v : faces_[f]) normals_and_areas_[v] += sum;
   }
 }

@@ -29,7 +29,7 @@ struct LargeAllocator {
 #endif
     return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{64}));
   }
-  void deallocate(T* memory, std::size_t n) {
+  void deallocate(T* memory, [[maybe_unused]] std::size_t n) {
 #ifdef __linux__
     if (is_large(n)) {
       munmap(memory, n * sizeof(T));
