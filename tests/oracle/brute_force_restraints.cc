@@ -138,7 +138,7 @@ bool BruteForceRestraints::is_sharp(std::span<const Vec3> positions, std::span<c
 }
 
 /// Checks the edges of the merged vertex and its link edges. A link edge that does not have two faces before the
-/// contraction can't become sharp.
+/// contraction can't become sharp. An edge of one face is not sharp; what edges of more are is left open.
 bool BruteForceRestraints::keeps_sharpness(std::span<const Vec3> positions, std::span<const Triangle> faces,
                                            std::span<const Triangle> after, Index a, Index b,
                                            const Vec3& position) const {
@@ -146,7 +146,7 @@ bool BruteForceRestraints::keeps_sharpness(std::span<const Vec3> positions, std:
   std::vector<Vec3> moved(positions.begin(), positions.end());
   moved[a] = position;
   const auto is_kept = [&](bool was_sharp, bool is_feature_after, Index x, Index y) {
-    if (faces_at(after, x, y).size() != 2) return true;
+    if (faces_at(after, x, y).size() > 2) return true;
     const bool is_sharp_after = is_sharp(moved, after, x, y);
     return is_sharp_after == was_sharp || is_sharp_after == is_feature_after;
   };
@@ -155,7 +155,7 @@ bool BruteForceRestraints::keeps_sharpness(std::span<const Vec3> positions, std:
     const std::size_t corner = corner_of(f, a);
     const Index x = f[(corner + 1) % 3];
     const Index y = f[(corner + 2) % 3];
-    const bool has_two_faces = faces_at(faces, x, y).size() == 2;
+    const bool has_two_faces = faces_at(faces, x, y).size() == 2 && faces_at(after, x, y).size() == 2;
     if (has_two_faces && !is_kept(is_sharp(positions, faces, x, y), is_feature(x, y), x, y)) return false;
   }
   for (const Index x : neighbours_of(after, a)) {

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "noise.hh"
@@ -68,8 +69,8 @@ class SurfaceSampler {
 
   /// Corners of a face, relative to the origin.
   std::array<Vec3, 3> corners(std::size_t face) const {
-    const Triangle& v = mesh_.faces[face];
-    return {mesh_.positions[v[0]] - origin_, mesh_.positions[v[1]] - origin_, mesh_.positions[v[2]] - origin_};
+    const auto [a, b, c] = mesh_.faces[face];
+    return {at(a), at(b), at(c)};
   }
 
   /// Calls `visit(face, point)` for samples begin … end − 1, in the order of the faces. Sample i is a random point in
@@ -86,11 +87,28 @@ class SurfaceSampler {
       while (face < last && area_before_[face + 1] <= area) ++face;
       const double u = std::sqrt(random_(3 * i + 1)), v = random_(3 * i + 2);
       const auto [a, b, c] = corners(face);
-      visit(face, Vec3((1.0 - u) * a + (u * (1.0 - v)) * b + (u * v) * c));
+      visit(face, in_tree(face, Vec3((1.0 - u) * a + (u * (1.0 - v)) * b + (u * v) * c)));
     }
   }
 
  private:
+  Vec3 at(Index v) const { return mesh_.positions[v] - origin_; }
+
+  /// The point of the face as search trees have it. Of a face too thin for a normal they have the sides alone.
+  Vec3 in_tree(std::size_t face, const Vec3& point) const {
+    Triangle ascending = mesh_.faces[face];  // as trees have it
+    std::sort(ascending.begin(), ascending.end());
+    const Vec3 a = at(ascending[0]), b = at(ascending[1]), c = at(ascending[2]);
+    if (!trusted_normal(a, b, c).isZero(0.0)) return point;
+    Vec3 from = a, to = b;
+    for (const auto& [p, q] : {std::pair(b, c), std::pair(c, a)}) {
+      if ((q - p).squaredNorm() > (to - from).squaredNorm()) from = p, to = q;
+    }
+    const Vec3 side = to - from;
+    const double length_sq = side.squaredNorm();
+    return length_sq > 0.0 ? Vec3(from + std::clamp((point - from).dot(side) / length_sq, 0.0, 1.0) * side) : from;
+  }
+
   const IndexedMesh& mesh_;
   Vec3 origin_;
   std::size_t n_samples_;

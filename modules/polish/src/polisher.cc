@@ -48,6 +48,13 @@ std::vector<std::uint8_t> fixed_vertices(const FaceNeighbors& neighbors, const M
   return is_fixed;
 }
 
+/// That of both meshes: `mesh` may be anywhere.
+Frame frame_of(const IndexedMesh& original, const IndexedMesh& mesh) {
+  const PointBounds a = bounds_of(original.positions);
+  const PointBounds b = bounds_of(mesh.positions);
+  return Frame::of_box(a.low.cwiseMin(b.low), a.high.cwiseMax(b.high));
+}
+
 }  // namespace
 
 double run_fraction(double n_passes, const PolishOptions& options) {
@@ -67,7 +74,7 @@ Polisher::Polisher(const IndexedMesh& original, std::span<const Index> vertex_ma
     : options_(options),
       meter_(meter),
       workers_(options.threads, &meter),
-      frame_(Frame::of_points(original.positions)),
+      frame_(frame_of(original, mesh)),
       samples_(original, vertex_map, frame_, points_per_face(original, mesh), workers_),
       original_{original.faces, samples_.positions(), vertex_map},
       mesh_(std::make_unique<Connectivity>(mesh.faces, mesh.positions.size(), original_, options, workers_)),

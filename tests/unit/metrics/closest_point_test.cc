@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "oracle/point_distance.hh"
 #include "support/random.hh"
 #include "support/shapes.hh"
 #include "support/suites.hh"
@@ -19,37 +20,9 @@
 namespace whittle::metrics {
 namespace {
 
+using test::distance_by_features;
 using test::Random;
-using Wide = Eigen::Matrix<long double, 3, 1>;
-
-/// The distance, computed in another way than in the tested code, in long double. It is the least over the corners, the
-/// feet on the side lines, and the foot on the plane, of those that lie in the triangle.
-long double distance_by_features(const Wide& p, const Wide& a, const Wide& b, const Wide& c) {
-  long double best_sq = std::min({(p - a).squaredNorm(), (p - b).squaredNorm(), (p - c).squaredNorm()});
-  const auto side = [&](const Wide& from, const Wide& to) {
-    const Wide along = to - from;
-    const long double t = along.dot(p - from) / along.squaredNorm();
-    if (t > 0 && t < 1) best_sq = std::min(best_sq, (p - from - t * along).squaredNorm());
-  };
-  side(a, b), side(b, c), side(c, a);
-  // Barycentric coordinates of the foot from the normal equations.
-  const Wide u = b - a, v = c - a, w = p - a;
-  const long double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), uw = u.dot(w), vw = v.dot(w);
-  const long double det = uu * vv - uv * uv;
-  const long double s = (vv * uw - uv * vw) / det, t = (uu * vw - uv * uw) / det;
-  if (det > 0 && s > 0 && t > 0 && s + t < 1) best_sq = std::min(best_sq, (w - s * u - t * v).squaredNorm());
-  return std::sqrt(best_sq);
-}
-
-long double brute_force_distance(const IndexedMesh& mesh, const Vec3& point) {
-  long double best = std::numeric_limits<long double>::infinity();
-  for (const auto& [a, b, c] : mesh.faces) {
-    best = std::min(best,
-                    distance_by_features(point.cast<long double>(), mesh.positions[a].cast<long double>(),
-                                         mesh.positions[b].cast<long double>(), mesh.positions[c].cast<long double>()));
-  }
-  return best;
-}
+using Wide = test::LongVec3;
 
 Vec3 random_point(Random& random, double low, double high) {
   const double x = random.uniform(low, high), y = random.uniform(low, high), z = random.uniform(low, high);
@@ -108,7 +81,7 @@ void expect_agrees_with_brute_force(const IndexedMesh& mesh, const std::string& 
     const Vec3 point = box.center() + reach * (box.max - box.min).cwiseProduct(random_point(random, -1.0, 1.0));
     const ClosestPoint found = tree.nearest(point);
     const double distance = std::sqrt(found.distance_sq);
-    const auto expected = static_cast<double>(brute_force_distance(mesh, point));
+    const auto expected = static_cast<double>(distance_by_features(mesh, point));
     const double tolerance = (32 * 0x1p-53 + extra) * (box.diagonal() + expected + box.center().norm() * 0.25);
     ASSERT_NEAR(distance, expected, tolerance) << what << ", seed " << seed << ", query " << i;
     // The point lies on the face, at the reported distance.

@@ -65,7 +65,7 @@ void check_conflicts(const DecimateOptions& options) {
 }  // namespace
 
 void check(const DecimateTarget& target, const DecimateOptions& options, std::size_t n_vertices) {
-  require(target.cost_limit().value_or(0) >= 0, "max_cost is negative or not a number");
+  require(is_finite_and_not_negative(target.cost_limit().value_or(0)), "max_cost is negative or not finite");
   check_ranges(options);
   check_conflicts(options);
   require(options.locked.empty() || options.locked.size() == n_vertices, "locked has another length than the vertices");

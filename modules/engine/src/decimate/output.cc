@@ -119,7 +119,9 @@ std::vector<Index> write_vertices(const IndexedMesh& input, TriangleComplex& com
     const Index r = out.vertex_map[v];
     if (r == invalid_index || complex.identity(r) != v) continue;
     output_of[r] = static_cast<Index>(mesh.positions.size());
-    mesh.positions.push_back(frame.to_model(complex.position(r)));
+    const Vec3& before = input.positions[v];
+    const bool is_unmoved = complex.position(r) == frame.to_frame(before);  // keeps every bit, that of −0 too
+    mesh.positions.push_back(is_unmoved ? before : frame.to_model(complex.position(r)));
     mesh.origins.push_back(input.origins.empty() ? v : input.origins[v]);
     if (quadrics_of) out.quadrics.push_back(quadrics_of->quadric(r));
   }

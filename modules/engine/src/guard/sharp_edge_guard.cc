@@ -37,11 +37,15 @@ void SharpEdgeGuard::list_faces(const ContractionProfile& profile, const Vec3& p
 /// The edge from the merged vertex to x.
 bool SharpEdgeGuard::would_change_edge(const Pair& pair, Index x) {
   const auto is_at_x = [x](const Face& face) { return face.x == x || face.y == x; };
-  if (std::count_if(faces_.begin(), faces_.end(), is_at_x) != 2) return false;
-  const auto first = std::find_if(faces_.begin(), faces_.end(), is_at_x);
-  const auto second = std::find_if(first + 1, faces_.end(), is_at_x);
-  const bool is_same_way = (first->x == x) != (second->x == x);
-  const bool is_sharp_after = is_sharp(first->normal, is_same_way ? second->normal : Vec3(-second->normal));
+  const auto n_faces = std::count_if(faces_.begin(), faces_.end(), is_at_x);
+  if (n_faces > 2) return false;
+  bool is_sharp_after = false;
+  if (n_faces == 2) {
+    const auto first = std::find_if(faces_.begin(), faces_.end(), is_at_x);
+    const auto second = std::find_if(first + 1, faces_.end(), is_at_x);
+    const bool is_same_way = (first->x == x) != (second->x == x);
+    is_sharp_after = is_sharp(first->normal, is_same_way ? second->normal : Vec3(-second->normal));
+  }
   const Edge from_a = look_at(pair.a, x);
   const Edge from_b = look_at(pair.b, x);
   const bool was_sharp = from_a.is_sharp || from_b.is_sharp;

@@ -9,7 +9,7 @@
 namespace whittle {
 
 /// Keeps feature lines visible and the rest smooth. An edge of two faces is sharp if their normals differ by more than
-/// an angle. Feature edges stay sharp, and no other edge becomes sharp.
+/// an angle. Feature edges stay sharp, so they don't become borders, and no other edge becomes sharp.
 class SharpEdgeGuard final : public Guard {
  public:
   /// \param angle_deg (0, 180)

@@ -75,8 +75,9 @@ struct Frame {
 
  private:
   /// Multiplies twice by half the power: with a huge unit the whole power may be out of range, though the product
-  /// isn't.
+  /// isn't. Nothing costs nothing in any unit.
   static double times_power(double cost, double factor, double power) {
+    if (cost == 0) return 0;
     const double half = detail::power(factor, 0.5 * power);
     return cost * half * half;
   }

@@ -16,7 +16,8 @@ namespace whittle::metrics {
 /// exactly onto each other, and coincident faces. Faces whose corners are on a line don't count:
 /// `Shape::degenerate_faces` counts them.
 ///
-/// The result is exact for the given coordinates: orientation tests use a floating-point filter, then expansions.
+/// The result is exact for the given coordinates: orientation tests use a floating-point filter, then expansions. That
+/// needs coordinates along an axis which, where they differ, differ by at least 1e-30 of the mesh's extent.
 /// \param threads 0 = all cores; the result is the same for any number.
 /// \throw std::invalid_argument as `bounds`. \throw Cancelled if `progress` returned false.
 std::vector<std::array<Index, 2>> self_intersections(const IndexedMesh& mesh, unsigned threads = 0,

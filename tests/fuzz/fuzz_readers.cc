@@ -1,5 +1,3 @@
-#include "fuzz/read_and_check.hh"
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -7,16 +5,19 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/check/promise.hh"
+#include "fuzz/decode/byte_source.hh"
+#include "fuzz/targets.hh"
+#include "whittle/core/detail/checks.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
+#include "whittle/metrics/bounds.hh"
+#include "whittle/metrics/self_intersections.hh"
+#include "whittle/metrics/shape.hh"
+#include "whittle/metrics/topology.hh"
 
 namespace whittle::test {
-
 namespace {
-
-void require(bool holds, const char* promise) {
-  if (!holds) throw std::logic_error(std::string("broken promise: ") + promise);
-}
 
 void check_mesh(const io::ReadResult& result) {
   const IndexedMesh& mesh = result.mesh;
@@ -56,31 +57,39 @@ void check_round_trip(const IndexedMesh& mesh, io::Format format, bool ascii) {
   require(back.mesh.faces == mesh.faces, "faces are written exactly");
 }
 
-}  // namespace
-
-// The lowest bit is for welding.
-char choice_of(io::Format format, bool weld) {
-  return static_cast<char>(2 * static_cast<unsigned>(format) + (weld ? 1 : 0));
+/// What `whittle info` does with a mesh.
+void measure(const IndexedMesh& mesh) {
+  const metrics::Topology topology = metrics::topology(mesh);
+  require(topology.collapsed_faces == 0, "no face is degenerate");
+  if (mesh.faces.size() > 64 || !std::all_of(mesh.positions.begin(), mesh.positions.end(), is_in_range)) return;
+  require(std::isfinite(metrics::bounds(mesh).diagonal()), "meshes have a size");
+  require(std::isfinite(metrics::shape(mesh).radius_ratio_mean), "meshes have a shape");
+  metrics::self_intersections(mesh, 1);
 }
 
-io::Format format_chosen(char choice) {
-  return io::all_formats[static_cast<unsigned char>(choice) / 2U % io::all_formats.size()];
-}
-
-void read_and_check(std::string_view bytes) {
+/// \param bytes the lowest bit of the first says whether to weld; the file follows
+void read_and_check(std::string_view bytes, io::Format format) {
   if (bytes.empty()) return;
   const bool weld = (bytes.front() & 1) != 0;
-  const io::Format format = format_chosen(bytes.front());
+  const bool is_measured = hash_of(bytes) % 8 == 0;
   bytes.remove_prefix(1);
   try {
     const io::ReadResult result = io::read_mesh(bytes, "fuzz", {.weld = weld, .format = format});
     check_mesh(result);
     check_round_trip(result.mesh, io::Format::ply, false);
     if (format != io::Format::stl) check_round_trip(result.mesh, format, true);  // STL stores no shared vertices
+    if (is_measured) measure(result.mesh);
   } catch (const io::ReadError& error) {
     require(std::string_view(error.what()).starts_with("fuzz:"), "an error names its file");
     require(std::string_view(error.what()).find('\n') == std::string_view::npos, "an error is one line");
   }
 }
+
+}  // namespace
+
+void fuzz_obj(std::string_view bytes) { read_and_check(bytes, io::Format::obj); }
+void fuzz_off(std::string_view bytes) { read_and_check(bytes, io::Format::off); }
+void fuzz_ply(std::string_view bytes) { read_and_check(bytes, io::Format::ply); }
+void fuzz_stl(std::string_view bytes) { read_and_check(bytes, io::Format::stl); }
 
 }  // namespace whittle::test

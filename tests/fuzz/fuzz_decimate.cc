@@ -1,0 +1,149 @@
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "fuzz/check/decimation.hh"
+#include "fuzz/check/promise.hh"
+#include "fuzz/decode/decimate_bytes.hh"
+#include "fuzz/decode/mesh_bytes.hh"
+#include "fuzz/targets.hh"
+#include "oracle/brute_force.hh"
+#include "support/transforms.hh"
+
+namespace whittle::test {
+namespace {
+
+/// Runs the case. \param made is given what the listener is told
+Decimation run(const DecimateCase& c, std::vector<Contraction>* made = nullptr) {
+  DecimateOptions options = c.options;
+  if (made != nullptr) options.listener = [made](const Contraction& contraction) { made->push_back(contraction); };
+  unsigned n_calls = 0;
+  if (c.n_calls_left) options.progress = [&](const Progress&) { return n_calls++ < *c.n_calls_left; };
+  return decimate(c.mesh, c.target, options);
+}
+
+/// Some thousands of copies side by side: enough for loops to be shared among threads.
+DecimateCase many_copies(const DecimateCase& c) {
+  constexpr std::size_t n_faces = 20'000;
+  DecimateCase many = c;
+  const double step = 1.5 * diagonal(c.mesh);
+  const std::size_t n_copies = n_faces / c.mesh.faces.size();
+  const auto n_along = static_cast<std::size_t>(std::sqrt(static_cast<double>(n_copies)));
+  many.mesh = {};
+  many.options.locked.clear();
+  many.options.feature_edges.clear();
+  for (std::size_t i = 0; i < n_copies; ++i) {
+    const auto first = static_cast<Index>(many.mesh.positions.size());
+    const Vec3 offset(static_cast<double>(i % n_along) * step, static_cast<double>(i / n_along) * step, 0);
+    for (const Vec3& p : c.mesh.positions) many.mesh.positions.push_back(p + offset);
+    for (const auto& [x, y, z] : c.mesh.faces) many.mesh.faces.push_back({x + first, y + first, z + first});
+    const std::vector<std::uint8_t>& locked = c.options.locked;
+    many.options.locked.insert(many.options.locked.end(), locked.begin(), locked.end());
+    for (const auto& [a, b] : c.options.feature_edges) many.options.feature_edges.push_back({a + first, b + first});
+  }
+  return many;
+}
+
+void check_threads(const DecimateCase& c, std::uint64_t hash) {
+  constexpr const char* promise = "no result depends on the number of threads";
+  DecimateCase three = c;
+  if (hash % 64 == 1) {
+    three.options.threads = 3;
+    check_same(run(c), run(three), promise);
+  }
+  const bool has_many_pairs = c.options.pairs.threshold > 0;
+  const double size = diagonal(c.mesh);
+  if (hash % 2048 != 2 || has_many_pairs || c.mesh.faces.empty() || !(size > 1e-100 && size < 1e100)) return;
+  const DecimateCase one = many_copies(c);
+  three = one;
+  three.options.threads = 3;
+  check_same(run(one), run(three), promise);
+}
+
+/// In units larger by a power of two all is the same to the bit.
+void check_unit(const DecimateCase& c, const Decimation& d) {
+  const double size = diagonal(c.mesh);
+  if (!(size > 1e-50 && size < 1e50) || c.target.cost_limit()) return;
+  constexpr double factor = 1024;
+  DecimateCase larger = c;
+  larger.mesh = scaled(c.mesh, factor);
+  if (larger.options.pairs.threshold) *larger.options.pairs.threshold *= factor;
+  Decimation other = run(larger);
+  for (Vec3& p : other.mesh.positions) p /= factor;
+  other.result.max_cost = d.result.max_cost;
+  check_same(d, other, "no result depends on the unit");
+}
+
+/// Contractions in exact order are those of the definition. Not with restraints or without regularization, where ties
+/// may go otherwise (docs/dev/engine.md).
+void check_order(const DecimateCase& c, const std::vector<Contraction>& made) {
+  const DecimateOptions& options = c.options;
+  const bool is_exact = options.effective_order() == Order::exact;
+  const bool has_restraints = !options.locked.empty() || options.boundary == Boundary::locked ||
+                              options.feature_angle_deg || !options.feature_edges.empty();
+  const double size = diagonal(c.mesh);
+  if (!is_exact || has_restraints || c.n_calls_left || c.target.cost_limit() || c.mesh.positions.empty() ||
+      c.mesh.faces.size() > 40 || options.quadric.regularization < 1e-9 || !(size > 1e-50 && size < 1e50)) {
+    return;
+  }
+  const std::vector<Contraction> expected = BruteForceDecimater(c.mesh, options).run(c.target);
+  require(made.size() == expected.size(), "there are as many contractions as by brute force");
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    require(made[i].survivor == expected[i].survivor && made[i].removed == expected[i].removed,
+            "contractions are those of brute force");
+    require(made[i].position == expected[i].position && made[i].cost == expected[i].cost,
+            "contractions go where brute force goes");
+  }
+}
+
+void check_index_only(const DecimateCase& c) {
+  if (!cost_traits(c.options.effective_cost()).why_not.placement.empty()) return;
+  DecimateCase at_ends = c;
+  at_ends.options.quadric.placement = Placement::endpoint;
+  at_ends.mesh.origins.clear();
+  const Decimation d = run(at_ends);
+  const IndexOnlyDecimation small = decimate_index_only(c.mesh, c.target, c.options);
+  if (c.n_calls_left) return;
+  require(small.faces.size() == d.mesh.faces.size(), "decimation by indices is that at end points");
+  for (std::size_t f = 0; f < small.faces.size(); ++f) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      require(small.faces[f][i] == d.mesh.origins[d.mesh.faces[f][i]], "decimation by indices is that at end points");
+    }
+  }
+}
+
+void check(const DecimateCase& c, std::uint64_t hash) {
+  std::vector<Contraction> made;
+  Decimation d;
+  try {
+    d = run(c, &made);
+  } catch (const std::invalid_argument&) {
+    require(!is_valid(c), "what is documented is taken");
+    return;
+  }
+  require(is_valid(c), "what is not documented is refused");
+  try {
+    check_decimation(c, d, made);
+  } catch (const BrokenPromise& error) {
+    throw BrokenPromise(error.what() + std::string("\nresult ") + text_of(d.mesh));
+  }
+  check_threads(c, hash);
+  if (hash % 8 == 3) check_unit(c, d);
+  if (hash % 32 == 4) check_order(c, made);
+  if (hash % 8 == 5) check_index_only(c);
+}
+
+}  // namespace
+
+void fuzz_decimate(std::string_view bytes) {
+  ByteSource source(bytes);
+  const DecimateCase c = decode_decimate_case(source);
+  try {
+    check(c, hash_of(bytes));
+  } catch (const std::exception& error) {
+    throw BrokenPromise(error.what() + std::string("\n") + text_of(c));
+  }
+}
+
+}  // namespace whittle::test
