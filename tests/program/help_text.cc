@@ -59,6 +59,21 @@ std::vector<std::vector<std::string>> rows_under(const std::string& page, const 
   return rows;
 }
 
+/// "a.{b,c}" as "a.b", "a.c"; several braces give all combinations.
+std::vector<std::string> without_braces(const std::string& key) {
+  const std::size_t open = key.find('{');
+  if (open == std::string::npos) return {key};
+  const std::size_t close = key.find('}', open);
+  std::vector<std::string> keys;
+  std::istringstream names(key.substr(open + 1, close - open - 1));
+  for (std::string name; std::getline(names, name, ',');) {
+    for (const std::string& rest : without_braces(key.substr(close + 1))) {
+      keys.push_back(key.substr(0, open) + name + rest);
+    }
+  }
+  return keys;
+}
+
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -117,6 +132,19 @@ std::vector<std::pair<std::string, std::string>> conflicts_of_page(const std::st
     conflicts.emplace_back(cells.at(0), cells.at(1));
   }
   return conflicts;
+}
+
+std::vector<KeyText> keys_of_page(const std::string& page) {
+  std::vector<KeyText> rows;
+  for (const auto& cells : rows_under(page, "| key | type | what it is | when |")) {
+    rows.push_back({{}, cells.at(1), cells.at(2), cells.at(3)});
+    std::istringstream written(cells.at(0));
+    for (std::string key; std::getline(written, key, ' ');) {
+      if (key.ends_with(',')) key.pop_back();
+      for (const std::string& each : without_braces(key)) rows.back().keys.push_back(each);
+    }
+  }
+  return rows;
 }
 
 std::string table_of(const std::vector<OptionText>& options) {

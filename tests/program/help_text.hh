@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-/// Reads options from the help text and from the pages of docs/user.
+/// Reads options from the help text, and options and keys of reports from the pages of docs/user.
 namespace whittle::test {
 
 /// One option, without line breaks and markup.
@@ -12,6 +12,14 @@ struct OptionText {
   std::string name;      ///< "-r, --ratio R"
   std::string standard;  ///< default: "0.3", "off", "required"; empty if there is none
   std::string meaning;
+};
+
+/// A row of the table of a report's keys: one key or several of the same kind.
+struct KeyText {
+  std::vector<std::string> keys;  ///< "input.vertices", "input.faces"; on the page "input.{vertices,faces}"
+  std::string type;               ///< "integer", "number or null"
+  std::string meaning;
+  std::string when;  ///< "always", or when it is there
 };
 
 std::vector<std::string> lines_of(const std::string& text);
@@ -23,6 +31,8 @@ std::vector<OptionText> options_of_help(const std::string& help);
 std::vector<OptionText> options_of_page(const std::string& page);
 /// The first two cells of a page's table under the heading "| option | does not go with | why |".
 std::vector<std::pair<std::string, std::string>> conflicts_of_page(const std::string& page);
+/// The rows of a page's tables under the heading "| key | type | what it is | when |".
+std::vector<KeyText> keys_of_page(const std::string& page);
 
 /// The options as a table in that form, for comparing and for copying.
 std::string table_of(const std::vector<OptionText>& options);

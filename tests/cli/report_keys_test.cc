@@ -1,0 +1,195 @@
+// The JSON reports, key by key: the tables of docs/user against what the program prints in runs that cover all options.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "program/help_text.hh"
+#include "program/program.hh"
+
+namespace whittle::test {
+namespace {
+
+using Json = nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+/// A key as a page has it, and what the runs have shown of it.
+struct DocumentedKey {
+  std::string type;
+  bool can_be_null = false;  ///< "… or null"
+  bool is_always_there = false;
+  std::size_t n_values = 0;
+  std::size_t n_nulls = 0;
+};
+using DocumentedKeys = std::map<std::string, DocumentedKey>;
+
+DocumentedKeys documented_keys(const std::string& page) {
+  const std::string or_null = " or null";
+  DocumentedKeys keys;
+  for (const KeyText& row : keys_of_page(page)) {
+    DocumentedKey key{.type = row.type, .is_always_there = row.when == "always"};
+    EXPECT_FALSE(row.meaning.empty() || row.when.empty()) << row.keys.front();
+    if (key.type.ends_with(or_null)) {
+      key.can_be_null = true;
+      key.type.erase(key.type.size() - or_null.size());
+    }
+    for (const std::string& name : row.keys) EXPECT_TRUE(keys.emplace(name, key).second) << name << " is there twice";
+  }
+  return keys;
+}
+
+bool all_of(const Json& json, const std::function<bool(const Json&)>& is_right) {
+  for (const Json& element : json) {
+    if (!is_right(element)) return false;
+  }
+  return true;
+}
+
+bool has_type(const Json& value, const std::string& type) {
+  const auto is_text = [](const Json& json) { return json.is_string(); };
+  const auto is_integer = [](const Json& json) { return json.is_number_integer(); };
+  const auto is_number = [](const Json& json) { return json.is_number(); };
+  if (type == "string") return value.is_string();
+  if (type == "boolean") return value.is_boolean();
+  if (type == "integer") return value.is_number_integer();
+  if (type == "number") return value.is_number_float();
+  if (type == "null") return value.is_null();
+  if (type == "object") return value.is_object();
+  if (type == "object of integers") return value.is_object() && all_of(value, is_integer);
+  if (type == "array of strings") return value.is_array() && all_of(value, is_text);
+  if (type == "array of 3 numbers") return value.is_array() && value.size() == 3 && all_of(value, is_number);
+  ADD_FAILURE() << "'" << type << "' is no type of a key";
+  return false;
+}
+
+/// Looks up each key of `json` and of the objects in it. An object needs no row of its own, unless it can be null.
+/// \param path that of `json`, with a dot at the end; empty for the whole report
+void look_up(const Json& json, const std::string& path, DocumentedKeys& keys) {
+  for (const auto& [name, value] : json.items()) {
+    const std::string key = path + name;
+    const auto row = keys.find(key);
+    const bool has_row = row != keys.end();
+    if (has_row) {
+      const bool is_allowed_null = value.is_null() && row->second.can_be_null;
+      EXPECT_TRUE(is_allowed_null || has_type(value, row->second.type)) << key << ": " << value;
+      ++(is_allowed_null ? row->second.n_nulls : row->second.n_values);
+    }
+    const bool has_keys = value.is_object() && (!has_row || row->second.type == "object");
+    EXPECT_TRUE(has_row || has_keys) << key << " is printed, and not documented";
+    if (has_keys) look_up(value, key + '.', keys);
+  }
+}
+
+void expect_that_runs_agree(const DocumentedKeys& keys, std::size_t n_runs) {
+  for (const auto& [name, key] : keys) {
+    const std::size_t n_there = key.n_values + key.n_nulls;
+    EXPECT_GT(key.n_values, 0U) << name << " is documented, and never printed" << (n_there > 0 ? " but as null" : "");
+    EXPECT_EQ(key.n_nulls > 0, key.can_be_null) << name << " is null in " << key.n_nulls << " runs";
+    EXPECT_EQ(n_there == n_runs, key.is_always_there) << name << " is there in " << n_there << " of " << n_runs;
+  }
+}
+
+/// Every option of the help must be in one of the runs; only then do they show all keys.
+void expect_all_options_in(const std::vector<Arguments>& runs, const std::string& subcommand) {
+  std::set<std::string> given{"--help"};
+  for (const Arguments& run : runs) given.insert(run.begin(), run.end());
+  for (const OptionText& option : options_of_help(whittle({subcommand, "--help"}).out)) {
+    const std::vector<std::string> words = words_of(option.name);
+    const std::string name = words[0].ends_with(',') ? words[1] : words[0];
+    EXPECT_TRUE(given.contains(name)) << "add a run with " << name << " of " << subcommand;
+  }
+}
+
+/// \param runs everything after the subcommand's name; the report goes to standard output, if not to another place
+void expect_documented(const std::string& subcommand, std::vector<Arguments> runs) {
+  DocumentedKeys keys =
+      documented_keys(read_text(std::filesystem::path(WHITTLE_DOCS_DIR) / "user" / (subcommand + ".md")));
+  EXPECT_GE(keys.size(), 20U) << "docs/user/" << subcommand << ".md has no table of keys";
+  for (Arguments& run : runs) {
+    run.insert(run.begin(), subcommand);
+    run.insert(run.end(), {"--json", "-"});
+    const Outcome outcome = whittle(run);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome;
+    look_up(parse_json(outcome.out), "", keys);
+  }
+  expect_that_runs_agree(keys, runs.size());
+  expect_all_options_in(runs, subcommand);
+}
+
+/// A face whose corners are in one place: its box has no diagonal.
+std::string point_mesh(const TemporaryFolder& folder) {
+  write_text(folder.path() / "point.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n");
+  return folder / "point.obj";
+}
+
+TEST(ReportKeys, OfSimplifyAreDocumented) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out.obj";
+  const std::string bare = folder / "bare";
+  const std::string blob = data_file("blob.obj");
+  const std::string cubes = data_file("cubes.obj");
+  const std::string terrain = data_file("terrain.ply");
+  std::filesystem::copy_file(cubes, bare);
+  expect_documented("simplify",
+                    {{cubes, "-o", out, "--faces", "60", "--threshold", "auto", "--max-pairs", "8", "--across-walls"},
+                     {cubes, "--output", out, "--faces", "10", "--topology", "free", "--prune", "1%", "--verbose"},
+                     {bare, "-o", bare, "--format", "obj", "--vertices", "150", "--no-weld", "--force"},
+                     {terrain, "-o", out, "--face-ratio", "10%", "--boundary", "free", "--map", folder / "map"},
+                     {terrain, "-o", out, "--max-cost", "1e-12", "--boundary-weight", "5", "--feature-angle", "40",
+                      "--feature-tolerance", "1%", "--max-normal-flip", "90", "--min-radius-ratio", "0.01"},
+                     {blob, "-o", out, "--ratio", "10%", "--effort", "best", "--quiet", "--threads", "1"},
+                     {blob, "-o", out, "--ratio", "0.1", "--cost", "quadric", "--weights", "uniform", "--placement",
+                      "midpoint", "--order", "exact", "--polish", "0", "--strict"},
+                     {blob, "-o", out, "--faces", "500", "--isotropic", "0.5", "--valence", "1"},
+                     {blob, "-o", out, "--faces", "500", "--engine", "openmesh"}});
+}
+
+TEST(ReportKeys, OfMeasureAreDocumented) {
+  const TemporaryFolder folder;
+  const std::string point = point_mesh(folder);
+  const std::string bare = folder / "bare";
+  std::filesystem::copy_file(point, bare);
+  const std::string terrain = data_file("terrain.ply");
+  const std::string bracket = data_file("bracket.stl");
+  expect_documented("measure", {{bracket, bracket, "--feature-angle", "40", "--samples", "1000", "--seed", "2"},
+                                {terrain, terrain, "--samples", "1000", "--verbose", "--threads", "1"},
+                                {point, point, "--no-weld", "--samples", "1000", "--quiet"},
+                                {bare, point, "--no-weld", "--format", "obj", "--samples", "1000", "--force"}});
+}
+
+TEST(ReportKeys, OfInfoAreDocumented) {
+  const TemporaryFolder folder;
+  std::filesystem::copy_file(data_file("terrain.ply"), folder.path() / "bare");
+  expect_documented("info", {{data_file("knot.ply"), "--verbose"},
+                             {data_file("bracket.stl"), "--threads", "1", "--quiet"},
+                             {folder / "bare", "--format", "ply", "--force"}});
+}
+
+TEST(ReportKeys, OfPolishAreDocumented) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out";
+  const std::string blob = data_file("blob.obj");
+  expect_documented(
+      "polish", {{blob, blob, "--output", out, "--format", "obj", "--verbose", "--no-weld"},
+                 {blob, blob, "-o", out, "--format", "obj", "--passes", "0", "--quiet", "--force", "--threads", "1"}});
+}
+
+TEST(ReportKeys, OfCompareAreDocumented) {
+  const TemporaryFolder folder;
+  const std::string point = point_mesh(folder);
+  const std::string bare = folder / "bare";
+  const std::string blob = data_file("blob.obj");
+  std::filesystem::copy_file(blob, bare);
+  expect_documented("compare", {{blob, "--ratio", "50%", "--samples", "1000", "--seed", "2", "--verbose"},
+                                {blob, "--face-ratio", "50%", "--samples", "1000", "--threads", "1", "--quiet"},
+                                {bare, "--format", "obj", "--max-cost", "1e-6", "--samples", "1000", "--force"},
+                                {blob, "--vertices", "500", "--samples", "1000"},
+                                {point, "--no-weld", "--faces", "1", "--samples", "1000"}});
+}
+
+}  // namespace
+}  // namespace whittle::test
