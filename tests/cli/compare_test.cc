@@ -34,11 +34,59 @@ TEST(Compare, BringsBothToTheSameTarget) {
 }
 
 TEST(Compare, IsCloserToTheInputThanModQuadric) {
-  const auto json = compared({data_file("knot.ply"), "--ratio", "10%"});
+  const auto json = compared({data_file("knot.ply"), "--ratio", "10%", "--effort", "fast"});
   const auto& ours = json["whittle"];
   const auto& stock = json["openmesh"];
   EXPECT_LT(ours["mean"].get<double>(), 0.8 * stock["mean"].get<double>());
   EXPECT_LT(ours["garland_heckbert"].get<double>(), 0.6 * stock["garland_heckbert"].get<double>());
+}
+
+TEST(Compare, IsWhatSimplifyDoesWithTheSameEffort) {
+  const std::string blob = data_file("blob.obj");
+  const TemporaryFolder folder;
+  for (const std::string effort : {"", "fast", "normal", "best"}) {
+    SCOPED_TRACE("--effort " + effort);
+    std::vector<std::string> given;
+    if (!effort.empty()) given = {"--effort", effort};
+    std::vector<std::string> compare{blob, "--faces", "512"};
+    compare.insert(compare.end(), given.begin(), given.end());
+    const auto side_by_side = compared(compare);
+    std::vector<std::string> simplify{"simplify", blob, "-o", folder / "out.ply", "--faces", "512", "--json", "-"};
+    simplify.insert(simplify.end(), given.begin(), given.end());
+    const auto simplified = parse_json(whittle(simplify).out);
+    const auto measured = parse_json(whittle({"measure", blob, folder / "out.ply", "--json", "-"}).out);
+    for (const char* key : {"effort", "cost", "polish"}) {
+      EXPECT_EQ(side_by_side["options"][key], simplified["options"][key]) << key;
+    }
+    // The file has coordinates of single precision.
+    EXPECT_NEAR(side_by_side["whittle"]["mean"].get<double>(), measured["mean"].get<double>(),
+                1e-5 * measured["mean"].get<double>());
+  }
+}
+
+TEST(Compare, SaysWhatRan) {
+  const auto said = [](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"compare", data_file("blob.obj"), "--samples", "1000"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return whittle(arguments).out;
+  };
+  const std::string normal = said({"--faces", "512"});
+  EXPECT_NE(normal.find("\nwhittle: --effort normal (--cost memoryless --polish 1); OpenMesh: ModQuadric"),
+            std::string::npos)
+      << normal;
+  EXPECT_NE(normal.find("\nwhittle --effort normal: "), std::string::npos) << normal;
+  EXPECT_NE(normal.find("time to polish"), std::string::npos) << normal;
+  const std::string fast = said({"--faces", "512", "--effort", "fast"});
+  EXPECT_NE(fast.find("--effort fast (--cost quadric --polish 0)"), std::string::npos) << fast;
+  EXPECT_EQ(fast.find("time to polish"), std::string::npos) << fast;
+  const std::string best = said({"--faces", "512", "--effort", "best"});
+  EXPECT_NE(best.find("--effort best (--cost memoryless --polish 3, edges flipped)"), std::string::npos) << best;
+}
+
+TEST(Compare, HasPlainQuadricsWithACostLimit) {
+  const auto json = compared({data_file("blob.obj"), "--max-cost", "1e-6"});
+  EXPECT_EQ(json["options"]["effort"], "fast");
+  EXPECT_EQ(json["options"]["cost"], "quadric");
 }
 
 TEST(Compare, ReportsBothSides) {
@@ -52,6 +100,7 @@ TEST(Compare, ReportsBothSides) {
     }
     EXPECT_GT(json[side]["seconds"]["decimate"].get<double>(), 0) << side;
   }
+  EXPECT_GT(json["whittle"]["seconds"]["polish"].get<double>(), 0);
   EXPECT_GT(json["openmesh"]["seconds"]["build"].get<double>(), 0);
   EXPECT_EQ(json["openmesh"]["lost_faces"], 0);
 }

@@ -187,7 +187,7 @@ TEST(ReportKeys, OfCompareAreDocumented) {
   expect_documented("compare", {{blob, "--ratio", "50%", "--samples", "1000", "--seed", "2", "--verbose"},
                                 {blob, "--face-ratio", "50%", "--samples", "1000", "--threads", "1", "--quiet"},
                                 {bare, "--format", "obj", "--max-cost", "1e-6", "--samples", "1000", "--force"},
-                                {blob, "--vertices", "500", "--samples", "1000"},
+                                {blob, "--vertices", "500", "--effort", "best", "--samples", "1000"},
                                 {point, "--no-weld", "--faces", "1", "--samples", "1000"}});
 }
 

@@ -1,12 +1,17 @@
+#include <array>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "commands/stock_decimater.hh"
+#include "commands/stage_bars.hh"
+#include "openmesh/stock_decimater.hh"
 #include "commands/subcommands.hh"
 #include "files/input.hh"
 #include "files/output.hh"
 #include "files/report.hh"
+#include "options/efforts.hh"
 #include "options/sampling.hh"
 #include "options/targets.hh"
 #include "terminal/interruption.hh"
@@ -21,6 +26,7 @@ struct CompareOptions {
   std::string input;
   TargetOptions targets;
   FileOptions files;
+  std::optional<Effort> effort;  ///< if not given: normal, or fast with a cost limit
   metrics::DistanceOptions distance;
   CommonOptions common;
 };
@@ -29,39 +35,56 @@ struct CompareOptions {
 struct Contender {
   std::size_t n_vertices = 0;
   std::size_t n_faces = 0;
-  double seconds = 0;
+  double decimate_seconds = 0;
+  double polish_seconds = 0;
   metrics::SurfaceDistance distance;  ///< from the input
+
+  double seconds() const { return decimate_seconds + polish_seconds; }
 };
 
 struct Comparison {
   DecimateTarget target = DecimateTarget::as_far_as_possible();
+  Effort effort = Effort::normal;
+  SimplifyOptions settled;  ///< what the effort stands for
   Contender ours;
   Contender stock;
   double stock_seconds_build = 0;
   std::uint64_t stock_lost_faces = 0;
 };
 
-Contender judged(const IndexedMesh& input, const IndexedMesh& result, double seconds, const CompareOptions& options) {
-  metrics::DistanceOptions distance = options.distance;
-  distance.threads = options.common.threads;
-  return {result.positions.size(), result.faces.size(), seconds, metrics::surface_distance(input, result, distance)};
+/// Plain quadrics with a cost limit: OpenMesh's limit has their unit.
+Effort effective_effort(const CompareOptions& options) {
+  return options.effort.value_or(options.targets.max_cost ? Effort::fast : Effort::normal);
 }
 
-Contender run_ours(const IndexedMesh& input, const DecimateTarget& target, const CompareOptions& options,
+std::span<const Conflict> compare_conflicts() {
+  static const char why[] = "OpenMesh's limit has the unit of '--effort fast'";
+  static const std::array<Conflict, 2> all{
+      {{"--max-cost", "--effort normal", why}, {"--max-cost", "--effort best", why}}};
+  return all;
+}
+
+/// A contender without its times.
+Contender judged(const IndexedMesh& input, const IndexedMesh& result, const CompareOptions& options) {
+  metrics::DistanceOptions distance = options.distance;
+  distance.threads = options.common.threads;
+  return {result.positions.size(), result.faces.size(), 0, 0, metrics::surface_distance(input, result, distance)};
+}
+
+Contender run_ours(const IndexedMesh& input, const Comparison& comparison, const CompareOptions& options,
                    const Talk& talk) {
-  const Stopwatch watch;
-  Decimation decimation;
+  Simplification simplified;
   {
-    ProgressBar bar(talk, "whittle");
-    DecimateOptions engine_options;
-    engine_options.threads = options.common.threads;
-    engine_options.progress = [&bar](const Progress& progress) {
-      bar.update(progress.fraction, std::to_string(progress.n_faces) + " faces");
-      return true;
-    };
-    decimation = decimate(input, target, engine_options);
+    StageBars bars(talk);
+    SimplifyOptions library_options = comparison.settled;
+    library_options.decimate.threads = options.common.threads;
+    library_options.decimate.progress = [&bars](const Progress& progress) { return bars.update(progress); };
+    simplified = simplify(input, comparison.target, comparison.effort, library_options);
   }
-  return judged(input, decimation.mesh, watch.seconds(), options);
+  Contender ours = judged(input, simplified.mesh, options);
+  ours.decimate_seconds = simplified.decimate_seconds;
+  ours.polish_seconds = simplified.polish_seconds;
+  return ours;
 }
 
 StockRun run_stock(const Input& input, const DecimateTarget& target, std::size_t expected_contractions,
@@ -78,10 +101,13 @@ Comparison compare(const Input& input, const CompareOptions& options, const Talk
   const IndexedMesh& mesh = input.read.mesh;
   Comparison comparison;
   comparison.target = resolve(options.targets, mesh.positions.size(), mesh.faces.size());
-  comparison.ours = run_ours(mesh, comparison.target, options, talk);
+  comparison.effort = effective_effort(options);
+  comparison.settled = with_effort(comparison.effort, {});
+  comparison.ours = run_ours(mesh, comparison, options, talk);
   const std::size_t expected = mesh.positions.size() - comparison.ours.n_vertices;
   const StockRun stock = run_stock(input, comparison.target, expected, talk);
-  comparison.stock = judged(mesh, stock.mesh, stock.seconds_decimate, options);
+  comparison.stock = judged(mesh, stock.mesh, options);
+  comparison.stock.decimate_seconds = stock.seconds_decimate;
   comparison.stock_seconds_build = stock.seconds_build;
   comparison.stock_lost_faces = stock.n_lost_faces;
   return comparison;
@@ -89,17 +115,33 @@ Comparison compare(const Input& input, const CompareOptions& options, const Talk
 
 Json contender_json(const Contender& contender, const char* name) {
   Json json = {{"name", name}, {"vertices", contender.n_vertices}, {"faces", contender.n_faces}};
-  json["seconds"] = {{"decimate", contender.seconds}};
+  json["seconds"] = {{"decimate", contender.decimate_seconds}};
   add_distance(json, contender.distance);
   return json;
+}
+
+/// What ran.
+Json compare_options_json(const CompareOptions& options, const Comparison& comparison) {
+  const DecimateOptions& decimate = comparison.settled.decimate;
+  return {{"weld", options.files.weld},
+          {"weld_tolerance", to_string(options.files.weld_tolerance)},
+          {"effort", word_of<Effort>(efforts, comparison.effort)},
+          {"cost", to_string(decimate.effective_cost())},
+          {"polish", *comparison.settled.polish_passes},
+          {"flips", *comparison.settled.flips},
+          {"samples", options.distance.samples},
+          {"seed", options.distance.seed},
+          {"threads", options.common.threads}};
 }
 
 Json compare_json(const CompareOptions& options, const Input& input, const Comparison& comparison) {
   Json json = new_report();
   json["input"] = input_json(input, comparison.ours.distance.diagonal);
+  json["options"] = compare_options_json(options, comparison);
   json["target"] = target_json(options.targets, comparison.target);
   json["diagonal"] = comparison.ours.distance.diagonal;
   json["whittle"] = contender_json(comparison.ours, "whittle");
+  json["whittle"]["seconds"]["polish"] = comparison.ours.polish_seconds;
   json["openmesh"] = contender_json(comparison.stock, "OpenMesh ModQuadric + ModNormalFlipping");
   json["openmesh"]["seconds"]["build"] = comparison.stock_seconds_build;
   json["openmesh"]["lost_faces"] = comparison.stock_lost_faces;
@@ -109,12 +151,40 @@ Json compare_json(const CompareOptions& options, const Input& input, const Compa
 /// "0.62": ours over theirs; "-" if theirs is 0.
 std::string ratio(double ours, double theirs) { return theirs > 0 ? significant(ours / theirs) : "-"; }
 
+/// "--effort normal"
+std::string effort_text(const Comparison& comparison) {
+  return "--effort " + std::string(word_of<Effort>(efforts, comparison.effort));
+}
+
+/// "--effort normal (--cost memoryless --polish 1)"
+std::string what_ran(const Comparison& comparison) {
+  const SimplifyOptions& settled = comparison.settled;
+  return effort_text(comparison) + " (--cost " + std::string(to_string(settled.decimate.effective_cost())) +
+         " --polish " + std::to_string(*settled.polish_passes) + (*settled.flips ? ", edges flipped)" : ")");
+}
+
 /// One sentence; empty if our time or OpenMesh's error is 0.
 std::string verdict(const Comparison& comparison) {
   const double error = comparison.stock.distance.mean;
-  if (!(comparison.ours.seconds > 0) || !(error > 0)) return {};
-  return "whittle: " + significant(comparison.stock.seconds / comparison.ours.seconds) + " times as fast, " +
+  if (!(comparison.ours.seconds() > 0) || !(error > 0)) return {};
+  return "whittle " + effort_text(comparison) + ": " +
+         significant(comparison.stock.seconds() / comparison.ours.seconds()) + " times as fast, " +
          significant(comparison.ours.distance.mean / error) + " times the mean error\n";
+}
+
+/// The rows that say how long both took.
+void add_times(Table& table, const Comparison& comparison) {
+  const Contender& ours = comparison.ours;
+  const Contender& stock = comparison.stock;
+  const auto add = [&table](const char* name, double a, double b) {
+    table.add({name, seconds_text(a), seconds_text(b), ratio(a, b)});
+  };
+  add("time to decimate", ours.decimate_seconds, stock.decimate_seconds);
+  if (*comparison.settled.polish_passes > 0) {
+    table.add({"time to polish", seconds_text(ours.polish_seconds), "-"});
+    add("time in all", ours.seconds(), stock.seconds());
+  }
+  table.add({"time to build its mesh", "-", seconds_text(comparison.stock_seconds_build)});
 }
 
 std::string summary_of(const Input& input, const Comparison& comparison) {
@@ -135,9 +205,7 @@ std::string summary_of(const Input& input, const Comparison& comparison) {
   };
   add_count("faces", ours.n_faces, stock.n_faces);
   add_count("vertices", ours.n_vertices, stock.n_vertices);
-  table.add({"time to decimate", seconds_text(ours.seconds), seconds_text(stock.seconds),
-             ratio(ours.seconds, stock.seconds)});
-  table.add({"time to build its mesh", "-", seconds_text(comparison.stock_seconds_build)});
+  add_times(table, comparison);
   add_length("mean error", ours.distance.mean, stock.distance.mean);
   add_length("rms error", ours.distance.rms, stock.distance.rms);
   add_length("largest error", ours.distance.max, stock.distance.max);
@@ -145,13 +213,15 @@ std::string summary_of(const Input& input, const Comparison& comparison) {
   add("faces turned over", ours.distance.flipped_percent, stock.distance.flipped_percent, " %");
   return input.name + ": " + std::to_string(input.read.mesh.faces.size()) + " faces, " +
          std::to_string(input.read.mesh.positions.size()) + " vertices; target: " + to_string(comparison.target) +
-         "\n\n" + table.text() + "\n" + verdict(comparison);
+         "\nwhittle: " + what_ran(comparison) + "; OpenMesh: ModQuadric and ModNormalFlipping\n\n" + table.text() +
+         "\n" + verdict(comparison);
 }
 
 ExitCode run_compare(const CLI::App& app, const CompareOptions& options) {
   check_targets(options.targets);
   check_conflicts(app, common_conflicts());
   check_formats({options.input}, {}, options.files);
+  check_conflicts(app, compare_conflicts());
   if (options.common.json) check_outputs({{"--json", *options.common.json}}, {options.input}, options.common.force);
   const Talk talk(options.common.volume());
   const Stopwatch watch;
@@ -174,6 +244,10 @@ void setup_compare(CLI::App& app, Command& command) {
   CLI::App* sub = app.add_subcommand("compare", "Simplify with whittle and with OpenMesh's ModQuadric, side by side.");
   add_mesh_file(*sub, options->input);
   add_target_options(*sub, options->targets);
+  add_value(
+      *sub, "--effort", words_of<Effort>(efforts), options->effort,
+      [](std::string_view text) { return parse_choice<Effort>(text, efforts); }, effort_meaning)
+      ->default_str("normal; fast with --max-cost");
   add_sampling_options(*sub, options->distance);
   add_format(*sub, options->files);
   add_input_format(*sub, options->files);

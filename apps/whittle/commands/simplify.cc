@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "commands/advice.hh"
-#include "commands/openmesh_engine.hh"
+#include "openmesh/openmesh_engine.hh"
 #include "commands/simplify_options.hh"
 #include "commands/simplify_runs.hh"
+#include "commands/stage_bars.hh"
 #include "commands/subcommands.hh"
 #include "files/input.hh"
 #include "files/output.hh"
@@ -17,7 +18,6 @@
 #include "options/values.hh"
 #include "terminal/errors.hh"
 #include "terminal/interruption.hh"
-#include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
 #include "whittle/core/detail/edge_table.hh"
@@ -81,27 +81,6 @@ double resolve_threshold(const SimplifyCommand& options, const Talk& talk, Run& 
   }
   return threshold;
 }
-
-/// Draws a progress bar for each stage, and ends the run if a signal is pending.
-class StageBars {
- public:
-  explicit StageBars(const Talk& talk) : talk_(talk) {}
-
-  bool update(const Progress& progress) {
-    if (!bar_ || progress.stage != stage_) {
-      stage_ = progress.stage;
-      bar_.reset();
-      bar_.emplace(talk_, stage_ == Stage::polish ? "polishing" : "decimating");
-    }
-    bar_->update(progress.fraction, std::to_string(progress.n_faces) + " faces");
-    return !SignalsWait::pending();
-  }
-
- private:
-  const Talk& talk_;
-  Stage stage_ = Stage::decimate;
-  std::optional<ProgressBar> bar_;
-};
 
 /// The options for the library, with the fields that depend on the mesh.
 SimplifyOptions resolved(const SimplifyCommand& options, const Run& run) {

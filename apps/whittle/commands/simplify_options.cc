@@ -8,6 +8,7 @@
 
 #include "files/input.hh"
 #include "files/output.hh"
+#include "options/efforts.hh"
 #include "options/values.hh"
 #include "terminal/errors.hh"
 
@@ -19,8 +20,6 @@ constexpr auto costs = [] {
   for (std::size_t i = 0; i < choices.size(); ++i) choices[i] = {all_cost_traits[i].name, all_cost_traits[i].cost};
   return choices;
 }();
-constexpr std::array<Choice<Effort>, 3> efforts{
-    {{"fast", Effort::fast}, {"normal", Effort::normal}, {"best", Effort::best}}};
 constexpr std::array<Choice<Order>, 2> orders{{{"exact", Order::exact}, {"approximate", Order::approximate}}};
 constexpr std::array<Choice<Weights>, 3> weights{
     {{"area", Weights::area}, {"uniform", Weights::uniform}, {"area-angle", Weights::area_angle}}};
@@ -149,11 +148,7 @@ void add_pair_options(CLI::App& app, SimplifyCommand& options) {
 void add_cost_options(CLI::App& app, SimplifyCommand& options) {
   DecimateOptions& decimate = options.simplify.decimate;
   QuadricOptions& quadric = decimate.quadric;
-  add_choice<Effort>(
-      app, "--effort", options.effort, efforts,
-      "fast: '--cost quadric', no polish; normal: '--cost memoryless --polish 1'; best: '--cost memoryless "
-      "--polish 3', and edges are flipped where that helps")
-      ->group(cost_group);
+  add_choice<Effort>(app, "--effort", options.effort, efforts, effort_meaning)->group(cost_group);
   add_value(
       app, "--cost", words_of<Cost>(costs), decimate.cost,
       [](std::string_view text) { return parse_choice<Cost>(text, costs); },

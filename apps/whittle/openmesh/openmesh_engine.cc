@@ -1,4 +1,4 @@
-#include "commands/openmesh_engine.hh"
+#include "openmesh/openmesh_engine.hh"
 
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "commands/double_mesh.hh"
+#include "openmesh/double_mesh.hh"
 #include "terminal/errors.hh"
 #include "whittle/openmesh/conversions.hh"
 #include "whittle/openmesh/mod_flip_guard.hh"

@@ -1,10 +1,10 @@
-#include "commands/stock_decimater.hh"
+#include "openmesh/stock_decimater.hh"
 
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 
-#include "commands/double_mesh.hh"
+#include "openmesh/double_mesh.hh"
 #include "terminal/errors.hh"
 #include "terminal/stopwatch.hh"
 #include "whittle/openmesh/conversions.hh"

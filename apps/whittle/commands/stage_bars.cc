@@ -1,0 +1,19 @@
+#include "commands/stage_bars.hh"
+
+#include <string>
+
+#include "terminal/interruption.hh"
+
+namespace whittle::app {
+
+bool StageBars::update(const Progress& progress) {
+  if (!bar_ || progress.stage != stage_) {
+    stage_ = progress.stage;
+    bar_.reset();
+    bar_.emplace(talk_, stage_ == Stage::polish ? "polishing" : "decimating");
+  }
+  bar_->update(progress.fraction, std::to_string(progress.n_faces) + " faces");
+  return !SignalsWait::pending();
+}
+
+}  // namespace whittle::app

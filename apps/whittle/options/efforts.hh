@@ -1,0 +1,19 @@
+#pragma once
+
+#include <array>
+
+#include "options/values.hh"
+#include "whittle/engine/simplify.hh"
+
+namespace whittle::app {
+
+/// The values of --effort.
+inline constexpr std::array<Choice<Effort>, 3> efforts{
+    {{"fast", Effort::fast}, {"normal", Effort::normal}, {"best", Effort::best}}};
+
+/// What the help says of --effort.
+inline constexpr char effort_meaning[] =
+    "fast: '--cost quadric', no polish; normal: '--cost memoryless --polish 1'; best: '--cost memoryless "
+    "--polish 3', and edges are flipped where that helps";
+
+}  // namespace whittle::app
