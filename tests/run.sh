@@ -26,7 +26,7 @@ check_tidy() {
 started=$SECONDS
 step() { say "[$(((SECONDS - started) / 60)) min] $*"; }
 
-install_packages "$logs/packages.log" "${build_packages[@]}" clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev doxygen pkg-config git
+install_packages "$logs/packages.log" "${build_packages[@]}" clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev doxygen groff-base pkg-config git
 
 step "Format: clang-format on every tracked .hh and .cc"
 quietly "$logs/format.log" check_format

@@ -98,10 +98,12 @@ int main(int argc, char** argv) {
     setup_polish(app, command);
     setup_compare(app, command);
     setup_convert(app, command);
+    setup_completion(app, command);
+    setup_man(app, command);
     app.footer(
         "'whittle SUBCOMMAND --help' tells the options of each, and so does 'whittle help SUBCOMMAND'.\n"
-        "Exit status: 0 done, 1 failure, 2 usage, 3 target not met (--strict), 4 input unreadable or invalid,\n"
-        "130 interrupted.");
+        "Exit status: " +
+        std::string(exit_statuses));
     std::vector<char*> arguments = without_help_word(argc, argv);
     return parse_and_run(app, command, static_cast<int>(arguments.size()), arguments.data());
   } catch (...) {

@@ -2,11 +2,24 @@
 file(REMOVE_RECURSE ${FIRST} ${PREFIX})
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${FIRST} COMMAND_ERROR_IS_FATAL ANY)
 file(RENAME ${FIRST} ${PREFIX})
-foreach(name WhittleConfig.cmake whittle.pc LICENSE include/whittle/version.hh)
+foreach(
+  name
+  WhittleConfig.cmake
+  whittle.pc
+  LICENSE
+  include/whittle/version.hh
+  share/bash-completion/completions/whittle
+  share/zsh/site-functions/_whittle
+  share/fish/vendor_completions.d/whittle.fish
+  share/man/man1/whittle.1)
   file(GLOB_RECURSE files RELATIVE ${PREFIX} ${PREFIX}/*)
   list(FILTER files INCLUDE REGEX "(^|/)${name}$")
   if(NOT files)
     message(FATAL_ERROR "the package installs no ${name}")
+  endif()
+  file(SIZE ${PREFIX}/${files} size)
+  if(size EQUAL 0)
+    message(FATAL_ERROR "the package's ${name} is empty")
   endif()
 endforeach()
 file(GLOB_RECURSE scripts ${PREFIX}/*.cmake ${PREFIX}/*.pc)

@@ -99,6 +99,27 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
+std::vector<std::string> subcommands_of_help(const std::string& help) {
+  std::vector<std::string> names;
+  bool inside = false;
+  for (const std::string& line : lines_of(help)) {
+    if (inside && line.empty()) break;
+    if (inside && line.rfind("   ", 0) != 0) names.push_back(words_of(line).front());
+    if (line == "Subcommands:") inside = true;
+  }
+  return names;
+}
+
+std::vector<std::string> names_of(const OptionText& option) {
+  std::vector<std::string> names;
+  for (std::string word : words_of(option.name)) {
+    if (word.front() != '-') continue;
+    if (word.ends_with(',')) word.pop_back();
+    names.push_back(word);
+  }
+  return names;
+}
+
 std::vector<OptionText> options_of_help(const std::string& help) {
   std::vector<OptionText> options;
   for (const std::string& line : lines_of(help)) {

@@ -25,6 +25,10 @@ struct KeyText {
 std::vector<std::string> lines_of(const std::string& text);
 std::vector<std::string> words_of(const std::string& text);
 
+/// The subcommands in the help of the whole program.
+std::vector<std::string> subcommands_of_help(const std::string& help);
+/// The names of an option, its value left out: "-r", "--ratio".
+std::vector<std::string> names_of(const OptionText& option);
 /// The options in a help text; positional arguments are left out.
 std::vector<OptionText> options_of_help(const std::string& help);
 /// The rows of a page's tables under the heading "| option | default | meaning |".

@@ -115,7 +115,7 @@ std::string defaults_by_cost(const Text& text) {
 void add_pair_options(CLI::App& app, SimplifyCommand& options) {
   PairOptions& pairs = options.simplify.decimate.pairs;
   add_value(
-      app, "-t,--threshold", "T", options.threshold,
+      app, "-t,--threshold", "T|auto", options.threshold,
       [](std::string_view text) { return parse_automatic_length(text, "T"); },
       "also contract vertices closer than T that no edge joins: model units, a percentage of the diagonal such as "
       "1%, or 'auto' to choose T from the distances between parts")

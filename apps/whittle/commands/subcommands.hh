@@ -13,4 +13,8 @@ void setup_polish(CLI::App& app, Command& command);
 void setup_compare(CLI::App& app, Command& command);
 void setup_convert(CLI::App& app, Command& command);
 
+// These two print what they know of the other subcommands. They read no mesh and have no options.
+void setup_completion(CLI::App& app, Command& command);
+void setup_man(CLI::App& app, Command& command);
+
 }  // namespace whittle::app

@@ -2,12 +2,11 @@
 
 #include <array>
 
+#include "options/help.hh"
 #include "options/values.hh"
 
 namespace whittle::app {
 namespace {
-
-constexpr char common_group[] = "Common options";
 
 io::Format parse_format(std::string_view text) {
   for (const io::Format format : io::all_formats) {
@@ -66,7 +65,7 @@ void set_usage(CLI::App& app, const std::string& usage) { app.get_option("--help
 
 void add_weld_options(CLI::App& app, FileOptions& options, const std::string& group) {
   add_value(
-      app, "--weld", "T", options.weld_tolerance,
+      app, "--weld", "T|auto", options.weld_tolerance,
       [](std::string_view text) { return parse_automatic_length(text, "T"); },
       "weld vertices on open borders that lie within T of each other: model units, a percentage of the diagonal, or "
       "'auto' to choose T from the gaps between borders (0: exact duplicates alone)")

@@ -62,13 +62,14 @@ void add_mesh_file(CLI::App& app, std::string& path);
 void add_mesh_files(CLI::App& app, std::vector<std::string>& paths);
 
 /// Adds an option with one value.
-/// \param names as CLI11 takes them: "-r,--ratio"
+/// \param names as CLI11 takes them: "-r,--ratio"; "SHELL" for an argument without a name
 /// \param value_name how the help shows the value: "R"
 /// \param parse turns the text into the value, or throws std::invalid_argument
 template <class T, class Parse>
 CLI::Option* add_value(CLI::App& app, const std::string& names, const std::string& value_name, T& target, Parse parse,
                        const std::string& description) {
-  const std::string label = names.substr(names.find("--"));
+  const std::size_t long_name = names.find("--");
+  const std::string label = names.substr(long_name == std::string::npos ? 0 : long_name);
   const auto take = [&target, parse, label](const CLI::results_t& texts) {
     try {
       target = parse(std::string_view(texts.front()));

@@ -1,7 +1,8 @@
 #include "options/help.hh"
 
+#include <functional>
 #include <sstream>
-#include <vector>
+#include <utility>
 
 namespace whittle::app {
 namespace {
@@ -32,48 +33,60 @@ std::string entry(const std::string& name, const std::string& description) {
   return first + text.substr(first.size());
 }
 
-/// "-r, --ratio R", "--json FILE|-"
-std::string shown_name(const CLI::Option* option) {
-  std::string name;
-  for (const char c : option->get_name(option->get_positional(), true)) {
-    name += c;
-    if (c == ',') name += ' ';
-  }
-  if (option->get_positional() || option->get_type_size() == 0) return name;
-  return name + ' ' + option->get_type_name();
-}
-
-std::string shown_description(const CLI::Option* option) {
-  if (option->get_required()) return option->get_description() + " (required)";
-  const std::string standard = option->get_default_str();
-  return option->get_description() + (standard.empty() ? "" : " (default: " + standard + ")");
-}
-
-std::string section(const std::string& title, const std::vector<const CLI::Option*>& options) {
-  if (options.empty()) return {};
+std::string section(const OptionGroup& group) {
   std::string text = "\n";
-  text += title + ":\n";
-  for (const CLI::Option* option : options) text += entry(shown_name(option), shown_description(option));
+  text += group.title + ":\n";
+  for (const CLI::Option* option : group.options) text += entry(shown_name(*option), shown_description(*option));
   return text;
 }
 
 }  // namespace
 
+std::vector<OptionGroup> option_groups(const CLI::App& app) {
+  std::vector<OptionGroup> groups;
+  const auto add = [&](const std::string& title, const std::function<bool(const CLI::Option*)>& is_in) {
+    OptionGroup group{title, app.get_options(is_in)};
+    if (!group.options.empty()) groups.push_back(std::move(group));
+  };
+  add("Arguments", [](const CLI::Option* option) { return option->get_positional(); });
+  for (const std::string& title : app.get_groups()) {
+    add(title,
+        [&title](const CLI::Option* option) { return option->get_group() == title && !option->get_positional(); });
+  }
+  return groups;
+}
+
+bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
+
+std::string shown_name(const CLI::Option& option) {
+  std::string name;
+  for (const char c : option.get_name(option.get_positional(), true)) {
+    name += c;
+    if (c == ',') name += ' ';
+  }
+  if (option.get_positional() || !takes_value(option)) return name;
+  return name + ' ' + option.get_type_name();
+}
+
+std::string shown_description(const CLI::Option& option) {
+  if (option.get_required()) return option.get_description() + " (required)";
+  const std::string standard = option.get_default_str();
+  return option.get_description() + (standard.empty() ? "" : " (default: " + standard + ")");
+}
+
+std::string usage_of(const CLI::App& subcommand) { return subcommand.get_option("--help")->get_option_text(); }
+
 std::string HelpFormatter::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode /*mode*/) const {
   const bool is_top = app->get_parent() == nullptr;
-  std::string text = app->get_description() + "\n\nUsage: " + name + ' ';
+  std::string text = app->get_description() + "\n\nUsage: " + name;
   if (is_top) {
-    text += "SUBCOMMAND ...\n\nSubcommands:\n";
+    text += " SUBCOMMAND ...\n\nSubcommands:\n";
     for (const CLI::App* sub : app->get_subcommands({})) text += entry(sub->get_name(), sub->get_description());
   } else {
-    text += app->get_option("--help")->get_option_text() + '\n';
-    text += section("Arguments", app->get_options([](const CLI::Option* option) { return option->get_positional(); }));
+    const std::string usage = usage_of(*app);
+    text += (usage.empty() ? "" : ' ' + usage) + '\n';
   }
-  for (const std::string& group : app->get_groups()) {
-    text += section(group, app->get_options([&group](const CLI::Option* option) {
-      return option->get_group() == group && !option->get_positional();
-    }));
-  }
+  for (const OptionGroup& group : option_groups(*app)) text += section(group);
   return text + '\n' + app->get_footer() + '\n';
 }
 

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace whittle::app {
+
+/// Which files a shell offers for a value.
+enum class FileCandidates { none, meshes, all };
+
+/// What a shell offers for the value of an option.
+struct Candidates {
+  std::vector<std::string> words;  ///< in lower case: "fast", "auto"
+  FileCandidates files = FileCandidates::none;
+};
+
+/// By the name that the help has for the value: "fast|normal|best", "T|auto", "EXT", "FILE|-", "OUT". Arguments without
+/// a name are mesh files, unless they have words.
+Candidates candidates_of(const CLI::Option& option);
+
+/// "-r", "--ratio"
+std::vector<std::string> names_of(const CLI::Option& option);
+
+/// The subcommands, in the order of the help.
+std::vector<const CLI::App*> subcommands_of(const CLI::App& app);
+
+/// The options that have a name.
+std::vector<const CLI::Option*> named_options_of(const CLI::App& app);
+
+/// The arguments without a name, in their order.
+std::vector<const CLI::Option*> arguments_of(const CLI::App& app);
+
+/// "a b c"
+std::string join(const std::vector<std::string>& words, const std::string& separator = " ");
+
+/// Each character of `special` in `text` with a backslash before it.
+std::string with_backslashes(const std::string& text, const std::string& special);
+
+}  // namespace whittle::app
