@@ -1,6 +1,7 @@
-// The progress bar: shown on a terminal only, erased at the end, without colour if NO_COLOR is set.
+// What is for terminals only: the progress bar, which is erased at the end, and colours, as --color and NO_COLOR say.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,66 @@ TEST(ProgressBar, IsNotWrittenToAFile) {
       whittle({"simplify", data_file("knot.ply"), "-o", folder / "out.ply", "--ratio", "0.1"}, options);
   EXPECT_FALSE(has_bar(outcome.err)) << outcome;
   EXPECT_FALSE(has_color(outcome.err)) << outcome;
+}
+
+using Arguments = std::vector<std::string>;
+using Environment = std::map<std::string, std::string>;
+
+const Environment terminal_variables{{"TERM", "xterm"}, {"NO_COLOR", ""}};
+
+/// What a run writes on standard error, which is a terminal or a pipe.
+std::string said(const Arguments& arguments, bool at_terminal, const Environment& environment) {
+  Terminal terminal(200);
+  RunOptions options;
+  options.environment = environment;
+  if (at_terminal) options.stderr_to = terminal.descriptor();
+  const Outcome outcome = whittle(arguments, options);
+  return at_terminal ? terminal.read_all() : outcome.err;
+}
+
+Arguments with(Arguments arguments, const Arguments& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+/// An error of the command line, one of a file, and a run with a warning and a progress bar.
+std::vector<Arguments> talkative_runs(const TemporaryFolder& folder) {
+  return {{"simplify", data_file("cubes.obj"), "--faces", "none"},
+          {"info", folder / "missing.obj"},
+          {"simplify", data_file("cubes.obj"), "-o", folder / "out.obj", "--faces", "10"}};
+}
+
+TEST(Color, IsForTerminalsOnly) {
+  const TemporaryFolder folder;
+  for (const Arguments& run : talkative_runs(folder)) {
+    SCOPED_TRACE(run.back());
+    EXPECT_TRUE(has_color(said(run, true, terminal_variables)));
+    EXPECT_FALSE(has_color(said(run, false, terminal_variables)));
+    EXPECT_FALSE(has_color(said(run, true, {{"TERM", "xterm"}, {"NO_COLOR", "1"}})));
+    EXPECT_FALSE(has_color(said(run, true, {{"TERM", "dumb"}, {"NO_COLOR", ""}})));
+  }
+}
+
+TEST(Color, IsAsTheOptionSays) {
+  const TemporaryFolder folder;
+  for (const Arguments& run : talkative_runs(folder)) {
+    SCOPED_TRACE(run.back());
+    EXPECT_TRUE(has_color(said(with(run, {"--color", "always"}), false, {{"NO_COLOR", "1"}})));
+    EXPECT_FALSE(has_color(said(with(run, {"--color=never"}), true, terminal_variables)));
+    EXPECT_TRUE(has_color(said(with(run, {"--color", "auto"}), true, terminal_variables)));
+  }
+  const std::string wrong = said({"info", "--color", "blue", "x.obj"}, false, {});
+  EXPECT_NE(wrong.find("--color: 'blue' is none of auto|always|never"), std::string::npos) << wrong;
+}
+
+TEST(Color, IsInThePrefixAlone) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(
+      said({"info", folder / "missing.obj", "--color", "always"}, false, {}),
+      "\x1b[1;31mwhittle:\x1b[0m " + (folder / "missing.obj") + ": cannot be opened: No such file or directory\n");
+  const std::string warned = said(with(talkative_runs(folder).back(), {"--color", "always"}), false, {});
+  EXPECT_NE(warned.find("\nwhittle: \x1b[1;33mwarning:\x1b[0m "), std::string::npos) << warned;
+  EXPECT_EQ(warned.rfind("whittle: " + (folder / "out.obj"), 0), 0U) << warned;
 }
 
 }  // namespace

@@ -136,18 +136,19 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
   const std::string cubes = data_file("cubes.obj");
   const std::string terrain = data_file("terrain.ply");
   std::filesystem::copy_file(cubes, bare);
-  expect_documented("simplify",
-                    {{cubes, "-o", out, "--faces", "60", "--threshold", "auto", "--max-pairs", "8", "--across-walls"},
-                     {cubes, "--output", out, "--faces", "10", "--topology", "free", "--prune", "1%", "--verbose"},
-                     {bare, "-o", bare, "--format", "obj", "--vertices", "150", "--no-weld", "--force"},
-                     {terrain, "-o", out, "--face-ratio", "10%", "--boundary", "free", "--map", folder / "map"},
-                     {terrain, "-o", out, "--max-cost", "1e-12", "--boundary-weight", "5", "--feature-angle", "40",
-                      "--feature-tolerance", "1%", "--max-normal-flip", "90", "--min-radius-ratio", "0.01"},
-                     {blob, "-o", out, "--ratio", "10%", "--effort", "best", "--quiet", "--threads", "1"},
-                     {blob, "-o", out, "--ratio", "0.1", "--cost", "quadric", "--weights", "uniform", "--placement",
-                      "midpoint", "--order", "exact", "--polish", "0", "--strict"},
-                     {blob, "-o", out, "--faces", "500", "--isotropic", "0.5", "--valence", "1"},
-                     {blob, "-o", out, "--faces", "500", "--engine", "openmesh"}});
+  expect_documented(
+      "simplify",
+      {{cubes, "-o", out, "--faces", "60", "--threshold", "auto", "--max-pairs", "8", "--across-walls"},
+       {cubes, "--output", out, "--faces", "10", "--topology", "free", "--prune", "1%", "--verbose"},
+       {bare, "-o", bare, "--format", "obj", "--vertices", "150", "--no-weld", "--force"},
+       {terrain, "-o", out, "--face-ratio", "10%", "--boundary", "free", "--map", folder / "map", "--color", "never"},
+       {terrain, "-o", out, "--max-cost", "1e-12", "--boundary-weight", "5", "--feature-angle", "40",
+        "--feature-tolerance", "1%", "--max-normal-flip", "90", "--min-radius-ratio", "0.01"},
+       {blob, "-o", out, "--ratio", "10%", "--effort", "best", "--quiet", "--threads", "1"},
+       {blob, "-o", out, "--ratio", "0.1", "--cost", "quadric", "--weights", "uniform", "--placement", "midpoint",
+        "--order", "exact", "--polish", "0", "--strict"},
+       {blob, "-o", out, "--faces", "500", "--isotropic", "0.5", "--valence", "1"},
+       {blob, "-o", out, "--faces", "500", "--engine", "openmesh"}});
 }
 
 TEST(ReportKeys, OfMeasureAreDocumented) {
@@ -157,16 +158,17 @@ TEST(ReportKeys, OfMeasureAreDocumented) {
   std::filesystem::copy_file(point, bare);
   const std::string terrain = data_file("terrain.ply");
   const std::string bracket = data_file("bracket.stl");
-  expect_documented("measure", {{bracket, bracket, "--feature-angle", "40", "--samples", "1000", "--seed", "2"},
-                                {terrain, terrain, "--samples", "1000", "--verbose", "--threads", "1"},
-                                {point, point, "--no-weld", "--samples", "1000", "--quiet"},
-                                {bare, point, "--no-weld", "--format", "obj", "--samples", "1000", "--force"}});
+  expect_documented(
+      "measure", {{bracket, bracket, "--color", "never", "--feature-angle", "40", "--samples", "1000", "--seed", "2"},
+                  {terrain, terrain, "--samples", "1000", "--verbose", "--threads", "1"},
+                  {point, point, "--no-weld", "--samples", "1000", "--quiet"},
+                  {bare, point, "--no-weld", "--format", "obj", "--samples", "1000", "--force"}});
 }
 
 TEST(ReportKeys, OfInfoAreDocumented) {
   const TemporaryFolder folder;
   std::filesystem::copy_file(data_file("terrain.ply"), folder.path() / "bare");
-  expect_documented("info", {{data_file("knot.ply"), "--verbose"},
+  expect_documented("info", {{data_file("knot.ply"), "--verbose", "--color", "never"},
                              {data_file("bracket.stl"), "--threads", "1", "--quiet"},
                              {folder / "bare", "--format", "ply", "--force"}});
 }
@@ -175,9 +177,9 @@ TEST(ReportKeys, OfPolishAreDocumented) {
   const TemporaryFolder folder;
   const std::string out = folder / "out";
   const std::string blob = data_file("blob.obj");
-  expect_documented(
-      "polish", {{blob, blob, "--output", out, "--format", "obj", "--verbose", "--no-weld"},
-                 {blob, blob, "-o", out, "--format", "obj", "--passes", "0", "--quiet", "--force", "--threads", "1"}});
+  expect_documented("polish", {{blob, blob, "--output", out, "--format", "obj", "--verbose", "--no-weld"},
+                               {blob, blob, "-o", out, "--format", "obj", "--passes", "0", "--quiet", "--color",
+                                "never", "--force", "--threads", "1"}});
 }
 
 TEST(ReportKeys, OfCompareAreDocumented) {
@@ -186,11 +188,12 @@ TEST(ReportKeys, OfCompareAreDocumented) {
   const std::string bare = folder / "bare";
   const std::string blob = data_file("blob.obj");
   std::filesystem::copy_file(blob, bare);
-  expect_documented("compare", {{blob, "--ratio", "50%", "--samples", "1000", "--seed", "2", "--verbose"},
-                                {blob, "--face-ratio", "50%", "--samples", "1000", "--threads", "1", "--quiet"},
-                                {bare, "--format", "obj", "--max-cost", "1e-6", "--samples", "1000", "--force"},
-                                {blob, "--vertices", "500", "--effort", "best", "--samples", "1000"},
-                                {point, "--no-weld", "--faces", "1", "--samples", "1000"}});
+  expect_documented("compare",
+                    {{blob, "--ratio", "50%", "--samples", "1000", "--seed", "2", "--verbose"},
+                     {blob, "--face-ratio", "50%", "--samples", "1000", "--threads", "1", "--quiet"},
+                     {bare, "--format", "obj", "--max-cost", "1e-6", "--samples", "1000", "--force"},
+                     {blob, "--vertices", "500", "--effort", "best", "--color", "never", "--samples", "1000"},
+                     {point, "--no-weld", "--faces", "1", "--samples", "1000"}});
 }
 
 }  // namespace

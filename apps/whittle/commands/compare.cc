@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "commands/stage_bars.hh"
-#include "openmesh/stock_decimater.hh"
 #include "commands/subcommands.hh"
 #include "files/input.hh"
 #include "files/output.hh"
 #include "files/report.hh"
+#include "openmesh/stock_decimater.hh"
 #include "options/efforts.hh"
 #include "options/sampling.hh"
 #include "options/targets.hh"
@@ -223,7 +223,7 @@ ExitCode run_compare(const CLI::App& app, const CompareOptions& options) {
   check_formats({options.input}, {}, options.files);
   check_conflicts(app, compare_conflicts());
   if (options.common.json) check_outputs({{"--json", *options.common.json}}, {options.input}, options.common.force);
-  const Talk talk(options.common.volume());
+  const Talk talk = options.common.talk();
   const Stopwatch watch;
   const Input input = read_input(options.input, options.files, talk);
   const Comparison comparison = compare(input, options, talk);

@@ -54,7 +54,7 @@ void check(const CLI::App& app, const ConvertCommand& options) {
 
 ExitCode run_convert(const CLI::App& app, const ConvertCommand& options) {
   check(app, options);
-  const Talk talk(options.common.volume());
+  const Talk talk = options.common.talk();
   const Stopwatch watch;
   Conversion run;
   run.input = read_input(options.input, options.files, talk);

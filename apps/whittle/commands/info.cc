@@ -177,7 +177,7 @@ ExitCode run_info(const CLI::App& app, const InfoOptions& options) {
   check_conflicts(app, common_conflicts());
   check_formats({options.input}, {}, options.files);
   if (options.common.json) check_outputs({{"--json", *options.common.json}}, {options.input}, options.common.force);
-  const Talk talk(options.common.volume());
+  const Talk talk = options.common.talk();
   const Stopwatch watch;
   const Findings findings = look_at(options, talk);
   for (const std::string& warning : findings.read.warnings) talk.warning(about(findings.name, warning));

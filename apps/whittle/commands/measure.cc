@@ -176,7 +176,7 @@ ExitCode run_measure(const CLI::App& app, const MeasureOptions& options) {
   if (options.common.json) {
     check_outputs({{"--json", *options.common.json}}, {options.reference, options.test}, options.common.force);
   }
-  const Talk talk(options.common.volume());
+  const Talk talk = options.common.talk();
   const Stopwatch watch;
   const Input reference = read_input(options.reference, options.files, talk);
   const Input test = read_input(options.test, options.files, talk);

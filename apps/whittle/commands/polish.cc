@@ -99,7 +99,7 @@ void polish_input(const PolishCommand& options, const Talk& talk, PolishRun& run
 
 ExitCode run_polish(const CLI::App& app, const PolishCommand& options) {
   check(app, options);
-  const Talk talk(options.common.volume());
+  const Talk talk = options.common.talk();
   const Stopwatch watch;
   PolishRun run;
   run.reference = read_input(options.reference, options.files, talk);

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "commands/advice.hh"
-#include "openmesh/openmesh_engine.hh"
 #include "commands/simplify_options.hh"
 #include "commands/simplify_runs.hh"
 #include "commands/stage_bars.hh"
@@ -15,6 +14,7 @@
 #include "files/input.hh"
 #include "files/output.hh"
 #include "files/report.hh"
+#include "openmesh/openmesh_engine.hh"
 #include "options/values.hh"
 #include "terminal/errors.hh"
 #include "terminal/interruption.hh"
@@ -346,7 +346,7 @@ std::vector<std::string> lost_in_openmesh(const SimplifyCommand& options, const 
 
 /// \param wants_report even without --json
 SimplifyOutcome simplify_one(const SimplifyCommand& options, bool wants_report) {
-  const Talk talk(options.common.volume());
+  const Talk talk = options.common.talk();
   const Stopwatch watch;
   Run run;
   run.input = read_input(options.input, options.files, talk);

@@ -55,7 +55,7 @@ SimplifyOutcome outcome_of(const SimplifyCommand& run,
     return simplify(run);
   } catch (...) {
     const Failure failure = current_failure();
-    Talk(run.common.volume()).error(failure.problem);
+    run.common.talk().error(failure.problem);
     Json report = new_report();
     report["input"] = {{"path", run.input}};
     report["error"] = failure.problem;

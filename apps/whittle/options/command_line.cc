@@ -8,6 +8,9 @@
 namespace whittle::app {
 namespace {
 
+constexpr std::array<Choice<ColorMode>, 3> color_modes{
+    {{"auto", ColorMode::automatic}, {"always", ColorMode::always}, {"never", ColorMode::never}}};
+
 io::Format parse_format(std::string_view text) {
   for (const io::Format format : io::all_formats) {
     if (io::name_of(format) == text) return format;
@@ -58,7 +61,25 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
       "threads to work with, 0 <= N <= 1024; 0 takes all cores; no result depends on it")
       ->default_str(std::to_string(options.threads))
       ->group(common_group);
+  add_value(
+      app, "--color", words_of<ColorMode>(color_modes), options.color,
+      [](std::string_view text) { return parse_choice<ColorMode>(text, color_modes); },
+      "colour on standard error: on a terminal, unless NO_COLOR is set (auto), always, or never")
+      ->default_str("auto")
+      ->group(common_group);
   app.set_help_flag("-h,--help", "print this help")->group(common_group);
+}
+
+ColorMode color_of(const CLI::App& app) {
+  ColorMode mode = ColorMode::automatic;
+  for (const CLI::App* called : app.get_subcommands()) {
+    const CLI::Option* option = called->get_option_no_throw("--color");
+    if (option == nullptr || option->count() == 0) continue;
+    for (const Choice<ColorMode>& choice : color_modes) {
+      if (choice.word == option->results().front()) mode = choice.value;
+    }
+  }
+  return mode;
 }
 
 void set_usage(CLI::App& app, const std::string& usage) { app.get_option("--help")->option_text(usage); }

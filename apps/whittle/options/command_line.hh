@@ -27,12 +27,15 @@ struct CommonOptions {
   bool verbose = false;
   bool force = false;    ///< an output may replace an input
   unsigned threads = 0;  ///< 0 = all cores
+  ColorMode color = ColorMode::automatic;
 
-  Volume volume() const { return quiet ? Volume::quiet : verbose ? Volume::verbose : Volume::normal; }
+  Talk talk() const { return Talk(quiet ? Volume::quiet : verbose ? Volume::verbose : Volume::normal, color); }
 };
 /// Also adds --help. Call this last: the help lists groups of options in the order in which their first options were
 /// added.
 void add_common_options(CLI::App& app, CommonOptions& options);
+/// What --color says, also if the rest of the command line is wrong. \param app after parsing
+ColorMode color_of(const CLI::App& app);
 /// Sets the text that follows "Usage: whittle NAME" in the help. It is stored at the option --help, because in CLI11
 /// only options can hold such a text.
 /// \pre `add_common_options` was called.

@@ -97,9 +97,9 @@ std::string man_page(const CLI::App& app, const std::string& program) {
   for (const CLI::App* sub : subs) text += man_subcommand(*sub);
   text += ".SH COMMON OPTIONS\nEvery subcommand that reads a mesh has these.\n" + man_common_options(*subs.front());
   text += ".SH EXIT STATUS\n" + roff(exit_statuses) + '\n';
-  text +=
-      ".SH ENVIRONMENT\n" + man_entry("NO_COLOR", "If it is set and not empty, nothing is in colour on a terminal.");
-  return text + man_entry("TERM", "No progress bar is drawn if it is empty, or 'dumb'.");
+  text += ".SH ENVIRONMENT\n" +
+          man_entry("NO_COLOR", "If it is set and not empty, nothing is in colour, unless --color always is given.");
+  return text + man_entry("TERM", "If it is not set, or 'dumb', no progress bar is drawn, and nothing is in colour.");
 }
 
 }  // namespace whittle::app

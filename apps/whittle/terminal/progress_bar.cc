@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <string_view>
 #include <utility>
@@ -24,16 +23,10 @@ std::size_t terminal_width() {
   return size.ws_col;
 }
 
-/// No colour if NO_COLOR is set and not empty. https://no-color.org
-bool wants_color() {
-  const char* value = std::getenv("NO_COLOR");
-  return value == nullptr || *value == '\0';
-}
-
 }  // namespace
 
 ProgressBar::ProgressBar(const Talk& talk, std::string what)
-    : what_(std::move(what)), shown_(talk.shows_progress()), colored_(wants_color()) {}
+    : what_(std::move(what)), shown_(talk.shows_progress()), colored_(talk.is_colored()) {}
 
 ProgressBar::~ProgressBar() { clear(); }
 
@@ -60,7 +53,7 @@ void ProgressBar::update(double fraction, const std::string& note) {
   if (width >= terminal_width()) return;
   const std::string full(filled, '#');
   const std::string empty(bar_width - filled, '.');
-  std::cerr << before + (colored_ ? "\x1b[32m" + full + "\x1b[0m" : full) + empty + after << std::flush;
+  std::cerr << before + (colored_ ? in_color(Color::green, full) : full) + empty + after << std::flush;
   drawn_width_ = width;
 }
 

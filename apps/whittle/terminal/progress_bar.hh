@@ -9,7 +9,7 @@
 
 namespace whittle::app {
 
-/// A line on a terminal that is redrawn in place, and erased by the destructor. It has no colour if NO_COLOR is set.
+/// A line on a terminal that is redrawn in place, and erased by the destructor. It is green if `Talk::is_colored`.
 /// Nothing is drawn if `Talk::shows_progress` is false.
 class ProgressBar {
  public:

@@ -1,0 +1,42 @@
+#include "terminal/color.hh"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <string_view>
+
+namespace whittle::app {
+namespace {
+
+/// Text between the escape sequence with these numbers and the one that ends its effect.
+std::string between_escapes(const std::string& numbers, const std::string& text) {
+  return "\x1b[" + numbers + 'm' + text + "\x1b[0m";
+}
+
+bool is_without_color() {
+  const char* value = std::getenv("NO_COLOR");
+  return value != nullptr && *value != '\0';
+}
+
+}  // namespace
+
+bool is_colored(ColorMode mode) {
+  if (mode == ColorMode::automatic) return is_at_terminal() && !is_without_color();
+  return mode == ColorMode::always;
+}
+
+bool is_at_terminal() {
+  if (::isatty(STDERR_FILENO) == 0) return false;
+  const char* terminal = std::getenv("TERM");
+  return terminal != nullptr && std::string_view(terminal) != "dumb";
+}
+
+std::string in_color(Color color, const std::string& text) {
+  return between_escapes(std::to_string(static_cast<int>(color)), text);
+}
+
+std::string in_bold_color(Color color, const std::string& text) {
+  return between_escapes("1;" + std::to_string(static_cast<int>(color)), text);
+}
+
+}  // namespace whittle::app
