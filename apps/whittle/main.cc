@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -36,9 +37,14 @@ int fail_usage(const CLI::App& app, const std::string& problem) {
   return fail(ExitCode::usage, problem + "; see 'whittle " + (sub.empty() ? "" : sub + ' ') + "--help'");
 }
 
+std::vector<std::string> subcommand_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
+  return names;
+}
+
 std::string no_subcommand(const CLI::App& app, int argc, char** argv) {
-  std::vector<std::string> all;
-  for (const CLI::App* sub : app.get_subcommands({})) all.push_back(sub->get_name());
+  const std::vector<std::string> all = subcommand_names(app);
   std::string names;
   for (const std::string& name : all) names += (names.empty() ? "" : ", ") + name;
   if (argc < 2) return "a subcommand is missing: one of " + names;
@@ -46,13 +52,14 @@ std::string no_subcommand(const CLI::App& app, int argc, char** argv) {
   return "'" + word + "' is not a subcommand: one of " + names + did_you_mean(word, all);
 }
 
-/// `help`, `help simplify` as `--help`, `simplify --help`.
-std::vector<char*> without_help_word(int argc, char** argv) {
+/// `help`, `help simplify` as `--help`, `simplify --help`. A word that is no subcommand is left, to be refused.
+std::vector<char*> without_help_word(const CLI::App& app, int argc, char** argv) {
   static char help[] = "--help";
   std::vector<char*> arguments(argv, argv + argc);
   if (argc < 2 || std::string(argv[1]) != "help") return arguments;
   arguments.erase(arguments.begin() + 1);
-  arguments.push_back(help);
+  const std::vector<std::string> names = subcommand_names(app);
+  if (argc == 2 || std::find(names.begin(), names.end(), argv[2]) != names.end()) arguments.push_back(help);
   return arguments;
 }
 
@@ -102,11 +109,12 @@ int main(int argc, char** argv) {
     setup_convert(app, command);
     setup_completion(app, command);
     setup_man(app, command);
+    refuse_values_of_flags(app);
     app.footer(
         "'whittle SUBCOMMAND --help' tells the options of each, and so does 'whittle help SUBCOMMAND'.\n"
         "Exit status: " +
         std::string(exit_statuses));
-    std::vector<char*> arguments = without_help_word(argc, argv);
+    std::vector<char*> arguments = without_help_word(app, argc, argv);
     return parse_and_run(app, command, static_cast<int>(arguments.size()), arguments.data());
   } catch (...) {
     const Failure failure = current_failure();

@@ -165,6 +165,50 @@ TEST(Usage, NamesTheOptionAndTheRange) {
   EXPECT_TRUE(folder.files().empty());
 }
 
+/// Everything that the parser of the command line can object to, in words of our own.
+TEST(Usage, SaysInPlainWordsWhatIsWrong) {
+  const TemporaryFolder folder;
+  const std::string mesh = data_file("cubes.obj");
+  const struct {
+    Arguments arguments;
+    std::string said;
+  } cases[] = {
+      {simplify_with(folder, {"--quiet=3"}), "--quiet takes no value"},
+      {simplify_with(folder, {"--force=false"}), "--force takes no value"},
+      {simplify_with(folder, {"--no-weld=maybe"}), "--no-weld takes no value"},
+      {simplify_with(folder, {"-q=3"}), "a short option takes no '=': '=3'"},
+      {simplify_with(folder, {"--prune"}), "--prune needs a value"},
+      {simplify_with(folder, {"--prune="}), "--prune needs a value"},
+      {simplify_with(folder, {"-t"}), "--threshold needs a value"},
+      {simplify_with(folder, {"-o", "x.obj", "-o", "y.obj"}), "--output is given 3 times"},
+      {simplify_with(folder, {"x.obj"}), "one argument too many: 'x.obj'"},
+      {simplify_with(folder, {"-"}), "one argument too many: '-'"},
+      {simplify_with(folder, {""}), "one argument too many: ''"},
+      {simplify_with(folder, {"--", "x.obj"}), "one argument too many: 'x.obj'"},
+      {simplify_with(folder, {"++", "x.obj"}), "one argument too many: 'x.obj'"},
+      {simplify_with(folder, {"-x"}), "-x is not an option of 'simplify'"},
+      {simplify_with(folder, {"-qx"}), "-x is not an option of 'simplify'"},
+      {{"--quiet", "info", mesh}, "--quiet must come after 'info'"},
+      {{"--loud", "info", mesh}, "--loud is not an option of 'info'"},
+      {{"info", mesh, "measure"}, "one argument too many: 'measure'"},
+      {{"simplify", mesh, "--outptu", "x.obj", "--faces", "9"}, "did you mean '--output'?"},
+      {{"info", "--verbos"}, "did you mean '--verbose'?"},
+      {{"info", "--"}, "IN is required"},
+      {{"help", "simplfy"}, "did you mean 'simplify'?"},
+      {{"completion"}, "SHELL is required"},
+      {{"man", "bash"}, "one argument too many: 'bash'"},
+  };
+  for (const auto& [arguments, said] : cases) {
+    const Outcome outcome = whittle(arguments);
+    expect_usage_error(outcome, {said});
+    for (const char* parsers_words :
+         {"Could not", "Most", "Least", "expected", "override", "following", "should not"}) {
+      EXPECT_EQ(outcome.err.find(parsers_words), std::string::npos) << outcome;
+    }
+  }
+  EXPECT_TRUE(folder.files().empty());
+}
+
 TEST(Usage, RefusesAnOptionGivenTwice) {
   const TemporaryFolder folder;
   expect_usage_error(whittle(simplify_with(folder, {"--faces", "9"})), {"--faces is given 2 times"});

@@ -82,6 +82,13 @@ ColorMode color_of(const CLI::App& app) {
   return mode;
 }
 
+void refuse_values_of_flags(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (!takes_value(*option)) option->disable_flag_override();
+  }
+  for (CLI::App* sub : app.get_subcommands({})) refuse_values_of_flags(*sub);
+}
+
 void set_usage(CLI::App& app, const std::string& usage) { app.get_option("--help")->option_text(usage); }
 
 void add_weld_options(CLI::App& app, FileOptions& options, const std::string& group) {

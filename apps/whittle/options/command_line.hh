@@ -36,6 +36,8 @@ struct CommonOptions {
 void add_common_options(CLI::App& app, CommonOptions& options);
 /// What --color says, also if the rest of the command line is wrong. \param app after parsing
 ColorMode color_of(const CLI::App& app);
+/// Makes "--quiet=3" an error: CLI11 gives flags such values otherwise.
+void refuse_values_of_flags(CLI::App& app);
 /// Sets the text that follows "Usage: whittle NAME" in the help. It is stored at the option --help, because in CLI11
 /// only options can hold such a text.
 /// \pre `add_common_options` was called.

@@ -29,20 +29,30 @@ std::vector<std::string> long_names(const CLI::App& sub) {
   return names;
 }
 
-/// Of the arguments that no option takes, the first that looks like one, else the first.
-std::string unexpected_argument(const CLI::App& sub) {
-  const std::vector<std::string> rest = sub.remaining();
-  if (rest.empty()) return {};
-  const auto looks_like_option = [](const std::string& argument) { return argument.size() > 1 && argument[0] == '-'; };
-  const auto option = std::find_if(rest.begin(), rest.end(), looks_like_option);
-  return option != rest.end() ? *option : rest.front();
+bool looks_like_option(const std::string& argument) { return argument.size() > 1 && argument[0] == '-'; }
+
+/// The arguments that nothing takes, those before the subcommand first. Without "--", which is none.
+std::vector<std::string> left_over(const CLI::App& sub) {
+  std::vector<std::string> arguments = sub.get_parent()->remaining(true);
+  arguments.erase(std::remove(arguments.begin(), arguments.end(), "--"), arguments.end());
+  return arguments;
+}
+
+/// What is wrong with the first argument that looks like an option and that nothing takes; empty if there is none.
+std::string unknown_option(const CLI::App& sub) {
+  const std::vector<std::string> arguments = left_over(sub);
+  const auto argument = std::find_if(arguments.begin(), arguments.end(), looks_like_option);
+  if (argument == arguments.end()) return {};
+  const std::string name = argument->substr(0, argument->find('='));
+  if (name == "-") return "a short option takes no '=': '" + argument->substr(1) + "'";
+  if (sub.get_option_no_throw(name) != nullptr) return name + " must come after '" + sub.get_name() + "'";
+  return name + " is not an option of '" + sub.get_name() + "'" + did_you_mean(name, long_names(sub));
 }
 
 std::string unexpected(const CLI::App& sub) {
-  const std::string argument = unexpected_argument(sub);
-  if (argument.empty() || argument[0] != '-') return "one argument too many: '" + argument + "'";
-  const std::string name = argument.substr(0, argument.find('='));
-  return name + " is not an option of '" + sub.get_name() + "'" + did_you_mean(name, long_names(sub));
+  if (std::string unknown = unknown_option(sub); !unknown.empty()) return unknown;
+  const std::vector<std::string> arguments = left_over(sub);
+  return "one argument too many: '" + (arguments.empty() ? "" : arguments.front()) + "'";
 }
 
 std::string given_twice(const CLI::App& sub) {
@@ -52,6 +62,14 @@ std::string given_twice(const CLI::App& sub) {
     }
   }
   return {};
+}
+
+/// What an option has too much or too little. \param said CLI11's words, which begin with the option's name
+std::string mismatch(const CLI::App& sub, const std::string& said) {
+  if (std::string twice = given_twice(sub); !twice.empty()) return twice;
+  const std::string name = said.substr(0, said.find_first_of(": "));
+  if (name.starts_with('-')) return name + " needs a value";
+  return "--" + name + " takes no value";
 }
 
 }  // namespace
@@ -67,9 +85,11 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 std::string problem_of(const CLI::App& sub, const CLI::ParseError& error) {
   std::string said = error.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return unexpected(sub);
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return said;
-  if (std::string twice = given_twice(sub); !twice.empty()) return twice;
-  return said.substr(0, said.find(':')) + " needs a value";
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) return mismatch(sub, said);
+  if (dynamic_cast<const CLI::RequiredError*>(&error) == nullptr) return said;
+  // A mistyped name is why the option seems to be missing.
+  std::string unknown = unknown_option(sub);
+  return unknown.empty() ? said : unknown;
 }
 
 }  // namespace whittle::app
