@@ -249,7 +249,7 @@ bool has_threshold(const SimplifyCommand& options) {
 
 void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
   add_mesh_files(app, options.inputs);
-  add_target_options(app, options.targets);
+  add_target_options(app, options.targets, unit_by_cost());
   app.add_flag("--strict", options.strict, "end with status 3 when the target was not met")
       ->default_str("off")
       ->group(target_group);

@@ -12,7 +12,7 @@ std::uint64_t at_least_one(std::string_view text) { return parse_count(text); }
 
 }  // namespace
 
-void add_target_options(CLI::App& app, TargetOptions& options) {
+void add_target_options(CLI::App& app, TargetOptions& options, const std::string& cost_unit) {
   add_value(app, "--faces", "N", options.faces, at_least_one, "stop at N faces or fewer, N >= 1")
       ->default_str("off")
       ->group(target_group);
@@ -29,8 +29,7 @@ void add_target_options(CLI::App& app, TargetOptions& options) {
       ->group(target_group);
   add_value(
       app, "--max-cost", "C", options.max_cost, [](std::string_view text) { return parse_number(text, {0}, "C"); },
-      "contract nothing that costs more than C: distance squared times area in model units with plain quadrics "
-      "(distance squared with uniform weights), a length to the fifth with memoryless ones, C >= 0")
+      "contract nothing that costs more than C, C >= 0; " + cost_unit)
       ->default_str("off")
       ->group(target_group);
 }

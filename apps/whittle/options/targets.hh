@@ -21,7 +21,8 @@ struct TargetOptions {
   std::optional<double> face_ratio;       ///< share of the faces to keep, (0, 1)
   std::optional<double> max_cost;         ///< at least 0; in the unit of the cost (`Cost`), by model units
 };
-void add_target_options(CLI::App& app, TargetOptions& options);
+/// \param cost_unit what the help says of the unit of --max-cost
+void add_target_options(CLI::App& app, TargetOptions& options, const std::string& cost_unit);
 
 /// \throw UsageError without any target.
 void check_targets(const TargetOptions& options);
