@@ -55,14 +55,17 @@ std::vector<Conflict> conflicts() {
   for (const CostTraits& traits : all_cost_traits) add_cost_conflicts(traits, all);
   const std::string edges_alone(plain_quadrics_alone);
   const std::string no_pairs = "OpenMesh's decimater contracts edges alone";
+  const std::string own_order = "OpenMesh's decimater has an order of its own";
   const std::string not_in_openmesh = "only Whittle's own loop does that";
   const Conflict more[] = {
       {"--threshold", "--isotropic", edges_alone},
       {"--threshold", "--valence", edges_alone},
       {"--boundary-weight", "--boundary free", std::string(free_borders_have_no_weight)},
       {"--feature-angle", "--engine openmesh", not_in_openmesh},
+      {"--feature-tolerance", "--engine openmesh", not_in_openmesh},
       {"--min-radius-ratio", "--engine openmesh", not_in_openmesh},
-      {"--order approximate", "--engine openmesh", not_in_openmesh},
+      {"--order exact", "--engine openmesh", own_order},
+      {"--order approximate", "--engine openmesh", own_order},
       {"--max-cost", "--engine openmesh", "OpenMesh looks at a cost when it is queued, not when its turn comes"},
       {"--threshold", "--engine openmesh", no_pairs},
       {"--max-pairs", "--engine openmesh", no_pairs},
@@ -241,6 +244,27 @@ void add_self_intersections(CLI::App& app, SelfIntersections& target) {
       ->group(guard_group);
 }
 
+/// "length^4"
+std::string unit_of(const CostTraits& traits) {
+  return traits.dimension == 1 ? "length" : "length^" + shortest(traits.dimension);
+}
+
+/// "its unit is length^4 with quadric (…), length^5 with memoryless, …"
+std::string unit_by_cost() {
+  std::string text;
+  for (const CostTraits& traits : all_cost_traits) {
+    text += (text.empty() ? "its unit is " : ", ") + unit_of(traits) + " with " + std::string(traits.name);
+    if (traits.cost == Cost::quadric) text += " (length^2 with uniform weights, in between with --isotropic)";
+  }
+  return text + ", in model units";
+}
+
+/// Null with OpenMesh's decimater, which has an order of its own.
+nlohmann::ordered_json order_json(const SimplifyCommand& options) {
+  if (options.engine == Engine::openmesh) return nullptr;
+  return word_of<Order>(orders, options.simplify.decimate.effective_order());
+}
+
 bool has_threshold(const SimplifyCommand& options) {
   return options.threshold.is_automatic || options.threshold.length.value > 0;
 }
@@ -334,7 +358,7 @@ nlohmann::ordered_json options_json(const SimplifyCommand& options) {
       {"cost", to_string(decimate.effective_cost())},
       {"valence", decimate.valence_weight},
       {"isotropic", decimate.isotropy},
-      {"order", word_of<Order>(orders, decimate.effective_order())},
+      {"order", order_json(options)},
       {"polish", *options.simplify.polish_passes},
       {"weights", word_of<Weights>(weights, quadric.weights)},
       {"placement", word_of<Placement>(placements, quadric.placement)},

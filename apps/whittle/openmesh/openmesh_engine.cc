@@ -15,7 +15,6 @@
 #include "whittle/openmesh/mod_lindstrom_turk.hh"
 #include "whittle/openmesh/mod_memoryless.hh"
 #include "whittle/openmesh/mod_midpoint.hh"
-#include "whittle/openmesh/mod_radius_ratio.hh"
 
 namespace whittle::app {
 namespace {
@@ -61,14 +60,10 @@ CostModule& add_cost(StockDecimater& decimater, const DecimateOptions& options) 
   return cost;
 }
 
-void add_guards(StockDecimater& decimater, const CostModule& cost, const DecimateOptions& options) {
+void add_flip_guard(StockDecimater& decimater, const CostModule& cost, const DecimateOptions& options) {
   auto& flip_guard = add_module<ModFlipGuardT<DoubleMesh>>(decimater);
   flip_guard.set_max_normal_flip_deg(options.effective_max_normal_flip_deg());
   flip_guard.set_cost_module(&cost);
-  if (!options.min_radius_ratio) return;
-  auto& radius_guard = add_module<ModRadiusRatioT<DoubleMesh>>(decimater);
-  radius_guard.set_min_radius_ratio(*options.min_radius_ratio);
-  radius_guard.set_cost_module(&cost);
 }
 
 /// A module that refuses nothing. It records which vertex each one was merged into, and the greatest cost.
@@ -164,7 +159,7 @@ Decimation decimate_in_openmesh(const IndexedMesh& input, const std::string& nam
 
   StockDecimater decimater(mesh);
   const CostModule& cost = add_cost(decimater, options);
-  add_guards(decimater, cost, options);
+  add_flip_guard(decimater, cost, options);
   auto& log = add_module<CollapseLog>(decimater);
   log.set_cost_module(cost);
 

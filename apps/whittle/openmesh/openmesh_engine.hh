@@ -6,12 +6,16 @@
 
 namespace whittle::app {
 
-/// Decimates like `whittle::decimate`, by our cost modules, ModFlipGuardT and, with a least radius ratio,
-/// ModRadiusRatioT in OpenMesh's stock DecimaterT. Differences:
+/// Decimates like `whittle::decimate`, by our cost modules and ModFlipGuardT in OpenMesh's stock DecimaterT.
+/// Differences:
 ///   - It ranks by costs that may be out of date. The result differs a little, and a cost limit would not hold.
-///   - It asks the guards when a collapse is queued, not in its turn. A few faces still turn over or get thin.
+///   - It asks the guard when a collapse is queued, not in its turn. A few faces still turn over.
 ///   - It doesn't count refusals: `rejections` stays 0.
-///   - Normals and colours are not carried. `locked`, `order` and the options of feature lines are ignored.
+///   - Normals and colours are not carried.
+/// Of the options it follows `cost`, `quadric`, `isotropy`, `valence_weight`, `boundary`, `max_normal_flip_deg` and
+/// `progress`. It ignores `order`, `pairs`, `topology`, `min_radius_ratio`, `locked`, `feature_angle_deg`,
+/// `feature_tolerance`, `feature_edges`, `keep_quadrics`, `listener` and `threads`. On the command line all of these that
+/// change results are refused with `--engine openmesh`.
 /// \pre the target has no cost limit
 /// \param name of the mesh, for errors
 /// \throw UnsupportedMesh if OpenMesh's half-edges can't hold a face
