@@ -288,18 +288,18 @@ void count_intersections(const SimplifyCommand& options, const Talk& talk, Run& 
 }
 
 /// Writes the result, the map and the report. All of them appear, or none does.
-/// \return the report, if `wants_report` or --json asks for it
-Json write_files(const SimplifyCommand& options, const Talk& talk, const Stopwatch& since_start, bool wants_report,
-                 Run& run) {
+/// \param report becomes the report, even without --json; may be null
+void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwatch& since_start, Run& run,
+                 Json* report) {
   const Stopwatch watch;
   OutputFiles files;
   write_mesh(files, options.output, options.files, run.simplified.mesh, talk, run.warnings);
   if (options.map) files.write(*options.map, [&run](std::ostream& out) { write_map(out, run); });
   run.seconds.write = watch.seconds();
   run.seconds.total = since_start.seconds();
-  Json report = wants_report || options.common.json ? simplify_json(options, run) : Json();
-  commit_with_report(files, options.common, options.common.json ? to_text(report) : std::string());
-  return report;
+  const Json json = report != nullptr || options.common.json ? simplify_json(options, run) : Json();
+  commit_with_report(files, options.common, options.common.json ? to_text(json) : std::string());
+  if (report != nullptr) *report = json;
 }
 
 std::string threshold_pairs(const ThresholdPairCounts& pairs) {
@@ -344,8 +344,8 @@ std::vector<std::string> lost_in_openmesh(const SimplifyCommand& options, const 
   return warnings;
 }
 
-/// \param wants_report even without --json
-SimplifyOutcome simplify_one(const SimplifyCommand& options, bool wants_report) {
+/// One run, of `options.input`. \param report becomes the report, even without --json; may be null
+ExitCode simplify_one(const SimplifyCommand& options, Json* report) {
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   Run run;
@@ -377,30 +377,26 @@ SimplifyOutcome simplify_one(const SimplifyCommand& options, bool wants_report) 
   count_intersections(options, talk, run);
   const std::string missed = run.met ? std::string() : shortfall(options, run);
   if (!run.met) run.warnings.push_back(missed);
-  SimplifyOutcome outcome;
-  outcome.report = write_files(options, talk, watch, wants_report, run);
+  write_files(options, talk, watch, run, report);
 
   say_details(options, talk, run);
   talk.say(summary(options, run));
-  if (run.met) return outcome;
+  if (run.met) return ExitCode::done;
   if (!options.strict) {
     talk.warning(missed);
-    return outcome;
+    return ExitCode::done;
   }
   talk.error(missed);
-  outcome.code = ExitCode::target_not_met;
-  return outcome;
+  return ExitCode::target_not_met;
 }
 
 ExitCode run_simplify(const CLI::App& app, const SimplifyCommand& command) {
   check_options(app, command);
   std::vector<SimplifyCommand> runs = runs_of(command);
   check_files(runs);
-  if (!is_named_by_stem(command)) return simplify_one(runs.front(), false).code;
+  if (!is_named_by_stem(command)) return simplify_one(runs.front(), nullptr);
   for (SimplifyCommand& run : runs) run.common.json.reset();  // there is one report of all
-  return run_each(command, runs, [&command](const SimplifyCommand& run) {
-    return simplify_one(run, command.common.json.has_value());
-  });
+  return run_each(command, runs, simplify_one);
 }
 
 }  // namespace

@@ -49,17 +49,19 @@ void refuse_same_outputs(const std::vector<SimplifyCommand>& runs) {
   }
 }
 
-SimplifyOutcome outcome_of(const SimplifyCommand& run,
-                           const std::function<SimplifyOutcome(const SimplifyCommand&)>& simplify) {
+/// Does a run whatever happens in it. \param report as `SimplifyRun`; of a run that failed it says why
+ExitCode attempt(const SimplifyCommand& run, const SimplifyRun& simplify, Json* report) {
   try {
-    return simplify(run);
+    return simplify(run, report);
   } catch (...) {
     const Failure failure = current_failure();
     run.common.talk().error(failure.problem);
-    Json report = new_report();
-    report["input"] = {{"path", run.input}};
-    report["error"] = failure.problem;
-    return {failure.code, std::move(report)};
+    if (report != nullptr) {
+      *report = new_report();
+      (*report)["input"] = {{"path", run.input}};
+      (*report)["error"] = failure.problem;
+    }
+    return failure.code;
   }
 }
 
@@ -82,16 +84,16 @@ std::vector<SimplifyCommand> runs_of(const SimplifyCommand& command) {
 }
 
 ExitCode run_each(const SimplifyCommand& command, const std::vector<SimplifyCommand>& runs,
-                  const std::function<SimplifyOutcome(const SimplifyCommand&)>& simplify) {
+                  const SimplifyRun& simplify) {
   ExitCode first_failure = ExitCode::done;
   Json json = new_report();
   json["runs"] = Json::array();
   for (const SimplifyCommand& run : runs) {
-    SimplifyOutcome outcome = outcome_of(run, simplify);
-    if (first_failure == ExitCode::done) first_failure = outcome.code;
-    if (!command.common.json) continue;
-    outcome.report["exit_status"] = static_cast<int>(outcome.code);
-    json["runs"].push_back(std::move(outcome.report));
+    Json report;
+    const ExitCode code = attempt(run, simplify, command.common.json ? &report : nullptr);
+    if (first_failure == ExitCode::done) first_failure = code;
+    report["exit_status"] = static_cast<int>(code);
+    json["runs"].push_back(std::move(report));
   }
   write_report(command.common, json, "");
   return first_failure;

@@ -22,16 +22,14 @@ bool is_named_by_stem(const SimplifyCommand& command);
 /// name to put there, or if two would be written to one file.
 std::vector<SimplifyCommand> runs_of(const SimplifyCommand& command);
 
-struct SimplifyOutcome {
-  ExitCode code = ExitCode::done;
-  nlohmann::ordered_json report;  ///< null unless it was asked for
-};
+/// Does a run. \param report becomes its report; null if none is wanted
+using SimplifyRun = std::function<ExitCode(const SimplifyCommand& run, nlohmann::ordered_json* report)>;
 
 /// Does all runs, one after another. A failure is printed, and the next run begins. Writes one report of all where
 /// --json says: `runs` has the report of each, or what went wrong.
-/// \param simplify does a run \return the exit status of the first run that failed
+/// \return the exit status of the first run that failed
 /// \throw Interrupted; what the runs before have written stays
 ExitCode run_each(const SimplifyCommand& command, const std::vector<SimplifyCommand>& runs,
-                  const std::function<SimplifyOutcome(const SimplifyCommand&)>& simplify);
+                  const SimplifyRun& simplify);
 
 }  // namespace whittle::app
