@@ -393,6 +393,20 @@ TEST(Decimate, CanBeCancelled) {
   EXPECT_EQ(topology(d.mesh).euler(), 2);
 }
 
+TEST(Decimate, CanBeCancelledWhileThresholdPairsAreSearched) {
+  const IndexedMesh mesh = spheres(2, 3, 0.1);
+  DecimateOptions options;
+  options.pairs.threshold = 0.2;
+  for (const int n_allowed : {0, 1}) {
+    int n_calls = 0;
+    options.progress = [&](const Progress&) { return ++n_calls <= n_allowed; };
+    const Decimation d = decimate(mesh, faces(4), options);
+    EXPECT_EQ(d.result.stop, StopReason::cancelled);
+    EXPECT_EQ(n_calls, n_allowed + 1) << "not asked again";
+    EXPECT_EQ(d.mesh.faces, mesh.faces);
+  }
+}
+
 TEST(Decimate, GivesTheQuadricsOfWhatIsLeftIfAsked) {
   const IndexedMesh mesh = moved(terrain(20, 3), Vec3(30, -7, 900));
   DecimateOptions options;

@@ -366,6 +366,17 @@ TEST(ThresholdPairs, RefuseWhatIsNoThreshold) {
   EXPECT_THROW(find_in(mesh, {.threshold = std::numeric_limits<double>::quiet_NaN()}), std::invalid_argument);
 }
 
+TEST(ThresholdPairs, CanBeCancelledWhileTheyAreSearched) {
+  const IndexedMesh mesh = spheres(2, 3, 0.1);
+  for (const int n_allowed : {0, 1}) {
+    int n_calls = 0;
+    PairSearch search{.threshold = 0.2};
+    search.progress = [&](const TaskProgress&) { return ++n_calls <= n_allowed; };
+    EXPECT_THROW(find_in(mesh, search), Cancelled);
+    EXPECT_EQ(n_calls, n_allowed + 1) << "not asked again";
+  }
+}
+
 TEST(ThresholdPairs, RefuseWhatIsNoMesh) {
   IndexedMesh mesh = tetrahedron();
   mesh.faces[2][1] = 4;

@@ -44,6 +44,11 @@ class Preparation {
     if (goes_on_ && options_.progress) goes_on_ = options_.progress({n_vertices, n_faces, 0});
     return goes_on_;
   }
+  /// For tasks before: they throw `Cancelled` where it doesn't go on.
+  ProgressCallback task_progress(std::uint64_t n_vertices, std::uint64_t n_faces) {
+    if (!options_.progress) return {};
+    return [this, n_vertices, n_faces](const TaskProgress&) { return goes_on(n_vertices, n_faces); };
+  }
 
  private:
   const DecimateOptions& options_;
@@ -52,8 +57,14 @@ class Preparation {
 
 ThresholdPairs threshold_pairs(const IndexedMesh& mesh, const DecimateOptions& options, Preparation& preparation) {
   const auto& [threshold, max_pairs, across_walls] = options.pairs;
-  if (!(threshold > 0) || !preparation.goes_on(mesh.positions.size(), mesh.faces.size())) return {};
-  return find_threshold_pairs(mesh.positions, mesh.faces, {*threshold, max_pairs, across_walls, options.threads});
+  if (!(threshold > 0)) return {};
+  try {
+    return find_threshold_pairs(mesh.positions, mesh.faces,
+                                {*threshold, max_pairs, across_walls, options.threads,
+                                 preparation.task_progress(mesh.positions.size(), mesh.faces.size())});
+  } catch (const Cancelled&) {
+    return {};  // the preparation remembers it
+  }
 }
 
 ThresholdPairCounts counts_of(const ThresholdPairs& pairs, const DecimateOptions& options) {

@@ -14,6 +14,7 @@
 #include "pairs/site_tree.hh"
 #include "pairs/vertex_sites.hh"
 #include "whittle/core/detail/parallel.hh"
+#include "whittle/core/detail/progress_meter.hh"
 
 // Each vertex lists its partners, block after block of vertices along the curve. A pair is written where the lower
 // vertex lists the higher one. If the lower one's list is full and lacks it, the higher one adds the pair.
@@ -362,16 +363,19 @@ struct Block {
 /// The partners of all members.
 class PartnerLists {
  public:
-  PartnerLists(const Scene& scene, double threshold_sq, std::size_t max_partners, unsigned threads)
+  PartnerLists(const Scene& scene, double threshold_sq, std::size_t max_partners, const detail::Workers& workers)
       : blocks_((scene.sites.n_members() + block_length - 1) / block_length) {
     std::atomic<std::size_t> next_block{0};
     const auto search_blocks = [&](std::size_t /*thread*/) {
       PartnerSearch search(scene, threshold_sq, max_partners);
-      for (std::size_t i = next_block++; i < blocks_.size(); i = next_block++)
+      for (std::size_t i = next_block++; i < blocks_.size(); i = next_block++) {
+        workers.update(static_cast<double>(i) / static_cast<double>(blocks_.size()));
         blocks_[i] = search_block(search, scene, i);
+      }
     };
-    const std::size_t n_threads = threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
-    for_each_block(std::min(n_threads, blocks_.size()), threads, search_blocks);
+    const std::size_t n_threads =
+        workers.threads > 0 ? workers.threads : std::max(1U, std::thread::hardware_concurrency());
+    for_each_block(std::min(n_threads, blocks_.size()), workers.threads, search_blocks);
   }
 
   std::size_t n_blocks() const { return blocks_.size(); }
@@ -475,6 +479,8 @@ ThresholdPairs find_threshold_pairs(std::span<const Vec3> positions, std::span<c
   }
   if (search.max_pairs == 0) throw std::invalid_argument("find_threshold_pairs: max_pairs is 0; empty takes all");
   if (search.threshold == 0) return {};
+  detail::ProgressMeter meter(search.progress);
+  meter.start("preparing the search for threshold pairs", 0.2);
   const Scene scene(positions, faces, search);
   const std::size_t n_members = scene.sites.n_members();
   if (n_members == 0) return {};
@@ -482,7 +488,8 @@ ThresholdPairs find_threshold_pairs(std::span<const Vec3> positions, std::span<c
   // The square of a tiny threshold may round to zero: use at least what tells coincident vertices from others.
   const double threshold_sq = std::max(threshold * threshold, std::numeric_limits<double>::denorm_min());
   const std::size_t max_partners = std::min<std::size_t>(search.max_pairs.value_or(invalid_index), n_members);
-  const PartnerLists partners(scene, threshold_sq, max_partners, search.threads);
+  meter.start("searching threshold pairs", 1);
+  const PartnerLists partners(scene, threshold_sq, max_partners, detail::Workers(search.threads, &meter));
   return {write_pairs(scene, partners, search.threads), partners.is_cut()};
 }
 

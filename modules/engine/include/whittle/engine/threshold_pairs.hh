@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "whittle/core/progress.hh"
 #include "whittle/core/vertex_pair.hh"
 
 // Vertex pairs that no edge joins but that lie close together: the other half of the valid pairs of Garland & Heckbert,
@@ -23,6 +24,8 @@ struct PairSearch {
   bool across_walls = false;
 
   unsigned threads = 0;  ///< 0 = all cores. No result depends on it.
+
+  ProgressCallback progress{};  ///< Called now and then; false cancels the search.
 };
 
 struct ThresholdPairs {
@@ -39,7 +42,7 @@ struct ThresholdPairs {
 /// Each vertex is compared with those near it, or, where there are many, with about the nearest `max_pairs`. With that
 /// limit memory is O(n · max_pairs).
 /// \throw std::invalid_argument for a threshold that is negative or not a number, a `max_pairs` of 0, a vertex number
-///        out of range or a coordinate that isn't finite.
+///        out of range or a coordinate that isn't finite. \throw Cancelled if `progress` returned false.
 ThresholdPairs find_threshold_pairs(std::span<const Vec3> positions, std::span<const Triangle> faces,
                                     const PairSearch& search);
 
