@@ -107,10 +107,10 @@ TEST(Bash, OffersValuesAfterAnEqualsSign) {
 TEST(Bash, OffersMeshFilesAndFolders) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "parts");
-  for (const char* name : {"a.obj", "B.PLY", "two words.off", "s.stl", "notes.txt"}) {
+  for (const char* name : {"a.obj", "B.PLY", "two words.off", "s.stl", "z.Obj.gz", "notes.txt", "z.gz"}) {
     write_text(folder.path() / name, "");
   }
-  const Words meshes{"B.PLY", "a.obj", "parts", "s.stl", "two words.off"};
+  const Words meshes{"B.PLY", "a.obj", "parts", "s.stl", "two words.off", "z.Obj.gz"};
   EXPECT_EQ(offered({"info", ""}, folder.path()), meshes);
   EXPECT_EQ(offered({"measure", "a.obj", ""}, folder.path()), meshes);
   EXPECT_EQ(offered({"simplify", "a.obj", "--strict", ""}, folder.path()), meshes);

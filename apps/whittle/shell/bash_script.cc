@@ -4,7 +4,6 @@
 #include "options/help.hh"
 #include "shell/candidates.hh"
 #include "shell/completion.hh"
-#include "whittle/io/format.hh"
 
 namespace whittle::app {
 namespace {
@@ -49,7 +48,7 @@ _whittle() {
 )";
 
 /// "*.[oO][bB][jJ]"
-std::string any_case(std::string_view extension) {
+std::string any_case(const std::string& extension) {
   std::string pattern = "'*.";
   for (const char c : extension) {
     const bool is_letter = c >= 'a' && c <= 'z';
@@ -60,7 +59,7 @@ std::string any_case(std::string_view extension) {
 
 std::string bash_patterns() {
   std::vector<std::string> patterns;
-  for (const io::Format format : io::all_formats) patterns.push_back(any_case(io::name_of(format)));
+  for (const std::string& extension : mesh_extensions()) patterns.push_back(any_case(extension));
   return join(patterns);
 }
 

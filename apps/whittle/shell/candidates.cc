@@ -30,6 +30,14 @@ Candidates candidates_of(const CLI::Option& option) {
   return candidates;
 }
 
+std::vector<std::string> mesh_extensions() {
+  std::vector<std::string> extensions;
+  for (const char* packed : {"", ".gz"}) {
+    for (const io::Format format : io::all_formats) extensions.push_back(std::string(io::name_of(format)) + packed);
+  }
+  return extensions;
+}
+
 std::vector<std::string> names_of(const CLI::Option& option) {
   std::vector<std::string> names;
   for (const std::string& name : option.get_snames()) names.push_back('-' + name);

@@ -19,6 +19,9 @@ struct Candidates {
 /// a name are mesh files, unless they have words.
 Candidates candidates_of(const CLI::Option& option);
 
+/// "obj", "ply", "obj.gz", …: how names of mesh files end, in lower case.
+std::vector<std::string> mesh_extensions();
+
 /// "-r", "--ratio"
 std::vector<std::string> names_of(const CLI::Option& option);
 

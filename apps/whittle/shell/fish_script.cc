@@ -4,7 +4,6 @@
 #include "options/help.hh"
 #include "shell/candidates.hh"
 #include "shell/completion.hh"
-#include "whittle/io/format.hh"
 
 namespace whittle::app {
 namespace {
@@ -58,11 +57,9 @@ std::string fish_option(const std::string& condition, const CLI::Option& option)
 }  // namespace
 
 std::string fish_script(const CLI::App& app, const std::string& program) {
-  std::vector<std::string> extensions;
-  for (const io::Format format : io::all_formats) extensions.emplace_back(io::name_of(format));
   std::string helpers = fish_helpers;
   const std::string place = "@EXTENSIONS@";
-  helpers.replace(helpers.find(place), place.size(), join(extensions, "|"));
+  helpers.replace(helpers.find(place), place.size(), with_backslashes(join(mesh_extensions(), "|"), "."));
   std::string script =
       "# Completion of whittle for fish. Made by 'whittle completion fish' of " + program + ".\n" + helpers;
   for (const CLI::Option* option : named_options_of(app)) script += fish_option("__whittle_runs_nothing", *option);

@@ -4,7 +4,6 @@
 #include "options/help.hh"
 #include "shell/candidates.hh"
 #include "shell/completion.hh"
-#include "whittle/io/format.hh"
 
 namespace whittle::app {
 namespace {
@@ -48,7 +47,8 @@ std::string zsh_case(const CLI::App& sub) {
   for (const CLI::Option* option : named_options_of(sub)) text += " \\\n            " + zsh_option(*option);
   int number = 0;
   for (const CLI::Option* argument : arguments_of(sub)) {
-    text += " \\\n            '" + std::to_string(++number) +
+    const bool is_last_of_all = argument->get_items_expected_max() > 1;
+    text += " \\\n            '" + (is_last_of_all ? "*" : std::to_string(++number)) +
             zsh_value(argument->get_name(true), candidates_of(*argument)) + '\'';
   }
   return text + " && ret=0\n          ;;\n";
@@ -61,8 +61,6 @@ std::string zsh_subcommand(const std::string& name, const std::string& descripti
 }  // namespace
 
 std::string zsh_script(const CLI::App& app, const std::string& program) {
-  std::vector<std::string> extensions;
-  for (const io::Format format : io::all_formats) extensions.emplace_back(io::name_of(format));
   std::string subcommands;
   std::string cases;
   std::vector<std::string> names;
@@ -73,7 +71,7 @@ std::string zsh_script(const CLI::App& app, const std::string& program) {
   }
   std::string script =
       "#compdef whittle\n# Completion of whittle for zsh. Made by 'whittle completion zsh' of " + program + ".\n";
-  script += "\n_whittle_meshes() {\n  _files -g '*.(#i)(" + join(extensions, "|") + ")(-.)'\n}\n";
+  script += "\n_whittle_meshes() {\n  _files -g '*.(#i)(" + join(mesh_extensions(), "|") + ")(-.)'\n}\n";
   script += "\n_whittle() {\n  local curcontext=$curcontext state line ret=1\n  typeset -A opt_args\n  _arguments -C";
   for (const CLI::Option* option : named_options_of(app)) script += " \\\n    " + zsh_option(*option);
   script += " \\\n    '1: :->subcommand' \\\n    '*:: :->arguments' && ret=0\n  case $state in\n    subcommand)\n";
