@@ -289,9 +289,11 @@ void check(const PolishCase& c, std::uint64_t hash) {
   check_result(c, after);
   check_faces(c, after);
   check_fixed(c, after);
-  check_thin(c, after);
-  check_folds(c, after);
-  check_intersections(c, after);
+  if (has_ordinary_sizes(c.original) && has_ordinary_sizes(c.mesh)) {
+    check_thin(c, after);
+    check_folds(c, after);
+    check_intersections(c, after);
+  }
   if (hash % 64 == 1) check_threads(c, after);
 }
 

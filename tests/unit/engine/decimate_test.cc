@@ -1,8 +1,11 @@
 #include "whittle/engine/decimate.hh"
+#include "whittle/core/feature_edges.hh"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <tuple>
@@ -155,6 +158,54 @@ TEST(Decimate, LockedBordersKeepEveryBit) {
     EXPECT_EQ(d.mesh.positions[v], p);
   }
   EXPECT_EQ(n_border, 64U);
+}
+
+/// A sheet with a flange: the plane z = 0 up to x = 5, and from there upwards.
+IndexedMesh sheet_with_flange() {
+  IndexedMesh mesh = grid(6, 6);
+  for (Vec3& p : mesh.positions) {
+    if (p.x() > 5) p = Vec3(5, p.y(), p.x() - 5);
+  }
+  return mesh;
+}
+
+TEST(Decimate, FeatureEdgesDoNotBecomeBorders) {
+  for (const Placement placement : {Placement::optimal, Placement::midpoint, Placement::endpoint}) {
+    DecimateOptions options;
+    options.feature_angle_deg = 40;
+    options.boundary = Boundary::free;
+    options.max_normal_flip_deg = 180;
+    options.quadric.placement = placement;
+    const Decimation d = decimate(sheet_with_flange(), DecimateTarget::as_far_as_possible(), options);
+    EXPECT_GT(d.result.n_contractions, 0U);
+    EXPECT_FALSE(d.feature_edges.empty());
+    EXPECT_EQ(feature_edges(d.mesh, 40), d.feature_edges);
+  }
+}
+
+TEST(Decimate, UnmovedVerticesKeepEveryBit) {
+  IndexedMesh mesh = tessellated_cube(3);
+  mesh.positions[0].x() = 1e200;
+  mesh.positions[5].y() = -0.0;
+  mesh.positions[6].z() = 1e-200;  // vanishes beside 1e200
+  DecimateOptions options;
+  options.locked.resize(mesh.positions.size(), 1);
+  const Decimation d = decimate(mesh, DecimateTarget::faces(4), options);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(d.mesh.positions[v][axis]),
+                std::bit_cast<std::uint64_t>(mesh.positions[v][axis]));
+    }
+  }
+}
+
+TEST(Decimate, TheGreatestCostOfAHugeMeshIsANumber) {
+  for (const Cost cost : {Cost::quadric, Cost::memoryless, Cost::lindstrom_turk, Cost::midpoint}) {
+    DecimateOptions options;
+    options.cost = cost;
+    EXPECT_EQ(decimate(scaled(tetrahedron(), 1e140), faces(1), options).result.max_cost, 0) << to_string(cost);
+    EXPECT_FALSE(std::isnan(decimate(scaled(grid(4, 4), 1e140), faces(8), options).result.max_cost)) << to_string(cost);
+  }
 }
 
 /// Closed, open and not manifold; far from the origin.
@@ -456,6 +507,7 @@ TEST(Decimate, RefusesWhatIsNoMeshOrNoOption) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(refused(mesh, DecimateTarget::max_cost(-1), {}), "accepted");
   EXPECT_NE(refused(mesh, DecimateTarget::max_cost(nan), {}), "accepted");
+  EXPECT_NE(refused(mesh, DecimateTarget::max_cost(std::numeric_limits<double>::infinity()), {}), "accepted");
   for (const double flip : {0.0, -5.0, 180.1, nan}) {
     DecimateOptions options;
     options.max_normal_flip_deg = flip;

@@ -88,6 +88,16 @@ TEST(Simplify, PolishesFeatureLinesThatTheCallerNames) {
   }
 }
 
+TEST(Simplify, TakesFeaturesThatAreNoEdges) {
+  const IndexedMesh mesh = bracket(3);
+  SimplifyOptions options;
+  options.decimate.feature_edges = feature_edges(mesh, 40);
+  const DecimateTarget target = DecimateTarget::faces(mesh.faces.size() / 3);
+  const Simplification expected = simplify(mesh, target, Effort::normal, options);
+  options.decimate.feature_edges.push_back({3, 1'000'000});
+  EXPECT_EQ(simplify(mesh, target, Effort::normal, options).mesh.positions, expected.mesh.positions);
+}
+
 TEST(Simplify, CanBeCancelledWhileContracting) {
   const IndexedMesh mesh = blob(4, 2);
   SimplifyOptions options;

@@ -64,6 +64,17 @@ TEST(SurfaceDistance, IsExactlyZeroBetweenEqualMeshes) {
   }
 }
 
+/// Thin faces are replaced by their sides: in the search for the nearest point, and where they are sampled.
+TEST(SurfaceDistance, IsExactlyZeroBetweenEqualMeshesWithThinFaces) {
+  for (const double height : {0.0, 1e-13, 1e-12, 9e-12, 1.1e-11, 1e-9}) {
+    IndexedMesh mesh;
+    mesh.positions = {{0, 0, 2}, {1, 0, 2}, {0.3, height, 2}};
+    mesh.faces = {{0, 1, 2}};
+    const SurfaceDistance d = surface_distance(mesh, mesh, {.samples = 2000});
+    EXPECT_EQ(d.max, 0.0) << height;
+  }
+}
+
 TEST(SurfaceDistance, OfParallelSquaresIsTheirOffset) {
   const double h = 0.37;  // rounding of a sum of 40,000, in blocks of 2048: at most 2048 * 2^-53 of h
   const SurfaceDistance d = surface_distance(square(0.0, 1.0, 0.0), square(0.0, 1.0, h), options);

@@ -275,6 +275,17 @@ TEST(Polish, GivesTheSameForAnyThreadsUnitAndPlace) {
   for (std::size_t v = 0; v < one.positions.size(); ++v) EXPECT_EQ(scaled_up.positions[v], 1024 * one.positions[v]);
 }
 
+TEST(Polish, TakesAMeshOfAnotherSize) {
+  const IndexedMesh original = blob(2, 1);
+  const Decimation d = decimated_within_75_deg(original, 0.5);
+  for (const double factor : {1e-120, 1e-40, 1e40, 1e120}) {
+    IndexedMesh mesh = scaled(d.mesh, factor);
+    const PolishResult result = polish(original, d.vertex_map, mesh, {.passes = 2, .flips = true});
+    EXPECT_TRUE(std::isfinite(result.rms_after)) << factor;
+    for (const Vec3& p : mesh.positions) ASSERT_TRUE(p.allFinite()) << factor;
+  }
+}
+
 TEST(Polish, ComputesNormalsAnew) {
   IndexedMesh original = blob(4, 9);
   original.normals.assign(original.positions.size(), {0, 0, 1});
