@@ -18,7 +18,9 @@ TEST(FuzzCorpus, OfCommandLinesKeepsItsPromises) {
     ByteSource source(bytes);
     const std::vector<std::string> arguments = decode_command_line(source);
     const TemporaryFolder folder;
-    const Outcome outcome = whittle(arguments, {.folder = folder.path()});
+    RunOptions options;
+    options.folder = folder.path();
+    const Outcome outcome = whittle(arguments, options);
     EXPECT_NO_THROW(check_ending(arguments, {outcome.exit_code, outcome.out, outcome.err}))
         << entry.path() << ' ' << testing::PrintToString(arguments) << outcome;
     EXPECT_TRUE(folder.files().empty()) << testing::PrintToString(arguments);
