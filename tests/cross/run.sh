@@ -17,34 +17,62 @@ machine=${1:-}
 [ -n "$machine" ] || usage
 shift
 build=$PWD/build/cross-$machine
+libraries=$build/libraries # where the toolchain files look for them
 header_packages=(libeigen3-dev libnanoflann-dev libfast-float-dev)
 own_packages=(cmake ninja-build googletest "${header_packages[@]}")
 
-# Copies the files of header-only libraries to where the toolchain files look for them.
+# The libraries that are headers alone serve any machine.
 gather_headers() {
   dpkg -L "${header_packages[@]}" | grep -E '^/usr/(include|share|lib)/' | grep -v '^/usr/share/doc' |
     while IFS= read -r path; do
-      if [ -f "$path" ]; then install -D --mode=644 "$path" "$build/headers$path"; fi
+      if [ -f "$path" ]; then install -D --mode=644 "$path" "$libraries$path"; fi
     done
 }
 
-# configure_other_machine OPTION...: also options for all tests of the modules.
+# apt_of_arm WORD...: apt-get for packages of aarch64, with lists of its own, so that this system stays as it is.
+apt_of_arm() {
+  mkdir -p "$build/apt/lists/partial" "$build/apt/archives/partial"
+  (cd "$build/apt" && apt-get -o APT::Architecture=arm64 -o APT::Architectures=arm64 -o Dir::State::Lists="$PWD/lists" \
+    -o Dir::Cache="$PWD" -o APT::Sandbox::User=root "$@")
+}
+
+# zlib, the one library that isn't: Debian's package for that machine.
+gather_zlib() {
+  local from
+  case $machine in
+    aarch64)
+      apt_of_arm update
+      apt_of_arm download zlib1g-dev
+      dpkg -x "$build"/apt/zlib1g-dev*.deb "$build/zlib"
+      from=$build/zlib/usr
+      ;;
+    windows) from=/usr/x86_64-w64-mingw32 ;;
+  esac
+  find "$from" \( -name zlib.h -o -name zconf.h \) -exec install -D --mode=644 -t "$libraries/usr/include" {} +
+  find "$from" -name libz.a -exec install -D --mode=644 -t "$libraries/usr/lib" {} +
+}
+
+gather_libraries() {
+  gather_headers
+  gather_zlib
+}
+
 configure_other_machine() {
   cmake -G Ninja -S . -B "$build" --toolchain "$PWD/tests/cross/$machine.cmake" -DCMAKE_BUILD_TYPE=Release \
-    -DWHITTLE_CROSS_HEADERS="$build/headers" -DWHITTLE_GOOGLETEST=/usr/src/googletest -DWHITTLE_WARNINGS_AS_ERRORS=ON \
-    -DWHITTLE_BUILD_OPENMESH=OFF -DWHITTLE_BUILD_APPS=OFF "$@"
+    -DWHITTLE_CROSS_LIBRARIES="$libraries" -DWHITTLE_GOOGLETEST=/usr/src/googletest -DWHITTLE_WARNINGS_AS_ERRORS=ON \
+    -DWHITTLE_BUILD_OPENMESH=OFF -DWHITTLE_BUILD_APPS=OFF -DCMAKE_UNITY_BUILD=ON
 }
 
 test_other_machine() {
   say "Building for $machine"
-  quietly "$build/headers.log" gather_headers
+  quietly "$build/libraries.log" gather_libraries
   quietly "$build/configure.log" configure_other_machine
   quietly "$build/build.log" cmake --build "$build"
   say "Running the tests in an emulator"
   ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" "$@"
 }
 
-# same_bytes_of FOLDER COMPILER FLAGS [OPTION OF cmake...]: builds same_bytes.
+# build_same_bytes FOLDER COMPILER FLAGS [OPTION OF cmake...]: builds same_bytes.
 build_same_bytes() {
   local folder=$1 compiler=$2 flags=$3
   shift 3
@@ -58,10 +86,15 @@ build_same_bytes() {
 check_same_bytes() {
   local folder=$build/$1 program=$build/$1/tests/same_bytes/same_bytes
   quietly "$folder.log" build_same_bytes "$folder" "${@:2}"
-  printf '%-22s %s\n' "$1" "$("$program" | tail -n 1)"
-  "$program" >/dev/null || n_failed=$((n_failed + 1))
-  [[ $1 != *-O2 ]] && return
-  printf '%-22s %s\n' "$1, without AVX2" "$(qemu-x86_64 -cpu Nehalem "$program" | tail -n 1)"
+  run_same_bytes "$1" "$program"
+  if [[ $1 = *-O2 ]]; then run_same_bytes "$1, no AVX2" qemu-x86_64 -cpu Nehalem "$program"; fi
+}
+
+# run_same_bytes NAME COMMAND...: prints its last line, and counts failures.
+run_same_bytes() {
+  local said
+  said=$("${@:2}") || n_failed=$((n_failed + 1))
+  printf '%-24s %s\n' "$1" "${said##*$'\n'}"
 }
 
 test_compilers() {
@@ -84,7 +117,7 @@ case $machine in
     test_other_machine "$@"
     ;;
   windows)
-    install_packages "$build/packages.log" "${own_packages[@]}" g++-mingw-w64-x86-64-posix wine wine64
+    install_packages "$build/packages.log" "${own_packages[@]}" g++-mingw-w64-x86-64-posix libz-mingw-w64-dev wine wine64
     export WINEPREFIX=$build/wine WINEDEBUG=-all
     test_other_machine "$@"
     ;;
