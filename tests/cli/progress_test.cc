@@ -118,8 +118,8 @@ TEST(Color, IsInThePrefixAlone) {
       said({"info", folder / "missing.obj", "--color", "always"}, false, {}),
       "\x1b[1;31mwhittle:\x1b[0m " + (folder / "missing.obj") + ": cannot be opened: No such file or directory\n");
   const std::string warned = said(with(talkative_runs(folder).back(), {"--color", "always"}), false, {});
-  EXPECT_NE(warned.find("\nwhittle: \x1b[1;33mwarning:\x1b[0m "), std::string::npos) << warned;
-  EXPECT_EQ(warned.rfind("whittle: " + (folder / "out.obj"), 0), 0U) << warned;
+  EXPECT_NE(warned.find("whittle: \x1b[1;33mwarning:\x1b[0m "), std::string::npos) << warned;
+  EXPECT_NE(warned.find("whittle: " + (folder / "out.obj") + ": 300 -> 100"), std::string::npos) << warned;
 }
 
 }  // namespace

@@ -239,7 +239,7 @@ TEST(ReportKeys, OfConvertAreDocumented) {
   std::filesystem::copy_file(data_file("cubes.obj"), bare);
   expect_documented("convert", {{bare, folder / "out", "--format", "obj", "--quiet", "--no-weld", "--force"},
                                 {bare, folder / "out.ply", "--input-format", "obj", "--output-format", "ply", "--ascii",
-                                 "--verbose", "--threads", "1", "--color", "never"}});
+                                 "--weld", "auto", "--verbose", "--threads", "1", "--color", "never"}});
 }
 
 }  // namespace

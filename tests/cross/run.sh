@@ -63,6 +63,14 @@ configure_other_machine() {
     -DWHITTLE_BUILD_OPENMESH=OFF -DWHITTLE_BUILD_APPS=OFF -DCMAKE_UNITY_BUILD=ON
 }
 
+# Wine's services would keep the output of the program open that starts them, and its test would never end.
+start_wine() {
+  mkdir -p "$build"
+  trap 'wineserver --kill' EXIT
+  wineserver --persistent
+  quietly "$build/wine.log" wineboot --init
+}
+
 test_other_machine() {
   say "Building for $machine"
   quietly "$build/libraries.log" gather_libraries
@@ -119,6 +127,7 @@ case $machine in
   windows)
     install_packages "$build/packages.log" "${own_packages[@]}" g++-mingw-w64-x86-64-posix libz-mingw-w64-dev wine wine64
     export WINEPREFIX=$build/wine WINEDEBUG=-all
+    start_wine
     test_other_machine "$@"
     ;;
   x86)

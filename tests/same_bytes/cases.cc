@@ -54,6 +54,7 @@ std::vector<Recipe> recipes_of_options() {
                options.pairs.threshold = 0.02;
                options.topology = Topology::free;
              }),
+      change("intersections", [](Options& options) { options.refuse_intersections = true; }),
       change("locked-border", [](Options& options) { options.boundary = Boundary::locked; }),
   };
 }

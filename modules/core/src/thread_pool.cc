@@ -26,7 +26,7 @@ ThreadPool::ThreadPool(unsigned threads) {
 ThreadPool::~ThreadPool() {
   is_over_ = true;
   job_ += 2;  // wakes the helpers without a job
-  job_.notify_all();
+  wake_helpers();
   for (std::thread& helper : helpers_) helper.join();
 }
 
@@ -35,10 +35,17 @@ void ThreadPool::run(std::size_t n_blocks, const std::function<void(std::size_t)
   n_blocks_ = n_blocks;
   next_block_ = 0;
   ++job_;
-  job_.notify_all();
+  wake_helpers();
   take_blocks();
   ++job_;  // helpers that wake up now are too late
   while (n_at_work_ != 0) pause_processor();
+}
+
+/// \pre `job_` has changed. Whoever has seen the old one under the lock sleeps already, and is woken.
+void ThreadPool::wake_helpers() {
+  if (helpers_.empty()) return;
+  { const std::lock_guard lock(mutex_); }
+  job_changed_.notify_all();
 }
 
 void ThreadPool::take_blocks() {
@@ -52,7 +59,10 @@ void ThreadPool::help() {
     if (job == seen) {
       int n_spins = 0;
       while (job_ == seen && ++n_spins < spins_before_sleep) pause_processor();
-      if (job_ == seen) job_.wait(seen);
+      if (job_ == seen) {
+        std::unique_lock lock(mutex_);
+        job_changed_.wait(lock, [&] { return job_ != seen; });
+      }
       continue;
     }
     ++n_at_work_;

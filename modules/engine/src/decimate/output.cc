@@ -93,7 +93,7 @@ std::vector<std::array<float, 3>> merged_normals(const IndexedMesh& input, const
   std::vector<std::array<float, 3>> normals = vertex_normals(mesh, frame);
   for (std::size_t v = 0; v < normals.size(); ++v) {
     const auto& sum = merged.sums[v];
-    const double length = std::hypot(sum[0], sum[1], sum[2]);
+    const double length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
     const bool is_alone = merged.counts[v] == 1;  // then it keeps every bit
     if (!is_alone && !(length >= least_mean * static_cast<double>(merged.counts[v]))) continue;
     for (std::size_t i = 0; i < 3; ++i) normals[v][i] = static_cast<float>(is_alone ? sum[i] : sum[i] / length);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
 #include <functional>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -32,6 +34,7 @@ class ThreadPool {
 
  private:
   void run(std::size_t n_blocks, const std::function<void(std::size_t)>& work);
+  void wake_helpers();
   void take_blocks();
   void help();
 
@@ -41,6 +44,9 @@ class ThreadPool {
   std::atomic<unsigned> n_at_work_{0};  ///< helpers that check for a job or work on one
   std::atomic<unsigned> job_{0};        ///< counts up; odd while there is a job
   std::atomic<bool> is_over_{false};
+  // Helpers sleep on these. `std::atomic::wait` loses calls of `notify_all` in the library of GCC 12 on Windows.
+  std::mutex mutex_;
+  std::condition_variable job_changed_;
   std::vector<std::thread> helpers_;
 };
 
