@@ -41,7 +41,8 @@ std::vector<double> part_diagonals(std::span<const Vec3> positions, const Parts&
     high[part] = high[part].cwiseMax(positions[v]);
   }
   std::vector<double> diagonals(parts.count);
-  for (std::size_t part = 0; part < parts.count; ++part) diagonals[part] = PointBounds{low[part], high[part]}.diagonal();
+  for (std::size_t part = 0; part < parts.count; ++part)
+    diagonals[part] = PointBounds{low[part], high[part]}.diagonal();
   return diagonals;
 }
 

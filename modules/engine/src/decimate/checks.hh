@@ -11,7 +11,8 @@ void check(const DecimateTarget& target, const DecimateOptions& options, std::si
 
 /// \throw std::invalid_argument for what is no mesh: numbers out of range, coordinates that aren't finite, attributes
 ///        of a wrong length
-/// \throw std::length_error for more than 2³¹ faces or 2³² − 2 vertices; edges and pairs are counted where they are made
+/// \throw std::length_error for more than 2³¹ faces or 2³² − 2 vertices; edges and pairs are counted where they are
+/// made
 void check(const IndexedMesh& mesh);
 
 }  // namespace whittle

@@ -12,9 +12,10 @@ namespace whittle::io {
 /// Splits polygons into triangles without new vertices. One object serves many polygons and reuses its memory.
 ///
 /// A quad is split so that both triangles face the same way. If both diagonals do that, or neither, the shorter one is
-/// taken. A larger polygon that is strictly convex becomes a fan; with more than 16 corners it is halved again and again,
-/// so that no corner gets many triangles. Any other polygon is clipped ear by ear, in the plane of its vector area
-/// (Newell); this is right for simple, nearly flat polygons. A polygon that crosses itself still gives n − 2 triangles.
+/// taken. A larger polygon that is strictly convex becomes a fan; with more than 16 corners it is halved again and
+/// again, so that no corner gets many triangles. Any other polygon is clipped ear by ear, in the plane of its vector
+/// area (Newell); this is right for simple, nearly flat polygons. A polygon that crosses itself still gives n − 2
+/// triangles.
 class PolygonTriangulator {
  public:
   /// Writes n − 2 triangles of the polygon's vertex numbers to `out`. \pre n ≥ 3, and `out` has n − 2 elements.
