@@ -169,7 +169,7 @@ std::string summary_of(const Findings& findings) {
   text += table.text();
   const std::vector<Suggestion>& suggestions = findings.kind.suggestions;
   if (!suggestions.empty()) text += "\nOptions of 'simplify' that suit it:\n";
-  for (const auto& [option, reason] : suggestions) text += "  " + option + ": " + reason + '\n';
+  for (const auto& [option, reason] : suggestions) text.append("  ").append(option).append(": ").append(reason) += '\n';
   return text;
 }
 

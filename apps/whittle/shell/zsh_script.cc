@@ -33,6 +33,7 @@ std::string zsh_option(const CLI::Option& option) {
   const bool has_value = takes_value(option);
   const std::vector<std::string> names = names_of(option);
   std::vector<std::string> forms;
+  forms.reserve(names.size());
   for (const std::string& name : names) {
     forms.push_back(name + (!has_value ? "" : name.starts_with("--") ? "=" : "+"));
   }

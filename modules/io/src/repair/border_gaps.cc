@@ -136,9 +136,9 @@ std::vector<Index> centers_of_clusters(const BorderVertices& border, const std::
     for (const auto& [near, distance] : border.nearest(i)) {
       if (distance > farthest * (1 + 1e-9)) break;
       if (near > v || !is_near(v, center[near])) continue;
-      const auto is_of_cluster = [&](Index w) { return center[w] == center[near]; };
-      if (border.has_beside(v, is_of_cluster)) continue;
-      center[v] = center[near];
+      const Index cluster = center[near];
+      if (border.has_beside(v, [&](Index w) { return center[w] == cluster; })) continue;
+      center[v] = cluster;
       break;
     }
   }
