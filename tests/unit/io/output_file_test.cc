@@ -62,6 +62,7 @@ TEST_F(OutputFileTest, LeavesTheOldFileUntilCommitted) {
   const fs::path path = folder_ / "a.txt";
   std::ofstream(path) << "old";
   fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
+  const fs::perms permissions = fs::status(path).permissions();  // Windows has more of them
   {
     OutputFile file(path);
     file.stream() << "new";
@@ -72,14 +73,16 @@ TEST_F(OutputFileTest, LeavesTheOldFileUntilCommitted) {
   file.stream() << "new";
   file.commit();
   EXPECT_EQ(content(path), "new");
-  EXPECT_EQ(fs::status(path).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(fs::status(path).permissions(), permissions);
   EXPECT_EQ(files(), 1U);
 }
 
 TEST_F(OutputFileTest, FollowsSymbolicLinks) {
   const fs::path target = folder_ / "target.txt";
   const fs::path link = folder_ / "link.txt";
-  fs::create_symlink("target.txt", link);  // The target doesn't exist yet.
+  std::error_code problem;
+  fs::create_symlink("target.txt", link, problem);  // The target doesn't exist yet.
+  if (problem) GTEST_SKIP() << "no symbolic links: " << problem.message();
   for (const std::string text : {"first", "second"}) {
     OutputFile file(link);
     file.stream() << text;
