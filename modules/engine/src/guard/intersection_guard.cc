@@ -7,8 +7,8 @@
 namespace whittle {
 namespace {
 
-StarBox box_of(const std::array<Vec3, 3>& corners) {
-  StarBox box;
+FaceBox box_of(const std::array<Vec3, 3>& corners) {
+  FaceBox box;
   for (const Vec3& corner : corners) box.extend(corner.cast<float>());
   return box;
 }
@@ -18,10 +18,10 @@ StarBox box_of(const std::array<Vec3, 3>& corners) {
 bool IntersectionGuard::refuses_at(ContractionProfile& profile, const Vec3& position) {
   list_faces(profile, position);
   if (do_cross_each_other()) return true;
-  StarBox all;
+  FaceBox all;
   for (const Face& face : faces_) all.extend(face.box);
   bool is_refused = false;
-  stars_.visit(all, [&](Index v) {
+  boxes_.visit(all, [&](Index v) {
     is_refused = cross_faces_at(v, profile.pair);
     return !is_refused;
   });
@@ -33,7 +33,7 @@ void IntersectionGuard::note(const Change& change) {
   for (const Neighbour& neighbour : complex_.live_pairs(change.survivor)) around_.push_back(neighbour.vertex);
   std::sort(around_.begin(), around_.end());
   around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
-  for (const Index v : around_) stars_.update(v);
+  for (const Index v : around_) boxes_.update(v);
 }
 
 void IntersectionGuard::list_faces(const ContractionProfile& profile, const Vec3& position) {
@@ -64,7 +64,7 @@ bool IntersectionGuard::do_cross_each_other() const {
   return false;
 }
 
-/// Whether a face at the merged vertex would newly intersect one of those faces at v whose lowest vertex is v.
+/// Whether a face at the merged vertex would newly intersect one of v's own faces.
 bool IntersectionGuard::cross_faces_at(Index v, const Pair& pair) {
   if (v == pair.a || v == pair.b) return false;
   crossed_.clear();
@@ -75,7 +75,7 @@ bool IntersectionGuard::cross_faces_at(Index v, const Pair& pair) {
     const bool is_in_star = p == pair.a || p == pair.b || q == pair.a || q == pair.b;
     if (is_in_star || p < v || q < v) continue;
     const Corners other{complex_.position(v), complex_.position(p), complex_.position(q)};
-    const StarBox box = box_of(other);
+    const FaceBox box = box_of(other);
     const auto is_corner = [&](Index w) { return w == v || w == p || w == q; };
     const bool is_crossed = std::any_of(faces_.begin(), faces_.end(), [&](const Face& face) {
       return face.box.intersects(box) && !(is_corner(face.x) && is_corner(face.y)) &&

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "complex/triangle_complex.hh"
+#include "guard/face_boxes.hh"
 #include "guard/guard.hh"
-#include "guard/star_boxes.hh"
 
 namespace whittle {
 
@@ -15,7 +15,7 @@ namespace whittle {
 /// A face far along the surface may be in the way. So a refusal may become outdated without the pair being woken.
 class IntersectionGuard final : public Guard {
  public:
-  explicit IntersectionGuard(TriangleComplex& complex) : complex_(complex), stars_(complex) {}
+  explicit IntersectionGuard(TriangleComplex& complex) : complex_(complex), boxes_(complex) {}
 
   std::uint64_t Rejections::*reason() const override { return &Rejections::intersection; }
   bool refuses_at(ContractionProfile& profile, const Vec3& position) override;
@@ -29,7 +29,7 @@ class IntersectionGuard final : public Guard {
     Index x, y;    ///< the other corners
     Corners now;   ///< with the vertex where it is now, a or b
     Corners then;  ///< with the merged vertex
-    StarBox box;   ///< of `then`
+    FaceBox box;   ///< of `then`
   };
 
   void list_faces(const ContractionProfile& profile, const Vec3& position);
@@ -38,7 +38,7 @@ class IntersectionGuard final : public Guard {
   bool is_crossed_already(const Pair& pair, const Corners& face);
 
   TriangleComplex& complex_;
-  StarBoxes stars_;
+  FaceBoxes boxes_;
   std::vector<Face> faces_;       ///< scratch: of the merged vertex
   std::vector<Corners> crossed_;  ///< scratch: other faces that intersect those
   std::vector<Index> around_;     ///< scratch

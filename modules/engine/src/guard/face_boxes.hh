@@ -10,20 +10,21 @@
 namespace whittle {
 
 /// Boxes in single precision are enough: rounding keeps overlapping boxes overlapping.
-using StarBox = Eigen::AlignedBox3f;
+using FaceBox = Eigen::AlignedBox3f;
 
-/// A binary tree of boxes around the stars of all vertices. Vertices are numbered along a space-filling curve, so
-/// neighbouring leaves lie near each other. Merged vertices leave empty boxes behind.
-class StarBoxes {
+/// A binary tree of boxes around all faces. Each leaf has a vertex's *own* faces: those of which it is the lowest
+/// vertex. Vertices are numbered along a space-filling curve, so neighbouring leaves lie near each other. Merged
+/// vertices leave empty boxes behind.
+class FaceBoxes {
  public:
-  explicit StarBoxes(TriangleComplex& complex);
+  explicit FaceBoxes(TriangleComplex& complex);
 
-  /// Notes that faces at v have changed.
+  /// Notes that faces at v have changed. To be called for each corner of a face that changed.
   void update(Index v);
 
-  /// Calls `visit` with each vertex whose star's box overlaps `box`, until it returns false.
+  /// Calls `visit` with each vertex whose own faces' box overlaps `box`, until it returns false.
   template <class Visit>
-  void visit(const StarBox& box, const Visit& visit) const {
+  void visit(const FaceBox& box, const Visit& visit) const {
     std::array<std::size_t, 64> waiting;  // one a level, and the tree has fewer
     std::size_t n_waiting = 0;
     waiting[n_waiting++] = 1;
@@ -40,11 +41,11 @@ class StarBoxes {
   }
 
  private:
-  StarBox box_of_star(Index v) const;
+  FaceBox box_of_own_faces(Index v) const;
 
   TriangleComplex& complex_;
   std::size_t n_leaves_;        ///< a power of two
-  std::vector<StarBox> nodes_;  ///< the root is 1, the children of i are 2i and 2i + 1, the leaf of v is n_leaves_ + v
+  std::vector<FaceBox> nodes_;  ///< the root is 1, the children of i are 2i and 2i + 1, the leaf of v is n_leaves_ + v
 };
 
 }  // namespace whittle
