@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -14,9 +15,11 @@
 #include "support/topology.hh"
 #include "support/transforms.hh"
 #include "whittle/core/detail/checks.hh"
+#include "whittle/core/parts.hh"
 #include "whittle/metrics/closest_point.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/line_distance.hh"
+#include "whittle/metrics/meeting_parts.hh"
 #include "whittle/metrics/nearest_vertices.hh"
 #include "whittle/metrics/self_intersections.hh"
 #include "whittle/metrics/shape.hh"
@@ -202,6 +205,19 @@ void check_nearest_vertices(const IndexedMesh& a, const IndexedMesh& b) {
   }
 }
 
+/// A mesh and itself, with one vertex moved: parts that meet are parts, and none meet in what didn't change.
+void check_meeting_parts(const IndexedMesh& mesh, const IndexedMesh& moved) {
+  std::vector<Index> same(mesh.positions.size());
+  std::iota(same.begin(), same.end(), Index{0});
+  const auto none = measured(is_surface(mesh), [&] { return metrics::newly_meeting_parts(mesh, mesh, same, 1); });
+  require(!none || none->empty(), "no parts newly meet in the same mesh");
+  if (moved.faces != mesh.faces || !is_surface(mesh) || !is_surface(moved)) return;
+  const std::size_t n_parts = find_parts(moved.positions.size(), moved.faces).count;
+  for (const auto& [low, high] : metrics::newly_meeting_parts(mesh, moved, same, 1)) {
+    require(low < high && high < n_parts, "parts that meet are parts");
+  }
+}
+
 void check_bounds(const IndexedMesh& mesh) {
   const auto box = measured(is_surface(mesh), [&mesh] { return metrics::bounds(mesh); });
   if (!box) return;
@@ -221,6 +237,7 @@ void check(const IndexedMesh& a, const IndexedMesh& b, std::uint64_t hash) {
   check_lines(a, b, metrics::border_lines);
   check_lines(a, b, [](const IndexedMesh& mesh) { return metrics::feature_lines(mesh, 40); });
   check_nearest_vertices(a, b);
+  check_meeting_parts(a, b);
 }
 
 }  // namespace

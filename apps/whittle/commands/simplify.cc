@@ -265,6 +265,7 @@ void warn_of_gaps(const SimplifyCommand& options, const Talk& talk, Run& run) {
 }
 
 void warn_of_meeting_parts(const SimplifyCommand& options, const Talk& talk, Run& run) {
+  if (run.simplified.mesh.faces.empty()) return;
   const std::size_t n = metrics::newly_meeting_parts(run.input.read.mesh, run.simplified.mesh,
                                                      run.simplified.vertex_map, options.common.threads)
                             .size();

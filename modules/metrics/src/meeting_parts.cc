@@ -9,6 +9,7 @@
 #include "face_intersections.hh"
 #include "whittle/core/detail/drop.hh"
 #include "whittle/core/parts.hh"
+#include "whittle/metrics/bounds.hh"
 
 namespace whittle::metrics {
 namespace {
@@ -119,12 +120,14 @@ void check_map(const IndexedMesh& before, const IndexedMesh& after, std::span<co
 PartPairs newly_meeting_parts(const IndexedMesh& before, const IndexedMesh& after, std::span<const Index> vertex_map,
                               unsigned threads) {
   check_map(before, after, vertex_map);
+  bounds(after);  // refuses what is no surface
   const Parts parts = find_parts(after.positions.size(), after.faces);
   if (parts.count < 2) return {};
   std::vector<Index> part_of(after.faces.size());
   for (std::size_t f = 0; f < part_of.size(); ++f) part_of[f] = parts.part_of[after.faces[f][0]];
   const PartPairs now = meeting_parts(after, std::move(part_of), parts.count, threads);
   if (now.empty()) return {};
+  bounds(before);
   const PartPairs earlier = meeting_parts(before, parts_before(before, vertex_map, parts, now), parts.count, threads);
   PartPairs newly;
   std::set_difference(now.begin(), now.end(), earlier.begin(), earlier.end(), std::back_inserter(newly));

@@ -7,10 +7,12 @@
 
 #include "fuzz/check/promise.hh"
 #include "fuzz/decode/mesh_bytes.hh"
+#include "oracle/crossing.hh"
 #include "whittle/core/detail/checks.hh"
 #include "whittle/core/feature_edges.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
+#include "whittle/metrics/self_intersections.hh"
 #include "whittle/metrics/topology.hh"
 
 namespace whittle::test {
@@ -92,7 +94,7 @@ void check_counts(const DecimateCase& c, const Decimation& d, const metrics::Top
 void check_stop(const DecimateCase& c, const Decimation& d) {
   const DecimateResult& result = d.result;
   const Rejections& left = result.refused_at_end;
-  const std::uint64_t n_left = left.link + left.flip + left.shape + left.feature + left.locked;
+  const std::uint64_t n_left = left.link + left.flip + left.shape + left.feature + left.locked + left.intersection;
   const bool is_reached = c.target.is_reached_at(result.n_faces, result.n_vertices);
   require((result.stop == StopReason::target) == is_reached || result.stop == StopReason::cancelled,
           "the run stops at the target");
@@ -101,6 +103,7 @@ void check_stop(const DecimateCase& c, const Decimation& d) {
   require(result.stop != StopReason::exhausted || d.mesh.faces.empty() || n_left > 0, "a missed target has a reason");
   require(result.stop == StopReason::exhausted || n_left == 0, "a target reached has no reason against it");
   require(left.shape == 0 || c.options.min_radius_ratio > 0, "shape is a reason where asked for");
+  require(left.intersection == 0 || c.options.refuse_intersections, "intersecting is a reason where asked for");
   require(left.locked == 0 || !c.options.locked.empty() || c.options.boundary == Boundary::locked,
           "being locked is a reason where asked for");
   require(left.feature == 0 || c.options.feature_angle_deg || !c.options.feature_edges.empty() ||
@@ -236,8 +239,16 @@ void check_features(const DecimateCase& c, const Decimation& d, const metrics::T
   }
 }
 
+/// Where nothing intersected or touched, nothing intersects.
+void check_intersections(const DecimateCase& c, const Decimation& d) {
+  if (!c.options.refuse_intersections || c.mesh.faces.empty() || !has_ordinary_sizes(c.mesh)) return;
+  if (clear_crossings(d.mesh).empty()) return;
+  require(!metrics::self_intersections(c.mesh, 1).empty(), "no intersection is made where that is refused");
+}
+
 void check_attributes(const DecimateCase& c, const Decimation& d) {
-  require(d.mesh.normals.empty() == (c.mesh.normals.empty() || d.mesh.positions.empty()), "normals stay");
+  const bool has_normals = !c.mesh.normals.empty() && !d.mesh.positions.empty() && c.options.normals != Normals::drop;
+  require(d.mesh.normals.empty() != has_normals, "normals stay unless told otherwise");
   require(d.mesh.colors.empty() == (c.mesh.colors.empty() || d.mesh.positions.empty()), "colours stay");
   for (const Color& color : d.mesh.colors) {
     for (const float x : color) require(x >= 0 && x <= 1, "colours lie in [0, 1]");
@@ -279,6 +290,7 @@ void check_decimation(const DecimateCase& c, const Decimation& d, const std::vec
   check_shape(c, d);
   check_placement(c, d);
   check_features(c, d, before);
+  check_intersections(c, d);
   check_attributes(c, d);
 }
 

@@ -117,6 +117,8 @@ DecimateCase decode_decimate_case(ByteSource& source) {
   if (source.one_in(8)) options.isotropy = option_value(source, 0, 1);
   if (source.one_in(8)) options.valence_weight = option_value(source, 0, 4);
   options.keep_quadrics = source.one_in(4);
+  options.refuse_intersections = source.one_in(4);
+  options.normals = static_cast<Normals>(source.below(3));
   if (source.one_in(16)) c.n_calls_left = source.below(4);
   set_quadric(options.quadric, source);
   set_pairs(options.pairs, source);
@@ -147,6 +149,8 @@ std::string text_of(const DecimateCase& c) {
   add("point_weight", o.quadric.point_weight);
   add("isotropy", o.isotropy);
   add("valence_weight", o.valence_weight);
+  add("refuse_intersections", o.refuse_intersections);
+  add("normals", static_cast<int>(o.normals));
   add_optional("threshold", o.pairs.threshold);
   add_optional("max_pairs", o.pairs.max_pairs);
   add("across_walls", o.pairs.across_walls);

@@ -14,8 +14,8 @@ namespace whittle::metrics {
 /// \param vertex_map of each vertex of `before` the one of `after` that it became, or `invalid_index`
 /// \param threads 0 = all cores; the result is the same for any number
 /// \return each as (lower, higher) number, ascending
-/// \throw std::invalid_argument as `bounds`, and for a map of another length than the vertices of `before` or with
-/// numbers out of range.
+/// \throw std::invalid_argument as `bounds` for `after`, and for `before` where parts of `after` intersect; also for a
+/// map of another length than the vertices of `before` or with numbers out of range.
 std::vector<std::array<Index, 2>> newly_meeting_parts(const IndexedMesh& before, const IndexedMesh& after,
                                                       std::span<const Index> vertex_map, unsigned threads = 0);
 
