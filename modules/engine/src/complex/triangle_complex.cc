@@ -111,7 +111,7 @@ void TriangleComplex::gather(const Pair& pair, ContractionProfile& profile) {
   for (std::size_t i = 0; i < from_a.size(); ++i) {
     profile.opposites.push_back({from_a[i].vertex, {from_a[i].edge, from_b[i].edge}});
     for (const Index e : profile.opposites.back().edges) {
-      prefetch_line(&pair_alive_[e / 64]);
+      pair_alive_.prefetch(e);
       prefetch_pair(e);  // in case it is merged into another
     }
   }

@@ -7,6 +7,7 @@
 #include "complex/contraction_profile.hh"
 #include "complex/link.hh"
 #include "complex/neighbour_lists.hh"
+#include "whittle/core/detail/bit_set.hh"
 #include "whittle/core/detail/select.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/vertex_pair.hh"
@@ -113,8 +114,8 @@ class TriangleComplex {
   std::size_t n_edges() const { return n_edges_; }  ///< Number of edges of the input.
   bool is_threshold_pair(Index id) const { return id >= n_edges_; }
   bool has_threshold_pairs() const { return pairs_.size() > n_edges_; }
-  bool is_pair_alive(Index id) const { return (pair_alive_[id / 64] >> (id % 64) & 1) != 0; }
-  void remove_pair(Index id) { pair_alive_[id / 64] &= ~(std::uint64_t{1} << (id % 64)); }
+  bool is_pair_alive(Index id) const { return pair_alive_.test(id); }
+  void remove_pair(Index id) { pair_alive_.reset(id); }
   /// The vertices that the ends of a pair have been merged into; they may be the same for a threshold pair. Any
   /// vertices for a pair that isn't alive: that is unpredictable, hence branch-free.
   Ends ends(Index id) {
@@ -238,7 +239,7 @@ class TriangleComplex {
   LargeArray<Star> stars_;
   NeighbourLists neighbour_lists_;
   LargeArray<Ends> pairs_;  ///< the ends in the input; `first` of a merged edge is the edge that lives on
-  std::vector<std::uint64_t> pair_alive_;  ///< a bit a pair
+  detail::BitSet pair_alive_;
   std::size_t n_edges_ = 0;
   std::uint64_t n_vertices_ = 0;
   std::uint64_t n_faces_ = 0;

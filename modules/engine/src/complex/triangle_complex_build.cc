@@ -166,7 +166,7 @@ void TriangleComplex::number_edges(unsigned threads) {
   }
   pairs_.resize(n);
   n_edges_ = n;
-  pair_alive_.assign(pairs_.size() / 64 + 1, ~std::uint64_t{0});
+  pair_alive_.assign(pairs_.size(), true);
 
   for_each_range(vertices_.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<Index>(begin); v < end; ++v) {
@@ -230,7 +230,7 @@ void TriangleComplex::add_threshold_pairs(std::span<const VertexPair> pairs) {
   for (std::size_t v = 1; v < slots.size(); ++v) slots[v] += slots[v - 1];
   pairs_.resize(n_edges_ + pairs.size());
   for (const VertexPair& pair : pairs) pairs_[slots[numbered(pair).first]++] = numbered(pair);
-  pair_alive_.assign(pairs_.size() / 64 + 1, ~std::uint64_t{0});
+  pair_alive_.assign(pairs_.size(), true);
 }
 
 }  // namespace whittle

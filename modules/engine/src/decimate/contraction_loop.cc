@@ -61,20 +61,19 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraint
 }
 
 DecimateResult ContractionLoop::run() {
-  std::optional<StopReason> stop;
-  for (std::uint64_t n_turns = 0; !stop; ++n_turns) {
+  for (std::uint64_t n_turns = 0; !stop_; ++n_turns) {
     if (target_reached()) {
-      stop = StopReason::target;
+      stop_ = StopReason::target;
     } else if (n_turns % progress_interval == 0 && !report_progress()) {
-      stop = StopReason::cancelled;
+      stop_ = StopReason::cancelled;
     } else if (const std::optional<RankedPair> ranked = queue_->next()) {
-      stop = take(*ranked);
+      take(*ranked);
     } else {
-      stop = StopReason::exhausted;
+      stop_ = StopReason::exhausted;
     }
   }
-  result_.stop = *stop;
-  if (*stop == StopReason::exhausted) result_.refused_at_end = count_refused_pairs();
+  result_.stop = *stop_;
+  if (result_.stop == StopReason::exhausted) result_.refused_at_end = count_refused_pairs();
   result_.n_contractions = complex_.n_contractions();
   result_.n_vertices = complex_.n_vertices();
   result_.n_faces = complex_.n_faces();
@@ -97,24 +96,26 @@ bool ContractionLoop::report_progress() const {
   return options_.progress({complex_.n_vertices(), complex_.n_faces(), std::min(1.0, std::max(faces, vertices))});
 }
 
-std::optional<StopReason> ContractionLoop::take(const RankedPair& ranked) {
+/// Contracts the pair, puts it off, refuses it, or stops because of its cost.
+void ContractionLoop::take(const RankedPair& ranked) {
   const double rank = ranked.rank.cost;
-  if (!complex_.is_contractible(ranked.pair)) {
-    complex_.remove_pair(ranked.pair.id);
-    return std::nullopt;
+  const auto is_over_limit = [this](double cost) { return cost_limit_ && cost > *cost_limit_; };
+  if (!complex_.is_contractible(ranked.pair)) return complex_.remove_pair(ranked.pair.id);
+  if (is_over_limit(rank)) {
+    stop_ = StopReason::cost;
+    return;
   }
-  if (cost_limit_ && rank > *cost_limit_) return StopReason::cost;
   complex_.gather(ranked.pair, profile_);
   profile_.ranked = ranked.rank;
   const std::optional<Vec3> position = settle(ranked);
-  if (!position) return std::nullopt;
+  if (!position) return;
   const double cost = cost_.final_cost(profile_, ranked.rank, *position);
-  if (cost > rank) {
-    if (queue_->postpone(ranked.pair, cost)) return std::nullopt;
-    if (cost_limit_ && cost > *cost_limit_) return StopReason::cost;
+  if (cost > rank && queue_->postpone(ranked.pair, cost)) return;
+  if (is_over_limit(cost)) {
+    stop_ = StopReason::cost;
+    return;
   }
-  if (!contract(ranked, *position, std::max(cost, rank))) return StopReason::cancelled;
-  return std::nullopt;
+  contract(ranked, *position, std::max(cost, rank));
 }
 
 /// The first position that no guard refuses; nullopt, and the refusal noted, if there is none.
@@ -169,14 +170,12 @@ Rejections ContractionLoop::count_refused_pairs() const {
   return counts;
 }
 
-/// \return whether to go on
-bool ContractionLoop::contract(const RankedPair& ranked, const Vec3& position, double cost) {
-  std::optional<HostedContraction> told;  // with the positions before
-  if (host_ != nullptr || options_.listener) told = hosted(complex_, profile_, ranked.rank, position);
+void ContractionLoop::contract(const RankedPair& ranked, const Vec3& position, double cost) {
+  if (is_told()) told_ = hosted(complex_, profile_, ranked.rank, position);  // with the positions before
   complex_.contract(profile_, profile_.survivor, position, change_);
   result_.threshold_pairs.contracted += static_cast<std::uint64_t>(complex_.is_threshold_pair(ranked.pair.id));
   result_.max_cost = std::max(result_.max_cost, cost);
-  const bool goes_on = !told || tell_others(*told, cost);
+  if (is_told()) tell_others(*told_, cost);
   list_touched();
   cost_.merge(profile_, ranked.rank, change_);
   restraints_.note(complex_, profile_, change_);
@@ -184,19 +183,17 @@ bool ContractionLoop::contract(const RankedPair& ranked, const Vec3& position, d
   queue_->note(change_);
   wake_around();
   sieve_.merge(change_.survivor, change_.removed);
-  if (!profile_.is_joint || profile_.joint.lost_edges.empty()) return goes_on;
+  if (!profile_.is_joint || profile_.joint.lost_edges.empty()) return;
   reveal_at(change_.survivor);
   for (const ContractionProfile::Common& neighbour : profile_.joint.common) reveal_at(neighbour.vertex);
-  return goes_on;
 }
 
-/// Tells host and listener. \return whether to go on
-bool ContractionLoop::tell_others(const HostedContraction& made, double cost) {
+/// Tells host and listener. A host may stop the run.
+void ContractionLoop::tell_others(const HostedContraction& made, double cost) {
   const Contraction contraction{made.survivor, made.removed, frame_.to_model(made.position),
                                 frame_.cost_to_model(cost, cost_dimension_)};
-  const bool goes_on = host_ == nullptr || host_->follow(made, contraction);
+  if (host_ != nullptr && !host_->follow(made, contraction)) stop_ = StopReason::cancelled;
   if (options_.listener) options_.listener(contraction);
-  return goes_on;
 }
 
 /// Makes the lists of the vertices around the merged one compact, as far as the cost looks.

@@ -32,13 +32,14 @@ class ContractionLoop {
  private:
   bool target_reached() const;
   bool report_progress() const;
-  std::optional<StopReason> take(const RankedPair& ranked);
+  void take(const RankedPair& ranked);
   std::optional<Vec3> settle(const RankedPair& ranked);
   std::optional<std::size_t> find_refusal_at(const Vec3& position);
   void refuse(std::size_t guard);
   Rejections count_refused_pairs() const;
-  bool tell_others(const HostedContraction& made, double cost);
-  bool contract(const RankedPair& ranked, const Vec3& position, double cost);
+  bool is_told() const { return host_ != nullptr || options_.listener != nullptr; }
+  void tell_others(const HostedContraction& made, double cost);
+  void contract(const RankedPair& ranked, const Vec3& position, double cost);
   void list_touched();
   void wake_around();
   void wake(Index v) {
@@ -70,6 +71,8 @@ class ContractionLoop {
 
   ContractionProfile profile_;
   Change change_;
+  std::optional<HostedContraction> told_;  ///< scratch
+  std::optional<StopReason> stop_;
   DecimateResult result_;
 };
 

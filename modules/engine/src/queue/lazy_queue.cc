@@ -172,6 +172,7 @@ void LazyQueue::find_pairs(std::size_t begin, std::size_t end, Parcel& parcel) {
     n += static_cast<std::size_t>(complex_.is_pair_alive(members_[i]));
     prefetch_end(a);
     prefetch_end(b);
+    is_raised_.prefetch(members_[i]);
   }
   parcel.n = n;
 }
@@ -215,9 +216,13 @@ void LazyQueue::prefetch_turns() {
   candidate_ahead(8, [&](Index v) { complex_.prefetch_list(v); });
   candidate_ahead(
       4, [&](Index v) { complex_.for_each_likely_neighbour(v, [this](Index w) { complex_.prefetch_vertex(w); }); });
-  if (!cost_.changes_neighbours()) return;
+  candidate_ahead(3, [&](Index v) { raised_.prefetch(v); });
   const VertexState state = cost_.vertex_state();
-  candidate_ahead(3, [&](Index v) { complex_.for_each_likely_neighbour(v, [&](Index w) { state.prefetch(w); }); });
+  if (cost_.changes_neighbours()) {  // the ends are neighbours of each other
+    candidate_ahead(3, [&](Index v) { complex_.for_each_likely_neighbour(v, [&](Index w) { state.prefetch(w); }); });
+  } else {
+    candidate_ahead(3, [&](Index v) { state.prefetch(v); });
+  }
 }
 
 /// Whether ranking the candidate now would give the cost and placement that it has.
@@ -230,8 +235,8 @@ bool LazyQueue::is_unchanged(const Candidate& candidate) const {
 void LazyQueue::add_raised(const Pair& pair, double cost) {
   const auto [id, a, b] = pair;
   raised_costs_[id] = static_cast<float>(cost);
-  if (is_raised_[id]) return;
-  is_raised_[id] = true;
+  if (is_raised_.test(id)) return;
+  is_raised_.set(id);
   raised_.add(a, id);
   raised_.add(b, id);
 }

@@ -62,7 +62,7 @@ class LazyQueue final : public PairQueue {
   bool is_unchanged(const Candidate& candidate) const;
 
   void note_raised(const Pair& pair, const PairEvaluation& evaluation) {
-    if (evaluation.cost > evaluation.bound || is_raised_[pair.id]) add_raised(pair, evaluation.cost);
+    if (evaluation.cost > evaluation.bound || is_raised_.test(pair.id)) add_raised(pair, evaluation.cost);
   }
   void add_raised(const Pair& pair, double cost);
 
@@ -79,7 +79,7 @@ class LazyQueue final : public PairQueue {
   Index n_done_at_opening_ = 0;     ///< number of contractions when the bucket was opened
 
   WaitingPairs raised_;
-  std::vector<bool> is_raised_;            ///< per pair
+  detail::BitSet is_raised_;               ///< per pair
   std::unique_ptr<float[]> raised_costs_;  ///< per pair, what a raised one is queued under; undefined for others
   std::vector<Index> woken_;               ///< scratch
 };

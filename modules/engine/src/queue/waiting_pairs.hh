@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "whittle/core/detail/bit_set.hh"
 #include "whittle/core/indexed_mesh.hh"
 
 namespace whittle {
@@ -9,14 +10,16 @@ namespace whittle {
 /// Pairs that wait for one of their vertices, or of those vertices' neighbours, to change: a list per vertex.
 class WaitingPairs {
  public:
-  explicit WaitingPairs(std::size_t n_vertices) : any_(n_vertices) {}
+  explicit WaitingPairs(std::size_t n_vertices) : n_vertices_(n_vertices), any_(n_vertices) {}
 
-  bool any_at(Index v) const { return any_[v]; }
+  bool any_at(Index v) const { return any_.test(v); }
+  /// For `any_at`.
+  void prefetch(Index v) const { any_.prefetch(v); }
 
   void add(Index v, Index pair) {
-    if (heads_.empty()) heads_.resize(any_.size());
-    if (!any_[v]) heads_[v] = invalid_index;
-    any_[v] = true;
+    if (heads_.empty()) heads_.resize(n_vertices_);
+    if (!any_.test(v)) heads_[v] = invalid_index;
+    any_.set(v);
     Index node;
     if (free_ == invalid_index) {
       node = static_cast<Index>(nodes_.size());
@@ -31,8 +34,8 @@ class WaitingPairs {
 
   /// Moves the pairs that wait at v to the end of `pairs`.
   void take(Index v, std::vector<Index>& pairs) {
-    if (!any_[v]) return;
-    any_[v] = false;
+    if (!any_.test(v)) return;
+    any_.reset(v);
     for (Index node = heads_[v]; node != invalid_index;) {
       pairs.push_back(nodes_[node].pair);
       const Index next = nodes_[node].next;
@@ -47,7 +50,8 @@ class WaitingPairs {
     Index pair = 0;
     Index next = invalid_index;
   };
-  std::vector<bool> any_;     ///< a bit per vertex, as every contraction asks for its whole neighbourhood
+  std::size_t n_vertices_;
+  detail::BitSet any_;        ///< a bit per vertex, as every contraction asks for its whole neighbourhood
   std::vector<Index> heads_;  ///< defined where `any_` is set; empty until something waits
   std::vector<Node> nodes_;
   Index free_ = invalid_index;

@@ -23,7 +23,7 @@ void QuadricCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ra
 }
 
 /// One end of a pair, as the pair's cost sees it.
-PlacedQuadric QuadricCost::placed(const Pair& pair, Index v, const Vec3& position) const {
+WHITTLE_INLINE PlacedQuadric QuadricCost::placed(const Pair& pair, Index v, const Vec3& position) const {
   const PlacedQuadric placed = quadrics_.placed(v, position);
   return complex_.is_threshold_pair(pair.id) ? quadrics_.with_points(v, placed) : placed;
 }

@@ -32,7 +32,9 @@ class VertexQuadrics {
   /// \param position of v when its quadric was made
   PlacedQuadric placed(Index v, const Vec3& position) const {
     const Stored& q = quadrics_[v];
-    return {position, {q.a, q.slope == invalid_index ? Vec3::Zero() : slopes_[q.slope], q.c}};
+    // Number by number: copied in pairs and read in others, they would have to wait for memory.
+    const SymmetricMatrix a{q.a.xx, q.a.xy, q.a.xz, q.a.yy, q.a.yz, q.a.zz};
+    return {position, {a, q.slope == invalid_index ? Vec3::Zero() : slopes_[q.slope], q.c}};
   }
   /// With the point quadrics that hold v once it is joined; only if there are threshold pairs.
   PlacedQuadric with_points(Index v, const PlacedQuadric& placed) const {
