@@ -300,7 +300,7 @@ std::vector<Triangle> TriangleComplex::live_faces() {
   return faces;
 }
 
-NonmanifoldCounts TriangleComplex::count_nonmanifold() {
+NonmanifoldCounts TriangleComplex::count_nonmanifold(bool with_edges_to_frozen) {
   for (Index& v : irregular_) v = representative(v);
   std::sort(irregular_.begin(), irregular_.end());
   irregular_.erase(std::unique(irregular_.begin(), irregular_.end()), irregular_.end());
@@ -309,7 +309,9 @@ NonmanifoldCounts TriangleComplex::count_nonmanifold() {
     link_.gather(live_pairs(v));
     counts.vertices += static_cast<std::uint64_t>(link_.n_fans() > 1);
     for (const Link::Entry& entry : link_.entries()) {
-      counts.edges += static_cast<std::uint64_t>(entry.n_faces[0] > 2 && v < entry.vertex);  // seen from both ends
+      // An edge of two vertices that aren't frozen is seen from both.
+      const bool is_counted_here = is_frozen(entry.vertex) ? with_edges_to_frozen : v < entry.vertex;
+      counts.edges += static_cast<std::uint64_t>(entry.n_faces[0] > 2 && is_counted_here);
     }
   }
   return counts;

@@ -63,6 +63,9 @@ class TriangleComplex {
   /// \param threshold_pairs pairs beside the edges; each vertex has a face, no two have a common one
   void connect(std::span<const VertexPair> threshold_pairs, unsigned threads);
 
+  /// \param frozen by number in the input
+  void freeze(std::span<const std::uint8_t> frozen);
+
   /// Puts v elsewhere. \pre `connect` has not been called
   void set_position(Index v, const Vec3& position) { vertices_[v].position = position; }
 
@@ -87,6 +90,9 @@ class TriangleComplex {
   bool is_manifold(Index v) const { return kind(v) != VertexKind::junction; }
   /// Whether its neighbours are a ring.
   bool is_ring(Index v) const { return stars_[v].is_ring; }
+  /// Whether v takes part in no contraction: it has faces that aren't here.
+  bool is_frozen(Index v) const { return stars_[v].is_frozen; }
+  bool has_frozen_vertices() const { return has_frozen_vertices_; }
   /// Whether v was ever in a face.
   bool has_faces(Index v) const { return stars_[v].list.size > 0; }
   /// The neighbours of v as last gathered, those of an irregular vertex as often as it has faces with them.
@@ -171,7 +177,9 @@ class TriangleComplex {
 
   /// The live faces, each from its lowest vertex on, ascending.
   std::vector<Triangle> live_faces();
-  NonmanifoldCounts count_nonmanifold();
+  /// Frozen vertices, and edges between two of them, are not counted.
+  /// \param with_edges_to_frozen whether edges with one frozen end are
+  NonmanifoldCounts count_nonmanifold(bool with_edges_to_frozen = true);
 
   // Prefetching
   // --------------------------------------------------------------------------------------------------------
@@ -200,6 +208,7 @@ class TriangleComplex {
     NeighbourLists::List list;
     VertexKind kind = VertexKind::regular;
     bool is_ring = true;
+    bool is_frozen = false;
   };
   /// What is asked of a neighbour, and no more: two vertices a cache line.
   struct alignas(32) Vertex {
@@ -246,6 +255,7 @@ class TriangleComplex {
   std::uint64_t n_degenerate_faces_ = 0;
   std::uint64_t n_coincident_faces_ = 0;
   Index n_contractions_ = 0;
+  bool has_frozen_vertices_ = false;
   std::vector<Index> irregular_;  ///< vertices that are or were irregular, or what they merged into
 
   Link link_;                             ///< scratch

@@ -89,12 +89,22 @@ void TriangleComplex::list_faces(std::span<const Triangle> faces, const std::vec
   for_each_corner([&](Index v, const LinkEdge& face) { neighbour_lists_.push_back(stars_[v].list, as_listed(face)); });
 }
 
+void TriangleComplex::freeze(std::span<const std::uint8_t> frozen) {
+  has_frozen_vertices_ = true;
+  for (Index v = 0; v < vertices_.size(); ++v) stars_[v].is_frozen = frozen[origin(v)] != 0;
+}
+
 void TriangleComplex::connect(std::span<const VertexPair> threshold_pairs, unsigned threads) {
   for_each_range(vertices_.size(), threads,
                  [this](std::size_t begin, std::size_t end) { find_small_rings(begin, end); });
   link_ = Link(vertices_.size());
   for (Index v = 0; v < vertices_.size(); ++v) {
-    if (!is_ring(v)) connect_by_link(v);
+    if (is_frozen(v)) {
+      stars_[v].kind = VertexKind::junction;  // nobody asks
+      make_pairs(v);
+    } else if (!is_ring(v)) {
+      connect_by_link(v);
+    }
   }
   number_edges(threads);
   if (!threshold_pairs.empty()) add_threshold_pairs(threshold_pairs);
@@ -105,7 +115,8 @@ void TriangleComplex::find_small_rings(std::size_t begin, std::size_t end) {
   std::array<Index, FanSorter::max_faces> ring;
   for (auto v = static_cast<Index>(begin); v < end; ++v) {
     const std::span<Neighbour> list = neighbour_lists_.of(stars_[v].list);
-    const bool is_small_ring = list.size() >= 3 && list.size() <= ring.size() && sorter.sort(list, ring);
+    const bool may_be_ring = list.size() >= 3 && list.size() <= ring.size() && !is_frozen(v);
+    const bool is_small_ring = may_be_ring && sorter.sort(list, ring);
     stars_[v].is_ring = is_small_ring;
     if (!is_small_ring) continue;
     for (std::size_t i = 0; i < list.size(); ++i) list[i].vertex = ring[i];
@@ -133,17 +144,19 @@ void TriangleComplex::connect_by_link(Index v) {
 
 /// Takes the list's room for one twice as long. Faces keep their order.
 void TriangleComplex::make_pairs(Index v) {
+  stars_[v].is_ring = false;
   NeighbourLists::List& list = stars_[v].list;
-  std::vector<Neighbour> pairs;
-  for (const Neighbour& listed : neighbours(v)) {
+  const NeighbourLists::List faces = list;
+  list = neighbour_lists_.allocate(2 * faces.size);
+  list.size = 2 * faces.size;
+  const std::span<Neighbour> pairs = neighbour_lists_.of(list);
+  Index n = 0;
+  for (const Neighbour& listed : neighbour_lists_.of(faces)) {
     const auto [x, y] = as_face(listed);
-    pairs.push_back({x, invalid_index});
-    pairs.push_back({y, invalid_index});
+    pairs[n++] = {x, invalid_index};
+    pairs[n++] = {y, invalid_index};
   }
-  neighbour_lists_.release(list);
-  list = neighbour_lists_.allocate(static_cast<Index>(pairs.size()));
-  list.size = static_cast<Index>(pairs.size());
-  std::copy(pairs.begin(), pairs.end(), neighbour_lists_.of(list).begin());
+  neighbour_lists_.release(faces);
 }
 
 /// Numbers the edges by their lower vertex, then tells the higher one.

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "complex/triangle_complex.hh"
+#include "cost/memory.hh"
 #include "whittle/core/detail/compiler.hh"
 #include "whittle/engine/formula/pair_evaluation.hh"
 #include "whittle/engine/host.hh"
@@ -27,6 +28,7 @@ struct VertexState {
 ///   see_faces()                    the faces of each vertex are listed
 ///   start()                        neighbours and edges are known
 ///   resume(state)                  only if the run goes on from another one
+///   recall(memory)                 only if others worked on the surface before
 ///   rank(pairs)                    whenever the queue asks; looks at vertices alone
 ///   settle(profile, ranked)        a pair's turn has come: positions to try, the best first
 ///   final_cost(profile, ranked, p) the guards accept position p
@@ -39,6 +41,11 @@ class PairCost {
   virtual void start(unsigned /*threads*/) {}
   /// Takes what was kept about vertices from an earlier run. Called after `start`. \param state by number in the input
   virtual void resume(const DecimationState& /*state*/) {}
+
+  /// Takes what is known from passes over the same surface before. Called after `start`.
+  virtual void recall(const Memory& /*memory*/) {}
+  /// Whether what is kept about v can't be told from its faces.
+  virtual bool remembers(Index /*v*/) const { return false; }
 
   /// \param pairs each with the vertex of the lower original number first, edges before threshold pairs. Several
   /// threads

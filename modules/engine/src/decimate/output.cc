@@ -10,50 +10,6 @@
 namespace whittle {
 namespace {
 
-/// Where each input vertex went, as a vertex of the complex; `invalid_index` for those without a face.
-std::vector<Index> representatives(TriangleComplex& complex) {
-  std::vector<Index> result(complex.n_vertex_slots(), invalid_index);
-  for (Index v = 0; v < complex.n_vertex_slots(); ++v) {
-    const Index r = complex.representative(v);
-    if (complex.has_faces(r)) result[complex.origin(v)] = r;
-  }
-  return result;
-}
-
-Triangle mapped(const Triangle& face, const std::vector<Index>& vertex_map) {
-  return {vertex_map[face[0]], vertex_map[face[1]], vertex_map[face[2]]};
-}
-
-/// Numbers of the input's faces whose corners are still three vertices. \param vertex_map to the complex
-std::vector<Index> surviving_faces(std::span<const Triangle> faces, const std::vector<Index>& vertex_map,
-                                   std::size_t n_surviving) {
-  std::vector<Index> result;
-  result.reserve(n_surviving);
-  for (Index f = 0; f < faces.size(); ++f) {
-    if (has_three_corners(mapped(faces[f], vertex_map))) result.push_back(f);
-  }
-  return result;
-}
-
-/// Drops from `faces` those that the complex no longer has. Of several coincident ones the first are kept.
-void leave_out_coincident(std::vector<Index>& faces, std::span<const Triangle> input,
-                          const std::vector<Index>& vertex_map, TriangleComplex& complex) {
-  const std::vector<Triangle> live = complex.live_faces();
-  std::vector<bool> is_found(live.size());
-  std::erase_if(faces, [&](Index f) {
-    Triangle face = mapped(input[f], vertex_map);
-    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-    const auto [begin, end] = std::equal_range(live.begin(), live.end(), face);
-    for (auto it = begin; it != end; ++it) {
-      const auto slot = static_cast<std::size_t>(it - live.begin());
-      if (is_found[slot]) continue;
-      is_found[slot] = true;
-      return false;
-    }
-    return true;
-  });
-}
-
 /// The sum of an attribute over the vertices merged into each vertex of the result, and their number.
 template <std::size_t N>
 struct MergedSum {
@@ -108,43 +64,58 @@ std::vector<std::array<float, 3>> output_normals(const IndexedMesh& input, const
 }
 
 /// Fills in vertices and quadrics. \return vertices of the complex → vertices of the output
-std::vector<Index> write_vertices(const IndexedMesh& input, TriangleComplex& complex, const Frame& frame,
-                                  const PairCost* quadrics_of, Decimation& out) {
+/// \param went_to vertices that the pass began with → vertices of the complex
+std::vector<Index> write_vertices(const IndexedMesh& input, const Remainder* remainder, Pass& pass, const Frame& frame,
+                                  bool with_quadrics, const std::vector<Index>& went_to, Decimation& out) {
+  const TriangleComplex& complex = pass.complex();
   std::vector<Index> output_of(complex.n_vertex_slots(), invalid_index);
   IndexedMesh& mesh = out.mesh;
   mesh.positions.reserve(complex.n_vertices());
   mesh.origins.reserve(complex.n_vertices());
-  if (quadrics_of) out.quadrics.reserve(complex.n_vertices());
-  for (Index v = 0; v < out.vertex_map.size(); ++v) {
-    const Index r = out.vertex_map[v];
-    if (r == invalid_index || complex.identity(r) != v) continue;
+  if (with_quadrics) out.quadrics.reserve(complex.n_vertices());
+  for (Index i = 0; i < went_to.size(); ++i) {
+    const Index r = went_to[i];
+    if (r == invalid_index || complex.identity(r) != i) continue;
     output_of[r] = static_cast<Index>(mesh.positions.size());
+    const Index v = remainder ? remainder->origins[i] : i;
     const Vec3& before = input.positions[v];
     const bool is_unmoved = complex.position(r) == frame.to_frame(before);  // keeps every bit, that of −0 too
     mesh.positions.push_back(is_unmoved ? before : frame.to_model(complex.position(r)));
     mesh.origins.push_back(input.origins.empty() ? v : input.origins[v]);
-    if (quadrics_of) out.quadrics.push_back(quadrics_of->quadric(r));
+    if (with_quadrics) out.quadrics.push_back(pass.cost().quadric(r));
   }
   return output_of;
 }
 
 }  // namespace
 
-Decimation make_output(const IndexedMesh& input, TriangleComplex& complex, const Frame& frame, Normals normals,
-                       const PairCost* quadrics_of) {
+Decimation make_output(const IndexedMesh& input, const Remainder* remainder, Pass& pass, const Frame& frame,
+                       const DecimateOptions& options) {
   Decimation out;
-  out.vertex_map = representatives(complex);
-  const std::vector<Index> output_of = write_vertices(input, complex, frame, quadrics_of, out);
-  out.face_origins = surviving_faces(input.faces, out.vertex_map, complex.n_faces());
-  if (complex.n_coincident_faces() > 0) leave_out_coincident(out.face_origins, input.faces, out.vertex_map, complex);
-  for (Index& r : out.vertex_map) {
+  IndexedMesh& mesh = out.mesh;
+  const std::span<const Triangle> faces = remainder ? remainder->faces : input.faces;
+  std::vector<Index> went_to = representatives(pass.complex());
+  const std::vector<Index> output_of =
+      write_vertices(input, remainder, pass, frame, options.keep_quadrics, went_to, out);
+  out.face_origins = surviving_faces(faces, went_to, pass.complex());
+  for (Index& r : went_to) {
     if (r != invalid_index) r = output_of[r];
   }
-  IndexedMesh& mesh = out.mesh;
   mesh.faces.reserve(out.face_origins.size());
-  for (const Index f : out.face_origins) mesh.faces.push_back(mapped(input.faces[f], out.vertex_map));
+  for (Index& f : out.face_origins) {
+    mesh.faces.push_back(mapped(faces[f], went_to));
+    if (remainder) f = remainder->face_origins[f];
+  }
+  if (remainder) {
+    out.vertex_map = remainder->vertex_map;
+    for (Index& v : out.vertex_map) {
+      if (v != invalid_index) v = went_to[v];
+    }
+  } else {
+    out.vertex_map = std::move(went_to);
+  }
   if (!input.colors.empty()) mesh.colors = merged_colors(input, out.vertex_map, mesh.positions.size());
-  mesh.normals = output_normals(input, out.vertex_map, mesh, frame, normals);
+  mesh.normals = output_normals(input, out.vertex_map, mesh, frame, options.normals);
   return out;
 }
 

@@ -2,17 +2,17 @@
 
 #include <vector>
 
-#include "complex/triangle_complex.hh"
-#include "cost/pair_cost.hh"
+#include "blocks/level.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/engine/decimate.hh"
 
 namespace whittle {
 
-/// The mesh and the maps of a decimation, from a complex after its contractions; `result` and `feature_edges` are left
-/// to the caller. \param quadrics_of whose quadrics are wanted; null for none
-Decimation make_output(const IndexedMesh& input, TriangleComplex& complex, const Frame& frame, Normals normals,
-                       const PairCost* quadrics_of);
+/// The mesh and the maps of a decimation, from the last pass after its contractions; `result` and `feature_edges` are
+/// left to the caller.
+/// \param remainder what the pass began with; null if that was the input
+Decimation make_output(const IndexedMesh& input, const Remainder* remainder, Pass& pass, const Frame& frame,
+                       const DecimateOptions& options);
 
 /// What of the input's attributes is not carried.
 std::vector<Warning> warnings_about_attributes(const IndexedMesh& input);

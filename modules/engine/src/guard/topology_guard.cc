@@ -13,6 +13,8 @@ bool TopologyGuard::refuses(ContractionProfile& profile) {
   if (is_edge && link_condition(complex_, profile)) return false;
   const bool keeps = is_edge && topology_ == Topology::keep;
   if (keeps && complex_.is_manifold(a) && complex_.is_manifold(b)) return true;
+  // A joint changes stars of neighbours, of which frozen ones have only a part here.
+  if (complex_.has_frozen_vertices()) return true;
   plan_joint(complex_, profile);
   const bool takes_last_face = profile.opposites.size() + profile.joint.coincident.size() == complex_.n_faces();
   if (takes_last_face || !keeps) return takes_last_face;

@@ -20,6 +20,7 @@ namespace whittle {
 class BucketQueue {
  public:
   using Bucket = std::uint32_t;
+  static constexpr Bucket no_bucket = ~Bucket{0};
 
   /// The bucket of a cost: monotone. Costs below 2⁻²⁰⁰ (of a frame 1 in size: rounding) share the first bucket, those
   /// above 2⁵⁶ the last.
@@ -30,14 +31,18 @@ class BucketQueue {
     return bits <= first ? 0 : static_cast<Bucket>(std::min<std::uint64_t>(bits - first, n_buckets - 1));
   }
 
-  /// Puts in the first members. \param buckets of members 0, 1, …
+  /// Puts in the first members. \param buckets of members 0, 1, …; `no_bucket` leaves one out
   void fill(std::span<const Bucket> buckets) {
     starts_.assign(n_buckets + 1, 0);
-    for (const Bucket bucket : buckets) ++starts_[bucket + 1];
+    for (const Bucket bucket : buckets) {
+      if (bucket != no_bucket) ++starts_[bucket + 1];
+    }
     for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
-    first_members_.resize(buckets.size());
+    first_members_.resize(starts_.back());
     std::vector<Index> ends(starts_.begin(), starts_.end() - 1);
-    for (Index member = 0; member < buckets.size(); ++member) first_members_[ends[buckets[member]]++] = member;
+    for (Index member = 0; member < buckets.size(); ++member) {
+      if (buckets[member] != no_bucket) first_members_[ends[buckets[member]]++] = member;
+    }
     blocks_.reserve(buckets.size() / (block_capacity / 2));  // what is never written to takes no memory
   }
 

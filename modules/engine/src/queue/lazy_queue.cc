@@ -47,6 +47,10 @@ void LazyQueue::fill_queue(unsigned threads) {
     evaluate(parcel);
     for (std::size_t i = 0; i < parcel.n; ++i) {
       const auto& [bound, cost, position, is_minimum] = parcel.evaluations[i];
+      if (complex_.is_frozen(parcel.pairs[i].a) || complex_.is_frozen(parcel.pairs[i].b)) {
+        buckets[begin + i] = BucketQueue::no_bucket;
+        continue;
+      }
       buckets[begin + i] = BucketQueue::bucket_of(cost);
       if (cost <= bound) continue;
       is_raised[begin + i] = 1;

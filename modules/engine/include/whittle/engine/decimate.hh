@@ -42,6 +42,12 @@ struct Rejections {
   std::uint64_t feature = 0;       ///< it would take a vertex off its feature line, or a line away
   std::uint64_t locked = 0;        ///< both vertices are locked
   std::uint64_t intersection = 0;  ///< it would make faces intersect that didn't before
+
+  Rejections& operator+=(const Rejections& other) {
+    link += other.link, flip += other.flip, shape += other.shape;
+    feature += other.feature, locked += other.locked, intersection += other.intersection;
+    return *this;
+  }
 };
 
 /// Pairs beside the edges.

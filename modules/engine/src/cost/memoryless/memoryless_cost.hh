@@ -23,6 +23,8 @@ class MemorylessCost final : public PairCost {
   void see_faces(unsigned threads) override { ranks_.see_faces(threads); }
   void start(unsigned threads) override;
   void resume(const DecimationState& state) override;
+  void recall(const Memory& memory) override;
+  bool remembers(Index v) const override { return !has_planes_of_faces_[v]; }
 
   using PairCost::rank;
   void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override { ranks_.rank(pairs, ranks); }

@@ -81,7 +81,7 @@ void VertexQuadrics::add_borders() {
   const auto position = [this](Index v) -> const Vec3& { return complex_.position(v); };
   std::vector<Index> ends;  // of the edges at a vertex, one for each face there
   for (Index v = 0; v < complex_.n_vertex_slots(); ++v) {
-    if (complex_.is_ring(v) || complex_.kind(v) == VertexKind::regular) continue;
+    if (complex_.is_ring(v) || complex_.kind(v) == VertexKind::regular || complex_.is_frozen(v)) continue;
     const std::span<const Neighbour> pairs = complex_.neighbours(v);
     ends.clear();
     for (const Neighbour& neighbour : pairs) ends.push_back(neighbour.vertex);

@@ -48,6 +48,7 @@ class VertexQuadrics {
   template <class Real, class VertexAt>
   WHITTLE_INLINE QuadricLanes<Real> placed_level_with_points(const VertexAt& vertex) const;
 
+  void store(Index v, const Quadric& quadric);
   /// Stores the quadric of a merged vertex.
   void merge(const Change& change, const Quadric& quadric);
   /// Adds the change of planes through a neighbour of the merged vertex.
@@ -72,7 +73,6 @@ class VertexQuadrics {
   void sum_in_lanes(Index first);
   void set_points(std::size_t begin, std::size_t end);
   void merge_points(const Change& change);
-  void store(Index v, const Quadric& quadric);
 
   const TriangleComplex& complex_;
   QuadricOptions options_;

@@ -65,7 +65,15 @@ class MeanFaceArea {
   MeanFaceArea(double area, std::uint64_t n_summed, std::uint64_t n_faces)
       : first_(n_summed > 0 ? static_cast<float>(area / static_cast<double>(n_summed)) : 0), n_faces_(n_faces) {}
 
+  /// That of a part of the mesh with so many of its faces.
+  MeanFaceArea of_part(std::uint64_t n_faces) const {
+    MeanFaceArea part = *this;
+    part.n_faces_ = n_faces;
+    return part;
+  }
+
   double first() const { return first_; }
+  std::uint64_t n_faces() const { return n_faces_; }
   /// The mean area of so many faces on the same surface.
   double now(std::uint64_t n_faces) const {
     return first_ * static_cast<double>(n_faces_) / static_cast<double>(n_faces);

@@ -1,4 +1,4 @@
-#include "decimate/make_guards.hh"
+#include "loop/make_guards.hh"
 
 #include "guard/flip_guard.hh"
 #include "guard/hidden_pair_guard.hh"

@@ -27,12 +27,16 @@ class ContractionLoop {
   ContractionLoop(TriangleComplex& complex, Restraints& restraints, PairCost& cost, const DecimateOptions& options,
                   const DecimateTarget& target, const Frame& frame, DecimationHost* host);
 
+  /// Goes on from where it stopped, if it did. \return all that was done so far
   DecimateResult run();
+  /// Replaces the target's. \param cost in the frame
+  void set_cost_limit(double cost) { cost_limit_ = cost; }
 
  private:
   bool target_reached() const;
   bool report_progress() const;
   void take(const RankedPair& ranked);
+  bool stop_at_cost(const Pair& pair, double cost);
   std::optional<Vec3> settle(const RankedPair& ranked);
   std::optional<std::size_t> find_refusal_at(const Vec3& position);
   void refuse(std::size_t guard);

@@ -1,10 +1,10 @@
-#include "decimate/contraction_loop.hh"
+#include "loop/contraction_loop.hh"
 
 #include <algorithm>
 
 #include "cost/make_cost.hh"
-#include "decimate/make_guards.hh"
 #include "host/host_cost.hh"
+#include "loop/make_guards.hh"
 #include "queue/eager_queue.hh"
 #include "queue/lazy_queue.hh"
 
@@ -61,6 +61,7 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraint
 }
 
 DecimateResult ContractionLoop::run() {
+  stop_.reset();
   for (std::uint64_t n_turns = 0; !stop_; ++n_turns) {
     if (target_reached()) {
       stop_ = StopReason::target;
@@ -77,8 +78,9 @@ DecimateResult ContractionLoop::run() {
   result_.n_contractions = complex_.n_contractions();
   result_.n_vertices = complex_.n_vertices();
   result_.n_faces = complex_.n_faces();
-  result_.max_cost = frame_.cost_to_model(result_.max_cost, cost_dimension_);
-  return result_;
+  DecimateResult result = result_;
+  result.max_cost = frame_.cost_to_model(result_.max_cost, cost_dimension_);
+  return result;
 }
 
 bool ContractionLoop::target_reached() const {
@@ -99,23 +101,24 @@ bool ContractionLoop::report_progress() const {
 /// Contracts the pair, puts it off, refuses it, or stops because of its cost.
 void ContractionLoop::take(const RankedPair& ranked) {
   const double rank = ranked.rank.cost;
-  const auto is_over_limit = [this](double cost) { return cost_limit_ && cost > *cost_limit_; };
   if (!complex_.is_contractible(ranked.pair)) return complex_.remove_pair(ranked.pair.id);
-  if (is_over_limit(rank)) {
-    stop_ = StopReason::cost;
-    return;
-  }
+  if (stop_at_cost(ranked.pair, rank)) return;
   complex_.gather(ranked.pair, profile_);
   profile_.ranked = ranked.rank;
   const std::optional<Vec3> position = settle(ranked);
   if (!position) return;
   const double cost = cost_.final_cost(profile_, ranked.rank, *position);
   if (cost > rank && queue_->postpone(ranked.pair, cost)) return;
-  if (is_over_limit(cost)) {
-    stop_ = StopReason::cost;
-    return;
-  }
+  if (stop_at_cost(ranked.pair, cost)) return;
   contract(ranked, *position, std::max(cost, rank));
+}
+
+/// Whether the pair costs more than may be. Then it is queued again, to go on from.
+bool ContractionLoop::stop_at_cost(const Pair& pair, double cost) {
+  if (!cost_limit_ || !(cost > *cost_limit_)) return false;
+  stop_ = StopReason::cost;
+  queue_->add(pair);
+  return true;
 }
 
 /// The first position that no guard refuses; nullopt, and the refusal noted, if there is none.

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "blocks/partition.hh"
+#include "loop/pass.hh"
+
+namespace whittle {
+
+/// What blocks of a level leave in the level's own numbers. Each block writes to its own vertices and faces.
+struct BlockResults {
+  std::vector<Index> merged_into;          ///< per vertex; itself if it wasn't merged
+  std::vector<std::uint8_t> is_face_left;  ///< per face
+};
+
+/// A block of a surface under contraction. Its shared vertices, and those of other blocks at its faces, are frozen.
+class Block {
+ public:
+  /// A vertex that isn't frozen, and wasn't merged into another.
+  struct Survivor {
+    Index vertex;   ///< of the surface
+    Vec3 position;  ///< in the frame
+  };
+
+  /// \param locked per vertex of the surface, or empty \param memory of the surface
+  /// \param options must outlive the block
+  Block(const Surface& surface, const Partition& partition, std::size_t number, std::span<const std::uint8_t> locked,
+        const Memory& memory, const DecimateOptions& options);
+
+  /// Ranks all pairs. \param frame that the listener and costs are told in
+  void start(const DecimateTarget& target, const Frame& frame) { pass_->start(target, frame); }
+  /// Contracts what costs at most so much. \param cost in the frame
+  void run(double cost) {
+    pass_->set_cost_limit(cost);
+    result_ = pass_->run();
+  }
+
+  std::size_t n_inner_vertices() const { return n_inner_; }  ///< at the start: those that aren't frozen
+  std::size_t n_inner_vertices_left() const { return n_inner_ - result_.n_contractions; }
+  const DecimateResult& result() const { return result_; }
+  NonmanifoldCounts count_nonmanifold() { return pass_->complex().count_nonmanifold(); }
+  /// \return the number that a vertex of the block has in the surface
+  Index number_of(Index vertex) const { return vertex < own_.size() ? own_[vertex] : foreign_[vertex - own_.size()]; }
+
+  /// Writes down what is left, and frees the complex.
+  void finish(BlockResults& results);
+  const std::vector<Survivor>& survivors() const { return survivors_; }
+  /// What they remember, by vertex of the surface.
+  const std::vector<Memory::Remembered>& remembered() const { return remembered_; }
+
+ private:
+  void gather(const Surface& surface, const Partition& partition, std::size_t number);
+  Memory memory_of_block(const Surface& surface, const Memory& memory) const;
+
+  std::span<const Index> own_;        ///< vertices of the surface
+  std::span<const Index> own_faces_;  ///< of the surface
+  std::vector<Index> foreign_;        ///< vertices of the surface that belong to other blocks
+  std::vector<Vec3> positions_;       ///< in the frame; scratch
+  std::vector<Triangle> faces_;       ///< by vertices of the block
+  std::vector<std::uint8_t> frozen_;  ///< per vertex of the block
+  std::vector<std::uint8_t> locked_;  ///< per vertex of the block, or empty
+  std::size_t n_inner_ = 0;
+  std::optional<Pass> pass_;
+  DecimateResult result_;
+  std::vector<Survivor> survivors_;
+  std::vector<Memory::Remembered> remembered_;
+};
+
+}  // namespace whittle

@@ -1,0 +1,73 @@
+#include "blocks/decimate_in_blocks.hh"
+
+#include <algorithm>
+
+#include "whittle/core/detail/parallel.hh"
+
+namespace whittle {
+namespace {
+
+constexpr double highest_share = 0.7;  ///< of the faces to be left
+
+/// The share of the mesh that the target leaves.
+double target_share(const IndexedMesh& mesh, const DecimateTarget& target) {
+  const auto share = [](std::optional<std::uint64_t> wanted, std::size_t n) {
+    return wanted ? static_cast<double>(*wanted) / static_cast<double>(n) : 0.0;
+  };
+  return std::max(share(target.n_faces(), mesh.faces.size()), share(target.n_vertices(), mesh.positions.size()));
+}
+
+MeanFaceArea mean_face_area(const IndexedMesh& mesh, const Frame& frame, unsigned threads) {
+  constexpr std::size_t range_length = 16384;
+  const std::size_t n = mesh.faces.size();
+  std::vector<double> areas((n + range_length - 1) / range_length);
+  for_each_block(areas.size(), threads, [&](std::size_t range) {
+    for (std::size_t f = range * range_length; f < std::min(n, (range + 1) * range_length); ++f) {
+      const auto& [a, b, c] = mesh.faces[f];
+      const Vec3 to_b = (mesh.positions[b] - mesh.positions[a]) * frame.scale;
+      const Vec3 to_c = (mesh.positions[c] - mesh.positions[a]) * frame.scale;
+      areas[range] += 0.5 * to_b.cross(to_c).norm();
+    }
+  });
+  double area = 0;
+  for (const double part : areas) area += part;
+  return {area, n, n};
+}
+
+}  // namespace
+
+std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget& target,
+                                   const DecimateOptions& options, const DecimationHost* host, const BlockPlan& plan) {
+  if (mesh.faces.size() < plan.fewest_faces) return "the mesh is small";
+  if (!target.n_faces() && !target.n_vertices()) return "there is no count to reach";
+  if (target.cost_limit()) return "the cost is limited";
+  if (target_share(mesh, target) > highest_share) return "the target is near";
+  if (host != nullptr) return "a host takes part";
+  if (options.effective_cost() != Cost::memoryless) return "the cost remembers, or is ranked in exact order";
+  if (options.effective_order() != Order::approximate) return "the order is exact";
+  if (options.quadric.placement != Placement::optimal) return "vertices stay where they are";
+  if (options.valence_weight > 0) return "the cost has a term for valences";
+  if (options.pairs.threshold > 0) return "threshold pairs join what lies apart";
+  if (options.topology != Topology::keep) return "the topology may change";
+  if (options.feature_angle_deg.value_or(180) < 180 || !options.feature_edges.empty()) return "feature lines are kept";
+  if (options.refuse_intersections) return "intersections are refused";
+  return {};
+}
+
+Remainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, const DecimateTarget& target,
+                             const DecimateOptions& options, const BlockPlan& plan) {
+  const double share =
+      std::max(plan.fewest_faces_left / static_cast<double>(plan.faces_per_block), target_share(mesh, target));
+  SharedProgress progress(options, mesh.positions.size(), mesh.faces.size(), share);
+  const LevelContext context{options, mesh, frame, share, progress};
+  Memory memory{mean_face_area(mesh, frame, options.threads), {}};
+  Remainder remainder = run_level(context, {plan.faces_per_block, 0.5, plan.surplus, true}, memory, nullptr);
+  if (remainder.faces.size() >= plan.fewest_faces_again && !progress.is_cancelled()) {
+    remainder = run_level(context, {plan.faces_per_block, 0.3, plan.surplus, false}, remainder.memory, &remainder);
+  }
+  remainder.progress = progress.now().fraction;
+  remainder.is_cancelled = progress.is_cancelled();
+  return remainder;
+}
+
+}  // namespace whittle

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string_view>
+
+#include "blocks/level.hh"
+
+namespace whittle {
+
+/// How a mesh is cut into blocks. The defaults are for a second-level cache of half a megabyte and more.
+struct BlockPlan {
+  std::size_t fewest_faces = 140000;       ///< smaller meshes are not cut
+  std::size_t fewest_faces_again = 65536;  ///< what is left is cut once more, along other borders, if it has so many
+  std::size_t faces_per_block = 16384;
+  double fewest_faces_left = 256;  ///< in a block: of fewer, too many would lie at borders
+  double surplus = 1.4;  ///< how many times as many vertices as the target asks for the blocks leave, borders aside
+};
+
+/// Why a run doesn't go through blocks; empty if it does. Blocks need a cost without an exact order, and guards that
+/// look at the neighbours of a pair alone. Small meshes, and targets near the start, gain nothing.
+std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget& target,
+                                   const DecimateOptions& options, const DecimationHost* host, const BlockPlan& plan);
+
+/// Contracts most of what there is to contract in blocks that fit a cache, on all threads. The rest, down to the
+/// target, is left to a pass over the whole. Nothing depends on the number of threads.
+/// \param frame of the mesh \pre why_not_in_blocks(…).empty()
+Remainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, const DecimateTarget& target,
+                             const DecimateOptions& options, const BlockPlan& plan);
+
+}  // namespace whittle

@@ -1,0 +1,210 @@
+#include "blocks/level.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+#include "blocks/ladder.hh"
+#include "blocks/stitch.hh"
+#include "whittle/core/detail/parallel.hh"
+
+namespace whittle {
+namespace {
+
+/// A block, and what goes with it.
+struct Job {
+  DecimateOptions options;  ///< of the block alone
+  std::optional<Block> block;
+  std::vector<Contraction> made;  ///< if someone listens, in the input's numbers
+};
+
+class Level {
+ public:
+  Level(const LevelContext& context, const LevelPlan& plan, const Remainder* before)
+      : context_(context),
+        plan_(plan),
+        before_(before),
+        surface_(before ? Surface{before->positions, Frame{}, before->faces}
+                        : Surface{context.input.positions, context.frame, context.input.faces}),
+        partition_(make_partition(surface_, plan.faces_per_block, plan.first_share, context.options.threads)),
+        jobs_(partition_.n_blocks()) {}
+
+  Remainder run(const Memory& memory);
+
+ private:
+  unsigned threads() const { return context_.options.threads; }
+  double share() const {
+    const auto n_input = static_cast<double>(context_.input.faces.size());
+    return std::min(1.0, context_.target_share * n_input / static_cast<double>(surface_.faces.size()));
+  }
+  std::vector<std::size_t> choose_sample() const;
+  std::vector<std::uint8_t> locked() const;
+  void begin(std::size_t number, const Memory& memory);
+  void finish(std::size_t number);
+  double climb(const std::vector<std::size_t>& sample, const Memory& memory);
+  NonmanifoldCounts count_nonmanifold_at_borders() const;
+  void sum_up(Remainder& remainder);
+
+  const LevelContext& context_;
+  LevelPlan plan_;
+  const Remainder* before_;
+  Surface surface_;
+  Partition partition_;
+  std::vector<std::uint8_t> locked_;
+  std::vector<std::unique_ptr<Job>> jobs_;  ///< a block each; null where it was not begun
+  std::vector<NonmanifoldCounts> nonmanifold_;
+  BlockResults results_;
+};
+
+/// Every eighth block, spread evenly.
+std::vector<std::size_t> Level::choose_sample() const {
+  const std::size_t n = std::min(jobs_.size(), std::max<std::size_t>(8, jobs_.size() / 8));
+  std::vector<std::size_t> sample;
+  for (std::size_t i = 0; i < n; ++i) sample.push_back((2 * i + 1) * jobs_.size() / (2 * n));
+  return sample;
+}
+
+std::vector<std::uint8_t> Level::locked() const {
+  const std::vector<std::uint8_t>& locked = context_.options.locked;
+  if (!before_ || locked.empty()) return locked;
+  std::vector<std::uint8_t> here;
+  for (const Index v : before_->origins) here.push_back(locked[v]);
+  return here;
+}
+
+void Level::begin(std::size_t number, const Memory& memory) {
+  auto job = std::make_unique<Job>();
+  job->options = context_.options;
+  job->options.threads = 1;
+  job->options.locked = {};
+  job->options.progress = [&progress = context_.progress,
+                           last = std::optional<std::uint64_t>{}](const Progress& p) mutable {
+    const std::uint64_t n_gone = last.value_or(p.n_faces) - p.n_faces;
+    last = p.n_faces;
+    return progress.advance(n_gone);
+  };
+  if (context_.options.listener) {
+    job->options.listener = [this, job = job.get()](Contraction contraction) {
+      for (Index* const v : {&contraction.survivor, &contraction.removed}) {
+        *v = job->block->number_of(*v);
+        if (before_) *v = before_->origins[*v];
+      }
+      job->made.push_back(contraction);
+    };
+  }
+  job->block.emplace(surface_, partition_, number, locked_, memory, job->options);
+  if (!before_) nonmanifold_[number] = job->block->count_nonmanifold();
+  const auto n_faces = static_cast<double>(partition_.faces_of(number).size());
+  const auto least = static_cast<std::uint64_t>(std::ceil(share() * n_faces));
+  job->block->start(DecimateTarget::faces(least), context_.frame);
+  jobs_[number] = std::move(job);
+}
+
+void Level::finish(std::size_t number) { jobs_[number]->block->finish(results_); }
+
+/// Finds the cost that leaves as many of the sample's inner vertices as wanted, and runs the sample up to it.
+double Level::climb(const std::vector<std::size_t>& sample, const Memory& memory) {
+  for_each_block(sample.size(), threads(), [&](std::size_t i) { begin(sample[i], memory); });
+  const auto sum = [&](auto n_of) {
+    return std::accumulate(sample.begin(), sample.end(), 0.0, [&](double so_far, std::size_t number) {
+      return so_far + static_cast<double>(n_of(*jobs_[number]->block));
+    });
+  };
+  const double goal = sum([](const Block& block) { return block.n_inner_vertices(); }) * share() * plan_.surplus;
+  CostLadder ladder(memory.face_area.first());
+  double n_left = 0;
+  do {
+    for_each_block(sample.size(), threads(), [&](std::size_t i) { jobs_[sample[i]]->block->run(ladder.cost()); });
+    n_left = sum([](const Block& block) { return block.n_inner_vertices_left(); });
+  } while (!context_.progress.is_cancelled() && ladder.climb(n_left / goal));
+  for_each_block(sample.size(), threads(), [&](std::size_t i) { finish(sample[i]); });
+  return ladder.cost();
+}
+
+/// Shared vertices, and edges between two of them.
+NonmanifoldCounts Level::count_nonmanifold_at_borders() const {
+  constexpr std::uint8_t is_out = 2;  // of the faces here
+  std::vector<std::uint8_t> states(surface_.positions.size(), is_out);
+  std::vector<Triangle> faces;
+  for (const Triangle& face : surface_.faces) {
+    const auto& [a, b, c] = face;
+    const auto& is_shared = partition_.is_shared;
+    if ((is_shared[a] | is_shared[b] | is_shared[c]) == 0) continue;
+    faces.push_back(face);
+    for (const Index v : face) states[v] = is_shared[v];
+  }
+  std::vector<Index> numbers(states.size());
+  std::vector<Vec3> positions;
+  std::vector<std::uint8_t> frozen;
+  for (Index v = 0; v < states.size(); ++v) {
+    if (states[v] == is_out) continue;
+    numbers[v] = static_cast<Index>(positions.size());
+    positions.push_back(surface_.positions[v]);
+    frozen.push_back(states[v] == 0);
+  }
+  for (Triangle& face : faces) face = mapped(face, numbers);
+  TriangleComplex complex(positions, faces, context_.frame, 1);
+  complex.freeze(frozen);
+  complex.connect({}, 1);
+  return complex.count_nonmanifold(false);
+}
+
+void Level::sum_up(Remainder& remainder) {
+  DecimateResult& total = remainder.result;
+  if (before_) {
+    total = before_->result;
+    remainder.nonmanifold = before_->nonmanifold;
+  }
+  for (const auto& job : jobs_) {
+    if (!job) continue;
+    const DecimateResult& one = job->block->result();
+    total.n_contractions += one.n_contractions;
+    total.max_cost = std::max(total.max_cost, one.max_cost);
+    total.n_degenerate_faces += one.n_degenerate_faces;
+    total.n_coincident_faces += one.n_coincident_faces;
+    total.rejections += one.rejections;
+    for (const Contraction& contraction : job->made) context_.options.listener(contraction);
+  }
+  for (const NonmanifoldCounts& counts : nonmanifold_) {
+    remainder.nonmanifold.edges += counts.edges;
+    remainder.nonmanifold.vertices += counts.vertices;
+  }
+}
+
+Remainder Level::run(const Memory& memory) {
+  results_.merged_into.resize(surface_.positions.size());
+  std::iota(results_.merged_into.begin(), results_.merged_into.end(), Index{0});
+  results_.is_face_left.assign(surface_.faces.size(), 1);
+  locked_ = locked();
+  if (!before_) nonmanifold_.resize(jobs_.size() + 1);
+
+  Remainder remainder;
+  remainder.memory.face_area = memory.face_area;
+  remainder.cost_limit = plan_.climbs ? climb(choose_sample(), memory) : before_->cost_limit;
+  for_each_block(jobs_.size() + 1, threads(), [&](std::size_t number) {
+    if (context_.progress.is_cancelled()) return;
+    if (number == jobs_.size()) {
+      if (!before_) nonmanifold_[number] = count_nonmanifold_at_borders();
+    } else if (!jobs_[number]) {
+      begin(number, memory);
+      jobs_[number]->block->run(remainder.cost_limit);
+      finish(number);
+    }
+  });
+  std::vector<const Block*> blocks;
+  for (const auto& job : jobs_) {
+    if (job) blocks.push_back(&*job->block);
+  }
+  stitch(surface_, partition_, blocks, results_, before_, threads(), remainder);
+  sum_up(remainder);
+  return remainder;
+}
+
+}  // namespace
+
+Remainder run_level(const LevelContext& context, const LevelPlan& plan, const Memory& memory, const Remainder* before) {
+  return Level(context, plan, before).run(memory);
+}
+
+}  // namespace whittle

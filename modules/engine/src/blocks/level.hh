@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "blocks/block.hh"
+#include "blocks/shared_progress.hh"
+
+namespace whittle {
+
+/// What levels have left of the input.
+struct Remainder {
+  std::vector<Vec3> positions;  ///< in the frame
+  std::vector<Triangle> faces;
+  std::vector<Index> origins;       ///< vertices of the input, ascending
+  std::vector<Index> face_origins;  ///< faces of the input, ascending
+  std::vector<Index> vertex_map;    ///< the input's vertices → those here; `invalid_index` where it was in no face
+  Memory memory;
+  DecimateResult result;          ///< what was done; counts of what is left are not filled in
+  double cost_limit = 0;          ///< that the blocks ran up to, in the frame
+  NonmanifoldCounts nonmanifold;  ///< of the input
+  double progress = 0;            ///< [0, 1]
+  bool is_cancelled = false;
+};
+
+/// What all levels have in common.
+struct LevelContext {
+  const DecimateOptions& options;
+  const IndexedMesh& input;
+  Frame frame;
+  double target_share = 0;  ///< of the input's faces or vertices
+  SharedProgress& progress;
+};
+
+struct LevelPlan {
+  std::size_t faces_per_block;
+  double first_share;  ///< `make_partition`
+  double surplus;      ///< how many times the target's share the blocks may leave
+  bool climbs;         ///< whether the cost is found here; else it is that of the level before
+};
+
+/// Contracts what lies within blocks, all up to the same cost, and puts together what is left.
+/// \param memory of the input, if there were no levels before
+/// \param before what levels before have left; null for none
+Remainder run_level(const LevelContext& context, const LevelPlan& plan, const Memory& memory, const Remainder* before);
+
+}  // namespace whittle

@@ -1,0 +1,152 @@
+#include "blocks/stitch.hh"
+
+#include <algorithm>
+#include <atomic>
+#include <iterator>
+#include <utility>
+
+#include "whittle/core/detail/parallel.hh"
+
+namespace whittle {
+namespace {
+
+constexpr std::size_t range_length = 16384;
+
+/// Numbers the elements for which `is_chosen(i)`, in their order; the others get `invalid_index`.
+template <class IsChosen>
+std::vector<Index> number_chosen(std::size_t n, unsigned threads, std::size_t& n_chosen, const IsChosen& is_chosen) {
+  std::vector<Index> numbers(n);
+  std::vector<Index> begins((n + range_length - 1) / range_length);
+  const auto end_of = [n](std::size_t range) { return std::min(n, (range + 1) * range_length); };
+  for_each_block(begins.size(), threads, [&](std::size_t range) {
+    for (std::size_t i = range * range_length; i < end_of(range); ++i) begins[range] += is_chosen(i) ? 1 : 0;
+  });
+  Index sum = 0;
+  for (Index& begin : begins) sum += std::exchange(begin, sum);
+  n_chosen = sum;
+  for_each_block(begins.size(), threads, [&](std::size_t range) {
+    Index next = begins[range];
+    for (std::size_t i = range * range_length; i < end_of(range); ++i)
+      numbers[i] = is_chosen(i) ? next++ : invalid_index;
+  });
+  return numbers;
+}
+
+class Stitching {
+ public:
+  Stitching(const Surface& surface, const Partition& partition, std::span<const Block* const> blocks,
+            const BlockResults& results, const Remainder* before, unsigned threads);
+
+  void write_vertices(Remainder& remainder) const;
+  void write_faces(Remainder& remainder) const;
+  void write_vertex_map(Remainder& remainder) const;
+  void write_memory(Remainder& remainder) const;
+
+ private:
+  std::vector<std::uint8_t> find_vertices_left() const;
+
+  const Surface& surface_;
+  const Partition& partition_;
+  std::span<const Block* const> blocks_;
+  const BlockResults& results_;
+  const Remainder* before_;
+  unsigned threads_;
+  std::size_t n_vertices_ = 0;
+  std::size_t n_faces_ = 0;
+  std::vector<Index> vertex_number_;  ///< in the remainder, of what is left
+  std::vector<Index> face_number_;
+};
+
+Stitching::Stitching(const Surface& surface, const Partition& partition, std::span<const Block* const> blocks,
+                     const BlockResults& results, const Remainder* before, unsigned threads)
+    : surface_(surface), partition_(partition), blocks_(blocks), results_(results), before_(before), threads_(threads) {
+  const std::vector<std::uint8_t> is_left = find_vertices_left();
+  vertex_number_ = number_chosen(is_left.size(), threads, n_vertices_, [&](std::size_t v) { return is_left[v] != 0; });
+  const std::vector<std::uint8_t>& is_face_left = results.is_face_left;
+  face_number_ =
+      number_chosen(is_face_left.size(), threads, n_faces_, [&](std::size_t f) { return is_face_left[f] != 0; });
+}
+
+/// A vertex is left if a face is that has it.
+std::vector<std::uint8_t> Stitching::find_vertices_left() const {
+  std::vector<std::uint8_t> is_left(surface_.positions.size());
+  for_each_range(surface_.faces.size(), threads_, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      if (results_.is_face_left[f] == 0) continue;
+      for (const Index v : surface_.faces[f]) {
+        std::atomic_ref(is_left[results_.merged_into[v]]).store(1, std::memory_order_relaxed);
+      }
+    }
+  });
+  return is_left;
+}
+
+void Stitching::write_vertices(Remainder& remainder) const {
+  remainder.positions.resize(n_vertices_);
+  remainder.origins.resize(n_vertices_);
+  for_each_range(vertex_number_.size(), threads_, [&](std::size_t begin, std::size_t end) {
+    for (auto v = static_cast<Index>(begin); v < end; ++v) {
+      if (vertex_number_[v] == invalid_index) continue;
+      remainder.positions[vertex_number_[v]] = surface_.frame.to_frame(surface_.positions[v]);
+      remainder.origins[vertex_number_[v]] = before_ ? before_->origins[v] : v;
+    }
+  });
+  for_each_block(blocks_.size(), threads_, [&](std::size_t b) {
+    for (const auto& [v, position] : blocks_[b]->survivors()) {
+      if (vertex_number_[v] != invalid_index) remainder.positions[vertex_number_[v]] = position;
+    }
+  });
+}
+
+void Stitching::write_faces(Remainder& remainder) const {
+  remainder.faces.resize(n_faces_);
+  remainder.face_origins.resize(n_faces_);
+  for_each_range(face_number_.size(), threads_, [&](std::size_t begin, std::size_t end) {
+    for (auto f = static_cast<Index>(begin); f < end; ++f) {
+      if (face_number_[f] == invalid_index) continue;
+      const Triangle face = mapped(surface_.faces[f], results_.merged_into);
+      remainder.faces[face_number_[f]] = mapped(face, vertex_number_);
+      remainder.face_origins[face_number_[f]] = before_ ? before_->face_origins[f] : f;
+    }
+  });
+}
+
+void Stitching::write_vertex_map(Remainder& remainder) const {
+  const std::size_t n = before_ ? before_->vertex_map.size() : surface_.positions.size();
+  remainder.vertex_map.resize(n);
+  for_each_range(n, threads_, [&](std::size_t begin, std::size_t end) {
+    for (auto v = static_cast<Index>(begin); v < end; ++v) {
+      const Index here = before_ ? before_->vertex_map[v] : v;
+      remainder.vertex_map[v] = here == invalid_index ? invalid_index : vertex_number_[results_.merged_into[here]];
+    }
+  });
+}
+
+/// Vertices that were frozen here remember what they did before.
+void Stitching::write_memory(Remainder& remainder) const {
+  std::vector<Memory::Remembered>& quadrics = remainder.memory.quadrics;
+  if (before_) {
+    const std::vector<Memory::Remembered>& old = before_->memory.quadrics;
+    std::copy_if(old.begin(), old.end(), std::back_inserter(quadrics),
+                 [&](const Memory::Remembered& r) { return partition_.is_shared[r.vertex] != 0; });
+  }
+  for (const Block* block : blocks_) {
+    quadrics.insert(quadrics.end(), block->remembered().begin(), block->remembered().end());
+  }
+  std::erase_if(quadrics, [&](const Memory::Remembered& r) { return vertex_number_[r.vertex] == invalid_index; });
+  for (Memory::Remembered& r : quadrics) r.vertex = vertex_number_[r.vertex];
+  std::sort(quadrics.begin(), quadrics.end(), [](const auto& x, const auto& y) { return x.vertex < y.vertex; });
+}
+
+}  // namespace
+
+void stitch(const Surface& surface, const Partition& partition, std::span<const Block* const> blocks,
+            const BlockResults& results, const Remainder* before, unsigned threads, Remainder& remainder) {
+  const Stitching stitching(surface, partition, blocks, results, before, threads);
+  stitching.write_vertices(remainder);
+  stitching.write_faces(remainder);
+  stitching.write_vertex_map(remainder);
+  stitching.write_memory(remainder);
+}
+
+}  // namespace whittle

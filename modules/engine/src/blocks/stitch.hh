@@ -1,0 +1,15 @@
+#pragma once
+
+#include <span>
+
+#include "blocks/block.hh"
+#include "blocks/level.hh"
+
+namespace whittle {
+
+/// Puts together what the blocks of a level have left, vertices and faces in the input's order.
+/// \param before as in `run_level`
+void stitch(const Surface& surface, const Partition& partition, std::span<const Block* const> blocks,
+            const BlockResults& results, const Remainder* before, unsigned threads, Remainder& remainder);
+
+}  // namespace whittle

@@ -1,0 +1,237 @@
+#include "decimate/run.hh"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "decimate/checks.hh"
+#include "decimate/input_features.hh"
+#include "decimate/output.hh"
+#include "whittle/core/parts.hh"
+#include "whittle/engine/threshold_pairs.hh"
+
+namespace whittle {
+namespace {
+
+/// Asks the progress callback between the stages before the first contraction.
+class Preparation {
+ public:
+  explicit Preparation(const DecimateOptions& options) : options_(options) {}
+
+  bool goes_on(std::uint64_t n_vertices, std::uint64_t n_faces) {
+    if (goes_on_ && options_.progress) goes_on_ = options_.progress({n_vertices, n_faces, 0});
+    return goes_on_;
+  }
+  /// For tasks before: they throw `Cancelled` where it doesn't go on.
+  ProgressCallback task_progress(std::uint64_t n_vertices, std::uint64_t n_faces) {
+    if (!options_.progress) return {};
+    return [this, n_vertices, n_faces](const TaskProgress&) { return goes_on(n_vertices, n_faces); };
+  }
+
+ private:
+  const DecimateOptions& options_;
+  bool goes_on_ = true;
+};
+
+ThresholdPairs threshold_pairs(const IndexedMesh& mesh, const DecimateOptions& options, Preparation& preparation) {
+  const auto& [threshold, max_pairs, across_walls] = options.pairs;
+  if (!(threshold > 0)) return {};
+  try {
+    return find_threshold_pairs(mesh.positions, mesh.faces,
+                                {*threshold, max_pairs, across_walls, options.threads,
+                                 preparation.task_progress(mesh.positions.size(), mesh.faces.size())});
+  } catch (const Cancelled&) {
+    return {};  // the preparation remembers it
+  }
+}
+
+ThresholdPairCounts counts_of(const ThresholdPairs& pairs, const DecimateOptions& options) {
+  ThresholdPairCounts counts;
+  counts.considered = pairs.pairs.size();
+  counts.threshold = options.pairs.threshold.value_or(0);
+  counts.capped = pairs.capped;
+  return counts;
+}
+
+SurfaceCounts surface_counts(std::size_t n_components, const NonmanifoldCounts& nonmanifold) {
+  return {n_components, nonmanifold.edges, nonmanifold.vertices};
+}
+
+/// Parts of the input of which no vertex is left.
+std::size_t count_vanished(const Parts& parts, const std::vector<Index>& vertex_map) {
+  std::vector<bool> is_left(parts.count);
+  for (std::size_t v = 0; v < vertex_map.size(); ++v) {
+    if (vertex_map[v] != invalid_index) is_left[parts.part_of[v]] = true;
+  }
+  return static_cast<std::size_t>(std::count(is_left.begin(), is_left.end(), false));
+}
+
+/// Fills in components and non-manifold counts of the surface before and after.
+void compare_surfaces(const IndexedMesh& input, const NonmanifoldCounts& before, TriangleComplex& complex,
+                      const DecimateOptions& options, Decimation& out) {
+  out.result.after =
+      surface_counts(find_parts(out.mesh.positions.size(), out.mesh.faces).count, complex.count_nonmanifold());
+  out.result.before = surface_counts(out.result.after.components, before);
+  const bool is_manifold = before.edges == 0 && before.vertices == 0;
+  const bool has_pairs = options.pairs.threshold > 0;
+  if (!has_pairs && options.topology == Topology::keep && is_manifold) return;  // parts stay parts
+  const Parts parts = find_parts(input.positions.size(), input.faces);
+  out.result.before.components = parts.count;
+  out.result.n_vanished_components = count_vanished(parts, out.vertex_map);
+}
+
+/// Feature edges of the complex, by vertices of the output, ascending.
+std::vector<VertexPair> output_features(const std::vector<VertexPair>& edges, const TriangleComplex& complex,
+                                        const std::vector<Index>& vertex_map) {
+  std::vector<VertexPair> result;
+  for (const auto& [a, b] : edges) {
+    const Index first = vertex_map[complex.origin(a)];
+    const Index second = vertex_map[complex.origin(b)];
+    result.push_back({std::min(first, second), std::max(first, second)});
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+std::vector<Warning> warnings_about(const IndexedMesh& input, const ThresholdPairCounts& pairs) {
+  std::vector<Warning> warnings = warnings_about_attributes(input);
+  if (pairs.capped) {
+    warnings.push_back({WarningKind::pairs_capped,
+                        "some vertices had more threshold pairs than max_pairs; the nearest "
+                        "were taken"});
+  }
+  return warnings;
+}
+
+/// What a pass does that is cancelled before it starts.
+DecimateResult cancelled_at_once(const TriangleComplex& complex) {
+  DecimateResult result;
+  result.n_vertices = complex.n_vertices();
+  result.n_faces = complex.n_faces();
+  result.stop = StopReason::cancelled;
+  return result;
+}
+
+/// Adds what was done in blocks to the result of the pass after them.
+void add_levels(const DecimateResult& levels, DecimateResult& result) {
+  result.n_contractions += levels.n_contractions;
+  result.max_cost = std::max(result.max_cost, levels.max_cost);
+  result.n_degenerate_faces += levels.n_degenerate_faces;
+  result.n_coincident_faces += levels.n_coincident_faces;
+  result.rejections += levels.rejections;
+}
+
+/// The callbacks of a pass over a remainder: progress is a part of the whole, vertices are the input's.
+DecimateOptions options_after(const Remainder& remainder, DecimateOptions options) {
+  if (options.progress) {
+    options.progress = [done = remainder.progress, callback = options.progress](Progress progress) {
+      progress.fraction = done + (1 - done) * progress.fraction;
+      return callback(progress);
+    };
+  }
+  if (options.listener) {
+    options.listener = [&remainder, callback = options.listener](Contraction contraction) {
+      contraction.survivor = remainder.origins[contraction.survivor];
+      contraction.removed = remainder.origins[contraction.removed];
+      callback(contraction);
+    };
+  }
+  return options;
+}
+
+/// Decimates in blocks where that is worth while, and then as a whole.
+class Run {
+ public:
+  Run(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options, DecimationHost* host)
+      : mesh_(mesh),
+        target_(target),
+        options_(options),
+        host_(host),
+        frame_(host && host->state() ? host->state()->frame : Frame::of_points(mesh.positions)) {}
+
+  Decimation decimate(const BlockPlan& plan);
+
+ private:
+  PassInput last_input();
+  DecimateResult run_last(Pass& pass, Preparation& preparation);
+
+  const IndexedMesh& mesh_;
+  DecimateTarget target_;
+  const DecimateOptions& options_;
+  DecimationHost* host_;
+  Frame frame_;
+  std::optional<Remainder> remainder_;  ///< of blocks
+  // What the last pass gets.
+  ThresholdPairs pairs_;
+  std::vector<VertexPair> features_;
+  std::vector<std::uint8_t> locked_;
+};
+
+PassInput Run::last_input() {
+  PassInput input;
+  input.threshold_pairs = pairs_.pairs;
+  input.features = features_;
+  input.feature_tolerance = options_.feature_tolerance * bounds_of(mesh_.positions).diagonal() * frame_.scale;
+  input.host = host_;
+  if (!remainder_) {
+    input.surface = {mesh_.positions, frame_, mesh_.faces};
+    input.locked = options_.locked;
+    return input;
+  }
+  input.surface = {remainder_->positions, Frame{}, remainder_->faces};
+  input.memory = &remainder_->memory;
+  if (!options_.locked.empty()) {
+    for (const Index v : remainder_->origins) locked_.push_back(options_.locked[v]);
+  }
+  input.locked = locked_;
+  return input;
+}
+
+DecimateResult Run::run_last(Pass& pass, Preparation& preparation) {
+  TriangleComplex& complex = pass.complex();
+  const bool is_cancelled = remainder_ && remainder_->is_cancelled;
+  DecimateResult result;
+  if (!is_cancelled && preparation.goes_on(complex.n_vertices(), complex.n_faces())) {
+    pass.start(target_, frame_);
+    result = pass.run();
+  } else {
+    result = cancelled_at_once(complex);
+  }
+  result.n_degenerate_faces = complex.n_degenerate_faces();
+  result.n_coincident_faces = complex.n_coincident_faces();
+  if (remainder_) add_levels(remainder_->result, result);
+  const std::uint64_t n_contracted = result.threshold_pairs.contracted;
+  result.threshold_pairs = counts_of(pairs_, options_);
+  result.threshold_pairs.contracted = n_contracted;
+  result.warnings = warnings_about(mesh_, result.threshold_pairs);
+  return result;
+}
+
+Decimation Run::decimate(const BlockPlan& plan) {
+  if (why_not_in_blocks(mesh_, target_, options_, host_, plan).empty()) {
+    remainder_ = decimate_in_blocks(mesh_, frame_, target_, options_, plan);
+  }
+  const DecimateOptions options = remainder_ ? options_after(*remainder_, options_) : options_;
+  Preparation preparation(options);
+  pairs_ = threshold_pairs(mesh_, options, preparation);
+  features_ = input_features(mesh_, options);
+  Pass pass(last_input(), options);
+  const NonmanifoldCounts before = remainder_ ? remainder_->nonmanifold : pass.complex().count_nonmanifold();
+  DecimateResult result = run_last(pass, preparation);
+  Decimation out = make_output(mesh_, remainder_ ? &*remainder_ : nullptr, pass, frame_, options_);
+  out.feature_edges = output_features(pass.feature_edges(), pass.complex(), out.vertex_map);
+  out.result = std::move(result);
+  compare_surfaces(mesh_, before, pass.complex(), options_, out);
+  return out;
+}
+
+}  // namespace
+
+Decimation run(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options,
+               DecimationHost* host, const BlockPlan& plan) {
+  check(target, options, mesh.positions.size());
+  check(mesh);
+  return Run(mesh, target, options, host).decimate(plan);
+}
+
+}  // namespace whittle

@@ -1,0 +1,301 @@
+// Decimation in blocks: the partition, and the promises of decimate where small meshes are cut into many blocks.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <thread>
+
+#include "decimate/run.hh"
+#include "support/shapes.hh"
+#include "support/suites.hh"
+#include "support/topology.hh"
+#include "whittle/metrics/distance.hh"
+
+namespace whittle::test {
+namespace {
+
+/// Two levels, of blocks so small that most vertices are shared or next to shared ones.
+constexpr BlockPlan small_blocks{
+    .fewest_faces = 1, .fewest_faces_again = 1, .faces_per_block = 100, .fewest_faces_left = 2};
+constexpr BlockPlan no_blocks{.fewest_faces = ~std::size_t{0}};
+
+DecimateOptions memoryless(unsigned threads = 1) {
+  DecimateOptions options;
+  options.cost = Cost::memoryless;
+  options.threads = threads;
+  return options;
+}
+
+Decimation in_blocks(const IndexedMesh& mesh, std::uint64_t n_faces, const DecimateOptions& options) {
+  const DecimateTarget target = DecimateTarget::faces(n_faces);
+  EXPECT_EQ(why_not_in_blocks(mesh, target, options, nullptr, small_blocks), "");
+  return run(mesh, target, options, nullptr, small_blocks);
+}
+
+std::vector<NamedMesh> larger_meshes() {
+  std::vector<NamedMesh> meshes{{"blob(4)", blob(4, 1)},
+                                {"noisy_sphere(4)", noisy_sphere(4, 0.05, 2)},
+                                {"torus(60, 20)", torus(60, 20)},
+                                {"terrain(30)", terrain(30, 3)},
+                                {"tessellated_cube(14)", tessellated_cube(14)},
+                                {"spheres(5, 3)", spheres(5, 3)},
+                                {"soup(blob(3))", soup(blob(3, 4))},
+                                {"book(3, 40)", book(3, 40)},
+                                {"two_cubes_on_an_edge(8)", two_cubes_on_an_edge(8)},
+                                {"moebius(60, 8)", moebius(60, 8)},
+                                {"isolated", with_isolated_vertices(blob(4, 5), 300, 6)},
+                                {"duplicates", with_duplicate_faces(blob(4, 7), 100)}};
+  for (const NamedMesh& named : all_meshes()) meshes.push_back(named);
+  return meshes;
+}
+
+void expect_equal(const Decimation& a, const Decimation& b) {
+  EXPECT_EQ(a.mesh.positions, b.mesh.positions);
+  EXPECT_EQ(a.mesh.faces, b.mesh.faces);
+  EXPECT_EQ(a.mesh.origins, b.mesh.origins);
+  EXPECT_EQ(a.vertex_map, b.vertex_map);
+  EXPECT_EQ(a.face_origins, b.face_origins);
+  EXPECT_EQ(a.result.max_cost, b.result.max_cost);
+  EXPECT_EQ(a.result.n_contractions, b.result.n_contractions);
+  EXPECT_EQ(a.result.rejections.flip, b.result.rejections.flip);
+  EXPECT_EQ(a.result.rejections.link, b.result.rejections.link);
+}
+
+// The partition ------------------------------------------------------------------------------------------------------
+
+TEST(Partition, GivesEachFaceToOneBlockAndEachInnerVertexAllItsFaces) {
+  for (const auto& [name, mesh] : larger_meshes()) {
+    SCOPED_TRACE(name);
+    const Surface surface{mesh.positions, Frame::of_points(mesh.positions), mesh.faces};
+    for (const std::size_t size : {std::size_t{10}, std::size_t{100}, std::size_t{1000}}) {
+      const Partition partition = make_partition(surface, size, 0.5, 1);
+      std::vector<std::size_t> block_of_face(mesh.faces.size(), partition.n_blocks());
+      std::size_t n_vertices = 0;
+      for (std::size_t block = 0; block < partition.n_blocks(); ++block) {
+        const auto faces = partition.faces_of(block);
+        EXPECT_TRUE(std::is_sorted(faces.begin(), faces.end()));
+        for (const Index f : faces) {
+          EXPECT_EQ(block_of_face[f], partition.n_blocks()) << "face " << f << " is in two blocks";
+          block_of_face[f] = block;
+        }
+        const auto vertices = partition.vertices_of(block);
+        EXPECT_TRUE(std::is_sorted(vertices.begin(), vertices.end()));
+        for (Index rank = 0; rank < vertices.size(); ++rank) {
+          EXPECT_EQ(partition.block_of[vertices[rank]], block);
+          EXPECT_EQ(partition.ranks[vertices[rank]], rank);
+        }
+        n_vertices += vertices.size();
+      }
+      EXPECT_EQ(n_vertices, mesh.positions.size());
+      for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        ASSERT_LT(block_of_face[f], partition.n_blocks());
+        for (const Index v : mesh.faces[f]) {
+          EXPECT_TRUE(partition.is_shared[v] != 0 || block_of_face[f] == partition.block_of[v]);
+        }
+      }
+    }
+  }
+}
+
+TEST(Partition, HasBlocksOfAboutTheSizeAskedForAndDependsOnTheMeshAlone) {
+  const IndexedMesh mesh = blob(6, 1);
+  const Surface surface{mesh.positions, Frame::of_points(mesh.positions), mesh.faces};
+  const Partition partition = make_partition(surface, 1000, 0.5, 1);
+  EXPECT_GE(partition.n_blocks(), 64U);
+  for (std::size_t block = 0; block < partition.n_blocks(); ++block) {
+    EXPECT_LT(partition.faces_of(block).size(), 2500U);
+    EXPECT_GT(partition.faces_of(block).size(), 250U);
+  }
+  const Partition other = make_partition(surface, 1000, 0.5, 3);
+  EXPECT_EQ(partition.block_of, other.block_of);
+  EXPECT_EQ(partition.is_shared, other.is_shared);
+  EXPECT_EQ(partition.faces, other.faces);
+  const Partition shifted = make_partition(surface, 1000, 0.3, 1);
+  std::size_t n_shared_in_both = 0;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    n_shared_in_both += partition.is_shared[v] != 0 && shifted.is_shared[v] != 0 ? 1 : 0;
+  }
+  EXPECT_LT(n_shared_in_both,
+            static_cast<std::size_t>(std::count(partition.is_shared.begin(), partition.is_shared.end(), 1)) / 2);
+}
+
+// The promises of decimate -------------------------------------------------------------------------------------------
+
+TEST(Blocks, KeepTopologyAndReachTheTarget) {
+  for (const auto& [name, mesh] : larger_meshes()) {
+    for (const std::size_t divisor : {2U, 10U, 50U}) {
+      SCOPED_TRACE(name + " / " + std::to_string(divisor));
+      const std::uint64_t n_faces = mesh.faces.size() / divisor;
+      const Decimation d = in_blocks(mesh, n_faces, memoryless());
+      const Decimation global = run(mesh, DecimateTarget::faces(n_faces), memoryless(), nullptr, no_blocks);
+      EXPECT_EQ(d.mesh.faces.size(), d.result.n_faces);
+      if (d.result.stop == StopReason::target) {
+        EXPECT_LE(d.mesh.faces.size(), n_faces);
+        EXPECT_GE(d.mesh.faces.size() + 6, n_faces);
+      } else {
+        EXPECT_EQ(d.result.stop, StopReason::exhausted);
+        EXPECT_NE(global.result.stop, StopReason::target) << "what blocks miss, a pass over all misses, too";
+      }
+      EXPECT_EQ(d.result.before.components, global.result.before.components);
+      EXPECT_EQ(d.result.before.nonmanifold_edges, global.result.before.nonmanifold_edges);
+      EXPECT_EQ(d.result.before.nonmanifold_vertices, global.result.before.nonmanifold_vertices);
+      EXPECT_EQ(d.result.n_degenerate_faces, global.result.n_degenerate_faces);
+      const Topology before = topology(mesh);
+      const Topology after = topology(d.mesh);
+      EXPECT_EQ(after.degenerate_faces, 0);
+      if (!before.manifold()) continue;
+      EXPECT_TRUE(after.manifold());
+      EXPECT_EQ(after.components, before.components);
+      EXPECT_EQ(after.euler(), before.euler());
+      EXPECT_EQ(after.border_loops, before.border_loops);
+      EXPECT_LE(after.misoriented_edges, before.misoriented_edges);
+    }
+  }
+}
+
+TEST(Blocks, MapVerticesAndFaces) {
+  for (const auto& [name, mesh] : larger_meshes()) {
+    SCOPED_TRACE(name);
+    const Decimation d = in_blocks(mesh, mesh.faces.size() / 4, memoryless());
+    ASSERT_EQ(d.vertex_map.size(), mesh.positions.size());
+    ASSERT_EQ(d.face_origins.size(), d.mesh.faces.size());
+    EXPECT_TRUE(std::is_sorted(d.face_origins.begin(), d.face_origins.end()));
+    EXPECT_TRUE(std::is_sorted(d.mesh.origins.begin(), d.mesh.origins.end()));
+    for (std::size_t f = 0; f < d.mesh.faces.size(); ++f) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(d.vertex_map[mesh.faces[d.face_origins[f]][i]], d.mesh.faces[f][i]);
+      }
+    }
+    for (std::size_t v = 0; v < d.mesh.origins.size(); ++v) EXPECT_EQ(d.vertex_map[d.mesh.origins[v]], v);
+    for (const Triangle& face : mesh.faces) {
+      for (const Index v : face) EXPECT_NE(d.vertex_map[v], invalid_index);
+    }
+  }
+}
+
+TEST(Blocks, GiveTheSameBytesOnAnyNumberOfThreads) {
+  for (const auto& [name, mesh] : larger_meshes()) {
+    SCOPED_TRACE(name);
+    const Decimation one = in_blocks(mesh, mesh.faces.size() / 10, memoryless(1));
+    for (const unsigned threads : {2U, 3U, 8U, 64U}) {
+      expect_equal(one, in_blocks(mesh, mesh.faces.size() / 10, memoryless(threads)));
+    }
+  }
+}
+
+TEST(Blocks, TellContractionsInAnOrderThatReplaysToTheSameMesh) {
+  for (const auto& [name, mesh] : larger_meshes()) {
+    SCOPED_TRACE(name);
+    std::vector<Contraction> made;
+    DecimateOptions options = memoryless(3);
+    options.listener = [&](const Contraction& contraction) { made.push_back(contraction); };
+    const Decimation d = in_blocks(mesh, mesh.faces.size() / 10, options);
+    ASSERT_EQ(made.size(), d.result.n_contractions);
+    std::vector<Index> merged_into(mesh.positions.size());
+    std::iota(merged_into.begin(), merged_into.end(), Index{0});
+    std::vector<Vec3> positions = mesh.positions;
+    std::vector<bool> is_gone(mesh.positions.size());
+    for (const Contraction& contraction : made) {
+      ASSERT_FALSE(is_gone[contraction.survivor] || is_gone[contraction.removed]);
+      is_gone[contraction.removed] = true;
+      merged_into[contraction.removed] = contraction.survivor;
+      positions[contraction.survivor] = contraction.position;
+    }
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      if (d.vertex_map[v] == invalid_index) continue;
+      Index r = static_cast<Index>(v);
+      while (merged_into[r] != r) r = merged_into[r];
+      EXPECT_EQ(d.mesh.origins[d.vertex_map[v]], r);
+      EXPECT_EQ(d.mesh.positions[d.vertex_map[v]], positions[r]);
+    }
+  }
+}
+
+TEST(Blocks, KeepLockedVerticesAndBorders) {
+  const IndexedMesh mesh = terrain(40, 1);
+  DecimateOptions options = memoryless();
+  options.locked.assign(mesh.positions.size(), 0);
+  for (std::size_t v = 0; v < mesh.positions.size(); v += 17) options.locked[v] = 1;
+  const Decimation d = in_blocks(mesh, mesh.faces.size() / 5, options);
+  for (std::size_t v = 0; v < mesh.positions.size(); v += 17) {
+    ASSERT_NE(d.vertex_map[v], invalid_index);
+    EXPECT_EQ(d.mesh.positions[d.vertex_map[v]], mesh.positions[v]);
+  }
+  options = memoryless();
+  options.boundary = Boundary::locked;
+  const Decimation bordered = in_blocks(mesh, mesh.faces.size() / 5, options);
+  EXPECT_EQ(topology(bordered.mesh).border_edges, topology(mesh).border_edges);
+}
+
+TEST(Blocks, ErrHardlyMoreThanOnePassOverAll) {
+  const BlockPlan plan{.fewest_faces = 1, .fewest_faces_again = 1000, .faces_per_block = 1000};
+  double log_sum = 0;
+  int n = 0;
+  for (const IndexedMesh& mesh : {blob(5, 1), blob(5, 2), blob(5, 3), terrain(90, 3), knot(300, 30)}) {
+    for (const std::size_t divisor : {4U, 10U, 50U}) {
+      const DecimateTarget target = DecimateTarget::faces(mesh.faces.size() / divisor);
+      const auto error = [&](const BlockPlan& p) {
+        return metrics::surface_distance(mesh, run(mesh, target, memoryless(), nullptr, p).mesh, {.samples = 20'000})
+            .mean;
+      };
+      const double ratio = error(plan) / error(no_blocks);
+      EXPECT_LT(ratio, 1.08) << mesh.faces.size() << " faces to a share of 1/" << divisor;
+      log_sum += std::log(ratio);
+      ++n;
+    }
+  }
+  EXPECT_LT(std::exp(log_sum / n), 1.01);
+}
+
+TEST(Blocks, DoNotDependOnTheUnit) {
+  const IndexedMesh mesh = blob(4, 3);
+  IndexedMesh larger = mesh;
+  for (Vec3& p : larger.positions) p *= 1024;
+  Decimation scaled = in_blocks(larger, 400, memoryless());
+  for (Vec3& p : scaled.mesh.positions) p /= 1024;
+  const Decimation d = in_blocks(mesh, 400, memoryless());
+  scaled.result.max_cost = d.result.max_cost;
+  expect_equal(d, scaled);
+}
+
+// Progress and cancelling --------------------------------------------------------------------------------------------
+
+TEST(Blocks, ReportOneProgressThatNeverFalls) {
+  const IndexedMesh mesh = blob(6, 1);
+  std::vector<Progress> seen;
+  DecimateOptions options = memoryless(3);
+  const std::thread::id caller = std::this_thread::get_id();
+  options.progress = [&](const Progress& progress) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    seen.push_back(progress);
+    return true;
+  };
+  in_blocks(mesh, mesh.faces.size() / 10, options);
+  ASSERT_GT(seen.size(), 10U);
+  for (std::size_t i = 1; i < seen.size(); ++i) {
+    EXPECT_GE(seen[i].fraction, seen[i - 1].fraction);
+    EXPECT_LE(seen[i].n_faces, seen[i - 1].n_faces);
+  }
+  EXPECT_LE(seen.back().fraction, 1);
+}
+
+TEST(Blocks, LeaveAMeshWhenTheyAreCancelled) {
+  const IndexedMesh mesh = blob(5, 1);
+  const Topology before = topology(mesh);
+  for (const int n_calls : {0, 1, 2, 5, 10, 20, 40, 80}) {
+    SCOPED_TRACE(n_calls);
+    DecimateOptions options = memoryless(2);
+    int n = 0;
+    options.progress = [&](const Progress&) { return n++ < n_calls; };
+    const Decimation d = in_blocks(mesh, mesh.faces.size() / 20, options);
+    EXPECT_EQ(d.result.stop, StopReason::cancelled);
+    EXPECT_EQ(topology(d.mesh).euler(), before.euler());
+    EXPECT_TRUE(topology(d.mesh).manifold());
+    EXPECT_EQ(d.mesh.faces.size(), d.result.n_faces);
+    EXPECT_EQ(n, n_calls + 1) << "not asked again";
+  }
+}
+
+}  // namespace
+}  // namespace whittle::test
