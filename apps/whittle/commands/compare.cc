@@ -102,7 +102,7 @@ Comparison compare(const Input& input, const CompareOptions& options, const Talk
   Comparison comparison;
   comparison.target = resolve(options.targets, mesh.positions.size(), mesh.faces.size());
   comparison.effort = effective_effort(options);
-  comparison.settled = with_effort(comparison.effort, {});
+  comparison.settled = with_effort(comparison.effort, {}, mesh, comparison.target);
   comparison.ours = run_ours(mesh, comparison, options, talk);
   const std::size_t expected = mesh.positions.size() - comparison.ours.n_vertices;
   const StockRun stock = run_stock(input, comparison.target, expected, talk);

@@ -346,7 +346,7 @@ std::vector<std::string> lost_in_openmesh(const SimplifyCommand& options, const 
 }
 
 /// One run, of `options.input`. \param report becomes the report, even without --json; may be null
-ExitCode simplify_one(const SimplifyCommand& options, Json* report) {
+ExitCode simplify_one(SimplifyCommand options, Json* report) {
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   Run run;
@@ -366,6 +366,12 @@ ExitCode simplify_one(const SimplifyCommand& options, Json* report) {
   const Stopwatch watch_threshold;
   run.threshold = resolve_threshold(options, talk, run);
   run.seconds.decimate = watch_threshold.seconds();
+  if (options.has_cost_by_effort) {
+    SimplifyOptions open = resolved(options, run);
+    open.decimate.cost.reset();
+    options.simplify.decimate.cost =
+        with_effort(options.effort, std::move(open), run.input.read.mesh, run.target).decimate.cost;
+  }
   run.simplified = simplify_input(options, talk, run);
   run.seconds.decimate += run.simplified.decimate_seconds;
   run.seconds.polish = run.simplified.polish_seconds;

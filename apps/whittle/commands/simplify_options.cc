@@ -306,6 +306,7 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
 
 SimplifyCommand settled(SimplifyCommand command) {
   SimplifyOptions probe = command.simplify;
+  command.has_cost_by_effort = !probe.decimate.cost && command.engine == Engine::flat;
   if (command.engine == Engine::openmesh) probe.decimate.cost = probe.decimate.cost.value_or(Cost::quadric);
   // The threshold depends on the mesh, which hasn't been read yet. The effort depends only on whether there is one.
   if (has_threshold(command)) probe.decimate.pairs.threshold = std::numeric_limits<double>::infinity();

@@ -35,6 +35,7 @@ struct SimplifyCommand {
   FileOptions files;
   Effort effort = Effort::normal;
   SimplifyOptions simplify;
+  bool has_cost_by_effort = false;  ///< `--cost` isn't given: large meshes may get another one
   AutomaticLength threshold;  ///< below which two vertices without an edge are a pair; automatic: from the distances
                               ///< between the parts of the mesh
   Length feature_tolerance{5e-4, true};  ///< how far a feature line may come to lie from where it was

@@ -13,7 +13,8 @@ inline constexpr std::array<Choice<Effort>, 3> efforts{
 
 /// What the help says of --effort.
 inline constexpr char effort_meaning[] =
-    "fast: '--cost quadric', no polish; normal: '--cost memoryless --polish 1'; best: '--cost memoryless "
+    "fast: '--cost quadric', on large meshes memoryless, no polish; normal: '--cost memoryless --polish 1'; best: "
+    "'--cost memoryless "
     "--polish 3', and edges are flipped where that helps";
 
 }  // namespace whittle::app

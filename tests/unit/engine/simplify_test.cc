@@ -54,6 +54,24 @@ TEST(Simplify, TakesPlainQuadricsWhereAnOptionNeedsThem) {
   EXPECT_EQ(cost_of(options), Cost::midpoint) << "said explicitly";
 }
 
+TEST(Simplify, IsFastByTheCostThatIsFastest) {
+  const auto cost_of = [](const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options) {
+    return with_effort(Effort::fast, {.decimate = options}, mesh, target).decimate.cost;
+  };
+  const IndexedMesh small = sphere(6);
+  const IndexedMesh large = sphere(7);
+  const DecimateTarget tenth = DecimateTarget::faces(large.faces.size() / 10);
+  EXPECT_EQ(cost_of(large, tenth, {}), Cost::memoryless);
+  EXPECT_EQ(cost_of(small, DecimateTarget::faces(1000), {}), Cost::quadric) << "fits a cache";
+  EXPECT_EQ(cost_of(large, tenth.or_max_cost(1), {}), Cost::quadric) << "unit of costs";
+  EXPECT_EQ(cost_of(large, tenth, {.order = Order::exact}), Cost::quadric);
+  EXPECT_EQ(cost_of(large, tenth, {.isotropy = 0.5}), Cost::quadric);
+  EXPECT_EQ(cost_of(large, tenth, {.cost = Cost::midpoint}), Cost::midpoint);
+  EXPECT_EQ(cost_of(large, DecimateTarget::faces(large.faces.size() - 1000), {}), Cost::quadric) << "hardly anything";
+  const Simplification s = simplify(large, tenth, Effort::fast);
+  EXPECT_EQ(s.mesh.faces, decimate(large, tenth, {.cost = Cost::memoryless}).mesh.faces);
+}
+
 TEST(Simplify, LeavesVerticesWherePlacementPutThem) {
   SimplifyOptions options;
   options.decimate.quadric.placement = Placement::endpoint;

@@ -27,4 +27,8 @@ Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const
   return run(mesh, target, options, &host, {});
 }
 
+bool goes_in_blocks(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options) {
+  return why_not_in_blocks(mesh, target, options, nullptr, {}).empty();
+}
+
 }  // namespace whittle

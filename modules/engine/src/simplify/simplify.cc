@@ -75,9 +75,19 @@ SimplifyOptions with_effort(Effort effort, SimplifyOptions options) {
   return options;
 }
 
+SimplifyOptions with_effort(Effort effort, SimplifyOptions options, const IndexedMesh& mesh,
+                            const DecimateTarget& target) {
+  if (!options.decimate.cost && !needs_plain_quadrics(options.decimate)) {
+    DecimateOptions memoryless = options.decimate;
+    memoryless.cost = Cost::memoryless;
+    if (goes_in_blocks(mesh, target, memoryless)) options.decimate.cost = Cost::memoryless;
+  }
+  return with_effort(effort, std::move(options));
+}
+
 Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, Effort effort,
                         const SimplifyOptions& options) {
-  const SimplifyOptions settled = with_effort(effort, options);
+  const SimplifyOptions settled = with_effort(effort, options, mesh, target);
   const Clock::time_point start = Clock::now();
   Simplification result{decimate(mesh, target, settled.decimate), {}, 0, 0};
   result.decimate_seconds = seconds_since(start);

@@ -119,6 +119,10 @@ struct Decimation {
 ///        together, and with `feature_angle_deg` for 2³² / 3 faces or more.
 Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options = {});
 
+/// Whether `decimate` makes most contractions in blocks, on all threads: so it does with memoryless quadrics on meshes
+/// of 140,000 faces and more, unless something needs one pass over the whole (docs/dev/blocks.md).
+bool goes_in_blocks(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options);
+
 /// Fewer faces on the input's own vertices.
 struct IndexOnlyDecimation {
   std::vector<Triangle> faces;  ///< by the *input's* vertices, in the order of the input's faces

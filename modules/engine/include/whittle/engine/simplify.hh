@@ -12,7 +12,7 @@ namespace whittle {
 
 /// How much time accuracy may take. Figures: docs/user/simplify.md.
 enum class Effort {
-  fast,    ///< plain quadrics, no polish
+  fast,  ///< no polish; plain quadrics, or memoryless ones where they go in blocks, which is faster (`goes_in_blocks`)
   normal,  ///< memoryless quadrics, one pass of polish
   best     ///< memoryless quadrics, three passes of polish, which also flip edges
 };
@@ -32,6 +32,9 @@ struct SimplifyOptions {
 };
 
 /// Fills in what is empty in `options` and depends on the effort: cost, passes and flips. `simplify` does this.
+SimplifyOptions with_effort(Effort effort, SimplifyOptions options, const IndexedMesh& mesh,
+                            const DecimateTarget& target);
+/// The same for a mesh that doesn't go in blocks.
 SimplifyOptions with_effort(Effort effort, SimplifyOptions options);
 
 /// A decimation whose mesh is polished.
