@@ -1,7 +1,6 @@
 #include "blocks/block.hh"
 
 #include <algorithm>
-#include <iterator>
 
 namespace whittle {
 
@@ -27,30 +26,36 @@ Block::Block(const Surface& surface, const Partition& partition, std::size_t num
 
 /// Its own vertices come first, so that they keep their order.
 void Block::gather(const Surface& surface, const Partition& partition, std::size_t number) {
-  const auto is_own = [&](Index v) { return partition.block_of[v] == number; };
-  for (const Index f : own_faces_) {
-    const Triangle& face = surface.faces[f];
-    std::copy_if(face.begin(), face.end(), std::back_inserter(foreign_), [&](Index v) { return !is_own(v); });
-  }
-  std::sort(foreign_.begin(), foreign_.end());
-  foreign_.erase(std::unique(foreign_.begin(), foreign_.end()), foreign_.end());
-  const auto number_here = [&](Index v) {
-    if (is_own(v)) return partition.ranks[v];
-    const auto place = std::lower_bound(foreign_.begin(), foreign_.end(), v);
-    return static_cast<Index>(own_.size() + static_cast<std::size_t>(place - foreign_.begin()));
+  struct ForeignCorner {
+    Index vertex;
+    Index place;  ///< three times the face, and the corner
   };
+  std::vector<ForeignCorner> corners;
   faces_.reserve(own_faces_.size());
   for (const Index f : own_faces_) {
-    const auto& [a, b, c] = surface.faces[f];
-    faces_.push_back({number_here(a), number_here(b), number_here(c)});
+    const Triangle& face = surface.faces[f];
+    Triangle& here = faces_.emplace_back();
+    for (Index i = 0; i < 3; ++i) {
+      here[i] = partition.ranks[face[i]];
+      if (partition.block_of[face[i]] == number) continue;
+      corners.push_back({face[i], 3 * static_cast<Index>(faces_.size() - 1) + i});
+    }
+  }
+  std::sort(corners.begin(), corners.end(),
+            [](const ForeignCorner& x, const ForeignCorner& y) { return x.vertex < y.vertex; });
+  for (const auto& [v, place] : corners) {
+    if (foreign_.empty() || foreign_.back() != v) foreign_.push_back(v);
+    faces_[place / 3][place % 3] = static_cast<Index>(own_.size() + foreign_.size() - 1);
   }
   const std::size_t n = own_.size() + foreign_.size();
   positions_.reserve(n);
   frozen_.reserve(n);
-  for (Index v = 0; v < n; ++v) {
-    positions_.push_back(surface.frame.to_frame(surface.positions[number_of(v)]));
-    frozen_.push_back(v < own_.size() ? partition.is_shared[own_[v]] : 1);
+  for (const Index v : own_) {
+    positions_.push_back(surface.frame.to_frame(surface.positions[v]));
+    frozen_.push_back(partition.is_shared[v]);
   }
+  for (const Index v : foreign_) positions_.push_back(surface.frame.to_frame(surface.positions[v]));
+  frozen_.resize(n, 1);
 }
 
 /// The block's share of the faces, and what its own vertices remember.

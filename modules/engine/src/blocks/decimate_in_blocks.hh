@@ -8,8 +8,8 @@ namespace whittle {
 
 /// How a mesh is cut into blocks. The defaults are for a second-level cache of half a megabyte and more.
 struct BlockPlan {
-  std::size_t fewest_faces = 140000;       ///< smaller meshes are not cut
-  std::size_t fewest_faces_again = 65536;  ///< what is left is cut once more, along other borders, if it has so many
+  std::size_t fewest_faces = 140000;        ///< smaller meshes are not cut
+  std::size_t fewest_faces_again = 262144;  ///< what is left is cut once more, along other borders, if it has so many
   std::size_t faces_per_block = 16384;
   double fewest_faces_left = 256;  ///< in a block: of fewer, too many would lie at borders
   double surplus = 1.4;  ///< how many times as many vertices as the target asks for the blocks leave, borders aside

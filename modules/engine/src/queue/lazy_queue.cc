@@ -34,27 +34,23 @@ LazyQueue::LazyQueue(TriangleComplex& complex, const PairCost& cost, ThresholdPa
 
 void LazyQueue::fill_queue(unsigned threads) {
   const std::size_t n_pairs = complex_.n_pair_slots();
-  std::vector<BucketQueue::Bucket> buckets(n_pairs);
+  std::vector<BucketQueue::Bucket> buckets(n_pairs, BucketQueue::no_bucket);
   std::vector<std::uint8_t> is_raised(n_pairs);
   const auto fill_range = [&](std::size_t begin, std::size_t end) {
     Parcel parcel;
-    parcel.n = end - begin;
-    for (std::size_t i = 0; i < parcel.n; ++i) {
-      const auto id = static_cast<Index>(begin + i);
+    for (auto id = static_cast<Index>(begin); id < end; ++id) {
       const auto [a, b] = complex_.initial_ends(id);
-      parcel.pairs[i] = {id, a, b};
+      parcel.pairs[parcel.n] = {id, a, b};
+      parcel.n += static_cast<std::size_t>(!complex_.is_frozen(a) && !complex_.is_frozen(b));
     }
     evaluate(parcel);
     for (std::size_t i = 0; i < parcel.n; ++i) {
+      const Index id = parcel.pairs[i].id;
       const auto& [bound, cost, position, is_minimum] = parcel.evaluations[i];
-      if (complex_.is_frozen(parcel.pairs[i].a) || complex_.is_frozen(parcel.pairs[i].b)) {
-        buckets[begin + i] = BucketQueue::no_bucket;
-        continue;
-      }
-      buckets[begin + i] = BucketQueue::bucket_of(cost);
+      buckets[id] = BucketQueue::bucket_of(cost);
       if (cost <= bound) continue;
-      is_raised[begin + i] = 1;
-      raised_costs_[begin + i] = static_cast<float>(cost);
+      is_raised[id] = 1;
+      raised_costs_[id] = static_cast<float>(cost);
     }
   };
   for_each_range(n_pairs, threads, [&](std::size_t begin, std::size_t end) {
