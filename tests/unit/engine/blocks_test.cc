@@ -6,6 +6,7 @@
 #include <numeric>
 #include <thread>
 
+#include "blocks/ladder.hh"
 #include "decimate/run.hh"
 #include "support/shapes.hh"
 #include "support/suites.hh"
@@ -118,6 +119,31 @@ TEST(Partition, HasBlocksOfAboutTheSizeAskedForAndDependsOnTheMeshAlone) {
   }
   EXPECT_LT(n_shared_in_both,
             static_cast<std::size_t>(std::count(partition.is_shared.begin(), partition.is_shared.end(), 1)) / 2);
+}
+
+TEST(CostLadder, ClimbsInSmallStepsNearTheGoalAndEnds) {
+  for (const double area : {0.0, 1e-12, 1e-3}) {
+    CostLadder ladder(area);
+    EXPECT_GT(ladder.cost(), 0);
+    double last = ladder.cost();
+    EXPECT_FALSE(ladder.climb(1)) << "few enough are left";
+    for (const double excess : {10.0, 3.0, 1.1}) {
+      EXPECT_TRUE(ladder.climb(excess));
+      EXPECT_GT(ladder.cost(), last);
+      EXPECT_LE(ladder.cost(), (excess < 2 ? 1.2 : 4) * last);
+      last = ladder.cost();
+    }
+    int n = 0;
+    while (ladder.climb(2)) ASSERT_LT(++n, 2000) << "where nothing can be contracted";
+  }
+}
+
+TEST(Blocks, TakeMeshesWithoutArea) {
+  IndexedMesh mesh = grid(30, 30);
+  for (Vec3& p : mesh.positions) p.y() = 0;
+  const Decimation d = in_blocks(mesh, 100, memoryless());
+  EXPECT_EQ(d.mesh.faces.size(), d.result.n_faces);
+  EXPECT_EQ(topology(d.mesh).components, 1);
 }
 
 // The promises of decimate -------------------------------------------------------------------------------------------

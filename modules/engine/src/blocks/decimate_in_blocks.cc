@@ -18,15 +18,15 @@ double target_share(const IndexedMesh& mesh, const DecimateTarget& target) {
 }
 
 MeanFaceArea mean_face_area(const IndexedMesh& mesh, const Frame& frame, unsigned threads) {
-  constexpr std::size_t range_length = 16384;
   const std::size_t n = mesh.faces.size();
-  std::vector<double> areas((n + range_length - 1) / range_length);
-  for_each_block(areas.size(), threads, [&](std::size_t range) {
-    for (std::size_t f = range * range_length; f < std::min(n, (range + 1) * range_length); ++f) {
+  std::vector<double> areas((n + range_length - 1) / range_length);  // by range
+  for_each_range(n, threads, [&](std::size_t begin, std::size_t end) {
+    double& sum = areas[begin / range_length];
+    for (std::size_t f = begin; f < end; ++f) {
       const auto& [a, b, c] = mesh.faces[f];
       const Vec3 to_b = (mesh.positions[b] - mesh.positions[a]) * frame.scale;
       const Vec3 to_c = (mesh.positions[c] - mesh.positions[a]) * frame.scale;
-      areas[range] += 0.5 * to_b.cross(to_c).norm();
+      sum += 0.5 * to_b.cross(to_c).norm();
     }
   });
   double area = 0;

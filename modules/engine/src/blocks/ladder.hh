@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace whittle {
@@ -9,7 +10,8 @@ namespace whittle {
 class CostLadder {
  public:
   /// \param face_area mean area of the input's faces, in the frame
-  explicit CostLadder(double face_area) : cost_(least_share * face_area * face_area * std::sqrt(face_area)) {}
+  explicit CostLadder(double face_area)
+      : cost_(std::max(lowest, least_share * face_area * face_area * std::sqrt(face_area))) {}
 
   /// The step to run up to.
   double cost() const { return cost_; }
@@ -24,6 +26,7 @@ class CostLadder {
 
  private:
   static constexpr double least_share = 1e-12;  ///< on flat ground contractions cost almost nothing
+  static constexpr double lowest = 1e-60;       ///< faces may have no area
   static constexpr double highest = 1e30;
 
   double cost_;

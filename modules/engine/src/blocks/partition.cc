@@ -9,7 +9,6 @@
 namespace whittle {
 namespace {
 
-constexpr std::size_t range_length = 16384;
 constexpr std::size_t samples_per_block = 256;
 constexpr unsigned most_cuts = 16;  ///< one after the other: blocks are numbered in 16 bits
 

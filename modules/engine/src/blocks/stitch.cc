@@ -10,24 +10,21 @@
 namespace whittle {
 namespace {
 
-constexpr std::size_t range_length = 16384;
-
 /// Numbers the elements for which `is_chosen(i)`, in their order; the others get `invalid_index`.
 template <class IsChosen>
 std::vector<Index> number_chosen(std::size_t n, unsigned threads, std::size_t& n_chosen, const IsChosen& is_chosen) {
   std::vector<Index> numbers(n);
-  std::vector<Index> begins((n + range_length - 1) / range_length);
-  const auto end_of = [n](std::size_t range) { return std::min(n, (range + 1) * range_length); };
-  for_each_block(begins.size(), threads, [&](std::size_t range) {
-    for (std::size_t i = range * range_length; i < end_of(range); ++i) begins[range] += is_chosen(i) ? 1 : 0;
+  std::vector<Index> firsts((n + range_length - 1) / range_length);  // numbers, by range
+  for_each_range(n, threads, [&](std::size_t begin, std::size_t end) {
+    Index& count = firsts[begin / range_length];
+    for (std::size_t i = begin; i < end; ++i) count += is_chosen(i) ? 1 : 0;
   });
   Index sum = 0;
-  for (Index& begin : begins) sum += std::exchange(begin, sum);
+  for (Index& first : firsts) sum += std::exchange(first, sum);
   n_chosen = sum;
-  for_each_block(begins.size(), threads, [&](std::size_t range) {
-    Index next = begins[range];
-    for (std::size_t i = range * range_length; i < end_of(range); ++i)
-      numbers[i] = is_chosen(i) ? next++ : invalid_index;
+  for_each_range(n, threads, [&](std::size_t begin, std::size_t end) {
+    Index next = firsts[begin / range_length];
+    for (std::size_t i = begin; i < end; ++i) numbers[i] = is_chosen(i) ? next++ : invalid_index;
   });
   return numbers;
 }

@@ -47,14 +47,16 @@ void for_each_block(std::size_t n_blocks, unsigned threads, const Work& work) {
   if (failure) std::rethrow_exception(failure);
 }
 
-/// Calls `work(begin, end)` for ranges that together make up 0 … n, in any order. If each element has its own results,
-/// these are the same for any number of threads.
+/// Elements that a thread takes at a time: some hundred microseconds of work. Long against taking it, short against a
+/// whole array.
+inline constexpr std::size_t range_length = 16384;
+
+/// Calls `work(begin, end)` for ranges that together make up 0 … n, in any order; begins are multiples of
+/// `range_length`. If each element has its own results, these are the same for any number of threads.
 template <class Work>
 void for_each_range(std::size_t n, unsigned threads, const Work& work) {
-  constexpr std::size_t length =
-      16384;  // some hundred microseconds: long against taking a block, short against a whole array
-  for_each_block((n + length - 1) / length, threads,
-                 [&](std::size_t block) { work(block * length, std::min(n, (block + 1) * length)); });
+  for_each_block((n + range_length - 1) / range_length, threads,
+                 [&](std::size_t block) { work(block * range_length, std::min(n, (block + 1) * range_length)); });
 }
 
 }  // namespace whittle
