@@ -18,7 +18,7 @@ struct Remainder {
   Memory memory;
   DecimateResult result;          ///< what was done; counts of what is left are not filled in
   double cost_limit = 0;          ///< that the blocks ran up to, in the frame
-  NonmanifoldCounts nonmanifold;  ///< of the input
+  NonmanifoldCounts nonmanifold;  ///< of the input, unless the levels were cancelled
   double progress = 0;            ///< [0, 1]
   bool is_cancelled = false;
 };

@@ -154,6 +154,7 @@ class Run {
  private:
   PassInput last_input();
   DecimateResult run_last(Pass& pass, Preparation& preparation);
+  NonmanifoldCounts count_before(Pass& pass) const;
 
   const IndexedMesh& mesh_;
   DecimateTarget target_;
@@ -207,6 +208,15 @@ DecimateResult Run::run_last(Pass& pass, Preparation& preparation) {
   return result;
 }
 
+/// Of the input. \param pass before its first contraction
+NonmanifoldCounts Run::count_before(Pass& pass) const {
+  if (!remainder_) return pass.complex().count_nonmanifold();
+  if (!remainder_->is_cancelled) return remainder_->nonmanifold;
+  TriangleComplex input(mesh_.positions, mesh_.faces, frame_, options_.threads);  // blocks not begun are not counted
+  input.connect({}, options_.threads);
+  return input.count_nonmanifold();
+}
+
 Decimation Run::decimate(const BlockPlan& plan) {
   if (why_not_in_blocks(mesh_, target_, options_, host_, plan).empty()) {
     remainder_ = decimate_in_blocks(mesh_, frame_, target_, options_, plan);
@@ -216,7 +226,7 @@ Decimation Run::decimate(const BlockPlan& plan) {
   pairs_ = threshold_pairs(mesh_, options, preparation);
   features_ = input_features(mesh_, options);
   Pass pass(last_input(), options);
-  const NonmanifoldCounts before = remainder_ ? remainder_->nonmanifold : pass.complex().count_nonmanifold();
+  const NonmanifoldCounts before = count_before(pass);
   DecimateResult result = run_last(pass, preparation);
   Decimation out = make_output(mesh_, remainder_ ? &*remainder_ : nullptr, pass, frame_, options_);
   out.feature_edges = output_features(pass.feature_edges(), pass.complex(), out.vertex_map);
