@@ -270,5 +270,35 @@ TEST(VertexAttributes, ColoursOfBytesAreRoundedToTheNearest) {
   }
 }
 
+TEST(StockCalls, AnOptionThatWasSetCanBeAsked) {
+  Mesh mesh = open_mesh<Mesh>(blob(2, 1));
+  PairDecimaterT<Mesh> decimater(mesh);
+  EXPECT_EQ(decimater.driver(), Driver::automatic);
+  decimater.set_driver(Driver::mesh);
+  EXPECT_EQ(decimater.driver(), Driver::mesh);
+  auto& cost = add_module<ModGarlandHeckbertT<Mesh>>(decimater);
+  EXPECT_EQ(cost.arithmetic(), Arithmetic::local);
+  cost.set_arithmetic(Arithmetic::stock);
+  EXPECT_EQ(cost.arithmetic(), Arithmetic::stock);
+}
+
+TEST(EngineDriver, GivesTheSameOnAnyNumberOfThreads) {
+  const auto run = [](unsigned threads) {
+    Mesh mesh = open_mesh<Mesh>(blob(4, 2));
+    PairDecimaterT<Mesh> decimater(mesh);
+    add_module<ModGarlandHeckbertT<Mesh>>(decimater);
+    decimater.set_threads(threads);
+    std::vector<Contraction> contractions;
+    decimater.set_listener([&](const Contraction& made) { contractions.push_back(made); });
+    EXPECT_TRUE(decimater.initialize());
+    decimater.decimate(to_faces(500));
+    EXPECT_EQ(decimater.last_driver(), Driver::engine);
+    return contractions;
+  };
+  const std::vector<Contraction> expected = run(1);
+  EXPECT_GT(expected.size(), 1000U);
+  expect_same_contractions(expected, run(3), "three threads");
+}
+
 }  // namespace
 }  // namespace whittle::test
