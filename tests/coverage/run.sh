@@ -31,11 +31,11 @@ count_lines() {
       END { for (line in runs) print line ":" runs[line] }' | sort -t : -k 1,1 -k 2,2n
 }
 
-# Ranges of lines that didn't run. A range goes on over lines that have no code.
+# Ranges of lines that didn't run. A range goes on over one or two lines without code.
 list_uncovered() {
   awk -F : '
     function finish() { if (first) print file ":" first (last > first ? "-" last : ""); first = 0 }
-    $1 != file { finish(); file = $1 }
+    $1 != file || $2 > last + 3 { finish(); file = $1 }
     $3 > 0 { finish() }
     $3 == 0 { if (!first) first = $2; last = $2 }
     END { finish() }'
