@@ -5,6 +5,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source apps/packages.sh
+source tests/slow_tests.sh
 
 logs=build/run
 jobs=$(nproc)
@@ -46,10 +47,8 @@ quietly "$logs/tidy.log" check_tidy
 step "Clang: building the libraries and their tests with asserts and sanitizers (address, undefined behaviour)"
 configure asan -B build/clang -DCMAKE_CXX_COMPILER=clang++-14 -DWHITTLE_WARNINGS_AS_ERRORS=ON -DWHITTLE_BUILD_APPS=OFF -DCMAKE_UNITY_BUILD=ON
 build clang
-# Without tests that take minutes under the sanitizers: comparisons on real meshes in OpenMesh's connectivity, repeated
-# runs on the bunny, measurements on large meshes, brute force on larger meshes, and repeated distance measurements.
 step "Clang: running the tests"
-quietly "$logs/test-clang.log" ctest --test-dir build/clang --output-on-failure --parallel "$jobs" -E '^(Accuracy|Package)\.|(StockArithmetic|DriverAgreement)OnRealMesh|BunnyInvariance|ContractionOrder.*/(knot406|insideoutblob|noisysphere2|blob2|sphere2|terrain11)( |$)|SurfaceDistance\.(ScalesWithTheUnit|DoesNotDependOnThePlace|ConvergesAtAny)|(FitsSmoothSurfaces|LessenTheError|ErrsLessThanPlainQuadrics)$'
+quietly "$logs/test-clang.log" ctest --test-dir build/clang --output-on-failure --parallel "$jobs" -E "$slow_tests"
 
 step "GCC: running the tests"
 ctest --preset release --parallel "$jobs"

@@ -75,5 +75,14 @@ TEST(Workers, MeetEachElementOnce) {
   }
 }
 
+TEST(Cancelled, IsAnExceptionThatSaysSo) {
+  const auto cancel = [] { throw Cancelled(); };
+  try {
+    cancel();
+  } catch (const std::exception& error) {
+    EXPECT_STREQ(error.what(), "cancelled");
+  }
+}
+
 }  // namespace
 }  // namespace whittle::test

@@ -68,6 +68,13 @@ TEST(Decimate, RespectsTheCostLimit) {
   EXPECT_EQ(decimate(mesh, DecimateTarget::max_cost(0.0)).result.n_contractions, 0U);
 }
 
+TEST(StopReason, HasAName) {
+  EXPECT_EQ(to_string(StopReason::target), "target");
+  EXPECT_EQ(to_string(StopReason::cost), "cost");
+  EXPECT_EQ(to_string(StopReason::exhausted), "exhausted");
+  EXPECT_EQ(to_string(StopReason::cancelled), "cancelled");
+}
+
 TEST(Decimate, GoesAsFarAsTheGuardsAllowIfAsked) {
   const Decimation d = decimate(blob(3, 4), DecimateTarget::as_far_as_possible());
   EXPECT_EQ(d.result.stop, StopReason::exhausted);

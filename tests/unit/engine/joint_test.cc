@@ -226,6 +226,23 @@ struct RandomCase {
     options.pairs.threshold.reset();
   }
 
+  /// Triangles on a coarse lattice with straight feature lines, and nothing that keeps joints from taking edges of them
+  /// away.
+  void make_lines() {
+    for (Vec3& p : mesh.positions) p = Vec3(whole(0, 3), whole(0, 3), whole(0, 2));
+    options = {};
+    options.topology = whittle::Topology::free;
+    options.max_normal_flip_deg = 180;
+    options.feature_tolerance = 10;
+    if (one_in(2)) options.pairs.threshold = real(0.3, 1.3);
+    for (const Triangle& face : mesh.faces) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [a, b] = std::minmax(face[i], face[(i + 1) % 3]);
+        if (one_in(8)) options.feature_edges.push_back({a, b});
+      }
+    }
+  }
+
   void set_restraints() {
     if (one_in(3)) options.max_normal_flip_deg = 180;
     if (one_in(4)) options.min_radius_ratio = real(0, 1);
@@ -356,6 +373,19 @@ TEST_F(RandomTriangles, AreContractedAsByBruteForceWithoutMemory) {
   }
   EXPECT_GT(n_coincident_, 200U);
   EXPECT_GT(n_features_, 1000U);
+}
+
+TEST_F(RandomTriangles, WithLinesThatLoseEdgesAreContractedAsByBruteForce) {
+  for (std::uint64_t seed = 1000; seed < 1200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomCase c(seed);
+    c.mesh = c.random_triangles();
+    c.make_lines();
+    expect_as_by_brute_force(c);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(n_coincident_, 200U);
+  EXPECT_GT(n_features_, 500U);
 }
 
 }  // namespace

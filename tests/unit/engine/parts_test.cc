@@ -14,6 +14,7 @@
 #include "support/suites.hh"
 #include "support/topology.hh"
 #include "support/transforms.hh"
+#include "whittle/engine/automatic_threshold.hh"
 #include "whittle/io/read.hh"
 
 namespace whittle::test {
@@ -207,6 +208,38 @@ IndexedMesh three_cubes() {
   }
   mesh.group_names = {"first", "second"};
   return mesh;
+}
+
+// A tenth above the widest gap that counts. Boxes of two units of length have a diagonal of about 3.5.
+TEST(AutomaticThreshold, IsATenthAboveTheWidestGapBetweenNeighbours) {
+  EXPECT_NEAR(automatic_threshold(boxes(2, 1, 0.2)), 0.22, 1e-12);
+  const IndexedMesh uneven = joined(boxes(3, 1, 0.1), moved(boxes(2, 1, 0.2), Vec3(0, 4, 0)));
+  EXPECT_NEAR(automatic_threshold(uneven), 0.22, 1e-12);
+  EXPECT_EQ(automatic_threshold(uneven, 1), automatic_threshold(uneven, 3));
+  EXPECT_NEAR(automatic_threshold(scaled(uneven, 1000)), 220, 1e-9);
+}
+
+TEST(AutomaticThreshold, JoinsPartsThatTouch) {
+  const double threshold = automatic_threshold(boxes(2, 1, 0));
+  EXPECT_GT(threshold, 0);
+  EXPECT_LT(threshold, 1e-8);
+}
+
+TEST(AutomaticThreshold, IsZeroWhereNoPartIsNearAnother) {
+  EXPECT_EQ(automatic_threshold(IndexedMesh()), 0);
+  EXPECT_EQ(automatic_threshold(cube()), 0);
+  EXPECT_EQ(automatic_threshold(boxes(2, 1, 0.4)), 0) << "the gap is wider than a twentieth of the mesh";
+  const IndexedMesh crumbs = scaled(boxes(2, 1, 8), 0.01);
+  EXPECT_EQ(automatic_threshold(joined(crumbs, moved(cube(), Vec3(9, 0, 0)))), 0) << "the gap is wider than the parts";
+}
+
+TEST(AutomaticThreshold, RefusesVerticesThatArentThere) {
+  IndexedMesh mesh = boxes(2, 1);
+  mesh.faces[3][1] = 16;
+  EXPECT_THROW(automatic_threshold(mesh), std::invalid_argument);
+  mesh = boxes(2, 1);
+  mesh.positions[9].x() = infinity;
+  EXPECT_THROW(automatic_threshold(mesh), std::invalid_argument);
 }
 
 TEST(WithoutSmallParts, CarriesWhatBelongsToTheOthers) {

@@ -68,6 +68,10 @@ void expect_triangulation(const std::vector<Vec3>& positions, const Plane& plane
   EXPECT_NEAR(triangle_area, polygon_area, rounding) << what;
 }
 
+TEST(Triangulation, LeavesATriangleAsItIs) {
+  EXPECT_EQ(triangulate({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}), (std::vector<Triangle>{{0, 1, 2}}));
+}
+
 TEST(Triangulation, SplitsASquareAlongTheFirstDiagonal) {
   EXPECT_EQ(triangulate({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}), (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
 }

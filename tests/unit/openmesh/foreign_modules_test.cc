@@ -267,6 +267,25 @@ TEST(ForeignGuards, ModHausdorffStaysWithinItsTolerance) {
   }
 }
 
+TEST(ForeignCosts, ModQuadricRanksAloneEvenIfItIsBinary) {
+  const auto run = [](bool is_binary) {
+    Mesh mesh = with_normals(blob(3, 8));
+    PairDecimaterT<Mesh> decimater(mesh);
+    ModQuadricT<Mesh>::Handle quadric;
+    decimater.add(quadric);
+    decimater.module(quadric).set_max_err(1e-4, is_binary);
+    EXPECT_EQ(decimater.module(quadric).is_binary(), is_binary);
+    std::vector<std::pair<Index, Index>> made;
+    decimater.set_listener([&](const Contraction& c) { made.emplace_back(c.survivor, c.removed); });
+    EXPECT_TRUE(decimater.initialize());
+    decimater.decimate();
+    return made;
+  };
+  const auto expected = run(false);
+  EXPECT_GT(expected.size(), 50U);
+  EXPECT_EQ(run(true), expected);
+}
+
 TEST(ForeignCosts, OnlySelectedAndLockedLookAtTheRemovedVertex) {
   const IndexedMesh shape = noisy_grid(16, 16, 0.2, 9);
   Mesh mesh = with_normals(shape);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <type_traits>
 #include <whittle/engine/formula/edge_length_term.hh>
+#include <whittle/openmesh/detail/blend_attributes.hh>
 
 #include "common/meshes.hh"
 #include "common/modules.hh"
@@ -198,15 +199,25 @@ TEST(ChainsOfLevels, MayChangeDrivers) {
   }
 }
 
+const Mesh::Color grid_color(250, 101, 3);
+
 /// A flat grid whose texture coordinates equal the positions, and whose colours and normals are constant.
 Mesh textured_grid() {
   IndexedMesh shape = noisy_grid(12, 12, 0, 1);
   Mesh mesh = open_mesh<Mesh>(shape);
+  mesh.request_vertex_texcoords1D();
   mesh.request_vertex_texcoords2D();
+  mesh.request_vertex_texcoords3D();
+  mesh.request_vertex_colors();
   mesh.request_vertex_normals();
   for (const VertexHandle v : mesh.vertices()) {
     const auto& p = mesh.point(v);
-    mesh.set_texcoord2D(v, {static_cast<float>(p[0]), static_cast<float>(p[1])});
+    const auto x = static_cast<float>(p[0]);
+    const auto y = static_cast<float>(p[1]);
+    mesh.set_texcoord1D(v, y);
+    mesh.set_texcoord2D(v, {x, y});
+    mesh.set_texcoord3D(v, {y, x, x + y});
+    mesh.set_color(v, grid_color);
     mesh.set_normal(v, {0, 0, 1});
   }
   return mesh;
@@ -218,6 +229,11 @@ void expect_texture_in_place(const Mesh& mesh, const std::string& context) {
     const auto& p = mesh.point(v);
     EXPECT_NEAR(mesh.texcoord2D(v)[0], p[0], 1e-4) << context << ", vertex " << v.idx();
     EXPECT_NEAR(mesh.texcoord2D(v)[1], p[1], 1e-4) << context << ", vertex " << v.idx();
+    EXPECT_NEAR(mesh.texcoord1D(v), p[1], 1e-4) << context << ", vertex " << v.idx();
+    EXPECT_NEAR(mesh.texcoord3D(v)[0], p[1], 1e-4) << context << ", vertex " << v.idx();
+    EXPECT_NEAR(mesh.texcoord3D(v)[1], p[0], 1e-4) << context << ", vertex " << v.idx();
+    EXPECT_NEAR(mesh.texcoord3D(v)[2], p[0] + p[1], 1e-4) << context << ", vertex " << v.idx();
+    EXPECT_EQ(mesh.color(v), grid_color) << context << ", vertex " << v.idx();
     EXPECT_NEAR(mesh.normal(v).norm(), 1, 1e-6) << context;
     ++n;
   }
@@ -234,6 +250,54 @@ TEST(VertexAttributes, MoveAlongTheEdgeWithTheVertex) {
     decimater.decimate(to_vertices(90));
     expect_texture_in_place(mesh, driver == Driver::engine ? "engine" : "mesh");
   }
+}
+
+/// The colours of two vertices, merged at a share of the way from the first to the second.
+Mesh::Color blended(const Mesh::Color& first, const Mesh::Color& second, double share) {
+  Mesh mesh = open_mesh<Mesh>(single_triangle());
+  mesh.request_vertex_colors();
+  mesh.set_color(VertexHandle(0), first);
+  mesh.set_color(VertexHandle(1), second);
+  blend_attributes(mesh, VertexHandle(0), VertexHandle(1), share);
+  return mesh.color(VertexHandle(0));
+}
+
+TEST(VertexAttributes, ColoursOfBytesAreRoundedToTheNearest) {
+  EXPECT_EQ(blended({0, 100, 255}, {1, 200, 254}, 0.75), Mesh::Color(1, 175, 254));
+  EXPECT_EQ(blended({0, 100, 255}, {1, 200, 254}, 0.25), Mesh::Color(0, 125, 255));
+  for (int i = 0; i <= 1000; ++i) {
+    EXPECT_EQ(blended(grid_color, grid_color, i / 1000.0), grid_color) << "share " << i / 1000.0;
+  }
+}
+
+TEST(StockCalls, AnOptionThatWasSetCanBeAsked) {
+  Mesh mesh = open_mesh<Mesh>(blob(2, 1));
+  PairDecimaterT<Mesh> decimater(mesh);
+  EXPECT_EQ(decimater.driver(), Driver::automatic);
+  decimater.set_driver(Driver::mesh);
+  EXPECT_EQ(decimater.driver(), Driver::mesh);
+  auto& cost = add_module<ModGarlandHeckbertT<Mesh>>(decimater);
+  EXPECT_EQ(cost.arithmetic(), Arithmetic::local);
+  cost.set_arithmetic(Arithmetic::stock);
+  EXPECT_EQ(cost.arithmetic(), Arithmetic::stock);
+}
+
+TEST(EngineDriver, GivesTheSameOnAnyNumberOfThreads) {
+  const auto run = [](unsigned threads) {
+    Mesh mesh = open_mesh<Mesh>(blob(4, 2));
+    PairDecimaterT<Mesh> decimater(mesh);
+    add_module<ModGarlandHeckbertT<Mesh>>(decimater);
+    decimater.set_threads(threads);
+    std::vector<Contraction> contractions;
+    decimater.set_listener([&](const Contraction& made) { contractions.push_back(made); });
+    EXPECT_TRUE(decimater.initialize());
+    decimater.decimate(to_faces(500));
+    EXPECT_EQ(decimater.last_driver(), Driver::engine);
+    return contractions;
+  };
+  const std::vector<Contraction> expected = run(1);
+  EXPECT_GT(expected.size(), 1000U);
+  expect_same_contractions(expected, run(3), "three threads");
 }
 
 }  // namespace

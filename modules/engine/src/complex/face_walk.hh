@@ -58,24 +58,6 @@ inline std::size_t lowest_place(const TriangleComplex& complex, std::span<const 
   return place;
 }
 
-/// Calls `use(x, y)` for each face (v, x, y): of a ring counter-clockwise from its lowest original number on.
-template <class Use>
-void for_each_face(const TriangleComplex& complex, Index v, const Use& use) {
-  if (!complex.is_ring(v)) {
-    for (const auto& [x, y] : ordered_corners(complex, v)) use(x, y);
-    return;
-  }
-  const std::span<const Neighbour> ring = complex.neighbours(v);
-  if (ring.empty()) return;
-  const std::size_t first = lowest_place(complex, ring);
-  std::size_t i = first;
-  do {
-    const std::size_t next = i + 1 < ring.size() ? i + 1 : 0;
-    use(ring[i].vertex, ring[next].vertex);
-    i = next;
-  } while (i != first);
-}
-
 /// The neighbours of an irregular vertex, each once: of a ring the corners y of its faces as walked over, else sorted.
 inline std::vector<Index> ordered_neighbours(const TriangleComplex& complex, Index v) {
   const std::vector<OtherCorners> corners = ordered_corners(complex, v);

@@ -79,7 +79,6 @@ class TriangleComplex {
   /// Faces that vanished because they coincided with others.
   std::uint64_t n_coincident_faces() const { return n_coincident_faces_; }
 
-  const Frame& frame() const { return frame_; }  ///< that all positions are in
   const Vec3& position(Index v) const { return vertices_[v].position; }
   /// Its number in the input. Ties between pairs go by it.
   Index origin(Index v) const { return vertices_[v].origin; }
@@ -241,7 +240,6 @@ class TriangleComplex {
   void merge_joint(Index survivor, Index removed, const ContractionProfile::Joint& joint);
   void set_star(Index v, std::span<const Neighbour> pairs);
 
-  Frame frame_;
   LargeArray<Vertex> vertices_;
   std::vector<Index> identities_;  ///< empty: the origins
   std::vector<Index> parents_;     ///< towards the vertex it was merged into; itself if none

@@ -40,8 +40,7 @@ void for_each_chosen(std::span<Neighbour> list, const IsChosen& is_chosen, const
 }  // namespace
 
 TriangleComplex::TriangleComplex(std::span<const Vec3> positions, std::span<const Triangle> faces, const Frame& frame,
-                                 unsigned threads)
-    : frame_(frame) {
+                                 unsigned threads) {
   const std::vector<Index> number_of = number_vertices(positions, frame, threads);
   list_faces(faces, number_of);
 }

@@ -63,7 +63,9 @@ void LindstromTurkCost::sum_around(std::span<const Index> vertices) {
 void LindstromTurkCost::sum_around_irregular(Index v) {
   std::vector<LinkEdgePoints> faces;
   std::vector<Vec3> neighbours;
-  for_each_face(complex_, v, [&](Index x, Index y) { faces.push_back({complex_.position(x), complex_.position(y)}); });
+  for (const auto& [x, y] : ordered_corners(complex_, v)) {
+    faces.push_back({complex_.position(x), complex_.position(y)});
+  }
   for (const Index w : ordered_neighbours(complex_, v)) neighbours.push_back(complex_.position(w));
   stars_[v] = sum_star(complex_.position(v), faces, neighbours);
 }

@@ -47,7 +47,6 @@ class TriangleTree {
   ClosestPoint nearest_local(const Vec3& offset, Index hint = invalid_index) const;
 
   const Vec3& origin() const { return origin_; }
-  std::size_t n_faces() const { return slot_of_face_.size(); }
 
   /// Calls `visit(face)` for each face whose own box meets the closed box `local` (relative to `origin()`), in no
   /// particular order.

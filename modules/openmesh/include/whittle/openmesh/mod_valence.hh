@@ -47,10 +47,10 @@ class ModValenceT : public OpenMesh::Decimater::ModBaseT<MeshT> {
     return static_cast<float>(is_refused(collapse) ? Base::ILLEGAL_COLLAPSE : Base::LEGAL_COLLAPSE);
   }
 
+  void set_binary(bool) = delete;  // always binary, as it only refuses
+
  private:
   using VertexHandle = OpenMesh::VertexHandle;
-
-  void set_binary(bool) {}
 
   static ValenceRange checked(const ValenceRange& range) {
     if (range.min >= 0 && range.min <= range.max) return range;

@@ -56,11 +56,11 @@ class PairCostModuleT {
   /// The position of a vertex, not rounded to the scalar of the mesh.
   virtual Vec3 position(OpenMesh::VertexHandle v) const = 0;
   /// The position and the quadric of a vertex.
-  virtual PlacedQuadric quadric(OpenMesh::VertexHandle v) const { return {position(v), {}}; }
+  virtual PlacedQuadric quadric(OpenMesh::VertexHandle v) const = 0;
   /// The mean face area of the mesh at `initialize()`. Only memoryless costs have it.
   virtual MeanFaceArea face_area() const { return {}; }
   /// Whether options were set since `initialize()`, so that they have no effect yet.
-  virtual bool has_new_options() const { return false; }
+  virtual bool has_new_options() const = 0;
   /// Cost and placement of merging two vertices that share an edge. \pre first < second
   virtual PairEvaluation evaluate(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second, Pinned pinned) const = 0;
   /// The same for a collapse in one of OpenMesh's decimaters. v1 keeps its position if it is locked or a feature, or if

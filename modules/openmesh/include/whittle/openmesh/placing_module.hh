@@ -67,6 +67,8 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   void preprocess_collapse(const CollapseInfo& collapse) override;
   void postprocess_collapse(const CollapseInfo& collapse) override;
 
+  void set_binary(bool) = delete;  // never binary, as it ranks
+
   // PairCostModuleT ---------------------------------------------------------------------------------------------------
 
   bool has_placement() const override { return true; }
@@ -123,7 +125,6 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
     Vec3 position;       ///< where the merged vertex goes
     VertexHandle first;  ///< the vertex that was `first` in the evaluation
   };
-  void set_binary(bool) {}  // never binary, as it ranks
 
   Frame frame_of_mesh() const;
   void make_quadrics() const;

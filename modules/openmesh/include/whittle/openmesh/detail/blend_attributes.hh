@@ -2,6 +2,7 @@
 
 #include <OpenMesh/Core/Mesh/Handles.hh>
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 #include "whittle/core/indexed_mesh.hh"
@@ -23,6 +24,7 @@ bool has_vertex_attributes(const MeshT& mesh) {
 }
 
 /// Interpolates texture coordinates, colours and normals of a merged vertex between both vertices.
+/// Colours that are integers are rounded to the nearest.
 /// \param share of the removed vertex, [0, 1]; 0 changes nothing
 template <class MeshT>
 void blend_attributes(MeshT& mesh, OpenMesh::VertexHandle survivor, OpenMesh::VertexHandle removed, double share) {
@@ -30,8 +32,9 @@ void blend_attributes(MeshT& mesh, OpenMesh::VertexHandle survivor, OpenMesh::Ve
   const auto between = [share](const auto& kept, const auto& other, std::size_t size) {
     auto result = kept;
     for (std::size_t i = 0; i < size; ++i) {
+      using Scalar = std::decay_t<decltype(kept[i])>;
       const double value = (1 - share) * static_cast<double>(kept[i]) + share * static_cast<double>(other[i]);
-      result[i] = static_cast<std::decay_t<decltype(kept[i])>>(value);
+      result[i] = static_cast<Scalar>(std::is_integral_v<Scalar> ? std::round(value) : value);
     }
     return result;
   };

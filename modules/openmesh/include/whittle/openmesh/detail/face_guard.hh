@@ -23,6 +23,8 @@ class FaceGuardT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   /// in a stock decimater has no other way to find it; `PairDecimaterT` finds it by itself.
   void set_cost_module(const PairCostModuleT<MeshT>* module) { cost_ = module; }
 
+  void set_binary(bool) = delete;  // always binary, as it only refuses
+
  protected:
   explicit FaceGuardT(MeshT& mesh) : ModBase(mesh, true), mesh_(mesh) {}
 
@@ -33,8 +35,6 @@ class FaceGuardT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   }
 
  private:
-  void set_binary(bool) {}
-
   template <class IsBad>
   bool moves_bad_face(const CollapseInfo& collapse, const IsBad& is_bad) const {
     if (cost_ && cost_->has_placement()) {
