@@ -230,6 +230,30 @@ TEST(Usage, NamesBothOptionsThatDoNotGoTogether) {
   EXPECT_EQ(whittle(simplify_with(folder, {"--boundary", "weighted", "--boundary-weight", "3"})).exit_code, 0);
 }
 
+TEST(Usage, WarnsOfOptionsThatDoNothing) {
+  const TemporaryFolder folder;
+  const auto said_of = [&](Arguments more) {
+    more.push_back("--force");
+    const Outcome outcome = whittle(simplify_with(folder, more));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome;
+    return outcome.err;
+  };
+  const auto is_said = [&](const Arguments& more, const std::string& text) {
+    return said_of(more).find("warning: " + text) != std::string::npos;
+  };
+  EXPECT_TRUE(is_said({"--max-pairs", "8"}, "'--max-pairs' does nothing without '--threshold'"));
+  EXPECT_TRUE(is_said({"--across-walls"}, "'--across-walls' does nothing without '--threshold'"));
+  EXPECT_TRUE(is_said({"--feature-tolerance", "1%"}, "'--feature-tolerance' does nothing without '--feature-angle'"));
+  EXPECT_TRUE(is_said({"--boundary", "free", "--cost", "lindstrom-turk"},
+                      "'--boundary free' does nothing with '--cost lindstrom-turk'"));
+  EXPECT_TRUE(
+      is_said({"--boundary", "free", "--cost", "midpoint"}, "'--boundary free' does nothing with '--cost midpoint'"));
+  for (const Arguments& used : {Arguments{"--max-pairs", "8", "-t", "1%"}, Arguments{"--boundary", "free"},
+                                Arguments{"--feature-tolerance", "1%", "--feature-angle", "40"}}) {
+    EXPECT_EQ(said_of(used).find("does nothing"), std::string::npos);
+  }
+}
+
 TEST(Usage, StandardStreamsNeedAFormat) {
   const TemporaryFolder folder;
   const std::string mesh = data_file("cubes.obj");

@@ -352,7 +352,9 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   Run run;
   run.input = read_input(options.input, options.files, talk);
   run.seconds.read = run.input.seconds;
-  run.warnings = run.input.warnings;
+  run.warnings = options.warnings;
+  for (const std::string& warning : options.warnings) talk.warning(warning);
+  run.warnings.insert(run.warnings.end(), run.input.warnings.begin(), run.input.warnings.end());
   if (options.engine == Engine::openmesh) {
     for (const std::string& lost : lost_in_openmesh(options, run.input)) {
       run.warnings.push_back(lost);
@@ -401,6 +403,7 @@ ExitCode run_simplify(const CLI::App& app, const SimplifyCommand& command) {
   check_options(app, command);
   std::vector<SimplifyCommand> runs = runs_of(command);
   check_files(runs);
+  for (SimplifyCommand& run : runs) run.warnings = idle_options(app);
   if (!is_named_by_stem(command)) return simplify_one(runs.front(), nullptr);
   for (SimplifyCommand& run : runs) run.common.json.reset();  // there is one report of all
   return run_each(command, runs, simplify_one);

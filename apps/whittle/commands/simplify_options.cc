@@ -331,6 +331,15 @@ void check_options(const CLI::App& app, const SimplifyCommand& options) {
   }
 }
 
+std::vector<std::string> idle_options(const CLI::App& app) {
+  static const std::array<IdleOption, 5> all{{{"--max-pairs", "--threshold", ""},
+                                              {"--across-walls", "--threshold", ""},
+                                              {"--feature-tolerance", "--feature-angle", ""},
+                                              {"--boundary free", "", "--cost lindstrom-turk"},
+                                              {"--boundary free", "", "--cost midpoint"}}};
+  return find_idle_options(app, all);
+}
+
 void check_files(const std::vector<SimplifyCommand>& runs) {
   std::vector<std::string> inputs;
   std::vector<std::string> meshes;

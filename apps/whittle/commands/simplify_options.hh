@@ -44,6 +44,7 @@ struct SimplifyCommand {
   SelfIntersections self_intersections = SelfIntersections::allow;
   std::optional<std::string> map;  ///< file for the vertex map; `{stem}` as in `output`
   bool strict = false;
+  std::vector<std::string> warnings;  ///< of options that do nothing
   CommonOptions common;
 };
 
@@ -54,6 +55,9 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options);
 
 /// \throw UsageError for options that are missing or contradictory.
 void check_options(const CLI::App& app, const SimplifyCommand& options);
+
+/// Warnings of options that do nothing as the others are.
+std::vector<std::string> idle_options(const CLI::App& app);
 
 /// \throw UsageError if a format isn't told, if an output would overwrite an input or another output
 /// \throw io::WriteError as `check_outputs`

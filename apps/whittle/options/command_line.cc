@@ -144,6 +144,17 @@ void check_conflicts(const CLI::App& app, std::span<const Conflict> conflicts) {
   }
 }
 
+std::vector<std::string> find_idle_options(const CLI::App& app, std::span<const IdleOption> options) {
+  std::vector<std::string> warnings;
+  for (const auto& [option, without, with] : options) {
+    if (!is_given(app, option)) continue;
+    const std::string said = "'" + option + "' does nothing ";
+    if (!without.empty() && !is_given(app, without)) warnings.push_back(said + "without '" + without + "'");
+    if (!with.empty() && is_given(app, with)) warnings.push_back(said + "with '" + with + "'");
+  }
+  return warnings;
+}
+
 std::span<const Conflict> common_conflicts() {
   static const std::array<Conflict, 2> conflicts{{{"--quiet", "--verbose", "say less or say more"},
                                                   {"--weld", "--no-weld", "vertices are welded or they are not"}}};

@@ -97,6 +97,16 @@ struct Conflict {
 /// \throw UsageError that names both sides of the first conflict found
 void check_conflicts(const CLI::App& app, std::span<const Conflict> conflicts);
 
+/// An option, or a value of one, that does nothing without another, or with it.
+struct IdleOption {
+  std::string option;
+  std::string without;  ///< empty = `with` is given
+  std::string with;     ///< empty = `without` is given
+};
+
+/// A warning for each option on the command line that does nothing as things are.
+std::vector<std::string> find_idle_options(const CLI::App& app, std::span<const IdleOption> options);
+
 /// Conflicts among the options that every subcommand has.
 std::span<const Conflict> common_conflicts();
 

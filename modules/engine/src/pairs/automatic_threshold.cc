@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "whittle/core/detail/checks.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/engine/part_gaps.hh"
 
@@ -15,6 +16,7 @@ constexpr double least_share = 1e-9;  ///< of the part, where gaps are zero, so 
 }  // namespace
 
 double automatic_threshold(const IndexedMesh& mesh, unsigned threads) {
+  check_corners(mesh.positions.size(), mesh.faces);
   const Parts parts = find_parts(mesh.positions.size(), mesh.faces);
   if (parts.count < 2) return 0;
   const std::vector<double> diagonals = part_diagonals(mesh.positions, parts);

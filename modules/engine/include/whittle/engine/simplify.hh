@@ -12,7 +12,7 @@ namespace whittle {
 
 /// How much time accuracy may take. Figures: docs/user/simplify.md.
 enum class Effort {
-  fast,  ///< no polish; plain quadrics, or memoryless ones where they go in blocks, which is faster (`goes_in_blocks`)
+  fast,    ///< no polish; plain quadrics, or memoryless ones where these go in blocks (`goes_in_blocks`)
   normal,  ///< memoryless quadrics, one pass of polish
   best     ///< memoryless quadrics, three passes of polish, which also flip edges
 };
