@@ -42,7 +42,8 @@ std::vector<std::string> include_folders(const SourceTree& tree, const std::stri
   for (const auto& [path, text] : tree)
     if (path.starts_with("modules/")) modules.insert(path.substr(0, path.find('/', 8)));
   for (const std::string& module : modules) {
-    if (from.starts_with(module + "/") || from.starts_with("tests/unit" + module.substr(module.find('/')) + "/"))
+    const std::string unit_tests = "tests/unit" + module.substr(module.find('/')) + "/";
+    if (from.starts_with(module + "/") || from.starts_with(unit_tests) || from.starts_with("tests/fuzz/"))
       folders.push_back(module + "/src");
     folders.push_back(module + "/include");
   }
