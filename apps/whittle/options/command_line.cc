@@ -148,9 +148,11 @@ std::vector<std::string> find_idle_options(const CLI::App& app, std::span<const 
   std::vector<std::string> warnings;
   for (const auto& [option, without, with] : options) {
     if (!is_given(app, option)) continue;
-    const std::string said = "'" + option + "' does nothing ";
-    if (!without.empty() && !is_given(app, without)) warnings.push_back(said + "without '" + without + "'");
-    if (!with.empty() && is_given(app, with)) warnings.push_back(said + "with '" + with + "'");
+    const auto warn = [&warnings, &name = option](const char* how, const std::string& other) {
+      warnings.push_back("'" + name + "' does nothing " + how + " '" + other + "'");
+    };
+    if (!without.empty() && !is_given(app, without)) warn("without", without);
+    if (!with.empty() && is_given(app, with)) warn("with", with);
   }
   return warnings;
 }
