@@ -149,7 +149,9 @@ std::vector<std::string> find_idle_options(const CLI::App& app, std::span<const 
   for (const auto& [option, without, with] : options) {
     if (!is_given(app, option)) continue;
     const auto warn = [&warnings, &name = option](const char* how, const std::string& other) {
-      warnings.push_back("'" + name + "' does nothing " + how + " '" + other + "'");
+      std::string warning = "'";
+      warning.append(name).append("' does nothing ").append(how).append(" '").append(other).append("'");
+      warnings.push_back(warning);
     };
     if (!without.empty() && !is_given(app, without)) warn("without", without);
     if (!with.empty() && is_given(app, with)) warn("with", with);

@@ -25,7 +25,7 @@ Guards make_guards(TriangleComplex& complex, const Restraints& restraints, Thres
   if (feature_angle_deg < 180) add(std::make_unique<SharpEdgeGuard>(complex, restraints, feature_angle_deg));
   if (options.min_radius_ratio > 0) add(std::make_unique<RadiusRatioGuard>(complex, *options.min_radius_ratio));
   if (options.refuse_intersections) add(std::make_unique<IntersectionGuard>(complex));
-  if (host != nullptr) add(std::make_unique<HostGuard>(complex, *host));
+  if (host != nullptr && host->may_refuse()) add(std::make_unique<HostGuard>(complex, *host));
   return guards;
 }
 

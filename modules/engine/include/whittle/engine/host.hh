@@ -70,6 +70,8 @@ class DecimationHost {
 
   /// Whether it makes the same contractions on a half-edge mesh: then none may change the topology.
   virtual bool keeps_topology() const { return false; }
+  /// Whether `refuses` may ever say so. If not, it isn't asked, which saves time.
+  virtual bool may_refuse() const { return true; }
   /// Whether it refuses what is to be done.
   virtual bool refuses(const HostedContraction& /*contraction*/) { return false; }
   /// Told that a pair was refused for what `refuses` refused last.

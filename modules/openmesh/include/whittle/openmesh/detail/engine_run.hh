@@ -35,6 +35,7 @@ class EngineRunT final : private DecimationHost {
   };
 
   // DecimationHost
+  bool may_refuse() const override { return false; }
   bool follow(const HostedContraction& made, const Contraction& contraction) override;
   const DecimationState* state() const override { return state_ ? &*state_ : nullptr; }
 
