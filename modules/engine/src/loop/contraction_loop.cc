@@ -45,6 +45,7 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraint
       target_(target),
       frame_(frame),
       cost_dimension_(host && host->cost() ? host->cost()->dimension() : cost_dimension(options)),
+      cost_unit_(frame.unscale, cost_dimension_),
       host_(host),
       n_initial_vertices_(complex.n_vertices()),
       n_initial_faces_(complex.n_faces()),
@@ -79,7 +80,7 @@ DecimateResult ContractionLoop::run() {
   result_.n_vertices = complex_.n_vertices();
   result_.n_faces = complex_.n_faces();
   DecimateResult result = result_;
-  result.max_cost = frame_.cost_to_model(result_.max_cost, cost_dimension_);
+  result.max_cost = cost_unit_.times(result_.max_cost);
   return result;
 }
 
@@ -194,7 +195,7 @@ void ContractionLoop::contract(const RankedPair& ranked, const Vec3& position, d
 /// Tells host and listener. A host may stop the run.
 void ContractionLoop::tell_others(const HostedContraction& made, double cost) {
   const Contraction contraction{made.survivor, made.removed, frame_.to_model(made.position),
-                                frame_.cost_to_model(cost, cost_dimension_)};
+                                cost_unit_.times(cost)};
   if (host_ != nullptr && !host_->follow(made, contraction)) stop_ = StopReason::cancelled;
   if (options_.listener) options_.listener(contraction);
 }

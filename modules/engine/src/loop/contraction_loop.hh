@@ -60,6 +60,7 @@ class ContractionLoop {
   std::optional<double> cost_limit_;  ///< that of the target, in the frame
   Frame frame_;
   double cost_dimension_;
+  Frame::CostUnit cost_unit_;  ///< of the model
   DecimationHost* host_;
   std::uint64_t n_initial_vertices_;
   std::uint64_t n_initial_faces_;

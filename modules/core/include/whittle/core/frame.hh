@@ -45,8 +45,20 @@ struct Frame {
 
   /// Converts a cost from the frame to model units, and back. \param dimension the cost's unit is a length to this
   /// power
-  double cost_to_model(double cost, double dimension) const { return times_power(cost, unscale, dimension); }
-  double cost_to_frame(double cost, double dimension) const { return times_power(cost, scale, dimension); }
+  double cost_to_model(double cost, double dimension) const { return CostUnit(unscale, dimension).times(cost); }
+  double cost_to_frame(double cost, double dimension) const { return CostUnit(scale, dimension).times(cost); }
+
+  /// A power of a factor, to multiply many costs by. It multiplies twice by half the power: with a huge unit the whole
+  /// power may be out of range, though the product isn't.
+  class CostUnit {
+   public:
+    CostUnit(double factor, double dimension) : half_(detail::power(factor, 0.5 * dimension)) {}
+    /// Nothing costs nothing in any unit.
+    double times(double cost) const { return cost == 0 ? 0 : cost * half_ * half_; }
+
+   private:
+    double half_;
+  };
 
   static Frame of_points(std::span<const Vec3> points) {
     const auto [low, high] = bounds_of(points);
@@ -71,15 +83,6 @@ struct Frame {
       frame.unscale = std::ldexp(1.0, exponent);
     }
     return frame;
-  }
-
- private:
-  /// Multiplies twice by half the power: with a huge unit the whole power may be out of range, though the product
-  /// isn't. Nothing costs nothing in any unit.
-  static double times_power(double cost, double factor, double power) {
-    if (cost == 0) return 0;
-    const double half = detail::power(factor, 0.5 * power);
-    return cost * half * half;
   }
 };
 
