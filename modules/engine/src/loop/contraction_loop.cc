@@ -194,8 +194,7 @@ void ContractionLoop::contract(const RankedPair& ranked, const Vec3& position, d
 
 /// Tells host and listener. A host may stop the run.
 void ContractionLoop::tell_others(const HostedContraction& made, double cost) {
-  const Contraction contraction{made.survivor, made.removed, frame_.to_model(made.position),
-                                cost_unit_.times(cost)};
+  const Contraction contraction{made.survivor, made.removed, frame_.to_model(made.position), cost_unit_.times(cost)};
   if (host_ != nullptr && !host_->follow(made, contraction)) stop_ = StopReason::cancelled;
   if (options_.listener) options_.listener(contraction);
 }
