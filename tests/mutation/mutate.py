@@ -30,6 +30,12 @@ SLACK_SECONDS = 20  # a program may take this and three times what it takes with
 Outcome = collections.namedtuple("Outcome", "word detail")
 
 
+def take_all_signals():
+    """Undoes what nohup and background jobs do to signals: tests send them to the program."""
+    for number in (signal.SIGINT, signal.SIGHUP, signal.SIGQUIT):
+        signal.signal(number, signal.SIG_DFL)
+
+
 class Build:
     """The copy of the project: builds programs of it and runs them."""
 
@@ -46,7 +52,8 @@ class Build:
         """Exit status of a command, None if it took too long. Its output is in the log."""
         with open(self.log, "wb") as log:
             process = subprocess.Popen(words, cwd=where, stdin=subprocess.DEVNULL, stdout=log,
-                                       stderr=subprocess.STDOUT, start_new_session=True)
+                                       stderr=subprocess.STDOUT, start_new_session=True,
+                                       preexec_fn=take_all_signals)
             try:
                 return process.wait(seconds)
             except subprocess.TimeoutExpired:
