@@ -3,9 +3,12 @@
 import argparse
 import collections
 import fcntl
+import glob
 import hashlib
+import json
 import os
 import random
+import shutil
 import signal
 import subprocess
 import sys
@@ -15,16 +18,18 @@ import sites
 
 MODULES = ("core", "engine", "polish", "metrics", "io", "openmesh")
 
-# The first of them are the module's own tests, then these in their order.
+# In this order, but first same_bytes if the module's results are among its own, and the module's own tests.
 PROGRAMS = ("test_core", "test_engine", "same_bytes", "test_polish", "test_metrics", "test_io", "example_plain_arrays",
             "example_locked_regions", "example_cancelling", "test_property", "test_fuzz", "test_data", "test_openmesh",
             "example_openmesh_properties", "example_own_cost_and_guard", "test_cli", "test_fuzz_command_line",
             "test_accuracy")
 
+HASHED_MODULES = ("core", "engine", "polish")
+
 # What a program runs besides itself.
 RUNS_TOO = {"test_cli": "whittle", "test_fuzz_command_line": "whittle", "test_accuracy": "whittle"}
 
-BUILD_SECONDS = 240  # for the module's own tests; a change that takes longer is skipped
+BUILD_SECONDS = 240  # for the first programs; a change that takes longer is skipped
 SLACK_SECONDS = 20  # a program may take this and three times what it takes without the change
 
 Outcome = collections.namedtuple("Outcome", "word detail")
@@ -36,12 +41,35 @@ def take_all_signals():
         signal.signal(number, signal.SIG_DFL)
 
 
+def files_under(folder):
+    """Size and time of each file, by its path in the folder."""
+    found = {}
+    for parent, _, names in os.walk(folder):
+        for name in names:
+            path = os.path.join(parent, name)
+            status = os.lstat(path)
+            found[os.path.relpath(path, folder)] = (status.st_size, status.st_mtime_ns)
+    return found
+
+
+def copy_what_differs(source, target):
+    """Makes the files of target those of source, with their times."""
+    wanted, present = files_under(source), files_under(target)
+    for path in present.keys() - wanted.keys():
+        os.remove(os.path.join(target, path))
+    for path in (path for path in wanted if present.get(path) != wanted[path]):
+        os.makedirs(os.path.dirname(os.path.join(target, path)), exist_ok=True)
+        shutil.copy2(os.path.join(source, path), os.path.join(target, path), follow_symlinks=False)
+
+
 class Build:
     """The copy of the project: builds programs of it and runs them."""
 
     def __init__(self, folder):
         self.tree = os.path.join(folder, "tree")
         self.build_folder = os.path.join(self.tree, "build", "release")
+        self.usual_folder = os.path.join(folder, "usual")  # the build without a change
+        self.seconds_path = os.path.join(folder, "seconds.json")
         self.log = os.path.join(folder, "last.log")
         self.lock = os.path.join(os.path.dirname(folder), "building")
         self.paths = {}
@@ -106,11 +134,35 @@ class Build:
                 if name:
                     self.paths[name] = self.find(name)
             self.usual_hashes[program] = self.hashes(program)
-            started = time.monotonic()
-            if self.run(program, None) != 0:
-                sys.exit(f"{program} fails without a change:\n{self.said()}")
-            self.usual_seconds[program] = time.monotonic() - started
-            print(f"{program}: {self.usual_seconds[program]:.0f} s", flush=True)
+        self.usual_seconds = self.seconds_of_earlier_run() or {name: self.seconds_of(name) for name in PROGRAMS}
+        with open(self.seconds_path, "w", encoding="utf-8") as file:
+            json.dump(self.usual_seconds, file, indent=1)
+        copy_what_differs(self.build_folder, self.usual_folder)
+
+    def seconds_of_earlier_run(self):
+        if not os.path.exists(self.seconds_path):
+            return None
+        with open(self.seconds_path, encoding="utf-8") as file:
+            return json.load(file)
+
+    def seconds_of(self, program):
+        """What it takes to run the program, which must not fail."""
+        started = time.monotonic()
+        if self.run(program, None) != 0:
+            sys.exit(f"{program} fails without a change:\n{self.said()}")
+        seconds = time.monotonic() - started
+        print(f"{program}: {seconds:.0f} s", flush=True)
+        return seconds
+
+    def undo_what_a_stopped_run_left(self):
+        for kept in glob.glob(os.path.join(self.tree, "modules", "**", "*.kept"), recursive=True):
+            os.replace(kept, kept.removesuffix(".kept"))
+        if os.path.exists(self.usual_folder):
+            self.undo()
+
+    def undo(self):
+        """Puts back what was built without a change, which is faster than to build it again."""
+        copy_what_differs(self.usual_folder, self.build_folder)
 
     def failure(self, program, status):
         if status is None:
@@ -122,10 +174,10 @@ class Build:
 
     def judge(self, module):
         """What becomes of the change that is in the tree."""
-        own = "test_" + module
+        first = (["same_bytes"] if module in HASHED_MODULES else []) + ["test_" + module]
         n_changed = 0
-        for program in [own] + [name for name in PROGRAMS if name != own]:
-            outcome = self.build(program, BUILD_SECONDS if program == own else None)
+        for program in first + [name for name in PROGRAMS if name not in first]:
+            outcome = self.build(program, BUILD_SECONDS if program in first else None)
             if outcome:
                 return outcome
             if self.hashes(program) == self.usual_hashes[program]:
@@ -139,22 +191,25 @@ class Build:
 
 def try_change(build, change):
     path = os.path.join(build.tree, change.path)
-    with open(path, encoding="utf-8", newline="") as file:
-        before = file.read()
+    kept = path + ".kept"
+    shutil.copy2(path, kept)
     try:
+        with open(path, encoding="utf-8", newline="") as file:
+            before = file.read()
         with open(path, "w", encoding="utf-8", newline="") as file:
             file.write(change.apply(before))
         return build.judge(change.path.split("/")[1])
     finally:
-        with open(path, "w", encoding="utf-8", newline="") as file:
-            file.write(before)
+        os.replace(kept, path)  # with its time
+        build.undo()
 
 
-def report(lines, n_caught, survivors):
-    n = n_caught + len(survivors)
-    print(f"\n{n_caught} of {n} changes were caught; {lines} were drawn. Survivors:")
-    for line in survivors:
-        print(line)
+def lines_of(path):
+    """What an earlier run wrote."""
+    if not os.path.exists(path):
+        return []
+    with open(path, encoding="utf-8") as file:
+        return file.read().splitlines()
 
 
 def main():
@@ -165,28 +220,32 @@ def main():
     arguments = parser.parse_args()
 
     build = Build(arguments.folder)
+    build.undo_what_a_stopped_run_left()
     source_lines = sites.lines_with_sites(build.tree, MODULES)
     print(f"{len(source_lines)} lines have something to change", flush=True)
     build.measure()
 
     generator = random.Random(arguments.seed)
+    results_path = os.path.join(arguments.folder, "results.txt")
+    known = lines_of(results_path)
     n_drawn, n_caught, survivors = 0, 0, []
-    with open(os.path.join(arguments.folder, "results.txt"), "w", encoding="utf-8") as results:
+    with open(results_path, "a", encoding="utf-8", buffering=1) as results:
         while n_caught + len(survivors) < arguments.number:
-            line = generator.choice(source_lines)
-            change = generator.choice(line.changes)
+            change = generator.choice(generator.choice(source_lines).changes)
             n_drawn += 1
-            started = time.monotonic()
-            outcome = try_change(build, change)
-            text = f"{change}  ->  {outcome.word}{' by ' if outcome.word == 'caught' else ' '}{outcome.detail}".rstrip()
-            print(f"{n_drawn}: {text} ({time.monotonic() - started:.0f} s)", flush=True)
-            results.write(text + "\n")
-            results.flush()
-            if outcome.word == "caught":
-                n_caught += 1
-            if outcome.word == "SURVIVED":
+            if n_drawn <= len(known):
+                text = known[n_drawn - 1]
+            else:
+                started = time.monotonic()
+                outcome = try_change(build, change)
+                text = f"{change}  ->  {outcome.word}: {outcome.detail}"
+                results.write(text + "\n")
+                text += f" ({time.monotonic() - started:.0f} s)"
+            print(f"{n_drawn}: {text}", flush=True)
+            n_caught += "  ->  caught" in text
+            if "  ->  SURVIVED" in text:
                 survivors.append(text)
-    report(n_drawn, n_caught, survivors)
+    print(f"\n{n_caught} of {arguments.number} changes were caught; {n_drawn} were drawn. Survivors:", *survivors, sep="\n")
 
 
 main()

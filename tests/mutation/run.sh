@@ -4,8 +4,9 @@
 #   bash tests/mutation/run.sh [SEED [N]]     N changes (100), drawn at random from SEED (1)
 #
 # Works on a copy of the last commit, in build/mutation/SEED, and never on the sources themselves. Needs Python 3 and
-# what `bash tests/run.sh` installs. Runs with several seeds may go on at a time: they build in turn. Takes about a
-# minute a change. The last lines count the changes that were caught and list the others; results.txt there has all.
+# what `bash tests/run.sh` installs. Takes about a minute a change. The last lines count the changes that were caught
+# and list the others; results.txt in that folder has all. A run that was stopped goes on if it is started again; to
+# begin anew, remove the folder. Several seeds may run at a time: they build in turn.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -14,8 +15,6 @@ number=${2:-100}
 folder=$PWD/build/mutation/$seed
 
 mkdir -p "$folder"
-[ -d "$folder/tree" ] || git clone --quiet --shared . "$folder/tree"
-git -C "$folder/tree" fetch --quiet origin HEAD
-git -C "$folder/tree" checkout --quiet --force --detach FETCH_HEAD
+[ -d "$folder/tree" ] || git clone --quiet . "$folder/tree"
 (cd "$folder/tree" && cmake --preset release -DWHITTLE_TEST_MESHES="$folder/none" >"$folder/configure.log")
 exec python3 -B tests/mutation/mutate.py --seed "$seed" --number "$number" --folder "$folder"
