@@ -29,8 +29,7 @@ HASHED_MODULES = ("core", "engine", "polish")
 # What a program runs besides itself.
 RUNS_TOO = {"test_cli": "whittle", "test_fuzz_command_line": "whittle", "test_accuracy": "whittle"}
 
-BUILD_SECONDS = 240  # for the first programs; a change that takes longer is skipped
-SLACK_SECONDS = 20  # a program may take this and three times what it takes without the change
+SLACK_SECONDS = 10  # a program may take this and three times what it takes without the change
 
 Outcome = collections.namedtuple("Outcome", "word detail")
 
@@ -55,7 +54,7 @@ def files_under(folder):
 def copy_what_differs(source, target):
     """Makes the files of target those of source, with their times."""
     wanted, present = files_under(source), files_under(target)
-    for path in present.keys() - wanted.keys():
+    for path in (path for path in present if present[path] != wanted.get(path)):
         os.remove(os.path.join(target, path))
     for path in (path for path in wanted if present.get(path) != wanted[path]):
         os.makedirs(os.path.dirname(os.path.join(target, path)), exist_ok=True)
@@ -172,12 +171,12 @@ class Build:
             return f"{program}: {failed[0].split()[3].rstrip(',')}"
         return f"{program}: signal {-status}" if status < 0 else f"{program}: status {status}"
 
-    def judge(self, module):
-        """What becomes of the change that is in the tree."""
+    def judge(self, module, most_seconds):
+        """What becomes of the change that is in the tree. Its first programs may take `most_seconds` to build."""
         first = (["same_bytes"] if module in HASHED_MODULES else []) + ["test_" + module]
         n_changed = 0
         for program in first + [name for name in PROGRAMS if name not in first]:
-            outcome = self.build(program, BUILD_SECONDS if program in first else None)
+            outcome = self.build(program, most_seconds if program in first else None)
             if outcome:
                 return outcome
             if self.hashes(program) == self.usual_hashes[program]:
@@ -189,7 +188,7 @@ class Build:
         return Outcome("SURVIVED", "" if n_changed else "the programs are the same bytes")
 
 
-def try_change(build, change):
+def try_change(build, change, most_seconds):
     path = os.path.join(build.tree, change.path)
     kept = path + ".kept"
     shutil.copy2(path, kept)
@@ -198,7 +197,7 @@ def try_change(build, change):
             before = file.read()
         with open(path, "w", encoding="utf-8", newline="") as file:
             file.write(change.apply(before))
-        return build.judge(change.path.split("/")[1])
+        return build.judge(change.path.split("/")[1], most_seconds)
     finally:
         os.replace(kept, path)  # with its time
         build.undo()
@@ -216,6 +215,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--seed", type=int, required=True)
     parser.add_argument("--number", type=int, required=True)
+    parser.add_argument("--seconds", type=int, required=True)
     parser.add_argument("--folder", required=True)
     arguments = parser.parse_args()
 
@@ -237,7 +237,7 @@ def main():
                 text = known[n_drawn - 1]
             else:
                 started = time.monotonic()
-                outcome = try_change(build, change)
+                outcome = try_change(build, change, arguments.seconds)
                 text = f"{change}  ->  {outcome.word}: {outcome.detail}"
                 results.write(text + "\n")
                 text += f" ({time.monotonic() - started:.0f} s)"
