@@ -6,8 +6,10 @@ import fcntl
 import glob
 import hashlib
 import json
+import math
 import os
 import random
+import resource
 import shutil
 import signal
 import subprocess
@@ -29,15 +31,18 @@ HASHED_MODULES = ("core", "engine", "polish")
 # What a program runs besides itself.
 RUNS_TOO = {"test_cli": "whittle", "test_fuzz_command_line": "whittle", "test_accuracy": "whittle"}
 
-SLACK_SECONDS = 10  # a program may take this and three times what it takes without the change
+SLACK_SECONDS = 10  # a program may compute this and three times what it computes without the change
+WAITING = 20  # times as long it may run, as other programs may take the processor
 
 Outcome = collections.namedtuple("Outcome", "word detail")
 
 
-def take_all_signals():
-    """Undoes what nohup and background jobs do to signals: tests send them to the program."""
+def prepare_child(processor_seconds):
+    """Undoes what nohup and background jobs do to signals: tests send them to the program. Limits what it computes."""
     for number in (signal.SIGINT, signal.SIGHUP, signal.SIGQUIT):
         signal.signal(number, signal.SIG_DFL)
+    if processor_seconds is not None:
+        resource.setrlimit(resource.RLIMIT_CPU, (processor_seconds, processor_seconds))
 
 
 def files_under(folder):
@@ -75,12 +80,12 @@ class Build:
         self.usual_hashes = {}
         self.usual_seconds = {}
 
-    def command(self, words, seconds, where):
+    def command(self, words, seconds, where, processor_seconds=None):
         """Exit status of a command, None if it took too long. Its output is in the log."""
         with open(self.log, "wb") as log:
             process = subprocess.Popen(words, cwd=where, stdin=subprocess.DEVNULL, stdout=log,
                                        stderr=subprocess.STDOUT, start_new_session=True,
-                                       preexec_fn=take_all_signals)
+                                       preexec_fn=lambda: prepare_child(processor_seconds))
             try:
                 return process.wait(seconds)
             except subprocess.TimeoutExpired:
@@ -121,7 +126,11 @@ class Build:
     def run(self, program, seconds):
         path = self.paths[program]
         options = ["--gtest_fail_fast", "--gtest_brief=1"] if program.startswith("test_") else []
-        return self.command([path] + options, seconds, os.path.dirname(path))
+        folder = os.path.dirname(path)
+        if seconds is None:
+            return self.command([path] + options, None, folder)
+        status = self.command([path] + options, WAITING * seconds, folder, math.ceil(seconds))
+        return None if status == -signal.SIGXCPU or status == -signal.SIGKILL else status
 
     def measure(self):
         """Builds all programs and runs them once, without a change."""
@@ -145,13 +154,19 @@ class Build:
             return json.load(file)
 
     def seconds_of(self, program):
-        """What it takes to run the program, which must not fail."""
-        started = time.monotonic()
+        """What the program computes, which must not fail."""
+        started = self.seconds_computed()
         if self.run(program, None) != 0:
             sys.exit(f"{program} fails without a change:\n{self.said()}")
-        seconds = time.monotonic() - started
+        seconds = self.seconds_computed() - started
         print(f"{program}: {seconds:.0f} s", flush=True)
         return seconds
+
+    @staticmethod
+    def seconds_computed():
+        """By all programs that have ended."""
+        usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return usage.ru_utime + usage.ru_stime
 
     def undo_what_a_stopped_run_left(self):
         for kept in glob.glob(os.path.join(self.tree, "modules", "**", "*.kept"), recursive=True):
@@ -245,7 +260,9 @@ def main():
             n_caught += "  ->  caught" in text
             if "  ->  SURVIVED" in text:
                 survivors.append(text)
-    print(f"\n{n_caught} of {arguments.number} changes were caught; {n_drawn} were drawn. Survivors:", *survivors, sep="\n")
+    print(f"\n{n_caught} of {arguments.number} changes were caught; {n_drawn} were drawn. Survivors:", *survivors,
+          sep="\n")
 
 
-main()
+if __name__ == "__main__":
+    main()
