@@ -48,6 +48,24 @@ TEST(Decimate, DoesNothingWhereTheTargetIsMetAlready) {
   EXPECT_EQ(d.mesh.positions, mesh.positions);
 }
 
+TEST(DecimateResult, SaysThatNothingHappenedBeforeARun) {
+  const DecimateResult result;
+  EXPECT_EQ(result.n_contractions + result.n_vertices + result.n_faces, 0U);
+  EXPECT_EQ(result.n_degenerate_faces + result.n_coincident_faces + result.n_vanished_components, 0U);
+  EXPECT_EQ(result.max_cost, 0);
+  for (const Rejections& refused : {result.rejections, result.refused_at_end}) {
+    EXPECT_EQ(refused.link + refused.flip + refused.shape + refused.feature + refused.locked + refused.intersection,
+              0U);
+  }
+  EXPECT_EQ(result.threshold_pairs.considered + result.threshold_pairs.contracted, 0U);
+  EXPECT_EQ(result.threshold_pairs.threshold, 0);
+  EXPECT_FALSE(result.threshold_pairs.capped);
+  for (const SurfaceCounts& counts : {result.before, result.after}) {
+    EXPECT_EQ(counts.components + counts.nonmanifold_edges + counts.nonmanifold_vertices, 0U);
+  }
+  EXPECT_TRUE(result.warnings.empty());
+}
+
 TEST(Decimate, TakesTheFirstTargetReached) {
   const IndexedMesh mesh = blob(3, 2);
   EXPECT_EQ(decimate(mesh, DecimateTarget::faces(200).or_vertices(400)).result.n_vertices, 400U);

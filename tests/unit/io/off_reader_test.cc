@@ -160,5 +160,15 @@ TEST(OffReader, RejectsWrongBinaryDataByOffset) {
       "a.off", "a.off: byte 27: a coordinate is not finite");
 }
 
+TEST(OffReader, ExpectsFaceColorsInWrongDataOfGeomviewAlone) {
+  const auto file = [](std::endian order) {
+    return "OFF BINARY\n" + all_bytes_of(order, 3, 1, 0) +
+           all_bytes_of(order, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F) + all_bytes_of(order, 3, 0, 1, 2, 7);
+  };
+  expect_error(file(std::endian::big), "a.off", "a.off: byte 75: 7 colour components; the file is invalid");
+  expect_error(file(std::endian::little), "a.off",
+               "a.off: byte 75: the file goes on after the 1 faces it announces; its counts are wrong");
+}
+
 }  // namespace
 }  // namespace whittle::io

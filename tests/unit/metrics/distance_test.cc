@@ -49,6 +49,20 @@ void expect_zero(const DirectedDistance& direction, const std::string& what) {
   EXPECT_EQ(direction.mean_sq, 0.0) << what;
 }
 
+TEST(SurfaceDistance, IsZeroBeforeAnythingIsMeasured) {
+  const SurfaceDistance d;
+  for (const double number :
+       {d.mean, d.mean_sq, d.rms, d.max, d.garland_heckbert, d.normal_deviation_deg, d.flipped_percent, d.diagonal}) {
+    EXPECT_EQ(number, 0);
+  }
+  for (const DirectedDistance& direction : {d.forward, d.backward}) {
+    for (const double number : {direction.mean, direction.mean_sq, direction.rms, direction.max,
+                                direction.normal_deviation_deg, direction.flipped_percent}) {
+      EXPECT_EQ(number, 0);
+    }
+  }
+}
+
 TEST(SurfaceDistance, IsExactlyZeroBetweenEqualMeshes) {
   for (const auto& [name, mesh] : test::all_meshes()) {
     for (const Vec3& offset : {Vec3(0.0, 0.0, 0.0), Vec3(1e6, 3e6, -2e6)}) {

@@ -37,8 +37,11 @@ TEST_P(Scale, OfTheDistanceBetweenSurfaces) {
   EXPECT_EQ(d.backward.mean, expected.backward.mean * factor());
   EXPECT_EQ(d.diagonal, expected.diagonal * factor());
   EXPECT_EQ(d.normal_deviation_deg, expected.normal_deviation_deg);
-  EXPECT_TRUE(std::isfinite(d.mean_sq));
-  EXPECT_TRUE(std::isfinite(d.garland_heckbert));
+  EXPECT_EQ(d.mean_sq, expected.mean_sq * factor() * factor());
+  EXPECT_EQ(d.forward.mean_sq, expected.forward.mean_sq * factor() * factor());
+  EXPECT_EQ(d.backward.mean_sq, expected.backward.mean_sq * factor() * factor());
+  EXPECT_EQ(d.forward.rms, expected.forward.rms * factor());
+  EXPECT_EQ(d.garland_heckbert, expected.garland_heckbert * factor() * factor());
 }
 
 TEST_P(Scale, OfLines) {

@@ -40,10 +40,14 @@ TEST(PolishProgress, ComesInOrderAndChangesNothing) {
   const Case c;
   std::vector<std::string> stages;
   double last = 0;
+  double begun = -1;
   const auto told = c.polished(n_passes, [&](const TaskProgress& progress) {
     EXPECT_GE(progress.fraction, last);
     last = progress.fraction;
-    if (stages.empty() || stages.back() != progress.stage) stages.emplace_back(progress.stage);
+    if (!stages.empty() && stages.back() == progress.stage) return true;
+    stages.emplace_back(progress.stage);
+    EXPECT_GT(progress.fraction, begun) << progress.stage << " begins later than the stage before";
+    begun = progress.fraction;
     return true;
   });
   EXPECT_EQ(last, 1);

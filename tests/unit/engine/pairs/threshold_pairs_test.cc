@@ -15,6 +15,7 @@
 #include "support/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
+#include "whittle/engine/automatic_threshold.hh"
 #include "whittle/io/read.hh"
 
 // Compares the search with one that compares every two vertices, in model units.
@@ -384,6 +385,20 @@ TEST(ThresholdPairs, RefuseWhatIsNoMesh) {
   mesh = tetrahedron();
   mesh.positions[3].y() = infinity;
   EXPECT_THROW(find_in(mesh, {.threshold = 1}), std::invalid_argument);
+}
+
+TEST(AutomaticThreshold, IsATenthAboveTheWidestGapThatCounts) {
+  for (const double unit : {1e-3, 1.0, 1e3}) {
+    SCOPED_TRACE(unit);
+    const auto threshold = [unit](const IndexedMesh& mesh) { return automatic_threshold(scaled(mesh, unit)) / unit; };
+    EXPECT_NEAR(threshold(boxes(2, 1, 0.125)), 1.1 * 0.125, 1e-12);
+    EXPECT_EQ(threshold(cube()), 0);
+    // The box of both is 4 + gap long, 2 wide and high. A twentieth of its diagonal is 0.258 at a gap of 0.25 and
+    // 0.2594 at one of 0.28, which doesn't count.
+    EXPECT_NEAR(threshold(boxes(2, 1, 0.25)), 1.1 * 0.25, 1e-12);
+    EXPECT_EQ(threshold(boxes(2, 1, 0.28)), 0);
+    EXPECT_NEAR(threshold(boxes(2, 1, 0)), 1e-9 * std::sqrt(12.0), 1e-18);  // parts that touch are joined, too
+  }
 }
 
 }  // namespace
