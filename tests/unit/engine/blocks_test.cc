@@ -180,6 +180,23 @@ TEST(Blocks, KeepTopologyAndReachTheTarget) {
   }
 }
 
+TEST(Blocks, DoNotPassTheTarget) {
+  for (const auto& [name, mesh] : {NamedMesh{"grid(60, 60)", grid(60, 60)}, NamedMesh{"terrain(60)", terrain(60, 1)},
+                                   NamedMesh{"tessellated_cube(16)", tessellated_cube(16)},
+                                   NamedMesh{"isolated", with_isolated_vertices(grid(60, 60), 500, 1)}}) {
+    for (const std::size_t divisor : {3U, 10U, 40U}) {
+      SCOPED_TRACE(name + " / " + std::to_string(divisor));
+      const std::uint64_t n_faces = mesh.faces.size() / divisor;
+      const Decimation by_faces = in_blocks(mesh, n_faces, memoryless());
+      EXPECT_GE(by_faces.mesh.faces.size() + 1, n_faces);
+      const std::uint64_t n_vertices = mesh.positions.size() / divisor;
+      const Decimation by_vertices =
+          run(mesh, DecimateTarget::vertices(n_vertices), memoryless(), nullptr, small_blocks);
+      EXPECT_EQ(by_vertices.mesh.positions.size(), n_vertices);
+    }
+  }
+}
+
 TEST(Blocks, MapVerticesAndFaces) {
   for (const auto& [name, mesh] : larger_meshes()) {
     SCOPED_TRACE(name);

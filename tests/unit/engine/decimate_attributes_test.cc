@@ -1,0 +1,105 @@
+// Colours and normals of a decimation.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "support/random.hh"
+#include "support/shapes.hh"
+#include "support/suites.hh"
+#include "support/topology.hh"
+#include "support/transforms.hh"
+#include "whittle/engine/decimate.hh"
+
+namespace whittle::test {
+namespace {
+
+DecimateTarget faces(std::uint64_t n) { return DecimateTarget::faces(n); }
+
+TEST(Decimate, AveragesColors) {
+  IndexedMesh mesh = grid(10, 10);
+  for (const Vec3& p : mesh.positions) mesh.colors.push_back({static_cast<float>(p.x() / 10), 0.25F, 1, 1});
+  const Decimation d = decimate(mesh, faces(20));
+  std::vector<double> sums(d.mesh.positions.size());
+  std::vector<int> counts(d.mesh.positions.size());
+  for (std::size_t v = 0; v < d.vertex_map.size(); ++v) {
+    sums[d.vertex_map[v]] += mesh.colors[v][0];
+    ++counts[d.vertex_map[v]];
+  }
+  ASSERT_EQ(d.mesh.colors.size(), d.mesh.positions.size());
+  for (std::size_t v = 0; v < sums.size(); ++v) {
+    EXPECT_NEAR(d.mesh.colors[v][0], sums[v] / counts[v], 1e-6);
+    EXPECT_EQ(d.mesh.colors[v][1], 0.25F);
+  }
+}
+
+/// A flat grid in the plane z = 0 with normals that lean outwards.
+IndexedMesh grid_with_normals() {
+  IndexedMesh mesh = grid(10, 10);
+  for (const Vec3& p : mesh.positions) {
+    const Eigen::Vector3f normal = Vec3(p.x() - 5, p.y() - 5, 4).normalized().cast<float>();
+    mesh.normals.push_back({normal.x(), normal.y(), normal.z()});
+  }
+  return mesh;
+}
+
+TEST(Decimate, KeepsTheMeanOfTheNormalsMerged) {
+  const IndexedMesh mesh = grid_with_normals();
+  const Decimation d = decimate(mesh, faces(150));
+  ASSERT_EQ(d.mesh.normals.size(), d.mesh.positions.size());
+  std::vector<Vec3> sums(d.mesh.positions.size(), Vec3::Zero());
+  std::vector<int> counts(d.mesh.positions.size());
+  for (std::size_t v = 0; v < d.vertex_map.size(); ++v) {
+    for (int i = 0; i < 3; ++i) sums[d.vertex_map[v]][i] += mesh.normals[v][static_cast<std::size_t>(i)];
+    ++counts[d.vertex_map[v]];
+  }
+  std::size_t n_alone = 0;
+  for (std::size_t v = 0; v < sums.size(); ++v) {
+    const auto& n = d.mesh.normals[v];
+    EXPECT_LT((Vec3(n[0], n[1], n[2]) - sums[v].normalized()).norm(), 1e-6) << v;
+    if (counts[v] > 1) continue;
+    ++n_alone;
+    EXPECT_EQ(n, mesh.normals[d.mesh.origins[v]]) << "to the bit";
+  }
+  EXPECT_GT(n_alone, 0U);
+  EXPECT_EQ(decimate(mesh, faces(1000)).mesh.normals, mesh.normals) << "nothing is contracted";
+}
+
+TEST(Decimate, RecomputesOrDropsNormalsIfAsked) {
+  const IndexedMesh mesh = grid_with_normals();
+  const Decimation anew = decimate(mesh, faces(20), {.normals = Normals::recompute});
+  ASSERT_EQ(anew.mesh.normals.size(), anew.mesh.positions.size());
+  for (const auto& normal : anew.mesh.normals) EXPECT_NEAR(normal[2], 1, 1e-6);
+  EXPECT_TRUE(decimate(mesh, faces(20), {.normals = Normals::drop}).mesh.normals.empty());
+  for (const Normals normals : {Normals::keep, Normals::recompute}) {
+    EXPECT_TRUE(decimate(grid(10, 10), faces(20), {.normals = normals}).mesh.normals.empty());
+  }
+}
+
+TEST(Decimate, TakesTheNormalsOfTheFacesWhereThoseMergedCancelOut) {
+  IndexedMesh mesh = grid(10, 10);
+  const DecimateTarget one_less = DecimateTarget::vertices(mesh.positions.size() - 1);
+  const std::vector<Index> vertex_map = decimate(mesh, one_less).vertex_map;
+  Index kept = 0;
+  Index removed = 0;
+  for (Index v = 0; v < vertex_map.size(); ++v) {
+    for (Index w = 0; w < v; ++w) {
+      if (vertex_map[v] == vertex_map[w]) std::tie(kept, removed) = std::pair(v, w);
+    }
+  }
+  ASSERT_NE(kept, removed);
+  mesh.normals.assign(mesh.positions.size(), {0, 1, 0});
+  mesh.normals[kept] = {1, 0, 0};
+  mesh.normals[removed] = {-1, 0, 0};
+  const Decimation d = decimate(mesh, one_less);
+  for (Index v = 0; v < vertex_map.size(); ++v) {
+    const bool is_merged = v == kept || v == removed;
+    EXPECT_EQ(d.mesh.normals[d.vertex_map[v]], (is_merged ? std::array<float, 3>{0, 0, 1} : mesh.normals[v]));
+  }
+}
+
+}  // namespace
+}  // namespace whittle::test
