@@ -20,8 +20,9 @@ Block::Block(const Surface& surface, const Partition& partition, std::size_t num
   pass_.emplace(input, options);
   positions_ = {};
   const TriangleComplex& complex = pass_->complex();
-  for (Index v = 0; v < complex.n_vertex_slots(); ++v)
-    n_inner_ += complex.has_faces(v) && !complex.is_frozen(v) ? 1 : 0;
+  for (Index v = 0; v < complex.n_vertex_slots(); ++v) {
+    if (complex.has_faces(v)) ++(complex.is_frozen(v) ? n_frozen_ : n_inner_);
+  }
 }
 
 /// Its own vertices come first, so that they keep their order.

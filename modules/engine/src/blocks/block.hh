@@ -38,6 +38,7 @@ class Block {
 
   std::size_t n_inner_vertices() const { return n_inner_; }  ///< at the start: those that aren't frozen
   std::size_t n_inner_vertices_left() const { return n_inner_ - result_.n_contractions; }
+  std::size_t n_frozen_vertices() const { return n_frozen_; }
   const DecimateResult& result() const { return result_; }
   NonmanifoldCounts count_nonmanifold() { return pass_->complex().count_nonmanifold(); }
   /// \return the number that a vertex of the block has in the surface
@@ -61,6 +62,7 @@ class Block {
   std::vector<std::uint8_t> frozen_;  ///< per vertex of the block
   std::vector<std::uint8_t> locked_;  ///< per vertex of the block, or empty
   std::size_t n_inner_ = 0;
+  std::size_t n_frozen_ = 0;
   std::optional<Pass> pass_;
   DecimateResult result_;
   std::vector<Survivor> survivors_;

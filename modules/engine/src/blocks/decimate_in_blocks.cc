@@ -61,9 +61,9 @@ Remainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, const 
   SharedProgress progress(options, mesh.positions.size(), mesh.faces.size(), share);
   const LevelContext context{options, mesh, frame, share, progress};
   Memory memory{mean_face_area(mesh, frame, options.threads), {}};
-  Remainder remainder = run_level(context, {plan.faces_per_block, 0.5, plan.surplus, true}, memory, nullptr);
+  Remainder remainder = run_level(context, {plan.faces_per_block, 0.5, plan.surplus}, memory, nullptr);
   if (remainder.faces.size() >= plan.fewest_faces_again && !progress.is_cancelled()) {
-    remainder = run_level(context, {plan.faces_per_block, 0.3, plan.surplus, false}, remainder.memory, &remainder);
+    remainder = run_level(context, {plan.faces_per_block, 0.3, {}}, remainder.memory, &remainder);
   }
   remainder.progress = progress.now().fraction;
   remainder.is_cancelled = progress.is_cancelled();

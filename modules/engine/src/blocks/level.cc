@@ -40,6 +40,7 @@ class Level {
   }
   std::vector<std::size_t> choose_sample() const;
   std::vector<std::uint8_t> locked() const;
+  DecimateTarget least_left(const Block& block, std::size_t number) const;
   void begin(std::size_t number, const Memory& memory);
   void finish(std::size_t number);
   double climb(const std::vector<std::size_t>& sample, const Memory& memory);
@@ -67,10 +68,17 @@ std::vector<std::size_t> Level::choose_sample() const {
 
 std::vector<std::uint8_t> Level::locked() const {
   const std::vector<std::uint8_t>& locked = context_.options.locked;
-  if (!before_ || locked.empty()) return locked;
-  std::vector<std::uint8_t> here;
-  for (const Index v : before_->origins) here.push_back(locked[v]);
-  return here;
+  return before_ ? before_->of_vertices(locked) : locked;
+}
+
+/// The target's share of the block's faces, and of its vertices that aren't frozen: so that all blocks together don't
+/// pass the target. A contraction takes two faces, one of them perhaps below the share.
+DecimateTarget Level::least_left(const Block& block, std::size_t number) const {
+  const auto part_of = [this](std::size_t n) {
+    return static_cast<std::uint64_t>(std::ceil(share() * static_cast<double>(n)));
+  };
+  return DecimateTarget::faces(part_of(partition_.faces_of(number).size()) + 1)
+      .or_vertices(block.n_frozen_vertices() + part_of(block.n_inner_vertices()));
 }
 
 void Level::begin(std::size_t number, const Memory& memory) {
@@ -95,9 +103,7 @@ void Level::begin(std::size_t number, const Memory& memory) {
   }
   job->block.emplace(surface_, partition_, number, locked_, memory, job->options);
   if (!before_) nonmanifold_[number] = job->block->count_nonmanifold();
-  const auto n_faces = static_cast<double>(partition_.faces_of(number).size());
-  const auto least = static_cast<std::uint64_t>(std::ceil(share() * n_faces));
-  job->block->start(DecimateTarget::faces(least), context_.frame);
+  job->block->start(least_left(*job->block, number), context_.frame);
   jobs_[number] = std::move(job);
 }
 
@@ -111,7 +117,7 @@ double Level::climb(const std::vector<std::size_t>& sample, const Memory& memory
       return so_far + static_cast<double>(n_of(*jobs_[number]->block));
     });
   };
-  const double goal = sum([](const Block& block) { return block.n_inner_vertices(); }) * share() * plan_.surplus;
+  const double goal = sum([](const Block& block) { return block.n_inner_vertices(); }) * share() * *plan_.surplus;
   CostLadder ladder(memory.face_area.first());
   double n_left = 0;
   do {
@@ -181,7 +187,7 @@ Remainder Level::run(const Memory& memory) {
 
   Remainder remainder;
   remainder.memory.face_area = memory.face_area;
-  remainder.cost_limit = plan_.climbs ? climb(choose_sample(), memory) : before_->cost_limit;
+  remainder.cost_limit = plan_.surplus ? climb(choose_sample(), memory) : before_->cost_limit;
   for_each_block(jobs_.size() + 1, threads(), [&](std::size_t number) {
     if (context_.progress.is_cancelled()) return;
     if (number == jobs_.size()) {

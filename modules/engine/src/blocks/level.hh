@@ -21,6 +21,15 @@ struct Remainder {
   NonmanifoldCounts nonmanifold;  ///< of the input, unless the levels were cancelled
   double progress = 0;            ///< [0, 1]
   bool is_cancelled = false;
+
+  /// The flags of the vertices here. \param flags per vertex of the input, or empty
+  std::vector<std::uint8_t> of_vertices(const std::vector<std::uint8_t>& flags) const {
+    std::vector<std::uint8_t> here;
+    if (flags.empty()) return here;
+    here.reserve(origins.size());
+    for (const Index v : origins) here.push_back(flags[v]);
+    return here;
+  }
 };
 
 /// What all levels have in common.
@@ -35,8 +44,9 @@ struct LevelContext {
 struct LevelPlan {
   std::size_t faces_per_block;
   double first_share;  ///< `make_partition`
-  double surplus;      ///< how many times the target's share the blocks may leave
-  bool climbs;         ///< whether the cost is found here; else it is that of the level before
+  /// How many times the target's share the blocks may leave; from that the cost is found. Empty = the cost of the level
+  /// before.
+  std::optional<double> surplus;
 };
 
 /// Contracts what lies within blocks, all up to the same cost, and puts together what is left.

@@ -11,7 +11,7 @@ namespace whittle {
 /// One progress callback for many loops on many threads. It is called on the thread that made this, and no other.
 class SharedProgress {
  public:
-  /// \param target the same share of the faces and of the vertices is wanted
+  /// \param target_share of the faces, that are to be left. (0, 1)
   SharedProgress(const DecimateOptions& options, std::uint64_t n_vertices, std::uint64_t n_faces, double target_share)
       : callback_(options.progress),
         n_vertices_(n_vertices),

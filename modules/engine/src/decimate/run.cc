@@ -181,9 +181,7 @@ PassInput Run::last_input() {
   }
   input.surface = {remainder_->positions, Frame{}, remainder_->faces};
   input.memory = &remainder_->memory;
-  if (!options_.locked.empty()) {
-    for (const Index v : remainder_->origins) locked_.push_back(options_.locked[v]);
-  }
+  locked_ = remainder_->of_vertices(options_.locked);
   input.locked = locked_;
   return input;
 }
