@@ -346,44 +346,41 @@ class RandomTriangles : public testing::Test {
     n_features_ += d.feature_edges.size();
   }
 
+  /// \param prepare changes each case before it is run
+  template <class Prepare>
+  void expect_all_as_by_brute_force(std::uint64_t first_seed, std::uint64_t end_seed, const Prepare& prepare) {
+    for (std::uint64_t seed = first_seed; seed < end_seed; ++seed) {
+      SCOPED_TRACE("seed " + std::to_string(seed));
+      RandomCase c(seed);
+      prepare(c);
+      expect_as_by_brute_force(c);
+      if (HasFatalFailure()) return;
+    }
+  }
+
   std::uint64_t n_joined_ = 0;
   std::uint64_t n_coincident_ = 0;
   std::uint64_t n_features_ = 0;
 };
 
 TEST_F(RandomTriangles, AreContractedAsByBruteForce) {
-  for (std::uint64_t seed = 0; seed < 500; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomCase c(seed);
-    expect_as_by_brute_force(c);
-    if (HasFatalFailure()) return;
-  }
+  expect_all_as_by_brute_force(0, 500, [](RandomCase&) {});
   EXPECT_GT(n_joined_, 1000U);  // make sure that the test meets joints
   EXPECT_GT(n_coincident_, 1000U);
   EXPECT_GT(n_features_, 1000U);
 }
 
 TEST_F(RandomTriangles, AreContractedAsByBruteForceWithoutMemory) {
-  for (std::uint64_t seed = 500; seed < 1000; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomCase c(seed);
-    c.make_memoryless();
-    expect_as_by_brute_force(c);
-    if (HasFatalFailure()) return;
-  }
+  expect_all_as_by_brute_force(500, 1000, [](RandomCase& c) { c.make_memoryless(); });
   EXPECT_GT(n_coincident_, 200U);
   EXPECT_GT(n_features_, 1000U);
 }
 
 TEST_F(RandomTriangles, WithLinesThatLoseEdgesAreContractedAsByBruteForce) {
-  for (std::uint64_t seed = 1000; seed < 1200; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomCase c(seed);
+  expect_all_as_by_brute_force(1000, 1200, [](RandomCase& c) {
     c.mesh = c.random_triangles();
     c.make_lines();
-    expect_as_by_brute_force(c);
-    if (HasFatalFailure()) return;
-  }
+  });
   EXPECT_GT(n_coincident_, 200U);
   EXPECT_GT(n_features_, 500U);
 }
