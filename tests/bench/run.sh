@@ -42,12 +42,12 @@ arguments+=(--commit "$commit")
 # what_it_takes PEER: its name in CMake and its Debian package; nothing for peers that the project contains anyway.
 what_it_takes() {
   case $1 in
-    whittle | whittle:* | whittle-normal* | whittle-best* | openmesh | pair-decimater) ;;
+    whittle | whittle:* | whittle-normal* | whittle-best* | whittle-quadric* | openmesh | pair-decimater) ;;
     meshoptimizer) echo meshoptimizer libmeshoptimizer-dev ;;
     cgal-lindstrom-turk | cgal-garland-heckbert) echo cgal libcgal-dev ;;
     vtk) echo vtk libvtk9-dev ;;
     open3d) echo open3d libopen3d-dev ;;
-    *) fail "no peer '$1'; there are whittle, whittle-normal, whittle-best, each with :N (N threads), meshoptimizer, openmesh," \
+    *) fail "no peer '$1'; there are whittle, whittle-normal, whittle-best, whittle-quadric, each with :N (N threads), meshoptimizer, openmesh," \
       "pair-decimater, cgal-lindstrom-turk, cgal-garland-heckbert, vtk, open3d" ;;
   esac
 }

@@ -11,6 +11,8 @@
 
 #include "program/help_text.hh"
 #include "program/program.hh"
+#include "support/shapes.hh"
+#include "whittle/io/write.hh"
 
 namespace whittle::test {
 namespace {
@@ -165,6 +167,8 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
   const std::string cubes = data_file("cubes.obj");
   const std::string terrain = data_file("terrain.ply");
   std::filesystem::copy_file(cubes, bare);
+  const std::string large = folder / "large.ply";  // goes in blocks
+  io::write_mesh(large, torus(600, 150));
   expect_documented(
       "simplify", {{cubes, "-o", out, "--faces", "60", "--threshold", "auto", "--max-pairs", "8", "--across-walls"},
                    {cubes, "--output", out, "--faces", "10", "--topology", "free", "--prune", "1%", "--verbose"},
@@ -177,6 +181,7 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
                    {blob, "-o", out, "--ratio", "0.1", "--cost", "quadric", "--weights", "uniform", "--placement",
                     "midpoint", "--order", "exact", "--polish", "0", "--strict"},
                    {blob, "-o", out, "--faces", "500", "--isotropic", "0.5", "--valence", "1"},
+                   {large, "-o", out, "--faces", "1000", "--effort", "fast"},
                    {blob, "-o", out, "--faces", "500", "--engine", "openmesh"},
                    {bare, "missing.ply", "-o", folder / "{stem}.txt", "--input-format", "obj", "--output-format", "ply",
                     "--ascii", "--faces", "200"}});

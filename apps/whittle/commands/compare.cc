@@ -225,7 +225,7 @@ ExitCode run_compare(const CLI::App& app, const CompareOptions& options) {
   if (options.common.json) check_outputs({{"--json", *options.common.json}}, {options.input}, options.common.force);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
-  const Input input = read_input(options.input, options.files, talk);
+  const Input input = read_input(options.input, options.files, options.common.threads, talk);
   const Comparison comparison = compare(input, options, talk);
   if (comparison.stock_lost_faces > 0) {
     talk.warning(input.name + ": OpenMesh's mesh can't hold " + std::to_string(comparison.stock_lost_faces) +

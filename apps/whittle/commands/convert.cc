@@ -57,7 +57,7 @@ ExitCode run_convert(const CLI::App& app, const ConvertCommand& options) {
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   Conversion run;
-  run.input = read_input(options.input, options.files, talk);
+  run.input = read_input(options.input, options.files, options.common.threads, talk);
   run.warnings = run.input.warnings;
   const IndexedMesh& mesh = run.input.read.mesh;
   const Stopwatch writing;

@@ -47,12 +47,12 @@ Findings look_at(const InfoOptions& options, const Talk& talk) {
   const MeshFile file(options.input, options.files);
   Findings findings;
   findings.name = file.name();
-  findings.read = file.read(true);
+  findings.read = file.read(true, options.common.threads);
   findings.repaired = view(findings.read.mesh, options.common.threads, talk);
   findings.kind = kind_of(findings.read.mesh, findings.repaired.topology, options.common.threads);
   findings.bounds = metrics::bounds(findings.read.mesh);
   if (findings.read.repairs.welded_vertices > 0)
-    findings.unwelded = view(file.read(false).mesh, options.common.threads, talk);
+    findings.unwelded = view(file.read(false, options.common.threads).mesh, options.common.threads, talk);
   return findings;
 }
 

@@ -102,8 +102,8 @@ ExitCode run_polish(const CLI::App& app, const PolishCommand& options) {
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   PolishRun run;
-  run.reference = read_input(options.reference, options.files, talk);
-  run.input = read_input(options.input, options.files, talk);
+  run.reference = read_input(options.reference, options.files, options.common.threads, talk);
+  run.input = read_input(options.input, options.files, options.common.threads, talk);
   run.warnings = run.reference.warnings;
   run.warnings.insert(run.warnings.end(), run.input.warnings.begin(), run.input.warnings.end());
   const Stopwatch polishing;

@@ -217,6 +217,7 @@ Json simplify_json(const SimplifyCommand& options, const Run& run) {
   json["contractions"] = result.n_contractions;
   json["threshold_pairs"] = threshold_pairs_json(result.threshold_pairs);
   json["max_cost"] = result.max_cost;
+  json["why_in_one_pass"] = result.why_in_one_pass.empty() ? Json(nullptr) : Json(result.why_in_one_pass);
   json["rejections"] = rejections_json(options, result.rejections);
   json["refused_at_end"] = rejections_json(options, result.refused_at_end);
   json["polish"] = *options.simplify.polish_passes > 0 ? polish_json(run.simplified.polish) : Json(nullptr);
@@ -313,6 +314,8 @@ void say_details(const SimplifyCommand& options, const Talk& talk, const Run& ru
   const DecimateResult& result = run.simplified.result;
   talk.detail("contractions: " + std::to_string(result.n_contractions) + ", greatest cost " +
               significant(result.max_cost) + ", stopped by: " + std::string(to_string(result.stop)));
+  if (!result.why_in_one_pass.empty())
+    talk.detail("in one pass, not in blocks: " + std::string(result.why_in_one_pass));
   talk.detail(refusals(options, result.rejections));
   if (run.threshold > 0) talk.detail(threshold_pairs(result.threshold_pairs));
   const bool is_polished = *options.simplify.polish_passes > 0;
@@ -350,7 +353,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   Run run;
-  run.input = read_input(options.input, options.files, talk);
+  run.input = read_input(options.input, options.files, options.common.threads, talk);
   run.seconds.read = run.input.seconds;
   run.warnings = options.warnings;
   for (const std::string& warning : options.warnings) talk.warning(warning);

@@ -81,8 +81,8 @@ MeshFile::MeshFile(std::string path, const FileOptions& options) : path_(std::mo
   if (path_ == standard_stream) standard_input_ = io::read_all(STDIN_FILENO, standard_input_name);
 }
 
-io::ReadResult MeshFile::read(bool weld) const {
-  const io::ReadOptions options{.weld = weld, .format = format_};
+io::ReadResult MeshFile::read(bool weld, unsigned threads) const {
+  const io::ReadOptions options{.weld = weld, .format = format_, .threads = threads};
   io::ReadResult result = path_ == standard_stream ? io::read_mesh(standard_input_, standard_input_name, options)
                                                    : io::read_mesh(path_, options);
   refuse_large_coordinates(result.mesh, name());
@@ -92,7 +92,7 @@ io::ReadResult MeshFile::read(bool weld) const {
 namespace {
 
 /// Welds vertices that lie near each other, if the options ask for that.
-void weld_gaps(Input& input, const AutomaticLength& tolerance) {
+void weld_gaps(Input& input, const AutomaticLength& tolerance, unsigned threads) {
   io::ReadResult& read = input.read;
   input.weld_tolerance = tolerance.is_automatic ? io::find_border_gaps(read.mesh).tolerance()
                                                 : tolerance.length.in_units(bounds_of(read.mesh.positions).diagonal());
@@ -102,7 +102,7 @@ void weld_gaps(Input& input, const AutomaticLength& tolerance) {
     return;
   }
   std::vector<Index> welded;
-  read.repairs += io::weld_gaps(read.mesh, input.weld_tolerance, &welded);
+  read.repairs += io::weld_gaps(read.mesh, input.weld_tolerance, &welded, threads);
   for (Index& v : read.vertex_map) v = v == invalid_index ? v : welded[v];
 }
 
@@ -110,12 +110,12 @@ void weld_gaps(Input& input, const AutomaticLength& tolerance) {
 
 std::string about(const std::string& name, const std::string& text) { return name + ": " + text; }
 
-Input read_input(const std::string& path, const FileOptions& options, const Talk& talk) {
+Input read_input(const std::string& path, const FileOptions& options, unsigned threads, const Talk& talk) {
   const Stopwatch watch;
   const MeshFile file(path, options);
   const std::string name = file.name();
-  Input input{path, name, file.read(options.weld), {}};
-  weld_gaps(input, options.weld_tolerance);
+  Input input{path, name, file.read(options.weld, threads), {}};
+  weld_gaps(input, options.weld_tolerance, threads);
   input.seconds = watch.seconds();
   if (input.read.repairs.any()) talk.say(name + ": " + io::to_string(input.read.repairs));
   for (const std::string& warning : input.read.warnings) {

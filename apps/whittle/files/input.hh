@@ -32,8 +32,8 @@ void check_formats(const std::vector<std::string>& inputs, const std::vector<std
 class MeshFile {
  public:
   MeshFile(std::string path, const FileOptions& options);
-  /// \param weld in place of that of the options
-  io::ReadResult read(bool weld) const;
+  /// \param weld in place of that of the options \param threads 0 = all cores
+  io::ReadResult read(bool weld, unsigned threads) const;
   /// The name in messages: the path, or "standard input".
   std::string name() const { return path_ == standard_stream ? standard_input_name : path_; }
 
@@ -58,6 +58,6 @@ std::string about(const std::string& name, const std::string& text);
 
 /// Reads a mesh. Prints what was repaired and what is not carried.
 /// \throw io::ReadError as `io::read_mesh`.
-Input read_input(const std::string& path, const FileOptions& options, const Talk& talk);
+Input read_input(const std::string& path, const FileOptions& options, unsigned threads, const Talk& talk);
 
 }  // namespace whittle::app

@@ -177,6 +177,7 @@ Decimation decimate_in_openmesh(const IndexedMesh& input, const std::string& nam
   out.result.n_vertices = out.mesh.positions.size();
   out.result.n_faces = out.mesh.faces.size();
   out.result.max_cost = log.max_cost();
+  out.result.why_in_one_pass = "OpenMesh's decimater has one heap";
   const bool is_reached = target.is_reached_at(out.result.n_faces, out.result.n_vertices);
   out.result.stop = cancelled ? StopReason::cancelled : is_reached ? StopReason::target : StopReason::exhausted;
   return out;

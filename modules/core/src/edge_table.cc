@@ -1,9 +1,11 @@
 #include "whittle/core/detail/edge_table.hh"
 
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
 
 #include "whittle/core/detail/index_lists.hh"
+#include "whittle/core/detail/item_groups.hh"
 
 namespace whittle::detail {
 namespace {
@@ -19,42 +21,52 @@ void check_size(std::span<const Triangle> faces) {
   if (faces.size() >= invalid_index / 3) throw std::length_error("more than 2^32 / 3 faces");
 }
 
-/// Calls `use(from, to, number)` for each side of the faces.
+/// Calls `use(from, to, number)` for each side of some faces.
 template <class Use>
-void for_each_side(std::span<const Triangle> faces, const Use& use) {
-  Index first = 0;
-  for (const Triangle& face : faces) {
-    if (has_three_corners(face)) {
-      for (Index i = 0; i < 3; ++i) use(face[i], face[(i + 1) % 3], first + i);
-    }
-    first += 3;
-  }
-}
-
-/// Per vertex, a sum of its neighbours that is zero where each neighbour comes up an even number of times: at every
-/// vertex that is not on a border. Numbers are spread over 64 bits, since small ones may cancel where borders touch.
-std::vector<std::uint64_t> neighbor_sums(std::span<const Triangle> faces, std::size_t n_vertices) {
-  std::vector<std::uint64_t> sums(n_vertices);
-  const auto spread = [](Index v) { return (v + std::uint64_t{1}) * 0x9e3779b97f4a7c15; };
-  for (const Triangle& face : faces) {
+void for_each_side(std::span<const Triangle> faces, std::size_t begin, std::size_t end, const Use& use) {
+  for (auto f = static_cast<Index>(begin); f < end; ++f) {
+    const Triangle& face = faces[f];
     if (!has_three_corners(face)) continue;
-    const auto& [a, b, c] = face;
-    const std::uint64_t at_a = spread(a);
-    const std::uint64_t at_b = spread(b);
-    const std::uint64_t at_c = spread(c);
-    sums[a] ^= at_b ^ at_c;
-    sums[b] ^= at_c ^ at_a;
-    sums[c] ^= at_a ^ at_b;
+    for (Index i = 0; i < 3; ++i) use(face[i], face[(i + 1) % 3], 3 * f + i);
   }
-  return sums;
 }
 
-std::vector<std::uint8_t> face_counts_up_to_two(std::span<const Triangle> faces, std::size_t n_vertices) {
-  std::vector<std::uint8_t> counts(n_vertices);
-  for_each_side(faces, [&counts](Index from, Index /*to*/, Index /*number*/) {
-    if (counts[from] < 2) ++counts[from];
+/// What the faces around a vertex tell of borders.
+///
+/// The upper bits are a sum of its neighbours that is zero where each neighbour comes up an even number of times: at
+/// every vertex that is not on a border. Numbers are spread over many bits, since small ones may cancel where borders
+/// touch. The lowest two bits count its faces, up to two.
+class VertexStar {
+ public:
+  /// \param neighbors sum of the spread numbers of the face's other corners
+  void add_face(std::uint64_t neighbors) {
+    bits_ = ((bits_ ^ neighbors) & ~count_bits) | std::min<std::uint64_t>((bits_ & count_bits) + 1, 2);
+  }
+  bool may_be_at_border() const { return (bits_ & ~count_bits) != 0; }
+  bool has_one_face() const { return (bits_ & count_bits) == 1; }
+
+  static std::uint64_t spread(Index v) { return (v + std::uint64_t{1}) * 0x9e3779b97f4a7c15; }
+
+ private:
+  static constexpr std::uint64_t count_bits = 3;
+  std::uint64_t bits_ = 0;
+};
+
+LargeArray<VertexStar> look_around(std::span<const Triangle> faces, std::size_t n_vertices, unsigned threads) {
+  LargeArray<VertexStar> stars(n_vertices);
+  for_each_vertex_range(faces, n_vertices, threads, [&](Index begin, Index end, const auto& for_each_face) {
+    for_each_face([&](Index f) {
+      if (!has_three_corners(faces[f])) return;
+      const auto& [a, b, c] = faces[f];
+      const std::uint64_t at_a = VertexStar::spread(a);
+      const std::uint64_t at_b = VertexStar::spread(b);
+      const std::uint64_t at_c = VertexStar::spread(c);
+      if (a >= begin && a < end) stars[a].add_face(at_b ^ at_c);
+      if (b >= begin && b < end) stars[b].add_face(at_c ^ at_a);
+      if (c >= begin && c < end) stars[c].add_face(at_a ^ at_b);
+    });
   });
-  return counts;
+  return stars;
 }
 
 }  // namespace
@@ -62,13 +74,15 @@ std::vector<std::uint8_t> face_counts_up_to_two(std::span<const Triangle> faces,
 EdgeTable::EdgeTable(std::span<const Triangle> faces, std::size_t n_vertices, std::span<const std::uint8_t> is_chosen) {
   check_size(faces);
   if (is_chosen.empty()) {
-    build(n_vertices, [faces](const auto& use) { for_each_side(faces, use); });
+    build(n_vertices, [faces](const auto& use) { for_each_side(faces, 0, faces.size(), use); });
     return;
   }
-  build(n_vertices, [faces, is_chosen](const auto& use) {
-    for_each_side(faces, [&](Index from, Index to, Index side) {
-      if (is_chosen[face_of(side)] != 0) use(from, to, side);
-    });
+  std::vector<Index> chosen;
+  for (Index f = 0; f < faces.size(); ++f) {
+    if (is_chosen[f] != 0) chosen.push_back(f);
+  }
+  build(n_vertices, [faces, &chosen](const auto& use) {
+    for (const Index f : chosen) for_each_side(faces, f, f + 1, use);
   });
 }
 
@@ -98,19 +112,23 @@ void EdgeTable::build(std::size_t n_vertices, const ForEachSide& for_each_own_si
 
 template <class IsCandidate>
 std::vector<VertexPair> EdgeTable::border_edges_among(std::span<const Triangle> faces, std::size_t n_vertices,
-                                                      const IsCandidate& is_candidate) {
+                                                      unsigned threads, const IsCandidate& is_candidate) {
   struct Side {
     Index from, to, number;
   };
-  std::vector<Side> candidates;
-  for_each_side(faces, [&](Index from, Index to, Index number) {
-    if (is_candidate(from, to)) candidates.push_back({from, to, number});
+  std::vector<std::vector<Side>> candidates((faces.size() + range_length - 1) / range_length);
+  for_each_range(faces.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for_each_side(faces, begin, end, [&](Index from, Index to, Index number) {
+      if (is_candidate(from, to)) candidates[begin / range_length].push_back({from, to, number});
+    });
   });
   std::vector<VertexPair> borders;
-  if (candidates.empty()) return borders;
+  if (std::all_of(candidates.begin(), candidates.end(), [](const auto& part) { return part.empty(); })) return borders;
   EdgeTable edges;
   edges.build(n_vertices, [&candidates](const auto& use) {
-    for (const auto& [from, to, number] : candidates) use(from, to, number);
+    for (const std::vector<Side>& part : candidates) {
+      for (const auto& [from, to, number] : part) use(from, to, number);
+    }
   });
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (edges.sides(e).size() == 1) borders.push_back(edges[e]);
@@ -118,27 +136,34 @@ std::vector<VertexPair> EdgeTable::border_edges_among(std::span<const Triangle> 
   return borders;
 }
 
-std::vector<VertexPair> border_edges(std::span<const Triangle> faces, std::size_t n_vertices) {
+std::vector<VertexPair> border_edges(std::span<const Triangle> faces, std::size_t n_vertices, unsigned threads) {
   check_size(faces);
-  const std::vector<std::uint64_t> sums = neighbor_sums(faces, n_vertices);
-  return EdgeTable::border_edges_among(faces, n_vertices,
-                                       [&sums](Index from, Index to) { return sums[from] != 0 && sums[to] != 0; });
+  const LargeArray<VertexStar> stars = look_around(faces, n_vertices, threads);
+  return EdgeTable::border_edges_among(faces, n_vertices, threads, [&stars](Index from, Index to) {
+    return stars[from].may_be_at_border() && stars[to].may_be_at_border();
+  });
 }
 
-std::vector<std::uint8_t> border_vertices(std::span<const Triangle> faces, std::size_t n_vertices) {
+std::vector<std::uint8_t> border_vertices(std::span<const Triangle> faces, std::size_t n_vertices, unsigned threads) {
   check_size(faces);
-  const std::vector<std::uint64_t> sums = neighbor_sums(faces, n_vertices);
-  const std::vector<std::uint8_t> n_faces = face_counts_up_to_two(faces, n_vertices);
+  const LargeArray<VertexStar> stars = look_around(faces, n_vertices, threads);
   std::vector<std::uint8_t> is_at_border(n_vertices);
-  const auto mark = [&](Index a, Index b) { is_at_border[a] = is_at_border[b] = 1; };
+  const auto mark = [&](Index v) { std::atomic_ref(is_at_border[v]).store(1, std::memory_order_relaxed); };
   // An edge has two faces only if both its ends have. A soup has no such edge.
-  for_each_side(faces, [&](Index from, Index to, Index /*number*/) {
-    if (n_faces[from] == 1 || n_faces[to] == 1) mark(from, to);
+  for_each_range(faces.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for_each_side(faces, begin, end, [&](Index from, Index to, Index /*number*/) {
+      if (!stars[from].has_one_face() && !stars[to].has_one_face()) return;
+      mark(from);
+      mark(to);
+    });
   });
   const auto is_undecided = [&](Index from, Index to) {
-    return sums[from] != 0 && sums[to] != 0 && !(is_at_border[from] != 0 && is_at_border[to] != 0);
+    return stars[from].may_be_at_border() && stars[to].may_be_at_border() &&
+           !(is_at_border[from] != 0 && is_at_border[to] != 0);
   };
-  for (const auto& [a, b] : EdgeTable::border_edges_among(faces, n_vertices, is_undecided)) mark(a, b);
+  for (const auto& [a, b] : EdgeTable::border_edges_among(faces, n_vertices, threads, is_undecided)) {
+    is_at_border[a] = is_at_border[b] = 1;
+  }
   return is_at_border;
 }
 

@@ -3,6 +3,7 @@
 #include <system_error>
 
 #include "whittle/core/detail/compiler.hh"
+#include "whittle/core/detail/cores.hh"
 
 namespace whittle {
 namespace {
@@ -13,7 +14,7 @@ constexpr int spins_before_sleep = 2000;
 }  // namespace
 
 ThreadPool::ThreadPool(unsigned threads) {
-  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  const unsigned cores = detail::n_cores();
   const unsigned n_helpers = (threads == 0 ? cores : std::min(threads, cores)) - 1;
   helpers_.reserve(n_helpers);
   try {

@@ -156,9 +156,9 @@ std::vector<Vec3> Polisher::move(const Connectivity& mesh, double unit) {
   start("fitting", 0.7);
   std::vector<Vec3> moved = positions_;
   SurfaceFit fit(mesh.faces, mesh.corners, mesh.neighbors, mesh.limits, lines_, is_fixed_);
-  fit.start(moved);
+  fit.start(moved, workers_);
   line_samples_.for_each_foot([&fit](const LineFoot& foot, double weight) { fit.add(foot, weight); });
-  samples_.for_each_foot(workers_, [&fit, unit](const Foot& foot, double weight) {
+  samples_.for_each_foot(mesh.faces.size(), workers_, [&fit, unit](const Foot& foot, double weight) {
     fit.add(foot, weight * fair_weight(foot.distance, unit));
   });
   for (int i = 0; i < n_sweeps; ++i) fit.sweep(workers_);

@@ -9,6 +9,7 @@
 
 #include "bench/processes/meter.hh"
 #include "whittle/core/indexed_mesh.hh"
+#include "whittle/engine/simplify.hh"
 
 namespace whittle::bench {
 
@@ -32,17 +33,24 @@ class Peer {
 };
 
 /// The names `make_peer` knows, in the order of the table: the peers that this benchmark was built with. "whittle:N" is
-/// whittle on N threads; "whittle-normal:N" and "whittle-best:N" likewise.
+/// whittle on N threads; likewise for the others of `whittle_kinds`.
 std::vector<std::string> peer_names();
 /// \throw std::invalid_argument for a name that isn't among them
 std::unique_ptr<Peer> make_peer(std::string_view name);
 
-/// The same as in the program.
-enum class WhittleEffort { fast, normal, best };
-std::string_view name_of(WhittleEffort effort);
+/// Whittle with one of its efforts or costs.
+struct WhittleKind {
+  std::string_view name;  ///< of the peer
+  Effort effort;
+  std::optional<Cost> cost{};  ///< default: that of the effort
+};
+inline constexpr WhittleKind whittle_kinds[] = {{"whittle", Effort::fast},
+                                                {"whittle-normal", Effort::normal},
+                                                {"whittle-best", Effort::best},
+                                                {"whittle-quadric", Effort::fast, Cost::quadric}};
 
 // One file for each peer; cgal has two peers in one file.
-std::unique_ptr<Peer> make_whittle(WhittleEffort effort, unsigned threads);
+std::unique_ptr<Peer> make_whittle(const WhittleKind& kind, unsigned threads);
 std::unique_ptr<Peer> make_meshoptimizer();
 std::unique_ptr<Peer> make_openmesh();
 std::unique_ptr<Peer> make_pair_decimater();

@@ -12,9 +12,10 @@ using Factory = std::function<std::unique_ptr<Peer>()>;
 /// CMake defines WHITTLE_BENCH_HAS_….
 const std::vector<std::pair<std::string, Factory>>& factories() {
   static const std::vector<std::pair<std::string, Factory>> all = {
-      {"whittle", [] { return make_whittle(WhittleEffort::fast, 1); }},
-      {"whittle-normal", [] { return make_whittle(WhittleEffort::normal, 1); }},
-      {"whittle-best", [] { return make_whittle(WhittleEffort::best, 1); }},
+      {"whittle", [] { return make_whittle(whittle_kinds[0], 1); }},
+      {"whittle-normal", [] { return make_whittle(whittle_kinds[1], 1); }},
+      {"whittle-best", [] { return make_whittle(whittle_kinds[2], 1); }},
+      {"whittle-quadric", [] { return make_whittle(whittle_kinds[3], 1); }},
 #ifdef WHITTLE_BENCH_HAS_MESHOPTIMIZER
       {"meshoptimizer", make_meshoptimizer},
 #endif
@@ -42,8 +43,8 @@ std::unique_ptr<Peer> whittle_on_threads(std::string_view name) {
   const bool is_number = !digits.empty() && digits.size() <= 3 && digits.find_first_not_of("0123456789") == digits.npos;
   const unsigned threads = is_number ? static_cast<unsigned>(std::stoul(digits)) : 0;
   if (threads == 0) return nullptr;
-  for (const WhittleEffort effort : {WhittleEffort::fast, WhittleEffort::normal, WhittleEffort::best}) {
-    if (name.substr(0, colon) == name_of(effort)) return make_whittle(effort, threads);
+  for (const WhittleKind& kind : whittle_kinds) {
+    if (name.substr(0, colon) == kind.name) return make_whittle(kind, threads);
   }
   return nullptr;
 }

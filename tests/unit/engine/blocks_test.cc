@@ -74,13 +74,13 @@ TEST(Partition, GivesEachFaceToOneBlockAndEachInnerVertexAllItsFaces) {
       std::vector<std::size_t> block_of_face(mesh.faces.size(), partition.n_blocks());
       std::size_t n_vertices = 0;
       for (std::size_t block = 0; block < partition.n_blocks(); ++block) {
-        const auto faces = partition.faces_of(block);
+        const auto faces = partition.faces.of(block);
         EXPECT_TRUE(std::is_sorted(faces.begin(), faces.end()));
         for (const Index f : faces) {
           EXPECT_EQ(block_of_face[f], partition.n_blocks()) << "face " << f << " is in two blocks";
           block_of_face[f] = block;
         }
-        const auto vertices = partition.vertices_of(block);
+        const auto vertices = partition.vertices.of(block);
         EXPECT_TRUE(std::is_sorted(vertices.begin(), vertices.end()));
         for (Index rank = 0; rank < vertices.size(); ++rank) {
           EXPECT_EQ(partition.block_of[vertices[rank]], block);
@@ -105,13 +105,15 @@ TEST(Partition, HasBlocksOfAboutTheSizeAskedForAndDependsOnTheMeshAlone) {
   const Partition partition = make_partition(surface, 1000, 0.5, 1);
   EXPECT_GE(partition.n_blocks(), 64U);
   for (std::size_t block = 0; block < partition.n_blocks(); ++block) {
-    EXPECT_LT(partition.faces_of(block).size(), 2500U);
-    EXPECT_GT(partition.faces_of(block).size(), 250U);
+    EXPECT_LT(partition.faces.of(block).size(), 2500U);
+    EXPECT_GT(partition.faces.of(block).size(), 250U);
   }
   const Partition other = make_partition(surface, 1000, 0.5, 3);
   EXPECT_EQ(partition.block_of, other.block_of);
   EXPECT_EQ(partition.is_shared, other.is_shared);
-  EXPECT_EQ(partition.faces, other.faces);
+  for (std::size_t block = 0; block < partition.n_blocks(); ++block) {
+    EXPECT_TRUE(std::ranges::equal(partition.faces.of(block), other.faces.of(block)));
+  }
   const Partition shifted = make_partition(surface, 1000, 0.3, 1);
   std::size_t n_shared_in_both = 0;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -215,6 +217,32 @@ TEST(Blocks, MapVerticesAndFaces) {
       for (const Index v : face) EXPECT_NE(d.vertex_map[v], invalid_index);
     }
   }
+}
+
+TEST(Blocks, SayWhyTheyAreNotTaken) {
+  const IndexedMesh mesh = blob(3, 1);
+  const DecimateTarget target = DecimateTarget::faces(200);
+  const auto reason = [&](const auto& change, const DecimateTarget& to, const BlockPlan& plan = small_blocks) {
+    DecimateOptions options = memoryless();
+    change(options);
+    const std::string_view why = run(mesh, to, options, nullptr, plan).result.why_in_one_pass;
+    EXPECT_EQ(why, why_not_in_blocks(mesh, to, options, nullptr, plan));
+    return std::string(why);
+  };
+  const auto nothing = [](DecimateOptions&) {};
+  EXPECT_EQ(reason(nothing, target), "");
+  EXPECT_EQ(reason(nothing, target, no_blocks), "the mesh is small");
+  EXPECT_EQ(reason(nothing, DecimateTarget::max_cost(1e-9)), "there is no count to reach");
+  EXPECT_EQ(reason(nothing, DecimateTarget::faces(200).or_max_cost(1)), "the cost is limited");
+  EXPECT_EQ(reason(nothing, DecimateTarget::faces(mesh.faces.size() - 2)), "the target is near");
+  EXPECT_EQ(reason([](DecimateOptions& o) { o.cost = Cost::quadric; }, target),
+            "the cost remembers, or is ranked in exact order");
+  EXPECT_EQ(reason([](DecimateOptions& o) { o.order = Order::exact; }, target), "the order is exact");
+  EXPECT_EQ(reason([](DecimateOptions& o) { o.pairs.threshold = 0.01; }, target),
+            "threshold pairs join what lies apart");
+  EXPECT_EQ(reason([](DecimateOptions& o) { o.topology = whittle::Topology::free; }, target), "the topology may change");
+  EXPECT_EQ(reason([](DecimateOptions& o) { o.feature_angle_deg = 40; }, target), "feature lines are kept");
+  EXPECT_EQ(reason([](DecimateOptions& o) { o.refuse_intersections = true; }, target), "intersections are refused");
 }
 
 TEST(Blocks, GiveTheSameBytesOnAnyNumberOfThreads) {

@@ -185,7 +185,7 @@ TEST(SurfaceSamples, WeighWhatTheSurfaceHasOfArea) {
     double weight = 0;
     double linear = 0;
     double found = 0;
-    samples.for_each_foot(1, [&](const Foot& foot, double w) {
+    samples.for_each_foot(ground.faces.size(), 1, [&](const Foot& foot, double w) {
       weight += w;
       linear += w * foot.distance;
       found += w * foot.distance * foot.distance;

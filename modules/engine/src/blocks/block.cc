@@ -6,7 +6,7 @@ namespace whittle {
 
 Block::Block(const Surface& surface, const Partition& partition, std::size_t number,
              std::span<const std::uint8_t> locked, const Memory& memory, const DecimateOptions& options)
-    : own_(partition.vertices_of(number)), own_faces_(partition.faces_of(number)) {
+    : own_(partition.vertices.of(number)), own_faces_(partition.faces.of(number)) {
   gather(surface, partition, number);
   if (!locked.empty()) {
     for (Index v = 0; v < positions_.size(); ++v) locked_.push_back(locked[number_of(v)]);

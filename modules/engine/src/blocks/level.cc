@@ -39,6 +39,7 @@ class Level {
     return std::min(1.0, context_.target_share * n_input / static_cast<double>(surface_.faces.size()));
   }
   std::vector<std::size_t> choose_sample() const;
+  std::vector<std::size_t> largest_first_of_others() const;
   std::vector<std::uint8_t> locked() const;
   DecimateTarget least_left(const Block& block, std::size_t number) const;
   void begin(std::size_t number, const Memory& memory);
@@ -66,6 +67,17 @@ std::vector<std::size_t> Level::choose_sample() const {
   return sample;
 }
 
+/// The blocks not begun yet. Large ones come first, so that no thread begins one when the others have ended.
+std::vector<std::size_t> Level::largest_first_of_others() const {
+  std::vector<std::size_t> others;
+  for (std::size_t number = 0; number < jobs_.size(); ++number) {
+    if (!jobs_[number]) others.push_back(number);
+  }
+  const auto size = [this](std::size_t number) { return partition_.faces.of(number).size(); };
+  std::stable_sort(others.begin(), others.end(), [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
+  return others;
+}
+
 std::vector<std::uint8_t> Level::locked() const {
   const std::vector<std::uint8_t>& locked = context_.options.locked;
   return before_ ? before_->of_vertices(locked) : locked;
@@ -77,7 +89,7 @@ DecimateTarget Level::least_left(const Block& block, std::size_t number) const {
   const auto part_of = [this](std::size_t n) {
     return static_cast<std::uint64_t>(std::ceil(share() * static_cast<double>(n)));
   };
-  return DecimateTarget::faces(part_of(partition_.faces_of(number).size()) + 1)
+  return DecimateTarget::faces(part_of(partition_.faces.of(number).size()) + 1)
       .or_vertices(block.n_frozen_vertices() + part_of(block.n_inner_vertices()));
 }
 
@@ -188,15 +200,17 @@ Remainder Level::run(const Memory& memory) {
   Remainder remainder;
   remainder.memory.face_area = memory.face_area;
   remainder.cost_limit = plan_.surplus ? climb(choose_sample(), memory) : before_->cost_limit;
-  for_each_block(jobs_.size() + 1, threads(), [&](std::size_t number) {
+  const std::vector<std::size_t> others = largest_first_of_others();
+  for_each_block(others.size() + 1, threads(), [&](std::size_t i) {
     if (context_.progress.is_cancelled()) return;
-    if (number == jobs_.size()) {
-      if (!before_) nonmanifold_[number] = count_nonmanifold_at_borders();
-    } else if (!jobs_[number]) {
-      begin(number, memory);
-      jobs_[number]->block->run(remainder.cost_limit);
-      finish(number);
+    if (i == 0) {
+      if (!before_) nonmanifold_.back() = count_nonmanifold_at_borders();
+      return;
     }
+    const std::size_t number = others[i - 1];
+    begin(number, memory);
+    jobs_[number]->block->run(remainder.cost_limit);
+    finish(number);
   });
   std::vector<const Block*> blocks;
   for (const auto& job : jobs_) {

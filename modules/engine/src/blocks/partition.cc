@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <utility>
 
 #include "whittle/core/detail/parallel.hh"
 
@@ -63,85 +62,39 @@ std::vector<Vec3> sample_of(const Surface& surface, std::size_t n_wanted) {
   return sample;
 }
 
-/// Sorts numbers by block, ascending in each, in parallel: counts first, by range and block.
-class BlockSort {
- public:
-  BlockSort(std::size_t n, std::size_t n_blocks)
-      : n_(n), n_blocks_(n_blocks), places_((n + range_length - 1) / range_length * n_blocks) {}
-
-  std::size_t n_ranges() const { return places_.size() / n_blocks_; }
-  std::size_t begin(std::size_t range) const { return range * range_length; }
-  std::size_t end(std::size_t range) const { return std::min(n_, (range + 1) * range_length); }
-
-  void count(std::size_t range, Partition::Block block) { ++places_[range * n_blocks_ + block]; }
-  /// Turns counts into places. \return the begin of each block, and the end
-  std::vector<Index> sum_up() {
-    std::vector<Index> begins(n_blocks_ + 1);
-    Index sum = 0;
-    for (std::size_t block = 0; block < n_blocks_; ++block) {
-      begins[block] = sum;
-      for (std::size_t range = 0; range < n_ranges(); ++range) {
-        sum += std::exchange(places_[range * n_blocks_ + block], sum);
-      }
-    }
-    begins[n_blocks_] = sum;
-    return begins;
-  }
-  Index next_place(std::size_t range, Partition::Block block) { return places_[range * n_blocks_ + block]++; }
-
- private:
-  std::size_t n_;
-  std::size_t n_blocks_;
-  std::vector<Index> places_;
-};
-
 void sort_vertices(const Surface& surface, const CutTree& tree, unsigned threads, Partition& partition) {
   const std::size_t n = surface.positions.size();
   partition.block_of.resize(n);
   partition.ranks.resize(n);
-  partition.vertices.resize(n);
-  BlockSort sort(n, tree.n_cells());
-  for_each_block(sort.n_ranges(), threads, [&](std::size_t range) {
-    for (std::size_t v = sort.begin(range); v < sort.end(range); ++v) {
+  for_each_range(n, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
       partition.block_of[v] = tree.cell_of(surface.frame.to_frame(surface.positions[v]));
-      sort.count(range, partition.block_of[v]);
     }
   });
-  partition.vertex_begins = sort.sum_up();
-  for_each_block(sort.n_ranges(), threads, [&](std::size_t range) {
-    for (std::size_t v = sort.begin(range); v < sort.end(range); ++v) {
-      const Partition::Block block = partition.block_of[v];
-      const Index place = sort.next_place(range, block);
-      partition.vertices[place] = static_cast<Index>(v);
-      partition.ranks[v] = place - partition.vertex_begins[block];
-    }
+  partition.vertices =
+      detail::ItemGroups(n, tree.n_cells(), threads, [&](Index v, const auto& use) { use(partition.block_of[v]); });
+  for_each_block(tree.n_cells(), threads, [&](std::size_t block) {
+    Index rank = 0;
+    for (const Index v : partition.vertices.of(block)) partition.ranks[v] = rank++;
   });
 }
 
 void sort_faces(const Surface& surface, std::size_t n_blocks, unsigned threads, Partition& partition) {
-  const std::size_t n = surface.faces.size();
-  std::vector<Partition::Block> block_of_face(n);
+  const std::vector<Partition::Block>& block_of = partition.block_of;
+  const auto block_of_face = [&](const Triangle& face) {
+    return std::min({block_of[face[0]], block_of[face[1]], block_of[face[2]]});
+  };
   partition.is_shared.resize(surface.positions.size());
-  partition.faces.resize(n);
-  BlockSort sort(n, n_blocks);
-  for_each_block(sort.n_ranges(), threads, [&](std::size_t range) {
-    for (std::size_t f = sort.begin(range); f < sort.end(range); ++f) {
-      const auto& [a, b, c] = surface.faces[f];
-      const auto& block_of = partition.block_of;
-      const Partition::Block block = std::min({block_of[a], block_of[b], block_of[c]});
-      block_of_face[f] = block;
-      sort.count(range, block);
-      for (const Index v : {a, b, c}) {  // several threads may write the same
+  for_each_range(surface.faces.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const Partition::Block block = block_of_face(surface.faces[f]);
+      for (const Index v : surface.faces[f]) {  // several threads may write the same
         if (block_of[v] != block) std::atomic_ref(partition.is_shared[v]).store(1, std::memory_order_relaxed);
       }
     }
   });
-  partition.face_begins = sort.sum_up();
-  for_each_block(sort.n_ranges(), threads, [&](std::size_t range) {
-    for (std::size_t f = sort.begin(range); f < sort.end(range); ++f) {
-      partition.faces[sort.next_place(range, block_of_face[f])] = static_cast<Index>(f);
-    }
-  });
+  partition.faces = detail::ItemGroups(surface.faces.size(), n_blocks, threads,
+                                       [&](Index f, const auto& use) { use(block_of_face(surface.faces[f])); });
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "loop/pass.hh"
+#include "whittle/core/detail/item_groups.hh"
 
 namespace whittle {
 
@@ -16,21 +16,13 @@ namespace whittle {
 struct Partition {
   using Block = std::uint16_t;
 
-  std::size_t n_blocks() const { return face_begins.size() - 1; }
-  std::span<const Index> vertices_of(std::size_t block) const {
-    return {vertices.data() + vertex_begins[block], vertices.data() + vertex_begins[block + 1]};
-  }
-  std::span<const Index> faces_of(std::size_t block) const {
-    return {faces.data() + face_begins[block], faces.data() + face_begins[block + 1]};
-  }
+  std::size_t n_blocks() const { return faces.size(); }
 
   std::vector<Block> block_of;          ///< per vertex
   std::vector<Index> ranks;             ///< per vertex, its place among those of its block
   std::vector<std::uint8_t> is_shared;  ///< per vertex
-  std::vector<Index> vertices;          ///< by block, ascending in each
-  std::vector<Index> faces;             ///< by block, ascending in each
-  std::vector<Index> vertex_begins;     ///< of each block in `vertices`, and the end
-  std::vector<Index> face_begins;       ///< of each block in `faces`, and the end
+  detail::ItemGroups vertices;          ///< by block
+  detail::ItemGroups faces;             ///< by block
 };
 
 /// \param faces_per_block blocks have up to 1.5 times as many, or down to 0.7 times, where density allows

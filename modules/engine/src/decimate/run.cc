@@ -216,7 +216,8 @@ NonmanifoldCounts Run::count_before(Pass& pass) const {
 }
 
 Decimation Run::decimate(const BlockPlan& plan) {
-  if (why_not_in_blocks(mesh_, target_, options_, host_, plan).empty()) {
+  const std::string_view why_in_one_pass = why_not_in_blocks(mesh_, target_, options_, host_, plan);
+  if (why_in_one_pass.empty()) {
     remainder_ = decimate_in_blocks(mesh_, frame_, target_, options_, plan);
   }
   const DecimateOptions options = remainder_ ? options_after(*remainder_, options_) : options_;
@@ -229,6 +230,7 @@ Decimation Run::decimate(const BlockPlan& plan) {
   Decimation out = make_output(mesh_, remainder_ ? &*remainder_ : nullptr, pass, frame_, options_);
   out.feature_edges = output_features(pass.feature_edges(), pass.complex(), out.vertex_map);
   out.result = std::move(result);
+  out.result.why_in_one_pass = why_in_one_pass;
   compare_surfaces(mesh_, before, pass.complex(), options_, out);
   return out;
 }

@@ -8,7 +8,6 @@
 #include <mutex>
 #include <optional>
 #include <stdexcept>
-#include <thread>
 
 #include "pairs/site_boxes.hh"
 #include "pairs/site_tree.hh"
@@ -373,9 +372,7 @@ class PartnerLists {
         blocks_[i] = search_block(search, scene, i);
       }
     };
-    const std::size_t n_threads =
-        workers.threads > 0 ? workers.threads : std::max(1U, std::thread::hardware_concurrency());
-    for_each_block(std::min(n_threads, blocks_.size()), workers.threads, search_blocks);
+    for_each_block(std::min(n_threads(workers.threads), blocks_.size()), workers.threads, search_blocks);
   }
 
   std::size_t n_blocks() const { return blocks_.size(); }

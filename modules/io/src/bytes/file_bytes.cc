@@ -50,15 +50,13 @@ FileBytes::FileBytes(const std::filesystem::path& path) {
   const InputDescriptor file(path);
   if (!file.is_open()) throw ReadError(name, std::string("cannot be opened: ") + std::strerror(errno));
   if (const std::size_t size = file.size().value_or(0); size > 0) {
-    data_ = std::make_unique_for_overwrite<char[]>(size);
-    size_ = read_up_to(file.number(), data_.get(), size, name);
+    bytes_.resize(size);
+    bytes_.resize(read_up_to(file.number(), bytes_.data(), size, name));
     return;
   }
   // A pipe, or a file that doesn't know its size, such as those in /proc.
   const std::vector<char> bytes = read_all(file.number(), name);
-  data_ = std::make_unique_for_overwrite<char[]>(bytes.size());
-  std::copy(bytes.begin(), bytes.end(), data_.get());
-  size_ = bytes.size();
+  bytes_.assign(bytes.begin(), bytes.end());
 }
 
 }  // namespace whittle::io

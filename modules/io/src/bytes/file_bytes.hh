@@ -2,8 +2,9 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <memory>
 #include <string_view>
+
+#include "whittle/core/detail/large_array.hh"
 
 namespace whittle::io {
 
@@ -14,11 +15,10 @@ class FileBytes {
   /// \throw ReadError if the file can't be opened or read.
   explicit FileBytes(const std::filesystem::path& path);
 
-  std::string_view view() const { return {data_.get(), size_}; }
+  std::string_view view() const { return {bytes_.data(), bytes_.size()}; }
 
  private:
-  std::unique_ptr<char[]> data_;
-  std::size_t size_ = 0;
+  LargeArray<char> bytes_;
 };
 
 }  // namespace whittle::io

@@ -8,6 +8,15 @@
 
 namespace whittle::io {
 
+void MeshBuilder::add_triangles(std::vector<Triangle> faces) {
+  result_.file_faces += faces.size();
+  if (result_.mesh.faces.empty()) {
+    result_.mesh.faces = std::move(faces);
+  } else {
+    result_.mesh.faces.insert(result_.mesh.faces.end(), faces.begin(), faces.end());
+  }
+}
+
 void MeshBuilder::add_polygon(std::span<const Index> corners) {
   if (corners.size() == 3) {
     add_triangle({corners[0], corners[1], corners[2]});
@@ -75,7 +84,7 @@ ReadResult MeshBuilder::finish() {
   normalize_normals();
   IndexedMesh& mesh = result_.mesh;
   result_.file_vertices = mesh.positions.size();
-  mesh.origins.resize(mesh.positions.size());
+  resize_large(mesh.origins, mesh.positions.size());
   std::iota(mesh.origins.begin(), mesh.origins.end(), Index{0});
   return std::move(result_);
 }

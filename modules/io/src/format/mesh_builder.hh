@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "whittle/core/detail/large_array.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/io/read.hh"
 
@@ -32,12 +33,15 @@ class MeshBuilder {
   std::size_t vertex_count() const { return result_.mesh.positions.size(); }
 
   /// \pre `count` was checked against the file's size.
-  void reserve_faces(std::size_t count) { result_.mesh.faces.reserve(count); }
+  void reserve_vertices(std::size_t count) { reserve_large(result_.mesh.positions, count); }
+  /// \pre likewise
+  void reserve_faces(std::size_t count) { reserve_large(result_.mesh.faces, count); }
 
   void add_triangle(const Triangle& face) {
     ++result_.file_faces;
     result_.mesh.faces.push_back(face);
   }
+  void add_triangles(std::vector<Triangle> faces);
   /// Any number of corners. A corner that repeats its neighbour is left out. With fewer than three corners left, the
   /// face is counted as degenerate.
   void add_polygon(std::span<const Index> corners);

@@ -7,6 +7,7 @@
 #include "format/content.hh"
 #include "format/format_row.hh"
 #include "format/mesh_builder.hh"
+#include "whittle/core/detail/large_array.hh"
 
 namespace whittle::io {
 
@@ -21,21 +22,22 @@ Format choose_format(std::string_view name, const ReadOptions& options) {
   }
 }
 
-ReadResult parse_unpacked(std::string_view bytes, std::string_view name, Format format) {
+ReadResult parse_unpacked(std::string_view bytes, std::string_view name, Format format, unsigned threads) {
   refuse_wrong_content(bytes, name, format);
-  return row_of(format).read(bytes, name);
+  return row_of(format).read(bytes, name, threads);
 }
 
 // The content tells whether it is packed, not the name: servers unpack files and leave their names, or the reverse.
-ReadResult parse(std::string_view bytes, std::string_view name, Format format) {
-  if (!is_gzip(bytes)) return parse_unpacked(bytes, name, format);
+ReadResult parse(std::string_view bytes, std::string_view name, Format format, unsigned threads) {
+  if (!is_gzip(bytes)) return parse_unpacked(bytes, name, format, threads);
   const std::vector<char> unpacked = gunzip(bytes, name);
-  return parse_unpacked({unpacked.data(), unpacked.size()}, name, format);
+  return parse_unpacked({unpacked.data(), unpacked.size()}, name, format, threads);
 }
 
 // The vertex of the mesh that each vertex of the file became. \pre the mesh's origins are numbers of the file.
 std::vector<Index> vertex_map(const ReadResult& result, const std::vector<Index>& joined_to) {
-  std::vector<Index> map(result.file_vertices, invalid_index);
+  std::vector<Index> map;
+  resize_large(map, result.file_vertices, invalid_index);
   for (std::size_t v = 0; v < result.mesh.origins.size(); ++v) map[result.mesh.origins[v]] = static_cast<Index>(v);
   for (std::size_t v = 0; v < joined_to.size(); ++v) map[v] = map[joined_to[v]];
   return map;
@@ -54,7 +56,7 @@ void finish(ReadResult& result, std::string_view name, const ReadOptions& option
                     "the polygons have more than the " + std::to_string(most_elements) + " triangles a mesh can have");
   }
   std::vector<Index> joined_to;
-  result.repairs += repair(result.mesh, options.weld, &joined_to);
+  result.repairs += repair(result.mesh, options.weld, &joined_to, options.threads);
   if (result.mesh.faces.empty()) {
     throw ReadError(std::string(name), "no face is left of " + std::to_string(result.file_faces) +
                                            ": all are degenerate (" + to_string(result.repairs) + ")");
@@ -69,7 +71,7 @@ ReadResult read_mesh(const std::filesystem::path& path, const ReadOptions& optio
   const Format format = choose_format(name, options);
   ReadResult result = [&] {
     const FileBytes file(path);  // Freed before the repairs need memory.
-    return parse(file.view(), name, format);
+    return parse(file.view(), name, format, options.threads);
   }();
   finish(result, name, options, format);
   return result;
@@ -77,7 +79,7 @@ ReadResult read_mesh(const std::filesystem::path& path, const ReadOptions& optio
 
 ReadResult read_mesh(std::span<const char> bytes, std::string_view name, const ReadOptions& options) {
   const Format format = choose_format(name, options);
-  ReadResult result = parse(std::string_view(bytes.data(), bytes.size()), name, format);
+  ReadResult result = parse(std::string_view(bytes.data(), bytes.size()), name, format, options.threads);
   finish(result, name, options, format);
   return result;
 }

@@ -11,7 +11,7 @@
 namespace whittle::io {
 
 // `FormatRow` says what these do.
-ReadResult read_obj(std::string_view bytes, std::string_view name);
+ReadResult read_obj(std::string_view bytes, std::string_view name, unsigned threads);
 void write_obj(ByteSink& sink, const IndexedMesh& mesh, const WriteOptions& options,
                std::vector<std::string>& warnings);
 

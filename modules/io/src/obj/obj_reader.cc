@@ -20,7 +20,7 @@ class ObjReader {
 
   ReadResult read() {
     // A third of the lines are vertices, a line has about 30 bytes. A wrong guess costs a reallocation.
-    builder_.positions().reserve(length_ / 90);
+    builder_.reserve_vertices(length_ / 90);
     builder_.reserve_faces(length_ / 45);
     for (; !cursor_.at_end(); cursor_.next_line()) {
       cursor_.skip_blanks();
@@ -287,7 +287,7 @@ void ObjReader::warn_of_what_is_not_carried() {
 
 }  // namespace
 
-ReadResult read_obj(std::string_view bytes, std::string_view name) {
+ReadResult read_obj(std::string_view bytes, std::string_view name, unsigned /*threads*/) {
   return ObjReader(without_byte_order_mark(bytes), name).read();
 }
 

@@ -86,7 +86,7 @@ class AsciiOffReader {
 
   ReadResult read() {
     read_counts();
-    builder_.positions().reserve(static_cast<std::size_t>(counts_.vertices));
+    builder_.reserve_vertices(static_cast<std::size_t>(counts_.vertices));
     builder_.reserve_faces(static_cast<std::size_t>(counts_.faces));
     for (std::int64_t v = 0; v < counts_.vertices; ++v) read_vertex();
     for (std::int64_t f = 0; f < counts_.faces; ++f) read_face();
@@ -242,7 +242,7 @@ class BinaryOffReader {
 
   ReadResult read() {
     read_counts();
-    builder_.positions().reserve(static_cast<std::size_t>(counts_.vertices));
+    builder_.reserve_vertices(static_cast<std::size_t>(counts_.vertices));
     builder_.reserve_faces(static_cast<std::size_t>(counts_.faces));
     for (std::int64_t v = 0; v < counts_.vertices; ++v) read_vertex();
     for (std::int64_t f = 0; f < counts_.faces; ++f) read_face();
@@ -365,7 +365,7 @@ BinaryLayout find_layout(ByteCursor cursor, const OffHeader& header) {
 
 }  // namespace
 
-ReadResult read_off(std::string_view bytes, std::string_view name) {
+ReadResult read_off(std::string_view bytes, std::string_view name, unsigned /*threads*/) {
   const std::string_view text = without_byte_order_mark(bytes);
   TextCursor cursor(text, name);
   const OffHeader header = read_header(cursor);

@@ -2,6 +2,7 @@
 // vertices, faces and tristrips are used. One reader serves text and binary: it takes numbers from a source, which
 // knows the encoding.
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -13,6 +14,8 @@
 #include "format/mesh_builder.hh"
 #include "ply/ply.hh"
 #include "ply/ply_header.hh"
+#include "whittle/core/detail/large_array.hh"
+#include "whittle/core/detail/parallel.hh"
 
 namespace whittle::io {
 
@@ -21,6 +24,7 @@ namespace {
 class TextSource {
  public:
   using Location = const char*;
+  static constexpr bool has_fixed_sizes = false;  // Of numbers.
 
   TextSource(const TextCursor& cursor) : cursor_(cursor) {}
 
@@ -69,6 +73,7 @@ class TextSource {
 class BinarySource {
  public:
   using Location = std::size_t;
+  static constexpr bool has_fixed_sizes = true;
 
   BinarySource(const ByteCursor& cursor) : cursor_(cursor) {}
 
@@ -117,6 +122,14 @@ class BinarySource {
     cursor_.require(count * size_of(type), what);
     cursor_.skip(count * size_of(type));
   }
+  // \pre so many bytes are left.
+  void skip_bytes(std::size_t bytes) { cursor_.skip(bytes); }
+  BinarySource further(std::size_t bytes) const {
+    BinarySource source = *this;
+    source.skip_bytes(bytes);
+    return source;
+  }
+
   // Padding at the end is harmless. Anything else contradicts the header.
   void finish() {
     for (std::size_t i = 0; i < cursor_.bytes_left(); ++i) {
@@ -163,7 +176,8 @@ double color_scale(PlyType type) {
 template <class Source>
 class BodyReader {
  public:
-  BodyReader(const PlyHeader& header, const Source& source) : header_(header), source_(source) {
+  BodyReader(const PlyHeader& header, const Source& source, unsigned threads)
+      : header_(header), source_(source), threads_(threads) {
     for (const PlyElement& element : header.elements) {
       if (element.name == "vertex") vertices_ = element.count;
     }
@@ -199,20 +213,19 @@ class BodyReader {
     }
   }
 
-  void skip_property(const PlyElement& element, const PlyProperty& property) {
+  static void skip_property(Source& source, const PlyElement& element, const PlyProperty& property) {
     if (!property.count_type) {
-      source_.skip(property.type, 1, element.name);
+      source.skip(property.type, 1, element.name);
     } else {
-      source_.skip(property.type, read_length(*property.count_type, property.name), element.name);
+      source.skip(property.type, read_length(source, *property.count_type, property.name), element.name);
     }
   }
 
-  std::uint64_t read_length(PlyType type, const std::string& list) {
-    const Location at = source_.location();
-    const std::int64_t length = source_.length(type, "the length of a list");
-    if (length < 0 || static_cast<std::uint64_t>(length) > source_.bytes_left()) {
-      source_.fail(at,
-                   "a list " + list + " of length " + std::to_string(length) + "; the file is truncated or invalid");
+  static std::uint64_t read_length(Source& source, PlyType type, const std::string& list) {
+    const Location at = source.location();
+    const std::int64_t length = source.length(type, "the length of a list");
+    if (length < 0 || static_cast<std::uint64_t>(length) > source.bytes_left()) {
+      source.fail(at, "a list " + list + " of length " + std::to_string(length) + "; the file is truncated or invalid");
     }
     return static_cast<std::uint64_t>(length);
   }
@@ -222,7 +235,7 @@ class BodyReader {
     builder_.warn("elements \"" + element.name + "\" are not carried");
     for (std::uint64_t i = 0; i < element.count; ++i) {
       source_.begin_row();
-      for (const PlyProperty& property : element.properties) skip_property(element, property);
+      for (const PlyProperty& property : element.properties) skip_property(source_, element, property);
       source_.end_row();
     }
   }
@@ -262,38 +275,63 @@ class BodyReader {
     const VertexPlan plan = plan_vertices(element);
     const auto count = static_cast<std::size_t>(element.count);
     if (element.properties.empty()) return;
-    builder_.positions().reserve(count);
-    if (plan.normals) builder_.normals().reserve(count);
-    if (plan.colors) builder_.colors().reserve(count);
-    Row row{};
-    for (std::size_t v = 0; v < count; ++v) {
-      source_.begin_row();
-      for (std::size_t p = 0; p < plan.roles.size(); ++p) {
-        const PlyProperty& property = element.properties[p];
-        const Role role = plan.roles[p];
-        if (property.count_type) {
-          skip_property(element, property);
-          continue;
-        }
-        const Location at = source_.location();
-        row[role] = source_.number(property.type, "a vertex property");
-        if (role <= z && !std::isfinite(row[role])) source_.fail(at, "a coordinate is not finite");
-      }
-      source_.end_row();
-      builder_.positions().emplace_back(row[x], row[y], row[z]);
-      if (plan.normals) {
-        builder_.normals().push_back(
-            {static_cast<float>(row[nx]), static_cast<float>(row[ny]), static_cast<float>(row[nz])});
-      }
-      if (plan.colors) add_color(plan, row);
+    resize_large(builder_.positions(), count);
+    if (plan.normals) resize_large(builder_.normals(), count);
+    if (plan.colors) resize_large(builder_.colors(), count);
+    if constexpr (Source::has_fixed_sizes) {
+      if (read_fixed_vertices(element, plan)) return;
     }
+    for (std::size_t v = 0; v < count; ++v) read_vertex(source_, element, plan, v);
   }
 
-  void add_color(const VertexPlan& plan, const Row& row) {
+  void read_vertex(Source& source, const PlyElement& element, const VertexPlan& plan, std::size_t v) {
+    Row row{};
+    source.begin_row();
+    for (std::size_t p = 0; p < plan.roles.size(); ++p) {
+      const PlyProperty& property = element.properties[p];
+      const Role role = plan.roles[p];
+      if (property.count_type) {
+        skip_property(source, element, property);
+        continue;
+      }
+      const Location at = source.location();
+      row[role] = source.number(property.type, "a vertex property");
+      if (role <= z && !std::isfinite(row[role])) source.fail(at, "a coordinate is not finite");
+    }
+    source.end_row();
+    builder_.positions()[v] = {row[x], row[y], row[z]};
+    if (plan.normals) {
+      builder_.normals()[v] = {static_cast<float>(row[nx]), static_cast<float>(row[ny]), static_cast<float>(row[nz])};
+    }
+    if (plan.colors) builder_.colors()[v] = color_of(plan, row);
+  }
+
+  static Color color_of(const VertexPlan& plan, const Row& row) {
     Color color;
     for (std::size_t i = 0; i < 4; ++i) color[i] = static_cast<float>(row[red + i] / plan.color_scales[i]);
     if (!plan.has[alpha]) color[3] = opaque;
-    builder_.colors().push_back(color);
+    return color;
+  }
+
+  // On all threads, if every row has the same size and all is well. Returns false if not: then nothing was read, and
+  // whoever reads one row after the other finds the first error.
+  bool read_fixed_vertices(const PlyElement& element, const VertexPlan& plan) {
+    std::size_t size = 0;
+    for (const PlyProperty& property : element.properties) {
+      if (property.count_type) return false;
+      size += size_of(property.type);
+    }
+    const auto count = static_cast<std::size_t>(element.count);
+    try {
+      for_each_range(count, threads_, [&](std::size_t begin, std::size_t end) {
+        Source source = source_.further(begin * size);
+        for (std::size_t v = begin; v < end; ++v) read_vertex(source, element, plan, v);
+      });
+    } catch (const ReadError&) {
+      return false;
+    }
+    source_.skip_bytes(count * size);
+    return true;
   }
 
   // The index of the property that holds the corners. Warns of the other properties.
@@ -317,38 +355,84 @@ class BodyReader {
 
   void read_faces(const PlyElement& element) {
     const std::size_t list = find_corners(element);
+    if constexpr (Source::has_fixed_sizes) {
+      if (read_fixed_triangles(element, list)) return;
+    }
     builder_.reserve_faces(static_cast<std::size_t>(element.count));
     for (std::uint64_t f = 0; f < element.count; ++f) {
       source_.begin_row();
       for (std::size_t p = 0; p < element.properties.size(); ++p) {
         if (p != list) {
-          skip_property(element, element.properties[p]);
+          skip_property(source_, element, element.properties[p]);
           continue;
         }
         const PlyProperty& property = element.properties[p];
-        const std::uint64_t length = read_length(*property.count_type, property.name);
+        const std::uint64_t length = read_length(source_, *property.count_type, property.name);
         if (length == 3) {
-          const Index a = read_corner(property.type);
-          const Index b = read_corner(property.type);
-          builder_.add_triangle({a, b, read_corner(property.type)});
+          builder_.add_triangle(read_triangle(source_, property.type));
           continue;
         }
         corners_.clear();
-        for (std::uint64_t c = 0; c < length; ++c) corners_.push_back(read_corner(property.type));
+        for (std::uint64_t c = 0; c < length; ++c) corners_.push_back(read_corner(source_, property.type));
         builder_.add_polygon(corners_);
       }
       source_.end_row();
     }
   }
 
-  Index read_corner(PlyType type) {
-    const Location at = source_.location();
-    const std::int64_t vertex = source_.entry(type, "a vertex number");
+  // As `read_fixed_vertices`, if all faces are triangles.
+  bool read_fixed_triangles(const PlyElement& element, std::size_t list) {
+    std::size_t size = 0;
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const PlyProperty& property = element.properties[p];
+      if (property.count_type && p != list) return false;
+      size += property.count_type ? size_of(*property.count_type) + 3 * size_of(property.type) : size_of(property.type);
+    }
+    const auto count = static_cast<std::size_t>(element.count);
+    if (count == 0 || count > source_.bytes_left() / size) return false;
+    std::vector<Triangle> faces;
+    resize_large(faces, count);
+    std::atomic<bool> are_triangles = true;
+    try {
+      for_each_range(count, threads_, [&](std::size_t begin, std::size_t end) {
+        Source source = source_.further(begin * size);
+        for (std::size_t f = begin; f < end && are_triangles.load(std::memory_order_relaxed); ++f) {
+          for (std::size_t p = 0; p < element.properties.size(); ++p) {
+            const PlyProperty& property = element.properties[p];
+            if (p != list) {
+              skip_property(source, element, property);
+            } else if (source.length(*property.count_type, "the length of a list") == 3) {
+              faces[f] = read_triangle(source, property.type);
+            } else {
+              are_triangles = false;
+              return;
+            }
+          }
+        }
+      });
+    } catch (const ReadError&) {
+      return false;
+    }
+    if (!are_triangles) return false;
+    source_.skip_bytes(count * size);
+    builder_.add_triangles(std::move(faces));
+    return true;
+  }
+
+  Triangle read_triangle(Source& source, PlyType type) const {
+    const Index a = read_corner(source, type);
+    const Index b = read_corner(source, type);
+    return {a, b, read_corner(source, type)};
+  }
+
+  Index read_corner(Source& source, PlyType type) const {
+    const Location at = source.location();
+    const std::int64_t vertex = source.entry(type, "a vertex number");
     if (vertex < 0 || static_cast<std::uint64_t>(vertex) >= vertices_) fail_vertex_number(at, vertex);
     return static_cast<Index>(vertex);
   }
 
-  [[noreturn]] void fail_vertex_number(Location at, std::int64_t vertex) {
+  [[noreturn]] void fail_vertex_number(Location at, std::int64_t vertex) const {
     source_.fail(at, "vertex number " + std::to_string(vertex) + ", but the file has " + std::to_string(vertices_) +
                          " vertices, counted from 0");
   }
@@ -363,7 +447,7 @@ class BodyReader {
         if (p == list) {
           read_strip(element.properties[p]);
         } else {
-          skip_property(element, element.properties[p]);
+          skip_property(source_, element, element.properties[p]);
         }
       }
       source_.end_row();
@@ -373,7 +457,7 @@ class BodyReader {
   void read_strip(const PlyProperty& property) {
     const std::int64_t restart_if_unsigned =
         property.type == PlyType::uint32 ? std::int64_t{std::numeric_limits<std::uint32_t>::max()} : -1;
-    const std::uint64_t length = read_length(*property.count_type, property.name);
+    const std::uint64_t length = read_length(source_, *property.count_type, property.name);
     std::size_t in_strip = 0;
     Index a = 0;
     Index b = 0;
@@ -397,6 +481,7 @@ class BodyReader {
 
   const PlyHeader& header_;
   Source source_;
+  unsigned threads_;
   MeshBuilder builder_;
   std::uint64_t vertices_ = 0;
   std::vector<Index> corners_;
@@ -404,16 +489,16 @@ class BodyReader {
 
 }  // namespace
 
-ReadResult read_ply(std::string_view bytes, std::string_view name) {
+ReadResult read_ply(std::string_view bytes, std::string_view name, unsigned threads) {
   const std::string_view text = without_byte_order_mark(bytes);
   const PlyHeader header = read_ply_header(text, name);
   if (header.encoding == PlyEncoding::ascii) {
     TextCursor cursor(text, name);
     cursor.skip_to(header.data_start);
-    return BodyReader(header, TextSource(cursor)).read();
+    return BodyReader(header, TextSource(cursor), threads).read();
   }
   const std::endian order = header.encoding == PlyEncoding::big_endian ? std::endian::big : std::endian::little;
-  return BodyReader(header, BinarySource(ByteCursor(text, header.data_start, order, name))).read();
+  return BodyReader(header, BinarySource(ByteCursor(text, header.data_start, order, name)), threads).read();
 }
 
 }  // namespace whittle::io

@@ -164,15 +164,15 @@ BorderGaps find_border_gaps(const IndexedMesh& mesh) {
   return gaps;
 }
 
-Repairs weld_gaps(IndexedMesh& mesh, double tolerance, std::vector<Index>* vertex_map) {
+Repairs weld_gaps(IndexedMesh& mesh, double tolerance, std::vector<Index>* vertex_map, unsigned threads) {
   if (!(tolerance >= 0) || std::isinf(tolerance)) throw std::invalid_argument("tolerance is negative or not finite");
   const std::vector<Vec3> own = mesh.positions;
   const std::vector<Index> center = centers_of_clusters(BorderVertices(mesh), own, tolerance);
   for (std::size_t v = 0; v < own.size(); ++v) mesh.positions[v] = own[center[v]];
   std::vector<Index> joined_to;
-  Repairs done = weld_borders_without_copies(mesh, &joined_to);
+  Repairs done = weld_borders_without_copies(mesh, &joined_to, threads);
   mesh.positions = own;
-  std::vector<Index> renumbered = tidy_after_welding(mesh, done);
+  std::vector<Index> renumbered = tidy_after_welding(mesh, done, threads);
   if (vertex_map == nullptr) return done;
   vertex_map->resize(own.size());
   for (std::size_t v = 0; v < own.size(); ++v) (*vertex_map)[v] = renumbered[joined_to.empty() ? v : joined_to[v]];

@@ -5,7 +5,6 @@
 #include "repair/duplicate_faces.hh"
 #include "repair/weld.hh"
 #include "whittle/core/detail/drop.hh"
-#include "whittle/core/detail/index_lists.hh"
 
 namespace whittle::io {
 
@@ -49,40 +48,12 @@ std::string to_string(const Repairs& repairs) {
   return text;
 }
 
-std::vector<char> find_duplicate_faces(const std::vector<Triangle>& faces, std::size_t vertices) {
-  struct Item {
-    Index second;
-    Index third;
-    Index face;
-    auto operator<=>(const Item&) const = default;
-  };
-  whittle::detail::IndexLists<Item> by_lowest(vertices, [&](const auto& emit) {
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      const Triangle& t = faces[f];
-      if (!has_three_corners(t)) continue;
-      const auto lowest = static_cast<std::size_t>(std::min_element(t.begin(), t.end()) - t.begin());
-      emit(t[lowest], Item{t[(lowest + 1) % 3], t[(lowest + 2) % 3], static_cast<Index>(f)});
-    }
-  });
-  std::vector<char> is_duplicate(faces.size(), 0);
-  for (std::size_t v = 0; v < vertices; ++v) {
-    const std::span<Item> items = by_lowest.of(static_cast<Index>(v));
-    if (items.size() < 2) continue;
-    std::sort(items.begin(), items.end());
-    for (std::size_t i = 1; i < items.size(); ++i) {
-      const bool same = items[i].second == items[i - 1].second && items[i].third == items[i - 1].third;
-      if (same) is_duplicate[items[i].face] = 1;
-    }
-  }
-  return is_duplicate;
-}
-
 std::size_t drop_degenerate_faces(IndexedMesh& mesh) {
   return drop_faces(mesh, [&](std::size_t f) { return !has_three_corners(mesh.faces[f]); });
 }
 
-std::size_t drop_duplicate_faces(IndexedMesh& mesh) {
-  const std::vector<char> is_duplicate = find_duplicate_faces(mesh.faces, mesh.positions.size());
+std::size_t drop_duplicate_faces(IndexedMesh& mesh, unsigned threads) {
+  const std::vector<char> is_duplicate = find_duplicate_faces(mesh.faces, mesh.positions.size(), threads);
   return drop_faces(mesh, [&](std::size_t f) { return is_duplicate[f] != 0; });
 }
 
@@ -104,10 +75,10 @@ std::size_t drop_isolated_vertices(IndexedMesh& mesh) {
   return count - mesh.positions.size();
 }
 
-std::vector<Index> tidy_after_welding(IndexedMesh& mesh, Repairs& done) {
+std::vector<Index> tidy_after_welding(IndexedMesh& mesh, Repairs& done, unsigned threads) {
   if (done.welded_vertices > 0) {
     done.degenerate_faces += drop_degenerate_faces(mesh);
-    done.duplicate_faces += drop_duplicate_faces(mesh);
+    done.duplicate_faces += drop_duplicate_faces(mesh, threads);
   }
   const std::size_t count = mesh.positions.size();
   std::vector<Index> renumbered = drop_isolated(mesh);
@@ -115,13 +86,13 @@ std::vector<Index> tidy_after_welding(IndexedMesh& mesh, Repairs& done) {
   return renumbered;
 }
 
-Repairs repair(IndexedMesh& mesh, bool weld, std::vector<Index>* joined_to) {
+Repairs repair(IndexedMesh& mesh, bool weld, std::vector<Index>* joined_to, unsigned threads) {
   Repairs done;
   if (joined_to != nullptr) joined_to->clear();
   done.degenerate_faces = drop_degenerate_faces(mesh);
-  done.duplicate_faces = drop_duplicate_faces(mesh);
-  if (weld) done += weld_borders_without_copies(mesh, joined_to);
-  tidy_after_welding(mesh, done);
+  done.duplicate_faces = drop_duplicate_faces(mesh, threads);
+  if (weld) done += weld_borders_without_copies(mesh, joined_to, threads);
+  tidy_after_welding(mesh, done, threads);
   return done;
 }
 

@@ -2,6 +2,7 @@
 // edge. An edge that gets a third face by this is *doubtful*, and so are the positions at its ends. Elsewhere welding
 // is done. The second step starts with separate vertices at doubtful positions, and `WeldResolver` joins them.
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cstdint>
 #include <numeric>
@@ -12,6 +13,8 @@
 #include "repair/weld_resolver.hh"
 #include "whittle/core/detail/drop.hh"
 #include "whittle/core/detail/edge_table.hh"
+#include "whittle/core/detail/large_array.hh"
+#include "whittle/core/detail/parallel.hh"
 #include "whittle/io/repair.hh"
 
 namespace whittle::io {
@@ -25,18 +28,27 @@ constexpr char dropped_as_degenerate = 2;
 // Per vertex or face, 0 or 1.
 using Flags = std::vector<std::uint8_t>;
 
+// In most cases the first coordinate tells.
+bool is_same_place(const Vec3& p, const Vec3& q) { return p.x() == q.x() && p.y() == q.y() && p.z() == q.z(); }
+
 // Flags the vertices that may be welded: those on open borders, and the ends of edges without length. The faces at an
 // edge without length have no area; welding makes them degenerate.
-Flags find_candidates(const IndexedMesh& mesh) {
-  Flags is_candidate = whittle::detail::border_vertices(mesh.faces, mesh.positions.size());
-  for (const Triangle& face : mesh.faces) {
-    if (!has_three_corners(face)) continue;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Index a = face[c];
-      const Index b = face[(c + 1) % 3];
-      if (mesh.positions[a] == mesh.positions[b]) is_candidate[a] = is_candidate[b] = 1;
+Flags find_candidates(const IndexedMesh& mesh, unsigned threads) {
+  Flags is_candidate = whittle::detail::border_vertices(mesh.faces, mesh.positions.size(), threads);
+  const auto mark = [&](Index v) { std::atomic_ref(is_candidate[v]).store(1, std::memory_order_relaxed); };
+  for_each_range(mesh.faces.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const Triangle& face = mesh.faces[f];
+      if (!has_three_corners(face)) continue;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const Index a = face[c];
+        const Index b = face[(c + 1) % 3];
+        if (!is_same_place(mesh.positions[a], mesh.positions[b])) continue;
+        mark(a);
+        mark(b);
+      }
     }
-  }
+  });
   return is_candidate;
 }
 
@@ -52,7 +64,8 @@ std::uint64_t hash_of(const Vec3& p) {
 
 // For each candidate, the lowest candidate at its position. For any other vertex, itself.
 std::vector<Index> group_by_position(const std::vector<Vec3>& positions, const Flags& is_candidate) {
-  std::vector<Index> group(positions.size());
+  std::vector<Index> group;
+  resize_large(group, positions.size());
   std::iota(group.begin(), group.end(), Index{0});
   const auto members = static_cast<std::size_t>(std::count(is_candidate.begin(), is_candidate.end(), 1));
   const std::size_t slots = std::bit_ceil(2 * members + 1);
@@ -67,11 +80,13 @@ std::vector<Index> group_by_position(const std::vector<Vec3>& positions, const F
   return group;
 }
 
-std::vector<Triangle> renumber(const std::vector<Triangle>& faces, const std::vector<Index>& number) {
-  std::vector<Triangle> renumbered(faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    for (std::size_t c = 0; c < 3; ++c) renumbered[f][c] = number[faces[f][c]];
-  }
+std::vector<Triangle> renumber(const std::vector<Triangle>& faces, const std::vector<Index>& number, unsigned threads) {
+  std::vector<Triangle> renumbered;
+  resize_large(renumbered, faces.size());
+  for_each_range(faces.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f)
+      renumbered[f] = {number[faces[f][0]], number[faces[f][1]], number[faces[f][2]]};
+  });
   return renumbered;
 }
 
@@ -182,8 +197,9 @@ void resolve_doubtful(const IndexedMesh& mesh, const std::vector<Triangle>& grou
 
 // Some faces were dropped because two corners are at one position, but these corners stayed apart. Such a face closes
 // the surface there. It comes back unless it would be the third face of an edge.
-void bring_back(const IndexedMesh& mesh, const std::vector<Index>& group, std::vector<char>& is_dropped) {
-  const std::vector<Triangle> welded = renumber(mesh.faces, group);
+void bring_back(const IndexedMesh& mesh, const std::vector<Index>& group, unsigned threads,
+                std::vector<char>& is_dropped) {
+  const std::vector<Triangle> welded = renumber(mesh.faces, group, threads);
   Flags is_back(welded.size());
   for (std::size_t f = 0; f < welded.size(); ++f) {
     is_back[f] = is_dropped[f] == dropped_as_degenerate && has_three_corners(welded[f]);
@@ -226,9 +242,10 @@ bool may_join_copies(const IndexedMesh& mesh, const std::vector<Triangle>& group
 }
 
 // Drops each face whose corners lie where those of an earlier one do, in the same cyclic order, whatever its vertices.
-std::size_t drop_faces_at_equal_positions(IndexedMesh& mesh) {
+std::size_t drop_faces_at_equal_positions(IndexedMesh& mesh, unsigned threads) {
   const std::vector<Index> group = group_by_position(mesh.positions, Flags(mesh.positions.size(), 1));
-  const std::vector<char> is_copy = find_duplicate_faces(renumber(mesh.faces, group), mesh.positions.size());
+  const std::vector<char> is_copy =
+      find_duplicate_faces(renumber(mesh.faces, group, threads), mesh.positions.size(), threads);
   return drop_faces(mesh, [&](std::size_t f) { return is_copy[f] != 0; });
 }
 
@@ -239,61 +256,60 @@ std::size_t count_welded(const std::vector<Index>& group) {
 }
 
 // Flags the faces that welding may change: those with a corner that isn't alone at its position.
-Flags find_touched_faces(const std::vector<Triangle>& faces, const std::vector<Index>& group) {
+Flags find_touched_faces(const std::vector<Triangle>& faces, const std::vector<Index>& group, unsigned threads) {
   Flags is_shared(group.size());
   for (std::size_t v = 0; v < group.size(); ++v) {
     if (group[v] != v) is_shared[v] = is_shared[group[v]] = 1;
   }
   Flags is_touched(faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    is_touched[f] = static_cast<std::uint8_t>(is_shared[faces[f][0]] | is_shared[faces[f][1]] | is_shared[faces[f][2]]);
-  }
+  for_each_range(faces.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const auto& [a, b, c] = faces[f];
+      is_touched[f] = static_cast<std::uint8_t>(is_shared[a] | is_shared[b] | is_shared[c]);
+    }
+  });
   return is_touched;
 }
 
-}  // namespace
-
-namespace {
-
-Repairs weld(IndexedMesh& mesh, std::vector<Index>* joined_to, bool drops_copies) {
+Repairs weld(IndexedMesh& mesh, std::vector<Index>* joined_to, bool drops_copies, unsigned threads) {
   Repairs done;
   if (joined_to != nullptr) joined_to->clear();
-  std::vector<Index> group = group_by_position(mesh.positions, find_candidates(mesh));
+  std::vector<Index> group = group_by_position(mesh.positions, find_candidates(mesh, threads));
   done.welded_vertices = count_welded(group);
   if (done.welded_vertices == 0) return done;
 
-  const std::vector<Triangle> grouped = renumber(mesh.faces, group);
-  const Flags is_touched = find_touched_faces(mesh.faces, group);
+  std::vector<Triangle> grouped = renumber(mesh.faces, group, threads);
+  const Flags is_touched = find_touched_faces(mesh.faces, group, threads);
   const std::size_t n_vertices = mesh.positions.size();
   const GroupedEdges edges(mesh, grouped, is_touched);
   if (drops_copies && may_join_copies(mesh, grouped, edges)) {
-    const std::size_t n_copies = drop_faces_at_equal_positions(mesh);
-    done = weld(mesh, joined_to, false);
+    const std::size_t n_copies = drop_faces_at_equal_positions(mesh, threads);
+    done = weld(mesh, joined_to, false, threads);
     done.duplicate_faces += n_copies;
     return done;
   }
   if (!has_any(find_doubtful_groups(edges, n_vertices))) {
-    mesh.faces = grouped;
+    mesh.faces = std::move(grouped);
     if (joined_to != nullptr) *joined_to = std::move(group);
     return done;
   }
 
   // A duplicate of a face would make all edges of the face doubtful.
-  std::vector<char> is_dropped = find_duplicate_faces(grouped, n_vertices);
+  std::vector<char> is_dropped = find_duplicate_faces(grouped, n_vertices, threads);
   for (std::size_t f = 0; f < grouped.size(); ++f) {
     if (!has_three_corners(grouped[f])) is_dropped[f] = dropped_as_degenerate;
   }
   Flags is_kept(grouped.size());
   for (std::size_t f = 0; f < grouped.size(); ++f) is_kept[f] = is_touched[f] && !is_dropped[f];
   resolve_doubtful(mesh, grouped, is_kept, group);
-  bring_back(mesh, group, is_dropped);
+  bring_back(mesh, group, threads, is_dropped);
 
   done.welded_vertices = count_welded(group);
   done.degenerate_faces =
       static_cast<std::size_t>(std::count(is_dropped.begin(), is_dropped.end(), dropped_as_degenerate));
   done.duplicate_faces =
       static_cast<std::size_t>(std::count(is_dropped.begin(), is_dropped.end(), dropped_as_duplicate));
-  mesh.faces = renumber(mesh.faces, group);
+  mesh.faces = renumber(mesh.faces, group, threads);
   drop_faces(mesh, [&](std::size_t f) { return is_dropped[f] != 0; });
   if (joined_to != nullptr && done.welded_vertices > 0) *joined_to = std::move(group);
   return done;
@@ -301,10 +317,12 @@ Repairs weld(IndexedMesh& mesh, std::vector<Index>* joined_to, bool drops_copies
 
 }  // namespace
 
-Repairs weld_borders(IndexedMesh& mesh, std::vector<Index>* joined_to) { return weld(mesh, joined_to, false); }
+Repairs weld_borders(IndexedMesh& mesh, std::vector<Index>* joined_to, unsigned threads) {
+  return weld(mesh, joined_to, false, threads);
+}
 
-Repairs weld_borders_without_copies(IndexedMesh& mesh, std::vector<Index>* joined_to) {
-  return weld(mesh, joined_to, true);
+Repairs weld_borders_without_copies(IndexedMesh& mesh, std::vector<Index>* joined_to, unsigned threads) {
+  return weld(mesh, joined_to, true, threads);
 }
 
 }  // namespace whittle::io

@@ -1,6 +1,7 @@
 // STL (3D Systems, "StereoLithography Interface Specification", 1988), ASCII and binary (little endian). Every facet
 // has three corners of its own; `weld_borders` joins them. Facet normals are ignored: they follow from the corners.
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -10,6 +11,8 @@
 #include "bytes/text_cursor.hh"
 #include "format/mesh_builder.hh"
 #include "stl/stl.hh"
+#include "whittle/core/detail/large_array.hh"
+#include "whittle/core/detail/parallel.hh"
 
 namespace whittle::io {
 
@@ -37,7 +40,12 @@ void check_facet_count(std::uint64_t facets, std::string_view name) {
                                          std::to_string(most_elements) + " vertices a mesh can have");
 }
 
-ReadResult read_binary(std::string_view bytes, std::string_view name) {
+void lower(std::atomic<std::size_t>& least, std::size_t value) {
+  for (std::size_t seen = least; value < seen && !least.compare_exchange_weak(seen, value);) {
+  }
+}
+
+ReadResult read_binary(std::string_view bytes, std::string_view name, unsigned threads) {
   ByteCursor cursor(bytes, 0, std::endian::little, name);
   cursor.require(prefix_bytes, "the header and the number of facets");
   cursor.skip(stl_header_bytes);
@@ -54,23 +62,32 @@ ReadResult read_binary(std::string_view bytes, std::string_view name) {
   }
 
   MeshBuilder builder;
-  builder.positions().reserve(std::size_t{facets} * 3);
-  builder.reserve_faces(facets);
-  bool attributes = false;
-  for (std::uint32_t f = 0; f < facets; ++f) {
-    const char* const facet = cursor.here();
-    std::array<Vec3, 3> corners;
-    for (std::size_t i = 0; i < 9; ++i) {
-      const std::size_t at = (3 + i) * sizeof(float);
-      const auto value = load<float>(facet + at, std::endian::little);
-      if (!std::isfinite(value)) cursor.fail(cursor.offset() + at, "a coordinate is not finite");
-      corners[i / 3][static_cast<Eigen::Index>(i % 3)] = value;
+  resize_large(builder.positions(), std::size_t{facets} * 3);
+  std::vector<Triangle> faces;
+  resize_large(faces, facets);
+  std::atomic<std::size_t> first_bad = bytes.size();  // byte of the first coordinate that is not finite
+  std::atomic<bool> has_attributes = false;
+  for_each_range(facets, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const std::size_t offset = cursor.offset() + f * facet_bytes;
+      const char* const facet = bytes.data() + offset;
+      for (std::size_t i = 0; i < 9; ++i) {
+        const std::size_t at = (3 + i) * sizeof(float);
+        const auto value = load<float>(facet + at, std::endian::little);
+        if (!std::isfinite(value)) lower(first_bad, offset + at);
+        builder.positions()[3 * f + i / 3][static_cast<Eigen::Index>(i % 3)] = value;
+      }
+      const auto corner = static_cast<Index>(3 * f);
+      faces[f] = {corner, corner + 1, corner + 2};
+      if (facet[facet_bytes - 1] != 0 || facet[facet_bytes - 2] != 0) {
+        has_attributes.store(true, std::memory_order_relaxed);
+      }
     }
-    attributes = attributes || facet[facet_bytes - 1] != 0 || facet[facet_bytes - 2] != 0;
-    add_facet(builder, corners);
-    cursor.skip(facet_bytes);
-  }
-  if (attributes) builder.warn("attribute bytes (often facet colours) are not carried");
+  });
+  if (first_bad < bytes.size()) cursor.fail(first_bad, "a coordinate is not finite");
+  builder.add_triangles(std::move(faces));
+  cursor.skip(std::size_t{facets} * facet_bytes);
+  if (has_attributes) builder.warn("attribute bytes (often facet colours) are not carried");
   if (cursor.bytes_left() > 0) {
     builder.warn(std::to_string(cursor.bytes_left()) + " bytes after the last facet are ignored");
   }
@@ -81,7 +98,7 @@ class AsciiStlReader {
  public:
   AsciiStlReader(std::string_view text, std::string_view name) : cursor_(text, name), name_(name) {
     // A facet takes seven lines, about 250 bytes. A wrong guess costs a reallocation.
-    builder_.positions().reserve(text.size() / 250 * 3);
+    builder_.reserve_vertices(text.size() / 250 * 3);
     builder_.reserve_faces(text.size() / 250);
   }
 
@@ -154,13 +171,13 @@ bool is_binary_stl_by_size(std::string_view bytes) {
   return facets > 0 && bytes.size() == prefix_bytes + facets * facet_bytes;
 }
 
-ReadResult read_stl(std::string_view bytes, std::string_view name) {
-  if (is_binary_stl_by_size(bytes)) return read_binary(bytes, name);
+ReadResult read_stl(std::string_view bytes, std::string_view name, unsigned threads) {
+  if (is_binary_stl_by_size(bytes)) return read_binary(bytes, name, threads);
   const std::string_view text = without_byte_order_mark(bytes);
   TextCursor cursor(text, name);
   cursor.skip_space();
   if (equals_ignoring_case(cursor.token(), "solid") && looks_like_text(text)) return AsciiStlReader(text, name).read();
-  return read_binary(bytes, name);
+  return read_binary(bytes, name, threads);
 }
 
 }  // namespace whittle::io

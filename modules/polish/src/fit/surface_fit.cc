@@ -52,32 +52,41 @@ SurfaceFit::SurfaceFit(const std::vector<Triangle>& faces, const VertexCorners& 
                        const FaceLimits& limits, const MeshLines& lines, const std::vector<std::uint8_t>& is_fixed)
     : faces_(faces), corners_(corners), neighbors_(neighbors), limits_(limits), lines_(lines), is_fixed_(is_fixed) {}
 
-void SurfaceFit::start(std::vector<Vec3>& positions) {
+void SurfaceFit::start(std::vector<Vec3>& positions, const detail::Workers& workers) {
   positions_ = &positions;
   moves_.assign(positions.size(), Vec3::Zero());
-  measure_faces();
+  measure_faces(workers);
   line_sums_.assign(lines_.edges().size(), {});
   ways_.clear();
   for (const MeshLines::Edge& edge : lines_.edges()) ways_.push_back(positions[edge.to] - positions[edge.from]);
 }
 
-void SurfaceFit::measure_faces() {
-  fits_.assign(faces_.size(), {});
-  for (Index f = 0; f < faces_.size(); ++f) {
-    const Vec3 normal = area_normal(faces_[f], *positions_);
-    const double length = normal.norm();
-    if (length > 0) fits_[f].normal = normal / length;
-    fits_[f].area = 0.5 * length;
-  }
+void SurfaceFit::measure_faces(const detail::Workers& workers) {
+  fits_.resize(faces_.size());
+  for_each_range(faces_.size(), workers, [this](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const Vec3 normal = area_normal(faces_[f], *positions_);
+      const double length = normal.norm();
+      fits_[f] = {.normal = length > 0 ? Vec3(normal / length) : Vec3(Vec3::Zero()),
+                  .area = 0.5 * length,
+                  .wary_cosine_sq = always_wary,
+                  .products = {},
+                  .errors = {},
+                  .squares = 0,
+                  .weight = 0};
+    }
+  });
   const auto is_near_folded = [this](Index f, Index slot) {
     const Index other = neighbors_.beyond(f, slot).face;
     return other != invalid_index && !(limits_.along(f, slot, fits_[f].normal, fits_[other].normal) > 0);
   };
-  for (Index f = 0; f < faces_.size(); ++f) {
-    const bool may_always_turn =
-        limits_.only_folds() && !is_near_folded(f, 0) && !is_near_folded(f, 1) && !is_near_folded(f, 2);
-    fits_[f].wary_cosine_sq = may_always_turn ? wary_cosine * wary_cosine : always_wary;
-  }
+  for_each_range(faces_.size(), workers, [&](std::size_t begin, std::size_t end) {
+    for (auto f = static_cast<Index>(begin); f < end; ++f) {
+      const bool may_always_turn =
+          limits_.only_folds() && !is_near_folded(f, 0) && !is_near_folded(f, 1) && !is_near_folded(f, 2);
+      if (may_always_turn) fits_[f].wary_cosine_sq = wary_cosine * wary_cosine;
+    }
+  });
 }
 
 void SurfaceFit::add(const Foot& foot, double weight) {

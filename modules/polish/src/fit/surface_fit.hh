@@ -22,7 +22,7 @@ class SurfaceFit {
              const FaceLimits& limits, const MeshLines& lines, const std::vector<std::uint8_t>& is_fixed);
 
   /// Takes the vertices' positions, which sweeps will change, and forgets all points.
-  void start(std::vector<Vec3>& positions);
+  void start(std::vector<Vec3>& positions, const detail::Workers& workers);
   void add(const Foot& foot, double weight);
   void add(const LineFoot& foot, double weight);
   /// Moves each vertex in turn, by ascending number.
@@ -33,14 +33,14 @@ class SurfaceFit {
   /// A face before it was moved, and sums over the feet in it: of w b_j b_k, w b_j d, w d² and w. It fills two cache
   /// lines.
   struct alignas(64) Face {
-    Vec3 normal = Vec3::Zero();  ///< of unit length, or zero
-    double area = 0;
+    Vec3 normal;  ///< of unit length, or zero
+    double area;
     /// Squared cosine of the turn from which on the face may become a fold; more than 1: always.
-    double wary_cosine_sq = 0;
-    std::array<double, 6> products{};  ///< 00, 01, 02, 11, 12, 22
-    std::array<double, 3> errors{};
-    double squares = 0;
-    double weight = 0;
+    double wary_cosine_sq;
+    std::array<double, 6> products;  ///< 00, 01, 02, 11, 12, 22
+    std::array<double, 3> errors;
+    double squares;
+    double weight;
 
     double product(Index j, Index k) const {
       constexpr std::array<std::array<std::size_t, 3>, 3> index{{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}};
@@ -66,7 +66,7 @@ class SurfaceFit {
     bool is_held = false;  ///< whether it lies on lines on which no point has its foot
   };
 
-  void measure_faces();
+  void measure_faces(const detail::Workers& workers);
   void prefetch_around(Index v) const;
   Pull pull_at(Index v) const;
   void add_lines(Index v, Pull& pull) const;

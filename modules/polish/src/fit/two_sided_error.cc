@@ -75,16 +75,17 @@ TwoSidedError::TwoSidedError(const SimplifiedSurface& original, std::span<const 
     for (const Index v : mesh_faces[points.face(i)]) is_asked[v] = 1;
   }
   std::vector<std::uint8_t> is_near(vertex_map.size());
-  for (std::size_t v = 0; v < vertex_map.size(); ++v) {
-    is_near[v] = static_cast<std::uint8_t>(vertex_map[v] != invalid_index && is_asked[vertex_map[v]] != 0);
-  }
+  for_each_range(vertex_map.size(), workers, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      is_near[v] = static_cast<std::uint8_t>(vertex_map[v] != invalid_index && is_asked[vertex_map[v]] != 0);
+    }
+  });
   origins_ = {n_mesh_vertices, [&](const auto& add) {
                 for (Index v = 0; v < vertex_map.size(); ++v) {
                   if (is_near[v] != 0) add(vertex_map[v], v);
                 }
               }};
-  workers.update(0);
-  original_corners_ = corners_by_vertex(original.faces, is_near);
+  original_corners_ = corners_by_vertex(original.faces, is_near, workers);
 }
 
 std::vector<TwoSidedError::Distance> TwoSidedError::distances(const Surface& mesh,

@@ -182,7 +182,8 @@ class EdgeFlips {
         }
       }
     });
-    samples_.for_each_foot(workers, [&fits](const Foot& foot, double weight) { add(fits[foot.face], foot, weight); });
+    samples_.for_each_foot(faces_.size(), workers,
+                           [&fits](const Foot& foot, double weight) { add(fits[foot.face], foot, weight); });
     return fits;
   }
 

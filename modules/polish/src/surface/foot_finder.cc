@@ -44,7 +44,7 @@ class FootFinder::Lanes {
     constexpr std::size_t ahead = 8;  // some hundred nanoseconds
     for (std::size_t i = 0; i < queries.size(); ++i) {
       if (i + ahead < queries.size()) finder.prefetch(queries[i + ahead].start);
-      feet[i] = queries[i].start == invalid_index ? Foot{} : find(finder, queries[i]);
+      feet[i] = queries[i].start == invalid_index ? no_foot : find(finder, queries[i]);
     }
   }
   WHITTLE_AVX2 static void find_in_wide_registers(const FootFinder& finder, std::span<const Query> queries,
@@ -58,7 +58,7 @@ class FootFinder::Lanes {
     const Eigen::Vector3f offset = (query.position - finder.positions_[v]).cast<float>();
     const float least_along = least_normal_agreement * std::sqrt(length_sq(query.normal));
     std::int32_t nearest = nowhere;
-    Foot found;
+    Foot found = no_foot;
     for (Index i = finder.first_octet_[v]; i < finder.first_octet_[v + 1]; ++i) {
       const Octet& octet = finder.octets_[i];
       const Float8 next = dot(octet.next, offset);

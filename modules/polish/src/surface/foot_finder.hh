@@ -14,13 +14,14 @@ namespace whittle::polishing {
 /// |v|². Eigen's sum has another order on other processors.
 inline float length_sq(const Eigen::Vector3f& v) { return v.x() * v.x() + (v.y() * v.y() + v.z() * v.z()); }
 
-/// The foot of a point on a surface.
+/// The foot of a point on a surface. Arrays of feet stay unset until all threads fill them.
 struct Foot {
-  Index face = invalid_index;  ///< `invalid_index`: the point has no foot
-  float second = 0;            ///< barycentric coordinate of the face's second corner
-  float third = 0;
-  float distance = 0;  ///< of the point from the face's plane, positive where the normal points
+  Index face;    ///< `invalid_index`: the point has no foot
+  float second;  ///< barycentric coordinate of the face's second corner
+  float third;
+  float distance;  ///< of the point from the face's plane, positive where the normal points
 };
+constexpr Foot no_foot{invalid_index, 0, 0, 0};
 
 /// Finds the feet of points on a mesh. The candidates are the faces at a vertex near the point that hold the foot of
 /// the perpendicular, and whose normals are less than 60° from the point's. The foot is in the nearest candidate.

@@ -6,6 +6,7 @@
 
 #include "surface/surface_walk.hh"
 #include "whittle/core/detail/compiler.hh"
+#include "whittle/core/detail/item_groups.hh"
 
 namespace whittle::polishing {
 namespace {
@@ -43,7 +44,7 @@ SurfaceSamples::SurfaceSamples(const IndexedMesh& surface, std::span<const Index
       vertex_map_(vertex_map),
       per_face_(per_face),
       positions_(surface.positions.size()),
-      normals_and_areas_(surface.positions.size(), Eigen::Vector4f::Zero()),
+      normals_and_areas_(surface.positions.size()),
       face_areas_(surface.faces.size()) {
   for_each_range(positions_.size(), workers, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) positions_[v] = frame.to_frame(surface.positions[v]);
@@ -63,15 +64,24 @@ void SurfaceSamples::prefetch_corners(std::size_t f, const PerVertex& more) cons
 }
 
 void SurfaceSamples::measure(const detail::Workers& workers) {
-  constexpr std::size_t check_mask = (std::size_t{1} << 16) - 1;  // some milliseconds from check to check
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    if ((f & check_mask) == 0) workers.update(0);
-    prefetch_corners(f + ahead, normals_and_areas_);
-    const Eigen::Vector3f normal = area_normal(faces_[f], positions_).cast<float>();
-    face_areas_[f] = 0.5F * std::sqrt(length_sq(normal));
-    const Eigen::Vector4f sum(normal.x(), normal.y(), normal.z(), face_areas_[f] / 3);
-    for (const Index v : faces_[f]) normals_and_areas_[v] += sum;
-  }
+  constexpr Index check_mask = (Index{1} << 16) - 1;  // some milliseconds from check to check
+  const auto measure_around = [&](Index begin, Index end, const auto& for_each_face) {
+    workers.update(0);
+    std::fill(&normals_and_areas_[begin], normals_and_areas_.data() + end, Eigen::Vector4f::Zero());
+    for_each_face([&](Index f) {
+      if ((f & check_mask) == 0) workers.update(0);
+      prefetch_corners(f + ahead, normals_and_areas_);
+      const Eigen::Vector3f normal = area_normal(faces_[f], positions_).cast<float>();
+      const float area = 0.5F * std::sqrt(length_sq(normal));
+      const Eigen::Vector4f sum(normal.x(), normal.y(), normal.z(), area / 3);
+      const auto is_here = [=](Index v) { return v >= begin && v < end; };
+      if (is_here(faces_[f][0])) face_areas_[f] = area;
+      for (const Index v : faces_[f]) {
+        if (is_here(v)) normals_and_areas_[v] += sum;
+      }
+    });
+  };
+  detail::for_each_vertex_range(faces_, n_vertices(), workers.threads, measure_around);
 }
 
 void SurfaceSamples::find_feet(const FootFinder& finder, const detail::Workers& workers) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "surface/foot_finder.hh"
+#include "whittle/core/detail/item_groups.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/core/detail/progress_meter.hh"
 #include "whittle/core/frame.hh"
@@ -37,10 +38,29 @@ class SurfaceSamples {
   const Foot& foot(std::size_t i) const { return feet_[i]; }
   void set_foot(std::size_t i, const Foot& foot) { feet_[i] = foot; }
 
-  /// Calls `use(foot, weight)` for each point that has a foot, always in the same order.
+  /// Calls `use(foot, weight)` for each point that has a foot, on all threads. The calls for one face of the other
+  /// surface come one after the other, always in the same order.
+  /// \param n_faces of the other surface
   /// \throw Cancelled
   template <class Use>
-  void for_each_foot(const detail::Workers& workers, const Use& use) const {
+  void for_each_foot(std::size_t n_faces, const detail::Workers& workers, const Use& use) const {
+    if (n_threads(workers.threads) == 1) {
+      for_each_foot_in_turn(workers, use);
+      return;
+    }
+    const std::size_t faces_per_group = std::max<std::size_t>(1024, n_faces / 1024);
+    const detail::ItemGroups groups(size(), n_faces / faces_per_group + 1, workers.threads,
+                                    [&](Index i, const auto& add_to) {
+                                      if (feet_[i].face != invalid_index) add_to(feet_[i].face / faces_per_group);
+                                    });
+    for_each_block(groups.size(), workers, [&](std::size_t group) {
+      for (const Index i : groups.of(group)) use(feet_[i], weight(i));
+    });
+  }
+
+ private:
+  template <class Use>
+  void for_each_foot_in_turn(const detail::Workers& workers, const Use& use) const {
     constexpr std::size_t check_mask = (std::size_t{1} << 16) - 1;  // some milliseconds from check to check
     const auto use_if_there = [&](const Foot& foot, double weight) {
       if (foot.face != invalid_index) use(foot, weight);
@@ -57,7 +77,6 @@ class SurfaceSamples {
     }
   }
 
- private:
   std::size_t n_vertices() const { return positions_.size(); }
   template <class PerVertex>
   void prefetch_corners(std::size_t f, const PerVertex& more) const;

@@ -83,6 +83,8 @@ struct DecimateResult {
   std::uint64_t n_faces = 0;
   double max_cost = 0;  ///< greatest cost of a contraction made; unit as `DecimateTarget::max_cost`
   StopReason stop = StopReason::exhausted;
+  /// Why it took one pass over the whole mesh, and no blocks (`goes_in_blocks`); empty if it went in blocks.
+  std::string_view why_in_one_pass;
   Rejections rejections;
   /// What stands in the way of going on, if `stop` is `exhausted`: the pairs that are left, each once.
   Rejections refused_at_end;

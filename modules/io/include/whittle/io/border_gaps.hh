@@ -29,9 +29,10 @@ BorderGaps find_border_gaps(const IndexedMesh& mesh);
 /// `repair` drops after welding.
 /// \param tolerance model units, [0, ∞)
 /// \param vertex_map if given, becomes V numbers: of each vertex in the result, `invalid_index` if it was dropped
+/// \param threads largest number of threads; 0 = all cores. The result is the same for any number.
 /// \return counts of each kind of repair
 /// \pre positions are finite, every corner is below V, attribute arrays are empty or full, every vertex has a face
 /// \throw std::invalid_argument for a tolerance that is negative or not finite
-Repairs weld_gaps(IndexedMesh& mesh, double tolerance, std::vector<Index>* vertex_map = nullptr);
+Repairs weld_gaps(IndexedMesh& mesh, double tolerance, std::vector<Index>* vertex_map = nullptr, unsigned threads = 0);
 
 }  // namespace whittle::io

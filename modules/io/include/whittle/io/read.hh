@@ -20,6 +20,8 @@ struct ReadOptions {
   bool weld = true;
   /// Default: by the name's extension. Content that is evidently of another format is an error in any case.
   std::optional<Format> format{};
+  /// Largest number of threads; 0 = all cores. The result is the same for any number.
+  unsigned threads = 0;
 };
 
 struct ReadResult {

@@ -35,8 +35,9 @@ std::string to_string(const Repairs& repairs);
 /// happen, copies of faces are dropped before welding: those at the positions of an earlier face, in the same cyclic
 /// order.
 /// \pre positions are finite, every corner is below V, attribute arrays are empty or full.
-/// \param joined_to as for `weld_borders`.
-Repairs repair(IndexedMesh& mesh, bool weld = true, std::vector<Index>* joined_to = nullptr);
+/// \param joined_to as for `weld_borders`. \param threads largest number of threads; 0 = all cores. The result is the
+/// same for any number, here and below.
+Repairs repair(IndexedMesh& mesh, bool weld = true, std::vector<Index>* joined_to = nullptr, unsigned threads = 0);
 
 /// Joins vertices with exactly equal positions (0.0 equals −0.0), if they lie on open borders (edges with one face) or
 /// at the ends of an edge without length. The lowest numbered vertex stays, with its attributes and origin. Those
@@ -52,15 +53,15 @@ Repairs repair(IndexedMesh& mesh, bool weld = true, std::vector<Index>* joined_t
 /// positions in the same cyclic order as an earlier face. Otherwise no face is dropped.
 /// \param joined_to if given, becomes V numbers: the vertex that each was joined to, itself if none. Empty if no vertex
 /// was joined. \return counts of welded vertices, degenerate and duplicate faces.
-Repairs weld_borders(IndexedMesh& mesh, std::vector<Index>* joined_to = nullptr);
+Repairs weld_borders(IndexedMesh& mesh, std::vector<Index>* joined_to = nullptr, unsigned threads = 0);
 
 /// Drops faces with two corners that are the same vertex. A face without area that has three different vertices (in a
 /// line, or at one position but not welded) stays: dropping it would open the surface. \return the number dropped.
 std::size_t drop_degenerate_faces(IndexedMesh& mesh);
 
 /// Drops each face that has the same vertices in the same cyclic order as an earlier one. Coincident faces with
-/// opposite normals are no duplicates: both stay. O(V + F). \return the number dropped.
-std::size_t drop_duplicate_faces(IndexedMesh& mesh);
+/// opposite normals are no duplicates: both stay. O(V + F) if few faces are the same. \return the number dropped.
+std::size_t drop_duplicate_faces(IndexedMesh& mesh, unsigned threads = 0);
 
 /// Drops vertices that no face has. The others keep their order; `origins` gives their former numbers.
 /// \return the number dropped.

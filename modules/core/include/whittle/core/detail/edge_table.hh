@@ -44,8 +44,8 @@ class EdgeTable {
   }
 
  private:
-  friend std::vector<VertexPair> border_edges(std::span<const Triangle> faces, std::size_t n_vertices);
-  friend std::vector<std::uint8_t> border_vertices(std::span<const Triangle> faces, std::size_t n_vertices);
+  friend std::vector<VertexPair> border_edges(std::span<const Triangle>, std::size_t, unsigned);
+  friend std::vector<std::uint8_t> border_vertices(std::span<const Triangle>, std::size_t, unsigned);
 
   struct Edge {
     VertexPair ends;
@@ -60,7 +60,7 @@ class EdgeTable {
   /// \pre either all sides of an edge are candidates or none is
   template <class IsCandidate>
   static std::vector<VertexPair> border_edges_among(std::span<const Triangle> faces, std::size_t n_vertices,
-                                                    const IsCandidate& is_candidate);
+                                                    unsigned threads, const IsCandidate& is_candidate);
 
   LargeArray<Edge> edges_ = LargeArray<Edge>(1, Edge{});  ///< one more at the end, for where the last one's sides end
   LargeArray<Index> sides_;                               ///< those of each edge together
@@ -68,11 +68,14 @@ class EdgeTable {
 
 /// The edges with exactly one side, ascending. What an `EdgeTable` says, but several times as fast: only sides whose
 /// vertices may both lie on a border are sorted.
+/// \param threads 0 = all cores
 /// \pre, \throw as `EdgeTable`
-std::vector<VertexPair> border_edges(std::span<const Triangle> faces, std::size_t n_vertices);
+std::vector<VertexPair> border_edges(std::span<const Triangle> faces, std::size_t n_vertices, unsigned threads = 1);
 
 /// Per vertex, 1 if it is an end of a border edge. Faster than `border_edges` where the faces share few vertices.
+/// \param threads 0 = all cores
 /// \pre, \throw as `EdgeTable`
-std::vector<std::uint8_t> border_vertices(std::span<const Triangle> faces, std::size_t n_vertices);
+std::vector<std::uint8_t> border_vertices(std::span<const Triangle> faces, std::size_t n_vertices,
+                                          unsigned threads = 1);
 
 }  // namespace whittle::detail

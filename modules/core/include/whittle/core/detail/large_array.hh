@@ -12,11 +12,37 @@
 
 namespace whittle {
 
+inline constexpr std::size_t huge_page = std::size_t{1} << 21;
+
+/// Asks for huge pages for memory that isn't filled yet. That may fail: the memory is valid all the same.
+inline void prefer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t size) {
+#ifdef __linux__
+  const std::size_t before = (huge_page - reinterpret_cast<std::uintptr_t>(memory) % huge_page) % huge_page;
+  if (size < before + huge_page) return;
+  madvise(static_cast<char*>(memory) + before, (size - before) / huge_page * huge_page, MADV_HUGEPAGE);
+#endif
+}
+
+/// `vector.reserve(n)` with huge pages, for vectors whose type is given. Small pages take the system longer than a loop
+/// that fills them.
+template <class T>
+void reserve_large(std::vector<T>& vector, std::size_t n) {
+  if (n <= vector.capacity()) return;
+  vector.reserve(n);
+  prefer_huge_pages(vector.data() + vector.size(), (vector.capacity() - vector.size()) * sizeof(T));
+}
+
+/// `vector.resize(n, value...)`, likewise.
+template <class T, class... Value>
+void resize_large(std::vector<T>& vector, std::size_t n, const Value&... value) {
+  reserve_large(vector, n);
+  vector.resize(n, value...);
+}
+
 /// Asks for huge pages for large arrays. With small pages, most accesses in random order miss the address caches.
 template <class T>
 struct LargeAllocator {
   using value_type = T;
-  static constexpr std::size_t huge_page = std::size_t{1} << 21;
 
   LargeAllocator() = default;
   template <class U>
@@ -69,7 +95,7 @@ struct LargeAllocator {
     const std::size_t page = 4096;
     const std::size_t end = before + (size + page - 1) / page * page;
     if (end < reserved) munmap(bytes + end, reserved - end);
-    madvise(bytes + before, size / huge_page * huge_page, MADV_HUGEPAGE);  // may fail: the memory is valid all the same
+    prefer_huge_pages(bytes + before, size);
     return bytes + before;
   }
 #endif

@@ -9,16 +9,20 @@
 #include <thread>
 #include <vector>
 
+#include "whittle/core/detail/cores.hh"
+
 namespace whittle {
+
+/// \param threads as options have it: 0 = all cores
+inline std::size_t n_threads(unsigned threads) { return threads > 0 ? threads : detail::n_cores(); }
 
 /// Calls `work(block)` once for each block below `n_blocks`, on up to `threads` threads (0 = all cores), in any order.
 /// If each block has its own results, these are the same for any number of threads. After an exception no more blocks
 /// are begun; the first exception is thrown again when all threads have ended.
 template <class Work>
 void for_each_block(std::size_t n_blocks, unsigned threads, const Work& work) {
-  const std::size_t wanted = threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
-  const std::size_t n_threads = std::min(wanted, n_blocks);
-  if (n_threads <= 1) {
+  const std::size_t n_workers = std::min(n_threads(threads), n_blocks);
+  if (n_workers <= 1) {
     for (std::size_t block = 0; block < n_blocks; ++block) work(block);
     return;
   }
@@ -36,9 +40,9 @@ void for_each_block(std::size_t n_blocks, unsigned threads, const Work& work) {
   };
   {
     std::vector<std::jthread> pool;
-    pool.reserve(n_threads - 1);
+    pool.reserve(n_workers - 1);
     try {
-      for (std::size_t i = 1; i < n_threads; ++i) pool.emplace_back(run);
+      for (std::size_t i = 1; i < n_workers; ++i) pool.emplace_back(run);
     } catch (const std::system_error&) {
       // The system has no more threads. Those that there are do the work.
     }
