@@ -29,7 +29,15 @@ bool pierces(const LongVec3& from, const LongVec3& to, const Corners& t) {
   return first != 0 && side_of(from, to, t[1], t[2]) == first && side_of(from, to, t[2], t[0]) == first;
 }
 
+/// Whether a triangle is clearly more than a line.
+bool has_area(const Corners& t) {
+  const LongVec3 u = t[1] - t[0];
+  const LongVec3 v = t[2] - t[0];
+  return u.cross(v).norm() > margin * u.norm() * v.norm();
+}
+
 bool cross(const Corners& s, const Corners& t) {
+  if (!has_area(s) || !has_area(t)) return false;
   for (std::size_t i = 0; i < 3; ++i) {
     if (pierces(s[i], s[(i + 1) % 3], t) || pierces(t[i], t[(i + 1) % 3], s)) return true;
   }

@@ -59,6 +59,37 @@ TEST(IntersectionGuard, KeepsPartsApart) {
   EXPECT_GT(n_refused, 100U);
 }
 
+/// At each vertex of the lower sheet a face without area, which goes through the upper one.
+IndexedMesh with_needles(IndexedMesh sheets) {
+  const std::size_t n_below = sheets.positions.size() / 2;
+  for (Index v = 0; v < n_below; ++v) {
+    const auto tip = static_cast<Index>(sheets.positions.size());
+    sheets.positions.insert(sheets.positions.end(), 2, sheets.positions[v] + Vec3(0.001, 0.001, 0.02));
+    sheets.faces.push_back({v, tip, tip + 1});
+  }
+  return sheets;
+}
+
+TEST(IntersectionGuard, IsNotMisledByFacesWithoutArea) {
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    const IndexedMesh sheets = close_sheets(seed);
+    const auto n_sheet_vertices = static_cast<std::ptrdiff_t>(sheets.positions.size());
+    const IndexedMesh mesh = with_needles(sheets);
+    ASSERT_EQ(n_intersections(mesh), 0U);
+    DecimateOptions options;
+    options.refuse_intersections = true;
+    options.locked.assign(mesh.positions.size(), 0);
+    std::fill(options.locked.begin() + n_sheet_vertices, options.locked.end(), 1);  // the needles' tips
+    for (const Cost cost : {Cost::quadric, Cost::memoryless}) {
+      options.cost = cost;
+      const Decimation result = decimate(mesh, DecimateTarget::faces(mesh.faces.size() / 4), options);
+      EXPECT_EQ(n_intersections(result.mesh), 0U) << "seed " << seed;
+      EXPECT_LT(result.mesh.faces.size(), mesh.faces.size() * 3 / 4);
+      EXPECT_GT(result.result.rejections.intersection, 10U);
+    }
+  }
+}
+
 TEST(IntersectionGuard, LetsWhatIntersectsAlreadyGetSmaller) {
   IndexedMesh apart = sphere(3);
   for (Vec3& p : apart.positions) p.x() += 1.01;

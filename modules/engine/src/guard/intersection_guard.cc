@@ -7,6 +7,18 @@
 namespace whittle {
 namespace {
 
+/// A face without area crosses nothing, wherever it lies.
+bool has_area(const std::array<Vec3, 3>& corners) {
+  const Vec3 p = corners[1] - corners[0];
+  const Vec3 q = corners[2] - corners[0];
+  constexpr double least_sine = 1e-12;  // less is rounding error
+  return p.cross(q).squaredNorm() > least_sine * least_sine * p.squaredNorm() * q.squaredNorm();
+}
+
+bool do_cross(const std::array<Vec3, 3>& f, const std::array<Vec3, 3>& g) {
+  return detail::intersect(f, g) && has_area(f) && has_area(g);
+}
+
 FaceBox box_of(const std::array<Vec3, 3>& corners) {
   FaceBox box;
   for (const Vec3& corner : corners) box.extend(corner.cast<float>());
@@ -58,7 +70,7 @@ bool IntersectionGuard::do_cross_each_other() const {
       const Face& f = faces_[i];
       const Face& g = faces_[j];
       if (f.x == g.x || f.x == g.y || f.y == g.x || f.y == g.y) continue;
-      if (detail::intersect(f.then, g.then) && !detail::intersect(f.now, g.now)) return true;
+      if (do_cross(f.then, g.then) && !do_cross(f.now, g.now)) return true;
     }
   }
   return false;
@@ -79,7 +91,7 @@ bool IntersectionGuard::cross_faces_at(Index v, const Pair& pair) {
     const auto is_corner = [&](Index w) { return w == v || w == p || w == q; };
     const bool is_crossed = std::any_of(faces_.begin(), faces_.end(), [&](const Face& face) {
       return face.box.intersects(box) && !(is_corner(face.x) && is_corner(face.y)) &&
-             detail::intersect(face.then, other);
+             do_cross(face.then, other);
     });
     if (is_crossed) crossed_.push_back(other);
   }
@@ -93,7 +105,7 @@ bool IntersectionGuard::is_crossed_already(const Pair& pair, const Corners& face
     const std::span<const Neighbour> star = complex_.live_pairs(v);
     for (std::size_t i = 0; i < star.size(); i += 2) {
       const Corners own{complex_.position(v), complex_.position(star[i].vertex), complex_.position(star[i + 1].vertex)};
-      if (detail::intersect(own, face)) return true;
+      if (do_cross(own, face)) return true;
     }
   }
   return false;
