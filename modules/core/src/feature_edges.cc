@@ -6,6 +6,7 @@
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/detail/portable_math.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/face_normal.hh"
 
 namespace whittle {
 std::vector<VertexPair> feature_edges(const IndexedMesh& mesh, double angle_deg) {
@@ -14,8 +15,8 @@ std::vector<VertexPair> feature_edges(const IndexedMesh& mesh, double angle_deg)
   const Frame frame = Frame::of_points(mesh.positions);  // in its coordinates no product over- or underflows
   const auto normal = [&](Index side) -> Vec3 {
     const auto [a, b, c] = mesh.faces[detail::face_of(side)];
-    const Vec3 p = frame.to_frame(mesh.positions[a]);
-    return (frame.to_frame(mesh.positions[b]) - p).cross(frame.to_frame(mesh.positions[c]) - p);
+    return reliable_normal(frame.to_frame(mesh.positions[a]), frame.to_frame(mesh.positions[b]),
+                           frame.to_frame(mesh.positions[c]));
   };
   const double least_cosine = detail::cosine_of_deg(angle_deg);
   const detail::EdgeTable edges(mesh.faces, mesh.positions.size());

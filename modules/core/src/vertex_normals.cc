@@ -12,6 +12,8 @@ std::vector<std::array<float, 3>> vertex_normals(const IndexedMesh& mesh, const 
   }
   std::vector<std::array<float, 3>> normals(sums.size());
   for (std::size_t v = 0; v < sums.size(); ++v) {
+    const double largest = sums[v].cwiseAbs().maxCoeff();
+    if (largest > 0 && largest < 1e-140) sums[v] /= largest;  // its square would lose digits
     const double length = sums[v].norm();
     if (length > 0) sums[v] /= length;
     normals[v] = {static_cast<float>(sums[v].x()), static_cast<float>(sums[v].y()), static_cast<float>(sums[v].z())};

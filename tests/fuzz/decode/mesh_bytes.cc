@@ -220,6 +220,7 @@ void make_finite(IndexedMesh& mesh) {
 
 bool has_ordinary_sizes(const IndexedMesh& mesh) {
   double extent = 0;
+  double farthest = 0;
   double least = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> values;
@@ -228,9 +229,11 @@ bool has_ordinary_sizes(const IndexedMesh& mesh) {
     for (std::size_t i = 1; i < values.size(); ++i) {
       if (values[i] > values[i - 1]) least = std::min(least, values[i] - values[i - 1]);
     }
-    if (!values.empty()) extent = std::max(extent, values.back() - values.front());
+    if (values.empty()) continue;
+    extent = std::max(extent, values.back() - values.front());
+    farthest = std::max({farthest, values.back(), -values.front()});
   }
-  return least >= 1e-30 * extent;
+  return least >= (farthest > 1000 * extent ? 1e-9 * farthest : 1e-30 * extent);
 }
 
 std::string text_of(const IndexedMesh& mesh) {

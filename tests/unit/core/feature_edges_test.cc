@@ -70,6 +70,19 @@ TEST(FeatureEdges, OfFacesWithoutAreaThereAreNone) {
   EXPECT_TRUE(feature_edges(wedge, 5).empty());
 }
 
+/// The first face's corners are in a line, up to rounding: the direction of its normal is noise.
+TEST(FeatureEdges, OfFacesWithAreaByRoundingThereAreNone) {
+  Random random(3);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 a = random.uniform_vector(-1, 1);
+    const Vec3 b = random.uniform_vector(-1, 1);
+    IndexedMesh mesh;
+    mesh.positions = {a, b, a + random.uniform(0.1, 0.9) * (b - a), random.uniform_vector(-1, 1)};
+    mesh.faces = {{0, 1, 2}, {1, 0, 3}};
+    EXPECT_TRUE(feature_edges(mesh, 40).empty());
+  }
+}
+
 TEST(FeatureEdges, HaveExactlyTwoFaces) {
   EXPECT_TRUE(feature_edges(three_faces_on_an_edge(), 5).empty());
   EXPECT_TRUE(feature_edges(single_triangle(), 5).empty());

@@ -61,6 +61,12 @@ struct RandomStep {
   StarVolume volume;
 };
 
+TEST(MemorylessFactor, IsARootOfAnAreaThatRoundingMayLeaveNegative) {
+  EXPECT_EQ(memoryless_factor(3.5, 0.25), 2);
+  EXPECT_EQ(memoryless_factor(0.0, 0.0), 0);
+  EXPECT_EQ(memoryless_factor(-1e-20, 0.0), 0);
+}
+
 TEST(VolumeStep, KeepsTheVolume) {
   int n_steps = 0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {

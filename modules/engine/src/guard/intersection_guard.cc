@@ -2,19 +2,17 @@
 
 #include <algorithm>
 
+#include "whittle/core/geometry/face_normal.hh"
 #include "whittle/core/geometry/triangle_intersection.hh"
 
 namespace whittle {
 namespace {
 
-/// A face without area crosses nothing, wherever it lies.
 bool has_area(const std::array<Vec3, 3>& corners) {
-  const Vec3 p = corners[1] - corners[0];
-  const Vec3 q = corners[2] - corners[0];
-  constexpr double least_sine = 1e-12;  // less is rounding error
-  return p.cross(q).squaredNorm() > least_sine * least_sine * p.squaredNorm() * q.squaredNorm();
+  return !reliable_normal(corners[0], corners[1], corners[2]).isZero(0);
 }
 
+/// A face without area crosses nothing, wherever it lies.
 bool do_cross(const std::array<Vec3, 3>& f, const std::array<Vec3, 3>& g) {
   return detail::intersect(f, g) && has_area(f) && has_area(g);
 }
@@ -90,22 +88,23 @@ bool IntersectionGuard::cross_faces_at(Index v, const Pair& pair) {
     const FaceBox box = box_of(other);
     const auto is_corner = [&](Index w) { return w == v || w == p || w == q; };
     const bool is_crossed = std::any_of(faces_.begin(), faces_.end(), [&](const Face& face) {
-      return face.box.intersects(box) && !(is_corner(face.x) && is_corner(face.y)) &&
-             do_cross(face.then, other);
+      return face.box.intersects(box) && !(is_corner(face.x) && is_corner(face.y)) && do_cross(face.then, other);
     });
-    if (is_crossed) crossed_.push_back(other);
+    if (is_crossed) crossed_.push_back({{v, p, q}, other});
   }
   return std::any_of(crossed_.begin(), crossed_.end(),
-                     [&](const Corners& other) { return !is_crossed_already(pair, other); });
+                     [&](const Crossed& other) { return !is_crossed_already(pair, other); });
 }
 
-/// Whether some face at the pair intersects this face now.
-bool IntersectionGuard::is_crossed_already(const Pair& pair, const Corners& face) {
+/// Whether some face at the pair, without a common edge, intersects this face now.
+bool IntersectionGuard::is_crossed_already(const Pair& pair, const Crossed& face) {
   for (const Index v : {pair.a, pair.b}) {
     const std::span<const Neighbour> star = complex_.live_pairs(v);
     for (std::size_t i = 0; i < star.size(); i += 2) {
-      const Corners own{complex_.position(v), complex_.position(star[i].vertex), complex_.position(star[i + 1].vertex)};
-      if (do_cross(own, face)) return true;
+      const Triangle own{v, star[i].vertex, star[i + 1].vertex};
+      if (n_common_corners(own, face.face) > 1) continue;
+      if (do_cross({complex_.position(own[0]), complex_.position(own[1]), complex_.position(own[2])}, face.corners))
+        return true;
     }
   }
   return false;

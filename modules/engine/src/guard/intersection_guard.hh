@@ -32,15 +32,20 @@ class IntersectionGuard final : public Guard {
     FaceBox box;   ///< of `then`
   };
 
+  struct Crossed {
+    Triangle face;
+    Corners corners;
+  };
+
   void list_faces(const ContractionProfile& profile, const Vec3& position);
   bool do_cross_each_other() const;
   bool cross_faces_at(Index v, const Pair& pair);
-  bool is_crossed_already(const Pair& pair, const Corners& face);
+  bool is_crossed_already(const Pair& pair, const Crossed& face);
 
   TriangleComplex& complex_;
   FaceBoxes boxes_;
   std::vector<Face> faces_;       ///< scratch: of the merged vertex
-  std::vector<Corners> crossed_;  ///< scratch: other faces that intersect those
+  std::vector<Crossed> crossed_;  ///< scratch: other faces that intersect those
   std::vector<Index> around_;     ///< scratch
 };
 

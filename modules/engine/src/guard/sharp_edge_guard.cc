@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "whittle/core/detail/portable_math.hh"
+#include "whittle/core/geometry/face_normal.hh"
 
 namespace whittle {
 
@@ -29,7 +30,7 @@ void SharpEdgeGuard::list_faces(const ContractionProfile& profile, const Vec3& p
   for (const StarFaces& faces : {profile.first, profile.second}) {
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const auto [x, y] = faces[i];
-      faces_.push_back({x, y, (complex_.position(x) - position).cross(complex_.position(y) - position)});
+      faces_.push_back({x, y, reliable_normal(position, complex_.position(x), complex_.position(y))});
     }
   }
 }
@@ -69,6 +70,7 @@ bool SharpEdgeGuard::would_change_link(const Pair& pair, const Face& face) {
   return is_sharp_after != before.is_sharp && is_sharp_after != is_feature(face.x, face.y);
 }
 
+/// Not if one of the faces has no area, and so no angle to the other.
 bool SharpEdgeGuard::is_sharp(const Vec3& normal, const Vec3& other) const {
   return normal.dot(other) < least_cosine_ * normal.norm() * other.norm();
 }
@@ -81,8 +83,7 @@ SharpEdgeGuard::Edge SharpEdgeGuard::look_at(Index v, Index w) {
     const Index x = pairs[i].vertex;
     const Index y = pairs[i + 1].vertex;
     if (x != w && y != w) continue;
-    const Vec3& p = complex_.position(v);
-    at_edge_.push_back({x, y, (complex_.position(x) - p).cross(complex_.position(y) - p)});
+    at_edge_.push_back({x, y, reliable_normal(complex_.position(v), complex_.position(x), complex_.position(y))});
   }
   if (at_edge_.size() != 2) return {};
   const bool is_same_way = (at_edge_[0].x == w) != (at_edge_[1].x == w);

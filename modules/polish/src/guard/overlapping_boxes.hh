@@ -15,12 +15,6 @@ inline void extend(Eigen::AlignedBox3f& box, const Triangle& face, std::span<con
   for (const Index v : face) box.extend(positions[v].cast<float>());
 }
 
-inline int n_common_corners(const Triangle& s, const Triangle& t) {
-  int n = 0;
-  for (const Index v : s) n += int{v == t[0]} | int{v == t[1]} | int{v == t[2]};
-  return n;
-}
-
 /// All pairs of boxes that have a common point, each once, with the lower number first, and always in the same order.
 /// Boxes in single precision are enough: rounding keeps overlapping boxes overlapping.
 /// \param faces the boxes' faces: pairs of faces with a common corner are left out; or empty

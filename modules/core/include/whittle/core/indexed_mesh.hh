@@ -22,6 +22,12 @@ using Triangle = std::array<Index, 3>;
 inline bool has_three_corners(const Triangle& face) {
   return face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
 }
+/// How many corners of one face are corners of the other.
+inline int n_common_corners(const Triangle& face, const Triangle& other) {
+  int n = 0;
+  for (const Index v : face) n += int{v == other[0]} | int{v == other[1]} | int{v == other[2]};
+  return n;
+}
 /// Red, green, blue, opacity, each in [0, 1].
 using Color = std::array<float, 4>;
 

@@ -43,10 +43,12 @@ struct StarVolume {
   bool is_thin() const { return normal.squaredNorm() < 0.5 * length * length; }
 };
 
-/// What to multiply E by. \param weight W \param first_area a₀
+/// What to multiply E by. Where large planes were taken away, rounding may leave less than nothing.
+/// \param weight W \param first_area a₀
 template <class Real>
 WHITTLE_INLINE Real memoryless_factor(const Real& weight, double first_area) {
-  Real factor = weight + 2 * first_area;
+  const Real area = weight + 2 * first_area;
+  Real factor = select_lanes(area > 0, area, Real{});
   take_square_roots(factor);
   return factor;
 }
