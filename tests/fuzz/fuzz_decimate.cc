@@ -92,8 +92,9 @@ void check_order(const DecimateCase& c, const std::vector<Contraction>& made) {
   const bool has_restraints = !options.locked.empty() || options.boundary == Boundary::locked ||
                               options.feature_angle_deg || !options.feature_edges.empty();
   const double size = diagonal(c.mesh);
-  // Beside one vertex very far away the costs of all others are denormal numbers.
-  const bool is_far_flung = size > 1e20 * median_edge(c.mesh);
+  // Beside one vertex far away rounding decides. A face that is r times as long as the others has costs that are known
+  // to about 1e-16 r³ of the others', so that old costs are no lower bounds any more.
+  const bool is_far_flung = size > 1e5 * median_edge(c.mesh);
   if (!is_exact || has_restraints || options.refuse_intersections || is_far_flung || c.n_calls_left ||
       c.target.cost_limit() || c.mesh.positions.empty() || c.mesh.faces.size() > 40 ||
       options.quadric.regularization < 1e-9 || !(size > 1e-50 && size < 1e50)) {

@@ -22,6 +22,14 @@ class TextCursor {
   TextCursor(std::string_view text, std::string_view name)
       : begin_(text.data()), at_(begin_), end_(begin_ + text.size()), name_(name) {}
 
+  /// From one byte of the text up to another. Lines are counted from the beginning of the whole.
+  TextCursor part(std::size_t begin, std::size_t end) const {
+    TextCursor cursor = *this;
+    cursor.at_ = begin_ + begin;
+    cursor.end_ = begin_ + end;
+    return cursor;
+  }
+
   const char* position() const { return at_; }
   std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
   bool at_end() const { return at_ == end_; }

@@ -17,6 +17,26 @@ void MeshBuilder::add_triangles(std::vector<Triangle> faces) {
   }
 }
 
+void MeshBuilder::append(MeshBuilder&& more) {
+  const auto move_to_end = [](auto& to, auto& from) {
+    if (to.capacity() == 0) {
+      to = std::move(from);
+    } else {
+      to.insert(to.end(), from.begin(), from.end());
+    }
+  };
+  for (Polygon& polygon : more.polygons_) {
+    polygon.first_face += result_.mesh.faces.size();
+    polygon.first_corner += polygon_corners_.size();
+  }
+  move_to_end(polygons_, more.polygons_);
+  move_to_end(polygon_corners_, more.polygon_corners_);
+  move_to_end(result_.mesh.positions, more.result_.mesh.positions);
+  move_to_end(result_.mesh.faces, more.result_.mesh.faces);
+  result_.file_faces += more.result_.file_faces;
+  result_.repairs += more.result_.repairs;
+}
+
 void MeshBuilder::add_polygon(std::span<const Index> corners) {
   if (corners.size() == 3) {
     add_triangle({corners[0], corners[1], corners[2]});

@@ -31,6 +31,7 @@ class MeshBuilder {
   std::vector<std::array<float, 3>>& normals() { return result_.mesh.normals; }
 
   std::size_t vertex_count() const { return result_.mesh.positions.size(); }
+  std::size_t face_count() const { return result_.mesh.faces.size(); }
 
   /// \pre `count` was checked against the file's size.
   void reserve_vertices(std::size_t count) { reserve_large(result_.mesh.positions, count); }
@@ -45,6 +46,9 @@ class MeshBuilder {
   /// Any number of corners. A corner that repeats its neighbour is left out. With fewer than three corners left, the
   /// face is counted as degenerate.
   void add_polygon(std::span<const Index> corners);
+
+  /// Adds the vertices and faces that another one has collected. Their corners are numbers of the whole.
+  void append(MeshBuilder&& more);
 
   void warn(std::string warning) { result_.warnings.push_back(std::move(warning)); }
 

@@ -1,14 +1,20 @@
 // Wavefront OBJ ("Object Files (.obj)", Wavefront Advanced Visualizer manual, appendix B1). Reads v, vn and f. Counts
 // what is not carried, for warnings: texture coordinates, names, lines, free-form geometry.
+//
+// A large file is read in chunks of lines, on all threads. Statements may refer to the last vertices and normals before
+// them, so these are counted first.
 #include <algorithm>
 #include <array>
 #include <compare>
+#include <exception>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "bytes/text_cursor.hh"
-#include "format/mesh_builder.hh"
 #include "obj/obj.hh"
+#include "obj/obj_chunk.hh"
+#include "whittle/core/detail/large_array.hh"
+#include "whittle/core/detail/parallel.hh"
 
 namespace whittle::io {
 
@@ -16,16 +22,13 @@ namespace {
 
 class ObjReader {
  public:
-  ObjReader(std::string_view text, std::string_view name) : cursor_(text, name), length_(text.size()) {}
+  ObjReader(std::string_view text, std::string_view name, unsigned threads)
+      : whole_(text, name), text_(text), threads_(threads) {}
 
-  ReadResult read() {
-    // A third of the lines are vertices, a line has about 30 bytes. A wrong guess costs a reallocation.
-    builder_.reserve_vertices(length_ / 90);
-    builder_.reserve_faces(length_ / 45);
-    for (; !cursor_.at_end(); cursor_.next_line()) {
-      cursor_.skip_blanks();
-      if (!cursor_.at_line_end()) read_statement();
-    }
+  ReadResult read(std::size_t bytes_per_chunk) {
+    const std::vector<std::size_t> begins = chunk_begins(text_, bytes_per_chunk);
+    if (!read_chunks(begins)) read_chunks({0});
+    join_chunks();
     check_largest_vertex();
     check_counts();
     set_normals();
@@ -40,210 +43,145 @@ class ObjReader {
     auto operator<=>(const VertexNormal&) const = default;
   };
 
-  void read_statement();
-  void read_vertex();
-  void read_color(std::size_t vertex);
-  void read_normal();
-  void read_face();
-  Index read_corner_vertex();
-  void read_corner_rest(Index vertex);
-  void note_corner_normal(Index vertex);
-  void skip_other(std::string_view keyword);
+  static std::vector<std::size_t> chunk_begins(std::string_view text, std::size_t bytes_per_chunk);
+  bool read_chunks(const std::vector<std::size_t>& begins);
+  void join_chunks();
+  void reserve_for_all();
+  void join_colors(std::vector<Color>& colors, std::size_t vertices_before);
+  void note_corner_normals(const ObjChunk& chunk);
   void check_largest_vertex() const;
   void check_counts() const;
   void set_normals();
   void warn_of_what_is_not_carried();
 
-  TextCursor cursor_;
-  std::size_t length_;
+  TextCursor whole_;  // For messages.
+  std::string_view text_;
+  unsigned threads_;
+  std::vector<ObjChunk> chunks_;
   MeshBuilder builder_;
-  std::vector<Index> corners_;  // Of the face being read.
 
   // Faces may use vertices that come later. So the largest number is checked at the end.
-  std::int64_t largest_vertex_ = -1;
-  const char* largest_vertex_at_ = nullptr;
+  ObjChunk::LargestVertex largest_vertex_;
 
   std::vector<std::array<float, 3>> file_normals_;
   std::vector<Index> normal_of_vertex_;        // The first that a corner of the vertex has.
   std::vector<VertexNormal> further_normals_;  // Other ones, and those of vertices that come later.
-  const char* bad_normal_at_ = nullptr;
-
-  std::size_t texcoords_ = 0;
-  std::size_t materials_ = 0;
-  std::size_t groups_ = 0;
-  std::size_t smoothing_groups_ = 0;
-  std::size_t lines_and_points_ = 0;
-  std::size_t free_form_ = 0;
-  std::size_t unknown_ = 0;
-  const char* first_unknown_ = nullptr;
+  bool has_bad_normals_ = false;
+  ObjOthers others_;
 };
 
-void ObjReader::read_statement() {
-  const char* const start = cursor_.position();
-  if (cursor_.peek() == '#') return;
-  const std::string_view keyword = cursor_.token();
-  if (keyword == "v") {
-    read_vertex();
-  } else if (keyword == "f" || keyword == "fo") {
-    read_face();
-  } else if (keyword == "vn") {
-    read_normal();
-  } else if (keyword == "vt") {
-    ++texcoords_;
-  } else {
-    const std::size_t unknown_before = unknown_;
-    skip_other(keyword);
-    if (unknown_ != unknown_before && first_unknown_ == nullptr) first_unknown_ = start;
+// At the beginnings of lines. A line that ends with a backslash goes on in the next one.
+std::vector<std::size_t> ObjReader::chunk_begins(std::string_view text, std::size_t bytes_per_chunk) {
+  std::vector<std::size_t> begins{0};
+  const auto is_continued = [text](std::size_t end) {
+    if (end > 0 && text[end - 1] == '\r') --end;
+    return end > 0 && text[end - 1] == '\\';
+  };
+  while (text.size() - begins.back() > bytes_per_chunk) {
+    std::size_t end = text.find('\n', begins.back() + bytes_per_chunk);
+    while (end != text.npos && is_continued(end)) end = text.find('\n', end + 1);
+    if (end == text.npos || end + 1 == text.size()) break;
+    begins.push_back(end + 1);
   }
+  return begins;
 }
 
-void ObjReader::skip_other(std::string_view keyword) {
-  cursor_.skip_blanks();
-  if (keyword == "usemtl" || keyword == "mtllib") {
-    materials_ += keyword == "usemtl";
-  } else if (keyword == "g" || keyword == "o") {
-    ++groups_;
-  } else if (keyword == "s") {
-    const std::string_view group = cursor_.token();
-    smoothing_groups_ += group != "off" && group != "0";
-  } else if (keyword == "l" || keyword == "p") {
-    ++lines_and_points_;
-  } else if (keyword == "curv" || keyword == "curv2" || keyword == "surf") {
-    ++free_form_;
-  } else {
-    static constexpr std::string_view harmless[] = {
-        "vp",  "cstype", "deg", "bmat",  "step", "parm",       "trim",      "hole", "scrv",   "sp",
-        "end", "con",    "mg",  "bevel", "lod",  "c_interp",   "d_interp",  "bsp",  "usemap", "maplib",
-        "bzp", "cdc",    "cdp", "res",   "call", "shadow_obj", "trace_obj", "csh",  "ctech",  "stech"};
-    for (const std::string_view known : harmless) {
-      if (keyword == known) return;
+// Returns false if the rows of a chunk were not as many as guessed.
+// Throws the first error of the file.
+bool ObjReader::read_chunks(const std::vector<std::size_t>& begins) {
+  const std::size_t n = begins.size();
+  const auto end = [&](std::size_t i) { return i + 1 < n ? begins[i + 1] : text_.size(); };
+  std::vector<ObjRows> rows(n);
+  if (n > 1)
+    for_each_block(n, threads_,
+                   [&](std::size_t i) { rows[i] = ObjChunk::guess_rows(text_.substr(begins[i], end(i) - begins[i])); });
+  chunks_.clear();
+  ObjRows before;
+  for (std::size_t i = 0; i < n; ++i) {
+    chunks_.emplace_back(whole_.part(begins[i], end(i)), before);
+    before += rows[i];
+  }
+  std::vector<std::exception_ptr> errors(n);
+  for_each_block(n, threads_, [&](std::size_t i) {
+    try {
+      chunks_[i].read();
+    } catch (const ReadError&) {
+      errors[i] = std::current_exception();
     }
-    ++unknown_;
+  });
+  for (std::size_t i = 0; i < n; ++i) {
+    if (errors[i]) std::rethrow_exception(errors[i]);
+    if (n > 1 && chunks_[i].rows() != rows[i]) return false;
   }
+  return true;
 }
 
-void ObjReader::read_vertex() {
-  Vec3 position;
-  for (int i = 0; i < 3; ++i) {
-    cursor_.skip_blanks();
-    position[i] = cursor_.finite_number<double>("a coordinate");
+void ObjReader::join_chunks() {
+  if (chunks_.size() > 1) reserve_for_all();
+  for (ObjChunk& chunk : chunks_) {
+    note_corner_normals(chunk);
+    has_bad_normals_ = has_bad_normals_ || chunk.has_bad_normals();
+    file_normals_.insert(file_normals_.end(), chunk.normals().begin(), chunk.normals().end());
+    others_ += chunk.others();
+    if (chunk.largest_vertex().number > largest_vertex_.number) largest_vertex_ = chunk.largest_vertex();
+    std::vector<Color> colors = std::move(chunk.builder().colors());
+    chunk.builder().colors().clear();
+    join_colors(colors, builder_.vertex_count());
+    builder_.append(std::move(chunk.builder()));
   }
-  auto& positions = builder_.positions();
-  positions.push_back(position);
-  cursor_.skip_blanks();
-  if (!cursor_.at_line_end() && cursor_.peek() != '#') read_color(positions.size() - 1);
+  chunks_.clear();
 }
 
-// After x y z: nothing, w, or r g b [a]. Many programs write colours there, though the manual doesn't have them.
-void ObjReader::read_color(std::size_t vertex) {
-  std::array<float, 4> values{0, 0, 0, opaque};
-  std::size_t count = 0;
-  while (!cursor_.at_line_end() && cursor_.peek() != '#') {
-    if (count == values.size()) cursor_.fail("a vertex has at most seven numbers");
-    values[count++] = cursor_.number<float>("a colour");
-    cursor_.skip_blanks();
+void ObjReader::reserve_for_all() {
+  std::size_t n_vertices = 0;
+  std::size_t n_faces = 0;
+  for (ObjChunk& chunk : chunks_) {
+    n_vertices += chunk.builder().vertex_count();
+    n_faces += chunk.builder().face_count();
   }
-  if (count < 3) return;
-  auto& colors = builder_.colors();
-  colors.resize(vertex, Color{opaque, opaque, opaque, opaque});
-  colors.push_back(values);
+  builder_.reserve_vertices(n_vertices);
+  builder_.reserve_faces(n_faces);
 }
 
-void ObjReader::read_normal() {
-  std::array<float, 3> normal;
-  for (float& component : normal) {
-    cursor_.skip_blanks();
-    component = cursor_.number<float>("a normal");
-  }
-  file_normals_.push_back(normal);
+void ObjReader::join_colors(std::vector<Color>& colors, std::size_t vertices_before) {
+  if (colors.empty()) return;
+  auto& all = builder_.colors();
+  all.resize(vertices_before, Color{opaque, opaque, opaque, opaque});
+  all.insert(all.end(), colors.begin(), colors.end());
 }
 
-void ObjReader::read_face() {
-  const char* const start = cursor_.position();
-  corners_.clear();
-  while (cursor_.skip_blanks(), !cursor_.at_line_end() && cursor_.peek() != '#') {
-    const Index vertex = read_corner_vertex();
-    if (!cursor_.at_token_end()) read_corner_rest(vertex);
-    corners_.push_back(vertex);
-  }
-  if (corners_.size() < 3) {
-    cursor_.fail(start, "a face needs three corners, this has " + std::to_string(corners_.size()) +
-                            (cursor_.at_end() ? "; the file may be truncated" : ""));
-  }
-  builder_.add_polygon(corners_);
-}
-
-Index ObjReader::read_corner_vertex() {
-  const char* const at = cursor_.position();
-  const std::int64_t number = cursor_.integer("a vertex number");
-  const auto vertices = static_cast<std::int64_t>(builder_.positions().size());
-  const std::int64_t vertex = number > 0 ? number - 1 : vertices + number;
-  if (number == 0) cursor_.fail(at, "vertex number 0; OBJ counts from 1");
-  if (vertex < 0) {
-    cursor_.fail(at, "vertex number " + std::to_string(number) + " reaches back before the first of the " +
-                         std::to_string(vertices) + " vertices so far");
-  }
-  if (vertex > largest_vertex_) {
-    largest_vertex_ = vertex;
-    largest_vertex_at_ = at;
-    if (static_cast<std::uint64_t>(vertex) >= most_elements) {
-      cursor_.fail(at, "vertex number " + std::to_string(number) + " is more than the " +
-                           std::to_string(most_elements) + " vertices a mesh can have");
+void ObjReader::note_corner_normals(const ObjChunk& chunk) {
+  for (const auto& [vertex, normal, comes_later] : chunk.corner_normals()) {
+    if (!comes_later && normal_of_vertex_.size() <= vertex) {
+      normal_of_vertex_.resize(builder_.vertex_count() + chunk.rows().vertices, invalid_index);
     }
-  }
-  return static_cast<Index>(vertex);
-}
-
-// "/t", "//n" or "/t/n".
-void ObjReader::read_corner_rest(Index vertex) {
-  const char* const at = cursor_.position();
-  if (!cursor_.skip_if('/')) cursor_.fail_token(at, "a vertex number");
-  if (!cursor_.skip_if('/')) {
-    if (cursor_.at_token_end()) return;  // "1/": some programs write it
-    cursor_.integer("a texture coordinate number");
-    if (cursor_.at_token_end()) return;
-    if (!cursor_.skip_if('/')) cursor_.fail_token(at, "\"/\" and a normal number");
-  }
-  if (!cursor_.at_token_end()) note_corner_normal(vertex);
-}
-
-void ObjReader::note_corner_normal(Index vertex) {
-  const char* const at = cursor_.position();
-  const std::int64_t number = cursor_.whole_integer("a normal number");
-  const auto normals = static_cast<std::int64_t>(file_normals_.size());
-  const std::int64_t normal = number > 0 ? number - 1 : normals + number;
-  if (number == 0 || normal < 0 || static_cast<std::uint64_t>(normal) >= most_elements) {
-    if (bad_normal_at_ == nullptr) bad_normal_at_ = at;
-    return;
-  }
-  const std::size_t vertices = builder_.positions().size();
-  if (vertex < vertices && normal_of_vertex_.size() < vertices) normal_of_vertex_.resize(vertices, invalid_index);
-  const Index value = static_cast<Index>(normal);
-  if (vertex < vertices && normal_of_vertex_[vertex] == invalid_index) {
-    normal_of_vertex_[vertex] = value;
-  } else if (vertex >= vertices || normal_of_vertex_[vertex] != value) {
-    further_normals_.push_back({vertex, value});
+    if (!comes_later && normal_of_vertex_[vertex] == invalid_index) {
+      normal_of_vertex_[vertex] = normal;
+    } else if (comes_later || normal_of_vertex_[vertex] != normal) {
+      further_normals_.push_back({vertex, normal});
+    }
   }
 }
 
 void ObjReader::check_largest_vertex() const {
   const std::size_t vertices = builder_.vertex_count();
-  if (largest_vertex_ < 0 || static_cast<std::uint64_t>(largest_vertex_) < vertices) return;
-  cursor_.fail(largest_vertex_at_, "vertex number " + std::to_string(largest_vertex_ + 1) + ", but the file has " +
-                                       std::to_string(vertices) + " vertices; it may be truncated");
+  const auto& [number, at] = largest_vertex_;
+  if (number < 0 || static_cast<std::uint64_t>(number) < vertices) return;
+  whole_.fail(at, "vertex number " + std::to_string(number + 1) + ", but the file has " + std::to_string(vertices) +
+                      " vertices; it may be truncated");
 }
 
 void ObjReader::check_counts() const {
   if (builder_.vertex_count() > most_elements) {
-    cursor_.fail("more than the " + std::to_string(most_elements) + " vertices a mesh can have");
+    whole_.fail("more than the " + std::to_string(most_elements) + " vertices a mesh can have");
   }
 }
 
 // A mesh has one normal per vertex. Where corners differ (at a crease), it is the mean of the different normals.
 void ObjReader::set_normals() {
-  if (normal_of_vertex_.empty() && further_normals_.empty() && bad_normal_at_ == nullptr) return;
+  if (normal_of_vertex_.empty() && further_normals_.empty() && !has_bad_normals_) return;
   const std::size_t count = file_normals_.size();
-  bool all_known = bad_normal_at_ == nullptr;
+  bool all_known = !has_bad_normals_;
   for (const Index n : normal_of_vertex_) all_known = all_known && (n == invalid_index || n < count);
   for (const VertexNormal& further : further_normals_) all_known = all_known && further.normal < count;
   if (!all_known) {
@@ -273,22 +211,32 @@ void ObjReader::set_normals() {
 void ObjReader::warn_of_what_is_not_carried() {
   auto& colors = builder_.colors();
   if (!colors.empty()) colors.resize(builder_.vertex_count(), Color{opaque, opaque, opaque, opaque});
-  if (texcoords_ > 0) builder_.warn("texture coordinates (vt) are not carried");
-  if (materials_ > 0) builder_.warn("materials (usemtl) are not carried");
-  if (groups_ > 1) builder_.warn("groups and object names (g, o) are not carried");
-  if (smoothing_groups_ > 0) builder_.warn("smoothing groups (s) are not carried");
-  if (lines_and_points_ > 0) builder_.warn("lines and points (l, p) are not carried");
-  if (free_form_ > 0) builder_.warn("free-form curves and surfaces (curv, surf) are not read");
-  if (unknown_ > 0) {
-    builder_.warn(std::to_string(unknown_) + " unknown statements ignored, the first in line " +
-                  std::to_string(cursor_.line_of(first_unknown_)) + ": \"" + cursor_.excerpt(first_unknown_) + '"');
+  if (others_.texcoords > 0) builder_.warn("texture coordinates (vt) are not carried");
+  if (others_.materials > 0) builder_.warn("materials (usemtl) are not carried");
+  if (others_.groups > 1) builder_.warn("groups and object names (g, o) are not carried");
+  if (others_.smoothing_groups > 0) builder_.warn("smoothing groups (s) are not carried");
+  if (others_.lines_and_points > 0) builder_.warn("lines and points (l, p) are not carried");
+  if (others_.free_form > 0) builder_.warn("free-form curves and surfaces (curv, surf) are not read");
+  if (others_.unknown > 0) {
+    builder_.warn(std::to_string(others_.unknown) + " unknown statements ignored, the first in line " +
+                  std::to_string(whole_.line_of(others_.first_unknown)) + ": \"" +
+                  whole_.excerpt(others_.first_unknown) + '"');
   }
 }
 
 }  // namespace
 
-ReadResult read_obj(std::string_view bytes, std::string_view name, unsigned /*threads*/) {
-  return ObjReader(without_byte_order_mark(bytes), name).read();
+ReadResult read_obj(std::string_view bytes, std::string_view name, unsigned threads) {
+  const std::string_view text = without_byte_order_mark(bytes);
+  constexpr std::size_t least = std::size_t{1} << 20;  // some milliseconds of work
+  constexpr std::size_t most_chunks = 64;
+  return read_obj_in_chunks(
+      text, name, n_threads(threads) == 1 ? text.size() : std::max(least, text.size() / most_chunks), threads);
+}
+
+ReadResult read_obj_in_chunks(std::string_view text, std::string_view name, std::size_t bytes_per_chunk,
+                              unsigned threads) {
+  return ObjReader(text, name, threads).read(bytes_per_chunk);
 }
 
 }  // namespace whittle::io

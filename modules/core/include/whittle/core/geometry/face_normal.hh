@@ -10,9 +10,9 @@ inline Vec3 reliable_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   constexpr double least_sine = 1e-12;
   const Vec3 p = b - a;
   const Vec3 q = c - a;
-  const Vec3 normal = p.cross(q);
-  if (normal.squaredNorm() > least_sine * least_sine * p.squaredNorm() * q.squaredNorm()) return normal;
-  return Vec3::Zero();
+  Vec3 normal = p.cross(q);
+  if (!(normal.squaredNorm() > least_sine * least_sine * p.squaredNorm() * q.squaredNorm())) normal.setZero();
+  return normal;
 }
 
 }  // namespace whittle
