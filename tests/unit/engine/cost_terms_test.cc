@@ -67,6 +67,17 @@ TEST(Isotropic, AtOneIsTheLengthToTheMiddle) {
   }
 }
 
+TEST(Isotropic, AtOneGoesToTheBetterEndIfToEither) {
+  Random random(3);
+  for (int i = 0; i < 100; ++i) {
+    const PlacedQuadric v0 = random_vertex(random);
+    const PlacedQuadric v1 = random_vertex(random);
+    const Vec3 found = evaluate_isotropic(v0, v1, 1, Placement::endpoint, Pinned::none).position;
+    EXPECT_EQ(found, evaluate_pair(v0, v1, Placement::endpoint).position);
+    EXPECT_TRUE(found == v0.position || found == v1.position);
+  }
+}
+
 TEST(Isotropic, BetweenIsAsItsFormulasSay) {
   Random random(3);
   for (int i = 0; i < 100; ++i) {

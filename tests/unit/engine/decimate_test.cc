@@ -244,11 +244,13 @@ std::vector<NamedMesh> endpoint_meshes() {
 }
 
 std::vector<DecimateOptions> endpoint_options() {
-  std::vector<DecimateOptions> all(4);
+  std::vector<DecimateOptions> all(6);
   all[1].cost = Cost::memoryless;
   all[2].feature_angle_deg = 40;
   all[3].pairs.threshold = 0.05;
   all[3].topology = whittle::Topology::free;
+  all[4].isotropy = 0.5;
+  all[5].isotropy = 1;
   for (DecimateOptions& options : all) options.quadric.placement = Placement::endpoint;
   return all;
 }

@@ -19,8 +19,9 @@ PairEvaluation evaluate_isotropic(const PlacedQuadric& v0, const PlacedQuadric& 
   Quadric sum = v1.quadric.about(v0.position - v1.position);
   sum += v0.quadric;
   PairEvaluation evaluation = evaluate_midpoint(v0.position, v1.position, pinned);
-  if (isotropy < 1) {
-    const double mu = 1e-3 * isotropy / (1 - isotropy) * sum.a.trace();
+  if (isotropy < 1 || placement == Placement::endpoint) {
+    const double mu = isotropy < 1 ? 1e-3 * isotropy / (1 - isotropy) * sum.a.trace()
+                                   : 0;  // |x − v0|² + |x − v1|² is the same at both ends
     PlacedQuadric held0 = v0;
     PlacedQuadric held1 = v1;
     held0.quadric.a += SymmetricMatrix::identity(mu);

@@ -9,8 +9,8 @@
 //                    μ = W / (1 − W) / 1000
 //
 // E is the sum of both quadrics (quadric_term.hh), A its matrix. At W = 0 that is the quadric's cost and placement, at
-// W = 1 the order is by length and v̄ the middle. Any unit of E or L gives the same order; tr(A), in the unit of E over
-// that of L², keeps μ without one.
+// W = 1 the order is by length and v̄ the middle; with Placement::endpoint it is the end where E is less. Any unit of E
+// or L gives the same order; tr(A), in the unit of E over that of L², keeps μ without one.
 
 // Both are defined in the library, so that a user's floating-point flags have no influence.
 
