@@ -240,7 +240,8 @@ TEST(Blocks, SayWhyTheyAreNotTaken) {
   EXPECT_EQ(reason([](DecimateOptions& o) { o.order = Order::exact; }, target), "the order is exact");
   EXPECT_EQ(reason([](DecimateOptions& o) { o.pairs.threshold = 0.01; }, target),
             "threshold pairs join what lies apart");
-  EXPECT_EQ(reason([](DecimateOptions& o) { o.topology = whittle::Topology::free; }, target), "the topology may change");
+  EXPECT_EQ(reason([](DecimateOptions& o) { o.topology = whittle::Topology::free; }, target),
+            "the topology may change");
   EXPECT_EQ(reason([](DecimateOptions& o) { o.feature_angle_deg = 40; }, target), "feature lines are kept");
   EXPECT_EQ(reason([](DecimateOptions& o) { o.refuse_intersections = true; }, target), "intersections are refused");
 }
