@@ -75,7 +75,7 @@ PolishCase decode_polish_case(ByteSource& source) {
   make_finite(c.original);
   is_decimated ? decimate_into(c, source) : decode_into(c, source);
   for (Vec3& p : c.mesh.positions) {
-    if (source.one_in(5)) p += Vec3(source.real(-0.2, 0.2), source.real(-0.2, 0.2), source.real(-0.2, 0.2));
+    if (source.one_in(5)) p += Vec3{source.real(-0.2, 0.2), source.real(-0.2, 0.2), source.real(-0.2, 0.2)};
   }
   if (source.one_in(5)) {
     for (std::size_t v = 0; v < c.mesh.positions.size(); ++v) options.locked.push_back(source.one_in(3));

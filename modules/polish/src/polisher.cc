@@ -19,6 +19,10 @@ constexpr int n_sweeps = 2;
 /// Where the simplified mesh has more than this share of the original's faces, one point a face is too few to fit it.
 constexpr double dense = 0.3;
 
+/// Distances of this root mean square are rounding errors: the mesh is as good as the original. A fraction of the size
+/// of both meshes, which is about 1 in their frame.
+constexpr double rounding = 1e-14;
+
 /// Time for the preparations, as a share of a pass.
 constexpr double preparation = 0.25;
 
@@ -91,7 +95,7 @@ Polisher::Polisher(const IndexedMesh& original, std::span<const Index> vertex_ma
 bool Polisher::pass() {
   ++n_passes_;
   const double unit = root_mean_square(distances_);
-  if (!(unit > 0)) return false;
+  if (!(unit > rounding)) return false;
   find_feet();
   std::unique_ptr<Connectivity> flipped = flip();
   const Connectivity& mesh = flipped ? *flipped : *mesh_;

@@ -54,7 +54,10 @@ DecimateTarget decoded_target(ByteSource& source) {
   DecimateTarget target = DecimateTarget::as_far_as_possible();
   if ((which & 1U) != 0) target = target.or_faces(source.below(64));
   if ((which & 2U) != 0) target = target.or_vertices(source.below(32));
-  if (which >= 6) target = target.or_max_cost(option_value(source, 0, 1) * std::ldexp(1.0, -source.whole(0, 60)));
+  if (which >= 6) {
+    const double cost = option_value(source, 0, 1);
+    target = target.or_max_cost(std::ldexp(cost, -source.whole(0, 60)));
+  }
   return target;
 }
 

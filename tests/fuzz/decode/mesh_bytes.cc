@@ -26,8 +26,11 @@ double coordinate(ByteSource& source, unsigned kind) {
       return grid_coordinate(source);
     case 1:
       return source.whole(0, 255) * 0x1p-6 - 2;
-    default:
-      return source.one_in(64) ? source.any_real() : source.real(-1, 1) + source.real(-1, 1) / 256;
+    default: {
+      if (source.one_in(64)) return source.any_real();
+      const double coarse = source.real(-1, 1);
+      return coarse + source.real(-1, 1) / 256;
+    }
   }
 }
 
@@ -51,6 +54,13 @@ IndexedMesh listed(ByteSource& source) {
 
 using Shape = IndexedMesh (*)(ByteSource&);
 
+/// Two sizes of a shape. Initialised by a list: its values are read from left to right by every compiler, arguments of
+/// a call are not.
+struct Sizes {
+  int first;
+  int second;
+};
+
 constexpr std::array<Shape, 22> shapes{{
     [](ByteSource&) { return tetrahedron(); },
     [](ByteSource&) { return octahedron(); },
@@ -59,19 +69,40 @@ constexpr std::array<Shape, 22> shapes{{
     [](ByteSource&) { return tessellated_cube(2); },
     [](ByteSource&) { return csaszar_torus(); },
     [](ByteSource&) { return pillow(); },
-    [](ByteSource& s) { return uv_sphere(s.whole(2, 4), s.whole(3, 6)); },
-    [](ByteSource& s) { return torus(s.whole(3, 5), s.whole(3, 5)); },
+    [](ByteSource& s) {
+      const auto [first, second] = Sizes{s.whole(2, 4), s.whole(3, 6)};
+      return uv_sphere(first, second);
+    },
+    [](ByteSource& s) {
+      const auto [first, second] = Sizes{s.whole(3, 5), s.whole(3, 5)};
+      return torus(first, second);
+    },
     [](ByteSource& s) { return cone(s.whole(3, 9)); },
     [](ByteSource& s) { return frustum(s.whole(3, 8)); },
-    [](ByteSource& s) { return grid(s.whole(1, 4), s.whole(1, 4)); },
-    [](ByteSource& s) { return noisy_grid(s.whole(1, 4), s.whole(1, 4), 0.5, s.byte()); },
-    [](ByteSource& s) { return open_cylinder(s.whole(3, 6), s.whole(1, 3)); },
-    [](ByteSource& s) { return moebius(s.whole(5, 8), s.whole(1, 2)); },
+    [](ByteSource& s) {
+      const auto [first, second] = Sizes{s.whole(1, 4), s.whole(1, 4)};
+      return grid(first, second);
+    },
+    [](ByteSource& s) {
+      const auto [first, second] = Sizes{s.whole(1, 4), s.whole(1, 4)};
+      return noisy_grid(first, second, 0.5, s.byte());
+    },
+    [](ByteSource& s) {
+      const auto [first, second] = Sizes{s.whole(3, 6), s.whole(1, 3)};
+      return open_cylinder(first, second);
+    },
+    [](ByteSource& s) {
+      const auto [first, second] = Sizes{s.whole(5, 8), s.whole(1, 2)};
+      return moebius(first, second);
+    },
     [](ByteSource&) { return single_triangle(); },
     [](ByteSource&) { return two_triangles(); },
     [](ByteSource&) { return bow_tie(); },
     [](ByteSource&) { return three_faces_on_an_edge(); },
-    [](ByteSource& s) { return book(s.whole(3, 5), s.whole(1, 2)); },
+    [](ByteSource& s) {
+      const auto [first, second] = Sizes{s.whole(3, 5), s.whole(1, 2)};
+      return book(first, second);
+    },
     [](ByteSource&) { return two_cubes_on_an_edge(); },
     [](ByteSource& s) { return s.below(2) == 0 ? soup(octahedron()) : soup(grid(2, 2)); },
 }};
@@ -114,7 +145,8 @@ void edit_vertices(IndexedMesh& mesh, unsigned kind, ByteSource& source) {
       break;
     case 4: {  // on the line between two
       const Vec3& p = mesh.positions[vertex(mesh, source)];
-      mesh.positions[v] = p + source.real(0, 1) * (mesh.positions[vertex(mesh, source)] - p);
+      const double along = source.real(0, 1);
+      mesh.positions[v] = p + along * (mesh.positions[vertex(mesh, source)] - p);
       break;
     }
     default:
@@ -169,8 +201,11 @@ IndexedMesh transformed(IndexedMesh mesh, ByteSource& source) {
       return scaled(mesh, std::ldexp(1.0, 8 * (source.byte() - 128)));
     case 9:
       return scaled(mesh, source.real(0.01, 100));
-    case 10:
-      return moved(mesh, Vec3(source.real(-1, 1), source.real(-1, 1), 0) * std::ldexp(1.0, source.whole(0, 60)));
+    case 10: {
+      Vec3 offset{source.real(-1, 1), source.real(-1, 1), 0};
+      offset *= std::ldexp(1.0, source.whole(0, 60));
+      return moved(mesh, offset);
+    }
     case 11:
       return rotated(mesh, source.byte());
     default:
@@ -202,7 +237,7 @@ unsigned n_mesh_kinds() { return static_cast<unsigned>(shapes.size()) + 1; }
 IndexedMesh decode_mesh(ByteSource& source) {
   IndexedMesh mesh = one_shape(source);
   if (source.one_in(4)) {
-    const Vec3 offset(0.5 * grid_coordinate(source), 0.5 * grid_coordinate(source), 0);
+    const Vec3 offset{0.5 * grid_coordinate(source), 0.5 * grid_coordinate(source), 0};
     mesh = joined(mesh, moved(one_shape(source), offset));
     if (source.one_in(3)) mesh = glued(mesh);
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -237,6 +238,20 @@ TEST(Polish, DoesNoHarm) {
       }
       EXPECT_LE(metrics::shape(after).folds, metrics::shape(d.mesh).folds);
     }
+  }
+}
+
+TEST(Polish, LeavesAMeshThatIsTheOriginal) {
+  for (const auto& [name, upright] : all_meshes()) {
+    SCOPED_TRACE(name);
+    const IndexedMesh original = rotated(soup(upright), 3);
+    std::vector<Index> vertex_map(original.positions.size());
+    std::iota(vertex_map.begin(), vertex_map.end(), Index{0});
+    IndexedMesh mesh = original;
+    const PolishResult result = polish(original, vertex_map, mesh, {.passes = 3});
+    EXPECT_EQ(result.n_passes, 0U);
+    EXPECT_EQ(mesh.positions, original.positions);
+    EXPECT_EQ(mesh.faces, original.faces);
   }
 }
 
