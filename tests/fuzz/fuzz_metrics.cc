@@ -43,8 +43,8 @@ auto measured(bool are_surfaces, const Measure& measure) -> std::optional<declty
     auto result = measure();
     require(are_surfaces, "what is no surface is refused");
     return result;
-  } catch (const std::invalid_argument&) {
-    require(!are_surfaces, "surfaces are taken");
+  } catch (const std::invalid_argument& refusal) {
+    require(!are_surfaces, "surfaces are taken", refusal.what());
     return std::nullopt;
   }
 }
@@ -146,7 +146,7 @@ void check_distance(const IndexedMesh& a, const IndexedMesh& b, std::uint64_t ha
       const double farthest = farthest_vertex(from, to);
       require(max >= farthest - rounding && max_swapped >= farthest - rounding,
               "no vertex is farther than the maximum");
-      const double bound = farthest + diagonal(from) + rounding;
+      const double bound = farthest + 4 * extent(from) + rounding;
       require(max <= bound && max_swapped <= bound, "no point is farther than a face reaches");
     };
     check_max(d->forward.max, swapped.backward.max, a, b);
@@ -209,8 +209,10 @@ void check_meeting_parts(const IndexedMesh& mesh, const IndexedMesh& moved) {
   std::vector<Index> same(mesh.positions.size());
   std::iota(same.begin(), same.end(), Index{0});
   const auto none = measured(is_surface(mesh), [&] { return metrics::newly_meeting_parts(mesh, mesh, same, 1); });
-  require(!none || none->empty(), "no parts newly meet in the same mesh");
-  if (moved.faces != mesh.faces || !is_surface(mesh) || !is_surface(moved)) return;
+  const bool is_exact = has_ordinary_sizes(mesh);
+  require(!none || none->empty() || !is_exact, "no parts newly meet in the same mesh");
+  if (moved.faces != mesh.faces || moved.positions.size() != mesh.positions.size()) return;
+  if (!is_surface(mesh) || !is_surface(moved)) return;
   const std::size_t n_parts = find_parts(moved.positions.size(), moved.faces).count;
   for (const auto& [low, high] : metrics::newly_meeting_parts(mesh, moved, same, 1)) {
     require(low < high && high < n_parts, "parts that meet are parts");

@@ -1,6 +1,7 @@
 #include "whittle/polish/polish.hh"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -253,10 +254,27 @@ void check_folds(const PolishCase& c, const Polished& after) {
   }
 }
 
+/// Whether two faces lie in one plane, as far as rounding lets tell: they may overlap already.
+bool are_in_one_plane(const IndexedMesh& mesh, const std::array<Index, 2>& pair) {
+  const auto corner = [&](std::size_t face, std::size_t i) { return mesh.positions[mesh.faces[pair[face]][i]]; };
+  double size = 0;
+  for (std::size_t i = 0; i < 6; ++i) size = std::max(size, (corner(i / 3, i % 3) - corner(0, 0)).norm());
+  for (std::size_t face = 0; face < 2; ++face) {
+    const Vec3 normal = (corner(face, 1) - corner(face, 0)).cross(corner(face, 2) - corner(face, 0)).normalized();
+    double height = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      height = std::max(height, std::abs(normal.dot(corner(1 - face, i) - corner(face, 0))));
+    }
+    if (height <= 1e-9 * size) return true;
+  }
+  return false;
+}
+
 /// No face newly intersects another. Without flips, which change the faces.
 void check_intersections(const PolishCase& c, const Polished& after) {
   if (c.mesh.faces.empty() || after.result.n_passes == 0 || c.options.flips) return;
-  const auto now = clear_crossings(after.mesh);
+  auto now = clear_crossings(after.mesh);
+  std::erase_if(now, [&](const auto& pair) { return are_in_one_plane(c.mesh, pair); });
   if (now.empty()) return;
   const auto before = metrics::self_intersections(c.mesh, 1);
   require(std::includes(before.begin(), before.end(), now.begin(), now.end()), "no intersection is made");

@@ -15,12 +15,13 @@ long double distance_by_features(const LongVec3& p, const LongVec3& a, const Lon
     if (t > 0 && t < 1) best_sq = std::min(best_sq, (p - from - t * along).squaredNorm());
   };
   side(a, b), side(b, c), side(c, a);
-  // Barycentric coordinates of the foot from the normal equations.
+  // Barycentric coordinates of the foot. One side is made orthogonal to the other: the normal equations are wrong by
+  // 1e-7 on needles.
   const LongVec3 u = b - a, v = c - a, w = p - a;
-  const long double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), uw = u.dot(w), vw = v.dot(w);
-  const long double det = uu * vv - uv * uv;
-  const long double s = (vv * uw - uv * vw) / det, t = (uu * vw - uv * uw) / det;
-  if (det > 0 && s > 0 && t > 0 && s + t < 1) best_sq = std::min(best_sq, (w - s * u - t * v).squaredNorm());
+  const LongVec3 across = v - v.dot(u) / u.squaredNorm() * u;
+  const long double t = across.dot(w) / across.squaredNorm();
+  const long double s = u.dot(w - t * v) / u.squaredNorm();
+  if (s > 0 && t > 0 && s + t < 1) best_sq = std::min(best_sq, (w - s * u - t * v).squaredNorm());
   return std::sqrt(best_sq);
 }
 

@@ -9,14 +9,22 @@
 namespace whittle::metrics {
 
 /// The power of two to multiply coordinates by before products of several lengths are taken, so that these neither
-/// over- nor underflow. 1 for meshes of ordinary size. Multiplying by it loses nothing.
+/// over- nor underflow. 1 for meshes of ordinary size. Multiplying by it loses nothing. A tiny mesh far from the origin
+/// is not enlarged more than its place allows.
 inline double working_scale(std::initializer_list<Bounds> boxes) {
   constexpr int largest_exponent = 200;
+  constexpr int farthest_exponent = 400;
   double extent = 0.0;
-  for (const Bounds& box : boxes) extent = std::max(extent, (box.max - box.min).maxCoeff());
+  double farthest = 0.0;
+  for (const Bounds& box : boxes) {
+    extent = std::max(extent, (box.max - box.min).maxCoeff());
+    farthest = std::max({farthest, box.max.maxCoeff(), -box.min.minCoeff()});
+  }
   if (!(extent > 0.0)) return 1.0;
   const int exponent = std::ilogb(extent);
-  return std::abs(exponent) <= largest_exponent ? 1.0 : std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
+  if (std::abs(exponent) <= largest_exponent) return 1.0;
+  const int most = std::max(0, farthest_exponent - std::ilogb(farthest));
+  return std::ldexp(1.0, std::clamp(-exponent, -1000, most));
 }
 
 /// Positions and faces of the mesh, without its attributes, at another scale.

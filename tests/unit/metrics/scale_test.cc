@@ -80,6 +80,18 @@ TEST_P(Scale, OfShape) {
 
 INSTANTIATE_TEST_SUITE_P(PowersOfTwo, Scale, testing::Values(-430, -250, -190, 190, 250, 415, 495));
 
+/// Scaled up to a size of 1, it would lie beyond the range.
+TEST(Size, IsTakenWhereTinyAndAwayFromTheOrigin) {
+  IndexedMesh sliver;
+  sliver.positions = {{0, 1, 0}, {0, 1, 0x1p-510}, {0, 1, 0x1p-511}};
+  sliver.faces = {{0, 1, 2}};
+  EXPECT_EQ(shape(sliver).degenerate_faces, 1U);
+  EXPECT_EQ(surface_distance(sliver, sliver).max, 0.0);
+  EXPECT_TRUE(self_intersections(sliver).empty());
+  EXPECT_TRUE(feature_lines(sliver, 40).empty());
+  EXPECT_EQ(nearest_vertices(sliver, sliver), (std::vector<Index>{0, 1, 2}));
+}
+
 TEST(Size, BeyondTheRangeIsRefused) {
   const IndexedMesh ball = test::sphere(1);
   const IndexedMesh huge = test::scaled(ball, 0x1p501);
