@@ -71,11 +71,14 @@ std::optional<unsigned> cores_allowed(std::string_view groups, const fs::path& r
   return static_cast<unsigned>(std::ceil(std::min(*least, 1e6)));
 }
 
+unsigned usable_cores(unsigned of_processor, std::optional<unsigned> allowed) {
+  const unsigned cores = std::max(1U, of_processor);
+  return std::min(cores, allowed.value_or(cores));
+}
+
 unsigned n_cores() {
-  static const unsigned n = [] {
-    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-    return std::min(cores, cores_allowed(content_of("/proc/self/cgroup"), "/sys/fs/cgroup").value_or(cores));
-  }();
+  static const unsigned n = usable_cores(std::thread::hardware_concurrency(),
+                                         cores_allowed(content_of("/proc/self/cgroup"), "/sys/fs/cgroup"));
   return n;
 }
 

@@ -65,6 +65,14 @@ TEST_F(ControlGroups, OfVersionOneAreFoundByTheirController) {
   EXPECT_FALSE(allowed("5:cpuset:/docker\n4:cpu,cpuacct:/docker\n"));
 }
 
+TEST(Cores, AreThoseOfTheProcessorThatControlGroupsAllow) {
+  EXPECT_EQ(usable_cores(8, std::nullopt), 8U);
+  EXPECT_EQ(usable_cores(8, 3U), 3U);
+  EXPECT_EQ(usable_cores(2, 3U), 2U);
+  EXPECT_EQ(usable_cores(0, std::nullopt), 1U);
+  EXPECT_EQ(usable_cores(0, 4U), 1U);
+}
+
 TEST(Cores, AreAtLeastOneAndAtMostThoseOfTheProcessor) {
   EXPECT_GE(n_cores(), 1U);
   EXPECT_LE(n_cores(), std::max(1U, std::thread::hardware_concurrency()));

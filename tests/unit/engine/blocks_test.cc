@@ -17,9 +17,14 @@ namespace whittle::test {
 namespace {
 
 /// Two levels, of blocks so small that most vertices are shared or next to shared ones.
-constexpr BlockPlan small_blocks{
-    .fewest_faces = 1, .fewest_faces_again = 1, .faces_per_block = 100, .fewest_faces_left = 2};
-constexpr BlockPlan no_blocks{.fewest_faces = ~std::size_t{0}};
+constexpr BlockPlan small_blocks{.fewest_faces = 1,
+                                 .fewest_faces_again = 1,
+                                 .faces_per_block = 100,
+                                 .fewest_faces_left = 2,
+                                 .fewest_faces_in_exact_order = 1,
+                                 .fewest_faces_again_in_exact_order = 1,
+                                 .faces_per_block_in_exact_order = {400, 300}};
+constexpr BlockPlan no_blocks{.fewest_faces = ~std::size_t{0}, .fewest_faces_in_exact_order = ~std::size_t{0}};
 
 DecimateOptions memoryless(unsigned threads = 1) {
   DecimateOptions options;
@@ -235,8 +240,22 @@ TEST(Blocks, SayWhyTheyAreNotTaken) {
   EXPECT_EQ(reason(nothing, DecimateTarget::max_cost(1e-9)), "there is no count to reach");
   EXPECT_EQ(reason(nothing, DecimateTarget::faces(200).or_max_cost(1)), "the cost is limited");
   EXPECT_EQ(reason(nothing, DecimateTarget::faces(mesh.faces.size() - 2)), "the target is near");
-  EXPECT_EQ(reason([](DecimateOptions& o) { o.cost = Cost::quadric; }, target),
-            "the cost remembers, or is ranked in exact order");
+  EXPECT_EQ(reason([](DecimateOptions& o) { o.cost = Cost::lindstrom_turk; }, target),
+            "the cost may fall, or is not of quadrics");
+  const auto quadric = [&](const auto& change) {
+    return reason(
+        [&](DecimateOptions& o) {
+          o.cost = Cost::quadric;
+          o.threads = 2;
+          change(o);
+        },
+        target);
+  };
+  EXPECT_EQ(quadric(nothing), "");
+  EXPECT_EQ(quadric([](DecimateOptions& o) { o.threads = 1; }), "one thread works");
+  EXPECT_EQ(quadric([](DecimateOptions& o) { o.isotropy = 0.5; }), "the cost has a term for edge lengths");
+  EXPECT_EQ(quadric([](DecimateOptions& o) { o.listener = [](const Contraction&) {}; }),
+            "contractions are told in exact order");
   EXPECT_EQ(reason([](DecimateOptions& o) { o.order = Order::exact; }, target), "the order is exact");
   EXPECT_EQ(reason([](DecimateOptions& o) { o.pairs.threshold = 0.01; }, target),
             "threshold pairs join what lies apart");
@@ -245,6 +264,86 @@ TEST(Blocks, SayWhyTheyAreNotTaken) {
   EXPECT_EQ(reason([](DecimateOptions& o) { o.feature_angle_deg = 40; }, target), "feature lines are kept");
   EXPECT_EQ(reason([](DecimateOptions& o) { o.refuse_intersections = true; }, target), "intersections are refused");
 }
+
+// The exact order ----------------------------------------------------------------------------------------------------
+
+DecimateOptions plain_quadrics(unsigned threads) {
+  DecimateOptions options;
+  options.cost = Cost::quadric;
+  options.threads = threads;
+  return options;
+}
+
+/// The same to the bit as in one pass. \return whether most of it was done in blocks
+bool keeps_exact_order(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options,
+                       const BlockPlan& plan = small_blocks) {
+  const Decimation one = run(mesh, target, options, nullptr, no_blocks);
+  const Decimation blocks = run(mesh, target, options, nullptr, plan);
+  expect_equal(blocks, one);
+  EXPECT_EQ(blocks.mesh.colors, one.mesh.colors);
+  EXPECT_EQ(blocks.result.rejections.locked, one.result.rejections.locked);
+  EXPECT_EQ(blocks.result.rejections.shape, one.result.rejections.shape);
+  EXPECT_EQ(blocks.result.refused_at_end.link, one.result.refused_at_end.link);
+  EXPECT_EQ(blocks.result.refused_at_end.flip, one.result.refused_at_end.flip);
+  EXPECT_EQ(blocks.result.stop, one.result.stop);
+  return blocks.result.why_in_one_pass.empty();
+}
+
+TEST(BlocksInExactOrder, GiveWhatOnePassGives) {
+  int n_in_blocks = 0;
+  for (const auto& [name, mesh] : larger_meshes()) {
+    for (const std::size_t divisor : {2U, 10U, 50U}) {
+      SCOPED_TRACE(name + " / " + std::to_string(divisor));
+      n_in_blocks += keeps_exact_order(mesh, DecimateTarget::faces(mesh.faces.size() / divisor), plain_quadrics(2));
+    }
+    SCOPED_TRACE(name + " by vertices");
+    n_in_blocks += keeps_exact_order(mesh, DecimateTarget::vertices(mesh.positions.size() / 5), plain_quadrics(3));
+  }
+  EXPECT_GT(n_in_blocks, 100);
+}
+
+TEST(BlocksInExactOrder, TakeLocksLimitsAndBorders) {
+  for (const IndexedMesh& mesh : {terrain(40, 3), blob(4, 5), book(3, 40), soup(blob(3, 4))}) {
+    const DecimateTarget target = DecimateTarget::faces(mesh.faces.size() / 8);
+    const auto with = [&](const auto& change) {
+      DecimateOptions options = plain_quadrics(2);
+      change(options);
+      return keeps_exact_order(mesh, target, options);
+    };
+    EXPECT_TRUE(with([&](DecimateOptions& o) {
+      o.locked.resize(mesh.positions.size());
+      for (std::size_t v = 0; v < o.locked.size(); v += 37) o.locked[v] = 1;
+    }));
+    EXPECT_TRUE(with([](DecimateOptions& o) { o.min_radius_ratio = 0.2; }));
+    EXPECT_TRUE(with([](DecimateOptions& o) { o.max_normal_flip_deg = 20; }));
+    EXPECT_TRUE(with([](DecimateOptions& o) { o.boundary = Boundary::free; }));
+    with([](DecimateOptions& o) { o.boundary = Boundary::locked; });
+    EXPECT_TRUE(with([](DecimateOptions& o) { o.quadric.weights = Weights::uniform; }));
+    with([](DecimateOptions& o) { o.quadric.regularization = 0; });
+  }
+}
+
+TEST(BlocksInExactOrder, BeginAgainAsAWholeWhenTheyWentTooFar) {
+  BlockPlan greedy = small_blocks;
+  greedy.faces_per_block = 1000;
+  greedy.faces_per_block_in_exact_order = {2600, 1300};
+  greedy.surplus_in_exact_order = 0.2;
+  const IndexedMesh mesh = blob(4, 1);
+  const DecimateTarget target = DecimateTarget::faces(mesh.faces.size() / 3);
+  EXPECT_FALSE(keeps_exact_order(mesh, target, plain_quadrics(2), greedy));
+  DecimateOptions options = plain_quadrics(2);
+  double last = 0;
+  options.progress = [&last](const Progress& progress) {
+    EXPECT_GE(progress.fraction, last);
+    last = progress.fraction;
+    return true;
+  };
+  const Decimation d = run(mesh, target, options, nullptr, greedy);
+  EXPECT_EQ(d.result.why_in_one_pass, "blocks went beyond the target");
+  EXPECT_EQ(last, 1);
+}
+
+// Threads, listener, progress ----------------------------------------------------------------------------------------
 
 TEST(Blocks, GiveTheSameBytesOnAnyNumberOfThreads) {
   for (const auto& [name, mesh] : larger_meshes()) {

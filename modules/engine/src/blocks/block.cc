@@ -5,8 +5,11 @@
 namespace whittle {
 
 Block::Block(const Surface& surface, const Partition& partition, std::size_t number,
-             std::span<const std::uint8_t> locked, const Memory& memory, const DecimateOptions& options)
-    : own_(partition.vertices.of(number)), own_faces_(partition.faces.of(number)) {
+             std::span<const std::uint8_t> locked, const Memory& memory, const DecimateOptions& options,
+             const LoopContext& context)
+    : own_(partition.vertices.of(number)),
+      own_faces_(partition.faces.of(number)),
+      keeps_order_(context.role == Role::in_exact_order) {
   gather(surface, partition, number);
   if (!locked.empty()) {
     for (Index v = 0; v < positions_.size(); ++v) locked_.push_back(locked[number_of(v)]);
@@ -16,6 +19,8 @@ Block::Block(const Surface& surface, const Partition& partition, std::size_t num
   input.surface = {positions_, Frame{}, faces_};
   input.locked = locked_;
   input.frozen = frozen_;
+  gather_refusals(context.refusals);
+  input.context = {context.role, refusals_};
   input.memory = &own_memory;
   pass_.emplace(input, options);
   positions_ = {};
@@ -25,50 +30,66 @@ Block::Block(const Surface& surface, const Partition& partition, std::size_t num
   }
 }
 
-/// Its own vertices come first, so that they keep their order.
+/// Vertices keep their order, by which ties between pairs go.
 void Block::gather(const Surface& surface, const Partition& partition, std::size_t number) {
-  struct ForeignCorner {
-    Index vertex;
-    Index place;  ///< three times the face, and the corner
-  };
-  std::vector<ForeignCorner> corners;
-  faces_.reserve(own_faces_.size());
+  std::vector<Index> foreign;
   for (const Index f : own_faces_) {
-    const Triangle& face = surface.faces[f];
-    Triangle& here = faces_.emplace_back();
-    for (Index i = 0; i < 3; ++i) {
-      here[i] = partition.ranks[face[i]];
-      if (partition.block_of[face[i]] == number) continue;
-      corners.push_back({face[i], 3 * static_cast<Index>(faces_.size() - 1) + i});
+    for (const Index v : surface.faces[f]) {
+      if (partition.block_of[v] != number) foreign.push_back(v);
     }
   }
-  std::sort(corners.begin(), corners.end(),
-            [](const ForeignCorner& x, const ForeignCorner& y) { return x.vertex < y.vertex; });
-  for (const auto& [v, place] : corners) {
-    if (foreign_.empty() || foreign_.back() != v) foreign_.push_back(v);
-    faces_[place / 3][place % 3] = static_cast<Index>(own_.size() + foreign_.size() - 1);
+  std::sort(foreign.begin(), foreign.end());
+  foreign.erase(std::unique(foreign.begin(), foreign.end()), foreign.end());
+  std::vector<Index> own_numbers(own_.size());  // in the block, by rank
+  std::vector<Index> foreign_numbers(foreign.size());
+  vertices_.resize(own_.size() + foreign.size());
+  for (Index n = 0, i = 0, j = 0; n < vertices_.size(); ++n) {
+    const bool is_own = j == foreign.size() || (i < own_.size() && own_[i] < foreign[j]);
+    vertices_[n] = is_own ? own_[i] : foreign[j];
+    (is_own ? own_numbers[i++] : foreign_numbers[j++]) = n;
   }
-  const std::size_t n = own_.size() + foreign_.size();
-  positions_.reserve(n);
-  frozen_.reserve(n);
-  for (const Index v : own_) {
+  positions_.reserve(vertices_.size());
+  frozen_.reserve(vertices_.size());
+  for (const Index v : vertices_) {
     positions_.push_back(surface.frame.to_frame(surface.positions[v]));
     frozen_.push_back(partition.is_shared[v]);
   }
-  for (const Index v : foreign_) positions_.push_back(surface.frame.to_frame(surface.positions[v]));
-  frozen_.resize(n, 1);
+  const auto number_here = [&](Index v) {
+    if (partition.block_of[v] == number) return own_numbers[partition.ranks[v]];
+    const auto at = std::lower_bound(foreign.begin(), foreign.end(), v);
+    return foreign_numbers[static_cast<std::size_t>(at - foreign.begin())];
+  };
+  faces_.reserve(own_faces_.size());
+  for (const Index f : own_faces_) {
+    const auto& [a, b, c] = surface.faces[f];
+    faces_.push_back({number_here(a), number_here(b), number_here(c)});
+  }
 }
 
-/// The block's share of the faces, and what its own vertices remember.
+/// Those of pairs with an end that isn't frozen here.
+void Block::gather_refusals(std::span<const Refusal> all) {
+  const auto number_here = [this](Index v) {
+    const auto at = std::lower_bound(vertices_.begin(), vertices_.end(), v);
+    return at != vertices_.end() && *at == v ? static_cast<Index>(at - vertices_.begin()) : invalid_index;
+  };
+  for (const auto& [pair, reason] : all) {
+    const Index a = number_here(pair.a);
+    const Index b = number_here(pair.b);
+    if (a == invalid_index || b == invalid_index || (frozen_[a] & frozen_[b]) != 0) continue;
+    refusals_.push_back({{a, b}, reason});
+  }
+}
+
+/// The block's share of the faces, and what its vertices remember.
 Memory Block::memory_of_block(const Surface& surface, const Memory& memory) const {
   const double share = static_cast<double>(own_faces_.size()) / static_cast<double>(surface.faces.size());
   const double n_faces = share * static_cast<double>(memory.face_area.n_faces());
   Memory own{memory.face_area.of_part(static_cast<std::uint64_t>(std::max(1.0, n_faces))), {}};
   auto remembered = memory.quadrics.begin();
-  for (Index v = 0; v < own_.size() && remembered != memory.quadrics.end(); ++v) {
-    remembered = std::lower_bound(remembered, memory.quadrics.end(), own_[v],
+  for (Index v = 0; v < vertices_.size() && remembered != memory.quadrics.end(); ++v) {
+    remembered = std::lower_bound(remembered, memory.quadrics.end(), vertices_[v],
                                   [](const Memory::Remembered& r, Index vertex) { return r.vertex < vertex; });
-    if (remembered != memory.quadrics.end() && remembered->vertex == own_[v]) {
+    if (remembered != memory.quadrics.end() && remembered->vertex == vertices_[v]) {
       own.quadrics.push_back({v, remembered->quadric});
     }
   }
@@ -81,14 +102,17 @@ void Block::finish(BlockResults& results) {
   for (Index v = 0; v < at.size(); ++v) at[complex.origin(v)] = v;
   std::vector<Index> merged_into(at.size());
   for (Index v = 0; v < at.size(); ++v) merged_into[v] = complex.origin(complex.representative(at[v]));
-  for (Index v = 0; v < own_.size(); ++v) {
-    results.merged_into[own_[v]] = own_[merged_into[v]];
-    if (merged_into[v] != v || frozen_[v] != 0) continue;
-    survivors_.push_back({own_[v], complex.position(at[v])});
+  for (Index v = 0; v < vertices_.size(); ++v) {
+    if (frozen_[v] != 0) continue;
+    results.merged_into[vertices_[v]] = vertices_[merged_into[v]];
+    if (merged_into[v] != v) continue;
+    survivors_.push_back({vertices_[v], complex.position(at[v])});
     if (pass_->cost().remembers(at[v])) {
-      remembered_.push_back({own_[v], pass_->cost().quadric(at[v]).quadric});
+      remembered_.push_back({vertices_[v], pass_->cost().quadric(at[v]).quadric});
     }
   }
+  if (keeps_order_) refusals_ = pass_->refusals();
+  for (auto& [pair, reason] : refusals_) pair = {vertices_[pair.a], vertices_[pair.b]};
   std::vector<std::uint8_t> is_left(faces_.size());
   for (const Index f : surviving_faces(faces_, merged_into, complex)) is_left[f] = 1;
   for (std::size_t i = 0; i < faces_.size(); ++i) results.is_face_left[own_faces_[i]] = is_left[i];

@@ -23,10 +23,10 @@ class Block {
     Vec3 position;  ///< in the frame
   };
 
-  /// \param locked per vertex of the surface, or empty \param memory of the surface
+  /// \param locked per vertex of the surface, or empty \param memory of the surface \param context of the surface
   /// \param options must outlive the block
   Block(const Surface& surface, const Partition& partition, std::size_t number, std::span<const std::uint8_t> locked,
-        const Memory& memory, const DecimateOptions& options);
+        const Memory& memory, const DecimateOptions& options, const LoopContext& context);
 
   /// Ranks all pairs. \param frame that the listener and costs are told in
   void start(const DecimateTarget& target, const Frame& frame) { pass_->start(target, frame); }
@@ -42,24 +42,27 @@ class Block {
   const DecimateResult& result() const { return result_; }
   NonmanifoldCounts count_nonmanifold() { return pass_->complex().count_nonmanifold(); }
   /// \return the number that a vertex of the block has in the surface
-  Index number_of(Index vertex) const { return vertex < own_.size() ? own_[vertex] : foreign_[vertex - own_.size()]; }
+  Index number_of(Index vertex) const { return vertices_[vertex]; }
 
   /// Writes down what is left, and frees the complex.
   void finish(BlockResults& results);
   const std::vector<Survivor>& survivors() const { return survivors_; }
   /// What they remember, by vertex of the surface.
   const std::vector<Memory::Remembered>& remembered() const { return remembered_; }
+  /// In exact order: of pairs with an end that isn't frozen, by vertices of the surface.
+  const std::vector<Refusal>& refusals() const { return refusals_; }
 
  private:
+  void gather_refusals(std::span<const Refusal> all);
   void gather(const Surface& surface, const Partition& partition, std::size_t number);
   Memory memory_of_block(const Surface& surface, const Memory& memory) const;
 
   std::span<const Index> own_;        ///< vertices of the surface
   std::span<const Index> own_faces_;  ///< of the surface
-  std::vector<Index> foreign_;        ///< vertices of the surface that belong to other blocks
+  std::vector<Index> vertices_;       ///< of the surface: its own and those of other blocks at its faces, ascending
   std::vector<Vec3> positions_;       ///< in the frame; scratch
   std::vector<Triangle> faces_;       ///< by vertices of the block
-  std::vector<std::uint8_t> frozen_;  ///< per vertex of the block
+  std::vector<std::uint8_t> frozen_;  ///< per vertex of the block; others belong to no other block
   std::vector<std::uint8_t> locked_;  ///< per vertex of the block, or empty
   std::size_t n_inner_ = 0;
   std::size_t n_frozen_ = 0;
@@ -67,6 +70,8 @@ class Block {
   DecimateResult result_;
   std::vector<Survivor> survivors_;
   std::vector<Memory::Remembered> remembered_;
+  bool keeps_order_;               ///< exactly
+  std::vector<Refusal> refusals_;  ///< at first by vertex of the block
 };
 
 }  // namespace whittle

@@ -34,17 +34,46 @@ MeanFaceArea mean_face_area(const IndexedMesh& mesh, const Frame& frame, unsigne
   return {area, n, n};
 }
 
+/// Blocks contract what costs least in each.
+Remainder run_levels(const LevelContext& context, const BlockPlan& plan, const Memory& memory) {
+  LevelPlan level{plan.faces_per_block, 0.5, Role::alone};
+  Remainder remainder = run_level(context, level, {{}, plan.surplus}, memory, nullptr);
+  if (remainder.faces.size() < plan.fewest_faces_again || context.progress.is_cancelled()) return remainder;
+  level.first_share = 0.3;
+  return run_level(context, level, {remainder.cost_limit, 1}, remainder.memory, &remainder);
+}
+
+/// Blocks contract what one queue for all would contract, too. Small blocks that don't keep the order find the cost.
+Remainder run_exact_levels(const LevelContext& context, const BlockPlan& plan, const Memory& memory) {
+  const LevelPlan trial{plan.faces_per_block / 2, 0.5, Role::alone};
+  const LevelGoal goal{find_cost(context, trial, plan.surplus_in_exact_order, memory), 1};
+  LevelPlan level{plan.faces_per_block_in_exact_order[0], 0.5, Role::in_exact_order};
+  Remainder remainder = run_level(context, level, goal, memory, nullptr);
+  if (remainder.faces.size() < plan.fewest_faces_again_in_exact_order || context.progress.is_cancelled())
+    return remainder;
+  level.faces_per_block = plan.faces_per_block_in_exact_order[1];
+  level.first_share = 0.3;
+  return run_level(context, level, goal, remainder.memory, &remainder);
+}
+
 }  // namespace
 
 std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget& target,
                                    const DecimateOptions& options, const DecimationHost* host, const BlockPlan& plan) {
-  if (mesh.faces.size() < plan.fewest_faces) return "the mesh is small";
+  const bool is_exact = is_exact_in_blocks(options);
+  if (mesh.faces.size() < (is_exact ? plan.fewest_faces_in_exact_order : plan.fewest_faces)) return "the mesh is small";
   if (!target.n_faces() && !target.n_vertices()) return "there is no count to reach";
   if (target.cost_limit()) return "the cost is limited";
   if (target_share(mesh, target) > highest_share) return "the target is near";
   if (host != nullptr) return "a host takes part";
-  if (options.effective_cost() != Cost::memoryless) return "the cost remembers, or is ranked in exact order";
-  if (options.effective_order() != Order::approximate) return "the order is exact";
+  if (is_exact) {
+    if (options.isotropy > 0) return "the cost has a term for edge lengths";
+    if (options.listener) return "contractions are told in exact order";
+    if (n_threads(options.threads) == 1) return "one thread works";
+  } else {
+    if (options.effective_cost() != Cost::memoryless) return "the cost may fall, or is not of quadrics";
+    if (options.effective_order() != Order::approximate) return "the order is exact";
+  }
   if (options.quadric.placement != Placement::optimal) return "vertices stay where they are";
   if (options.valence_weight > 0) return "the cost has a term for valences";
   if (options.pairs.threshold > 0) return "threshold pairs join what lies apart";
@@ -60,11 +89,9 @@ Remainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, const 
       std::max(plan.fewest_faces_left / static_cast<double>(plan.faces_per_block), target_share(mesh, target));
   SharedProgress progress(options, mesh.positions.size(), mesh.faces.size(), share);
   const LevelContext context{options, mesh, frame, share, progress};
-  Memory memory{mean_face_area(mesh, frame, options.threads), {}};
-  Remainder remainder = run_level(context, {plan.faces_per_block, 0.5, plan.surplus}, memory, nullptr);
-  if (remainder.faces.size() >= plan.fewest_faces_again && !progress.is_cancelled()) {
-    remainder = run_level(context, {plan.faces_per_block, 0.3, {}}, remainder.memory, &remainder);
-  }
+  const Memory memory{mean_face_area(mesh, frame, options.threads), {}};
+  Remainder remainder =
+      is_exact_in_blocks(options) ? run_exact_levels(context, plan, memory) : run_levels(context, plan, memory);
   remainder.progress = progress.now().fraction;
   remainder.is_cancelled = progress.is_cancelled();
   return remainder;

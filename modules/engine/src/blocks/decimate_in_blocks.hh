@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include "blocks/level.hh"
@@ -13,12 +14,22 @@ struct BlockPlan {
   std::size_t faces_per_block = 16384;
   double fewest_faces_left = 256;  ///< in a block: of fewer, too many would lie at borders
   double surplus = 1.4;  ///< how many times as many vertices as the target asks for the blocks leave, borders aside
+
+  // In the exact order a block knows the less the smaller it is.
+  std::size_t fewest_faces_in_exact_order = 500000;
+  std::size_t fewest_faces_again_in_exact_order = 131072;
+  std::array<std::size_t, 2> faces_per_block_in_exact_order{131072, 65536};  ///< by level
+  double surplus_in_exact_order = 1.2;  ///< with less, blocks may go beyond the target
 };
 
-/// Why a run doesn't go through blocks; empty if it does. Blocks need a cost without an exact order, and guards that
-/// look at the neighbours of a pair alone. Small meshes, and targets near the start, gain nothing.
+/// Why a run doesn't go through blocks; empty if it does. Blocks need a cost that rises in the exact order, or another
+/// order, and guards that look at the neighbours of a pair alone. Small meshes, and targets near the start, gain
+/// nothing.
 std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget& target,
                                    const DecimateOptions& options, const DecimationHost* host, const BlockPlan& plan);
+
+/// Whether blocks keep the exact order: with plain quadrics.
+inline bool is_exact_in_blocks(const DecimateOptions& options) { return options.effective_cost() == Cost::quadric; }
 
 /// Contracts most of what there is to contract in blocks that fit a cache, on all threads. The rest, down to the
 /// target, is left to a pass over the whole. Nothing depends on the number of threads.

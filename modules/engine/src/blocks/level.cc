@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "blocks/ladder.hh"
+#include "blocks/shared_stars.hh"
 #include "blocks/stitch.hh"
 #include "whittle/core/detail/parallel.hh"
 
@@ -30,7 +31,8 @@ class Level {
         partition_(make_partition(surface_, plan.faces_per_block, plan.first_share, context.options.threads)),
         jobs_(partition_.n_blocks()) {}
 
-  Remainder run(const Memory& memory);
+  Remainder run(const LevelGoal& goal, Memory memory);
+  double find_cost(double surplus, const Memory& memory);
 
  private:
   unsigned threads() const { return context_.options.threads; }
@@ -38,14 +40,16 @@ class Level {
     const auto n_input = static_cast<double>(context_.input.faces.size());
     return std::min(1.0, context_.target_share * n_input / static_cast<double>(surface_.faces.size()));
   }
-  std::vector<std::size_t> choose_sample() const;
+  std::vector<std::size_t> choose_sample(std::size_t every) const;
   std::vector<std::size_t> largest_first_of_others() const;
   std::vector<std::uint8_t> locked() const;
+  std::span<const Refusal> refusals() const {
+    return before_ ? std::span(before_->refusals) : std::span<const Refusal>();
+  }
   DecimateTarget least_left(const Block& block, std::size_t number) const;
   void begin(std::size_t number, const Memory& memory);
   void finish(std::size_t number);
-  double climb(const std::vector<std::size_t>& sample, const Memory& memory);
-  NonmanifoldCounts count_nonmanifold_at_borders() const;
+  double climb(const std::vector<std::size_t>& sample, double surplus, const Memory& memory);
   void sum_up(Remainder& remainder);
 
   const LevelContext& context_;
@@ -57,11 +61,12 @@ class Level {
   std::vector<std::unique_ptr<Job>> jobs_;  ///< a block each; null where it was not begun
   std::vector<NonmanifoldCounts> nonmanifold_;
   BlockResults results_;
+  bool is_trial_ = false;  ///< whether what is contracted is forgotten
 };
 
-/// Every eighth block, spread evenly.
-std::vector<std::size_t> Level::choose_sample() const {
-  const std::size_t n = std::min(jobs_.size(), std::max<std::size_t>(8, jobs_.size() / 8));
+/// Every eighth block, or so, spread evenly; at least eight.
+std::vector<std::size_t> Level::choose_sample(std::size_t every) const {
+  const std::size_t n = std::min(jobs_.size(), std::max<std::size_t>(8, jobs_.size() / every));
   std::vector<std::size_t> sample;
   for (std::size_t i = 0; i < n; ++i) sample.push_back((2 * i + 1) * jobs_.size() / (2 * n));
   return sample;
@@ -98,11 +103,11 @@ void Level::begin(std::size_t number, const Memory& memory) {
   job->options = context_.options;
   job->options.threads = 1;
   job->options.locked = {};
-  job->options.progress = [&progress = context_.progress,
+  job->options.progress = [&progress = context_.progress, is_trial = is_trial_,
                            last = std::optional<std::uint64_t>{}](const Progress& p) mutable {
     const std::uint64_t n_gone = last.value_or(p.n_faces) - p.n_faces;
     last = p.n_faces;
-    return progress.advance(n_gone);
+    return progress.advance(is_trial ? 0 : n_gone);
   };
   if (context_.options.listener) {
     job->options.listener = [this, job = job.get()](Contraction contraction) {
@@ -113,7 +118,7 @@ void Level::begin(std::size_t number, const Memory& memory) {
       job->made.push_back(contraction);
     };
   }
-  job->block.emplace(surface_, partition_, number, locked_, memory, job->options);
+  job->block.emplace(surface_, partition_, number, locked_, memory, job->options, LoopContext{plan_.role, refusals()});
   if (!before_) nonmanifold_[number] = job->block->count_nonmanifold();
   job->block->start(least_left(*job->block, number), context_.frame);
   jobs_[number] = std::move(job);
@@ -122,50 +127,21 @@ void Level::begin(std::size_t number, const Memory& memory) {
 void Level::finish(std::size_t number) { jobs_[number]->block->finish(results_); }
 
 /// Finds the cost that leaves as many of the sample's inner vertices as wanted, and runs the sample up to it.
-double Level::climb(const std::vector<std::size_t>& sample, const Memory& memory) {
+double Level::climb(const std::vector<std::size_t>& sample, double surplus, const Memory& memory) {
   for_each_block(sample.size(), threads(), [&](std::size_t i) { begin(sample[i], memory); });
   const auto sum = [&](auto n_of) {
     return std::accumulate(sample.begin(), sample.end(), 0.0, [&](double so_far, std::size_t number) {
       return so_far + static_cast<double>(n_of(*jobs_[number]->block));
     });
   };
-  const double goal = sum([](const Block& block) { return block.n_inner_vertices(); }) * share() * *plan_.surplus;
+  const double goal = sum([](const Block& block) { return block.n_inner_vertices(); }) * share() * surplus;
   CostLadder ladder(memory.face_area.first());
   double n_left = 0;
   do {
     for_each_block(sample.size(), threads(), [&](std::size_t i) { jobs_[sample[i]]->block->run(ladder.cost()); });
     n_left = sum([](const Block& block) { return block.n_inner_vertices_left(); });
   } while (!context_.progress.is_cancelled() && ladder.climb(n_left / goal));
-  for_each_block(sample.size(), threads(), [&](std::size_t i) { finish(sample[i]); });
   return ladder.cost();
-}
-
-/// Shared vertices, and edges between two of them.
-NonmanifoldCounts Level::count_nonmanifold_at_borders() const {
-  constexpr std::uint8_t is_out = 2;  // of the faces here
-  std::vector<std::uint8_t> states(surface_.positions.size(), is_out);
-  std::vector<Triangle> faces;
-  for (const Triangle& face : surface_.faces) {
-    const auto& [a, b, c] = face;
-    const auto& is_shared = partition_.is_shared;
-    if ((is_shared[a] | is_shared[b] | is_shared[c]) == 0) continue;
-    faces.push_back(face);
-    for (const Index v : face) states[v] = is_shared[v];
-  }
-  std::vector<Index> numbers(states.size());
-  std::vector<Vec3> positions;
-  std::vector<std::uint8_t> frozen;
-  for (Index v = 0; v < states.size(); ++v) {
-    if (states[v] == is_out) continue;
-    numbers[v] = static_cast<Index>(positions.size());
-    positions.push_back(surface_.positions[v]);
-    frozen.push_back(states[v] == 0);
-  }
-  for (Triangle& face : faces) face = mapped(face, numbers);
-  TriangleComplex complex(positions, faces, context_.frame, 1);
-  complex.freeze(frozen);
-  complex.connect({}, 1);
-  return complex.count_nonmanifold(false);
 }
 
 void Level::sum_up(Remainder& remainder) {
@@ -190,21 +166,37 @@ void Level::sum_up(Remainder& remainder) {
   }
 }
 
-Remainder Level::run(const Memory& memory) {
+double Level::find_cost(double surplus, const Memory& memory) {
+  is_trial_ = true;
+  locked_ = locked();
+  nonmanifold_.resize(jobs_.size());
+  return climb(choose_sample(16), surplus, memory);
+}
+
+Remainder Level::run(const LevelGoal& goal, Memory memory) {
   results_.merged_into.resize(surface_.positions.size());
   std::iota(results_.merged_into.begin(), results_.merged_into.end(), Index{0});
   results_.is_face_left.assign(surface_.faces.size(), 1);
   locked_ = locked();
   if (!before_) nonmanifold_.resize(jobs_.size() + 1);
+  // In the exact order blocks have to know what pairs with a shared vertex cost at least.
+  if (!before_ && plan_.role == Role::in_exact_order)
+    memory.quadrics = SharedStars(surface_, partition_).quadrics(context_.options);
 
   Remainder remainder;
   remainder.memory.face_area = memory.face_area;
-  remainder.cost_limit = plan_.surplus ? climb(choose_sample(), memory) : before_->cost_limit;
+  if (goal.cost) {
+    remainder.cost_limit = *goal.cost;
+  } else {
+    const std::vector<std::size_t> sample = choose_sample(8);
+    remainder.cost_limit = climb(sample, goal.surplus, memory);
+    for_each_block(sample.size(), threads(), [&](std::size_t i) { finish(sample[i]); });
+  }
   const std::vector<std::size_t> others = largest_first_of_others();
   for_each_block(others.size() + 1, threads(), [&](std::size_t i) {
     if (context_.progress.is_cancelled()) return;
     if (i == 0) {
-      if (!before_) nonmanifold_.back() = count_nonmanifold_at_borders();
+      if (!before_) nonmanifold_.back() = SharedStars(surface_, partition_).count_nonmanifold();
       return;
     }
     const std::size_t number = others[i - 1];
@@ -216,15 +208,20 @@ Remainder Level::run(const Memory& memory) {
   for (const auto& job : jobs_) {
     if (job) blocks.push_back(&*job->block);
   }
-  stitch(surface_, partition_, blocks, results_, before_, threads(), remainder);
+  stitch(surface_, partition_, blocks, results_, memory, before_, threads(), remainder);
   sum_up(remainder);
   return remainder;
 }
 
 }  // namespace
 
-Remainder run_level(const LevelContext& context, const LevelPlan& plan, const Memory& memory, const Remainder* before) {
-  return Level(context, plan, before).run(memory);
+double find_cost(const LevelContext& context, const LevelPlan& plan, double surplus, const Memory& memory) {
+  return Level(context, plan, nullptr).find_cost(surplus, memory);
+}
+
+Remainder run_level(const LevelContext& context, const LevelPlan& plan, const LevelGoal& goal, Memory memory,
+                    const Remainder* before) {
+  return Level(context, plan, before).run(goal, std::move(memory));
 }
 
 }  // namespace whittle

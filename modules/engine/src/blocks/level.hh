@@ -16,6 +16,7 @@ struct Remainder {
   std::vector<Index> face_origins;  ///< faces of the input, ascending
   std::vector<Index> vertex_map;    ///< the input's vertices → those here; `invalid_index` where it was in no face
   Memory memory;
+  std::vector<Refusal> refusals;  ///< that still hold, if the order is exact
   DecimateResult result;          ///< what was done; counts of what is left are not filled in
   double cost_limit = 0;          ///< that the blocks ran up to, in the frame
   NonmanifoldCounts nonmanifold;  ///< of the input, unless the levels were cancelled
@@ -44,14 +45,22 @@ struct LevelContext {
 struct LevelPlan {
   std::size_t faces_per_block;
   double first_share;  ///< `make_partition`
-  /// How many times the target's share the blocks may leave; from that the cost is found. Empty = the cost of the level
-  /// before.
-  std::optional<double> surplus;
+  Role role;           ///< of each block
 };
+
+/// Up to which cost the blocks contract.
+struct LevelGoal {
+  std::optional<double> cost;  ///< in the frame; empty: a sample of the blocks finds it
+  double surplus = 1;          ///< how many times the target's share the sample is to leave
+};
+
+/// The cost that a sample of the blocks finds. What it contracts is forgotten.
+double find_cost(const LevelContext& context, const LevelPlan& plan, double surplus, const Memory& memory);
 
 /// Contracts what lies within blocks, all up to the same cost, and puts together what is left.
 /// \param memory of the input, if there were no levels before
 /// \param before what levels before have left; null for none
-Remainder run_level(const LevelContext& context, const LevelPlan& plan, const Memory& memory, const Remainder* before);
+Remainder run_level(const LevelContext& context, const LevelPlan& plan, const LevelGoal& goal, Memory memory,
+                    const Remainder* before);
 
 }  // namespace whittle

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <iterator>
 #include <utility>
 
 #include "whittle/core/detail/parallel.hh"
@@ -37,7 +36,8 @@ class Stitching {
   void write_vertices(Remainder& remainder) const;
   void write_faces(Remainder& remainder) const;
   void write_vertex_map(Remainder& remainder) const;
-  void write_memory(Remainder& remainder) const;
+  void write_memory(const Memory& before, Remainder& remainder) const;
+  void write_refusals(Remainder& remainder) const;
 
  private:
   std::vector<std::uint8_t> find_vertices_left() const;
@@ -120,30 +120,54 @@ void Stitching::write_vertex_map(Remainder& remainder) const {
 }
 
 /// Vertices that were frozen here remember what they did before.
-void Stitching::write_memory(Remainder& remainder) const {
-  std::vector<Memory::Remembered>& quadrics = remainder.memory.quadrics;
+void Stitching::write_memory(const Memory& before, Remainder& remainder) const {
+  std::vector<const Quadric*> quadrics(n_vertices_);  // by vertex left, or null
+  const auto remember = [&](const Memory::Remembered& r) {
+    if (vertex_number_[r.vertex] != invalid_index) quadrics[vertex_number_[r.vertex]] = &r.quadric;
+  };
+  for (const Memory::Remembered& r : before.quadrics) {
+    if (partition_.is_shared[r.vertex] != 0) remember(r);
+  }
+  for_each_block(blocks_.size(), threads_, [&](std::size_t b) {
+    for (const Memory::Remembered& r : blocks_[b]->remembered()) remember(r);
+  });
+  std::size_t n = 0;
+  const std::vector<Index> places =
+      number_chosen(n_vertices_, threads_, n, [&](std::size_t v) { return quadrics[v] != nullptr; });
+  remainder.memory.quadrics.resize(n);
+  for_each_range(n_vertices_, threads_, [&](std::size_t begin, std::size_t end) {
+    for (auto v = static_cast<Index>(begin); v < end; ++v) {
+      if (quadrics[v] != nullptr) remainder.memory.quadrics[places[v]] = {v, *quadrics[v]};
+    }
+  });
+}
+
+/// No block knows pairs of two frozen vertices.
+void Stitching::write_refusals(Remainder& remainder) const {
+  const auto carry = [&](const Refusal& r) {
+    remainder.refusals.push_back({{vertex_number_[r.pair.a], vertex_number_[r.pair.b]}, r.reason});
+  };
   if (before_) {
-    const std::vector<Memory::Remembered>& old = before_->memory.quadrics;
-    std::copy_if(old.begin(), old.end(), std::back_inserter(quadrics),
-                 [&](const Memory::Remembered& r) { return partition_.is_shared[r.vertex] != 0; });
+    for (const Refusal& r : before_->refusals) {
+      if ((partition_.is_shared[r.pair.a] & partition_.is_shared[r.pair.b]) != 0) carry(r);
+    }
   }
   for (const Block* block : blocks_) {
-    quadrics.insert(quadrics.end(), block->remembered().begin(), block->remembered().end());
+    for (const Refusal& r : block->refusals()) carry(r);
   }
-  std::erase_if(quadrics, [&](const Memory::Remembered& r) { return vertex_number_[r.vertex] == invalid_index; });
-  for (Memory::Remembered& r : quadrics) r.vertex = vertex_number_[r.vertex];
-  std::sort(quadrics.begin(), quadrics.end(), [](const auto& x, const auto& y) { return x.vertex < y.vertex; });
 }
 
 }  // namespace
 
 void stitch(const Surface& surface, const Partition& partition, std::span<const Block* const> blocks,
-            const BlockResults& results, const Remainder* before, unsigned threads, Remainder& remainder) {
+            const BlockResults& results, const Memory& memory, const Remainder* before, unsigned threads,
+            Remainder& remainder) {
   const Stitching stitching(surface, partition, blocks, results, before, threads);
   stitching.write_vertices(remainder);
   stitching.write_faces(remainder);
   stitching.write_vertex_map(remainder);
-  stitching.write_memory(remainder);
+  stitching.write_memory(memory, remainder);
+  stitching.write_refusals(remainder);
 }
 
 }  // namespace whittle

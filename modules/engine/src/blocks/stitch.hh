@@ -8,8 +8,9 @@
 namespace whittle {
 
 /// Puts together what the blocks of a level have left, vertices and faces in the input's order.
-/// \param before as in `run_level`
+/// \param memory of the surface \param before as in `run_level`
 void stitch(const Surface& surface, const Partition& partition, std::span<const Block* const> blocks,
-            const BlockResults& results, const Remainder* before, unsigned threads, Remainder& remainder);
+            const BlockResults& results, const Memory& memory, const Remainder* before, unsigned threads,
+            Remainder& remainder);
 
 }  // namespace whittle

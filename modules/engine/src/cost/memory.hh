@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "complex/triangle_complex.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/engine/formula/memoryless_term.hh"
 
@@ -16,6 +17,15 @@ struct Memory {
 
   MeanFaceArea face_area;
   std::vector<Remembered> quadrics;  ///< by vertex, ascending
+
+  /// Calls `use(vertex of the complex, quadric)` for each that is in the complex.
+  template <class Use>
+  void for_each_in(const TriangleComplex& complex, const Use& use) const {
+    if (quadrics.empty()) return;
+    std::vector<Index> vertices(complex.n_vertex_slots());  // by number in the input
+    for (Index v = 0; v < vertices.size(); ++v) vertices[complex.origin(v)] = v;
+    for (const auto& [vertex, quadric] : quadrics) use(vertices[vertex], quadric);
+  }
 };
 
 }  // namespace whittle

@@ -121,24 +121,6 @@ void add_levels(const DecimateResult& levels, DecimateResult& result) {
   result.rejections += levels.rejections;
 }
 
-/// The callbacks of a pass over a remainder: progress is a part of the whole, vertices are the input's.
-DecimateOptions options_after(const Remainder& remainder, DecimateOptions options) {
-  if (options.progress) {
-    options.progress = [done = remainder.progress, callback = options.progress](Progress progress) {
-      progress.fraction = done + (1 - done) * progress.fraction;
-      return callback(progress);
-    };
-  }
-  if (options.listener) {
-    options.listener = [&remainder, callback = options.listener](Contraction contraction) {
-      contraction.survivor = remainder.origins[contraction.survivor];
-      contraction.removed = remainder.origins[contraction.removed];
-      callback(contraction);
-    };
-  }
-  return options;
-}
-
 /// Decimates in blocks where that is worth while, and then as a whole.
 class Run {
  public:
@@ -152,6 +134,9 @@ class Run {
   Decimation decimate(const BlockPlan& plan);
 
  private:
+  Decimation decimate_rest();
+  DecimateOptions options_of_rest() const;
+  bool is_beyond_target(const DecimateResult& result) const;
   PassInput last_input();
   DecimateResult run_last(Pass& pass, Preparation& preparation);
   NonmanifoldCounts count_before(Pass& pass) const;
@@ -162,6 +147,8 @@ class Run {
   DecimationHost* host_;
   Frame frame_;
   std::optional<Remainder> remainder_;  ///< of blocks
+  double progress_ = 0;                 ///< that has been told
+  double last_max_cost_ = 0;            ///< of the last pass
   // What the last pass gets.
   ThresholdPairs pairs_;
   std::vector<VertexPair> features_;
@@ -181,6 +168,7 @@ PassInput Run::last_input() {
   }
   input.surface = {remainder_->positions, Frame{}, remainder_->faces};
   input.memory = &remainder_->memory;
+  input.context.refusals = remainder_->refusals;
   locked_ = remainder_->of_vertices(options_.locked);
   input.locked = locked_;
   return input;
@@ -198,6 +186,7 @@ DecimateResult Run::run_last(Pass& pass, Preparation& preparation) {
   }
   result.n_degenerate_faces = complex.n_degenerate_faces();
   result.n_coincident_faces = complex.n_coincident_faces();
+  last_max_cost_ = result.max_cost;
   if (remainder_) add_levels(remainder_->result, result);
   const std::uint64_t n_contracted = result.threshold_pairs.contracted;
   result.threshold_pairs = counts_of(pairs_, options_);
@@ -215,12 +204,28 @@ NonmanifoldCounts Run::count_before(Pass& pass) const {
   return input.count_nonmanifold();
 }
 
-Decimation Run::decimate(const BlockPlan& plan) {
-  const std::string_view why_in_one_pass = why_not_in_blocks(mesh_, target_, options_, host_, plan);
-  if (why_in_one_pass.empty()) {
-    remainder_ = decimate_in_blocks(mesh_, frame_, target_, options_, plan);
+/// The callbacks are told of a part of the progress, and of the input's vertices.
+DecimateOptions Run::options_of_rest() const {
+  DecimateOptions options = options_;
+  if (progress_ > 0 && options.progress) {
+    options.progress = [done = progress_, callback = options.progress](Progress progress) {
+      progress.fraction = done + (1 - done) * progress.fraction;
+      return callback(progress);
+    };
   }
-  const DecimateOptions options = remainder_ ? options_after(*remainder_, options_) : options_;
+  if (remainder_ && options.listener) {
+    options.listener = [this, callback = options.listener](Contraction contraction) {
+      contraction.survivor = remainder_->origins[contraction.survivor];
+      contraction.removed = remainder_->origins[contraction.removed];
+      callback(contraction);
+    };
+  }
+  return options;
+}
+
+/// What is left after blocks, or all.
+Decimation Run::decimate_rest() {
+  const DecimateOptions options = options_of_rest();
   Preparation preparation(options);
   pairs_ = threshold_pairs(mesh_, options, preparation);
   features_ = input_features(mesh_, options);
@@ -230,8 +235,30 @@ Decimation Run::decimate(const BlockPlan& plan) {
   Decimation out = make_output(mesh_, remainder_ ? &*remainder_ : nullptr, pass, frame_, options_);
   out.feature_edges = output_features(pass.feature_edges(), pass.complex(), out.vertex_map);
   out.result = std::move(result);
-  out.result.why_in_one_pass = why_in_one_pass;
   compare_surfaces(mesh_, before, pass.complex(), options_, out);
+  return out;
+}
+
+/// Whether blocks may have made contractions in exact order that come after the last one.
+bool Run::is_beyond_target(const DecimateResult& result) const {
+  return remainder_ && is_exact_in_blocks(options_) && result.stop == StopReason::target &&
+         !(remainder_->result.max_cost < last_max_cost_);
+}
+
+Decimation Run::decimate(const BlockPlan& plan) {
+  std::string_view why_in_one_pass = why_not_in_blocks(mesh_, target_, options_, host_, plan);
+  if (why_in_one_pass.empty()) {
+    remainder_ = decimate_in_blocks(mesh_, frame_, target_, options_, plan);
+    progress_ = remainder_->progress;
+  }
+  Decimation out = decimate_rest();
+  if (is_beyond_target(out.result)) {
+    why_in_one_pass = "blocks went beyond the target";
+    remainder_.reset();
+    progress_ = 1;
+    out = decimate_rest();
+  }
+  out.result.why_in_one_pass = why_in_one_pass;
   return out;
 }
 

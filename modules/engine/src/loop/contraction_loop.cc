@@ -23,9 +23,17 @@ bool is_lazy(const PairCost& cost, const DecimateOptions& options) {
 }
 
 std::unique_ptr<PairQueue> make_queue(TriangleComplex& complex, const PairCost& cost, ThresholdPairSieve& sieve,
+                                      const RefusedPairs& refused, const UncertainVertices* uncertain,
                                       const DecimateOptions& options) {
-  if (is_lazy(cost, options)) return std::make_unique<LazyQueue>(complex, cost, sieve, options.threads);
+  if (is_lazy(cost, options)) {
+    return std::make_unique<LazyQueue>(complex, cost, sieve, refused, uncertain, options.threads);
+  }
   return std::make_unique<EagerQueue>(complex, cost, options.threads);
+}
+
+std::optional<UncertainVertices> find_uncertain(const TriangleComplex& complex, Role role) {
+  if (role != Role::in_exact_order) return std::nullopt;
+  return UncertainVertices(complex);
 }
 
 /// An eager queue ranks anew all pairs within the cost's reach.
@@ -37,7 +45,7 @@ Reach reach_of_touched(const PairCost& cost, const DecimateOptions& options) {
 
 ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraints, PairCost& cost,
                                  const DecimateOptions& options, const DecimateTarget& target, const Frame& frame,
-                                 DecimationHost* host)
+                                 DecimationHost* host, const LoopContext& context)
     : complex_(complex),
       restraints_(restraints),
       cost_(cost),
@@ -51,14 +59,44 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraint
       n_initial_faces_(complex.n_faces()),
       sieve_(complex),
       guards_(make_guards(complex, restraints, sieve_, options, host)),
-      queue_(make_queue(complex, cost, sieve_, options)),
+      uncertain_(find_uncertain(complex, context.role)),
       touched_(reach_of_touched(cost, options)),
       refused_(complex) {
   for (const auto& guard : guards_) {
     n_rings_ = std::max(n_rings_, guard->n_rings());
     if (guard->follows()) followers_.push_back(guard.get());
   }
+  recall(context.refusals);
+  queue_ = make_queue(complex, cost, sieve_, refused_, uncertain_ ? &*uncertain_ : nullptr, options);
   if (const auto limit = target.cost_limit()) cost_limit_ = frame.cost_to_frame(*limit, cost_dimension_);
+}
+
+void ContractionLoop::recall(std::span<const Refusal> refusals) {
+  if (refusals.empty()) return;
+  std::vector<Index> vertices(complex_.n_vertex_slots());  // by number in the input
+  for (Index v = 0; v < vertices.size(); ++v) vertices[complex_.origin(v)] = v;
+  for (const Refusal& refusal : refusals) {
+    const Index a = vertices[refusal.pair.a];
+    const Index b = vertices[refusal.pair.b];
+    const auto neighbours = complex_.neighbours(a);
+    const auto edge =
+        std::find_if(neighbours.begin(), neighbours.end(), [b](const Neighbour& n) { return n.vertex == b; });
+    const auto guard =
+        std::find_if(guards_.begin(), guards_.end(), [&](const auto& g) { return g->reason() == refusal.reason; });
+    if (edge == neighbours.end() || guard == guards_.end()) continue;
+    note_refusal(in_order(complex_, {edge->edge, a, b}), static_cast<std::size_t>(guard - guards_.begin()));
+  }
+}
+
+std::vector<Refusal> ContractionLoop::refusals() {
+  std::vector<Refusal> refusals;
+  for (Index id = 0; id < complex_.n_pair_slots(); ++id) {
+    const RefusedPairs::Refuser refuser = refused_.refuser(id);
+    if (refuser >= guards_.size() || !complex_.is_pair_alive(id)) continue;
+    const auto [a, b] = complex_.ends(id);
+    refusals.push_back({{complex_.origin(a), complex_.origin(b)}, guards_[refuser]->reason()});
+  }
+  return refusals;
 }
 
 DecimateResult ContractionLoop::run() {
@@ -99,12 +137,12 @@ bool ContractionLoop::report_progress() const {
   return options_.progress({complex_.n_vertices(), complex_.n_faces(), std::min(1.0, std::max(faces, vertices))});
 }
 
-/// Contracts the pair, puts it off, refuses it, or stops because of its cost.
+/// Contracts the pair, puts it off, leaves it to a later pass, refuses it, or stops because of its cost.
 void ContractionLoop::take(const RankedPair& ranked) {
   const double rank = ranked.rank.cost;
   if (!complex_.is_contractible(ranked.pair)) return complex_.remove_pair(ranked.pair.id);
   if (stop_at_cost(ranked.pair, rank)) return;
-  complex_.gather(ranked.pair, profile_);
+  if (!gather_if_certain(ranked.pair)) return leave_to_later(ranked.pair);
   profile_.ranked = ranked.rank;
   const std::optional<Vec3> position = settle(ranked);
   if (!position) return;
@@ -112,6 +150,42 @@ void ContractionLoop::take(const RankedPair& ranked) {
   if (cost > rank && queue_->postpone(ranked.pair, cost)) return;
   if (stop_at_cost(ranked.pair, cost)) return;
   contract(ranked, *position, std::max(cost, rank));
+}
+
+/// \return whether all that decides about the pair is known: it is no joint, and nothing around it is uncertain
+bool ContractionLoop::gather_if_certain(const Pair& pair) {
+  const auto& [id, a, b] = pair;
+  const bool may_be_joint = !complex_.is_manifold(a) || !complex_.is_manifold(b);
+  if (uncertain_ && (uncertain_->contains_any(pair) || may_be_joint)) return false;
+  complex_.gather(pair, profile_);
+  return !uncertain_ || !uncertain_->contains_any_around(profile_);
+}
+
+/// A pass that knows more may contract this pair now. So its ends become uncertain, and those of all pairs that this
+/// may make contractible or cheaper.
+void ContractionLoop::leave_to_later(const Pair& pair) {
+  affected_.assign({pair.a, pair.b});
+  while (!affected_.empty()) {
+    const Index v = affected_.back();
+    affected_.pop_back();
+    if (uncertain_->contains(v)) continue;
+    uncertain_->add(v);
+    list_affected(v);
+  }
+}
+
+/// Adds to `affected_` the ends of raised pairs at v, and of refused pairs at v and its neighbours.
+void ContractionLoop::list_affected(Index v) {
+  woken_.clear();
+  queue_->list_raised(v, woken_);
+  const auto list_refused = [&](Index w) { refused_.for_each_at(w, [&](Index id) { woken_.push_back(id); }); };
+  list_refused(v);
+  for (const Neighbour& neighbour : complex_.neighbours(v)) list_refused(complex_.representative(neighbour.vertex));
+  for (const Index id : woken_) {
+    if (!complex_.is_pair_alive(id)) continue;
+    const auto [a, b] = complex_.ends(id);
+    affected_.insert(affected_.end(), {a, b});
+  }
 }
 
 /// Whether the pair costs more than may be. Then it is queued again, to go on from.
@@ -159,8 +233,12 @@ std::optional<std::size_t> ContractionLoop::find_refusal_at(const Vec3& position
 /// Notes that the guard of this number refused the pair.
 void ContractionLoop::refuse(std::size_t guard) {
   guards_[guard]->count(result_.rejections);
+  note_refusal(profile_.pair, guard);
+}
+
+void ContractionLoop::note_refusal(const Pair& pair, std::size_t guard) {
   const auto refuser = static_cast<RefusedPairs::Refuser>(guard);
-  guards_[guard]->is_final() ? refused_.add_for_good(profile_.pair, refuser) : refused_.add(profile_.pair, refuser);
+  guards_[guard]->is_final() ? refused_.add_for_good(pair, refuser) : refused_.add(pair, refuser);
 }
 
 /// Each pair that is left counts once, for the guard that refused it last.

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "complex/restraints.hh"
+#include "complex/uncertain_vertices.hh"
 #include "cost/pair_cost.hh"
 #include "guard/guard.hh"
+#include "loop/loop_context.hh"
 #include "pairs/threshold_pair_sieve.hh"
 #include "queue/pair_queue.hh"
 #include "queue/refused_pairs.hh"
@@ -18,6 +20,7 @@ namespace whittle {
 ///
 ///   while no target is reached:
 ///     take the next pair from the queue, and gather its profile
+///     if the order is exact, in a block that doesn't know all around the pair: leave it to a later pass
 ///     if a guard refuses the pair: count that; the pair waits until something that the guard looks at changes
 ///     the cost settles a position; if a guard refuses that, the one where the pair was ranked is tried
 ///     if the final cost is above the rank: queue the pair again
@@ -25,21 +28,28 @@ namespace whittle {
 class ContractionLoop {
  public:
   ContractionLoop(TriangleComplex& complex, Restraints& restraints, PairCost& cost, const DecimateOptions& options,
-                  const DecimateTarget& target, const Frame& frame, DecimationHost* host);
+                  const DecimateTarget& target, const Frame& frame, DecimationHost* host, const LoopContext& context);
 
   /// Goes on from where it stopped, if it did. \return all that was done so far
   DecimateResult run();
   /// Replaces the target's. \param cost in the frame
   void set_cost_limit(double cost) { cost_limit_ = cost; }
+  /// The refusals that hold now.
+  std::vector<Refusal> refusals();
 
  private:
+  void recall(std::span<const Refusal> refusals);
   bool target_reached() const;
   bool report_progress() const;
   void take(const RankedPair& ranked);
+  bool gather_if_certain(const Pair& pair);
+  void leave_to_later(const Pair& pair);
+  void list_affected(Index v);
   bool stop_at_cost(const Pair& pair, double cost);
   std::optional<Vec3> settle(const RankedPair& ranked);
   std::optional<std::size_t> find_refusal_at(const Vec3& position);
   void refuse(std::size_t guard);
+  void note_refusal(const Pair& pair, std::size_t guard);
   Rejections count_refused_pairs() const;
   bool is_told() const { return host_ != nullptr || options_.listener != nullptr; }
   void tell_others(const HostedContraction& made, double cost);
@@ -67,12 +77,14 @@ class ContractionLoop {
 
   ThresholdPairSieve sieve_;
   Guards guards_;
-  std::vector<Guard*> followers_;  ///< the guards that are told of each contraction
-  int n_rings_ = 1;                ///< how far the guards look
+  std::vector<Guard*> followers_;               ///< the guards that are told of each contraction
+  int n_rings_ = 1;                             ///< how far the guards look
+  std::optional<UncertainVertices> uncertain_;  ///< of a block in exact order
   std::unique_ptr<PairQueue> queue_;
   Reach touched_;  ///< which vertices `Change::touched` lists
   RefusedPairs refused_;
-  std::vector<Index> woken_;  ///< scratch
+  std::vector<Index> woken_;     ///< scratch
+  std::vector<Index> affected_;  ///< scratch
 
   ContractionProfile profile_;
   Change change_;

@@ -51,6 +51,7 @@ void leave_out_coincident(std::vector<Index>& faces, std::span<const Triangle> i
 Pass::Pass(const PassInput& input, const DecimateOptions& options)
     : options_(options),
       host_(input.host),
+      context_(input.context),
       complex_(input.surface.positions, input.surface.faces, input.surface.frame, options.threads) {
   const DecimationState* const state = host_ ? host_->state() : nullptr;
   if (state) {
@@ -76,7 +77,7 @@ Pass::Pass(const PassInput& input, const DecimateOptions& options)
 }
 
 void Pass::start(const DecimateTarget& target, const Frame& frame) {
-  loop_.emplace(complex_, restraints_, *cost_, options_, target, frame, host_);
+  loop_.emplace(complex_, restraints_, *cost_, options_, target, frame, host_, context_);
 }
 
 std::vector<Index> representatives(TriangleComplex& complex) {

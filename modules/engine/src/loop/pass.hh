@@ -28,6 +28,7 @@ struct PassInput {
   std::span<const std::uint8_t> locked;  ///< per vertex, or empty
   std::span<const std::uint8_t> frozen;  ///< per vertex, or empty: those that take part in no contraction
   const Memory* memory = nullptr;        ///< of passes before
+  LoopContext context;                   ///< its refusals must outlive the pass
   DecimationHost* host = nullptr;
 };
 
@@ -44,6 +45,9 @@ class Pass {
   /// \param cost in the frame
   void set_cost_limit(double cost) { loop_->set_cost_limit(cost); }
 
+  /// \pre start
+  std::vector<Refusal> refusals() { return loop_->refusals(); }
+
   TriangleComplex& complex() { return complex_; }
   const PairCost& cost() const { return *cost_; }
   /// Feature edges that there are now, by vertices of the complex.
@@ -52,6 +56,7 @@ class Pass {
  private:
   const DecimateOptions& options_;
   DecimationHost* host_;
+  LoopContext context_;
   TriangleComplex complex_;
   Restraints restraints_;
   std::unique_ptr<PairCost> cost_;

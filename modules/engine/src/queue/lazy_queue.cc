@@ -20,28 +20,36 @@ constexpr std::size_t most_placements = 8192;
 
 }  // namespace
 
-LazyQueue::LazyQueue(TriangleComplex& complex, const PairCost& cost, ThresholdPairSieve& sieve, unsigned threads)
+LazyQueue::LazyQueue(TriangleComplex& complex, const PairCost& cost, ThresholdPairSieve& sieve,
+                     const RefusedPairs& refused, const UncertainVertices* uncertain, unsigned threads)
     : complex_(complex),
       cost_(cost),
       sieve_(sieve),
+      uncertain_(uncertain),
       thread_pool_(threads),
       parcels_(thread_pool_.n_helpers() == 0 ? 2 : n_shared_parcels),
       raised_(complex.n_vertex_slots()),
       is_raised_(complex.n_pair_slots()),
       raised_costs_(std::make_unique_for_overwrite<float[]>(complex.n_pair_slots())) {
-  fill_queue(threads);
+  fill_queue(refused, threads);
 }
 
-void LazyQueue::fill_queue(unsigned threads) {
+bool LazyQueue::is_queued_at_first(const TriangleComplex::Ends& ends) const {
+  const bool is_first_frozen = complex_.is_frozen(ends.first);
+  const bool is_second_frozen = complex_.is_frozen(ends.second);
+  return uncertain_ ? !(is_first_frozen && is_second_frozen) : !(is_first_frozen || is_second_frozen);
+}
+
+void LazyQueue::fill_queue(const RefusedPairs& refused, unsigned threads) {
   const std::size_t n_pairs = complex_.n_pair_slots();
   std::vector<BucketQueue::Bucket> buckets(n_pairs, BucketQueue::no_bucket);
   std::vector<std::uint8_t> is_raised(n_pairs);
   const auto fill_range = [&](std::size_t begin, std::size_t end) {
     Parcel parcel;
     for (auto id = static_cast<Index>(begin); id < end; ++id) {
-      const auto [a, b] = complex_.initial_ends(id);
-      parcel.pairs[parcel.n] = {id, a, b};
-      parcel.n += static_cast<std::size_t>(!complex_.is_frozen(a) && !complex_.is_frozen(b));
+      const TriangleComplex::Ends ends = complex_.initial_ends(id);
+      parcel.pairs[parcel.n] = {id, ends.first, ends.second};
+      parcel.n += static_cast<std::size_t>(is_queued_at_first(ends) && refused.refuser(id) == RefusedPairs::none);
     }
     evaluate(parcel);
     for (std::size_t i = 0; i < parcel.n; ++i) {
@@ -66,8 +74,22 @@ void LazyQueue::fill_queue(unsigned threads) {
 LazyQueue::Parcel& LazyQueue::evaluate(Parcel& parcel) const {
   const auto pairs = std::span(parcel.pairs).first(parcel.n);
   for (Pair& pair : pairs) pair = in_order(complex_, pair);
-  cost_.rank(pairs, std::span(parcel.evaluations).first(parcel.n));
+  rank(pairs, std::span(parcel.evaluations).first(parcel.n));
   return parcel;
+}
+
+void LazyQueue::rank(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const {
+  cost_.rank(pairs, evaluations);
+  if (uncertain_ == nullptr) return;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (uncertain_->contains_any(pairs[i])) evaluations[i].cost = evaluations[i].bound;
+  }
+}
+
+PairEvaluation LazyQueue::rank(const Pair& pair) const {
+  PairEvaluation evaluation;
+  rank({&pair, 1}, {&evaluation, 1});
+  return evaluation;
 }
 
 std::optional<RankedPair> LazyQueue::next() {
@@ -85,7 +107,7 @@ std::optional<RankedPair> LazyQueue::turn_of(const Candidate& then) {
     return RankedPair{then.pair, {bound, then.cost, position, is_minimum}};
   }
   const Pair pair = pair_now(complex_, then.pair.id);
-  const PairEvaluation evaluation = cost_.rank(pair);
+  const PairEvaluation evaluation = rank(pair);
   const Candidate now = candidate(complex_, pair, evaluation.cost);
   if (!is_before(then, now)) return RankedPair{pair, evaluation};
   note_raised(pair, evaluation);
@@ -242,7 +264,7 @@ void LazyQueue::add_raised(const Pair& pair, double cost) {
 }
 
 void LazyQueue::add(const Pair& pair) {
-  const PairEvaluation evaluation = cost_.rank(pair);
+  const PairEvaluation evaluation = rank(pair);
   note_raised(pair, evaluation);
   enqueue(candidate(complex_, pair, evaluation.cost));
 }
@@ -252,6 +274,10 @@ bool LazyQueue::postpone(const Pair& pair, double cost) {
   if (queue_.is_past(bucket)) return false;
   queue_.push(pair.id, bucket);
   return true;
+}
+
+void LazyQueue::list_raised(Index v, std::vector<Index>& ids) const {
+  raised_.for_each_at(v, [&](Index id) { ids.push_back(id); });
 }
 
 /// Queues again the raised pairs at the merged vertex that have become cheaper.
@@ -266,7 +292,7 @@ void LazyQueue::note(const Change& change) {
     if (!complex_.is_pair_alive(pair)) continue;
     raised_.add(survivor, pair);
     const Pair now = pair_now(complex_, pair);
-    const PairEvaluation evaluation = cost_.rank(now);
+    const PairEvaluation evaluation = rank(now);
     if (static_cast<float>(evaluation.cost) > raised_costs_[pair]) continue;
     raised_costs_[pair] = static_cast<float>(evaluation.cost);
     enqueue(candidate(complex_, now, evaluation.cost));

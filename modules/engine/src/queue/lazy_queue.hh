@@ -4,10 +4,12 @@
 #include <memory>
 #include <vector>
 
+#include "complex/uncertain_vertices.hh"
 #include "pairs/threshold_pair_sieve.hh"
 #include "queue/bucket_queue.hh"
 #include "queue/open_bucket.hh"
 #include "queue/pair_queue.hh"
+#include "queue/refused_pairs.hh"
 #include "queue/waiting_pairs.hh"
 #include "whittle/core/detail/thread_pool.hh"
 
@@ -23,11 +25,16 @@ namespace whittle {
 /// noticed only when its old turn comes.
 class LazyQueue final : public PairQueue {
  public:
-  LazyQueue(TriangleComplex& complex, const PairCost& cost, ThresholdPairSieve& sieve, unsigned threads);
+  /// \param refused pairs that are not queued at first
+  /// \param uncertain if not null: of a pair with such an end no more is known than that it costs at least its bound.
+  /// Then pairs with one frozen end are queued, too
+  LazyQueue(TriangleComplex& complex, const PairCost& cost, ThresholdPairSieve& sieve, const RefusedPairs& refused,
+            const UncertainVertices* uncertain, unsigned threads);
 
   std::optional<RankedPair> next() override;
   void add(const Pair& pair) override;
   bool postpone(const Pair& pair, double cost) override;
+  void list_raised(Index v, std::vector<Index>& ids) const override;
   void note(const Change& change) override;
 
  private:
@@ -46,7 +53,10 @@ class LazyQueue final : public PairQueue {
     std::array<PairEvaluation, pairs_per_parcel> evaluations;
   };
 
-  void fill_queue(unsigned threads);
+  bool is_queued_at_first(const TriangleComplex::Ends& ends) const;
+  void fill_queue(const RefusedPairs& refused, unsigned threads);
+  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const;
+  PairEvaluation rank(const Pair& pair) const;
   std::optional<Candidate> next_candidate();
   std::optional<RankedPair> turn_of(const Candidate& then);
   bool open_bucket();
@@ -69,6 +79,7 @@ class LazyQueue final : public PairQueue {
   TriangleComplex& complex_;
   const PairCost& cost_;
   ThresholdPairSieve& sieve_;
+  const UncertainVertices* uncertain_;
   ThreadPool thread_pool_;
 
   BucketQueue queue_;

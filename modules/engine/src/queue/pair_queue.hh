@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "cost/pair_cost.hh"
 
@@ -26,6 +27,9 @@ class PairQueue {
   /// Queues the pair just taken out again, under a higher cost. False if the pairs whose turn it is cost no less: then
   /// it stays out.
   virtual bool postpone(const Pair& pair, double cost) = 0;
+
+  /// Adds to `ids` the pairs at v that may get cheaper.
+  virtual void list_raised(Index /*v*/, std::vector<Index>& /*ids*/) const {}
 
   /// Told after each contraction, once the cost has been told.
   virtual void note(const Change& change) = 0;

@@ -30,6 +30,14 @@ class RefusedPairs {
   }
   void add_for_good(const Pair& pair, Refuser refuser) { refusers_[pair.id] = refuser; }
 
+  /// Calls `use(id)` for the pairs that wait at v.
+  template <class Use>
+  void for_each_at(Index v, const Use& use) const {
+    waiting_.for_each_at(v, [&](Index id) {
+      if (refusers_[id] != none) use(id);
+    });
+  }
+
   /// Takes out the pairs that wait at v. \param ids theirs
   void take(Index v, std::vector<Index>& ids) {
     ids.clear();

@@ -32,6 +32,13 @@ class WaitingPairs {
     heads_[v] = node;
   }
 
+  /// Calls `use(pair)` for those that wait at v.
+  template <class Use>
+  void for_each_at(Index v, const Use& use) const {
+    if (!any_.test(v)) return;
+    for (Index node = heads_[v]; node != invalid_index; node = nodes_[node].next) use(nodes_[node].pair);
+  }
+
   /// Moves the pairs that wait at v to the end of `pairs`.
   void take(Index v, std::vector<Index>& pairs) {
     if (!any_.test(v)) return;

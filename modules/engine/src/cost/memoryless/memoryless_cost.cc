@@ -52,14 +52,10 @@ void MemorylessCost::resume(const DecimationState& state) {
 void MemorylessCost::recall(const Memory& memory) {
   face_area_ = memory.face_area;
   ranks_.multiply_by_memoryless_factor(face_area_.first());
-  if (memory.quadrics.empty()) return;
-  for (Index v = 0; v < complex_.n_vertex_slots(); ++v) {
-    const auto it = std::lower_bound(memory.quadrics.begin(), memory.quadrics.end(), complex_.origin(v),
-                                     [](const Memory::Remembered& r, Index vertex) { return r.vertex < vertex; });
-    if (it == memory.quadrics.end() || it->vertex != complex_.origin(v)) continue;
-    ranks_.quadrics().store(v, it->quadric);
+  memory.for_each_in(complex_, [this](Index v, const Quadric& quadric) {
+    ranks_.quadrics().store(v, quadric);
     has_planes_of_faces_[v] = false;
-  }
+  });
 }
 
 /// Whether the merged vertex, and its neighbours, get the planes of their faces alone.

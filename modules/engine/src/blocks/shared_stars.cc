@@ -1,0 +1,47 @@
+#include "blocks/shared_stars.hh"
+
+namespace whittle {
+
+SharedStars::SharedStars(const Surface& surface, const Partition& partition) {
+  std::vector<std::uint8_t> is_here(surface.positions.size());
+  for (const Triangle& face : surface.faces) {
+    const auto& [a, b, c] = face;
+    const auto& is_shared = partition.is_shared;
+    if ((is_shared[a] | is_shared[b] | is_shared[c]) == 0) continue;
+    faces_.push_back(face);
+    for (const Index v : face) is_here[v] = 1;
+  }
+  std::vector<Index> numbers(is_here.size());
+  for (Index v = 0; v < is_here.size(); ++v) {
+    if (is_here[v] == 0) continue;
+    numbers[v] = static_cast<Index>(vertices_.size());
+    vertices_.push_back(v);
+    positions_.push_back(surface.frame.to_frame(surface.positions[v]));
+    frozen_.push_back(partition.is_shared[v] == 0);
+  }
+  for (Triangle& face : faces_) face = mapped(face, numbers);
+}
+
+NonmanifoldCounts SharedStars::count_nonmanifold() const {
+  TriangleComplex complex(positions_, faces_, Frame{}, 1);
+  complex.freeze(frozen_);
+  complex.connect({}, 1);
+  return complex.count_nonmanifold(false);
+}
+
+std::vector<Memory::Remembered> SharedStars::quadrics(const DecimateOptions& options) const {
+  PassInput input;
+  input.surface = {positions_, Frame{}, faces_};
+  input.frozen = frozen_;
+  Pass pass(input, options);
+  const TriangleComplex& complex = pass.complex();
+  std::vector<Index> vertex_of(vertices_.size());  // of the complex
+  for (Index v = 0; v < vertex_of.size(); ++v) vertex_of[complex.origin(v)] = v;
+  std::vector<Memory::Remembered> quadrics;
+  for (Index v = 0; v < vertices_.size(); ++v) {
+    if (frozen_[v] == 0) quadrics.push_back({vertices_[v], pass.cost().quadric(vertex_of[v]).quadric});
+  }
+  return quadrics;
+}
+
+}  // namespace whittle

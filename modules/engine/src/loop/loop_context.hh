@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+
+#include "whittle/core/vertex_pair.hh"
+#include "whittle/engine/decimate.hh"
+
+namespace whittle {
+
+/// A pair that a guard refused.
+struct Refusal {
+  VertexPair pair;  ///< by number in the input of the pass that is told
+  std::uint64_t Rejections::*reason;
+};
+
+/// Which contractions a loop makes, if it has a part of the mesh.
+enum class Role {
+  alone,          ///< those that it would make if there were no other parts
+  in_exact_order  ///< those of them that one loop for the whole mesh would make, too. For costs that only rise
+};
+
+/// What a loop knows of those before and beside it.
+struct LoopContext {
+  Role role = Role::alone;
+  std::span<const Refusal> refusals;  ///< that still hold, of passes before
+};
+
+}  // namespace whittle
