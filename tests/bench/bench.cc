@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "bench/results/report.hh"
 #include "bench/results/statistics.hh"
 #include "bench/run_case.hh"
+#include "bench/scaling.hh"
 #include "support/meshes.hh"
 #include "terminal/table.hh"
 
@@ -28,6 +30,7 @@ struct Options {
   std::vector<double> ratios = {0.1};
   std::string base;
   bool permuted = false;
+  bool scaling = false;
   std::uint64_t seed = 1;
   RunOptions run;
   RowsFile rows{.csv = "bench.csv"};
@@ -111,6 +114,18 @@ std::string growth_text(const std::vector<Row>& rows) {
   return is_known ? table.text() : "";
 }
 
+/// Of those of our peers that take part.
+std::string scaling_text(const IndexedMesh& input, double ratio, const std::vector<NamedPeer>& peers, int rounds) {
+  const auto n_wanted = static_cast<std::size_t>(ratio * static_cast<double>(input.faces.size()));
+  std::vector<Scaling> scalings;
+  for (const WhittleKind& kind : whittle_kinds) {
+    const auto has_kind = [&kind](const NamedPeer& peer) { return peer.name == kind.name; };
+    if (std::none_of(peers.begin(), peers.end(), has_kind)) continue;
+    scalings.push_back(measure_scaling(kind, input, n_wanted, rounds));
+  }
+  return scalings.empty() ? "" : to_text(scalings);
+}
+
 /// Whether a peer of ours gave an answer that doesn't count.
 bool has_fault_of_ours(const std::vector<Row>& rows, const std::vector<NamedPeer>& peers) {
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -130,6 +145,7 @@ int run(const Options& options) {
     for (const double ratio : options.ratios) {
       const std::vector<Row> rows = run_case(chosen.name, input, ratio, peers, options.run);
       std::cout << to_text(rows) << std::endl;
+      if (options.scaling) std::cout << scaling_text(input, ratio, peers, options.run.rounds.n) << std::endl;
       for (const Row& row : rows) csv.add(row);
       is_right = is_right && !has_fault_of_ours(rows, peers);
       all_rows.insert(all_rows.end(), rows.begin(), rows.end());
@@ -155,6 +171,8 @@ void set_up(CLI::App& app, Options& options) {
       ->type_name("FILE")
       ->check(CLI::ExistingFile);
   app.add_flag("--permuted", options.permuted, "each mesh a second time, vertices and faces in random order");
+  app.add_flag("--scaling", options.scaling,
+               "our peers on one thread and on all, what only one can do, and a simulation of more threads");
   app.add_option("--seed", options.seed, "of that order")->type_name("N")->capture_default_str();
   app.add_option("--peers", options.peers,
                  "who takes part (default: all that are built in; whittle on 1, 2, 3, 8 threads)")

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "whittle/core/detail/cores.hh"
+#include "whittle/core/detail/section_trace.hh"
 
 namespace whittle {
 
@@ -22,8 +23,9 @@ inline std::size_t n_threads(unsigned threads) { return threads > 0 ? threads : 
 template <class Work>
 void for_each_block(std::size_t n_blocks, unsigned threads, const Work& work) {
   const std::size_t n_workers = std::min(n_threads(threads), n_blocks);
+  detail::TracedSection section(n_blocks);
   if (n_workers <= 1) {
-    for (std::size_t block = 0; block < n_blocks; ++block) work(block);
+    for (std::size_t block = 0; block < n_blocks; ++block) section.run(block, work);
     return;
   }
   std::atomic<std::size_t> next{0};
@@ -31,7 +33,7 @@ void for_each_block(std::size_t n_blocks, unsigned threads, const Work& work) {
   std::mutex failure_mutex;
   const auto run = [&] {
     try {
-      for (std::size_t block = next++; block < n_blocks; block = next++) work(block);
+      for (std::size_t block = next++; block < n_blocks; block = next++) section.run(block, work);
     } catch (...) {
       next = n_blocks;
       const std::lock_guard lock(failure_mutex);
