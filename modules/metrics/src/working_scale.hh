@@ -14,6 +14,7 @@ namespace whittle::metrics {
 inline double working_scale(std::initializer_list<Bounds> boxes) {
   constexpr int largest_exponent = 200;
   constexpr int farthest_exponent = 400;
+  constexpr int most_exponent = 1000;  // its power of two and the inverse are numbers
   double extent = 0.0;
   double farthest = 0.0;
   for (const Bounds& box : boxes) {
@@ -23,8 +24,8 @@ inline double working_scale(std::initializer_list<Bounds> boxes) {
   if (!(extent > 0.0)) return 1.0;
   const int exponent = std::ilogb(extent);
   if (std::abs(exponent) <= largest_exponent) return 1.0;
-  const int most = std::max(0, farthest_exponent - std::ilogb(farthest));
-  return std::ldexp(1.0, std::clamp(-exponent, -1000, most));
+  const int most = std::clamp(farthest_exponent - std::ilogb(farthest), 0, most_exponent);
+  return std::ldexp(1.0, std::clamp(-exponent, -most_exponent, most));
 }
 
 /// Positions and faces of the mesh, without its attributes, at another scale.

@@ -92,6 +92,17 @@ TEST(Size, IsTakenWhereTinyAndAwayFromTheOrigin) {
   EXPECT_EQ(nearest_vertices(sliver, sliver), (std::vector<Index>{0, 1, 2}));
 }
 
+/// The power of two that would scale it up to a size of 1 is not a number.
+TEST(Size, IsTakenWhereAsTinyAsNumbersGet) {
+  const IndexedMesh tiny = test::scaled(test::cube(), 0x1p-1040);
+  EXPECT_EQ(shape(tiny).degenerate_faces, 0U);
+  EXPECT_EQ(shape(tiny).radius_ratio_mean, shape(test::cube()).radius_ratio_mean);
+  EXPECT_EQ(surface_distance(tiny, tiny).max, 0.0);
+  EXPECT_TRUE(self_intersections(tiny).empty());
+  EXPECT_EQ(feature_lines(tiny, 40).size(), 12U);
+  EXPECT_EQ(nearest_vertices(tiny, tiny), (std::vector<Index>{0, 1, 2, 3, 4, 5, 6, 7}));
+}
+
 TEST(Size, BeyondTheRangeIsRefused) {
   const IndexedMesh ball = test::sphere(1);
   const IndexedMesh huge = test::scaled(ball, 0x1p501);
