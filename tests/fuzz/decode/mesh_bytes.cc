@@ -257,9 +257,13 @@ bool has_ordinary_sizes(const IndexedMesh& mesh) {
   double extent = 0;
   double farthest = 0;
   double least = std::numeric_limits<double>::infinity();
+  double least_from_zero = least;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> values;
-    for (const Vec3& p : mesh.positions) values.push_back(p[axis]);
+    for (const Vec3& p : mesh.positions) {
+      values.push_back(p[axis]);
+      if (p[axis] != 0) least_from_zero = std::min(least_from_zero, std::abs(p[axis]));
+    }
     std::sort(values.begin(), values.end());
     for (std::size_t i = 1; i < values.size(); ++i) {
       if (values[i] > values[i - 1]) least = std::min(least, values[i] - values[i - 1]);
@@ -268,7 +272,7 @@ bool has_ordinary_sizes(const IndexedMesh& mesh) {
     extent = std::max(extent, values.back() - values.front());
     farthest = std::max({farthest, values.back(), -values.front()});
   }
-  return least >= (farthest > 1000 * extent ? 1e-9 * farthest : 1e-30 * extent);
+  return least >= (farthest > 1000 * extent ? 1e-9 * farthest : 1e-30 * extent) && least_from_zero >= 1e-30 * extent;
 }
 
 std::string text_of(const IndexedMesh& mesh) {

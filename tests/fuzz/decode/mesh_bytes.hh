@@ -18,8 +18,8 @@ unsigned n_mesh_kinds();
 /// Moves what is not finite or out of range to the origin.
 void make_finite(IndexedMesh& mesh);
 
-/// Whether coordinates along an axis, where they differ, differ by at least 1e-30 of the mesh's extent. Among sizes
-/// that are farther apart, products underflow: measurements of faces are not promised there.
+/// Whether coordinates along an axis, where they differ from each other or from 0, differ by at least 1e-30 of the
+/// mesh's extent. Among sizes that are farther apart, products underflow: measurements of faces are not promised there.
 bool has_ordinary_sizes(const IndexedMesh& mesh);
 
 /// The mesh in OFF, with all digits: for messages.

@@ -17,7 +17,8 @@ namespace whittle::metrics {
 /// `Shape::degenerate_faces` counts them.
 ///
 /// The result is exact for the given coordinates: orientation tests use a floating-point filter, then expansions. That
-/// needs coordinates along an axis which, where they differ, differ by at least 1e-30 of the mesh's extent.
+/// needs coordinates along an axis which, where they differ from each other or from 0, differ by at least 1e-30 of the
+/// mesh's extent.
 /// \param threads 0 = all cores; the result is the same for any number.
 /// \throw std::invalid_argument as `bounds`. \throw Cancelled if `progress` returned false.
 std::vector<std::array<Index, 2>> self_intersections(const IndexedMesh& mesh, unsigned threads = 0,
