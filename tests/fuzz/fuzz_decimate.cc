@@ -84,8 +84,20 @@ double median_edge(const IndexedMesh& mesh) {
   return *middle;
 }
 
+/// Whether rounding may have put the dearer contraction first. A cost of regularization ε alone, on flat ground or
+/// along a straight border, is a share ε of its terms: it is known to about 1e-16 / ε of itself. So is the lower bound
+/// under which a pair waits for its turn. Equal costs go by vertex numbers, and costs without bounds are compared as
+/// they are.
+bool is_tie(const DecimateOptions& options, const Contraction& made, const Contraction& expected) {
+  const bool has_bounds =
+      options.effective_cost() == Cost::quadric && !(options.isotropy > 0) && !(options.valence_weight > 0);
+  const double rounding = 1e-15 / options.quadric.regularization;
+  return has_bounds && made.cost > expected.cost && made.cost - expected.cost <= rounding * made.cost;
+}
+
 /// Contractions in exact order are those of the definition. Not with restraints or without regularization, where ties
-/// may go otherwise (docs/dev/engine.md), nor where the definition has no guard: that against intersections.
+/// may go otherwise (docs/dev/engine.md), nor where the definition has no guard: that against intersections. After a
+/// tie that goes otherwise nothing is compared.
 void check_order(const DecimateCase& c, const std::vector<Contraction>& made) {
   const DecimateOptions& options = c.options;
   const bool is_exact = options.effective_order() == Order::exact;
@@ -101,13 +113,14 @@ void check_order(const DecimateCase& c, const std::vector<Contraction>& made) {
     return;
   }
   const std::vector<Contraction> expected = BruteForceDecimater(c.mesh, options).run(c.target);
-  require(made.size() == expected.size(), "there are as many contractions as by brute force");
-  for (std::size_t i = 0; i < made.size(); ++i) {
-    require(made[i].survivor == expected[i].survivor && made[i].removed == expected[i].removed,
-            "contractions are those of brute force");
+  for (std::size_t i = 0; i < std::min(made.size(), expected.size()); ++i) {
+    const bool is_same = made[i].survivor == expected[i].survivor && made[i].removed == expected[i].removed;
+    if (!is_same && is_tie(options, made[i], expected[i])) return;
+    require(is_same, "contractions are those of brute force");
     require(made[i].position == expected[i].position && made[i].cost == expected[i].cost,
             "contractions go where brute force goes");
   }
+  require(made.size() == expected.size(), "there are as many contractions as by brute force");
 }
 
 /// In exact order blocks give what one pass gives.
