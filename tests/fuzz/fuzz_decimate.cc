@@ -140,7 +140,8 @@ void check_blocks(DecimateCase c) {
                            .surplus = 1,
                            .fewest_faces_in_exact_order = 1,
                            .fewest_faces_again_in_exact_order = 1,
-                           .faces_per_block_in_exact_order = {24, 16}};
+                           .faces_per_block_in_exact_order = {24, 16},
+                           .least_done_in_exact_order = 0};
   if (is_exact_in_blocks(c.options)) return check_blocks_in_exact_order(c, plan);
   if (!why_not_in_blocks(c.mesh, c.target, c.options, nullptr, plan).empty()) return;
   std::vector<Contraction> made;

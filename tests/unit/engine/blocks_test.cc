@@ -23,7 +23,8 @@ constexpr BlockPlan small_blocks{.fewest_faces = 1,
                                  .fewest_faces_left = 2,
                                  .fewest_faces_in_exact_order = 1,
                                  .fewest_faces_again_in_exact_order = 1,
-                                 .faces_per_block_in_exact_order = {400, 300}};
+                                 .faces_per_block_in_exact_order = {400, 300},
+                                 .least_done_in_exact_order = 0};
 constexpr BlockPlan no_blocks{.fewest_faces = ~std::size_t{0}, .fewest_faces_in_exact_order = ~std::size_t{0}};
 
 DecimateOptions memoryless(unsigned threads = 1) {
@@ -253,6 +254,7 @@ TEST(Blocks, SayWhyTheyAreNotTaken) {
   };
   EXPECT_EQ(quadric(nothing), "");
   EXPECT_EQ(quadric([](DecimateOptions& o) { o.threads = 1; }), "one thread works");
+  EXPECT_EQ(quadric([](DecimateOptions& o) { o.quadric.regularization = 0; }), "rounding may decide the order");
   EXPECT_EQ(quadric([](DecimateOptions& o) { o.isotropy = 0.5; }), "the cost has a term for edge lengths");
   EXPECT_EQ(quadric([](DecimateOptions& o) { o.listener = [](const Contraction&) {}; }),
             "contractions are told in exact order");
@@ -319,8 +321,20 @@ TEST(BlocksInExactOrder, TakeLocksLimitsAndBorders) {
     EXPECT_TRUE(with([](DecimateOptions& o) { o.boundary = Boundary::free; }));
     with([](DecimateOptions& o) { o.boundary = Boundary::locked; });
     EXPECT_TRUE(with([](DecimateOptions& o) { o.quadric.weights = Weights::uniform; }));
-    with([](DecimateOptions& o) { o.quadric.regularization = 0; });
   }
+}
+
+/// Each of its pairs waits for the one before.
+TEST(BlocksInExactOrder, AreGivenUpWherePairsWaitForEachOther) {
+  IndexedMesh valley = grid(60, 60);
+  for (Vec3& p : valley.positions) p.z() = 0.1 * p.x() * p.x();
+  const DecimateTarget target = DecimateTarget::faces(valley.faces.size() / 4);
+  BlockPlan plan = small_blocks;
+  EXPECT_TRUE(keeps_exact_order(valley, target, plain_quadrics(2), plan));
+  plan.least_done_in_exact_order = 0.5;
+  EXPECT_FALSE(keeps_exact_order(valley, target, plain_quadrics(2), plan));
+  EXPECT_EQ(run(valley, target, plain_quadrics(2), nullptr, plan).result.why_in_one_pass,
+            "pairs wait for each other all over the mesh");
 }
 
 TEST(BlocksInExactOrder, BeginAgainAsAWholeWhenTheyWentTooFar) {

@@ -37,22 +37,25 @@ MeanFaceArea mean_face_area(const IndexedMesh& mesh, const Frame& frame, unsigne
 /// Blocks contract what costs least in each.
 Remainder run_levels(const LevelContext& context, const BlockPlan& plan, const Memory& memory) {
   LevelPlan level{plan.faces_per_block, 0.5, Role::alone};
-  Remainder remainder = run_level(context, level, {{}, plan.surplus}, memory, nullptr);
+  Remainder remainder = run_level(context, level, {.cost = {}, .surplus = plan.surplus}, memory, nullptr);
   if (remainder.faces.size() < plan.fewest_faces_again || context.progress.is_cancelled()) return remainder;
   level.first_share = 0.3;
-  return run_level(context, level, {remainder.cost_limit, 1}, remainder.memory, &remainder);
+  return run_level(context, level, {.cost = remainder.cost_limit}, remainder.memory, &remainder);
 }
 
 /// Blocks contract what one queue for all would contract, too. Small blocks that don't keep the order find the cost.
 Remainder run_exact_levels(const LevelContext& context, const BlockPlan& plan, const Memory& memory) {
   const LevelPlan trial{plan.faces_per_block / 2, 0.5, Role::alone};
-  const LevelGoal goal{find_cost(context, trial, plan.surplus_in_exact_order, memory), 1};
+  LevelGoal goal;
+  goal.cost = find_cost(context, trial, plan.surplus_in_exact_order, memory);
+  goal.least_done = plan.least_done_in_exact_order;
   LevelPlan level{plan.faces_per_block_in_exact_order[0], 0.5, Role::in_exact_order};
   Remainder remainder = run_level(context, level, goal, memory, nullptr);
-  if (remainder.faces.size() < plan.fewest_faces_again_in_exact_order || context.progress.is_cancelled())
-    return remainder;
+  const bool is_enough = remainder.is_futile || remainder.faces.size() < plan.fewest_faces_again_in_exact_order;
+  if (is_enough || context.progress.is_cancelled()) return remainder;
   level.faces_per_block = plan.faces_per_block_in_exact_order[1];
   level.first_share = 0.3;
+  goal.least_done = 0;
   return run_level(context, level, goal, remainder.memory, &remainder);
 }
 
@@ -68,6 +71,7 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
   if (host != nullptr) return "a host takes part";
   if (is_exact) {
     if (options.isotropy > 0) return "the cost has a term for edge lengths";
+    if (options.quadric.regularization < QuadricOptions{}.regularization) return "rounding may decide the order";
     if (options.listener) return "contractions are told in exact order";
     if (n_threads(options.threads) == 1) return "one thread works";
   } else {

@@ -19,7 +19,8 @@ struct BlockPlan {
   std::size_t fewest_faces_in_exact_order = 500000;
   std::size_t fewest_faces_again_in_exact_order = 131072;
   std::array<std::size_t, 2> faces_per_block_in_exact_order{131072, 65536};  ///< by level
-  double surplus_in_exact_order = 1.2;  ///< with less, blocks may go beyond the target
+  double least_done_in_exact_order = 0.5;  ///< share of what the target asks for; of less, one pass over all is faster
+  double surplus_in_exact_order = 1.2;     ///< with less, blocks may go beyond the target
 };
 
 /// Why a run doesn't go through blocks; empty if it does. Blocks need a cost that rises in the exact order, or another

@@ -1,6 +1,7 @@
 #include "blocks/level.hh"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numeric>
@@ -50,6 +51,7 @@ class Level {
   void begin(std::size_t number, const Memory& memory);
   void finish(std::size_t number);
   double climb(const std::vector<std::size_t>& sample, double surplus, const Memory& memory);
+  bool is_futile(const LevelGoal& goal, const Memory& memory);
   void sum_up(Remainder& remainder);
 
   const LevelContext& context_;
@@ -166,6 +168,25 @@ void Level::sum_up(Remainder& remainder) {
   }
 }
 
+/// Runs two blocks. \return whether their pairs wait for each other so that too little can be done: on some regular
+/// meshes the exact order goes from one end to the other.
+bool Level::is_futile(const LevelGoal& goal, const Memory& memory) {
+  const std::array<std::size_t, 2> tried{jobs_.size() / 4, 3 * jobs_.size() / 4};
+  for_each_block(tried.front() == tried.back() ? 1 : 2, threads(), [&](std::size_t i) {
+    begin(tried[i], memory);
+    jobs_[tried[i]]->block->run(*goal.cost);
+    finish(tried[i]);
+  });
+  double done = 0;
+  double wanted = 0;
+  for (const auto& job : jobs_) {
+    if (!job) continue;
+    done += static_cast<double>(job->block->result().n_contractions);
+    wanted += (1 - share()) * static_cast<double>(job->block->n_inner_vertices());
+  }
+  return done < goal.least_done * wanted;
+}
+
 double Level::find_cost(double surplus, const Memory& memory) {
   is_trial_ = true;
   locked_ = locked();
@@ -191,6 +212,10 @@ Remainder Level::run(const LevelGoal& goal, Memory memory) {
     const std::vector<std::size_t> sample = choose_sample(8);
     remainder.cost_limit = climb(sample, goal.surplus, memory);
     for_each_block(sample.size(), threads(), [&](std::size_t i) { finish(sample[i]); });
+  }
+  if (goal.least_done > 0 && is_futile(goal, memory) && !context_.progress.is_cancelled()) {
+    remainder.is_futile = true;
+    return remainder;
   }
   const std::vector<std::size_t> others = largest_first_of_others();
   for_each_block(others.size() + 1, threads(), [&](std::size_t i) {

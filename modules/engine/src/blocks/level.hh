@@ -22,6 +22,7 @@ struct Remainder {
   NonmanifoldCounts nonmanifold;  ///< of the input, unless the levels were cancelled
   double progress = 0;            ///< [0, 1]
   bool is_cancelled = false;
+  bool is_futile = false;  ///< in exact order blocks can't do enough; nothing else here is filled in
 
   /// The flags of the vertices here. \param flags per vertex of the input, or empty
   std::vector<std::uint8_t> of_vertices(const std::vector<std::uint8_t>& flags) const {
@@ -52,6 +53,7 @@ struct LevelPlan {
 struct LevelGoal {
   std::optional<double> cost;  ///< in the frame; empty: a sample of the blocks finds it
   double surplus = 1;          ///< how many times the target's share the sample is to leave
+  double least_done = 0;       ///< share of what the target asks for; if two blocks do less, nothing is done
 };
 
 /// The cost that a sample of the blocks finds. What it contracts is forgotten.

@@ -251,6 +251,10 @@ Decimation Run::decimate(const BlockPlan& plan) {
     remainder_ = decimate_in_blocks(mesh_, frame_, target_, options_, plan);
     progress_ = remainder_->progress;
   }
+  if (remainder_ && remainder_->is_futile) {
+    why_in_one_pass = "pairs wait for each other all over the mesh";
+    remainder_.reset();
+  }
   Decimation out = decimate_rest();
   if (is_beyond_target(out.result)) {
     why_in_one_pass = "blocks went beyond the target";

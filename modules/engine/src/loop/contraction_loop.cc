@@ -232,7 +232,8 @@ std::optional<std::size_t> ContractionLoop::find_refusal_at(const Vec3& position
 
 /// Notes that the guard of this number refused the pair.
 void ContractionLoop::refuse(std::size_t guard) {
-  guards_[guard]->count(result_.rejections);
+  const bool is_known = refused_.refuser(profile_.pair.id) != RefusedPairs::none;  // it was queued twice
+  if (!is_known) guards_[guard]->count(result_.rejections);
   note_refusal(profile_.pair, guard);
 }
 
