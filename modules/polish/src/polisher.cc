@@ -41,14 +41,16 @@ MeshLines lines_of(const IndexedMesh& mesh, const FaceNeighbors& neighbors, std:
 
 /// Locked vertices are fixed, and those where the mesh is not manifold, and where lines end or meet.
 std::vector<std::uint8_t> fixed_vertices(const FaceNeighbors& neighbors, const MeshLines& lines, std::size_t n_vertices,
-                                         const PolishOptions& options) {
+                                         const PolishOptions& options, const detail::Workers& workers) {
   std::vector<std::uint8_t> is_fixed(n_vertices);
-  for (Index v = 0; v < n_vertices; ++v) {
-    const Fan fan = neighbors.fan(v);
-    const std::size_t n_lines = lines.empty() ? 0 : lines.at(v).size();
-    is_fixed[v] = (!options.locked.empty() && options.locked[v] != 0) || fan == Fan::none ||
-                  (fan == Fan::open && !options.fit_borders) || (n_lines != 0 && n_lines != 2);
-  }
+  for_each_range(n_vertices, workers, [&](std::size_t begin, std::size_t end) {
+    for (auto v = static_cast<Index>(begin); v < end; ++v) {
+      const Fan fan = neighbors.fan(v);
+      const std::size_t n_lines = lines.empty() ? 0 : lines.at(v).size();
+      is_fixed[v] = (!options.locked.empty() && options.locked[v] != 0) || fan == Fan::none ||
+                    (fan == Fan::open && !options.fit_borders) || (n_lines != 0 && n_lines != 2);
+    }
+  });
   return is_fixed;
 }
 
@@ -69,7 +71,7 @@ Connectivity::Connectivity(std::vector<Triangle> the_faces, std::size_t n_vertic
                            const PolishOptions& options, const detail::Workers& workers)
     : faces(std::move(the_faces)),
       corners(corners_by_vertex(faces, n_vertices)),
-      neighbors(faces, corners),
+      neighbors(faces, corners, workers),
       limits(neighbors, options.features, options.feature_angle_deg, options.min_radius_ratio.value_or(0)),
       error(original, faces, n_vertices, workers) {}
 
@@ -85,7 +87,7 @@ Polisher::Polisher(const IndexedMesh& original, std::span<const Index> vertex_ma
       groups_(mesh.face_groups),
       lines_(lines_of(mesh, mesh_->neighbors, options.features, workers_)),
       line_samples_(original_lines(original), samples_.positions(), vertex_map),
-      is_fixed_(fixed_vertices(mesh_->neighbors, lines_, mesh.positions.size(), options)),
+      is_fixed_(fixed_vertices(mesh_->neighbors, lines_, mesh.positions.size(), options, workers_)),
       can_flip_(options.flips && mesh.corner_texcoords.empty()) {
   positions_.reserve(mesh.positions.size());
   for (const Vec3& p : mesh.positions) positions_.push_back(frame_.to_frame(p));

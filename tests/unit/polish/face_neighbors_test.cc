@@ -16,7 +16,9 @@ namespace {
 
 struct Mesh {
   explicit Mesh(const IndexedMesh& mesh)
-      : faces(mesh.faces), corners(corners_by_vertex(faces, mesh.positions.size())), neighbors(faces, corners) {}
+      : faces(mesh.faces),
+        corners(corners_by_vertex(faces, mesh.positions.size())),
+        neighbors(faces, corners, detail::Workers(2)) {}
 
   std::vector<Triangle> faces;
   VertexCorners corners;

@@ -136,7 +136,7 @@ TEST(PolishFlips, LeaveFeaturesGroupsAndTextures) {
   const IndexedMesh after = polished(round, grouped, {.passes = 3, .flips = true});
   EXPECT_NE(after.faces, grouped.mesh.faces);
   const VertexCorners corners = corners_by_vertex(grouped.mesh.faces, grouped.mesh.positions.size());
-  const FaceNeighbors neighbors(grouped.mesh.faces, corners);
+  const FaceNeighbors neighbors(grouped.mesh.faces, corners, detail::Workers(1));
   for (Index f = 0; f < grouped.mesh.faces.size(); ++f) {
     for (Index place = 0; place < 3; ++place) {
       if (grouped.mesh.face_groups[f] == grouped.mesh.face_groups[neighbors.beyond(f, place).face]) continue;

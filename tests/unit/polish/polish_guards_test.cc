@@ -138,7 +138,7 @@ TEST(PolishGuards, TakeBackWhateverIntersects) {
   for (const auto& [name, mesh] : all_meshes()) {
     SCOPED_TRACE(name);
     const VertexCorners corners = corners_by_vertex(mesh.faces, mesh.positions.size());
-    const FaceNeighbors neighbors(mesh.faces, corners);
+    const FaceNeighbors neighbors(mesh.faces, corners, detail::Workers(1));
     const FaceLimits limits(neighbors, {}, std::nullopt);
     IndexedMesh moved = mesh;
     const double length = 0.3 * metrics::shape(mesh).edge_length_mean;
@@ -162,7 +162,7 @@ TEST(PolishGuards, TakeBackWhateverIntersects) {
 TEST(PolishGuards, TakeNothingBackWhereNothingIntersects) {
   const IndexedMesh mesh = sphere(3);
   const VertexCorners corners = corners_by_vertex(mesh.faces, mesh.positions.size());
-  const FaceNeighbors neighbors(mesh.faces, corners);
+  const FaceNeighbors neighbors(mesh.faces, corners, detail::Workers(1));
   const FaceLimits limits(neighbors, {}, std::nullopt);
   const std::vector<Vec3> moved = noisy_sphere(3, 0.02, 1).positions;
   std::vector<Vec3> positions = moved;

@@ -57,28 +57,21 @@ WHITTLE_INLINE unsigned bits(const Int8& lanes) {
 class BoxTree {
  public:
   BoxTree(std::span<const Box> boxes, std::span<const Triangle> faces, const detail::Workers& workers) {
-    std::vector<Vec3> centers;
-    centers.reserve(boxes.size());
-    for (const Box& box : boxes) centers.emplace_back(box.center().cast<double>());
+    std::vector<Vec3> centers(boxes.size());
+    for_each_range(boxes.size(), workers, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) centers[i] = boxes[i].center().cast<double>();
+    });
     order_ = morton_order(centers, Frame{}, workers.threads);
     workers.update(0);
-    std::vector<Box> below;
-    below.reserve(boxes.size());
-    for (const Index i : order_) below.push_back(boxes[i]);
-    if (!faces.empty()) {
-      faces_.reserve(boxes.size());
-      for (const Index i : order_) faces_.push_back(faces[i]);
-    }
-    workers.update(0);
-    while (levels_.empty() || levels_.back().size() > 1) {
-      std::vector<Octet>& level = levels_.emplace_back((below.size() + fan_out - 1) / fan_out);
-      std::vector<Box> above(level.size());
-      for (std::size_t i = 0; i < below.size(); ++i) {
-        level[i / fan_out].set(i % fan_out, below[i]);
-        above[i / fan_out].extend(below[i]);
+    std::vector<Box> below(boxes.size());
+    faces_.resize(faces.empty() ? 0 : boxes.size());
+    for_each_range(boxes.size(), workers, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        below[i] = boxes[order_[i]];
+        if (!faces.empty()) faces_[i] = faces[order_[i]];
       }
-      below = std::move(above);
-    }
+    });
+    while (levels_.empty() || levels_.back().size() > 1) below = add_level(below, workers);
   }
 
   std::size_t n_octets() const { return levels_.front().size(); }
@@ -89,6 +82,19 @@ class BoxTree {
   }
 
  private:
+  /// \return the boxes around each eight
+  std::vector<Box> add_level(const std::vector<Box>& below, const detail::Workers& workers) {
+    std::vector<Octet>& level = levels_.emplace_back((below.size() + fan_out - 1) / fan_out);
+    std::vector<Box> above(level.size());
+    for_each_range(level.size(), workers, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin * fan_out; i < std::min(end * fan_out, below.size()); ++i) {
+        level[i / fan_out].set(i % fan_out, below[i]);
+        above[i / fan_out].extend(below[i]);
+      }
+    });
+    return above;
+  }
+
   WHITTLE_AVX2 void find_in_wide_registers(std::size_t octet, Pairs& pairs) const { find_in_octets(octet, pairs); }
 
   WHITTLE_INLINE void find_in_octets(std::size_t octet, Pairs& pairs) const {
@@ -151,8 +157,12 @@ std::vector<std::array<Index, 2>> overlapping_boxes(std::span<const Box> boxes, 
     const std::size_t end = std::min(tree.n_octets(), (block + 1) * length);
     for (std::size_t octet = block * length; octet < end; ++octet) tree.find(octet, found[block]);
   });
-  Pairs all;
-  for (const Pairs& part : found) all.insert(all.end(), part.begin(), part.end());
+  std::vector<std::size_t> places{0};
+  for (const Pairs& part : found) places.push_back(places.back() + part.size());
+  Pairs all(places.back());
+  for_each_block(found.size(), workers, [&](std::size_t block) {
+    std::copy(found[block].begin(), found[block].end(), all.begin() + static_cast<std::ptrdiff_t>(places[block]));
+  });
   return all;
 }
 

@@ -1,21 +1,39 @@
 #include "surface/face_neighbors.hh"
 
-#include "whittle/core/detail/edge_table.hh"
+#include <algorithm>
 
 namespace whittle::polishing {
 
-FaceNeighbors::FaceNeighbors(std::span<const Triangle> faces, const VertexCorners& corners)
+FaceNeighbors::FaceNeighbors(std::span<const Triangle> faces, const VertexCorners& corners,
+                             const detail::Workers& workers)
     : faces_(faces), corners_(corners) {
-  constexpr Side nothing{invalid_index, crowded};
-  beyond_.assign(faces.size(), {nothing, nothing, nothing});
-  const auto at = [this](Index side) -> Side& { return beyond_[side / 3][side % 3]; };
-  const detail::EdgeTable edges(faces, corners.size());
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const std::span<const Index> sides = edges.sides(e);
-    if (sides.size() == 1) at(sides[0]).slot = border;
-    if (sides.size() != 2) continue;
-    at(sides[0]) = {sides[1] / 3, sides[1] % 3};
-    at(sides[1]) = {sides[0] / 3, sides[0] % 3};
+  constexpr Side unknown{invalid_index, crowded};
+  beyond_.assign(faces.size(), {unknown, unknown, unknown});
+  for_each_range(corners.size(), workers, [this](std::size_t begin, std::size_t end) {
+    std::vector<EdgeSide> sides;
+    for (auto v = static_cast<Index>(begin); v < end; ++v) connect_at(v, sides);
+  });
+}
+
+/// Finds what lies beyond the edges at v to higher vertices. \param sides scratch
+void FaceNeighbors::connect_at(Index v, std::vector<EdgeSide>& sides) {
+  sides.clear();
+  for (const auto& [f, slot] : corners_.of(v)) {
+    if (!has_three_corners(faces_[f])) continue;
+    const Index next = corner_after(faces_[f], slot, 1);
+    const Index last = corner_after(faces_[f], slot, 2);
+    if (next > v) sides.push_back({next, {f, slot}});
+    if (last > v) sides.push_back({last, {f, (slot + 2) % 3}});
+  }
+  std::sort(sides.begin(), sides.end(), [](const EdgeSide& x, const EdgeSide& y) { return x.vertex < y.vertex; });
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+    while (end < sides.size() && sides[end].vertex == sides[begin].vertex) ++end;
+    if (end - begin > 2) continue;
+    const Side& first = sides[begin].side;
+    const Side& last = sides[end - 1].side;
+    const bool is_border = end - begin == 1;
+    beyond_[first.face][first.slot] = is_border ? Side{invalid_index, border} : last;
+    if (!is_border) beyond_[last.face][last.slot] = first;
   }
 }
 

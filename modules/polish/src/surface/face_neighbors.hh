@@ -24,8 +24,8 @@ enum class Fan {
 /// What lies beyond the sides of a mesh's faces.
 class FaceNeighbors {
  public:
-  /// Keeps references to both.
-  FaceNeighbors(std::span<const Triangle> faces, const VertexCorners& corners);
+  /// Keeps references to faces and corners. \throw Cancelled
+  FaceNeighbors(std::span<const Triangle> faces, const VertexCorners& corners, const detail::Workers& workers);
 
   std::size_t n_faces() const { return faces_.size(); }
 
@@ -56,6 +56,13 @@ class FaceNeighbors {
     Side end;  ///< what lies beyond the last face
   };
 
+  /// A side of a face, at the edge to some vertex.
+  struct EdgeSide {
+    Index vertex;
+    Side side;
+  };
+
+  void connect_at(Index v, std::vector<EdgeSide>& sides);
   Walk walk_around(Index v, const Side& start) const;
 
   std::span<const Triangle> faces_;
