@@ -45,7 +45,7 @@ Remainder run_levels(const LevelContext& context, const BlockPlan& plan, const M
 
 /// Blocks contract what one queue for all would contract, too. Small blocks that don't keep the order find the cost.
 Remainder run_exact_levels(const LevelContext& context, const BlockPlan& plan, const Memory& memory) {
-  const LevelPlan trial{plan.faces_per_block / 2, 0.5, Role::alone};
+  const LevelPlan trial{plan.faces_per_block / 2, 0.5, Role::alone, true};
   LevelGoal goal;
   goal.cost = find_cost(context, trial, plan.surplus_in_exact_order, memory);
   goal.least_done = plan.least_done_in_exact_order;

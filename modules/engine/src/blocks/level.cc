@@ -63,7 +63,6 @@ class Level {
   std::vector<std::unique_ptr<Job>> jobs_;  ///< a block each; null where it was not begun
   std::vector<NonmanifoldCounts> nonmanifold_;
   BlockResults results_;
-  bool is_trial_ = false;  ///< whether what is contracted is forgotten
 };
 
 /// Every eighth block, or so, spread evenly; at least eight.
@@ -105,7 +104,7 @@ void Level::begin(std::size_t number, const Memory& memory) {
   job->options = context_.options;
   job->options.threads = 1;
   job->options.locked = {};
-  job->options.progress = [&progress = context_.progress, is_trial = is_trial_,
+  job->options.progress = [&progress = context_.progress, is_trial = plan_.is_trial,
                            last = std::optional<std::uint64_t>{}](const Progress& p) mutable {
     const std::uint64_t n_gone = last.value_or(p.n_faces) - p.n_faces;
     last = p.n_faces;
@@ -188,7 +187,6 @@ bool Level::is_futile(const LevelGoal& goal, const Memory& memory) {
 }
 
 double Level::find_cost(double surplus, const Memory& memory) {
-  is_trial_ = true;
   locked_ = locked();
   nonmanifold_.resize(jobs_.size());
   return climb(choose_sample(16), surplus, memory);

@@ -45,8 +45,9 @@ struct LevelContext {
 
 struct LevelPlan {
   std::size_t faces_per_block;
-  double first_share;  ///< `make_partition`
-  Role role;           ///< of each block
+  double first_share;     ///< `make_partition`
+  Role role;              ///< of each block
+  bool is_trial = false;  ///< whether what is contracted is forgotten
 };
 
 /// Up to which cost the blocks contract.
@@ -56,7 +57,7 @@ struct LevelGoal {
   double least_done = 0;       ///< share of what the target asks for; if two blocks do less, nothing is done
 };
 
-/// The cost that a sample of the blocks finds. What it contracts is forgotten.
+/// The cost that a sample of the blocks finds. \pre the plan is a trial
 double find_cost(const LevelContext& context, const LevelPlan& plan, double surplus, const Memory& memory);
 
 /// Contracts what lies within blocks, all up to the same cost, and puts together what is left.
