@@ -19,7 +19,7 @@ install_packages "$work/packages.log" "${build_packages[@]}"
 
 say "Building the program (preset release; a few minutes the first time)"
 quietly "$work/configure.log" cmake --preset release
-quietly "$work/build.log" cmake --build --preset release --target whittle
+quietly "$work/build.log" cmake --build --preset release --target whittle whittle_printed_files
 
 mesh=$work/dragon_vrip.ply
 if [ -f "$mesh" ]; then

@@ -49,6 +49,11 @@ TEST_F(PolishCommand, LeavesWhatFitsAsItIs) {
   EXPECT_EQ(io::read_mesh(better_).mesh.positions, io::read_mesh(small_).mesh.positions);
 }
 
+TEST_F(PolishCommand, SaysThatNoPassWasAskedFor) {
+  const Outcome outcome = whittle({"polish", knot_, small_, "-o", better_, "--passes", "0"});
+  EXPECT_NE(outcome.err.find("left as it was, no pass was asked for"), std::string::npos) << outcome;
+}
+
 TEST_F(PolishCommand, WritesNothingWhereSomethingIsWrong) {
   EXPECT_EQ(whittle({"polish", knot_, small_}).exit_code, 2);
   EXPECT_EQ(whittle({"polish", knot_, small_, "-o", small_}).exit_code, 2) << "without --force";

@@ -110,7 +110,8 @@ ExitCode run_polish(const CLI::App& app, const PolishCommand& options) {
   polish_input(options, talk, run);
   run.polish_seconds = polishing.seconds();
   write_files(options, talk, watch, run);
-  talk.say(shown_output(options.output) + ": " + polish_text(run.result) + " in " + seconds_text(watch.seconds()));
+  const std::string what = options.passes == 0 ? "left as it was, no pass was asked for" : polish_text(run.result);
+  talk.say(shown_output(options.output) + ": " + what + " in " + seconds_text(watch.seconds()));
   say_effort(talk, watch.seconds());
   return ExitCode::done;
 }

@@ -34,7 +34,7 @@ void check_stems(const SimplifyCommand& command) {
                      "'; several inputs need '{stem}' in --output, such as 'out/{stem}.ply'");
   }
   if (command.map && !has_stem(*command.map)) {
-    throw UsageError("--map: several inputs make several maps; it needs '{stem}' as --output");
+    throw UsageError("--map: several inputs make several maps; its file needs '{stem}' in its name, too");
   }
 }
 

@@ -83,7 +83,7 @@ double parse_ratio(std::string_view text) {
   const std::optional<double> value = number(percent ? text.substr(0, text.size() - 1) : text);
   const double ratio = value.value_or(0) / (percent ? 100 : 1);
   if (!(ratio > 0 && ratio < 1)) {
-    throw not_valid(text, "a share R of the vertices to keep: 0 < R < 1, or a percentage such as 30%");
+    throw not_valid(text, "a share to keep: 0 < R < 1, or a percentage such as 30%");
   }
   return ratio;
 }

@@ -34,6 +34,13 @@ DecimateOptions memoryless(unsigned threads = 1) {
   return options;
 }
 
+DecimateOptions plain_quadrics(unsigned threads) {
+  DecimateOptions options;
+  options.cost = Cost::quadric;
+  options.threads = threads;
+  return options;
+}
+
 Decimation in_blocks(const IndexedMesh& mesh, std::uint64_t n_faces, const DecimateOptions& options) {
   const DecimateTarget target = DecimateTarget::faces(n_faces);
   EXPECT_EQ(why_not_in_blocks(mesh, target, options, nullptr, small_blocks), "");
@@ -255,6 +262,10 @@ TEST(Blocks, SayWhyTheyAreNotTaken) {
   EXPECT_EQ(quadric(nothing), "");
   EXPECT_EQ(quadric([](DecimateOptions& o) { o.threads = 1; }), "one thread works");
   EXPECT_EQ(quadric([](DecimateOptions& o) { o.quadric.regularization = 0; }), "rounding may decide the order");
+  IndexedMesh far_flung = blob(3, 1);
+  far_flung.positions[7] *= 1e6;
+  EXPECT_EQ(why_not_in_blocks(far_flung, target, plain_quadrics(2), nullptr, small_blocks),
+            "rounding may decide the order");
   EXPECT_EQ(quadric([](DecimateOptions& o) { o.isotropy = 0.5; }), "the cost has a term for edge lengths");
   EXPECT_EQ(quadric([](DecimateOptions& o) { o.listener = [](const Contraction&) {}; }),
             "contractions are told in exact order");
@@ -268,13 +279,6 @@ TEST(Blocks, SayWhyTheyAreNotTaken) {
 }
 
 // The exact order ----------------------------------------------------------------------------------------------------
-
-DecimateOptions plain_quadrics(unsigned threads) {
-  DecimateOptions options;
-  options.cost = Cost::quadric;
-  options.threads = threads;
-  return options;
-}
 
 /// The same to the bit as in one pass. \return whether most of it was done in blocks
 bool keeps_exact_order(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options,

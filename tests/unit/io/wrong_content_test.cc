@@ -129,6 +129,8 @@ TEST(ReadMesh, RefusesWhatItCannotOpen) {
     return "read";
   };
   EXPECT_EQ(message("no/such/file.obj"), "no/such/file.obj: cannot be opened: No such file or directory");
+  EXPECT_EQ(message("no_such_file"), "no_such_file: cannot be opened: No such file or directory");
+  EXPECT_EQ(message(testing::TempDir()), testing::TempDir() + ": is a folder, not a mesh file");
   const std::string folder = testing::TempDir() + "whittle_folder.obj";
   std::filesystem::create_directory(folder);
   EXPECT_EQ(message(folder), folder + ": is a folder, not a mesh file");

@@ -43,10 +43,16 @@ std::vector<char> read_all(int descriptor, std::string_view name) {
   return bytes;
 }
 
+void refuse_what_is_no_file(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (std::filesystem::is_directory(status)) throw ReadError(path.string(), "is a folder, not a mesh file");
+  if (error) throw ReadError(path.string(), "cannot be opened: " + std::string(std::strerror(error.value())));
+}
+
 FileBytes::FileBytes(const std::filesystem::path& path) {
   const std::string name = path.string();
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw ReadError(name, "is a folder, not a mesh file");
+  refuse_what_is_no_file(path);
   const InputDescriptor file(path);
   if (!file.is_open()) throw ReadError(name, std::string("cannot be opened: ") + std::strerror(errno));
   if (const std::size_t size = file.size().value_or(0); size > 0) {

@@ -8,6 +8,9 @@
 
 namespace whittle::io {
 
+/// \throw ReadError for a folder, and where there is nothing
+void refuse_what_is_no_file(const std::filesystem::path& path);
+
 /// A whole file in memory. It is read, not mapped: if another program shortened a mapped file, access to it would end
 /// the process.
 class FileBytes {

@@ -68,6 +68,7 @@ void finish(ReadResult& result, std::string_view name, const ReadOptions& option
 
 ReadResult read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
   const std::string name = path.string();
+  refuse_what_is_no_file(path);
   const Format format = choose_format(name, options);
   ReadResult result = [&] {
     const FileBytes file(path);  // Freed before the repairs need memory.

@@ -16,8 +16,8 @@ class SectionTrace {
     std::vector<double> blocks;  ///< seconds, in the order in which they are taken
   };
 
-  SectionTrace() : outer_(std::exchange(current_, this)) {}
-  ~SectionTrace() { current_ = outer_; }
+  SectionTrace() : outer_(std::exchange(current_of_thread, this)) {}
+  ~SectionTrace() { current_of_thread = outer_; }
   SectionTrace(const SectionTrace&) = delete;
   SectionTrace& operator=(const SectionTrace&) = delete;
 
@@ -26,7 +26,7 @@ class SectionTrace {
  private:
   friend class TracedSection;
 
-  static inline thread_local SectionTrace* current_ = nullptr;
+  static inline thread_local SectionTrace* current_of_thread = nullptr;
   SectionTrace* outer_;
   std::vector<Section> sections_;
 };
@@ -34,14 +34,14 @@ class SectionTrace {
 /// A parallel section, for the trace of the thread that begins it, if there is one.
 class TracedSection {
  public:
-  explicit TracedSection(std::size_t n_blocks) : trace_(std::exchange(SectionTrace::current_, nullptr)) {
+  explicit TracedSection(std::size_t n_blocks) : trace_(std::exchange(SectionTrace::current_of_thread, nullptr)) {
     if (trace_ != nullptr) section_.blocks.resize(n_blocks);
   }
   ~TracedSection() {
     if (trace_ == nullptr) return;
     section_.seconds = seconds_since(begin_);
     trace_->sections_.push_back(std::move(section_));
-    SectionTrace::current_ = trace_;
+    SectionTrace::current_of_thread = trace_;
   }
   TracedSection(const TracedSection&) = delete;
   TracedSection& operator=(const TracedSection&) = delete;
