@@ -12,6 +12,7 @@
 #include "whittle/core/feature_edges.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
+#include "whittle/core/geometry/triangle_intersection.hh"
 #include "whittle/metrics/self_intersections.hh"
 #include "whittle/metrics/topology.hh"
 
@@ -239,10 +240,21 @@ void check_features(const DecimateCase& c, const Decimation& d, const metrics::T
   }
 }
 
+/// Whether faces without a common edge touch, as far as rounding lets tell: they may count as intersecting already.
+bool has_touching_faces(const IndexedMesh& mesh) {
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (std::size_t g = 0; g < f; ++g) {
+      if (n_common_corners(mesh.faces[f], mesh.faces[g]) > 1) continue;
+      if (detail::intersect(mesh.faces[f], mesh.faces[g], mesh.positions)) return true;
+    }
+  }
+  return false;
+}
+
 /// Where nothing intersected or touched, nothing intersects.
 void check_intersections(const DecimateCase& c, const Decimation& d) {
   if (!c.options.refuse_intersections || c.mesh.faces.empty() || !has_ordinary_sizes(c.mesh)) return;
-  if (clear_crossings(d.mesh).empty()) return;
+  if (clear_crossings(d.mesh).empty() || has_touching_faces(c.mesh)) return;
   require(!metrics::self_intersections(c.mesh, 1).empty(), "no intersection is made where that is refused");
 }
 
