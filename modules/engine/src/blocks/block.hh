@@ -62,7 +62,7 @@ class Block {
   std::vector<Index> vertices_;       ///< of the surface: its own and those of other blocks at its faces, ascending
   std::vector<Vec3> positions_;       ///< in the frame; scratch
   std::vector<Triangle> faces_;       ///< by vertices of the block
-  std::vector<std::uint8_t> frozen_;  ///< per vertex of the block; others belong to no other block
+  std::vector<std::uint8_t> frozen_;  ///< per vertex of the block, whether another block has a face there
   std::vector<std::uint8_t> locked_;  ///< per vertex of the block, or empty
   std::size_t n_inner_ = 0;
   std::size_t n_frozen_ = 0;

@@ -83,8 +83,9 @@ struct DecimateResult {
   std::uint64_t n_faces = 0;
   double max_cost = 0;  ///< greatest cost of a contraction made; unit as `DecimateTarget::max_cost`
   StopReason stop = StopReason::exhausted;
-  /// Why it took one pass over the whole mesh, and no blocks (docs/dev/blocks.md); empty if it went in blocks. Alone of
-  /// all that is here it depends on the number of threads: with one, plain quadrics take one pass.
+  /// Why it took one pass over the whole mesh, and no blocks (docs/dev/blocks.md); empty if it went in blocks. It
+  /// depends on the number of threads: with one, plain quadrics take one pass. So may a count of refusals, where costs
+  /// are equal up to rounding. The mesh doesn't.
   std::string_view why_in_one_pass;
   Rejections rejections;
   /// What stands in the way of going on, if `stop` is `exhausted`: the pairs that are left, each once.
