@@ -368,8 +368,8 @@ bool BruteForceDecimater::keeps_normals(const Triangle& face, Index v, const Vec
   const std::size_t corner = corner_of(face, v);
   const Vec3& x = positions_[face[(corner + 1) % 3]];
   const Vec3& y = positions_[face[(corner + 2) % 3]];
-  const Vec3 before = (x - positions_[v]).cross(y - positions_[v]);
-  const Vec3 after = (x - to).cross(y - to);
+  const Vec3 before = (x - positions_[v]).cross(y - x);
+  const Vec3 after = (x - to).cross(y - x);
   // A face has area if the sine at x is above 1e-10.
   const auto has_area = [&](const Vec3& normal, const Vec3& apex) {
     return normal.norm() > 1e-10 * (x - apex).norm() * (x - y).norm();
