@@ -57,6 +57,18 @@ TEST(Weld, ByToleranceMakesASurfaceOfARoundedSoup) {
   }
 }
 
+TEST(Weld, IsShownByInfoBeforeAnythingIsSimplified) {
+  const TemporaryFolder folder;
+  const std::string mesh = write_rounded_soup(folder);
+  EXPECT_EQ(parse_json(whittle({"info", mesh, "--json", "-"}).out)["weld_tolerance"], 0);
+  const auto json = parse_json(whittle({"info", mesh, "--weld", "auto", "--json", "-"}).out);
+  EXPECT_EQ(json["vertices"], 800);
+  EXPECT_EQ(json["closed"], true);
+  EXPECT_EQ(json["unwelded"]["vertices"], 4800);
+  EXPECT_EQ(json["repairs"]["welded_vertices"], 4800 - 800);
+  EXPECT_GT(json["weld_tolerance"], 0);
+}
+
 TEST(Weld, IsAdvisedWhereTheTargetIsMetToo) {
   const TemporaryFolder folder;
   const std::string mesh = write_rounded_soup(folder);

@@ -116,6 +116,19 @@ TEST(Compare, PrintsATable) {
   }
 }
 
+TEST(Compare, SaysThatATargetIsMissed) {
+  const Outcome outcome = whittle({"compare", data_file("cubes.obj"), "--faces", "4", "--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome;
+  const auto json = parse_json(outcome.out);
+  for (const auto& [side, name] : {std::pair("whittle", "whittle"), {"openmesh", "OpenMesh"}}) {
+    EXPECT_EQ(json[side]["met"], false) << side;
+    const std::string said = std::string(name) + " did not meet the target: 4 faces asked, " +
+                             std::to_string(json[side]["faces"].get<std::size_t>()) + " faces and ";
+    EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome;
+  }
+  EXPECT_EQ(compared({data_file("cubes.obj"), "--faces", "150"})["whittle"]["met"], true);
+}
+
 TEST(Compare, CountsTheFacesOpenMeshCannotHold) {
   const Outcome outcome = whittle({"compare", data_file("nonmanifold.obj"), "--ratio", "0.5", "--json", "-"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome;

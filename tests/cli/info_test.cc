@@ -51,6 +51,7 @@ TEST(Info, SaysWhatSuitsTheKindOfMesh) {
       {"knot.ply", {"closed"}, {}},
       {"blob.obj", {"closed"}, {}},
       {"terrain.ply", {"open", "tile"}, {"--boundary locked"}},
+      {"flat.off", {"open", "CAD", "tile"}, {"--boundary locked"}},  // with no sharp edge to keep
       {"bracket.stl", {"closed", "CAD"}, {"--feature-angle 40"}},
       {"cubes.obj", {"closed", "parts"}, {"--threshold auto", "--self-intersections refuse"}}};
   for (const Expected& expected : cases) {

@@ -206,7 +206,7 @@ TEST(ReportKeys, OfInfoAreDocumented) {
   const TemporaryFolder folder;
   const std::string bare = folder / "bare";
   std::filesystem::copy_file(data_file("terrain.ply"), bare);
-  expect_documented("info", {{data_file("knot.ply"), "--verbose", "--color", "never"},
+  expect_documented("info", {{data_file("knot.ply"), "--verbose", "--color", "never", "--weld", "auto"},
                              {data_file("bracket.stl"), "--threads", "1", "--quiet"},
                              {bare, "--format", "ply", "--force"},
                              {bare, "--input-format", "ply"}});

@@ -191,6 +191,7 @@ TEST(Usage, SaysInPlainWordsWhatIsWrong) {
       {{"--quiet", "info", mesh}, "--quiet must come after 'info'"},
       {{"--loud", "info", mesh}, "--loud is not an option of 'info'"},
       {{"info", mesh, "measure"}, "one argument too many: 'measure'"},
+      {{"convert", mesh, "-o", "x.obj"}, "OUT is its second argument"},
       {{"simplify", mesh, "--outptu", "x.obj", "--faces", "9"}, "did you mean '--output'?"},
       {{"info", "--verbos"}, "did you mean '--verbose'?"},
       {{"info", "--"}, "IN is required"},

@@ -65,7 +65,7 @@ configure_other_machine() {
 
 # Wine's services would keep the output of the program open that starts them, and its test would never end.
 start_wine() {
-  mkdir -p "$build"
+  mkdir -p "$WINEPREFIX"
   trap 'wineserver --kill' EXIT
   wineserver --persistent
   quietly "$build/wine.log" wineboot --init

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "terminal/table.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/parts.hh"
 #include "whittle/engine/automatic_threshold.hh"
@@ -131,7 +132,7 @@ std::string advice(const IndexedMesh& input, const Decimation& result, const Dec
   }
   if (!reaching.empty()) return reaching + " reaches it";
   if (!best) return "no single option gets further";
-  return "'" + best->option + "' gets to " + std::to_string(best->n_faces) + " faces";
+  return "'" + best->option + "' gets to " + faces_text(best->n_faces);
 }
 
 }  // namespace whittle::app

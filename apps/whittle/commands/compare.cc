@@ -39,6 +39,8 @@ struct Contender {
   double polish_seconds = 0;
   metrics::SurfaceDistance distance;  ///< from the input
 
+  bool is_met = true;  ///< the target; under a cost limit always
+
   double seconds() const { return decimate_seconds + polish_seconds; }
 };
 
@@ -65,10 +67,16 @@ std::span<const Conflict> compare_conflicts() {
 }
 
 /// A contender without its times.
-Contender judged(const IndexedMesh& input, const IndexedMesh& result, const CompareOptions& options) {
+Contender judged(const IndexedMesh& input, const IndexedMesh& result, const DecimateTarget& target,
+                 const CompareOptions& options) {
   metrics::DistanceOptions distance = options.distance;
   distance.threads = options.common.threads;
-  return {result.positions.size(), result.faces.size(), 0, 0, metrics::surface_distance(input, result, distance)};
+  Contender contender;
+  contender.n_vertices = result.positions.size();
+  contender.n_faces = result.faces.size();
+  contender.is_met = target.cost_limit() || target.is_reached_at(contender.n_faces, contender.n_vertices);
+  contender.distance = metrics::surface_distance(input, result, distance);
+  return contender;
 }
 
 Contender run_ours(const IndexedMesh& input, const Comparison& comparison, const CompareOptions& options,
@@ -81,7 +89,7 @@ Contender run_ours(const IndexedMesh& input, const Comparison& comparison, const
     library_options.decimate.progress = [&bars](const Progress& progress) { return bars.update(progress); };
     simplified = simplify(input, comparison.target, comparison.effort, library_options);
   }
-  Contender ours = judged(input, simplified.mesh, options);
+  Contender ours = judged(input, simplified.mesh, comparison.target, options);
   ours.decimate_seconds = simplified.decimate_seconds;
   ours.polish_seconds = simplified.polish_seconds;
   return ours;
@@ -106,7 +114,7 @@ Comparison compare(const Input& input, const CompareOptions& options, const Talk
   comparison.ours = run_ours(mesh, comparison, options, talk);
   const std::size_t expected = mesh.positions.size() - comparison.ours.n_vertices;
   const StockRun stock = run_stock(input, comparison.target, expected, talk);
-  comparison.stock = judged(mesh, stock.mesh, options);
+  comparison.stock = judged(mesh, stock.mesh, comparison.target, options);
   comparison.stock.decimate_seconds = stock.seconds_decimate;
   comparison.stock_seconds_build = stock.seconds_build;
   comparison.stock_lost_faces = stock.n_lost_faces;
@@ -115,6 +123,7 @@ Comparison compare(const Input& input, const CompareOptions& options, const Talk
 
 Json contender_json(const Contender& contender, const char* name) {
   Json json = {{"name", name}, {"vertices", contender.n_vertices}, {"faces", contender.n_faces}};
+  json["met"] = contender.is_met;
   json["seconds"] = {{"decimate", contender.decimate_seconds}};
   add_distance(json, contender.distance);
   return json;
@@ -211,10 +220,17 @@ std::string summary_of(const Input& input, const Comparison& comparison) {
   add_length("largest error", ours.distance.max, stock.distance.max);
   add("Garland-Heckbert 1997", ours.distance.garland_heckbert, stock.distance.garland_heckbert);
   add("faces turned over", ours.distance.flipped_percent, stock.distance.flipped_percent, " %");
-  return input.name + ": " + std::to_string(input.read.mesh.faces.size()) + " faces, " +
-         std::to_string(input.read.mesh.positions.size()) + " vertices; target: " + to_string(comparison.target) +
+  return input.name + ": " + faces_text(input.read.mesh.faces.size()) + ", " +
+         vertices_text(input.read.mesh.positions.size()) + "; target: " + to_string(comparison.target) +
          "\nwhittle: " + what_ran(comparison) + "; OpenMesh: ModQuadric and ModNormalFlipping\n\n" + table.text() +
          "\n" + verdict(comparison);
+}
+
+void warn_if_missed(const Contender& contender, const std::string& who, const Input& input,
+                    const DecimateTarget& target, const Talk& talk) {
+  if (contender.is_met) return;
+  talk.warning(input.name + ": " + who + " did not meet the target: " + to_string(target) + " asked, " +
+               faces_text(contender.n_faces) + " and " + vertices_text(contender.n_vertices) + " reached");
 }
 
 ExitCode run_compare(const CLI::App& app, const CompareOptions& options) {
@@ -227,10 +243,12 @@ ExitCode run_compare(const CLI::App& app, const CompareOptions& options) {
   const Stopwatch watch;
   const Input input = read_input(options.input, options.files, options.common.threads, talk);
   const Comparison comparison = compare(input, options, talk);
+  warn_if_missed(comparison.ours, "whittle", input, comparison.target, talk);
+  warn_if_missed(comparison.stock, "OpenMesh", input, comparison.target, talk);
   if (comparison.stock_lost_faces > 0) {
     talk.warning(input.name + ": OpenMesh's mesh can't hold " + std::to_string(comparison.stock_lost_faces) +
-                 " of the " + std::to_string(input.read.mesh.faces.size()) +
-                 " faces, so it had less to do, and what it lost counts as its error");
+                 " of the " + faces_text(input.read.mesh.faces.size()) +
+                 ", so it had less to do, and what it lost counts as its error");
   }
   write_report(options.common, compare_json(options, input, comparison), summary_of(input, comparison));
   say_effort(talk, watch.seconds());

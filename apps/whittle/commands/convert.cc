@@ -66,8 +66,8 @@ ExitCode run_convert(const CLI::App& app, const ConvertCommand& options) {
   run.write_seconds = writing.seconds();
   commit_with_report(files, options.common,
                      options.common.json ? to_text(convert_json(options, run, watch.seconds())) : std::string());
-  talk.say(shown_output(options.output) + ": " + std::to_string(mesh.faces.size()) + " faces, " +
-           std::to_string(mesh.positions.size()) + " vertices in " + seconds_text(watch.seconds()));
+  talk.say(shown_output(options.output) + ": " + faces_text(mesh.faces.size()) + ", " +
+           vertices_text(mesh.positions.size()) + " in " + seconds_text(watch.seconds()));
   say_effort(talk, watch.seconds());
   return ExitCode::done;
 }

@@ -31,6 +31,7 @@ struct View {
 struct Findings {
   std::string name;              ///< of the file, in messages
   io::ReadResult read;           ///< after all repairs
+  double weld_tolerance = 0;     ///< model units; 0 = exact duplicates alone
   std::optional<View> unwelded;  ///< set if welding changed something
   View repaired;
   MeshKind kind;
@@ -48,6 +49,7 @@ Findings look_at(const InfoOptions& options, const Talk& talk) {
   Findings findings;
   findings.name = file.name();
   findings.read = file.read(true, options.common.threads);
+  findings.weld_tolerance = weld_gaps(findings.read, options.files.weld_tolerance, options.common.threads);
   findings.repaired = view(findings.read.mesh, options.common.threads, talk);
   findings.kind = kind_of(findings.read.mesh, findings.repaired.topology, options.common.threads);
   findings.bounds = metrics::bounds(findings.read.mesh);
@@ -95,6 +97,7 @@ Json info_json(const InfoOptions& options, const Findings& findings) {
   json["format"] = io::name_of(read.format);
   json["file"] = {{"vertices", read.file_vertices}, {"faces", read.file_faces}};
   json["repairs"] = repairs_json(read.repairs);
+  json["weld_tolerance"] = findings.weld_tolerance;
   json["diagonal"] = findings.bounds.diagonal();
   json["bounds"] = {{"min", point_json(findings.bounds.min)}, {"max", point_json(findings.bounds.max)}};
   json.update(view_json(findings.repaired));
@@ -146,8 +149,7 @@ std::string summary_of(const Findings& findings) {
   const io::ReadResult& read = findings.read;
   const std::string repairs = io::to_string(read.repairs);
   std::string text = findings.name + ": " + std::string(io::title_of(read.format)) + ", " +
-                     std::to_string(read.file_vertices) + " vertices, " + std::to_string(read.file_faces) +
-                     " faces in the file\n";
+                     vertices_text(read.file_vertices) + ", " + faces_text(read.file_faces) + " in the file\n";
   text += "repairs: " + (repairs.empty() ? "none" : repairs) + '\n';
   text += "box: " + point_text(findings.bounds.min) + " to " + point_text(findings.bounds.max) + ", diagonal " +
           significant(findings.bounds.diagonal()) + '\n';
@@ -194,6 +196,7 @@ void setup_info(CLI::App& app, Command& command) {
   add_mesh_file(*sub, options->input);
   add_format(*sub, options->files);
   add_input_format(*sub, options->files);
+  add_weld(*sub, options->files);
   add_common_options(*sub, options->common);
   set_usage(*sub, "IN [OPTION]...");
   sub->footer(

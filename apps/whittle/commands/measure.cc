@@ -159,8 +159,8 @@ std::string shape_table(const Measurement& measured) {
 }
 
 std::string file_line(const char* role, const Input& input) {
-  return role + input.name + ", " + std::to_string(input.read.mesh.faces.size()) + " faces, " +
-         std::to_string(input.read.mesh.positions.size()) + " vertices\n";
+  return role + input.name + ", " + faces_text(input.read.mesh.faces.size()) + ", " +
+         vertices_text(input.read.mesh.positions.size()) + "\n";
 }
 
 std::string summary_of(const Input& reference, const Input& test, const Measurement& measured) {

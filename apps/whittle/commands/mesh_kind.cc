@@ -15,13 +15,19 @@ namespace whittle::app {
 namespace {
 
 constexpr double flat_deg = 0.5;           ///< an edge turns less if its faces lie in one plane
+constexpr double sharp_deg = 40;           ///< suggested as feature angle
 constexpr double cad_share = 0.4;          ///< of flat edges; scans and organic shapes have hardly any
 constexpr double soup_share = 0.5;         ///< of border edges
 constexpr double small_part = 0.01;        ///< of the mesh's diagonal
 constexpr double border_tolerance = 1e-6;  ///< of the diagonal: on the bounding box
 
-/// Of the edges with two faces, in which these lie in one plane.
-double share_of_flat_edges(const IndexedMesh& mesh) {
+/// What is counted among the edges with two faces.
+struct EdgeAngles {
+  double flat_share = 0;    ///< of those whose faces lie in one plane
+  std::size_t n_sharp = 0;  ///< those that turn by more than `sharp_deg`
+};
+
+EdgeAngles edge_angles(const IndexedMesh& mesh) {
   const detail::EdgeTable edges(mesh.faces, mesh.positions.size());
   const Frame frame = Frame::of_points(mesh.positions);
   const auto normal = [&](Index side) {
@@ -31,6 +37,8 @@ double share_of_flat_edges(const IndexedMesh& mesh) {
         (frame.to_frame(mesh.positions[b]) - p).cross(frame.to_frame(mesh.positions[c]) - p).stableNormalized());
   };
   const double least_sine = std::sin(flat_deg * std::numbers::pi / 180);
+  const double sharp_cosine = std::cos(sharp_deg * std::numbers::pi / 180);
+  EdgeAngles angles;
   std::size_t n_flat = 0;
   std::size_t n_regular = 0;
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -39,8 +47,10 @@ double share_of_flat_edges(const IndexedMesh& mesh) {
     const Vec3 first = normal(edges.sides(e)[0]);
     const Vec3 second = normal(edges.sides(e)[1]);
     n_flat += static_cast<std::size_t>(first.dot(second) > 0 && first.cross(second).norm() < least_sine);
+    angles.n_sharp += static_cast<std::size_t>(first.dot(second) < sharp_cosine);
   }
-  return n_regular == 0 ? 0 : static_cast<double>(n_flat) / static_cast<double>(n_regular);
+  if (n_regular > 0) angles.flat_share = static_cast<double>(n_flat) / static_cast<double>(n_regular);
+  return angles;
 }
 
 /// Whether all border vertices lie on the sides of the bounding box, seen along one axis: a piece that was cut out.
@@ -108,9 +118,11 @@ MeshKind kind_of(const IndexedMesh& mesh, const metrics::Topology& topology, uns
   kind.words.emplace_back(topology.closed ? "closed" : "open");
   const bool is_soup = static_cast<double>(topology.boundary_edges) > soup_share * static_cast<double>(topology.edges);
   if (is_soup) kind.words.emplace_back("soup");
-  kind.flat_edges = share_of_flat_edges(mesh);
-  if (kind.flat_edges >= cad_share) {
-    kind.words.emplace_back("CAD");
+  const EdgeAngles angles = edge_angles(mesh);
+  kind.flat_edges = angles.flat_share;
+  const bool is_cad = kind.flat_edges >= cad_share;
+  if (is_cad) kind.words.emplace_back("CAD");
+  if (is_cad && angles.n_sharp > 0) {
     kind.suggestions.push_back({"--feature-angle 40", "if sharp edges are to stay exactly where they are"});
   }
   if (!topology.closed) suggest_for_borders(mesh, kind);

@@ -66,8 +66,8 @@ void prune(const SimplifyCommand& options, const Talk& talk, Run& run) {
   read.mesh = std::move(pruned.mesh);
   run.n_pruned_parts = pruned.n_dropped_parts;
   if (pruned.n_dropped_parts == 0) return;
-  talk.say(run.input.name + ": dropped " + std::to_string(pruned.n_dropped_parts) + " small parts, " +
-           std::to_string(pruned.n_dropped_faces) + " faces");
+  talk.say(run.input.name + ": dropped " + counted(pruned.n_dropped_parts, "small part", "small parts") + ", " +
+           faces_text(pruned.n_dropped_faces));
 }
 
 /// The threshold in model units. Warns if it is automatic and no parts lie near one another.
@@ -165,8 +165,8 @@ std::string obstacle(const SimplifyCommand& options, const Run& run) {
 
 std::string shortfall(const SimplifyCommand& options, const Run& run) {
   const DecimateResult& result = run.simplified.result;
-  return run.input.name + ": target not met: " + to_string(run.target) + " asked, " + std::to_string(result.n_faces) +
-         " faces and " + std::to_string(result.n_vertices) + " vertices reached; " + obstacle(options, run);
+  return run.input.name + ": target not met: " + to_string(run.target) + " asked, " + faces_text(result.n_faces) +
+         " and " + vertices_text(result.n_vertices) + " reached; " + obstacle(options, run);
 }
 
 Json surface_json(const SurfaceCounts& counts) {
@@ -330,8 +330,8 @@ std::string summary(const SimplifyCommand& options, const Run& run) {
   const IndexedMesh& before = run.input.read.mesh;
   const DecimateResult& after = run.simplified.result;
   return shown_output(options.output) + ": " + std::to_string(before.faces.size()) + " -> " +
-         std::to_string(after.n_faces) + " faces, " + std::to_string(before.positions.size()) + " -> " +
-         std::to_string(after.n_vertices) + " vertices" +
+         faces_text(after.n_faces) + ", " + std::to_string(before.positions.size()) + " -> " +
+         vertices_text(after.n_vertices) +
          (run.n_intersections_after ? ", " + std::to_string(*run.n_intersections_before) + " -> " +
                                           std::to_string(*run.n_intersections_after) + " self-intersections"
                                     : "") +

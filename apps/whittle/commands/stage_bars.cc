@@ -3,6 +3,7 @@
 #include <string>
 
 #include "terminal/interruption.hh"
+#include "terminal/table.hh"
 
 namespace whittle::app {
 
@@ -12,7 +13,7 @@ bool StageBars::update(const Progress& progress) {
     bar_.reset();
     bar_.emplace(talk_, stage_ == Stage::polish ? "polishing" : "decimating");
   }
-  bar_->update(progress.fraction, std::to_string(progress.n_faces) + " faces");
+  bar_->update(progress.fraction, faces_text(progress.n_faces));
   return !SignalsWait::pending();
 }
 

@@ -8,6 +8,7 @@
 #include "options/values.hh"
 #include "terminal/errors.hh"
 #include "terminal/stopwatch.hh"
+#include "terminal/table.hh"
 #include "whittle/core/detail/checks.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/io/border_gaps.hh"
@@ -89,24 +90,19 @@ io::ReadResult MeshFile::read(bool weld, unsigned threads) const {
   return result;
 }
 
-namespace {
-
-/// Welds vertices that lie near each other, if the options ask for that.
-void weld_gaps(Input& input, const AutomaticLength& tolerance, unsigned threads) {
-  io::ReadResult& read = input.read;
-  input.weld_tolerance = tolerance.is_automatic ? io::find_border_gaps(read.mesh).tolerance()
-                                                : tolerance.length.in_units(bounds_of(read.mesh.positions).diagonal());
-  if (input.weld_tolerance == 0) {
+double weld_gaps(io::ReadResult& read, const AutomaticLength& tolerance, unsigned threads) {
+  const double length = tolerance.is_automatic ? io::find_border_gaps(read.mesh).tolerance()
+                                               : tolerance.length.in_units(bounds_of(read.mesh.positions).diagonal());
+  if (length == 0) {
     if (tolerance.is_automatic)
       read.warnings.emplace_back("no gaps between borders, '--weld auto' welds exact duplicates alone");
-    return;
+    return 0;
   }
   std::vector<Index> welded;
-  read.repairs += io::weld_gaps(read.mesh, input.weld_tolerance, &welded, threads);
+  read.repairs += io::weld_gaps(read.mesh, length, &welded, threads);
   for (Index& v : read.vertex_map) v = v == invalid_index ? v : welded[v];
+  return length;
 }
-
-}  // namespace
 
 std::string about(const std::string& name, const std::string& text) { return name + ": " + text; }
 
@@ -115,15 +111,15 @@ Input read_input(const std::string& path, const FileOptions& options, unsigned t
   const MeshFile file(path, options);
   const std::string name = file.name();
   Input input{path, name, file.read(options.weld, threads), {}};
-  weld_gaps(input, options.weld_tolerance, threads);
+  input.weld_tolerance = weld_gaps(input.read, options.weld_tolerance, threads);
   input.seconds = watch.seconds();
   if (input.read.repairs.any()) talk.say(name + ": " + io::to_string(input.read.repairs));
   for (const std::string& warning : input.read.warnings) {
     input.warnings.push_back(about(name, warning));
     talk.warning(input.warnings.back());
   }
-  talk.detail(name + ": read " + std::to_string(input.read.mesh.positions.size()) + " vertices, " +
-              std::to_string(input.read.mesh.faces.size()) + " faces");
+  talk.detail(name + ": read " + vertices_text(input.read.mesh.positions.size()) + ", " +
+              faces_text(input.read.mesh.faces.size()));
   return input;
 }
 

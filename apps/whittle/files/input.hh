@@ -43,6 +43,9 @@ class MeshFile {
   std::vector<char> standard_input_;
 };
 
+/// Welds vertices that lie near each other, if `tolerance` asks for that. \return to which length, model units; 0: not
+double weld_gaps(io::ReadResult& read, const AutomaticLength& tolerance, unsigned threads);
+
 /// A mesh that was read from a file, and what is known of the file.
 struct Input {
   std::string path;  ///< as on the command line

@@ -9,6 +9,7 @@
 
 #include "openmesh/double_mesh.hh"
 #include "terminal/errors.hh"
+#include "terminal/table.hh"
 #include "whittle/openmesh/conversions.hh"
 #include "whittle/openmesh/mod_flip_guard.hh"
 #include "whittle/openmesh/mod_garland_heckbert.hh"
@@ -108,7 +109,7 @@ void fill(DoubleMesh& mesh, const IndexedMesh& input, const std::string& name) {
   const std::size_t n_refused = to_open_mesh(geometry, mesh, NonManifold::refuse).size();
   if (n_refused == 0) return;
   throw UnsupportedMesh(name + ": OpenMesh's mesh can't hold " + std::to_string(n_refused) + " of the " +
-                        std::to_string(input.faces.size()) + " faces; use --engine flat");
+                        faces_text(input.faces.size()) + "; use --engine flat");
 }
 
 void lock_border(DoubleMesh& mesh) {

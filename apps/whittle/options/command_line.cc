@@ -91,7 +91,7 @@ void refuse_values_of_flags(CLI::App& app) {
 
 void set_usage(CLI::App& app, const std::string& usage) { app.get_option("--help")->option_text(usage); }
 
-void add_weld_options(CLI::App& app, FileOptions& options, const std::string& group) {
+void add_weld(CLI::App& app, FileOptions& options, const std::string& group) {
   add_value(
       app, "--weld", "T|auto", options.weld_tolerance,
       [](std::string_view text) { return parse_automatic_length(text, "T"); },
@@ -99,6 +99,10 @@ void add_weld_options(CLI::App& app, FileOptions& options, const std::string& gr
       "'auto' to choose T from the gaps between borders (0: exact duplicates alone)")
       ->default_str("0")
       ->group(group);
+}
+
+void add_weld_options(CLI::App& app, FileOptions& options, const std::string& group) {
+  add_weld(app, options, group);
   app.add_flag_callback(
          "--no-weld", [&options] { options.weld = false; },
          "keep exact duplicates of vertices apart instead of making them one")

@@ -52,6 +52,9 @@ struct FileOptions {
   std::optional<io::Format> output_format{};  ///< of what is written, whatever its name
   bool ascii = false;                         ///< text, in formats that are written as text or as binary data
 };
+/// Adds --weld. \param group as below
+void add_weld(CLI::App& app, FileOptions& options, const std::string& group = "OPTIONS");
+
 /// Adds --weld and --no-weld. \param group of the help; or empty: that of options without one
 void add_weld_options(CLI::App& app, FileOptions& options, const std::string& group = "OPTIONS");
 CLI::Option* add_format(CLI::App& app, FileOptions& options);

@@ -46,6 +46,11 @@ std::string unknown_option(const CLI::App& sub) {
   const std::string name = argument->substr(0, argument->find('='));
   if (name == "-") return "a short option takes no '=': '" + argument->substr(1) + "'";
   if (sub.get_option_no_throw(name) != nullptr) return name + " must come after '" + sub.get_name() + "'";
+  const bool is_output = name == "-o" || name == "--output";
+  if (is_output && sub.get_option_no_throw("OUT") != nullptr) {
+    return name + " is not an option of '" + sub.get_name() + "': OUT is its second argument, '" + sub.get_name() +
+           " IN OUT'";
+  }
   return name + " is not an option of '" + sub.get_name() + "'" + did_you_mean(name, long_names(sub));
 }
 

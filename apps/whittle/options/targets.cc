@@ -4,6 +4,7 @@
 
 #include "options/command_line.hh"
 #include "options/values.hh"
+#include "terminal/table.hh"
 
 namespace whittle::app {
 namespace {
@@ -63,8 +64,8 @@ bool is_met(const DecimateTarget& target, StopReason stop) {
 std::string to_string(const DecimateTarget& target) {
   std::string text;
   const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : " or ") + part; };
-  if (target.n_faces()) add(std::to_string(*target.n_faces()) + " faces");
-  if (target.n_vertices()) add(std::to_string(*target.n_vertices()) + " vertices");
+  if (target.n_faces()) add(faces_text(*target.n_faces()));
+  if (target.n_vertices()) add(vertices_text(*target.n_vertices()));
   if (target.cost_limit()) add("cost " + shortest(*target.cost_limit()));
   return text;
 }

@@ -45,4 +45,12 @@ std::string seconds_text(double seconds) { return formatted("%.3f s", seconds); 
 
 std::string yes_no(bool value) { return value ? "yes" : "no"; }
 
+std::string counted(std::uint64_t n, const std::string& singular, const std::string& plural) {
+  return std::to_string(n) + ' ' + (n == 1 ? singular : plural);
+}
+
+std::string faces_text(std::uint64_t n) { return counted(n, "face", "faces"); }
+
+std::string vertices_text(std::uint64_t n) { return counted(n, "vertex", "vertices"); }
+
 }  // namespace whittle::app

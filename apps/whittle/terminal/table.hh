@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,5 +24,9 @@ std::string percent(double share);
 /// "0.034 s"
 std::string seconds_text(double seconds);
 std::string yes_no(bool value);
+/// "1 part", "7 parts"
+std::string counted(std::uint64_t n, const std::string& singular, const std::string& plural);
+std::string faces_text(std::uint64_t n);     ///< "1 face", "7 faces"
+std::string vertices_text(std::uint64_t n);  ///< "1 vertex", "7 vertices"
 
 }  // namespace whittle::app
