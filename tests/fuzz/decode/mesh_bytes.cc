@@ -54,12 +54,16 @@ IndexedMesh listed(ByteSource& source) {
 
 using Shape = IndexedMesh (*)(ByteSource&);
 
-/// Two sizes of a shape. Initialised by a list: its values are read from left to right by every compiler, arguments of
-/// a call are not.
-struct Sizes {
-  int first;
-  int second;
-};
+/// Least and greatest.
+using Range = std::array<int, 2>;
+
+/// A shape of two sizes. These are read one after the other: arguments of one call are read in any order.
+template <class Make>
+IndexedMesh sized(const Make& make, ByteSource& source, const Range& first, const Range& second) {
+  const int a = source.whole(first[0], first[1]);
+  const int b = source.whole(second[0], second[1]);
+  return make(a, b);
+}
 
 constexpr std::array<Shape, 22> shapes{{
     [](ByteSource&) { return tetrahedron(); },
@@ -70,38 +74,32 @@ constexpr std::array<Shape, 22> shapes{{
     [](ByteSource&) { return csaszar_torus(); },
     [](ByteSource&) { return pillow(); },
     [](ByteSource& s) {
-      const auto [first, second] = Sizes{s.whole(2, 4), s.whole(3, 6)};
-      return uv_sphere(first, second);
+      return sized(uv_sphere, s, {2, 4}, {3, 6});
     },
     [](ByteSource& s) {
-      const auto [first, second] = Sizes{s.whole(3, 5), s.whole(3, 5)};
-      return torus(first, second);
+      return sized([](int nu, int nv) { return torus(nu, nv); }, s, {3, 5}, {3, 5});
     },
     [](ByteSource& s) { return cone(s.whole(3, 9)); },
     [](ByteSource& s) { return frustum(s.whole(3, 8)); },
     [](ByteSource& s) {
-      const auto [first, second] = Sizes{s.whole(1, 4), s.whole(1, 4)};
-      return grid(first, second);
+      return sized(grid, s, {1, 4}, {1, 4});
     },
     [](ByteSource& s) {
-      const auto [first, second] = Sizes{s.whole(1, 4), s.whole(1, 4)};
-      return noisy_grid(first, second, 0.5, s.byte());
+      const auto noisy = [&s](int nx, int ny) { return noisy_grid(nx, ny, 0.5, s.byte()); };
+      return sized(noisy, s, {1, 4}, {1, 4});
     },
     [](ByteSource& s) {
-      const auto [first, second] = Sizes{s.whole(3, 6), s.whole(1, 3)};
-      return open_cylinder(first, second);
+      return sized(open_cylinder, s, {3, 6}, {1, 3});
     },
     [](ByteSource& s) {
-      const auto [first, second] = Sizes{s.whole(5, 8), s.whole(1, 2)};
-      return moebius(first, second);
+      return sized(moebius, s, {5, 8}, {1, 2});
     },
     [](ByteSource&) { return single_triangle(); },
     [](ByteSource&) { return two_triangles(); },
     [](ByteSource&) { return bow_tie(); },
     [](ByteSource&) { return three_faces_on_an_edge(); },
     [](ByteSource& s) {
-      const auto [first, second] = Sizes{s.whole(3, 5), s.whole(1, 2)};
-      return book(first, second);
+      return sized(book, s, {3, 5}, {1, 2});
     },
     [](ByteSource&) { return two_cubes_on_an_edge(); },
     [](ByteSource& s) { return s.below(2) == 0 ? soup(octahedron()) : soup(grid(2, 2)); },

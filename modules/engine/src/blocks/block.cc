@@ -98,8 +98,7 @@ Memory Block::memory_of_block(const Surface& surface, const Memory& memory) cons
 
 void Block::finish(BlockResults& results) {
   TriangleComplex& complex = pass_->complex();
-  std::vector<Index> at(complex.n_vertex_slots());  // vertices of the complex, by vertex of the block
-  for (Index v = 0; v < at.size(); ++v) at[complex.origin(v)] = v;
+  const std::vector<Index> at = complex.vertices_by_origin();
   std::vector<Index> merged_into(at.size());
   for (Index v = 0; v < at.size(); ++v) merged_into[v] = complex.origin(complex.representative(at[v]));
   for (Index v = 0; v < vertices_.size(); ++v) {

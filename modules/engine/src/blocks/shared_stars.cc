@@ -35,8 +35,7 @@ std::vector<Memory::Remembered> SharedStars::quadrics(const DecimateOptions& opt
   input.frozen = frozen_;
   Pass pass(input, options);
   const TriangleComplex& complex = pass.complex();
-  std::vector<Index> vertex_of(vertices_.size());  // of the complex
-  for (Index v = 0; v < vertex_of.size(); ++v) vertex_of[complex.origin(v)] = v;
+  const std::vector<Index> vertex_of = complex.vertices_by_origin();
   std::vector<Memory::Remembered> quadrics;
   for (Index v = 0; v < vertices_.size(); ++v) {
     if (frozen_[v] == 0) quadrics.push_back({vertices_[v], pass.cost().quadric(vertex_of[v]).quadric});

@@ -5,6 +5,12 @@
 
 namespace whittle {
 
+std::vector<Index> TriangleComplex::vertices_by_origin() const {
+  std::vector<Index> vertices(n_vertex_slots());
+  for (Index v = 0; v < vertices.size(); ++v) vertices[origin(v)] = v;
+  return vertices;
+}
+
 Index TriangleComplex::root(Index v) {
   for (Index above = parent(v); above != v; above = parent(v)) v = above;
   return v;

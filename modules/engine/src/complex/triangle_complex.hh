@@ -82,6 +82,8 @@ class TriangleComplex {
   const Vec3& position(Index v) const { return vertices_[v].position; }
   /// Its number in the input. Ties between pairs go by it.
   Index origin(Index v) const { return vertices_[v].origin; }
+  /// The inverse of `origin`: the vertex of each number in the input.
+  std::vector<Index> vertices_by_origin() const;
   /// The input vertex that v stands for: its origin, unless `follow_positions` was called.
   Index identity(Index v) const { return identities_.empty() ? origin(v) : identities_[v]; }
   VertexKind kind(Index v) const { return stars_[v].kind; }

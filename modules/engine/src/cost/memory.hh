@@ -22,8 +22,7 @@ struct Memory {
   template <class Use>
   void for_each_in(const TriangleComplex& complex, const Use& use) const {
     if (quadrics.empty()) return;
-    std::vector<Index> vertices(complex.n_vertex_slots());  // by number in the input
-    for (Index v = 0; v < vertices.size(); ++v) vertices[complex.origin(v)] = v;
+    const std::vector<Index> vertices = complex.vertices_by_origin();
     for (const auto& [vertex, quadric] : quadrics) use(vertices[vertex], quadric);
   }
 };

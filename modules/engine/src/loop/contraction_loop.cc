@@ -73,8 +73,7 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraint
 
 void ContractionLoop::recall(std::span<const Refusal> refusals) {
   if (refusals.empty()) return;
-  std::vector<Index> vertices(complex_.n_vertex_slots());  // by number in the input
-  for (Index v = 0; v < vertices.size(); ++v) vertices[complex_.origin(v)] = v;
+  const std::vector<Index> vertices = complex_.vertices_by_origin();
   for (const Refusal& refusal : refusals) {
     const Index a = vertices[refusal.pair.a];
     const Index b = vertices[refusal.pair.b];
@@ -88,14 +87,21 @@ void ContractionLoop::recall(std::span<const Refusal> refusals) {
   }
 }
 
-std::vector<Refusal> ContractionLoop::refusals() {
-  std::vector<Refusal> refusals;
+/// Calls `use(pair, guard)` for each pair left that a guard refused.
+template <class Use>
+void ContractionLoop::for_each_refused(const Use& use) const {
   for (Index id = 0; id < complex_.n_pair_slots(); ++id) {
     const RefusedPairs::Refuser refuser = refused_.refuser(id);
-    if (refuser >= guards_.size() || !complex_.is_pair_alive(id)) continue;
-    const auto [a, b] = complex_.ends(id);
-    refusals.push_back({{complex_.origin(a), complex_.origin(b)}, guards_[refuser]->reason()});
+    if (refuser < guards_.size() && complex_.is_pair_alive(id)) use(id, *guards_[refuser]);
   }
+}
+
+std::vector<Refusal> ContractionLoop::refusals() {
+  std::vector<Refusal> refusals;
+  for_each_refused([&](Index id, const Guard& guard) {
+    const auto [a, b] = complex_.ends(id);
+    refusals.push_back({{complex_.origin(a), complex_.origin(b)}, guard.reason()});
+  });
   return refusals;
 }
 
@@ -245,11 +251,9 @@ void ContractionLoop::note_refusal(const Pair& pair, std::size_t guard) {
 /// Each pair that is left counts once, for the guard that refused it last.
 Rejections ContractionLoop::count_refused_pairs() const {
   Rejections counts;
-  for (Index id = 0; id < complex_.n_pair_slots(); ++id) {
-    const RefusedPairs::Refuser refuser = refused_.refuser(id);
-    if (refuser >= guards_.size() || !complex_.is_pair_alive(id)) continue;
-    if (const auto reason = guards_[refuser]->reason()) ++(counts.*reason);
-  }
+  for_each_refused([&counts](Index, const Guard& guard) {
+    if (const auto reason = guard.reason()) ++(counts.*reason);
+  });
   return counts;
 }
 

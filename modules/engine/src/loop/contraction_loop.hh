@@ -50,6 +50,8 @@ class ContractionLoop {
   std::optional<std::size_t> find_refusal_at(const Vec3& position);
   void refuse(std::size_t guard);
   void note_refusal(const Pair& pair, std::size_t guard);
+  template <class Use>
+  void for_each_refused(const Use& use) const;
   Rejections count_refused_pairs() const;
   bool is_told() const { return host_ != nullptr || options_.listener != nullptr; }
   void tell_others(const HostedContraction& made, double cost);
