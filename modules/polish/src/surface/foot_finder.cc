@@ -1,7 +1,6 @@
 #include "surface/foot_finder.hh"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "whittle/core/detail/compiler.hh"
@@ -68,7 +67,7 @@ class FootFinder::Lanes {
       const auto holds = (first >= -inside_slack) & (next >= -inside_slack) & (last >= -inside_slack) &
                          (dot(octet.normal, query.normal) > least_along);
       // The bits of a float without its sign are ordered as its values. The last three are replaced by the lane.
-      const Int8 key = (std::bit_cast<Int8>(distance) & 0x7ffffff8) | Int8{0, 1, 2, 3, 4, 5, 6, 7};
+      const Int8 key = (load_lanes<Int8>(&distance) & 0x7ffffff8) | Int8{0, 1, 2, 3, 4, 5, 6, 7};
       const std::int32_t here = least((holds & key) | (~holds & nowhere));
       if (here >= nearest) continue;
       nearest = here;
