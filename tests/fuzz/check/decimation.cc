@@ -201,13 +201,20 @@ void check_placement(const DecimateCase& c, const Decimation& d) {
   }
 }
 
-/// Whether rounding decides the normal of a face at the edge.
-bool is_thin_at(const IndexedMesh& mesh, const VertexPair& edge) {
+/// Whether rounding decides the normal of one of the faces that `is_meant`.
+template <class IsMeant>
+bool has_thin_face(const IndexedMesh& mesh, const IsMeant& is_meant) {
   const Frame frame = Frame::of_points(mesh.positions);
   return std::any_of(mesh.faces.begin(), mesh.faces.end(), [&](const Triangle& f) {
-    const auto has = [&f](Index v) { return std::find(f.begin(), f.end(), v) != f.end(); };
     const auto at = [&](std::size_t i) { return frame.to_frame(mesh.positions[f[i]]); };
-    return has(edge.a) && has(edge.b) && radius_ratio(at(0), at(1), at(2)) < 1e-6;
+    return is_meant(f) && radius_ratio(at(0), at(1), at(2)) < 1e-6;
+  });
+}
+
+bool is_thin_at(const IndexedMesh& mesh, const VertexPair& edge) {
+  return has_thin_face(mesh, [&edge](const Triangle& f) {
+    const auto has = [&f](Index v) { return std::find(f.begin(), f.end(), v) != f.end(); };
+    return has(edge.a) && has(edge.b);
   });
 }
 
@@ -216,7 +223,8 @@ std::string text_of(const VertexPair& edge) {
 }
 
 /// Feature edges stay sharp, and no others get so. Angles within a ten thousandth of a degree of the limit are left to
-/// rounding, and so are edges of thin faces.
+/// rounding, and so are edges of thin faces. A thin face of the input may hide that its neighbours are a fold: no edge
+/// is sharp before it vanishes.
 void check_features(const DecimateCase& c, const Decimation& d, const metrics::Topology& before) {
   const std::vector<VertexPair>& features = d.feature_edges;
   require(std::is_sorted(features.begin(), features.end()), "feature edges ascend");
@@ -228,8 +236,9 @@ void check_features(const DecimateCase& c, const Decimation& d, const metrics::T
   if (angle_deg + rounding_deg >= 180 || !keeps_topology(c) || !is_manifold(before) || !has_ordinary_sizes(c.mesh)) {
     return;
   }
+  const bool hides_folds = has_thin_face(c.mesh, [](const Triangle&) { return true; });
   for (const VertexPair& edge : feature_edges(d.mesh, angle_deg + rounding_deg)) {
-    require(std::binary_search(features.begin(), features.end(), edge) || is_thin_at(d.mesh, edge),
+    require(hides_folds || std::binary_search(features.begin(), features.end(), edge) || is_thin_at(d.mesh, edge),
             "no other edges get sharp", text_of(edge));
   }
   if (!c.options.feature_edges.empty()) return;  // those may be flat

@@ -384,6 +384,31 @@ TEST(Memoryless, IsNearlyAsGoodInTheDefaultOrder) {
   EXPECT_LE(ratio, 1.06);
 }
 
+/// The least cost at thin parts rises as faces vanish. Among many equal parts that would put off all pairs after each
+/// contraction, if it didn't rise in steps.
+TEST(Memoryless, PutsPairsOfManyEqualPartsOffNowAndThen) {
+  IndexedMesh mesh = cube();
+  for (int i = 0; i < 11; ++i) {  // twice as many, side by side
+    const double width = std::ldexp(2, i);
+    mesh = joined(mesh, moved(mesh, Vec3(width, 0, 0)));
+  }
+  const std::uint64_t n_pairs = 3 * mesh.faces.size() / 2;
+  constexpr std::uint64_t turns_per_call = 2048;
+  for (const Order order : {Order::exact, Order::approximate}) {
+    std::uint64_t n_calls = 0;
+    DecimateOptions options;
+    options.cost = Cost::memoryless;
+    options.order = order;
+    options.progress = [&n_calls](const Progress&) {
+      ++n_calls;
+      return true;
+    };
+    const Decimation d = decimate(mesh, DecimateTarget::as_far_as_possible(), options);
+    EXPECT_EQ(d.mesh.faces.size(), mesh.faces.size() / 3) << "a tetrahedron of each";
+    EXPECT_LE(n_calls * turns_per_call, 100 * n_pairs);
+  }
+}
+
 TEST(Memoryless, RefusesWhatItDoesNotGoWith) {
   const auto run = [](auto change) {
     DecimateOptions options;

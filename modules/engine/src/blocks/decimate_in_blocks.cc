@@ -50,22 +50,22 @@ bool is_far_flung(const IndexedMesh& mesh) {
 }
 
 /// Blocks contract what costs least in each.
-Remainder run_levels(const LevelContext& context, const BlockPlan& plan, const Memory& memory) {
+LevelRemainder run_levels(const LevelContext& context, const BlockPlan& plan, const Memory& memory) {
   LevelPlan level{plan.faces_per_block, 0.5, Role::alone};
-  Remainder remainder = run_level(context, level, {.cost = {}, .surplus = plan.surplus}, memory, nullptr);
+  LevelRemainder remainder = run_level(context, level, {.cost = {}, .surplus = plan.surplus}, memory, nullptr);
   if (remainder.faces.size() < plan.fewest_faces_again || context.progress.is_cancelled()) return remainder;
   level.first_share = 0.3;
   return run_level(context, level, {.cost = remainder.cost_limit}, remainder.memory, &remainder);
 }
 
 /// Blocks contract what one queue for all would contract, too. Small blocks that don't keep the order find the cost.
-Remainder run_exact_levels(const LevelContext& context, const BlockPlan& plan, const Memory& memory) {
+LevelRemainder run_exact_levels(const LevelContext& context, const BlockPlan& plan, const Memory& memory) {
   const LevelPlan trial{plan.faces_per_block / 2, 0.5, Role::alone, true};
   LevelGoal goal;
   goal.cost = find_cost(context, trial, plan.surplus_in_exact_order, memory);
   goal.least_done = plan.least_done_in_exact_order;
   LevelPlan level{plan.faces_per_block_in_exact_order[0], 0.5, Role::in_exact_order};
-  Remainder remainder = run_level(context, level, goal, memory, nullptr);
+  LevelRemainder remainder = run_level(context, level, goal, memory, nullptr);
   const bool is_enough = remainder.is_futile || remainder.faces.size() < plan.fewest_faces_again_in_exact_order;
   if (is_enough || context.progress.is_cancelled()) return remainder;
   level.faces_per_block = plan.faces_per_block_in_exact_order[1];
@@ -103,14 +103,14 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
   return {};
 }
 
-Remainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, const DecimateTarget& target,
-                             const DecimateOptions& options, const BlockPlan& plan) {
+LevelRemainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, const DecimateTarget& target,
+                                  const DecimateOptions& options, const BlockPlan& plan) {
   const double share =
       std::max(plan.fewest_faces_left / static_cast<double>(plan.faces_per_block), target_share(mesh, target));
   SharedProgress progress(options, mesh.positions.size(), mesh.faces.size(), share);
   const LevelContext context{options, mesh, frame, share, progress};
   const Memory memory{mean_face_area(mesh, frame, options.threads), {}};
-  Remainder remainder =
+  LevelRemainder remainder =
       is_exact_in_blocks(options) ? run_exact_levels(context, plan, memory) : run_levels(context, plan, memory);
   remainder.progress = progress.now().fraction;
   remainder.is_cancelled = progress.is_cancelled();

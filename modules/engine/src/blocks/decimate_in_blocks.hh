@@ -35,7 +35,7 @@ inline bool is_exact_in_blocks(const DecimateOptions& options) { return options.
 /// Contracts most of what there is to contract in blocks that fit a cache, on all threads. The rest, down to the
 /// target, is left to a pass over the whole. Nothing depends on the number of threads.
 /// \param frame of the mesh \pre why_not_in_blocks(…).empty()
-Remainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, const DecimateTarget& target,
-                             const DecimateOptions& options, const BlockPlan& plan);
+LevelRemainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, const DecimateTarget& target,
+                                  const DecimateOptions& options, const BlockPlan& plan);
 
 }  // namespace whittle

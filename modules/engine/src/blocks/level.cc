@@ -23,7 +23,7 @@ struct Job {
 
 class Level {
  public:
-  Level(const LevelContext& context, const LevelPlan& plan, const Remainder* before)
+  Level(const LevelContext& context, const LevelPlan& plan, const LevelRemainder* before)
       : context_(context),
         plan_(plan),
         before_(before),
@@ -32,7 +32,7 @@ class Level {
         partition_(make_partition(surface_, plan.faces_per_block, plan.first_share, context.options.threads)),
         jobs_(partition_.n_blocks()) {}
 
-  Remainder run(const LevelGoal& goal, Memory memory);
+  LevelRemainder run(const LevelGoal& goal, Memory memory);
   double find_cost(double surplus, const Memory& memory);
 
  private:
@@ -52,11 +52,11 @@ class Level {
   void finish(std::size_t number);
   double climb(const std::vector<std::size_t>& sample, double surplus, const Memory& memory);
   bool is_futile(const LevelGoal& goal, const Memory& memory);
-  void sum_up(Remainder& remainder);
+  void sum_up(LevelRemainder& remainder);
 
   const LevelContext& context_;
   LevelPlan plan_;
-  const Remainder* before_;
+  const LevelRemainder* before_;
   Surface surface_;
   Partition partition_;
   std::vector<std::uint8_t> locked_;
@@ -145,7 +145,7 @@ double Level::climb(const std::vector<std::size_t>& sample, double surplus, cons
   return ladder.cost();
 }
 
-void Level::sum_up(Remainder& remainder) {
+void Level::sum_up(LevelRemainder& remainder) {
   DecimateResult& total = remainder.result;
   if (before_) {
     total = before_->result;
@@ -192,7 +192,7 @@ double Level::find_cost(double surplus, const Memory& memory) {
   return climb(choose_sample(16), surplus, memory);
 }
 
-Remainder Level::run(const LevelGoal& goal, Memory memory) {
+LevelRemainder Level::run(const LevelGoal& goal, Memory memory) {
   results_.merged_into.resize(surface_.positions.size());
   std::iota(results_.merged_into.begin(), results_.merged_into.end(), Index{0});
   results_.is_face_left.assign(surface_.faces.size(), 1);
@@ -202,7 +202,7 @@ Remainder Level::run(const LevelGoal& goal, Memory memory) {
   if (!before_ && plan_.role == Role::in_exact_order)
     memory.quadrics = SharedStars(surface_, partition_).quadrics(context_.options);
 
-  Remainder remainder;
+  LevelRemainder remainder;
   remainder.memory.face_area = memory.face_area;
   if (goal.cost) {
     remainder.cost_limit = *goal.cost;
@@ -242,8 +242,8 @@ double find_cost(const LevelContext& context, const LevelPlan& plan, double surp
   return Level(context, plan, nullptr).find_cost(surplus, memory);
 }
 
-Remainder run_level(const LevelContext& context, const LevelPlan& plan, const LevelGoal& goal, Memory memory,
-                    const Remainder* before) {
+LevelRemainder run_level(const LevelContext& context, const LevelPlan& plan, const LevelGoal& goal, Memory memory,
+                         const LevelRemainder* before) {
   return Level(context, plan, before).run(goal, std::move(memory));
 }
 

@@ -5,33 +5,18 @@
 
 #include "blocks/block.hh"
 #include "blocks/shared_progress.hh"
+#include "loop/remainder.hh"
 
 namespace whittle {
 
 /// What levels have left of the input.
-struct Remainder {
-  std::vector<Vec3> positions;  ///< in the frame
-  std::vector<Triangle> faces;
-  std::vector<Index> origins;       ///< vertices of the input, ascending
-  std::vector<Index> face_origins;  ///< faces of the input, ascending
-  std::vector<Index> vertex_map;    ///< the input's vertices → those here; `invalid_index` where it was in no face
-  Memory memory;
-  std::vector<Refusal> refusals;  ///< that still hold, if the order is exact
+struct LevelRemainder : Remainder {
   DecimateResult result;          ///< what was done; counts of what is left are not filled in
   double cost_limit = 0;          ///< that the blocks ran up to, in the frame
   NonmanifoldCounts nonmanifold;  ///< of the input, unless the levels were cancelled
   double progress = 0;            ///< [0, 1]
   bool is_cancelled = false;
   bool is_futile = false;  ///< in exact order blocks can't do enough; nothing else here is filled in
-
-  /// The flags of the vertices here. \param flags per vertex of the input, or empty
-  std::vector<std::uint8_t> of_vertices(const std::vector<std::uint8_t>& flags) const {
-    std::vector<std::uint8_t> here;
-    if (flags.empty()) return here;
-    here.reserve(origins.size());
-    for (const Index v : origins) here.push_back(flags[v]);
-    return here;
-  }
 };
 
 /// What all levels have in common.
@@ -63,7 +48,7 @@ double find_cost(const LevelContext& context, const LevelPlan& plan, double surp
 /// Contracts what lies within blocks, all up to the same cost, and puts together what is left.
 /// \param memory of the input, if there were no levels before
 /// \param before what levels before have left; null for none
-Remainder run_level(const LevelContext& context, const LevelPlan& plan, const LevelGoal& goal, Memory memory,
-                    const Remainder* before);
+LevelRemainder run_level(const LevelContext& context, const LevelPlan& plan, const LevelGoal& goal, Memory memory,
+                         const LevelRemainder* before);
 
 }  // namespace whittle

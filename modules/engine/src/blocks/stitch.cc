@@ -31,13 +31,13 @@ std::vector<Index> number_chosen(std::size_t n, unsigned threads, std::size_t& n
 class Stitching {
  public:
   Stitching(const Surface& surface, const Partition& partition, std::span<const Block* const> blocks,
-            const BlockResults& results, const Remainder* before, unsigned threads);
+            const BlockResults& results, const LevelRemainder* before, unsigned threads);
 
-  void write_vertices(Remainder& remainder) const;
-  void write_faces(Remainder& remainder) const;
-  void write_vertex_map(Remainder& remainder) const;
-  void write_memory(const Memory& before, Remainder& remainder) const;
-  void write_refusals(Remainder& remainder) const;
+  void write_vertices(LevelRemainder& remainder) const;
+  void write_faces(LevelRemainder& remainder) const;
+  void write_vertex_map(LevelRemainder& remainder) const;
+  void write_memory(const Memory& before, LevelRemainder& remainder) const;
+  void write_refusals(LevelRemainder& remainder) const;
 
  private:
   std::vector<std::uint8_t> find_vertices_left() const;
@@ -46,7 +46,7 @@ class Stitching {
   const Partition& partition_;
   std::span<const Block* const> blocks_;
   const BlockResults& results_;
-  const Remainder* before_;
+  const LevelRemainder* before_;
   unsigned threads_;
   std::size_t n_vertices_ = 0;
   std::size_t n_faces_ = 0;
@@ -55,7 +55,7 @@ class Stitching {
 };
 
 Stitching::Stitching(const Surface& surface, const Partition& partition, std::span<const Block* const> blocks,
-                     const BlockResults& results, const Remainder* before, unsigned threads)
+                     const BlockResults& results, const LevelRemainder* before, unsigned threads)
     : surface_(surface), partition_(partition), blocks_(blocks), results_(results), before_(before), threads_(threads) {
   const std::vector<std::uint8_t> is_left = find_vertices_left();
   vertex_number_ = number_chosen(is_left.size(), threads, n_vertices_, [&](std::size_t v) { return is_left[v] != 0; });
@@ -78,7 +78,7 @@ std::vector<std::uint8_t> Stitching::find_vertices_left() const {
   return is_left;
 }
 
-void Stitching::write_vertices(Remainder& remainder) const {
+void Stitching::write_vertices(LevelRemainder& remainder) const {
   remainder.positions.resize(n_vertices_);
   remainder.origins.resize(n_vertices_);
   for_each_range(vertex_number_.size(), threads_, [&](std::size_t begin, std::size_t end) {
@@ -95,7 +95,7 @@ void Stitching::write_vertices(Remainder& remainder) const {
   });
 }
 
-void Stitching::write_faces(Remainder& remainder) const {
+void Stitching::write_faces(LevelRemainder& remainder) const {
   remainder.faces.resize(n_faces_);
   remainder.face_origins.resize(n_faces_);
   for_each_range(face_number_.size(), threads_, [&](std::size_t begin, std::size_t end) {
@@ -108,7 +108,7 @@ void Stitching::write_faces(Remainder& remainder) const {
   });
 }
 
-void Stitching::write_vertex_map(Remainder& remainder) const {
+void Stitching::write_vertex_map(LevelRemainder& remainder) const {
   const std::size_t n = before_ ? before_->vertex_map.size() : surface_.positions.size();
   remainder.vertex_map.resize(n);
   for_each_range(n, threads_, [&](std::size_t begin, std::size_t end) {
@@ -120,7 +120,7 @@ void Stitching::write_vertex_map(Remainder& remainder) const {
 }
 
 /// Vertices that were frozen here remember what they did before.
-void Stitching::write_memory(const Memory& before, Remainder& remainder) const {
+void Stitching::write_memory(const Memory& before, LevelRemainder& remainder) const {
   std::vector<const Quadric*> quadrics(n_vertices_);  // by vertex left, or null
   const auto remember = [&](const Memory::Remembered& r) {
     if (vertex_number_[r.vertex] != invalid_index) quadrics[vertex_number_[r.vertex]] = &r.quadric;
@@ -143,7 +143,7 @@ void Stitching::write_memory(const Memory& before, Remainder& remainder) const {
 }
 
 /// No block knows pairs of two frozen vertices.
-void Stitching::write_refusals(Remainder& remainder) const {
+void Stitching::write_refusals(LevelRemainder& remainder) const {
   const auto carry = [&](const Refusal& r) {
     remainder.refusals.push_back({{vertex_number_[r.pair.a], vertex_number_[r.pair.b]}, r.reason});
   };
@@ -160,8 +160,8 @@ void Stitching::write_refusals(Remainder& remainder) const {
 }  // namespace
 
 void stitch(const Surface& surface, const Partition& partition, std::span<const Block* const> blocks,
-            const BlockResults& results, const Memory& memory, const Remainder* before, unsigned threads,
-            Remainder& remainder) {
+            const BlockResults& results, const Memory& memory, const LevelRemainder* before, unsigned threads,
+            LevelRemainder& remainder) {
   const Stitching stitching(surface, partition, blocks, results, before, threads);
   stitching.write_vertices(remainder);
   stitching.write_faces(remainder);

@@ -7,19 +7,18 @@
 
 namespace whittle {
 
-Restraints::Restraints(const TriangleComplex& complex, std::span<const std::uint8_t> locked,
-                       std::span<const VertexPair> features, double corner_angle_deg, double tolerance)
+Restraints::Restraints(const TriangleComplex& complex, std::span<const std::uint8_t> locked, const FeatureLines& lines,
+                       double corner_angle_deg, double tolerance)
     : tolerance_sq_(tolerance * tolerance) {
-  if (locked.empty() && features.empty()) return;
+  if (locked.empty() && lines.edges.empty()) return;
   freedoms_.assign(complex.n_vertex_slots(), Freedom::full);
-  if (!features.empty()) mark_features(complex, features, corner_angle_deg);
+  if (!lines.edges.empty()) mark_features(complex, lines, corner_angle_deg);
   for (Index v = 0; v < locked.size(); ++v) {
     if (locked[v] != 0) freedoms_[v] = Freedom::locked;
   }
 }
 
-void Restraints::mark_features(const TriangleComplex& complex, std::span<const VertexPair> features,
-                               double corner_angle_deg) {
+void Restraints::mark_features(const TriangleComplex& complex, const FeatureLines& lines, double corner_angle_deg) {
   is_feature_.resize(complex.n_pair_slots());
   std::vector<std::array<Index, 2>> others(complex.n_vertex_slots());  // of the first two feature edges at a vertex
   std::vector<Index> n_features(complex.n_vertex_slots());
@@ -29,9 +28,13 @@ void Restraints::mark_features(const TriangleComplex& complex, std::span<const V
   };
   for (Index e = 0; e < complex.n_edges(); ++e) {
     const auto [a, b] = complex.initial_ends(e);
-    const std::pair<Index, Index> origins = std::minmax({complex.origin(a), complex.origin(b)});
-    if (!std::binary_search(features.begin(), features.end(), VertexPair{origins.first, origins.second})) continue;
+    const auto [low, high] = std::minmax({complex.origin(a), complex.origin(b)});
+    const VertexPair ends{low, high};
+    const auto found = std::lower_bound(lines.edges.begin(), lines.edges.end(), ends);
+    if (found == lines.edges.end() || *found != ends) continue;
     is_feature_[e] = true;
+    const auto number = static_cast<std::size_t>(found - lines.edges.begin());
+    if (!lines.courses.empty() && !lines.courses[number].empty()) courses_[e] = lines.courses[number];
     add(a, b);
     add(b, a);
   }
@@ -41,9 +44,12 @@ void Restraints::mark_features(const TriangleComplex& complex, std::span<const V
     const Vec3 out = complex.position(others[v][1]) - complex.position(v);
     return in.dot(out) < least_cosine * in.norm() * out.norm();
   };
+  std::vector<bool> is_corner(freedoms_.size());  // by original vertex
+  for (const Index v : lines.corners.value_or(std::vector<Index>{})) is_corner[v] = true;
   for (Index v = 0; v < freedoms_.size(); ++v) {
     if (n_features[v] == 0) continue;
-    freedoms_[v] = n_features[v] == 2 && !turns(v) ? Freedom::line : Freedom::corner;
+    const bool is_on_line = n_features[v] == 2 && !(lines.corners ? is_corner[complex.origin(v)] : turns(v));
+    freedoms_[v] = is_on_line ? Freedom::line : Freedom::corner;
   }
 }
 
@@ -94,14 +100,26 @@ bool Restraints::bends_a_line(TriangleComplex& complex, const ContractionProfile
   return false;
 }
 
-std::vector<VertexPair> Restraints::feature_edges(TriangleComplex& complex) const {
-  std::vector<VertexPair> edges;
+FeatureLines Restraints::lines(TriangleComplex& complex, const std::vector<Index>& numbers) const {
+  std::vector<std::pair<VertexPair, Index>> edges;
   for (Index e = 0; e < is_feature_.size(); ++e) {
     if (!is_feature_[e] || !complex.is_pair_alive(e)) continue;
     const auto [a, b] = complex.ends(e);
-    edges.push_back({a, b});
+    const auto [low, high] = std::minmax(numbers[a], numbers[b]);
+    edges.push_back({{low, high}, e});
   }
-  return edges;
+  std::sort(edges.begin(), edges.end());
+  FeatureLines lines;
+  for (const auto& [ends, e] : edges) {
+    const auto course = courses_.find(e);
+    lines.edges.push_back(ends);
+    lines.courses.push_back(course == courses_.end() ? Course{} : course->second);
+  }
+  lines.corners.emplace();
+  for (Index v = 0; v < freedoms_.size(); ++v) {
+    if (freedoms_[v] == Freedom::corner && numbers[v] != invalid_index) lines.corners->push_back(numbers[v]);
+  }
+  return lines;
 }
 
 /// The other feature edge of an end on a line, as it was before the contraction.

@@ -11,6 +11,16 @@
 
 namespace whittle {
 
+/// The feature lines of a surface, by its vertices.
+struct FeatureLines {
+  /// Where a line was, between the ends of a feature edge: its vertices there, in no particular order, in the frame.
+  using Course = std::vector<Vec3>;
+
+  std::vector<VertexPair> edges;                ///< ascending, the lower vertex first
+  std::vector<Course> courses;                  ///< of each edge; or empty: no edge stands for several
+  std::optional<std::vector<Index>> corners{};  ///< vertices where lines meet, end or turn; empty: to be found
+};
+
 /// Which vertices may not go where they like: locked ones stay where they are; those on a feature line move along it
 /// only, and where lines meet, end or turn they stay.
 class Restraints {
@@ -18,10 +28,10 @@ class Restraints {
   /// None.
   Restraints() = default;
   /// \param locked per vertex, or empty
-  /// \param features edges, by their original vertices, ascending; each is an edge of the complex
-  /// \param corner_angle_deg a line that turns further has a corner there
+  /// \param lines by original vertices; those edges count that the complex has
+  /// \param corner_angle_deg a line that turns further has a corner there, if `lines` doesn't say where corners are
   /// \param tolerance how far a line may come to lie from what it was, in the frame
-  Restraints(const TriangleComplex& complex, std::span<const std::uint8_t> locked, std::span<const VertexPair> features,
+  Restraints(const TriangleComplex& complex, std::span<const std::uint8_t> locked, const FeatureLines& lines,
              double corner_angle_deg, double tolerance);
 
   bool any() const { return !freedoms_.empty(); }
@@ -44,8 +54,8 @@ class Restraints {
   /// line farther off than it may be.
   bool bends_a_line(TriangleComplex& complex, const ContractionProfile& profile, const Vec3& position) const;
 
-  /// The feature edges there are now, by their vertices.
-  std::vector<VertexPair> feature_edges(TriangleComplex& complex) const;
+  /// The feature lines that there are now. \param numbers vertices of the complex → vertices of the result
+  FeatureLines lines(TriangleComplex& complex, const std::vector<Index>& numbers) const;
 
   /// \param profile as it was before the contraction
   void note(const TriangleComplex& complex, const ContractionProfile& profile, const Change& change);
@@ -63,10 +73,9 @@ class Restraints {
     return freedoms_[v] == Freedom::full || (freedoms_[v] == Freedom::line && along_feature);
   }
   bool is_locked(Index v) const { return any() && freedoms_[v] == Freedom::locked; }
-  void mark_features(const TriangleComplex& complex, std::span<const VertexPair> features, double corner_angle_deg);
+  void mark_features(const TriangleComplex& complex, const FeatureLines& lines, double corner_angle_deg);
 
-  /// Where a line was, between the ends of a feature edge: its vertices there, in no particular order.
-  using Course = std::vector<Vec3>;
+  using Course = FeatureLines::Course;
   std::size_t moved_end(const Pair& pair, const Vec3& first, const Vec3& position) const;
   std::optional<Index> other_feature_edge(TriangleComplex& complex, Index v, Index edge) const;
   std::optional<Index> other_feature_edge_before(const TriangleComplex& complex, const ContractionProfile& profile,

@@ -46,6 +46,8 @@ class PairCost {
   virtual void recall(const Memory& /*memory*/) {}
   /// Whether what is kept about v can't be told from its faces.
   virtual bool remembers(Index /*v*/) const { return false; }
+  /// What is remembered about the faces as they were at the start.
+  virtual MeanFaceArea face_area() const { return {}; }
 
   /// \param pairs each with the vertex of the lower original number first, edges before threshold pairs. Several
   /// threads

@@ -1,5 +1,6 @@
 #include "decimate/checks.hh"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -62,12 +63,23 @@ void check_conflicts(const DecimateOptions& options) {
          free_borders_have_no_weight);
 }
 
+void check_pauses(const DecimateOptions& options) {
+  const std::vector<double>& at = options.pauses.at;
+  const auto is_multiple = [](double factor) { return factor > 1 && std::isfinite(factor); };
+  require(std::all_of(at.begin(), at.end(), is_multiple), "a pause is not at a multiple above 1");
+  require(std::is_sorted(at.rbegin(), at.rend()), "pauses are not in descending order");
+  require(at.empty() || options.pauses.adjust, "there are pauses, but nothing to do there");
+  require(at.empty() || options.quadric.placement != Placement::endpoint,
+          "pauses don't go with Placement::endpoint: vertices would leave their places");
+}
+
 }  // namespace
 
 void check(const DecimateTarget& target, const DecimateOptions& options, std::size_t n_vertices) {
   require(is_finite_and_not_negative(target.cost_limit().value_or(0)), "max_cost is negative or not finite");
   check_ranges(options);
   check_conflicts(options);
+  check_pauses(options);
   require(options.locked.empty() || options.locked.size() == n_vertices, "locked has another length than the vertices");
 }
 

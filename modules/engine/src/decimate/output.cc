@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
+#include <utility>
 
 #include "whittle/core/geometry/vertex_normals.hh"
 
@@ -63,60 +63,31 @@ std::vector<std::array<float, 3>> output_normals(const IndexedMesh& input, const
   return normals == Normals::keep ? merged_normals(input, vertex_map, mesh, frame) : vertex_normals(mesh, frame);
 }
 
-/// Fills in vertices and quadrics. \return vertices of the complex → vertices of the output
-/// \param went_to vertices that the pass began with → vertices of the complex
-std::vector<Index> write_vertices(const IndexedMesh& input, const Remainder* remainder, Pass& pass, const Frame& frame,
-                                  bool with_quadrics, const std::vector<Index>& went_to, Decimation& out) {
-  const TriangleComplex& complex = pass.complex();
-  std::vector<Index> output_of(complex.n_vertex_slots(), invalid_index);
-  IndexedMesh& mesh = out.mesh;
-  mesh.positions.reserve(complex.n_vertices());
-  mesh.origins.reserve(complex.n_vertices());
-  if (with_quadrics) out.quadrics.reserve(complex.n_vertices());
-  for (Index i = 0; i < went_to.size(); ++i) {
-    const Index r = went_to[i];
-    if (r == invalid_index || complex.identity(r) != i) continue;
-    output_of[r] = static_cast<Index>(mesh.positions.size());
-    const Index v = remainder ? remainder->origins[i] : i;
-    const Vec3& before = input.positions[v];
-    const bool is_unmoved = complex.position(r) == frame.to_frame(before);  // keeps every bit, that of −0 too
-    mesh.positions.push_back(is_unmoved ? before : frame.to_model(complex.position(r)));
-    mesh.origins.push_back(input.origins.empty() ? v : input.origins[v]);
-    if (with_quadrics) out.quadrics.push_back(pass.cost().quadric(r));
-  }
-  return output_of;
-}
-
 }  // namespace
 
-Decimation make_output(const IndexedMesh& input, const Remainder* remainder, Pass& pass, const Frame& frame,
-                       const DecimateOptions& options) {
+Decimation geometry_of(const IndexedMesh& input, Remainder left, const Frame& frame) {
   Decimation out;
   IndexedMesh& mesh = out.mesh;
-  const std::span<const Triangle> faces = remainder ? remainder->faces : input.faces;
-  std::vector<Index> went_to = representatives(pass.complex());
-  const std::vector<Index> output_of =
-      write_vertices(input, remainder, pass, frame, options.keep_quadrics, went_to, out);
-  out.face_origins = surviving_faces(faces, went_to, pass.complex());
-  for (Index& r : went_to) {
-    if (r != invalid_index) r = output_of[r];
+  mesh.positions = std::move(left.positions);
+  mesh.origins = std::move(left.origins);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    Index& v = mesh.origins[i];
+    const Vec3& before = input.positions[v];
+    const bool is_unmoved = mesh.positions[i] == frame.to_frame(before);  // keeps every bit, that of −0 too
+    mesh.positions[i] = is_unmoved ? before : frame.to_model(mesh.positions[i]);
+    if (!input.origins.empty()) v = input.origins[v];
   }
-  mesh.faces.reserve(out.face_origins.size());
-  for (Index& f : out.face_origins) {
-    mesh.faces.push_back(mapped(faces[f], went_to));
-    if (remainder) f = remainder->face_origins[f];
-  }
-  if (remainder) {
-    out.vertex_map = remainder->vertex_map;
-    for (Index& v : out.vertex_map) {
-      if (v != invalid_index) v = went_to[v];
-    }
-  } else {
-    out.vertex_map = std::move(went_to);
-  }
+  mesh.faces = std::move(left.faces);
+  out.face_origins = std::move(left.face_origins);
+  out.vertex_map = std::move(left.vertex_map);
+  out.feature_edges = std::move(left.lines.edges);
+  return out;
+}
+
+void add_attributes(const IndexedMesh& input, const Frame& frame, const DecimateOptions& options, Decimation& out) {
+  IndexedMesh& mesh = out.mesh;
   if (!input.colors.empty()) mesh.colors = merged_colors(input, out.vertex_map, mesh.positions.size());
   mesh.normals = output_normals(input, out.vertex_map, mesh, frame, options.normals);
-  return out;
 }
 
 std::vector<Warning> warnings_about_attributes(const IndexedMesh& input) {

@@ -2,17 +2,17 @@
 
 #include <vector>
 
-#include "blocks/level.hh"
+#include "loop/remainder.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/engine/decimate.hh"
 
 namespace whittle {
 
-/// The mesh and the maps of a decimation, from the last pass after its contractions; `result` and `feature_edges` are
-/// left to the caller.
-/// \param remainder what the pass began with; null if that was the input
-Decimation make_output(const IndexedMesh& input, const Remainder* remainder, Pass& pass, const Frame& frame,
-                       const DecimateOptions& options);
+/// The mesh and the maps of a decimation, without its attributes; `result` and `quadrics` are left to the caller.
+Decimation geometry_of(const IndexedMesh& input, Remainder left, const Frame& frame);
+
+/// Adds the attributes of the mesh.
+void add_attributes(const IndexedMesh& input, const Frame& frame, const DecimateOptions& options, Decimation& out);
 
 /// What of the input's attributes is not carried.
 std::vector<Warning> warnings_about_attributes(const IndexedMesh& input);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "decimate/checks.hh"
@@ -67,10 +68,9 @@ std::size_t count_vanished(const Parts& parts, const std::vector<Index>& vertex_
 }
 
 /// Fills in components and non-manifold counts of the surface before and after.
-void compare_surfaces(const IndexedMesh& input, const NonmanifoldCounts& before, TriangleComplex& complex,
+void compare_surfaces(const IndexedMesh& input, const NonmanifoldCounts& before, const NonmanifoldCounts& after,
                       const DecimateOptions& options, Decimation& out) {
-  out.result.after =
-      surface_counts(find_parts(out.mesh.positions.size(), out.mesh.faces).count, complex.count_nonmanifold());
+  out.result.after = surface_counts(find_parts(out.mesh.positions.size(), out.mesh.faces).count, after);
   out.result.before = surface_counts(out.result.after.components, before);
   const bool is_manifold = before.edges == 0 && before.vertices == 0;
   const bool has_pairs = options.pairs.threshold > 0;
@@ -78,19 +78,6 @@ void compare_surfaces(const IndexedMesh& input, const NonmanifoldCounts& before,
   const Parts parts = find_parts(input.positions.size(), input.faces);
   out.result.before.components = parts.count;
   out.result.n_vanished_components = count_vanished(parts, out.vertex_map);
-}
-
-/// Feature edges of the complex, by vertices of the output, ascending.
-std::vector<VertexPair> output_features(const std::vector<VertexPair>& edges, const TriangleComplex& complex,
-                                        const std::vector<Index>& vertex_map) {
-  std::vector<VertexPair> result;
-  for (const auto& [a, b] : edges) {
-    const Index first = vertex_map[complex.origin(a)];
-    const Index second = vertex_map[complex.origin(b)];
-    result.push_back({std::min(first, second), std::max(first, second)});
-  }
-  std::sort(result.begin(), result.end());
-  return result;
 }
 
 std::vector<Warning> warnings_about(const IndexedMesh& input, const ThresholdPairCounts& pairs) {
@@ -112,16 +99,17 @@ DecimateResult cancelled_at_once(const TriangleComplex& complex) {
   return result;
 }
 
-/// Adds what was done in blocks to the result of the pass after them.
-void add_levels(const DecimateResult& levels, DecimateResult& result) {
-  result.n_contractions += levels.n_contractions;
-  result.max_cost = std::max(result.max_cost, levels.max_cost);
-  result.n_degenerate_faces += levels.n_degenerate_faces;
-  result.n_coincident_faces += levels.n_coincident_faces;
-  result.rejections += levels.rejections;
+/// Adds what was done before to the result of a pass.
+void add_earlier(const DecimateResult& earlier, DecimateResult& result) {
+  result.n_contractions += earlier.n_contractions;
+  result.max_cost = std::max(result.max_cost, earlier.max_cost);
+  result.n_degenerate_faces += earlier.n_degenerate_faces;
+  result.n_coincident_faces += earlier.n_coincident_faces;
+  result.rejections += earlier.rejections;
+  result.threshold_pairs.contracted += earlier.threshold_pairs.contracted;
 }
 
-/// Decimates in blocks where that is worth while, and then as a whole.
+/// Decimates in blocks where that is worth while, and then as a whole: in one pass, or with pauses between several.
 class Run {
  public:
   Run(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options, DecimationHost* host)
@@ -134,136 +122,240 @@ class Run {
   Decimation decimate(const BlockPlan& plan);
 
  private:
-  Decimation decimate_rest();
-  DecimateOptions options_of_rest() const;
-  bool is_beyond_target(const DecimateResult& result) const;
-  PassInput last_input();
-  DecimateResult run_last(Pass& pass, Preparation& preparation);
-  NonmanifoldCounts count_before(Pass& pass) const;
+  std::string_view contract_in_blocks(const BlockPlan& plan);
+  std::vector<DecimateTarget> stops() const;
+  double way_to(const DecimateTarget& stop) const;
+  void contract_to(const DecimateTarget& stop);
+  PassInput next_input(const DecimateOptions& options, Preparation& preparation);
+  DecimateResult run(Pass& pass, const DecimateTarget& stop, Preparation& preparation) const;
+  void count_before(Pass& pass);
+  DecimateOptions options_of_pass(double end) const;
+  bool is_beyond_target() const;
+  bool adjust();
+  void forget_all();
+  Decimation output();
 
   const IndexedMesh& mesh_;
   DecimateTarget target_;
   const DecimateOptions& options_;
   DecimationHost* host_;
   Frame frame_;
-  std::optional<Remainder> remainder_;  ///< of blocks
-  double progress_ = 0;                 ///< that has been told
-  double last_max_cost_ = 0;            ///< of the last pass
-  // What the last pass gets.
-  ThresholdPairs pairs_;
-  std::vector<VertexPair> features_;
+
+  // What was done, and what is left.
+  std::optional<Remainder> left_;  ///< before the first contraction: none
+  DecimateResult result_;
+  double progress_ = 0;            ///< that has been told
+  double max_cost_in_blocks_ = 0;  ///< 0 if there are none
+  double max_cost_of_pass_ = 0;    ///< of the last one
+  bool is_cancelled_ = false;      ///< in blocks
+  std::optional<NonmanifoldCounts> nonmanifold_before_;
+  NonmanifoldCounts nonmanifold_now_;
+  ThresholdPairCounts pairs_;
+  std::vector<PlacedQuadric> quadrics_;
+
+  // What a pass gets.
+  ThresholdPairs found_pairs_;
+  FeatureLines found_lines_;
   std::vector<std::uint8_t> locked_;
 };
 
-PassInput Run::last_input() {
+/// \return why it was done otherwise; empty if blocks have contracted
+std::string_view Run::contract_in_blocks(const BlockPlan& plan) {
+  const std::string_view why_not = why_not_in_blocks(mesh_, target_, options_, host_, plan);
+  if (!why_not.empty()) return why_not;
+  LevelRemainder levels = decimate_in_blocks(mesh_, frame_, target_, options_, plan);
+  progress_ = levels.progress;
+  if (levels.is_futile) return "pairs wait for each other all over the mesh";
+  is_cancelled_ = levels.is_cancelled;
+  if (!is_cancelled_) nonmanifold_before_ = levels.nonmanifold;
+  max_cost_in_blocks_ = levels.result.max_cost;
+  result_ = std::move(levels.result);
+  left_ = std::move(levels);
+  return {};
+}
+
+/// Where to pause, and at last the target.
+std::vector<DecimateTarget> Run::stops() const {
+  std::vector<DecimateTarget> stops;
+  const bool has_count = target_.n_faces() || target_.n_vertices();
+  for (const double factor : options_.pauses.at) {
+    const DecimateTarget stop = target_.with_counts_times(factor);
+    const bool is_ahead = !stop.is_reached_at(left_ ? left_->faces.size() : mesh_.faces.size(),
+                                              left_ ? left_->positions.size() : mesh_.positions.size());
+    if (has_count && is_ahead) stops.push_back(stop);
+  }
+  stops.push_back(target_);
+  return stops;
+}
+
+/// How much of the way to the target is behind once `stop` is reached, of that which is left now. [0, 1]
+double Run::way_to(const DecimateTarget& stop) const {
+  const auto share = [](std::optional<std::uint64_t> from, std::optional<std::uint64_t> to, std::size_t now) {
+    if (!from || *to >= now) return 0.0;
+    return static_cast<double>(now - std::min<std::uint64_t>(now, *from)) / static_cast<double>(now - *to);
+  };
+  const std::size_t n_faces = left_ ? left_->faces.size() : mesh_.faces.size();
+  const std::size_t n_vertices = left_ ? left_->positions.size() : mesh_.positions.size();
+  return std::max(share(stop.n_faces(), target_.n_faces(), n_faces),
+                  share(stop.n_vertices(), target_.n_vertices(), n_vertices));
+}
+
+/// What the next pass begins with: what is left, or the input.
+PassInput Run::next_input(const DecimateOptions& options, Preparation& preparation) {
   PassInput input;
-  input.threshold_pairs = pairs_.pairs;
-  input.features = features_;
   input.feature_tolerance = options_.feature_tolerance * bounds_of(mesh_.positions).diagonal() * frame_.scale;
   input.host = host_;
-  if (!remainder_) {
-    input.surface = {mesh_.positions, frame_, mesh_.faces};
-    input.locked = options_.locked;
+  if (left_) {
+    input.surface = {left_->positions, Frame{}, left_->faces};
+    input.threshold_pairs = left_->threshold_pairs;
+    input.lines = &left_->lines;
+    input.memory = &left_->memory;
+    input.context.refusals = left_->refusals;
+    locked_ = left_->of_vertices(options_.locked);
+    input.locked = locked_;
     return input;
   }
-  input.surface = {remainder_->positions, Frame{}, remainder_->faces};
-  input.memory = &remainder_->memory;
-  input.context.refusals = remainder_->refusals;
-  locked_ = remainder_->of_vertices(options_.locked);
-  input.locked = locked_;
+  found_pairs_ = threshold_pairs(mesh_, options, preparation);
+  pairs_ = counts_of(found_pairs_, options_);
+  found_lines_.edges = input_features(mesh_, options_);
+  input.surface = {mesh_.positions, frame_, mesh_.faces};
+  input.threshold_pairs = found_pairs_.pairs;
+  input.lines = &found_lines_;
+  input.locked = options_.locked;
   return input;
 }
 
-DecimateResult Run::run_last(Pass& pass, Preparation& preparation) {
+DecimateResult Run::run(Pass& pass, const DecimateTarget& stop, Preparation& preparation) const {
   TriangleComplex& complex = pass.complex();
-  const bool is_cancelled = remainder_ && remainder_->is_cancelled;
   DecimateResult result;
-  if (!is_cancelled && preparation.goes_on(complex.n_vertices(), complex.n_faces())) {
-    pass.start(target_, frame_);
+  if (!is_cancelled_ && preparation.goes_on(complex.n_vertices(), complex.n_faces())) {
+    pass.start(stop, frame_);
     result = pass.run();
   } else {
     result = cancelled_at_once(complex);
   }
   result.n_degenerate_faces = complex.n_degenerate_faces();
   result.n_coincident_faces = complex.n_coincident_faces();
-  last_max_cost_ = result.max_cost;
-  if (remainder_) add_levels(remainder_->result, result);
-  const std::uint64_t n_contracted = result.threshold_pairs.contracted;
-  result.threshold_pairs = counts_of(pairs_, options_);
-  result.threshold_pairs.contracted = n_contracted;
-  result.warnings = warnings_about(mesh_, result.threshold_pairs);
   return result;
 }
 
 /// Of the input. \param pass before its first contraction
-NonmanifoldCounts Run::count_before(Pass& pass) const {
-  if (!remainder_) return pass.complex().count_nonmanifold();
-  if (!remainder_->is_cancelled) return remainder_->nonmanifold;
+void Run::count_before(Pass& pass) {
+  if (nonmanifold_before_) return;
+  if (!left_) {
+    nonmanifold_before_ = pass.complex().count_nonmanifold();
+    return;
+  }
   TriangleComplex input(mesh_.positions, mesh_.faces, frame_, options_.threads);  // blocks not begun are not counted
   input.connect({}, options_.threads);
-  return input.count_nonmanifold();
+  nonmanifold_before_ = input.count_nonmanifold();
 }
 
-/// The callbacks are told of a part of the progress, and of the input's vertices.
-DecimateOptions Run::options_of_rest() const {
+/// The callbacks are told of a part of the progress, and of the input's vertices. \param end of that part
+DecimateOptions Run::options_of_pass(double end) const {
   DecimateOptions options = options_;
-  if (progress_ > 0 && options.progress) {
-    options.progress = [done = progress_, callback = options.progress](Progress progress) {
-      progress.fraction = done + (1 - done) * progress.fraction;
+  if ((progress_ > 0 || end < 1) && options.progress) {
+    options.progress = [begin = progress_, end, callback = options.progress](Progress progress) {
+      progress.fraction = begin + (end - begin) * progress.fraction;
       return callback(progress);
     };
   }
-  if (remainder_ && options.listener) {
+  if (left_ && options.listener) {
     options.listener = [this, callback = options.listener](Contraction contraction) {
-      contraction.survivor = remainder_->origins[contraction.survivor];
-      contraction.removed = remainder_->origins[contraction.removed];
+      contraction.survivor = left_->origins[contraction.survivor];
+      contraction.removed = left_->origins[contraction.removed];
       callback(contraction);
     };
   }
   return options;
 }
 
-/// What is left after blocks, or all.
-Decimation Run::decimate_rest() {
-  const DecimateOptions options = options_of_rest();
+/// Contracts what is left, or the input, in one pass.
+void Run::contract_to(const DecimateTarget& stop) {
+  const double end = progress_ + (1 - progress_) * way_to(stop);
+  const DecimateOptions options = options_of_pass(end);
   Preparation preparation(options);
-  pairs_ = threshold_pairs(mesh_, options, preparation);
-  features_ = input_features(mesh_, options);
-  Pass pass(last_input(), options);
-  const NonmanifoldCounts before = count_before(pass);
-  DecimateResult result = run_last(pass, preparation);
-  Decimation out = make_output(mesh_, remainder_ ? &*remainder_ : nullptr, pass, frame_, options_);
-  out.feature_edges = output_features(pass.feature_edges(), pass.complex(), out.vertex_map);
-  out.result = std::move(result);
-  compare_surfaces(mesh_, before, pass.complex(), options_, out);
-  return out;
+  const PassInput input = next_input(options, preparation);
+  Pass pass(input, options);
+  count_before(pass);
+  DecimateResult result = run(pass, stop, preparation);
+  progress_ = end;
+  max_cost_of_pass_ = result.max_cost;
+  add_earlier(result_, result);
+  result_ = std::move(result);
+  nonmanifold_now_ = pass.complex().count_nonmanifold();
+  quadrics_.clear();
+  left_ =
+      remainder_of(pass, input.surface.faces, left_ ? &*left_ : nullptr, options_.keep_quadrics ? &quadrics_ : nullptr);
 }
 
 /// Whether blocks may have made contractions in exact order that come after the last one.
-bool Run::is_beyond_target(const DecimateResult& result) const {
-  return remainder_ && is_exact_in_blocks(options_) && result.stop == StopReason::target &&
-         !(remainder_->result.max_cost < last_max_cost_);
+bool Run::is_beyond_target() const {
+  return max_cost_in_blocks_ > 0 && is_exact_in_blocks(options_) && result_.stop == StopReason::target &&
+         !(max_cost_in_blocks_ < max_cost_of_pass_);
+}
+
+/// Lets the pause change what is left. \return whether to go on
+bool Run::adjust() {
+  Decimation paused = geometry_of(mesh_, *left_, frame_);
+  paused.result = result_;
+  const std::vector<Vec3> before = paused.mesh.positions;
+  const std::size_t n_faces = paused.mesh.faces.size();
+  const bool goes_on = options_.pauses.adjust(paused);
+  if (paused.mesh.positions.size() != before.size() || paused.mesh.faces.size() != n_faces) {
+    throw std::invalid_argument("decimate: a pause changed the number of vertices or faces");
+  }
+  check(paused.mesh);
+  left_->faces = std::move(paused.mesh.faces);
+  auto remembered = left_->memory.quadrics.begin();
+  for (Index v = 0; v < before.size(); ++v) {
+    Quadric* const quadric =
+        remembered != left_->memory.quadrics.end() && remembered->vertex == v ? &(remembered++)->quadric : nullptr;
+    if (paused.mesh.positions[v] == before[v]) continue;
+    const Vec3 position = frame_.to_frame(paused.mesh.positions[v]);
+    if (quadric) *quadric = quadric->about(position - left_->positions[v]);
+    left_->positions[v] = position;
+  }
+  return goes_on;
+}
+
+void Run::forget_all() {
+  left_.reset();
+  result_ = {};
+  progress_ = 1;
+  max_cost_in_blocks_ = 0;
+}
+
+Decimation Run::output() {
+  Decimation out = geometry_of(mesh_, std::move(*left_), frame_);
+  add_attributes(mesh_, frame_, options_, out);
+  out.quadrics = std::move(quadrics_);
+  out.result = std::move(result_);
+  pairs_.contracted = out.result.threshold_pairs.contracted;
+  out.result.threshold_pairs = pairs_;
+  out.result.warnings = warnings_about(mesh_, pairs_);
+  compare_surfaces(mesh_, *nonmanifold_before_, nonmanifold_now_, options_, out);
+  return out;
 }
 
 Decimation Run::decimate(const BlockPlan& plan) {
-  std::string_view why_in_one_pass = why_not_in_blocks(mesh_, target_, options_, host_, plan);
-  if (why_in_one_pass.empty()) {
-    remainder_ = decimate_in_blocks(mesh_, frame_, target_, options_, plan);
-    progress_ = remainder_->progress;
-  }
-  if (remainder_ && remainder_->is_futile) {
-    why_in_one_pass = "pairs wait for each other all over the mesh";
-    remainder_.reset();
-  }
-  Decimation out = decimate_rest();
-  if (is_beyond_target(out.result)) {
+  std::string_view why_in_one_pass = contract_in_blocks(plan);
+  const std::vector<DecimateTarget> stops = this->stops();
+  contract_to(stops.front());
+  if (is_beyond_target()) {
     why_in_one_pass = "blocks went beyond the target";
-    remainder_.reset();
-    progress_ = 1;
-    out = decimate_rest();
+    forget_all();
+    contract_to(stops.front());
   }
-  out.result.why_in_one_pass = why_in_one_pass;
-  return out;
+  for (std::size_t i = 1; i < stops.size() && result_.stop == StopReason::target; ++i) {
+    if (adjust()) {
+      contract_to(stops[i]);
+    } else {
+      result_.stop = StopReason::cancelled;
+    }
+  }
+  result_.why_in_one_pass = why_in_one_pass;
+  return output();
 }
 
 }  // namespace
@@ -272,6 +364,9 @@ Decimation run(const IndexedMesh& mesh, const DecimateTarget& target, const Deci
                DecimationHost* host, const BlockPlan& plan) {
   check(target, options, mesh.positions.size());
   check(mesh);
+  if (host != nullptr && !options.pauses.at.empty()) {
+    throw std::invalid_argument("decimate: pauses don't go with a host");
+  }
   return Run(mesh, target, options, host).decimate(plan);
 }
 

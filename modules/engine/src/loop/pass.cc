@@ -72,8 +72,9 @@ Pass::Pass(const PassInput& input, const DecimateOptions& options)
   cost_->start(options.threads);
   if (state) cost_->resume(*state);
   if (input.memory) cost_->recall(*input.memory);
-  restraints_ = Restraints(complex_, locked_vertices(complex_, input.locked, options.boundary), input.features,
-                           options.feature_angle_deg.value_or(180), input.feature_tolerance);
+  restraints_ = Restraints(complex_, locked_vertices(complex_, input.locked, options.boundary),
+                           input.lines ? *input.lines : FeatureLines{}, options.feature_angle_deg.value_or(180),
+                           input.feature_tolerance);
 }
 
 void Pass::start(const DecimateTarget& target, const Frame& frame) {

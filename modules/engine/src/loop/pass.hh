@@ -23,7 +23,7 @@ struct Surface {
 struct PassInput {
   Surface surface;
   std::span<const VertexPair> threshold_pairs;
-  std::span<const VertexPair> features;  ///< edges, ascending
+  const FeatureLines* lines = nullptr;
   double feature_tolerance = 0;          ///< in the frame
   std::span<const std::uint8_t> locked;  ///< per vertex, or empty
   std::span<const std::uint8_t> frozen;  ///< per vertex, or empty: those that take part in no contraction
@@ -49,9 +49,10 @@ class Pass {
   std::vector<Refusal> refusals() { return loop_->refusals(); }
 
   TriangleComplex& complex() { return complex_; }
+  const TriangleComplex& complex() const { return complex_; }
   const PairCost& cost() const { return *cost_; }
-  /// Feature edges that there are now, by vertices of the complex.
-  std::vector<VertexPair> feature_edges() { return restraints_.feature_edges(complex_); }
+  /// The feature lines that there are now. \param numbers vertices of the complex → vertices of the result
+  FeatureLines feature_lines(const std::vector<Index>& numbers) { return restraints_.lines(complex_, numbers); }
 
  private:
   const DecimateOptions& options_;

@@ -87,14 +87,22 @@ SimplifyOptions with_effort(Effort effort, SimplifyOptions options, const Indexe
 
 Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, Effort effort,
                         const SimplifyOptions& options) {
-  const SimplifyOptions settled = with_effort(effort, options, mesh, target);
+  SimplifyOptions settled = with_effort(effort, options, mesh, target);
   const Clock::time_point start = Clock::now();
+  double polish_seconds = 0;
+  const auto polish_now = [&](Decimation& decimation) {
+    const Clock::time_point polish_start = Clock::now();
+    PolishResult polish = polish_decimation(mesh, settled, decimation);
+    polish_seconds += seconds_since(polish_start);
+    return polish;
+  };
+  if (settled.polish_passes > 0U && settled.decimate.pauses.at.empty()) {
+    settled.decimate.pauses = {settled.pauses, [&](Decimation& paused) { return !polish_now(paused).cancelled; }};
+  }
   Simplification result{decimate(mesh, target, settled.decimate), {}, 0, 0};
-  result.decimate_seconds = seconds_since(start);
-  if (result.result.stop == StopReason::cancelled) return result;
-  const Clock::time_point polish_start = Clock::now();
-  result.polish = polish_decimation(mesh, settled, result);
-  result.polish_seconds = seconds_since(polish_start);
+  if (result.result.stop != StopReason::cancelled) result.polish = polish_now(result);
+  result.polish_seconds = polish_seconds;
+  result.decimate_seconds = seconds_since(start) - polish_seconds;
   return result;
 }
 

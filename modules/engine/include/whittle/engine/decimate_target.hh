@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -28,6 +29,15 @@ class DecimateTarget {
   std::optional<std::uint64_t> n_faces() const { return n_faces_; }
   std::optional<std::uint64_t> n_vertices() const { return n_vertices_; }
   std::optional<double> cost_limit() const { return cost_limit_; }
+
+  /// The same limits with counts larger by a factor, rounded up.
+  DecimateTarget with_counts_times(double factor) const {
+    const auto times = [factor](std::optional<std::uint64_t> n) {
+      if (n) n = static_cast<std::uint64_t>(std::ceil(factor * static_cast<double>(*n)));
+      return n;
+    };
+    return {times(n_faces_), times(n_vertices_), cost_limit_};
+  }
 
   /// Whether a mesh with such counts has reached the limit of faces or that of vertices.
   bool is_reached_at(std::uint64_t n_faces, std::uint64_t n_vertices) const {

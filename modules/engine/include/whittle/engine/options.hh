@@ -63,6 +63,18 @@ struct Contraction {
   double cost;    ///< unit as `DecimateTarget::max_cost`
 };
 
+struct Decimation;
+
+/// Where a run pauses on its way to the counts of its target, and what is done there. It pauses the same way on any
+/// number of threads.
+struct Pauses {
+  std::vector<double> at{};  ///< multiples of the target's counts, each above 1, descending
+  /// May move vertices of the mesh, and flip edges: give faces other corners. No more may change. The mesh has its
+  /// positions, faces and origins; vertex map, face origins and feature edges are filled in, too. Returns whether to go
+  /// on; false cancels the run.
+  std::function<bool(Decimation&)> adjust{};
+};
+
 /// Options own what they are given. An empty optional is off, or "by the cost" where the comment says so.
 struct DecimateOptions {
   std::optional<Cost> cost{};      ///< Empty = quadric in `decimate`, by effort in `simplify`.
@@ -112,8 +124,11 @@ struct DecimateOptions {
   /// Called now and then from the calling thread; false ends the run with what is reached.
   std::function<bool(const Progress&)> progress{};
 
-  /// Called after each contraction, in order.
+  /// Called after each contraction, in order. Not told of what is done in `pauses`.
   std::function<void(const Contraction&)> listener{};
+
+  /// Only with a count as target. Not with `Placement::endpoint`, and not with a host.
+  Pauses pauses{};
 
   // What the fields above come to in `decimate` where they are empty.
   Cost effective_cost() const { return cost.value_or(Cost::quadric); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "whittle/engine/decimate.hh"
 #include "whittle/polish/polish.hh"
@@ -29,6 +30,12 @@ struct SimplifyOptions {
 
   /// Whether polish also flips edges. Empty = by effort.
   std::optional<bool> flips{};
+
+  /// Where decimation pauses for polish on its way to a count: multiples of that count, each above 1, descending.
+  /// Polish takes as many passes there as at the end. What is contracted after a pause fits the input already, so the
+  /// result comes nearer to it: with {1.1} the mean distance is about 4 % less. There are no pauses without polish, and
+  /// none where `decimate` has pauses of the caller's own. `Simplification::polish` is the polish at the end.
+  std::vector<double> pauses{};
 };
 
 /// Fills in what is empty in `options` and depends on the effort: cost, passes and flips. `simplify` does this.

@@ -25,6 +25,7 @@ class MemorylessCost final : public PairCost {
   void resume(const DecimationState& state) override;
   void recall(const Memory& memory) override;
   bool remembers(Index v) const override { return !has_planes_of_faces_[v]; }
+  MeanFaceArea face_area() const override { return face_area_; }
 
   using PairCost::rank;
   void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override { ranks_.rank(pairs, ranks); }

@@ -40,10 +40,6 @@ PairEvaluation QuadricCost::rank_one(const Pair& pair) const {
   return evaluation;
 }
 
-void QuadricCost::recall(const Memory& memory) {
-  memory.for_each_in(complex_, [this](Index v, const Quadric& quadric) { quadrics_.store(v, quadric); });
-}
-
 void QuadricCost::merge(ContractionProfile& /*profile*/, const PairEvaluation& ranked, const Change& change) {
   const PlacedQuadric sum =
       merged(placed(change.pair, change.pair.a, change.before[0]), placed(change.pair, change.pair.b, change.before[1]),

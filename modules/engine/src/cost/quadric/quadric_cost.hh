@@ -19,8 +19,6 @@ class QuadricCost final : public SummedQuadricsCost {
   void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;
   void merge(ContractionProfile& profile, const PairEvaluation& ranked, const Change& change) override;
   Reach reach() const override { return Reach::none; }
-  void recall(const Memory& memory) override;
-  bool remembers(Index /*v*/) const override { return true; }
 
   VertexQuadrics& quadrics() { return quadrics_; }
   const VertexQuadrics& quadrics() const { return quadrics_; }

@@ -14,6 +14,8 @@ class SummedQuadricsCost : public PairCost {
   void see_faces(unsigned threads) final { quadrics_.sum_faces(threads); }
   void start(unsigned /*threads*/) final { quadrics_.add_borders(); }
   void resume(const DecimationState& state) final { quadrics_.resume(state); }
+  void recall(const Memory& memory) final { quadrics_.recall(memory); }
+  bool remembers(Index /*v*/) const final { return true; }
   PlacedQuadric quadric(Index v) const final { return quadrics_.placed(v); }
   VertexState vertex_state() const final { return quadrics_.state(); }
 

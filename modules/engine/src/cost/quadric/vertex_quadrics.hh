@@ -24,6 +24,10 @@ class VertexQuadrics {
 
   /// Takes all quadrics from an earlier run.
   void resume(const DecimationState& state);
+  /// Takes those that vertices remember.
+  void recall(const Memory& memory) {
+    memory.for_each_in(complex_, [this](Index v, const Quadric& quadric) { store(v, quadric); });
+  }
 
   const SymmetricMatrix& matrix(Index v) const { return quadrics_[v].a; }
   /// Whether v lies where its quadric is least, as most do: then its slope is zero.

@@ -17,6 +17,9 @@ class ValenceCost final : public PairCost {
   void see_faces(unsigned threads) override { cost_->see_faces(threads); }
   void start(unsigned threads) override { cost_->start(threads); }
   void resume(const DecimationState& state) override { cost_->resume(state); }
+  void recall(const Memory& memory) override { cost_->recall(memory); }
+  bool remembers(Index v) const override { return cost_->remembers(v); }
+  MeanFaceArea face_area() const override { return cost_->face_area(); }
 
   using PairCost::rank;
   void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;

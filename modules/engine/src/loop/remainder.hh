@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "complex/restraints.hh"
+#include "cost/memory.hh"
+#include "loop/pass.hh"
+
+namespace whittle {
+
+/// What passes have left of the input, for others to go on from.
+struct Remainder {
+  std::vector<Vec3> positions;  ///< in the frame
+  std::vector<Triangle> faces;
+  std::vector<Index> origins;       ///< vertices of the input, ascending unless vertices follow their positions
+  std::vector<Index> face_origins;  ///< faces of the input, ascending
+  std::vector<Index> vertex_map;    ///< the input's vertices → those here; `invalid_index` where it was in no face
+  Memory memory;
+  FeatureLines lines;
+  std::vector<VertexPair> threshold_pairs;  ///< that may still be contracted
+  std::vector<Refusal> refusals;            ///< that still hold, if the order is exact
+
+  /// The flags of the vertices here. \param flags per vertex of the input, or empty
+  std::vector<std::uint8_t> of_vertices(const std::vector<std::uint8_t>& flags) const {
+    std::vector<std::uint8_t> here;
+    if (flags.empty()) return here;
+    here.reserve(origins.size());
+    for (const Index v : origins) here.push_back(flags[v]);
+    return here;
+  }
+};
+
+/// What a pass leaves after its contractions.
+/// \param faces that it began with \param before what it began with; null if that was the input
+/// \param quadrics gets those of the vertices that are left, unless null
+Remainder remainder_of(Pass& pass, std::span<const Triangle> faces, const Remainder* before,
+                       std::vector<PlacedQuadric>* quadrics = nullptr);
+
+}  // namespace whittle
