@@ -144,10 +144,10 @@ class Run {
   // What was done, and what is left.
   std::optional<Remainder> left_;  ///< before the first contraction: none
   DecimateResult result_;
-  double progress_ = 0;            ///< that has been told
-  double max_cost_in_blocks_ = 0;  ///< 0 if there are none
-  double max_cost_of_pass_ = 0;    ///< of the last one
-  bool is_cancelled_ = false;      ///< in blocks
+  double progress_ = 0;                       ///< that has been told
+  std::optional<double> max_cost_in_blocks_;  ///< none if there are none
+  double max_cost_of_pass_ = 0;               ///< of the last one
+  bool is_cancelled_ = false;                 ///< in blocks
   std::optional<NonmanifoldCounts> nonmanifold_before_;
   NonmanifoldCounts nonmanifold_now_;
   ThresholdPairCounts pairs_;
@@ -291,8 +291,8 @@ void Run::contract_to(const DecimateTarget& stop) {
 
 /// Whether blocks may have made contractions in exact order that come after the last one.
 bool Run::is_beyond_target() const {
-  return max_cost_in_blocks_ > 0 && is_exact_in_blocks(options_) && result_.stop == StopReason::target &&
-         !(max_cost_in_blocks_ < max_cost_of_pass_);
+  return max_cost_in_blocks_ && is_exact_in_blocks(options_) && result_.stop == StopReason::target &&
+         !(*max_cost_in_blocks_ < max_cost_of_pass_);
 }
 
 /// Lets the pause change what is left. \return whether to go on
@@ -323,7 +323,7 @@ void Run::forget_all() {
   left_.reset();
   result_ = {};
   progress_ = 1;
-  max_cost_in_blocks_ = 0;
+  max_cost_in_blocks_.reset();
 }
 
 Decimation Run::output() {
