@@ -27,6 +27,7 @@ struct EdgeAngles {
   std::size_t n_sharp = 0;  ///< those that turn by more than `sharp_deg`
 };
 
+/// In the frame, so that no size of a mesh is too small or too large.
 EdgeAngles edge_angles(const IndexedMesh& mesh) {
   const detail::EdgeTable edges(mesh.faces, mesh.positions.size());
   const Frame frame = Frame::of_points(mesh.positions);

@@ -12,7 +12,7 @@ namespace whittle {
 struct Remainder {
   std::vector<Vec3> positions;  ///< in the frame
   std::vector<Triangle> faces;
-  std::vector<Index> origins;       ///< vertices of the input, ascending unless vertices follow their positions
+  std::vector<Index> origins;       ///< vertices of the input, ascending
   std::vector<Index> face_origins;  ///< faces of the input, ascending
   std::vector<Index> vertex_map;    ///< the input's vertices → those here; `invalid_index` where it was in no face
   Memory memory;
