@@ -84,32 +84,31 @@ double median_edge(const IndexedMesh& mesh) {
   return *middle;
 }
 
-/// Whether rounding may have put the dearer contraction first. A cost of regularization ε alone, on flat ground or
+/// Whether rounding may have put one contraction before the other. A cost of regularization ε alone, on flat ground or
 /// along a straight border, is a share ε of its terms: it is known to about 1e-16 / ε of itself. So is the lower bound
-/// under which a pair waits for its turn. No cost is known better than to 1e-20 of the largest terms that a mesh of
-/// this size may have. Equal costs go by vertex numbers, and costs without bounds are compared as they are.
+/// under which a pair waits for its turn. No cost is known better than to the rounding of its terms, with faces as
+/// large as the mesh. Equal costs above that go by vertex numbers, and costs without bounds are compared as they are.
 bool is_tie(const DecimateOptions& options, double size, const Contraction& made, const Contraction& expected) {
   const bool has_bounds =
       options.effective_cost() == Cost::quadric && !(options.isotropy > 0) && !(options.valence_weight > 0);
-  const double rounding = 1e-15 / options.quadric.regularization;
+  if (!has_bounds) return false;
   const double terms = std::pow(size, options.quadric.weights == Weights::uniform ? 2 : 4);
-  return has_bounds && made.cost > expected.cost &&
-         made.cost - expected.cost <= std::max(rounding * made.cost, 1e-20 * terms);
+  if (made.cost <= 1e-15 * terms) return true;
+  const double rounding = 1e-15 / options.quadric.regularization;
+  return made.cost > expected.cost && made.cost - expected.cost <= rounding * made.cost;
 }
 
-/// Contractions in exact order are those of the definition. Not with restraints or without regularization, where ties
-/// may go otherwise (docs/dev/engine.md), nor where the definition has no guard: that against intersections. After a
-/// tie that goes otherwise nothing is compared.
+/// Contractions in exact order are those of the definition. Not without regularization, where rounding decides, nor
+/// where the definition has no guard: that against intersections. After a tie that goes otherwise nothing is compared.
 void check_order(const DecimateCase& c, const std::vector<Contraction>& made) {
   const DecimateOptions& options = c.options;
   const bool is_exact = options.effective_order() == Order::exact;
-  const bool has_restraints = !options.locked.empty() || options.boundary == Boundary::locked ||
-                              options.feature_angle_deg || !options.feature_edges.empty();
+  const bool has_features = options.feature_angle_deg || !options.feature_edges.empty();
   const double size = diagonal(c.mesh);
   // Beside one vertex far away rounding decides. A face that is r times as long as the others has costs that are known
   // to about 1e-16 r³ of the others', so that old costs are no lower bounds any more.
   const bool is_far_flung = size > 1e5 * median_edge(c.mesh);
-  if (!is_exact || has_restraints || options.refuse_intersections || is_far_flung || c.n_calls_left ||
+  if (!is_exact || has_features || options.refuse_intersections || is_far_flung || c.n_calls_left ||
       c.target.cost_limit() || c.mesh.positions.empty() || c.mesh.faces.size() > 40 ||
       options.quadric.regularization < 1e-9 || !(size > 1e-50 && size < 1e50)) {
     return;

@@ -1,6 +1,7 @@
 #include "oracle/brute_force.hh"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
@@ -94,6 +95,7 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
 
 void BruteForceDecimater::find_threshold_pairs(const PairOptions& options) {
   const double threshold = options.threshold.value() * frame_.scale;
+  const double threshold_sq = std::max(threshold * threshold, std::numeric_limits<double>::denorm_min());
   std::vector<std::vector<std::pair<double, Index>>> nearby(positions_.size());
   const std::map<Edge, int> edges = count_edge_faces(faces_);
   const auto is_used = [&](Index v) {
@@ -115,7 +117,7 @@ void BruteForceDecimater::find_threshold_pairs(const PairOptions& options) {
     for (Index b = 0; b < positions_.size(); ++b) {
       if (b == a || !is_used(b) || edges.contains(edge(a, b))) continue;
       const double distance_sq = (positions_[b] - positions_[a]).squaredNorm();
-      if (!(distance_sq < threshold * threshold)) continue;
+      if (!(distance_sq < threshold_sq)) continue;
       if (!options.across_walls && is_across_wall(a, b)) continue;
       nearby[a].emplace_back(distance_sq, b);
     }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "oracle/brute_force.hh"
@@ -205,15 +206,14 @@ double mean_edge_length(const IndexedMesh& mesh) {
 
 constexpr double rounding_floor = 1e-14;
 
-class ContractionOrder : public testing::TestWithParam<Case> {
- protected:
-  static std::vector<Contraction> by_engine(const IndexedMesh& mesh, DecimateOptions options) {
-    std::vector<Contraction> done;
-    options.listener = [&](const Contraction& c) { done.push_back(c); };
-    decimate(mesh, DecimateTarget::as_far_as_possible(), options);
-    return done;
-  }
-};
+std::vector<Contraction> contractions_of(const IndexedMesh& mesh, DecimateOptions options) {
+  std::vector<Contraction> done;
+  options.listener = [&](const Contraction& c) { done.push_back(c); };
+  decimate(mesh, DecimateTarget::as_far_as_possible(), options);
+  return done;
+}
+
+class ContractionOrder : public testing::TestWithParam<Case> {};
 
 TEST_P(ContractionOrder, IsThatOfBruteForce) {
   const IndexedMesh& mesh = GetParam().mesh;
@@ -222,7 +222,7 @@ TEST_P(ContractionOrder, IsThatOfBruteForce) {
     SCOPED_TRACE(GetParam().name + ", " + name);
     const std::vector<Contraction> expected =
         BruteForceDecimater(mesh, options).run(DecimateTarget::as_far_as_possible());
-    const std::vector<Contraction> found = by_engine(mesh, options);
+    const std::vector<Contraction> found = contractions_of(mesh, options);
     const std::size_t n = std::min(expected.size(), found.size());
     for (std::size_t i = 0; i < n; ++i) {
       const bool is_same = found[i].survivor == expected[i].survivor && found[i].removed == expected[i].removed;
@@ -238,6 +238,26 @@ TEST_P(ContractionOrder, IsThatOfBruteForce) {
       ASSERT_EQ(found[i].position, expected[i].position) << "contraction " << i;
     }
     EXPECT_EQ(found.size(), expected.size());
+  }
+}
+
+/// On a mesh collapsed to a line all costs are 0. The lowest vertices are at the border.
+TEST(ContractionOrderOfTies, IsThatOfBruteForceWhereALockedVertexSurvives) {
+  for (const Case& named : all_shapes()) {
+    IndexedMesh line = named.mesh;
+    for (Vec3& p : line.positions) p = {0, 0, std::round(2 * p.z())};
+    DecimateOptions options;
+    options.cost = Cost::quadric;
+    options.boundary = Boundary::locked;
+    SCOPED_TRACE(named.name);
+    const std::vector<Contraction> expected =
+        BruteForceDecimater(line, options).run(DecimateTarget::as_far_as_possible());
+    const std::vector<Contraction> found = contractions_of(line, options);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_EQ(found[i].survivor, expected[i].survivor) << "contraction " << i;
+      EXPECT_EQ(found[i].removed, expected[i].removed) << "contraction " << i;
+    }
   }
 }
 

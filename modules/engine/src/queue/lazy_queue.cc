@@ -280,8 +280,14 @@ void LazyQueue::list_raised(Index v, std::vector<Index>& ids) const {
   raised_.for_each_at(v, [&](Index id) { ids.push_back(id); });
 }
 
-/// Queues again the raised pairs at the merged vertex that have become cheaper.
 void LazyQueue::note(const Change& change) {
+  queue_cheaper(change);
+  const bool moves_forward = complex_.origin(change.survivor) < complex_.origin(change.removed);
+  if (moves_forward && cost_.reach() == Reach::none) queue_all_at(change.survivor);
+}
+
+/// Queues again the raised pairs at the merged vertex that have become cheaper.
+void LazyQueue::queue_cheaper(const Change& change) {
   const Index survivor = change.survivor;
   const Index removed = change.removed;
   if (!raised_.any_at(survivor) && !raised_.any_at(removed)) return;
@@ -296,6 +302,15 @@ void LazyQueue::note(const Change& change) {
     if (static_cast<float>(evaluation.cost) > raised_costs_[pair]) continue;
     raised_costs_[pair] = static_cast<float>(evaluation.cost);
     enqueue(candidate(complex_, now, evaluation.cost));
+  }
+}
+
+/// Where the lower origin survives, the pairs of the other one come earlier among equal costs than they were queued.
+void LazyQueue::queue_all_at(Index survivor) {
+  for (const Neighbour& neighbour : complex_.neighbours(survivor)) {
+    if (!complex_.is_pair_alive(neighbour.edge)) continue;
+    const Pair now = pair_now(complex_, neighbour.edge);
+    enqueue(candidate(complex_, now, rank(now).cost));
   }
 }
 

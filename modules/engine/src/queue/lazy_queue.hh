@@ -69,6 +69,8 @@ class LazyQueue final : public PairQueue {
   void sort_in(const Pair& pair, const PairEvaluation& evaluation);
   void prefetch_turns();
   void enqueue(const Candidate& candidate);
+  void queue_cheaper(const Change& change);
+  void queue_all_at(Index survivor);
   bool is_unchanged(const Candidate& candidate) const;
 
   void note_raised(const Pair& pair, const PairEvaluation& evaluation) {
