@@ -230,6 +230,18 @@ TEST(Pauses, MayEndTheRun) {
   EXPECT_EQ(d.result.n_faces, 400U);
 }
 
+TEST(Pauses, ThatEndTheRunLeaveItsCountsAndQuadrics) {
+  const IndexedMesh mesh = book(3, 40);
+  DecimateOptions options;
+  options.keep_quadrics = true;
+  options.pauses = {{2}, [](Decimation&) { return false; }};
+  const Decimation d = decimate(mesh, DecimateTarget::faces(mesh.faces.size() / 8), options);
+  EXPECT_EQ(d.result.stop, StopReason::cancelled);
+  EXPECT_GT(d.result.after.nonmanifold_edges, 0U);
+  EXPECT_EQ(d.result.after.nonmanifold_edges, metrics::topology(d.mesh).nonmanifold_edges);
+  EXPECT_EQ(d.quadrics.size(), d.mesh.positions.size());
+}
+
 /// Meshes that go in blocks pause, too, and all is told of the input's vertices.
 TEST(Pauses, DoNotDependOnTheNumberOfThreads) {
   const IndexedMesh mesh = noisy_torus(560, 280, 1, 0.4, 0.0005, 3);

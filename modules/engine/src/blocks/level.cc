@@ -199,8 +199,11 @@ LevelRemainder Level::run(const LevelGoal& goal, Memory memory) {
   locked_ = locked();
   if (!before_) nonmanifold_.resize(jobs_.size() + 1);
   // In the exact order blocks have to know what pairs with a shared vertex cost at least.
-  if (!before_ && plan_.role == Role::in_exact_order)
-    memory.quadrics = SharedStars(surface_, partition_).quadrics(context_.options);
+  std::optional<SharedStars> shared_stars;
+  if (!before_ && plan_.role == Role::in_exact_order) {
+    shared_stars.emplace(surface_, partition_);
+    memory.quadrics = shared_stars->quadrics(context_.options);
+  }
 
   LevelRemainder remainder;
   remainder.memory.face_area = memory.face_area;
@@ -219,7 +222,9 @@ LevelRemainder Level::run(const LevelGoal& goal, Memory memory) {
   for_each_block(others.size() + 1, threads(), [&](std::size_t i) {
     if (context_.progress.is_cancelled()) return;
     if (i == 0) {
-      if (!before_) nonmanifold_.back() = SharedStars(surface_, partition_).count_nonmanifold();
+      if (before_) return;
+      if (!shared_stars) shared_stars.emplace(surface_, partition_);
+      nonmanifold_.back() = shared_stars->count_nonmanifold();
       return;
     }
     const std::size_t number = others[i - 1];

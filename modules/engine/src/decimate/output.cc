@@ -81,6 +81,7 @@ Decimation geometry_of(const IndexedMesh& input, Remainder left, const Frame& fr
   out.face_origins = std::move(left.face_origins);
   out.vertex_map = std::move(left.vertex_map);
   out.feature_edges = std::move(left.lines.edges);
+  out.quadrics = std::move(left.quadrics);
   return out;
 }
 

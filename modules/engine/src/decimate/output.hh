@@ -8,7 +8,7 @@
 
 namespace whittle {
 
-/// The mesh and the maps of a decimation, without its attributes; `result` and `quadrics` are left to the caller.
+/// The mesh and the maps of a decimation, without its attributes; `result` is left to the caller.
 Decimation geometry_of(const IndexedMesh& input, Remainder left, const Frame& frame);
 
 /// Adds the attributes of the mesh.

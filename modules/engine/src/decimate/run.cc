@@ -109,6 +109,25 @@ void add_earlier(const DecimateResult& earlier, DecimateResult& result) {
   result.threshold_pairs.contracted += earlier.threshold_pairs.contracted;
 }
 
+/// What has been done, in blocks and in passes.
+struct Done {
+  std::optional<Remainder> left;  ///< before the first contraction: none
+  DecimateResult result;
+  double progress = 0;                           ///< that has been told
+  std::optional<double> max_cost_in_blocks;      ///< none if there are none
+  double max_cost_of_pass = 0;                   ///< of the last one
+  bool is_cancelled = false;                     ///< in blocks
+  std::optional<NonmanifoldCounts> nonmanifold;  ///< of what is left; none if it was to go on
+};
+
+/// What a pass begins with, and what of that is the pass's own.
+struct PassStart {
+  PassInput input;
+  ThresholdPairs found_pairs;
+  FeatureLines found_lines;
+  std::vector<std::uint8_t> locked;
+};
+
 /// Decimates in blocks where that is worth while, and then as a whole: in one pass, or with pauses between several.
 class Run {
  public:
@@ -124,11 +143,15 @@ class Run {
  private:
   std::string_view contract_in_blocks(const BlockPlan& plan);
   std::vector<DecimateTarget> stops() const;
+  std::size_t n_faces_left() const { return done_.left ? done_.left->faces.size() : mesh_.faces.size(); }
+  std::size_t n_vertices_left() const { return done_.left ? done_.left->positions.size() : mesh_.positions.size(); }
   double way_to(const DecimateTarget& stop) const;
-  void contract_to(const DecimateTarget& stop);
-  PassInput next_input(const DecimateOptions& options, Preparation& preparation);
+  void contract_to(const DecimateTarget& stop, bool is_last);
+  void begin_with_input(PassStart& start, const DecimateOptions& options, Preparation& preparation);
+  void begin_with_remainder(PassStart& start) const;
   DecimateResult run(Pass& pass, const DecimateTarget& stop, Preparation& preparation) const;
   void count_before(Pass& pass);
+  NonmanifoldCounts count_nonmanifold(const Surface& surface) const;
   DecimateOptions options_of_pass(double end) const;
   bool is_beyond_target() const;
   bool adjust();
@@ -141,22 +164,9 @@ class Run {
   DecimationHost* host_;
   Frame frame_;
 
-  // What was done, and what is left.
-  std::optional<Remainder> left_;  ///< before the first contraction: none
-  DecimateResult result_;
-  double progress_ = 0;                       ///< that has been told
-  std::optional<double> max_cost_in_blocks_;  ///< none if there are none
-  double max_cost_of_pass_ = 0;               ///< of the last one
-  bool is_cancelled_ = false;                 ///< in blocks
-  std::optional<NonmanifoldCounts> nonmanifold_before_;
-  NonmanifoldCounts nonmanifold_now_;
-  ThresholdPairCounts pairs_;
-  std::vector<PlacedQuadric> quadrics_;
-
-  // What a pass gets.
-  ThresholdPairs found_pairs_;
-  FeatureLines found_lines_;
-  std::vector<std::uint8_t> locked_;
+  Done done_;
+  std::optional<NonmanifoldCounts> nonmanifold_before_;  ///< of the input
+  ThresholdPairCounts pairs_;                            ///< of the input
 };
 
 /// \return why it was done otherwise; empty if blocks have contracted
@@ -164,13 +174,13 @@ std::string_view Run::contract_in_blocks(const BlockPlan& plan) {
   const std::string_view why_not = why_not_in_blocks(mesh_, target_, options_, host_, plan);
   if (!why_not.empty()) return why_not;
   LevelRemainder levels = decimate_in_blocks(mesh_, frame_, target_, options_, plan);
-  progress_ = levels.progress;
+  done_.progress = levels.progress;
   if (levels.is_futile) return "pairs wait for each other all over the mesh";
-  is_cancelled_ = levels.is_cancelled;
-  if (!is_cancelled_) nonmanifold_before_ = levels.nonmanifold;
-  max_cost_in_blocks_ = levels.result.max_cost;
-  result_ = std::move(levels.result);
-  left_ = std::move(levels);
+  done_.is_cancelled = levels.is_cancelled;
+  if (!done_.is_cancelled) nonmanifold_before_ = levels.nonmanifold;
+  done_.max_cost_in_blocks = levels.result.max_cost;
+  done_.result = std::move(levels.result);
+  done_.left = std::move(levels);
   return {};
 }
 
@@ -180,9 +190,7 @@ std::vector<DecimateTarget> Run::stops() const {
   const bool has_count = target_.n_faces() || target_.n_vertices();
   for (const double factor : options_.pauses.at) {
     const DecimateTarget stop = target_.with_counts_times(factor);
-    const bool is_ahead = !stop.is_reached_at(left_ ? left_->faces.size() : mesh_.faces.size(),
-                                              left_ ? left_->positions.size() : mesh_.positions.size());
-    if (has_count && is_ahead) stops.push_back(stop);
+    if (has_count && !stop.is_reached_at(n_faces_left(), n_vertices_left())) stops.push_back(stop);
   }
   stops.push_back(target_);
   return stops;
@@ -194,41 +202,36 @@ double Run::way_to(const DecimateTarget& stop) const {
     if (!from || *to >= now) return 0.0;
     return static_cast<double>(now - std::min<std::uint64_t>(now, *from)) / static_cast<double>(now - *to);
   };
-  const std::size_t n_faces = left_ ? left_->faces.size() : mesh_.faces.size();
-  const std::size_t n_vertices = left_ ? left_->positions.size() : mesh_.positions.size();
-  return std::max(share(stop.n_faces(), target_.n_faces(), n_faces),
-                  share(stop.n_vertices(), target_.n_vertices(), n_vertices));
+  return std::max(share(stop.n_faces(), target_.n_faces(), n_faces_left()),
+                  share(stop.n_vertices(), target_.n_vertices(), n_vertices_left()));
 }
 
-/// What the next pass begins with: what is left, or the input.
-PassInput Run::next_input(const DecimateOptions& options, Preparation& preparation) {
-  PassInput input;
-  input.feature_tolerance = options_.feature_tolerance * bounds_of(mesh_.positions).diagonal() * frame_.scale;
-  input.host = host_;
-  if (left_) {
-    input.surface = {left_->positions, Frame{}, left_->faces};
-    input.threshold_pairs = left_->threshold_pairs;
-    input.lines = &left_->lines;
-    input.memory = &left_->memory;
-    input.context.refusals = left_->refusals;
-    locked_ = left_->of_vertices(options_.locked);
-    input.locked = locked_;
-    return input;
-  }
-  found_pairs_ = threshold_pairs(mesh_, options, preparation);
-  pairs_ = counts_of(found_pairs_, options_);
-  found_lines_.edges = input_features(mesh_, options_);
-  input.surface = {mesh_.positions, frame_, mesh_.faces};
-  input.threshold_pairs = found_pairs_.pairs;
-  input.lines = &found_lines_;
-  input.locked = options_.locked;
-  return input;
+void Run::begin_with_input(PassStart& start, const DecimateOptions& options, Preparation& preparation) {
+  start.found_pairs = threshold_pairs(mesh_, options, preparation);
+  pairs_ = counts_of(start.found_pairs, options_);
+  start.found_lines.edges = input_features(mesh_, options_);
+  start.input.surface = {mesh_.positions, frame_, mesh_.faces};
+  start.input.threshold_pairs = start.found_pairs.pairs;
+  start.input.lines = &start.found_lines;
+  start.input.locked = options_.locked;
+}
+
+/// \pre there is one
+void Run::begin_with_remainder(PassStart& start) const {
+  const Remainder& left = *done_.left;
+  start.locked = left.of_vertices(options_.locked);
+  start.input.surface = {left.positions, Frame{}, left.faces};
+  start.input.threshold_pairs = left.threshold_pairs;
+  start.input.lines = &left.lines;
+  start.input.memory = &left.memory;
+  start.input.context.refusals = left.refusals;
+  start.input.locked = start.locked;
 }
 
 DecimateResult Run::run(Pass& pass, const DecimateTarget& stop, Preparation& preparation) const {
   TriangleComplex& complex = pass.complex();
   DecimateResult result;
-  if (!is_cancelled_ && preparation.goes_on(complex.n_vertices(), complex.n_faces())) {
+  if (!done_.is_cancelled && preparation.goes_on(complex.n_vertices(), complex.n_faces())) {
     pass.start(stop, frame_);
     result = pass.run();
   } else {
@@ -242,63 +245,75 @@ DecimateResult Run::run(Pass& pass, const DecimateTarget& stop, Preparation& pre
 /// Of the input. \param pass before its first contraction
 void Run::count_before(Pass& pass) {
   if (nonmanifold_before_) return;
-  if (!left_) {
+  if (!done_.left) {
     nonmanifold_before_ = pass.complex().count_nonmanifold();
     return;
   }
-  TriangleComplex input(mesh_.positions, mesh_.faces, frame_, options_.threads);  // blocks not begun are not counted
-  input.connect({}, options_.threads);
-  nonmanifold_before_ = input.count_nonmanifold();
+  nonmanifold_before_ = count_nonmanifold({mesh_.positions, frame_, mesh_.faces});  // blocks not begun are not counted
+}
+
+NonmanifoldCounts Run::count_nonmanifold(const Surface& surface) const {
+  TriangleComplex complex(surface.positions, surface.faces, surface.frame, options_.threads);
+  complex.connect({}, options_.threads);
+  return complex.count_nonmanifold();
 }
 
 /// The callbacks are told of a part of the progress, and of the input's vertices. \param end of that part
 DecimateOptions Run::options_of_pass(double end) const {
   DecimateOptions options = options_;
-  if ((progress_ > 0 || end < 1) && options.progress) {
-    options.progress = [begin = progress_, end, callback = options.progress](Progress progress) {
+  if ((done_.progress > 0 || end < 1) && options.progress) {
+    options.progress = [begin = done_.progress, end, callback = options.progress](Progress progress) {
       progress.fraction = begin + (end - begin) * progress.fraction;
       return callback(progress);
     };
   }
-  if (left_ && options.listener) {
+  if (done_.left && options.listener) {
     options.listener = [this, callback = options.listener](Contraction contraction) {
-      contraction.survivor = left_->origins[contraction.survivor];
-      contraction.removed = left_->origins[contraction.removed];
+      contraction.survivor = done_.left->origins[contraction.survivor];
+      contraction.removed = done_.left->origins[contraction.removed];
       callback(contraction);
     };
   }
   return options;
 }
 
-/// Contracts what is left, or the input, in one pass.
-void Run::contract_to(const DecimateTarget& stop) {
-  const double end = progress_ + (1 - progress_) * way_to(stop);
+/// Contracts what is left, or the input, in one pass. \param is_last whether no other pass follows
+void Run::contract_to(const DecimateTarget& stop, bool is_last) {
+  const double end = done_.progress + (1 - done_.progress) * way_to(stop);
   const DecimateOptions options = options_of_pass(end);
   Preparation preparation(options);
-  const PassInput input = next_input(options, preparation);
-  Pass pass(input, options);
+  PassStart start;
+  if (done_.left) {
+    begin_with_remainder(start);
+  } else {
+    begin_with_input(start, options, preparation);
+  }
+  start.input.feature_tolerance = options_.feature_tolerance * bounds_of(mesh_.positions).diagonal() * frame_.scale;
+  start.input.host = host_;
+  Pass pass(start.input, options);
   count_before(pass);
   DecimateResult result = run(pass, stop, preparation);
-  progress_ = end;
-  max_cost_of_pass_ = result.max_cost;
-  add_earlier(result_, result);
-  result_ = std::move(result);
-  nonmanifold_now_ = pass.complex().count_nonmanifold();
-  quadrics_.clear();
-  left_ =
-      remainder_of(pass, input.surface.faces, left_ ? &*left_ : nullptr, options_.keep_quadrics ? &quadrics_ : nullptr);
+  is_last = is_last || result.stop != StopReason::target;
+  done_.progress = end;
+  done_.max_cost_of_pass = result.max_cost;
+  add_earlier(done_.result, result);
+  done_.result = std::move(result);
+  if (is_last) done_.nonmanifold = pass.complex().count_nonmanifold();
+  done_.left = remainder_of(pass, start.input.surface.faces, done_.left ? &*done_.left : nullptr,
+                            {.what_to_go_on_from = !is_last, .quadrics = options_.keep_quadrics});
 }
 
 /// Whether blocks may have made contractions in exact order that come after the last one.
 bool Run::is_beyond_target() const {
-  return max_cost_in_blocks_ && is_exact_in_blocks(options_) && result_.stop == StopReason::target &&
-         !(*max_cost_in_blocks_ < max_cost_of_pass_);
+  return done_.max_cost_in_blocks && is_exact_in_blocks(options_) && done_.result.stop == StopReason::target &&
+         !(*done_.max_cost_in_blocks < done_.max_cost_of_pass);
 }
 
 /// Lets the pause change what is left. \return whether to go on
 bool Run::adjust() {
-  Decimation paused = geometry_of(mesh_, *left_, frame_);
-  paused.result = result_;
+  Remainder& left = *done_.left;
+  Decimation paused = geometry_of(mesh_, left, frame_);
+  paused.result = done_.result;
   const std::vector<Vec3> before = paused.mesh.positions;
   const std::size_t n_faces = paused.mesh.faces.size();
   const bool goes_on = options_.pauses.adjust(paused);
@@ -306,55 +321,56 @@ bool Run::adjust() {
     throw std::invalid_argument("decimate: a pause changed the number of vertices or faces");
   }
   check(paused.mesh);
-  left_->faces = std::move(paused.mesh.faces);
-  auto remembered = left_->memory.quadrics.begin();
+  left.faces = std::move(paused.mesh.faces);
+  auto remembered = left.memory.quadrics.begin();
   for (Index v = 0; v < before.size(); ++v) {
     Quadric* const quadric =
-        remembered != left_->memory.quadrics.end() && remembered->vertex == v ? &(remembered++)->quadric : nullptr;
+        remembered != left.memory.quadrics.end() && remembered->vertex == v ? &(remembered++)->quadric : nullptr;
     if (paused.mesh.positions[v] == before[v]) continue;
     const Vec3 position = frame_.to_frame(paused.mesh.positions[v]);
-    if (quadric) *quadric = quadric->about(position - left_->positions[v]);
-    left_->positions[v] = position;
+    if (quadric) *quadric = quadric->about(position - left.positions[v]);
+    left.positions[v] = position;
   }
   return goes_on;
 }
 
 void Run::forget_all() {
-  left_.reset();
-  result_ = {};
-  progress_ = 1;
-  max_cost_in_blocks_.reset();
+  done_ = {};
+  done_.progress = 1;
 }
 
 Decimation Run::output() {
-  Decimation out = geometry_of(mesh_, std::move(*left_), frame_);
+  if (!done_.nonmanifold) {
+    done_.nonmanifold = count_nonmanifold({done_.left->positions, Frame{}, done_.left->faces});
+  }
+  Decimation out = geometry_of(mesh_, std::move(*done_.left), frame_);
   add_attributes(mesh_, frame_, options_, out);
-  out.quadrics = std::move(quadrics_);
-  out.result = std::move(result_);
+  out.result = std::move(done_.result);
   pairs_.contracted = out.result.threshold_pairs.contracted;
   out.result.threshold_pairs = pairs_;
   out.result.warnings = warnings_about(mesh_, pairs_);
-  compare_surfaces(mesh_, *nonmanifold_before_, nonmanifold_now_, options_, out);
+  compare_surfaces(mesh_, *nonmanifold_before_, *done_.nonmanifold, options_, out);
   return out;
 }
 
 Decimation Run::decimate(const BlockPlan& plan) {
   std::string_view why_in_one_pass = contract_in_blocks(plan);
   const std::vector<DecimateTarget> stops = this->stops();
-  contract_to(stops.front());
+  const auto contract_to_stop = [&](std::size_t i) { contract_to(stops[i], i + 1 == stops.size()); };
+  contract_to_stop(0);
   if (is_beyond_target()) {
     why_in_one_pass = "blocks went beyond the target";
     forget_all();
-    contract_to(stops.front());
+    contract_to_stop(0);
   }
-  for (std::size_t i = 1; i < stops.size() && result_.stop == StopReason::target; ++i) {
+  for (std::size_t i = 1; i < stops.size() && done_.result.stop == StopReason::target; ++i) {
     if (adjust()) {
-      contract_to(stops[i]);
+      contract_to_stop(i);
     } else {
-      result_.stop = StopReason::cancelled;
+      done_.result.stop = StopReason::cancelled;
     }
   }
-  result_.why_in_one_pass = why_in_one_pass;
+  done_.result.why_in_one_pass = why_in_one_pass;
   return output();
 }
 

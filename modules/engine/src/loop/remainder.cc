@@ -5,25 +5,30 @@
 namespace whittle {
 namespace {
 
-/// Fills in vertices, and what is remembered about them. \return vertices of the complex → those that are left
+/// The vertices of the complex that are left, by their numbers among those that the pass began with.
 /// \param went_to vertices that the pass began with → vertices of the complex
-std::vector<Index> write_vertices(const Pass& pass, const std::vector<Index>& went_to, const Remainder* before,
-                                  std::vector<PlacedQuadric>* quadrics, Remainder& left) {
-  const TriangleComplex& complex = pass.complex();
-  std::vector<Index> numbers(complex.n_vertex_slots(), invalid_index);
-  left.positions.reserve(complex.n_vertices());
-  left.origins.reserve(complex.n_vertices());
-  if (quadrics) quadrics->reserve(complex.n_vertices());
+std::vector<Index> vertices_left(const TriangleComplex& complex, const std::vector<Index>& went_to) {
+  std::vector<Index> vertices;
+  vertices.reserve(complex.n_vertices());
   for (Index i = 0; i < went_to.size(); ++i) {
-    const Index v = went_to[i];
-    if (v == invalid_index || complex.identity(v) != i) continue;
-    numbers[v] = static_cast<Index>(left.positions.size());
-    left.positions.push_back(complex.position(v));
-    left.origins.push_back(before ? before->origins[i] : i);
-    if (quadrics) quadrics->push_back(pass.cost().quadric(v));
-    if (pass.cost().remembers(v)) left.memory.quadrics.push_back({numbers[v], pass.cost().quadric(v).quadric});
+    if (went_to[i] != invalid_index && complex.identity(went_to[i]) == i) vertices.push_back(went_to[i]);
   }
-  return numbers;
+  return vertices;
+}
+
+std::vector<PlacedQuadric> quadrics_of(const PairCost& cost, const std::vector<Index>& vertices) {
+  std::vector<PlacedQuadric> quadrics;
+  quadrics.reserve(vertices.size());
+  for (const Index v : vertices) quadrics.push_back(cost.quadric(v));
+  return quadrics;
+}
+
+Memory memory_of(const PairCost& cost, const std::vector<Index>& vertices) {
+  Memory memory{cost.face_area(), {}};
+  for (Index i = 0; i < vertices.size(); ++i) {
+    if (cost.remembers(vertices[i])) memory.quadrics.push_back({i, cost.quadric(vertices[i]).quadric});
+  }
+  return memory;
 }
 
 /// Those that an edge decides are left out: their vertices share a face.
@@ -44,11 +49,20 @@ std::vector<VertexPair> threshold_pairs_left(TriangleComplex& complex, const std
 }  // namespace
 
 Remainder remainder_of(Pass& pass, std::span<const Triangle> faces, const Remainder* before,
-                       std::vector<PlacedQuadric>* quadrics) {
+                       const Gathering& gathering) {
+  TriangleComplex& complex = pass.complex();
+  std::vector<Index> went_to = representatives(complex);
+  const std::vector<Index> vertices = vertices_left(complex, went_to);
+  std::vector<Index> numbers(complex.n_vertex_slots(), invalid_index);
   Remainder left;
-  std::vector<Index> went_to = representatives(pass.complex());
-  const std::vector<Index> numbers = write_vertices(pass, went_to, before, quadrics, left);
-  left.face_origins = surviving_faces(faces, went_to, pass.complex());
+  left.positions.reserve(vertices.size());
+  left.origins.reserve(vertices.size());
+  for (const Index v : vertices) {
+    numbers[v] = static_cast<Index>(left.positions.size());
+    left.positions.push_back(complex.position(v));
+    left.origins.push_back(before ? before->origins[complex.identity(v)] : complex.identity(v));
+  }
+  left.face_origins = surviving_faces(faces, went_to, complex);
   for (Index& v : went_to) {
     if (v != invalid_index) v = numbers[v];
   }
@@ -65,9 +79,11 @@ Remainder remainder_of(Pass& pass, std::span<const Triangle> faces, const Remain
   } else {
     left.vertex_map = std::move(went_to);
   }
-  left.memory.face_area = pass.cost().face_area();
   left.lines = pass.feature_lines(numbers);
-  left.threshold_pairs = threshold_pairs_left(pass.complex(), numbers);
+  if (gathering.quadrics) left.quadrics = quadrics_of(pass.cost(), vertices);
+  if (!gathering.what_to_go_on_from) return left;
+  left.memory = memory_of(pass.cost(), vertices);
+  left.threshold_pairs = threshold_pairs_left(complex, numbers);
   return left;
 }
 

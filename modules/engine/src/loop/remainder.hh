@@ -15,8 +15,11 @@ struct Remainder {
   std::vector<Index> origins;       ///< vertices of the input, ascending
   std::vector<Index> face_origins;  ///< faces of the input, ascending
   std::vector<Index> vertex_map;    ///< the input's vertices → those here; `invalid_index` where it was in no face
-  Memory memory;
   FeatureLines lines;
+  std::vector<PlacedQuadric> quadrics;  ///< a vertex, where they are asked for
+
+  // For another pass.
+  Memory memory;
   std::vector<VertexPair> threshold_pairs;  ///< that may still be contracted
   std::vector<Refusal> refusals;            ///< that still hold, if the order is exact
 
@@ -30,10 +33,15 @@ struct Remainder {
   }
 };
 
+/// What is wanted of a pass besides what it leaves of the mesh.
+struct Gathering {
+  bool what_to_go_on_from = false;  ///< if another pass follows
+  bool quadrics = false;
+};
+
 /// What a pass leaves after its contractions.
 /// \param faces that it began with \param before what it began with; null if that was the input
-/// \param quadrics gets those of the vertices that are left, unless null
 Remainder remainder_of(Pass& pass, std::span<const Triangle> faces, const Remainder* before,
-                       std::vector<PlacedQuadric>* quadrics = nullptr);
+                       const Gathering& gathering);
 
 }  // namespace whittle
