@@ -65,6 +65,7 @@ bool has_type(const Json& value, const std::string& type) {
   if (type == "object of integers") return value.is_object() && all_of(value, is_integer);
   if (type == "array of strings") return value.is_array() && all_of(value, is_text);
   if (type == "array of objects" || type == "array of reports") return value.is_array();
+  if (type == "array of numbers") return value.is_array() && all_of(value, is_number);
   if (type == "array of 3 numbers") return value.is_array() && value.size() == 3 && all_of(value, is_number);
   ADD_FAILURE() << "'" << type << "' is no type of a key";
   return false;
@@ -180,7 +181,7 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
                     "never", "--self-intersections", "count", "--normals", "drop", "--weld", "auto"},
                    {blob, "-o", out, "--ratio", "0.1", "--cost", "quadric", "--weights", "uniform", "--placement",
                     "midpoint", "--order", "exact", "--polish", "0", "--strict"},
-                   {blob, "-o", out, "--faces", "500", "--isotropic", "0.5", "--valence", "1"},
+                   {blob, "-o", out, "--faces", "500", "--isotropic", "0.5", "--valence", "1", "--fit", "max"},
                    {large, "-o", out, "--faces", "1000", "--effort", "fast"},
                    {blob, "-o", out, "--faces", "500", "--engine", "openmesh"},
                    {bare, "missing.ply", "-o", folder / "{stem}.txt", "--input-format", "obj", "--output-format", "ply",
@@ -216,11 +217,12 @@ TEST(ReportKeys, OfPolishAreDocumented) {
   const TemporaryFolder folder;
   const std::string out = folder / "out";
   const std::string blob = data_file("blob.obj");
-  expect_documented("polish", {{blob, blob, "--output", out, "--format", "obj", "--verbose", "--no-weld"},
-                               {blob, blob, "-o", out, "--format", "obj", "--passes", "0", "--quiet", "--color",
-                                "never", "--force", "--threads", "1"},
-                               {blob, blob, "-o", out, "--input-format", "obj", "--output-format", "ply", "--ascii",
-                                "--passes", "0", "--weld", "0"}});
+  expect_documented(
+      "polish", {{blob, blob, "--output", out, "--format", "obj", "--verbose", "--no-weld", "--fit", "mean"},
+                 {blob, blob, "-o", out, "--format", "obj", "--passes", "0", "--quiet", "--color", "never", "--force",
+                  "--threads", "1"},
+                 {blob, blob, "-o", out, "--input-format", "obj", "--output-format", "ply", "--ascii", "--passes", "0",
+                  "--weld", "0"}});
 }
 
 TEST(ReportKeys, OfCompareAreDocumented) {

@@ -249,8 +249,12 @@ TEST(Usage, WarnsOfOptionsThatDoNothing) {
                       "'--boundary free' does nothing with '--cost lindstrom-turk'"));
   EXPECT_TRUE(
       is_said({"--boundary", "free", "--cost", "midpoint"}, "'--boundary free' does nothing with '--cost midpoint'"));
-  for (const Arguments& used : {Arguments{"--max-pairs", "8", "-t", "1%"}, Arguments{"--boundary", "free"},
-                                Arguments{"--feature-tolerance", "1%", "--feature-angle", "40"}}) {
+  EXPECT_TRUE(is_said({"--fit", "max", "--polish", "0"}, "'--fit' does nothing without polish"));
+  EXPECT_TRUE(is_said({"--fit", "mean", "--effort", "fast"}, "'--fit' does nothing without polish"));
+  for (const Arguments& used :
+       {Arguments{"--max-pairs", "8", "-t", "1%"}, Arguments{"--boundary", "free"}, Arguments{"--fit", "max"},
+        Arguments{"--fit", "max", "--effort", "fast", "--polish", "1"},
+        Arguments{"--feature-tolerance", "1%", "--feature-angle", "40"}}) {
     EXPECT_EQ(said_of(used).find("does nothing"), std::string::npos);
   }
 }

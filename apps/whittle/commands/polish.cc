@@ -8,6 +8,7 @@
 #include "files/input.hh"
 #include "files/output.hh"
 #include "files/report.hh"
+#include "options/fits.hh"
 #include "options/values.hh"
 #include "terminal/interruption.hh"
 #include "terminal/progress_bar.hh"
@@ -24,6 +25,7 @@ struct PolishCommand {
   std::string output;
   FileOptions files;
   unsigned passes = 3;
+  Fit fit = Fit::balanced;
   CommonOptions common;
 };
 
@@ -42,11 +44,9 @@ Json polish_report(const PolishCommand& options, const PolishRun& run, double to
   Json json = new_report();
   json["reference"] = input_json(run.reference, diagonal);
   json["input"] = input_json(run.input, metrics::bounds(run.input.read.mesh).diagonal());
-  json["options"] = {{"passes", options.passes},
-                     {"weld", options.files.weld},
-                     {"weld_tolerance", to_string(options.files.weld_tolerance)},
-                     {"ascii", options.files.ascii},
-                     {"threads", options.common.threads}};
+  json["options"] = {{"passes", options.passes},     {"fit", word_of<Fit>(fits, options.fit)},
+                     {"weld", options.files.weld},   {"weld_tolerance", to_string(options.files.weld_tolerance)},
+                     {"ascii", options.files.ascii}, {"threads", options.common.threads}};
   json["output"] = {{"path", options.output}};
   json["polish"] = polish_json(run.result);
   json["seconds"] = {{"read", run.reference.seconds + run.input.seconds},
@@ -88,7 +88,7 @@ void polish_input(const PolishCommand& options, const Talk& talk, PolishRun& run
   try {
     const std::vector<Index> nearest =
         metrics::nearest_vertices(reference, run.mesh, options.common.threads, part_of(bar, 0, search));
-    PolishOptions polish_options{.passes = options.passes, .threads = options.common.threads};
+    PolishOptions polish_options{.passes = options.passes, .fit = options.fit, .threads = options.common.threads};
     polish_options.progress = part_of(bar, search, 1);
     run.result = polish(reference, nearest, run.mesh, polish_options);
   } catch (const Cancelled&) {
@@ -132,6 +132,7 @@ void setup_polish(CLI::App& app, Command& command) {
       [](std::string_view text) { return static_cast<unsigned>(parse_count(text, 0, 1000)); },
       "how often to find what lies where and move vertices; a pass that doesn't help is taken back, and ends it")
       ->default_str(std::to_string(options->passes));
+  add_choice<Fit>(*sub, "--fit", options->fit, fits, fit_meaning);
   add_format(*sub, options->files);
   add_input_format(*sub, options->files);
   add_output_format(*sub, options->files);

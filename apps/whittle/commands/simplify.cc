@@ -406,7 +406,7 @@ ExitCode run_simplify(const CLI::App& app, const SimplifyCommand& command) {
   check_options(app, command);
   std::vector<SimplifyCommand> runs = runs_of(command);
   check_files(runs);
-  for (SimplifyCommand& run : runs) run.warnings = idle_options(app);
+  for (SimplifyCommand& run : runs) run.warnings = idle_options(app, run);
   if (!is_named_by_stem(command)) return simplify_one(runs.front(), nullptr);
   for (SimplifyCommand& run : runs) run.common.json.reset();  // there is one report of all
   return run_each(command, runs, simplify_one);

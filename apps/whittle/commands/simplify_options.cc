@@ -9,6 +9,7 @@
 #include "files/input.hh"
 #include "files/output.hh"
 #include "options/efforts.hh"
+#include "options/fits.hh"
 #include "options/values.hh"
 #include "terminal/errors.hh"
 
@@ -83,16 +84,6 @@ constexpr char pair_group[] = "Pairs and parts";
 constexpr char cost_group[] = "Cost";
 constexpr char guard_group[] = "Borders, features and guards";
 constexpr char file_group[] = "Files";
-
-template <class E, std::size_t N>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, E& target, const std::array<Choice<E>, N>& choices,
-                        const std::string& description) {
-  const std::span<const Choice<E>> all(choices);
-  return add_value(
-             app, name, words_of(all), target, [all](std::string_view text) { return parse_choice(text, all); },
-             description)
-      ->default_str(std::string(word_of(all, target)));
-}
 
 CLI::Option* add_number(CLI::App& app, const std::string& name, const std::string& value_name, double& target,
                         const Range& range, const std::string& description) {
@@ -187,6 +178,7 @@ void add_cost_options(CLI::App& app, SimplifyCommand& options) {
       "none)")
       ->default_str("by --effort; 0 with a --placement of its own")
       ->group(cost_group);
+  add_choice<Fit>(app, "--fit", options.simplify.fit, fits, fit_meaning)->group(cost_group);
   add_choice<Engine>(app, "--engine", options.engine, engines,
                      "where the work is done; openmesh: the same cost as a module in OpenMesh's own decimater")
       ->group(cost_group);
@@ -314,6 +306,7 @@ SimplifyCommand settled(SimplifyCommand command) {
   command.simplify.decimate.cost = probe.decimate.cost;
   command.simplify.polish_passes = probe.polish_passes;
   command.simplify.flips = probe.flips;
+  command.simplify.pauses = command.engine == Engine::flat ? probe.pauses : std::vector<double>{};
   command.simplify.decimate.refuse_intersections = command.self_intersections == SelfIntersections::refuse;
   return command;
 }
@@ -331,13 +324,17 @@ void check_options(const CLI::App& app, const SimplifyCommand& options) {
   }
 }
 
-std::vector<std::string> idle_options(const CLI::App& app) {
+std::vector<std::string> idle_options(const CLI::App& app, const SimplifyCommand& options) {
   static const std::array<IdleOption, 5> all{{{"--max-pairs", "--threshold", ""},
                                               {"--across-walls", "--threshold", ""},
                                               {"--feature-tolerance", "--feature-angle", ""},
                                               {"--boundary free", "", "--cost lindstrom-turk"},
                                               {"--boundary free", "", "--cost midpoint"}}};
-  return find_idle_options(app, all);
+  std::vector<std::string> warnings = find_idle_options(app, all);
+  if (is_given(app, "--fit") && options.simplify.polish_passes == 0U) {
+    warnings.emplace_back("'--fit' does nothing without polish");
+  }
+  return warnings;
 }
 
 void check_files(const std::vector<SimplifyCommand>& runs) {
@@ -370,6 +367,8 @@ nlohmann::ordered_json options_json(const SimplifyCommand& options) {
       {"isotropic", decimate.isotropy},
       {"order", order_json(options)},
       {"polish", *options.simplify.polish_passes},
+      {"pauses", *options.simplify.pauses},
+      {"fit", word_of<Fit>(fits, options.simplify.fit)},
       {"weights", word_of<Weights>(weights, quadric.weights)},
       {"placement", word_of<Placement>(placements, quadric.placement)},
       {"boundary", word_of<Boundary>(boundaries, decimate.boundary)},

@@ -57,7 +57,7 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options);
 void check_options(const CLI::App& app, const SimplifyCommand& options);
 
 /// Warnings of options that do nothing as the others are.
-std::vector<std::string> idle_options(const CLI::App& app);
+std::vector<std::string> idle_options(const CLI::App& app, const SimplifyCommand& options);
 
 /// \throw UsageError if a format isn't told, if an output would overwrite an input or another output
 /// \throw io::WriteError as `check_outputs`

@@ -32,15 +32,14 @@ CLI::Option* add_format_option(CLI::App& app, const std::string& name, std::opti
       ->default_str("by name");
 }
 
-/// Whether the command line has `side`: "--option" or "--option value".
+}  // namespace
+
 bool is_given(const CLI::App& app, std::string_view side) {
   const std::size_t space = side.find(' ');
   const CLI::Option* option = app.get_option_no_throw(std::string(side.substr(0, space)));
   if (option == nullptr || option->count() == 0) return false;
   return space == std::string_view::npos || option->results().front() == side.substr(space + 1);
 }
-
-}  // namespace
 
 void add_common_options(CLI::App& app, CommonOptions& options) {
   add_value(

@@ -89,6 +89,20 @@ CLI::Option* add_value(CLI::App& app, const std::string& names, const std::strin
   return app.add_option(names, take, description)->type_name(value_name);
 }
 
+/// Adds an option whose value is one of several words. Its default is the value of `target`.
+template <class E, std::size_t N>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, E& target, const std::array<Choice<E>, N>& choices,
+                        const std::string& description) {
+  const std::span<const Choice<E>> all(choices);
+  return add_value(
+             app, name, words_of(all), target, [all](std::string_view text) { return parse_choice(text, all); },
+             description)
+      ->default_str(std::string(word_of(all, target)));
+}
+
+/// Whether the command line has `side`: "--option" or "--option value".
+bool is_given(const CLI::App& app, std::string_view side);
+
 /// Two options, or values of options, that don't go together.
 struct Conflict {
   std::string first;

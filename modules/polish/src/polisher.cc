@@ -1,12 +1,16 @@
 #include "polisher.hh"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <utility>
 
 #include "fit/surface_fit.hh"
 #include "flips/edge_flips.hh"
 #include "guard/new_intersections.hh"
+#include "guard/outliers.hh"
 #include "guard/strayed_lines.hh"
+#include "surface/backward_offsets.hh"
 #include "surface/foot_finder.hh"
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/geometry/vertex_normals.hh"
@@ -15,6 +19,33 @@ namespace whittle::polishing {
 namespace {
 
 constexpr int n_sweeps = 2;
+
+/// As a face moves, its points get other feet, which they pull to, too. So the step to where the present feet fit best
+/// is too short. Where the longer step goes too far, the shorter one is tried.
+constexpr std::array relaxations{1.5, 1.0};
+
+/// What is held down, in root mean square distances.
+struct Limits {
+  double near;  ///< a vertex is near the original, and not held back: it would be by a thousandth at most
+  double most;  ///< few vertices should be so far off. They are held back steeply
+  double
+      far_forward;  ///< few of the original's points should be so far off; infinite: they count as Fair's weights say
+};
+
+/// On a smooth surface the best vertices are 2.6 root mean square distances off: as far as the middles of their faces,
+/// on the other side.
+Limits limits_of(Fit fit) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  switch (fit) {
+    case Fit::mean:
+      return {5, 8, none};
+    case Fit::max:
+      return {2.7, 4.3, 4.3};
+    case Fit::balanced:
+      break;
+  }
+  return {3.5, 5.5, none};
+}
 
 /// Where the simplified mesh has more than this share of the original's faces, one point a face is too few to fit it.
 constexpr double dense = 0.3;
@@ -96,19 +127,24 @@ Polisher::Polisher(const IndexedMesh& original, std::span<const Index> vertex_ma
 
 bool Polisher::pass() {
   ++n_passes_;
+  begun_until_ = 0;
   const double unit = root_mean_square(distances_);
   if (!(unit > rounding)) return false;
   find_feet();
   std::unique_ptr<Connectivity> flipped = flip();
   const Connectivity& mesh = flipped ? *flipped : *mesh_;
-  std::vector<Vec3> moved = move(mesh, unit);
-  start("measuring", 1);
-  Distances distances = mesh.distances(moved, workers_);
-  if (!(fair_loss(distances, unit) < fair_loss(distances_, unit))) return false;
-  distances_ = std::move(distances);
-  positions_ = std::move(moved);
-  if (flipped) mesh_ = std::move(flipped);
-  return true;
+  const FitWeights weights(unit, limits_of(options_.fit).far_forward);
+  for (const double relaxation : relaxations) {
+    std::vector<Vec3> moved = move(mesh, unit, weights, relaxation);
+    start("measuring", 1);
+    Distances distances = mesh.distances(moved, workers_);
+    if (!(weights.loss(distances) < weights.loss(distances_))) continue;
+    distances_ = std::move(distances);
+    positions_ = std::move(moved);
+    if (flipped) mesh_ = std::move(flipped);
+    return true;
+  }
+  return false;
 }
 
 std::uint64_t Polisher::write(IndexedMesh& mesh) const {
@@ -136,6 +172,8 @@ MeshLines Polisher::original_lines(const IndexedMesh& original) const {
 }
 
 void Polisher::start(std::string_view stage, double until) {
+  if (until <= begun_until_) return;
+  begun_until_ = until;
   meter_.start(stage, run_fraction(n_passes_ - 1 + until, options_));
 }
 
@@ -144,7 +182,6 @@ void Polisher::find_feet() {
   FootFinder finder(mesh_->faces, mesh_->corners);
   finder.look_at(positions_, workers_);
   samples_.find_feet(finder, workers_);
-  line_samples_.find_feet(lines_, mesh_->at(positions_), workers_);
 }
 
 /// Nothing if no edge was flipped.
@@ -157,20 +194,29 @@ std::unique_ptr<Connectivity> Polisher::flip() {
   return std::make_unique<Connectivity>(std::move(faces), positions_.size(), original_, options_, workers_);
 }
 
-/// Where the vertices should go. \param unit of Fair's weights
-std::vector<Vec3> Polisher::move(const Connectivity& mesh, double unit) {
+/// Where the vertices should go. \param unit root mean square distance
+std::vector<Vec3> Polisher::move(const Connectivity& mesh, double unit, const FitWeights& weights, double relaxation) {
   start("fitting", 0.7);
   std::vector<Vec3> moved = positions_;
-  SurfaceFit fit(mesh.faces, mesh.corners, mesh.neighbors, mesh.limits, lines_, is_fixed_);
+  SurfaceFit fit(mesh.faces, mesh.corners, mesh.neighbors, mesh.limits, lines_, is_fixed_, relaxation);
   fit.start(moved, workers_);
+  line_samples_.find_feet(lines_, mesh.at(positions_), workers_);
   line_samples_.for_each_foot([&fit](const LineFoot& foot, double weight) { fit.add(foot, weight); });
-  samples_.for_each_foot(mesh.faces.size(), workers_, [&fit, unit](const Foot& foot, double weight) {
-    fit.add(foot, weight * fair_weight(foot.distance, unit));
+  samples_.for_each_foot(mesh.faces.size(), workers_, [&](const Foot& foot, double weight) {
+    fit.add(foot, weight * weights.weight(foot.distance));
   });
+  fit.hold_bare_faces(workers_);
+  const Limits limits = limits_of(options_.fit);
+  const BackwardOffsets backward(original_, samples_, positions_, workers_);
+  const std::vector<Vec3> offsets = backward.at(positions_, limits.near * unit, workers_);
+  fit.hold_back(offsets, limits.most * unit);
   for (int i = 0; i < n_sweeps; ++i) fit.sweep(workers_);
   start("checking", 0.9);
   const Surface before = mesh.at(positions_);
-  const std::vector<Index> taken_back = take_back_strayed_lines(before, lines_, line_samples_, moved, workers_);
+  std::vector<Index> taken_back = take_back_strayed_lines(before, lines_, line_samples_, moved, workers_);
+  const std::vector<Index> outliers =
+      take_back_outliers(backward, positions_, offsets, limits.most * unit, moved, workers_);
+  taken_back.insert(taken_back.end(), outliers.begin(), outliers.end());
   take_back_intersections(before, mesh.limits, moved, taken_back, workers_);
   return moved;
 }

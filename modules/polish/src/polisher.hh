@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/fair_weights.hh"
+#include "fit/fit_weights.hh"
 #include "fit/two_sided_error.hh"
 #include "guard/face_limits.hh"
 #include "surface/face_neighbors.hh"
@@ -65,11 +65,11 @@ class Polisher {
  private:
   static std::size_t points_per_face(const IndexedMesh& original, const IndexedMesh& mesh);
   MeshLines original_lines(const IndexedMesh& original) const;
-  /// Begins a stage of the pass under way. \param until share of the pass at the stage's end
+  /// Begins a stage of the pass under way, unless it was begun before. \param until share of the pass at its end
   void start(std::string_view stage, double until);
   void find_feet();
   std::unique_ptr<Connectivity> flip();
-  std::vector<Vec3> move(const Connectivity& mesh, double unit);
+  std::vector<Vec3> move(const Connectivity& mesh, double unit, const FitWeights& weights, double relaxation);
 
   const PolishOptions& options_;
   detail::ProgressMeter& meter_;
@@ -83,7 +83,8 @@ class Polisher {
   LineSamples line_samples_;
   std::vector<std::uint8_t> is_fixed_;
   bool can_flip_;
-  unsigned n_passes_ = 0;  ///< begun
+  unsigned n_passes_ = 0;   ///< begun
+  double begun_until_ = 0;  ///< share of the pass at the end of the stage begun last
   std::vector<Vec3> positions_;
   Distances distances_;
 };

@@ -21,10 +21,15 @@ TEST(Simplify, IsDecimationAndPolishByEffort) {
     expect_same(simplify(mesh, target, Effort::fast).mesh, decimate(mesh, target, options).mesh, name);
     options.cost = Cost::memoryless;
     for (const Effort effort : {Effort::normal, Effort::best}) {
-      Decimation expected = decimate(mesh, target, options);
       PolishOptions polish_options;
-      polish_options.passes = effort == Effort::best ? 3 : 1;
       polish_options.flips = effort == Effort::best;
+      options.pauses.at = effort == Effort::best ? std::vector<double>{1.2, 1.1, 1.05} : std::vector<double>{1.1};
+      options.pauses.adjust = [&](Decimation& paused) {
+        polish(mesh, paused.vertex_map, paused.mesh, polish_options);
+        return true;
+      };
+      Decimation expected = decimate(mesh, target, options);
+      polish_options.passes = effort == Effort::best ? 3 : 1;
       const PolishResult polished = polish(mesh, expected.vertex_map, expected.mesh, polish_options);
       const Simplification s = simplify(mesh, target, effort);
       expect_same(s.mesh, expected.mesh, name);
@@ -125,6 +130,11 @@ TEST(Simplify, CanBeCancelledWhileContracting) {
   EXPECT_LT(s.mesh.faces.size(), mesh.faces.size());
   EXPECT_EQ(s.polish.n_passes, 0U);
   options.decimate.progress = [](const Progress& p) { return p.stage == Stage::decimate; };
+  const Simplification at_pause = simplify(mesh, DecimateTarget::faces(100), Effort::normal, options);
+  EXPECT_EQ(at_pause.result.stop, StopReason::cancelled);
+  EXPECT_EQ(at_pause.mesh.faces.size(), 110U);
+  EXPECT_EQ(at_pause.polish.n_passes, 0U);
+  options.pauses = std::vector<double>{};
   const Simplification unpolished = simplify(mesh, DecimateTarget::faces(100), Effort::normal, options);
   EXPECT_EQ(unpolished.result.stop, StopReason::target);
   EXPECT_EQ(unpolished.polish.n_passes, 0U);

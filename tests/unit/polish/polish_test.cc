@@ -29,8 +29,9 @@ namespace {
 Decimation decimated_within_75_deg(const IndexedMesh& mesh, double ratio) {
   return decimated(mesh, ratio, {.max_normal_flip_deg = 75});
 }
-metrics::SurfaceDistance distance(const IndexedMesh& original, const IndexedMesh& mesh) {
-  return metrics::surface_distance(original, mesh, {.samples = 10'000});
+metrics::SurfaceDistance distance(const IndexedMesh& original, const IndexedMesh& mesh,
+                                  std::uint64_t samples = 10'000) {
+  return metrics::surface_distance(original, mesh, {.samples = samples});
 }
 
 Vec3 area_normal(const IndexedMesh& mesh, const Triangle& face) {
@@ -231,7 +232,8 @@ TEST(Polish, DoesNoHarm) {
       const IndexedMesh after = polished(original, d);
       EXPECT_EQ(after.faces, d.mesh.faces);
       const double size = bounds_of(original.positions).diagonal();
-      EXPECT_LE(distance(original, after).rms, 1.02 * distance(original, d.mesh).rms + 1e-6 * size);
+      constexpr std::uint64_t many = 60'000;  // on boxes a few points have most of the sum
+      EXPECT_LE(distance(original, after, many).rms, 1.02 * distance(original, d.mesh, many).rms + 1e-6 * size);
       for (const Triangle& face : d.mesh.faces) {
         const Vec3 was = area_normal(d.mesh, face);
         EXPECT_GE(area_normal(after, face).dot(was), was.norm() > 1e-9 * size * size ? 0 : -1);

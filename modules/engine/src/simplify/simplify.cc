@@ -25,9 +25,15 @@ Cost cost_by_effort(Effort effort, const DecimateOptions& options) {
   return effort == Effort::fast || needs_plain_quadrics(options) ? Cost::quadric : Cost::memoryless;
 }
 
-unsigned passes_by_effort(Effort effort, const DecimateOptions& options) {
-  if (effort == Effort::fast || options.quadric.placement != Placement::optimal) return 0;
-  return effort == Effort::best ? 3 : 1;
+unsigned passes_by_effort(Effort effort, const SimplifyOptions& options) {
+  if (effort == Effort::fast || options.decimate.quadric.placement != Placement::optimal) return 0;
+  if (effort == Effort::best) return 3;
+  return options.fit == Fit::max ? 2 : 1;
+}
+
+std::vector<double> pauses_by_effort(Effort effort) {
+  if (effort == Effort::fast) return {};
+  return effort == Effort::best ? std::vector<double>{1.2, 1.1, 1.05} : std::vector<double>{1.1};
 }
 
 /// Vertices of the output that a locked vertex of the input became; empty if none is locked.
@@ -49,6 +55,7 @@ PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOption
   if (options.polish_passes == 0U) return {};
   PolishOptions polish_options;
   polish_options.passes = *options.polish_passes;
+  polish_options.fit = options.fit;
   polish_options.flips = *options.flips;
   polish_options.fit_borders = decimate.boundary != Boundary::locked;
   if (decimate.feature_angle_deg.value_or(180) < 180) polish_options.feature_angle_deg = *decimate.feature_angle_deg;
@@ -70,8 +77,10 @@ PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOption
 SimplifyOptions with_effort(Effort effort, SimplifyOptions options) {
   const DecimateOptions& decimate = options.decimate;
   options.decimate.cost = decimate.cost.value_or(cost_by_effort(effort, decimate));
-  options.polish_passes = options.polish_passes.value_or(passes_by_effort(effort, decimate));
+  options.polish_passes = options.polish_passes.value_or(passes_by_effort(effort, options));
   options.flips = options.flips.value_or(effort == Effort::best);
+  const bool has_pauses = options.polish_passes > 0U && decimate.pauses.at.empty();
+  options.pauses = has_pauses ? options.pauses.value_or(pauses_by_effort(effort)) : std::vector<double>{};
   return options;
 }
 
@@ -90,17 +99,20 @@ Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, E
   SimplifyOptions settled = with_effort(effort, options, mesh, target);
   const Clock::time_point start = Clock::now();
   double polish_seconds = 0;
-  const auto polish_now = [&](Decimation& decimation) {
+  const auto polish_now = [&](Decimation& decimation, const SimplifyOptions& polish_options) {
     const Clock::time_point polish_start = Clock::now();
-    PolishResult polish = polish_decimation(mesh, settled, decimation);
+    PolishResult polish = polish_decimation(mesh, polish_options, decimation);
     polish_seconds += seconds_since(polish_start);
     return polish;
   };
-  if (settled.polish_passes > 0U && settled.decimate.pauses.at.empty()) {
-    settled.decimate.pauses = {settled.pauses, [&](Decimation& paused) { return !polish_now(paused).cancelled; }};
+  SimplifyOptions at_pauses = settled;
+  at_pauses.polish_passes = 1;
+  if (!settled.pauses->empty()) {
+    settled.decimate.pauses = {*settled.pauses,
+                               [&](Decimation& paused) { return !polish_now(paused, at_pauses).cancelled; }};
   }
   Simplification result{decimate(mesh, target, settled.decimate), {}, 0, 0};
-  if (result.result.stop != StopReason::cancelled) result.polish = polish_now(result);
+  if (result.result.stop != StopReason::cancelled) result.polish = polish_now(result, settled);
   result.polish_seconds = polish_seconds;
   result.decimate_seconds = seconds_since(start) - polish_seconds;
   return result;

@@ -1,6 +1,8 @@
 #include "fit/surface_fit.hh"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "whittle/core/detail/compiler.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
@@ -8,9 +10,22 @@
 namespace whittle::polishing {
 namespace {
 
-/// μ: the cost of moving, as a share of the weight of the points around. It holds a vertex along directions in which no
-/// point pulls.
-constexpr double stiffness = 5e-4;
+/// μ: the cost of moving. It holds a vertex along directions in which no point pulls. It is a share of the curvature of
+/// the sum of squares along the surface. That comes from the angles θ between the neighbouring normals, as about θ²
+/// of the curvature across the surface, and becomes very small as faces do.
+constexpr double stiffness = 0.01;
+/// The least μ, as a share of the weight of the points around: for faces in one plane.
+constexpr double least_stiffness = 1e-7;
+
+/// Where the points with feet in a face have less weight than this share of its area, it is too bare to be moved by
+/// them: it is held in its plane by as much weight as is missing, spread evenly.
+constexpr double least_cover = 0.25;
+
+/// How strongly a vertex is held back that is as far off as few should be: as a share of the weight of the points
+/// around.
+constexpr double backward_weight = 0.01;
+/// The most by which that may grow.
+constexpr double most_backward_growth = 100;
 
 /// Weight of a line against the surface: that of a strip this many times as wide as its edges are long. More would
 /// bring lines nearer to the original's, but the surface less near.
@@ -49,12 +64,20 @@ Vec3 across(const Vec3& way, const Vec3& x) {
 }  // namespace
 
 SurfaceFit::SurfaceFit(const std::vector<Triangle>& faces, const VertexCorners& corners, const FaceNeighbors& neighbors,
-                       const FaceLimits& limits, const MeshLines& lines, const std::vector<std::uint8_t>& is_fixed)
-    : faces_(faces), corners_(corners), neighbors_(neighbors), limits_(limits), lines_(lines), is_fixed_(is_fixed) {}
+                       const FaceLimits& limits, const MeshLines& lines, const std::vector<std::uint8_t>& is_fixed,
+                       double relaxation)
+    : faces_(faces),
+      corners_(corners),
+      neighbors_(neighbors),
+      limits_(limits),
+      lines_(lines),
+      is_fixed_(is_fixed),
+      relaxation_(relaxation) {}
 
 void SurfaceFit::start(std::vector<Vec3>& positions, const detail::Workers& workers) {
   positions_ = &positions;
   moves_.assign(positions.size(), Vec3::Zero());
+  offsets_.clear();
   measure_faces(workers);
   line_sums_.assign(lines_.edges().size(), {});
   ways_.clear();
@@ -148,22 +171,59 @@ void SurfaceFit::sweep(const detail::Workers& workers) {
   }
 }
 
+void SurfaceFit::hold_bare_faces(const detail::Workers& workers) {
+  for_each_range(fits_.size(), workers, [this](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      Face& fit = fits_[f];
+      const double missing = least_cover * fit.area - fit.weight;
+      if (!(missing > 0)) continue;
+      fit.weight += missing;
+      for (const std::size_t i : {0U, 3U, 5U}) fit.products[i] += missing / 6;
+      for (const std::size_t i : {1U, 2U, 4U}) fit.products[i] += missing / 12;
+    }
+  });
+}
+
+void SurfaceFit::hold_back(std::vector<Vec3> offsets, double most) {
+  offsets_ = std::move(offsets);
+  most_backward_ = most;
+}
+
 SurfaceFit::Pull SurfaceFit::pull_at(Index v) const {
   Pull pull;
+  Vec3 normal = Vec3::Zero();
   for (const auto& [f, slot] : corners_.of(v)) {
     const Face& fit = fits_[f];
     const Vec3& n = fit.normal;
-    double error = fit.errors[slot];
+    double error = relaxation_ * fit.errors[slot];
     for (Index k = 0; k < 3; ++k) error -= fit.product(slot, k) * n.dot(moves_[faces_[f][k]]);
     pull.matrix += SymmetricMatrix::outer(n, fit.product(slot, slot));
     pull.force += error * n;
+    normal += fit.product(slot, slot) * n;
     pull.weight += fit.weight;
     pull.squares += fit.squares;
     pull.area += fit.area;
   }
   pull.area /= static_cast<double>(corners_.of(v).size());
+  const double square = normal.squaredNorm();
+  const double across = square > 0 ? normal.dot(pull.matrix * normal) / square : 0;
+  pull.along = 0.5 * std::max(0.0, pull.matrix.trace() - across);
+  if (!offsets_.empty()) add_backward(v, pull);
   if (!lines_.empty()) add_lines(v, pull);
   return pull;
+}
+
+/// The cost w (h / most)⁸ of a distance h from the original, by its slope and curvature at the vertex' distance.
+void SurfaceFit::add_backward(Index v, Pull& pull) const {
+  const double square = offsets_[v].squaredNorm();
+  if (!(square > 0)) return;
+  const double x = square / (most_backward_ * most_backward_);
+  const double slope = backward_weight * pull.weight * std::min(x * x * x, most_backward_growth);  // over h
+  const double curvature = 7 * slope;
+  const Vec3 away = offsets_[v] / std::sqrt(square);
+  pull.matrix += SymmetricMatrix::outer(away, curvature);
+  pull.force -= slope * offsets_[v] + curvature * away.dot(moves_[v]) * away;
+  pull.squares += pull.weight * square;
 }
 
 void SurfaceFit::add_lines(Index v, Pull& pull) const {
@@ -191,7 +251,7 @@ void SurfaceFit::add_lines(Index v, Pull& pull) const {
 }
 
 Vec3 SurfaceFit::wanted_move(Index v, const Pull& pull) const {
-  const double holding = stiffness * pull.weight;
+  const double holding = stiffness * pull.along + least_stiffness * pull.weight;
   SymmetricMatrix matrix = pull.matrix;
   matrix += SymmetricMatrix::identity(holding);
   return solve(matrix, pull.force - holding * moves_[v]);

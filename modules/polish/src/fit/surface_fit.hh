@@ -18,13 +18,21 @@ namespace whittle::polishing {
 class SurfaceFit {
  public:
   /// Keeps references to all. \param is_fixed per vertex, whether it may not move
+  /// \param relaxation how many times the errors of points in faces count: more than 1 makes the step longer
   SurfaceFit(const std::vector<Triangle>& faces, const VertexCorners& corners, const FaceNeighbors& neighbors,
-             const FaceLimits& limits, const MeshLines& lines, const std::vector<std::uint8_t>& is_fixed);
+             const FaceLimits& limits, const MeshLines& lines, const std::vector<std::uint8_t>& is_fixed,
+             double relaxation);
 
   /// Takes the vertices' positions, which sweeps will change, and forgets all points.
   void start(std::vector<Vec3>& positions, const detail::Workers& workers);
   void add(const Foot& foot, double weight);
   void add(const LineFoot& foot, double weight);
+  /// Holds faces in their planes where they have few points or none. Called after all points were added.
+  void hold_bare_faces(const detail::Workers& workers);
+  /// Holds vertices back from sticking out. Forgotten at `start`.
+  /// \param offsets per vertex, from its foot on the original to itself; zero: it is near \param most distance that few
+  ///        vertices should have
+  void hold_back(std::vector<Vec3> offsets, double most);
   /// Moves each vertex in turn, by ascending number.
   /// \throw Cancelled
   void sweep(const detail::Workers& workers);
@@ -62,6 +70,7 @@ class SurfaceFit {
     double squares = 0;
     SymmetricMatrix lines;  ///< Σ W P; P projects onto the plane perpendicular to a line
     double line_squares = 0;
+    double along = 0;      ///< mean curvature of the surface part of the sum along the surface
     double area = 0;       ///< mean area of its faces
     bool is_held = false;  ///< whether it lies on lines on which no point has its foot
   };
@@ -70,6 +79,7 @@ class SurfaceFit {
   void prefetch_around(Index v) const;
   Pull pull_at(Index v) const;
   void add_lines(Index v, Pull& pull) const;
+  void add_backward(Index v, Pull& pull) const;
   Vec3 wanted_move(Index v, const Pull& pull) const;
   bool is_too_far(Index v, const Vec3& moved, const Pull& pull) const;
   bool spoils_a_face(Index v, const Vec3& to) const;
@@ -82,11 +92,14 @@ class SurfaceFit {
   const FaceLimits& limits_;
   const MeshLines& lines_;
   const std::vector<std::uint8_t>& is_fixed_;
+  double relaxation_;
   std::vector<Vec3>* positions_ = nullptr;
   LargeArray<Face> fits_;
   std::vector<LineSums> line_sums_;  ///< per edge of the lines
   std::vector<Vec3> ways_;           ///< per edge of the lines, from end to end, at the start
   std::vector<Vec3> moves_;          ///< per vertex, since the start
+  std::vector<Vec3> offsets_;        ///< per vertex, from its foot on the original
+  double most_backward_ = 0;         ///< length of an offset that few vertices should have
 };
 
 }  // namespace whittle::polishing

@@ -3,18 +3,12 @@
 #include <span>
 #include <vector>
 
+#include "surface/simplified_surface.hh"
 #include "surface/surface_walk.hh"
 #include "whittle/core/detail/index_lists.hh"
 #include "whittle/core/detail/progress_meter.hh"
 
 namespace whittle::polishing {
-
-/// A surface, and for each of its vertices the vertex of the simplified mesh, or `invalid_index`.
-struct SimplifiedSurface {
-  std::span<const Triangle> faces;
-  std::span<const Vec3> positions;
-  std::span<const Index> vertex_map;
-};
 
 /// The distance between two surfaces, both ways, at some points of each. For comparing a mesh before and after a pass.
 class TwoSidedError {

@@ -25,6 +25,10 @@ class SurfaceSamples {
                  std::size_t per_face, const detail::Workers& workers);
 
   std::span<const Vec3> positions() const { return positions_; }  ///< the vertices', in the frame
+  /// Of a vertex: the sum of its faces' normals, each as long as twice the face's area.
+  Eigen::Vector3f normal(Index v) const { return normals_and_areas_[v].head<3>(); }
+  /// Of a vertex: a third of the area of its faces.
+  float area(Index v) const { return normals_and_areas_[v].w(); }
 
   /// \throw Cancelled
   void find_feet(const FootFinder& finder, const detail::Workers& workers);

@@ -14,8 +14,9 @@ namespace whittle {
 /// How much time accuracy may take. Figures: docs/user/simplify.md.
 enum class Effort {
   fast,    ///< no polish; plain quadrics, or memoryless ones where these go in blocks (`goes_in_blocks`)
-  normal,  ///< memoryless quadrics, one pass of polish
-  best     ///< memoryless quadrics, three passes of polish, which also flip edges
+  normal,  ///< memoryless quadrics, a pass of polish at 1.1 times the count and one at the end
+  best     ///< memoryless quadrics, passes of polish at 1.2, 1.1 and 1.05 times the count and three at the end, which
+           ///< also flip edges
 };
 
 struct SimplifyOptions {
@@ -25,20 +26,23 @@ struct SimplifyOptions {
   DecimateOptions decimate{};
 
   /// At most so many passes of polish; one that doesn't help is taken back and ends them. 0 = no polish. Empty = by
-  /// effort; none where the placement isn't optimal, as polish would move the vertices from there.
+  /// effort, and two at least with `Fit::max`; none where the placement isn't optimal, as polish would move the
+  /// vertices from there.
   std::optional<unsigned> polish_passes{};
+
+  Fit fit = Fit::balanced;  ///< which distance polish brings down
 
   /// Whether polish also flips edges. Empty = by effort.
   std::optional<bool> flips{};
 
-  /// Where decimation pauses for polish on its way to a count: multiples of that count, each above 1, descending.
-  /// Polish takes as many passes there as at the end. What is contracted after a pause fits the input already, so the
-  /// result comes nearer to it: with {1.1} the mean distance is about 4 % less. There are no pauses without polish, and
-  /// none where `decimate` has pauses of the caller's own. `Simplification::polish` is the polish at the end.
-  std::vector<double> pauses{};
+  /// Where decimation pauses for a pass of polish on its way to a count: multiples of that count, each above 1,
+  /// descending. What is contracted after a pause fits the input already, so the result comes nearer to it. Empty = by
+  /// effort; there are no pauses without polish, and none where `decimate` has pauses of the caller's own.
+  /// `Simplification::polish` is the polish at the end.
+  std::optional<std::vector<double>> pauses{};
 };
 
-/// Fills in what is empty in `options` and depends on the effort: cost, passes and flips. `simplify` does this.
+/// Fills in what is empty in `options` and depends on the effort: cost, passes, flips and pauses. `simplify` does this.
 SimplifyOptions with_effort(Effort effort, SimplifyOptions options, const IndexedMesh& mesh,
                             const DecimateTarget& target);
 /// The same for a mesh that doesn't go in blocks.

@@ -15,10 +15,15 @@
 //     that a corner of its face was merged into), among those that face the same way as s and hold the foot of the
 //     perpendicular from s. The foot has barycentric coordinates b, and s has the signed distance d from the face's
 //     plane
-//   twice, move each vertex in turn to the minimum of Σ w (d − n · Σ b_j x_j)² + μ Σ W |x|². Here x_j is how far corner
-//     j of the face has moved, n is the face's normal, w is the area that the point represents over 1 + |d| / e, and e
-//     is the root mean square distance between the surfaces. These are Fair's weights: near points count by their
-//     squared distance, far ones by their distance. \cite holland_1977_robust
+//   find the foot of each vertex of the mesh that sticks out: the nearest point of the original
+//   twice, move each vertex in turn to the minimum of Σ w (1.5 d − n · Σ b_j x_j)² + μ |x|² + W (h / 5.5 e)⁸
+//   - x_j is how far corner j of the face has moved, and n is the face's normal
+//   - w is the area that the point represents over 1 + |d| / e, where e is the root mean square distance between the
+//     surfaces. These are Fair's weights: near points count by their squared distance, far ones by their distance.
+//     \cite holland_1977_robust
+//   - μ is a hundredth of the curvature that the sum has along the surface
+//   - h is the vertex' distance from the original, and W a hundredth of the weight of the points around
+//   - faces with few points are held in their planes
 //
 // The points are the original's vertices, which carry a quarter of the weight, and the centroids of its faces. Where
 // the simplified mesh has nearly as many faces as the original, each face has four points instead of its centroid.
@@ -35,14 +40,23 @@
 //   - take the vertex further from the planes of its faces, or from its lines, than the surface or the lines are off
 //     there anyway (so corners stay corners);
 //   - take the vertex further than a seventh of an edge.
-// Then two kinds of moves are undone: those that took a line further from the original's than any line was before, and
-// those around faces that newly intersect others. In the end a pass is kept only if it lowers the distance between the
-// surfaces, measured both ways with Fair's weights.
+// Then three kinds of moves are undone: those that took a line further from the original's than any line was before,
+// those that took a vertex further than 5.5 e from the original, and those around faces that newly intersect others. In
+// the end a pass is kept only if it lowers the distance between the surfaces, measured both ways with the same weights;
+// else it is tried once more with 1 instead of 1.5.
 
 namespace whittle {
 
+/// Which distance between the surfaces polish brings down.
+enum class Fit {
+  mean,      ///< the mean
+  balanced,  ///< the mean, and vertices are held back from sticking out of the original
+  max        ///< the largest: vertices are held back more, and points of the original that are far off count for more
+};
+
 struct PolishOptions {
-  unsigned passes = 1;                 ///< how many passes at most; 0 = nothing happens
+  unsigned passes = 1;  ///< how many passes at most; 0 = nothing happens
+  Fit fit = Fit::balanced;
   std::vector<std::uint8_t> locked{};  ///< V of the simplified mesh, or empty; vertices with a non-zero entry stay
   /// Whether each pass also flips edges, before it moves vertices. An edge is flipped where that lowers the sum of the
   /// squared distances of the points with feet in its two faces. A flip makes no folds, no intersections, and no vertex
