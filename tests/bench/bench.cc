@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/command_line.hh"
+#include "bench/efficiency.hh"
 #include "bench/meshes.hh"
 #include "bench/peers/peer.hh"
 #include "bench/results/csv.hh"
@@ -31,6 +32,7 @@ struct Options {
   std::string base;
   bool permuted = false;
   bool scaling = false;
+  std::vector<std::size_t> efficiency;  ///< numbers of faces
   std::uint64_t seed = 1;
   RunOptions run;
   RowsFile rows{.csv = "bench.csv"};
@@ -152,6 +154,9 @@ int run(const Options& options) {
     }
   }
   std::cout << growth_text(all_rows);
+  for (const std::size_t n_faces : options.efficiency) {
+    std::cout << efficiency_text(n_faces, peers, options.run.samples, options.run.rounds) << std::endl;
+  }
   if (!options.plots.empty())
     for (const auto& file : write_plots(options.plots, all_rows, options.run.rounds.clock))
       std::cout << "drawn: " << file.string() << '\n';
@@ -173,6 +178,12 @@ void set_up(CLI::App& app, Options& options) {
   app.add_flag("--permuted", options.permuted, "each mesh a second time, vertices and faces in random order");
   app.add_flag("--scaling", options.scaling,
                "our peers on one thread and on all, what only one can do, and a simulation of more threads");
+  app.add_option("--efficiency", options.efficiency,
+                 "errors over the least that N triangles can have, mean / rms / largest, on smooth surfaces with 100 "
+                 "times as many faces")
+      ->type_name("N,...")
+      ->delimiter(',')
+      ->check(CLI::Range(10, 1'000'000));
   app.add_option("--seed", options.seed, "of that order")->type_name("N")->capture_default_str();
   app.add_option("--peers", options.peers,
                  "who takes part (default: all that are built in; whittle on 1, 2, 3, 8 threads)")
@@ -201,7 +212,7 @@ int main(int argc, char** argv) {
   Options options;
   set_up(app, options);
   return run_program(app, argc, argv, [&options] {
-    if (options.files.empty() && options.cases.empty()) options.cases = {all_cases};
+    if (options.files.empty() && options.cases.empty() && options.efficiency.empty()) options.cases = {all_cases};
     return run(options);
   });
 }
