@@ -22,13 +22,13 @@ TEST(Simplify, IsDecimationAndPolishByEffort) {
     options.cost = Cost::memoryless;
     for (const Effort effort : {Effort::normal, Effort::best}) {
       PolishOptions polish_options;
-      polish_options.flips = effort == Effort::best;
       options.pauses.at = effort == Effort::best ? std::vector<double>{1.2, 1.1, 1.05} : std::vector<double>{1.1};
       options.pauses.adjust = [&](Decimation& paused) {
         polish(mesh, paused.vertex_map, paused.mesh, polish_options);
         return true;
       };
       Decimation expected = decimate(mesh, target, options);
+      polish_options.flips = effort == Effort::best;
       polish_options.passes = effort == Effort::best ? 3 : 1;
       const PolishResult polished = polish(mesh, expected.vertex_map, expected.mesh, polish_options);
       const Simplification s = simplify(mesh, target, effort);
@@ -83,6 +83,9 @@ TEST(Simplify, LeavesVerticesWherePlacementPutThem) {
   EXPECT_EQ(with_effort(Effort::best, options).polish_passes, 0U);
   options.polish_passes = 2;
   EXPECT_EQ(with_effort(Effort::best, options).polish_passes, 2U);
+  EXPECT_EQ(with_effort(Effort::best, options).pauses, std::vector<double>{});
+  const IndexedMesh mesh = blob(4, 2);
+  EXPECT_EQ(simplify(mesh, DecimateTarget::faces(400), Effort::best, options).mesh.faces.size(), 400U);
 }
 
 TEST(Simplify, KeepsLockedVerticesThroughPolish) {

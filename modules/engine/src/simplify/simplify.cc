@@ -31,8 +31,8 @@ unsigned passes_by_effort(Effort effort, const SimplifyOptions& options) {
   return options.fit == Fit::max ? 2 : 1;
 }
 
-std::vector<double> pauses_by_effort(Effort effort) {
-  if (effort == Effort::fast) return {};
+std::vector<double> pauses_by_effort(Effort effort, const DecimateOptions& options) {
+  if (effort == Effort::fast || options.quadric.placement == Placement::endpoint) return {};
   return effort == Effort::best ? std::vector<double>{1.2, 1.1, 1.05} : std::vector<double>{1.1};
 }
 
@@ -80,7 +80,7 @@ SimplifyOptions with_effort(Effort effort, SimplifyOptions options) {
   options.polish_passes = options.polish_passes.value_or(passes_by_effort(effort, options));
   options.flips = options.flips.value_or(effort == Effort::best);
   const bool has_pauses = options.polish_passes > 0U && decimate.pauses.at.empty();
-  options.pauses = has_pauses ? options.pauses.value_or(pauses_by_effort(effort)) : std::vector<double>{};
+  options.pauses = has_pauses ? options.pauses.value_or(pauses_by_effort(effort, decimate)) : std::vector<double>{};
   return options;
 }
 
@@ -107,6 +107,7 @@ Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, E
   };
   SimplifyOptions at_pauses = settled;
   at_pauses.polish_passes = 1;
+  at_pauses.flips = false;
   if (!settled.pauses->empty()) {
     settled.decimate.pauses = {*settled.pauses,
                                [&](Decimation& paused) { return !polish_now(paused, at_pauses).cancelled; }};

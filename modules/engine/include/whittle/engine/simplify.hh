@@ -37,8 +37,8 @@ struct SimplifyOptions {
 
   /// Where decimation pauses for a pass of polish on its way to a count: multiples of that count, each above 1,
   /// descending. What is contracted after a pause fits the input already, so the result comes nearer to it. Empty = by
-  /// effort; there are no pauses without polish, and none where `decimate` has pauses of the caller's own.
-  /// `Simplification::polish` is the polish at the end.
+  /// effort, none with `Placement::endpoint`; there are no pauses without polish, and none where `decimate` has pauses
+  /// of the caller's own. `Simplification::polish` is the polish at the end.
   std::optional<std::vector<double>> pauses{};
 };
 
