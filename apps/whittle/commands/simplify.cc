@@ -99,7 +99,11 @@ SimplifyOptions resolved(const SimplifyCommand& options, const Run& run) {
 Simplification simplify_in_openmesh(const SimplifyOptions& options, const Run& run) {
   const IndexedMesh& mesh = run.input.read.mesh;
   const Stopwatch decimating;
-  Simplification result{decimate_in_openmesh(mesh, run.input.name, run.target, options.decimate), {}, 0, 0};
+  Simplification result{decimate_in_openmesh(mesh, run.input.name, run.target, options.decimate),
+                        options.decimate.effective_cost(),
+                        {},
+                        0,
+                        0};
   result.decimate_seconds = decimating.seconds();
   const Stopwatch polishing;
   const SignalsWait signals_wait;
@@ -316,6 +320,8 @@ void say_details(const SimplifyCommand& options, const Talk& talk, const Run& ru
               significant(result.max_cost) + ", stopped by: " + std::string(to_string(result.stop)));
   if (!result.why_in_one_pass.empty())
     talk.detail("in one pass, not in blocks: " + std::string(result.why_in_one_pass));
+  if (options.has_cost_by_effort && *options.simplify.tries_plain_quadrics && run.simplified.cost == Cost::quadric)
+    talk.detail("by plain quadrics, which came nearer: much of the mesh is flat");
   talk.detail(refusals(options, result.rejections));
   if (run.threshold > 0) talk.detail(threshold_pairs(result.threshold_pairs));
   const bool is_polished = *options.simplify.polish_passes > 0;
@@ -378,6 +384,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
         with_effort(options.effort, std::move(open), run.input.read.mesh, run.target).decimate.cost;
   }
   run.simplified = simplify_input(options, talk, run);
+  options.simplify.decimate.cost = run.simplified.cost;
   run.seconds.decimate += run.simplified.decimate_seconds;
   run.seconds.polish = run.simplified.polish_seconds;
   take_warnings(talk, run);

@@ -306,6 +306,7 @@ SimplifyCommand settled(SimplifyCommand command) {
   command.simplify.decimate.cost = probe.decimate.cost;
   command.simplify.polish_passes = probe.polish_passes;
   command.simplify.flips = probe.flips;
+  command.simplify.tries_plain_quadrics = probe.tries_plain_quadrics;
   command.simplify.pauses = command.engine == Engine::flat ? probe.pauses : std::vector<double>{};
   command.simplify.decimate.refuse_intersections = command.self_intersections == SelfIntersections::refuse;
   return command;

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/shapes.hh"
 #include "support/suites.hh"
 #include "whittle/core/feature_edges.hh"
+#include "whittle/core/frame.hh"
+#include "whittle/metrics/distance.hh"
 
 namespace whittle::test {
 namespace {
@@ -31,7 +35,7 @@ TEST(Simplify, IsDecimationAndPolishByEffort) {
       polish_options.flips = effort == Effort::best;
       polish_options.passes = effort == Effort::best ? 3 : 1;
       const PolishResult polished = polish(mesh, expected.vertex_map, expected.mesh, polish_options);
-      const Simplification s = simplify(mesh, target, effort);
+      const Simplification s = simplify(mesh, target, effort, {.tries_plain_quadrics = false});
       expect_same(s.mesh, expected.mesh, name);
       EXPECT_EQ(s.vertex_map, expected.vertex_map) << name;
       EXPECT_EQ(s.polish.n_moved, polished.n_moved) << name;
@@ -75,6 +79,38 @@ TEST(Simplify, IsFastByTheCostThatIsFastest) {
   EXPECT_EQ(cost_of(large, DecimateTarget::faces(large.faces.size() - 1000), {}), Cost::quadric) << "hardly anything";
   const Simplification s = simplify(large, tenth, Effort::fast);
   EXPECT_EQ(s.mesh.faces, decimate(large, tenth, {.cost = Cost::memoryless}).mesh.faces);
+}
+
+TEST(Simplify, TakesTheNearerOfTwoResultsWhereMuchIsFlat) {
+  std::size_t n_plain = 0;
+  for (const IndexedMesh& mesh : {bracket(24), bracket(40), tessellated_cube(16), open_cylinder(40, 12)}) {
+    for (const double ratio : {0.5, 0.2, 0.1, 0.05}) {
+      const auto target =
+          DecimateTarget::faces(static_cast<std::uint64_t>(ratio * static_cast<double>(mesh.faces.size())));
+      const auto mean = [&](const Simplification& s) {
+        return metrics::surface_distance(mesh, s.mesh, {.samples = 50'000}).mean;
+      };
+      const Simplification s = simplify(mesh, target);
+      const double memoryless = mean(simplify(mesh, target, Effort::normal, {.decimate = {.cost = Cost::memoryless}}));
+      const double plain = mean(simplify(mesh, target, Effort::normal, {.decimate = {.cost = Cost::quadric}}));
+      EXPECT_EQ(mean(s), s.cost == Cost::quadric ? plain : memoryless);
+      const double noise = 1e-9 * bounds_of(mesh.positions).diagonal();
+      EXPECT_LE(mean(s), 1.05 * std::min(memoryless, plain) + noise) << mesh.faces.size() << ' ' << ratio;
+      n_plain += static_cast<std::size_t>(s.cost == Cost::quadric);
+    }
+  }
+  EXPECT_GT(n_plain, 0U);
+}
+
+TEST(Simplify, TriesPlainQuadricsOnlyWhereNobodyListens) {
+  SimplifyOptions options;
+  EXPECT_EQ(with_effort(Effort::normal, options).tries_plain_quadrics, true);
+  EXPECT_EQ(with_effort(Effort::fast, options).tries_plain_quadrics, false);
+  options.decimate.listener = [](const Contraction&) {};
+  EXPECT_EQ(with_effort(Effort::normal, options).tries_plain_quadrics, false);
+  options.decimate.listener = {};
+  options.decimate.cost = Cost::memoryless;
+  EXPECT_EQ(with_effort(Effort::best, options).tries_plain_quadrics, false);
 }
 
 TEST(Simplify, LeavesVerticesWherePlacementPutThem) {

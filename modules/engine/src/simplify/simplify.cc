@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "decimate/input_features.hh"
+#include "simplify/flat_parts.hh"
+#include "simplify/nearer_result.hh"
 
 namespace whittle {
 namespace {
@@ -76,9 +78,13 @@ PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOption
 
 SimplifyOptions with_effort(Effort effort, SimplifyOptions options) {
   const DecimateOptions& decimate = options.decimate;
+  const bool is_cost_by_effort = !decimate.cost;
   options.decimate.cost = decimate.cost.value_or(cost_by_effort(effort, decimate));
   options.polish_passes = options.polish_passes.value_or(passes_by_effort(effort, options));
   options.flips = options.flips.value_or(effort == Effort::best);
+  options.tries_plain_quadrics =
+      options.tries_plain_quadrics.value_or(is_cost_by_effort && options.decimate.cost == Cost::memoryless &&
+                                            effort != Effort::fast && !decimate.listener && decimate.pauses.at.empty());
   const bool has_pauses = options.polish_passes > 0U && decimate.pauses.at.empty();
   options.pauses = has_pauses ? options.pauses.value_or(pauses_by_effort(effort, decimate)) : std::vector<double>{};
   return options;
@@ -94,9 +100,10 @@ SimplifyOptions with_effort(Effort effort, SimplifyOptions options, const Indexe
   return with_effort(effort, std::move(options));
 }
 
-Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, Effort effort,
-                        const SimplifyOptions& options) {
-  SimplifyOptions settled = with_effort(effort, options, mesh, target);
+namespace {
+
+/// \pre all options are settled
+Simplification simplify_as_settled(const IndexedMesh& mesh, const DecimateTarget& target, SimplifyOptions settled) {
   const Clock::time_point start = Clock::now();
   double polish_seconds = 0;
   const auto polish_now = [&](Decimation& decimation, const SimplifyOptions& polish_options) {
@@ -112,11 +119,39 @@ Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, E
     settled.decimate.pauses = {*settled.pauses,
                                [&](Decimation& paused) { return !polish_now(paused, at_pauses).cancelled; }};
   }
-  Simplification result{decimate(mesh, target, settled.decimate), {}, 0, 0};
+  Simplification result{decimate(mesh, target, settled.decimate), *settled.decimate.cost, {}, 0, 0};
   if (result.result.stop != StopReason::cancelled) result.polish = polish_now(result, settled);
   result.polish_seconds = polish_seconds;
   result.decimate_seconds = seconds_since(start) - polish_seconds;
   return result;
+}
+
+/// Whether `other` is to be taken instead: it alone has reached the target, or it has and is nearer.
+bool is_better(const IndexedMesh& input, const Simplification& other, const Simplification& result) {
+  const bool is_reached = result.result.stop == StopReason::target;
+  const bool is_other_reached = other.result.stop == StopReason::target;
+  if (is_reached != is_other_reached) return is_other_reached;
+  return is_nearer(input, other.mesh, result.mesh);
+}
+
+}  // namespace
+
+Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, Effort effort,
+                        const SimplifyOptions& options) {
+  const SimplifyOptions settled = with_effort(effort, options, mesh, target);
+  Simplification result = simplify_as_settled(mesh, target, settled);
+  const bool is_cancelled = result.result.stop == StopReason::cancelled || result.polish.cancelled;
+  if (is_cancelled || !*settled.tries_plain_quadrics || !may_be_nearly_exact(mesh, target)) return result;
+  SimplifyOptions plain = settled;
+  plain.decimate.cost = Cost::quadric;
+  Simplification other = simplify_as_settled(mesh, target, plain);
+  other.decimate_seconds += result.decimate_seconds;
+  other.polish_seconds += result.polish_seconds;
+  const Clock::time_point compare_start = Clock::now();
+  Simplification& better = is_better(mesh, other, result) ? other : result;
+  better.decimate_seconds = other.decimate_seconds;
+  better.polish_seconds = other.polish_seconds + seconds_since(compare_start);
+  return std::move(better);
 }
 
 }  // namespace whittle

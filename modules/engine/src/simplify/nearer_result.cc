@@ -1,0 +1,72 @@
+#include "simplify/nearer_result.hh"
+
+#include <cmath>
+#include <vector>
+
+#include "whittle/core/frame.hh"
+#include "whittle/metrics/closest_point.hh"
+
+namespace whittle {
+namespace {
+
+constexpr std::size_t n_points = 2000;
+
+/// Of the input: trees take fourth powers of lengths.
+constexpr double least_size = 1e-60;
+constexpr double most_size = 1e60;
+
+double area_of(const IndexedMesh& mesh, const Triangle& face) {
+  const Vec3& a = mesh.positions[face[0]];
+  return 0.5 * (mesh.positions[face[1]] - a).cross(mesh.positions[face[2]] - a).norm();
+}
+
+/// Points of the surface, each for an equal part of the area. None if there is no area.
+std::vector<Vec3> spread_points(const IndexedMesh& mesh) {
+  double area = 0;
+  for (const Triangle& face : mesh.faces) area += area_of(mesh, face);
+  std::vector<Vec3> points;
+  if (!(area > 0 && std::isfinite(area))) return points;
+  const double step = area / static_cast<double>(n_points);
+  double behind = 0;
+  for (const Triangle& face : mesh.faces) {
+    behind += area_of(mesh, face);
+    while (points.size() < n_points && (static_cast<double>(points.size()) + 0.5) * step <= behind) {
+      const auto i =
+          static_cast<double>(points.size());  // a sequence that fills a triangle \cite roberts_2018_quasirandom
+      double u = std::fmod(0.5 + 0.7548776662466927 * i, 1.0);
+      double v = std::fmod(0.5 + 0.5698402909980532 * i, 1.0);
+      if (u + v > 1) u = 1 - u, v = 1 - v;
+      const Vec3& a = mesh.positions[face[0]];
+      points.push_back(a + u * (mesh.positions[face[1]] - a) + v * (mesh.positions[face[2]] - a));
+    }
+  }
+  return points;
+}
+
+double mean_distance(const std::vector<Vec3>& points, const metrics::TriangleTree& tree) {
+  double sum = 0;
+  Index last = invalid_index;
+  for (const Vec3& point : points) {
+    const metrics::ClosestPoint nearest = tree.nearest(point, last);
+    sum += (nearest.point - point).norm();
+    last = nearest.face;
+  }
+  return sum / static_cast<double>(points.size());
+}
+
+}  // namespace
+
+bool is_nearer(const IndexedMesh& input, const IndexedMesh& a, const IndexedMesh& b) {
+  const double size = bounds_of(input.positions).diagonal();
+  if (!(size > least_size && size < most_size)) return false;
+  const std::vector<Vec3> of_input = spread_points(input);
+  const std::vector<Vec3> of_a = spread_points(a);
+  const std::vector<Vec3> of_b = spread_points(b);
+  if (of_input.empty() || of_a.empty() || of_b.empty()) return false;
+  const metrics::TriangleTree tree(input);
+  const double distance_a = mean_distance(of_input, metrics::TriangleTree(a)) + mean_distance(of_a, tree);
+  const double distance_b = mean_distance(of_input, metrics::TriangleTree(b)) + mean_distance(of_b, tree);
+  return distance_a < distance_b;
+}
+
+}  // namespace whittle
