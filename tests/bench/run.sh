@@ -28,7 +28,7 @@ while [ $# -gt 0 ]; do
       ;;
     --plot) arguments+=(--plot "$work/plots") ;;
     --peers=*) peers=${1#*=} ;;
-    --mesh | --case | --mesh=* | --case=*)
+    --mesh | --case | --efficiency | --mesh=* | --case=* | --efficiency=*)
       mesh_is_chosen=true
       arguments+=("$1")
       ;;
