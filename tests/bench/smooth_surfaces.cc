@@ -180,7 +180,7 @@ std::vector<SmoothSurface> smooth_surfaces() {
           torus("torus-0.25", 0.25)};
 }
 
-Errors least_errors(const SmoothSurface& surface, std::size_t n_faces) {
+Errors least_errors(const SmoothSurface& surface) {
   const double elliptic_mean = 1 / (6 * std::sqrt(3.0)) - 1 / (8 * pi);
   constexpr double hyperbolic_mean = 1.0 / 12;
   const double elliptic_rms = 1 / std::sqrt(180.0);
@@ -197,8 +197,7 @@ Errors least_errors(const SmoothSurface& surface, std::size_t n_faces) {
     sums.rms += part * std::pow((is_elliptic ? elliptic_rms : hyperbolic_rms) * root, 2.0 / 3);
     sums.max += part * (is_elliptic ? elliptic_max : hyperbolic_max) * root;
   });
-  const auto n = static_cast<double>(n_faces);
-  return {sums.mean * sums.mean / area / n, std::pow(sums.rms, 1.5) / std::sqrt(area) / n, sums.max / n};
+  return {sums.mean * sums.mean / area, std::pow(sums.rms, 1.5) / std::sqrt(area), sums.max};
 }
 
 Errors errors_of(const IndexedMesh& mesh, const SmoothSurface& surface, std::size_t n_samples) {

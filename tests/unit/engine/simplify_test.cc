@@ -84,11 +84,11 @@ TEST(Simplify, IsFastByTheCostThatIsFastest) {
 TEST(Simplify, TakesTheNearerOfTwoResultsWhereMuchIsFlat) {
   std::size_t n_plain = 0;
   for (const IndexedMesh& mesh : {bracket(24), bracket(40), tessellated_cube(16), open_cylinder(40, 12)}) {
-    for (const double ratio : {0.5, 0.2, 0.1, 0.05}) {
+    for (const double ratio : {0.2, 0.05}) {
       const auto target =
           DecimateTarget::faces(static_cast<std::uint64_t>(ratio * static_cast<double>(mesh.faces.size())));
       const auto mean = [&](const Simplification& s) {
-        return metrics::surface_distance(mesh, s.mesh, {.samples = 50'000}).mean;
+        return metrics::surface_distance(mesh, s.mesh, {.samples = 20'000}).mean;
       };
       const Simplification s = simplify(mesh, target);
       const double memoryless = mean(simplify(mesh, target, Effort::normal, {.decimate = {.cost = Cost::memoryless}}));

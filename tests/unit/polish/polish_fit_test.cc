@@ -126,13 +126,13 @@ TEST(Outliers, GoBackAndOthersStay) {
 }
 
 metrics::SurfaceDistance fitted(const IndexedMesh& original, const Decimation& d, Fit fit) {
-  return metrics::surface_distance(original, polished(original, d, {.passes = 3, .fit = fit}), {.samples = 100'000});
+  return metrics::surface_distance(original, polished(original, d, {.passes = 3, .fit = fit}), {.samples = 50'000});
 }
 
 TEST(PolishFit, BringsDownWhatIsAskedFor) {
   double largest = 1;
   double mean = 1;
-  for (const IndexedMesh& original : {sphere(6), blob(5, 4), noisy_torus(160, 80, 1, 0.4, 0.002, 5), knot(240, 32)}) {
+  for (const IndexedMesh& original : {sphere(5), blob(5, 4), noisy_torus(120, 60, 1, 0.4, 0.002, 5)}) {
     const Decimation d = decimated(original, 0.05);
     const metrics::SurfaceDistance balanced = fitted(original, d, Fit::balanced);
     const metrics::SurfaceDistance max = fitted(original, d, Fit::max);
@@ -141,8 +141,8 @@ TEST(PolishFit, BringsDownWhatIsAskedFor) {
     EXPECT_LT(max.max, 1.05 * balanced.max);
     EXPECT_LT(max.mean, 1.1 * balanced.mean);
   }
-  EXPECT_LT(std::pow(largest, 0.25), 0.95);
-  EXPECT_LT(std::pow(mean, 0.25), 1.002);
+  EXPECT_LT(std::cbrt(largest), 0.95);
+  EXPECT_LT(std::cbrt(mean), 1.002);
 }
 
 TEST(PolishFit, LetsNoVertexStickOut) {
