@@ -29,9 +29,9 @@ struct SmoothSurface {
 /// A sphere, an ellipsoid of axes 3 : 2 : 1, and tori whose tubes have half and a quarter of their radius.
 std::vector<SmoothSurface> smooth_surfaces();
 
-/// N times the least errors that N triangles can have, for many triangles: of the best sizes and shapes, with vertices that may
-/// leave the surface. By the integrals of a power of the Gaussian curvature: Gruber 1993 and Fejes Tóth 1953 for
-/// elliptic points, Pottmann et al. 2000 and Atariah, Rote & Wintraecken 2018 for hyperbolic ones.
+/// N times the least errors that N triangles can have, for many triangles: of the best sizes and shapes, with vertices
+/// that may leave the surface. By the integrals of a power of the Gaussian curvature: Gruber 1993 and Fejes Tóth 1953
+/// for elliptic points, Pottmann et al. 2000 and Atariah, Rote & Wintraecken 2018 for hyperbolic ones.
 Errors least_errors(const SmoothSurface& surface);
 
 /// The errors of a mesh, at points of its faces, by area; the largest is also looked for at vertices.

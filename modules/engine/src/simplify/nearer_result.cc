@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/spread_point.hh"
 #include "whittle/metrics/closest_point.hh"
 
 namespace whittle {
@@ -31,11 +32,7 @@ std::vector<Vec3> spread_points(const IndexedMesh& mesh) {
   for (const Triangle& face : mesh.faces) {
     behind += area_of(mesh, face);
     while (points.size() < n_points && (static_cast<double>(points.size()) + 0.5) * step <= behind) {
-      const auto i =
-          static_cast<double>(points.size());  // a sequence that fills a triangle \cite roberts_2018_quasirandom
-      double u = std::fmod(0.5 + 0.7548776662466927 * i, 1.0);
-      double v = std::fmod(0.5 + 0.5698402909980532 * i, 1.0);
-      if (u + v > 1) u = 1 - u, v = 1 - v;
+      const auto [u, v] = spread_point(points.size());
       const Vec3& a = mesh.positions[face[0]];
       points.push_back(a + u * (mesh.positions[face[1]] - a) + v * (mesh.positions[face[2]] - a));
     }

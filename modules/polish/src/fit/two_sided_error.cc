@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "whittle/core/geometry/nearest_on_triangle.hh"
+#include "whittle/core/geometry/spread_point.hh"
 
 namespace whittle::polishing {
 namespace {
@@ -25,13 +26,6 @@ struct Choice {
   }
   std::size_t face(std::size_t i) const { return i / per_face * step; }
 };
-
-/// The i-th of a sequence of points that fill a triangle evenly. \cite roberts_2018_quasirandom
-Barycentric spread_point(std::size_t i) {
-  const double u = std::fmod(0.5 + 0.7548776662466927 * static_cast<double>(i), 1.0);
-  const double v = std::fmod(0.5 + 0.5698402909980532 * static_cast<double>(i), 1.0);
-  return u + v <= 1 ? Barycentric{u, v} : Barycentric{1 - u, 1 - v};
-}
 
 /// The distances from points in faces of `from`, weighted by the areas of these faces, to `to`.
 /// \param start `start(face, point)` is a vertex of `to` near that point, or `invalid_index`

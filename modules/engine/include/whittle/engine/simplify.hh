@@ -43,8 +43,9 @@ struct SimplifyOptions {
 
   /// Whether plain quadrics are tried, too, where much of the mesh is flat, and so the result may be nearly exact
   /// (100,000 faces at most, a target without a cost limit). The result that is nearer to the input is taken. Takes two
-  /// to three times as long there. Empty = if the cost is by effort, and memoryless, and there are no callbacks of the
-  /// caller's that a second run would call anew (a listener, pauses of `decimate`).
+  /// to three times as long there. Cancelled in the second run, `simplify` gives the first one's result. Empty = if the
+  /// cost is by effort, and memoryless, and there are no callbacks of the caller's that a second run would call anew (a
+  /// listener, pauses of `decimate`).
   std::optional<bool> tries_plain_quadrics{};
 };
 
