@@ -27,8 +27,8 @@ TEST(Simplify, IsDecimationAndPolishByEffort) {
     for (const Effort effort : {Effort::normal, Effort::best}) {
       PolishOptions polish_options;
       options.pauses.at = effort == Effort::best ? std::vector<double>{1.2, 1.1, 1.05} : std::vector<double>{1.1};
-      options.pauses.adjust = [&](Decimation& paused) {
-        polish(mesh, paused.vertex_map, paused.mesh, polish_options);
+      options.pauses.adjust = [&original = mesh, &polish_options](Decimation& paused) {
+        polish(original, paused.vertex_map, paused.mesh, polish_options);
         return true;
       };
       Decimation expected = decimate(mesh, target, options);
