@@ -9,14 +9,6 @@ namespace {
 
 constexpr double highest_share = 0.7;  ///< of the faces to be left
 
-/// The share of the mesh that the target leaves.
-double target_share(const IndexedMesh& mesh, const DecimateTarget& target) {
-  const auto share = [](std::optional<std::uint64_t> wanted, std::size_t n) {
-    return wanted ? static_cast<double>(*wanted) / static_cast<double>(n) : 0.0;
-  };
-  return std::max(share(target.n_faces(), mesh.faces.size()), share(target.n_vertices(), mesh.positions.size()));
-}
-
 MeanFaceArea mean_face_area(const IndexedMesh& mesh, const Frame& frame, unsigned threads) {
   const std::size_t n = mesh.faces.size();
   std::vector<double> areas((n + range_length - 1) / range_length);  // by range
@@ -82,7 +74,7 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
   if (mesh.faces.size() < (is_exact ? plan.fewest_faces_in_exact_order : plan.fewest_faces)) return "the mesh is small";
   if (!target.n_faces() && !target.n_vertices()) return "there is no count to reach";
   if (target.cost_limit()) return "the cost is limited";
-  if (target_share(mesh, target) > highest_share) return "the target is near";
+  if (target.share_of(mesh.faces.size(), mesh.positions.size()) > highest_share) return "the target is near";
   if (host != nullptr) return "a host takes part";
   if (is_exact) {
     if (options.isotropy > 0) return "the cost has a term for edge lengths";
@@ -105,8 +97,8 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
 
 LevelRemainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, const DecimateTarget& target,
                                   const DecimateOptions& options, const BlockPlan& plan) {
-  const double share =
-      std::max(plan.fewest_faces_left / static_cast<double>(plan.faces_per_block), target_share(mesh, target));
+  const double share = std::max(plan.fewest_faces_left / static_cast<double>(plan.faces_per_block),
+                                target.share_of(mesh.faces.size(), mesh.positions.size()));
   SharedProgress progress(options, mesh.positions.size(), mesh.faces.size(), share);
   const LevelContext context{options, mesh, frame, share, progress};
   const Memory memory{mean_face_area(mesh, frame, options.threads), {}};

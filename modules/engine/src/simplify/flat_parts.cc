@@ -22,14 +22,6 @@ bool is_bent(const SymmetricMatrix& normals) {
   return determinant > least_angle * least_angle * normals.trace() * minors;
 }
 
-/// Of the vertices, at least.
-double share_left(const IndexedMesh& mesh, const DecimateTarget& target) {
-  const auto share = [](std::optional<std::uint64_t> wanted, std::size_t n) {
-    return wanted ? static_cast<double>(*wanted) / static_cast<double>(n) : 0.0;
-  };
-  return std::max(share(target.n_faces(), mesh.faces.size()), share(target.n_vertices(), mesh.positions.size()));
-}
-
 }  // namespace
 
 double bent_share(const IndexedMesh& mesh) {
@@ -47,7 +39,7 @@ double bent_share(const IndexedMesh& mesh) {
 bool may_be_nearly_exact(const IndexedMesh& mesh, const DecimateTarget& target) {
   if (mesh.faces.empty() || mesh.faces.size() > most_faces || target.cost_limit()) return false;
   const double bent = bent_share(mesh);
-  return bent <= most_bent && bent <= bent_per_vertex_left * share_left(mesh, target);
+  return bent <= most_bent && bent <= bent_per_vertex_left * target.share_of(mesh.faces.size(), mesh.positions.size());
 }
 
 }  // namespace whittle

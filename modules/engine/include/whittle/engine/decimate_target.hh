@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -37,6 +39,14 @@ class DecimateTarget {
       return n;
     };
     return {times(n_faces_), times(n_vertices_), cost_limit_};
+  }
+
+  /// The share of a mesh with such counts that the limits of faces and vertices leave at least; 0 without these.
+  double share_of(std::size_t n_faces, std::size_t n_vertices) const {
+    const auto share = [](std::optional<std::uint64_t> wanted, std::size_t n) {
+      return wanted ? static_cast<double>(*wanted) / static_cast<double>(n) : 0.0;
+    };
+    return std::max(share(n_faces_, n_faces), share(n_vertices_, n_vertices));
   }
 
   /// Whether a mesh with such counts has reached the limit of faces or that of vertices.
