@@ -6,7 +6,9 @@
 #include <string>
 
 #include "polisher.hh"
+#include "surface/ordered_mesh.hh"
 #include "whittle/core/detail/checks.hh"
+#include "whittle/core/geometry/vertex_normals.hh"
 
 namespace whittle {
 namespace {
@@ -18,14 +20,18 @@ void check_edges(std::span<const VertexPair> edges, std::size_t n_vertices) {
   }
 }
 
-void check(const IndexedMesh& original, std::span<const Index> vertex_map, const IndexedMesh& mesh,
+void check_original(const IndexedMesh& original) {
+  check_positions(original.positions, "polish");
+  check_corners(original.positions.size(), original.faces);
+}
+
+/// \param n_original_vertices number of the original's
+void check(std::size_t n_original_vertices, std::span<const Index> vertex_map, const IndexedMesh& mesh,
            const PolishOptions& options) {
   check_attribute_lengths(mesh, "polish");
-  check_positions(original.positions, "polish");
   check_positions(mesh.positions, "polish");
-  check_corners(original.positions.size(), original.faces);
   check_corners(mesh.positions.size(), mesh.faces);
-  if (vertex_map.size() != original.positions.size()) {
+  if (vertex_map.size() != n_original_vertices) {
     throw std::invalid_argument("polish: vertex_map has another length than the original's vertices");
   }
   for (const Index v : vertex_map) {
@@ -37,7 +43,7 @@ void check(const IndexedMesh& original, std::span<const Index> vertex_map, const
     throw std::invalid_argument("polish: locked has another length than the vertices");
   }
   check_edges(options.features, mesh.positions.size());
-  check_edges(options.original_features, original.positions.size());
+  check_edges(options.original_features, n_original_vertices);
   if (const auto angle = options.feature_angle_deg; angle && !(*angle > 0 && *angle < 180)) {
     throw std::invalid_argument("polish: feature_angle_deg is not in (0, 180)");
   }
@@ -46,13 +52,16 @@ void check(const IndexedMesh& original, std::span<const Index> vertex_map, const
   }
 }
 
-}  // namespace
+/// Whether coordinates in the original's frame, which is about as large as 1, are those of a mesh made from it.
+bool is_near(const IndexedMesh& mesh, const Frame& frame) {
+  constexpr double far = 1e6;
+  return std::all_of(mesh.positions.begin(), mesh.positions.end(),
+                     [&](const Vec3& p) { return frame.to_frame(p).cwiseAbs().maxCoeff() <= far; });
+}
 
-PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
-                    const PolishOptions& options) {
-  check(original, vertex_map, mesh, options);
+PolishResult run(const polishing::OriginalSurface& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
+                 const PolishOptions& options) {
   PolishResult result;
-  if (options.passes == 0 || mesh.faces.empty() || original.faces.empty()) return result;
   detail::ProgressMeter meter(options.progress);
   std::optional<polishing::Polisher> polisher;
   try {
@@ -68,6 +77,51 @@ PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_m
   result.rms_after = polisher->rms();
   if (result.n_passes > 0) result.n_moved = polisher->write(mesh);
   return result;
+}
+
+}  // namespace
+
+PolishOriginal::PolishOriginal(const IndexedMesh& mesh, unsigned threads, const ProgressCallback& progress) {
+  check_original(mesh);
+  detail::ProgressMeter meter(progress);
+  meter.start("preparing", 0);
+  surface_ = std::make_unique<const polishing::OriginalSurface>(mesh, detail::Workers(threads, &meter));
+}
+
+PolishOriginal::~PolishOriginal() = default;
+PolishOriginal::PolishOriginal(PolishOriginal&&) noexcept = default;
+PolishOriginal& PolishOriginal::operator=(PolishOriginal&&) noexcept = default;
+
+PolishResult polish(const PolishOriginal& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
+                    const PolishOptions& options) {
+  const polishing::OriginalSurface& surface = original.surface();
+  const Frame& frame = surface.frame();
+  check(surface.positions().size(), vertex_map, mesh, options);
+  if (options.passes == 0 || mesh.faces.empty() || surface.faces().empty() || !is_near(mesh, frame)) return {};
+  polishing::OrderedMesh ordered(mesh, frame, options.threads);
+  PolishOptions ordered_options = options;
+  ordered_options.locked = ordered.per_vertex(options.locked);
+  ordered_options.features = ordered.map(options.features);
+  ordered_options.flips = options.flips && mesh.corner_texcoords.empty();
+  const PolishResult result = run(surface, ordered.map(vertex_map), ordered.mesh, ordered_options);
+  if (result.n_passes == 0) return result;
+  ordered.write_to(mesh);
+  if (options.recompute_normals && !mesh.normals.empty()) mesh.normals = vertex_normals(mesh, frame);
+  return result;
+}
+
+PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
+                    const PolishOptions& options) {
+  check_original(original);
+  check(original.positions.size(), vertex_map, mesh, options);
+  if (options.passes == 0 || mesh.faces.empty()) return {};
+  try {
+    return polish(PolishOriginal(original, options.threads, options.progress), vertex_map, mesh, options);
+  } catch (const Cancelled&) {
+    PolishResult result;
+    result.cancelled = true;
+    return result;
+  }
 }
 
 }  // namespace whittle

@@ -13,12 +13,9 @@
 #include "surface/backward_offsets.hh"
 #include "surface/foot_finder.hh"
 #include "whittle/core/detail/edge_table.hh"
-#include "whittle/core/geometry/vertex_normals.hh"
 
 namespace whittle::polishing {
 namespace {
-
-constexpr int n_sweeps = 2;
 
 /// As a face moves, its points get other feet, which they pull to, too. So the step to where the present feet fit best
 /// is too short. Where the longer step goes too far, the shorter one is tried.
@@ -85,11 +82,15 @@ std::vector<std::uint8_t> fixed_vertices(const FaceNeighbors& neighbors, const M
   return is_fixed;
 }
 
-/// That of both meshes: `mesh` may be anywhere.
-Frame frame_of(const IndexedMesh& original, const IndexedMesh& mesh) {
-  const PointBounds a = bounds_of(original.positions);
-  const PointBounds b = bounds_of(mesh.positions);
-  return Frame::of_box(a.low.cwiseMin(b.low), a.high.cwiseMax(b.high));
+std::vector<Vec3> in_frame(std::span<const Vec3> positions, const Frame& frame) {
+  std::vector<Vec3> result;
+  result.reserve(positions.size());
+  for (const Vec3& p : positions) result.push_back(frame.to_frame(p));
+  return result;
+}
+
+std::size_t points_per_face(const OriginalSurface& original, const IndexedMesh& mesh) {
+  return static_cast<double>(mesh.faces.size()) > dense * static_cast<double>(original.faces().size()) ? 4 : 1;
 }
 
 }  // namespace
@@ -98,31 +99,28 @@ double run_fraction(double n_passes, const PolishOptions& options) {
   return (preparation + n_passes) / (preparation + options.passes);
 }
 
-Connectivity::Connectivity(std::vector<Triangle> the_faces, std::size_t n_vertices, const SimplifiedSurface& original,
-                           const PolishOptions& options, const detail::Workers& workers)
+Connectivity::Connectivity(std::vector<Triangle> the_faces, std::size_t n_vertices, const PolishOptions& options,
+                           const detail::Workers& workers)
     : faces(std::move(the_faces)),
       corners(corners_by_vertex(faces, n_vertices)),
       neighbors(faces, corners, workers),
-      limits(neighbors, options.features, options.feature_angle_deg, options.min_radius_ratio.value_or(0)),
-      error(original, faces, n_vertices, workers) {}
+      limits(neighbors, options.features, options.feature_angle_deg, options.min_radius_ratio.value_or(0)) {}
 
-Polisher::Polisher(const IndexedMesh& original, std::span<const Index> vertex_map, const IndexedMesh& mesh,
+Polisher::Polisher(const OriginalSurface& original, std::span<const Index> vertex_map, const IndexedMesh& mesh,
                    const PolishOptions& options, detail::ProgressMeter& meter)
     : options_(options),
       meter_(meter),
       workers_(options.threads, &meter),
-      frame_(frame_of(original, mesh)),
-      samples_(original, vertex_map, frame_, points_per_face(original, mesh), workers_),
-      original_{original.faces, samples_.positions(), vertex_map},
-      mesh_(std::make_unique<Connectivity>(mesh.faces, mesh.positions.size(), original_, options, workers_)),
+      original_(original),
+      positions_(in_frame(mesh.positions, original.frame())),
+      origins_(original, vertex_map, mesh.positions.size(), points_per_face(original, mesh), workers_),
+      mesh_(std::make_unique<Connectivity>(mesh.faces, mesh.positions.size(), options, workers_)),
       groups_(mesh.face_groups),
       lines_(lines_of(mesh, mesh_->neighbors, options.features, workers_)),
-      line_samples_(original_lines(original), samples_.positions(), vertex_map),
+      line_samples_(original_lines(), original_.positions(), vertex_map),
       is_fixed_(fixed_vertices(mesh_->neighbors, lines_, mesh.positions.size(), options, workers_)),
-      can_flip_(options.flips && mesh.corner_texcoords.empty()) {
-  positions_.reserve(mesh.positions.size());
-  for (const Vec3& p : mesh.positions) positions_.push_back(frame_.to_frame(p));
-  distances_ = mesh_->distances(positions_, workers_);
+      can_flip_(options.flips) {
+  distances_ = two_sided_distances(origins_, mesh_->at(positions_), workers_);
 }
 
 bool Polisher::pass() {
@@ -130,14 +128,24 @@ bool Polisher::pass() {
   begun_until_ = 0;
   const double unit = root_mean_square(distances_);
   if (!(unit > rounding)) return false;
-  find_feet();
   std::unique_ptr<Connectivity> flipped = flip();
   const Connectivity& mesh = flipped ? *flipped : *mesh_;
-  const FitWeights weights(unit, limits_of(options_.fit).far_forward);
+  const Surface now = mesh.at(positions_);
+  const Limits limits = limits_of(options_.fit);
+  const FitWeights weights(unit, limits.far_forward);
+  start("fitting", 0.5);
+  SurfaceFit fit(now, mesh.neighbors, mesh.limits, lines_, is_fixed_, workers_);
+  line_samples_.find_feet(lines_, now, workers_);
+  line_samples_.for_each_foot([&fit](const LineFoot& foot, double weight) { fit.add(foot, weight); });
+  fit.add(origins_, weights, workers_);
+  const BackwardOffsets backward(origins_, now, limits.near * unit, workers_);
+  fit.hold_back(backward.offsets(), limits.most * unit);
   for (const double relaxation : relaxations) {
-    std::vector<Vec3> moved = move(mesh, unit, weights, relaxation);
+    start("moving", 0.7);
+    std::vector<Vec3> moved = fit.moved(relaxation, workers_);
+    take_back(mesh, backward, limits.most * unit, moved);
     start("measuring", 1);
-    Distances distances = mesh.distances(moved, workers_);
+    Distances distances = two_sided_distances(origins_, mesh.at(moved), workers_);
     if (!(weights.loss(distances) < weights.loss(distances_))) continue;
     distances_ = std::move(distances);
     positions_ = std::move(moved);
@@ -149,26 +157,22 @@ bool Polisher::pass() {
 
 std::uint64_t Polisher::write(IndexedMesh& mesh) const {
   std::uint64_t n_moved = 0;
+  const Frame& frame = original_.frame();
   for (std::size_t v = 0; v < positions_.size(); ++v) {
-    if (positions_[v] == frame_.to_frame(mesh.positions[v])) continue;
-    mesh.positions[v] = frame_.to_model(positions_[v]);
+    if (positions_[v] == frame.to_frame(mesh.positions[v])) continue;
+    mesh.positions[v] = frame.to_model(positions_[v]);
     ++n_moved;
   }
   mesh.faces = mesh_->faces;
-  if (options_.recompute_normals && !mesh.normals.empty()) mesh.normals = vertex_normals(mesh, frame_);
   return n_moved;
 }
 
-std::size_t Polisher::points_per_face(const IndexedMesh& original, const IndexedMesh& mesh) {
-  return static_cast<double>(mesh.faces.size()) > dense * static_cast<double>(original.faces.size()) ? 4 : 1;
-}
-
 /// Without lines in the mesh, the original's border is not needed.
-MeshLines Polisher::original_lines(const IndexedMesh& original) const {
+MeshLines Polisher::original_lines() const {
   workers_.update(0);
   std::vector<VertexPair> borders;
-  if (!lines_.empty()) borders = detail::border_edges(original.faces, original.positions.size());
-  return MeshLines(borders, options_.original_features, original.positions.size());
+  if (!lines_.empty()) borders = detail::border_edges(original_.faces(), original_.positions().size());
+  return MeshLines(borders, options_.original_features, original_.positions().size());
 }
 
 void Polisher::start(std::string_view stage, double until) {
@@ -177,48 +181,26 @@ void Polisher::start(std::string_view stage, double until) {
   meter_.start(stage, run_fraction(n_passes_ - 1 + until, options_));
 }
 
-void Polisher::find_feet() {
-  start("finding feet", 0.35);
-  FootFinder finder(mesh_->faces, mesh_->corners);
-  finder.look_at(positions_, workers_);
-  samples_.find_feet(finder, workers_);
-}
-
 /// Nothing if no edge was flipped.
 std::unique_ptr<Connectivity> Polisher::flip() {
   if (!can_flip_) return nullptr;
-  start("flipping edges", 0.45);
+  start("flipping edges", 0.25);
   std::vector<Triangle> faces =
-      flip_edges(mesh_->at(positions_), mesh_->neighbors, mesh_->limits, lines_, groups_, samples_, workers_);
+      flip_edges(mesh_->at(positions_), mesh_->neighbors, mesh_->limits, lines_, groups_, origins_, workers_);
   if (faces == mesh_->faces) return nullptr;
-  return std::make_unique<Connectivity>(std::move(faces), positions_.size(), original_, options_, workers_);
+  return std::make_unique<Connectivity>(std::move(faces), positions_.size(), options_, workers_);
 }
 
-/// Where the vertices should go. \param unit root mean square distance
-std::vector<Vec3> Polisher::move(const Connectivity& mesh, double unit, const FitWeights& weights, double relaxation) {
-  start("fitting", 0.7);
-  std::vector<Vec3> moved = positions_;
-  SurfaceFit fit(mesh.faces, mesh.corners, mesh.neighbors, mesh.limits, lines_, is_fixed_, relaxation);
-  fit.start(moved, workers_);
-  line_samples_.find_feet(lines_, mesh.at(positions_), workers_);
-  line_samples_.for_each_foot([&fit](const LineFoot& foot, double weight) { fit.add(foot, weight); });
-  samples_.for_each_foot(mesh.faces.size(), workers_, [&](const Foot& foot, double weight) {
-    fit.add(foot, weight * weights.weight(foot.distance));
-  });
-  fit.hold_bare_faces(workers_);
-  const Limits limits = limits_of(options_.fit);
-  const BackwardOffsets backward(original_, samples_, positions_, workers_);
-  const std::vector<Vec3> offsets = backward.at(positions_, limits.near * unit, workers_);
-  fit.hold_back(offsets, limits.most * unit);
-  for (int i = 0; i < n_sweeps; ++i) fit.sweep(workers_);
+/// Puts vertices back whose moves the sums don't forbid, though they do harm.
+/// \param most distance from the original that few vertices should have
+void Polisher::take_back(const Connectivity& mesh, const BackwardOffsets& backward, double most,
+                         std::vector<Vec3>& moved) {
   start("checking", 0.9);
   const Surface before = mesh.at(positions_);
   std::vector<Index> taken_back = take_back_strayed_lines(before, lines_, line_samples_, moved, workers_);
-  const std::vector<Index> outliers =
-      take_back_outliers(backward, positions_, offsets, limits.most * unit, moved, workers_);
+  const std::vector<Index> outliers = take_back_outliers(backward, most, moved, workers_);
   taken_back.insert(taken_back.end(), outliers.begin(), outliers.end());
   take_back_intersections(before, mesh.limits, moved, taken_back, workers_);
-  return moved;
 }
 
 }  // namespace whittle::polishing

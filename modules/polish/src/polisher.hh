@@ -9,10 +9,11 @@
 #include "fit/fit_weights.hh"
 #include "fit/two_sided_error.hh"
 #include "guard/face_limits.hh"
+#include "surface/backward_offsets.hh"
 #include "surface/face_neighbors.hh"
 #include "surface/line_samples.hh"
 #include "surface/mesh_lines.hh"
-#include "surface/surface_samples.hh"
+#include "surface/origins.hh"
 #include "surface/vertex_corners.hh"
 #include "whittle/core/detail/progress_meter.hh"
 #include "whittle/core/frame.hh"
@@ -26,18 +27,14 @@ struct Connectivity {
   VertexCorners corners;
   FaceNeighbors neighbors;
   FaceLimits limits;
-  TwoSidedError error;
 
   /// \throw Cancelled
-  Connectivity(std::vector<Triangle> the_faces, std::size_t n_vertices, const SimplifiedSurface& original,
-               const PolishOptions& options, const detail::Workers& workers);
+  Connectivity(std::vector<Triangle> the_faces, std::size_t n_vertices, const PolishOptions& options,
+               const detail::Workers& workers);
   Connectivity(const Connectivity&) = delete;
   Connectivity& operator=(const Connectivity&) = delete;
 
   Surface at(std::span<const Vec3> positions) const { return {faces, corners, positions}; }
-  Distances distances(std::span<const Vec3> positions, const detail::Workers& workers) const {
-    return error.distances(at(positions), workers);
-  }
 };
 
 /// Fraction of the whole run that is done after the preparations and some passes. \param n_passes may have a part of
@@ -49,7 +46,7 @@ class Polisher {
  public:
   /// Keeps references to all but `mesh`, of which it keeps the groups.
   /// \throw Cancelled
-  Polisher(const IndexedMesh& original, std::span<const Index> vertex_map, const IndexedMesh& mesh,
+  Polisher(const OriginalSurface& original, std::span<const Index> vertex_map, const IndexedMesh& mesh,
            const PolishOptions& options, detail::ProgressMeter& meter);
 
   /// \return whether it helped; if not, nothing has changed
@@ -57,26 +54,24 @@ class Polisher {
   bool pass();
 
   /// Root mean square distance between the surfaces, model units.
-  double rms() const { return root_mean_square(distances_) * frame_.unscale; }
+  double rms() const { return root_mean_square(distances_) * original_.frame().unscale; }
 
   /// \return number of vertices that are not where they were
   std::uint64_t write(IndexedMesh& mesh) const;
 
  private:
-  static std::size_t points_per_face(const IndexedMesh& original, const IndexedMesh& mesh);
-  MeshLines original_lines(const IndexedMesh& original) const;
+  MeshLines original_lines() const;
   /// Begins a stage of the pass under way, unless it was begun before. \param until share of the pass at its end
   void start(std::string_view stage, double until);
-  void find_feet();
   std::unique_ptr<Connectivity> flip();
-  std::vector<Vec3> move(const Connectivity& mesh, double unit, const FitWeights& weights, double relaxation);
+  void take_back(const Connectivity& mesh, const BackwardOffsets& backward, double most, std::vector<Vec3>& moved);
 
   const PolishOptions& options_;
   detail::ProgressMeter& meter_;
   detail::Workers workers_;
-  Frame frame_;
-  SurfaceSamples samples_;
-  SimplifiedSurface original_;
+  const OriginalSurface& original_;
+  std::vector<Vec3> positions_;
+  Origins origins_;
   std::unique_ptr<Connectivity> mesh_;
   std::span<const Index> groups_;
   MeshLines lines_;
@@ -85,7 +80,6 @@ class Polisher {
   bool can_flip_;
   unsigned n_passes_ = 0;   ///< begun
   double begun_until_ = 0;  ///< share of the pass at the end of the stage begun last
-  std::vector<Vec3> positions_;
   Distances distances_;
 };
 

@@ -14,7 +14,6 @@
 #include "support/shapes.hh"
 #include "support/suites.hh"
 #include "surface/backward_offsets.hh"
-#include "surface/surface_samples.hh"
 #include "whittle/io/read.hh"
 #include "whittle/metrics/closest_point.hh"
 #include "whittle/metrics/distance.hh"
@@ -50,28 +49,36 @@ TEST(FitWeights, CountFarPointsForMoreOnlyWhereAsked) {
   EXPECT_NEAR(max.weight(0.5), fair.weight(0.5), 1e-5);
 }
 
+IndexedMesh in_its_frame(IndexedMesh mesh) {
+  const Frame frame = Frame::of_points(mesh.positions);
+  for (Vec3& p : mesh.positions) p = frame.to_frame(p);
+  return mesh;
+}
+
 /// A decimated mesh, some of whose vertices are moved off, and what measures how far.
 struct Moved {
   explicit Moved(const IndexedMesh& mesh)
-      : original(mesh),
-        decimation(decimated(mesh, 0.2)),
-        samples(original, decimation.vertex_map, Frame{}, 1, 1),
-        surface{original.faces, samples.positions(), decimation.vertex_map},
-        offsets(surface, samples, decimation.mesh.positions, 1),
+      : original(in_its_frame(mesh)),
+        decimation(decimated(original, 0.2)),
+        surface(original, 1),
+        origins(surface, decimation.vertex_map, decimation.mesh.positions.size(), 1, 1),
+        corners(corners_by_vertex(decimation.mesh.faces, decimation.mesh.positions.size())),
         positions(decimation.mesh.positions),
         tree(original) {
-    const double size = bounds_of(mesh.positions).diagonal();
     Random random(3);
     for (std::size_t v = 0; v < positions.size(); v += 5) {
-      positions[v] += 0.01 * size * random.uniform_vector(-1, 1);
+      positions[v] += 0.01 * size() * random.uniform_vector(-1, 1);
     }
   }
+  double size() const { return bounds_of(original.positions).diagonal(); }
+  Surface before() const { return {decimation.mesh.faces, corners, decimation.mesh.positions}; }
+  Surface after() const { return {decimation.mesh.faces, corners, positions}; }
 
   IndexedMesh original;
   Decimation decimation;
-  SurfaceSamples samples;
-  SimplifiedSurface surface;
-  BackwardOffsets offsets;
+  OriginalSurface surface;
+  Origins origins;
+  VertexCorners corners;
   std::vector<Vec3> positions;
   metrics::TriangleTree tree;
 };
@@ -84,23 +91,30 @@ std::vector<NamedMesh> whole_meshes() {
           {"bracket", bracket(24)}};
 }
 
+/// How many offsets are wrong: zero though the vertex is far, or longer than to the nearest point.
+std::size_t n_wrong(std::span<const Vec3> offsets, const Moved& moved, double near) {
+  std::size_t n = 0;
+  for (std::size_t v = 0; v < offsets.size(); ++v) {
+    const double distance = distance_of(moved.tree, moved.positions[v]);
+    const bool is_near = offsets[v].isZero();
+    if (!is_near) {
+      EXPECT_GE(offsets[v].norm(), distance * (1 - 1e-9)) << "a foot lies on the surface";
+    }
+    const bool is_right = is_near ? distance <= 1.5 * near : offsets[v].norm() <= 1.001 * distance + 1e-12;
+    n += static_cast<std::size_t>(!is_right);
+  }
+  return n;
+}
+
 TEST(BackwardOffsets, AreFromTheNearestPoints) {
   for (const auto& [name, mesh] : whole_meshes()) {
     SCOPED_TRACE(name);
     const Moved moved(mesh);
-    const double near = 0.002 * bounds_of(mesh.positions).diagonal();
-    const std::vector<Vec3> offsets = moved.offsets.at(moved.positions, near, 1);
-    std::size_t n_missed = 0;
-    for (std::size_t v = 0; v < offsets.size(); ++v) {
-      const double distance = distance_of(moved.tree, moved.positions[v]);
-      const bool is_near = offsets[v].isZero();
-      if (!is_near) {
-        EXPECT_GE(offsets[v].norm(), distance * (1 - 1e-9)) << "a foot lies on the surface";
-      }
-      const bool is_right = is_near ? distance <= 1.5 * near : offsets[v].norm() <= 1.001 * distance + 1e-12;
-      n_missed += static_cast<std::size_t>(!is_right);
-    }
-    EXPECT_LE(n_missed, offsets.size() / 50);
+    const double near = 0.002 * moved.size();
+    const BackwardOffsets at_once(moved.origins, moved.after(), near, 1);
+    EXPECT_LE(n_wrong(at_once.offsets(), moved, near), moved.positions.size() / 50);
+    const BackwardOffsets before(moved.origins, moved.before(), 0.5 * near, 1);
+    EXPECT_LE(n_wrong(before.after_moves(moved.positions, near, 1), moved, near), moved.positions.size() / 50);
   }
 }
 
@@ -109,10 +123,10 @@ TEST(Outliers, GoBackAndOthersStay) {
     SCOPED_TRACE(name);
     Moved moved(mesh);
     const std::vector<Vec3>& before = moved.decimation.mesh.positions;
-    const double most = 0.004 * bounds_of(mesh.positions).diagonal();
-    const std::vector<Vec3> offsets = moved.offsets.at(before, most, 1);
+    const double most = 0.004 * moved.size();
+    const BackwardOffsets backward(moved.origins, moved.before(), 0.6 * most, 1);
     const std::vector<Vec3> spread = moved.positions;
-    const std::vector<Index> taken_back = take_back_outliers(moved.offsets, before, offsets, most, moved.positions, 1);
+    const std::vector<Index> taken_back = take_back_outliers(backward, most, moved.positions, 1);
     EXPECT_FALSE(taken_back.empty());
     std::size_t n_left = 0;
     for (Index v = 0; v < before.size(); ++v) {

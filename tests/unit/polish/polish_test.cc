@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
@@ -15,7 +16,8 @@
 #include "support/suites.hh"
 #include "support/transforms.hh"
 #include "surface/foot_finder.hh"
-#include "surface/surface_samples.hh"
+#include "surface/foot_sums.hh"
+#include "surface/ordered_mesh.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/shape.hh"
 
@@ -78,14 +80,14 @@ Vec3 position_of(const IndexedMesh& mesh, const Foot& foot) {
 
 /// The nearest of the faces at a vertex that contain the foot and whose normals agree. `slack` widens or narrows the
 /// test.
-BruteFoot nearest_at(const IndexedMesh& mesh, const FootFinder::Query& query, double slack) {
+BruteFoot nearest_at(const IndexedMesh& mesh, Index v, const FootFinder::Point& point, double slack) {
   BruteFoot nearest;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     const auto& [a, b, c] = mesh.faces[f];
-    if (a != query.start && b != query.start && c != query.start) continue;
+    if (a != v && b != v && c != v) continue;
     const Vec3 normal = area_normal(mesh, mesh.faces[f]);
-    const double cosine = normal.normalized().dot(query.normal.cast<double>().normalized());
-    const Vec3 to = query.position - mesh.positions[a];
+    const double cosine = normal.normalized().dot(point.normal.cast<double>().normalized());
+    const Vec3 to = point.position - mesh.positions[a];
     const Vec3 ab = mesh.positions[b] - mesh.positions[a];
     const Vec3 ac = mesh.positions[c] - mesh.positions[a];
     const double second = normal.dot(to.cross(ac)) / normal.squaredNorm();
@@ -97,9 +99,9 @@ BruteFoot nearest_at(const IndexedMesh& mesh, const FootFinder::Query& query, do
   return nearest;
 }
 
-Foot find(const FootFinder& finder, const FootFinder::Query& query) {
+Foot find(FootFinder& finder, Index v, const FootFinder::Point& point) {
   Foot foot;
-  finder.find(std::span(&query, 1), std::span(&foot, 1));
+  finder.find(v, std::span(&point, 1), std::span(&foot, 1));
   return foot;
 }
 
@@ -111,23 +113,25 @@ TEST(FootFinder, FindsWhatSearchesOfFacesFind) {
        {noisy_sphere(4, 0.05, 1), noisy_torus(60, 30, 1.0, 0.4, 0.02, 2), tessellated_cube(12), bracket(12)}) {
     const Decimation d = decimated_within_75_deg(original, 0.1);
     const VertexCorners corners = corners_by_vertex(d.mesh.faces, d.mesh.positions.size());
-    FootFinder finder(d.mesh.faces, corners);
-    finder.look_at(d.mesh.positions, 1);
+    FootFinder finder({d.mesh.faces, corners, d.mesh.positions});
     const double size = bounds_of(original.positions).diagonal();
     for (const Triangle& face : original.faces) {
       const Vec3 center = (original.positions[face[0]] + original.positions[face[1]] + original.positions[face[2]]) / 3;
       const Vec3 normal = area_normal(original, face);
-      const FootFinder::Query query{center, normal.cast<float>(), d.vertex_map[face[0]]};
-      const Foot found = find(finder, query);
+      const FootFinder::Point point{center, normal.cast<float>()};
+      const Index v = d.vertex_map[face[0]];
+      const Foot found = find(finder, v, point);
       ++n_points;
       const double distance =
           found.face == invalid_index ? std::numeric_limits<double>::infinity() : std::abs(found.distance);
-      EXPECT_LE(distance, nearest_at(d.mesh, query, -1e-3).distance + 1e-6 * size);
-      EXPECT_GE(distance, nearest_at(d.mesh, query, 1e-3).distance - 1e-6 * size);
+      EXPECT_LE(distance, nearest_at(d.mesh, v, point, -1e-3).distance + 1e-6 * size);
+      EXPECT_GE(distance, nearest_at(d.mesh, v, point, 1e-3).distance - 1e-6 * size);
       if (found.face == invalid_index) {
         ++n_without;
         continue;
       }
+      const Corner& corner = corners.of(v)[found.corner];
+      EXPECT_EQ(corner.face, found.face);
       const Vec3 offset = center - position_of(d.mesh, found);
       n_farther += static_cast<std::size_t>(
           offset.norm() > 1.01 * nearest_of_all(d.mesh, center, normal.normalized()).distance + 1e-4 * size);
@@ -144,19 +148,17 @@ TEST(FootFinder, FindsWhatSearchesOfFacesFind) {
 TEST(FootFinder, HasNoneForPointsThatFaceTheOtherWay) {
   const IndexedMesh mesh = grid(4, 4);
   const VertexCorners corners = corners_by_vertex(mesh.faces, mesh.positions.size());
-  FootFinder finder(mesh.faces, corners);
-  finder.look_at(mesh.positions, 1);
+  FootFinder finder({mesh.faces, corners, mesh.positions});
   const Eigen::Vector3f up = area_normal(mesh, mesh.faces[0]).cast<float>();
   const Vec3 above = mesh.positions[6] + 0.1 * up.cast<double>();
-  EXPECT_NE(find(finder, {above, up, 6}).face, invalid_index);
-  EXPECT_EQ(find(finder, {above, -up, 6}).face, invalid_index);
-  EXPECT_EQ(find(finder, {above, Eigen::Vector3f::Zero(), 6}).face, invalid_index);
-  EXPECT_EQ(find(finder, {above, up, invalid_index}).face, invalid_index);
+  EXPECT_NE(find(finder, 6, {above, up}).face, invalid_index);
+  EXPECT_EQ(find(finder, 6, {above, -up}).face, invalid_index);
+  EXPECT_EQ(find(finder, 6, {above, Eigen::Vector3f::Zero()}).face, invalid_index);
 }
 
 /// A function that is linear on each face of the original, here its height over a plane, is integrated exactly. If a
 /// face has only one point, its square is integrated exactly, too.
-TEST(SurfaceSamples, WeighWhatTheSurfaceHasOfArea) {
+TEST(MergedPoints, WeighWhatTheSurfaceHasOfArea) {
   const IndexedMesh original = terrain(12, 3);
   IndexedMesh ground;  // one face below the whole mesh
   ground.positions = {Vec3(-9, -9, -1), Vec3(20, -9, -1), Vec3(-9, 20, -1)};
@@ -177,27 +179,118 @@ TEST(SurfaceSamples, WeighWhatTheSurfaceHasOfArea) {
     integral += face_area * sum / 3;
     square += face_area * (sum_sq + sum * sum) / 12;
   }
-  const std::vector<Index> map(original.positions.size(), 0);
+  const OriginalSurface surface(original, 1);
+  const Frame& frame = surface.frame();
+  for (Vec3& p : ground.positions) p = frame.to_frame(p);
   const VertexCorners corners = corners_by_vertex(ground.faces, ground.positions.size());
-  FootFinder finder(ground.faces, corners);
-  finder.look_at(ground.positions, 1);
+  const std::vector<Index> map(original.positions.size(), 0);
   for (const std::size_t per_face : {std::size_t{1}, std::size_t{4}}) {
-    SurfaceSamples samples(original, map, Frame{}, per_face, 1);
-    samples.find_feet(finder, 1);
+    const Origins origins(surface, map, ground.positions.size(), per_face, 1);
+    MergedPoints points(origins, {ground.faces, corners, ground.positions}, 3);
+    points.find(0);
     double weight = 0;
     double linear = 0;
     double found = 0;
-    samples.for_each_foot(ground.faces.size(), 1, [&](const Foot& foot, double w) {
-      weight += w;
-      linear += w * foot.distance;
-      found += w * foot.distance * foot.distance;
-    });
+    for (std::size_t i = 0; i < points.feet().size(); ++i) {
+      const Foot& foot = points.feet()[i];
+      ASSERT_EQ(foot.face, 0U);
+      weight += frame.cost_to_model(points.weights()[i], 2);
+      linear += frame.cost_to_model(points.weights()[i] * foot.distance, 3);
+      found += frame.cost_to_model(points.weights()[i] * foot.distance * foot.distance, 4);
+    }
     EXPECT_NEAR(weight, area, 1e-5 * area);
     EXPECT_NEAR(linear, integral, 1e-5 * integral);
     if (per_face == 1) {
       EXPECT_NEAR(found, square, 1e-5 * square);
     }
   }
+}
+
+struct CountAndWeight {
+  std::size_t count = 0;
+  double weight = 0;
+
+  CountAndWeight& operator+=(const CountAndWeight& other) {
+    count += other.count;
+    weight += other.weight;
+    return *this;
+  }
+  bool operator==(const CountAndWeight&) const = default;
+};
+
+TEST(FootSums, HaveEachFootInItsFace) {
+  const IndexedMesh original = permuted(noisy_sphere(5, 0.05, 1), 3).mesh;  // so blocks have many faces in common
+  const Decimation d = decimated(original, 0.2);
+  const OriginalSurface surface(original, 1);
+  std::vector<Vec3> positions;
+  for (const Vec3& p : d.mesh.positions) positions.push_back(surface.frame().to_frame(p));
+  const VertexCorners corners = corners_by_vertex(d.mesh.faces, positions.size());
+  const Surface mesh{d.mesh.faces, corners, positions};
+  const Origins origins(surface, d.vertex_map, positions.size(), 1, 1);
+
+  std::vector<CountAndWeight> expected(d.mesh.faces.size());
+  const auto add = [](CountAndWeight& sums, const Foot&, double weight) { sums += {1, weight}; };
+  MergedPoints points(origins, mesh, static_cast<Index>(positions.size()));
+  for (Index v = 0; v < positions.size(); ++v) {
+    points.find(v);
+    for (std::size_t i = 0; i < points.feet().size(); ++i) {
+      const Foot& foot = points.feet()[i];
+      if (foot.face != invalid_index) add(expected[foot.face], foot, points.weights()[i]);
+    }
+  }
+  const auto summed = [&](unsigned threads) {
+    std::vector<CountAndWeight> sums(d.mesh.faces.size());
+    sum_over_feet<CountAndWeight>(
+        origins, mesh, add, [&sums](Index f) -> CountAndWeight& { return sums[f]; }, threads);
+    return sums;
+  };
+  const std::vector<CountAndWeight> sums = summed(1);
+  for (std::size_t f = 0; f < sums.size(); ++f) {
+    EXPECT_EQ(sums[f].count, expected[f].count);
+    EXPECT_NEAR(sums[f].weight, expected[f].weight, 1e-12 * expected[f].weight);
+  }
+  EXPECT_EQ(summed(3), sums);
+}
+
+/// Numbers of vertices and faces change inside of polish alone.
+TEST(OrderedMesh, IsTheSameMesh) {
+  IndexedMesh mesh = permuted(noisy_torus(40, 20, 1, 0.4, 0.01, 3), 5).mesh;
+  for (Index f = 0; f < mesh.faces.size(); ++f) mesh.face_groups.push_back(f % 7);
+  OrderedMesh ordered(mesh, Frame::of_points(mesh.positions), 1);
+  std::vector<Index> all(mesh.positions.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  const std::vector<Index> numbers = ordered.map(all);
+  double length = 0;
+  double ordered_length = 0;
+  for (Index v = 0; v < numbers.size(); ++v) {
+    EXPECT_EQ(ordered.mesh.positions[numbers[v]], mesh.positions[v]);
+    if (v == 0) continue;
+    length += (mesh.positions[v] - mesh.positions[v - 1]).norm();
+    ordered_length += (ordered.mesh.positions[v] - ordered.mesh.positions[v - 1]).norm();
+  }
+  EXPECT_LT(ordered_length, 0.2 * length);
+  const std::vector<Index> with_none{invalid_index, 3};
+  EXPECT_EQ(ordered.map(with_none), (std::vector<Index>{invalid_index, numbers[3]}));
+  const std::vector<VertexPair> edges{{4, 9}};
+  EXPECT_EQ(ordered.map(edges), (std::vector<VertexPair>{{numbers[4], numbers[9]}}));
+  std::vector<std::uint8_t> values(mesh.positions.size());
+  values[6] = 1;
+  EXPECT_EQ(ordered.per_vertex(values)[numbers[6]], 1);
+  EXPECT_TRUE(ordered.per_vertex({}).empty());
+
+  std::map<Triangle, Index> groups;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const auto& [a, b, c] = mesh.faces[f];
+    groups[{numbers[a], numbers[b], numbers[c]}] = mesh.face_groups[f];
+  }
+  for (Index f = 0; f < mesh.faces.size(); ++f)
+    EXPECT_EQ(groups.at(ordered.mesh.faces[f]), ordered.mesh.face_groups[f]);
+  IndexedMesh written = mesh;
+  for (Vec3& p : written.positions) p = Vec3::Zero();
+  for (Triangle& face : written.faces) face = {0, 0, 0};
+  ordered.write_to(written);
+  EXPECT_EQ(written.positions, mesh.positions);
+  EXPECT_EQ(written.faces, mesh.faces);
 }
 
 TEST(Polish, FitsSmoothSurfaces) {

@@ -1,6 +1,7 @@
 #include "whittle/engine/simplify.hh"
 
 #include <chrono>
+#include <optional>
 #include <utility>
 
 #include "decimate/input_features.hh"
@@ -50,11 +51,18 @@ std::vector<std::uint8_t> locked_outputs(const std::vector<std::uint8_t>& locked
   return result;
 }
 
-}  // namespace
+/// What `decimate.progress` is told during polish.
+ProgressCallback polish_progress(const DecimateOptions& decimate, const DecimateResult& result) {
+  if (!decimate.progress) return {};
+  return [&](const TaskProgress& progress) {
+    return decimate.progress({result.n_vertices, result.n_faces, progress.fraction, Stage::polish});
+  };
+}
 
-PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOptions& options, Decimation& decimation) {
+/// \param mesh, original the same surface
+PolishResult polish_decimation(const IndexedMesh& mesh, const PolishOriginal& original, const SimplifyOptions& options,
+                               Decimation& decimation) {
   const DecimateOptions& decimate = options.decimate;
-  if (options.polish_passes == 0U) return {};
   PolishOptions polish_options;
   polish_options.passes = *options.polish_passes;
   polish_options.fit = options.fit;
@@ -64,16 +72,40 @@ PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOption
   if (decimate.min_radius_ratio) polish_options.min_radius_ratio = *decimate.min_radius_ratio;
   polish_options.recompute_normals = decimate.normals == Normals::recompute;
   polish_options.threads = decimate.threads;
-  if (decimate.progress) {
-    polish_options.progress = [&](const TaskProgress& progress) {
-      const DecimateResult& result = decimation.result;
-      return decimate.progress({result.n_vertices, result.n_faces, progress.fraction, Stage::polish});
-    };
-  }
+  polish_options.progress = polish_progress(decimate, decimation.result);
   polish_options.locked = locked_outputs(decimate.locked, decimation);
   polish_options.features = decimation.feature_edges;
-  if (!decimation.feature_edges.empty()) polish_options.original_features = input_features(original, decimate);
+  if (!decimation.feature_edges.empty()) polish_options.original_features = input_features(mesh, decimate);
   return polish(original, decimation.vertex_map, decimation.mesh, polish_options);
+}
+
+/// Polishes decimations of one mesh.
+class DecimationPolisher {
+ public:
+  explicit DecimationPolisher(const IndexedMesh& mesh) : mesh_(mesh) {}
+
+  PolishResult polish(const SimplifyOptions& options, Decimation& decimation) {
+    if (options.polish_passes == 0U) return {};
+    const DecimateOptions& decimate = options.decimate;
+    try {
+      if (!original_) original_.emplace(mesh_, decimate.threads, polish_progress(decimate, decimation.result));
+      return polish_decimation(mesh_, *original_, options, decimation);
+    } catch (const Cancelled&) {
+      PolishResult result;
+      result.cancelled = true;
+      return result;
+    }
+  }
+
+ private:
+  const IndexedMesh& mesh_;
+  std::optional<PolishOriginal> original_;  ///< made when it is needed
+};
+
+}  // namespace
+
+PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOptions& options, Decimation& decimation) {
+  return DecimationPolisher(original).polish(options, decimation);
 }
 
 SimplifyOptions with_effort(Effort effort, SimplifyOptions options) {
@@ -103,12 +135,13 @@ SimplifyOptions with_effort(Effort effort, SimplifyOptions options, const Indexe
 namespace {
 
 /// \pre all options are settled
-Simplification simplify_as_settled(const IndexedMesh& mesh, const DecimateTarget& target, SimplifyOptions settled) {
+Simplification simplify_as_settled(const IndexedMesh& mesh, const DecimateTarget& target, SimplifyOptions settled,
+                                   DecimationPolisher& polisher) {
   const Clock::time_point start = Clock::now();
   double polish_seconds = 0;
   const auto polish_now = [&](Decimation& decimation, const SimplifyOptions& polish_options) {
     const Clock::time_point polish_start = Clock::now();
-    PolishResult polish = polish_decimation(mesh, polish_options, decimation);
+    PolishResult polish = polisher.polish(polish_options, decimation);
     polish_seconds += seconds_since(polish_start);
     return polish;
   };
@@ -139,12 +172,13 @@ bool is_better(const IndexedMesh& input, const Simplification& other, const Simp
 Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, Effort effort,
                         const SimplifyOptions& options) {
   const SimplifyOptions settled = with_effort(effort, options, mesh, target);
-  Simplification result = simplify_as_settled(mesh, target, settled);
+  DecimationPolisher polisher(mesh);
+  Simplification result = simplify_as_settled(mesh, target, settled, polisher);
   const bool is_cancelled = result.result.stop == StopReason::cancelled || result.polish.cancelled;
   if (is_cancelled || !*settled.tries_plain_quadrics || !may_be_nearly_exact(mesh, target)) return result;
   SimplifyOptions plain = settled;
   plain.decimate.cost = Cost::quadric;
-  Simplification other = simplify_as_settled(mesh, target, plain);
+  Simplification other = simplify_as_settled(mesh, target, plain, polisher);
   other.decimate_seconds += result.decimate_seconds;
   other.polish_seconds += result.polish_seconds;
   const Clock::time_point compare_start = Clock::now();

@@ -7,8 +7,6 @@
 
 namespace whittle::polishing {
 
-using Distances = std::vector<TwoSidedError::Distance>;
-
 inline double root_mean_square(const Distances& distances) {
   double sum = 0;
   for (const auto& [square, weight] : distances) sum += weight * square;

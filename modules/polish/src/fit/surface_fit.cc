@@ -4,11 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "surface/foot_sums.hh"
 #include "whittle/core/detail/compiler.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 
 namespace whittle::polishing {
 namespace {
+
+constexpr int n_sweeps = 2;
 
 /// μ: the cost of moving. It holds a vertex along directions in which no point pulls. It is a share of the curvature of
 /// the sum of squares along the surface. That comes from the angles θ between the neighbouring normals, as about θ²
@@ -63,47 +66,41 @@ Vec3 across(const Vec3& way, const Vec3& x) {
 
 }  // namespace
 
-SurfaceFit::SurfaceFit(const std::vector<Triangle>& faces, const VertexCorners& corners, const FaceNeighbors& neighbors,
-                       const FaceLimits& limits, const MeshLines& lines, const std::vector<std::uint8_t>& is_fixed,
-                       double relaxation)
-    : faces_(faces),
-      corners_(corners),
+SurfaceFit::SurfaceFit(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits,
+                       const MeshLines& lines, const std::vector<std::uint8_t>& is_fixed,
+                       const detail::Workers& workers)
+    : mesh_(mesh),
       neighbors_(neighbors),
       limits_(limits),
       lines_(lines),
       is_fixed_(is_fixed),
-      relaxation_(relaxation) {}
-
-void SurfaceFit::start(std::vector<Vec3>& positions, const detail::Workers& workers) {
-  positions_ = &positions;
-  moves_.assign(positions.size(), Vec3::Zero());
-  offsets_.clear();
+      blocks_(mesh.positions.size()),
+      is_inside_(mesh.positions.size(), 1),
+      line_sums_(lines.edges().size()) {
   measure_faces(workers);
-  line_sums_.assign(lines_.edges().size(), {});
-  ways_.clear();
-  for (const MeshLines::Edge& edge : lines_.edges()) ways_.push_back(positions[edge.to] - positions[edge.from]);
+  for (const Triangle& face : mesh.faces) {
+    if (blocks_.is_in_one(face)) continue;
+    for (const Index v : face) is_inside_[v] = 0;
+  }
+  for (const MeshLines::Edge& edge : lines.edges())
+    ways_.push_back(mesh.positions[edge.to] - mesh.positions[edge.from]);
 }
 
 void SurfaceFit::measure_faces(const detail::Workers& workers) {
-  fits_.resize(faces_.size());
-  for_each_range(faces_.size(), workers, [this](std::size_t begin, std::size_t end) {
+  const std::span<const Triangle> faces = mesh_.faces;
+  fits_.resize(faces.size());
+  for_each_range(faces.size(), workers, [this, faces](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
-      const Vec3 normal = area_normal(faces_[f], *positions_);
+      const Vec3 normal = area_normal(faces[f], mesh_.positions);
       const double length = normal.norm();
-      fits_[f] = {.normal = length > 0 ? Vec3(normal / length) : Vec3(Vec3::Zero()),
-                  .area = 0.5 * length,
-                  .wary_cosine_sq = always_wary,
-                  .products = {},
-                  .errors = {},
-                  .squares = 0,
-                  .weight = 0};
+      fits_[f] = {{}, length > 0 ? Vec3(normal / length) : Vec3(Vec3::Zero()), 0.5 * length, always_wary};
     }
   });
   const auto is_near_folded = [this](Index f, Index slot) {
     const Index other = neighbors_.beyond(f, slot).face;
     return other != invalid_index && !(limits_.along(f, slot, fits_[f].normal, fits_[other].normal) > 0);
   };
-  for_each_range(faces_.size(), workers, [&](std::size_t begin, std::size_t end) {
+  for_each_range(faces.size(), workers, [&](std::size_t begin, std::size_t end) {
     for (auto f = static_cast<Index>(begin); f < end; ++f) {
       const bool may_always_turn =
           limits_.only_folds() && !is_near_folded(f, 0) && !is_near_folded(f, 1) && !is_near_folded(f, 2);
@@ -112,22 +109,40 @@ void SurfaceFit::measure_faces(const detail::Workers& workers) {
   });
 }
 
-void SurfaceFit::add(const Foot& foot, double weight) {
-  Face& fit = fits_[foot.face];
+void SurfaceFit::FootSums::add(const Foot& foot, double foot_weight) {
   const double b1 = foot.second;
   const double b2 = foot.third;
   const double b0 = 1 - b1 - b2;
   const double d = foot.distance;
-  const std::array weighted{weight * b0, weight * b1, weight * b2};
-  fit.products[0] += weighted[0] * b0;
-  fit.products[1] += weighted[0] * b1;
-  fit.products[2] += weighted[0] * b2;
-  fit.products[3] += weighted[1] * b1;
-  fit.products[4] += weighted[1] * b2;
-  fit.products[5] += weighted[2] * b2;
-  for (std::size_t j = 0; j < 3; ++j) fit.errors[j] += weighted[j] * d;
-  fit.squares += weight * d * d;
-  fit.weight += weight;
+  const std::array weighted{foot_weight * b0, foot_weight * b1, foot_weight * b2};
+  products[0] += weighted[0] * b0;
+  products[1] += weighted[0] * b1;
+  products[2] += weighted[0] * b2;
+  products[3] += weighted[1] * b1;
+  products[4] += weighted[1] * b2;
+  products[5] += weighted[2] * b2;
+  for (std::size_t j = 0; j < 3; ++j) errors[j] += weighted[j] * d;
+  squares += foot_weight * d * d;
+  weight += foot_weight;
+}
+
+SurfaceFit::FootSums& SurfaceFit::FootSums::operator+=(const FootSums& other) {
+  for (std::size_t i = 0; i < products.size(); ++i) products[i] += other.products[i];
+  for (std::size_t i = 0; i < errors.size(); ++i) errors[i] += other.errors[i];
+  squares += other.squares;
+  weight += other.weight;
+  return *this;
+}
+
+void SurfaceFit::add(const Origins& origins, const FitWeights& weights, const detail::Workers& workers) {
+  const auto add_foot = [&weights](FootSums& sums, const Foot& foot, double area) {
+    sums.add(foot, area * weights.weight(foot.distance));
+  };
+  const auto of_face = [this](Index f) -> FootSums& { return fits_[f]; };
+  sum_over_feet<FootSums>(origins, mesh_, add_foot, of_face, workers);
+  for_each_range(fits_.size(), workers, [this](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) hold_if_bare(fits_[f]);
+  });
 }
 
 void SurfaceFit::add(const LineFoot& foot, double weight) {
@@ -143,60 +158,75 @@ void SurfaceFit::add(const LineFoot& foot, double weight) {
 }
 
 void SurfaceFit::prefetch_around(Index v) const {
-  for (const Corner& corner : corners_.of(v)) {
+  for (const Corner& corner : mesh_.corners.of(v)) {
     prefetch_line(&fits_[corner.face]);
     prefetch_line(&fits_[corner.face].products[3]);
   }
 }
 
+std::vector<Vec3> SurfaceFit::moved(double relaxation, const detail::Workers& workers) {
+  relaxation_ = relaxation;
+  positions_.assign(mesh_.positions.begin(), mesh_.positions.end());
+  moves_.assign(positions_.size(), Vec3::Zero());
+  for (int i = 0; i < n_sweeps; ++i) sweep(workers);
+  return std::move(positions_);
+}
+
+/// A move looks at vertices up to two edges away. Vertices inside of blocks are moved first, on all threads: what such
+/// a move looks at in another block has a neighbour in this one, and stays. Then the others are moved.
 void SurfaceFit::sweep(const detail::Workers& workers) {
   constexpr Index ahead = 4;
-  constexpr Index check_mask = 4095;  // a few milliseconds from check to check
-  for (Index v = 0; v < corners_.size(); ++v) {
-    if ((v & check_mask) == 0) workers.update(v / static_cast<double>(corners_.size()));
-    if (v + ahead < corners_.size()) prefetch_around(v + ahead);
-    if (is_fixed_[v] != 0) continue;
-    const Pull pull = pull_at(v);
-    if (!(pull.weight > 0) || pull.is_held) continue;
-    Vec3 move = wanted_move(v, pull);
-    int n_halvings = 0;
-    while (n_halvings < most_halvings &&
-           (is_too_far(v, moves_[v] + move, pull) || spoils_a_face(v, (*positions_)[v] + move))) {
-      move *= 0.5;
-      ++n_halvings;
+  const auto move_all = [this](std::size_t block, bool is_inside) {
+    const Index end = blocks_.end(block);
+    for (Index v = blocks_.begin(block); v < end; ++v) {
+      if (v + ahead < end) prefetch_around(v + ahead);
+      if ((is_inside_[v] != 0) == is_inside && is_fixed_[v] == 0) move_to_minimum(v);
     }
-    if (n_halvings == most_halvings) continue;
-    moves_[v] += move;
-    (*positions_)[v] += move;
+  };
+  for_each_block(blocks_.size(), workers, [&](std::size_t block) { move_all(block, true); });
+  for (std::size_t block = 0; block < blocks_.size(); ++block) {
+    workers.update(1);
+    move_all(block, false);
   }
 }
 
-void SurfaceFit::hold_bare_faces(const detail::Workers& workers) {
-  for_each_range(fits_.size(), workers, [this](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) {
-      Face& fit = fits_[f];
-      const double missing = least_cover * fit.area - fit.weight;
-      if (!(missing > 0)) continue;
-      fit.weight += missing;
-      for (const std::size_t i : {0U, 3U, 5U}) fit.products[i] += missing / 6;
-      for (const std::size_t i : {1U, 2U, 4U}) fit.products[i] += missing / 12;
+/// Moves a vertex to where its sum is least, or part of the way.
+void SurfaceFit::move_to_minimum(Index v) {
+  const Pull pull = pull_at(v);
+  if (!(pull.weight > 0) || pull.is_held) return;
+  Vec3 move = wanted_move(v, pull);
+  for (int i = 0; i < most_halvings; ++i) {
+    if (!is_too_far(v, moves_[v] + move, pull) && !spoils_a_face(v, positions_[v] + move)) {
+      moves_[v] += move;
+      positions_[v] += move;
+      return;
     }
-  });
+    move *= 0.5;
+  }
 }
 
-void SurfaceFit::hold_back(std::vector<Vec3> offsets, double most) {
-  offsets_ = std::move(offsets);
+/// Spreads the missing weight evenly, at distance zero.
+void SurfaceFit::hold_if_bare(Face& fit) const {
+  const double missing = least_cover * fit.area - fit.weight;
+  if (!(missing > 0)) return;
+  fit.weight += missing;
+  for (const std::size_t i : {0U, 3U, 5U}) fit.products[i] += missing / 6;
+  for (const std::size_t i : {1U, 2U, 4U}) fit.products[i] += missing / 12;
+}
+
+void SurfaceFit::hold_back(std::span<const Vec3> offsets, double most) {
+  offsets_ = offsets;
   most_backward_ = most;
 }
 
 SurfaceFit::Pull SurfaceFit::pull_at(Index v) const {
   Pull pull;
   Vec3 normal = Vec3::Zero();
-  for (const auto& [f, slot] : corners_.of(v)) {
+  for (const auto& [f, slot] : mesh_.corners.of(v)) {
     const Face& fit = fits_[f];
     const Vec3& n = fit.normal;
     double error = relaxation_ * fit.errors[slot];
-    for (Index k = 0; k < 3; ++k) error -= fit.product(slot, k) * n.dot(moves_[faces_[f][k]]);
+    for (Index k = 0; k < 3; ++k) error -= fit.product(slot, k) * n.dot(moves_[mesh_.faces[f][k]]);
     pull.matrix += SymmetricMatrix::outer(n, fit.product(slot, slot));
     pull.force += error * n;
     normal += fit.product(slot, slot) * n;
@@ -204,7 +234,7 @@ SurfaceFit::Pull SurfaceFit::pull_at(Index v) const {
     pull.squares += fit.squares;
     pull.area += fit.area;
   }
-  pull.area /= static_cast<double>(corners_.of(v).size());
+  pull.area /= static_cast<double>(mesh_.corners.of(v).size());
   const double square = normal.squaredNorm();
   const double across = square > 0 ? normal.dot(pull.matrix * normal) / square : 0;
   pull.along = 0.5 * std::max(0.0, pull.matrix.trace() - across);
@@ -260,7 +290,7 @@ Vec3 SurfaceFit::wanted_move(Index v, const Pull& pull) const {
 bool SurfaceFit::is_too_far(Index v, const Vec3& moved, const Pull& pull) const {
   if (moved.squaredNorm() > most_area * pull.area) return true;
   double from_planes = 0;
-  for (const Corner& corner : corners_.of(v)) {
+  for (const Corner& corner : mesh_.corners.of(v)) {
     const double height = fits_[corner.face].normal.dot(moved);
     from_planes += fits_[corner.face].weight * height * height;
   }
@@ -270,17 +300,16 @@ bool SurfaceFit::is_too_far(Index v, const Vec3& moved, const Pull& pull) const 
 
 /// Whether a face turns too far from where it was at the start, turns too far to a neighbour, or becomes thin.
 bool SurfaceFit::spoils_a_face(Index v, const Vec3& to) const {
-  const std::vector<Vec3>& positions = *positions_;
-  for (const auto& [f, slot] : corners_.of(v)) {
-    const Vec3& x = positions[corner_after(faces_[f], slot, 1)];
-    const Vec3& y = positions[corner_after(faces_[f], slot, 2)];
+  for (const auto& [f, slot] : mesh_.corners.of(v)) {
+    const Vec3& x = positions_[corner_after(mesh_.faces[f], slot, 1)];
+    const Vec3& y = positions_[corner_after(mesh_.faces[f], slot, 2)];
     const Vec3 normal = (x - to).cross(y - to);
     const double square = normal.squaredNorm();
     const double along = normal.dot(fits_[f].normal);
     if (!(along > 0 && along * along > least_turn_cosine * least_turn_cosine * square)) return true;
     if (along * along < fits_[f].wary_cosine_sq * square && turns_to_a_neighbor(f, v, to)) return true;
     if (limits_.may_be_thin(square, x - to, y - to) &&
-        limits_.forbid_thinning(radius_ratio(positions[v], x, y), radius_ratio(to, x, y)))
+        limits_.forbid_thinning(radius_ratio(positions_[v], x, y), radius_ratio(to, x, y)))
       return true;
   }
   return false;
@@ -288,14 +317,14 @@ bool SurfaceFit::spoils_a_face(Index v, const Vec3& to) const {
 
 /// Whether the move turns a face of v to a neighbour in a forbidden way.
 bool SurfaceFit::turns_to_a_neighbor(Index face, Index v, const Vec3& to) const {
-  const auto normal = [&](Index f, bool is_after) { return normal_with(f, v, is_after ? to : (*positions_)[v]); };
+  const auto normal = [&](Index f, bool is_after) { return normal_with(f, v, is_after ? to : positions_[v]); };
   return limits_.forbid(face, 0, normal) || limits_.forbid(face, 1, normal) || limits_.forbid(face, 2, normal);
 }
 
 /// A face's normal with v at another position.
 Vec3 SurfaceFit::normal_with(Index face, Index v, const Vec3& to) const {
-  const auto position = [&](Index u) -> const Vec3& { return u == v ? to : (*positions_)[u]; };
-  const auto& [a, b, c] = faces_[face];
+  const auto position = [&](Index u) -> const Vec3& { return u == v ? to : positions_[u]; };
+  const auto& [a, b, c] = mesh_.faces[face];
   return (position(b) - position(a)).cross(position(c) - position(a));
 }
 

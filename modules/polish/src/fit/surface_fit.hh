@@ -4,10 +4,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "fit/fit_weights.hh"
 #include "guard/face_limits.hh"
-#include "surface/foot_finder.hh"
 #include "surface/line_samples.hh"
-#include "surface/vertex_corners.hh"
+#include "surface/origins.hh"
+#include "surface/vertex_blocks.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/core/detail/progress_meter.hh"
 #include "whittle/core/geometry/symmetric_matrix.hh"
@@ -18,37 +19,39 @@ namespace whittle::polishing {
 class SurfaceFit {
  public:
   /// Keeps references to all. \param is_fixed per vertex, whether it may not move
-  /// \param relaxation how many times the errors of points in faces count: more than 1 makes the step longer
-  SurfaceFit(const std::vector<Triangle>& faces, const VertexCorners& corners, const FaceNeighbors& neighbors,
-             const FaceLimits& limits, const MeshLines& lines, const std::vector<std::uint8_t>& is_fixed,
-             double relaxation);
+  /// \throw Cancelled
+  SurfaceFit(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits, const MeshLines& lines,
+             const std::vector<std::uint8_t>& is_fixed, const detail::Workers& workers);
 
-  /// Takes the vertices' positions, which sweeps will change, and forgets all points.
-  void start(std::vector<Vec3>& positions, const detail::Workers& workers);
-  void add(const Foot& foot, double weight);
+  /// Adds the points of the original. Faces that have few points or none are held in their planes. \throw Cancelled
+  void add(const Origins& origins, const FitWeights& weights, const detail::Workers& workers);
   void add(const LineFoot& foot, double weight);
-  /// Holds faces in their planes where they have few points or none. Called after all points were added.
-  void hold_bare_faces(const detail::Workers& workers);
-  /// Holds vertices back from sticking out. Forgotten at `start`.
+  /// Holds vertices back from sticking out. Keeps a reference to the offsets.
   /// \param offsets per vertex, from its foot on the original to itself; zero: it is near \param most distance that few
   ///        vertices should have
-  void hold_back(std::vector<Vec3> offsets, double most);
-  /// Moves each vertex in turn, by ascending number.
+  void hold_back(std::span<const Vec3> offsets, double most);
+  /// Where the vertices go when they are moved in turn, some times.
+  /// \param relaxation how many times the errors of points in faces count: more than 1 makes the step longer
   /// \throw Cancelled
-  void sweep(const detail::Workers& workers);
+  std::vector<Vec3> moved(double relaxation, const detail::Workers& workers);
 
  private:
-  /// A face before it was moved, and sums over the feet in it: of w b_j b_k, w b_j d, w d² and w. It fills two cache
-  /// lines.
-  struct alignas(64) Face {
+  /// Sums over the feet in a face: of w b_j b_k, w b_j d, w d² and w.
+  struct FootSums {
+    std::array<double, 6> products{};  ///< 00, 01, 02, 11, 12, 22
+    std::array<double, 3> errors{};
+    double squares = 0;
+    double weight = 0;
+
+    void add(const Foot& foot, double foot_weight);
+    FootSums& operator+=(const FootSums& other);
+  };
+  /// A face before it was moved, and its sums. It fills two cache lines.
+  struct alignas(64) Face : FootSums {
     Vec3 normal;  ///< of unit length, or zero
     double area;
     /// Squared cosine of the turn from which on the face may become a fold; more than 1: always.
     double wary_cosine_sq;
-    std::array<double, 6> products;  ///< 00, 01, 02, 11, 12, 22
-    std::array<double, 3> errors;
-    double squares;
-    double weight;
 
     double product(Index j, Index k) const {
       constexpr std::array<std::array<std::size_t, 3>, 3> index{{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}};
@@ -76,6 +79,9 @@ class SurfaceFit {
   };
 
   void measure_faces(const detail::Workers& workers);
+  void hold_if_bare(Face& fit) const;
+  void sweep(const detail::Workers& workers);
+  void move_to_minimum(Index v);
   void prefetch_around(Index v) const;
   Pull pull_at(Index v) const;
   void add_lines(Index v, Pull& pull) const;
@@ -86,20 +92,21 @@ class SurfaceFit {
   bool turns_to_a_neighbor(Index face, Index v, const Vec3& to) const;
   Vec3 normal_with(Index face, Index v, const Vec3& to) const;
 
-  const std::vector<Triangle>& faces_;
-  const VertexCorners& corners_;
+  Surface mesh_;  ///< before it is moved
   const FaceNeighbors& neighbors_;
   const FaceLimits& limits_;
   const MeshLines& lines_;
   const std::vector<std::uint8_t>& is_fixed_;
-  double relaxation_;
-  std::vector<Vec3>* positions_ = nullptr;
+  VertexBlocks blocks_;
   LargeArray<Face> fits_;
-  std::vector<LineSums> line_sums_;  ///< per edge of the lines
-  std::vector<Vec3> ways_;           ///< per edge of the lines, from end to end, at the start
-  std::vector<Vec3> moves_;          ///< per vertex, since the start
-  std::vector<Vec3> offsets_;        ///< per vertex, from its foot on the original
-  double most_backward_ = 0;         ///< length of an offset that few vertices should have
+  std::vector<std::uint8_t> is_inside_;  ///< per vertex, whether all its neighbours are in its block
+  std::vector<LineSums> line_sums_;      ///< per edge of the lines
+  std::vector<Vec3> ways_;               ///< per edge of the lines, from end to end, at the start
+  double relaxation_ = 1;
+  std::vector<Vec3> positions_;    ///< per vertex, now
+  std::vector<Vec3> moves_;        ///< per vertex, since the start
+  std::span<const Vec3> offsets_;  ///< per vertex, from its foot on the original
+  double most_backward_ = 0;       ///< length of an offset that few vertices should have
 };
 
 }  // namespace whittle::polishing

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "guard/overlapping_boxes.hh"
-#include "whittle/core/geometry/nearest_on_triangle.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 #include "whittle/core/geometry/triangle_intersection.hh"
 
@@ -34,13 +33,13 @@ struct Flip {
 class EdgeFlips {
  public:
   EdgeFlips(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits, const MeshLines& lines,
-            std::span<const Index> groups, SurfaceSamples& samples)
+            std::span<const Index> groups, const Origins& origins)
       : mesh_(mesh),
         neighbors_(neighbors),
         limits_(limits),
         lines_(lines),
         groups_(groups),
-        samples_(samples),
+        origins_(origins),
         faces_(mesh.faces.begin(), mesh.faces.end()),
         partner_(mesh.faces.size(), invalid_index),
         valences_(mesh.corners.size()) {
@@ -111,30 +110,9 @@ class EdgeFlips {
     }
   }
 
-  /// Gives the points of flipped faces new feet.
-  void move_feet(const detail::Workers& workers) {
-    for_each_range(samples_.size(), workers, [this](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const Index f = samples_.foot(i).face;
-        if (f == invalid_index || !is_flipped(f)) continue;
-        const Near near = nearest({faces_[f], faces_[partner_[f]]}, samples_.position(i));
-        samples_.set_foot(i, {near.which == 0 ? f : partner_[f], static_cast<float>(near.at.second),
-                              static_cast<float>(near.at.third), static_cast<float>(near.height)});
-      }
-    });
-  }
-
   std::vector<Triangle> take_faces() { return std::move(faces_); }
 
  private:
-  /// The point of two faces that is nearest to some point.
-  struct Near {
-    std::size_t which;
-    Barycentric at;
-    double distance_sq;
-    double height;  ///< of that point over the face's plane
-  };
-
   /// The space between two faces and their flip, seen from one of the two faces. It is highest where the old and the
   /// new edge are nearest to each other, and zero at the four corners.
   struct Tent {
@@ -142,28 +120,21 @@ class EdgeFlips {
     double height = 0;  ///< of the new edge over the face there; 0 if the edge can't be flipped
   };
   /// How well a face fits its points, and how well it would after a flip of each side.
-  struct FaceFit {
-    std::array<Tent, 3> tents;
+  struct FitSums {
     double squares = 0;             ///< sum of the points' squared distances
     std::array<double, 3> gains{};  ///< by which a flip would lower it
+
+    FitSums& operator+=(const FitSums& other) {
+      squares += other.squares;
+      for (std::size_t slot = 0; slot < 3; ++slot) gains[slot] += other.gains[slot];
+      return *this;
+    }
+  };
+  struct FaceFit : FitSums {
+    std::array<Tent, 3> tents;
   };
 
   bool is_flipped(Index f) const { return partner_[f] != invalid_index; }
-
-  Near nearest_on(const Triangle& face, const Vec3& point) const {
-    const Vec3 a = mesh_.positions[face[0]] - point;
-    const Vec3 b = mesh_.positions[face[1]] - point;
-    const Vec3 c = mesh_.positions[face[2]] - point;
-    const Barycentric at = nearest_on_triangle(a, b, c);
-    const Vec3 normal = (b - a).cross(c - a);
-    return {0, at, (a + at.second * (b - a) + at.third * (c - a)).squaredNorm(), -normal.dot(a) / normal.norm()};
-  }
-  Near nearest(const Faces& faces, const Vec3& point) const {
-    const Near first = nearest_on(faces[0], point);
-    Near second = nearest_on(faces[1], point);
-    second.which = 1;
-    return second.distance_sq < first.distance_sq ? second : first;
-  }
 
   /// Sum of squared distances below which an edge fits well enough.
   double least_squares(Index f, Index slot) const {
@@ -182,8 +153,11 @@ class EdgeFlips {
         }
       }
     });
-    samples_.for_each_foot(faces_.size(), workers,
-                           [&fits](const Foot& foot, double weight) { add(fits[foot.face], foot, weight); });
+    const auto add_foot = [&fits](FitSums& sums, const Foot& foot, double weight) {
+      add(sums, fits[foot.face].tents, foot, weight);
+    };
+    sum_over_feet<FitSums>(
+        origins_, mesh_, add_foot, [&fits](Index f) -> FitSums& { return fits[f]; }, workers);
     return fits;
   }
 
@@ -206,14 +180,14 @@ class EdgeFlips {
   }
 
   /// A flip lowers a point's distance by the tent's height at the point's foot.
-  static void add(FaceFit& fit, const Foot& foot, double weight) {
+  static void add(FitSums& sums, const std::array<Tent, 3>& tents, const Foot& foot, double weight) {
     const std::array<double, 3> at{1.0 - foot.second - foot.third, foot.second, foot.third};
-    fit.squares += weight * foot.distance * foot.distance;
+    sums.squares += weight * foot.distance * foot.distance;
     for (std::size_t slot = 0; slot < 3; ++slot) {
-      const auto& [share, height] = fit.tents[slot];
+      const auto& [share, height] = tents[slot];
       if (height == 0) continue;
       const double x = height * std::max(0.0, std::min(at[slot] / (1 - share), at[(slot + 1) % 3] / share));
-      fit.gains[slot] += weight * x * (2 * foot.distance - x);
+      sums.gains[slot] += weight * x * (2 * foot.distance - x);
     }
   }
 
@@ -309,7 +283,7 @@ class EdgeFlips {
   const FaceLimits& limits_;
   const MeshLines& lines_;
   std::span<const Index> groups_;
-  SurfaceSamples& samples_;
+  const Origins& origins_;
   std::vector<Triangle> faces_;
   std::vector<Index> partner_;  ///< per face, the face it was flipped with, or `invalid_index`
   std::vector<std::size_t> valences_;
@@ -318,12 +292,11 @@ class EdgeFlips {
 }  // namespace
 
 std::vector<Triangle> flip_edges(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits,
-                                 const MeshLines& lines, std::span<const Index> groups, SurfaceSamples& samples,
+                                 const MeshLines& lines, std::span<const Index> groups, const Origins& origins,
                                  const detail::Workers& workers) {
-  EdgeFlips flips(mesh, neighbors, limits, lines, groups, samples);
+  EdgeFlips flips(mesh, neighbors, limits, lines, groups, origins);
   flips.make(flips.find(workers));
   flips.undo_intersecting(workers);
-  flips.move_feet(workers);
   return flips.take_faces();
 }
 

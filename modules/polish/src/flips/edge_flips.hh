@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "guard/face_limits.hh"
+#include "surface/foot_sums.hh"
 #include "surface/mesh_lines.hh"
-#include "surface/surface_samples.hh"
 #include "surface/surface_walk.hh"
 #include "whittle/core/detail/progress_meter.hh"
 
@@ -16,11 +16,11 @@ namespace whittle::polishing {
 /// where the flip would turn a face over, turn neighbours in a forbidden way, make an edge that exists already, make a
 /// vertex with fewer than four or more than nine faces, or make faces intersect. Edges of lines stay, too.
 /// \param groups per face, or empty; edges between two groups stay
-/// \param samples points with feet on the mesh; those in flipped faces get new feet
+/// \param origins of the mesh, whose points the faces are to fit
 /// \return all faces, by the same numbers
 /// \throw Cancelled
 std::vector<Triangle> flip_edges(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits,
-                                 const MeshLines& lines, std::span<const Index> groups, SurfaceSamples& samples,
+                                 const MeshLines& lines, std::span<const Index> groups, const Origins& origins,
                                  const detail::Workers& workers);
 
 }  // namespace whittle::polishing

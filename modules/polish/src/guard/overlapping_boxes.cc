@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <limits>
 
 #include "surface/eight_floats.hh"
 #include "whittle/core/detail/lanes.hh"
-#include "whittle/core/geometry/space_filling_curve.hh"
 
 namespace whittle::polishing {
 namespace {
@@ -53,37 +51,24 @@ WHITTLE_INLINE unsigned bits(const Int8& lanes) {
   return static_cast<unsigned>(x[0]);
 }
 
-/// A tree of boxes: boxes are sorted along a Morton curve, and each eight lie in one box of the next level.
+/// A tree of boxes: each eight successive ones lie in one box of the next level.
 class BoxTree {
  public:
-  BoxTree(std::span<const Box> boxes, std::span<const Triangle> faces, const detail::Workers& workers) {
-    std::vector<Vec3> centers(boxes.size());
-    for_each_range(boxes.size(), workers, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) centers[i] = boxes[i].center().cast<double>();
-    });
-    order_ = morton_order(centers, Frame{}, workers.threads);
-    workers.update(0);
-    std::vector<Box> below(boxes.size());
-    faces_.resize(faces.empty() ? 0 : boxes.size());
-    for_each_range(boxes.size(), workers, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        below[i] = boxes[order_[i]];
-        if (!faces.empty()) faces_[i] = faces[order_[i]];
-      }
-    });
-    while (levels_.empty() || levels_.back().size() > 1) below = add_level(below, workers);
+  BoxTree(std::span<const Box> boxes, std::span<const Triangle> faces, const detail::Workers& workers) : faces_(faces) {
+    std::vector<Box> above = add_level(boxes, workers);
+    while (levels_.back().size() > 1) above = add_level(above, workers);
   }
 
   std::size_t n_octets() const { return levels_.front().size(); }
 
-  /// The pairs of an octet's boxes with each other, and with boxes further along the curve.
+  /// The pairs of an octet's boxes with each other, and with boxes further on.
   void find(std::size_t octet, Pairs& pairs) const {
     has_double4 ? find_in_wide_registers(octet, pairs) : find_in_octets(octet, pairs);
   }
 
  private:
   /// \return the boxes around each eight
-  std::vector<Box> add_level(const std::vector<Box>& below, const detail::Workers& workers) {
+  std::vector<Box> add_level(std::span<const Box> below, const detail::Workers& workers) {
     std::vector<Octet>& level = levels_.emplace_back((below.size() + fan_out - 1) / fan_out);
     std::vector<Box> above(level.size());
     for_each_range(level.size(), workers, [&](std::size_t begin, std::size_t end) {
@@ -131,17 +116,14 @@ class BoxTree {
            found &= found - 1) {
         const std::size_t other_slot = fan_out * other + static_cast<std::size_t>(std::countr_zero(found));
         if (!faces_.empty() && n_common_corners(faces_[slot], faces_[other_slot]) != 0) continue;
-        const Index here = order_[slot];
-        const Index there = order_[other_slot];
-        pairs.push_back({std::min(here, there), std::max(here, there)});
+        pairs.push_back({static_cast<Index>(slot), static_cast<Index>(other_slot)});
       }
     }
   }
 
   static constexpr std::size_t most_levels = 11;  // enough for 2^32 boxes
 
-  std::vector<Index> order_;                ///< along the curve
-  std::vector<Triangle> faces_;             ///< along the curve, or none
+  std::span<const Triangle> faces_;         ///< of the boxes, or none
   std::vector<std::vector<Octet>> levels_;  ///< the lowest one first
 };
 

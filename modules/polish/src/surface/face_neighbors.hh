@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "surface/vertex_corners.hh"
+#include "whittle/core/detail/progress_meter.hh"
 
 namespace whittle::polishing {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "whittle/core/detail/compiler.hh"
 #include "whittle/core/detail/lanes.hh"
 
 namespace whittle::polishing {
@@ -26,12 +25,13 @@ WHITTLE_INLINE std::int32_t least(Int8 x) {
   return x[0];
 }
 
-/// \param next, last barycentric coordinates of the two corners after this one
-Foot foot(const Corner& corner, float next, float last, float distance) {
+/// \param number of the corner at its vertex \param next, last barycentric coordinates of the two corners after this
+/// one
+Foot foot(const Corner& corner, std::size_t number, float next, float last, float distance) {
   const std::array<float, 3> weights{1 - next - last, next, last};  // of the corners from this one on
   constexpr std::array<std::size_t, 3> second{1, 0, 2};
   constexpr std::array<std::size_t, 3> third{2, 1, 0};
-  return {corner.face, weights[second[corner.slot]], weights[third[corner.slot]], distance};
+  return {corner.face, static_cast<Index>(number), weights[second[corner.slot]], weights[third[corner.slot]], distance};
 }
 
 }  // namespace
@@ -39,72 +39,54 @@ Foot foot(const Corner& corner, float next, float last, float distance) {
 /// The search in eight faces at a time, compiled for registers of either width.
 class FootFinder::Lanes {
  public:
-  WHITTLE_INLINE static void find(const FootFinder& finder, std::span<const Query> queries, std::span<Foot> feet) {
-    constexpr std::size_t ahead = 8;  // some hundred nanoseconds
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-      if (i + ahead < queries.size()) finder.prefetch(queries[i + ahead].start);
-      feet[i] = queries[i].start == invalid_index ? no_foot : find(finder, queries[i]);
-    }
+  WHITTLE_INLINE static void find(const FootFinder& finder, Index v, std::span<const Point> points,
+                                  std::span<Foot> feet) {
+    for (std::size_t i = 0; i < points.size(); ++i) feet[i] = find(finder, v, points[i]);
   }
-  WHITTLE_AVX2 static void find_in_wide_registers(const FootFinder& finder, std::span<const Query> queries,
+  WHITTLE_AVX2 static void find_in_wide_registers(const FootFinder& finder, Index v, std::span<const Point> points,
                                                   std::span<Foot> feet) {
-    find(finder, queries, feet);
+    find(finder, v, points, feet);
   }
 
  private:
-  WHITTLE_INLINE static Foot find(const FootFinder& finder, const Query& query) {
-    const Index v = query.start;
-    const Eigen::Vector3f offset = (query.position - finder.positions_[v]).cast<float>();
-    const float least_along = least_normal_agreement * std::sqrt(length_sq(query.normal));
+  WHITTLE_INLINE static Foot find(const FootFinder& finder, Index v, const Point& point) {
+    const Eigen::Vector3f offset = (point.position - finder.mesh_.positions[v]).cast<float>();
+    const float least_along = least_normal_agreement * std::sqrt(length_sq(point.normal));
     std::int32_t nearest = nowhere;
     Foot found = no_foot;
-    for (Index i = finder.first_octet_[v]; i < finder.first_octet_[v + 1]; ++i) {
+    for (std::size_t i = 0; i < finder.octets_.size(); ++i) {
       const Octet& octet = finder.octets_[i];
       const Float8 next = dot(octet.next, offset);
       const Float8 last = dot(octet.last, offset);
       const Float8 first = 1.0F - next - last;
       const Float8 distance = dot(octet.normal, offset);
       const auto holds = (first >= -inside_slack) & (next >= -inside_slack) & (last >= -inside_slack) &
-                         (dot(octet.normal, query.normal) > least_along);
+                         (dot(octet.normal, point.normal) > least_along);
       // The bits of a float without its sign are ordered as its values. The last three are replaced by the lane.
       const Int8 key = (load_lanes<Int8>(&distance) & 0x7ffffff8) | Int8{0, 1, 2, 3, 4, 5, 6, 7};
       const std::int32_t here = least((holds & key) | (~holds & nowhere));
       if (here >= nearest) continue;
       nearest = here;
       const auto lane = static_cast<std::size_t>(here & 7);
-      const Corner& corner = finder.corners_.of(v)[8 * (i - finder.first_octet_[v]) + lane];
-      found = foot(corner, next[lane], last[lane], distance[lane]);
+      const std::size_t corner = 8 * i + lane;
+      found = foot(finder.mesh_.corners.of(v)[corner], corner, next[lane], last[lane], distance[lane]);
     }
     return found;
   }
 };
 
-FootFinder::FootFinder(const std::vector<Triangle>& faces, const VertexCorners& corners)
-    : faces_(faces), corners_(corners), first_octet_(corners.size() + 1) {
-  for (Index v = 0; v < corners.size(); ++v) {
-    first_octet_[v + 1] = first_octet_[v] + static_cast<Index>((corners.of(v).size() + 7) / 8);
-  }
-  octets_.resize(first_octet_.back());
-}
-
-void FootFinder::look_at(std::span<const Vec3> positions, const detail::Workers& workers) {
-  positions_ = positions;
-  for_each_range(positions.size(), workers, [this](std::size_t begin, std::size_t end) {
-    for (auto v = static_cast<Index>(begin); v < end; ++v) fill_octets(v);
-  });
-}
-
 void FootFinder::fill_octets(Index v) {
-  std::fill(octets_.begin() + first_octet_[v], octets_.begin() + first_octet_[v + 1], Octet{});
-  const std::span<const Corner> corners = corners_.of(v);
+  const auto& [faces, vertex_corners, positions] = mesh_;
+  const std::span<const Corner> corners = vertex_corners.of(v);
+  octets_.assign((corners.size() + 7) / 8, {});
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const auto& [f, slot] = corners[i];
-    const Vec3 next = positions_[corner_after(faces_[f], slot, 1)] - positions_[v];
-    const Vec3 last = positions_[corner_after(faces_[f], slot, 2)] - positions_[v];
+    const Vec3 next = positions[corner_after(faces[f], slot, 1)] - positions[v];
+    const Vec3 last = positions[corner_after(faces[f], slot, 2)] - positions[v];
     const Vec3 normal = next.cross(last);
     const double square = normal.squaredNorm();
     if (!(square > 0)) continue;
-    Octet& octet = octets_[first_octet_[v] + i / 8];
+    Octet& octet = octets_[i / 8];
     const auto store = [i](std::array<EightFloats, 3>& lanes, const Vec3& x) {
       for (std::size_t axis = 0; axis < 3; ++axis) lanes[axis][i % 8] = static_cast<float>(x[Eigen::Index(axis)]);
     };
@@ -114,15 +96,10 @@ void FootFinder::fill_octets(Index v) {
   }
 }
 
-void FootFinder::prefetch(Index start) const {
-  if (start == invalid_index) return;
-  const auto* octet = reinterpret_cast<const char*>(&octets_[first_octet_[start]]);
-  for (std::size_t i = 0; i < sizeof(Octet); i += 64) prefetch_line(octet + i);
-  prefetch_line(corners_.of(start).data());
-}
-
-void FootFinder::find(std::span<const Query> queries, std::span<Foot> feet) const {
-  has_double4 ? Lanes::find_in_wide_registers(*this, queries, feet) : Lanes::find(*this, queries, feet);
+void FootFinder::find(Index v, std::span<const Point> points, std::span<Foot> feet) {
+  if (points.empty()) return;
+  fill_octets(v);
+  has_double4 ? Lanes::find_in_wide_registers(*this, v, points, feet) : Lanes::find(*this, v, points, feet);
 }
 
 }  // namespace whittle::polishing

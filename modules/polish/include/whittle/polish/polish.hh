@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -47,6 +48,10 @@
 
 namespace whittle {
 
+namespace polishing {
+class OriginalSurface;
+}
+
 /// Which distance between the surfaces polish brings down.
 enum class Fit {
   mean,      ///< the mean
@@ -87,13 +92,33 @@ struct PolishResult {
   bool cancelled = false;     ///< whether `progress` ended the run. Cancelled before the first pass, both rms may be 0
 };
 
+/// What `polish` looks up about an original. For several calls with one original it is made once.
+class PolishOriginal {
+ public:
+  /// Keeps a reference to the mesh: positions finite. \param threads 0 = all cores
+  /// \param progress is asked, but sees no progress yet
+  /// \throw std::invalid_argument if a face names a vertex that isn't there; Cancelled
+  explicit PolishOriginal(const IndexedMesh& mesh, unsigned threads = 0, const ProgressCallback& progress = {});
+  ~PolishOriginal();
+  PolishOriginal(PolishOriginal&& other) noexcept;
+  PolishOriginal& operator=(PolishOriginal&& other) noexcept;
+
+  const polishing::OriginalSurface& surface() const { return *surface_; }
+
+ private:
+  std::unique_ptr<const polishing::OriginalSurface> surface_;
+};
+
 /// Moves vertices of `mesh`. Nothing else changes, except what `PolishOptions::flips` and `recompute_normals` describe.
 /// Vertices where the mesh is not manifold stay, and those where lines meet or end. \param original what `mesh` was
-/// made from; all positions finite. Nothing happens if either has no faces \param vertex_map for each vertex of
-/// `original` a vertex of `mesh` near it on the surface, as
+/// made from; all positions finite. Nothing happens if either has no faces, or if `mesh` is a million times as far away
+/// as the original is large \param vertex_map for each vertex of `original` a vertex of `mesh` near it on the surface,
+/// as
 ///        `Decimation::vertex_map` has them; vertices with `invalid_index` are ignored
 /// \throw std::invalid_argument if a face or feature names a vertex that isn't there, `vertex_map` or `locked` has a
 ///        wrong length, or an option is out of range
+PolishResult polish(const PolishOriginal& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
+                    const PolishOptions& options = {});
 PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
                     const PolishOptions& options = {});
 
