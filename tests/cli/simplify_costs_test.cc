@@ -60,11 +60,13 @@ TEST(SimplifyCosts, MoreEffortIsMoreAccurate) {
   EXPECT_EQ(normal.report["polish"]["passes"], 1);
   EXPECT_GT(normal.report["polish"]["moved"], 1000);
   EXPECT_LT(normal.report["polish"]["rms_after"], 0.97 * normal.report["polish"]["rms_before"].get<double>());
-  EXPECT_EQ(best.report["polish"]["passes"], 3);
+  EXPECT_EQ(best.report["options"]["polish"], 2);
+  EXPECT_EQ(best.report["polish"]["passes"], 2);
   EXPECT_LT(mean_error(knot, normal.mesh), 0.8 * mean_error(knot, fast.mesh));
   EXPECT_LT(mean_error(knot, best.mesh), 0.99 * mean_error(knot, normal.mesh));
-  EXPECT_NE(best.mesh.faces, normal.mesh.faces) << "edges are flipped";
-  EXPECT_EQ(with(knot, "5%", {"--polish", "3"}).mesh.faces, normal.mesh.faces);
+  const Simplified three = with(knot, "5%", {"--polish", "3"});
+  EXPECT_EQ(three.report["polish"]["passes"], 3);
+  EXPECT_LT(mean_error(knot, three.mesh), 0.99 * mean_error(knot, normal.mesh));
 }
 
 /// Each option overrides what the effort would choose.

@@ -13,8 +13,9 @@ inline constexpr std::array<Choice<Effort>, 3> efforts{
 
 /// What the help says of --effort.
 inline constexpr char effort_meaning[] =
-    "fast: '--cost quadric', on large meshes memoryless, no polish; normal: '--cost memoryless --polish 1', and a pass "
-    "of polish on the way; best: '--cost memoryless --polish 3', three passes on the way, and edges are flipped where "
+    "fast: '--cost quadric', on large meshes memoryless, no polish; normal: '--cost memoryless --polish 1', and "
+    "polish once on the way; best: '--cost memoryless --polish 2', polish three times on the way, and edges are "
+    "flipped where "
     "that helps";
 
 }  // namespace whittle::app

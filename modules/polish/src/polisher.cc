@@ -10,8 +10,8 @@
 #include "guard/new_intersections.hh"
 #include "guard/outliers.hh"
 #include "guard/strayed_lines.hh"
-#include "surface/backward_offsets.hh"
-#include "surface/foot_finder.hh"
+#include "original/backward_offsets.hh"
+#include "original/foot_finder.hh"
 #include "whittle/core/detail/edge_table.hh"
 
 namespace whittle::polishing {

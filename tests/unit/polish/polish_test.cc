@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "decimated.hh"
+#include "original/foot_finder.hh"
+#include "original/foot_sums.hh"
 #include "support/random.hh"
 #include "support/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
-#include "surface/foot_finder.hh"
-#include "surface/foot_sums.hh"
 #include "surface/ordered_mesh.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/shape.hh"

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "decimate/input_features.hh"
-#include "simplify/flat_parts.hh"
 #include "simplify/nearer_result.hh"
+#include "simplify/plain_trial.hh"
 
 namespace whittle {
 namespace {
@@ -30,13 +30,12 @@ Cost cost_by_effort(Effort effort, const DecimateOptions& options) {
 
 unsigned passes_by_effort(Effort effort, const SimplifyOptions& options) {
   if (effort == Effort::fast || options.decimate.quadric.placement != Placement::optimal) return 0;
-  if (effort == Effort::best) return 3;
-  return options.fit == Fit::max ? 2 : 1;
+  return effort == Effort::best || options.fit == Fit::max ? 2 : 1;
 }
 
 std::vector<double> pauses_by_effort(Effort effort, const DecimateOptions& options) {
   if (effort == Effort::fast || options.quadric.placement == Placement::endpoint) return {};
-  return effort == Effort::best ? std::vector<double>{1.2, 1.1, 1.05} : std::vector<double>{1.1};
+  return effort == Effort::best ? std::vector<double>{1.2, 1.1, 1.03} : std::vector<double>{1.1};
 }
 
 /// Vertices of the output that a locked vertex of the input became; empty if none is locked.
@@ -146,7 +145,6 @@ Simplification simplify_as_settled(const IndexedMesh& mesh, const DecimateTarget
     return polish;
   };
   SimplifyOptions at_pauses = settled;
-  at_pauses.polish_passes = 1;
   at_pauses.flips = false;
   if (!settled.pauses->empty()) {
     settled.decimate.pauses = {*settled.pauses,
@@ -175,7 +173,7 @@ Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, E
   DecimationPolisher polisher(mesh);
   Simplification result = simplify_as_settled(mesh, target, settled, polisher);
   const bool is_cancelled = result.result.stop == StopReason::cancelled || result.polish.cancelled;
-  if (is_cancelled || !*settled.tries_plain_quadrics || !may_be_nearly_exact(mesh, target)) return result;
+  if (is_cancelled || !*settled.tries_plain_quadrics || !is_worth_plain_quadrics(mesh, target)) return result;
   SimplifyOptions plain = settled;
   plain.decimate.cost = Cost::quadric;
   Simplification other = simplify_as_settled(mesh, target, plain, polisher);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "surface/foot_sums.hh"
+#include "original/foot_sums.hh"
 #include "whittle/core/detail/compiler.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 

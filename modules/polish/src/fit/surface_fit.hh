@@ -6,8 +6,8 @@
 
 #include "fit/fit_weights.hh"
 #include "guard/face_limits.hh"
+#include "original/origins.hh"
 #include "surface/line_samples.hh"
-#include "surface/origins.hh"
 #include "surface/vertex_blocks.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/core/detail/progress_meter.hh"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "surface/origins.hh"
+#include "original/origins.hh"
 #include "surface/surface_walk.hh"
 
 namespace whittle::polishing {

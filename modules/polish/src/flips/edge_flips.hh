@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "guard/face_limits.hh"
-#include "surface/foot_sums.hh"
+#include "original/foot_sums.hh"
 #include "surface/mesh_lines.hh"
 #include "surface/surface_walk.hh"
 #include "whittle/core/detail/progress_meter.hh"

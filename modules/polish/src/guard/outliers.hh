@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "surface/backward_offsets.hh"
+#include "original/backward_offsets.hh"
 
 namespace whittle::polishing {
 

@@ -15,8 +15,8 @@ namespace whittle {
 enum class Effort {
   fast,    ///< no polish; plain quadrics, or memoryless ones where these go in blocks (`goes_in_blocks`)
   normal,  ///< memoryless quadrics, a pass of polish at 1.1 times the count and one at the end
-  best     ///< memoryless quadrics, passes of polish at 1.2, 1.1 and 1.05 times the count and three at the end, which
-           ///< also flip edges
+  best     ///< memoryless quadrics, two passes of polish at 1.2, 1.1 and 1.03 times the count and at the end each, the
+           ///< last of which also flip edges
 };
 
 struct SimplifyOptions {
@@ -25,27 +25,27 @@ struct SimplifyOptions {
   /// gives those before polish.
   DecimateOptions decimate{};
 
-  /// At most so many passes of polish; one that doesn't help is taken back and ends them. 0 = no polish. Empty = by
-  /// effort, and two at least with `Fit::max`; none where the placement isn't optimal, as polish would move the
-  /// vertices from there.
+  /// At most so many passes of polish, at each pause and at the end; one that doesn't help is taken back and ends them.
+  /// 0 = no polish. Empty = by effort, and two at least with `Fit::max`; none where the placement isn't optimal, as
+  /// polish would move the vertices from there.
   std::optional<unsigned> polish_passes{};
 
   Fit fit = Fit::balanced;  ///< which distance polish brings down
 
-  /// Whether polish also flips edges. Empty = by effort.
+  /// Whether polish at the end also flips edges. Empty = by effort.
   std::optional<bool> flips{};
 
-  /// Where decimation pauses for a pass of polish on its way to a count: multiples of that count, each above 1,
+  /// Where decimation pauses for polish on its way to a count: multiples of that count, each above 1,
   /// descending. What is contracted after a pause fits the input already, so the result comes nearer to it. Empty = by
   /// effort, none with `Placement::endpoint`; there are no pauses without polish, and none where `decimate` has pauses
   /// of the caller's own. `Simplification::polish` is the polish at the end.
   std::optional<std::vector<double>> pauses{};
 
-  /// Whether plain quadrics are tried, too, where much of the mesh is flat, and so the result may be nearly exact
-  /// (100,000 faces at most, a target without a cost limit). The result that is nearer to the input is taken. Takes two
-  /// to three times as long there. Cancelled in the second run, `simplify` gives the first one's result. Empty = if the
-  /// cost is by effort, and memoryless, and there are no callbacks of the caller's that a second run would call anew (a
-  /// listener, pauses of `decimate`).
+  /// Whether plain quadrics are tried, too, where the mesh is small (20,000 faces at most), or where much of it is
+  /// flat, so that the result may be nearly exact (100,000 faces at most). There is no trial with a cost limit. The
+  /// result that is nearer to the input is taken. Takes two to three times as long there. Cancelled in the second run,
+  /// `simplify` gives the first one's result. Empty = if the cost is by effort, and memoryless, and there are no
+  /// callbacks of the caller's that a second run would call anew (a listener, pauses of `decimate`).
   std::optional<bool> tries_plain_quadrics{};
 };
 

@@ -1,4 +1,4 @@
-#include "simplify/flat_parts.hh"
+#include "simplify/plain_trial.hh"
 
 #include <algorithm>
 #include <vector>
@@ -8,6 +8,7 @@
 namespace whittle {
 namespace {
 
+constexpr std::size_t small = 20'000;  // faces
 constexpr std::size_t most_faces = 100'000;
 constexpr double most_bent = 0.5;
 constexpr double bent_per_vertex_left = 4;
@@ -22,8 +23,7 @@ bool is_bent(const SymmetricMatrix& normals) {
   return determinant > least_angle * least_angle * normals.trace() * minors;
 }
 
-}  // namespace
-
+/// [0, 1]
 double bent_share(const IndexedMesh& mesh) {
   std::vector<SymmetricMatrix> normals(mesh.positions.size());
   for (const Triangle& face : mesh.faces) {
@@ -36,8 +36,11 @@ double bent_share(const IndexedMesh& mesh) {
   return normals.empty() ? 0 : static_cast<double>(n_bent) / static_cast<double>(normals.size());
 }
 
-bool may_be_nearly_exact(const IndexedMesh& mesh, const DecimateTarget& target) {
+}  // namespace
+
+bool is_worth_plain_quadrics(const IndexedMesh& mesh, const DecimateTarget& target) {
   if (mesh.faces.empty() || mesh.faces.size() > most_faces || target.cost_limit()) return false;
+  if (mesh.faces.size() <= small) return true;
   const double bent = bent_share(mesh);
   return bent <= most_bent && bent <= bent_per_vertex_left * target.share_of(mesh.faces.size(), mesh.positions.size());
 }

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "surface/origins.hh"
+#include "original/origins.hh"
 #include "surface/surface_walk.hh"
 #include "whittle/core/detail/progress_meter.hh"
 

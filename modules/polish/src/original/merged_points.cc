@@ -1,4 +1,4 @@
-#include "surface/merged_points.hh"
+#include "original/merged_points.hh"
 
 #include <cmath>
 

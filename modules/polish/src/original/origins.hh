@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "surface/original_surface.hh"
+#include "original/original_surface.hh"
 #include "surface/vertex_corners.hh"
 #include "whittle/core/detail/index_lists.hh"
 

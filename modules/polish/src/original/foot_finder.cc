@@ -1,4 +1,4 @@
-#include "surface/foot_finder.hh"
+#include "original/foot_finder.hh"
 
 #include <algorithm>
 #include <cmath>

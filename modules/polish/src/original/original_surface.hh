@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "surface/foot_finder.hh"
+#include "original/foot_finder.hh"
 #include "surface/surface_walk.hh"
 #include "whittle/core/detail/index_lists.hh"
 #include "whittle/core/detail/large_array.hh"

@@ -1,4 +1,4 @@
-#include "surface/origins.hh"
+#include "original/origins.hh"
 
 namespace whittle::polishing {
 

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "surface/foot_finder.hh"
-#include "surface/origins.hh"
+#include "original/foot_finder.hh"
+#include "original/origins.hh"
 
 namespace whittle::polishing {
 

@@ -1,4 +1,4 @@
-#include "surface/original_surface.hh"
+#include "original/original_surface.hh"
 
 #include <algorithm>
 #include <cmath>

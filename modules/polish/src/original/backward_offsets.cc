@@ -1,4 +1,4 @@
-#include "surface/backward_offsets.hh"
+#include "original/backward_offsets.hh"
 
 #include <algorithm>
 #include <cmath>

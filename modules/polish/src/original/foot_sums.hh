@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "surface/merged_points.hh"
+#include "original/merged_points.hh"
 #include "surface/vertex_blocks.hh"
 
 namespace whittle::polishing {
