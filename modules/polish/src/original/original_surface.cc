@@ -25,15 +25,15 @@ OriginalSurface::OriginalSurface(const IndexedMesh& mesh, const detail::Workers&
 }
 
 void OriginalSurface::measure(const detail::Workers& workers) {
-  constexpr std::size_t ahead = 12;                   // the time of a miss, some hundred nanoseconds
+  constexpr std::size_t n_ahead = 12;                 // the time of a miss, some hundred nanoseconds
   constexpr Index check_mask = (Index{1} << 16) - 1;  // some milliseconds from check to check
   const auto measure_around = [&](Index begin, Index end, const auto& for_each_face) {
     workers.update(0);
     std::fill(&normals_and_areas_[begin], normals_and_areas_.data() + end, Eigen::Vector4f::Zero());
     for_each_face([&](Index f) {
       if ((f & check_mask) == 0) workers.update(0);
-      if (f + ahead < faces_.size()) {
-        for (const Index v : faces_[f + ahead]) prefetch(v);
+      if (f + n_ahead < faces_.size()) {
+        for (const Index v : faces_[f + n_ahead]) prefetch(v);
       }
       const Eigen::Vector3f normal = area_normal(faces_[f], positions_).cast<float>();
       const float area = 0.5F * std::sqrt(length_sq(normal));

@@ -14,7 +14,7 @@ namespace whittle::polishing {
 class OrderedMesh {
  public:
   /// \param frame of the positions \param threads 0 = all cores
-  OrderedMesh(const IndexedMesh& mesh, const Frame& frame, unsigned threads);
+  OrderedMesh(const IndexedMesh& from, const Frame& frame, unsigned threads);
 
   IndexedMesh mesh;  ///< positions, faces and face groups
 
