@@ -29,7 +29,7 @@ void OriginalSurface::measure(const detail::Workers& workers) {
   constexpr Index check_mask = (Index{1} << 16) - 1;  // some milliseconds from check to check
   const auto measure_around = [&](Index begin, Index end, const auto& for_each_face) {
     workers.update(0);
-    std::fill(&normals_and_areas_[begin], normals_and_areas_.data() + end, Eigen::Vector4f::Zero());
+    std::fill(normals_and_areas_.begin() + begin, normals_and_areas_.begin() + end, Eigen::Vector4f::Zero());
     for_each_face([&](Index f) {
       if ((f & check_mask) == 0) workers.update(0);
       if (f + n_ahead < faces_.size()) {

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <optional>
+
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/core/progress.hh"
+
+// Proofs about the largest distance between two surfaces, both ways: every point of each one, not samples.
+
+namespace whittle::metrics {
+
+struct CertifyOptions {
+  unsigned threads = 0;  ///< 0 = all cores; the result is the same for any number
+  /// Is told the progress; returning false cancels with the exception `Cancelled`.
+  ProgressCallback progress{};
+};
+
+/// A point of one surface, and how far it is from the other one.
+struct FarPoint {
+  bool is_on_first = true;  ///< whether it is a point of the first surface
+  Index face = invalid_index;
+  Vec3 point = Vec3::Zero();
+  double distance = 0;  ///< model units, but for rounding
+};
+
+enum class Verdict {
+  proven,   ///< each point of either surface is within the distance of the other surface
+  refuted,  ///< a point is farther
+  undecided  ///< the largest distance is too near to the limit: by rounding errors, 10⁻¹⁴ of the size of both, or so
+             ///< that a triangle was split into 65,536 pieces in vain
+};
+
+struct Certification {
+  Verdict verdict = Verdict::undecided;
+  std::optional<FarPoint> farther{};  ///< if refuted: a point that is farther
+};
+
+/// Proves that two surfaces are within a distance of each other, or finds a point that is farther.
+///
+/// A triangle of one surface is proven
+/// - if its corners are within the distance of one face of the other surface: the distance from a point to a convex set
+///   is convex, so it is greatest at a corner; or
+/// - if faces of the other surface, connected over edges, cover it: none of their open edges lies over the triangle, an
+///   odd number of them lies over some point of it, and over the triangle they are nowhere higher than the distance.
+///   Then an odd number lies over each point.
+/// Else it is split in two. Any triangles are allowed; edges with other than two faces count as open.
+/// \param max_distance model units, not negative
+/// \throw std::invalid_argument if a mesh has no faces, a face names a vertex that isn't there, a position is not
+/// finite
+///        or above 3e150, or the distance is negative or not a number. Cancelled
+Certification certify(const IndexedMesh& first, const IndexedMesh& second, double max_distance,
+                      const CertifyOptions& options = {});
+
+/// The largest distance of the points of a surface from another one.
+struct LargestDistance {
+  double at_least = 0;  ///< that of `where`, model units
+  double at_most = 0;   ///< proven
+  FarPoint where{};
+};
+/// Both ways: the greater of them is the Hausdorff distance.
+struct LargestDistances {
+  LargestDistance forward;   ///< of the first surface's points
+  LargestDistance backward;  ///< of the second surface's points
+};
+
+/// Finds the largest distances by the tests of `certify`.
+/// \param relative_accuracy of each: at_most is (1 + accuracy) at_least and a 10⁻⁹th of the size of both at most,
+/// unless
+///        that takes more than 65,536 pieces of a triangle; [1e-6, 1]
+/// \throw as `certify`; std::invalid_argument if the accuracy is out of range
+LargestDistances largest_distances(const IndexedMesh& first, const IndexedMesh& second, double relative_accuracy,
+                                   const CertifyOptions& options = {});
+
+}  // namespace whittle::metrics

@@ -1,0 +1,56 @@
+#include "certify/target_surface.hh"
+
+#include <algorithm>
+#include <cmath>
+
+#include "whittle/core/detail/edge_table.hh"
+#include "whittle/core/geometry/nearest_on_triangle.hh"
+
+namespace whittle::metrics {
+namespace {
+
+IndexedMesh in_frame(const IndexedMesh& mesh, const Frame& frame) {
+  IndexedMesh result;
+  result.faces = mesh.faces;
+  result.positions.reserve(mesh.positions.size());
+  for (const Vec3& p : mesh.positions) result.positions.push_back(frame.to_frame(p));
+  return result;
+}
+
+std::vector<std::array<Index, 3>> faces_beyond(const IndexedMesh& mesh) {
+  std::vector<std::array<Index, 3>> beyond(mesh.faces.size(), {invalid_index, invalid_index, invalid_index});
+  const whittle::detail::EdgeTable edges(mesh.faces, mesh.positions.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const std::span<const Index> sides = edges.sides(e);
+    if (sides.size() != 2) continue;
+    beyond[sides[0] / 3][sides[0] % 3] = sides[1] / 3;
+    beyond[sides[1] / 3][sides[1] % 3] = sides[0] / 3;
+  }
+  return beyond;
+}
+
+double distance_to_segment(const Vec3& a, const Vec3& b, const Vec3& point) {
+  const Vec3 way = b - a;
+  const double square = way.squaredNorm();
+  const double share = square > 0 ? std::clamp((point - a).dot(way) / square, 0.0, 1.0) : 0;
+  return (a + share * way - point).norm();
+}
+
+}  // namespace
+
+TargetSurface::TargetSurface(const IndexedMesh& mesh, const Frame& frame)
+    : mesh_(in_frame(mesh, frame)), beyond_(faces_beyond(mesh_)), tree_(mesh_, Vec3::Zero()) {}
+
+/// Any point of the triangle gives an upper bound. So weights out of range, as thin triangles may give, are no harm
+/// once they are clamped.
+double distance_to(const Corners& triangle, const Vec3& point) {
+  const auto& [a, b, c] = triangle;
+  const auto [second, third] = nearest_on_triangle(a - point, b - point, c - point);
+  if (second >= 0 && third >= 0 && second + third <= 1) {
+    return (a + second * (b - a) + third * (c - a) - point).norm();
+  }
+  return std::min(
+      {distance_to_segment(a, b, point), distance_to_segment(b, c, point), distance_to_segment(c, a, point)});
+}
+
+}  // namespace whittle::metrics

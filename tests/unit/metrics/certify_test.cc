@@ -1,0 +1,253 @@
+// Proofs of the largest distance, compared with a search that knows nothing of patches, frames and trees.
+#include "whittle/metrics/certify.hh"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "support/random.hh"
+#include "support/shapes.hh"
+#include "whittle/core/frame.hh"
+#include "whittle/core/geometry/nearest_on_triangle.hh"
+#include "whittle/engine/simplify.hh"
+
+namespace whittle::test {
+
+using namespace metrics;
+
+namespace {
+
+using Corners = std::array<Vec3, 3>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Corners corners_of(const IndexedMesh& mesh, Index face) {
+  const auto& [a, b, c] = mesh.faces[face];
+  return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
+}
+
+double distance_to_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
+  const double square = (b - a).squaredNorm();
+  const double share = square > 0 ? std::clamp((p - a).dot(b - a) / square, 0.0, 1.0) : 0;
+  return (a + share * (b - a) - p).norm();
+}
+
+double distance_to_triangle(const Corners& t, const Vec3& p) {
+  const auto& [a, b, c] = t;
+  const double to_sides =
+      std::min({distance_to_segment(a, b, p), distance_to_segment(b, c, p), distance_to_segment(c, a, p)});
+  const Vec3 normal = (b - a).cross(c - a);
+  const auto is_left = [&](const Vec3& from, const Vec3& to) { return normal.dot((to - from).cross(p - from)) > 0; };
+  const bool is_over = is_left(a, b) && is_left(b, c) && is_left(c, a);
+  return is_over ? std::abs(normal.dot(p - a)) / normal.norm() : to_sides;
+}
+
+double distance_to_all(const IndexedMesh& mesh, const Vec3& p) {
+  double least = infinity;
+  for (Index f = 0; f < mesh.faces.size(); ++f) least = std::min(least, distance_to_triangle(corners_of(mesh, f), p));
+  return least;
+}
+
+/// The largest distance of a surface's points from another one, or less by `accuracy`: the most promising piece is
+/// halved, until it promises little more than was found.
+double brute_largest(const IndexedMesh& from, const IndexedMesh& to, double accuracy) {
+  struct Piece {
+    double at_most;
+    Corners corners;
+    bool operator<(const Piece& other) const { return at_most < other.at_most; }
+  };
+  double found = 0;
+  std::priority_queue<Piece> pieces;
+  const auto add = [&](const Corners& corners) {
+    for (const Vec3& p : corners) found = std::max(found, distance_to_all(to, p));
+    double at_most = infinity;
+    for (Index f = 0; f < to.faces.size(); ++f) {
+      double most = 0;
+      for (const Vec3& p : corners) most = std::max(most, distance_to_triangle(corners_of(to, f), p));
+      at_most = std::min(at_most, most);
+    }
+    pieces.push({at_most, corners});
+  };
+  for (Index f = 0; f < from.faces.size(); ++f) add(corners_of(from, f));
+  while (pieces.top().at_most > found + accuracy) {
+    const Corners c = pieces.top().corners;
+    pieces.pop();
+    std::size_t longest = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+      if ((c[(i + 1) % 3] - c[i]).norm() > (c[(longest + 1) % 3] - c[longest]).norm()) longest = i;
+    }
+    const Vec3 middle = 0.5 * (c[longest] + c[(longest + 1) % 3]);
+    add({c[longest], middle, c[(longest + 2) % 3]});
+    add({middle, c[(longest + 1) % 3], c[(longest + 2) % 3]});
+  }
+  return found;
+}
+
+/// \param tolerance of the search that it is compared with, over the size
+void expect_right(const IndexedMesh& a, const IndexedMesh& b, double accuracy, double tolerance) {
+  const LargestDistances found = largest_distances(a, b, accuracy, {.threads = 1});
+  const double size = bounds_of(a.positions).diagonal() + bounds_of(b.positions).diagonal();
+  for (const bool is_forward : {true, false}) {
+    const LargestDistance& one_way = is_forward ? found.forward : found.backward;
+    const IndexedMesh& from = is_forward ? a : b;
+    const IndexedMesh& to = is_forward ? b : a;
+    const double expected = brute_largest(from, to, tolerance * size);
+    EXPECT_LE(expected, one_way.at_most);
+    EXPECT_LE(one_way.at_least, expected + tolerance * size);
+    EXPECT_LE(one_way.at_most, (1 + accuracy) * one_way.at_least + 2e-9 * size);
+    EXPECT_EQ(one_way.where.is_on_first, is_forward);
+    EXPECT_NEAR(distance_to_all(to, one_way.where.point), one_way.at_least, 1e-12 * size);
+    EXPECT_LE(distance_to_triangle(corners_of(from, one_way.where.face), one_way.where.point), 1e-12 * size);
+  }
+  const double least = std::max(found.forward.at_least, found.backward.at_least);
+  const double most = std::max(found.forward.at_most, found.backward.at_most);
+  EXPECT_EQ(certify(a, b, 1.001 * most + 1e-12 * size, {.threads = 1}).verdict, Verdict::proven);
+  if (least > 1e-9 * size) {
+    const Certification certification = certify(a, b, 0.99 * least, {.threads = 1});
+    ASSERT_EQ(certification.verdict, Verdict::refuted);
+    const FarPoint& farther = *certification.farther;
+    EXPECT_GT(farther.distance, 0.99 * least);
+    EXPECT_NEAR(distance_to_all(farther.is_on_first ? b : a, farther.point), farther.distance, 1e-12 * size);
+  }
+}
+
+IndexedMesh random_faces(std::size_t n_faces, Random& random) {
+  IndexedMesh mesh;
+  for (std::size_t i = 0; i < n_faces + 2; ++i) mesh.positions.push_back(random.uniform_vector(-1, 1));
+  for (std::size_t f = 0; f < n_faces; ++f) {
+    mesh.faces.push_back({static_cast<Index>(random.below(mesh.positions.size())),
+                          static_cast<Index>(random.below(mesh.positions.size())),
+                          static_cast<Index>(random.below(mesh.positions.size()))});
+  }
+  return mesh;
+}
+
+/// Any triangles, folded, crossing, degenerate, with edges of any number of faces.
+TEST(Certify, IsRightForRandomFaces) {
+  Random random(1);
+  for (int i = 0; i < 3000; ++i) {
+    SCOPED_TRACE(i);
+    const IndexedMesh a = random_faces(1 + random.below(6), random);
+    IndexedMesh b = a;
+    if (i % 3 == 0) b = random_faces(1 + random.below(6), random);
+    for (Vec3& p : b.positions) p += random.uniform(0, 0.2) * random.uniform_vector(-1, 1);
+    expect_right(a, b, 0.02, 1e-3);
+  }
+}
+
+TEST(Certify, IsRightForSimplifiedMeshes) {
+  for (const IndexedMesh& mesh : {sphere(2), noisy_torus(16, 10, 1, 0.4, 0.02, 1), bracket(4), terrain(12, 3),
+                                  open_cylinder(16, 8), tessellated_cube(5), moebius(24, 3), book(3, 4)}) {
+    for (const double share : {0.5, 0.15}) {
+      const auto n_faces = static_cast<std::uint64_t>(share * static_cast<double>(mesh.faces.size()));
+      const Simplification s = simplify(mesh, DecimateTarget::faces(n_faces), Effort::normal);
+      if (!s.mesh.faces.empty()) expect_right(mesh, s.mesh, 0.01, 0.01);
+    }
+  }
+}
+
+/// A face is missing in a plane: what lies over the hole is not covered, though all around it is.
+TEST(Certify, SeesHoles) {
+  const IndexedMesh whole = grid(8, 8);
+  IndexedMesh pierced = whole;
+  pierced.faces.erase(pierced.faces.begin() + 57);
+  IndexedMesh large;
+  const PointBounds box = bounds_of(whole.positions);
+  large.positions = {box.low, Vec3(box.high.x(), box.low.y(), 0), box.high, Vec3(box.low.x(), box.high.y(), 0)};
+  for (Vec3& p : large.positions) p.z() = whole.positions[0].z();
+  large.faces = {{0, 1, 2}, {0, 2, 3}};
+  const double size = box.diagonal();
+  EXPECT_EQ(certify(whole, large, 1e-9 * size).verdict, Verdict::proven);
+  EXPECT_EQ(certify(pierced, large, 1e-9 * size).verdict, Verdict::refuted);
+  const Corners hole = corners_of(whole, 57);
+  const Vec3 ab = hole[1] - hole[0];
+  const Vec3 ac = hole[2] - hole[0];
+  const double perimeter = ab.norm() + ac.norm() + (ac - ab).norm();
+  const double inradius = ab.cross(ac).norm() / perimeter;
+  const LargestDistances found = largest_distances(pierced, large, 1e-4);
+  EXPECT_NEAR(found.backward.at_least, inradius, 1e-4 * inradius);
+  EXPECT_LE(found.forward.at_most, 2e-9 * size);
+}
+
+TEST(Certify, IsUndecidedWherePointsAreAsFarAsAllowed) {
+  const IndexedMesh low = grid(4, 4);
+  IndexedMesh high = low;
+  for (Vec3& p : high.positions) p.z() += 0.25;
+  EXPECT_EQ(certify(low, high, 0.25).verdict, Verdict::undecided);
+  EXPECT_EQ(certify(low, high, 0.25 * (1 + 1e-9)).verdict, Verdict::proven);
+  EXPECT_EQ(certify(low, high, 0.25 * (1 - 1e-9)).verdict, Verdict::refuted);
+  EXPECT_EQ(certify(low, low, 0).verdict, Verdict::undecided);
+  EXPECT_EQ(certify(low, low, 1e-9).verdict, Verdict::proven);
+  EXPECT_LE(largest_distances(low, low, 0.01).forward.at_most, 1e-8);
+}
+
+TEST(Certify, DoesNotDependOnThreadsUnitsAndPlace) {
+  const IndexedMesh mesh = noisy_torus(120, 60, 1, 0.4, 0.01, 5);
+  const Simplification s = simplify(mesh, DecimateTarget::faces(1000), Effort::normal);
+  const LargestDistances expected = largest_distances(mesh, s.mesh, 1e-3, {.threads = 1});
+  const double least = std::max(expected.forward.at_least, expected.backward.at_least);
+  const Certification refuted = certify(mesh, s.mesh, 0.9 * least, {.threads = 1});
+  ASSERT_TRUE(refuted.farther);
+  for (const unsigned threads : {2U, 5U}) {
+    const LargestDistances found = largest_distances(mesh, s.mesh, 1e-3, {.threads = threads});
+    EXPECT_EQ(found.forward.at_least, expected.forward.at_least);
+    EXPECT_EQ(found.backward.where.point, expected.backward.where.point);
+    const Certification again = certify(mesh, s.mesh, 0.9 * least, {.threads = threads});
+    ASSERT_TRUE(again.farther);
+    EXPECT_EQ(again.farther->point, refuted.farther->point);
+    EXPECT_EQ(again.farther->face, refuted.farther->face);
+  }
+  for (const double unit : {1e-100, 1e-6, 1e9, 1e100}) {
+    IndexedMesh a = mesh;
+    IndexedMesh b = s.mesh;
+    for (IndexedMesh* moved : {&a, &b}) {
+      for (Vec3& p : moved->positions) p *= unit;
+    }
+    const LargestDistances found = largest_distances(a, b, 1e-3);
+    EXPECT_NEAR(found.forward.at_least / unit, expected.forward.at_least, 1e-3 * expected.forward.at_least) << unit;
+    EXPECT_EQ(certify(a, b, 1.01 * least * unit).verdict, Verdict::proven) << unit;
+  }
+}
+
+TEST(Certify, StopsWhenCancelled) {
+  const IndexedMesh mesh = noisy_torus(120, 60, 1, 0.4, 0.01, 5);
+  const IndexedMesh other = noisy_torus(120, 60, 1, 0.4, 0.01, 6);
+  std::vector<std::string> stages;
+  const auto tell = [&](const TaskProgress& progress) {
+    stages.emplace_back(progress.stage);
+    return true;
+  };
+  EXPECT_GT(largest_distances(mesh, other, 0.01, {.progress = tell}).forward.at_least, 0);
+  EXPECT_EQ(stages.front(), "preparing");
+  EXPECT_EQ(stages.back(), "measuring, backward");
+  for (int last_call = 0; last_call < 3; ++last_call) {
+    int n_calls = 0;
+    const CertifyOptions options{.progress = [&](const TaskProgress&) { return n_calls++ < last_call; }};
+    EXPECT_THROW(largest_distances(mesh, other, 0.01, options), Cancelled) << last_call;
+  }
+  EXPECT_THROW(certify(mesh, other, 1, {.progress = [](const TaskProgress&) { return false; }}), Cancelled);
+}
+
+TEST(Certify, RefusesWhatHasNoAnswer) {
+  const IndexedMesh mesh = cube();
+  EXPECT_THROW(certify(mesh, {}, 1), std::invalid_argument);
+  EXPECT_THROW(certify({}, mesh, 1), std::invalid_argument);
+  EXPECT_THROW(certify(mesh, mesh, -1), std::invalid_argument);
+  EXPECT_THROW(certify(mesh, mesh, std::nan("")), std::invalid_argument);
+  EXPECT_THROW(largest_distances(mesh, mesh, 1e-9), std::invalid_argument);
+  EXPECT_THROW(largest_distances(mesh, mesh, 2), std::invalid_argument);
+  IndexedMesh broken = mesh;
+  broken.positions[0].x() = infinity;
+  EXPECT_THROW(certify(mesh, broken, 1), std::invalid_argument);
+  EXPECT_EQ(certify(mesh, mesh, infinity).verdict, Verdict::proven);
+}
+
+}  // namespace
+}  // namespace whittle::test
