@@ -40,6 +40,7 @@ TEST(Measure, HasEveryKeyOfItsSchema) {
                           "backward",
                           "normal_deviation_deg",
                           "flipped_percent",
+                          "exact",
                           "border",
                           "features",
                           "radius_ratio",
@@ -152,6 +153,29 @@ TEST(Measure, TellsHowFarBordersAreApart) {
     EXPECT_NE(outcome.out.find(said), std::string::npos) << "not said: " << said << '\n' << outcome;
   }
   EXPECT_EQ(outcome.out.find("feature"), std::string::npos) << outcome;
+}
+
+TEST(Measure, FindsTheLargestDistanceOfAllPoints) {
+  const TemporaryFolder folder;
+  const std::string box = folder / "box.off", larger = folder / "larger.off";
+  io::write_mesh(box, box_of(2.0, 3));
+  io::write_mesh(larger, box_of(2.2, 2));
+  EXPECT_TRUE(measured(box, larger)["exact"].is_null());
+  const nlohmann::json exact = measured(box, larger, {"--exact", "1e-4"})["exact"];
+  EXPECT_EQ(exact["accuracy"], 1e-4);
+  EXPECT_NEAR(exact["forward"]["at_least"].get<double>(), 0.1, 1e-5);
+  EXPECT_NEAR(exact["forward"]["at_most"].get<double>(), 0.1, 2e-5);
+  EXPECT_NEAR(exact["backward"]["at_least"].get<double>(), 0.1 * std::sqrt(3.0), 1e-5);
+  EXPECT_NEAR(exact["backward"]["at_most_rel"].get<double>(), 0.05, 1e-5);
+  for (const double x : exact["backward"]["point"]) EXPECT_NEAR(std::abs(x), 1.1, 1e-9) << "a corner of the larger box";
+  EXPECT_LT(exact["backward"]["face"], 48);
+  const Outcome outcome = whittle({"measure", box, larger, "--exact", "1e-4"});
+  for (const char* said : {"of all points, at least", "of all points, at most", "farthest: ", " of TEST"}) {
+    EXPECT_NE(outcome.out.find(said), std::string::npos) << "not said: " << said << '\n' << outcome;
+  }
+  for (const char* accuracy : {"0", "1e-7", "2", "x"}) {
+    EXPECT_EQ(whittle({"measure", box, larger, "--exact", accuracy}).exit_code, 2) << accuracy;
+  }
 }
 
 TEST(Measure, TellsHowFarFeatureLinesAreApart) {

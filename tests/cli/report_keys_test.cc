@@ -195,12 +195,12 @@ TEST(ReportKeys, OfMeasureAreDocumented) {
   std::filesystem::copy_file(point, bare);
   const std::string terrain = data_file("terrain.ply");
   const std::string bracket = data_file("bracket.stl");
-  expect_documented(
-      "measure", {{bracket, bracket, "--color", "never", "--feature-angle", "40", "--samples", "1000", "--seed", "2"},
-                  {terrain, terrain, "--samples", "1000", "--verbose", "--threads", "1", "--weld", "0"},
-                  {point, point, "--no-weld", "--samples", "1000", "--quiet"},
-                  {bare, point, "--no-weld", "--format", "obj", "--samples", "1000", "--force"},
-                  {bare, point, "--no-weld", "--input-format", "obj", "--samples", "1000"}});
+  expect_documented("measure", {{bracket, bracket, "--color", "never", "--feature-angle", "40", "--samples", "1000",
+                                 "--seed", "2", "--exact", "0.01"},
+                                {terrain, terrain, "--samples", "1000", "--verbose", "--threads", "1", "--weld", "0"},
+                                {point, point, "--no-weld", "--samples", "1000", "--quiet", "--exact", "1"},
+                                {bare, point, "--no-weld", "--format", "obj", "--samples", "1000", "--force"},
+                                {bare, point, "--no-weld", "--input-format", "obj", "--samples", "1000"}});
 }
 
 TEST(ReportKeys, OfInfoAreDocumented) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
+#include "whittle/metrics/certify.hh"
 #include "whittle/metrics/line_distance.hh"
 #include "whittle/metrics/self_intersections.hh"
 
@@ -24,6 +26,7 @@ struct MeasureOptions {
   FileOptions files;
   metrics::DistanceOptions distance;
   std::optional<double> feature_angle_deg;
+  std::optional<double> exact;  ///< accuracy of the largest distance
   CommonOptions common;
 };
 
@@ -36,6 +39,7 @@ struct LinesMeasured {
 
 struct Measurement {
   metrics::SurfaceDistance distance;
+  std::optional<metrics::LargestDistances> largest;  ///< set if asked for
   LinesMeasured borders;
   std::optional<LinesMeasured> features;  ///< set if asked for
   metrics::Shape shape;
@@ -54,10 +58,13 @@ Measurement measure(const IndexedMesh& reference, const IndexedMesh& test, const
   ProgressBar bar(talk, "measuring");
   metrics::DistanceOptions distance = options.distance;
   distance.threads = options.common.threads;
-  distance.progress = part_of(bar, 0, 0.7);
+  distance.progress = part_of(bar, 0, options.exact ? 0.4 : 0.7);
   const unsigned threads = options.common.threads;
   Measurement measured;
   measured.distance = metrics::surface_distance(reference, test, distance);
+  if (options.exact) {
+    measured.largest = metrics::largest_distances(reference, test, *options.exact, {threads, part_of(bar, 0.4, 0.7)});
+  }
   measured.borders =
       measure_lines(metrics::border_lines(reference), metrics::border_lines(test), threads, part_of(bar, 0.7, 0.75));
   if (const auto angle_deg = options.feature_angle_deg) {
@@ -77,6 +84,25 @@ Json features_json(const Measurement& measured, const MeasureOptions& options) {
   return json;
 }
 
+Json largest_json(const metrics::LargestDistance& largest, double diagonal) {
+  Json json;
+  add_length(json, "at_least", largest.at_least, diagonal);
+  add_length(json, "at_most", largest.at_most, diagonal);
+  const Vec3& point = largest.where.point;
+  json["point"] = {point.x(), point.y(), point.z()};
+  json["face"] = largest.where.face;
+  return json;
+}
+
+Json exact_json(const Measurement& measured, const MeasureOptions& options) {
+  if (!measured.largest) return nullptr;
+  Json json;
+  json["accuracy"] = *options.exact;
+  json["forward"] = largest_json(measured.largest->forward, measured.distance.diagonal);
+  json["backward"] = largest_json(measured.largest->backward, measured.distance.diagonal);
+  return json;
+}
+
 Json measure_json(const Input& reference, const Input& test, const Measurement& measured,
                   const MeasureOptions& options) {
   Json json = new_report();
@@ -84,6 +110,7 @@ Json measure_json(const Input& reference, const Input& test, const Measurement& 
   json["test"] = input_json(test, metrics::bounds(test.read.mesh).diagonal());
   json["diagonal"] = measured.distance.diagonal;
   add_distance(json, measured.distance);
+  json["exact"] = exact_json(measured, options);
   json["border"] = lines_json(measured.borders.distance, measured.distance.diagonal);
   json["features"] = features_json(measured, options);
   add_shape(json, measured.shape);
@@ -113,6 +140,26 @@ std::string lines_missing(const std::string& name, const LinesMeasured& lines) {
   return "no distance between " + name + ": " + who + '\n';
 }
 
+/// Adds two rows that hold the largest distance of all points between them.
+void add_largest(Table& table, const metrics::LargestDistances& largest, double diagonal) {
+  const auto& [forward, backward] = largest;
+  const auto add = [&](const char* name, double there, double back) {
+    table.add({name, length_text(std::max(there, back), diagonal), length_text(there, diagonal),
+               length_text(back, diagonal)});
+  };
+  add("of all points, at least", forward.at_least, backward.at_least);
+  add("of all points, at most", forward.at_most, backward.at_most);
+}
+
+/// "farthest: 1 2 3 in face 7 of TEST"
+std::string farthest_line(const metrics::LargestDistances& largest) {
+  const bool is_forward = largest.forward.at_least >= largest.backward.at_least;
+  const metrics::FarPoint& far = (is_forward ? largest.forward : largest.backward).where;
+  return "farthest: " + significant(far.point.x()) + ' ' + significant(far.point.y()) + ' ' +
+         significant(far.point.z()) + ", in face " + std::to_string(far.face) + (is_forward ? " of REF" : " of TEST") +
+         '\n';
+}
+
 std::string distance_table(const Measurement& measured) {
   const metrics::SurfaceDistance& d = measured.distance;
   Table table;
@@ -125,6 +172,7 @@ std::string distance_table(const Measurement& measured) {
   add("mean distance", length(d.mean), length(d.forward.mean), length(d.backward.mean));
   add("rms distance", length(d.rms), length(d.forward.rms), length(d.backward.rms));
   add("largest distance", length(d.max), length(d.forward.max), length(d.backward.max));
+  if (measured.largest) add_largest(table, *measured.largest, d.diagonal);
   add("normals differ by, deg", significant(d.normal_deviation_deg), significant(d.forward.normal_deviation_deg),
       significant(d.backward.normal_deviation_deg));
   add("faces turned over", significant(d.flipped_percent) + " %", significant(d.forward.flipped_percent) + " %",
@@ -133,6 +181,7 @@ std::string distance_table(const Measurement& measured) {
   if (measured.features) add_lines(table, "feature lines", *measured.features, d.diagonal);
   std::string text =
       table.text() + "Garland-Heckbert 1997, mean squared distance: " + significant(d.garland_heckbert) + '\n';
+  if (measured.largest) text += farthest_line(*measured.largest);
   // If both meshes are closed, missing borders are not worth a line.
   if (measured.borders.in_reference || measured.borders.in_test) text += lines_missing("borders", measured.borders);
   if (measured.features) text += lines_missing("feature lines", *measured.features);
@@ -196,6 +245,15 @@ void add_feature_angle(CLI::App& app, std::optional<double>& angle_deg) {
       ->default_str("off");
 }
 
+void add_exact(CLI::App& app, std::optional<double>& accuracy) {
+  constexpr Range range{1e-6, 1, true, true};
+  add_value(
+      app, "--exact", "A", accuracy, [range](std::string_view text) { return parse_number(text, range, "A"); },
+      "also find the largest distance of all points of both surfaces, not of samples, to a relative accuracy of A, " +
+          to_string(range, "A"))
+      ->default_str("off");
+}
+
 }  // namespace
 
 void setup_measure(CLI::App& app, Command& command) {
@@ -204,6 +262,7 @@ void setup_measure(CLI::App& app, Command& command) {
   add_file(*sub, "REF", options->reference, "the reference mesh, or '-' for standard input");
   add_file(*sub, "TEST", options->test, "the mesh to judge, or '-' for standard input");
   add_sampling_options(*sub, options->distance);
+  add_exact(*sub, options->exact);
   add_feature_angle(*sub, options->feature_angle_deg);
   add_format(*sub, options->files);
   add_input_format(*sub, options->files);
@@ -214,7 +273,8 @@ void setup_measure(CLI::App& app, Command& command) {
       "Examples:\n"
       "  whittle measure dragon.ply small.ply\n"
       "  whittle measure dragon.ply small.ply --json - | jq .mean_rel\n"
-      "  whittle measure fandisk.off small.off --feature-angle 40");
+      "  whittle measure fandisk.off small.off --feature-angle 40\n"
+      "  whittle measure fandisk.off small.off --exact 1e-3");
   sub->callback([sub, options, &command] { command = [sub, options] { return run_measure(*sub, *options); }; });
 }
 

@@ -13,11 +13,6 @@ namespace {
 
 Json over_diagonal(double value, double diagonal) { return diagonal > 0 ? Json(value / diagonal) : Json(nullptr); }
 
-void add_length(Json& json, const std::string& key, double value, double diagonal) {
-  json[key] = value;
-  json[key + "_rel"] = over_diagonal(value, diagonal);
-}
-
 Json directed(const metrics::DirectedDistance& distance, double diagonal) {
   Json json;
   add_length(json, "mean", distance.mean, diagonal);
@@ -36,6 +31,11 @@ Json directed(const metrics::DirectedLineDistance& distance, double diagonal) {
 }
 
 }  // namespace
+
+void add_length(Json& json, const std::string& key, double value, double diagonal) {
+  json[key] = value;
+  json[key + "_rel"] = over_diagonal(value, diagonal);
+}
 
 std::string program_and_version() { return "whittle " WHITTLE_VERSION; }
 

@@ -130,9 +130,10 @@ Certification certify(const IndexedMesh& first, const IndexedMesh& second, doubl
   const Frame frame = frame_of(first, second);
   whittle::detail::ProgressMeter meter(options.progress);
   const whittle::detail::Workers workers(options.threads, &meter);
+  meter.start("preparing", 0.1);
+  const TargetSurface a(first, frame, meter);
   meter.start("preparing", 0.2);
-  const TargetSurface a(first, frame);
-  const TargetSurface b(second, frame);
+  const TargetSurface b(second, frame, meter);
   meter.start("proving, forward", 0.6);
   Certification forward = certify_one_way({first, b, frame, true}, max_distance * frame.scale, workers);
   if (forward.verdict == Verdict::refuted) return forward;
@@ -151,9 +152,10 @@ LargestDistances largest_distances(const IndexedMesh& first, const IndexedMesh& 
   const Frame frame = frame_of(first, second);
   whittle::detail::ProgressMeter meter(options.progress);
   const whittle::detail::Workers workers(options.threads, &meter);
+  meter.start("preparing", 0.1);
+  const TargetSurface a(first, frame, meter);
   meter.start("preparing", 0.2);
-  const TargetSurface a(first, frame);
-  const TargetSurface b(second, frame);
+  const TargetSurface b(second, frame, meter);
   LargestDistances result;
   meter.start("measuring, forward", 0.6);
   result.forward = largest_one_way({first, b, frame, true}, relative_accuracy, workers);

@@ -38,8 +38,8 @@ double distance_to_segment(const Vec3& a, const Vec3& b, const Vec3& point) {
 
 }  // namespace
 
-TargetSurface::TargetSurface(const IndexedMesh& mesh, const Frame& frame)
-    : mesh_(in_frame(mesh, frame)), beyond_(faces_beyond(mesh_)), tree_(mesh_, Vec3::Zero()) {}
+TargetSurface::TargetSurface(const IndexedMesh& mesh, const Frame& frame, whittle::detail::ProgressMeter& meter)
+    : mesh_(in_frame(mesh, frame)), beyond_(faces_beyond(mesh_)), tree_(mesh_, Vec3::Zero(), &meter) {}
 
 /// Any point of the triangle gives an upper bound. So weights out of range, as thin triangles may give, are no harm
 /// once they are clamped.

@@ -17,7 +17,8 @@ using Corners = std::array<Vec3, 3>;
 /// The surface that triangles are proven to be near to: in a frame of about the size 1.
 class TargetSurface {
  public:
-  TargetSurface(const IndexedMesh& mesh, const Frame& frame);
+  /// \param meter is told the progress, and may cancel \throw Cancelled
+  TargetSurface(const IndexedMesh& mesh, const Frame& frame, whittle::detail::ProgressMeter& meter);
 
   std::size_t n_faces() const { return mesh_.faces.size(); }
   Corners corners(Index face) const {
