@@ -32,9 +32,9 @@ Json directed(const metrics::DirectedLineDistance& distance, double diagonal) {
 
 }  // namespace
 
-void add_length(Json& json, const std::string& key, double value, double diagonal) {
-  json[key] = value;
-  json[key + "_rel"] = over_diagonal(value, diagonal);
+void add_length(Json& json, const std::string& key, double length, double diagonal) {
+  json[key] = length;
+  json[key + "_rel"] = over_diagonal(length, diagonal);
 }
 
 std::string program_and_version() { return "whittle " WHITTLE_VERSION; }
