@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "certify/prover.hh"
@@ -15,12 +17,6 @@ namespace {
 
 /// Faces that a thread takes at a time. What is found for them depends on no others.
 constexpr std::size_t faces_per_block = 1024;
-
-Frame frame_of(const IndexedMesh& first, const IndexedMesh& second) {
-  const Bounds a = bounds(first);
-  const Bounds b = bounds(second);
-  return Frame::of_box(a.min.cwiseMin(b.min), a.max.cwiseMax(b.max));
-}
 
 /// A surface whose points may be far from another one.
 struct OneWay {
@@ -44,6 +40,32 @@ struct OneWay {
     for (auto f = static_cast<Index>(block * faces_per_block); f < end && use(f); ++f) {
     }
   }
+};
+
+/// Two surfaces in one frame.
+class Surfaces {
+ public:
+  Surfaces(const IndexedMesh& first, const IndexedMesh& second, whittle::detail::ProgressMeter& meter)
+      : meshes_{first, second}, frame_(frame_of(bounds(first), bounds(second))) {
+    meter.start("preparing", 0.1);
+    first_.emplace(first, frame_, meter);
+    meter.start("preparing", 0.2);
+    second_.emplace(second, frame_, meter);
+  }
+
+  const Frame& frame() const { return frame_; }
+  OneWay forward() const { return {meshes_.first, *second_, frame_, true}; }
+  OneWay backward() const { return {meshes_.second, *first_, frame_, false}; }
+
+ private:
+  static Frame frame_of(const Bounds& a, const Bounds& b) {
+    return Frame::of_box(a.min.cwiseMin(b.min), a.max.cwiseMax(b.max));
+  }
+
+  std::pair<const IndexedMesh&, const IndexedMesh&> meshes_;
+  Frame frame_;
+  std::optional<TargetSurface> first_;
+  std::optional<TargetSurface> second_;
 };
 
 /// Of the blocks in which a point is farther, the first one counts. Those after it needn't end.
@@ -127,18 +149,15 @@ LargestDistance largest_one_way(const OneWay& one_way, double accuracy, const wh
 Certification certify(const IndexedMesh& first, const IndexedMesh& second, double max_distance,
                       const CertifyOptions& options) {
   if (!(max_distance >= 0)) throw std::invalid_argument("certify: max_distance is negative, or not a number");
-  const Frame frame = frame_of(first, second);
   whittle::detail::ProgressMeter meter(options.progress);
   const whittle::detail::Workers workers(options.threads, &meter);
-  meter.start("preparing", 0.1);
-  const TargetSurface a(first, frame, meter);
-  meter.start("preparing", 0.2);
-  const TargetSurface b(second, frame, meter);
+  const Surfaces surfaces(first, second, meter);
+  const double distance = max_distance * surfaces.frame().scale;
   meter.start("proving, forward", 0.6);
-  Certification forward = certify_one_way({first, b, frame, true}, max_distance * frame.scale, workers);
+  Certification forward = certify_one_way(surfaces.forward(), distance, workers);
   if (forward.verdict == Verdict::refuted) return forward;
   meter.start("proving, backward", 1);
-  Certification backward = certify_one_way({second, a, frame, false}, max_distance * frame.scale, workers);
+  Certification backward = certify_one_way(surfaces.backward(), distance, workers);
   meter.finish();
   return backward.verdict == Verdict::proven ? forward : backward;
 }
@@ -149,18 +168,14 @@ LargestDistances largest_distances(const IndexedMesh& first, const IndexedMesh& 
   if (!(relative_accuracy >= least && relative_accuracy <= 1)) {
     throw std::invalid_argument("largest_distances: relative_accuracy is not in [1e-6, 1]");
   }
-  const Frame frame = frame_of(first, second);
   whittle::detail::ProgressMeter meter(options.progress);
   const whittle::detail::Workers workers(options.threads, &meter);
-  meter.start("preparing", 0.1);
-  const TargetSurface a(first, frame, meter);
-  meter.start("preparing", 0.2);
-  const TargetSurface b(second, frame, meter);
+  const Surfaces surfaces(first, second, meter);
   LargestDistances result;
   meter.start("measuring, forward", 0.6);
-  result.forward = largest_one_way({first, b, frame, true}, relative_accuracy, workers);
+  result.forward = largest_one_way(surfaces.forward(), relative_accuracy, workers);
   meter.start("measuring, backward", 1);
-  result.backward = largest_one_way({second, a, frame, false}, relative_accuracy, workers);
+  result.backward = largest_one_way(surfaces.backward(), relative_accuracy, workers);
   meter.finish();
   return result;
 }
