@@ -293,6 +293,25 @@ TEST(OrderedMesh, IsTheSameMesh) {
   EXPECT_EQ(written.faces, mesh.faces);
 }
 
+TEST(PolishOriginal, ServesSeveralCalls) {
+  const IndexedMesh mesh = noisy_sphere(4, 0.05, 1);
+  const PolishOriginal original(mesh, 1);
+  for (const double ratio : {0.5, 0.1}) {
+    const Decimation d = decimated(mesh, ratio);
+    IndexedMesh with_original = d.mesh;
+    EXPECT_EQ(polish(original, d.vertex_map, with_original, {.passes = 2}).n_passes, 2U);
+    EXPECT_EQ(with_original.positions, polished(mesh, d, {.passes = 2}).positions);
+  }
+  const Decimation d = decimated(mesh, 0.1);
+  IndexedMesh far = d.mesh;
+  for (Vec3& p : far.positions) p += Vec3(1e9, 0, 0);
+  EXPECT_EQ(polish(original, d.vertex_map, far, {}).n_passes, 0U);
+  EXPECT_THROW(PolishOriginal(mesh, 1, [](const TaskProgress&) { return false; }), Cancelled);
+  IndexedMesh broken = mesh;
+  broken.faces[3][1] = 1'000'000;
+  EXPECT_THROW(PolishOriginal{broken}, std::invalid_argument);
+}
+
 TEST(Polish, FitsSmoothSurfaces) {
   for (const IndexedMesh& original : {blob(5, 4), noisy_torus(120, 60, 1.0, 0.4, 0.01, 5), knot(200, 24)}) {
     for (const double ratio : {0.5, 0.1, 0.03}) {

@@ -30,7 +30,7 @@ class SurfaceFit {
   /// \param offsets per vertex, from its foot on the original to itself; zero: it is near \param most distance that few
   ///        vertices should have
   void hold_back(std::span<const Vec3> offsets, double most);
-  /// Where the vertices go when they are moved in turn, some times.
+  /// Where the vertices go when they are moved in turn, twice: first those inside of blocks of successive vertices.
   /// \param relaxation how many times the errors of points in faces count: more than 1 makes the step longer
   /// \throw Cancelled
   std::vector<Vec3> moved(double relaxation, const detail::Workers& workers);

@@ -17,8 +17,8 @@ namespace whittle::polishing {
 /// With one point a face, the same holds for its square.
 class MergedPoints {
  public:
-  /// Keeps references to what both refer to. \param end of the vertices that will be asked for, which aren't
-  /// none
+  /// Keeps references to what both refer to. \param end of the vertices that will be asked for
+  /// \pre there is one
   MergedPoints(const Origins& origins, const Surface& mesh, Index end);
 
   /// Finds the feet of the points that were merged into a vertex.

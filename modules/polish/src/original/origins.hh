@@ -25,11 +25,11 @@ class Origins {
   std::size_t points_per_face() const { return points_per_face_; }
   /// Vertices of the original that were merged into v, ascending.
   std::span<const Index> of(Index v) const { return vertices_.of(v); }
+  /// The one of them that is nearest to a point, or `invalid_index`.
+  Index nearest(Index v, const Vec3& point) const;
   /// Corners of the original's faces that were merged into v, ascending: all if faces have four points, else the first
   /// ones of faces alone.
   std::span<const Corner> corners_of(Index v) const { return corners_.of(v); }
-  /// The one of them that is nearest to a point, or `invalid_index`.
-  Index nearest(Index v, const Vec3& point) const;
 
  private:
   const OriginalSurface& original_;

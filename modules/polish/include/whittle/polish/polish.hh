@@ -110,10 +110,10 @@ class PolishOriginal {
 };
 
 /// Moves vertices of `mesh`. Nothing else changes, except what `PolishOptions::flips` and `recompute_normals` describe.
-/// Vertices where the mesh is not manifold stay, and those where lines meet or end. \param original what `mesh` was
-/// made from; all positions finite. Nothing happens if either has no faces, or if `mesh` is a million times as far away
-/// as the original is large \param vertex_map for each vertex of `original` a vertex of `mesh` near it on the surface,
-/// as
+/// Vertices where the mesh is not manifold stay, and those where lines meet or end.
+/// Nothing happens if either mesh has no faces, or if `mesh` is a million times as far away as the original is large.
+/// \param original what `mesh` was made from; all positions finite
+/// \param vertex_map for each vertex of `original` a vertex of `mesh` near it on the surface, as
 ///        `Decimation::vertex_map` has them; vertices with `invalid_index` are ignored
 /// \throw std::invalid_argument if a face or feature names a vertex that isn't there, `vertex_map` or `locked` has a
 ///        wrong length, or an option is out of range
