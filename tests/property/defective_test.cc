@@ -16,7 +16,7 @@ namespace {
 
 std::uint64_t n_meshes() {
   const char* asked = std::getenv("WHITTLE_DEFECTIVE_MESHES");
-  return asked == nullptr ? 150 : std::strtoull(asked, nullptr, 10);
+  return asked == nullptr ? 80 : std::strtoull(asked, nullptr, 10);
 }
 
 void expect_valid(const IndexedMesh& mesh) {
