@@ -64,6 +64,7 @@ TEST(SimplifyCosts, MoreEffortIsMoreAccurate) {
   EXPECT_EQ(best.report["polish"]["passes"], 2);
   EXPECT_LT(mean_error(knot, normal.mesh), 0.8 * mean_error(knot, fast.mesh));
   EXPECT_LT(mean_error(knot, best.mesh), 0.99 * mean_error(knot, normal.mesh));
+  EXPECT_NE(best.mesh.faces, normal.mesh.faces) << "edges are flipped";
   const Simplified three = with(knot, "5%", {"--polish", "3"});
   EXPECT_EQ(three.report["polish"]["passes"], 3);
   EXPECT_LT(mean_error(knot, three.mesh), 0.99 * mean_error(knot, normal.mesh));

@@ -175,8 +175,7 @@ void add_cost_options(CLI::App& app, SimplifyCommand& options) {
       app, "--polish", "N", options.simplify.polish_passes,
       [](std::string_view text) { return static_cast<unsigned>(parse_count(text, 0, 1000)); },
       "passes that fit the result to the mesh it came from, at each pause and in the end; one that doesn't help is "
-      "taken "
-      "back, and ends them (0: none)")
+      "taken back, and ends them (0: none)")
       ->default_str("by --effort; 0 with a --placement of its own")
       ->group(cost_group);
   add_choice<Fit>(app, "--fit", options.simplify.fit, fits, fit_meaning)->group(cost_group);

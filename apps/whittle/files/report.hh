@@ -40,10 +40,10 @@ void add_topology(Json& json, const metrics::Topology& topology);
 /// "flipped_percent".
 void add_distance(Json& json, const metrics::SurfaceDistance& distance);
 
-/// {"mean", "max", each with "…_rel", "forward", "backward"}; null if there is no distance.
 /// Adds a length, and as `…_rel` its share of the diagonal; null if that is 0.
 void add_length(Json& json, const std::string& key, double length, double diagonal);
 
+/// {"mean", "max", each with "…_rel", "forward", "backward"}; null if there is no distance.
 Json lines_json(const std::optional<metrics::LineDistance>& distance, double diagonal);
 
 /// Adds "radius_ratio", "min_angle_deg", "valence", "edge_length_cv", "folds", "degenerate_faces".

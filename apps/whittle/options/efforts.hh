@@ -15,7 +15,6 @@ inline constexpr std::array<Choice<Effort>, 3> efforts{
 inline constexpr char effort_meaning[] =
     "fast: '--cost quadric', on large meshes memoryless, no polish; normal: '--cost memoryless --polish 1', and "
     "polish once on the way; best: '--cost memoryless --polish 2', polish three times on the way, and edges are "
-    "flipped where "
-    "that helps";
+    "flipped where that helps";
 
 }  // namespace whittle::app

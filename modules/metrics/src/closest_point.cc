@@ -41,14 +41,6 @@ double distance_sq_to_box(const Vec3& point, const Bounds& box) {
   return length_sq((box.min - point).cwiseMax(point - box.max).cwiseMax(0.0));
 }
 
-Vec3 nearest_on_segment(const Vec3& point, const Vec3& from, const Vec3& to) {
-  const Vec3 along = to - from;
-  const double t = (point - from).dot(along), end = along.squaredNorm();
-  if (!(t > 0.0)) return from;
-  if (t >= end) return to;
-  return from + (t / end) * along;
-}
-
 }  // namespace
 
 struct TriangleTree::Reference {

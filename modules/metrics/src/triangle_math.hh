@@ -26,4 +26,13 @@ inline Vec3 trusted_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   return normal - (normal.dot(longest) / longest_sq) * longest;
 }
 
+/// The point of a segment, whose ends may coincide, that is nearest to a point.
+inline Vec3 nearest_on_segment(const Vec3& point, const Vec3& from, const Vec3& to) {
+  const Vec3 along = to - from;
+  const double t = (point - from).dot(along), end = along.squaredNorm();
+  if (!(t > 0.0)) return from;
+  if (t >= end) return to;
+  return from + (t / end) * along;
+}
+
 }  // namespace whittle::metrics

@@ -1,8 +1,8 @@
 #include "certify/target_surface.hh"
 
 #include <algorithm>
-#include <cmath>
 
+#include "triangle_math.hh"
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/geometry/nearest_on_triangle.hh"
 
@@ -29,13 +29,6 @@ std::vector<std::array<Index, 3>> faces_beyond(const IndexedMesh& mesh) {
   return beyond;
 }
 
-double distance_to_segment(const Vec3& a, const Vec3& b, const Vec3& point) {
-  const Vec3 way = b - a;
-  const double square = way.squaredNorm();
-  const double share = square > 0 ? std::clamp((point - a).dot(way) / square, 0.0, 1.0) : 0;
-  return (a + share * way - point).norm();
-}
-
 }  // namespace
 
 TargetSurface::TargetSurface(const IndexedMesh& mesh, const Frame& frame, whittle::detail::ProgressMeter& meter)
@@ -49,8 +42,10 @@ double distance_to(const Corners& triangle, const Vec3& point) {
   if (second >= 0 && third >= 0 && second + third <= 1) {
     return (a + second * (b - a) + third * (c - a) - point).norm();
   }
-  return std::min(
-      {distance_to_segment(a, b, point), distance_to_segment(b, c, point), distance_to_segment(c, a, point)});
+  const auto to_side = [&point](const Vec3& from, const Vec3& to) {
+    return (nearest_on_segment(point, from, to) - point).norm();
+  };
+  return std::min({to_side(a, b), to_side(b, c), to_side(c, a)});
 }
 
 }  // namespace whittle::metrics

@@ -20,7 +20,6 @@ class TargetSurface {
   /// \param meter is told the progress, and may cancel \throw Cancelled
   TargetSurface(const IndexedMesh& mesh, const Frame& frame, whittle::detail::ProgressMeter& meter);
 
-  std::size_t n_faces() const { return mesh_.faces.size(); }
   Corners corners(Index face) const {
     const auto& [a, b, c] = mesh_.faces[face];
     return {mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]};

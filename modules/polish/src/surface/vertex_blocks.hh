@@ -16,7 +16,6 @@ class VertexBlocks {
     length_ = std::clamp<std::size_t>(n_vertices / enough, 1, longest);
   }
 
-  std::size_t n_vertices() const { return n_vertices_; }
   std::size_t size() const { return (n_vertices_ + length_ - 1) / length_; }  ///< number of blocks
   Index begin(std::size_t block) const { return static_cast<Index>(block * length_); }
   Index end(std::size_t block) const { return static_cast<Index>(std::min(n_vertices_, (block + 1) * length_)); }

@@ -15,8 +15,8 @@ namespace whittle {
 enum class Effort {
   fast,    ///< no polish; plain quadrics, or memoryless ones where these go in blocks (`goes_in_blocks`)
   normal,  ///< memoryless quadrics, a pass of polish at 1.1 times the count and one at the end
-  best     ///< memoryless quadrics, two passes of polish at 1.2, 1.1 and 1.03 times the count and at the end each, the
-           ///< last of which also flip edges
+  best  ///< memoryless quadrics, two passes of polish each at 1.2, 1.1 and 1.03 times the count and at the end; those
+        ///< at the end also flip edges
 };
 
 struct SimplifyOptions {
