@@ -171,21 +171,23 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
   const std::string large = folder / "large.ply";  // goes in blocks
   io::write_mesh(large, torus(600, 150));
   expect_documented(
-      "simplify", {{cubes, "-o", out, "--faces", "60", "--threshold", "auto", "--max-pairs", "8", "--across-walls"},
-                   {cubes, "--output", out, "--faces", "10", "--topology", "free", "--prune", "1%", "--verbose"},
-                   {bare, "-o", bare, "--format", "obj", "--vertices", "150", "--no-weld", "--force"},
-                   {terrain, "-o", out, "--face-ratio", "10%", "--boundary", "free", "--map", folder / "map"},
-                   {terrain, "-o", out, "--max-cost", "1e-12", "--boundary-weight", "5", "--feature-angle", "40",
-                    "--feature-tolerance", "1%", "--max-normal-flip", "90", "--min-radius-ratio", "0.01"},
-                   {blob, "-o", out, "--ratio", "10%", "--effort", "best", "--quiet", "--threads", "1", "--color",
-                    "never", "--self-intersections", "count", "--normals", "drop", "--weld", "auto"},
-                   {blob, "-o", out, "--ratio", "0.1", "--cost", "quadric", "--weights", "uniform", "--placement",
-                    "midpoint", "--order", "exact", "--polish", "0", "--strict"},
-                   {blob, "-o", out, "--faces", "500", "--isotropic", "0.5", "--valence", "1", "--fit", "max"},
-                   {large, "-o", out, "--faces", "1000", "--effort", "fast"},
-                   {blob, "-o", out, "--faces", "500", "--engine", "openmesh"},
-                   {bare, "missing.ply", "-o", folder / "{stem}.txt", "--input-format", "obj", "--output-format", "ply",
-                    "--ascii", "--faces", "200"}});
+      "simplify",
+      {{cubes, "-o", out, "--faces", "60", "--threshold", "auto", "--max-pairs", "8", "--across-walls"},
+       {cubes, "--output", out, "--faces", "10", "--topology", "free", "--prune", "1%", "--verbose"},
+       {bare, "-o", bare, "--format", "obj", "--vertices", "150", "--no-weld", "--force"},
+       {terrain, "-o", out, "--face-ratio", "10%", "--boundary", "free", "--map", folder / "map"},
+       {terrain, "-o", out, "--max-cost", "1e-12", "--boundary-weight", "5", "--feature-angle", "40",
+        "--feature-tolerance", "1%", "--max-normal-flip", "90", "--min-radius-ratio", "0.01"},
+       {blob, "-o", out, "--ratio", "10%", "--effort", "best", "--quiet", "--threads", "1", "--color", "never",
+        "--self-intersections", "count", "--normals", "drop", "--weld", "auto"},
+       {blob, "-o", out, "--ratio", "0.1", "--cost", "quadric", "--weights", "uniform", "--placement", "midpoint",
+        "--order", "exact", "--polish", "0", "--strict"},
+       {blob, "-o", out, "--max-error", "1%"},
+       {blob, "-o", out, "--faces", "500", "--certify", "--isotropic", "0.5", "--valence", "1", "--fit", "max"},
+       {large, "-o", out, "--faces", "1000", "--effort", "fast"},
+       {blob, "-o", out, "--faces", "500", "--engine", "openmesh"},
+       {bare, "missing.ply", "-o", folder / "{stem}.txt", "--input-format", "obj", "--output-format", "ply", "--ascii",
+        "--faces", "200"}});
 }
 
 TEST(ReportKeys, OfMeasureAreDocumented) {

@@ -24,7 +24,8 @@ struct Reason {
 };
 constexpr Reason reasons[] = {{&Rejections::link, "by topology"}, {&Rejections::flip, "by turning a face"},
                               {&Rejections::shape, "by shape"},   {&Rejections::feature, "by features"},
-                              {&Rejections::locked, "locked"},    {&Rejections::intersection, "by intersecting"}};
+                              {&Rejections::locked, "locked"},    {&Rejections::intersection, "by intersecting"},
+                              {&Rejections::error, "by error"}};
 
 /// An option that lifts a reason.
 struct Lift {

@@ -108,7 +108,7 @@ StockRun run_stock(const Input& input, const DecimateTarget& target, std::size_t
 Comparison compare(const Input& input, const CompareOptions& options, const Talk& talk) {
   const IndexedMesh& mesh = input.read.mesh;
   Comparison comparison;
-  comparison.target = resolve(options.targets, mesh.positions.size(), mesh.faces.size());
+  comparison.target = resolve(options.targets, mesh.positions.size(), mesh.faces.size(), 0);
   comparison.effort = effective_effort(options);
   comparison.settled = with_effort(comparison.effort, {}, mesh, comparison.target);
   comparison.ours = run_ours(mesh, comparison, options, talk);
@@ -234,7 +234,7 @@ void warn_if_missed(const Contender& contender, const std::string& who, const In
 }
 
 ExitCode run_compare(const CLI::App& app, const CompareOptions& options) {
-  check_targets(options.targets);
+  check_targets(options.targets, "--faces, --vertices, --ratio, --face-ratio and --max-cost");
   check_conflicts(app, common_conflicts());
   check_formats({options.input}, {}, options.files);
   check_conflicts(app, compare_conflicts());

@@ -84,16 +84,6 @@ Json features_json(const Measurement& measured, const MeasureOptions& options) {
   return json;
 }
 
-Json largest_json(const metrics::LargestDistance& largest, double diagonal) {
-  Json json;
-  add_length(json, "at_least", largest.at_least, diagonal);
-  add_length(json, "at_most", largest.at_most, diagonal);
-  const Vec3& point = largest.where.point;
-  json["point"] = {point.x(), point.y(), point.z()};
-  json["face"] = largest.where.face;
-  return json;
-}
-
 Json exact_json(const Measurement& measured, const MeasureOptions& options) {
   if (!measured.largest) return nullptr;
   Json json;
@@ -117,11 +107,6 @@ Json measure_json(const Input& reference, const Input& test, const Measurement& 
   json["self_intersections"] = measured.self_intersections;
   add_topology(json, measured.topology);
   return json;
-}
-
-/// "1.234 (0.5 %)"
-std::string length_text(double length, double diagonal) {
-  return significant(length) + " (" + percent(length / diagonal) + ")";
 }
 
 /// Adds the rows for the distance between lines; none if there is no such distance. \param name "borders"

@@ -2,11 +2,13 @@
 #include <memory>
 #include <optional>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "commands/advice.hh"
+#include "commands/as_written.hh"
 #include "commands/simplify_options.hh"
 #include "commands/simplify_runs.hh"
 #include "commands/stage_bars.hh"
@@ -35,6 +37,7 @@ struct Seconds {
   double read = 0;
   double decimate = 0;
   double polish = 0;
+  double certify = 0;
   double write = 0;
   double total = 0;
 };
@@ -47,6 +50,7 @@ struct Run {
   std::size_t n_pruned_parts = 0;
   double threshold = 0;  ///< of threshold pairs, model units; 0 = none
   Simplification simplified;
+  std::optional<metrics::LargestDistances> largest;  ///< if they are to be proven
   bool met = false;
   std::optional<std::size_t> n_intersections_before;  ///< pairs of faces, if they were counted
   std::optional<std::size_t> n_intersections_after;
@@ -113,15 +117,45 @@ Simplification simplify_in_openmesh(const SimplifyOptions& options, const Run& r
   return result;
 }
 
-Simplification simplify_input(const SimplifyCommand& options, const Talk& talk, const Run& run) {
+Simplification simplify_to(const DecimateTarget& target, const SimplifyCommand& options, const Talk& talk,
+                           const Run& run) {
   StageBars bars(talk);
   SimplifyOptions library_options = resolved(options, run);
   library_options.decimate.progress = [&bars](const Progress& progress) { return bars.update(progress); };
   if (options.engine == Engine::openmesh) return simplify_in_openmesh(library_options, run);
   const SignalsWait signals_wait;
-  Simplification result = simplify(run.input.read.mesh, run.target, options.effort, library_options);
+  Simplification result = simplify(run.input.read.mesh, target, options.effort, library_options);
   SignalsWait::throw_if_pending();
   return result;
+}
+
+/// Keeps to the largest error as the result is written: if rounding takes it over that, tries again with less.
+void simplify_within_error(const SimplifyCommand& options, const Talk& talk, Run& run) {
+  const double limit = *run.target.error_limit();
+  for (const double share : {1 - 1e-6, 0.99, 0.9, 0.5}) {
+    Simplification result = simplify_to(run.target.or_max_error(share * limit), options, talk, run);
+    const Stopwatch certifying;
+    run.largest = distances_as_written(run.input.read.mesh, result.mesh, options, limit, talk);
+    run.seconds.certify += certifying.seconds();
+    run.seconds.decimate += result.decimate_seconds;
+    run.seconds.polish += result.polish_seconds;
+    run.simplified = std::move(result);
+    if (run.largest && proven_distance(*run.largest) <= limit) return;
+  }
+  throw std::runtime_error(run.input.name + ": an error of " + shortest(limit) + " at most can't be proven as " +
+                           shown_output(options.output) +
+                           " would be written; choose a larger --max-error, or a format that keeps every digit");
+}
+
+void simplify_input(const SimplifyCommand& options, const Talk& talk, Run& run) {
+  if (run.target.error_limit()) return simplify_within_error(options, talk, run);
+  run.simplified = simplify_to(run.target, options, talk, run);
+  run.seconds.decimate += run.simplified.decimate_seconds;
+  run.seconds.polish = run.simplified.polish_seconds;
+  if (!options.certify) return;
+  const Stopwatch certifying;
+  run.largest = distances_as_written(run.input.read.mesh, run.simplified.mesh, options, {}, talk);
+  run.seconds.certify = certifying.seconds();
 }
 
 /// Takes over the warnings of the library, except those that the report has elsewhere.
@@ -151,6 +185,7 @@ std::string refusals(const SimplifyCommand& options, const Rejections& refused) 
                      " by turning a face, ";
   if (options.simplify.decimate.min_radius_ratio) text += std::to_string(refused.shape) + " by shape, ";
   if (options.simplify.decimate.feature_angle_deg) text += std::to_string(refused.feature) + " by features, ";
+  if (options.targets.max_error) text += std::to_string(refused.error) + " by error, ";
   if (options.self_intersections == SelfIntersections::refuse)
     text += std::to_string(refused.intersection) + " by intersecting, ";
   return text + std::to_string(refused.locked) + " locked";
@@ -199,11 +234,23 @@ Json threshold_pairs_json(const ThresholdPairCounts& pairs) {
 /// All are null with OpenMesh's decimater, which doesn't count refusals.
 Json rejections_json(const SimplifyCommand& options, const Rejections& refused) {
   if (options.engine == Engine::openmesh) {
-    return {{"flip", nullptr},    {"link", nullptr},   {"shape", nullptr},
-            {"feature", nullptr}, {"locked", nullptr}, {"intersection", nullptr}};
+    return {{"flip", nullptr},   {"link", nullptr},         {"shape", nullptr}, {"feature", nullptr},
+            {"locked", nullptr}, {"intersection", nullptr}, {"error", nullptr}};
   }
   return {{"flip", refused.flip},       {"link", refused.link},     {"shape", refused.shape},
-          {"feature", refused.feature}, {"locked", refused.locked}, {"intersection", refused.intersection}};
+          {"feature", refused.feature}, {"locked", refused.locked}, {"intersection", refused.intersection},
+          {"error", refused.error}};
+}
+
+/// Null if nothing was proven.
+Json max_error_json(const Run& run) {
+  if (!run.largest) return nullptr;
+  Json json;
+  json["asked"] = run.target.error_limit() ? Json(*run.target.error_limit()) : Json(nullptr);
+  add_length(json, "proven", proven_distance(*run.largest), run.diagonal);
+  json["forward"] = largest_json(run.largest->forward, run.diagonal);
+  json["backward"] = largest_json(run.largest->backward, run.diagonal);
+  return json;
 }
 
 Json simplify_json(const SimplifyCommand& options, const Run& run) {
@@ -218,6 +265,7 @@ Json simplify_json(const SimplifyCommand& options, const Run& run) {
   json["target"] = target_json(options.targets, run.target);
   json["target"]["met"] = run.met;
   json["stop"] = to_string(result.stop);
+  json["max_error"] = max_error_json(run);
   json["contractions"] = result.n_contractions;
   json["threshold_pairs"] = threshold_pairs_json(result.threshold_pairs);
   json["max_cost"] = result.max_cost;
@@ -225,11 +273,9 @@ Json simplify_json(const SimplifyCommand& options, const Run& run) {
   json["rejections"] = rejections_json(options, result.rejections);
   json["refused_at_end"] = rejections_json(options, result.refused_at_end);
   json["polish"] = *options.simplify.polish_passes > 0 ? polish_json(run.simplified.polish) : Json(nullptr);
-  json["seconds"] = {{"read", run.seconds.read},
-                     {"decimate", run.seconds.decimate},
-                     {"polish", run.seconds.polish},
-                     {"write", run.seconds.write},
-                     {"total", run.seconds.total}};
+  json["seconds"] = {{"read", run.seconds.read},     {"decimate", run.seconds.decimate},
+                     {"polish", run.seconds.polish}, {"certify", run.seconds.certify},
+                     {"write", run.seconds.write},   {"total", run.seconds.total}};
   json["peak_rss_bytes"] = peak_memory_bytes();
   json["warnings"] = run.warnings;
   return json;
@@ -327,7 +373,8 @@ void say_details(const SimplifyCommand& options, const Talk& talk, const Run& ru
   const bool is_polished = *options.simplify.polish_passes > 0;
   if (is_polished) talk.detail("polish: " + polish_text(run.simplified.polish));
   talk.detail("read " + seconds_text(run.seconds.read) + ", decimate " + seconds_text(run.seconds.decimate) +
-              (is_polished ? ", polish " + seconds_text(run.seconds.polish) : "") + ", write " +
+              (is_polished ? ", polish " + seconds_text(run.seconds.polish) : "") +
+              (run.largest ? ", certify " + seconds_text(run.seconds.certify) : "") + ", write " +
               seconds_text(run.seconds.write));
   say_effort(talk, run.seconds.total);
 }
@@ -341,6 +388,8 @@ std::string summary(const SimplifyCommand& options, const Run& run) {
          (run.n_intersections_after ? ", " + std::to_string(*run.n_intersections_before) + " -> " +
                                           std::to_string(*run.n_intersections_after) + " self-intersections"
                                     : "") +
+         (run.largest ? ", at most " + length_text_rounded_up(proven_distance(*run.largest), run.diagonal) + " off"
+                      : "") +
          " in " + seconds_text(run.seconds.total);
 }
 
@@ -370,8 +419,9 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
       talk.warning(lost);
     }
   }
-  run.target = resolve(options.targets, run.input.read.mesh.positions.size(), run.input.read.mesh.faces.size());
   run.diagonal = metrics::bounds(run.input.read.mesh).diagonal();
+  run.target =
+      resolve(options.targets, run.input.read.mesh.positions.size(), run.input.read.mesh.faces.size(), run.diagonal);
   if (options.prune) prune(options, talk, run);
 
   const Stopwatch watch_threshold;
@@ -383,10 +433,8 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
     options.simplify.decimate.cost =
         with_effort(options.effort, std::move(open), run.input.read.mesh, run.target).decimate.cost;
   }
-  run.simplified = simplify_input(options, talk, run);
+  simplify_input(options, talk, run);
   options.simplify.decimate.cost = run.simplified.cost;
-  run.seconds.decimate += run.simplified.decimate_seconds;
-  run.seconds.polish = run.simplified.polish_seconds;
   take_warnings(talk, run);
   run.met = is_met(run.target, run.simplified.result.stop);
 

@@ -68,6 +68,7 @@ std::vector<Conflict> conflicts() {
       {"--order exact", "--engine openmesh", own_order},
       {"--order approximate", "--engine openmesh", own_order},
       {"--max-cost", "--engine openmesh", "OpenMesh looks at a cost when it is queued, not when its turn comes"},
+      {"--max-error", "--engine openmesh", not_in_openmesh},
       {"--threshold", "--engine openmesh", no_pairs},
       {"--max-pairs", "--engine openmesh", no_pairs},
       {"--across-walls", "--engine openmesh", no_pairs},
@@ -266,7 +267,12 @@ bool has_threshold(const SimplifyCommand& options) {
 void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
   add_mesh_files(app, options.inputs);
   add_target_options(app, options.targets, unit_by_cost());
+  add_max_error(app, options.targets);
   app.add_flag("--strict", options.strict, "end with status 3 when the target was not met")
+      ->default_str("off")
+      ->group(target_group);
+  app.add_flag("--certify", options.certify,
+               "say how far OUT is from IN at most, all points, as it is with --max-error")
       ->default_str("off")
       ->group(target_group);
   add_value(
@@ -313,7 +319,7 @@ SimplifyCommand settled(SimplifyCommand command) {
 }
 
 void check_options(const CLI::App& app, const SimplifyCommand& options) {
-  check_targets(options.targets);
+  check_targets(options.targets, "--faces, --vertices, --ratio, --face-ratio, --max-cost and --max-error");
   check_conflicts(app, common_conflicts());
   check_conflicts(app, conflicts());
   const DecimateOptions& decimate = options.simplify.decimate;
@@ -388,6 +394,7 @@ nlohmann::ordered_json options_json(const SimplifyCommand& options) {
       {"prune", options.prune ? nlohmann::ordered_json(to_string(*options.prune)) : nlohmann::ordered_json(nullptr)},
       {"engine", word_of<Engine>(engines, options.engine)},
       {"strict", options.strict},
+      {"certify", options.certify},
       {"threads", options.common.threads}};
 }
 

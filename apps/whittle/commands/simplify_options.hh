@@ -44,6 +44,7 @@ struct SimplifyCommand {
   SelfIntersections self_intersections = SelfIntersections::allow;
   std::optional<std::string> map;  ///< file for the vertex map; `{stem}` as in `output`
   bool strict = false;
+  bool certify = false;               ///< whether the largest distance is found without a limit, too
   std::vector<std::string> warnings;  ///< of options that do nothing
   CommonOptions common;
 };

@@ -37,6 +37,16 @@ void add_length(Json& json, const std::string& key, double length, double diagon
   json[key + "_rel"] = over_diagonal(length, diagonal);
 }
 
+Json largest_json(const metrics::LargestDistance& largest, double diagonal) {
+  Json json;
+  add_length(json, "at_least", largest.at_least, diagonal);
+  add_length(json, "at_most", largest.at_most, diagonal);
+  const Vec3& point = largest.where.point;
+  json["point"] = {point.x(), point.y(), point.z()};
+  json["face"] = largest.where.face;
+  return json;
+}
+
 std::string program_and_version() { return "whittle " WHITTLE_VERSION; }
 
 Json new_report() { return {{"schema", 1}, {"program", program_and_version()}}; }

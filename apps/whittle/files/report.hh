@@ -9,6 +9,7 @@
 #include "files/output.hh"
 #include "options/command_line.hh"
 #include "whittle/metrics/bounds.hh"
+#include "whittle/metrics/certify.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/line_distance.hh"
 #include "whittle/metrics/shape.hh"
@@ -42,6 +43,9 @@ void add_distance(Json& json, const metrics::SurfaceDistance& distance);
 
 /// Adds a length, and as `…_rel` its share of the diagonal; null if that is 0.
 void add_length(Json& json, const std::string& key, double length, double diagonal);
+
+/// {"at_least", "at_most", each with "…_rel", "point", "face"}
+Json largest_json(const metrics::LargestDistance& largest, double diagonal);
 
 /// {"mean", "max", each with "…_rel", "forward", "backward"}; null if there is no distance.
 Json lines_json(const std::optional<metrics::LineDistance>& distance, double diagonal);

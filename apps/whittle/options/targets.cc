@@ -1,6 +1,7 @@
 #include "options/targets.hh"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "options/command_line.hh"
 #include "options/values.hh"
@@ -35,16 +36,32 @@ void add_target_options(CLI::App& app, TargetOptions& options, const std::string
       ->group(target_group);
 }
 
-void check_targets(const TargetOptions& options) {
-  if (options.faces || options.vertices || options.ratio || options.face_ratio || options.max_cost) return;
-  throw UsageError("no target: give at least one of --faces, --vertices, --ratio, --face-ratio and --max-cost");
+void add_max_error(CLI::App& app, TargetOptions& options) {
+  add_value(
+      app, "-e,--max-error", "E", options.max_error,
+      [](std::string_view text) {
+        const Length length = parse_length(text, "E");
+        if (!(length.value > 0)) throw std::invalid_argument("'" + std::string(text) + "' is not above 0");
+        return length;
+      },
+      "as few faces as keep each point of OUT within E of IN, and of IN within E of OUT, which is proven: model units, "
+      "or a percentage of the diagonal such as 0.1%")
+      ->default_str("off")
+      ->group(target_group);
 }
 
-DecimateTarget resolve(const TargetOptions& options, std::uint64_t n_vertices, std::uint64_t n_faces) {
+void check_targets(const TargetOptions& options, const std::string& all) {
+  const bool has_count = options.faces || options.vertices || options.ratio || options.face_ratio;
+  if (has_count || options.max_cost || options.max_error) return;
+  throw UsageError("no target: give at least one of " + all);
+}
+
+DecimateTarget resolve(const TargetOptions& options, std::uint64_t n_vertices, std::uint64_t n_faces, double diagonal) {
   DecimateTarget target = DecimateTarget::as_far_as_possible();
   if (options.faces) target = target.or_faces(*options.faces);
   if (options.vertices) target = target.or_vertices(*options.vertices);
   if (options.max_cost) target = target.or_max_cost(*options.max_cost);
+  if (options.max_error) target = target.or_max_error(options.max_error->in_units(diagonal));
   if (options.ratio) {
     const std::uint64_t kept = share_of(*options.ratio, n_vertices);
     target = target.or_vertices(std::max(kept, target.n_vertices().value_or(0)));
@@ -58,7 +75,8 @@ DecimateTarget resolve(const TargetOptions& options, std::uint64_t n_vertices, s
 
 bool is_met(const DecimateTarget& target, StopReason stop) {
   const bool has_count = target.n_faces() || target.n_vertices();
-  return stop == StopReason::target || stop == StopReason::cost || (stop == StopReason::exhausted && !has_count);
+  const bool is_limited = stop == StopReason::cost || stop == StopReason::error;
+  return stop == StopReason::target || is_limited || (stop == StopReason::exhausted && !has_count);
 }
 
 std::string to_string(const DecimateTarget& target) {
@@ -67,6 +85,7 @@ std::string to_string(const DecimateTarget& target) {
   if (target.n_faces()) add(faces_text(*target.n_faces()));
   if (target.n_vertices()) add(vertices_text(*target.n_vertices()));
   if (target.cost_limit()) add("cost " + shortest(*target.cost_limit()));
+  if (target.error_limit()) add("error " + shortest(*target.error_limit()));
   return text;
 }
 
@@ -77,6 +96,7 @@ nlohmann::ordered_json target_json(const TargetOptions& options, const DecimateT
   if (options.ratio) json["ratio"] = *options.ratio;
   if (options.face_ratio) json["face_ratio"] = *options.face_ratio;
   if (target.cost_limit()) json["max_cost"] = *target.cost_limit();
+  if (target.error_limit()) json["max_error"] = *target.error_limit();
   return json;
 }
 

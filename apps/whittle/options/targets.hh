@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "options/values.hh"
 #include "whittle/engine/decimate.hh"
 
 namespace whittle::app {
@@ -20,26 +21,32 @@ struct TargetOptions {
   std::optional<double> ratio;            ///< share of the vertices to keep, (0, 1)
   std::optional<double> face_ratio;       ///< share of the faces to keep, (0, 1)
   std::optional<double> max_cost;         ///< at least 0; in the unit of the cost (`Cost`), by model units
+  std::optional<Length> max_error;        ///< above 0
 };
 /// \param cost_unit what the help says of the unit of --max-cost
 void add_target_options(CLI::App& app, TargetOptions& options, const std::string& cost_unit);
 
+/// Adds `--max-error`.
+void add_max_error(CLI::App& app, TargetOptions& options);
+
+/// \param all how the targets that there are are named in the message
 /// \throw UsageError without any target.
-void check_targets(const TargetOptions& options);
+void check_targets(const TargetOptions& options, const std::string& all);
 
 /// The targets for a mesh with these counts. With both --vertices and --ratio the greater number counts: it is reached
 /// first. So it is with --faces and --face-ratio.
-DecimateTarget resolve(const TargetOptions& options, std::uint64_t n_vertices, std::uint64_t n_faces);
+/// \param diagonal of the mesh's bounding box
+DecimateTarget resolve(const TargetOptions& options, std::uint64_t n_vertices, std::uint64_t n_faces, double diagonal);
 
-/// Whether the target is met. A run that stopped at a cost limit has met it. Without a limit of faces or vertices the
-/// target is met even if nothing was left to contract.
+/// Whether the target is met. A run that stopped at a limit of cost or error has met it. Without a limit of faces or
+/// vertices the target is met even if nothing was left to contract.
 bool is_met(const DecimateTarget& target, StopReason stop);
 
-/// "5120 faces or 2560 vertices or cost 0.001"
+/// "5120 faces or 2560 vertices or cost 0.001 or error 0.1"
 std::string to_string(const DecimateTarget& target);
 
-/// Key `target` of the reports, without `met`: those of "faces", "vertices", "ratio", "face_ratio", "max_cost" that are
-/// set.
+/// Key `target` of the reports, without `met`: those of "faces", "vertices", "ratio", "face_ratio", "max_cost",
+/// "max_error" that are set.
 nlohmann::ordered_json target_json(const TargetOptions& options, const DecimateTarget& target);
 
 }  // namespace whittle::app

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -12,6 +13,13 @@ std::string formatted(const char* format, double x) {
   std::array<char, 48> text;
   const int size = std::snprintf(text.data(), text.size(), format, x);
   return {text.data(), static_cast<std::size_t>(size)};
+}
+
+/// To four significant digits, but for rounding errors of x. \param x not negative
+double rounded_up(double x) {
+  if (!(x > 0)) return x;
+  const double last_digit = std::pow(10, std::floor(std::log10(x)) - 3);
+  return std::ceil(x / last_digit - 1e-9) * last_digit;
 }
 
 }  // namespace
@@ -40,6 +48,14 @@ std::string Table::text() const {
 std::string significant(double x) { return formatted("%.4g", x); }
 
 std::string percent(double share) { return significant(100 * share) + " %"; }
+
+std::string length_text(double length, double diagonal) {
+  return significant(length) + " (" + percent(length / diagonal) + ")";
+}
+
+std::string length_text_rounded_up(double length, double diagonal) {
+  return significant(rounded_up(length)) + " (" + significant(rounded_up(100 * length / diagonal)) + " %)";
+}
 
 std::string seconds_text(double seconds) { return formatted("%.3f s", seconds); }
 

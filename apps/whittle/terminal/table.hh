@@ -21,6 +21,10 @@ class Table {
 std::string significant(double x);
 /// A share in [0, 1] with four significant digits: "1.234 %".
 std::string percent(double share);
+/// A length and its share of the diagonal: "1.234 (0.5 %)".
+std::string length_text(double length, double diagonal);
+/// The same, each with four significant digits, but rounded up: "at most".
+std::string length_text_rounded_up(double length, double diagonal);
 /// "0.034 s"
 std::string seconds_text(double seconds);
 std::string yes_no(bool value);

@@ -229,7 +229,7 @@ TEST(Certify, StopsWhenCancelled) {
   EXPECT_EQ(stages.back(), "measuring, backward");
   for (int last_call = 0; last_call < 3; ++last_call) {
     int n_calls = 0;
-    const CertifyOptions options{.progress = [&](const TaskProgress&) { return n_calls++ < last_call; }};
+    const LargestDistanceOptions options{.progress = [&](const TaskProgress&) { return n_calls++ < last_call; }};
     EXPECT_THROW(largest_distances(mesh, other, 0.01, options), Cancelled) << last_call;
   }
   EXPECT_THROW(certify(mesh, other, 1, {.progress = [](const TaskProgress&) { return false; }}), Cancelled);

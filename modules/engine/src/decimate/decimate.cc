@@ -10,6 +10,8 @@ std::string_view to_string(StopReason reason) {
       return "target";
     case StopReason::cost:
       return "cost";
+    case StopReason::error:
+      return "error";
     case StopReason::exhausted:
       return "exhausted";
     case StopReason::cancelled:

@@ -1,6 +1,8 @@
 #include "decimate/run.hh"
 
 #include <algorithm>
+#include <future>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -8,6 +10,7 @@
 #include "decimate/checks.hh"
 #include "decimate/input_features.hh"
 #include "decimate/output.hh"
+#include "error/error_bound.hh"
 #include "whittle/core/parts.hh"
 #include "whittle/engine/threshold_pairs.hh"
 
@@ -118,6 +121,7 @@ struct Done {
   double max_cost_of_pass = 0;                   ///< of the last one
   bool is_cancelled = false;                     ///< in blocks
   std::optional<NonmanifoldCounts> nonmanifold;  ///< of what is left; none if it was to go on
+  std::vector<Contraction> contractions;         ///< to tell the listener of, where they may be taken back
 };
 
 /// What a pass begins with, and what of that is the pass's own.
@@ -139,6 +143,8 @@ class Run {
         frame_(host && host->state() ? host->state()->frame : Frame::of_points(mesh.positions)) {}
 
   Decimation decimate(const BlockPlan& plan);
+  /// After `decimate`: null if the error is not limited, or if that was cancelled early.
+  std::unique_ptr<ErrorBound> take_error_bound() { return std::move(error_bound_); }
 
  private:
   std::string_view contract_in_blocks(const BlockPlan& plan);
@@ -147,12 +153,19 @@ class Run {
   std::size_t n_vertices_left() const { return done_.left ? done_.left->positions.size() : mesh_.positions.size(); }
   double way_to(const DecimateTarget& stop) const;
   void contract_to(const DecimateTarget& stop, bool is_last);
+  void contract_within_error();
+  void contract_what_moves_little(double displacement);
+  void make_coarse_bound();
+  bool contract_guarded(ErrorBound& bound);
+  IndexedMesh surface_left() const;
+  ErrorBound::Violations violations_of(ErrorBound& bound) const;
+  void end_within_error();
   void begin_with_input(PassStart& start, const DecimateOptions& options, Preparation& preparation);
   void begin_with_remainder(PassStart& start) const;
   DecimateResult run(Pass& pass, const DecimateTarget& stop, Preparation& preparation) const;
   void count_before(Pass& pass);
   NonmanifoldCounts count_nonmanifold(const Surface& surface) const;
-  DecimateOptions options_of_pass(double end) const;
+  DecimateOptions options_of_pass(double end);
   bool is_beyond_target() const;
   bool adjust();
   void forget_all();
@@ -163,6 +176,13 @@ class Run {
   const DecimateOptions& options_;
   DecimationHost* host_;
   Frame frame_;
+
+  // If the error is limited:
+  std::unique_ptr<ErrorBound> error_bound_;     ///< to the input
+  std::unique_ptr<ErrorBound> coarse_bound_;    ///< to a coarse copy of it; or null
+  std::vector<Index> coarse_origins_;           ///< vertices of that → vertices of the input
+  const ErrorBound* guarding_bound_ = nullptr;  ///< of the pass, if it has one
+  std::optional<double> displacement_limit_;    ///< of the pass, if it has one; in the frame
 
   Done done_;
   std::optional<NonmanifoldCounts> nonmanifold_before_;  ///< of the input
@@ -259,13 +279,16 @@ NonmanifoldCounts Run::count_nonmanifold(const Surface& surface) const {
 }
 
 /// The callbacks are told of a part of the progress, and of the input's vertices. \param end of that part
-DecimateOptions Run::options_of_pass(double end) const {
+DecimateOptions Run::options_of_pass(double end) {
   DecimateOptions options = options_;
   if ((done_.progress > 0 || end < 1) && options.progress) {
     options.progress = [begin = done_.progress, end, callback = options.progress](Progress progress) {
       progress.fraction = begin + (end - begin) * progress.fraction;
       return callback(progress);
     };
+  }
+  if (options.listener && target_.error_limit()) {
+    options.listener = [this](const Contraction& contraction) { done_.contractions.push_back(contraction); };
   }
   if (done_.left && options.listener) {
     options.listener = [this, callback = options.listener](Contraction contraction) {
@@ -290,10 +313,12 @@ void Run::contract_to(const DecimateTarget& stop, bool is_last) {
   }
   start.input.feature_tolerance = options_.feature_tolerance * bounds_of(mesh_.positions).diagonal() * frame_.scale;
   start.input.host = host_;
+  start.input.context.displacement_limit = displacement_limit_;
+  start.input.context.error_bound = guarding_bound_;
   Pass pass(start.input, options);
   count_before(pass);
   DecimateResult result = run(pass, stop, preparation);
-  is_last = is_last || result.stop != StopReason::target;
+  is_last = is_last || (result.stop != StopReason::target && !displacement_limit_);
   done_.progress = end;
   done_.max_cost_of_pass = result.max_cost;
   add_earlier(done_.result, result);
@@ -353,7 +378,108 @@ Decimation Run::output() {
   return out;
 }
 
+/// Contracts as far as the error may be, in three steps: what moves the surface by next to nothing, which leaves a
+/// coarse copy of the input; what hardly moves it; and what keeps near to the coarse copy. What is left is proven to
+/// be near to the input. If it isn't, the next try is less bold.
+void Run::contract_within_error() {
+  constexpr std::size_t fewest_faces_of_coarse_copy = 200'000;
+  const double limit = *target_.error_limit() * frame_.scale;
+  const auto make_bound = [&] { return std::make_unique<ErrorBound>(mesh_, frame_, limit, options_.threads); };
+  const bool has_threads = n_threads(options_.threads) > 1;
+  auto bound = std::async(has_threads ? std::launch::async | std::launch::deferred : std::launch::deferred, make_bound);
+  if (mesh_.faces.size() >= fewest_faces_of_coarse_copy) contract_what_moves_little(0.02 * limit);
+  error_bound_ = bound.get();
+  if (done_.left) make_coarse_bound();
+  const Done start = done_;
+  const auto try_to_contract = [&](ErrorBound& guarded, double share_of_limit) {
+    done_ = start;
+    contract_what_moves_little(share_of_limit * limit);
+    return contract_guarded(guarded);
+  };
+  ErrorBound& exact = *error_bound_;
+  ErrorBound& coarse = coarse_bound_ ? *coarse_bound_ : exact;
+  for (const double share_of_limit : {0.3, 0.2, 0.1, 0.0}) {
+    if (try_to_contract(share_of_limit == 0 ? exact : coarse, share_of_limit)) return end_within_error();
+  }
+  forget_all();
+  contract_to(DecimateTarget::faces(mesh_.faces.size()), true);  // nothing
+  done_.result.stop = StopReason::error;
+  end_within_error();
+}
+
+/// \param displacement of the surface by one contraction, at most, about; in the frame
+void Run::contract_what_moves_little(double displacement) {
+  if (done_.result.stop == StopReason::cancelled) return;
+  displacement_limit_ = displacement;
+  contract_to(target_, false);
+  displacement_limit_.reset();
+}
+
+/// Makes one of what is left, if that is much smaller than the input.
+void Run::make_coarse_bound() {
+  constexpr double share_of_limit = 0.06;  // three times that of a contraction, as several add up
+  const Remainder& left = *done_.left;
+  if (2 * left.faces.size() > mesh_.faces.size() || done_.result.stop == StopReason::cancelled) return;
+  const double limit = (1 - share_of_limit) * error_bound_->limit();
+  coarse_bound_ = std::make_unique<ErrorBound>(surface_left(), Frame{}, limit, options_.threads);
+  coarse_origins_ = left.origins;
+}
+
+/// Contracts what keeps a bound. Points of the input that are found to be too far in the end are then looked at, too.
+/// The bound is made smaller if the surface is too far from the input, which it may be where the bound is coarse.
+/// \return whether what is left is proven to be near to the input, or the run is cancelled
+bool Run::contract_guarded(ErrorBound& bound) {
+  constexpr int most_tries = 3;
+  const Done before = done_;
+  for (int i = 0; i < most_tries; ++i) {
+    if (done_.result.stop == StopReason::cancelled) return true;
+    if (!violations_of(bound).empty()) return false;
+    guarding_bound_ = &bound;
+    contract_to(target_, true);
+    guarding_bound_ = nullptr;
+    if (done_.result.stop == StopReason::cancelled) return true;
+    const ErrorBound::Violations violations = violations_of(*error_bound_);
+    if (violations.empty()) return true;
+    if (!violations.faces.empty()) {
+      if (&bound == error_bound_.get()) return false;
+      bound.tighten();
+    }
+    bound.add_points(violations.points);
+    done_ = before;
+  }
+  return false;
+}
+
+IndexedMesh Run::surface_left() const {
+  IndexedMesh surface;
+  surface.positions = done_.left->positions;
+  surface.faces = done_.left->faces;
+  return surface;
+}
+
+/// Of what is left.
+ErrorBound::Violations Run::violations_of(ErrorBound& bound) const {
+  const std::vector<Index>& map = done_.left->vertex_map;
+  if (&bound == error_bound_.get()) return bound.check(surface_left(), Frame{}, map, bound.limit());
+  std::vector<Index> map_of_coarse;
+  map_of_coarse.reserve(coarse_origins_.size());
+  for (const Index v : coarse_origins_) map_of_coarse.push_back(map[v]);
+  return bound.check(surface_left(), Frame{}, map_of_coarse, bound.limit());
+}
+
+void Run::end_within_error() {
+  DecimateResult& result = done_.result;
+  for (const Contraction& contraction : done_.contractions) options_.listener(contraction);
+  if (result.stop == StopReason::cancelled) return;
+  result.proven_error = target_.error_limit();
+  if (result.stop == StopReason::exhausted && result.refused_at_end.error > 0) result.stop = StopReason::error;
+}
+
 Decimation Run::decimate(const BlockPlan& plan) {
+  if (target_.error_limit()) {
+    contract_within_error();
+    return output();
+  }
   std::string_view why_in_one_pass = contract_in_blocks(plan);
   const std::vector<DecimateTarget> stops = this->stops();
   const auto contract_to_stop = [&](std::size_t i) { contract_to(stops[i], i + 1 == stops.size()); };
@@ -377,13 +503,19 @@ Decimation Run::decimate(const BlockPlan& plan) {
 }  // namespace
 
 Decimation run(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options,
-               DecimationHost* host, const BlockPlan& plan) {
+               DecimationHost* host, const BlockPlan& plan, std::unique_ptr<ErrorBound>* error_bound) {
   check(target, options, mesh.positions.size());
   check(mesh);
   if (host != nullptr && !options.pauses.at.empty()) {
     throw std::invalid_argument("decimate: pauses don't go with a host");
   }
-  return Run(mesh, target, options, host).decimate(plan);
+  if (host != nullptr && target.error_limit()) {
+    throw std::invalid_argument("decimate: max_error doesn't go with a host");
+  }
+  Run run(mesh, target, options, host);
+  Decimation decimation = run.decimate(plan);
+  if (error_bound != nullptr) *error_bound = run.take_error_bound();
+  return decimation;
 }
 
 }  // namespace whittle

@@ -58,7 +58,7 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraint
       n_initial_vertices_(complex.n_vertices()),
       n_initial_faces_(complex.n_faces()),
       sieve_(complex),
-      guards_(make_guards(complex, restraints, sieve_, options, host)),
+      guards_(make_guards(complex, restraints, sieve_, options, host, context)),
       uncertain_(find_uncertain(complex, context.role)),
       touched_(reach_of_touched(cost, options)),
       refused_(complex) {

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "whittle/core/vertex_pair.hh"
 #include "whittle/engine/decimate.hh"
 
 namespace whittle {
+
+class ErrorBound;
 
 /// A pair that a guard refused.
 struct Refusal {
@@ -22,7 +25,9 @@ enum class Role {
 /// What a loop knows of those before and beside it.
 struct LoopContext {
   Role role = Role::alone;
-  std::span<const Refusal> refusals;  ///< that still hold, of passes before
+  std::span<const Refusal> refusals;           ///< that still hold, of passes before
+  std::optional<double> displacement_limit{};  ///< of the surface by one contraction, in the frame
+  const ErrorBound* error_bound = nullptr;     ///< with supports among the faces that the pass begins with
 };
 
 }  // namespace whittle

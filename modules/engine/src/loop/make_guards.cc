@@ -1,5 +1,7 @@
 #include "loop/make_guards.hh"
 
+#include "guard/displacement_guard.hh"
+#include "guard/error_guard.hh"
 #include "guard/flip_guard.hh"
 #include "guard/hidden_pair_guard.hh"
 #include "guard/intersection_guard.hh"
@@ -12,7 +14,7 @@
 namespace whittle {
 
 Guards make_guards(TriangleComplex& complex, const Restraints& restraints, ThresholdPairSieve& sieve,
-                   const DecimateOptions& options, DecimationHost* host) {
+                   const DecimateOptions& options, DecimationHost* host, const LoopContext& context) {
   Guards guards;
   const auto add = [&guards]<class G>(std::unique_ptr<G> guard) { guards.push_back(std::move(guard)); };
   if (restraints.any()) add(std::make_unique<LockedGuard>(restraints));
@@ -26,6 +28,8 @@ Guards make_guards(TriangleComplex& complex, const Restraints& restraints, Thres
   if (options.min_radius_ratio > 0) add(std::make_unique<RadiusRatioGuard>(complex, *options.min_radius_ratio));
   if (options.refuse_intersections) add(std::make_unique<IntersectionGuard>(complex));
   if (host != nullptr && host->may_refuse()) add(std::make_unique<HostGuard>(complex, *host));
+  if (context.displacement_limit) add(std::make_unique<DisplacementGuard>(complex, *context.displacement_limit));
+  if (context.error_bound) add(std::make_unique<ErrorGuard>(complex, *context.error_bound));
   return guards;
 }
 

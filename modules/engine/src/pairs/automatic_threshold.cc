@@ -9,9 +9,9 @@
 namespace whittle {
 namespace {
 
-constexpr double near_share = 0.05;   ///< of the mesh, the widest gap that counts
-constexpr double margin = 1.1;        ///< more pairs than the nearest one make a joint of some width
-constexpr double least_share = 1e-9;  ///< of the part, where gaps are zero, so that parts that touch are joined
+constexpr double near_share = 0.05;           ///< of the mesh, the widest gap that counts
+constexpr double margin = 1.1;                ///< more pairs than the nearest one make a joint of some width
+constexpr double least_share_of_part = 1e-9;  ///< of the part, where gaps are zero, so that parts that touch are joined
 
 }  // namespace
 
@@ -25,7 +25,7 @@ double automatic_threshold(const IndexedMesh& mesh, unsigned threads) {
   double threshold = 0;
   for (std::size_t part = 0; part < parts.count; ++part) {
     if (gaps[part] > diagonals[part]) continue;
-    threshold = std::max({threshold, margin * gaps[part], least_share * diagonals[part]});
+    threshold = std::max({threshold, margin * gaps[part], least_share_of_part * diagonals[part]});
   }
   return threshold;
 }

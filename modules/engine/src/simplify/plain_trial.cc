@@ -39,7 +39,7 @@ double bent_share(const IndexedMesh& mesh) {
 }  // namespace
 
 bool is_worth_plain_quadrics(const IndexedMesh& mesh, const DecimateTarget& target) {
-  if (mesh.faces.empty() || mesh.faces.size() > most_faces || target.cost_limit()) return false;
+  if (mesh.faces.empty() || mesh.faces.size() > most_faces || target.cost_limit() || target.error_limit()) return false;
   if (mesh.faces.size() <= small) return true;
   const double bent = bent_share(mesh);
   return bent <= most_bent && bent <= bent_per_vertex_left * target.share_of(mesh.faces.size(), mesh.positions.size());

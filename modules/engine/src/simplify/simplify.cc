@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "decimate/input_features.hh"
+#include "decimate/run.hh"
 #include "simplify/nearer_result.hh"
 #include "simplify/plain_trial.hh"
+#include "simplify/polish_within.hh"
 
 namespace whittle {
 namespace {
@@ -59,8 +61,9 @@ ProgressCallback polish_progress(const DecimateOptions& decimate, const Decimate
 }
 
 /// \param mesh, original the same surface
+/// \param held a vertex of the decimation, 1 if it is to stay where it is; or empty
 PolishResult polish_decimation(const IndexedMesh& mesh, const PolishOriginal& original, const SimplifyOptions& options,
-                               Decimation& decimation) {
+                               const std::vector<std::uint8_t>& held, Decimation& decimation) {
   const DecimateOptions& decimate = options.decimate;
   PolishOptions polish_options;
   polish_options.passes = *options.polish_passes;
@@ -73,6 +76,8 @@ PolishResult polish_decimation(const IndexedMesh& mesh, const PolishOriginal& or
   polish_options.threads = decimate.threads;
   polish_options.progress = polish_progress(decimate, decimation.result);
   polish_options.locked = locked_outputs(decimate.locked, decimation);
+  polish_options.locked.resize(std::max(polish_options.locked.size(), held.size()));
+  for (std::size_t v = 0; v < held.size(); ++v) polish_options.locked[v] |= held[v];
   polish_options.features = decimation.feature_edges;
   if (!decimation.feature_edges.empty()) polish_options.original_features = input_features(mesh, decimate);
   return polish(original, decimation.vertex_map, decimation.mesh, polish_options);
@@ -83,12 +88,14 @@ class DecimationPolisher {
  public:
   explicit DecimationPolisher(const IndexedMesh& mesh) : mesh_(mesh) {}
 
-  PolishResult polish(const SimplifyOptions& options, Decimation& decimation) {
+  /// \param held a vertex of the decimation, 1 if it is to stay where it is; or empty
+  PolishResult polish(const SimplifyOptions& options, Decimation& decimation,
+                      const std::vector<std::uint8_t>& held = {}) {
     if (options.polish_passes == 0U) return {};
     const DecimateOptions& decimate = options.decimate;
     try {
       if (!original_) original_.emplace(mesh_, decimate.threads, polish_progress(decimate, decimation.result));
-      return polish_decimation(mesh_, *original_, options, decimation);
+      return polish_decimation(mesh_, *original_, options, held, decimation);
     } catch (const Cancelled&) {
       PolishResult result;
       result.cancelled = true;
@@ -144,14 +151,22 @@ Simplification simplify_as_settled(const IndexedMesh& mesh, const DecimateTarget
     polish_seconds += seconds_since(polish_start);
     return polish;
   };
-  SimplifyOptions at_pauses = settled;
-  at_pauses.flips = false;
-  if (!settled.pauses->empty()) {
+  SimplifyOptions without_flips = settled;
+  without_flips.flips = false;
+  if (!settled.pauses->empty() && !target.error_limit()) {
     settled.decimate.pauses = {*settled.pauses,
-                               [&](Decimation& paused) { return !polish_now(paused, at_pauses).cancelled; }};
+                               [&](Decimation& paused) { return !polish_now(paused, without_flips).cancelled; }};
   }
-  Simplification result{decimate(mesh, target, settled.decimate), *settled.decimate.cost, {}, 0, 0};
-  if (result.result.stop != StopReason::cancelled) result.polish = polish_now(result, settled);
+  std::unique_ptr<ErrorBound> bound;
+  Simplification result{run(mesh, target, settled.decimate, nullptr, {}, &bound), *settled.decimate.cost, {}, 0, 0};
+  if (result.result.stop != StopReason::cancelled && !bound) result.polish = polish_now(result, settled);
+  if (result.result.proven_error) {
+    const Clock::time_point polish_start = Clock::now();
+    result.polish = polish_within(*bound, mesh, result, [&](Decimation& decimation, const auto& held) {
+      return polisher.polish(without_flips, decimation, held);
+    });
+    polish_seconds += seconds_since(polish_start);
+  }
   result.polish_seconds = polish_seconds;
   result.decimate_seconds = seconds_since(start) - polish_seconds;
   return result;

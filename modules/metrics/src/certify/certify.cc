@@ -8,9 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "certify/prover.hh"
 #include "whittle/core/detail/progress_meter.hh"
 #include "whittle/metrics/bounds.hh"
+#include "whittle/metrics/detail/prover.hh"
+#include "whittle/metrics/detail/target_surface.hh"
 
 namespace whittle::metrics {
 namespace {
@@ -48,9 +49,11 @@ class Surfaces {
   Surfaces(const IndexedMesh& first, const IndexedMesh& second, whittle::detail::ProgressMeter& meter)
       : meshes_{first, second}, frame_(frame_of(bounds(first), bounds(second))) {
     meter.start("preparing", 0.1);
-    first_.emplace(first, frame_, meter);
+    first_.emplace(first, frame_);
+    first_->build_tree(&meter);
     meter.start("preparing", 0.2);
-    second_.emplace(second, frame_, meter);
+    second_.emplace(second, frame_);
+    second_->build_tree(&meter);
   }
 
   const Frame& frame() const { return frame_; }
@@ -79,7 +82,7 @@ Certification certify_one_way(const OneWay& one_way, double distance, const whit
     one_way.for_each_face_of(block, [&](Index face) {
       if (first_refuted < block) return false;
       FarthestPoint farthest;
-      const Verdict verdict = prover.prove(one_way.corners(face), distance, farthest);
+      const Verdict verdict = prover.prove(one_way.corners(face), distance, invalid_index, farthest);
       if (verdict == Verdict::proven) return true;
       found.verdict = verdict;
       if (verdict == Verdict::undecided) return true;
@@ -99,7 +102,9 @@ Certification certify_one_way(const OneWay& one_way, double distance, const whit
 }
 
 /// The distance of the farthest vertex, and the first face that has it.
-LargestDistance largest_one_way(const OneWay& one_way, double accuracy, const whittle::detail::Workers& workers) {
+/// \param limit as that of the options, in the frame
+LargestDistance largest_one_way(const OneWay& one_way, double accuracy, double limit,
+                                const whittle::detail::Workers& workers) {
   struct Found {
     FarthestPoint farthest;
     Index face = invalid_index;
@@ -121,9 +126,9 @@ LargestDistance largest_one_way(const OneWay& one_way, double accuracy, const wh
     Index hint = invalid_index;
     one_way.for_each_face_of(block, [&](Index face) {
       for (const Vec3& corner : one_way.corners(face)) {
-        const ClosestPoint closest = one_way.target.nearest(corner, hint);
-        hint = closest.face;
-        take(of_blocks[block], face, {corner, std::sqrt(closest.distance_sq)});
+        const NearFace near = one_way.target.nearest(corner, hint);
+        hint = near.face;
+        take(of_blocks[block], face, {corner, near.distance});
       }
       return true;
     });
@@ -133,7 +138,8 @@ LargestDistance largest_one_way(const OneWay& one_way, double accuracy, const wh
     Prover prover(one_way.target);
     one_way.for_each_face_of(block, [&](Index face) {
       FarthestPoint farthest;
-      const double at_most = prover.find_farthest(one_way.corners(face), at_vertices, accuracy, farthest);
+      const double at_most =
+          prover.find_farthest(one_way.corners(face), at_vertices, accuracy, limit, invalid_index, farthest);
       of_blocks[block].at_most = std::max(of_blocks[block].at_most, at_most);
       take(of_blocks[block], face, farthest);
       return true;
@@ -163,7 +169,7 @@ Certification certify(const IndexedMesh& first, const IndexedMesh& second, doubl
 }
 
 LargestDistances largest_distances(const IndexedMesh& first, const IndexedMesh& second, double relative_accuracy,
-                                   const CertifyOptions& options) {
+                                   const LargestDistanceOptions& options) {
   constexpr double least = 1e-6;
   if (!(relative_accuracy >= least && relative_accuracy <= 1)) {
     throw std::invalid_argument("largest_distances: relative_accuracy is not in [1e-6, 1]");
@@ -171,11 +177,12 @@ LargestDistances largest_distances(const IndexedMesh& first, const IndexedMesh& 
   whittle::detail::ProgressMeter meter(options.progress);
   const whittle::detail::Workers workers(options.threads, &meter);
   const Surfaces surfaces(first, second, meter);
+  const double limit = options.limit * surfaces.frame().scale;
   LargestDistances result;
   meter.start("measuring, forward", 0.6);
-  result.forward = largest_one_way(surfaces.forward(), relative_accuracy, workers);
+  result.forward = largest_one_way(surfaces.forward(), relative_accuracy, limit, workers);
   meter.start("measuring, backward", 1);
-  result.backward = largest_one_way(surfaces.backward(), relative_accuracy, workers);
+  result.backward = largest_one_way(surfaces.backward(), relative_accuracy, limit, workers);
   meter.finish();
   return result;
 }

@@ -1,4 +1,4 @@
-#include "certify/patch.hh"
+#include "whittle/metrics/detail/patch.hh"
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +19,14 @@ using Seen = Vec3;
 double cross(const Seen& a, const Seen& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// 1 if the point is seen inside of the face, 0 if outside, nothing if it is too near to a side.
-std::optional<int> count_over(const std::array<Seen, 3>& face, const Seen& point) {
+std::optional<int> count_over(const Seen& a, const Seen& b, const Seen& c, const Seen& point) {
+  const std::array<const Seen*, 4> around{&a, &b, &c, &a};
   bool has_left = false;
   bool has_right = false;
   bool is_unsure = false;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Seen& from = face[i];
-    const Seen way = face[(i + 1) % 3] - from;
+    const Seen& from = *around[i];
+    const Seen way = *around[i + 1] - from;
     const double side = cross(way, point - from);
     const double unsure = slack * (std::abs(way.x()) + std::abs(way.y()) + std::abs(point.x() - from.x()) +
                                    std::abs(point.y() - from.y()));
@@ -38,51 +39,83 @@ std::optional<int> count_over(const std::array<Seen, 3>& face, const Seen& point
   return 1;
 }
 
+/// A convex polygon, but for rounding, with room for the corners that clipping a triangle at three lines may give it.
+struct Polygon {
+  std::array<Seen, 12> corners;
+  std::size_t size;
+
+  /// The part where `beyond` is not positive.
+  template <class Beyond>
+  Polygon clipped(const Beyond& beyond) const {
+    Polygon part{{}, 0};
+    for (std::size_t k = 0; k < size; ++k) {
+      const Seen& from = corners[k];
+      const Seen& to = corners[k + 1 < size ? k + 1 : 0];
+      const double out_from = beyond(from);
+      const double out_to = beyond(to);
+      if (out_from <= 0) part.corners[part.size++] = from;
+      if ((out_from <= 0) != (out_to <= 0)) {
+        part.corners[part.size++] = from + out_from / (out_from - out_to) * (to - from);
+      }
+    }
+    return part;
+  }
+};
+
 }  // namespace
 
 bool NumberSet::insert(Index number) {
-  if (2 * (taken_.size() + 1) > slots_.size()) grow();
-  const std::size_t slot = slot_of(number);
-  if (slots_[slot] == number) return false;
-  slots_[slot] = number;
-  taken_.push_back(slot);
+  Slot& slot = slot_of(number);
+  if (slot.turn == turn_) return false;
+  slot = {number, turn_};
+  if (2 * ++size_ > slots_.size()) grow();
   return true;
 }
 
 void NumberSet::clear() {
-  for (const std::size_t slot : taken_) slots_[slot] = invalid_index;
-  taken_.clear();
-}
-
-/// Where the number is, or is to go.
-std::size_t NumberSet::slot_of(Index number) const {
-  std::size_t slot = (number * std::uint64_t{0x9e3779b97f4a7c15U}) >> 32 & (slots_.size() - 1);
-  while (slots_[slot] != number && slots_[slot] != invalid_index) slot = (slot + 1) & (slots_.size() - 1);
-  return slot;
-}
-
-void NumberSet::grow() {
-  const std::vector<Index> before = std::exchange(slots_, std::vector<Index>(2 * slots_.size(), invalid_index));
-  for (std::size_t& slot : taken_) {
-    const Index number = before[slot];
-    slot = slot_of(number);
-    slots_[slot] = number;
+  size_ = 0;
+  if (++turn_ == 0) {
+    slots_.assign(slots_.size(), {});
+    turn_ = 1;
   }
 }
 
-bool Patch::covers(const Corners& triangle, Index seed, double height) {
-  if (!set_view(triangle)) return false;
+/// Where the number is, or is to go.
+NumberSet::Slot& NumberSet::slot_of(Index number) {
+  std::size_t slot = (number * std::uint64_t{0x9e3779b97f4a7c15U}) >> 32 & (slots_.size() - 1);
+  while (slots_[slot].turn == turn_ && slots_[slot].number != number) slot = (slot + 1) & (slots_.size() - 1);
+  return slots_[slot];
+}
+
+void NumberSet::grow() {
+  const std::vector<Slot> before = std::exchange(slots_, std::vector<Slot>(2 * slots_.size()));
+  for (const Slot& slot : before) {
+    if (slot.turn == turn_) slot_of(slot.number) = slot;
+  }
+}
+
+Index Patch::look_from(const LinkedFaces& surface, const Corners& triangle, Index from) {
+  surface_ = surface;
+  suspect_.reset();
+  seed_ = set_view(triangle) ? face_over_center(from) : invalid_index;
+  return seed_;
+}
+
+bool Patch::covers(double height) {
+  height -= margin_;
   known_.clear();
-  faces_.assign(1, seed);
-  known_.insert(seed);
+  over_.clear();
+  faces_.assign(1, seed_);
+  known_.insert(seed_);
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     const Index f = faces_[i];
-    const std::array<Seen, 3> face = seen(surface_.corners(f));
-    if (is_apart(face)) continue;
+    const SeenFace face = corners(f);
+    if ((seen_[face[0]].outside & seen_[face[1]].outside & seen_[face[2]].outside) != 0) continue;
     if (!is_within(face, height)) return false;
+    over_.push_back({f, face});
     for (std::size_t slot = 0; slot < 3; ++slot) {
-      if (is_apart(face[slot], face[(slot + 1) % 3])) continue;
-      const Index other = surface_.beyond(f, slot);
+      if (is_apart(seen_[face[slot]], seen_[face[(slot + 1) % 3]])) continue;
+      const Index other = surface_.beyond[f][slot];
       if (other == invalid_index || faces_.size() == most_faces) return false;
       if (known_.insert(other)) faces_.push_back(other);
     }
@@ -90,78 +123,118 @@ bool Patch::covers(const Corners& triangle, Index seed, double height) {
   return is_odd_somewhere();
 }
 
+Index Patch::face_over_center(Index face) {
+  constexpr int most_steps = 64;
+  const Seen center = (triangle_[0] + triangle_[1] + triangle_[2]) / 3;
+  Index before = invalid_index;
+  for (int step = 0; step < most_steps; ++step) {
+    const SeenFace corners = this->corners(face);
+    const std::array<Seen, 3> at{seen_[corners[0]].at, seen_[corners[1]].at, seen_[corners[2]].at};
+    const double area = cross(at[1] - at[0], at[2] - at[0]);
+    Index next = invalid_index;
+    for (std::size_t slot = 0; slot < 3 && next == invalid_index; ++slot) {
+      const double side = cross(at[(slot + 1) % 3] - at[slot], center - at[slot]);
+      const Index beyond = surface_.beyond[face][slot];
+      if (side * area < 0 && beyond != before) next = beyond;
+    }
+    if (next == invalid_index) return face;
+    before = std::exchange(face, next);
+  }
+  return face;
+}
+
 /// \return whether the triangle is seen well enough
 bool Patch::set_view(const Corners& triangle) {
+  if (++turn_ == 0) cache_.assign(cache_size, {});
+  seen_.clear();
   origin_ = triangle[0];
   const Vec3 ab = triangle[1] - triangle[0];
   const Vec3 ac = triangle[2] - triangle[0];
   const Vec3 normal = ab.cross(ac);
-  const double longest = std::max({ab.norm(), ac.norm(), (ac - ab).norm()});
+  const double longest = std::sqrt(std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()}));
   const double length = normal.norm();
   if (!(length > least_height * longest)) return false;
   axes_[2] = normal / length;
   axes_[0] = ab.normalized();
   axes_[1] = axes_[2].cross(axes_[0]);
-  triangle_ = seen(triangle);
   for (std::size_t i = 0; i < 3; ++i) {
+    triangle_[i] = seen(triangle[i]);
     if (std::abs(triangle_[i].z()) > slack) return false;  // the normal is too inexact
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
     const Seen way = triangle_[(i + 1) % 3] - triangle_[i];
     sides_[i] = {triangle_[i], Seen(way.y(), -way.x(), 0).normalized()};
   }
+  shrink();
   return true;
 }
 
-std::array<Patch::Seen, 3> Patch::seen(const Corners& corners) const {
-  std::array<Seen, 3> result;
+/// Moves the sides inward a little, so that faces that share a side with the triangle are apart from it. Each point of
+/// the triangle as it was is within `margin_` of what is left.
+void Patch::shrink() {
+  constexpr double inset = 4 * slack;
+  margin_ = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 offset = corners[i] - origin_;
-    result[i] = {axes_[0].dot(offset), axes_[1].dot(offset), axes_[2].dot(offset)};
+    const Seen& one = sides_[i].outward;
+    const Seen& other = sides_[(i + 2) % 3].outward;
+    const Seen move = inset / (1 + one.dot(other)) * (one + other);
+    triangle_[i] -= move;
+    margin_ = std::max(margin_, move.norm());
   }
-  return result;
+  for (std::size_t i = 0; i < 3; ++i) sides_[i].from = triangle_[i];
 }
 
-/// Whether a face is surely not over the triangle: a line along one of the triangle's sides parts them.
-bool Patch::is_apart(const std::array<Seen, 3>& face) const {
-  return std::any_of(sides_.begin(), sides_.end(), [&](const Side& side) {
-    return std::min({side.distance(face[0]), side.distance(face[1]), side.distance(face[2])}) > slack;
-  });
+Patch::Seen Patch::seen(const Vec3& point) const {
+  const Vec3 offset = point - origin_;
+  return {axes_[0].dot(offset), axes_[1].dot(offset), axes_[2].dot(offset)};
+}
+
+/// Where the vertex is among `seen_`.
+Index Patch::corner(Index vertex) {
+  CacheSlot& slot = cache_[vertex % cache_size];
+  if (slot.vertex == vertex && slot.turn == turn_) return slot.seen;
+  slot = {vertex, turn_, static_cast<Index>(seen_.size())};
+  const Seen at = seen(surface_.positions[vertex]);
+  unsigned outside = 0;
+  for (unsigned side = 0; side < 3; ++side) {
+    outside |= static_cast<unsigned>(sides_[side].distance(at) > slack) << side;
+  }
+  seen_.push_back({at, outside});
+  return slot.seen;
 }
 
 /// Whether a segment is surely not over the triangle: a line along a side of the triangle, or along the segment, parts
 /// them.
-bool Patch::is_apart(const Seen& a, const Seen& b) const {
-  for (const Side& side : sides_) {
-    if (std::min(side.distance(a), side.distance(b)) > slack) return true;
-  }
-  const Seen way(b.x() - a.x(), b.y() - a.y(), 0);
+bool Patch::is_apart(const SeenCorner& a, const SeenCorner& b) const {
+  if ((a.outside & b.outside) != 0) return true;
+  if (a.outside == 0 || b.outside == 0) return false;
+  const Seen way(b.at.x() - a.at.x(), b.at.y() - a.at.y(), 0);
   const double length = way.norm();
   if (!(length > 0)) return false;
-  const std::array<double, 3> sides{cross(way, triangle_[0] - a), cross(way, triangle_[1] - a),
-                                    cross(way, triangle_[2] - a)};
-  const auto [low, high] = std::minmax_element(sides.begin(), sides.end());
-  return *low > slack * length || *high < -slack * length;
+  const std::array<double, 3> sides{cross(way, triangle_[0] - a.at), cross(way, triangle_[1] - a.at),
+                                    cross(way, triangle_[2] - a.at)};
+  const auto [low, high] = std::minmax({sides[0], sides[1], sides[2]});
+  return low > slack * length || high < -slack * length;
 }
 
 /// Whether the part of a face over the triangle is surely not higher, nor lower, than `height`.
-bool Patch::is_within(const std::array<Seen, 3>& face, double height) const {
+bool Patch::is_within(const SeenFace& face, double height) {
   const double most = height - 2 * slack;  // the triangle itself may be a slack off its plane
   const auto is_low = [most](const Seen& p) { return std::abs(p.z()) <= most; };
-  if (std::all_of(face.begin(), face.end(), is_low)) return true;
-  std::vector<Seen> part(face.begin(), face.end());
+  const Seen& a = seen_[face[0]].at;
+  const Seen& b = seen_[face[1]].at;
+  const Seen& c = seen_[face[2]].at;
+  if (is_low(a) && is_low(b) && is_low(c)) return true;
+  Polygon part{{a, b, c}, 3};
   for (const Side& side : sides_) {
-    std::vector<Seen> inside;
-    const auto beyond = [&side](const Seen& p) { return side.distance(p) - 2 * slack; };
-    for (std::size_t k = 0; k < part.size(); ++k) {
-      const Seen& from = part[k];
-      const Seen& to = part[(k + 1) % part.size()];
-      const double out_from = beyond(from);
-      const double out_to = beyond(to);
-      if (out_from <= 0) inside.push_back(from);
-      if ((out_from <= 0) != (out_to <= 0)) inside.push_back(from + out_from / (out_from - out_to) * (to - from));
-    }
-    part = std::move(inside);
+    part = part.clipped([&side](const Seen& p) { return side.distance(p) - 2 * slack; });
   }
-  return std::all_of(part.begin(), part.end(), is_low);
+  const auto end = part.corners.begin() + part.size;
+  const auto highest = std::max_element(part.corners.begin(), end,
+                                        [](const Seen& p, const Seen& q) { return std::abs(p.z()) < std::abs(q.z()); });
+  if (highest == end || is_low(*highest)) return true;
+  suspect_ = origin_ + highest->x() * axes_[0] + highest->y() * axes_[1];
+  return false;
 }
 
 /// Whether an odd number of the faces lies over some point of the triangle.
@@ -172,10 +245,11 @@ bool Patch::is_odd_somewhere() const {
     const Seen point = triangle_[0] + second * (triangle_[1] - triangle_[0]) + third * (triangle_[2] - triangle_[0]);
     int n = 0;
     bool is_sure = true;
-    for (const Index f : faces_) {
-      const std::optional<int> over = count_over(seen(surface_.corners(f)), point);
-      is_sure &= over.has_value();
-      n += over.value_or(0);
+    for (const Over& over : over_) {
+      const std::optional<int> count =
+          count_over(seen_[over.seen[0]].at, seen_[over.seen[1]].at, seen_[over.seen[2]].at, point);
+      is_sure &= count.has_value();
+      n += count.value_or(0);
     }
     if (is_sure) return n % 2 == 1;
   }

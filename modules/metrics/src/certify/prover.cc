@@ -1,4 +1,4 @@
-#include "certify/prover.hh"
+#include "whittle/metrics/detail/prover.hh"
 
 #include <algorithm>
 #include <cmath>
@@ -6,61 +6,87 @@
 namespace whittle::metrics {
 namespace {
 
-/// Pieces of a triangle that are looked at before it is given up.
-constexpr int most_pieces = 1 << 16;
-
 /// Distances are found to this accuracy where they are smaller: lengths are about 1.
 constexpr double least_accuracy = 1e-9;
 
+Vec3 center(const Corners& corners) { return (corners[0] + corners[1] + corners[2]) / 3; }
+
 }  // namespace
 
-Verdict Prover::prove(const Corners& triangle, double distance, FarthestPoint& farthest) {
+Verdict Prover::prove(const Corners& triangle, double distance, Index hint, FarthestPoint& farthest) {
   const auto limit = [distance](const FarthestPoint&) { return distance; };
   const auto decide = [distance](const FarthestPoint& point) {
     if (point.distance > distance + slack) return Verdict::refuted;
     return point.distance > distance - 3 * slack ? Verdict::undecided : Verdict::proven;
   };
-  return search(triangle, limit, decide, farthest);
+  return search(triangle, hint, limit, decide, farthest);
 }
 
-double Prover::find_farthest(const Corners& triangle, double from, double accuracy, FarthestPoint& farthest) {
+double Prover::find_farthest(const Corners& triangle, double from, double accuracy, double most, Index hint,
+                             FarthestPoint& farthest) {
   const auto limit = [=](const FarthestPoint& point) {
-    return (1 + accuracy) * std::max(from, point.distance) + least_accuracy;
+    const double found = std::max(from, point.distance);
+    const double sought = (1 + accuracy) * found + least_accuracy;
+    return found < most - 4 * slack ? std::min(sought, most) : sought;
   };
   const auto decide = [](const FarthestPoint&) { return Verdict::proven; };
-  search(triangle, limit, decide, farthest);
-  double most = limit(farthest);
-  for (const Piece& left : pieces_) most = std::max(most, distance_from_one(left.corners, left.hint) + slack);
-  return most;
+  search(triangle, hint, limit, decide, farthest);
+  double proven = limit(farthest);
+  for (const Piece& left : pieces_) proven = std::max(proven, distance_from_one(left.corners, left.hint) + slack);
+  return proven;
 }
 
 /// \param limit `limit(farthest)` is the distance that a piece is to be within
 /// \param decide `decide(farthest)` ends the search if it isn't `proven`
 template <class Limit, class Decide>
-Verdict Prover::search(const Corners& triangle, const Limit& limit, const Decide& decide, FarthestPoint& farthest) {
-  pieces_.assign(1, {triangle, hint_});
+Verdict Prover::search(const Corners& triangle, Index hint, const Limit& limit, const Decide& decide,
+                       FarthestPoint& farthest) {
+  surface_ = target_.faces();
+  used_.clear();
+  pieces_.assign(1, {triangle, hint == invalid_index ? last_ : hint});
+  if (pieces_[0].hint == invalid_index) pieces_[0].hint = target_.nearest(triangle[0], invalid_index).face;
   for (int n_pieces = 0; !pieces_.empty(); ++n_pieces) {
-    if (n_pieces >= most_pieces) return Verdict::undecided;
+    if (n_pieces >= most_pieces_) return Verdict::undecided;
     const Piece piece = pieces_.back();
     pieces_.pop_back();
-    if (piece.hint != invalid_index && distance_from_one(piece.corners, piece.hint) <= limit(farthest) - slack)
-      continue;
-    std::array<Index, 3> nearest;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const ClosestPoint closest = surface_.nearest(piece.corners[i], hint_);
-      nearest[i] = hint_ = closest.face;
-      const double distance = std::sqrt(closest.distance_sq);
-      if (distance > farthest.distance) farthest = {piece.corners[i], distance};
-    }
+    if (is_proven(piece.corners, piece.hint, limit(farthest))) continue;
+    const Vec3 probe = suspect(piece.corners, piece.hint);
+    const NearFace near = target_.nearest(probe, piece.hint);
+    if (near.distance > farthest.distance) farthest = {probe, near.distance};
     const Verdict verdict = decide(farthest);
     if (verdict != Verdict::proven) return verdict;
-    const double most = limit(farthest);
-    const bool is_near = std::any_of(nearest.begin(), nearest.end(), [&](Index face) {
-      return distance_from_one(piece.corners, face) <= most - slack;
-    });
-    if (!is_near && !patch_.covers(piece.corners, nearest[0], most)) split(piece.corners, nearest[0]);
+    last_ = near.face;
+    if (near.face != piece.hint && is_proven(piece.corners, near.face, limit(farthest))) continue;
+    last_ = target_.nearest(center(piece.corners), near.face).face;
+    if (!is_near(piece.corners, last_, limit(farthest))) split(piece.corners, last_);
   }
   return Verdict::proven;
+}
+
+/// Whether a piece is proven to be near to one face, or to the faces around it. If so, they are used.
+bool Prover::is_proven(const Corners& corners, Index face, double distance) {
+  if (is_near(corners, face, distance)) return true;
+  const Index over_center = patch_.look_from(surface_, corners, face);
+  if (over_center == invalid_index) return false;
+  if (over_center != face && is_near(corners, over_center, distance)) return true;
+  if (!patch_.covers(distance)) return false;
+  patch_.for_each_face([this](Index over) { used_.push_back(over); });
+  return true;
+}
+
+bool Prover::is_near(const Corners& corners, Index face, double distance) {
+  if (!(distance_from_one(corners, face) <= distance - slack)) return false;
+  used_.push_back(face);
+  return true;
+}
+
+/// A point of the piece that may be far: where the faces looked at last were too high, or the corner that is farthest
+/// from one face.
+Vec3 Prover::suspect(const Corners& corners, Index face) const {
+  if (patch_.suspect()) return *patch_.suspect();
+  const Corners other = surface_.corners(face);
+  return *std::max_element(corners.begin(), corners.end(),
+                           [&](const Vec3& p, const Vec3& q) { return distance_to(other, p) < distance_to(other, q); });
 }
 
 /// The largest distance of a piece's points from one face. It is convex, so it is greatest at a corner.

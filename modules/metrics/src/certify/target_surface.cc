@@ -1,6 +1,7 @@
-#include "certify/target_surface.hh"
+#include "whittle/metrics/detail/target_surface.hh"
 
 #include <algorithm>
+#include <cmath>
 
 #include "triangle_math.hh"
 #include "whittle/core/detail/edge_table.hh"
@@ -17,8 +18,8 @@ IndexedMesh in_frame(const IndexedMesh& mesh, const Frame& frame) {
   return result;
 }
 
-std::vector<std::array<Index, 3>> faces_beyond(const IndexedMesh& mesh) {
-  std::vector<std::array<Index, 3>> beyond(mesh.faces.size(), {invalid_index, invalid_index, invalid_index});
+std::vector<FacesBeyond> faces_beyond(const IndexedMesh& mesh) {
+  std::vector<FacesBeyond> beyond(mesh.faces.size(), {invalid_index, invalid_index, invalid_index});
   const whittle::detail::EdgeTable edges(mesh.faces, mesh.positions.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const std::span<const Index> sides = edges.sides(e);
@@ -31,8 +32,18 @@ std::vector<std::array<Index, 3>> faces_beyond(const IndexedMesh& mesh) {
 
 }  // namespace
 
-TargetSurface::TargetSurface(const IndexedMesh& mesh, const Frame& frame, whittle::detail::ProgressMeter& meter)
-    : mesh_(in_frame(mesh, frame)), beyond_(faces_beyond(mesh_)), tree_(mesh_, Vec3::Zero(), &meter) {}
+TargetSurface::TargetSurface(const IndexedMesh& mesh, const Frame& frame)
+    : in_frame_(whittle::metrics::in_frame(mesh, frame)), beyond_(faces_beyond(in_frame_)) {}
+
+void TargetSurface::build_tree(whittle::detail::ProgressMeter* meter) const {
+  std::call_once(once_, [&] { tree_.emplace(in_frame_, Vec3::Zero(), meter); });
+}
+
+NearFace TargetSurface::nearest(const Vec3& point, Index hint) const {
+  build_tree(nullptr);
+  const ClosestPoint closest = tree_->nearest_local(point, hint);
+  return {closest.face, std::sqrt(closest.distance_sq)};
+}
 
 /// Any point of the triangle gives an upper bound. So weights out of range, as thin triangles may give, are no harm
 /// once they are clamped.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,10 +29,11 @@ namespace whittle {
 enum class StopReason {
   target,     ///< A count was reached.
   cost,       ///< Every contraction left costs more than `max_cost`.
+  error,      ///< Guards refuse every contraction left, some because of `max_error`.
   exhausted,  ///< Guards refuse every contraction left, or none is left.
   cancelled   ///< The progress callback said so.
 };
-/// "target", "cost", "exhausted", "cancelled".
+/// "target", "cost", "error", "exhausted", "cancelled".
 std::string_view to_string(StopReason reason);
 
 /// Why guards refused contractions. A pair refused, woken and refused again counts twice.
@@ -42,10 +44,12 @@ struct Rejections {
   std::uint64_t feature = 0;       ///< it would take a vertex off its feature line, or a line away
   std::uint64_t locked = 0;        ///< both vertices are locked
   std::uint64_t intersection = 0;  ///< it would make faces intersect that didn't before
+  std::uint64_t error = 0;         ///< it would take the surface farther from the input than `max_error`, or might
 
   Rejections& operator+=(const Rejections& other) {
     link += other.link, flip += other.flip, shape += other.shape;
     feature += other.feature, locked += other.locked, intersection += other.intersection;
+    error += other.error;
     return *this;
   }
 };
@@ -82,6 +86,9 @@ struct DecimateResult {
   std::uint64_t n_vertices = 0;
   std::uint64_t n_faces = 0;
   double max_cost = 0;  ///< greatest cost of a contraction made; unit as `DecimateTarget::max_cost`
+  /// Model units: each point of the mesh is proven to be within it of the input, and each point of the input of the
+  /// mesh. `max_error`, if that was asked for; empty if it wasn't, or if the run was cancelled.
+  std::optional<double> proven_error{};
   StopReason stop = StopReason::exhausted;
   /// Why it took one pass over the whole mesh, and no blocks (docs/dev/blocks.md); empty if it went in blocks. It
   /// depends on the number of threads: with one, plain quadrics take one pass. So may a count of refusals, where costs

@@ -20,17 +20,22 @@ class DecimateTarget {
   static DecimateTarget vertices(std::uint64_t n) { return as_far_as_possible().or_vertices(n); }
   /// Contract only what costs at most `cost`, in the unit of the cost (`Cost`), by model units. [0, inf).
   static DecimateTarget max_cost(double cost) { return as_far_as_possible().or_max_cost(cost); }
+  /// Contract only what keeps the surface within a distance of the input, and the input within the same distance of
+  /// the surface: all points, not only vertices. Model units. (0, inf).
+  static DecimateTarget max_error(double distance) { return as_far_as_possible().or_max_error(distance); }
   /// Stop when the guards allow nothing more.
-  static DecimateTarget as_far_as_possible() { return {std::nullopt, std::nullopt, std::nullopt}; }
+  static DecimateTarget as_far_as_possible() { return {std::nullopt, std::nullopt, std::nullopt, std::nullopt}; }
 
   /// This target or that limit, whichever is reached first. A limit of the same kind is replaced.
-  DecimateTarget or_faces(std::uint64_t n) const { return {n, n_vertices_, cost_limit_}; }
-  DecimateTarget or_vertices(std::uint64_t n) const { return {n_faces_, n, cost_limit_}; }
-  DecimateTarget or_max_cost(double cost) const { return {n_faces_, n_vertices_, cost}; }
+  DecimateTarget or_faces(std::uint64_t n) const { return {n, n_vertices_, cost_limit_, error_limit_}; }
+  DecimateTarget or_vertices(std::uint64_t n) const { return {n_faces_, n, cost_limit_, error_limit_}; }
+  DecimateTarget or_max_cost(double cost) const { return {n_faces_, n_vertices_, cost, error_limit_}; }
+  DecimateTarget or_max_error(double distance) const { return {n_faces_, n_vertices_, cost_limit_, distance}; }
 
   std::optional<std::uint64_t> n_faces() const { return n_faces_; }
   std::optional<std::uint64_t> n_vertices() const { return n_vertices_; }
   std::optional<double> cost_limit() const { return cost_limit_; }
+  std::optional<double> error_limit() const { return error_limit_; }
 
   /// The same limits with counts larger by a factor, rounded up.
   DecimateTarget with_counts_times(double factor) const {
@@ -38,7 +43,7 @@ class DecimateTarget {
       if (n) n = static_cast<std::uint64_t>(std::ceil(factor * static_cast<double>(*n)));
       return n;
     };
-    return {times(n_faces_), times(n_vertices_), cost_limit_};
+    return {times(n_faces_), times(n_vertices_), cost_limit_, error_limit_};
   }
 
   /// The share of a mesh with such counts that the limits of faces and vertices leave at least; 0 without these.
@@ -56,12 +61,13 @@ class DecimateTarget {
 
  private:
   DecimateTarget(std::optional<std::uint64_t> n_faces, std::optional<std::uint64_t> n_vertices,
-                 std::optional<double> cost_limit)
-      : n_faces_(n_faces), n_vertices_(n_vertices), cost_limit_(cost_limit) {}
+                 std::optional<double> cost_limit, std::optional<double> error_limit)
+      : n_faces_(n_faces), n_vertices_(n_vertices), cost_limit_(cost_limit), error_limit_(error_limit) {}
 
   std::optional<std::uint64_t> n_faces_;
   std::optional<std::uint64_t> n_vertices_;
   std::optional<double> cost_limit_;
+  std::optional<double> error_limit_;
 };
 
 }  // namespace whittle

@@ -124,10 +124,12 @@ struct DecimateOptions {
   /// Called now and then from the calling thread; false ends the run with what is reached.
   std::function<bool(const Progress&)> progress{};
 
-  /// Called after each contraction, in order. Not told of what is done in `pauses`.
+  /// Called after each contraction, in order. Not told of what is done in `pauses`. With a limit of the error it is
+  /// called at the end, as contractions may be taken back.
   std::function<void(const Contraction&)> listener{};
 
-  /// Only with a count as target. Not with `Placement::endpoint`, and not with a host.
+  /// Only with a count as target, and without a limit of the error. Not with `Placement::endpoint`, and not with a
+  /// host.
   Pauses pauses{};
 
   // What the fields above come to in `decimate` where they are empty.

@@ -32,20 +32,20 @@ struct SimplifyOptions {
 
   Fit fit = Fit::balanced;  ///< which distance polish brings down
 
-  /// Whether polish at the end also flips edges. Empty = by effort.
+  /// Whether polish at the end also flips edges. Empty = by effort. Not with a limit of the error.
   std::optional<bool> flips{};
 
   /// Where decimation pauses for polish on its way to a count: multiples of that count, each above 1,
   /// descending. What is contracted after a pause fits the input already, so the result comes nearer to it. Empty = by
-  /// effort, none with `Placement::endpoint`; there are no pauses without polish, and none where `decimate` has pauses
-  /// of the caller's own. `Simplification::polish` is the polish at the end.
+  /// effort, none with `Placement::endpoint`; there are no pauses without polish, with a limit of the error, and where
+  /// `decimate` has pauses of the caller's own. `Simplification::polish` is the polish at the end.
   std::optional<std::vector<double>> pauses{};
 
   /// Whether plain quadrics are tried, too, where the mesh is small (20,000 faces at most), or where much of it is
-  /// flat, so that the result may be nearly exact (100,000 faces at most). There is no trial with a cost limit. The
-  /// result that is nearer to the input is taken. Takes two to three times as long there. Cancelled in the second run,
-  /// `simplify` gives the first one's result. Empty = if the cost is by effort, and memoryless, and there are no
-  /// callbacks of the caller's that a second run would call anew (a listener, pauses of `decimate`).
+  /// flat, so that the result may be nearly exact (100,000 faces at most). There is no trial with a limit of cost or
+  /// error. The result that is nearer to the input is taken. Takes two to three times as long there. Cancelled in the
+  /// second run, `simplify` gives the first one's result. Empty = if the cost is by effort, and memoryless, and there
+  /// are no callbacks of the caller's that a second run would call anew (a listener, pauses of `decimate`).
   std::optional<bool> tries_plain_quadrics{};
 };
 

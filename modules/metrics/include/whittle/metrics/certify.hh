@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "whittle/core/indexed_mesh.hh"
@@ -13,6 +14,13 @@ struct CertifyOptions {
   unsigned threads = 0;  ///< 0 = all cores; the result is the same for any number
   /// Is told the progress; returning false cancels with the exception `Cancelled`.
   ProgressCallback progress{};
+};
+
+struct LargestDistanceOptions {
+  unsigned threads = 0;         ///< as above
+  ProgressCallback progress{};  ///< as above
+  /// If no point is farther than this, model units, what is proven is no more than this either.
+  double limit = std::numeric_limits<double>::infinity();
 };
 
 /// A point of one surface, and how far it is from the other one.
@@ -69,6 +77,6 @@ struct LargestDistances {
 ///        that takes more than 65,536 pieces of a triangle; [1e-6, 1]
 /// \throw as `certify`; std::invalid_argument if the accuracy is out of range
 LargestDistances largest_distances(const IndexedMesh& first, const IndexedMesh& second, double relative_accuracy,
-                                   const CertifyOptions& options = {});
+                                   const LargestDistanceOptions& options = {});
 
 }  // namespace whittle::metrics

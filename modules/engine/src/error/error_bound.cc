@@ -1,0 +1,130 @@
+#include "error/error_bound.hh"
+
+#include <algorithm>
+#include <utility>
+
+#include "whittle/core/detail/edge_table.hh"
+#include "whittle/core/detail/parallel.hh"
+#include "whittle/metrics/detail/prover.hh"
+
+namespace whittle {
+namespace {
+
+/// Faces that a thread takes at a time. What is found for them depends on no others.
+constexpr std::size_t faces_per_block = 1024;
+
+detail::IndexLists<Index> neighbours_in(const IndexedMesh& mesh) {
+  const detail::EdgeTable edges(mesh.faces, mesh.positions.size());
+  return {mesh.positions.size(), [&](const auto& emit) {
+            for (std::size_t e = 0; e < edges.size(); ++e) {
+              emit(edges[e].a, edges[e].b);
+              emit(edges[e].b, edges[e].a);
+            }
+          }};
+}
+
+/// A face at each vertex, or `invalid_index`.
+std::vector<Index> faces_at_vertices(const metrics::LinkedFaces& surface) {
+  std::vector<Index> faces(surface.positions.size(), invalid_index);
+  for (Index f = 0; f < surface.faces.size(); ++f) {
+    for (const Index v : surface.faces[f]) faces[v] = f;
+  }
+  return faces;
+}
+
+/// Calls `use(face, prover, violations)` for each face below `n`, on all threads. Violations are added in order.
+template <class Use>
+void for_each_face(std::size_t n, const metrics::ProofTarget& target, unsigned threads, const Use& use,
+                   ErrorBound::Violations& violations) {
+  std::vector<ErrorBound::Violations> of_blocks((n + faces_per_block - 1) / faces_per_block);
+  for_each_block(of_blocks.size(), threads, [&](std::size_t block) {
+    metrics::Prover prover(target);
+    const std::size_t end = std::min(n, (block + 1) * faces_per_block);
+    for (auto f = static_cast<Index>(block * faces_per_block); f < end; ++f) use(f, prover, of_blocks[block]);
+  });
+  for (const ErrorBound::Violations& found : of_blocks) {
+    violations.faces.insert(violations.faces.end(), found.faces.begin(), found.faces.end());
+    violations.points.insert(violations.points.end(), found.points.begin(), found.points.end());
+    violations.around.insert(violations.around.end(), found.around.begin(), found.around.end());
+  }
+}
+
+}  // namespace
+
+ErrorBound::ErrorBound(const IndexedMesh& input, const Frame& frame, double limit, unsigned threads)
+    : input_(input, frame),
+      limit_(limit),
+      threads_(threads),
+      points_(input_.faces().positions.begin(), input_.faces().positions.end()),
+      neighbours_(neighbours_in(input)) {
+  input_.build_tree(nullptr);
+}
+
+ErrorBound::Violations ErrorBound::check(const IndexedMesh& surface, const Frame& frame,
+                                         std::span<const Index> vertex_map, double limit) {
+  const metrics::TargetSurface target(surface, frame);
+  Violations violations;
+  check_surface(target, limit, violations);
+  check_input(target, find_supports(target, vertex_map, limit, violations), limit, violations);
+  return violations;
+}
+
+void ErrorBound::check_surface(const metrics::TargetSurface& surface, double limit, Violations& violations) const {
+  const metrics::LinkedFaces faces = surface.faces();
+  const auto check = [&](Index face, metrics::Prover& prover, Violations& found) {
+    metrics::FarthestPoint farthest;
+    const metrics::Verdict verdict = prover.prove(faces.corners(face), limit, invalid_index, farthest);
+    if (verdict != metrics::Verdict::proven) found.faces.push_back(face);
+  };
+  for_each_face(faces.faces.size(), input_, threads_, check, violations);
+}
+
+/// Finds the nearest face, or any that is near.
+/// \return of each point, a face of the surface; `invalid_index` for vertices that are in no face
+std::vector<Index> ErrorBound::find_supports(const metrics::TargetSurface& surface, std::span<const Index> vertex_map,
+                                             double limit, Violations& violations) {
+  const metrics::LinkedFaces faces = surface.faces();
+  const std::vector<Index> at_vertices = faces_at_vertices(faces);
+  std::vector<Index> supports(points_.size(), invalid_index);
+  std::vector<std::uint8_t> is_far(points_.size());
+  for_each_range(points_.size(), threads_, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      Index hint = invalid_index;
+      if (p < vertex_map.size()) {
+        if (vertex_map[p] == invalid_index) continue;
+        supports[p] = hint = at_vertices[vertex_map[p]];
+        if (metrics::distance_to(faces.corners(hint), points_[p]) <= limit) continue;
+      }
+      const metrics::NearFace near = surface.nearest(points_[p], hint);
+      supports[p] = near.face;
+      is_far[p] = static_cast<std::uint8_t>(near.distance > limit);
+    }
+  });
+  supports_.clear();
+  for (Index p = 0; p < points_.size(); ++p) {
+    if (supports[p] == invalid_index) continue;
+    supports_.push_back({p, faces.faces[supports[p]]});
+    if (is_far[p] == 0) continue;
+    violations.points.push_back(points_[p]);
+    violations.around.push_back(supports[p]);
+  }
+  return supports;
+}
+
+/// Faces whose corners have one support are near: the distance from a face is convex.
+void ErrorBound::check_input(const metrics::TargetSurface& surface, std::span<const Index> supports, double limit,
+                             Violations& violations) const {
+  const metrics::LinkedFaces faces = input_.faces();
+  const auto check = [&](Index face, metrics::Prover& prover, Violations& found) {
+    const auto& [a, b, c] = faces.faces[face];
+    if (!has_three_corners(faces.faces[face]) || (supports[a] == supports[b] && supports[b] == supports[c])) return;
+    metrics::FarthestPoint farthest;
+    const metrics::Verdict verdict = prover.prove(faces.corners(face), limit, supports[a], farthest);
+    if (verdict == metrics::Verdict::proven) return;
+    found.points.push_back(farthest.point);
+    found.around.push_back(surface.nearest(farthest.point, supports[a]).face);
+  };
+  for_each_face(faces.faces.size(), surface, threads_, check, violations);
+}
+
+}  // namespace whittle

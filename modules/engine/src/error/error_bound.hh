@@ -1,0 +1,68 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "whittle/core/detail/index_lists.hh"
+#include "whittle/core/frame.hh"
+#include "whittle/metrics/detail/target_surface.hh"
+
+namespace whittle {
+
+/// How far a surface and the input may be from each other, both ways, and what is known of that.
+class ErrorBound {
+ public:
+  /// A point of the input, and a face of the surface that it is near to: its *support*.
+  struct Support {
+    Index point;
+    Triangle face;  ///< by the surface's vertices
+  };
+
+  /// What stands against a surface.
+  struct Violations {
+    std::vector<Index> faces;   ///< of the surface, that aren't proven to be near to the input
+    std::vector<Vec3> points;   ///< of the input, that are far from the surface; in the frame
+    std::vector<Index> around;  ///< faces of the surface near to those points
+
+    bool empty() const { return faces.empty() && points.empty(); }
+  };
+
+  /// \param input must outlive it \param limit in the frame
+  ErrorBound(const IndexedMesh& input, const Frame& frame, double limit, unsigned threads);
+
+  const metrics::TargetSurface& input() const { return input_; }
+  double limit() const { return limit_; }
+  void tighten() { limit_ *= 0.95; }
+
+  /// Points of the input that are to be near to the surface: its vertices, and those that were added.
+  std::span<const Vec3> points() const { return points_; }
+  void add_points(std::span<const Vec3> points) { points_.insert(points_.end(), points.begin(), points.end()); }
+  /// The other ends of the input's edges at a point. None if it isn't a vertex.
+  std::span<const Index> neighbours(Index point) const {
+    return point < neighbours_.size() ? neighbours_.of(point) : std::span<const Index>{};
+  }
+
+  /// Tries to prove that a surface keeps the bound.
+  /// \param frame takes the surface to the frame
+  /// \param vertex_map the input's vertices → those of the surface, `invalid_index` where it was in no face
+  /// \param limit in place of that of the bound
+  Violations check(const IndexedMesh& surface, const Frame& frame, std::span<const Index> vertex_map, double limit);
+  /// Of the surface checked last, each point once.
+  const std::vector<Support>& supports() const { return supports_; }
+
+ private:
+  std::vector<Index> find_supports(const metrics::TargetSurface& surface, std::span<const Index> vertex_map,
+                                   double limit, Violations& violations);
+  void check_input(const metrics::TargetSurface& surface, std::span<const Index> supports, double limit,
+                   Violations& violations) const;
+  void check_surface(const metrics::TargetSurface& surface, double limit, Violations& violations) const;
+
+  metrics::TargetSurface input_;
+  double limit_;
+  unsigned threads_;
+  std::vector<Vec3> points_;  ///< in the frame
+  detail::IndexLists<Index> neighbours_;
+  std::vector<Support> supports_;
+};
+
+}  // namespace whittle

@@ -1,0 +1,71 @@
+#include "guard/displacement_guard.hh"
+
+#include <algorithm>
+#include <limits>
+
+#include "whittle/core/geometry/face_normal.hh"
+#include "whittle/metrics/detail/linked_faces.hh"
+
+namespace whittle {
+namespace {
+
+/// An edge of length l between faces that turn by α may come to lie l sin α from where the surface was, if it crosses
+/// a crease. This share of it counts.
+constexpr double share_of_turn = 0.2;
+
+double distance_to_all(const std::vector<std::array<Vec3, 3>>& faces, const Vec3& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::array<Vec3, 3>& face : faces) least = std::min(least, metrics::distance_to(face, point));
+  return least;
+}
+
+/// Between two normals: 1 if one is zero.
+double cosine_between(const Vec3& normal, const Vec3& other) {
+  const double lengths = normal.norm() * other.norm();
+  return lengths > 0 ? normal.dot(other) / lengths : 1;
+}
+
+}  // namespace
+
+bool DisplacementGuard::refuses_at(ContractionProfile& profile, const Vec3& position) {
+  const auto [displacement_sq, least_cosine] = motion(profile, position);
+  if (displacement_sq > limit_sq_) return true;
+  double longest_sq = 0;
+  for (const StarFaces& faces : {profile.first, profile.second}) {
+    for (const Neighbour& neighbour : faces.neighbours()) {
+      longest_sq = std::max(longest_sq, (complex_.position(neighbour.vertex) - position).squaredNorm());
+    }
+  }
+  const double cosine = std::max(0.0, least_cosine);
+  return share_of_turn * share_of_turn * longest_sq * (1 - cosine * cosine) > limit_sq_;
+}
+
+DisplacementGuard::Motion DisplacementGuard::motion(ContractionProfile& profile, const Vec3& position) {
+  if (profile.has_ring && profile.ring.moved_to() == position) {
+    return {profile.ring.displacement_sq(position), std::min(1.0, profile.ring.least_cosine())};
+  }
+  const auto& [id, a, b] = profile.pair;
+  const std::array<Vec3, 2> ends{complex_.position(a), complex_.position(b)};
+  before_.clear();
+  after_.clear();
+  double least_cosine = 1;
+  for (std::size_t end = 0; end < 2; ++end) {
+    const StarFaces& faces = end == 0 ? profile.first : profile.second;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const Vec3& x = complex_.position(faces[i].x);
+      const Vec3& y = complex_.position(faces[i].y);
+      before_.push_back({ends[end], x, y});
+      after_.push_back({position, x, y});
+      least_cosine =
+          std::min(least_cosine, cosine_between(reliable_normal(ends[end], x, y), reliable_normal(position, x, y)));
+    }
+  }
+  for (const ContractionProfile::Common& opposite : profile.opposites) {
+    before_.push_back({ends[0], ends[1], complex_.position(opposite.vertex)});
+  }
+  const double displacement = std::max(
+      {distance_to_all(before_, position), distance_to_all(after_, ends[0]), distance_to_all(after_, ends[1])});
+  return {displacement * displacement, least_cosine};
+}
+
+}  // namespace whittle

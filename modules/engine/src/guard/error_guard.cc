@@ -1,0 +1,169 @@
+#include "guard/error_guard.hh"
+
+#include <algorithm>
+
+namespace whittle {
+namespace {
+
+/// Pieces of a face that are looked at before the contraction is refused.
+constexpr int most_pieces = 256;
+
+}  // namespace
+
+ErrorGuard::ErrorGuard(TriangleComplex& complex, const ErrorBound& bound)
+    : complex_(complex),
+      bound_(bound),
+      supports_(bound.points().size(), complex.n_vertex_slots()),
+      prover_(bound.input(), most_pieces),
+      places_(bound.points().size()) {
+  const std::vector<Index> vertices = complex.vertices_by_origin();
+  for (const auto& [point, face] : bound.supports()) {
+    supports_.add(point, {vertices[face[0]], vertices[face[1]], vertices[face[2]]});
+  }
+}
+
+/// What takes little time is looked at first.
+bool ErrorGuard::refuses_at(ContractionProfile& profile, const Vec3& position) {
+  const metrics::NearFace near = bound_.input().nearest(position, last_);
+  last_ = near.face;
+  if (near.distance > bound_.limit()) return true;
+  list_new_faces(profile, position);
+  list_affected();
+  return !are_affected_near() || !are_new_faces_near();
+}
+
+void ErrorGuard::list_new_faces(const ContractionProfile& profile, const Vec3& position) {
+  pair_ = profile.pair;
+  faces_.clear();
+  around_.clear();
+  for (const StarFaces& faces : {profile.first, profile.second}) {
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const auto [x, y] = faces[i];
+      faces_.push_back({{invalid_index, x, y}, {position, complex_.position(x), complex_.position(y)}});
+      around_.insert(around_.end(), {x, y});
+    }
+  }
+  for (const ContractionProfile::Common& opposite : profile.opposites) around_.push_back(opposite.vertex);
+  std::sort(around_.begin(), around_.end());
+  around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
+  n_new_ = faces_.size();
+}
+
+/// Adds the faces at the merged vertex' neighbours that aren't new.
+void ErrorGuard::list_faces_around() {
+  for (const Index v : around_) {
+    const std::span<const Neighbour> star = complex_.live_pairs(v);
+    for (std::size_t i = 0; i < star.size(); i += 2) {
+      const Triangle face{v, star[i].vertex, star[i + 1].vertex};
+      if (!is_at_pair(face)) faces_.push_back({face, corners(face)});
+    }
+  }
+}
+
+bool ErrorGuard::is_at_pair(const Triangle& face) const {
+  return std::any_of(face.begin(), face.end(), [this](Index v) { return v == pair_.a || v == pair_.b; });
+}
+
+void ErrorGuard::list_affected() {
+  affected_.clear();
+  ++n_looks_;
+  const auto list = [this](Index v) {
+    supports_.for_each_at(v, [this](Index point) {
+      if (!is_at_pair(supports_.support(point))) return;
+      places_[point] = {n_looks_, static_cast<Index>(affected_.size())};
+      affected_.push_back(point);
+    });
+  };
+  list(pair_.a);
+  list(pair_.b);
+  for (const Index v : around_) list(v);
+}
+
+/// Whether the points whose support changes have a new one, and the edges at them are near.
+bool ErrorGuard::are_affected_near() {
+  after_.clear();
+  Index hint = 0;
+  for (const Index point : affected_) {
+    if (!find_support(bound_.points()[point], hint)) return false;
+    after_.push_back(hint);
+  }
+  for (std::size_t i = 0; i < affected_.size(); ++i) {
+    if (!are_edges_near(affected_[i], after_[i])) return false;
+  }
+  return true;
+}
+
+/// Of edges between two affected points, those at the lower one are looked at.
+bool ErrorGuard::are_edges_near(Index point, Index support) {
+  const std::span<const Vec3> points = bound_.points();
+  for (const Index other : bound_.neighbours(point)) {
+    const Place& place = places_[other];
+    const bool is_affected = place.look == n_looks_;
+    if (is_affected && (other < point || after_[place.place] == support)) continue;
+    const metrics::Corners of_other =
+        is_affected ? faces_[after_[place.place]].corners : corners(supports_.support(other));
+    if (!is_near({{points[point], points[other]}, {faces_[support].corners, of_other}}, 0)) return false;
+  }
+  return true;
+}
+
+/// The distance from a face is convex along the segment. So all of it is near if one point is near to both faces.
+bool ErrorGuard::is_near(const Segment& segment, int depth) {
+  constexpr int most_halvings = 8;
+  const auto& [ends, faces] = segment;
+  const Vec3 middle = 0.5 * (ends[0] + ends[1]);
+  const bool is_near_first = is_within(faces[0], middle);
+  const bool is_near_second = is_within(faces[1], middle);
+  if (is_near_first && is_near_second) return true;
+  if (depth == most_halvings) return false;
+  if (is_near_first) return is_near({{middle, ends[1]}, faces}, depth + 1);
+  if (is_near_second) return is_near({{ends[0], middle}, faces}, depth + 1);
+  Index support = 0;
+  if (!find_support(middle, support)) return false;
+  const metrics::Corners between = faces_[support].corners;
+  return is_near({{ends[0], middle}, {faces[0], between}}, depth + 1) &&
+         is_near({{middle, ends[1]}, {between, faces[1]}}, depth + 1);
+}
+
+/// Finds a face that is near to the point, among the new ones and then those around them. \param hint tried first
+bool ErrorGuard::find_support(const Vec3& point, Index& hint) {
+  if (find_support_in_list(point, hint)) return true;
+  if (faces_.size() > n_new_) return false;
+  list_faces_around();
+  return find_support_in_list(point, hint);
+}
+
+bool ErrorGuard::find_support_in_list(const Vec3& point, Index& hint) const {
+  if (hint < faces_.size() && is_within(faces_[hint].corners, point)) return true;
+  for (Index face = 0; face < faces_.size(); ++face) {
+    if (!is_within(faces_[face].corners, point)) continue;
+    hint = face;
+    return true;
+  }
+  return false;
+}
+
+bool ErrorGuard::are_new_faces_near() {
+  return std::all_of(faces_.begin(), faces_.begin() + static_cast<std::ptrdiff_t>(n_new_),
+                     [this](const FaceAfter& face) {
+                       metrics::FarthestPoint farthest;
+                       return prover_.prove(face.corners, bound_.limit(), last_, farthest) == metrics::Verdict::proven;
+                     });
+}
+
+/// \pre `refuses_at` was false for this contraction, and not asked since
+void ErrorGuard::note(const Change& change) {
+  const auto remove_at = [this](Index v) {
+    supports_.remove_at(v, [this](Index point) { return is_at_pair(supports_.support(point)); });
+  };
+  remove_at(pair_.a);
+  remove_at(pair_.b);
+  for (const Index v : around_) remove_at(v);
+  for (std::size_t i = 0; i < affected_.size(); ++i) {
+    Triangle face = faces_[after_[i]].vertices;
+    if (face[0] == invalid_index) face[0] = change.survivor;
+    supports_.add(affected_[i], face);
+  }
+}
+
+}  // namespace whittle

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "complex/triangle_complex.hh"
+#include "error/error_bound.hh"
+#include "error/point_supports.hh"
+#include "guard/guard.hh"
+#include "whittle/metrics/detail/prover.hh"
+
+namespace whittle {
+
+/// Refuses what would take a point of the surface farther from the input than a bound, or a point of an edge of the
+/// input from the surface. The latter is no proof: points inside of a face may be farther, though they rarely are.
+class ErrorGuard final : public Guard {
+ public:
+  /// \param bound with supports among the faces of the complex, by original vertices
+  ErrorGuard(TriangleComplex& complex, const ErrorBound& bound);
+
+  std::uint64_t Rejections::*reason() const override { return &Rejections::error; }
+  bool refuses_at(ContractionProfile& profile, const Vec3& position) override;
+  bool follows() const override { return true; }
+  void note(const Change& change) override;
+
+ private:
+  /// A face as a contraction would leave it. The merged vertex, which has no number yet, is `invalid_index`.
+  struct FaceAfter {
+    Triangle vertices;
+    metrics::Corners corners;
+  };
+  /// A part of an edge of the input, and a face near to each of its ends.
+  struct Segment {
+    std::array<Vec3, 2> ends;
+    std::array<metrics::Corners, 2> faces;
+  };
+  /// Where a point is in `affected_`, if it is.
+  struct Place {
+    std::uint32_t look = 0;
+    Index place = 0;
+  };
+
+  void list_new_faces(const ContractionProfile& profile, const Vec3& position);
+  void list_faces_around();
+  void list_affected();
+  bool are_new_faces_near();
+  bool are_affected_near();
+  bool are_edges_near(Index point, Index support);
+  bool is_near(const Segment& segment, int depth);
+  bool find_support(const Vec3& point, Index& hint);
+  bool find_support_in_list(const Vec3& point, Index& hint) const;
+  bool is_at_pair(const Triangle& face) const;
+  bool is_within(const metrics::Corners& face, const Vec3& point) const {
+    return metrics::distance_to(face, point) <= share_for_points * bound_.limit();
+  }
+  metrics::Corners corners(const Triangle& face) const {
+    return {complex_.position(face[0]), complex_.position(face[1]), complex_.position(face[2])};
+  }
+
+  /// Of the limit: what is left is for points inside of faces.
+  static constexpr double share_for_points = 0.99;
+
+  TriangleComplex& complex_;
+  const ErrorBound& bound_;
+  PointSupports supports_;
+  metrics::Prover prover_;
+  Index last_ = invalid_index;  ///< a face of the input near the merged vertex looked at last
+
+  // Of the contraction looked at last.
+  Pair pair_;
+  std::vector<FaceAfter> faces_;  ///< the new ones, and then, once they are asked for, those around them
+  std::size_t n_new_ = 0;
+  std::vector<Index> around_;    ///< the merged vertex' neighbours
+  std::vector<Index> affected_;  ///< points of the input whose support changes
+  std::vector<Index> after_;     ///< the support of each of them: a face of `faces_`
+  std::vector<Place> places_;    ///< per point of the input
+  std::uint32_t n_looks_ = 0;
+};
+
+}  // namespace whittle

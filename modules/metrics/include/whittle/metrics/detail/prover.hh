@@ -1,0 +1,62 @@
+#pragma once
+
+#include <vector>
+
+#include "whittle/metrics/certify.hh"
+#include "whittle/metrics/detail/patch.hh"
+
+namespace whittle::metrics {
+
+/// A point of a triangle that is far from a surface.
+struct FarthestPoint {
+  Vec3 point = Vec3::Zero();
+  double distance = -1;  ///< none if negative
+};
+
+/// Proves that triangles are within a distance of a surface.
+class Prover {
+ public:
+  /// \param most_pieces of a triangle, before it is given up
+  explicit Prover(const ProofTarget& target, int most_pieces = 1 << 16) : target_(target), most_pieces_(most_pieces) {}
+
+  /// Proves that each point of a triangle is within a distance, or finds one that is farther. Undecided: a point is as
+  /// far but for rounding, or it takes too many pieces.
+  /// \param hint a face that may be near, or `invalid_index`: only the time depends on it
+  /// \param farthest of the points looked at
+  Verdict prove(const Corners& triangle, double distance, Index hint, FarthestPoint& farthest);
+
+  /// The faces that the last proof rests on. Some may be named twice.
+  const std::vector<Index>& used() const { return used_; }
+
+  /// Finds the farthest point of a triangle, as far as it is farther than `from`.
+  /// \param most unless a point is farther, all are to be proven to be within this
+  /// \return a distance that all points are proven to be within: `1 + accuracy` times that of the point found, or of
+  ///         `from`, and a 10⁻⁹th, or `most`; more if that takes too many pieces
+  double find_farthest(const Corners& triangle, double from, double accuracy, double most, Index hint,
+                       FarthestPoint& farthest);
+
+ private:
+  struct Piece {
+    Corners corners;
+    Index hint;  ///< a face of the surface that may be near
+  };
+
+  template <class Limit, class Decide>
+  Verdict search(const Corners& triangle, Index hint, const Limit& limit, const Decide& decide,
+                 FarthestPoint& farthest);
+  bool is_proven(const Corners& corners, Index face, double distance);
+  bool is_near(const Corners& corners, Index face, double distance);
+  Vec3 suspect(const Corners& corners, Index face) const;
+  double distance_from_one(const Corners& corners, Index face) const;
+  void split(const Corners& corners, Index hint);
+
+  const ProofTarget& target_;
+  LinkedFaces surface_;  ///< that of the target
+  int most_pieces_;
+  Patch patch_;
+  Index last_ = invalid_index;  ///< the face found last
+  std::vector<Piece> pieces_;
+  std::vector<Index> used_;
+};
+
+}  // namespace whittle::metrics

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "whittle/core/frame.hh"
+#include "whittle/metrics/closest_point.hh"
+#include "whittle/metrics/detail/linked_faces.hh"
+
+namespace whittle::metrics {
+
+/// A mesh that triangles are proven to be near to.
+class TargetSurface final : public ProofTarget {
+ public:
+  /// \param mesh must outlive it
+  /// \param frame must make it about as large as 1
+  TargetSurface(const IndexedMesh& mesh, const Frame& frame);
+
+  /// Builds the tree that `nearest` needs, if there is none. \throw Cancelled
+  void build_tree(whittle::detail::ProgressMeter* meter) const;
+
+  LinkedFaces faces() const override { return {in_frame_.positions, in_frame_.faces, beyond_}; }
+  /// Any number of threads may call.
+  NearFace nearest(const Vec3& point, Index hint) const override;
+
+ private:
+  IndexedMesh in_frame_;
+  std::vector<FacesBeyond> beyond_;
+  mutable std::once_flag once_;
+  mutable std::optional<TriangleTree> tree_;
+};
+
+}  // namespace whittle::metrics
