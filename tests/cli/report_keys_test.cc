@@ -182,7 +182,7 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
         "--self-intersections", "count", "--normals", "drop", "--weld", "auto"},
        {blob, "-o", out, "--ratio", "0.1", "--cost", "quadric", "--weights", "uniform", "--placement", "midpoint",
         "--order", "exact", "--polish", "0", "--strict"},
-       {blob, "-o", out, "--max-error", "1%"},
+       {terrain, "-o", out, "--max-error", "1%", "--max-error-borders", "0.5%"},
        {blob, "-o", out, "--faces", "500", "--certify", "--isotropic", "0.5", "--valence", "1", "--fit", "max"},
        {large, "-o", out, "--faces", "1000", "--effort", "fast"},
        {blob, "-o", out, "--faces", "500", "--engine", "openmesh"},

@@ -27,20 +27,30 @@ IndexedMesh as_written(const IndexedMesh& mesh, const SimplifyCommand& options) 
 
 }  // namespace
 
-std::optional<metrics::LargestDistances> distances_as_written(const IndexedMesh& input, const IndexedMesh& result,
-                                                              const SimplifyCommand& options,
-                                                              std::optional<double> limit, const Talk& talk) {
+std::optional<DistancesAsWritten> distances_as_written(const IndexedMesh& input, const IndexedMesh& result,
+                                                       const SimplifyCommand& options, const DecimateTarget& target,
+                                                       const Talk& talk) {
+  constexpr double no_limit = std::numeric_limits<double>::infinity();
   if (result.faces.empty()) return std::nullopt;
   ProgressBar bar(talk, "certifying");
   const SignalsWait signals_wait;
   const IndexedMesh written = as_written(result, options);
-  return metrics::largest_distances(
-      input, written, accuracy,
-      {options.common.threads, part_of(bar, 0, 1), limit.value_or(std::numeric_limits<double>::infinity())});
+  const unsigned threads = options.common.threads;
+  DistancesAsWritten distances;
+  distances.surface = metrics::largest_distances(
+      input, written, accuracy, {threads, part_of(bar, 0, 0.9), target.error_limit().value_or(no_limit)});
+  distances.borders = metrics::largest_border_distances(
+      input, written, accuracy, {threads, part_of(bar, 0.9, 1), target.border_error_limit().value_or(no_limit)});
+  return distances;
 }
 
 double proven_distance(const metrics::LargestDistances& largest) {
   return std::max(largest.forward.at_most, largest.backward.at_most);
+}
+
+bool are_within(const DecimateTarget& target, const DistancesAsWritten& distances) {
+  return proven_distance(distances.surface) <= *target.error_limit() &&
+         (!distances.borders || proven_distance(*distances.borders) <= *target.border_error_limit());
 }
 
 }  // namespace whittle::app

@@ -50,7 +50,7 @@ struct Run {
   std::size_t n_pruned_parts = 0;
   double threshold = 0;  ///< of threshold pairs, model units; 0 = none
   Simplification simplified;
-  std::optional<metrics::LargestDistances> largest;  ///< if they are to be proven
+  std::optional<DistancesAsWritten> distances;  ///< if they are to be proven
   bool met = false;
   std::optional<std::size_t> n_intersections_before;  ///< pairs of faces, if they were counted
   std::optional<std::size_t> n_intersections_after;
@@ -132,15 +132,17 @@ Simplification simplify_to(const DecimateTarget& target, const SimplifyCommand& 
 /// Keeps to the largest error as the result is written: if rounding takes it over that, tries again with less.
 void simplify_within_error(const SimplifyCommand& options, const Talk& talk, Run& run) {
   const double limit = *run.target.error_limit();
+  const double border_limit = *run.target.border_error_limit();
   for (const double share : {1 - 1e-6, 0.99, 0.9, 0.5}) {
-    Simplification result = simplify_to(run.target.or_max_error(share * limit), options, talk, run);
+    Simplification result =
+        simplify_to(run.target.or_max_error(share * limit, share * border_limit), options, talk, run);
     const Stopwatch certifying;
-    run.largest = distances_as_written(run.input.read.mesh, result.mesh, options, limit, talk);
+    run.distances = distances_as_written(run.input.read.mesh, result.mesh, options, run.target, talk);
     run.seconds.certify += certifying.seconds();
     run.seconds.decimate += result.decimate_seconds;
     run.seconds.polish += result.polish_seconds;
     run.simplified = std::move(result);
-    if (run.largest && proven_distance(*run.largest) <= limit) return;
+    if (run.distances && are_within(run.target, *run.distances)) return;
   }
   throw std::runtime_error(run.input.name + ": an error of " + shortest(limit) + " at most can't be proven as " +
                            shown_output(options.output) +
@@ -154,7 +156,7 @@ void simplify_input(const SimplifyCommand& options, const Talk& talk, Run& run) 
   run.seconds.polish = run.simplified.polish_seconds;
   if (!options.certify) return;
   const Stopwatch certifying;
-  run.largest = distances_as_written(run.input.read.mesh, run.simplified.mesh, options, {}, talk);
+  run.distances = distances_as_written(run.input.read.mesh, run.simplified.mesh, options, run.target, talk);
   run.seconds.certify = certifying.seconds();
 }
 
@@ -244,12 +246,18 @@ Json rejections_json(const SimplifyCommand& options, const Rejections& refused) 
 
 /// Null if nothing was proven.
 Json max_error_json(const Run& run) {
-  if (!run.largest) return nullptr;
+  if (!run.distances) return nullptr;
+  const auto& [surface, borders] = *run.distances;
+  const auto add = [&run](Json& json, const metrics::LargestDistances& largest) {
+    add_length(json, "proven", proven_distance(largest), run.diagonal);
+    json["forward"] = largest_json(largest.forward, run.diagonal);
+    json["backward"] = largest_json(largest.backward, run.diagonal);
+  };
   Json json;
   json["asked"] = run.target.error_limit() ? Json(*run.target.error_limit()) : Json(nullptr);
-  add_length(json, "proven", proven_distance(*run.largest), run.diagonal);
-  json["forward"] = largest_json(run.largest->forward, run.diagonal);
-  json["backward"] = largest_json(run.largest->backward, run.diagonal);
+  add(json, surface);
+  json["borders"] = nullptr;
+  if (borders) add(json["borders"], *borders);
   return json;
 }
 
@@ -374,7 +382,7 @@ void say_details(const SimplifyCommand& options, const Talk& talk, const Run& ru
   if (is_polished) talk.detail("polish: " + polish_text(run.simplified.polish));
   talk.detail("read " + seconds_text(run.seconds.read) + ", decimate " + seconds_text(run.seconds.decimate) +
               (is_polished ? ", polish " + seconds_text(run.seconds.polish) : "") +
-              (run.largest ? ", certify " + seconds_text(run.seconds.certify) : "") + ", write " +
+              (run.distances ? ", certify " + seconds_text(run.seconds.certify) : "") + ", write " +
               seconds_text(run.seconds.write));
   say_effort(talk, run.seconds.total);
 }
@@ -388,8 +396,9 @@ std::string summary(const SimplifyCommand& options, const Run& run) {
          (run.n_intersections_after ? ", " + std::to_string(*run.n_intersections_before) + " -> " +
                                           std::to_string(*run.n_intersections_after) + " self-intersections"
                                     : "") +
-         (run.largest ? ", at most " + length_text_rounded_up(proven_distance(*run.largest), run.diagonal) + " off"
-                      : "") +
+         (run.distances
+              ? ", at most " + length_text_rounded_up(proven_distance(run.distances->surface), run.diagonal) + " off"
+              : "") +
          " in " + seconds_text(run.seconds.total);
 }
 

@@ -332,7 +332,8 @@ void check_options(const CLI::App& app, const SimplifyCommand& options) {
 }
 
 std::vector<std::string> idle_options(const CLI::App& app, const SimplifyCommand& options) {
-  static const std::array<IdleOption, 5> all{{{"--max-pairs", "--threshold", ""},
+  static const std::array<IdleOption, 6> all{{{"--max-pairs", "--threshold", ""},
+                                              {"--max-error-borders", "--max-error", ""},
                                               {"--across-walls", "--threshold", ""},
                                               {"--feature-tolerance", "--feature-angle", ""},
                                               {"--boundary free", "", "--cost lindstrom-turk"},

@@ -12,6 +12,12 @@ namespace {
 
 std::uint64_t at_least_one(std::string_view text) { return parse_count(text); }
 
+Length above_zero(std::string_view text) {
+  const Length length = parse_length(text, "E");
+  if (!(length.value > 0)) throw std::invalid_argument("'" + std::string(text) + "' is not above 0");
+  return length;
+}
+
 }  // namespace
 
 void add_target_options(CLI::App& app, TargetOptions& options, const std::string& cost_unit) {
@@ -37,16 +43,14 @@ void add_target_options(CLI::App& app, TargetOptions& options, const std::string
 }
 
 void add_max_error(CLI::App& app, TargetOptions& options) {
-  add_value(
-      app, "-e,--max-error", "E", options.max_error,
-      [](std::string_view text) {
-        const Length length = parse_length(text, "E");
-        if (!(length.value > 0)) throw std::invalid_argument("'" + std::string(text) + "' is not above 0");
-        return length;
-      },
-      "as few faces as keep each point of OUT within E of IN, and of IN within E of OUT, which is proven: model units, "
-      "or a percentage of the diagonal such as 0.1%")
+  add_value(app, "-e,--max-error", "E", options.max_error, above_zero,
+            "as few faces as keep each point of OUT within E of IN, and of IN within E of OUT, which is proven: model "
+            "units, or a percentage of the diagonal such as 0.1%")
       ->default_str("off")
+      ->group(target_group);
+  add_value(app, "--max-error-borders", "E", options.max_border_error, above_zero,
+            "the same between the open borders of both")
+      ->default_str("as --max-error")
       ->group(target_group);
 }
 
@@ -61,7 +65,10 @@ DecimateTarget resolve(const TargetOptions& options, std::uint64_t n_vertices, s
   if (options.faces) target = target.or_faces(*options.faces);
   if (options.vertices) target = target.or_vertices(*options.vertices);
   if (options.max_cost) target = target.or_max_cost(*options.max_cost);
-  if (options.max_error) target = target.or_max_error(options.max_error->in_units(diagonal));
+  if (options.max_error) {
+    const Length of_borders = options.max_border_error.value_or(*options.max_error);
+    target = target.or_max_error(options.max_error->in_units(diagonal), of_borders.in_units(diagonal));
+  }
   if (options.ratio) {
     const std::uint64_t kept = share_of(*options.ratio, n_vertices);
     target = target.or_vertices(std::max(kept, target.n_vertices().value_or(0)));
@@ -97,6 +104,7 @@ nlohmann::ordered_json target_json(const TargetOptions& options, const DecimateT
   if (options.face_ratio) json["face_ratio"] = *options.face_ratio;
   if (target.cost_limit()) json["max_cost"] = *target.cost_limit();
   if (target.error_limit()) json["max_error"] = *target.error_limit();
+  if (options.max_border_error && target.border_error_limit()) json["max_error_borders"] = *target.border_error_limit();
   return json;
 }
 

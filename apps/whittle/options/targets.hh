@@ -16,17 +16,18 @@ inline constexpr char target_group[] = "Targets (at least one; the first reached
 
 /// How far to simplify. At least one target is required; the first one reached stops the run.
 struct TargetOptions {
-  std::optional<std::uint64_t> faces;     ///< at least 1
-  std::optional<std::uint64_t> vertices;  ///< at least 1
-  std::optional<double> ratio;            ///< share of the vertices to keep, (0, 1)
-  std::optional<double> face_ratio;       ///< share of the faces to keep, (0, 1)
-  std::optional<double> max_cost;         ///< at least 0; in the unit of the cost (`Cost`), by model units
-  std::optional<Length> max_error;        ///< above 0
+  std::optional<std::uint64_t> faces;      ///< at least 1
+  std::optional<std::uint64_t> vertices;   ///< at least 1
+  std::optional<double> ratio;             ///< share of the vertices to keep, (0, 1)
+  std::optional<double> face_ratio;        ///< share of the faces to keep, (0, 1)
+  std::optional<double> max_cost;          ///< at least 0; in the unit of the cost (`Cost`), by model units
+  std::optional<Length> max_error;         ///< above 0
+  std::optional<Length> max_border_error;  ///< above 0; as `max_error` if not set
 };
 /// \param cost_unit what the help says of the unit of --max-cost
 void add_target_options(CLI::App& app, TargetOptions& options, const std::string& cost_unit);
 
-/// Adds `--max-error`.
+/// Adds `--max-error` and `--max-error-borders`.
 void add_max_error(CLI::App& app, TargetOptions& options);
 
 /// \param all how the targets that there are are named in the message
@@ -46,7 +47,7 @@ bool is_met(const DecimateTarget& target, StopReason stop);
 std::string to_string(const DecimateTarget& target);
 
 /// Key `target` of the reports, without `met`: those of "faces", "vertices", "ratio", "face_ratio", "max_cost",
-/// "max_error" that are set.
+/// "max_error", "max_error_borders" that are set.
 nlohmann::ordered_json target_json(const TargetOptions& options, const DecimateTarget& target);
 
 }  // namespace whittle::app

@@ -32,6 +32,7 @@ void expect_kept(const IndexedMesh& input, double max_error, const Decimation& r
   ASSERT_FALSE(result.mesh.faces.empty());
   EXPECT_EQ(metrics::certify(input, result.mesh, (1 + 1e-9) * max_error).verdict, metrics::Verdict::proven)
       << "largest: " << largest_distance(input, result.mesh) / max_error;
+  EXPECT_EQ(metrics::certify_borders(input, result.mesh, (1 + 1e-9) * max_error).verdict, metrics::Verdict::proven);
 }
 
 std::vector<NamedMesh> larger_meshes() {
@@ -122,6 +123,24 @@ TEST(MaxError, GoesWithOtherTargets) {
   EXPECT_FALSE(decimate(mesh, DecimateTarget::faces(n)).result.proven_error);
 }
 
+TEST(MaxError, MayBeLessForBorders) {
+  for (const auto& [name, mesh] : {NamedMesh{"terrain", terrain(40, 3)}, NamedMesh{"cylinder", open_cylinder(60, 20)},
+                                   NamedMesh{"strip", moebius(80, 4)}}) {
+    SCOPED_TRACE(name);
+    const double max_error = 0.02 * diagonal(mesh);
+    const auto border_distance = [&mesh = mesh](const Simplification& result) {
+      const auto found = metrics::largest_border_distances(mesh, result.mesh, 0.01);
+      return std::max(found->forward.at_least, found->backward.at_least);
+    };
+    const Simplification alike = simplify(mesh, DecimateTarget::max_error(max_error));
+    const Simplification less = simplify(mesh, DecimateTarget::max_error(max_error, 0.1 * max_error));
+    EXPECT_GT(border_distance(alike), 0.1 * max_error);
+    EXPECT_LE(border_distance(less), 0.1 * max_error);
+    EXPECT_GT(less.mesh.faces.size(), alike.mesh.faces.size());
+    EXPECT_LT(less.mesh.faces.size(), mesh.faces.size() / 2);
+  }
+}
+
 TEST(MaxError, KeepsTopologyAndLockedVertices) {
   const IndexedMesh mesh = torus(48, 24);
   DecimateOptions options;
@@ -196,6 +215,7 @@ TEST(MaxError, RefusesWhatHasNoMeaning) {
   const IndexedMesh mesh = sphere(1);
   for (const double max_error : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     EXPECT_THROW(decimate(mesh, DecimateTarget::max_error(max_error)), std::invalid_argument);
+    EXPECT_THROW(decimate(mesh, DecimateTarget::max_error(1, max_error)), std::invalid_argument);
   }
 }
 

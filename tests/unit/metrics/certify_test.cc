@@ -235,6 +235,38 @@ TEST(Certify, StopsWhenCancelled) {
   EXPECT_THROW(certify(mesh, other, 1, {.progress = [](const TaskProgress&) { return false; }}), Cancelled);
 }
 
+/// A border is compared with the border, not with the surface that it may lie on.
+TEST(Certify, ComparesBorders) {
+  const IndexedMesh large = grid(8, 8);
+  IndexedMesh small = grid(6, 6);  // of the same squares, so 2 of them are missing on two sides
+  const double unit = (large.positions[1] - large.positions[0]).norm();
+  ASSERT_NEAR((small.positions[1] - small.positions[0]).norm(), unit, 1e-12);
+  const std::optional<LargestDistances> found = largest_border_distances(large, small, 1e-3);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->forward.at_least, std::sqrt(8) * unit, 1e-9);
+  EXPECT_NEAR(found->backward.at_least, 2 * unit, 1e-9);
+  EXPECT_LE(found->backward.at_most, 2.003 * unit);
+  EXPECT_LE(distance_to_triangle(corners_of(small, found->backward.where.face), found->backward.where.point), 1e-12);
+  EXPECT_LE(distance_to_triangle(corners_of(large, found->forward.where.face), found->forward.where.point), 1e-12);
+  EXPECT_EQ(certify_borders(large, small, 2.9 * unit).verdict, Verdict::proven);
+  EXPECT_EQ(certify_borders(large, small, 2.8 * unit).verdict, Verdict::refuted);
+  EXPECT_EQ(certify_borders(small, large, 2.8 * unit).verdict, Verdict::refuted);
+}
+
+TEST(Certify, FindsLostBordersInfinitelyFar) {
+  const IndexedMesh closed = sphere(2);
+  IndexedMesh open = closed;
+  open.faces.pop_back();
+  EXPECT_EQ(certify_borders(closed, closed, 0).verdict, Verdict::proven);
+  EXPECT_FALSE(largest_border_distances(closed, closed, 0.1));
+  const Certification lost = certify_borders(closed, open, 100);
+  ASSERT_EQ(lost.verdict, Verdict::refuted);
+  EXPECT_FALSE(lost.farther->is_on_first);
+  EXPECT_EQ(lost.farther->distance, infinity);
+  EXPECT_EQ(largest_border_distances(open, closed, 0.1)->forward.at_most, infinity);
+  EXPECT_EQ(largest_border_distances(open, closed, 0.1)->backward.at_most, 0);
+}
+
 TEST(Certify, RefusesWhatHasNoAnswer) {
   const IndexedMesh mesh = cube();
   EXPECT_THROW(certify(mesh, {}, 1), std::invalid_argument);

@@ -72,6 +72,7 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
                                    const DecimateOptions& options, const DecimationHost* host, const BlockPlan& plan) {
   const bool is_exact = is_exact_in_blocks(options);
   if (mesh.faces.size() < (is_exact ? plan.fewest_faces_in_exact_order : plan.fewest_faces)) return "the mesh is small";
+  if (target.error_limit()) return "the error is limited";
   if (!target.n_faces() && !target.n_vertices()) return "there is no count to reach";
   if (target.cost_limit()) return "the cost is limited";
   if (target.share_of(mesh.faces.size(), mesh.positions.size()) > highest_share) return "the target is near";

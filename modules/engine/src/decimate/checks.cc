@@ -77,8 +77,9 @@ void check_pauses(const DecimateOptions& options) {
 
 void check(const DecimateTarget& target, const DecimateOptions& options, std::size_t n_vertices) {
   require(is_finite_and_not_negative(target.cost_limit().value_or(0)), "max_cost is negative or not finite");
-  const double max_error = target.error_limit().value_or(1);
-  require(max_error > 0 && std::isfinite(max_error), "max_error is not positive or not finite");
+  for (const double max_error : {target.error_limit().value_or(1), target.border_error_limit().value_or(1)}) {
+    require(max_error > 0 && std::isfinite(max_error), "max_error is not positive or not finite");
+  }
   check_ranges(options);
   check_conflicts(options);
   check_pauses(options);

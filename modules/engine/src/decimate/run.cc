@@ -10,7 +10,6 @@
 #include "decimate/checks.hh"
 #include "decimate/input_features.hh"
 #include "decimate/output.hh"
-#include "error/error_bound.hh"
 #include "whittle/core/parts.hh"
 #include "whittle/engine/threshold_pairs.hh"
 
@@ -144,7 +143,7 @@ class Run {
 
   Decimation decimate(const BlockPlan& plan);
   /// After `decimate`: null if the error is not limited, or if that was cancelled early.
-  std::unique_ptr<ErrorBound> take_error_bound() { return std::move(error_bound_); }
+  std::unique_ptr<ErrorBounds> take_error_bounds() { return std::move(error_bounds_); }
 
  private:
   std::string_view contract_in_blocks(const BlockPlan& plan);
@@ -153,12 +152,14 @@ class Run {
   std::size_t n_vertices_left() const { return done_.left ? done_.left->positions.size() : mesh_.positions.size(); }
   double way_to(const DecimateTarget& stop) const;
   void contract_to(const DecimateTarget& stop, bool is_last);
+  void contract_to_stops(const BlockPlan& plan);
   void contract_within_error();
   void contract_what_moves_little(double displacement);
   void make_coarse_bound();
-  bool contract_guarded(ErrorBound& bound);
+  bool contract_guarded();
+  ErrorBound::Violations find_violations_before_guarding();
+  ErrorBound& guarding_bound() { return coarse_bound_ ? *coarse_bound_ : error_bounds_->surface(); }
   IndexedMesh surface_left() const;
-  ErrorBound::Violations violations_of(ErrorBound& bound) const;
   void end_within_error();
   void begin_with_input(PassStart& start, const DecimateOptions& options, Preparation& preparation);
   void begin_with_remainder(PassStart& start) const;
@@ -178,11 +179,11 @@ class Run {
   Frame frame_;
 
   // If the error is limited:
-  std::unique_ptr<ErrorBound> error_bound_;     ///< to the input
-  std::unique_ptr<ErrorBound> coarse_bound_;    ///< to a coarse copy of it; or null
-  std::vector<Index> coarse_origins_;           ///< vertices of that → vertices of the input
-  const ErrorBound* guarding_bound_ = nullptr;  ///< of the pass, if it has one
-  std::optional<double> displacement_limit_;    ///< of the pass, if it has one; in the frame
+  std::unique_ptr<ErrorBounds> error_bounds_;
+  std::unique_ptr<ErrorBound> coarse_bound_;  ///< of the surface, to a coarse copy of the input; or null
+  std::vector<Index> coarse_origins_;         ///< vertices of that → vertices of the input
+  std::optional<double> displacement_limit_;  ///< of the pass, if it has one; in the frame
+  bool is_guarded_ = false;                   ///< whether the pass keeps the bounds
 
   Done done_;
   std::optional<NonmanifoldCounts> nonmanifold_before_;  ///< of the input
@@ -314,7 +315,10 @@ void Run::contract_to(const DecimateTarget& stop, bool is_last) {
   start.input.feature_tolerance = options_.feature_tolerance * bounds_of(mesh_.positions).diagonal() * frame_.scale;
   start.input.host = host_;
   start.input.context.displacement_limit = displacement_limit_;
-  start.input.context.error_bound = guarding_bound_;
+  if (is_guarded_) {
+    start.input.context.error_bound = &guarding_bound();
+    start.input.context.border_bound = error_bounds_->borders();
+  }
   Pass pass(start.input, options);
   count_before(pass);
   DecimateResult result = run(pass, stop, preparation);
@@ -379,27 +383,27 @@ Decimation Run::output() {
 }
 
 /// Contracts as far as the error may be, in three steps: what moves the surface by next to nothing, which leaves a
-/// coarse copy of the input; what hardly moves it; and what keeps near to the coarse copy. What is left is proven to
-/// be near to the input. If it isn't, the next try is less bold.
+/// coarse copy of a large input; what hardly moves it; and what keeps near to the coarse copy, or to the input. What is
+/// left is proven to be near to the input. If it isn't, the next try is less bold.
 void Run::contract_within_error() {
   constexpr std::size_t fewest_faces_of_coarse_copy = 200'000;
   const double limit = *target_.error_limit() * frame_.scale;
-  const auto make_bound = [&] { return std::make_unique<ErrorBound>(mesh_, frame_, limit, options_.threads); };
+  const auto make_bounds = [&] {
+    const double border_limit = *target_.border_error_limit() * frame_.scale;
+    return std::make_unique<ErrorBounds>(mesh_, frame_, limit, border_limit, options_.threads);
+  };
   const bool has_threads = n_threads(options_.threads) > 1;
-  auto bound = std::async(has_threads ? std::launch::async | std::launch::deferred : std::launch::deferred, make_bound);
+  auto bounds =
+      std::async(has_threads ? std::launch::async | std::launch::deferred : std::launch::deferred, make_bounds);
   if (mesh_.faces.size() >= fewest_faces_of_coarse_copy) contract_what_moves_little(0.02 * limit);
-  error_bound_ = bound.get();
+  error_bounds_ = bounds.get();
   if (done_.left) make_coarse_bound();
   const Done start = done_;
-  const auto try_to_contract = [&](ErrorBound& guarded, double share_of_limit) {
-    done_ = start;
-    contract_what_moves_little(share_of_limit * limit);
-    return contract_guarded(guarded);
-  };
-  ErrorBound& exact = *error_bound_;
-  ErrorBound& coarse = coarse_bound_ ? *coarse_bound_ : exact;
   for (const double share_of_limit : {0.3, 0.2, 0.1, 0.0}) {
-    if (try_to_contract(share_of_limit == 0 ? exact : coarse, share_of_limit)) return end_within_error();
+    done_ = start;
+    if (share_of_limit == 0) coarse_bound_.reset();
+    contract_what_moves_little(share_of_limit * limit);
+    if (contract_guarded()) return end_within_error();
   }
   forget_all();
   contract_to(DecimateTarget::faces(mesh_.faces.size()), true);  // nothing
@@ -420,34 +424,50 @@ void Run::make_coarse_bound() {
   constexpr double share_of_limit = 0.06;  // three times that of a contraction, as several add up
   const Remainder& left = *done_.left;
   if (2 * left.faces.size() > mesh_.faces.size() || done_.result.stop == StopReason::cancelled) return;
-  const double limit = (1 - share_of_limit) * error_bound_->limit();
+  const double limit = (1 - share_of_limit) * error_bounds_->surface().limit();
   coarse_bound_ = std::make_unique<ErrorBound>(surface_left(), Frame{}, limit, options_.threads);
   coarse_origins_ = left.origins;
 }
 
-/// Contracts what keeps a bound. Points of the input that are found to be too far in the end are then looked at, too.
-/// The bound is made smaller if the surface is too far from the input, which it may be where the bound is coarse.
+/// Contracts what keeps the bounds. Points of the input that are found to be too far in the end are then looked at,
+/// too. A coarse bound is made smaller if the surface is too far from the input.
 /// \return whether what is left is proven to be near to the input, or the run is cancelled
-bool Run::contract_guarded(ErrorBound& bound) {
+bool Run::contract_guarded() {
   constexpr int most_tries = 3;
   const Done before = done_;
   for (int i = 0; i < most_tries; ++i) {
     if (done_.result.stop == StopReason::cancelled) return true;
-    if (!violations_of(bound).empty()) return false;
-    guarding_bound_ = &bound;
+    if (!find_violations_before_guarding().empty()) return false;
+    is_guarded_ = true;
     contract_to(target_, true);
-    guarding_bound_ = nullptr;
+    is_guarded_ = false;
     if (done_.result.stop == StopReason::cancelled) return true;
-    const ErrorBound::Violations violations = violations_of(*error_bound_);
-    if (violations.empty()) return true;
-    if (!violations.faces.empty()) {
-      if (&bound == error_bound_.get()) return false;
-      bound.tighten();
-    }
-    bound.add_points(violations.points);
+    ErrorBound& exact = error_bounds_->surface();
+    const ErrorBound::Violations violations =
+        exact.check(surface_left(), Frame{}, done_.left->vertex_map, exact.limit());
+    const ErrorBound::Violations of_borders =
+        error_bounds_->check_borders(surface_left(), Frame{}, done_.left->vertex_map);
+    if (violations.empty() && of_borders.empty()) return true;
+    if (of_borders.is_surface_far || (violations.is_surface_far && !coarse_bound_)) return false;
+    if (violations.is_surface_far) coarse_bound_->tighten();
+    guarding_bound().add_points(violations.points);
+    if (error_bounds_->borders() != nullptr) error_bounds_->borders()->add_points(of_borders.points);
     done_ = before;
   }
   return false;
+}
+
+/// The guards look at the supports that are found with them.
+ErrorBound::Violations Run::find_violations_before_guarding() {
+  const std::vector<Index>& map = done_.left->vertex_map;
+  const IndexedMesh surface = surface_left();
+  if (!coarse_bound_) return error_bounds_->check(surface, Frame{}, map);
+  std::vector<Index> map_of_coarse;
+  map_of_coarse.reserve(coarse_origins_.size());
+  for (const Index v : coarse_origins_) map_of_coarse.push_back(map[v]);
+  ErrorBound::Violations violations = coarse_bound_->check(surface, Frame{}, map_of_coarse, coarse_bound_->limit());
+  violations.add(error_bounds_->check_borders(surface, Frame{}, map));
+  return violations;
 }
 
 IndexedMesh Run::surface_left() const {
@@ -455,16 +475,6 @@ IndexedMesh Run::surface_left() const {
   surface.positions = done_.left->positions;
   surface.faces = done_.left->faces;
   return surface;
-}
-
-/// Of what is left.
-ErrorBound::Violations Run::violations_of(ErrorBound& bound) const {
-  const std::vector<Index>& map = done_.left->vertex_map;
-  if (&bound == error_bound_.get()) return bound.check(surface_left(), Frame{}, map, bound.limit());
-  std::vector<Index> map_of_coarse;
-  map_of_coarse.reserve(coarse_origins_.size());
-  for (const Index v : coarse_origins_) map_of_coarse.push_back(map[v]);
-  return bound.check(surface_left(), Frame{}, map_of_coarse, bound.limit());
 }
 
 void Run::end_within_error() {
@@ -475,11 +485,8 @@ void Run::end_within_error() {
   if (result.stop == StopReason::exhausted && result.refused_at_end.error > 0) result.stop = StopReason::error;
 }
 
-Decimation Run::decimate(const BlockPlan& plan) {
-  if (target_.error_limit()) {
-    contract_within_error();
-    return output();
-  }
+/// Contracts in blocks where that is worth while, and then to each stop in turn.
+void Run::contract_to_stops(const BlockPlan& plan) {
   std::string_view why_in_one_pass = contract_in_blocks(plan);
   const std::vector<DecimateTarget> stops = this->stops();
   const auto contract_to_stop = [&](std::size_t i) { contract_to(stops[i], i + 1 == stops.size()); };
@@ -497,13 +504,23 @@ Decimation Run::decimate(const BlockPlan& plan) {
     }
   }
   done_.result.why_in_one_pass = why_in_one_pass;
+}
+
+Decimation Run::decimate(const BlockPlan& plan) {
+  const bool has_faces = std::any_of(mesh_.faces.begin(), mesh_.faces.end(), has_three_corners);
+  if (target_.error_limit() && has_faces) {
+    contract_within_error();
+    done_.result.why_in_one_pass = why_not_in_blocks(mesh_, target_, options_, host_, plan);
+  } else {
+    contract_to_stops(plan);
+  }
   return output();
 }
 
 }  // namespace
 
 Decimation run(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options,
-               DecimationHost* host, const BlockPlan& plan, std::unique_ptr<ErrorBound>* error_bound) {
+               DecimationHost* host, const BlockPlan& plan, std::unique_ptr<ErrorBounds>* error_bounds) {
   check(target, options, mesh.positions.size());
   check(mesh);
   if (host != nullptr && !options.pauses.at.empty()) {
@@ -514,7 +531,7 @@ Decimation run(const IndexedMesh& mesh, const DecimateTarget& target, const Deci
   }
   Run run(mesh, target, options, host);
   Decimation decimation = run.decimate(plan);
-  if (error_bound != nullptr) *error_bound = run.take_error_bound();
+  if (error_bounds != nullptr) *error_bounds = run.take_error_bounds();
   return decimation;
 }
 

@@ -3,14 +3,14 @@
 #include <memory>
 
 #include "blocks/decimate_in_blocks.hh"
-#include "error/error_bound.hh"
+#include "error/error_bounds.hh"
 
 namespace whittle {
 
 /// `decimate`, with a plan for blocks.
 /// \param host null for none
-/// \param error_bound gets what proofs were made with, if the error is limited; or null
+/// \param error_bounds gets what proofs were made with, if the error is limited; or null
 Decimation run(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options,
-               DecimationHost* host, const BlockPlan& plan, std::unique_ptr<ErrorBound>* error_bound = nullptr);
+               DecimationHost* host, const BlockPlan& plan, std::unique_ptr<ErrorBounds>* error_bounds = nullptr);
 
 }  // namespace whittle

@@ -13,13 +13,22 @@ namespace {
 /// Faces that a thread takes at a time. What is found for them depends on no others.
 constexpr std::size_t faces_per_block = 1024;
 
-detail::IndexLists<Index> neighbours_in(const IndexedMesh& mesh) {
+/// Calls `use(a, b)` with the ends of each edge, once: edges of triangles, and segments.
+template <class Use>
+void for_each_edge(const IndexedMesh& mesh, const Use& use) {
   const detail::EdgeTable edges(mesh.faces, mesh.positions.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) use(edges[e].a, edges[e].b);
+  for (const auto& [a, b, c] : mesh.faces) {
+    if (b == c) use(a, b);
+  }
+}
+
+detail::IndexLists<Index> neighbours_in(const IndexedMesh& mesh) {
   return {mesh.positions.size(), [&](const auto& emit) {
-            for (std::size_t e = 0; e < edges.size(); ++e) {
-              emit(edges[e].a, edges[e].b);
-              emit(edges[e].b, edges[e].a);
-            }
+            for_each_edge(mesh, [&emit](Index a, Index b) {
+              emit(a, b);
+              emit(b, a);
+            });
           }};
 }
 
@@ -42,14 +51,20 @@ void for_each_face(std::size_t n, const metrics::ProofTarget& target, unsigned t
     const std::size_t end = std::min(n, (block + 1) * faces_per_block);
     for (auto f = static_cast<Index>(block * faces_per_block); f < end; ++f) use(f, prover, of_blocks[block]);
   });
-  for (const ErrorBound::Violations& found : of_blocks) {
-    violations.faces.insert(violations.faces.end(), found.faces.begin(), found.faces.end());
-    violations.points.insert(violations.points.end(), found.points.begin(), found.points.end());
-    violations.around.insert(violations.around.end(), found.around.begin(), found.around.end());
-  }
+  for (const ErrorBound::Violations& found : of_blocks) violations.add(found);
+}
+
+void add_corners(const Triangle& face, ErrorBound::Violations& violations) {
+  violations.vertices.insert(violations.vertices.end(), face.begin(), face.end());
 }
 
 }  // namespace
+
+void ErrorBound::Violations::add(const Violations& other) {
+  is_surface_far |= other.is_surface_far;
+  points.insert(points.end(), other.points.begin(), other.points.end());
+  vertices.insert(vertices.end(), other.vertices.begin(), other.vertices.end());
+}
 
 ErrorBound::ErrorBound(const IndexedMesh& input, const Frame& frame, double limit, unsigned threads)
     : input_(input, frame),
@@ -62,8 +77,12 @@ ErrorBound::ErrorBound(const IndexedMesh& input, const Frame& frame, double limi
 
 ErrorBound::Violations ErrorBound::check(const IndexedMesh& surface, const Frame& frame,
                                          std::span<const Index> vertex_map, double limit) {
-  const metrics::TargetSurface target(surface, frame);
   Violations violations;
+  if (surface.faces.empty()) {
+    violations.points = points_;
+    return violations;
+  }
+  const metrics::TargetSurface target(surface, frame);
   check_surface(target, limit, violations);
   check_input(target, find_supports(target, vertex_map, limit, violations), limit, violations);
   return violations;
@@ -74,7 +93,9 @@ void ErrorBound::check_surface(const metrics::TargetSurface& surface, double lim
   const auto check = [&](Index face, metrics::Prover& prover, Violations& found) {
     metrics::FarthestPoint farthest;
     const metrics::Verdict verdict = prover.prove(faces.corners(face), limit, invalid_index, farthest);
-    if (verdict != metrics::Verdict::proven) found.faces.push_back(face);
+    if (verdict == metrics::Verdict::proven) return;
+    found.is_surface_far = true;
+    add_corners(faces.faces[face], found);
   };
   for_each_face(faces.faces.size(), input_, threads_, check, violations);
 }
@@ -93,7 +114,7 @@ std::vector<Index> ErrorBound::find_supports(const metrics::TargetSurface& surfa
       if (p < vertex_map.size()) {
         if (vertex_map[p] == invalid_index) continue;
         supports[p] = hint = at_vertices[vertex_map[p]];
-        if (metrics::distance_to(faces.corners(hint), points_[p]) <= limit) continue;
+        if (hint != invalid_index && metrics::distance_to(faces.corners(hint), points_[p]) <= limit) continue;
       }
       const metrics::NearFace near = surface.nearest(points_[p], hint);
       supports[p] = near.face;
@@ -106,7 +127,7 @@ std::vector<Index> ErrorBound::find_supports(const metrics::TargetSurface& surfa
     supports_.push_back({p, faces.faces[supports[p]]});
     if (is_far[p] == 0) continue;
     violations.points.push_back(points_[p]);
-    violations.around.push_back(supports[p]);
+    add_corners(faces.faces[supports[p]], violations);
   }
   return supports;
 }
@@ -117,12 +138,12 @@ void ErrorBound::check_input(const metrics::TargetSurface& surface, std::span<co
   const metrics::LinkedFaces faces = input_.faces();
   const auto check = [&](Index face, metrics::Prover& prover, Violations& found) {
     const auto& [a, b, c] = faces.faces[face];
-    if (!has_three_corners(faces.faces[face]) || (supports[a] == supports[b] && supports[b] == supports[c])) return;
+    if (supports[a] == supports[b] && supports[b] == supports[c]) return;
     metrics::FarthestPoint farthest;
     const metrics::Verdict verdict = prover.prove(faces.corners(face), limit, supports[a], farthest);
     if (verdict == metrics::Verdict::proven) return;
     found.points.push_back(farthest.point);
-    found.around.push_back(surface.nearest(farthest.point, supports[a]).face);
+    add_corners(surface.faces().faces[surface.nearest(farthest.point, supports[a]).face], found);
   };
   for_each_face(faces.faces.size(), surface, threads_, check, violations);
 }

@@ -20,14 +20,16 @@ class ErrorBound {
 
   /// What stands against a surface.
   struct Violations {
-    std::vector<Index> faces;   ///< of the surface, that aren't proven to be near to the input
-    std::vector<Vec3> points;   ///< of the input, that are far from the surface; in the frame
-    std::vector<Index> around;  ///< faces of the surface near to those points
+    bool is_surface_far = false;  ///< whether a face of it isn't proven to be near to the input
+    std::vector<Vec3> points;     ///< of the input, that are far from the surface; in the frame
+    std::vector<Index> vertices;  ///< of the surface, at those faces and near to those points
 
-    bool empty() const { return faces.empty() && points.empty(); }
+    bool empty() const { return !is_surface_far && points.empty(); }
+    void add(const Violations& other);
   };
 
-  /// \param input must outlive it \param limit in the frame
+  /// \param input must outlive it. Triangles of which two corners are one stand for segments.
+  /// \param limit in the frame
   ErrorBound(const IndexedMesh& input, const Frame& frame, double limit, unsigned threads);
 
   const metrics::TargetSurface& input() const { return input_; }

@@ -8,6 +8,16 @@ namespace {
 /// Pieces of a face that are looked at before the contraction is refused.
 constexpr int most_pieces = 256;
 
+/// Calls `use` with each vertex that is named once: an edge with one face leads to it.
+template <class Use>
+void for_each_border_end(std::vector<Index>& ends, const Use& use) {
+  std::sort(ends.begin(), ends.end());
+  for (std::size_t begin = 0, end = 0; begin < ends.size(); begin = end) {
+    while (end < ends.size() && ends[end] == ends[begin]) ++end;
+    if (end - begin == 1) use(ends[begin]);
+  }
+}
+
 }  // namespace
 
 ErrorGuard::ErrorGuard(TriangleComplex& complex, const ErrorBound& bound)
@@ -24,40 +34,42 @@ ErrorGuard::ErrorGuard(TriangleComplex& complex, const ErrorBound& bound)
 
 /// What takes little time is looked at first.
 bool ErrorGuard::refuses_at(ContractionProfile& profile, const Vec3& position) {
-  const metrics::NearFace near = bound_.input().nearest(position, last_);
-  last_ = near.face;
-  if (near.distance > bound_.limit()) return true;
-  list_new_faces(profile, position);
+  pair_ = profile.pair;
+  position_ = position;
+  faces_.clear();
+  list_new_faces(profile);
+  n_new_ = faces_.size();
+  list_around(profile);
   list_affected();
+  if (n_new_ > 0) {
+    const metrics::NearFace near = bound_.input().nearest(position, last_);
+    last_ = near.face;
+    if (near.distance > bound_.limit()) return true;
+  }
   return !are_affected_near() || !are_new_faces_near();
 }
 
-void ErrorGuard::list_new_faces(const ContractionProfile& profile, const Vec3& position) {
-  pair_ = profile.pair;
-  faces_.clear();
-  around_.clear();
+void ErrorGuard::list_new_faces(const ContractionProfile& profile) {
   for (const StarFaces& faces : {profile.first, profile.second}) {
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      const auto [x, y] = faces[i];
-      faces_.push_back({{invalid_index, x, y}, {position, complex_.position(x), complex_.position(y)}});
-      around_.insert(around_.end(), {x, y});
-    }
+    for (std::size_t i = 0; i < faces.size(); ++i) add_new(faces[i].x, faces[i].y);
   }
-  for (const ContractionProfile::Common& opposite : profile.opposites) around_.push_back(opposite.vertex);
-  std::sort(around_.begin(), around_.end());
-  around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
-  n_new_ = faces_.size();
 }
 
-/// Adds the faces at the merged vertex' neighbours that aren't new.
 void ErrorGuard::list_faces_around() {
   for (const Index v : around_) {
     const std::span<const Neighbour> star = complex_.live_pairs(v);
-    for (std::size_t i = 0; i < star.size(); i += 2) {
-      const Triangle face{v, star[i].vertex, star[i + 1].vertex};
-      if (!is_at_pair(face)) faces_.push_back({face, corners(face)});
-    }
+    for (std::size_t i = 0; i < star.size(); i += 2) add_around({v, star[i].vertex, star[i + 1].vertex});
   }
+}
+
+void ErrorGuard::list_around(const ContractionProfile& profile) {
+  around_.clear();
+  for (const StarFaces& faces : {profile.first, profile.second}) {
+    for (const Neighbour& neighbour : faces.neighbours()) around_.push_back(neighbour.vertex);
+  }
+  for (const ContractionProfile::Common& common : profile.merged_neighbours()) around_.push_back(common.vertex);
+  std::sort(around_.begin(), around_.end());
+  around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
 }
 
 bool ErrorGuard::is_at_pair(const Triangle& face) const {
@@ -163,6 +175,22 @@ void ErrorGuard::note(const Change& change) {
     Triangle face = faces_[after_[i]].vertices;
     if (face[0] == invalid_index) face[0] = change.survivor;
     supports_.add(affected_[i], face);
+  }
+}
+
+void BorderErrorGuard::list_new_faces(const ContractionProfile& profile) {
+  ends_.clear();
+  for (const StarFaces& faces : {profile.first, profile.second}) {
+    for (std::size_t i = 0; i < faces.size(); ++i) ends_.insert(ends_.end(), {faces[i].x, faces[i].y});
+  }
+  for_each_border_end(ends_, [this](Index v) { add_new(v, v); });
+}
+
+void BorderErrorGuard::list_faces_around() {
+  for (const Index v : around()) {
+    ends_.clear();
+    for (const Neighbour& neighbour : complex().live_pairs(v)) ends_.push_back(neighbour.vertex);
+    for_each_border_end(ends_, [this, v](Index w) { add_around({v, w, w}); });
   }
 }
 

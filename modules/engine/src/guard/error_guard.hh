@@ -14,7 +14,7 @@ namespace whittle {
 
 /// Refuses what would take a point of the surface farther from the input than a bound, or a point of an edge of the
 /// input from the surface. The latter is no proof: points inside of a face may be farther, though they rarely are.
-class ErrorGuard final : public Guard {
+class ErrorGuard : public Guard {
  public:
   /// \param bound with supports among the faces of the complex, by original vertices
   ErrorGuard(TriangleComplex& complex, const ErrorBound& bound);
@@ -23,6 +23,22 @@ class ErrorGuard final : public Guard {
   bool refuses_at(ContractionProfile& profile, const Vec3& position) override;
   bool follows() const override { return true; }
   void note(const Change& change) override;
+
+ protected:
+  /// Lists what a contraction makes: `add_new`.
+  virtual void list_new_faces(const ContractionProfile& profile);
+  /// Lists what is at the merged vertex' neighbours and isn't new: `add_around`.
+  virtual void list_faces_around();
+
+  /// A face at the merged vertex by its other corners.
+  void add_new(Index x, Index y) {
+    faces_.push_back({{invalid_index, x, y}, {position_, complex_.position(x), complex_.position(y)}});
+  }
+  void add_around(const Triangle& face) {
+    if (!is_at_pair(face)) faces_.push_back({face, corners(face)});
+  }
+  TriangleComplex& complex() { return complex_; }
+  std::span<const Index> around() const { return around_; }
 
  private:
   /// A face as a contraction would leave it. The merged vertex, which has no number yet, is `invalid_index`.
@@ -41,8 +57,7 @@ class ErrorGuard final : public Guard {
     Index place = 0;
   };
 
-  void list_new_faces(const ContractionProfile& profile, const Vec3& position);
-  void list_faces_around();
+  void list_around(const ContractionProfile& profile);
   void list_affected();
   bool are_new_faces_near();
   bool are_affected_near();
@@ -69,6 +84,7 @@ class ErrorGuard final : public Guard {
 
   // Of the contraction looked at last.
   Pair pair_;
+  Vec3 position_ = Vec3::Zero();  ///< of the merged vertex
   std::vector<FaceAfter> faces_;  ///< the new ones, and then, once they are asked for, those around them
   std::size_t n_new_ = 0;
   std::vector<Index> around_;    ///< the merged vertex' neighbours
@@ -76,6 +92,19 @@ class ErrorGuard final : public Guard {
   std::vector<Index> after_;     ///< the support of each of them: a face of `faces_`
   std::vector<Place> places_;    ///< per point of the input
   std::uint32_t n_looks_ = 0;
+};
+
+/// The same for the open borders of the input and the surface: a face stands for a border edge, its second and third
+/// corner are one.
+class BorderErrorGuard final : public ErrorGuard {
+ public:
+  using ErrorGuard::ErrorGuard;
+
+ private:
+  void list_new_faces(const ContractionProfile& profile) override;
+  void list_faces_around() override;
+
+  std::vector<Index> ends_;  ///< scratch: the other corners of faces at a vertex
 };
 
 }  // namespace whittle

@@ -28,6 +28,7 @@ struct LoopContext {
   std::span<const Refusal> refusals;           ///< that still hold, of passes before
   std::optional<double> displacement_limit{};  ///< of the surface by one contraction, in the frame
   const ErrorBound* error_bound = nullptr;     ///< with supports among the faces that the pass begins with
+  const ErrorBound* border_bound = nullptr;    ///< with supports among their border edges
 };
 
 }  // namespace whittle

@@ -29,6 +29,7 @@ Guards make_guards(TriangleComplex& complex, const Restraints& restraints, Thres
   if (options.refuse_intersections) add(std::make_unique<IntersectionGuard>(complex));
   if (host != nullptr && host->may_refuse()) add(std::make_unique<HostGuard>(complex, *host));
   if (context.displacement_limit) add(std::make_unique<DisplacementGuard>(complex, *context.displacement_limit));
+  if (context.border_bound) add(std::make_unique<BorderErrorGuard>(complex, *context.border_bound));
   if (context.error_bound) add(std::make_unique<ErrorGuard>(complex, *context.error_bound));
   return guards;
 }

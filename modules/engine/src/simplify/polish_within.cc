@@ -16,7 +16,7 @@ void hold_around(const std::vector<std::uint8_t>& is_at_violation, const Indexed
 
 }  // namespace
 
-PolishResult polish_within(ErrorBound& bound, const IndexedMesh& input, Decimation& decimation,
+PolishResult polish_within(ErrorBounds& bounds, const IndexedMesh& input, Decimation& decimation,
                            const PolishHeld& polish) {
   const Frame frame = Frame::of_points(input.positions);
   std::vector<std::uint8_t> held(decimation.mesh.positions.size());
@@ -24,17 +24,13 @@ PolishResult polish_within(ErrorBound& bound, const IndexedMesh& input, Decimati
     Decimation polished = decimation;
     const PolishResult result = polish(polished, held);
     if (result.cancelled) return result;
-    const ErrorBound::Violations violations = bound.check(polished.mesh, frame, polished.vertex_map, bound.limit());
+    const ErrorBound::Violations violations = bounds.check(polished.mesh, frame, polished.vertex_map);
     if (violations.empty()) {
       decimation = std::move(polished);
       return result;
     }
     std::vector<std::uint8_t> is_at_violation(held.size());
-    for (const std::vector<Index>& faces : {violations.faces, violations.around}) {
-      for (const Index f : faces) {
-        for (const Index v : polished.mesh.faces[f]) is_at_violation[v] = 1;
-      }
-    }
+    for (const Index v : violations.vertices) is_at_violation[v] = 1;
     hold_around(is_at_violation, polished.mesh, held);
   }
   return {};

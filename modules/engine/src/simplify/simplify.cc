@@ -157,12 +157,12 @@ Simplification simplify_as_settled(const IndexedMesh& mesh, const DecimateTarget
     settled.decimate.pauses = {*settled.pauses,
                                [&](Decimation& paused) { return !polish_now(paused, without_flips).cancelled; }};
   }
-  std::unique_ptr<ErrorBound> bound;
-  Simplification result{run(mesh, target, settled.decimate, nullptr, {}, &bound), *settled.decimate.cost, {}, 0, 0};
-  if (result.result.stop != StopReason::cancelled && !bound) result.polish = polish_now(result, settled);
+  std::unique_ptr<ErrorBounds> bounds;
+  Simplification result{run(mesh, target, settled.decimate, nullptr, {}, &bounds), *settled.decimate.cost, {}, 0, 0};
+  if (result.result.stop != StopReason::cancelled && !bounds) result.polish = polish_now(result, settled);
   if (result.result.proven_error) {
     const Clock::time_point polish_start = Clock::now();
-    result.polish = polish_within(*bound, mesh, result, [&](Decimation& decimation, const auto& held) {
+    result.polish = polish_within(*bounds, mesh, result, [&](Decimation& decimation, const auto& held) {
       return polisher.polish(without_flips, decimation, held);
     });
     polish_seconds += seconds_since(polish_start);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "certify/arguments.hh"
 #include "whittle/core/detail/progress_meter.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/detail/prover.hh"
@@ -152,9 +153,19 @@ LargestDistance largest_one_way(const OneWay& one_way, double accuracy, double l
 
 }  // namespace
 
+void require_distance(double max_distance) {
+  if (!(max_distance >= 0)) throw std::invalid_argument("certify: max_distance is negative, or not a number");
+}
+
+void require_accuracy(double relative_accuracy) {
+  constexpr double least = 1e-6;
+  if (relative_accuracy >= least && relative_accuracy <= 1) return;
+  throw std::invalid_argument("largest_distances: relative_accuracy is not in [1e-6, 1]");
+}
+
 Certification certify(const IndexedMesh& first, const IndexedMesh& second, double max_distance,
                       const CertifyOptions& options) {
-  if (!(max_distance >= 0)) throw std::invalid_argument("certify: max_distance is negative, or not a number");
+  require_distance(max_distance);
   whittle::detail::ProgressMeter meter(options.progress);
   const whittle::detail::Workers workers(options.threads, &meter);
   const Surfaces surfaces(first, second, meter);
@@ -170,10 +181,7 @@ Certification certify(const IndexedMesh& first, const IndexedMesh& second, doubl
 
 LargestDistances largest_distances(const IndexedMesh& first, const IndexedMesh& second, double relative_accuracy,
                                    const LargestDistanceOptions& options) {
-  constexpr double least = 1e-6;
-  if (!(relative_accuracy >= least && relative_accuracy <= 1)) {
-    throw std::invalid_argument("largest_distances: relative_accuracy is not in [1e-6, 1]");
-  }
+  require_accuracy(relative_accuracy);
   whittle::detail::ProgressMeter meter(options.progress);
   const whittle::detail::Workers workers(options.threads, &meter);
   const Surfaces surfaces(first, second, meter);

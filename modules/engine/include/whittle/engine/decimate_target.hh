@@ -22,20 +22,28 @@ class DecimateTarget {
   static DecimateTarget max_cost(double cost) { return as_far_as_possible().or_max_cost(cost); }
   /// Contract only what keeps the surface within a distance of the input, and the input within the same distance of
   /// the surface: all points, not only vertices. Model units. (0, inf).
-  static DecimateTarget max_error(double distance) { return as_far_as_possible().or_max_error(distance); }
+  /// \param of_borders the same between the open borders; empty = as `distance`
+  static DecimateTarget max_error(double distance, std::optional<double> of_borders = {}) {
+    return as_far_as_possible().or_max_error(distance, of_borders);
+  }
   /// Stop when the guards allow nothing more.
-  static DecimateTarget as_far_as_possible() { return {std::nullopt, std::nullopt, std::nullopt, std::nullopt}; }
+  static DecimateTarget as_far_as_possible() { return {}; }
 
   /// This target or that limit, whichever is reached first. A limit of the same kind is replaced.
-  DecimateTarget or_faces(std::uint64_t n) const { return {n, n_vertices_, cost_limit_, error_limit_}; }
-  DecimateTarget or_vertices(std::uint64_t n) const { return {n_faces_, n, cost_limit_, error_limit_}; }
-  DecimateTarget or_max_cost(double cost) const { return {n_faces_, n_vertices_, cost, error_limit_}; }
-  DecimateTarget or_max_error(double distance) const { return {n_faces_, n_vertices_, cost_limit_, distance}; }
+  DecimateTarget or_faces(std::uint64_t n) const { return with(&DecimateTarget::n_faces_, n); }
+  DecimateTarget or_vertices(std::uint64_t n) const { return with(&DecimateTarget::n_vertices_, n); }
+  DecimateTarget or_max_cost(double cost) const { return with(&DecimateTarget::cost_limit_, cost); }
+  DecimateTarget or_max_error(double distance, std::optional<double> of_borders = {}) const {
+    return with(&DecimateTarget::error_limit_, distance)
+        .with(&DecimateTarget::border_error_limit_, of_borders.value_or(distance));
+  }
 
   std::optional<std::uint64_t> n_faces() const { return n_faces_; }
   std::optional<std::uint64_t> n_vertices() const { return n_vertices_; }
   std::optional<double> cost_limit() const { return cost_limit_; }
   std::optional<double> error_limit() const { return error_limit_; }
+  /// Set if `error_limit` is.
+  std::optional<double> border_error_limit() const { return border_error_limit_; }
 
   /// The same limits with counts larger by a factor, rounded up.
   DecimateTarget with_counts_times(double factor) const {
@@ -43,7 +51,7 @@ class DecimateTarget {
       if (n) n = static_cast<std::uint64_t>(std::ceil(factor * static_cast<double>(*n)));
       return n;
     };
-    return {times(n_faces_), times(n_vertices_), cost_limit_, error_limit_};
+    return with(&DecimateTarget::n_faces_, times(n_faces_)).with(&DecimateTarget::n_vertices_, times(n_vertices_));
   }
 
   /// The share of a mesh with such counts that the limits of faces and vertices leave at least; 0 without these.
@@ -60,14 +68,24 @@ class DecimateTarget {
   }
 
  private:
-  DecimateTarget(std::optional<std::uint64_t> n_faces, std::optional<std::uint64_t> n_vertices,
-                 std::optional<double> cost_limit, std::optional<double> error_limit)
-      : n_faces_(n_faces), n_vertices_(n_vertices), cost_limit_(cost_limit), error_limit_(error_limit) {}
+  DecimateTarget() = default;
+
+  template <class T>
+  DecimateTarget with(std::optional<T> DecimateTarget::*limit, std::optional<T> value) const {
+    DecimateTarget other = *this;
+    other.*limit = value;
+    return other;
+  }
+  template <class T>
+  DecimateTarget with(std::optional<T> DecimateTarget::*limit, T value) const {
+    return with(limit, std::optional<T>(value));
+  }
 
   std::optional<std::uint64_t> n_faces_;
   std::optional<std::uint64_t> n_vertices_;
   std::optional<double> cost_limit_;
   std::optional<double> error_limit_;
+  std::optional<double> border_error_limit_;
 };
 
 }  // namespace whittle

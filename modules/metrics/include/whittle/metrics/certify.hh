@@ -79,4 +79,18 @@ struct LargestDistances {
 LargestDistances largest_distances(const IndexedMesh& first, const IndexedMesh& second, double relative_accuracy,
                                    const LargestDistanceOptions& options = {});
 
+/// `certify` for the open borders of both surfaces, the edges with exactly one face: each point of either border is
+/// within the distance of the other border. Proven if no mesh has any; refuted if only one has, by a point that is
+/// infinitely far.
+/// \throw as `certify`
+Certification certify_borders(const IndexedMesh& first, const IndexedMesh& second, double max_distance,
+                              const CertifyOptions& options = {});
+
+/// `largest_distances` of the open borders. Nothing if no mesh has any. If only one has, its points are infinitely far,
+/// and the other way is 0.
+/// \throw as `largest_distances`
+std::optional<LargestDistances> largest_border_distances(const IndexedMesh& first, const IndexedMesh& second,
+                                                         double relative_accuracy,
+                                                         const LargestDistanceOptions& options = {});
+
 }  // namespace whittle::metrics

@@ -1,0 +1,55 @@
+#include "error/error_bounds.hh"
+
+#include <algorithm>
+
+#include "whittle/metrics/detail/border_edges.hh"
+
+namespace whittle {
+namespace {
+
+/// The mesh itself, or a copy of it without faces of which two corners are one.
+const IndexedMesh& proper_faces(const IndexedMesh& mesh, IndexedMesh& copy) {
+  if (std::all_of(mesh.faces.begin(), mesh.faces.end(), has_three_corners)) return mesh;
+  copy.positions = mesh.positions;
+  std::copy_if(mesh.faces.begin(), mesh.faces.end(), std::back_inserter(copy.faces), has_three_corners);
+  return copy;
+}
+
+/// `map` for vertices that are ends of segments, `invalid_index` for others.
+std::vector<Index> of_ends(std::span<const Index> map, const IndexedMesh& segments) {
+  std::vector<Index> result(map.size(), invalid_index);
+  for (const Triangle& segment : segments.faces) {
+    for (const Index v : segment) result[v] = map[v];
+  }
+  return result;
+}
+
+}  // namespace
+
+ErrorBounds::ErrorBounds(const IndexedMesh& input, const Frame& frame, double limit, double border_limit,
+                         unsigned threads)
+    : border_edges_(metrics::border_edges_of(input).mesh),
+      surface_(std::make_unique<ErrorBound>(proper_faces(input, proper_), frame, limit, threads)) {
+  if (!border_edges_.faces.empty()) {
+    borders_ = std::make_unique<ErrorBound>(border_edges_, frame, border_limit, threads);
+  }
+}
+
+ErrorBound::Violations ErrorBounds::check(const IndexedMesh& surface, const Frame& frame,
+                                          std::span<const Index> vertex_map) {
+  ErrorBound::Violations violations = surface_->check(surface, frame, vertex_map, surface_->limit());
+  violations.add(check_borders(surface, frame, vertex_map));
+  return violations;
+}
+
+ErrorBound::Violations ErrorBounds::check_borders(const IndexedMesh& surface, const Frame& frame,
+                                                  std::span<const Index> vertex_map) {
+  const IndexedMesh edges = metrics::border_edges_of(surface).mesh;
+  if (borders_) return borders_->check(edges, frame, of_ends(vertex_map, border_edges_), borders_->limit());
+  ErrorBound::Violations violations;
+  violations.is_surface_far = !edges.faces.empty();  // the input has none
+  for (const Triangle& edge : edges.faces) violations.vertices.insert(violations.vertices.end(), {edge[0], edge[1]});
+  return violations;
+}
+
+}  // namespace whittle

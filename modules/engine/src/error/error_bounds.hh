@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "error/error_bound.hh"
+
+namespace whittle {
+
+/// What a result is proven to keep: bounds of the surface and, if the input has open borders, of these.
+class ErrorBounds {
+ public:
+  /// \param input must outlive it \param limit, border_limit in the frame
+  ErrorBounds(const IndexedMesh& input, const Frame& frame, double limit, double border_limit, unsigned threads);
+
+  ErrorBound& surface() { return *surface_; }
+  ErrorBound* borders() { return borders_.get(); }  ///< null if the input has none
+
+  /// Tries to prove that a surface keeps all bounds. \param frame takes the surface to the frame
+  /// \param vertex_map the input's vertices → those of the surface, `invalid_index` where it was in no face
+  ErrorBound::Violations check(const IndexedMesh& surface, const Frame& frame, std::span<const Index> vertex_map);
+  ErrorBound::Violations check_borders(const IndexedMesh& surface, const Frame& frame,
+                                       std::span<const Index> vertex_map);
+
+ private:
+  IndexedMesh proper_;        ///< the input without faces of which two corners are one, if it has some
+  IndexedMesh border_edges_;  ///< those of the input, as segments
+  std::unique_ptr<ErrorBound> surface_;
+  std::unique_ptr<ErrorBound> borders_;
+};
+
+}  // namespace whittle

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "whittle/core/indexed_mesh.hh"
+
+namespace whittle::metrics {
+
+/// The open borders of a mesh as triangles of which two corners are one: such a triangle is the segment between its
+/// first two corners.
+struct BorderEdges {
+  IndexedMesh mesh;          ///< with the vertices of the mesh
+  std::vector<Index> faces;  ///< of the mesh, the one at each edge
+};
+
+/// Edges with exactly one face, ascending by vertices. \pre the vertex numbers are valid
+BorderEdges border_edges_of(const IndexedMesh& mesh);
+
+}  // namespace whittle::metrics

@@ -1,0 +1,97 @@
+// A length as target of `simplify`: the file that is written keeps it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "program/simplified.hh"
+#include "support/shapes.hh"
+#include "whittle/core/frame.hh"
+#include "whittle/io/read.hh"
+#include "whittle/io/write.hh"
+#include "whittle/metrics/certify.hh"
+
+namespace whittle::test {
+namespace {
+
+double larger(const nlohmann::json& distances, const char* key) {
+  return std::max(distances["forward"][key].get<double>(), distances["backward"][key].get<double>());
+}
+
+TEST(MaxErrorOption, IsKeptByTheFile) {
+  const TemporaryFolder folder;
+  const std::string input = data_file("blob.obj");
+  const IndexedMesh mesh = io::read_mesh(input).mesh;
+  const double limit = 0.005 * bounds_of(mesh.positions).diagonal();
+  for (const char* const name : {"out.ply", "out.obj", "out.stl", "out.off"}) {
+    SCOPED_TRACE(name);
+    const std::string output = folder / name;
+    const Outcome run = whittle({"simplify", input, "-o", output, "-e", "0.5%", "--json", "-"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const auto report = nlohmann::json::parse(run.out);
+    EXPECT_EQ(report["stop"], "error");
+    EXPECT_EQ(report["target"]["met"], true);
+    EXPECT_NEAR(report["target"]["max_error"].get<double>(), limit, 1e-12 * limit);
+    EXPECT_EQ(report["max_error"]["asked"], report["target"]["max_error"]);
+    const double proven = report["max_error"]["proven"];
+    EXPECT_LE(proven, limit);
+    EXPECT_EQ(proven, larger(report["max_error"], "at_most"));
+    EXPECT_GE(larger(report["max_error"], "at_least"), 0.9 * limit) << "more would have been allowed";
+    const IndexedMesh written = io::read_mesh(output).mesh;
+    EXPECT_EQ(written.faces.size(), report["output"]["faces"]);
+    EXPECT_EQ(metrics::certify(mesh, written, limit).verdict, metrics::Verdict::proven);
+  }
+}
+
+TEST(MaxErrorOption, GoesForBorders) {
+  const TemporaryFolder folder;
+  const std::string output = folder / "out.ply";
+  const std::string input = data_file("terrain.ply");
+  const IndexedMesh mesh = io::read_mesh(input).mesh;
+  const double diagonal = bounds_of(mesh.positions).diagonal();
+  for (const double limit : {0.01, 0.001}) {
+    SCOPED_TRACE(limit);
+    const Outcome run = whittle({"simplify", input, "-o", output, "--max-error", "1%", "--max-error-borders",
+                                 std::to_string(limit * diagonal), "--json", "-"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const auto report = nlohmann::json::parse(run.out);
+    EXPECT_LE(report["max_error"]["borders"]["proven"], report["target"]["max_error_borders"]);
+    EXPECT_GT(report["max_error"]["borders"]["proven"], 0.3 * limit * diagonal);
+    const IndexedMesh written = io::read_mesh(output).mesh;
+    EXPECT_EQ(metrics::certify_borders(mesh, written, 1.00001 * limit * diagonal).verdict, metrics::Verdict::proven);
+  }
+  const Outcome idle = whittle({"simplify", input, "-o", output, "--faces", "900", "--max-error-borders", "1"});
+  EXPECT_NE(idle.err.find("--max-error-borders"), std::string::npos) << idle.err;
+}
+
+TEST(MaxErrorOption, IsFoundWithoutALimit) {
+  const Simplified result = simplify(data_file("blob.obj"), {"--faces", "500", "--certify"});
+  const auto& error = result.report["max_error"];
+  EXPECT_EQ(error["asked"], nullptr);
+  EXPECT_EQ(error["borders"], nullptr);
+  EXPECT_LE(error["proven"].get<double>(), 1.0011 * larger(error, "at_least"));
+  const IndexedMesh mesh = io::read_mesh(data_file("blob.obj")).mesh;
+  EXPECT_EQ(metrics::certify(mesh, result.mesh, error["proven"]).verdict, metrics::Verdict::proven);
+  EXPECT_EQ(metrics::certify(mesh, result.mesh, 0.99 * larger(error, "at_least")).verdict, metrics::Verdict::refuted);
+}
+
+/// Binary STL rounds coordinates to a 16th here.
+TEST(MaxErrorOption, WritesNothingThatIsNotProven) {
+  const TemporaryFolder folder;
+  IndexedMesh far = blob(4, 1);
+  for (Vec3& p : far.positions) p += Vec3(1e6, 0, 0);
+  const std::string input = folder / "far.ply";
+  io::write_mesh(input, far);
+  const std::string output = folder / "out.stl";
+  const Outcome run = whittle({"simplify", input, "-o", output, "-e", "0.01"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("can't be proven as " + output + " would be written"), std::string::npos) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(output));
+  EXPECT_EQ(whittle({"simplify", input, "-o", output, "-e", "0.2"}).exit_code, 0);
+  EXPECT_EQ(whittle({"simplify", input, "-o", output, "-e", "0.01", "--ascii"}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace whittle::test
