@@ -8,11 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "support/meshes.hh"
 #include "support/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/engine/simplify.hh"
+#include "whittle/io/read.hh"
 #include "whittle/metrics/certify.hh"
 #include "whittle/metrics/topology.hh"
 
@@ -139,6 +141,16 @@ TEST(MaxError, MayBeLessForBorders) {
     EXPECT_GT(less.mesh.faces.size(), alike.mesh.faces.size());
     EXPECT_LT(less.mesh.faces.size(), mesh.faces.size() / 2);
   }
+}
+
+/// Borders may move far where the surface hardly does.
+TEST(MaxError, GoesFarOnFlatGroundWithHoles) {
+  WHITTLE_REAL_MESH_OR_SKIP(path, "geo_delft_testarea.obj");
+  const IndexedMesh mesh = io::read_mesh(path).mesh;
+  const double max_error = 0.003 * diagonal(mesh);
+  const Decimation result = decimate(mesh, DecimateTarget::max_error(max_error));
+  expect_kept(mesh, max_error, result);
+  EXPECT_LT(result.mesh.faces.size(), mesh.faces.size() / 10);
 }
 
 TEST(MaxError, KeepsTopologyAndLockedVertices) {

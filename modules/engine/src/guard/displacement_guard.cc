@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 #include "whittle/core/geometry/face_normal.hh"
 #include "whittle/metrics/detail/linked_faces.hh"
@@ -37,7 +38,50 @@ bool DisplacementGuard::refuses_at(ContractionProfile& profile, const Vec3& posi
     }
   }
   const double cosine = std::max(0.0, least_cosine);
-  return share_of_turn * share_of_turn * longest_sq * (1 - cosine * cosine) > limit_sq_;
+  if (share_of_turn * share_of_turn * longest_sq * (1 - cosine * cosine) > limit_sq_) return true;
+  const auto& [id, a, b] = profile.pair;
+  const bool has_border = complex_.kind(a) != VertexKind::regular || complex_.kind(b) != VertexKind::regular;
+  return has_border && moves_border(profile, position);
+}
+
+/// Whether an end of the pair that lies on the border comes to lie off it, or the merged vertex off the border before.
+bool DisplacementGuard::moves_border(const ContractionProfile& profile, const Vec3& position) {
+  const auto& [id, a, b] = profile.pair;
+  before_.clear();
+  after_.clear();
+  bool is_far = false;
+  const auto list_faces = [this](const StarFaces& faces) {
+    for (std::size_t i = 0; i < faces.size(); ++i) ends_.insert(ends_.end(), {faces[i].x, faces[i].y});
+  };
+  ends_.clear();
+  list_faces(profile.first);
+  list_faces(profile.second);
+  list_border_edges(position, after_);
+  for (const auto& [faces, end, other] : {std::tuple(profile.first, a, b), std::tuple(profile.second, b, a)}) {
+    const std::size_t n_before = before_.size();
+    ends_.clear();
+    list_faces(faces);
+    for (const ContractionProfile::Common& opposite : profile.opposites) {
+      ends_.insert(ends_.end(), {opposite.vertex, other});
+    }
+    list_border_edges(complex_.position(end), before_);
+    if (before_.size() == n_before) continue;
+    const double distance = distance_to_all(after_, complex_.position(end));
+    is_far |= distance * distance > limit_sq_;
+  }
+  if (after_.empty()) return is_far;
+  const double distance = distance_to_all(before_, position);
+  return is_far || distance * distance > limit_sq_;
+}
+
+/// Adds an edge to each vertex that is named once in `ends_`: it has one face. An edge is a triangle of which two
+/// corners are one.
+void DisplacementGuard::list_border_edges(const Vec3& from, std::vector<std::array<Vec3, 3>>& edges) {
+  for (const Index v : ends_) {
+    if (std::count(ends_.begin(), ends_.end(), v) != 1) continue;
+    const Vec3& to = complex_.position(v);
+    edges.push_back({from, to, to});
+  }
 }
 
 DisplacementGuard::Motion DisplacementGuard::motion(ContractionProfile& profile, const Vec3& position) {

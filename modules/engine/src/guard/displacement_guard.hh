@@ -7,7 +7,8 @@
 
 namespace whittle {
 
-/// Refuses what may move the surface farther than a limit from where it is now. An estimate, which takes little time.
+/// Refuses what may move the surface, or its open border, farther than a limit from where it is now. An estimate, which
+/// takes little time.
 class DisplacementGuard final : public Guard {
  public:
   /// \param limit in the frame
@@ -25,11 +26,14 @@ class DisplacementGuard final : public Guard {
   };
 
   Motion motion(ContractionProfile& profile, const Vec3& position);
+  bool moves_border(const ContractionProfile& profile, const Vec3& position);
+  void list_border_edges(const Vec3& from, std::vector<std::array<Vec3, 3>>& edges);
 
   const TriangleComplex& complex_;
   double limit_sq_;
   std::vector<std::array<Vec3, 3>> before_;  ///< scratch: faces
   std::vector<std::array<Vec3, 3>> after_;   ///< scratch
+  std::vector<Index> ends_;                  ///< scratch: the other corners of the faces at a vertex
 };
 
 }  // namespace whittle
