@@ -12,6 +12,7 @@
 #include "program/help_text.hh"
 #include "program/program.hh"
 #include "support/shapes.hh"
+#include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
 
 namespace whittle::test {
@@ -170,6 +171,10 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
   std::filesystem::copy_file(cubes, bare);
   const std::string large = folder / "large.ply";  // goes in blocks
   io::write_mesh(large, torus(600, 150));
+  const std::string tolerances = folder / "tolerances";
+  std::string lines;
+  for (std::size_t v = 0; v < io::read_mesh(terrain).file_vertices; ++v) lines += "0.8%\n";
+  write_text(tolerances, lines);
   expect_documented(
       "simplify",
       {{cubes, "-o", out, "--faces", "60", "--threshold", "auto", "--max-pairs", "8", "--across-walls"},
@@ -182,7 +187,8 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
         "--self-intersections", "count", "--normals", "drop", "--weld", "auto"},
        {blob, "-o", out, "--ratio", "0.1", "--cost", "quadric", "--weights", "uniform", "--placement", "midpoint",
         "--order", "exact", "--polish", "0", "--strict"},
-       {terrain, "-o", out, "--max-error", "1%", "--max-error-borders", "0.5%"},
+       {terrain, "-o", out, "--max-error", "1%", "--max-error-borders", "0.5%", "--certificate", folder / "proof",
+        "--tolerance-map", tolerances},
        {blob, "-o", out, "--faces", "500", "--certify", "--isotropic", "0.5", "--valence", "1", "--fit", "max"},
        {large, "-o", out, "--faces", "1000", "--effort", "fast"},
        {blob, "-o", out, "--faces", "500", "--engine", "openmesh"},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 #include "files/input.hh"
@@ -10,6 +11,7 @@
 #include "terminal/progress_bar.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
+#include "whittle/metrics/certificate.hh"
 
 namespace whittle::app {
 namespace {
@@ -34,14 +36,30 @@ std::optional<DistancesAsWritten> distances_as_written(const IndexedMesh& input,
   if (result.faces.empty()) return std::nullopt;
   ProgressBar bar(talk, "certifying");
   const SignalsWait signals_wait;
-  const IndexedMesh written = as_written(result, options);
   const unsigned threads = options.common.threads;
   DistancesAsWritten distances;
+  distances.written = as_written(result, options);
   distances.surface = metrics::largest_distances(
-      input, written, accuracy, {threads, part_of(bar, 0, 0.9), target.error_limit().value_or(no_limit)});
+      input, distances.written, accuracy, {threads, part_of(bar, 0, 0.9), target.error_limit().value_or(no_limit)});
   distances.borders = metrics::largest_border_distances(
-      input, written, accuracy, {threads, part_of(bar, 0.9, 1), target.border_error_limit().value_or(no_limit)});
+      input, distances.written, accuracy,
+      {threads, part_of(bar, 0.9, 1), target.border_error_limit().value_or(no_limit)});
   return distances;
+}
+
+std::string certificate_as_written(const IndexedMesh& input, const DistancesAsWritten& distances,
+                                   const SimplifyCommand& options, const DecimateTarget& target,
+                                   std::span<const double> tolerances, const Talk& talk) {
+  ProgressBar bar(talk, "certifying");
+  const SignalsWait signals_wait;
+  metrics::CertifiedDistances at_most;
+  at_most.surface = target.error_limit().value_or(proven_distance(distances.surface));
+  at_most.borders = target.border_error_limit().value_or(distances.borders ? proven_distance(*distances.borders)
+                                                                           : std::numeric_limits<double>::infinity());
+  const std::optional<std::string> certificate = metrics::make_certificate(
+      input, distances.written, at_most, {options.common.threads, part_of(bar, 0, 1), tolerances});
+  if (!certificate) throw std::runtime_error(options.input + ": the steps of the proof are not found");
+  return *certificate;
 }
 
 double proven_distance(const metrics::LargestDistances& largest) {
@@ -51,6 +69,14 @@ double proven_distance(const metrics::LargestDistances& largest) {
 bool are_within(const DecimateTarget& target, const DistancesAsWritten& distances) {
   return proven_distance(distances.surface) <= *target.error_limit() &&
          (!distances.borders || proven_distance(*distances.borders) <= *target.border_error_limit());
+}
+
+bool keeps_tolerances(const IndexedMesh& input, const DistancesAsWritten& distances, const SimplifyCommand& options,
+                      const DecimateTarget& target, std::span<const double> tolerances) {
+  if (tolerances.empty()) return true;
+  const metrics::Certification certification =
+      metrics::certify(input, distances.written, *target.error_limit(), {options.common.threads, {}, tolerances});
+  return certification.verdict == metrics::Verdict::proven;
 }
 
 }  // namespace whittle::app

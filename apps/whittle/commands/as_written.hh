@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <string>
 
 #include "commands/simplify_options.hh"
 #include "whittle/engine/decimate_target.hh"
@@ -11,6 +13,7 @@ namespace whittle::app {
 /// The largest distances, both ways, of all points between an input and the file that a result is to be written to: as
 /// the file is read again, with rounded coordinates.
 struct DistancesAsWritten {
+  IndexedMesh written;  ///< the file
   metrics::LargestDistances surface;
   std::optional<metrics::LargestDistances> borders;  ///< none if neither has open borders
 };
@@ -21,10 +24,21 @@ std::optional<DistancesAsWritten> distances_as_written(const IndexedMesh& input,
                                                        const SimplifyCommand& options, const DecimateTarget& target,
                                                        const Talk& talk);
 
+/// The steps of the proof: of the limits of the error, or, where there are none, of what is proven.
+/// \param tolerances of the input's vertices, or empty
+/// \throw std::runtime_error if the distances aren't proven after all
+std::string certificate_as_written(const IndexedMesh& input, const DistancesAsWritten& distances,
+                                   const SimplifyCommand& options, const DecimateTarget& target,
+                                   std::span<const double> tolerances, const Talk& talk);
+
 /// The greater of both, as far as it is proven.
 double proven_distance(const metrics::LargestDistances& largest);
 
 /// Whether they are proven to keep the limits of the error. \pre the target has them
 bool are_within(const DecimateTarget& target, const DistancesAsWritten& distances);
+
+/// Whether they are proven to keep the tolerances of the input's vertices, too. \param tolerances may be empty
+bool keeps_tolerances(const IndexedMesh& input, const DistancesAsWritten& distances, const SimplifyCommand& options,
+                      const DecimateTarget& target, std::span<const double> tolerances);
 
 }  // namespace whittle::app

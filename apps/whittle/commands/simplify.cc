@@ -16,6 +16,7 @@
 #include "files/input.hh"
 #include "files/output.hh"
 #include "files/report.hh"
+#include "files/tolerance_map.hh"
 #include "openmesh/openmesh_engine.hh"
 #include "options/values.hh"
 #include "terminal/errors.hh"
@@ -46,11 +47,13 @@ struct Seconds {
 struct Run {
   Input input;
   DecimateTarget target = DecimateTarget::as_far_as_possible();
-  double diagonal = 0;  ///< of the input's bounding box
+  double diagonal = 0;             ///< of the input's bounding box
+  std::vector<double> tolerances;  ///< of the input's vertices, model units; or empty
   std::size_t n_pruned_parts = 0;
   double threshold = 0;  ///< of threshold pairs, model units; 0 = none
   Simplification simplified;
   std::optional<DistancesAsWritten> distances;  ///< if they are to be proven
+  std::string certificate;                      ///< if it is to be written
   bool met = false;
   std::optional<std::size_t> n_intersections_before;  ///< pairs of faces, if they were counted
   std::optional<std::size_t> n_intersections_after;
@@ -134,30 +137,48 @@ void simplify_within_error(const SimplifyCommand& options, const Talk& talk, Run
   const double limit = *run.target.error_limit();
   const double border_limit = *run.target.border_error_limit();
   for (const double share : {1 - 1e-6, 0.99, 0.9, 0.5}) {
+    SimplifyCommand with_share = options;
+    with_share.simplify.decimate.tolerances = run.tolerances;
+    for (double& tolerance : with_share.simplify.decimate.tolerances) tolerance *= share;
     Simplification result =
-        simplify_to(run.target.or_max_error(share * limit, share * border_limit), options, talk, run);
+        simplify_to(run.target.or_max_error(share * limit, share * border_limit), with_share, talk, run);
     const Stopwatch certifying;
     run.distances = distances_as_written(run.input.read.mesh, result.mesh, options, run.target, talk);
+    const bool is_kept = run.distances && are_within(run.target, *run.distances) &&
+                         keeps_tolerances(run.input.read.mesh, *run.distances, options, run.target, run.tolerances);
     run.seconds.certify += certifying.seconds();
     run.seconds.decimate += result.decimate_seconds;
     run.seconds.polish += result.polish_seconds;
     run.simplified = std::move(result);
-    if (run.distances && are_within(run.target, *run.distances)) return;
+    if (is_kept) return;
   }
   throw std::runtime_error(run.input.name + ": an error of " + shortest(limit) + " at most can't be proven as " +
                            shown_output(options.output) +
                            " would be written; choose a larger --max-error, or a format that keeps every digit");
 }
 
-void simplify_input(const SimplifyCommand& options, const Talk& talk, Run& run) {
-  if (run.target.error_limit()) return simplify_within_error(options, talk, run);
+void simplify_without_limit(const SimplifyCommand& options, const Talk& talk, Run& run) {
   run.simplified = simplify_to(run.target, options, talk, run);
   run.seconds.decimate += run.simplified.decimate_seconds;
   run.seconds.polish = run.simplified.polish_seconds;
-  if (!options.certify) return;
+  if (!options.certify && !options.certificate) return;
   const Stopwatch certifying;
   run.distances = distances_as_written(run.input.read.mesh, run.simplified.mesh, options, run.target, talk);
   run.seconds.certify = certifying.seconds();
+}
+
+void simplify_input(const SimplifyCommand& options, const Talk& talk, Run& run) {
+  if (run.target.error_limit()) {
+    simplify_within_error(options, talk, run);
+  } else {
+    simplify_without_limit(options, talk, run);
+  }
+  if (!options.certificate) return;
+  if (!run.distances) throw std::runtime_error(run.input.name + ": no face is left to write a certificate of");
+  const Stopwatch certifying;
+  run.certificate =
+      certificate_as_written(run.input.read.mesh, *run.distances, options, run.target, run.tolerances, talk);
+  run.seconds.certify += certifying.seconds();
 }
 
 /// Takes over the warnings of the library, except those that the report has elsewhere.
@@ -247,7 +268,7 @@ Json rejections_json(const SimplifyCommand& options, const Rejections& refused) 
 /// Null if nothing was proven.
 Json max_error_json(const Run& run) {
   if (!run.distances) return nullptr;
-  const auto& [surface, borders] = *run.distances;
+  const auto& [written, surface, borders] = *run.distances;
   const auto add = [&run](Json& json, const metrics::LargestDistances& largest) {
     add_length(json, "proven", proven_distance(largest), run.diagonal);
     json["forward"] = largest_json(largest.forward, run.diagonal);
@@ -258,6 +279,7 @@ Json max_error_json(const Run& run) {
   add(json, surface);
   json["borders"] = nullptr;
   if (borders) add(json["borders"], *borders);
+  json["certificate_bytes"] = run.certificate.empty() ? Json(nullptr) : Json(run.certificate.size());
   return json;
 }
 
@@ -355,6 +377,9 @@ void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwat
   OutputFiles files;
   write_mesh(files, options.output, options.files, run.simplified.mesh, talk, run.warnings);
   if (options.map) files.write(*options.map, [&run](std::ostream& out) { write_map(out, run); });
+  if (options.certificate) {
+    files.write(*options.certificate, [&run](std::ostream& out) { out << run.certificate; });
+  }
   run.seconds.write = watch.seconds();
   run.seconds.total = since_start.seconds();
   const Json json = report != nullptr || options.common.json ? simplify_json(options, run) : Json();
@@ -432,6 +457,9 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   run.target =
       resolve(options.targets, run.input.read.mesh.positions.size(), run.input.read.mesh.faces.size(), run.diagonal);
   if (options.prune) prune(options, talk, run);
+  if (options.targets.tolerances && run.target.error_limit()) {
+    run.tolerances = read_tolerance_map(*options.targets.tolerances, run.input.read, run.diagonal);
+  }
 
   const Stopwatch watch_threshold;
   run.threshold = resolve_threshold(options, talk, run);

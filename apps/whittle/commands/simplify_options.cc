@@ -69,6 +69,8 @@ std::vector<Conflict> conflicts() {
       {"--order approximate", "--engine openmesh", own_order},
       {"--max-cost", "--engine openmesh", "OpenMesh looks at a cost when it is queued, not when its turn comes"},
       {"--max-error", "--engine openmesh", not_in_openmesh},
+      {"--certificate", "--prune", "the proof is about all of IN"},
+      {"--tolerance-map", "--prune", "the lengths are of all vertices of IN"},
       {"--threshold", "--engine openmesh", no_pairs},
       {"--max-pairs", "--engine openmesh", no_pairs},
       {"--across-walls", "--engine openmesh", no_pairs},
@@ -292,6 +294,11 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
       "'{stem}' as in OUT")
       ->default_str("off")
       ->group(file_group);
+  add_value(
+      app, "--certificate", "FILE", options.certificate, [](std::string_view text) { return std::string(text); },
+      "write the steps of the proof how far OUT is from IN at most, for 'whittle verify'; '{stem}' as in OUT")
+      ->default_str("off")
+      ->group(file_group);
   add_choice<Normals>(app, "--normals", options.simplify.decimate.normals, normals,
                       "vertex normals: the mean of those merged, those of the faces of the result, or none")
       ->group(file_group);
@@ -332,8 +339,9 @@ void check_options(const CLI::App& app, const SimplifyCommand& options) {
 }
 
 std::vector<std::string> idle_options(const CLI::App& app, const SimplifyCommand& options) {
-  static const std::array<IdleOption, 6> all{{{"--max-pairs", "--threshold", ""},
+  static const std::array<IdleOption, 7> all{{{"--max-pairs", "--threshold", ""},
                                               {"--max-error-borders", "--max-error", ""},
+                                              {"--tolerance-map", "--max-error", ""},
                                               {"--across-walls", "--threshold", ""},
                                               {"--feature-tolerance", "--feature-angle", ""},
                                               {"--boundary free", "", "--cost lindstrom-turk"},
@@ -354,6 +362,7 @@ void check_files(const std::vector<SimplifyCommand>& runs) {
     meshes.push_back(run.output);
     outputs.push_back({"--output", run.output});
     if (run.map) outputs.push_back({"--map", *run.map});
+    if (run.certificate) outputs.push_back({"--certificate", *run.certificate});
   }
   const SimplifyCommand& any = runs.front();
   if (any.common.json) outputs.push_back({"--json", *any.common.json});

@@ -42,7 +42,8 @@ struct SimplifyCommand {
   std::optional<Length> prune;           ///< parts smaller than this are dropped
   Engine engine = Engine::flat;
   SelfIntersections self_intersections = SelfIntersections::allow;
-  std::optional<std::string> map;  ///< file for the vertex map; `{stem}` as in `output`
+  std::optional<std::string> map;          ///< file for the vertex map; `{stem}` as in `output`
+  std::optional<std::string> certificate;  ///< file for the steps of the proof; `{stem}` as in `output`
   bool strict = false;
   bool certify = false;               ///< whether the largest distance is found without a limit, too
   std::vector<std::string> warnings;  ///< of options that do nothing

@@ -36,6 +36,10 @@ void check_stems(const SimplifyCommand& command) {
   if (command.map && !has_stem(*command.map)) {
     throw UsageError("--map: several inputs make several maps; its file needs '{stem}' in its name, too");
   }
+  if (command.certificate && !has_stem(*command.certificate)) {
+    throw UsageError(
+        "--certificate: several inputs make several certificates; its file needs '{stem}' in its name, too");
+  }
 }
 
 /// \throw UsageError naming two inputs that would be written to one file
@@ -78,6 +82,7 @@ std::vector<SimplifyCommand> runs_of(const SimplifyCommand& command) {
     if (!is_named_by_stem(command)) continue;
     run.output = with_stem(run.output, stem_of(run.input));
     if (run.map) run.map = with_stem(*run.map, stem_of(run.input));
+    if (run.certificate) run.certificate = with_stem(*run.certificate, stem_of(run.input));
   }
   refuse_same_outputs(runs);
   return runs;

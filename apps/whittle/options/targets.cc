@@ -52,6 +52,11 @@ void add_max_error(CLI::App& app, TargetOptions& options) {
             "the same between the open borders of both")
       ->default_str("as --max-error")
       ->group(target_group);
+  add_value(
+      app, "--tolerance-map", "FILE", options.tolerances, [](std::string_view text) { return std::string(text); },
+      "less than --max-error in places: a text with a length a line, of each vertex of IN")
+      ->default_str("off")
+      ->group(target_group);
 }
 
 void check_targets(const TargetOptions& options, const std::string& all) {
@@ -105,6 +110,7 @@ nlohmann::ordered_json target_json(const TargetOptions& options, const DecimateT
   if (target.cost_limit()) json["max_cost"] = *target.cost_limit();
   if (target.error_limit()) json["max_error"] = *target.error_limit();
   if (options.max_border_error && target.border_error_limit()) json["max_error_borders"] = *target.border_error_limit();
+  if (options.tolerances) json["tolerance_map"] = *options.tolerances;
   return json;
 }
 

@@ -23,11 +23,12 @@ struct TargetOptions {
   std::optional<double> max_cost;          ///< at least 0; in the unit of the cost (`Cost`), by model units
   std::optional<Length> max_error;         ///< above 0
   std::optional<Length> max_border_error;  ///< above 0; as `max_error` if not set
+  std::optional<std::string> tolerances;   ///< file with the tolerance of each vertex
 };
 /// \param cost_unit what the help says of the unit of --max-cost
 void add_target_options(CLI::App& app, TargetOptions& options, const std::string& cost_unit);
 
-/// Adds `--max-error` and `--max-error-borders`.
+/// Adds `--max-error`, `--max-error-borders` and `--tolerance-map`.
 void add_max_error(CLI::App& app, TargetOptions& options);
 
 /// \param all how the targets that there are are named in the message
@@ -47,7 +48,8 @@ bool is_met(const DecimateTarget& target, StopReason stop);
 std::string to_string(const DecimateTarget& target);
 
 /// Key `target` of the reports, without `met`: those of "faces", "vertices", "ratio", "face_ratio", "max_cost",
-/// "max_error", "max_error_borders" that are set.
+/// "max_error", "max_error_borders",
+/// "tolerance_map" that are set.
 nlohmann::ordered_json target_json(const TargetOptions& options, const DecimateTarget& target);
 
 }  // namespace whittle::app

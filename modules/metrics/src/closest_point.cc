@@ -233,4 +233,50 @@ ClosestPoint TriangleTree::nearest_local(const Vec3& offset, Index hint) const {
   return best;
 }
 
+void TriangleTree::set_offsets(std::vector<double> offsets) {
+  offsets_ = std::move(offsets);
+  least_offsets_.assign(nodes_.size(), infinity);
+  for (std::size_t n = nodes_.size(); n-- > 0;) {  // children come after their parent
+    const Node& node = nodes_[n];
+    double& least = least_offsets_[n];
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      least = std::min(least, offsets_[slots_[i].face]);
+    }
+    if (node.count == 0) least = std::min(least_offsets_[node.first], least_offsets_[node.first + 1]);
+  }
+}
+
+TriangleTree::OffsetFace TriangleTree::nearest_by_offsets(const Vec3& point, Index hint) const {
+  OffsetFace best{invalid_index, infinity};
+  const auto consider = [&](const Slot& slot) {
+    const double distance = std::sqrt(length_sq(point - nearest_in(slot, point))) + offsets_[slot.face];
+    if (distance < best.distance || (distance == best.distance && slot.face < best.face)) best = {slot.face, distance};
+  };
+  if (hint < slot_of_face_.size()) consider(slots_[slot_of_face_[hint]]);
+
+  struct Entry {
+    std::uint32_t node;
+    double distance;
+  };
+  const auto entry = [&](std::uint32_t node) {
+    return Entry{node, std::sqrt(distance_sq_to_box(point, nodes_[node].box)) + least_offsets_[node]};
+  };
+  std::array<Entry, max_depth + 2> stack;
+  std::size_t size = 0;
+  stack[size++] = entry(0);
+  while (size > 0) {
+    const auto [number, distance] = stack[--size];
+    if (distance > best.distance) continue;
+    const Node& node = nodes_[number];
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) consider(slots_[i]);
+    if (node.count > 0) continue;
+    Entry near = entry(node.first);
+    Entry far = entry(node.first + 1);
+    if (far.distance < near.distance) std::swap(near, far);
+    stack[size++] = far;
+    stack[size++] = near;
+  }
+  return best;
+}
+
 }  // namespace whittle::metrics

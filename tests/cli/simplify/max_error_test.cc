@@ -93,5 +93,39 @@ TEST(MaxErrorOption, WritesNothingThatIsNotProven) {
   EXPECT_EQ(whittle({"simplify", input, "-o", output, "-e", "0.01", "--ascii"}).exit_code, 0);
 }
 
+TEST(MaxErrorOption, IsLessInPlaces) {
+  const TemporaryFolder folder;
+  const std::string input = data_file("blob.obj");
+  const io::ReadResult read = io::read_mesh(input);
+  const double diagonal = bounds_of(read.mesh.positions).diagonal();
+  std::string lines;
+  std::vector<double> tolerances;
+  for (const Vec3& p : read.mesh.positions) {
+    lines += p.x() < 0 ? "0.2%\r\n" : "100\n";
+    tolerances.push_back(p.x() < 0 ? 0.002 * diagonal : 100);
+  }
+  ASSERT_EQ(read.file_vertices, read.mesh.positions.size());
+  const std::string map = folder / "tolerances.txt";
+  write_text(map, lines);
+  const std::string output = folder / "out.ply";
+  const auto simplify_by = [&](const std::string& file) {
+    return whittle({"simplify", input, "-o", output, "-e", "1%", "--tolerance-map", file, "--json", "-"});
+  };
+  const Outcome run = simplify_by(map);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(nlohmann::json::parse(run.out)["target"]["tolerance_map"], map);
+  const IndexedMesh written = io::read_mesh(output).mesh;
+  EXPECT_EQ(metrics::certify(read.mesh, written, 0.01 * diagonal, {.tolerances = tolerances}).verdict,
+            metrics::Verdict::proven);
+  ASSERT_EQ(whittle({"simplify", input, "-o", output, "-e", "1%"}).exit_code, 0);
+  EXPECT_LT(io::read_mesh(output).mesh.faces.size(), written.faces.size());
+
+  write_text(map, lines + "1\n");
+  EXPECT_EQ(simplify_by(map).exit_code, 4);
+  write_text(map, "1\n0\n");
+  EXPECT_NE(simplify_by(map).err.find(map + ":2: '0' is no length above 0"), std::string::npos);
+  EXPECT_NE(simplify_by(folder / "missing").err.find("missing"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace whittle::test

@@ -231,5 +231,63 @@ TEST(MaxError, RefusesWhatHasNoMeaning) {
   }
 }
 
+/// Tight where x is small, loose elsewhere.
+std::vector<double> tight_on_one_side(const IndexedMesh& mesh, double tight, double loose) {
+  const PointBounds box = bounds_of(mesh.positions);
+  std::vector<double> tolerances;
+  for (const Vec3& p : mesh.positions) {
+    tolerances.push_back(p.x() < 0.5 * (box.low.x() + box.high.x()) ? tight : loose);
+  }
+  return tolerances;
+}
+
+TEST(MaxError, IsLessInPlaces) {
+  for (const auto& [name, mesh] : larger_meshes()) {
+    SCOPED_TRACE(name);
+    const double loose = 0.02 * diagonal(mesh);
+    const double tight = 0.002 * diagonal(mesh);
+    DecimateOptions options;
+    options.cost = Cost::memoryless;
+    const auto n_faces = [&](double max_error) {
+      return decimate(mesh, DecimateTarget::max_error(max_error), options).mesh.faces.size();
+    };
+    const std::size_t n_loose = n_faces(loose);
+    const std::size_t n_tight = n_faces(tight);
+    options.tolerances = tight_on_one_side(mesh, tight, loose);
+    const Decimation result = decimate(mesh, DecimateTarget::max_error(loose), options);
+    expect_kept(mesh, loose, result);
+    for (double& tolerance : options.tolerances) tolerance *= 1 + 1e-9;
+    EXPECT_EQ(metrics::certify(mesh, result.mesh, (1 + 1e-9) * loose, {.tolerances = options.tolerances}).verdict,
+              metrics::Verdict::proven);
+    EXPECT_GE(result.mesh.faces.size(), n_loose);
+    EXPECT_LE(result.mesh.faces.size(), n_tight + n_tight / 10);
+    if (n_tight > 4 * n_loose) {
+      EXPECT_LT(result.mesh.faces.size(), 3 * n_tight / 4 + n_loose);
+    }
+  }
+}
+
+TEST(MaxError, IsKeptByPolishWhereItIsLess) {
+  const IndexedMesh mesh = noisy_torus(80, 40, 1, 0.4, 0.01, 1);
+  SimplifyOptions options;
+  options.decimate.tolerances = tight_on_one_side(mesh, 0.01, 0.05);
+  const Simplification result = simplify(mesh, DecimateTarget::max_error(0.05), Effort::normal, options);
+  EXPECT_GT(result.polish.n_moved, 0U);
+  EXPECT_EQ(metrics::certify(mesh, result.mesh, 0.05, {.tolerances = options.decimate.tolerances}).verdict,
+            metrics::Verdict::proven);
+}
+
+TEST(MaxError, RefusesTolerancesThatDoNotFit) {
+  const IndexedMesh mesh = cube();
+  DecimateOptions options;
+  options.tolerances.assign(mesh.positions.size(), 1);
+  EXPECT_NO_THROW(decimate(mesh, DecimateTarget::max_error(1), options));
+  EXPECT_THROW(decimate(mesh, DecimateTarget::faces(4), options), std::invalid_argument);
+  options.tolerances[0] = 0;
+  EXPECT_THROW(decimate(mesh, DecimateTarget::max_error(1), options), std::invalid_argument);
+  options.tolerances.pop_back();
+  EXPECT_THROW(decimate(mesh, DecimateTarget::max_error(1), options), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace whittle::test

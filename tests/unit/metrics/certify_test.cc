@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "support/brute_distance.hh"
 #include "support/random.hh"
 #include "support/shapes.hh"
 #include "whittle/core/frame.hh"
-#include "whittle/core/geometry/nearest_on_triangle.hh"
 #include "whittle/engine/simplify.hh"
 
 namespace whittle::test {
@@ -24,36 +24,7 @@ using namespace metrics;
 
 namespace {
 
-using Corners = std::array<Vec3, 3>;
-
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Corners corners_of(const IndexedMesh& mesh, Index face) {
-  const auto& [a, b, c] = mesh.faces[face];
-  return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
-}
-
-double distance_to_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
-  const double square = (b - a).squaredNorm();
-  const double share = square > 0 ? std::clamp((p - a).dot(b - a) / square, 0.0, 1.0) : 0;
-  return (a + share * (b - a) - p).norm();
-}
-
-double distance_to_triangle(const Corners& t, const Vec3& p) {
-  const auto& [a, b, c] = t;
-  const double to_sides =
-      std::min({distance_to_segment(a, b, p), distance_to_segment(b, c, p), distance_to_segment(c, a, p)});
-  const Vec3 normal = (b - a).cross(c - a);
-  const auto is_left = [&](const Vec3& from, const Vec3& to) { return normal.dot((to - from).cross(p - from)) > 0; };
-  const bool is_over = is_left(a, b) && is_left(b, c) && is_left(c, a);
-  return is_over ? std::abs(normal.dot(p - a)) / normal.norm() : to_sides;
-}
-
-double distance_to_all(const IndexedMesh& mesh, const Vec3& p) {
-  double least = infinity;
-  for (Index f = 0; f < mesh.faces.size(); ++f) least = std::min(least, distance_to_triangle(corners_of(mesh, f), p));
-  return least;
-}
 
 /// The largest distance of a surface's points from another one, or less by `accuracy`: the most promising piece is
 /// halved, until it promises little more than was found.
@@ -116,17 +87,6 @@ void expect_right(const IndexedMesh& a, const IndexedMesh& b, double accuracy, d
     EXPECT_GT(farther.distance, 0.99 * least);
     EXPECT_NEAR(distance_to_all(farther.is_on_first ? b : a, farther.point), farther.distance, 1e-12 * size);
   }
-}
-
-IndexedMesh random_faces(std::size_t n_faces, Random& random) {
-  IndexedMesh mesh;
-  for (std::size_t i = 0; i < n_faces + 2; ++i) mesh.positions.push_back(random.uniform_vector(-1, 1));
-  for (std::size_t f = 0; f < n_faces; ++f) {
-    mesh.faces.push_back({static_cast<Index>(random.below(mesh.positions.size())),
-                          static_cast<Index>(random.below(mesh.positions.size())),
-                          static_cast<Index>(random.below(mesh.positions.size()))});
-  }
-  return mesh;
 }
 
 /// Any triangles, folded, crossing, degenerate, with edges of any number of faces.

@@ -83,6 +83,11 @@ void check(const DecimateTarget& target, const DecimateOptions& options, std::si
   check_ranges(options);
   check_conflicts(options);
   check_pauses(options);
+  const std::vector<double>& tolerances = options.tolerances;
+  require(tolerances.empty() || target.error_limit(), "there are tolerances, but no max_error");
+  require(tolerances.empty() || tolerances.size() == n_vertices, "tolerances has another length than the vertices");
+  require(std::all_of(tolerances.begin(), tolerances.end(), [](double t) { return t > 0; }),
+          "a tolerance is not positive");
   require(options.locked.empty() || options.locked.size() == n_vertices, "locked has another length than the vertices");
 }
 

@@ -155,6 +155,7 @@ class Run {
   void contract_to_stops(const BlockPlan& plan);
   void contract_within_error();
   void contract_what_moves_little(double displacement);
+  std::vector<double> displacement_limits(double share_of_limit);
   void make_coarse_bound();
   bool contract_guarded();
   ErrorBound::Violations find_violations_before_guarding();
@@ -183,6 +184,7 @@ class Run {
   std::unique_ptr<ErrorBound> coarse_bound_;  ///< of the surface, to a coarse copy of the input; or null
   std::vector<Index> coarse_origins_;         ///< vertices of that → vertices of the input
   std::optional<double> displacement_limit_;  ///< of the pass, if it has one; in the frame
+  std::vector<double> displacement_limits_;   ///< of the input's vertices, where they have tolerances
   bool is_guarded_ = false;                   ///< whether the pass keeps the bounds
 
   Done done_;
@@ -315,6 +317,7 @@ void Run::contract_to(const DecimateTarget& stop, bool is_last) {
   start.input.feature_tolerance = options_.feature_tolerance * bounds_of(mesh_.positions).diagonal() * frame_.scale;
   start.input.host = host_;
   start.input.context.displacement_limit = displacement_limit_;
+  start.input.context.displacement_limits = displacement_limits_;
   if (is_guarded_) {
     start.input.context.error_bound = &guarding_bound();
     start.input.context.border_bound = error_bounds_->borders();
@@ -390,18 +393,20 @@ void Run::contract_within_error() {
   const double limit = *target_.error_limit() * frame_.scale;
   const auto make_bounds = [&] {
     const double border_limit = *target_.border_error_limit() * frame_.scale;
-    return std::make_unique<ErrorBounds>(mesh_, frame_, limit, border_limit, options_.threads);
+    return std::make_unique<ErrorBounds>(mesh_, frame_, limit, border_limit, options_.threads, options_.tolerances);
   };
   const bool has_threads = n_threads(options_.threads) > 1;
   auto bounds =
       std::async(has_threads ? std::launch::async | std::launch::deferred : std::launch::deferred, make_bounds);
-  if (mesh_.faces.size() >= fewest_faces_of_coarse_copy) contract_what_moves_little(0.02 * limit);
+  const bool has_coarse_copy = mesh_.faces.size() >= fewest_faces_of_coarse_copy && options_.tolerances.empty();
+  if (has_coarse_copy) contract_what_moves_little(0.02 * limit);
   error_bounds_ = bounds.get();
   if (done_.left) make_coarse_bound();
   const Done start = done_;
   for (const double share_of_limit : {0.3, 0.2, 0.1, 0.0}) {
     done_ = start;
     if (share_of_limit == 0) coarse_bound_.reset();
+    displacement_limits_ = displacement_limits(share_of_limit);
     contract_what_moves_little(share_of_limit * limit);
     if (contract_guarded()) return end_within_error();
   }
@@ -409,6 +414,17 @@ void Run::contract_within_error() {
   contract_to(DecimateTarget::faces(mesh_.faces.size()), true);  // nothing
   done_.result.stop = StopReason::error;
   end_within_error();
+}
+
+/// Of each vertex of the input, in the frame. Empty if there are no tolerances.
+std::vector<double> Run::displacement_limits(double share_of_limit) {
+  std::vector<double> limits;
+  if (options_.tolerances.empty()) return limits;
+  limits.reserve(mesh_.positions.size());
+  for (Index v = 0; v < mesh_.positions.size(); ++v) {
+    limits.push_back(share_of_limit * error_bounds_->surface().limit_at(v));
+  }
+  return limits;
 }
 
 /// \param displacement of the surface by one contraction, at most, about; in the frame

@@ -6,6 +6,7 @@
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/detail/parallel.hh"
 #include "whittle/metrics/detail/prover.hh"
+#include "whittle/metrics/detail/tolerances.hh"
 
 namespace whittle {
 namespace {
@@ -41,6 +42,24 @@ std::vector<Index> faces_at_vertices(const metrics::LinkedFaces& surface) {
   return faces;
 }
 
+/// Of each face; empty if there are no tolerances.
+std::vector<double> limits_in_frame(const IndexedMesh& mesh, const Frame& frame, double limit,
+                                    std::span<const double> tolerances) {
+  std::vector<double> limits = metrics::face_limits(mesh.faces, tolerances, limit * frame.unscale);
+  for (double& of_face : limits) of_face = std::min(limit, of_face * frame.scale);
+  return limits;
+}
+
+/// Of each vertex the least limit of its faces; empty if faces have none of their own.
+std::vector<double> limits_at_vertices(const IndexedMesh& mesh, std::span<const double> limits, double limit) {
+  if (limits.empty()) return {};
+  std::vector<double> at_vertices(mesh.positions.size(), limit);
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    for (const Index v : mesh.faces[f]) at_vertices[v] = std::min(at_vertices[v], limits[f]);
+  }
+  return at_vertices;
+}
+
 /// Calls `use(face, prover, violations)` for each face below `n`, on all threads. Violations are added in order.
 template <class Use>
 void for_each_face(std::size_t n, const metrics::ProofTarget& target, unsigned threads, const Use& use,
@@ -66,20 +85,30 @@ void ErrorBound::Violations::add(const Violations& other) {
   vertices.insert(vertices.end(), other.vertices.begin(), other.vertices.end());
 }
 
-ErrorBound::ErrorBound(const IndexedMesh& input, const Frame& frame, double limit, unsigned threads)
-    : input_(input, frame),
+ErrorBound::ErrorBound(const IndexedMesh& input, const Frame& frame, double limit, unsigned threads,
+                       std::span<const double> tolerances)
+    : limits_(limits_in_frame(input, frame, limit, tolerances)),
+      input_(input, frame, limits_, limit),
       limit_(limit),
       threads_(threads),
       points_(input_.faces().positions.begin(), input_.faces().positions.end()),
+      point_limits_(limits_at_vertices(input, limits_, limit)),
       neighbours_(neighbours_in(input)) {
   input_.build_tree(nullptr);
+}
+
+void ErrorBound::add_points(std::span<const FarPoint> points) {
+  for (const FarPoint& point : points) {
+    points_.push_back(point.position);
+    if (!limits_.empty()) point_limits_.push_back(point.limit);
+  }
 }
 
 ErrorBound::Violations ErrorBound::check(const IndexedMesh& surface, const Frame& frame,
                                          std::span<const Index> vertex_map, double limit) {
   Violations violations;
   if (surface.faces.empty()) {
-    violations.points = points_;
+    for (Index p = 0; p < points_.size(); ++p) violations.points.push_back({points_[p], limit_at(p)});
     return violations;
   }
   const metrics::TargetSurface target(surface, frame);
@@ -108,17 +137,18 @@ std::vector<Index> ErrorBound::find_supports(const metrics::TargetSurface& surfa
   const std::vector<Index> at_vertices = faces_at_vertices(faces);
   std::vector<Index> supports(points_.size(), invalid_index);
   std::vector<std::uint8_t> is_far(points_.size());
+  const auto limit_of = [&](std::size_t p) { return std::min(limit, limit_at(static_cast<Index>(p))); };
   for_each_range(points_.size(), threads_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       Index hint = invalid_index;
       if (p < vertex_map.size()) {
         if (vertex_map[p] == invalid_index) continue;
         supports[p] = hint = at_vertices[vertex_map[p]];
-        if (hint != invalid_index && metrics::distance_to(faces.corners(hint), points_[p]) <= limit) continue;
+        if (hint != invalid_index && metrics::distance_to(faces.corners(hint), points_[p]) <= limit_of(p)) continue;
       }
       const metrics::NearFace near = surface.nearest(points_[p], hint);
       supports[p] = near.face;
-      is_far[p] = static_cast<std::uint8_t>(near.distance > limit);
+      is_far[p] = static_cast<std::uint8_t>(near.distance > limit_of(p));
     }
   });
   supports_.clear();
@@ -126,7 +156,7 @@ std::vector<Index> ErrorBound::find_supports(const metrics::TargetSurface& surfa
     if (supports[p] == invalid_index) continue;
     supports_.push_back({p, faces.faces[supports[p]]});
     if (is_far[p] == 0) continue;
-    violations.points.push_back(points_[p]);
+    violations.points.push_back({points_[p], limit_of(p)});
     add_corners(faces.faces[supports[p]], violations);
   }
   return supports;
@@ -140,9 +170,9 @@ void ErrorBound::check_input(const metrics::TargetSurface& surface, std::span<co
     const auto& [a, b, c] = faces.faces[face];
     if (supports[a] == supports[b] && supports[b] == supports[c]) return;
     metrics::FarthestPoint farthest;
-    const metrics::Verdict verdict = prover.prove(faces.corners(face), limit, supports[a], farthest);
+    const metrics::Verdict verdict = prover.prove(faces.corners(face), limit_of(face, limit), supports[a], farthest);
     if (verdict == metrics::Verdict::proven) return;
-    found.points.push_back(farthest.point);
+    found.points.push_back({farthest.point, limit_of(face, limit)});
     add_corners(surface.faces().faces[surface.nearest(farthest.point, supports[a]).face], found);
   };
   for_each_face(faces.faces.size(), surface, threads_, check, violations);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -18,10 +19,16 @@ class ErrorBound {
     Triangle face;  ///< by the surface's vertices
   };
 
+  /// A point of the input that is far from the surface.
+  struct FarPoint {
+    Vec3 position;  ///< in the frame
+    double limit;   ///< that it has
+  };
+
   /// What stands against a surface.
   struct Violations {
     bool is_surface_far = false;  ///< whether a face of it isn't proven to be near to the input
-    std::vector<Vec3> points;     ///< of the input, that are far from the surface; in the frame
+    std::vector<FarPoint> points;
     std::vector<Index> vertices;  ///< of the surface, at those faces and near to those points
 
     bool empty() const { return !is_surface_far && points.empty(); }
@@ -30,15 +37,20 @@ class ErrorBound {
 
   /// \param input must outlive it. Triangles of which two corners are one stand for segments.
   /// \param limit in the frame
-  ErrorBound(const IndexedMesh& input, const Frame& frame, double limit, unsigned threads);
+  /// \param tolerances of the input's vertices, model units, or empty: the limit of each face is the least of its
+  ///        corners', too
+  ErrorBound(const IndexedMesh& input, const Frame& frame, double limit, unsigned threads,
+             std::span<const double> tolerances = {});
 
   const metrics::TargetSurface& input() const { return input_; }
   double limit() const { return limit_; }
-  void tighten() { limit_ *= 0.95; }
+  void tighten() { limit_ *= 0.95; }  ///< \pre there are no tolerances
+  /// How far the surface may be from a point: the least limit of the faces that it is a corner of, or lies on.
+  double limit_at(Index point) const { return point_limits_.empty() ? limit_ : point_limits_[point]; }
 
   /// Points of the input that are to be near to the surface: its vertices, and those that were added.
   std::span<const Vec3> points() const { return points_; }
-  void add_points(std::span<const Vec3> points) { points_.insert(points_.end(), points.begin(), points.end()); }
+  void add_points(std::span<const FarPoint> points);
   /// The other ends of the input's edges at a point. None if it isn't a vertex.
   std::span<const Index> neighbours(Index point) const {
     return point < neighbours_.size() ? neighbours_.of(point) : std::span<const Index>{};
@@ -59,10 +71,14 @@ class ErrorBound {
                    Violations& violations) const;
   void check_surface(const metrics::TargetSurface& surface, double limit, Violations& violations) const;
 
+  double limit_of(Index face, double limit) const { return limits_.empty() ? limit : std::min(limit, limits_[face]); }
+
+  std::vector<double> limits_;  ///< of the input's faces, in the frame; or empty
   metrics::TargetSurface input_;
   double limit_;
   unsigned threads_;
-  std::vector<Vec3> points_;  ///< in the frame
+  std::vector<Vec3> points_;          ///< in the frame
+  std::vector<double> point_limits_;  ///< of each, if there are tolerances
   detail::IndexLists<Index> neighbours_;
   std::vector<Support> supports_;
 };

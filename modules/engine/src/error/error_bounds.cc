@@ -27,9 +27,9 @@ std::vector<Index> of_ends(std::span<const Index> map, const IndexedMesh& segmen
 }  // namespace
 
 ErrorBounds::ErrorBounds(const IndexedMesh& input, const Frame& frame, double limit, double border_limit,
-                         unsigned threads)
+                         unsigned threads, std::span<const double> tolerances)
     : border_edges_(metrics::border_edges_of(input).mesh),
-      surface_(std::make_unique<ErrorBound>(proper_faces(input, proper_), frame, limit, threads)) {
+      surface_(std::make_unique<ErrorBound>(proper_faces(input, proper_), frame, limit, threads, tolerances)) {
   if (!border_edges_.faces.empty()) {
     borders_ = std::make_unique<ErrorBound>(border_edges_, frame, border_limit, threads);
   }

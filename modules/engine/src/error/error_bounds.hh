@@ -12,7 +12,9 @@ namespace whittle {
 class ErrorBounds {
  public:
   /// \param input must outlive it \param limit, border_limit in the frame
-  ErrorBounds(const IndexedMesh& input, const Frame& frame, double limit, double border_limit, unsigned threads);
+  /// \param tolerances of the input's vertices, model units, or empty
+  ErrorBounds(const IndexedMesh& input, const Frame& frame, double limit, double border_limit, unsigned threads,
+              std::span<const double> tolerances);
 
   ErrorBound& surface() { return *surface_; }
   ErrorBound* borders() { return borders_.get(); }  ///< null if the input has none

@@ -28,7 +28,22 @@ double cosine_between(const Vec3& normal, const Vec3& other) {
 
 }  // namespace
 
+DisplacementGuard::DisplacementGuard(const TriangleComplex& complex, double limit, std::span<const double> limits)
+    : complex_(complex), limit_sq_(limit * limit) {
+  if (limits.empty()) return;
+  limits_.reserve(complex.n_vertex_slots());
+  for (Index v = 0; v < complex.n_vertex_slots(); ++v) limits_.push_back(limits[complex.origin(v)]);
+}
+
+void DisplacementGuard::note(const Change& change) {
+  limits_[change.survivor] = std::min(limits_[change.survivor], limits_[change.removed]);
+}
+
 bool DisplacementGuard::refuses_at(ContractionProfile& profile, const Vec3& position) {
+  if (!limits_.empty()) {
+    const double limit = std::min(limits_[profile.pair.a], limits_[profile.pair.b]);
+    limit_sq_ = limit * limit;
+  }
   const auto [displacement_sq, least_cosine] = motion(profile, position);
   if (displacement_sq > limit_sq_) return true;
   double longest_sq = 0;

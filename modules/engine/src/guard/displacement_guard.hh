@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "complex/triangle_complex.hh"
@@ -12,11 +13,14 @@ namespace whittle {
 class DisplacementGuard final : public Guard {
  public:
   /// \param limit in the frame
-  DisplacementGuard(const TriangleComplex& complex, double limit) : complex_(complex), limit_sq_(limit * limit) {}
+  /// \param limits of each vertex by its number in the input of the pass, in place of that; or empty
+  DisplacementGuard(const TriangleComplex& complex, double limit, std::span<const double> limits);
 
   /// Nowhere: what is refused now may be contracted later.
   std::uint64_t Rejections::*reason() const override { return nullptr; }
   bool refuses_at(ContractionProfile& profile, const Vec3& position) override;
+  bool follows() const override { return !limits_.empty(); }
+  void note(const Change& change) override;
 
  private:
   /// What a contraction does to the faces around a pair.
@@ -30,7 +34,8 @@ class DisplacementGuard final : public Guard {
   void list_border_edges(const Vec3& from, std::vector<std::array<Vec3, 3>>& edges);
 
   const TriangleComplex& complex_;
-  double limit_sq_;
+  double limit_sq_;                          ///< of the contraction looked at last
+  std::vector<double> limits_;               ///< per vertex; empty if all have one
   std::vector<std::array<Vec3, 3>> before_;  ///< scratch: faces
   std::vector<std::array<Vec3, 3>> after_;   ///< scratch
   std::vector<Index> ends_;                  ///< scratch: the other corners of the faces at a vertex

@@ -96,7 +96,7 @@ bool ErrorGuard::are_affected_near() {
   after_.clear();
   Index hint = 0;
   for (const Index point : affected_) {
-    if (!find_support(bound_.points()[point], hint)) return false;
+    if (!find_support(bound_.points()[point], reach(bound_.limit_at(point)), hint)) return false;
     after_.push_back(hint);
   }
   for (std::size_t i = 0; i < affected_.size(); ++i) {
@@ -114,7 +114,9 @@ bool ErrorGuard::are_edges_near(Index point, Index support) {
     if (is_affected && (other < point || after_[place.place] == support)) continue;
     const metrics::Corners of_other =
         is_affected ? faces_[after_[place.place]].corners : corners(supports_.support(other));
-    if (!is_near({{points[point], points[other]}, {faces_[support].corners, of_other}}, 0)) return false;
+    // The faces at the edge may be farther than either end: so the greater limit will do.
+    const double limit = std::max(bound_.limit_at(point), bound_.limit_at(other));
+    if (!is_near({{points[point], points[other]}, {faces_[support].corners, of_other}, reach(limit)}, 0)) return false;
   }
   return true;
 }
@@ -122,33 +124,33 @@ bool ErrorGuard::are_edges_near(Index point, Index support) {
 /// The distance from a face is convex along the segment. So all of it is near if one point is near to both faces.
 bool ErrorGuard::is_near(const Segment& segment, int depth) {
   constexpr int most_halvings = 8;
-  const auto& [ends, faces] = segment;
+  const auto& [ends, faces, reach] = segment;
   const Vec3 middle = 0.5 * (ends[0] + ends[1]);
-  const bool is_near_first = is_within(faces[0], middle);
-  const bool is_near_second = is_within(faces[1], middle);
+  const bool is_near_first = is_within(faces[0], middle, reach);
+  const bool is_near_second = is_within(faces[1], middle, reach);
   if (is_near_first && is_near_second) return true;
   if (depth == most_halvings) return false;
-  if (is_near_first) return is_near({{middle, ends[1]}, faces}, depth + 1);
-  if (is_near_second) return is_near({{ends[0], middle}, faces}, depth + 1);
+  if (is_near_first) return is_near({{middle, ends[1]}, faces, reach}, depth + 1);
+  if (is_near_second) return is_near({{ends[0], middle}, faces, reach}, depth + 1);
   Index support = 0;
-  if (!find_support(middle, support)) return false;
+  if (!find_support(middle, reach, support)) return false;
   const metrics::Corners between = faces_[support].corners;
-  return is_near({{ends[0], middle}, {faces[0], between}}, depth + 1) &&
-         is_near({{middle, ends[1]}, {between, faces[1]}}, depth + 1);
+  return is_near({{ends[0], middle}, {faces[0], between}, reach}, depth + 1) &&
+         is_near({{middle, ends[1]}, {between, faces[1]}, reach}, depth + 1);
 }
 
 /// Finds a face that is near to the point, among the new ones and then those around them. \param hint tried first
-bool ErrorGuard::find_support(const Vec3& point, Index& hint) {
-  if (find_support_in_list(point, hint)) return true;
+bool ErrorGuard::find_support(const Vec3& point, double reach, Index& hint) {
+  if (find_support_in_list(point, reach, hint)) return true;
   if (faces_.size() > n_new_) return false;
   list_faces_around();
-  return find_support_in_list(point, hint);
+  return find_support_in_list(point, reach, hint);
 }
 
-bool ErrorGuard::find_support_in_list(const Vec3& point, Index& hint) const {
-  if (hint < faces_.size() && is_within(faces_[hint].corners, point)) return true;
+bool ErrorGuard::find_support_in_list(const Vec3& point, double reach, Index& hint) const {
+  if (hint < faces_.size() && is_within(faces_[hint].corners, point, reach)) return true;
   for (Index face = 0; face < faces_.size(); ++face) {
-    if (!is_within(faces_[face].corners, point)) continue;
+    if (!is_within(faces_[face].corners, point, reach)) continue;
     hint = face;
     return true;
   }

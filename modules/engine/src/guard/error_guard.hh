@@ -50,6 +50,7 @@ class ErrorGuard : public Guard {
   struct Segment {
     std::array<Vec3, 2> ends;
     std::array<metrics::Corners, 2> faces;
+    double reach;  ///< how far it may be from the surface
   };
   /// Where a point is in `affected_`, if it is.
   struct Place {
@@ -63,18 +64,17 @@ class ErrorGuard : public Guard {
   bool are_affected_near();
   bool are_edges_near(Index point, Index support);
   bool is_near(const Segment& segment, int depth);
-  bool find_support(const Vec3& point, Index& hint);
-  bool find_support_in_list(const Vec3& point, Index& hint) const;
+  bool find_support(const Vec3& point, double reach, Index& hint);
+  bool find_support_in_list(const Vec3& point, double reach, Index& hint) const;
   bool is_at_pair(const Triangle& face) const;
-  bool is_within(const metrics::Corners& face, const Vec3& point) const {
-    return metrics::distance_to(face, point) <= share_for_points * bound_.limit();
+  static bool is_within(const metrics::Corners& face, const Vec3& point, double reach) {
+    return metrics::distance_to(face, point) <= reach;
   }
+  /// How far points and edges of the input may be: what is left of the limit is for points inside of faces.
+  static double reach(double limit) { return 0.99 * limit; }
   metrics::Corners corners(const Triangle& face) const {
     return {complex_.position(face[0]), complex_.position(face[1]), complex_.position(face[2])};
   }
-
-  /// Of the limit: what is left is for points inside of faces.
-  static constexpr double share_for_points = 0.99;
 
   TriangleComplex& complex_;
   const ErrorBound& bound_;

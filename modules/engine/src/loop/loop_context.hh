@@ -27,8 +27,10 @@ struct LoopContext {
   Role role = Role::alone;
   std::span<const Refusal> refusals;           ///< that still hold, of passes before
   std::optional<double> displacement_limit{};  ///< of the surface by one contraction, in the frame
-  const ErrorBound* error_bound = nullptr;     ///< with supports among the faces that the pass begins with
-  const ErrorBound* border_bound = nullptr;    ///< with supports among their border edges
+  std::span<const double>
+      displacement_limits{};                 ///< if there is one: of each vertex of the pass, in its place; or empty
+  const ErrorBound* error_bound = nullptr;   ///< with supports among the faces that the pass begins with
+  const ErrorBound* border_bound = nullptr;  ///< with supports among their border edges
 };
 
 }  // namespace whittle

@@ -28,7 +28,8 @@ Guards make_guards(TriangleComplex& complex, const Restraints& restraints, Thres
   if (options.min_radius_ratio > 0) add(std::make_unique<RadiusRatioGuard>(complex, *options.min_radius_ratio));
   if (options.refuse_intersections) add(std::make_unique<IntersectionGuard>(complex));
   if (host != nullptr && host->may_refuse()) add(std::make_unique<HostGuard>(complex, *host));
-  if (context.displacement_limit) add(std::make_unique<DisplacementGuard>(complex, *context.displacement_limit));
+  if (context.displacement_limit)
+    add(std::make_unique<DisplacementGuard>(complex, *context.displacement_limit, context.displacement_limits));
   if (context.border_bound) add(std::make_unique<BorderErrorGuard>(complex, *context.border_bound));
   if (context.error_bound) add(std::make_unique<ErrorGuard>(complex, *context.error_bound));
   return guards;

@@ -1,6 +1,10 @@
+#include <algorithm>
 #include <limits>
+#include <stdexcept>
+#include <vector>
 
 #include "certify/arguments.hh"
+#include "certify/recorded.hh"
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/certify.hh"
@@ -47,25 +51,38 @@ LargestDistance one_way(const std::optional<FarPoint>& lost) {
 }  // namespace
 
 BorderEdges border_edges_of(const IndexedMesh& mesh) {
+  using whittle::detail::face_of, whittle::detail::next_in_face, whittle::detail::start_of;
   BorderEdges border;
   border.mesh.positions = mesh.positions;
   const whittle::detail::EdgeTable edges(mesh.faces, mesh.positions.size());
+  std::vector<Index> sides;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const std::span<const Index> sides = edges.sides(e);
-    if (sides.size() != 1) continue;
-    border.mesh.faces.push_back({edges[e].a, edges[e].b, edges[e].b});
-    border.faces.push_back(whittle::detail::face_of(sides[0]));
+    if (edges.sides(e).size() == 1) sides.push_back(edges.sides(e)[0]);
+  }
+  std::sort(sides.begin(), sides.end());
+  for (const Index side : sides) {
+    const Index to = start_of(next_in_face(side), mesh.faces);
+    border.mesh.faces.push_back({start_of(side, mesh.faces), to, to});
+    border.faces.push_back(face_of(side));
   }
   return border;
 }
 
 Certification certify_borders(const IndexedMesh& first, const IndexedMesh& second, double max_distance,
                               const CertifyOptions& options) {
+  return certify_borders(first, second, max_distance, options, nullptr);
+}
+
+Certification certify_borders(const IndexedMesh& first, const IndexedMesh& second, double max_distance,
+                              const CertifyOptions& options, std::string* sections) {
   require_distance(max_distance);
+  if (!options.tolerances.empty()) {
+    throw std::invalid_argument("certify_borders: there are tolerances, which are of the surface");
+  }
   const Borders borders(first, second);
   if (!borders.has_any()) return {Verdict::proven, {}};
   if (!borders.has_both()) return {Verdict::refuted, borders.lost_point()};
-  Certification result = certify(borders.first.mesh, borders.second.mesh, max_distance, options);
+  Certification result = certify(borders.first.mesh, borders.second.mesh, max_distance, options, sections);
   if (result.farther) borders.name_face(*result.farther);
   return result;
 }

@@ -5,19 +5,23 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "certify/arguments.hh"
+#include "certify/proof_text.hh"
+#include "certify/recorded.hh"
 #include "whittle/core/detail/progress_meter.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/detail/prover.hh"
 #include "whittle/metrics/detail/target_surface.hh"
+#include "whittle/metrics/detail/tolerances.hh"
 
 namespace whittle::metrics {
 namespace {
 
-/// Faces that a thread takes at a time. What is found for them depends on no others.
+/// Faces that a thread takes at a time, and a chunk of a certificate has. What is found for them depends on no others.
 constexpr std::size_t faces_per_block = 1024;
 
 /// A surface whose points may be far from another one.
@@ -26,6 +30,7 @@ struct OneWay {
   const TargetSurface& target;
   const Frame& frame;
   bool is_first;
+  std::span<const double> limits{};  ///< of each face, in the frame; or empty
 
   std::size_t n_blocks() const { return (mesh.faces.size() + faces_per_block - 1) / faces_per_block; }
   Corners corners(Index face) const {
@@ -47,10 +52,15 @@ struct OneWay {
 /// Two surfaces in one frame.
 class Surfaces {
  public:
-  Surfaces(const IndexedMesh& first, const IndexedMesh& second, whittle::detail::ProgressMeter& meter)
-      : meshes_{first, second}, frame_(frame_of(bounds(first), bounds(second))) {
+  /// \param tolerances of the first surface's vertices, or empty \param most of them counts; model units
+  Surfaces(const IndexedMesh& first, const IndexedMesh& second, whittle::detail::ProgressMeter& meter,
+           std::span<const double> tolerances = {}, double most = 0)
+      : meshes_{first, second},
+        frame_(frame_of(bounds(first), bounds(second))),
+        limits_(face_limits(first.faces, tolerances, most)) {
+    for (double& of_face : limits_) of_face *= frame_.scale;
     meter.start("preparing", 0.1);
-    first_.emplace(first, frame_);
+    first_.emplace(first, frame_, limits_, most * frame_.scale);
     first_->build_tree(&meter);
     meter.start("preparing", 0.2);
     second_.emplace(second, frame_);
@@ -58,7 +68,7 @@ class Surfaces {
   }
 
   const Frame& frame() const { return frame_; }
-  OneWay forward() const { return {meshes_.first, *second_, frame_, true}; }
+  OneWay forward() const { return {meshes_.first, *second_, frame_, true, limits_}; }
   OneWay backward() const { return {meshes_.second, *first_, frame_, false}; }
 
  private:
@@ -68,13 +78,17 @@ class Surfaces {
 
   std::pair<const IndexedMesh&, const IndexedMesh&> meshes_;
   Frame frame_;
+  std::vector<double> limits_;  ///< of the first surface's faces, in the frame
   std::optional<TargetSurface> first_;
   std::optional<TargetSurface> second_;
 };
 
 /// Of the blocks in which a point is farther, the first one counts. Those after it needn't end.
-Certification certify_one_way(const OneWay& one_way, double distance, const whittle::detail::Workers& workers) {
+/// \param section the steps of the proof are appended; may be null
+Certification certify_one_way(const OneWay& one_way, double distance, const whittle::detail::Workers& workers,
+                              std::string* section) {
   std::vector<Certification> of_blocks(one_way.n_blocks());
+  std::vector<ProofText> texts(section != nullptr ? of_blocks.size() : 0);
   std::atomic<std::size_t> first_refuted{of_blocks.size()};
   for_each_block(of_blocks.size(), workers, [&](std::size_t block) {
     Certification& found = of_blocks[block];
@@ -83,8 +97,12 @@ Certification certify_one_way(const OneWay& one_way, double distance, const whit
     one_way.for_each_face_of(block, [&](Index face) {
       if (first_refuted < block) return false;
       FarthestPoint farthest;
-      const Verdict verdict = prover.prove(one_way.corners(face), distance, invalid_index, farthest);
-      if (verdict == Verdict::proven) return true;
+      const double limit = one_way.limits.empty() ? distance : one_way.limits[face];
+      const Verdict verdict = prover.prove(one_way.corners(face), limit, invalid_index, farthest);
+      if (verdict == Verdict::proven) {
+        if (section != nullptr) texts[block].add(prover.steps());
+        return true;
+      }
       found.verdict = verdict;
       if (verdict == Verdict::undecided) return true;
       found.farther = one_way.far_point(face, farthest);
@@ -98,6 +116,10 @@ Certification certify_one_way(const OneWay& one_way, double distance, const whit
   for (const Certification& found : of_blocks) {
     if (found.verdict == Verdict::refuted) return found;
     if (found.verdict == Verdict::undecided) result.verdict = Verdict::undecided;
+  }
+  for (const ProofText& text : texts) {
+    append_varint(text.bytes().size(), *section);
+    *section += text.bytes();
   }
   return result;
 }
@@ -157,6 +179,18 @@ void require_distance(double max_distance) {
   if (!(max_distance >= 0)) throw std::invalid_argument("certify: max_distance is negative, or not a number");
 }
 
+void require_tolerances(std::span<const double> tolerances, std::size_t n_vertices, double max_distance) {
+  if (!tolerances.empty() && std::isinf(max_distance)) {
+    throw std::invalid_argument("certify: there are tolerances, but max_distance is infinite");
+  }
+  if (!tolerances.empty() && tolerances.size() != n_vertices) {
+    throw std::invalid_argument("certify: tolerances has another length than the vertices");
+  }
+  if (!std::all_of(tolerances.begin(), tolerances.end(), [](double tolerance) { return tolerance > 0; })) {
+    throw std::invalid_argument("certify: a tolerance is 0 or less, or not a number");
+  }
+}
+
 void require_accuracy(double relative_accuracy) {
   constexpr double least = 1e-6;
   if (relative_accuracy >= least && relative_accuracy <= 1) return;
@@ -165,16 +199,22 @@ void require_accuracy(double relative_accuracy) {
 
 Certification certify(const IndexedMesh& first, const IndexedMesh& second, double max_distance,
                       const CertifyOptions& options) {
+  return certify(first, second, max_distance, options, nullptr);
+}
+
+Certification certify(const IndexedMesh& first, const IndexedMesh& second, double max_distance,
+                      const CertifyOptions& options, std::string* sections) {
   require_distance(max_distance);
+  require_tolerances(options.tolerances, first.positions.size(), max_distance);
   whittle::detail::ProgressMeter meter(options.progress);
   const whittle::detail::Workers workers(options.threads, &meter);
-  const Surfaces surfaces(first, second, meter);
+  const Surfaces surfaces(first, second, meter, options.tolerances, max_distance);
   const double distance = max_distance * surfaces.frame().scale;
   meter.start("proving, forward", 0.6);
-  Certification forward = certify_one_way(surfaces.forward(), distance, workers);
+  Certification forward = certify_one_way(surfaces.forward(), distance, workers, sections);
   if (forward.verdict == Verdict::refuted) return forward;
   meter.start("proving, backward", 1);
-  Certification backward = certify_one_way(surfaces.backward(), distance, workers);
+  Certification backward = certify_one_way(surfaces.backward(), distance, workers, sections);
   meter.finish();
   return backward.verdict == Verdict::proven ? forward : backward;
 }

@@ -111,8 +111,8 @@ bool Patch::covers(double height) {
     const Index f = faces_[i];
     const SeenFace face = corners(f);
     if ((seen_[face[0]].outside & seen_[face[1]].outside & seen_[face[2]].outside) != 0) continue;
-    if (!is_within(face, height)) return false;
-    over_.push_back({f, face});
+    if (!is_within(face, height - surface_.offset(f))) return false;
+    over_.push_back(face);
     for (std::size_t slot = 0; slot < 3; ++slot) {
       if (is_apart(seen_[face[slot]], seen_[face[(slot + 1) % 3]])) continue;
       const Index other = surface_.beyond[f][slot];
@@ -245,9 +245,8 @@ bool Patch::is_odd_somewhere() const {
     const Seen point = triangle_[0] + second * (triangle_[1] - triangle_[0]) + third * (triangle_[2] - triangle_[0]);
     int n = 0;
     bool is_sure = true;
-    for (const Over& over : over_) {
-      const std::optional<int> count =
-          count_over(seen_[over.seen[0]].at, seen_[over.seen[1]].at, seen_[over.seen[2]].at, point);
+    for (const auto& [a, b, c] : over_) {
+      const std::optional<int> count = count_over(seen_[a].at, seen_[b].at, seen_[c].at, point);
       is_sure &= count.has_value();
       n += count.value_or(0);
     }

@@ -42,7 +42,7 @@ template <class Limit, class Decide>
 Verdict Prover::search(const Corners& triangle, Index hint, const Limit& limit, const Decide& decide,
                        FarthestPoint& farthest) {
   surface_ = target_.faces();
-  used_.clear();
+  steps_.clear();
   pieces_.assign(1, {triangle, hint == invalid_index ? last_ : hint});
   if (pieces_[0].hint == invalid_index) pieces_[0].hint = target_.nearest(triangle[0], invalid_index).face;
   for (int n_pieces = 0; !pieces_.empty(); ++n_pieces) {
@@ -63,20 +63,20 @@ Verdict Prover::search(const Corners& triangle, Index hint, const Limit& limit, 
   return Verdict::proven;
 }
 
-/// Whether a piece is proven to be near to one face, or to the faces around it. If so, they are used.
+/// Whether a piece is proven to be near to one face, or to the faces around it. If so, that is a step of the proof.
 bool Prover::is_proven(const Corners& corners, Index face, double distance) {
   if (is_near(corners, face, distance)) return true;
   const Index over_center = patch_.look_from(surface_, corners, face);
   if (over_center == invalid_index) return false;
   if (over_center != face && is_near(corners, over_center, distance)) return true;
   if (!patch_.covers(distance)) return false;
-  patch_.for_each_face([this](Index over) { used_.push_back(over); });
+  steps_.push_back({ProofStep::Kind::patch, over_center});
   return true;
 }
 
 bool Prover::is_near(const Corners& corners, Index face, double distance) {
   if (!(distance_from_one(corners, face) <= distance - slack)) return false;
-  used_.push_back(face);
+  steps_.push_back({ProofStep::Kind::face, face});
   return true;
 }
 
@@ -94,7 +94,7 @@ double Prover::distance_from_one(const Corners& corners, Index face) const {
   const Corners other = surface_.corners(face);
   double most = 0;
   for (const Vec3& p : corners) most = std::max(most, distance_to(other, p));
-  return most;
+  return most + surface_.offset(face);
 }
 
 /// Halves the longest edge.
@@ -108,6 +108,7 @@ void Prover::split(const Corners& c, Index hint) {
       longest = i;
     }
   }
+  steps_.push_back({ProofStep::Kind::halves, static_cast<Index>(longest)});
   const Vec3& from = c[longest];
   const Vec3& to = c[(longest + 1) % 3];
   const Vec3& opposite = c[(longest + 2) % 3];

@@ -32,15 +32,25 @@ std::vector<FacesBeyond> faces_beyond(const IndexedMesh& mesh) {
 
 }  // namespace
 
-TargetSurface::TargetSurface(const IndexedMesh& mesh, const Frame& frame)
-    : in_frame_(whittle::metrics::in_frame(mesh, frame)), beyond_(faces_beyond(in_frame_)) {}
+TargetSurface::TargetSurface(const IndexedMesh& mesh, const Frame& frame, std::span<const double> limits, double limit)
+    : in_frame_(whittle::metrics::in_frame(mesh, frame)), beyond_(faces_beyond(in_frame_)) {
+  offsets_.reserve(limits.size());
+  for (const double of_face : limits) offsets_.push_back(limit - of_face);
+}
 
 void TargetSurface::build_tree(whittle::detail::ProgressMeter* meter) const {
-  std::call_once(once_, [&] { tree_.emplace(in_frame_, Vec3::Zero(), meter); });
+  std::call_once(once_, [&] {
+    tree_.emplace(in_frame_, Vec3::Zero(), meter);
+    if (!offsets_.empty()) tree_->set_offsets(offsets_);
+  });
 }
 
 NearFace TargetSurface::nearest(const Vec3& point, Index hint) const {
   build_tree(nullptr);
+  if (!offsets_.empty()) {
+    const auto [face, distance] = tree_->nearest_by_offsets(point, hint);
+    return {face, distance};
+  }
   const ClosestPoint closest = tree_->nearest_local(point, hint);
   return {closest.face, std::sqrt(closest.distance_sq)};
 }

@@ -124,7 +124,7 @@ struct Decimation {
 /// Works on any triangle set. Results don't depend on the unit, on where the mesh lies, or on the number of threads.
 /// \throw std::invalid_argument for a face number out of range, a coordinate that isn't finite or is above 3e150, an
 ///        attribute of a wrong length, an option out of its range, an option that the cost doesn't take (`CostTraits`),
-///        or `locked` of another length than the vertices.
+///        or `locked` or `tolerances` of another length than the vertices.
 /// \throw std::length_error for more than 2³¹ faces or 2³² − 2 vertices, for more than 2³² − 2 edges and threshold
 /// pairs
 ///        together, and with `feature_angle_deg` for 2³² / 3 faces or more.

@@ -102,6 +102,11 @@ struct DecimateOptions {
   /// V or empty; vertices with a non-zero entry neither move nor vanish. Their other neighbours may merge into them.
   std::vector<std::uint8_t> locked{};
 
+  /// V or empty; with `DecimateTarget::max_error`: how far the surface may be from the input at each vertex, model
+  /// units. (0, inf]. Each point of a face of the input is within the least tolerance of its corners of the result, and
+  /// each point of the result within that of some face of the input, and within `max_error` in any case.
+  std::vector<double> tolerances{};
+
   /// Edges of two faces whose normals differ by more than this are sharp, and features, degrees. (0, 180]; empty = no
   /// edges are. Vertices on a line of feature edges move along it only; where lines meet, end, or turn further than
   /// this, they stay. Feature edges stay sharp, and no others get so.

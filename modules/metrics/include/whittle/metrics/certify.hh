@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/core/progress.hh"
@@ -14,6 +15,10 @@ struct CertifyOptions {
   unsigned threads = 0;  ///< 0 = all cores; the result is the same for any number
   /// Is told the progress; returning false cancels with the exception `Cancelled`.
   ProgressCallback progress{};
+  /// Of each vertex of the first mesh, model units, positive; or empty. Each point of a face of the first surface is to
+  /// be within the least tolerance of the face's corners of the second one, and each point of the second surface within
+  /// that of some face of it. `max_distance` holds in any case.
+  std::span<const double> tolerances{};
 };
 
 struct LargestDistanceOptions {
@@ -82,7 +87,7 @@ LargestDistances largest_distances(const IndexedMesh& first, const IndexedMesh& 
 /// `certify` for the open borders of both surfaces, the edges with exactly one face: each point of either border is
 /// within the distance of the other border. Proven if no mesh has any; refuted if only one has, by a point that is
 /// infinitely far.
-/// \throw as `certify`
+/// \throw as `certify`; std::invalid_argument if there are tolerances
 Certification certify_borders(const IndexedMesh& first, const IndexedMesh& second, double max_distance,
                               const CertifyOptions& options = {});
 

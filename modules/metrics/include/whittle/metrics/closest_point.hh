@@ -46,6 +46,17 @@ class TriangleTree {
   /// The same, with argument and result in coordinates relative to `origin()`.
   ClosestPoint nearest_local(const Vec3& offset, Index hint = invalid_index) const;
 
+  /// Lets faces count as farther than they are, in `nearest_by_offsets`. \param offsets of each face, not negative
+  void set_offsets(std::vector<double> offsets);
+
+  struct OffsetFace {
+    Index face = invalid_index;
+    double distance = 0.0;  ///< With the face's offset, model units.
+  };
+  /// The face of which distance and offset together are least. \pre there are offsets
+  /// \param point, hint as for `nearest_local`
+  OffsetFace nearest_by_offsets(const Vec3& point, Index hint) const;
+
   const Vec3& origin() const { return origin_; }
 
   /// Calls `visit(face)` for each face whose own box meets the closed box `local` (relative to `origin()`), in no
@@ -83,6 +94,8 @@ class TriangleTree {
   std::vector<Node> nodes_;
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> slot_of_face_;
+  std::vector<double> offsets_;        ///< Of each face; or empty.
+  std::vector<double> least_offsets_;  ///< Of the faces in each node.
 };
 
 template <class Visitor>

@@ -13,7 +13,8 @@ struct BorderEdges {
   std::vector<Index> faces;  ///< of the mesh, the one at each edge
 };
 
-/// Edges with exactly one face, ascending by vertices. \pre the vertex numbers are valid
+/// Edges with exactly one face, in the order of the faces and of their corners; each in the direction of its face. \pre
+/// the vertex numbers are valid
 BorderEdges border_edges_of(const IndexedMesh& mesh);
 
 }  // namespace whittle::metrics

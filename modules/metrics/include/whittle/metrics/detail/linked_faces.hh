@@ -22,7 +22,9 @@ struct LinkedFaces {
   std::span<const Vec3> positions;
   std::span<const Triangle> faces;
   std::span<const FacesBeyond> beyond;  ///< of each face
+  std::span<const double> offsets;      ///< how much farther each face counts as than it is; or empty
 
+  double offset(Index face) const { return offsets.empty() ? 0 : offsets[face]; }
   Corners corners(Index face) const {
     const auto& [a, b, c] = faces[face];
     return {positions[a], positions[b], positions[c]};
@@ -32,7 +34,7 @@ struct LinkedFaces {
 /// A face that comes near to a point.
 struct NearFace {
   Index face = invalid_index;
-  double distance = 0;
+  double distance = 0;  ///< with the face's offset
 };
 
 /// A surface that triangles are proven to be near to.

@@ -46,12 +46,6 @@ class Patch {
   /// A point of the triangle that is likely far from the surface: where the faces were found to be too high.
   const std::optional<Vec3>& suspect() const { return suspect_; }
 
-  /// Calls `use` with each face that lies over the triangle, or almost. \pre `covers` has just been true
-  template <class Use>
-  void for_each_face(const Use& use) const {
-    for (const Over& over : over_) use(over.face);
-  }
-
  private:
   /// A point seen along the normal of the triangle, and its height over the triangle's plane.
   using Seen = Vec3;
@@ -81,12 +75,6 @@ class Patch {
     double distance(const Seen& p) const { return outward.x() * (p.x() - from.x()) + outward.y() * (p.y() - from.y()); }
   };
 
-  /// A face that lies over the triangle, or almost.
-  struct Over {
-    Index face;
-    SeenFace seen;
-  };
-
   bool set_view(const Corners& triangle);
   void shrink();
   Index face_over_center(Index face);
@@ -107,8 +95,8 @@ class Patch {
   double margin_ = 0;
   std::array<Seen, 3> triangle_;  ///< without the margin
   std::array<Side, 3> sides_;
-  std::vector<Index> faces_;  ///< to be looked at
-  std::vector<Over> over_;
+  std::vector<Index> faces_;    ///< to be looked at
+  std::vector<SeenFace> over_;  ///< faces that lie over the triangle, or almost
   NumberSet known_;
   std::vector<SeenCorner> seen_;  ///< corners looked at for this triangle
   std::vector<CacheSlot> cache_ = std::vector<CacheSlot>(cache_size);

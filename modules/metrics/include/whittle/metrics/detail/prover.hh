@@ -13,6 +13,17 @@ struct FarthestPoint {
   double distance = -1;  ///< none if negative
 };
 
+/// A step of a proof that a triangle is within a distance of a surface.
+struct ProofStep {
+  enum class Kind {
+    face,   ///< its corners are within the distance of one face
+    patch,  ///< a patch covers it
+    halves  ///< an edge is halved: steps of both halves follow
+  };
+  Kind kind;
+  Index number;  ///< of the face, of the face that the patch starts from, or of the corner that the edge starts from
+};
+
 /// Proves that triangles are within a distance of a surface.
 class Prover {
  public:
@@ -25,8 +36,8 @@ class Prover {
   /// \param farthest of the points looked at
   Verdict prove(const Corners& triangle, double distance, Index hint, FarthestPoint& farthest);
 
-  /// The faces that the last proof rests on. Some may be named twice.
-  const std::vector<Index>& used() const { return used_; }
+  /// Those of the last proof. Those of a half come before those of the other one.
+  const std::vector<ProofStep>& steps() const { return steps_; }
 
   /// Finds the farthest point of a triangle, as far as it is farther than `from`.
   /// \param most unless a point is farther, all are to be proven to be within this
@@ -56,7 +67,7 @@ class Prover {
   Patch patch_;
   Index last_ = invalid_index;  ///< the face found last
   std::vector<Piece> pieces_;
-  std::vector<Index> used_;
+  std::vector<ProofStep> steps_;
 };
 
 }  // namespace whittle::metrics

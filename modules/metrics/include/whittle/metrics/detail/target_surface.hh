@@ -2,6 +2,7 @@
 
 #include <mutex>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "whittle/core/frame.hh"
@@ -15,18 +16,21 @@ class TargetSurface final : public ProofTarget {
  public:
   /// \param mesh must outlive it
   /// \param frame must make it about as large as 1
-  TargetSurface(const IndexedMesh& mesh, const Frame& frame);
+  /// \param limits of each face, in the frame, or empty
+  /// \param limit the greatest of them: a face counts as as much farther as its limit is less
+  TargetSurface(const IndexedMesh& mesh, const Frame& frame, std::span<const double> limits = {}, double limit = 0);
 
   /// Builds the tree that `nearest` needs, if there is none. \throw Cancelled
   void build_tree(whittle::detail::ProgressMeter* meter) const;
 
-  LinkedFaces faces() const override { return {in_frame_.positions, in_frame_.faces, beyond_}; }
+  LinkedFaces faces() const override { return {in_frame_.positions, in_frame_.faces, beyond_, offsets_}; }
   /// Any number of threads may call.
   NearFace nearest(const Vec3& point, Index hint) const override;
 
  private:
   IndexedMesh in_frame_;
   std::vector<FacesBeyond> beyond_;
+  std::vector<double> offsets_;
   mutable std::once_flag once_;
   mutable std::optional<TriangleTree> tree_;
 };

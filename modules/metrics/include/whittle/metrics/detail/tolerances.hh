@@ -1,0 +1,22 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "whittle/core/indexed_mesh.hh"
+
+namespace whittle::metrics {
+
+/// How far the surface may be from each face: the least of its corners' tolerances and `most`. Empty if there are no
+/// tolerances.
+inline std::vector<double> face_limits(std::span<const Triangle> faces, std::span<const double> tolerances,
+                                       double most) {
+  std::vector<double> limits;
+  if (tolerances.empty()) return limits;
+  limits.reserve(faces.size());
+  for (const auto& [a, b, c] : faces) limits.push_back(std::min({most, tolerances[a], tolerances[b], tolerances[c]}));
+  return limits;
+}
+
+}  // namespace whittle::metrics
