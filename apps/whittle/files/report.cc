@@ -44,6 +44,7 @@ Json largest_json(const metrics::LargestDistance& largest, double diagonal) {
   const Vec3& point = largest.where.point;
   json["point"] = {point.x(), point.y(), point.z()};
   json["face"] = largest.where.face;
+  json["far_faces"] = largest.n_far_faces;
   return json;
 }
 

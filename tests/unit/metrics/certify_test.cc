@@ -136,6 +136,20 @@ TEST(Certify, SeesHoles) {
   EXPECT_LE(found.forward.at_most, 2e-9 * size);
 }
 
+TEST(Certify, CountsFacesThatAreNearlyAsFar) {
+  const IndexedMesh low = grid(8, 8);
+  IndexedMesh high = low;
+  high.positions[40].z() += 1;
+  high.positions[44].z() += 0.95;
+  high.positions[10].z() += 0.5;
+  std::size_t expected = 0;
+  for (const Triangle& face : high.faces) {
+    expected +=
+        static_cast<std::size_t>(std::any_of(face.begin(), face.end(), [](Index v) { return v == 40 || v == 44; }));
+  }
+  EXPECT_EQ(largest_distances(low, high, 0.01).backward.n_far_faces, expected);
+}
+
 TEST(Certify, IsUndecidedWherePointsAreAsFarAsAllowed) {
   const IndexedMesh low = grid(4, 4);
   IndexedMesh high = low;

@@ -45,7 +45,7 @@ struct Borders {
 
 LargestDistance one_way(const std::optional<FarPoint>& lost) {
   if (!lost) return {};
-  return {infinitely_far, infinitely_far, *lost};
+  return {infinitely_far, infinitely_far, *lost, 0};
 }
 
 }  // namespace

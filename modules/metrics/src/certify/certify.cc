@@ -134,6 +134,7 @@ LargestDistance largest_one_way(const OneWay& one_way, double accuracy, double l
     double at_most = 0;
   };
   std::vector<Found> of_blocks(one_way.n_blocks());
+  std::vector<double> at_corners(one_way.mesh.faces.size());
   const auto take = [](Found& found, Index face, const FarthestPoint& farthest) {
     if (farthest.distance > found.farthest.distance) found = {farthest, face, found.at_most};
   };
@@ -151,6 +152,7 @@ LargestDistance largest_one_way(const OneWay& one_way, double accuracy, double l
       for (const Vec3& corner : one_way.corners(face)) {
         const NearFace near = one_way.target.nearest(corner, hint);
         hint = near.face;
+        at_corners[face] = std::max(at_corners[face], near.distance);
         take(of_blocks[block], face, {corner, near.distance});
       }
       return true;
@@ -170,7 +172,9 @@ LargestDistance largest_one_way(const OneWay& one_way, double accuracy, double l
   });
   const Found all = farthest_of_all();
   const FarPoint where = one_way.far_point(all.face, all.farthest);
-  return {where.distance, all.at_most * one_way.frame.unscale, where};
+  const auto n_far = std::count_if(at_corners.begin(), at_corners.end(),
+                                   [&](double distance) { return distance > 0.9 * all.farthest.distance; });
+  return {where.distance, all.at_most * one_way.frame.unscale, where, static_cast<std::size_t>(n_far)};
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <span>
@@ -69,6 +70,7 @@ struct LargestDistance {
   double at_least = 0;  ///< that of `where`, model units
   double at_most = 0;   ///< proven
   FarPoint where{};
+  std::size_t n_far_faces = 0;  ///< with a corner that is farther than 9/10 of `at_least`
 };
 /// Both ways: the greater of them is the Hausdorff distance.
 struct LargestDistances {
