@@ -34,6 +34,7 @@ DecimateCase many_copies(const DecimateCase& c) {
   many.mesh = {};
   many.options.locked.clear();
   many.options.feature_edges.clear();
+  many.options.tolerances.clear();
   for (std::size_t i = 0; i < n_copies; ++i) {
     const auto first = static_cast<Index>(many.mesh.positions.size());
     const Vec3 offset(static_cast<double>(i % n_along) * step, static_cast<double>(i / n_along) * step, 0);
@@ -41,6 +42,8 @@ DecimateCase many_copies(const DecimateCase& c) {
     for (const auto& [x, y, z] : c.mesh.faces) many.mesh.faces.push_back({x + first, y + first, z + first});
     const std::vector<std::uint8_t>& locked = c.options.locked;
     many.options.locked.insert(many.options.locked.end(), locked.begin(), locked.end());
+    const std::vector<double>& tolerances = c.options.tolerances;
+    many.options.tolerances.insert(many.options.tolerances.end(), tolerances.begin(), tolerances.end());
     for (const auto& [a, b] : c.options.feature_edges) many.options.feature_edges.push_back({a + first, b + first});
   }
   return many;
@@ -70,6 +73,10 @@ void check_unit(const DecimateCase& c, const Decimation& d) {
   DecimateCase larger = c;
   larger.mesh = scaled(c.mesh, factor);
   if (larger.options.pairs.threshold) *larger.options.pairs.threshold *= factor;
+  if (c.target.error_limit()) {
+    larger.target = c.target.or_max_error(factor * *c.target.error_limit(), factor * *c.target.border_error_limit());
+  }
+  for (double& tolerance : larger.options.tolerances) tolerance *= factor;
   Decimation other = run(larger);
   for (Vec3& p : other.mesh.positions) p /= factor;
   other.result.max_cost = d.result.max_cost;
@@ -109,7 +116,7 @@ void check_order(const DecimateCase& c, const std::vector<Contraction>& made) {
   // to about 1e-16 r³ of the others', so that old costs are no lower bounds any more.
   const bool is_far_flung = size > 1e5 * median_edge(c.mesh);
   if (!is_exact || has_features || options.refuse_intersections || is_far_flung || c.n_calls_left ||
-      c.target.cost_limit() || c.mesh.positions.empty() || c.mesh.faces.size() > 40 ||
+      c.target.cost_limit() || c.target.error_limit() || c.mesh.positions.empty() || c.mesh.faces.size() > 40 ||
       options.quadric.regularization < 1e-9 || !(size > 1e-50 && size < 1e50)) {
     return;
   }
@@ -159,6 +166,7 @@ void check_blocks(DecimateCase c) {
 }
 
 void check_index_only(const DecimateCase& c) {
+  if (c.target.error_limit()) return;  // positions of the result decide
   if (!cost_traits(c.options.effective_cost()).why_not.placement.empty()) return;
   DecimateCase at_ends = c;
   at_ends.options.quadric.placement = Placement::endpoint;

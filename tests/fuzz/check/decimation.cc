@@ -8,11 +8,13 @@
 #include "fuzz/check/promise.hh"
 #include "fuzz/decode/mesh_bytes.hh"
 #include "oracle/crossing.hh"
+#include "support/transforms.hh"
 #include "whittle/core/detail/checks.hh"
 #include "whittle/core/feature_edges.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 #include "whittle/core/geometry/triangle_intersection.hh"
+#include "whittle/metrics/certify.hh"
 #include "whittle/metrics/self_intersections.hh"
 #include "whittle/metrics/topology.hh"
 
@@ -95,14 +97,18 @@ void check_counts(const DecimateCase& c, const Decimation& d, const metrics::Top
 void check_stop(const DecimateCase& c, const Decimation& d) {
   const DecimateResult& result = d.result;
   const Rejections& left = result.refused_at_end;
-  const std::uint64_t n_left = left.link + left.flip + left.shape + left.feature + left.locked + left.intersection;
+  const std::uint64_t n_left =
+      left.link + left.flip + left.shape + left.feature + left.locked + left.intersection + left.error;
   const bool is_reached = c.target.is_reached_at(result.n_faces, result.n_vertices);
   require((result.stop == StopReason::target) == is_reached || result.stop == StopReason::cancelled,
           "the run stops at the target");
   require(result.stop != StopReason::cost || c.target.cost_limit(), "a run without a cost limit doesn't stop at one");
   require(result.stop != StopReason::cancelled || c.n_calls_left, "only the callback cancels");
   require(result.stop != StopReason::exhausted || d.mesh.faces.empty() || n_left > 0, "a missed target has a reason");
-  require(result.stop == StopReason::exhausted || n_left == 0, "a target reached has no reason against it");
+  require(result.stop == StopReason::exhausted || result.stop == StopReason::error || n_left == 0,
+          "a target reached has no reason against it");
+  require((result.stop != StopReason::error && left.error == 0) || c.target.error_limit(),
+          "the error is a reason where it is limited");
   require(left.shape == 0 || c.options.min_radius_ratio > 0, "shape is a reason where asked for");
   require(left.intersection == 0 || c.options.refuse_intersections, "intersecting is a reason where asked for");
   require(left.locked == 0 || !c.options.locked.empty() || c.options.boundary == Boundary::locked,
@@ -142,6 +148,29 @@ void check_topology(const DecimateCase& c, const metrics::Topology& before, cons
   require(after.boundary_loops == before.boundary_loops, "border loops are kept");
   require(after.orientable == before.orientable, "what is orientable stays so");
   require(before.vertices - after.vertices == result.n_contractions, "each contraction takes a vertex");
+}
+
+/// Without faces of which two corners are one, which belong to no surface.
+IndexedMesh proper_faces(IndexedMesh mesh) {
+  std::erase_if(mesh.faces, [](const Triangle& face) { return !has_three_corners(face); });
+  return mesh;
+}
+
+void check_error(const DecimateCase& c, const Decimation& d) {
+  if (!c.target.error_limit() || d.result.stop == StopReason::cancelled) return;
+  const IndexedMesh input = proper_faces(c.mesh);
+  if (input.faces.empty()) return;
+  require(d.result.proven_error == c.target.error_limit(), "the error that is proven is the limit");
+  const double rounding = 1e-12 * (diagonal(c.mesh) + c.mesh.positions[0].norm());
+  std::vector<double> tolerances = c.options.tolerances;
+  for (double& tolerance : tolerances) tolerance += rounding;
+  const double limit = *c.target.error_limit() + rounding;
+  const double border_limit = *c.target.border_error_limit() + rounding;
+  const metrics::CertifyOptions options{.threads = 1, .tolerances = tolerances};
+  require(metrics::certify(input, d.mesh, limit, options).verdict != metrics::Verdict::refuted,
+          "no point is farther than the limit of the error");
+  require(metrics::certify_borders(input, d.mesh, border_limit, {.threads = 1}).verdict != metrics::Verdict::refuted,
+          "no point of a border is farther than the limit of the error");
 }
 
 /// Vertices at edges that don't have exactly two faces.
@@ -304,6 +333,7 @@ void check_decimation(const DecimateCase& c, const Decimation& d, const std::vec
   const metrics::Topology after = metrics::topology(d.mesh);
   check_maps(c, d);
   check_counts(c, d, before, after);
+  check_error(c, d);
   check_stop(c, d);
   check_contractions(c, d, made);
   check_topology(c, before, after, d.result);

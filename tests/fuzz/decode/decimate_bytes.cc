@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fuzz/decode/mesh_bytes.hh"
+#include "support/transforms.hh"
 #include "whittle/core/detail/checks.hh"
 
 namespace whittle::test {
@@ -61,6 +62,27 @@ DecimateTarget decoded_target(ByteSource& source) {
   return target;
 }
 
+/// Reads from the end of the bytes: most have no limit of the error, as it takes long.
+void set_error_limit(DecimateCase& c, ByteSource& source) {
+  if (!source.one_in(8)) return;
+  const double size = diagonal(c.mesh);
+  const double max_error = option_value(source, 0, 0.2) * size;
+  c.target = source.one_in(4) ? c.target.or_max_error(max_error, option_value(source, 0, 0.2) * size)
+                              : c.target.or_max_error(max_error);
+  if (!source.one_in(3)) return;
+  for (std::size_t v = 0; v < c.mesh.positions.size(); ++v) {
+    c.options.tolerances.push_back(option_value(source, 0.001, 0.3) * size);
+  }
+}
+
+bool is_valid_error_limit(const DecimateCase& c) {
+  const auto is_valid = [](double limit) { return limit > 0 && std::isfinite(limit); };
+  const std::vector<double>& tolerances = c.options.tolerances;
+  return is_valid(c.target.error_limit().value_or(1)) && is_valid(c.target.border_error_limit().value_or(1)) &&
+         (tolerances.empty() || (c.target.error_limit() && tolerances.size() == c.mesh.positions.size())) &&
+         std::all_of(tolerances.begin(), tolerances.end(), [](double tolerance) { return tolerance > 0; });
+}
+
 bool is_finite_and_not_negative(double x) { return x >= 0 && std::isfinite(x); }
 
 bool is_in(const std::optional<double>& x, double low, double high) { return !x || (*x >= low && *x <= high); }
@@ -75,7 +97,7 @@ bool has_valid_ranges(const DecimateCase& c) {
          is_angle(options.feature_angle_deg) && options.feature_tolerance >= 0 && is_in(options.isotropy, 0, 1) &&
          is_finite_and_not_negative(options.valence_weight) && is_in(options.min_radius_ratio, 0, 1) &&
          is_in(options.pairs.threshold, 0, std::numeric_limits<double>::infinity()) && options.pairs.max_pairs != 0U &&
-         is_finite_and_not_negative(c.target.cost_limit().value_or(0)) &&
+         is_finite_and_not_negative(c.target.cost_limit().value_or(0)) && is_valid_error_limit(c) &&
          (options.locked.empty() || options.locked.size() == c.mesh.positions.size());
 }
 
@@ -127,6 +149,7 @@ DecimateCase decode_decimate_case(ByteSource& source) {
   set_pairs(options.pairs, source);
   c.mesh = decode_mesh(source);
   set_restraints(c.mesh, options, source);
+  set_error_limit(c, source);
   return c;
 }
 
@@ -164,11 +187,15 @@ std::string text_of(const DecimateCase& c) {
   add_optional("faces", c.target.n_faces());
   add_optional("vertices", c.target.n_vertices());
   add_optional("max_cost", c.target.cost_limit());
+  add_optional("max_error", c.target.error_limit());
+  add_optional("of borders", c.target.border_error_limit());
   add_optional("cancelled after", c.n_calls_left);
   text << "\nlocked";
   for (std::size_t v = 0; v < o.locked.size(); ++v) {
     if (o.locked[v] != 0) text << ' ' << v;
   }
+  text << "\ntolerances";
+  for (const double tolerance : o.tolerances) text << ' ' << tolerance;
   text << "\nfeatures";
   for (const auto& [a, b] : o.feature_edges) text << ' ' << a << '-' << b;
   return text.str() + '\n' + text_of(c.mesh);
