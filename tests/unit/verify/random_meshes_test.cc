@@ -11,32 +11,13 @@
 #include <vector>
 
 #include "certificate.hh"
+#include "support/brute_distance.hh"
 #include "support/random.hh"
 
 namespace whittle::test {
 namespace {
 
-using Corners = std::array<Vec3, 3>;
 using verify::Verification;
-
-Corners corners_of(const IndexedMesh& mesh, Index face) {
-  const auto& [a, b, c] = mesh.faces[face];
-  return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
-}
-
-double distance_to_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
-  const double square = (b - a).squaredNorm();
-  const double share = square > 0 ? std::clamp((p - a).dot(b - a) / square, 0.0, 1.0) : 0;
-  return (a + share * (b - a) - p).norm();
-}
-
-double distance_to_triangle(const Corners& t, const Vec3& p) {
-  const auto& [a, b, c] = t;
-  const Vec3 normal = (b - a).cross(c - a);
-  const auto is_left = [&](const Vec3& from, const Vec3& to) { return normal.dot((to - from).cross(p - from)) > 0; };
-  if (is_left(a, b) && is_left(b, c) && is_left(c, a)) return std::abs(normal.dot(p - a)) / normal.norm();
-  return std::min({distance_to_segment(a, b, p), distance_to_segment(b, c, p), distance_to_segment(c, a, p)});
-}
 
 /// The largest distance of many points of one surface from the other one: a lower bound.
 double sampled_distance(const IndexedMesh& from, const IndexedMesh& to, int n) {
@@ -46,9 +27,7 @@ double sampled_distance(const IndexedMesh& from, const IndexedMesh& to, int n) {
     for (int i = 0; i <= n; ++i) {
       for (int k = 0; i + k <= n; ++k) {
         const Vec3 p = a + static_cast<double>(i) / n * (b - a) + static_cast<double>(k) / n * (c - a);
-        double least = infinity;
-        for (Index g = 0; g < to.faces.size(); ++g) least = std::min(least, distance_to_triangle(corners_of(to, g), p));
-        most = std::max(most, least);
+        most = std::max(most, distance_to_all(to, p));
       }
     }
   }
@@ -127,17 +106,6 @@ std::optional<Proof> find_proof(const IndexedMesh& in, const IndexedMesh& out, d
     proof.n_patches += prover.n_patches();
   }
   return proof;
-}
-
-/// Any triangles: folded, crossing, degenerate, with edges of any number of faces.
-IndexedMesh random_faces(std::size_t n_faces, Random& random) {
-  IndexedMesh mesh;
-  for (std::size_t i = 0; i < 3 + n_faces / 2; ++i) mesh.positions.push_back(random.uniform_vector(-1, 1));
-  for (std::size_t f = 0; f < n_faces; ++f) {
-    Triangle& face = mesh.faces.emplace_back();
-    for (Index& v : face) v = static_cast<Index>(random.below(mesh.positions.size()));
-  }
-  return mesh;
 }
 
 /// A closed surface that is likely to cross itself, and some faces less or more.
