@@ -18,6 +18,13 @@ using Seen = Vec3;
 
 double cross(const Seen& a, const Seen& b) { return a.x() * b.y() - a.y() * b.x(); }
 
+/// Whether the point is surely beside the box around a face.
+bool is_beside(const Seen& a, const Seen& b, const Seen& c, const Seen& point) {
+  constexpr double spare = 4 * slack;
+  return std::max({a.x(), b.x(), c.x()}) < point.x() - spare || std::min({a.x(), b.x(), c.x()}) > point.x() + spare ||
+         std::max({a.y(), b.y(), c.y()}) < point.y() - spare || std::min({a.y(), b.y(), c.y()}) > point.y() + spare;
+}
+
 /// 1 if the point is seen inside of the face, 0 if outside, nothing if it is too near to a side.
 std::optional<int> count_over(const Seen& a, const Seen& b, const Seen& c, const Seen& point) {
   const std::array<const Seen*, 4> around{&a, &b, &c, &a};
@@ -64,27 +71,12 @@ struct Polygon {
 
 }  // namespace
 
-bool NumberSet::insert(Index number) {
-  Slot& slot = slot_of(number);
-  if (slot.turn == turn_) return false;
-  slot = {number, turn_};
-  if (2 * ++size_ > slots_.size()) grow();
-  return true;
-}
-
 void NumberSet::clear() {
   size_ = 0;
   if (++turn_ == 0) {
     slots_.assign(slots_.size(), {});
     turn_ = 1;
   }
-}
-
-/// Where the number is, or is to go.
-NumberSet::Slot& NumberSet::slot_of(Index number) {
-  std::size_t slot = (number * std::uint64_t{0x9e3779b97f4a7c15U}) >> 32 & (slots_.size() - 1);
-  while (slots_[slot].turn == turn_ && slots_[slot].number != number) slot = (slot + 1) & (slots_.size() - 1);
-  return slots_[slot];
 }
 
 void NumberSet::grow() {
@@ -96,7 +88,7 @@ void NumberSet::grow() {
 
 Index Patch::look_from(const LinkedFaces& surface, const Corners& triangle, Index from) {
   surface_ = surface;
-  suspect_.reset();
+  obstacle_.reset();
   seed_ = set_view(triangle) ? face_over_center(from) : invalid_index;
   return seed_;
 }
@@ -111,7 +103,7 @@ bool Patch::covers(double height) {
     const Index f = faces_[i];
     const SeenFace face = corners(f);
     if ((seen_[face[0]].outside & seen_[face[1]].outside & seen_[face[2]].outside) != 0) continue;
-    if (!is_within(face, height - surface_.offset(f))) return false;
+    if (!is_within(f, face, height)) return false;
     over_.push_back(face);
     for (std::size_t slot = 0; slot < 3; ++slot) {
       if (is_apart(seen_[face[slot]], seen_[face[(slot + 1) % 3]])) continue;
@@ -189,10 +181,8 @@ Patch::Seen Patch::seen(const Vec3& point) const {
   return {axes_[0].dot(offset), axes_[1].dot(offset), axes_[2].dot(offset)};
 }
 
-/// Where the vertex is among `seen_`.
-Index Patch::corner(Index vertex) {
+Index Patch::see(Index vertex) {
   CacheSlot& slot = cache_[vertex % cache_size];
-  if (slot.vertex == vertex && slot.turn == turn_) return slot.seen;
   slot = {vertex, turn_, static_cast<Index>(seen_.size())};
   const Seen at = seen(surface_.positions[vertex]);
   unsigned outside = 0;
@@ -218,22 +208,23 @@ bool Patch::is_apart(const SeenCorner& a, const SeenCorner& b) const {
 }
 
 /// Whether the part of a face over the triangle is surely not higher, nor lower, than `height`.
-bool Patch::is_within(const SeenFace& face, double height) {
-  const double most = height - 2 * slack;  // the triangle itself may be a slack off its plane
-  const auto is_low = [most](const Seen& p) { return std::abs(p.z()) <= most; };
-  const Seen& a = seen_[face[0]].at;
-  const Seen& b = seen_[face[1]].at;
-  const Seen& c = seen_[face[2]].at;
-  if (is_low(a) && is_low(b) && is_low(c)) return true;
-  Polygon part{{a, b, c}, 3};
+bool Patch::is_within(Index face, const SeenFace& corners, double height) {
+  const double most = height - surface_.offset(face) - 2 * slack;  // the triangle itself may be a slack off its plane
+  const auto is_low = [&](Index corner) { return std::abs(seen_[corner].at.z()) <= most; };
+  return (is_low(corners[0]) && is_low(corners[1]) && is_low(corners[2])) || is_part_within(face, corners, most);
+}
+
+/// The same by the part of the face alone.
+bool Patch::is_part_within(Index face, const SeenFace& corners, double most) {
+  Polygon part{{seen_[corners[0]].at, seen_[corners[1]].at, seen_[corners[2]].at}, 3};
   for (const Side& side : sides_) {
     part = part.clipped([&side](const Seen& p) { return side.distance(p) - 2 * slack; });
   }
   const auto end = part.corners.begin() + part.size;
   const auto highest = std::max_element(part.corners.begin(), end,
                                         [](const Seen& p, const Seen& q) { return std::abs(p.z()) < std::abs(q.z()); });
-  if (highest == end || is_low(*highest)) return true;
-  suspect_ = origin_ + highest->x() * axes_[0] + highest->y() * axes_[1];
+  if (highest == end || std::abs(highest->z()) <= most) return true;
+  obstacle_ = {face, origin_ + highest->x() * axes_[0] + highest->y() * axes_[1]};
   return false;
 }
 
@@ -246,7 +237,11 @@ bool Patch::is_odd_somewhere() const {
     int n = 0;
     bool is_sure = true;
     for (const auto& [a, b, c] : over_) {
-      const std::optional<int> count = count_over(seen_[a].at, seen_[b].at, seen_[c].at, point);
+      const Seen& at_a = seen_[a].at;
+      const Seen& at_b = seen_[b].at;
+      const Seen& at_c = seen_[c].at;
+      if (is_beside(at_a, at_b, at_c, point)) continue;
+      const std::optional<int> count = count_over(at_a, at_b, at_c, point);
       is_sure &= count.has_value();
       n += count.value_or(0);
     }

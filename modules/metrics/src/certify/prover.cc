@@ -1,15 +1,13 @@
 #include "whittle/metrics/detail/prover.hh"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace whittle::metrics {
 namespace {
 
 /// Distances are found to this accuracy where they are smaller: lengths are about 1.
 constexpr double least_accuracy = 1e-9;
-
-Vec3 center(const Corners& corners) { return (corners[0] + corners[1] + corners[2]) / 3; }
 
 }  // namespace
 
@@ -49,44 +47,79 @@ Verdict Prover::search(const Corners& triangle, Index hint, const Limit& limit, 
     if (n_pieces >= most_pieces_) return Verdict::undecided;
     const Piece piece = pieces_.back();
     pieces_.pop_back();
-    if (is_proven(piece.corners, piece.hint, limit(farthest))) continue;
-    const Vec3 probe = suspect(piece.corners, piece.hint);
-    const NearFace near = target_.nearest(probe, piece.hint);
-    if (near.distance > farthest.distance) farthest = {probe, near.distance};
-    const Verdict verdict = decide(farthest);
-    if (verdict != Verdict::proven) return verdict;
-    last_ = near.face;
-    if (near.face != piece.hint && is_proven(piece.corners, near.face, limit(farthest))) continue;
-    last_ = target_.nearest(center(piece.corners), near.face).face;
-    if (!is_near(piece.corners, last_, limit(farthest))) split(piece.corners, last_);
+    if (is_proven(piece, limit(farthest))) continue;
+    list_known(piece.hint);
+    const Vec3 suspect = this->suspect(piece.corners);
+    const NearFace known = nearest_known(suspect);
+    if (known.distance > limit(farthest) - 4 * slack) {
+      const NearFace near = target_.nearest(suspect, known.face);
+      if (near.distance > farthest.distance) farthest = {suspect, near.distance};
+      const Verdict verdict = decide(farthest);
+      if (verdict != Verdict::proven) return verdict;
+      if (near.face != known.face) {
+        known_.push_back(near.face);
+        if (is_proven({piece.corners, near.face}, limit(farthest))) continue;
+      }
+    }
+    split(piece);
   }
   return Verdict::proven;
 }
 
 /// Whether a piece is proven to be near to one face, or to the faces around it. If so, that is a step of the proof.
-bool Prover::is_proven(const Corners& corners, Index face, double distance) {
-  if (is_near(corners, face, distance)) return true;
-  const Index over_center = patch_.look_from(surface_, corners, face);
-  if (over_center == invalid_index) return false;
-  if (over_center != face && is_near(corners, over_center, distance)) return true;
+bool Prover::is_proven(const Piece& piece, double distance) {
+  if (is_near(piece.corners, piece.hint, distance)) return true;
+  last_ = patch_.look_from(surface_, piece.corners, piece.hint);
+  if (last_ == invalid_index) {
+    last_ = piece.hint;
+    return false;
+  }
+  if (last_ != piece.hint && is_near(piece.corners, last_, distance)) return true;
+  if (piece.obstacle != invalid_index) {
+    if (is_near(piece.corners, piece.obstacle, distance)) return true;
+    if (patch_.is_obstacle(piece.obstacle, distance)) return false;
+  }
   if (!patch_.covers(distance)) return false;
-  steps_.push_back({ProofStep::Kind::patch, over_center});
+  steps_.push_back({ProofStep::Kind::patch, last_});
   return true;
 }
 
 bool Prover::is_near(const Corners& corners, Index face, double distance) {
-  if (!(distance_from_one(corners, face) <= distance - slack)) return false;
+  const Corners other = surface_.corners(face);
+  const double most = distance - surface_.offset(face) - slack;
+  if (!std::all_of(corners.begin(), corners.end(), [&](const Vec3& p) { return distance_to(other, p) <= most; })) {
+    return false;
+  }
   steps_.push_back({ProofStep::Kind::face, face});
   return true;
 }
 
-/// A point of the piece that may be far: where the faces looked at last were too high, or the corner that is farthest
-/// from one face.
-Vec3 Prover::suspect(const Corners& corners, Index face) const {
-  if (patch_.suspect()) return *patch_.suspect();
-  const Corners other = surface_.corners(face);
-  return *std::max_element(corners.begin(), corners.end(),
-                           [&](const Vec3& p, const Vec3& q) { return distance_to(other, p) < distance_to(other, q); });
+/// Lists the faces that a piece was compared with.
+void Prover::list_known(Index hint) {
+  known_.assign(1, hint);
+  if (last_ != hint) known_.push_back(last_);
+  if (patch_.obstacle()) known_.push_back(patch_.obstacle()->face);
+}
+
+NearFace Prover::nearest_known(const Vec3& point) const {
+  NearFace nearest{invalid_index, std::numeric_limits<double>::infinity()};
+  for (const Index face : known_) {
+    const double distance = distance_to(surface_.corners(face), point) + surface_.offset(face);
+    if (distance < nearest.distance) nearest = {face, distance};
+  }
+  return nearest;
+}
+
+/// That of the corners, and of the point where faces were too high, which is farthest from the faces known.
+Vec3 Prover::suspect(const Corners& corners) const {
+  FarthestPoint farthest;
+  const auto consider = [&](const Vec3& point) {
+    const double distance = nearest_known(point).distance;
+    if (distance > farthest.distance) farthest = {point, distance};
+  };
+  for (const Vec3& corner : corners) consider(corner);
+  if (patch_.obstacle()) consider(patch_.obstacle()->below);
+  return farthest.point;
 }
 
 /// The largest distance of a piece's points from one face. It is convex, so it is greatest at a corner.
@@ -98,7 +131,8 @@ double Prover::distance_from_one(const Corners& corners, Index face) const {
 }
 
 /// Halves the longest edge.
-void Prover::split(const Corners& c, Index hint) {
+void Prover::split(const Piece& piece) {
+  const Corners& c = piece.corners;
   std::size_t longest = 0;
   double most = -1;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -113,8 +147,12 @@ void Prover::split(const Corners& c, Index hint) {
   const Vec3& to = c[(longest + 1) % 3];
   const Vec3& opposite = c[(longest + 2) % 3];
   const Vec3 middle = 0.5 * (from + to);
-  pieces_.push_back({{middle, to, opposite}, hint});
-  pieces_.push_back({{from, middle, opposite}, hint});
+  // The face may hinder a half only because it is connected with the other one: so a half of a half is looked at anew.
+  const bool was_obstacle = piece.obstacle != invalid_index;
+  const Index obstacle = patch_.obstacle() && !was_obstacle ? patch_.obstacle()->face : invalid_index;
+  for (const Corners& half : {Corners{middle, to, opposite}, Corners{from, middle, opposite}}) {
+    pieces_.push_back({half, nearest_known((half[0] + half[1] + half[2]) / 3).face, obstacle});
+  }
 }
 
 }  // namespace whittle::metrics

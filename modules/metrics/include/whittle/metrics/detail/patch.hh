@@ -12,7 +12,13 @@ namespace whittle::metrics {
 class NumberSet {
  public:
   /// \return whether it wasn't there
-  bool insert(Index number);
+  bool insert(Index number) {
+    Slot& slot = slot_of(number);
+    if (slot.turn == turn_) return false;
+    slot = {number, turn_};
+    if (2 * ++size_ > slots_.size()) grow();
+    return true;
+  }
   void clear();
 
  private:
@@ -21,7 +27,13 @@ class NumberSet {
     std::uint32_t turn = 0;  ///< the one in which the slot was taken
   };
 
-  Slot& slot_of(Index number);
+  /// Where the number is, or is to go.
+  Slot& slot_of(Index number) {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t slot = (number * std::uint64_t{0x9e3779b97f4a7c15U}) >> 32 & mask;
+    while (slots_[slot].turn == turn_ && slots_[slot].number != number) slot = (slot + 1) & mask;
+    return slots_[slot];
+  }
   void grow();
 
   std::vector<Slot> slots_ = std::vector<Slot>(256);
@@ -43,8 +55,15 @@ class Patch {
   /// lies over one of its points, an odd number does over each.
   bool covers(double height);
 
-  /// A point of the triangle that is likely far from the surface: where the faces were found to be too high.
-  const std::optional<Vec3>& suspect() const { return suspect_; }
+  /// Why the faces don't cover the triangle: one of them is too high over it.
+  struct Obstacle {
+    Index face;
+    Vec3 below;  ///< the point of the triangle under the highest point of the face: likely far from the surface
+  };
+  /// That of the triangle looked at last, if `covers` or `is_obstacle` found one.
+  const std::optional<Obstacle>& obstacle() const { return obstacle_; }
+  /// Whether a face is too high over the triangle. \param height as for `covers`
+  bool is_obstacle(Index face, double height) { return !is_within(face, corners(face), height - margin_); }
 
  private:
   /// A point seen along the normal of the triangle, and its height over the triangle's plane.
@@ -79,13 +98,19 @@ class Patch {
   void shrink();
   Index face_over_center(Index face);
   Seen seen(const Vec3& point) const;
-  Index corner(Index vertex);
+  /// Where the vertex is among `seen_`.
+  Index corner(Index vertex) {
+    const CacheSlot& slot = cache_[vertex % cache_size];
+    return slot.vertex == vertex && slot.turn == turn_ ? slot.seen : see(vertex);
+  }
+  Index see(Index vertex);
   SeenFace corners(Index face) {
     const auto& [a, b, c] = surface_.faces[face];
     return {corner(a), corner(b), corner(c)};
   }
   bool is_apart(const SeenCorner& a, const SeenCorner& b) const;
-  bool is_within(const SeenFace& face, double height);
+  bool is_within(Index face, const SeenFace& corners, double height);
+  bool is_part_within(Index face, const SeenFace& corners, double most);
   bool is_odd_somewhere() const;
 
   LinkedFaces surface_;
@@ -101,7 +126,7 @@ class Patch {
   std::vector<SeenCorner> seen_;  ///< corners looked at for this triangle
   std::vector<CacheSlot> cache_ = std::vector<CacheSlot>(cache_size);
   std::uint32_t turn_ = 0;  ///< counts the triangles
-  std::optional<Vec3> suspect_;
+  std::optional<Obstacle> obstacle_;
 };
 
 }  // namespace whittle::metrics

@@ -49,23 +49,27 @@ class Prover {
  private:
   struct Piece {
     Corners corners;
-    Index hint;  ///< a face of the surface that may be near
+    Index hint;                      ///< a face of the surface that may be near
+    Index obstacle = invalid_index;  ///< a face that was too high over the piece that was halved, if there was one
   };
 
   template <class Limit, class Decide>
   Verdict search(const Corners& triangle, Index hint, const Limit& limit, const Decide& decide,
                  FarthestPoint& farthest);
-  bool is_proven(const Corners& corners, Index face, double distance);
+  bool is_proven(const Piece& piece, double distance);
   bool is_near(const Corners& corners, Index face, double distance);
-  Vec3 suspect(const Corners& corners, Index face) const;
+  void list_known(Index hint);
+  NearFace nearest_known(const Vec3& point) const;
+  Vec3 suspect(const Corners& corners) const;
   double distance_from_one(const Corners& corners, Index face) const;
-  void split(const Corners& corners, Index hint);
+  void split(const Piece& piece);
 
   const ProofTarget& target_;
   LinkedFaces surface_;  ///< that of the target
   int most_pieces_;
   Patch patch_;
-  Index last_ = invalid_index;  ///< the face found last
+  Index last_ = invalid_index;  ///< the face over the center of the piece looked at last, or its hint
+  std::vector<Index> known_;    ///< faces that may be near to the piece looked at last
   std::vector<Piece> pieces_;
   std::vector<ProofStep> steps_;
 };
