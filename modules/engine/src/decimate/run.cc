@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <future>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -111,6 +112,13 @@ void add_earlier(const DecimateResult& earlier, DecimateResult& result) {
   result.threshold_pairs.contracted += earlier.threshold_pairs.contracted;
 }
 
+IndexedMesh surface_of(const Remainder& left) {
+  IndexedMesh surface;
+  surface.positions = left.positions;
+  surface.faces = left.faces;
+  return surface;
+}
+
 /// What has been done, in blocks and in passes.
 struct Done {
   std::optional<Remainder> left;  ///< before the first contraction: none
@@ -155,12 +163,14 @@ class Run {
   void contract_to_stops(const BlockPlan& plan);
   void contract_within_error();
   void contract_what_moves_little(double displacement);
-  std::vector<double> displacement_limits(double share_of_limit);
-  void make_coarse_bound();
+  std::vector<double> limits_of_vertices() const;
+  void contract_to_shares_of_limit(const std::vector<double>& limits, const std::vector<double>& shares);
+  void lower_shares_at(const std::vector<Index>& vertices, std::vector<double>& shares) const;
+  void make_coarse_bound(const Done& start);
   bool contract_guarded();
   ErrorBound::Violations find_violations_before_guarding();
   ErrorBound& guarding_bound() { return coarse_bound_ ? *coarse_bound_ : error_bounds_->surface(); }
-  IndexedMesh surface_left() const;
+  std::vector<Index> map_from_start() const;
   void end_within_error();
   void begin_with_input(PassStart& start, const DecimateOptions& options, Preparation& preparation);
   void begin_with_remainder(PassStart& start) const;
@@ -182,9 +192,9 @@ class Run {
   // If the error is limited:
   std::unique_ptr<ErrorBounds> error_bounds_;
   std::unique_ptr<ErrorBound> coarse_bound_;  ///< of the surface, to a coarse copy of the input; or null
-  std::vector<Index> coarse_origins_;         ///< vertices of that → vertices of the input
+  std::vector<Index> start_origins_;          ///< vertices that the second step begins with → those of the input
   std::optional<double> displacement_limit_;  ///< of the pass, if it has one; in the frame
-  std::vector<double> displacement_limits_;   ///< of the input's vertices, where they have tolerances
+  std::vector<double> displacement_limits_;   ///< of the vertices that the pass begins with, where they differ
   bool is_guarded_ = false;                   ///< whether the pass keeps the bounds
 
   Done done_;
@@ -387,9 +397,10 @@ Decimation Run::output() {
 
 /// Contracts as far as the error may be, in three steps: what moves the surface by next to nothing, which leaves a
 /// coarse copy of a large input; what hardly moves it; and what keeps near to the coarse copy, or to the input. What is
-/// left is proven to be near to the input. If it isn't, the next try is less bold.
+/// left is proven to be near to the input. Where it isn't, the next try is less bold.
 void Run::contract_within_error() {
   constexpr std::size_t fewest_faces_of_coarse_copy = 200'000;
+  constexpr int most_tries = 4;
   const double limit = *target_.error_limit() * frame_.scale;
   const auto make_bounds = [&] {
     const double border_limit = *target_.border_error_limit() * frame_.scale;
@@ -398,17 +409,31 @@ void Run::contract_within_error() {
   const bool has_threads = n_threads(options_.threads) > 1;
   auto bounds =
       std::async(has_threads ? std::launch::async | std::launch::deferred : std::launch::deferred, make_bounds);
-  const bool has_coarse_copy = mesh_.faces.size() >= fewest_faces_of_coarse_copy && options_.tolerances.empty();
-  if (has_coarse_copy) contract_what_moves_little(0.02 * limit);
-  error_bounds_ = bounds.get();
-  if (done_.left) make_coarse_bound();
-  const Done start = done_;
-  for (const double share_of_limit : {0.3, 0.2, 0.1, 0.0}) {
+  const bool has_tolerances = !options_.tolerances.empty();
+  if (has_tolerances) error_bounds_ = bounds.get();
+  if (mesh_.faces.size() >= fewest_faces_of_coarse_copy && !has_tolerances) contract_what_moves_little(0.02 * limit);
+  Done start = done_;
+  if (start.left) start_origins_ = start.left->origins;
+  std::vector<double> limits = has_tolerances ? limits_of_vertices() : std::vector<double>(n_vertices_left(), limit);
+  std::vector<double> shares(limits.size(), 0.3);
+  for (int i = 0; i < most_tries; ++i) {
     done_ = start;
-    if (share_of_limit == 0) coarse_bound_.reset();
-    displacement_limits_ = displacement_limits(share_of_limit);
-    contract_what_moves_little(share_of_limit * limit);
-    if (contract_guarded()) return end_within_error();
+    contract_to_shares_of_limit(limits, shares);
+    if (!error_bounds_) {
+      error_bounds_ = bounds.get();
+      make_coarse_bound(start);
+    }
+    const ErrorBound::Violations violations = find_violations_before_guarding();
+    if (violations.empty() && contract_guarded()) return end_within_error();
+    if (i + 2 < most_tries) {
+      lower_shares_at(violations.vertices, shares);
+    } else {
+      start = {};
+      start_origins_.clear();
+      coarse_bound_.reset();
+      limits.assign(mesh_.positions.size(), 0);
+      shares.assign(mesh_.positions.size(), 0);
+    }
   }
   forget_all();
   contract_to(DecimateTarget::faces(mesh_.faces.size()), true);  // nothing
@@ -416,15 +441,53 @@ void Run::contract_within_error() {
   end_within_error();
 }
 
-/// Of each vertex of the input, in the frame. Empty if there are no tolerances.
-std::vector<double> Run::displacement_limits(double share_of_limit) {
+/// Of each vertex of the input, in the frame.
+std::vector<double> Run::limits_of_vertices() const {
   std::vector<double> limits;
-  if (options_.tolerances.empty()) return limits;
   limits.reserve(mesh_.positions.size());
-  for (Index v = 0; v < mesh_.positions.size(); ++v) {
-    limits.push_back(share_of_limit * error_bounds_->surface().limit_at(v));
-  }
+  for (Index v = 0; v < mesh_.positions.size(); ++v) limits.push_back(error_bounds_->surface().limit_at(v));
   return limits;
+}
+
+/// \param shares of the limit of each vertex: what a contraction at it may move the surface by
+void Run::contract_to_shares_of_limit(const std::vector<double>& limits, const std::vector<double>& shares) {
+  displacement_limits_.clear();
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0;
+  for (std::size_t v = 0; v < limits.size(); ++v) {
+    const double displacement = limits[v] * shares[v];
+    least = std::min(least, displacement);
+    most = std::max(most, displacement);
+    displacement_limits_.push_back(displacement);
+  }
+  if (least == most) displacement_limits_.clear();
+  contract_what_moves_little(most);
+}
+
+/// Of vertices that the second step began with, where they became one of those that are left, or of their neighbours:
+/// from three tenths to one, and then to nothing. If none is named, of all.
+void Run::lower_shares_at(const std::vector<Index>& vertices, std::vector<double>& shares) const {
+  constexpr double bold = 0.2;
+  constexpr double less_bold = 0.1;
+  const std::vector<Index> map = map_from_start();
+  std::vector<std::uint8_t> is_named(done_.left->positions.size(), vertices.empty() ? 1 : 0);
+  for (const Index v : vertices) is_named[v] = 1;
+  std::vector<std::uint8_t> is_near = is_named;
+  for (const auto& [a, b, c] : done_.left->faces) {
+    if ((is_named[a] | is_named[b] | is_named[c]) != 0) is_near[a] = is_near[b] = is_near[c] = 1;
+  }
+  for (std::size_t v = 0; v < shares.size(); ++v) {
+    if (map[v] != invalid_index && is_near[map[v]] != 0) shares[v] = shares[v] > bold ? less_bold : 0;
+  }
+}
+
+/// Vertices that the second step began with → those that are left.
+std::vector<Index> Run::map_from_start() const {
+  if (start_origins_.empty()) return done_.left->vertex_map;
+  std::vector<Index> map;
+  map.reserve(start_origins_.size());
+  for (const Index v : start_origins_) map.push_back(done_.left->vertex_map[v]);
+  return map;
 }
 
 /// \param displacement of the surface by one contraction, at most, about; in the frame
@@ -435,34 +498,36 @@ void Run::contract_what_moves_little(double displacement) {
   displacement_limit_.reset();
 }
 
-/// Makes one of what is left, if that is much smaller than the input.
-void Run::make_coarse_bound() {
+/// Makes one of what the second step begins with, if that is much smaller than the input.
+void Run::make_coarse_bound(const Done& start) {
   constexpr double share_of_limit = 0.06;  // three times that of a contraction, as several add up
-  const Remainder& left = *done_.left;
-  if (2 * left.faces.size() > mesh_.faces.size() || done_.result.stop == StopReason::cancelled) return;
+  if (!start.left || 2 * start.left->faces.size() > mesh_.faces.size()) return;
+  if (done_.result.stop == StopReason::cancelled) return;
   const double limit = (1 - share_of_limit) * error_bounds_->surface().limit();
-  coarse_bound_ = std::make_unique<ErrorBound>(surface_left(), Frame{}, limit, options_.threads);
-  coarse_origins_ = left.origins;
+  coarse_bound_ = std::make_unique<ErrorBound>(surface_of(*start.left), Frame{}, limit, options_.threads);
 }
 
 /// Contracts what keeps the bounds. Points of the input that are found to be too far in the end are then looked at,
 /// too. A coarse bound is made smaller if the surface is too far from the input.
+/// \pre find_violations_before_guarding().empty()
 /// \return whether what is left is proven to be near to the input, or the run is cancelled
 bool Run::contract_guarded() {
   constexpr int most_tries = 3;
   const Done before = done_;
   for (int i = 0; i < most_tries; ++i) {
     if (done_.result.stop == StopReason::cancelled) return true;
-    if (!find_violations_before_guarding().empty()) return false;
+    if (i > 0 && !find_violations_before_guarding().empty()) return false;
     is_guarded_ = true;
     contract_to(target_, true);
     is_guarded_ = false;
     if (done_.result.stop == StopReason::cancelled) return true;
+    const IndexedMesh surface = surface_of(*done_.left);
+    // The guard has proven each face, unless it compared with a coarse copy.
+    const std::vector<std::uint8_t> is_proven(surface.faces.size(), coarse_bound_ ? 0 : 1);
+    const CheckedSurface checked{surface, Frame{}, done_.left->vertex_map, is_proven};
     ErrorBound& exact = error_bounds_->surface();
-    const ErrorBound::Violations violations =
-        exact.check(surface_left(), Frame{}, done_.left->vertex_map, exact.limit());
-    const ErrorBound::Violations of_borders =
-        error_bounds_->check_borders(surface_left(), Frame{}, done_.left->vertex_map);
+    const ErrorBound::Violations violations = exact.check(checked, exact.limit());
+    const ErrorBound::Violations of_borders = error_bounds_->check_borders(checked);
     if (violations.empty() && of_borders.empty()) return true;
     if (of_borders.is_surface_far || (violations.is_surface_far && !coarse_bound_)) return false;
     if (violations.is_surface_far) coarse_bound_->tighten();
@@ -475,22 +540,14 @@ bool Run::contract_guarded() {
 
 /// The guards look at the supports that are found with them.
 ErrorBound::Violations Run::find_violations_before_guarding() {
-  const std::vector<Index>& map = done_.left->vertex_map;
-  const IndexedMesh surface = surface_left();
-  if (!coarse_bound_) return error_bounds_->check(surface, Frame{}, map);
-  std::vector<Index> map_of_coarse;
-  map_of_coarse.reserve(coarse_origins_.size());
-  for (const Index v : coarse_origins_) map_of_coarse.push_back(map[v]);
-  ErrorBound::Violations violations = coarse_bound_->check(surface, Frame{}, map_of_coarse, coarse_bound_->limit());
-  violations.add(error_bounds_->check_borders(surface, Frame{}, map));
+  if (done_.result.stop == StopReason::cancelled) return {};
+  const IndexedMesh surface = surface_of(*done_.left);
+  const CheckedSurface checked{surface, Frame{}, done_.left->vertex_map};
+  if (!coarse_bound_) return error_bounds_->check(checked);
+  const std::vector<Index> map = map_from_start();
+  ErrorBound::Violations violations = coarse_bound_->check({surface, Frame{}, map}, coarse_bound_->limit());
+  violations.add(error_bounds_->check_borders(checked));
   return violations;
-}
-
-IndexedMesh Run::surface_left() const {
-  IndexedMesh surface;
-  surface.positions = done_.left->positions;
-  surface.faces = done_.left->faces;
-  return surface;
 }
 
 void Run::end_within_error() {

@@ -33,13 +33,12 @@ detail::IndexLists<Index> neighbours_in(const IndexedMesh& mesh) {
           }};
 }
 
-/// A face at each vertex, or `invalid_index`.
-std::vector<Index> faces_at_vertices(const metrics::LinkedFaces& surface) {
-  std::vector<Index> faces(surface.positions.size(), invalid_index);
-  for (Index f = 0; f < surface.faces.size(); ++f) {
-    for (const Index v : surface.faces[f]) faces[v] = f;
-  }
-  return faces;
+detail::IndexLists<Index> faces_at_vertices(const metrics::LinkedFaces& surface) {
+  return {surface.positions.size(), [&](const auto& emit) {
+            for (Index f = 0; f < surface.faces.size(); ++f) {
+              for (const Index v : surface.faces[f]) emit(v, f);
+            }
+          }};
 }
 
 /// Of each face; empty if there are no tolerances.
@@ -104,22 +103,24 @@ void ErrorBound::add_points(std::span<const FarPoint> points) {
   }
 }
 
-ErrorBound::Violations ErrorBound::check(const IndexedMesh& surface, const Frame& frame,
-                                         std::span<const Index> vertex_map, double limit) {
+ErrorBound::Violations ErrorBound::check(const CheckedSurface& checked, double limit) {
+  const IndexedMesh& surface = checked.mesh;
   Violations violations;
   if (surface.faces.empty()) {
     for (Index p = 0; p < points_.size(); ++p) violations.points.push_back({points_[p], limit_at(p)});
     return violations;
   }
-  const metrics::TargetSurface target(surface, frame);
-  check_surface(target, limit, violations);
-  check_input(target, find_supports(target, vertex_map, limit, violations), limit, violations);
+  const metrics::TargetSurface target(surface, checked.frame);
+  check_surface(target, checked.is_proven, limit, violations);
+  check_input(target, find_supports(target, checked.vertex_map, limit, violations), limit, violations);
   return violations;
 }
 
-void ErrorBound::check_surface(const metrics::TargetSurface& surface, double limit, Violations& violations) const {
+void ErrorBound::check_surface(const metrics::TargetSurface& surface, std::span<const std::uint8_t> is_proven,
+                               double limit, Violations& violations) const {
   const metrics::LinkedFaces faces = surface.faces();
   const auto check = [&](Index face, metrics::Prover& prover, Violations& found) {
+    if (!is_proven.empty() && is_proven[face] != 0) return;
     metrics::FarthestPoint farthest;
     const metrics::Verdict verdict = prover.prove(faces.corners(face), limit, invalid_index, farthest);
     if (verdict == metrics::Verdict::proven) return;
@@ -134,19 +135,24 @@ void ErrorBound::check_surface(const metrics::TargetSurface& surface, double lim
 std::vector<Index> ErrorBound::find_supports(const metrics::TargetSurface& surface, std::span<const Index> vertex_map,
                                              double limit, Violations& violations) {
   const metrics::LinkedFaces faces = surface.faces();
-  const std::vector<Index> at_vertices = faces_at_vertices(faces);
+  const detail::IndexLists<Index> at_vertices = faces_at_vertices(faces);
   std::vector<Index> supports(points_.size(), invalid_index);
   std::vector<std::uint8_t> is_far(points_.size());
   const auto limit_of = [&](std::size_t p) { return std::min(limit, limit_at(static_cast<Index>(p))); };
   for_each_range(points_.size(), threads_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
-      Index hint = invalid_index;
+      std::span<const Index> at_merged;  // faces at the vertex that the point was merged into
       if (p < vertex_map.size()) {
         if (vertex_map[p] == invalid_index) continue;
-        supports[p] = hint = at_vertices[vertex_map[p]];
-        if (hint != invalid_index && metrics::distance_to(faces.corners(hint), points_[p]) <= limit_of(p)) continue;
+        at_merged = at_vertices.of(vertex_map[p]);
+        const auto is_near = [&](Index f) { return metrics::distance_to(faces.corners(f), points_[p]) <= limit_of(p); };
+        const auto near = std::find_if(at_merged.begin(), at_merged.end(), is_near);
+        if (near != at_merged.end()) {
+          supports[p] = *near;
+          continue;
+        }
       }
-      const metrics::NearFace near = surface.nearest(points_[p], hint);
+      const metrics::NearFace near = surface.nearest(points_[p], at_merged.empty() ? invalid_index : at_merged[0]);
       supports[p] = near.face;
       is_far[p] = static_cast<std::uint8_t>(near.distance > limit_of(p));
     }

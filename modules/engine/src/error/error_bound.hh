@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,15 @@
 #include "whittle/metrics/detail/target_surface.hh"
 
 namespace whittle {
+
+/// A surface that the input has become, to be checked. What it names must outlive it.
+struct CheckedSurface {
+  const IndexedMesh& mesh;
+  Frame frame;                        ///< takes it to the frame of the bound
+  std::span<const Index> vertex_map;  ///< the input's vertices → those of the surface, `invalid_index` where it was
+                                      ///< in no face
+  std::span<const std::uint8_t> is_proven{};  ///< a face, 1 if it is known to be near to the input; or empty
+};
 
 /// How far a surface and the input may be from each other, both ways, and what is known of that.
 class ErrorBound {
@@ -56,11 +66,8 @@ class ErrorBound {
     return point < neighbours_.size() ? neighbours_.of(point) : std::span<const Index>{};
   }
 
-  /// Tries to prove that a surface keeps the bound.
-  /// \param frame takes the surface to the frame
-  /// \param vertex_map the input's vertices → those of the surface, `invalid_index` where it was in no face
-  /// \param limit in place of that of the bound
-  Violations check(const IndexedMesh& surface, const Frame& frame, std::span<const Index> vertex_map, double limit);
+  /// Tries to prove that a surface keeps the bound. \param limit in place of that of the bound
+  Violations check(const CheckedSurface& surface, double limit);
   /// Of the surface checked last, each point once.
   const std::vector<Support>& supports() const { return supports_; }
 
@@ -69,7 +76,8 @@ class ErrorBound {
                                    double limit, Violations& violations);
   void check_input(const metrics::TargetSurface& surface, std::span<const Index> supports, double limit,
                    Violations& violations) const;
-  void check_surface(const metrics::TargetSurface& surface, double limit, Violations& violations) const;
+  void check_surface(const metrics::TargetSurface& surface, std::span<const std::uint8_t> is_proven, double limit,
+                     Violations& violations) const;
 
   double limit_of(Index face, double limit) const { return limits_.empty() ? limit : std::min(limit, limits_[face]); }
 

@@ -35,17 +35,17 @@ ErrorBounds::ErrorBounds(const IndexedMesh& input, const Frame& frame, double li
   }
 }
 
-ErrorBound::Violations ErrorBounds::check(const IndexedMesh& surface, const Frame& frame,
-                                          std::span<const Index> vertex_map) {
-  ErrorBound::Violations violations = surface_->check(surface, frame, vertex_map, surface_->limit());
-  violations.add(check_borders(surface, frame, vertex_map));
+ErrorBound::Violations ErrorBounds::check(const CheckedSurface& surface) {
+  ErrorBound::Violations violations = surface_->check(surface, surface_->limit());
+  violations.add(check_borders(surface));
   return violations;
 }
 
-ErrorBound::Violations ErrorBounds::check_borders(const IndexedMesh& surface, const Frame& frame,
-                                                  std::span<const Index> vertex_map) {
-  const IndexedMesh edges = metrics::border_edges_of(surface).mesh;
-  if (borders_) return borders_->check(edges, frame, of_ends(vertex_map, border_edges_), borders_->limit());
+ErrorBound::Violations ErrorBounds::check_borders(const CheckedSurface& surface) {
+  const IndexedMesh edges = metrics::border_edges_of(surface.mesh).mesh;
+  if (borders_) {
+    return borders_->check({edges, surface.frame, of_ends(surface.vertex_map, border_edges_)}, borders_->limit());
+  }
   ErrorBound::Violations violations;
   violations.is_surface_far = !edges.faces.empty();  // the input has none
   for (const Triangle& edge : edges.faces) violations.vertices.insert(violations.vertices.end(), {edge[0], edge[1]});

@@ -19,11 +19,9 @@ class ErrorBounds {
   ErrorBound& surface() { return *surface_; }
   ErrorBound* borders() { return borders_.get(); }  ///< null if the input has none
 
-  /// Tries to prove that a surface keeps all bounds. \param frame takes the surface to the frame
-  /// \param vertex_map the input's vertices → those of the surface, `invalid_index` where it was in no face
-  ErrorBound::Violations check(const IndexedMesh& surface, const Frame& frame, std::span<const Index> vertex_map);
-  ErrorBound::Violations check_borders(const IndexedMesh& surface, const Frame& frame,
-                                       std::span<const Index> vertex_map);
+  /// Tries to prove that a surface keeps all bounds.
+  ErrorBound::Violations check(const CheckedSurface& surface);
+  ErrorBound::Violations check_borders(const CheckedSurface& surface);
 
  private:
   IndexedMesh proper_;        ///< the input without faces of which two corners are one, if it has some

@@ -3,15 +3,23 @@
 namespace whittle {
 namespace {
 
-constexpr int most_rounds = 6;
+constexpr int most_rounds = 4;
 
-/// Holds the vertices of faces that have a corner at a violation: then fewer rounds are needed.
-void hold_around(const std::vector<std::uint8_t>& is_at_violation, const IndexedMesh& mesh,
-                 std::vector<std::uint8_t>& held) {
+/// Adds the neighbours of the vertices that are marked.
+std::vector<std::uint8_t> with_neighbours(const std::vector<std::uint8_t>& marked, const IndexedMesh& mesh) {
+  std::vector<std::uint8_t> wider = marked;
   for (const auto& [a, b, c] : mesh.faces) {
-    if ((is_at_violation[a] | is_at_violation[b] | is_at_violation[c]) == 0) continue;
-    held[a] = held[b] = held[c] = 1;
+    if ((marked[a] | marked[b] | marked[c]) != 0) wider[a] = wider[b] = wider[c] = 1;
   }
+  return wider;
+}
+
+/// Holds vertices at violations and two rings around them: then few rounds are needed.
+void hold_around(const std::vector<Index>& violations, const IndexedMesh& mesh, std::vector<std::uint8_t>& held) {
+  std::vector<std::uint8_t> at_violation(held.size());
+  for (const Index v : violations) at_violation[v] = 1;
+  const std::vector<std::uint8_t> wide = with_neighbours(with_neighbours(at_violation, mesh), mesh);
+  for (std::size_t v = 0; v < held.size(); ++v) held[v] |= wide[v];
 }
 
 }  // namespace
@@ -24,14 +32,12 @@ PolishResult polish_within(ErrorBounds& bounds, const IndexedMesh& input, Decima
     Decimation polished = decimation;
     const PolishResult result = polish(polished, held);
     if (result.cancelled) return result;
-    const ErrorBound::Violations violations = bounds.check(polished.mesh, frame, polished.vertex_map);
+    const ErrorBound::Violations violations = bounds.check({polished.mesh, frame, polished.vertex_map});
     if (violations.empty()) {
       decimation = std::move(polished);
       return result;
     }
-    std::vector<std::uint8_t> is_at_violation(held.size());
-    for (const Index v : violations.vertices) is_at_violation[v] = 1;
-    hold_around(is_at_violation, polished.mesh, held);
+    hold_around(violations.vertices, polished.mesh, held);
   }
   return {};
 }
