@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -186,6 +187,29 @@ TEST(MaxError, DoesNotDependOnThreadsUnitsAndPlace) {
   for (Vec3& p : large.positions) p *= 1024;
   const Simplification result = simplify(large, DecimateTarget::max_error(1024 * max_error), Effort::normal, options);
   EXPECT_EQ(result.mesh.faces, expected.mesh.faces);
+}
+
+/// So large a mesh is first contracted in blocks, and then compared with what these leave.
+TEST(MaxError, IsKeptWhereBlocksBegin) {
+  const IndexedMesh mesh = noisy_torus(480, 220, 1, 0.4, 1e-4, 5);
+  ASSERT_GT(mesh.faces.size(), 200'000U);
+  const double max_error = 0.003 * diagonal(mesh);
+  std::vector<Index> went_to(mesh.positions.size());
+  std::iota(went_to.begin(), went_to.end(), Index{0});
+  DecimateOptions options;
+  options.threads = 1;
+  options.listener = [&](const Contraction& contraction) { went_to[contraction.removed] = contraction.survivor; };
+  const Decimation result = decimate(mesh, DecimateTarget::max_error(max_error), options);
+  expect_kept(mesh, max_error, result);
+  EXPECT_LT(result.mesh.faces.size(), mesh.faces.size() / 100);
+  std::size_t n_left = 0;
+  for (Index v = 0; v < went_to.size(); ++v) n_left += went_to[v] == v ? 1 : 0;
+  EXPECT_EQ(n_left, result.mesh.positions.size());
+  options.threads = 3;
+  options.listener = {};
+  const Decimation other = decimate(mesh, DecimateTarget::max_error(max_error), options);
+  EXPECT_EQ(other.mesh.positions, result.mesh.positions);
+  EXPECT_EQ(other.mesh.faces, result.mesh.faces);
 }
 
 /// Contractions that were taken back are not told.

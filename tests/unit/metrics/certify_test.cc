@@ -241,6 +241,25 @@ TEST(Certify, FindsLostBordersInfinitelyFar) {
   EXPECT_EQ(largest_border_distances(open, closed, 0.1)->backward.at_most, 0);
 }
 
+/// A map of vertices only says where to begin, even a wrong one.
+TEST(Certify, IsTheSameWithAMapOfVertices) {
+  const IndexedMesh mesh = noisy_torus(40, 20, 1, 0.4, 0.02, 1);
+  const Simplification result = simplify(mesh, DecimateTarget::faces(200));
+  const LargestDistances largest = largest_distances(mesh, result.mesh, 1e-3);
+  const double distance = std::max(largest.forward.at_most, largest.backward.at_most);
+  std::vector<Index> wrong(mesh.positions.size());
+  for (std::size_t v = 0; v < wrong.size(); ++v) wrong[v] = static_cast<Index>(v % result.mesh.positions.size());
+  std::vector<Index> unknown(mesh.positions.size(), invalid_index);
+  for (const std::vector<Index>& map : {result.vertex_map, wrong, unknown}) {
+    EXPECT_EQ(certify(mesh, result.mesh, 1.001 * distance, {.vertex_map = map}).verdict, Verdict::proven);
+    EXPECT_EQ(certify(mesh, result.mesh, 0.99 * distance, {.vertex_map = map}).verdict, Verdict::refuted);
+  }
+  unknown[0] = static_cast<Index>(result.mesh.positions.size());
+  EXPECT_THROW(certify(mesh, result.mesh, 1, {.vertex_map = unknown}), std::invalid_argument);
+  wrong.pop_back();
+  EXPECT_THROW(certify(mesh, result.mesh, 1, {.vertex_map = wrong}), std::invalid_argument);
+}
+
 TEST(Certify, RefusesWhatHasNoAnswer) {
   const IndexedMesh mesh = cube();
   EXPECT_THROW(certify(mesh, {}, 1), std::invalid_argument);

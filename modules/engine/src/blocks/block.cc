@@ -20,7 +20,7 @@ Block::Block(const Surface& surface, const Partition& partition, std::size_t num
   input.locked = locked_;
   input.frozen = frozen_;
   gather_refusals(context.refusals);
-  input.context = {context.role, refusals_};
+  input.context = {context.role, refusals_, context.displacement_limit};
   input.memory = &own_memory;
   pass_.emplace(input, options);
   positions_ = {};

@@ -1,6 +1,7 @@
 #include "blocks/decimate_in_blocks.hh"
 
 #include <algorithm>
+#include <limits>
 
 #include "whittle/core/detail/parallel.hh"
 
@@ -41,10 +42,13 @@ bool is_far_flung(const IndexedMesh& mesh) {
   return !(bounds_of(mesh.positions).diagonal() <= most * *median);
 }
 
-/// Blocks contract what costs least in each.
+/// Blocks contract what costs least in each, or what moves the surface little.
 LevelRemainder run_levels(const LevelContext& context, const BlockPlan& plan, const Memory& memory) {
   LevelPlan level{plan.faces_per_block, 0.5, Role::alone};
-  LevelRemainder remainder = run_level(context, level, {.cost = {}, .surplus = plan.surplus}, memory, nullptr);
+  LevelGoal goal;
+  goal.surplus = plan.surplus;
+  if (context.displacement_limit) goal.cost = std::numeric_limits<double>::infinity();
+  LevelRemainder remainder = run_level(context, level, goal, memory, nullptr);
   if (remainder.faces.size() < plan.fewest_faces_again || context.progress.is_cancelled()) return remainder;
   level.first_share = 0.3;
   return run_level(context, level, {.cost = remainder.cost_limit}, remainder.memory, &remainder);
@@ -97,11 +101,12 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
 }
 
 LevelRemainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, const DecimateTarget& target,
-                                  const DecimateOptions& options, const BlockPlan& plan) {
+                                  const DecimateOptions& options, const BlockPlan& plan,
+                                  std::optional<double> displacement_limit) {
   const double share = std::max(plan.fewest_faces_left / static_cast<double>(plan.faces_per_block),
                                 target.share_of(mesh.faces.size(), mesh.positions.size()));
   SharedProgress progress(options, mesh.positions.size(), mesh.faces.size(), share);
-  const LevelContext context{options, mesh, frame, share, progress};
+  const LevelContext context{options, mesh, frame, share, displacement_limit, progress};
   const Memory memory{mean_face_area(mesh, frame, options.threads), {}};
   LevelRemainder remainder =
       is_exact_in_blocks(options) ? run_exact_levels(context, plan, memory) : run_levels(context, plan, memory);

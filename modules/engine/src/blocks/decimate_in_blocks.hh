@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "blocks/level.hh"
@@ -35,7 +36,10 @@ inline bool is_exact_in_blocks(const DecimateOptions& options) { return options.
 /// Contracts most of what there is to contract in blocks that fit a cache, on all threads. The rest, down to the
 /// target, is left to a pass over the whole. Nothing depends on the number of threads.
 /// \param frame of the mesh \pre why_not_in_blocks(…).empty()
+/// \param displacement_limit of the surface by one contraction, in the frame. With one, memoryless quadrics may cost
+///        anything
 LevelRemainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, const DecimateTarget& target,
-                                  const DecimateOptions& options, const BlockPlan& plan);
+                                  const DecimateOptions& options, const BlockPlan& plan,
+                                  std::optional<double> displacement_limit = {});
 
 }  // namespace whittle

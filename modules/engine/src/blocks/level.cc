@@ -119,7 +119,8 @@ void Level::begin(std::size_t number, const Memory& memory) {
       job->made.push_back(contraction);
     };
   }
-  job->block.emplace(surface_, partition_, number, locked_, memory, job->options, LoopContext{plan_.role, refusals()});
+  job->block.emplace(surface_, partition_, number, locked_, memory, job->options,
+                     LoopContext{plan_.role, refusals(), context_.displacement_limit});
   if (!before_) nonmanifold_[number] = job->block->count_nonmanifold();
   job->block->start(least_left(*job->block, number), context_.frame);
   jobs_[number] = std::move(job);

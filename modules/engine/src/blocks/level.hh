@@ -24,7 +24,8 @@ struct LevelContext {
   const DecimateOptions& options;
   const IndexedMesh& input;
   Frame frame;
-  double target_share = 0;  ///< of the input's faces or vertices
+  double target_share = 0;                   ///< of the input's faces or vertices
+  std::optional<double> displacement_limit;  ///< as that of `LoopContext`
   SharedProgress& progress;
 };
 

@@ -154,14 +154,15 @@ class Run {
   std::unique_ptr<ErrorBounds> take_error_bounds() { return std::move(error_bounds_); }
 
  private:
-  std::string_view contract_in_blocks(const BlockPlan& plan);
+  std::string_view contract_in_blocks(const DecimateTarget& target, const BlockPlan& plan);
+  DecimateTarget least_left_in_blocks() const;
   std::vector<DecimateTarget> stops() const;
   std::size_t n_faces_left() const { return done_.left ? done_.left->faces.size() : mesh_.faces.size(); }
   std::size_t n_vertices_left() const { return done_.left ? done_.left->positions.size() : mesh_.positions.size(); }
   double way_to(const DecimateTarget& stop) const;
   void contract_to(const DecimateTarget& stop, bool is_last);
   void contract_to_stops(const BlockPlan& plan);
-  void contract_within_error();
+  void contract_within_error(const BlockPlan& plan);
   void contract_what_moves_little(double displacement);
   std::vector<double> limits_of_vertices() const;
   void contract_to_shares_of_limit(const std::vector<double>& limits, const std::vector<double>& shares);
@@ -177,6 +178,7 @@ class Run {
   DecimateResult run(Pass& pass, const DecimateTarget& stop, Preparation& preparation) const;
   void count_before(Pass& pass);
   NonmanifoldCounts count_nonmanifold(const Surface& surface) const;
+  void keep_contractions(DecimateOptions& options);
   DecimateOptions options_of_pass(double end);
   bool is_beyond_target() const;
   bool adjust();
@@ -203,10 +205,12 @@ class Run {
 };
 
 /// \return why it was done otherwise; empty if blocks have contracted
-std::string_view Run::contract_in_blocks(const BlockPlan& plan) {
-  const std::string_view why_not = why_not_in_blocks(mesh_, target_, options_, host_, plan);
+std::string_view Run::contract_in_blocks(const DecimateTarget& target, const BlockPlan& plan) {
+  const std::string_view why_not = why_not_in_blocks(mesh_, target, options_, host_, plan);
   if (!why_not.empty()) return why_not;
-  LevelRemainder levels = decimate_in_blocks(mesh_, frame_, target_, options_, plan);
+  DecimateOptions options = options_;
+  keep_contractions(options);
+  LevelRemainder levels = decimate_in_blocks(mesh_, frame_, target, options, plan, displacement_limit_);
   done_.progress = levels.progress;
   if (levels.is_futile) return "pairs wait for each other all over the mesh";
   done_.is_cancelled = levels.is_cancelled;
@@ -215,6 +219,22 @@ std::string_view Run::contract_in_blocks(const BlockPlan& plan) {
   done_.result = std::move(levels.result);
   done_.left = std::move(levels);
   return {};
+}
+
+/// What blocks that move the surface little leave at least.
+DecimateTarget Run::least_left_in_blocks() const {
+  constexpr std::uint64_t least_share = 20;  // a 20th
+  DecimateTarget left =
+      DecimateTarget::faces(std::max(mesh_.faces.size() / least_share, target_.n_faces().value_or(1)));
+  if (target_.n_vertices()) left = left.or_vertices(*target_.n_vertices());
+  if (target_.cost_limit()) left = left.or_max_cost(*target_.cost_limit());
+  return left;
+}
+
+/// Where contractions may be taken back, the listener is told of them in the end.
+void Run::keep_contractions(DecimateOptions& options) {
+  if (!options.listener || !target_.error_limit()) return;
+  options.listener = [this](const Contraction& contraction) { done_.contractions.push_back(contraction); };
 }
 
 /// Where to pause, and at last the target.
@@ -300,9 +320,7 @@ DecimateOptions Run::options_of_pass(double end) {
       return callback(progress);
     };
   }
-  if (options.listener && target_.error_limit()) {
-    options.listener = [this](const Contraction& contraction) { done_.contractions.push_back(contraction); };
-  }
+  keep_contractions(options);
   if (done_.left && options.listener) {
     options.listener = [this, callback = options.listener](Contraction contraction) {
       contraction.survivor = done_.left->origins[contraction.survivor];
@@ -398,7 +416,7 @@ Decimation Run::output() {
 /// Contracts as far as the error may be, in three steps: what moves the surface by next to nothing, which leaves a
 /// coarse copy of a large input; what hardly moves it; and what keeps near to the coarse copy, or to the input. What is
 /// left is proven to be near to the input. Where it isn't, the next try is less bold.
-void Run::contract_within_error() {
+void Run::contract_within_error(const BlockPlan& plan) {
   constexpr std::size_t fewest_faces_of_coarse_copy = 200'000;
   constexpr int most_tries = 4;
   const double limit = *target_.error_limit() * frame_.scale;
@@ -411,7 +429,11 @@ void Run::contract_within_error() {
       std::async(has_threads ? std::launch::async | std::launch::deferred : std::launch::deferred, make_bounds);
   const bool has_tolerances = !options_.tolerances.empty();
   if (has_tolerances) error_bounds_ = bounds.get();
-  if (mesh_.faces.size() >= fewest_faces_of_coarse_copy && !has_tolerances) contract_what_moves_little(0.02 * limit);
+  if (mesh_.faces.size() >= fewest_faces_of_coarse_copy && !has_tolerances) {
+    displacement_limit_ = 0.02 * limit;
+    contract_in_blocks(least_left_in_blocks(), plan);
+    contract_what_moves_little(0.02 * limit);
+  }
   Done start = done_;
   if (start.left) start_origins_ = start.left->origins;
   std::vector<double> limits = has_tolerances ? limits_of_vertices() : std::vector<double>(n_vertices_left(), limit);
@@ -560,7 +582,7 @@ void Run::end_within_error() {
 
 /// Contracts in blocks where that is worth while, and then to each stop in turn.
 void Run::contract_to_stops(const BlockPlan& plan) {
-  std::string_view why_in_one_pass = contract_in_blocks(plan);
+  std::string_view why_in_one_pass = contract_in_blocks(target_, plan);
   const std::vector<DecimateTarget> stops = this->stops();
   const auto contract_to_stop = [&](std::size_t i) { contract_to(stops[i], i + 1 == stops.size()); };
   contract_to_stop(0);
@@ -582,7 +604,7 @@ void Run::contract_to_stops(const BlockPlan& plan) {
 Decimation Run::decimate(const BlockPlan& plan) {
   const bool has_faces = std::any_of(mesh_.faces.begin(), mesh_.faces.end(), has_three_corners);
   if (target_.error_limit() && has_faces) {
-    contract_within_error();
+    contract_within_error(plan);
     done_.result.why_in_one_pass = why_not_in_blocks(mesh_, target_, options_, host_, plan);
   } else {
     contract_to_stops(plan);

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <span>
 
+#include "whittle/core/indexed_mesh.hh"
+
 namespace whittle::metrics {
 
 /// \throw std::invalid_argument if it is negative or not a number
@@ -10,6 +12,10 @@ void require_distance(double max_distance);
 /// \throw std::invalid_argument if there are some, but not as many as vertices, or one isn't positive, or the distance
 ///        is infinite
 void require_tolerances(std::span<const double> tolerances, std::size_t n_vertices, double max_distance);
+/// \throw std::invalid_argument if it has another length than the first mesh's vertices, or names others than the
+/// second
+///        mesh's and `invalid_index`
+void require_vertex_map(std::span<const Index> vertex_map, std::size_t n_first, std::size_t n_second);
 /// \throw std::invalid_argument if it is not in [1e-6, 1]
 void require_accuracy(double relative_accuracy);
 

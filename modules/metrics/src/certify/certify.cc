@@ -31,6 +31,7 @@ struct OneWay {
   const Frame& frame;
   bool is_first;
   std::span<const double> limits{};  ///< of each face, in the frame; or empty
+  std::span<const Index> hints{};    ///< a face of the target that may be near to each face; or empty
 
   std::size_t n_blocks() const { return (mesh.faces.size() + faces_per_block - 1) / faces_per_block; }
   Corners corners(Index face) const {
@@ -61,9 +62,12 @@ class Surfaces {
     for (double& of_face : limits_) of_face *= frame_.scale;
     meter.start("preparing", 0.1);
     first_.emplace(first, frame_, limits_, most * frame_.scale);
-    first_->build_tree(&meter);
-    meter.start("preparing", 0.2);
     second_.emplace(second, frame_);
+  }
+
+  void build_trees(whittle::detail::ProgressMeter& meter) const {
+    meter.start("preparing", 0.2);
+    first_->build_tree(&meter);
     second_->build_tree(&meter);
   }
 
@@ -83,6 +87,36 @@ class Surfaces {
   std::optional<TargetSurface> second_;
 };
 
+/// A face at each vertex, or `invalid_index`.
+std::vector<Index> faces_at_vertices(const IndexedMesh& mesh) {
+  std::vector<Index> faces(mesh.positions.size(), invalid_index);
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    for (const Index v : mesh.faces[f]) faces[v] = f;
+  }
+  return faces;
+}
+
+/// A face of another mesh that may be near to each face. \param vertex_map vertices → those of the other mesh
+std::vector<Index> hints_by(std::span<const Index> vertex_map, const IndexedMesh& mesh, const IndexedMesh& other) {
+  const std::vector<Index> at_vertices = faces_at_vertices(other);
+  std::vector<Index> hints(mesh.faces.size(), invalid_index);
+  for (std::size_t f = 0; f < hints.size(); ++f) {
+    for (const Index v : mesh.faces[f]) {
+      if (vertex_map[v] != invalid_index) hints[f] = at_vertices[vertex_map[v]];
+    }
+  }
+  return hints;
+}
+
+/// Vertices of the second mesh → one of those that became them.
+std::vector<Index> inverse(std::span<const Index> vertex_map, std::size_t n_second) {
+  std::vector<Index> map(n_second, invalid_index);
+  for (Index v = 0; v < vertex_map.size(); ++v) {
+    if (vertex_map[v] != invalid_index) map[vertex_map[v]] = v;
+  }
+  return map;
+}
+
 /// Of the blocks in which a point is farther, the first one counts. Those after it needn't end.
 /// \param section the steps of the proof are appended; may be null
 Certification certify_one_way(const OneWay& one_way, double distance, const whittle::detail::Workers& workers,
@@ -98,7 +132,8 @@ Certification certify_one_way(const OneWay& one_way, double distance, const whit
       if (first_refuted < block) return false;
       FarthestPoint farthest;
       const double limit = one_way.limits.empty() ? distance : one_way.limits[face];
-      const Verdict verdict = prover.prove(one_way.corners(face), limit, invalid_index, farthest);
+      const Index hint = one_way.hints.empty() ? invalid_index : one_way.hints[face];
+      const Verdict verdict = prover.prove(one_way.corners(face), limit, hint, farthest);
       if (verdict == Verdict::proven) {
         if (section != nullptr) texts[block].add(prover.steps());
         return true;
@@ -195,6 +230,13 @@ void require_tolerances(std::span<const double> tolerances, std::size_t n_vertic
   }
 }
 
+void require_vertex_map(std::span<const Index> vertex_map, std::size_t n_first, std::size_t n_second) {
+  const auto is_known = [n_second](Index v) { return v == invalid_index || v < n_second; };
+  if (vertex_map.size() == n_first && std::all_of(vertex_map.begin(), vertex_map.end(), is_known)) return;
+  throw std::invalid_argument(
+      "certify: vertex_map has another length than the vertices, or names one that isn't there");
+}
+
 void require_accuracy(double relative_accuracy) {
   constexpr double least = 1e-6;
   if (relative_accuracy >= least && relative_accuracy <= 1) return;
@@ -214,11 +256,22 @@ Certification certify(const IndexedMesh& first, const IndexedMesh& second, doubl
   const whittle::detail::Workers workers(options.threads, &meter);
   const Surfaces surfaces(first, second, meter, options.tolerances, max_distance);
   const double distance = max_distance * surfaces.frame().scale;
+  OneWay forward_way = surfaces.forward();
+  OneWay backward_way = surfaces.backward();
+  std::vector<Index> forward_hints;
+  std::vector<Index> backward_hints;
+  if (options.vertex_map.empty()) {
+    surfaces.build_trees(meter);
+  } else {
+    require_vertex_map(options.vertex_map, first.positions.size(), second.positions.size());
+    forward_way.hints = forward_hints = hints_by(options.vertex_map, first, second);
+    backward_way.hints = backward_hints = hints_by(inverse(options.vertex_map, second.positions.size()), second, first);
+  }
   meter.start("proving, forward", 0.6);
-  Certification forward = certify_one_way(surfaces.forward(), distance, workers, sections);
+  Certification forward = certify_one_way(forward_way, distance, workers, sections);
   if (forward.verdict == Verdict::refuted) return forward;
   meter.start("proving, backward", 1);
-  Certification backward = certify_one_way(surfaces.backward(), distance, workers, sections);
+  Certification backward = certify_one_way(backward_way, distance, workers, sections);
   meter.finish();
   return backward.verdict == Verdict::proven ? forward : backward;
 }
@@ -229,6 +282,7 @@ LargestDistances largest_distances(const IndexedMesh& first, const IndexedMesh& 
   whittle::detail::ProgressMeter meter(options.progress);
   const whittle::detail::Workers workers(options.threads, &meter);
   const Surfaces surfaces(first, second, meter);
+  surfaces.build_trees(meter);
   const double limit = options.limit * surfaces.frame().scale;
   LargestDistances result;
   meter.start("measuring, forward", 0.6);

@@ -50,7 +50,8 @@ Verdict Prover::search(const Corners& triangle, Index hint, const Limit& limit, 
     if (is_proven(piece, limit(farthest))) continue;
     list_known(piece.hint);
     const Vec3 suspect = this->suspect(piece.corners);
-    const NearFace known = nearest_known(suspect);
+    const NearFace known = walk_near(suspect, nearest_known(suspect), limit(farthest));
+    if (known.face != piece.hint) known_.push_back(known.face);
     if (known.distance > limit(farthest) - 4 * slack) {
       const NearFace near = target_.nearest(suspect, known.face);
       if (near.distance > farthest.distance) farthest = {suspect, near.distance};
@@ -108,6 +109,21 @@ NearFace Prover::nearest_known(const Vec3& point) const {
     if (distance < nearest.distance) nearest = {face, distance};
   }
   return nearest;
+}
+
+/// Walks over edges to faces that are nearer to a point, until one is within the distance.
+NearFace Prover::walk_near(const Vec3& point, NearFace from, double distance) const {
+  constexpr int most_steps = 64;
+  for (int step = 0; step < most_steps && from.distance > distance - 4 * slack; ++step) {
+    const NearFace before = from;
+    for (const Index face : surface_.beyond[before.face]) {
+      if (face == invalid_index) continue;
+      const double there = distance_to(surface_.corners(face), point) + surface_.offset(face);
+      if (there < from.distance) from = {face, there};
+    }
+    if (from.face == before.face) break;
+  }
+  return from;
 }
 
 /// That of the corners, and of the point where faces were too high, which is farthest from the faces known.

@@ -20,6 +20,9 @@ struct CertifyOptions {
   /// be within the least tolerance of the face's corners of the second one, and each point of the second surface within
   /// that of some face of it. `max_distance` holds in any case.
   std::span<const double> tolerances{};
+  /// Vertices of the first mesh → those of the second that they became, as `Decimation::vertex_map`; or empty. Names
+  /// may be `invalid_index`. Only the time depends on it: proofs begin near the right faces, and rarely need a tree.
+  std::span<const Index> vertex_map{};
 };
 
 struct LargestDistanceOptions {
@@ -60,8 +63,8 @@ struct Certification {
 /// Else it is split in two. Any triangles are allowed; edges with other than two faces count as open.
 /// \param max_distance model units, not negative
 /// \throw std::invalid_argument if a mesh has no faces, a face names a vertex that isn't there, a position is not
-/// finite
-///        or above 3e150, or the distance is negative or not a number. Cancelled
+///        finite or above 3e150, the distance is negative or not a number, or tolerances or vertex_map have a wrong
+///        length or name a vertex that isn't there. Cancelled
 Certification certify(const IndexedMesh& first, const IndexedMesh& second, double max_distance,
                       const CertifyOptions& options = {});
 

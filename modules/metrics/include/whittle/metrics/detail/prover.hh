@@ -60,6 +60,7 @@ class Prover {
   bool is_near(const Corners& corners, Index face, double distance);
   void list_known(Index hint);
   NearFace nearest_known(const Vec3& point) const;
+  NearFace walk_near(const Vec3& point, NearFace from, double distance) const;
   Vec3 suspect(const Corners& corners) const;
   double distance_from_one(const Corners& corners, Index face) const;
   void split(const Piece& piece);
