@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "commands/advice.hh"
-#include "commands/as_written.hh"
-#include "commands/simplify_options.hh"
-#include "commands/simplify_runs.hh"
+#include "commands/simplify/advice.hh"
+#include "commands/simplify/as_written.hh"
+#include "commands/simplify/simplify_options.hh"
+#include "commands/simplify/simplify_runs.hh"
 #include "commands/stage_bars.hh"
 #include "commands/subcommands.hh"
 #include "files/input.hh"

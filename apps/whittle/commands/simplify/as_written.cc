@@ -1,4 +1,4 @@
-#include "commands/as_written.hh"
+#include "commands/simplify/as_written.hh"
 
 #include <algorithm>
 #include <limits>
