@@ -77,6 +77,26 @@ TEST(MaxErrorOption, IsFoundWithoutALimit) {
   EXPECT_EQ(metrics::certify(mesh, result.mesh, 0.99 * larger(error, "at_least")).verdict, metrics::Verdict::refuted);
 }
 
+TEST(MaxErrorOption, SaysInWordsWhatWasAskedAndFound) {
+  const TemporaryFolder folder;
+  const std::string output = folder / "out.ply";
+  const std::string terrain = data_file("terrain.ply");
+  const Outcome limited = whittle({"simplify", terrain, "-o", output, "-e", "1%", "--max-error-borders", "0.5%", "-v"});
+  EXPECT_EQ(limited.exit_code, 0) << limited;
+  for (const std::string& said :
+       {std::string("asked: at most "), std::string(" (1 %) off, borders "), terrain + " is at most ",
+        " off " + output + ", and ", output + " is at most ", std::string(" faces have corners nearly as far"),
+        "the border of " + terrain + " is at most ", "off that of " + output}) {
+    EXPECT_NE(limited.err.find(said), std::string::npos) << "not said: " << said << '\n' << limited;
+  }
+  const Outcome certified =
+      whittle({"simplify", data_file("blob.obj"), "-o", output, "--faces", "500", "--certify", "-v"});
+  EXPECT_NE(certified.err.find(output + " is at most "), std::string::npos) << certified;
+  for (const char* const unsaid : {"asked:", "border"}) {
+    EXPECT_EQ(certified.err.find(unsaid), std::string::npos) << certified;
+  }
+}
+
 /// Binary STL rounds coordinates to a 16th here.
 TEST(MaxErrorOption, WritesNothingThatIsNotProven) {
   const TemporaryFolder folder;
