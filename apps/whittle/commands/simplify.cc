@@ -78,6 +78,15 @@ void prune(const SimplifyCommand& options, const Talk& talk, Run& run) {
            faces_text(pruned.n_dropped_faces));
 }
 
+/// Those of --tolerance-map, else those that the file has.
+std::vector<double> tolerances_of(const SimplifyCommand& options, const Talk& talk, const Run& run) {
+  const io::ReadResult& read = run.input.read;
+  if (options.targets.tolerances) return read_tolerance_map(*options.targets.tolerances, read, run.diagonal);
+  std::vector<double> tolerances = tolerances_of_file(read, run.input.name);
+  if (!tolerances.empty()) talk.say(run.input.name + ": keeps to its vertices' property 'tolerance'");
+  return tolerances;
+}
+
 /// The threshold in model units. Warns if it is automatic and no parts lie near one another.
 double resolve_threshold(const SimplifyCommand& options, const Talk& talk, Run& run) {
   if (!options.threshold.is_automatic) return options.threshold.length.in_units(run.diagonal);
@@ -270,6 +279,7 @@ Json rejections_json(const SimplifyCommand& options, const Rejections& refused) 
 Json max_error_json(const Run& run) {
   if (!run.distances) return nullptr;
   Json json = max_error_json(*run.distances, run.target, run.diagonal);
+  json["tolerances"] = run.tolerances.size();
   json["certificate_bytes"] = run.certificate.empty() ? Json(nullptr) : Json(run.certificate.size());
   return json;
 }
@@ -452,9 +462,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   run.target =
       resolve(options.targets, run.input.read.mesh.positions.size(), run.input.read.mesh.faces.size(), run.diagonal);
   if (options.prune) prune(options, talk, run);
-  if (options.targets.tolerances && run.target.error_limit()) {
-    run.tolerances = read_tolerance_map(*options.targets.tolerances, run.input.read, run.diagonal);
-  }
+  if (run.target.error_limit()) run.tolerances = tolerances_of(options, talk, run);
 
   const Stopwatch watch_threshold;
   run.threshold = resolve_threshold(options, talk, run);
