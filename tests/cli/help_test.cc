@@ -13,7 +13,7 @@
 namespace whittle::test {
 namespace {
 
-const std::vector<std::string> subcommands{"simplify", "measure", "info", "polish", "compare", "convert"};
+const std::vector<std::string> subcommands{"simplify", "measure", "info", "polish", "compare", "convert", "verify"};
 
 std::string page(const std::string& subcommand) {
   return read_text(std::filesystem::path(WHITTLE_DOCS_DIR) / "user" / (subcommand + ".md"));
@@ -73,6 +73,7 @@ TEST(Help, DocumentsEveryConflict) {
       const std::string mesh = data_file("cubes.obj");
       std::vector<std::string> arguments{sub, mesh};
       if (sub == "measure" || sub == "polish") arguments.push_back(mesh);
+      if (sub == "verify") arguments.insert(arguments.end(), {mesh, folder / "proof"});
       if (sub == "convert") arguments.push_back(folder / "out.obj");
       if (sub == "simplify" || sub == "compare") arguments.insert(arguments.end(), {"--faces", "150"});
       const bool names_output = first.starts_with("--output") || second.starts_with("--output");

@@ -257,5 +257,23 @@ TEST(ReportKeys, OfConvertAreDocumented) {
                                  "--weld", "auto", "--verbose", "--threads", "1", "--color", "never"}});
 }
 
+TEST(ReportKeys, OfVerifyAreDocumented) {
+  const TemporaryFolder folder;
+  const std::string point = point_mesh(folder);
+  const std::string terrain = data_file("terrain.ply");
+  const std::string out = folder / "out";
+  const std::string proof = folder / "proof";
+  ASSERT_EQ(whittle({"simplify", terrain, "-o", out, "--output-format", "ply", "--max-error", "1%", "--certificate",
+                     proof, "--quiet"})
+                .exit_code,
+            0);
+  write_text(folder / "no proof", "");
+  expect_documented(
+      "verify",
+      {{terrain, out, proof, "--format", "ply", "--max-error", "2%", "--max-error-borders", "0.5%", "--verbose"},
+       {terrain, out, proof, "--input-format", "ply", "--weld", "auto", "--threads", "1", "--color", "never"},
+       {point, point, folder / "no proof", "--no-weld", "--quiet", "--force"}});
+}
+
 }  // namespace
 }  // namespace whittle::test

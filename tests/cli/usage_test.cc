@@ -59,6 +59,7 @@ TEST(Usage, NamesWhatIsMissing) {
   expect_usage_error(whittle({"measure", mesh}), {"TEST", "required", "see 'whittle measure --help'"});
   expect_usage_error(whittle({"info"}), {"IN", "required", "see 'whittle info --help'"});
   expect_usage_error(whittle({"convert", mesh}), {"OUT", "required", "see 'whittle convert --help'"});
+  expect_usage_error(whittle({"verify", mesh, mesh}), {"CERT", "required", "see 'whittle verify --help'"});
   expect_usage_error(whittle({"compare", mesh}), {"no target", "see 'whittle compare --help'"});
   EXPECT_TRUE(folder.files().empty());
 }

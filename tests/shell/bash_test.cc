@@ -117,6 +117,7 @@ TEST(Bash, OffersMeshFilesAndFolders) {
   EXPECT_EQ(offered({"simplify", "a.obj", "-o", ""}, folder.path()), meshes);
   EXPECT_EQ(offered({"simplify", "a.obj", "--output", "=", "a"}, folder.path()), Words{"a.obj"});
   EXPECT_EQ(offered({"info", "a.obj", "--json", "n"}, folder.path()), Words{"notes.txt"});
+  EXPECT_EQ(offered({"verify", "a.obj", "s.stl", "n"}, folder.path()), Words{"notes.txt"}) << "a certificate";
   EXPECT_EQ(offered({"man", ""}, folder.path()), Words());
 }
 

@@ -7,10 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "commands/advice.hh"
-#include "commands/as_written.hh"
-#include "commands/simplify_options.hh"
-#include "commands/simplify_runs.hh"
+#include "commands/simplify/advice.hh"
+#include "commands/simplify/as_written.hh"
+#include "commands/simplify/proven_distances.hh"
+#include "commands/simplify/simplify_options.hh"
+#include "commands/simplify/simplify_runs.hh"
 #include "commands/stage_bars.hh"
 #include "commands/subcommands.hh"
 #include "files/input.hh"
@@ -75,6 +76,15 @@ void prune(const SimplifyCommand& options, const Talk& talk, Run& run) {
   if (pruned.n_dropped_parts == 0) return;
   talk.say(run.input.name + ": dropped " + counted(pruned.n_dropped_parts, "small part", "small parts") + ", " +
            faces_text(pruned.n_dropped_faces));
+}
+
+/// Those of --tolerance-map, else those that the file has.
+std::vector<double> tolerances_of(const SimplifyCommand& options, const Talk& talk, const Run& run) {
+  const io::ReadResult& read = run.input.read;
+  if (options.targets.tolerances) return read_tolerance_map(*options.targets.tolerances, read, run.diagonal);
+  std::vector<double> tolerances = tolerances_of_file(read, run.input.name);
+  if (!tolerances.empty()) talk.say(run.input.name + ": keeps to its vertices' property 'tolerance'");
+  return tolerances;
 }
 
 /// The threshold in model units. Warns if it is automatic and no parts lie near one another.
@@ -268,17 +278,8 @@ Json rejections_json(const SimplifyCommand& options, const Rejections& refused) 
 /// Null if nothing was proven.
 Json max_error_json(const Run& run) {
   if (!run.distances) return nullptr;
-  const auto& [written, surface, borders] = *run.distances;
-  const auto add = [&run](Json& json, const metrics::LargestDistances& largest) {
-    add_length(json, "proven", proven_distance(largest), run.diagonal);
-    json["forward"] = largest_json(largest.forward, run.diagonal);
-    json["backward"] = largest_json(largest.backward, run.diagonal);
-  };
-  Json json;
-  json["asked"] = run.target.error_limit() ? Json(*run.target.error_limit()) : Json(nullptr);
-  add(json, surface);
-  json["borders"] = nullptr;
-  if (borders) add(json["borders"], *borders);
+  Json json = max_error_json(*run.distances, run.target, run.diagonal);
+  json["tolerances"] = run.tolerances.size();
   json["certificate_bytes"] = run.certificate.empty() ? Json(nullptr) : Json(run.certificate.size());
   return json;
 }
@@ -392,22 +393,6 @@ std::string threshold_pairs(const ThresholdPairCounts& pairs) {
          (pairs.capped ? ", the nearest of each vertex" : "") + ", " + std::to_string(pairs.contracted) + " contracted";
 }
 
-/// "in.ply is at most 0.1 (0.5 %) off out.ply, farthest at 1 2 3, in face 7; 12 faces nearly so"
-std::string distance_text(const std::string& from, const std::string& to, const metrics::LargestDistance& largest,
-                          double diagonal) {
-  const Vec3& point = largest.where.point;
-  return from + " is at most " + length_text_rounded_up(largest.at_most, diagonal) + " off " + to + ", farthest at " +
-         significant(point.x()) + " " + significant(point.y()) + " " + significant(point.z()) + ", in face " +
-         std::to_string(largest.where.face) + "; " + std::to_string(largest.n_far_faces) +
-         (largest.n_far_faces == 1 ? " face has" : " faces have") + " corners nearly as far";
-}
-
-void say_distances(const SimplifyCommand& options, const Talk& talk, const Run& run) {
-  const metrics::LargestDistances& surface = run.distances->surface;
-  talk.detail(distance_text(run.input.name, shown_output(options.output), surface.forward, run.diagonal));
-  talk.detail(distance_text(shown_output(options.output), run.input.name, surface.backward, run.diagonal));
-}
-
 void say_details(const SimplifyCommand& options, const Talk& talk, const Run& run) {
   if (!talk.is_verbose()) return;
   const DecimateResult& result = run.simplified.result;
@@ -421,7 +406,10 @@ void say_details(const SimplifyCommand& options, const Talk& talk, const Run& ru
   if (run.threshold > 0) talk.detail(threshold_pairs(result.threshold_pairs));
   const bool is_polished = *options.simplify.polish_passes > 0;
   if (is_polished) talk.detail("polish: " + polish_text(run.simplified.polish));
-  if (run.distances) say_distances(options, talk, run);
+  if (run.distances) {
+    const NamesOfRun names{run.input.name, shown_output(options.output), run.diagonal};
+    for (const std::string& line : distance_lines(*run.distances, run.target, names)) talk.detail(line);
+  }
   talk.detail("read " + seconds_text(run.seconds.read) + ", decimate " + seconds_text(run.seconds.decimate) +
               (is_polished ? ", polish " + seconds_text(run.seconds.polish) : "") +
               (run.distances ? ", certify " + seconds_text(run.seconds.certify) : "") + ", write " +
@@ -474,9 +462,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   run.target =
       resolve(options.targets, run.input.read.mesh.positions.size(), run.input.read.mesh.faces.size(), run.diagonal);
   if (options.prune) prune(options, talk, run);
-  if (options.targets.tolerances && run.target.error_limit()) {
-    run.tolerances = read_tolerance_map(*options.targets.tolerances, run.input.read, run.diagonal);
-  }
+  if (run.target.error_limit()) run.tolerances = tolerances_of(options, talk, run);
 
   const Stopwatch watch_threshold;
   run.threshold = resolve_threshold(options, talk, run);

@@ -7,6 +7,12 @@
 
 namespace whittle::app {
 
+/// The vertex property `tolerance` of the file that a mesh was read from.
+/// \param name of the file, for messages
+/// \return of each vertex of the mesh, model units: of those that became one, the least; empty if the file has none
+/// \throw UnsupportedMesh if one is not above 0
+std::vector<double> tolerances_of_file(const io::ReadResult& read, const std::string& name);
+
 /// Reads a text with a length a line, for each vertex of the file that a mesh was read from, in its order: model units,
 /// or a percentage of the diagonal.
 /// \return of each vertex of the mesh, model units: of those that became one, the least

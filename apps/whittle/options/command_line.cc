@@ -19,8 +19,8 @@ io::Format parse_format(std::string_view text) {
 }
 
 template <class Paths>
-void add_argument(CLI::App& app, const std::string& name, Paths& paths, const std::string& description) {
-  app.add_option(name, paths, description)->required()->type_name("")->group("Arguments");
+CLI::Option* add_argument(CLI::App& app, const std::string& name, Paths& paths, const std::string& description) {
+  return app.add_option(name, paths, description)->required()->type_name("")->group("Arguments");
 }
 
 std::string mesh_file() { return "the mesh: an " + io::format_titles() + " file, or '-' for standard input"; }
@@ -130,8 +130,8 @@ CLI::Option* add_ascii(CLI::App& app, FileOptions& options) {
       ->default_str("off");
 }
 
-void add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description) {
-  add_argument(app, name, path, description);
+CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description) {
+  return add_argument(app, name, path, description);
 }
 
 void add_mesh_file(CLI::App& app, std::string& path) { add_argument(app, "IN", path, mesh_file()); }

@@ -62,8 +62,8 @@ CLI::Option* add_input_format(CLI::App& app, FileOptions& options);
 CLI::Option* add_output_format(CLI::App& app, FileOptions& options);
 CLI::Option* add_ascii(CLI::App& app, FileOptions& options);
 
-/// Adds a positional argument that names a file.
-void add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description);
+/// Adds a positional argument that names a file: a mesh, unless it is given the type name FILE.
+CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description);
 /// Adds the argument IN: the mesh file to work on. Its help lists the formats.
 void add_mesh_file(CLI::App& app, std::string& path);
 /// Likewise for one file or several.

@@ -42,14 +42,18 @@ void add_target_options(CLI::App& app, TargetOptions& options, const std::string
       ->group(target_group);
 }
 
+CLI::Option* add_length_above_zero(CLI::App& app, const std::string& names, std::optional<Length>& length,
+                                   const std::string& description) {
+  return add_value(app, names, "E", length, above_zero, description)->default_str("off");
+}
+
 void add_max_error(CLI::App& app, TargetOptions& options) {
-  add_value(app, "-e,--max-error", "E", options.max_error, above_zero,
-            "as few faces as keep each point of OUT within E of IN, and of IN within E of OUT, which is proven: model "
-            "units, or a percentage of the diagonal such as 0.1%")
-      ->default_str("off")
+  add_length_above_zero(app, "-e,--max-error", options.max_error,
+                        "as few faces as keep each point of OUT within E of IN, and of IN within E of OUT, which is "
+                        "proven: model units, or a percentage of the diagonal such as 0.1%")
       ->group(target_group);
-  add_value(app, "--max-error-borders", "E", options.max_border_error, above_zero,
-            "the same between the open borders of both")
+  add_length_above_zero(app, "--max-error-borders", options.max_border_error,
+                        "the same between the open borders of both")
       ->default_str("as --max-error")
       ->group(target_group);
   add_value(

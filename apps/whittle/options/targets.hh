@@ -28,6 +28,11 @@ struct TargetOptions {
 /// \param cost_unit what the help says of the unit of --max-cost
 void add_target_options(CLI::App& app, TargetOptions& options, const std::string& cost_unit);
 
+/// Adds an option with a length E above 0; without it there is none.
+/// \param names as `add_value`
+CLI::Option* add_length_above_zero(CLI::App& app, const std::string& names, std::optional<Length>& length,
+                                   const std::string& description);
+
 /// Adds `--max-error`, `--max-error-borders` and `--tolerance-map`.
 void add_max_error(CLI::App& app, TargetOptions& options);
 

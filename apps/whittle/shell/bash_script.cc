@@ -117,8 +117,9 @@ std::string bash_script(const CLI::App& app, const std::string& program) {
       if (takes_value(*option)) script += bash_value_rule(*sub, *option);
     }
     const std::vector<const CLI::Option*> arguments = arguments_of(*sub);
+    // Where arguments differ, the last one takes any file.
     words += bash_word_rule(sub->get_name(), bash_option_names(*sub),
-                            arguments.empty() ? "" : bash_call(candidates_of(*arguments.front())));
+                            arguments.empty() ? "" : bash_call(candidates_of(*arguments.back())));
   }
   script += "  esac\n  case $subcommand:$cur in\n" + words;
   script += bash_word_rule("help", "", "_whittle_words '" + join(names) + "'");

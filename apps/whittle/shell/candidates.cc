@@ -26,7 +26,7 @@ Candidates candidates_of(const CLI::Option& option) {
     if (part != "EXT") continue;
     for (const io::Format format : io::all_formats) candidates.words.emplace_back(io::name_of(format));
   }
-  if (option.get_positional() && candidates.words.empty()) candidates.files = FileCandidates::meshes;
+  if (option.get_positional() && option.get_type_name().empty()) candidates.files = FileCandidates::meshes;
   return candidates;
 }
 

@@ -15,8 +15,8 @@ struct Candidates {
   FileCandidates files = FileCandidates::none;
 };
 
-/// By the name that the help has for the value: "fast|normal|best", "T|auto", "EXT", "FILE|-", "OUT". Arguments without
-/// a name are mesh files, unless they have words.
+/// By the name that the help has for the value: "fast|normal|best", "T|auto", "EXT", "FILE|-", "OUT". Arguments are
+/// mesh files, unless they have such a name.
 Candidates candidates_of(const CLI::Option& option);
 
 /// "obj", "ply", "obj.gz", …: how names of mesh files end, in lower case.

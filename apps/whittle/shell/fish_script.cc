@@ -71,7 +71,7 @@ std::string fish_script(const CLI::App& app, const std::string& program) {
     for (const CLI::Option* option : named_options_of(*sub)) script += fish_option(condition, *option);
     const std::vector<const CLI::Option*> arguments = arguments_of(*sub);
     if (arguments.empty()) continue;
-    script += fish_rule(condition, fish_value(candidates_of(*arguments.front())), arguments.front()->get_description());
+    script += fish_rule(condition, fish_value(candidates_of(*arguments.back())), arguments.front()->get_description());
   }
   return script;
 }

@@ -77,6 +77,26 @@ TEST(MaxErrorOption, IsFoundWithoutALimit) {
   EXPECT_EQ(metrics::certify(mesh, result.mesh, 0.99 * larger(error, "at_least")).verdict, metrics::Verdict::refuted);
 }
 
+TEST(MaxErrorOption, SaysInWordsWhatWasAskedAndFound) {
+  const TemporaryFolder folder;
+  const std::string output = folder / "out.ply";
+  const std::string terrain = data_file("terrain.ply");
+  const Outcome limited = whittle({"simplify", terrain, "-o", output, "-e", "1%", "--max-error-borders", "0.5%", "-v"});
+  EXPECT_EQ(limited.exit_code, 0) << limited;
+  for (const std::string& said :
+       {std::string("asked: at most "), std::string(" (1 %) off, borders "), terrain + " is at most ",
+        " off " + output + ", and ", output + " is at most ", std::string(" faces have corners nearly as far"),
+        "the border of " + terrain + " is at most ", "off that of " + output}) {
+    EXPECT_NE(limited.err.find(said), std::string::npos) << "not said: " << said << '\n' << limited;
+  }
+  const Outcome certified =
+      whittle({"simplify", data_file("blob.obj"), "-o", output, "--faces", "500", "--certify", "-v"});
+  EXPECT_NE(certified.err.find(output + " is at most "), std::string::npos) << certified;
+  for (const char* const unsaid : {"asked:", "border"}) {
+    EXPECT_EQ(certified.err.find(unsaid), std::string::npos) << certified;
+  }
+}
+
 /// Binary STL rounds coordinates to a 16th here.
 TEST(MaxErrorOption, WritesNothingThatIsNotProven) {
   const TemporaryFolder folder;
@@ -125,6 +145,46 @@ TEST(MaxErrorOption, IsLessInPlaces) {
   write_text(map, "1\n0\n");
   EXPECT_NE(simplify_by(map).err.find(map + ":2: '0' is no length above 0"), std::string::npos);
   EXPECT_NE(simplify_by(folder / "missing").err.find("missing"), std::string::npos);
+}
+
+TEST(MaxErrorOption, IsLessWhereAPlyFileSaysSo) {
+  const TemporaryFolder folder;
+  const IndexedMesh mesh = blob(4, 1);
+  const double tight = 0.002 * bounds_of(mesh.positions).diagonal();
+  const auto text_of = [&mesh](const std::string& type, double left) {
+    std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(mesh.positions.size()) +
+                       "\nproperty double x\nproperty double y\nproperty double z\nproperty " + type +
+                       " tolerance\nelement face " + std::to_string(mesh.faces.size()) +
+                       "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (const Vec3& p : mesh.positions) {
+      for (const double x : p) text += std::to_string(x) + ' ';
+      text += std::to_string(p.x() < 0 ? left : 100) + '\n';
+    }
+    for (const auto& [a, b, c] : mesh.faces) {
+      text += "3 " + std::to_string(a) + ' ' + std::to_string(b) + ' ' + std::to_string(c) + '\n';
+    }
+    return text;
+  };
+  const std::string input = folder / "in.ply";
+  const std::string output = folder / "out.ply";
+  const auto simplified = [&] { return whittle({"simplify", input, "-o", output, "-e", "1%", "--json", "-"}); };
+  for (const char* const type : {"float", "double"}) {
+    write_text(input, text_of(type, tight));
+    const Outcome run = simplified();
+    ASSERT_EQ(run.exit_code, 0) << run;
+    EXPECT_NE(run.err.find("keeps to its vertices' property 'tolerance'"), std::string::npos) << run;
+    EXPECT_EQ(parse_json(run.out)["max_error"]["tolerances"], mesh.positions.size());
+    const io::ReadResult read = io::read_mesh(input);
+    ASSERT_EQ(read.tolerances.size(), mesh.positions.size());
+    EXPECT_EQ(metrics::certify(read.mesh, io::read_mesh(output).mesh, 1e9, {.tolerances = read.tolerances}).verdict,
+              metrics::Verdict::proven);
+  }
+  write_text(input, text_of("double", -1));
+  const Outcome refused = simplified();
+  EXPECT_EQ(refused.exit_code, 4) << refused;
+  EXPECT_NE(refused.err.find("has the tolerance -1; with --max-error all must be above 0"), std::string::npos)
+      << refused;
+  EXPECT_EQ(whittle({"info", input}).exit_code, 0) << "only a limit of the error looks at them";
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ TEST(Verify, FollowsAProofByOneFace) {
   EXPECT_EQ(result.why_not, "");
   EXPECT_EQ(result.max_error, 0.1 + 1e-12);
   EXPECT_EQ(result.max_error_borders, infinity);
-  EXPECT_EQ(result.n_tolerances, 0U);
+  EXPECT_EQ(result.tolerances.size(), 0U);
 }
 
 TEST(Verify, RefusesALimitThatIsALittleTooSmall) {
@@ -337,7 +337,7 @@ TEST(Verify, KeepsToTolerances) {
   certificate.tolerances = {0.3, 0.1 + 1e-12, infinity};
   const Verification result = verified(low, high, certificate);
   EXPECT_TRUE(result.holds) << result.why_not;
-  EXPECT_EQ(result.n_tolerances, 3U);
+  EXPECT_EQ(result.tolerances.size(), 3U);
   certificate.tolerances[1] = 0.1 - 1e-12;
   EXPECT_THAT(verified(low, high, certificate).why_not, StartsWith("IN, face 0: "));
   certificate.tolerances[1] = 0.3;

@@ -30,6 +30,9 @@ class MeshBuilder {
   /// As stored, of any length. `finish` scales them to unit length.
   std::vector<std::array<float, 3>>& normals() { return result_.mesh.normals; }
 
+  /// As stored.
+  std::vector<double>& tolerances() { return result_.tolerances; }
+
   std::size_t vertex_count() const { return result_.mesh.positions.size(); }
   std::size_t face_count() const { return result_.mesh.faces.size(); }
 

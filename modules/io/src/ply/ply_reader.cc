@@ -21,7 +21,7 @@ namespace whittle::io {
 namespace {
 
 // The meaning of a vertex property, and the index of its number in `Row`.
-enum Role : std::size_t { x, y, z, nx, ny, nz, red, green, blue, alpha, other };
+enum Role : std::size_t { x, y, z, nx, ny, nz, red, green, blue, alpha, tolerance, other };
 using Row = std::array<double, other + 1>;
 
 Role role_of(std::string_view property) {
@@ -29,12 +29,25 @@ Role role_of(std::string_view property) {
     std::string_view name;
     Role role;
   };
-  static constexpr Named names[] = {{"x", x},         {"y", y},     {"z", z},
-                                    {"nx", nx},       {"ny", ny},   {"nz", nz},
-                                    {"red", red},     {"r", red},   {"diffuse_red", red},
-                                    {"green", green}, {"g", green}, {"diffuse_green", green},
-                                    {"blue", blue},   {"b", blue},  {"diffuse_blue", blue},
-                                    {"alpha", alpha}, {"a", alpha}, {"diffuse_alpha", alpha}};
+  static constexpr Named names[] = {{"x", x},
+                                    {"y", y},
+                                    {"z", z},
+                                    {"nx", nx},
+                                    {"ny", ny},
+                                    {"nz", nz},
+                                    {"red", red},
+                                    {"r", red},
+                                    {"diffuse_red", red},
+                                    {"green", green},
+                                    {"g", green},
+                                    {"diffuse_green", green},
+                                    {"blue", blue},
+                                    {"b", blue},
+                                    {"diffuse_blue", blue},
+                                    {"alpha", alpha},
+                                    {"a", alpha},
+                                    {"diffuse_alpha", alpha},
+                                    {"tolerance", tolerance}};
   for (const auto& [name, role] : names) {
     if (property == name) return role;
   }
@@ -154,6 +167,7 @@ class BodyReader {
     resize_large(builder_.positions(), count);
     if (plan.normals) resize_large(builder_.normals(), count);
     if (plan.colors) resize_large(builder_.colors(), count);
+    if (plan.has[tolerance]) resize_large(builder_.tolerances(), count);
     if constexpr (Source::has_fixed_sizes) {
       if (read_fixed_vertices(element, plan)) return;
     }
@@ -180,6 +194,7 @@ class BodyReader {
       builder_.normals()[v] = {static_cast<float>(row[nx]), static_cast<float>(row[ny]), static_cast<float>(row[nz])};
     }
     if (plan.colors) builder_.colors()[v] = color_of(plan, row);
+    if (plan.has[tolerance]) builder_.tolerances()[v] = row[tolerance];
   }
 
   static Color color_of(const VertexPlan& plan, const Row& row) {

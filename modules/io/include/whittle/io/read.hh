@@ -31,6 +31,9 @@ struct ReadResult {
   /// `file_vertices` numbers: the vertex of `mesh` that each vertex of the file became, `invalid_index` if it was
   /// dropped. Vertices that were welded together became the same.
   std::vector<Index> vertex_map;
+  /// `file_vertices` numbers, as stored: PLY's vertex property `tolerance`. Empty if there is none. The mesh doesn't
+  /// carry it.
+  std::vector<double> tolerances;
   /// Counts of each kind of repair.
   Repairs repairs;
   /// One line each, without a full stop: what the mesh doesn't carry, and which irregularities were accepted.

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace whittle::verify {
 
@@ -23,9 +24,9 @@ struct Verification {
   double max_error = 0;
   /// The same of the borders, the edges that occur once; infinite if nothing is proven of them.
   double max_error_borders = 0;
-  /// Vertices of `in` that have a tolerance: none or all. Where there are tolerances, each face of `in` is also within
-  /// the least of its corners' of `out`, and each point of `out` is within that tolerance of some face of `in`.
-  std::size_t n_tolerances = 0;
+  /// Of each vertex of `in`, model units, (0, inf]; or none. Each point of a face of `in` is also within the least of
+  /// its corners' of `out`, and each point of `out` is within that tolerance of some face of `in`.
+  std::vector<double> tolerances{};
 
   /// If it doesn't hold: the first reason in the order of the file, such as "face 17 of IN: a corner is not within the
   /// distance of face 5". It calls `in` IN, and `out` OUT.

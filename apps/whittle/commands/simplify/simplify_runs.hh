@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "commands/simplify_options.hh"
+#include "commands/simplify/simplify_options.hh"
 #include "terminal/exit_code.hh"
 
 // One call of `whittle simplify` for several inputs: each is a run of its own, with the same options.

@@ -1,4 +1,4 @@
-#include "commands/simplify_runs.hh"
+#include "commands/simplify/simplify_runs.hh"
 
 #include <filesystem>
 #include <map>

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "commands/simplify_options.hh"
+#include "commands/simplify/simplify_options.hh"
 #include "whittle/engine/decimate_target.hh"
 #include "whittle/metrics/certify.hh"
 

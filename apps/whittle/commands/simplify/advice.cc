@@ -1,4 +1,4 @@
-#include "commands/advice.hh"
+#include "commands/simplify/advice.hh"
 
 #include <algorithm>
 #include <functional>

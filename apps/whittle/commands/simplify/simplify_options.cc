@@ -1,4 +1,4 @@
-#include "commands/simplify_options.hh"
+#include "commands/simplify/simplify_options.hh"
 
 #include <array>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "commands/as_written.hh"
+#include "commands/simplify/as_written.hh"
 
 #include <algorithm>
 #include <limits>
@@ -24,7 +24,9 @@ IndexedMesh as_written(const IndexedMesh& mesh, const SimplifyCommand& options) 
   std::ostringstream out;
   io::write_mesh(out, format, mesh, {.ascii = options.files.ascii});
   const std::string bytes = std::move(out).str();
-  return io::read_mesh(bytes, options.output, {.format = format, .threads = options.common.threads}).mesh;
+  return io::read_mesh(bytes, options.output,
+                       {.weld = options.files.weld, .format = format, .threads = options.common.threads})
+      .mesh;
 }
 
 }  // namespace

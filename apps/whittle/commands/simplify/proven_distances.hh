@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "commands/simplify/as_written.hh"
+#include "files/report.hh"
+
+// What the messages and the report say of the distances that a run has proven.
+
+namespace whittle::app {
+
+/// The input of a run and its result, as messages name them.
+struct NamesOfRun {
+  std::string input;
+  std::string output;
+  double diagonal = 0;  ///< of the input's bounding box
+};
+
+/// Key `max_error`, without `certificate_bytes`.
+Json max_error_json(const DistancesAsWritten& distances, const DecimateTarget& target, double diagonal);
+
+/// What was asked, and a line for each way, of the surface and of the borders: what is proven, and the farthest point.
+std::vector<std::string> distance_lines(const DistancesAsWritten& distances, const DecimateTarget& target,
+                                        const NamesOfRun& names);
+
+}  // namespace whittle::app

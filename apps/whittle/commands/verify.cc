@@ -1,0 +1,225 @@
+#include "whittle/verify/verify.hh"
+
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "commands/subcommands.hh"
+#include "files/input.hh"
+#include "files/output.hh"
+#include "files/report.hh"
+#include "options/targets.hh"
+#include "terminal/stopwatch.hh"
+#include "terminal/table.hh"
+#include "whittle/core/detail/cores.hh"
+#include "whittle/io/errors.hh"
+
+namespace whittle::app {
+namespace {
+
+struct VerifyCommand {
+  std::string input;
+  std::string output;
+  std::string certificate;
+  FileOptions files;                       ///< the length to weld to is that of IN
+  std::optional<Length> max_error;         ///< that is to be proven
+  std::optional<Length> max_border_error;  ///< that is to be proven of the open borders
+  CommonOptions common;
+};
+
+struct Run {
+  Input input;
+  Input output;
+  std::string certificate;  ///< its bytes
+  double diagonal = 0;      ///< of the input's bounding box
+  verify::Verification verification;
+  double verify_seconds = 0;
+};
+
+/// The content of a file. \throw io::ReadError
+std::string content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw io::ReadError(path, std::string("cannot be opened: ") + std::strerror(errno));
+  std::string content;
+  std::array<char, 1 << 16> part;
+  while (file.read(part.data(), part.size()), file.gcount() > 0) {
+    content.append(part.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  if (file.bad()) throw io::ReadError(path, std::string("cannot be read: ") + std::strerror(errno));
+  return content;
+}
+
+/// OUT, as the run that wrote it has read it again: --weld is for IN.
+Input read_output(const VerifyCommand& options, const Talk& talk) {
+  FileOptions files = options.files;
+  files.weld_tolerance = {};
+  return read_input(options.output, files, options.common.threads, talk);
+}
+
+/// A mesh as the verifier takes it. It shares no type with the other modules.
+struct Arrays {
+  std::vector<double> coordinates;
+  std::vector<std::uint32_t> corners;
+
+  explicit Arrays(const IndexedMesh& mesh) {
+    coordinates.reserve(3 * mesh.positions.size());
+    for (const Vec3& p : mesh.positions) coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+    corners.reserve(3 * mesh.faces.size());
+    for (const Triangle& face : mesh.faces) corners.insert(corners.end(), face.begin(), face.end());
+  }
+  verify::Triangles triangles() const { return {coordinates, corners}; }
+};
+
+Run verify_files(const VerifyCommand& options, const Talk& talk) {
+  Run run;
+  run.certificate = content_of(options.certificate);
+  run.input = read_input(options.input, options.files, options.common.threads, talk);
+  run.output = read_output(options, talk);
+  run.diagonal = metrics::bounds(run.input.read.mesh).diagonal();
+  const Stopwatch watch;
+  const Arrays in(run.input.read.mesh);
+  const Arrays out(run.output.read.mesh);
+  const unsigned threads = options.common.threads > 0 ? options.common.threads : detail::n_cores();
+  run.verification = verify::verify(in.triangles(), out.triangles(), run.certificate, threads);
+  run.verify_seconds = watch.seconds();
+  return run;
+}
+
+/// What is asked of a distance, model units.
+std::optional<double> asked(const std::optional<Length>& length, const Run& run) {
+  return length ? std::optional(length->in_units(run.diagonal)) : std::nullopt;
+}
+
+/// "0.1 (0.5 %)"
+std::string distance_text(double distance, const Run& run) { return length_text_rounded_up(distance, run.diagonal); }
+
+/// Why more is asked than the certificate proves; empty if it isn't. \param what "of borders "
+std::string shortfall(const std::optional<Length>& length, double proven, const std::string& what, const Run& run) {
+  if (!length || proven <= *asked(length, run)) return {};
+  const std::string asked_text = distance_text(*asked(length, run), run) + " is asked " + what + "at most, and ";
+  return asked_text + (std::isfinite(proven) ? distance_text(proven, run) : "nothing") + " is proven";
+}
+
+/// What is wrong, in a line; empty if nothing is.
+std::string problem(const VerifyCommand& options, const Run& run) {
+  const verify::Verification& proof = run.verification;
+  if (proof.is_malformed) return "no whole certificate: " + proof.why_not;
+  if (!proof.holds) return "does not hold for " + run.input.name + " and " + run.output.name + ": " + proof.why_not;
+  const std::string of_surface = shortfall(options.max_error, proof.max_error, "", run);
+  return of_surface.empty() ? shortfall(options.max_border_error, proof.max_error_borders, "of borders ", run)
+                            : of_surface;
+}
+
+/// Adds a distance that is proven; null if nothing is. \param key "max_error"
+void add_proven(Json& json, const std::string& key, double distance, const Run& run) {
+  json[key] = nullptr;
+  json[key + "_rel"] = nullptr;
+  if (run.verification.holds && std::isfinite(distance)) add_length(json, key, distance, run.diagonal);
+}
+
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json verify_json(const VerifyCommand& options, const Run& run, bool is_met, double total_seconds) {
+  const verify::Verification& proof = run.verification;
+  Json json = new_report();
+  json["input"] = input_json(run.input, run.diagonal);
+  json["output"] = input_json(run.output, metrics::bounds(run.output.read.mesh).diagonal());
+  json["certificate"] = {{"path", options.certificate}, {"bytes", run.certificate.size()}};
+  json["holds"] = proof.holds;
+  add_proven(json, "max_error", proof.max_error, run);
+  add_proven(json, "max_error_borders", proof.max_error_borders, run);
+  json["tolerances"] = proof.tolerances.size();
+  json["malformed"] = proof.is_malformed;
+  json["why_not"] = proof.holds ? Json(nullptr) : Json(proof.why_not);
+  json["asked"] = {{"max_error", or_null(asked(options.max_error, run))},
+                   {"max_error_borders", or_null(asked(options.max_border_error, run))},
+                   {"met", is_met}};
+  json["seconds"] = {
+      {"read", run.input.seconds + run.output.seconds}, {"verify", run.verify_seconds}, {"total", total_seconds}};
+  json["peak_rss_bytes"] = peak_memory_bytes();
+  std::vector<std::string> warnings = run.input.warnings;
+  warnings.insert(warnings.end(), run.output.warnings.begin(), run.output.warnings.end());
+  json["warnings"] = warnings;
+  return json;
+}
+
+/// What is proven, in words.
+std::string proven_text(const Run& run) {
+  const verify::Verification& proof = run.verification;
+  const std::string& in = run.input.name;
+  const std::string& out = run.output.name;
+  const auto within = [&](const std::string& of_in, const std::string& of_out, double distance) {
+    return "each point of " + of_in + " is within " + distance_text(distance, run) + " of " + of_out +
+           ", and each point of " + of_out + " of " + of_in + '\n';
+  };
+  std::string text = "the certificate holds\n";
+  if (std::isfinite(proof.max_error)) text += within(in, out, proof.max_error);
+  if (std::isfinite(proof.max_error_borders)) {
+    text += within("the border of " + in, "the border of " + out, proof.max_error_borders);
+  } else {
+    text += "nothing is proven of borders\n";
+  }
+  if (proof.tolerances.size() == 0) return text;
+  return text + counted(proof.tolerances.size(), "vertex of ", "vertices of ") + in +
+         " with a tolerance: each point of a face of " + in + " is within the least of its corners' of " + out +
+         ", and each point of " + out + " within that of some face of " + in + '\n';
+}
+
+void check(const CLI::App& app, const VerifyCommand& options) {
+  check_conflicts(app, common_conflicts());
+  check_formats({options.input, options.output}, {}, options.files);
+  if (!options.common.json) return;
+  check_outputs({{"--json", *options.common.json}}, {options.input, options.output, options.certificate},
+                options.common.force);
+}
+
+ExitCode run_verify(const CLI::App& app, const VerifyCommand& options) {
+  check(app, options);
+  const Talk talk = options.common.talk();
+  const Stopwatch watch;
+  const Run run = verify_files(options, talk);
+  const std::string wrong = problem(options, run);
+  write_report(options.common, verify_json(options, run, wrong.empty(), watch.seconds()),
+               run.verification.holds ? proven_text(run) : std::string());
+  talk.detail("read " + seconds_text(run.input.seconds + run.output.seconds) + ", verify " +
+              seconds_text(run.verify_seconds));
+  say_effort(talk, watch.seconds());
+  if (wrong.empty()) return ExitCode::done;
+  talk.error(about(options.certificate, wrong));
+  return run.verification.is_malformed ? ExitCode::unreadable : ExitCode::failure;
+}
+
+}  // namespace
+
+void setup_verify(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<VerifyCommand>();
+  CLI::App* sub = app.add_subcommand("verify", "Check a certificate of 'simplify': how far OUT is from IN at most.");
+  add_file(*sub, "IN", options->input, "the mesh that was simplified, or '-' for standard input");
+  add_file(*sub, "OUT", options->output, "the result, or '-' for standard input");
+  add_file(*sub, "CERT", options->certificate, "what 'simplify --certificate' has written")->type_name("FILE");
+  add_length_above_zero(*sub, "-e,--max-error", options->max_error,
+                        "fail if a larger distance than E is all that is proven: model units, or a percentage of the "
+                        "diagonal such as 0.1%");
+  add_length_above_zero(*sub, "--max-error-borders", options->max_border_error,
+                        "likewise for the distance between the open borders");
+  add_format(*sub, options->files);
+  add_input_format(*sub, options->files);
+  add_weld_options(*sub, options->files);
+  add_common_options(*sub, options->common);
+  set_usage(*sub, "IN OUT CERT [OPTION]...");
+  sub->footer(
+      "Examples:\n"
+      "  whittle simplify dragon.ply -o small.ply --max-error 0.1% --certificate small.proof\n"
+      "  whittle verify dragon.ply small.ply small.proof --max-error 0.1%");
+  sub->callback([sub, options, &command] { command = [sub, options] { return run_verify(*sub, *options); }; });
+}
+
+}  // namespace whittle::app
