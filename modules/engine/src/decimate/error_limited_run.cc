@@ -1,0 +1,213 @@
+#include "decimate/error_limited_run.hh"
+
+#include <algorithm>
+#include <cstdint>
+#include <future>
+#include <limits>
+
+#include "whittle/core/detail/parallel.hh"
+
+namespace whittle {
+namespace {
+
+IndexedMesh surface_of(const Remainder& left) {
+  IndexedMesh surface;
+  surface.positions = left.positions;
+  surface.faces = left.faces;
+  return surface;
+}
+
+}  // namespace
+
+/// Contracts as far as the error may be, in three steps: what moves the surface by next to nothing, which leaves a
+/// coarse copy of a large input; what hardly moves it; and what keeps near to the coarse copy, or to the input. What is
+/// left is proven to be near to the input. Where it isn't, the next try is less bold.
+std::unique_ptr<ErrorBounds> ErrorLimitedRun::contract(const BlockPlan& plan) {
+  constexpr std::size_t fewest_faces_of_coarse_copy = 200'000;
+  constexpr int most_tries = 4;
+  const IndexedMesh& mesh = passes_.mesh();
+  const DecimateOptions& options = passes_.options();
+  const Frame& frame = passes_.frame();
+  const double limit = *target().error_limit() * frame.scale;
+  const auto make_bounds = [&] {
+    const double border_limit = *target().border_error_limit() * frame.scale;
+    return std::make_unique<ErrorBounds>(mesh, frame, limit, border_limit, options.threads, options.tolerances);
+  };
+  const bool has_threads = n_threads(options.threads) > 1;
+  auto bounds =
+      std::async(has_threads ? std::launch::async | std::launch::deferred : std::launch::deferred, make_bounds);
+  const bool has_tolerances = !options.tolerances.empty();
+  if (has_tolerances) error_bounds_ = bounds.get();
+  if (mesh.faces.size() >= fewest_faces_of_coarse_copy && !has_tolerances) {
+    PassLimits limits;
+    limits.displacement = 0.02 * limit;
+    passes_.set_limits(limits);
+    passes_.contract_in_blocks(least_left_in_blocks(), plan);
+    contract_what_moves_little(limits);
+  }
+  Done start = passes_.done();
+  if (start.left) start_origins_ = start.left->origins;
+  std::vector<double> limits =
+      has_tolerances ? limits_of_vertices() : std::vector<double>(passes_.n_vertices_left(), limit);
+  std::vector<double> shares(limits.size(), 0.3);
+  for (int i = 0; i < most_tries; ++i) {
+    passes_.done() = start;
+    contract_to_shares_of_limit(limits, shares);
+    if (!error_bounds_) {
+      error_bounds_ = bounds.get();
+      make_coarse_bound(start);
+    }
+    const ErrorBound::Violations violations = find_violations_before_guarding();
+    if (violations.empty() && contract_guarded()) {
+      end();
+      return std::move(error_bounds_);
+    }
+    if (i + 2 < most_tries) {
+      lower_shares_at(violations.vertices, shares);
+    } else {
+      start = {};
+      start_origins_.clear();
+      coarse_bound_.reset();
+      limits.assign(mesh.positions.size(), 0);
+      shares.assign(mesh.positions.size(), 0);
+    }
+  }
+  passes_.forget_all();
+  passes_.set_limits({});
+  passes_.contract_to(DecimateTarget::faces(mesh.faces.size()), true);  // nothing
+  passes_.done().result.stop = StopReason::error;
+  end();
+  return std::move(error_bounds_);
+}
+
+/// What blocks that move the surface little leave at least.
+DecimateTarget ErrorLimitedRun::least_left_in_blocks() const {
+  constexpr std::uint64_t least_share = 20;  // a 20th
+  DecimateTarget left =
+      DecimateTarget::faces(std::max(passes_.mesh().faces.size() / least_share, target().n_faces().value_or(1)));
+  if (target().n_vertices()) left = left.or_vertices(*target().n_vertices());
+  if (target().cost_limit()) left = left.or_max_cost(*target().cost_limit());
+  return left;
+}
+
+/// Of each vertex of the input, in the frame.
+std::vector<double> ErrorLimitedRun::limits_of_vertices() const {
+  std::vector<double> limits;
+  const auto n_vertices = static_cast<Index>(passes_.mesh().positions.size());
+  limits.reserve(n_vertices);
+  for (Index v = 0; v < n_vertices; ++v) limits.push_back(error_bounds_->surface().limit_at(v));
+  return limits;
+}
+
+/// \param shares of the limit of each vertex: what a contraction at it may move the surface by
+void ErrorLimitedRun::contract_to_shares_of_limit(const std::vector<double>& limits,
+                                                  const std::vector<double>& shares) {
+  PassLimits pass_limits;
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0;
+  for (std::size_t v = 0; v < limits.size(); ++v) {
+    const double displacement = limits[v] * shares[v];
+    least = std::min(least, displacement);
+    most = std::max(most, displacement);
+    pass_limits.displacements.push_back(displacement);
+  }
+  if (least == most) pass_limits.displacements.clear();
+  pass_limits.displacement = most;
+  contract_what_moves_little(pass_limits);
+}
+
+/// Of vertices that the second step began with, where they became one of those that are left, or of their neighbours:
+/// from three tenths to one, and then to nothing. If none is named, of all.
+void ErrorLimitedRun::lower_shares_at(const std::vector<Index>& vertices, std::vector<double>& shares) const {
+  constexpr double bold = 0.2;
+  constexpr double less_bold = 0.1;
+  const std::vector<Index> map = map_from_start();
+  std::vector<std::uint8_t> is_named(left().positions.size(), vertices.empty() ? 1 : 0);
+  for (const Index v : vertices) is_named[v] = 1;
+  std::vector<std::uint8_t> is_near = is_named;
+  for (const auto& [a, b, c] : left().faces) {
+    if ((is_named[a] | is_named[b] | is_named[c]) != 0) is_near[a] = is_near[b] = is_near[c] = 1;
+  }
+  for (std::size_t v = 0; v < shares.size(); ++v) {
+    if (map[v] != invalid_index && is_near[map[v]] != 0) shares[v] = shares[v] > bold ? less_bold : 0;
+  }
+}
+
+/// Vertices that the second step began with → those that are left.
+std::vector<Index> ErrorLimitedRun::map_from_start() const {
+  if (start_origins_.empty()) return left().vertex_map;
+  std::vector<Index> map;
+  map.reserve(start_origins_.size());
+  for (const Index v : start_origins_) map.push_back(left().vertex_map[v]);
+  return map;
+}
+
+/// \pre the limits are of displacement
+void ErrorLimitedRun::contract_what_moves_little(const PassLimits& limits) {
+  if (passes_.is_cancelled()) return;
+  passes_.set_limits(limits);
+  passes_.contract_to(target(), false);
+}
+
+/// Makes one of what the second step begins with, if that is much smaller than the input.
+void ErrorLimitedRun::make_coarse_bound(const Done& start) {
+  constexpr double share_of_limit = 0.06;  // three times that of a contraction, as several add up
+  if (!start.left || 2 * start.left->faces.size() > passes_.mesh().faces.size() || passes_.is_cancelled()) return;
+  const double limit = (1 - share_of_limit) * error_bounds_->surface().limit();
+  coarse_bound_ = std::make_unique<ErrorBound>(surface_of(*start.left), Frame{}, limit, passes_.options().threads);
+}
+
+/// Contracts what keeps the bounds. Points of the input that are found to be too far in the end are then looked at,
+/// too. A coarse bound is made smaller if the surface is too far from the input.
+/// \pre find_violations_before_guarding().empty()
+/// \return whether what is left is proven to be near to the input, or the run is cancelled
+bool ErrorLimitedRun::contract_guarded() {
+  constexpr int most_tries = 3;
+  const Done before = passes_.done();
+  PassLimits limits;
+  limits.error_bound = &guarding_bound();
+  limits.border_bound = error_bounds_->borders();
+  for (int i = 0; i < most_tries; ++i) {
+    if (passes_.is_cancelled()) return true;
+    if (i > 0 && !find_violations_before_guarding().empty()) return false;
+    passes_.set_limits(limits);
+    passes_.contract_to(target(), true);
+    if (passes_.is_cancelled()) return true;
+    const IndexedMesh surface = surface_of(left());
+    // The guard has proven each face, unless it compared with a coarse copy.
+    const std::vector<std::uint8_t> is_proven(surface.faces.size(), coarse_bound_ ? 0 : 1);
+    const CheckedSurface checked{surface, Frame{}, left().vertex_map, is_proven};
+    ErrorBound& exact = error_bounds_->surface();
+    const ErrorBound::Violations violations = exact.check(checked, exact.limit());
+    const ErrorBound::Violations of_borders = error_bounds_->check_borders(checked);
+    if (violations.empty() && of_borders.empty()) return true;
+    if (of_borders.is_surface_far || (violations.is_surface_far && !coarse_bound_)) return false;
+    if (violations.is_surface_far) coarse_bound_->tighten();
+    guarding_bound().add_points(violations.points);
+    if (error_bounds_->borders() != nullptr) error_bounds_->borders()->add_points(of_borders.points);
+    passes_.done() = before;
+  }
+  return false;
+}
+
+/// The guards look at the supports that are found with them.
+ErrorBound::Violations ErrorLimitedRun::find_violations_before_guarding() {
+  if (passes_.is_cancelled()) return {};
+  const IndexedMesh surface = surface_of(left());
+  const CheckedSurface checked{surface, Frame{}, left().vertex_map};
+  if (!coarse_bound_) return error_bounds_->check(checked);
+  const std::vector<Index> map = map_from_start();
+  ErrorBound::Violations violations = coarse_bound_->check({surface, Frame{}, map}, coarse_bound_->limit());
+  violations.add(error_bounds_->check_borders(checked));
+  return violations;
+}
+
+void ErrorLimitedRun::end() {
+  DecimateResult& result = passes_.done().result;
+  for (const Contraction& contraction : passes_.done().contractions) passes_.options().listener(contraction);
+  if (passes_.is_cancelled()) return;
+  result.proven_error = target().error_limit();
+  if (result.stop == StopReason::exhausted && result.refused_at_end.error > 0) result.stop = StopReason::error;
+}
+
+}  // namespace whittle

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "decimate/passes.hh"
+#include "error/error_bounds.hh"
+
+namespace whittle {
+
+/// Contracts as far as the target's error limit allows, and proves that what is left keeps it (docs/dev/max-error.md).
+class ErrorLimitedRun {
+ public:
+  /// \param passes before the first contraction; with an error limit. They are left to make the output
+  explicit ErrorLimitedRun(Passes& passes) : passes_(passes) {}
+
+  /// \return what the proofs were made with
+  std::unique_ptr<ErrorBounds> contract(const BlockPlan& plan);
+
+ private:
+  const DecimateTarget& target() const { return passes_.target(); }
+  /// \pre something was contracted
+  const Remainder& left() const { return *passes_.done().left; }
+  DecimateTarget least_left_in_blocks() const;
+  std::vector<double> limits_of_vertices() const;
+  void contract_to_shares_of_limit(const std::vector<double>& limits, const std::vector<double>& shares);
+  void lower_shares_at(const std::vector<Index>& vertices, std::vector<double>& shares) const;
+  void contract_what_moves_little(const PassLimits& limits);
+  std::vector<Index> map_from_start() const;
+  void make_coarse_bound(const Done& start);
+  ErrorBound& guarding_bound() { return coarse_bound_ ? *coarse_bound_ : error_bounds_->surface(); }
+  ErrorBound::Violations find_violations_before_guarding();
+  bool contract_guarded();
+  void end();
+
+  Passes& passes_;
+  std::unique_ptr<ErrorBounds> error_bounds_;
+  std::unique_ptr<ErrorBound> coarse_bound_;  ///< of the surface, to a coarse copy of the input; or null
+  std::vector<Index>
+      start_origins_;  ///< vertices that the second step begins with → those of the input; empty if these
+};
+
+}  // namespace whittle
