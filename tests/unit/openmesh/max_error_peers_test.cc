@@ -8,8 +8,8 @@
 #include <OpenMesh/Tools/Decimater/ModHausdorffT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <iomanip>
 #include <iostream>
 #include <whittle/openmesh/mod_max_error.hh>
@@ -28,7 +28,7 @@ using Stock = OpenMesh::Decimater::DecimaterT<FloatMesh>;
 struct Outcome {
   std::size_t n_faces;
   double error;    ///< the true largest distance, both ways, to a 1,000th
-  double seconds;  ///< of one run
+  double seconds;  ///< of one run, processor time of all threads
 };
 
 template <class Decimate>
@@ -39,12 +39,12 @@ Outcome outcome(const FloatMesh& input, const Decimate& decimate) {
   mesh.request_face_status();
   mesh.request_face_normals();
   mesh.update_face_normals();
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();
   decimate(mesh);
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   const IndexedMesh result = geometry_of(mesh);
   const metrics::LargestDistances distances = metrics::largest_distances(geometry_of(input), result, 1e-3);
-  return {result.faces.size(), std::max(distances.forward.at_least, distances.backward.at_least), time.count()};
+  return {result.faces.size(), std::max(distances.forward.at_least, distances.backward.at_least), seconds};
 }
 
 /// OpenMesh's decimater with its quadrics, its flip guard, and a limit of its own or of ours.
@@ -128,8 +128,8 @@ void print(const std::string& mesh, const std::string& what, const Outcome& outc
 
 /// The table of docs/dev/openmesh.md. Takes some minutes.
 TEST(ModMaxErrorBesideModHausdorff, DISABLED_PrintsTheTable) {
-  for (const auto& [name, share] : {std::pair("fandisk.obj", 0.002), std::pair("camelhead.off", 0.003),
-                                    std::pair("bunny_28576.obj", 0.003), std::pair("kitten.obj", 0.002)}) {
+  for (const auto& [name, share] :
+       {std::pair("fandisk.obj", 0.002), std::pair("camelhead.off", 0.003), std::pair("bunny_28576.obj", 0.003)}) {
     WHITTLE_REAL_MESH_OR_SKIP(path, name);
     const auto input = read_open_mesh<FloatMesh>(path);
     const double limit = share_of_diagonal(geometry_of(input), share);

@@ -72,6 +72,7 @@ SurfaceProof::SurfaceProof(const IndexedMesh& original, double limit)
 
 void SurfaceProof::start(std::span<const Vec3> positions, std::span<const Face> faces) {
   positions_.clear();
+  positions_.reserve(positions.size());
   faces_.clear();
   for (const Vec3& position : positions) positions_.push_back(frame_.to_frame(position));
   originals_.assign(original_.faces().faces.size(), {});
@@ -105,6 +106,7 @@ void SurfaceProof::start_surface(std::span<const Face> faces) {
 void SurfaceProof::start_original(std::span<const Face> faces) {
   IndexedMesh mesh;
   mesh.positions = positions_;
+  mesh.faces.reserve(faces.size());
   for (const Face& face : faces) mesh.faces.push_back(face.vertices);
   if (mesh.faces.empty()) {
     for (Index f = 0; f < originals_.size(); ++f) set_rest(f, {}, true);
@@ -133,6 +135,7 @@ void SurfaceProof::rest_at_start(Index original_face, const std::vector<Index>& 
     return;
   }
   std::vector<Face> part;
+  part.reserve(near.size());
   for (const Index i : near) part.push_back(faces[i]);
   make_part(part);
   const bool is_proven = is_near_part(original_face, part_);
@@ -176,6 +179,7 @@ bool SurfaceProof::allows(const Change& change) {
 void SurfaceProof::make(const Change& change) {
   look_at(change);
   std::vector<std::optional<Index>> hints;
+  hints.reserve(change.added.size());
   for (const Face& face : change.added) hints.push_back(hint_if_near(face));
   std::vector<std::pair<std::vector<Index>, bool>> rests(affected_.size());
   for (std::size_t i = 0; i < affected_.size(); ++i) rests[i].first = find_rest(affected_[i], rests[i].second);
