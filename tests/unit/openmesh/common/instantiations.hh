@@ -4,6 +4,7 @@
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <whittle/openmesh/mod_garland_heckbert.hh>
 #include <whittle/openmesh/mod_lindstrom_turk.hh>
+#include <whittle/openmesh/mod_max_error.hh>
 #include <whittle/openmesh/mod_memoryless.hh>
 #include <whittle/openmesh/mod_midpoint.hh>
 #include <whittle/openmesh/mod_valence.hh>
@@ -39,6 +40,7 @@ using DoubleMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
   PREFIX template class whittle::ModMemorylessT<OpenMesh::TriMesh_ArrayKernelT<TRAITS>>;                             \
   PREFIX template class whittle::ModLindstromTurkT<OpenMesh::TriMesh_ArrayKernelT<TRAITS>>;                          \
   PREFIX template class whittle::ModMidpointT<OpenMesh::TriMesh_ArrayKernelT<TRAITS>>;                               \
+  PREFIX template class whittle::ModMaxErrorT<OpenMesh::TriMesh_ArrayKernelT<TRAITS>>;                               \
   PREFIX template class whittle::ModValenceT<OpenMesh::TriMesh_ArrayKernelT<TRAITS>>;                                \
   PREFIX template class whittle::ModFlipGuardT<OpenMesh::TriMesh_ArrayKernelT<TRAITS>>;                              \
   PREFIX template class whittle::ModRadiusRatioT<OpenMesh::TriMesh_ArrayKernelT<TRAITS>>;

@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "whittle/openmesh/detail/quadric_module.hh"
 #include "whittle/openmesh/detail/stock_quadric.hh"
-#include "whittle/openmesh/quadric_module.hh"
 
 // Garland–Heckbert cost and placement as a module for OpenMesh's decimaters. It computes the engine's term
 // (quadric_term.hh), bit for bit.

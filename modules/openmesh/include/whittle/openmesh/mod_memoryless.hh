@@ -4,7 +4,7 @@
 
 #include "whittle/engine/formula/merged_ring.hh"
 #include "whittle/engine/formula/plane_changes.hh"
-#include "whittle/openmesh/quadric_module.hh"
+#include "whittle/openmesh/detail/quadric_module.hh"
 
 // Memoryless quadrics as a cost module for OpenMesh's decimaters. It computes the engine's term (memoryless_term.hh),
 // bit for bit.

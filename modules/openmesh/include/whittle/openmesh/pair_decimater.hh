@@ -13,6 +13,7 @@
 #include "whittle/engine/decimate.hh"
 #include "whittle/openmesh/detail/feature_bits.hh"
 #include "whittle/openmesh/mod_flip_guard.hh"
+#include "whittle/openmesh/mod_max_error.hh"
 #include "whittle/openmesh/mod_radius_ratio.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
 
@@ -30,8 +31,8 @@ namespace whittle {
 /// What makes the contractions in `PairDecimaterT`.
 enum class Driver {
   automatic,  ///< the engine driver where it can run, else the mesh driver
-  engine,     ///< many times faster; takes only our cost modules, `ModFlipGuardT` and `ModRadiusRatioT`, and no types
-              ///< derived from them
+  engine,     ///< many times faster; takes only our cost modules, `ModFlipGuardT`, `ModRadiusRatioT` and
+              ///< `ModMaxErrorT`, and no types derived from them
   mesh        ///< takes any modules, and calls what derived ones override
 };
 
@@ -125,15 +126,20 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   void set_threads(unsigned threads) { threads_ = threads; }
 
   /// Called after each contraction, in order; vertices are handle indices. (The observer gets only counts, but can
-  /// abort.)
+  /// abort.) With `max_error` as a target it is called at the end, for the contractions that stand.
   void set_listener(std::function<void(const Contraction&)> listener) { listener_ = std::move(listener); }
 
   /// Contracts until a target is reached. The `max_cost` of the cost module counts as one.
-  /// \param only_selected vertices that aren't selected neither move nor vanish
-  /// \throw std::logic_error if not initialized, or if the engine driver was asked for or is needed for a pair
-  ///        threshold, and can't run (see `engine_obstacle`)
-  /// \throw std::invalid_argument if the target's cost limit is negative or not a number, or if the cost module isn't
-  ///        ours and the target has a cost limit
+  ///
+  /// Only the engine driver takes `max_error`. It is measured from the mesh as it is now, and proven of the mesh that
+  /// it leaves, with the rounding to its scalar. The run begins anew, as after `initialize()`. `ModMaxErrorT` measures
+  /// from the mesh at `initialize()`, and works in either driver. Contractions are taken back where a proof fails; so
+  /// the observer's numbers may fall. \param only_selected vertices that aren't selected neither move nor vanish \throw
+  /// std::logic_error if not initialized, or if the engine driver was asked for or is needed for a pair
+  ///        threshold or `max_error`, and can't run (see `engine_obstacle`)
+  /// \throw std::invalid_argument if the target's cost limit is negative or not a number, if the cost module isn't ours
+  ///        and the target has a cost limit, or if an error limit isn't positive, finite, and above what rounding to
+  ///        the scalar of the mesh may move a vertex
   DecimateResult decimate(const DecimateTarget& target, bool only_selected = false);
 
   /// Makes at most `n_contractions`, 0 = as many as possible, as in the stock. \return how many were made
@@ -145,7 +151,8 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
 
   /// The result of the last run.
   const DecimateResult& result() const { return result_; }
-  /// Refusals in the last run by modules other than `ModFlipGuardT` and `ModRadiusRatioT`, for those that refused.
+  /// Refusals in the last run by modules other than `ModFlipGuardT`, `ModRadiusRatioT` and `ModMaxErrorT`, for those
+  /// that refused.
   const std::vector<ModuleRejections>& module_rejections() const { return module_rejections_; }
 
  private:
@@ -161,6 +168,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
     bool is_engine_cost;  ///< exactly one of our cost modules
     ModFlipGuardT<MeshT>* flip_guard;
     ModRadiusRatioT<MeshT>* radius_guard;
+    ModMaxErrorT<MeshT>* error_guard;
   };
   struct Counts {
     std::uint64_t vertices = 0;
@@ -171,7 +179,11 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   void assign_roles();
   DecimateOptions engine_options_but_cost() const;
   void require_initialized() const;
-  Driver choose_driver() const;
+  Driver choose_driver(const DecimateTarget& target) const;
+  bool has_error_limit() const { return error_guard_ && error_guard_->max_error(); }
+  DecimateTarget with_error_limits(const DecimateTarget& target) const;
+  DecimateResult run_engine(const DecimateTarget& target, bool only_selected);
+  DecimateResult run_on_mesh(const DecimateTarget& target, bool only_selected);
   DecimateTarget checked(const DecimateTarget& target) const;
   Counts count_elements() const;
   double max_normal_flip_deg() const;
@@ -191,7 +203,9 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   Module* foreign_cost_ = nullptr;
   ModFlipGuardT<MeshT>* flip_guard_ = nullptr;
   ModRadiusRatioT<MeshT>* radius_guard_ = nullptr;
+  ModMaxErrorT<MeshT>* error_guard_ = nullptr;
   std::vector<Module*> foreign_guards_;
+  std::vector<Module*> asked_guards_;  ///< by the mesh driver: the foreign ones and `error_guard_`
 
   Driver driver_ = Driver::automatic;
   Driver last_driver_ = Driver::automatic;

@@ -17,10 +17,11 @@ template <class ModuleT>
 bool PairDecimaterT<MeshT>::add(OpenMesh::Decimater::ModHandleT<ModuleT>& handle) {
   if (!Base::add(handle)) return false;
   ModuleT& module = Base::module(handle);
-  Attached attached{&module, nullptr, is_engine_cost<ModuleT>, nullptr, nullptr};
+  Attached attached{&module, nullptr, is_engine_cost<ModuleT>, nullptr, nullptr, nullptr};
   if constexpr (std::is_base_of_v<PairCostModuleT<MeshT>, ModuleT>) attached.cost = &module;
   if constexpr (std::is_same_v<ModFlipGuardT<MeshT>, ModuleT>) attached.flip_guard = &module;
   if constexpr (std::is_same_v<ModRadiusRatioT<MeshT>, ModuleT>) attached.radius_guard = &module;
+  if constexpr (std::is_same_v<ModMaxErrorT<MeshT>, ModuleT>) attached.error_guard = &module;
   attached_.push_back(attached);
   is_ready_ = false;
   return true;
@@ -68,6 +69,7 @@ void PairDecimaterT<MeshT>::assign_roles() {
   foreign_cost_ = nullptr;
   flip_guard_ = nullptr;
   radius_guard_ = nullptr;
+  error_guard_ = nullptr;
   foreign_guards_.clear();
   // The base's rule: the module that isn't binary, or else the one called "Quadric".
   auto ranking =
@@ -86,10 +88,16 @@ void PairDecimaterT<MeshT>::assign_roles() {
       flip_guard_ = it->flip_guard;
     } else if (it->radius_guard) {
       radius_guard_ = it->radius_guard;
+    } else if (it->error_guard) {
+      error_guard_ = it->error_guard;
     } else {
       foreign_guards_.push_back(it->module);
     }
   }
+  asked_guards_ = foreign_guards_;
+  if (!error_guard_) return;
+  error_guard_->set_cost_module(nullptr);  // the mesh driver says where the merged vertex goes
+  asked_guards_.push_back(error_guard_);   // last, as it takes the most time
 }
 
 template <class MeshT>
@@ -99,6 +107,9 @@ std::string PairDecimaterT<MeshT>::engine_obstacle() const {
   if (!foreign_guards_.empty()) return "module " + foreign_guards_.front()->name() + " works on the mesh alone";
   if (!is_engine_cost_) return "the cost module is not one of Whittle's own, but may be derived from one";
   if (!cost_->engine_options()) return "the engine doesn't know these costs";
+  if (has_error_limit() && !is_fresh_) {
+    return "module MaxError measures from the mesh at initialize(), and contractions were made since";
+  }
   return {};
 }
 
@@ -157,23 +168,53 @@ template <class MeshT>
 DecimateResult PairDecimaterT<MeshT>::decimate(const DecimateTarget& target, bool only_selected) {
   require_initialized();
   const DecimateTarget effective = checked(target);
-  last_driver_ = choose_driver();
+  last_driver_ = choose_driver(effective);
   module_rejections_.clear();
-  if (last_driver_ == Driver::engine) {
-    result_ = EngineRunT<MeshT>(*this, effective, only_selected).run();
-  } else {
-    result_ = MeshRunT<MeshT>(*this, effective, only_selected).run();
-  }
+  result_ =
+      last_driver_ == Driver::engine ? run_engine(effective, only_selected) : run_on_mesh(effective, only_selected);
   return result_;
 }
 
 template <class MeshT>
-Driver PairDecimaterT<MeshT>::choose_driver() const {
+DecimateResult PairDecimaterT<MeshT>::run_engine(const DecimateTarget& target, bool only_selected) {
+  const DecimateTarget effective = with_error_limits(target);
+  if (effective.error_limit() && !is_fresh_) initialize();
+  const DecimateResult result = EngineRunT<MeshT>(*this, effective, only_selected).run();
+  if (error_guard_) error_guard_->note_new_surface();
+  return result;
+}
+
+template <class MeshT>
+DecimateResult PairDecimaterT<MeshT>::run_on_mesh(const DecimateTarget& target, bool only_selected) {
+  DecimateResult result = MeshRunT<MeshT>(*this, target, only_selected).run();
+  if (!has_error_limit()) return result;
+  if (error_guard_->is_proven()) result.proven_error = error_guard_->max_error();
+  if (result.stop == StopReason::exhausted && result.rejections.error > 0) result.stop = StopReason::error;
+  return result;
+}
+
+/// The limits of a `ModMaxErrorT` count as limits of the target.
+template <class MeshT>
+DecimateTarget PairDecimaterT<MeshT>::with_error_limits(const DecimateTarget& target) const {
+  if (!has_error_limit()) return target;
+  const double surface = *error_guard_->max_error();
+  const double border = *error_guard_->max_border_error();
+  return target.or_max_error(std::min(surface, target.error_limit().value_or(surface)),
+                             std::min(border, target.border_error_limit().value_or(border)));
+}
+
+template <class MeshT>
+Driver PairDecimaterT<MeshT>::choose_driver(const DecimateTarget& target) const {
   std::string obstacle = driver_ == Driver::mesh ? "the mesh driver was asked for" : engine_obstacle();
   if (obstacle.empty() && pairs_.threshold > 0 && !takes_threshold_pairs(*cost_->engine_options())) {
     obstacle = "such pairs go with the plain quadric cost alone";
   }
   if (obstacle.empty()) return Driver::engine;
+  if (target.error_limit()) {
+    throw std::logic_error(
+        "PairDecimaterT: only the engine driver takes max_error as a target, and it can't be used: " + obstacle +
+        ". ModMaxErrorT works in both drivers");
+  }
   if (pairs_.threshold > 0) {
     throw std::logic_error("PairDecimaterT: only the engine driver contracts threshold pairs, and it can't be used: " +
                            obstacle);

@@ -16,7 +16,8 @@ template <class MeshT>
 class PairDecimaterT;
 
 /// One call of `decimate` with the engine driver. It runs `whittle::decimate` on a copy of the geometry, in which
-/// copies of a vertex are one. Then it makes the same contractions on the mesh, all at once.
+/// copies of a vertex are one. Then it makes the same contractions on the mesh, all at once. If the error is limited,
+/// the engine takes contractions back; then it follows those that the engine tells at the end.
 template <class MeshT>
 class EngineRunT final : private DecimationHost {
  public:
@@ -41,6 +42,10 @@ class EngineRunT final : private DecimationHost {
 
   std::optional<DecimationState> state_of_module() const;
   Decimation contract();
+  Decimation contract_within_error(DecimateOptions options);
+  DecimateTarget target_before_rounding() const;
+  bool notify_observer(std::uint64_t n_contractions);
+  void note(const Contraction& contraction, double share);
   static std::uint64_t count_vertices(const IndexedMesh& mesh);
 
   void write_back(Decimation& small);
@@ -59,6 +64,7 @@ class EngineRunT final : private DecimationHost {
   RunInputT<MeshT> input_;
   std::optional<DecimationState> state_;
   std::vector<VertexMerge> merges_;  ///< by first copies
+  std::uint64_t n_notified_ = 0;     ///< contractions that the observer was told of last, if the error is limited
   std::vector<float> shares_;        ///< of the removed vertices in the merged ones, if the mesh has attributes
 };
 

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "whittle/core/detail/edge_table.hh"
@@ -53,22 +56,71 @@ Decimation EngineRunT<MeshT>::contract() {
   options.locked = input_.locked;
   options.feature_edges = input_.features;
   options.keep_quadrics = true;
+  if (target_.error_limit()) return contract_within_error(std::move(options));
   return whittle::decimate(input_.mesh, target_, options, *this);
+}
+
+/// The engine tells its listener at the end, in order.
+template <class MeshT>
+Decimation EngineRunT<MeshT>::contract_within_error(DecimateOptions options) {
+  std::vector<Vec3> positions = input_.mesh.positions;
+  options.listener = [&](const Contraction& made) {
+    note(made, share_along(positions[made.survivor], positions[made.removed], made.position));
+    positions[made.survivor] = made.position;
+  };
+  options.progress = [this, n_vertices = count_vertices(input_.mesh)](const Progress& progress) {
+    return notify_observer(n_vertices - std::min(n_vertices, progress.n_vertices));
+  };
+  Decimation small = whittle::decimate(input_.mesh, target_before_rounding(), options);
+  if (small.result.proven_error) small.result.proven_error = target_.error_limit();
+  return small;
+}
+
+/// The limits less what rounding to the scalar of the mesh may add: what moves each vertex by d at most, moves each
+/// point of the surface by d at most.
+template <class MeshT>
+DecimateTarget EngineRunT<MeshT>::target_before_rounding() const {
+  using Scalar = typename OpenMesh::vector_traits<typename MeshT::Point>::value_type;
+  const double surface = *target_.error_limit();
+  const double border = *target_.border_error_limit();
+  double farthest = surface;  // a vertex may move outwards
+  for (const Vec3& p : input_.mesh.positions) farthest = std::max(farthest, p.cwiseAbs().maxCoeff() + surface);
+  // Each of three coordinates is rounded by half of epsilon at most: √3 / 2 in all.
+  const double rounding = farthest * static_cast<double>(std::numeric_limits<Scalar>::epsilon());
+  const auto is_too_small = [rounding](double limit) { return limit > 0 && limit <= rounding; };
+  if (is_too_small(surface) || is_too_small(border)) {
+    throw std::invalid_argument("PairDecimaterT: max_error is less than rounding may move a vertex of the mesh");
+  }
+  return target_.or_max_error(surface - rounding, border - rounding);
+}
+
+/// Progress comes at numbers of its own.
+template <class MeshT>
+bool EngineRunT<MeshT>::notify_observer(std::uint64_t n_contractions) {
+  OpenMesh::Decimater::Observer* const observer = decimater_.observer();
+  if (observer == nullptr) return true;
+  const std::uint64_t before = std::exchange(n_notified_, n_contractions);
+  if (before / observer->get_interval() == n_contractions / observer->get_interval()) return true;
+  observer->notify(n_contractions);
+  return !observer->abort();
 }
 
 template <class MeshT>
 bool EngineRunT<MeshT>::follow(const HostedContraction& made, const Contraction& contraction) {
-  merges_.push_back({input_.handle(made.removed), input_.handle(made.survivor)});
-  if (has_vertex_attributes(mesh_)) {
-    const bool first_survives = made.survivor == made.first;
-    shares_.push_back(static_cast<float>(
-        share_along(made.before[first_survives ? 0 : 1], made.before[first_survives ? 1 : 0], made.position)));
-  }
-  if (decimater_.listener_) {
-    decimater_.listener_({input_.numbers.handles[made.survivor], input_.numbers.handles[made.removed],
-                          contraction.position, contraction.cost});
-  }
+  const bool first_survives = made.survivor == made.first;
+  note(contraction,
+       share_along(made.before[first_survives ? 0 : 1], made.before[first_survives ? 1 : 0], made.position));
   return decimater_.notify_observer(merges_.size());
+}
+
+/// \param share of the removed vertex in the merged one
+template <class MeshT>
+void EngineRunT<MeshT>::note(const Contraction& contraction, double share) {
+  merges_.push_back({input_.handle(contraction.removed), input_.handle(contraction.survivor)});
+  if (has_vertex_attributes(mesh_)) shares_.push_back(static_cast<float>(share));
+  if (!decimater_.listener_) return;
+  decimater_.listener_({input_.numbers.handles[contraction.survivor], input_.numbers.handles[contraction.removed],
+                        contraction.position, contraction.cost});
 }
 
 /// Counts vertices with a face.

@@ -34,6 +34,14 @@ class FaceGuardT : public OpenMesh::Decimater::ModBaseT<MeshT> {
     return static_cast<float>(moves_bad_face(collapse, is_bad) ? ModBase::ILLEGAL_COLLAPSE : ModBase::LEGAL_COLLAPSE);
   }
 
+  /// Where the merged vertex goes, rounded to the scalar of the mesh.
+  typename MeshT::Point merged_point(const CollapseInfo& collapse) const {
+    if (!cost_ || !cost_->has_placement()) return collapse.p1;
+    const Vec3 position = cost_->evaluate(collapse).position;
+    if (position == cost_->position(collapse.v1)) return mesh_.point(collapse.v1);
+    return to_point<typename MeshT::Point>(cost_->frame().to_model(position));
+  }
+
  private:
   template <class IsBad>
   bool moves_bad_face(const CollapseInfo& collapse, const IsBad& is_bad) const {

@@ -74,7 +74,7 @@ class MeshRunT final : private DecimationHost, private HostedCost {
   DecimationState state_;  ///< positions as they are now
   std::uint64_t n_contractions_ = 0;
   Module* refusing_module_ = nullptr;  ///< the one that refused last; null if a vertex was locked
-  Rejections rejections_;              ///< by `legal_collapse`, before the engine's guards are asked
+  Rejections rejections_;              ///< that the engine doesn't count
 };
 
 }  // namespace whittle

@@ -71,6 +71,7 @@ DecimateResult MeshRunT<MeshT>::run() {
   result.rejections.locked += rejections_.locked;
   result.rejections.link += rejections_.link;
   result.rejections.feature += rejections_.feature;
+  result.rejections.error += rejections_.error;
   return result;
 }
 
@@ -185,11 +186,11 @@ bool MeshRunT<MeshT>::refuses(const HostedContraction& contraction) {
     refusing_module_ = nullptr;
     return true;
   }
-  if (decimater_.foreign_guards_.empty()) return false;
+  if (decimater_.asked_guards_.empty()) return false;
   CollapseInfo forward = info;
   CollapseInfo backward(mesh_, info.v1v0);
   if (v1_moves) forward.p1 = backward.p1 = to_point<typename MeshT::Point>(state_.frame.to_model(contraction.position));
-  for (Module* module : decimater_.foreign_guards_) {
+  for (Module* module : decimater_.asked_guards_) {
     if (module->collapse_priority(forward) >= 0 && (!v1_moves || module->collapse_priority(backward) >= 0)) continue;
     refusing_module_ = module;
     return true;
@@ -199,10 +200,12 @@ bool MeshRunT<MeshT>::refuses(const HostedContraction& contraction) {
 
 template <class MeshT>
 void MeshRunT<MeshT>::count_refusal() {
-  if (refusing_module_ != nullptr) {
-    decimater_.count_rejection(*refusing_module_);
-  } else {
+  if (refusing_module_ == nullptr) {
     ++rejections_.locked;
+  } else if (refusing_module_ == decimater_.error_guard_) {
+    ++rejections_.error;
+  } else {
+    decimater_.count_rejection(*refusing_module_);
   }
 }
 

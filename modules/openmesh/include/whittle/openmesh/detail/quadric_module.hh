@@ -46,4 +46,4 @@ class QuadricModuleT : public PlacingModuleT<MeshT> {
 
 }  // namespace whittle
 
-#include "whittle/openmesh/quadric_module_impl.hh"
+#include "whittle/openmesh/detail/quadric_module_impl.hh"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "whittle/openmesh/quadric_module.hh"
+#include "whittle/openmesh/detail/quadric_module.hh"
 
 namespace whittle {
 
