@@ -153,7 +153,7 @@ void simplify_within_error(const SimplifyCommand& options, const Talk& talk, Run
     Simplification result =
         simplify_to(run.target.or_max_error(share * limit, share * border_limit), with_share, talk, run);
     const Stopwatch certifying;
-    run.distances = distances_as_written(run.input.read.mesh, result.mesh, options, run.target, talk);
+    run.distances = distances_as_written(run.input.read.mesh, result, options, run.target, talk);
     const bool is_kept = run.distances && are_within(run.target, *run.distances) &&
                          keeps_tolerances(run.input.read.mesh, *run.distances, options, run.target, run.tolerances);
     run.seconds.certify += certifying.seconds();
@@ -173,7 +173,7 @@ void simplify_without_limit(const SimplifyCommand& options, const Talk& talk, Ru
   run.seconds.polish = run.simplified.polish_seconds;
   if (!options.certify && !options.certificate) return;
   const Stopwatch certifying;
-  run.distances = distances_as_written(run.input.read.mesh, run.simplified.mesh, options, run.target, talk);
+  run.distances = distances_as_written(run.input.read.mesh, run.simplified, options, run.target, talk);
   run.seconds.certify = certifying.seconds();
 }
 

@@ -31,16 +31,17 @@ IndexedMesh as_written(const IndexedMesh& mesh, const SimplifyCommand& options) 
 
 }  // namespace
 
-std::optional<DistancesAsWritten> distances_as_written(const IndexedMesh& input, const IndexedMesh& result,
+std::optional<DistancesAsWritten> distances_as_written(const IndexedMesh& input, const Decimation& result,
                                                        const SimplifyCommand& options, const DecimateTarget& target,
                                                        const Talk& talk) {
   constexpr double no_limit = std::numeric_limits<double>::infinity();
-  if (result.faces.empty()) return std::nullopt;
+  if (result.mesh.faces.empty()) return std::nullopt;
   ProgressBar bar(talk, "certifying");
   const SignalsWait signals_wait;
   const unsigned threads = options.common.threads;
   DistancesAsWritten distances;
-  distances.written = as_written(result, options);
+  distances.written = as_written(result.mesh, options);
+  if (distances.written.positions.size() == result.mesh.positions.size()) distances.vertex_map = result.vertex_map;
   distances.surface = metrics::largest_distances(
       input, distances.written, accuracy, {threads, part_of(bar, 0, 0.9), target.error_limit().value_or(no_limit)});
   distances.borders = metrics::largest_border_distances(
@@ -58,8 +59,9 @@ std::string certificate_as_written(const IndexedMesh& input, const DistancesAsWr
   at_most.surface = target.error_limit().value_or(proven_distance(distances.surface));
   at_most.borders = target.border_error_limit().value_or(distances.borders ? proven_distance(*distances.borders)
                                                                            : std::numeric_limits<double>::infinity());
-  const std::optional<std::string> certificate = metrics::make_certificate(
-      input, distances.written, at_most, {options.common.threads, part_of(bar, 0, 1), tolerances});
+  const std::optional<std::string> certificate =
+      metrics::make_certificate(input, distances.written, at_most,
+                                {options.common.threads, part_of(bar, 0, 1), tolerances, distances.vertex_map});
   if (!certificate) throw std::runtime_error(options.input + ": the steps of the proof are not found");
   return *certificate;
 }
@@ -76,8 +78,8 @@ bool are_within(const DecimateTarget& target, const DistancesAsWritten& distance
 bool keeps_tolerances(const IndexedMesh& input, const DistancesAsWritten& distances, const SimplifyCommand& options,
                       const DecimateTarget& target, std::span<const double> tolerances) {
   if (tolerances.empty()) return true;
-  const metrics::Certification certification =
-      metrics::certify(input, distances.written, *target.error_limit(), {options.common.threads, {}, tolerances});
+  const metrics::Certification certification = metrics::certify(
+      input, distances.written, *target.error_limit(), {options.common.threads, {}, tolerances, distances.vertex_map});
   return certification.verdict == metrics::Verdict::proven;
 }
 

@@ -3,8 +3,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "commands/simplify/simplify_options.hh"
+#include "whittle/engine/decimate.hh"
 #include "whittle/engine/decimate_target.hh"
 #include "whittle/metrics/certify.hh"
 
@@ -13,14 +15,15 @@ namespace whittle::app {
 /// The largest distances, both ways, of all points between an input and the file that a result is to be written to: as
 /// the file is read again, with rounded coordinates.
 struct DistancesAsWritten {
-  IndexedMesh written;  ///< the file
+  IndexedMesh written;            ///< the file
+  std::vector<Index> vertex_map;  ///< vertices of the input → those of the file, if it has as many as the result
   metrics::LargestDistances surface;
   std::optional<metrics::LargestDistances> borders;  ///< none if neither has open borders
 };
 
 /// \param target where it limits the error, distances below are proven to be so
 /// \return nothing if no face is left in the file
-std::optional<DistancesAsWritten> distances_as_written(const IndexedMesh& input, const IndexedMesh& result,
+std::optional<DistancesAsWritten> distances_as_written(const IndexedMesh& input, const Decimation& result,
                                                        const SimplifyCommand& options, const DecimateTarget& target,
                                                        const Talk& talk);
 

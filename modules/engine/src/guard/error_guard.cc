@@ -25,7 +25,8 @@ ErrorGuard::ErrorGuard(TriangleComplex& complex, const ErrorBound& bound)
       bound_(bound),
       supports_(bound.points().size(), complex.n_vertex_slots()),
       prover_(bound.input(), most_pieces),
-      places_(bound.points().size()) {
+      places_(bound.points().size()),
+      has_refused_(bound.points().size()) {
   const std::vector<Index> vertices = complex.vertices_by_origin();
   for (const auto& [point, face] : bound.supports()) {
     supports_.add(point, {vertices[face[0]], vertices[face[1]], vertices[face[2]]});
@@ -91,12 +92,22 @@ void ErrorGuard::list_affected() {
   for (const Index v : around_) list(v);
 }
 
-/// Whether the points whose support changes have a new one, and the edges at them are near.
+/// Whether the points whose support changes have a new one, and the edges at them are near. Points that had none once
+/// are looked at first: they are likely to have none again.
 bool ErrorGuard::are_affected_near() {
   after_.clear();
   Index hint = 0;
+  const auto is_supported = [&](Index point) {
+    return find_support(bound_.points()[point], reach(bound_.limit_at(point)), hint);
+  };
   for (const Index point : affected_) {
-    if (!find_support(bound_.points()[point], reach(bound_.limit_at(point)), hint)) return false;
+    if (has_refused_[point] != 0 && !is_supported(point)) return false;
+  }
+  for (const Index point : affected_) {
+    if (!is_supported(point)) {
+      has_refused_[point] = 1;
+      return false;
+    }
     after_.push_back(hint);
   }
   for (std::size_t i = 0; i < affected_.size(); ++i) {

@@ -87,10 +87,11 @@ class ErrorGuard : public Guard {
   Vec3 position_ = Vec3::Zero();  ///< of the merged vertex
   std::vector<FaceAfter> faces_;  ///< the new ones, and then, once they are asked for, those around them
   std::size_t n_new_ = 0;
-  std::vector<Index> around_;    ///< the merged vertex' neighbours
-  std::vector<Index> affected_;  ///< points of the input whose support changes
-  std::vector<Index> after_;     ///< the support of each of them: a face of `faces_`
-  std::vector<Place> places_;    ///< per point of the input
+  std::vector<Index> around_;              ///< the merged vertex' neighbours
+  std::vector<Index> affected_;            ///< points of the input whose support changes
+  std::vector<Index> after_;               ///< the support of each of them: a face of `faces_`
+  std::vector<Place> places_;              ///< per point of the input
+  std::vector<std::uint8_t> has_refused_;  ///< per point of the input: whether a contraction was refused for it
   std::uint32_t n_looks_ = 0;
 };
 

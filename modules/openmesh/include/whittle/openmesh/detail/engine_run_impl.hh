@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+
+#include <OpenMesh/Tools/Decimater/Observer.hh>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
