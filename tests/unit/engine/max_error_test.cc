@@ -243,8 +243,8 @@ std::vector<double> tight_on_one_side(const IndexedMesh& mesh, double tight, dou
 
 TEST(MaxError, IsLessInPlaces) {
   for (const auto& named : larger_meshes()) {
-    SCOPED_TRACE(named.first);
-    const IndexedMesh& mesh = named.second;  // Clang 14 captures no structured bindings
+    SCOPED_TRACE(named.name);
+    const IndexedMesh& mesh = named.mesh;  // Clang 14 captures no structured bindings
     const double loose = 0.02 * diagonal(mesh);
     const double tight = 0.002 * diagonal(mesh);
     DecimateOptions options;
