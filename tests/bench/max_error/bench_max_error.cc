@@ -125,7 +125,7 @@ Row row_at(const Input& input, double percent, const Options& options) {
     const IndexedMesh result = simplify(input.mesh, target, Effort::normal, on_threads(options.times.threads)).mesh;
     row.n_faces = result.faces.size();
     if (options.has("proofs")) {
-      row.proof = judged(input.mesh, result, max_error, options.judge);
+      row.proof = judged(input.mesh, result, max_error, options.judge, row.remarks);
       row.violations = violations(*row.proof);
     }
     if (options.has("times") && !input.is_judged_alone)

@@ -37,7 +37,8 @@ double distance_found(const metrics::LargestDistances& largest, const IndexedMes
 }
 
 std::optional<double> distance_by_cgal([[maybe_unused]] const IndexedMesh& a, [[maybe_unused]] const IndexedMesh& b,
-                                       [[maybe_unused]] double bound, [[maybe_unused]] double limit_s) {
+                                       [[maybe_unused]] double bound, [[maybe_unused]] double limit_s,
+                                       std::vector<std::string>& remarks) {
 #ifdef WHITTLE_BENCH_HAS_CGAL
   try {
     const std::string bytes = run_forked(
@@ -49,8 +50,11 @@ std::optional<double> distance_by_cgal([[maybe_unused]] const IndexedMesh& a, [[
     double distance = 0;
     std::memcpy(&distance, bytes.data(), sizeof(distance));
     return distance;
-  } catch (const std::exception&) {  // it can't hold the mesh, or the time didn't suffice
+  } catch (const std::exception& error) {
+    remarks.push_back(std::string("CGAL's distance: ") + error.what());
   }
+#else
+  remarks.push_back("CGAL isn't built in");
 #endif
   return std::nullopt;
 }
@@ -89,13 +93,14 @@ void judge_certificate(const IndexedMesh& input, const IndexedMesh& result, doub
 
 }  // namespace
 
-Proof judged(const IndexedMesh& input, const IndexedMesh& result, double max_error, const JudgeOptions& options) {
+Proof judged(const IndexedMesh& input, const IndexedMesh& result, double max_error, const JudgeOptions& options,
+             std::vector<std::string>& remarks) {
   Proof proof;
   const metrics::LargestDistances largest = metrics::largest_distances(input, result, accuracy, {.limit = max_error});
   proof.certified = std::max(largest.forward.at_most, largest.backward.at_most) / max_error;
   proof.found = distance_found(largest, input, result) / max_error;
   proof.sampled = both_ways(input, result, options.samples) / max_error;
-  if (const auto distance = distance_by_cgal(input, result, cgal_accuracy * max_error, options.limit_s))
+  if (const auto distance = distance_by_cgal(input, result, cgal_accuracy * max_error, options.limit_s, remarks))
     proof.by_cgal = *distance / max_error;
   judge_borders(input, result, max_error, options.samples, proof);
   judge_certificate(input, result, max_error, proof);

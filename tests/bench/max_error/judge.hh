@@ -16,7 +16,9 @@ struct JudgeOptions {
 
 /// Compares what is claimed of a result with independent measures.
 /// \param result of `simplify` with `max_error` as target
-Proof judged(const IndexedMesh& input, const IndexedMesh& result, double max_error, const JudgeOptions& options);
+/// \param remarks is told why a measure is missing
+Proof judged(const IndexedMesh& input, const IndexedMesh& result, double max_error, const JudgeOptions& options,
+             std::vector<std::string>& remarks);
 
 /// What the measures say against the claim, one sentence each; empty if they agree with it.
 std::vector<std::string> violations(const Proof& proof);
