@@ -206,6 +206,12 @@ std::string listed(const auto& names) {
   return text;
 }
 
+/// "0.1%" as "0.1".
+std::string without_percent_sign(std::string& text) {
+  if (text.ends_with('%')) text.pop_back();
+  return {};
+}
+
 void set_up(CLI::App& app, Options& options) {
   app.add_option("--mesh", options.files, "a mesh file; can be given again")
       ->type_name("FILE")
@@ -213,9 +219,10 @@ void set_up(CLI::App& app, Options& options) {
   app.add_option("--folder", options.folders, "all meshes in it, for proofs and level alone; can be given again")
       ->type_name("FOLDER")
       ->check(CLI::ExistingDirectory);
-  app.add_option("--errors", options.percents, "largest distances, in % of the diagonal")
+  app.add_option("--errors", options.percents, "largest distances E, in % of the diagonal")
       ->type_name("P,...")
       ->delimiter(',')
+      ->transform(CLI::Validator(without_percent_sign, ""))
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--only", options.parts, "of " + listed(all_parts) + " (default: all)")
