@@ -34,9 +34,9 @@ struct Options {
   std::vector<double> percents = {0.1, 0.2, 0.3};
   std::vector<std::string> parts;
   std::vector<std::string> contenders;
-  JudgeOptions judge;
+  std::size_t samples = JudgeOptions{}.samples;
   TimeOptions times;
-  double limit_s = 120;  ///< for the search of one contender
+  double limit_s = 120;  ///< for CGAL's distance, and for each search of faces
   RowsFile rows{.csv = "max_error.csv"};
 
   bool has(const std::string& part) const {
@@ -78,6 +78,7 @@ std::optional<std::size_t> faces_of_contender(const std::string& name, const Ind
   std::string found;
   try {
     found = run_forked(work, 4 * search.limit_s);
+    if (found.empty()) remarks.push_back(name + ": no result is near enough");
   } catch (const std::exception& error) {
     remarks.push_back(name + ": " + error.what());
   }
@@ -125,7 +126,7 @@ Row row_at(const Input& input, double percent, const Options& options) {
     const IndexedMesh result = simplify(input.mesh, target, Effort::normal, on_threads(options.times.threads)).mesh;
     row.n_faces = result.faces.size();
     if (options.has("proofs")) {
-      row.proof = judged(input.mesh, result, max_error, options.judge, row.remarks);
+      row.proof = judged(input.mesh, result, max_error, {options.samples, options.limit_s}, row.remarks);
       row.violations = violations(*row.proof);
     }
     if (options.has("times") && !input.is_judged_alone)
@@ -233,11 +234,12 @@ void set_up(CLI::App& app, Options& options) {
       ->type_name("NAME,...")
       ->delimiter(',')
       ->check(CLI::IsMember(contender_names()));
-  app.add_option("--limit", options.limit_s, "the search of a peer begins no run after this, seconds")
+  app.add_option("--limit", options.limit_s,
+                 "CGAL's distance is left out after this; a search of faces begins no run then, seconds")
       ->type_name("S")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--samples", options.judge.samples, "points on each surface, besides all corners")
+  app.add_option("--samples", options.samples, "points on each surface, besides all corners")
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--repetitions", options.times.rounds, "rounds that count")

@@ -9,7 +9,8 @@
 namespace whittle::bench {
 namespace {
 
-constexpr int most_doublings = 10;
+constexpr int most_steps = 16;              ///< to find a result on either side
+constexpr double distance_accuracy = 0.01;  ///< relative; the limit itself is exact
 
 class Bisection {
  public:
@@ -17,19 +18,23 @@ class Bisection {
       : input_(input), contender_(contender), search_(search) {}
 
   std::optional<Coarsest> run() {
-    const bool begins_near = is_near_enough(0);
     double near = 0;  // logarithms of how much coarser than the first amount
     double far = 0;
-    for (int i = 1; i <= most_doublings && !is_late() && (near == far || differ(near, far)); ++i) {
-      const double next = (begins_near ? i : -i) * std::log(2.0);
-      const bool is_near = is_near_enough(next);
-      (begins_near ? near : far) = begins_near ? far : near;
+    double missing = measure(0);
+    const bool begins_near = missing >= 0;
+    double& moving = begins_near ? near : far;
+    for (int i = 0; i < most_steps && !is_late(); ++i) {
+      const double step = std::clamp(std::abs(missing), 2 * search_.accuracy, std::log(2.0));
+      const double next = begins_near ? moving + step : moving - step;
+      if (amount_at(next) == amount_at(moving)) break;
+      missing = measure(next);
       (begins_near ? far : near) = next;
-      if (is_near != begins_near) break;
+      if ((missing >= 0) != begins_near) break;
+      moving = next;
     }
     while (best_ && !is_late() && far - near > search_.accuracy && differ(near, far)) {
       const double middle = 0.5 * (near + far);
-      (is_near_enough(middle) ? near : far) = middle;
+      (measure(middle) >= 0 ? near : far) = middle;
     }
     if (!best_) return std::nullopt;
     best_->n_runs = n_runs_;
@@ -51,15 +56,19 @@ class Bisection {
     return contender_.takes == Contender::Amount::length || amount_at(near) > amount_at(far) + 1;
   }
 
-  /// Keeps the result with the fewest faces.
-  bool is_near_enough(double coarseness) {
+  /// Makes a result, and keeps it if it is near enough and has the fewest faces.
+  /// \return the logarithm of how much farther it may be; not negative if it is near enough
+  double measure(double coarseness) {
     const double amount = amount_at(coarseness);
     ++n_runs_;
     const IndexedMesh result = contender_.decimate(input_, amount);
-    if (result.faces.empty()) return false;
-    if (metrics::certify(input_, result, search_.max_error).verdict != metrics::Verdict::proven) return false;
+    if (result.faces.empty()) return -std::log(2.0);
+    const metrics::LargestDistances largest =
+        metrics::largest_distances(input_, result, distance_accuracy, {.limit = search_.max_error});
+    const double distance = std::max(largest.forward.at_most, largest.backward.at_most);
+    if (distance > search_.max_error) return std::log(search_.max_error / distance);
     if (!best_ || result.faces.size() < best_->n_faces) best_ = {result.faces.size(), amount};
-    return true;
+    return distance > 0 ? std::log(search_.max_error / distance) : std::log(2.0);
   }
 
   const IndexedMesh& input_;

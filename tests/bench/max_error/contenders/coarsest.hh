@@ -18,14 +18,14 @@ struct Coarsest {
 };
 
 struct Search {
-  double max_error = 0;     ///< of all points, both ways, as `metrics::certify` proves; model units
+  double max_error = 0;     ///< of all points, both ways, as `metrics::largest_distances` proves; model units
   double first_amount = 0;  ///< where it begins
   double accuracy = 0.01;   ///< of the amount, relative
   double limit_s = 1e9;     ///< after this no other run begins
 };
 
 /// Looks for it by bisection of the amount. The largest distance isn't monotone in it, so there may be a coarser one.
-/// \return nothing if no result is near enough, of a range of 2¹⁰ from the first amount
+/// \return nothing if no result that was tried is near enough
 std::optional<Coarsest> coarsest_within(const IndexedMesh& input, const Contender& contender, const Search& search);
 
 }  // namespace whittle::bench
