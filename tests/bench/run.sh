@@ -2,6 +2,8 @@
 # Times Whittle beside other decimaters on the same meshes. Installs and builds what that needs:
 #   run.sh [OPTION]...             the engine beside the libraries of --peers; options are those of whittle_bench
 #   run.sh --programs [OPTION]...  `whittle simplify` beside other programs; options are those of whittle_bench_programs
+#   run.sh --max-error [OPTION]... results with a length as target: proofs, faces, time, beside the marks that were set;
+#                                  options are those of whittle_bench_max_error
 # Without --mesh (and --case) both forms use the dragon. The first form also uses the bunny, if available, and all
 # generated meshes, each also in random order; this takes a quarter of an hour. --help after either form lists the
 # options. Rows are saved in build/bench/results.csv and programs.csv. --plot, here without a folder, draws results.csv
@@ -14,21 +16,22 @@ source apps/dragon.sh
 work=build/bench
 logs=$work/logs
 bin=$work/tests/bench
-peers=whittle,whittle:2,whittle:3,whittle:8,meshoptimizer,openmesh,pair-decimater
-measures_programs=false
+peers=
+measure=measure_engine
 mesh_is_chosen=false
 arguments=()
 
 while [ $# -gt 0 ]; do
   case $1 in
-    --programs) measures_programs=true ;;
+    --programs) measure=measure_programs ;;
+    --max-error) measure=measure_max_error ;;
     --peers)
       peers=${2:?--peers needs a list}
       shift
       ;;
     --plot) arguments+=(--plot "$work/plots") ;;
     --peers=*) peers=${1#*=} ;;
-    --mesh | --case | --efficiency | --mesh=* | --case=* | --efficiency=*)
+    --mesh | --case | --efficiency | --folder | --mesh=* | --case=* | --efficiency=* | --folder=*)
       mesh_is_chosen=true
       arguments+=("$1")
       ;;
@@ -42,13 +45,15 @@ arguments+=(--commit "$commit")
 # what_it_takes PEER: its name in CMake and its Debian package; nothing for peers that the project contains anyway.
 what_it_takes() {
   case $1 in
-    whittle | whittle:* | whittle-normal* | whittle-best* | whittle-quadric* | openmesh | pair-decimater) ;;
-    meshoptimizer) echo meshoptimizer libmeshoptimizer-dev ;;
-    cgal-lindstrom-turk | cgal-garland-heckbert) echo cgal libcgal-dev ;;
+    whittle | whittle:* | whittle-normal* | whittle-best* | whittle-quadric* | openmesh | openmesh-hausdorff | pair-decimater) ;;
+    meshlab) echo meshlab meshlab xvfb xauth libgl1-mesa-dri ;;
+    meshoptimizer | meshoptimizer-error) echo meshoptimizer libmeshoptimizer-dev ;;
+    cgal | cgal-lindstrom-turk | cgal-garland-heckbert | cgal-envelope) echo cgal libcgal-dev ;;
     vtk) echo vtk libvtk9-dev ;;
     open3d) echo open3d libopen3d-dev ;;
     *) fail "no peer '$1'; there are whittle, whittle-normal, whittle-best, whittle-quadric, each with :N (N threads), meshoptimizer, openmesh," \
-      "pair-decimater, cgal-lindstrom-turk, cgal-garland-heckbert, vtk, open3d" ;;
+      "pair-decimater, cgal-lindstrom-turk, cgal-garland-heckbert, vtk, open3d; with --max-error also openmesh-hausdorff," \
+      "meshoptimizer-error, cgal-envelope, meshlab" ;;
   esac
 }
 
@@ -77,21 +82,61 @@ choose_meshes() {
   [ ! -f "$bunny" ] || arguments+=(--mesh "$bunny")
 }
 
-measure_engine() {
+# build_for PEERS TARGET...: installs what a list with commas needs, and builds.
+build_for() {
   local peer needed
   local -a packages=() built=()
-  for peer in ${peers//,/ }; do
+  for peer in ${1//,/ }; do
     needed=$(what_it_takes "$peer") || exit 1
     [ -n "$needed" ] || continue
-    built+=("${needed% *}")
-    packages+=("${needed#* }")
+    built+=("${needed%% *}")
+    # shellcheck disable=SC2206 # several packages
+    packages+=(${needed#* })
   done
   install_packages "$logs/packages.log" "${build_packages[@]}" "${packages[@]}"
-  build_with "$(IFS=';' && echo "${built[*]}")" whittle_bench
+  build_with "$(IFS=';' && echo "${built[*]}")" "${@:2}"
+}
+
+measure_engine() {
+  : "${peers:=whittle,whittle:2,whittle:3,whittle:8,meshoptimizer,openmesh,pair-decimater}"
+  build_for "$peers" whittle_bench
   $mesh_is_chosen || choose_meshes
   say "Measuring; the rows go to $work/results.csv"
   # Peers that can use several threads are measured on one, like Whittle.
   OMP_NUM_THREADS=1 "$bin/whittle_bench" --peers "$peers" --csv "$work/results.csv" "${arguments[@]}"
+}
+
+# The tests of proofs in rational arithmetic, and of certificates that were changed.
+test_proofs() {
+  say "Testing 10,000 random pairs against rational arithmetic"
+  "$work/tests/unit/metrics/test_metrics" --gtest_brief=1 --gtest_filter=Certify.IsRightInRationalArithmetic
+  say "Testing 100,000 changed certificates, and 4,000 of changed meshes"
+  "$work/tests/unit/verify/test_verify" --gtest_brief=1 --gtest_filter='Mutations.*'
+}
+
+choose_max_error_meshes() {
+  local folder=../shared/data/meshes name
+  if [ ! -d "$folder" ]; then
+    arguments+=(--folder data)
+    choose_dragon || true
+    return
+  fi
+  for name in bunny.obj armadillo_86k.obj dragon_vrip.ply kitten.obj fandisk.obj couplingdown.off camelhead.off \
+    lion-head.off three_peaks.off bun_zipper.ply; do
+    [ ! -f "$folder/$name" ] || arguments+=(--mesh "$folder/$name")
+  done
+  arguments+=(--folder "$folder")
+}
+
+measure_max_error() {
+  local -a display=()
+  : "${peers:=meshlab,cgal-lindstrom-turk,cgal-garland-heckbert,cgal-envelope,openmesh-hausdorff,meshoptimizer-error}"
+  build_for "$peers,cgal" whittle_bench_max_error test_metrics test_verify
+  $mesh_is_chosen || test_proofs
+  $mesh_is_chosen || choose_max_error_meshes
+  case $peers in *meshlab*) display=(xvfb-run --auto-servernum) ;; esac
+  say "Measuring; the rows go to $work/max_error.csv"
+  "${display[@]}" "$bin/whittle_bench_max_error" --peers "$peers" --csv "$work/max_error.csv" "${arguments[@]}"
 }
 
 # gltfpack comes as an npm package (1 MB).
@@ -117,4 +162,4 @@ measure_programs() {
     --meshoptimizer "$bin/meshoptimizer_obj" --folder "$work/programs" --csv "$work/programs.csv" "${arguments[@]}"
 }
 
-if $measures_programs; then measure_programs; else measure_engine; fi
+$measure

@@ -1,5 +1,5 @@
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
+#include "bench/peers/cgal_mesh.hh"
+
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_placement.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
@@ -7,7 +7,6 @@
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
 #include "bench/peers/peer.hh"
-#include "bench/peers/peer_arrays.hh"
 
 // CGAL's Surface_mesh_simplification on Surface_mesh with coordinates in double: Lindstrom–Turk, its default, and
 // Garland–Heckbert with planes and bounded normal change, as in its own example.
@@ -16,8 +15,7 @@ namespace whittle::bench {
 namespace {
 
 namespace sms = CGAL::Surface_mesh_simplification;
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Mesh = CgalMesh<>;
 
 /// CGAL's own predicates count edges. A contraction on a border removes fewer edges than one inside.
 struct StopAtFaces {
@@ -28,36 +26,6 @@ struct StopAtFaces {
   }
 };
 
-Mesh mesh_of(const IndexedMesh& input) {
-  Mesh mesh;
-  const auto size = [](std::size_t n) { return static_cast<Mesh::size_type>(n); };
-  mesh.reserve(size(input.positions.size()), size(input.positions.size() + input.faces.size()),
-               size(input.faces.size()));
-  for (const Vec3& p : input.positions) mesh.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
-  std::size_t n_refused = 0;
-  for (const auto& [a, b, c] : input.faces) {
-    const auto face = mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c));
-    if (face == Mesh::null_face()) ++n_refused;
-  }
-  require_none_refused(n_refused, input.faces.size());
-  return mesh;
-}
-
-IndexedMesh arrays_of(const Mesh& mesh) {
-  IndexedMesh result;
-  for (const auto v : mesh.vertices()) {
-    const auto& p = mesh.point(v);
-    result.positions.emplace_back(p.x(), p.y(), p.z());
-  }
-  for (const auto f : mesh.faces()) {
-    Triangle corners{};
-    std::size_t i = 0;
-    for (const auto v : mesh.vertices_around_face(mesh.halfedge(f))) corners[i++] = v;
-    result.faces.push_back(corners);
-  }
-  return result;
-}
-
 void by_lindstrom_turk(Mesh& mesh, std::size_t n_faces) {
   sms::edge_collapse(
       mesh, StopAtFaces{n_faces},
@@ -65,7 +33,7 @@ void by_lindstrom_turk(Mesh& mesh, std::size_t n_faces) {
 }
 
 void by_garland_heckbert(Mesh& mesh, std::size_t n_faces) {
-  using Policies = sms::GarlandHeckbert_plane_policies<Mesh, Kernel>;
+  using Policies = sms::GarlandHeckbert_plane_policies<Mesh, CgalKernel>;
   const Policies policies(mesh);
   const sms::Bounded_normal_change_placement<Policies::Get_placement> placement(policies.get_placement());
   sms::edge_collapse(mesh, StopAtFaces{n_faces},
@@ -78,12 +46,12 @@ class Cgal : public Peer {
   explicit Cgal(Simplify simplify) : simplify_(simplify) {}
 
   IndexedMesh decimate(const IndexedMesh& input, std::size_t n_faces, Meter& meter) const override {
-    Mesh mesh = mesh_of(input);
+    Mesh mesh = cgal_mesh_of(input);
     meter.start();
     simplify_(mesh, n_faces);
     mesh.collect_garbage();
     meter.stop();
-    return arrays_of(mesh);
+    return arrays_of_cgal(mesh);
   }
 
  private:

@@ -14,25 +14,17 @@ namespace {
 class Meshoptimizer : public Peer {
  public:
   IndexedMesh decimate(const IndexedMesh& input, std::size_t n_faces, Meter& meter) const override {
-    std::vector<float> positions;
-    positions.reserve(3 * input.positions.size());
-    for (const Vec3& p : input.positions)
-      for (const double x : p) positions.push_back(static_cast<float>(x));
-    std::vector<unsigned> indices;
-    indices.reserve(3 * input.faces.size());
-    for (const Triangle& face : input.faces) indices.insert(indices.end(), face.begin(), face.end());
-    std::vector<unsigned> result(indices.size());
+    const FloatArrays arrays(input);
+    std::vector<unsigned> result(arrays.indices.size());
 
     meter.start();
-    const std::size_t n_indices =
-        meshopt_simplify(result.data(), indices.data(), indices.size(), positions.data(), input.positions.size(),
-                         3 * sizeof(float), 3 * n_faces, std::numeric_limits<float>::max(), 0, nullptr);
+    const std::size_t n_indices = meshopt_simplify(result.data(), arrays.indices.data(), arrays.indices.size(),
+                                                   arrays.positions.data(), input.positions.size(), 3 * sizeof(float),
+                                                   3 * n_faces, std::numeric_limits<float>::max(), 0, nullptr);
     meter.stop();
 
-    IndexedMesh mesh;
-    mesh.positions = input.positions;
-    for (std::size_t i = 0; i < n_indices; i += 3) mesh.faces.push_back({result[i], result[i + 1], result[i + 2]});
-    return without_unused_vertices(mesh);
+    result.resize(n_indices);
+    return with_faces(input, result);
   }
 };
 

@@ -113,6 +113,28 @@ TEST(Certify, IsRightForSimplifiedMeshes) {
   }
 }
 
+/// A slit in a plane: all points of its middle are equally far, so no number of pieces finds the distance exactly.
+TEST(Certify, IsLessAccurateWhereItTakesTooManyPieces) {
+  constexpr double half_width = 1e-3;
+  IndexedMesh whole;
+  whole.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  whole.faces = {{0, 1, 2}, {0, 2, 3}};
+  IndexedMesh slit = whole;
+  for (const double side : {-1, 1}) {
+    const double shift = side * half_width * std::hypot(1, 0.05);
+    slit.positions.emplace_back(0, 0.37 + shift, 0);
+    slit.positions.emplace_back(1, 0.42 + shift, 0);
+  }
+  slit.faces = {{0, 1, 5}, {0, 5, 4}, {6, 7, 2}, {6, 2, 3}};
+  const LargestDistance found = largest_distances(whole, slit, 1e-3).forward;
+  EXPECT_NEAR(found.at_least, half_width, 0.02 * half_width);
+  EXPECT_GE(found.at_most, half_width);
+  EXPECT_LE(found.at_most, 1.1 * half_width);
+  const double limit = 1.01 * half_width;
+  EXPECT_EQ(certify(whole, slit, limit).verdict, Verdict::undecided) << "else this tests nothing";
+  EXPECT_LE(largest_distances(whole, slit, 1e-3, {.limit = 1.2 * half_width}).forward.at_most, 1.2 * half_width);
+}
+
 /// A face is missing in a plane: what lies over the hole is not covered, though all around it is.
 TEST(Certify, SeesHoles) {
   const IndexedMesh whole = grid(8, 8);

@@ -145,7 +145,7 @@ TEST(Verify, HalvesEachEdge) {
 }
 
 TEST(Verify, FollowsPatches) {
-  for (const Index first : {0, 1, 2, 3}) {
+  for (const Index first : {0U, 1U, 2U, 3U}) {
     EXPECT_EQ(why_not_near(low, moved(square(), 0.1 * up), 0.1 + 1e-12, Steps().patch(first)), "");
     EXPECT_EQ(why_not_near(low, moved(square(), -0.1 * up), 0.1 + 1e-12, Steps().patch(first)), "");
     EXPECT_EQ(why_not_near(low, moved(square(), 0.1 * up), 0.1 - 1e-12, Steps().patch(first)),
@@ -243,7 +243,7 @@ TEST(Verify, RefusesPatchesForThinTriangles) {
     std::vector<Vec3> corners{{0, 0, 0}, {0.5, 0, 0}, {0.5, width, 0}};
     for (int turn = 0; turn < 3; ++turn) {
       std::rotate(corners.begin(), corners.begin() + 1, corners.end());
-      for (const Index first : {0, 1, 2, 3}) {
+      for (const Index first : {0U, 1U, 2U, 3U}) {
         EXPECT_NE(why_not_near(mesh_of(corners, {{0, 1, 2}}), out, 0.01, Steps().patch(first)), "") << width;
         EXPECT_NE(why_not_near(mesh_of(corners, {{0, 2, 1}}), out, 0.01, Steps().patch(first)), "") << width;
       }

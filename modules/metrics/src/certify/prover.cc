@@ -9,6 +9,9 @@ namespace {
 /// Distances are found to this accuracy where they are smaller: lengths are about 1.
 constexpr double least_accuracy = 1e-9;
 
+/// How much less accurately they are found where it takes too many pieces: a thousandth gets about 1.
+constexpr double most_coarseness = 1024;
+
 }  // namespace
 
 Verdict Prover::prove(const Corners& triangle, double distance, Index hint, FarthestPoint& farthest) {
@@ -17,32 +20,42 @@ Verdict Prover::prove(const Corners& triangle, double distance, Index hint, Fart
     if (point.distance > distance + slack) return Verdict::refuted;
     return point.distance > distance - 3 * slack ? Verdict::undecided : Verdict::proven;
   };
-  return search(triangle, hint, limit, decide, farthest);
+  begin(triangle, hint);
+  return search(limit, decide, farthest);
 }
 
 double Prover::find_farthest(const Corners& triangle, double from, double accuracy, double most, Index hint,
                              FarthestPoint& farthest) {
-  const auto limit = [=](const FarthestPoint& point) {
+  double coarseness = 1;
+  const auto limit = [&](const FarthestPoint& point) {
     const double found = std::max(from, point.distance);
-    const double sought = (1 + accuracy) * found + least_accuracy;
+    const double sought = found + coarseness * (accuracy * found + least_accuracy);
     return found < most - 4 * slack ? std::min(sought, most) : sought;
   };
   const auto decide = [](const FarthestPoint&) { return Verdict::proven; };
-  search(triangle, hint, limit, decide, farthest);
+  begin(triangle, hint);
+  // Where it takes too many pieces, those that are left are to be within more.
+  while (search(limit, decide, farthest) == Verdict::undecided && coarseness < most_coarseness) {
+    if (limit(farthest) == most) most = std::numeric_limits<double>::infinity();
+    coarseness *= 4;
+  }
   double proven = limit(farthest);
   for (const Piece& left : pieces_) proven = std::max(proven, distance_from_one(left.corners, left.hint) + slack);
   return proven;
 }
 
-/// \param limit `limit(farthest)` is the distance that a piece is to be within
-/// \param decide `decide(farthest)` ends the search if it isn't `proven`
-template <class Limit, class Decide>
-Verdict Prover::search(const Corners& triangle, Index hint, const Limit& limit, const Decide& decide,
-                       FarthestPoint& farthest) {
+void Prover::begin(const Corners& triangle, Index hint) {
   surface_ = target_.faces();
   steps_.clear();
   pieces_.assign(1, {triangle, hint == invalid_index ? last_ : hint});
   if (pieces_[0].hint == invalid_index) pieces_[0].hint = target_.nearest(triangle[0], invalid_index).face;
+}
+
+/// Proves the pieces that are left, and puts what they are split into in their place.
+/// \param limit `limit(farthest)` is the distance that a piece is to be within
+/// \param decide `decide(farthest)` ends the search if it isn't `proven`
+template <class Limit, class Decide>
+Verdict Prover::search(const Limit& limit, const Decide& decide, FarthestPoint& farthest) {
   for (int n_pieces = 0; !pieces_.empty(); ++n_pieces) {
     if (n_pieces >= most_pieces_) return Verdict::undecided;
     const Piece piece = pieces_.back();

@@ -42,7 +42,7 @@ class Prover {
   /// Finds the farthest point of a triangle, as far as it is farther than `from`.
   /// \param most unless a point is farther, all are to be proven to be within this
   /// \return a distance that all points are proven to be within: `1 + accuracy` times that of the point found, or of
-  ///         `from`, and a 10⁻⁹th, or `most`; more if that takes too many pieces
+  ///         `from`, and a 10⁻⁹th, or `most`; if that takes too many pieces, as little more as doesn't
   double find_farthest(const Corners& triangle, double from, double accuracy, double most, Index hint,
                        FarthestPoint& farthest);
 
@@ -53,9 +53,9 @@ class Prover {
     Index obstacle = invalid_index;  ///< a face that was too high over the piece that was halved, if there was one
   };
 
+  void begin(const Corners& triangle, Index hint);
   template <class Limit, class Decide>
-  Verdict search(const Corners& triangle, Index hint, const Limit& limit, const Decide& decide,
-                 FarthestPoint& farthest);
+  Verdict search(const Limit& limit, const Decide& decide, FarthestPoint& farthest);
   bool is_proven(const Piece& piece, double distance);
   bool is_near(const Corners& corners, Index face, double distance);
   void list_known(Index hint);
