@@ -481,7 +481,8 @@ class Follower {
     const Vec& to = piece[(edge + 1) % 3];
     const Vec& opposite = piece[(edge + 2) % 3];
     const Vec middle = 0.5 * (from + to);
-    follow_step(steps, {from, middle, opposite}, depth + 1, limit);
+    const bool is_segment = to.x == opposite.x && to.y == opposite.y && to.z == opposite.z;
+    follow_step(steps, {from, middle, is_segment ? middle : opposite}, depth + 1, limit);
     follow_step(steps, {middle, to, opposite}, depth + 1, limit);
   }
 

@@ -68,7 +68,8 @@ class Prover {
     const auto& [from, to, opposite] = Corners{c[longest], c[(longest + 1) % 3], c[(longest + 2) % 3]};
     const Vec3 middle = 0.5 * (from + to);
     steps.halve(longest);
-    return prove({from, middle, opposite}, depth - 1, steps) && prove({middle, to, opposite}, depth - 1, steps);
+    return prove({from, middle, to == opposite ? middle : opposite}, depth - 1, steps) &&
+           prove({middle, to, opposite}, depth - 1, steps);
   }
   std::size_t n_patches() const { return n_patches_; }
 

@@ -176,10 +176,11 @@ void Prover::split(const Piece& piece) {
   const Vec3& to = c[(longest + 1) % 3];
   const Vec3& opposite = c[(longest + 2) % 3];
   const Vec3 middle = 0.5 * (from + to);
+  const bool is_segment = to == opposite;
   // The face may hinder a half only because it is connected with the other one: so a half of a half is looked at anew.
   const bool was_obstacle = piece.obstacle != invalid_index;
   const Index obstacle = patch_.obstacle() && !was_obstacle ? patch_.obstacle()->face : invalid_index;
-  for (const Corners& half : {Corners{middle, to, opposite}, Corners{from, middle, opposite}}) {
+  for (const Corners& half : {Corners{middle, to, opposite}, Corners{from, middle, is_segment ? middle : opposite}}) {
     pieces_.push_back({half, nearest_known((half[0] + half[1] + half[2]) / 3).face, obstacle});
   }
 }
