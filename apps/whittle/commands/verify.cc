@@ -35,7 +35,7 @@ struct VerifyCommand {
   CommonOptions common;
 };
 
-struct Run {
+struct VerifyRun {
   Input input;
   Input output;
   std::string certificate;  ///< its bytes
@@ -78,8 +78,8 @@ struct Arrays {
   verify::Triangles triangles() const { return {coordinates, corners}; }
 };
 
-Run verify_files(const VerifyCommand& options, const Talk& talk) {
-  Run run;
+VerifyRun verify_files(const VerifyCommand& options, const Talk& talk) {
+  VerifyRun run;
   run.certificate = content_of(options.certificate);
   run.input = read_input(options.input, options.files, options.common.threads, talk);
   run.output = read_output(options, talk);
@@ -94,22 +94,25 @@ Run verify_files(const VerifyCommand& options, const Talk& talk) {
 }
 
 /// What is asked of a distance, model units.
-std::optional<double> asked(const std::optional<Length>& length, const Run& run) {
+std::optional<double> asked(const std::optional<Length>& length, const VerifyRun& run) {
   return length ? std::optional(length->in_units(run.diagonal)) : std::nullopt;
 }
 
 /// "0.1 (0.5 %)"
-std::string distance_text(double distance, const Run& run) { return length_text_rounded_up(distance, run.diagonal); }
+std::string distance_text(double distance, const VerifyRun& run) {
+  return length_text_rounded_up(distance, run.diagonal);
+}
 
 /// Why more is asked than the certificate proves; empty if it isn't. \param what "of borders "
-std::string shortfall(const std::optional<Length>& length, double proven, const std::string& what, const Run& run) {
+std::string shortfall(const std::optional<Length>& length, double proven, const std::string& what,
+                      const VerifyRun& run) {
   if (!length || proven <= *asked(length, run)) return {};
   const std::string asked_text = distance_text(*asked(length, run), run) + " is asked " + what + "at most, and ";
   return asked_text + (std::isfinite(proven) ? distance_text(proven, run) : "nothing") + " is proven";
 }
 
 /// What is wrong, in a line; empty if nothing is.
-std::string problem(const VerifyCommand& options, const Run& run) {
+std::string problem(const VerifyCommand& options, const VerifyRun& run) {
   const verify::Verification& proof = run.verification;
   if (proof.is_malformed) return "no whole certificate: " + proof.why_not;
   if (!proof.holds) return "does not hold for " + run.input.name + " and " + run.output.name + ": " + proof.why_not;
@@ -119,7 +122,7 @@ std::string problem(const VerifyCommand& options, const Run& run) {
 }
 
 /// Adds a distance that is proven; null if nothing is. \param key "max_error"
-void add_proven(Json& json, const std::string& key, double distance, const Run& run) {
+void add_proven(Json& json, const std::string& key, double distance, const VerifyRun& run) {
   json[key] = nullptr;
   json[key + "_rel"] = nullptr;
   if (run.verification.holds && std::isfinite(distance)) add_length(json, key, distance, run.diagonal);
@@ -127,7 +130,7 @@ void add_proven(Json& json, const std::string& key, double distance, const Run& 
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
-Json verify_json(const VerifyCommand& options, const Run& run, bool is_met, double total_seconds) {
+Json verify_json(const VerifyCommand& options, const VerifyRun& run, bool is_met, double total_seconds) {
   const verify::Verification& proof = run.verification;
   Json json = new_report();
   json["input"] = input_json(run.input, run.diagonal);
@@ -152,7 +155,7 @@ Json verify_json(const VerifyCommand& options, const Run& run, bool is_met, doub
 }
 
 /// What is proven, in words.
-std::string proven_text(const Run& run) {
+std::string proven_text(const VerifyRun& run) {
   const verify::Verification& proof = run.verification;
   const std::string& in = run.input.name;
   const std::string& out = run.output.name;
@@ -167,7 +170,7 @@ std::string proven_text(const Run& run) {
   } else {
     text += "nothing is proven of borders\n";
   }
-  if (proof.tolerances.size() == 0) return text;
+  if (proof.tolerances.empty()) return text;
   return text + counted(proof.tolerances.size(), "vertex of ", "vertices of ") + in +
          " with a tolerance: each point of a face of " + in + " is within the least of its corners' of " + out +
          ", and each point of " + out + " within that of some face of " + in + '\n';
@@ -185,7 +188,7 @@ ExitCode run_verify(const CLI::App& app, const VerifyCommand& options) {
   check(app, options);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
-  const Run run = verify_files(options, talk);
+  const VerifyRun run = verify_files(options, talk);
   const std::string wrong = problem(options, run);
   write_report(options.common, verify_json(options, run, wrong.empty(), watch.seconds()),
                run.verification.holds ? proven_text(run) : std::string());

@@ -67,7 +67,7 @@ class ErrorBound {
   }
 
   /// Tries to prove that a surface keeps the bound. \param limit in place of that of the bound
-  Violations check(const CheckedSurface& surface, double limit);
+  Violations check(const CheckedSurface& checked, double limit);
   /// Of the surface checked last, each point once.
   const std::vector<Support>& supports() const { return supports_; }
 
