@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands/simplify/as_written.hh"
+#include "files/input.hh"
+#include "whittle/engine/simplify.hh"
+
+namespace whittle::app {
+
+struct SimplifySeconds {
+  double read = 0;
+  double decimate = 0;
+  double polish = 0;
+  double certify = 0;
+  double write = 0;
+  double total = 0;
+};
+
+/// What a run of `whittle simplify` has done, and what its messages and its report say of that.
+struct SimplifyRecord {
+  Input input;
+  DecimateTarget target = DecimateTarget::as_far_as_possible();
+  double diagonal = 0;             ///< of the input's bounding box
+  std::vector<double> tolerances;  ///< of the input's vertices, model units; or empty
+  std::size_t n_pruned_parts = 0;
+  double threshold = 0;  ///< of threshold pairs, model units; 0 = none
+  Simplification simplified;
+  std::optional<DistancesAsWritten> distances;  ///< if they are to be proven
+  std::string certificate;                      ///< if it is to be written
+  bool met = false;
+  std::optional<std::size_t> n_intersections_before;  ///< pairs of faces, if they were counted
+  std::optional<std::size_t> n_intersections_after;
+  std::vector<std::string> warnings;
+  SimplifySeconds seconds;
+};
+
+}  // namespace whittle::app

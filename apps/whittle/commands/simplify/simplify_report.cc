@@ -1,0 +1,83 @@
+#include "commands/simplify/simplify_report.hh"
+
+#include "commands/simplify/proven_distances.hh"
+#include "options/targets.hh"
+
+namespace whittle::app {
+namespace {
+
+Json surface_json(const SurfaceCounts& counts) {
+  return {{"components", counts.components},
+          {"nonmanifold_edges", counts.nonmanifold_edges},
+          {"nonmanifold_vertices", counts.nonmanifold_vertices}};
+}
+
+Json output_json(const SimplifyCommand& options, const SimplifyRecord& record, const metrics::Topology& topology) {
+  Json json = {{"path", options.output}, {"vertices", topology.vertices}, {"faces", topology.faces}};
+  add_topology(json, topology);
+  json["vanished_components"] = record.simplified.result.n_vanished_components;
+  json["pruned_components"] = record.n_pruned_parts;
+  json["self_intersections"] = record.n_intersections_after ? Json(*record.n_intersections_after) : Json(nullptr);
+  json["coincident_faces"] = record.simplified.result.n_coincident_faces;
+  return json;
+}
+
+Json threshold_pairs_json(const ThresholdPairCounts& pairs) {
+  return {{"considered", pairs.considered},
+          {"contracted", pairs.contracted},
+          {"threshold", pairs.threshold},
+          {"capped", pairs.capped}};
+}
+
+/// All are null with OpenMesh's decimater, which doesn't count refusals.
+Json rejections_json(const SimplifyCommand& options, const Rejections& refused) {
+  if (options.engine == Engine::openmesh) {
+    return {{"flip", nullptr},   {"link", nullptr},         {"shape", nullptr}, {"feature", nullptr},
+            {"locked", nullptr}, {"intersection", nullptr}, {"error", nullptr}};
+  }
+  return {{"flip", refused.flip},       {"link", refused.link},     {"shape", refused.shape},
+          {"feature", refused.feature}, {"locked", refused.locked}, {"intersection", refused.intersection},
+          {"error", refused.error}};
+}
+
+/// Null if nothing was proven.
+Json max_error_json(const SimplifyRecord& record) {
+  if (!record.distances) return nullptr;
+  Json json = max_error_json(*record.distances, record.target, record.diagonal);
+  json["tolerances"] = record.tolerances.size();
+  json["certificate_bytes"] = record.certificate.empty() ? Json(nullptr) : Json(record.certificate.size());
+  return json;
+}
+
+}  // namespace
+
+Json simplify_json(const SimplifyCommand& options, const SimplifyRecord& record) {
+  const IndexedMesh& mesh = record.simplified.mesh;
+  const DecimateResult& result = record.simplified.result;
+  Json json = new_report();
+  json["input"] = input_json(record.input, record.diagonal);
+  json["input"]["self_intersections"] =
+      record.n_intersections_before ? Json(*record.n_intersections_before) : Json(nullptr);
+  if (options.engine == Engine::flat) json["input"].update(surface_json(result.before));
+  json["options"] = options_json(options);
+  json["output"] = output_json(options, record, metrics::topology(mesh));
+  json["target"] = target_json(options.targets, record.target);
+  json["target"]["met"] = record.met;
+  json["stop"] = to_string(result.stop);
+  json["max_error"] = max_error_json(record);
+  json["contractions"] = result.n_contractions;
+  json["threshold_pairs"] = threshold_pairs_json(result.threshold_pairs);
+  json["max_cost"] = result.max_cost;
+  json["why_in_one_pass"] = result.why_in_one_pass.empty() ? Json(nullptr) : Json(result.why_in_one_pass);
+  json["rejections"] = rejections_json(options, result.rejections);
+  json["refused_at_end"] = rejections_json(options, result.refused_at_end);
+  json["polish"] = *options.simplify.polish_passes > 0 ? polish_json(record.simplified.polish) : Json(nullptr);
+  json["seconds"] = {{"read", record.seconds.read},     {"decimate", record.seconds.decimate},
+                     {"polish", record.seconds.polish}, {"certify", record.seconds.certify},
+                     {"write", record.seconds.write},   {"total", record.seconds.total}};
+  json["peak_rss_bytes"] = peak_memory_bytes();
+  json["warnings"] = record.warnings;
+  return json;
+}
+
+}  // namespace whittle::app

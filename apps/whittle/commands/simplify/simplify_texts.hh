@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "commands/simplify/simplify_options.hh"
+#include "commands/simplify/simplify_record.hh"
+#include "terminal/talk.hh"
+
+// What a run of `whittle simplify` says in words.
+
+namespace whittle::app {
+
+/// "refused: 12 by topology, 3 by turning a face, 0 locked"
+std::string refusals(const SimplifyCommand& options, const Rejections& refused);
+
+/// The lines of --verbose.
+void say_details(const SimplifyCommand& options, const Talk& talk, const SimplifyRecord& record);
+
+/// "out.ply: 1000 -> 100 faces, 502 -> 52 vertices in 0.1 s"
+std::string summary(const SimplifyCommand& options, const SimplifyRecord& record);
+
+}  // namespace whittle::app
