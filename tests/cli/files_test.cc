@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "program/failure.hh"
 #include "program/program.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
@@ -13,14 +14,6 @@ namespace whittle::test {
 namespace {
 
 IndexedMesh unwelded(const std::string& path) { return io::read_mesh(path, {.weld = false}).mesh; }
-
-void expect_usage_error(const Outcome& outcome, const std::vector<std::string>& said) {
-  EXPECT_EQ(outcome.exit_code, 2) << outcome;
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome;
-  for (const std::string& text : said) {
-    EXPECT_NE(outcome.err.find(text), std::string::npos) << "not said: " << text << '\n' << outcome;
-  }
-}
 
 TEST(Ascii, WritesTextThatReadsBackAsTheSameNumbers) {
   const TemporaryFolder folder;

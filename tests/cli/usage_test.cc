@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "program/failure.hh"
 #include "program/program.hh"
 #include "whittle/engine/cost_traits.hh"
 #include "whittle/io/format.hh"
@@ -15,16 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Arguments = std::vector<std::string>;
-
-void expect_usage_error(const Outcome& outcome, const std::vector<std::string>& said) {
-  EXPECT_EQ(outcome.exit_code, 2) << outcome;
-  EXPECT_EQ(outcome.out, "") << outcome;
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome;
-  EXPECT_EQ(outcome.err.rfind("whittle: ", 0), 0U) << outcome;
-  for (const std::string& text : said) {
-    EXPECT_NE(outcome.err.find(text), std::string::npos) << "not said: " << text << '\n' << outcome;
-  }
-}
 
 /// The names as the help lists them.
 std::string all_costs() {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "program/failure.hh"
 #include "program/program.hh"
 #include "support/shapes.hh"
 #include "whittle/core/frame.hh"
@@ -23,17 +24,6 @@ Arguments joined(Arguments first, const Arguments& second) {
 }
 
 double diagonal_of(const std::string& path) { return bounds_of(io::read_mesh(path).mesh.positions).diagonal(); }
-
-/// One line on standard error that says this, and nothing on standard output.
-void expect_refusal(const Outcome& outcome, int exit_code, const Arguments& said) {
-  EXPECT_EQ(outcome.exit_code, exit_code) << outcome;
-  EXPECT_EQ(outcome.out, "") << outcome;
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome;
-  EXPECT_EQ(outcome.err.rfind("whittle: ", 0), 0U) << outcome;
-  for (const std::string& text : said) {
-    EXPECT_NE(outcome.err.find(text), std::string::npos) << "not said: " << text << '\n' << outcome;
-  }
-}
 
 /// A mesh, its result and the certificate of both.
 class VerifyCommand : public ::testing::Test {
@@ -108,8 +98,8 @@ TEST_F(VerifyCommand, ReadsTheInputAsTheRunHasReadIt) {
   io::write_mesh(input, apart);
   simplify(input, {"--face-ratio", "50%", "--weld", "0.1%"}, "out.stl");
   EXPECT_EQ(verify({"--weld", "0.1%"}).exit_code, 0) << verify({"--weld", "0.1%"});
-  expect_refusal(verify({"--quiet"}), 1, {proof_ + ": does not hold for ", "it is about other meshes: IN "});
-  expect_refusal(verify({"--quiet", "--no-weld"}), 1, {"it is about other meshes: IN "});
+  expect_failure(verify({"--quiet"}), 1, {proof_ + ": does not hold for ", "it is about other meshes: IN "});
+  expect_failure(verify({"--quiet", "--no-weld"}), 1, {"it is about other meshes: IN "});
 }
 
 TEST_F(VerifyCommand, KeepsDuplicatesApartInBothMeshes) {
@@ -117,7 +107,7 @@ TEST_F(VerifyCommand, KeepsDuplicatesApartInBothMeshes) {
     SCOPED_TRACE(output);
     simplify(data_file("bracket.stl"), {"--max-error", "1%", "--no-weld"}, output);
     EXPECT_EQ(verify({"--no-weld"}).exit_code, 0) << verify({"--no-weld"});
-    expect_refusal(verify({"--quiet"}), 1, {"it is about other meshes: IN "});
+    expect_failure(verify({"--quiet"}), 1, {"it is about other meshes: IN "});
   }
 }
 
@@ -187,10 +177,10 @@ TEST_F(VerifyCommand, RefusesAnotherMesh) {
   IndexedMesh mesh = io::read_mesh(output_).mesh;
   mesh.positions[7] *= 1.5;
   io::write_mesh(other, mesh);
-  expect_refusal(whittle({"verify", input, other, proof_}), 1,
+  expect_failure(whittle({"verify", input, other, proof_}), 1,
                  {proof_ + ": does not hold for " + input + " and " + other + ": ", "face"});
-  expect_refusal(whittle({"verify", output_, input, proof_}), 1, {"it is about other meshes: IN "});
-  expect_refusal(whittle({"verify", input, input, proof_}), 1, {"it is about other meshes: OUT "});
+  expect_failure(whittle({"verify", output_, input, proof_}), 1, {"it is about other meshes: IN "});
+  expect_failure(whittle({"verify", input, input, proof_}), 1, {"it is about other meshes: OUT "});
   output_ = other;
   const nlohmann::json json = report();
   EXPECT_EQ(json["holds"], false);
@@ -206,10 +196,10 @@ TEST_F(VerifyCommand, RefusesWhatIsNoCertificate) {
   for (const std::size_t length :
        {std::size_t{0}, std::size_t{21}, std::size_t{50}, whole.size() / 2, whole.size() - 1}) {
     write_text(proof_, whole.substr(0, length));
-    expect_refusal(verify(), 4, {proof_ + ": no whole certificate: "});
+    expect_failure(verify(), 4, {proof_ + ": no whole certificate: "});
   }
   write_text(proof_, whole + '\n');
-  expect_refusal(verify(), 4, {"bytes follow the last proof"});
+  expect_failure(verify(), 4, {"bytes follow the last proof"});
   EXPECT_EQ(report()["malformed"], true);
   std::swap(proof_, output_);
   EXPECT_EQ(verify().exit_code, 4) << "a certificate in place of a mesh";
@@ -217,16 +207,16 @@ TEST_F(VerifyCommand, RefusesWhatIsNoCertificate) {
 
 TEST_F(VerifyCommand, EndsWithFourIfAFileIsMissing) {
   simplify(data_file("blob.obj"), {"--faces", "500"});
-  expect_refusal(whittle({"verify", input_, output_, folder_ / "missing"}), 4, {"missing: cannot be opened"});
-  expect_refusal(whittle({"verify", input_, output_, folder_.path().string()}), 4, {folder_.path().string() + ": "});
-  expect_refusal(whittle({"verify", input_, folder_ / "missing.ply", proof_}), 4, {"missing.ply"});
-  expect_refusal(whittle({"verify", folder_ / "missing.ply", output_, proof_}), 4, {"missing.ply"});
+  expect_failure(whittle({"verify", input_, output_, folder_ / "missing"}), 4, {"missing: cannot be opened"});
+  expect_failure(whittle({"verify", input_, output_, folder_.path().string()}), 4, {folder_.path().string() + ": "});
+  expect_failure(whittle({"verify", input_, folder_ / "missing.ply", proof_}), 4, {"missing.ply"});
+  expect_failure(whittle({"verify", folder_ / "missing.ply", output_, proof_}), 4, {"missing.ply"});
 }
 
 TEST_F(VerifyCommand, WritesNoReportOverItsInputs) {
   simplify(data_file("blob.obj"), {"--faces", "500"});
   for (const std::string& path : {output_, proof_}) {
-    expect_refusal(verify({"--json", path}), 2, {"--json", "--force"});
+    expect_failure(verify({"--json", path}), 2, {"--json", "--force"});
   }
   EXPECT_EQ(verify({"--json", folder_ / "report"}).exit_code, 0);
   EXPECT_EQ(parse_json(read_text(folder_ / "report"))["holds"], true);

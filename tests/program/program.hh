@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "support/temporary_folder.hh"
+
 /// The program under test, run as its users run it.
 namespace whittle::test {
 
@@ -56,23 +58,6 @@ class Running {
   int input_ = -1;
   int output_ = -1;
   int errors_ = -1;
-};
-
-/// A new folder. The destructor deletes it.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  /// Names of all files in it, sorted.
-  std::vector<std::string> files() const;
-
- private:
-  std::filesystem::path path_;
 };
 
 std::string read_text(const std::filesystem::path& path);

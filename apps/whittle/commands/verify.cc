@@ -3,7 +3,6 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <memory>
@@ -20,6 +19,7 @@
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
 #include "whittle/core/detail/cores.hh"
+#include "whittle/core/flat_arrays.hh"
 #include "whittle/io/errors.hh"
 
 namespace whittle::app {
@@ -64,19 +64,9 @@ Input read_output(const VerifyCommand& options, const Talk& talk) {
   return read_input(options.output, files, options.common.threads, talk);
 }
 
-/// A mesh as the verifier takes it. It shares no type with the other modules.
-struct Arrays {
-  std::vector<double> coordinates;
-  std::vector<std::uint32_t> corners;
-
-  explicit Arrays(const IndexedMesh& mesh) {
-    coordinates.reserve(3 * mesh.positions.size());
-    for (const Vec3& p : mesh.positions) coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
-    corners.reserve(3 * mesh.faces.size());
-    for (const Triangle& face : mesh.faces) corners.insert(corners.end(), face.begin(), face.end());
-  }
-  verify::Triangles triangles() const { return {coordinates, corners}; }
-};
+verify::Triangles triangles_of(const Input& input) {
+  return {flat_positions(input.read.mesh), flat_faces(input.read.mesh)};
+}
 
 VerifyRun verify_files(const VerifyCommand& options, const Talk& talk) {
   VerifyRun run;
@@ -85,10 +75,8 @@ VerifyRun verify_files(const VerifyCommand& options, const Talk& talk) {
   run.output = read_output(options, talk);
   run.diagonal = metrics::bounds(run.input.read.mesh).diagonal();
   const Stopwatch watch;
-  const Arrays in(run.input.read.mesh);
-  const Arrays out(run.output.read.mesh);
   const unsigned threads = options.common.threads > 0 ? options.common.threads : detail::n_cores();
-  run.verification = verify::verify(in.triangles(), out.triangles(), run.certificate, threads);
+  run.verification = verify::verify(triangles_of(run.input), triangles_of(run.output), run.certificate, threads);
   run.verify_seconds = watch.seconds();
   return run;
 }

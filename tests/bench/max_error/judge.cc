@@ -7,12 +7,13 @@
 #include <optional>
 #include <utility>
 
-#include "bench/max_error/arrays.hh"
 #include "bench/max_error/sampled_distance.hh"
 #include "bench/processes/forked.hh"
 #include "bench/results/csv.hh"
+#include "whittle/core/flat_arrays.hh"
 #include "whittle/engine/simplify.hh"
 #include "whittle/metrics/certificate.hh"
+#include "whittle/verify/verify.hh"
 #ifdef WHITTLE_BENCH_HAS_CGAL
 #include "bench/max_error/cgal_distance.hh"
 #endif
@@ -85,9 +86,9 @@ void judge_certificate(const IndexedMesh& input, const IndexedMesh& result, doub
   }
   if (!certificate) return;
   proof.certificate_bytes = certificate->size();
-  const CertificateArrays in(input);
-  const CertificateArrays out(result);
-  const verify::Verification verification = verify::verify(in.triangles(), out.triangles(), *certificate);
+  const verify::Triangles in{flat_positions(input), flat_faces(input)};
+  const verify::Triangles out{flat_positions(result), flat_faces(result)};
+  const verify::Verification verification = verify::verify(in, out, *certificate);
   proof.holds = verification.holds && verification.max_error == max_error;
 }
 

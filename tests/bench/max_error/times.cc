@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "bench/max_error/arrays.hh"
 #include "bench/results/statistics.hh"
+#include "whittle/core/flat_arrays.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/engine/simplify.hh"
 #include "whittle/metrics/certificate.hh"
+#include "whittle/verify/verify.hh"
 
 namespace whittle::bench {
 namespace {
@@ -61,10 +62,10 @@ Row time_pair(const IndexedMesh& input, const TimeOptions& options) {
   const double max_error = 1.01 * std::max(largest.forward.at_most, largest.backward.at_most);
   const auto certificate = metrics::make_certificate(input, result, {max_error});
   if (!certificate) throw std::runtime_error("the pair with a tenth of the faces is not proven");
-  const CertificateArrays in(input);
-  const CertificateArrays out(result);
+  const verify::Triangles in{flat_positions(input), flat_faces(input)};
+  const verify::Triangles out{flat_positions(result), flat_faces(result)};
   const auto verified = [&] {
-    if (!verify::verify(in.triangles(), out.triangles(), *certificate, options.threads).holds)
+    if (!verify::verify(in, out, *certificate, options.threads).holds)
       throw std::runtime_error("the certificate of the pair with a tenth of the faces doesn't hold");
   };
   const auto seconds = seconds_in_rounds(

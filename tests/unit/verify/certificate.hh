@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "whittle/core/flat_arrays.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/verify/verify.hh"
 
@@ -81,23 +82,12 @@ struct Certificate {
   }
 };
 
-/// A mesh as the verifier takes it.
-class Arrays {
- public:
-  explicit Arrays(const IndexedMesh& mesh) {
-    for (const Vec3& p : mesh.positions) coordinates_.insert(coordinates_.end(), {p.x(), p.y(), p.z()});
-    for (const Triangle& face : mesh.faces) corners_.insert(corners_.end(), face.begin(), face.end());
-  }
-  verify::Triangles triangles() const { return {coordinates_, corners_}; }
-
- private:
-  std::vector<double> coordinates_;
-  std::vector<std::uint32_t> corners_;
-};
+/// \param mesh must outlive it
+inline verify::Triangles triangles_of(const IndexedMesh& mesh) { return {flat_positions(mesh), flat_faces(mesh)}; }
 
 inline verify::Verification verified(const IndexedMesh& in, const IndexedMesh& out, const std::string& bytes,
                                      unsigned threads = 1) {
-  return verify::verify(Arrays(in).triangles(), Arrays(out).triangles(), bytes, threads);
+  return verify::verify(triangles_of(in), triangles_of(out), bytes, threads);
 }
 
 inline verify::Verification verified(const IndexedMesh& in, const IndexedMesh& out, const Certificate& certificate,

@@ -419,15 +419,15 @@ TEST(Verify, TakesMeshesWithoutFaces) {
 }
 
 TEST(Verify, RefusesMeshesThatAreNone) {
-  const Arrays good(low);
+  const verify::Triangles good = triangles_of(low);
   const std::string bytes = one_face_each(0.1).bytes(low, low);
   const std::vector<double> positions{0, 0, 0, 1, 0, 0, 0, 1, 0};
   const std::vector<std::uint32_t> corners{0, 1, 2};
   const auto why_not = [&](const std::vector<double>& p, const std::vector<std::uint32_t>& c) {
-    EXPECT_EQ(verify::verify(good.triangles(), {p, c}, bytes).why_not.substr(0, 3), "OUT");
-    return verify::verify({p, c}, good.triangles(), bytes).why_not;
+    EXPECT_EQ(verify::verify(good, {p, c}, bytes).why_not.substr(0, 3), "OUT");
+    return verify::verify({p, c}, good, bytes).why_not;
   };
-  EXPECT_TRUE(verify::verify({positions, corners}, good.triangles(), bytes).holds);
+  EXPECT_TRUE(verify::verify({positions, corners}, good, bytes).holds);
   EXPECT_THAT(why_not(positions, {0, 1, 3}), HasSubstr("IN has a face with a corner that is not there"));
   EXPECT_THAT(why_not(positions, {0, 1, 0xffffffff}), HasSubstr("not there"));
   EXPECT_THAT(why_not(positions, {0, 1}), HasSubstr("not divisible by 3"));

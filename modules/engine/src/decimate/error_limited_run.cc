@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <future>
-#include <limits>
+#include <iterator>
 
+#include "error/marked_vertices.hh"
 #include "whittle/core/detail/parallel.hh"
 
 namespace whittle {
@@ -23,61 +23,49 @@ IndexedMesh surface_of(const Remainder& left) {
 /// coarse copy of a large input; what hardly moves it; and what keeps near to the coarse copy, or to the input. What is
 /// left is proven to be near to the input. Where it isn't, the next try is less bold.
 std::unique_ptr<ErrorBounds> ErrorLimitedRun::contract(const BlockPlan& plan) {
-  constexpr std::size_t fewest_faces_of_coarse_copy = 200'000;
-  constexpr int most_tries = 4;
-  const IndexedMesh& mesh = passes_.mesh();
-  const DecimateOptions& options = passes_.options();
-  const Frame& frame = passes_.frame();
-  const double limit = *target().error_limit() * frame.scale;
-  const auto make_bounds = [&] {
-    const double border_limit = *target().border_error_limit() * frame.scale;
-    return std::make_unique<ErrorBounds>(mesh, frame, limit, border_limit, options.threads, options.tolerances);
-  };
-  const bool has_threads = n_threads(options.threads) > 1;
-  auto bounds =
-      std::async(has_threads ? std::launch::async | std::launch::deferred : std::launch::deferred, make_bounds);
-  const bool has_tolerances = !options.tolerances.empty();
-  if (has_tolerances) error_bounds_ = bounds.get();
-  if (mesh.faces.size() >= fewest_faces_of_coarse_copy && !has_tolerances) {
-    PassLimits limits;
-    limits.displacement = 0.02 * limit;
-    passes_.set_limits(limits);
-    passes_.contract_in_blocks(least_left_in_blocks(), plan);
-    contract_what_moves_little(limits);
-  }
-  Done start = passes_.done();
+  constexpr double bold_share = 0.3;
+  constexpr int most_bold_tries = 3;
+  std::future<std::unique_ptr<ErrorBounds>> bounds = begin_bounds();
+  if (has_tolerances()) error_bounds_ = bounds.get();
+  contract_to_coarse_copy(plan);
+  const Done start = passes_.done();
   if (start.left) start_origins_ = start.left->origins;
-  std::vector<double> limits =
-      has_tolerances ? limits_of_vertices() : std::vector<double>(passes_.n_vertices_left(), limit);
-  std::vector<double> shares(limits.size(), 0.3);
-  for (int i = 0; i < most_tries; ++i) {
+  std::vector<double> shares(passes_.n_vertices_left(), bold_share);
+  for (int i = 0; i < most_bold_tries; ++i) {
     passes_.done() = start;
-    contract_to_shares_of_limit(limits, shares);
+    contract_to_shares_of_limit(shares);
     if (!error_bounds_) {
       error_bounds_ = bounds.get();
       make_coarse_bound(start);
     }
     const ErrorBound::Violations violations = find_violations_before_guarding();
-    if (violations.empty() && contract_guarded()) {
-      end();
-      return std::move(error_bounds_);
-    }
-    if (i + 2 < most_tries) {
-      lower_shares_at(violations.vertices, shares);
-    } else {
-      start = {};
-      start_origins_.clear();
-      coarse_bound_.reset();
-      limits.assign(mesh.positions.size(), 0);
-      shares.assign(mesh.positions.size(), 0);
-    }
+    if (violations.empty() && contract_guarded()) return end();
+    lower_shares_at(violations.vertices, shares);
   }
-  passes_.forget_all();
-  passes_.set_limits({});
-  passes_.contract_to(DecimateTarget::faces(mesh.faces.size()), true);  // nothing
-  passes_.done().result.stop = StopReason::error;
-  end();
-  return std::move(error_bounds_);
+  if (!contract_guarded_from_input()) contract_nothing();
+  return end();
+}
+
+/// Makes the bounds on another thread, if there is one.
+std::future<std::unique_ptr<ErrorBounds>> ErrorLimitedRun::begin_bounds() {
+  const bool has_threads = n_threads(passes_.options().threads) > 1;
+  return std::async(has_threads ? std::launch::async | std::launch::deferred : std::launch::deferred, [this] {
+    const double border_limit = *target().border_error_limit() * passes_.frame().scale;
+    return std::make_unique<ErrorBounds>(passes_.mesh(), passes_.frame(), limit_, border_limit,
+                                         passes_.options().threads, passes_.options().tolerances);
+  });
+}
+
+/// Contracts what moves the surface by next to nothing, if the input is large.
+void ErrorLimitedRun::contract_to_coarse_copy(const BlockPlan& plan) {
+  constexpr std::size_t fewest_faces = 200'000;
+  constexpr double share_of_limit = 0.02;
+  if (passes_.mesh().faces.size() < fewest_faces || has_tolerances()) return;
+  PassLimits limits;
+  limits.displacement = share_of_limit * limit_;
+  passes_.set_limits(limits);
+  passes_.contract_in_blocks(least_left_in_blocks(), plan);
+  contract_what_moves_little(limits);
 }
 
 /// What blocks that move the surface little leave at least.
@@ -90,30 +78,18 @@ DecimateTarget ErrorLimitedRun::least_left_in_blocks() const {
   return left;
 }
 
-/// Of each vertex of the input, in the frame.
-std::vector<double> ErrorLimitedRun::limits_of_vertices() const {
-  std::vector<double> limits;
-  const auto n_vertices = static_cast<Index>(passes_.mesh().positions.size());
-  limits.reserve(n_vertices);
-  for (Index v = 0; v < n_vertices; ++v) limits.push_back(error_bounds_->surface().limit_at(v));
-  return limits;
-}
-
 /// \param shares of the limit of each vertex: what a contraction at it may move the surface by
-void ErrorLimitedRun::contract_to_shares_of_limit(const std::vector<double>& limits,
-                                                  const std::vector<double>& shares) {
-  PassLimits pass_limits;
-  double least = std::numeric_limits<double>::infinity();
-  double most = 0;
-  for (std::size_t v = 0; v < limits.size(); ++v) {
-    const double displacement = limits[v] * shares[v];
-    least = std::min(least, displacement);
-    most = std::max(most, displacement);
-    pass_limits.displacements.push_back(displacement);
+void ErrorLimitedRun::contract_to_shares_of_limit(const std::vector<double>& shares) {
+  PassLimits limits;
+  for (Index v = 0; v < shares.size(); ++v) {
+    const double limit = has_tolerances() ? error_bounds_->surface().limit_at(v) : limit_;
+    limits.displacements.push_back(shares[v] * limit);
   }
-  if (least == most) pass_limits.displacements.clear();
-  pass_limits.displacement = most;
-  contract_what_moves_little(pass_limits);
+  limits.displacement = *std::max_element(limits.displacements.begin(), limits.displacements.end());
+  const bool is_one = std::count(limits.displacements.begin(), limits.displacements.end(), *limits.displacement) ==
+                      std::ssize(limits.displacements);
+  if (is_one) limits.displacements.clear();
+  contract_what_moves_little(limits);
 }
 
 /// Of vertices that the second step began with, where they became one of those that are left, or of their neighbours:
@@ -122,15 +98,30 @@ void ErrorLimitedRun::lower_shares_at(const std::vector<Index>& vertices, std::v
   constexpr double bold = 0.2;
   constexpr double less_bold = 0.1;
   const std::vector<Index> map = map_from_start();
-  std::vector<std::uint8_t> is_named(left().positions.size(), vertices.empty() ? 1 : 0);
-  for (const Index v : vertices) is_named[v] = 1;
-  std::vector<std::uint8_t> is_near = is_named;
-  for (const auto& [a, b, c] : left().faces) {
-    if ((is_named[a] | is_named[b] | is_named[c]) != 0) is_near[a] = is_near[b] = is_near[c] = 1;
-  }
+  const std::vector<std::uint8_t> is_near =
+      with_neighbours(marked_vertices(vertices, left().positions.size()), left().faces);
   for (std::size_t v = 0; v < shares.size(); ++v) {
-    if (map[v] != invalid_index && is_near[map[v]] != 0) shares[v] = shares[v] > bold ? less_bold : 0;
+    if (map[v] == invalid_index || (!vertices.empty() && is_near[map[v]] == 0)) continue;
+    shares[v] = shares[v] > bold ? less_bold : 0;
   }
+}
+
+/// Without a bold step, and without a coarse copy.
+bool ErrorLimitedRun::contract_guarded_from_input() {
+  passes_.done() = {};
+  start_origins_.clear();
+  coarse_bound_.reset();
+  PassLimits limits;
+  limits.displacement = 0;
+  contract_what_moves_little(limits);
+  return find_violations_before_guarding().empty() && contract_guarded();
+}
+
+void ErrorLimitedRun::contract_nothing() {
+  passes_.forget_all();
+  passes_.set_limits({});
+  passes_.contract_to(DecimateTarget::faces(passes_.mesh().faces.size()), true);
+  passes_.done().result.stop = StopReason::error;
 }
 
 /// Vertices that the second step began with → those that are left.
@@ -202,12 +193,13 @@ ErrorBound::Violations ErrorLimitedRun::find_violations_before_guarding() {
   return violations;
 }
 
-void ErrorLimitedRun::end() {
+/// Tells what stands. \return what the proofs were made with
+std::unique_ptr<ErrorBounds> ErrorLimitedRun::end() {
   DecimateResult& result = passes_.done().result;
   for (const Contraction& contraction : passes_.done().contractions) passes_.options().listener(contraction);
-  if (passes_.is_cancelled()) return;
-  result.proven_error = target().error_limit();
+  if (!passes_.is_cancelled()) result.proven_error = target().error_limit();
   if (result.stop == StopReason::exhausted && result.refused_at_end.error > 0) result.stop = StopReason::error;
+  return std::move(error_bounds_);
 }
 
 }  // namespace whittle

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <future>
 #include <memory>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace whittle {
 class ErrorLimitedRun {
  public:
   /// \param passes before the first contraction; with an error limit. They are left to make the output
-  explicit ErrorLimitedRun(Passes& passes) : passes_(passes) {}
+  explicit ErrorLimitedRun(Passes& passes)
+      : passes_(passes), limit_(*passes.target().error_limit() * passes.frame().scale) {}
 
   /// \return what the proofs were made with
   std::unique_ptr<ErrorBounds> contract(const BlockPlan& plan);
@@ -21,9 +23,11 @@ class ErrorLimitedRun {
   const DecimateTarget& target() const { return passes_.target(); }
   /// \pre something was contracted
   const Remainder& left() const { return *passes_.done().left; }
+  bool has_tolerances() const { return !passes_.options().tolerances.empty(); }
+  std::future<std::unique_ptr<ErrorBounds>> begin_bounds();
+  void contract_to_coarse_copy(const BlockPlan& plan);
   DecimateTarget least_left_in_blocks() const;
-  std::vector<double> limits_of_vertices() const;
-  void contract_to_shares_of_limit(const std::vector<double>& limits, const std::vector<double>& shares);
+  void contract_to_shares_of_limit(const std::vector<double>& shares);
   void lower_shares_at(const std::vector<Index>& vertices, std::vector<double>& shares) const;
   void contract_what_moves_little(const PassLimits& limits);
   std::vector<Index> map_from_start() const;
@@ -31,9 +35,12 @@ class ErrorLimitedRun {
   ErrorBound& guarding_bound() { return coarse_bound_ ? *coarse_bound_ : error_bounds_->surface(); }
   ErrorBound::Violations find_violations_before_guarding();
   bool contract_guarded();
-  void end();
+  bool contract_guarded_from_input();
+  void contract_nothing();
+  std::unique_ptr<ErrorBounds> end();
 
   Passes& passes_;
+  double limit_;  ///< of the error, in the frame
   std::unique_ptr<ErrorBounds> error_bounds_;
   std::unique_ptr<ErrorBound> coarse_bound_;  ///< of the surface, to a coarse copy of the input; or null
   std::vector<Index>

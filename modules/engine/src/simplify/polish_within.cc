@@ -1,24 +1,16 @@
 #include "simplify/polish_within.hh"
 
+#include "error/marked_vertices.hh"
+
 namespace whittle {
 namespace {
 
 constexpr int most_rounds = 4;
 
-/// Adds the neighbours of the vertices that are marked.
-std::vector<std::uint8_t> with_neighbours(const std::vector<std::uint8_t>& marked, const IndexedMesh& mesh) {
-  std::vector<std::uint8_t> wider = marked;
-  for (const auto& [a, b, c] : mesh.faces) {
-    if ((marked[a] | marked[b] | marked[c]) != 0) wider[a] = wider[b] = wider[c] = 1;
-  }
-  return wider;
-}
-
 /// Holds vertices at violations and two rings around them: then few rounds are needed.
 void hold_around(const std::vector<Index>& violations, const IndexedMesh& mesh, std::vector<std::uint8_t>& held) {
-  std::vector<std::uint8_t> at_violation(held.size());
-  for (const Index v : violations) at_violation[v] = 1;
-  const std::vector<std::uint8_t> wide = with_neighbours(with_neighbours(at_violation, mesh), mesh);
+  const std::vector<std::uint8_t> at_violation = marked_vertices(violations, held.size());
+  const std::vector<std::uint8_t> wide = with_neighbours(with_neighbours(at_violation, mesh.faces), mesh.faces);
   for (std::size_t v = 0; v < held.size(); ++v) held[v] |= wide[v];
 }
 

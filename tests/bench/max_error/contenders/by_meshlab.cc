@@ -1,11 +1,9 @@
-#include <unistd.h>
-
-#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
 #include "bench/max_error/contenders/contender.hh"
 #include "bench/processes/process.hh"
+#include "support/temporary_folder.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
 
@@ -36,28 +34,10 @@ std::string script(int n_faces) {
 </filter></FilterScript>)";
 }
 
-/// Is removed in the end.
-class OwnFolder {
- public:
-  OwnFolder() : path_(std::filesystem::temp_directory_path() / ("whittle-meshlab-" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(path_);
-  }
-  ~OwnFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  OwnFolder(const OwnFolder&) = delete;
-  OwnFolder& operator=(const OwnFolder&) = delete;
-  std::string operator/(const char* name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
-
 }  // namespace
 
 IndexedMesh by_meshlab(const IndexedMesh& input, double n_faces) {
-  const OwnFolder folder;
+  const test::TemporaryFolder folder;
   IndexedMesh geometry;
   geometry.positions = input.positions;
   geometry.faces = input.faces;

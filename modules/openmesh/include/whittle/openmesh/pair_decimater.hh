@@ -134,8 +134,9 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   /// Only the engine driver takes `max_error`. It is measured from the mesh as it is now, and proven of the mesh that
   /// it leaves, with the rounding to its scalar. The run begins anew, as after `initialize()`. `ModMaxErrorT` measures
   /// from the mesh at `initialize()`, and works in either driver. Contractions are taken back where a proof fails; so
-  /// the observer's numbers may fall. \param only_selected vertices that aren't selected neither move nor vanish \throw
-  /// std::logic_error if not initialized, or if the engine driver was asked for or is needed for a pair
+  /// the observer's numbers may fall.
+  /// \param only_selected vertices that aren't selected neither move nor vanish
+  /// \throw std::logic_error if not initialized, or if the engine driver was asked for or is needed for a pair
   ///        threshold or `max_error`, and can't run (see `engine_obstacle`)
   /// \throw std::invalid_argument if the target's cost limit is negative or not a number, if the cost module isn't ours
   ///        and the target has a cost limit, or if an error limit isn't positive, finite, and above what rounding to
