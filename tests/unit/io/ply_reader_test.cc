@@ -160,6 +160,25 @@ TEST(PlyReader, ReadsTriangleStripsWithRestarts) {
   EXPECT_EQ(read(binary, "a.ply").mesh.faces, expected);
 }
 
+/// They are of the file's vertices, also of those that are in no face, or become one.
+TEST(PlyReader, GivesTolerancesAsStored) {
+  const std::string header =
+      "element vertex 4\nproperty float x\nproperty double tolerance\nproperty float y\nproperty float z\n" + one_face +
+      end;
+  const std::vector<double> expected{0.5, 1e-300, 0, -2};
+  const std::string text = ascii + header + "0 0.5 0 0\n1 1e-300 0 0\n0 0 1 0\n9 -2 9 9\n3 0 1 2\n";
+  EXPECT_EQ(read(text, "a.ply").tolerances, expected);
+  for (const std::endian order : {std::endian::little, std::endian::big}) {
+    const std::string format = order == std::endian::little ? "binary_little_endian" : "binary_big_endian";
+    const std::string bytes =
+        "ply\nformat " + format + " 1.0\n" + header +
+        all_bytes_of(order, 0.F, 0.5, 0.F, 0.F, 1.F, 1e-300, 0.F, 0.F, 0.F, 0.0, 1.F, 0.F, 9.F, -2.0, 9.F, 9.F) +
+        bytes_of(std::uint8_t{3}, order) + all_bytes_of(order, 0, 1, 2);
+    EXPECT_EQ(read(bytes, "a.ply").tolerances, expected);
+  }
+  EXPECT_TRUE(read(triangle, "a.ply").tolerances.empty());
+}
+
 TEST(PlyReader, TakesEqualVerticesInAStripForItsSeams) {
   const std::string vertices = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
   const ReadResult result = read(ascii + vertices + "element tristrips 1\nproperty list int int vertex_indices\n" +

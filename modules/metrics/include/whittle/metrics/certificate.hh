@@ -7,6 +7,7 @@
 #include "whittle/metrics/certify.hh"
 
 // The steps of a proof of the largest distance, for whoever wants to follow them: see docs/dev/certificate.md.
+// `verify::verify` does so, with `flat_positions` and `flat_faces` of both meshes.
 
 namespace whittle::metrics {
 
