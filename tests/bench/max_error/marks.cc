@@ -118,6 +118,8 @@ void add_time_marks(const std::vector<Row>& rows, std::vector<Mark>& marks) {
   const Ratios certify = over_simplify(&PairTimes::certify);
   if (certify.empty()) return;
   marks.push_back(most("certifying over simplifying to 10 %", certify, 0.5));
+  marks.push_back(
+      most("certifying by the map over simplifying to 10 %", over_simplify(&PairTimes::certify_by_map), 0.5));
   marks.push_back(most("verifying over simplifying to 10 %", over_simplify(&PairTimes::verify), 0.5));
 }
 

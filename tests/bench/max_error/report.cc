@@ -55,6 +55,8 @@ std::vector<Quantity> quantities(const std::vector<std::string>& contenders) {
       {"ratio", "time_ratio", "%.2f", of_part(&Row::time, &TimeBeside::ratio)},
       {"simplifying, s", "pair_simplify_seconds", seconds, of_part(&Row::pair, &PairTimes::simplify)},
       {"certifying, s", "pair_certify_seconds", seconds, of_part(&Row::pair, &PairTimes::certify)},
+      {"certifying by the map, s", "pair_certify_by_map_seconds", seconds,
+       of_part(&Row::pair, &PairTimes::certify_by_map)},
       {"certificate, s", "pair_certificate_seconds", seconds, of_part(&Row::pair, &PairTimes::certificate)},
       {"verifying, s", "pair_verify_seconds", seconds, of_part(&Row::pair, &PairTimes::verify)},
       {"faces: level", "level", count, [](const Row& row) { return number(row.level); }}};

@@ -31,7 +31,8 @@ struct TimeBeside {
 struct PairTimes {
   double simplify = 0;
   double certify = 0;
-  double certificate = 0;  ///< to prove it and to write the steps
+  double certify_by_map = 0;  ///< with the vertex map of the run that made the result
+  double certificate = 0;     ///< to prove it and to write the steps
   double verify = 0;
 };
 
