@@ -14,7 +14,6 @@ namespace whittle::verify {
 /// What each test has to spare. Lengths are about 1, so a computed one is wrong by 1e-15. The corner of a piece is
 /// wrong by up to 3.1e-15: halving adds 5e-17, two thirds of which add up from one depth to the next.
 inline constexpr double slack = 0.5e-14;
-
 struct Vec {
   double x, y, z;
 };

@@ -67,23 +67,11 @@ class Reader {
 constexpr Index none = 0xffffffff;        ///< the edge occurs three times or more, or its face has two corners in one
 constexpr Index none_but_own = none - 1;  ///< the edge occurs once
 
-/// Triangles in the frame.
-struct Surface {
-  std::vector<Vec> positions;
-  std::vector<Index> corners;  ///< three of each face
-  std::vector<Index> beyond;   ///< over side i of face f, from corner i to the next: the face at 3f + i, or none
-  std::vector<double> limits;  ///< of each face: how far others may be
-  std::size_t n_faces() const { return limits.size(); }
-  Corners at(std::size_t face) const {
-    const Index* c = &corners[3 * face];
-    return {positions[c[0]], positions[c[1]], positions[c[2]]};
-  }
-};
-
 Vec position(const Triangles& mesh, std::size_t vertex) {
   const double* p = &mesh.coordinates[3 * vertex];
   return {p[0], p[1], p[2]};
 }
+Index next_corner(const Triangles& mesh, std::size_t side) { return mesh.corners[side % 3 == 2 ? side - 2 : side + 1]; }
 
 void check(const Triangles& mesh, const std::string& name) {
   const auto is_small = [](double x) { return std::abs(x) <= 3e150; };
@@ -119,6 +107,22 @@ struct Frame {
   }
 };
 
+/// Triangles in the frame. What it names must outlive it.
+struct Surface {
+  Triangles mesh;
+  Frame frame;
+  std::vector<Index> beyond;     ///< over side i of face f, from corner i to the next: the face at 3f + i, or none
+  double limit;                  ///< how far others may be
+  std::vector<double> limits{};  ///< of each face, in place of that; or empty
+  std::size_t n_faces() const { return mesh.corners.size() / 3; }
+  double limit_of(std::size_t face) const { return limits.empty() ? limit : limits[face]; }
+  Corners at(std::size_t face) const {
+    const Index* c = &mesh.corners[3 * face];
+    const auto in_frame = [&](Index v) { return frame.scale * (position(mesh, v) - frame.middle); };
+    return {in_frame(c[0]), in_frame(c[1]), in_frame(c[2])};
+  }
+};
+
 /// As `Surface::beyond`. Sides are gathered by their lower vertex, then sorted by the higher.
 std::vector<Index> faces_beyond(const Triangles& mesh) {
   std::vector<Index> end(mesh.coordinates.size() / 3 + 1, 0);
@@ -131,51 +135,42 @@ std::vector<Index> faces_beyond(const Triangles& mesh) {
   };
   for_each_side([&](const auto& ends, std::size_t) { ++end[ends.first + 1]; });
   std::partial_sum(end.begin(), end.end(), end.begin());
-  std::vector<std::uint64_t> sides(end.back());  // the higher vertex, then the side
-  for_each_side(
-      [&](const auto& ends, std::size_t side) { sides[end[ends.first]++] = std::uint64_t{ends.second} << 32 | side; });
+  std::vector<Index> sides(end.back());
+  for_each_side([&](const auto& ends, std::size_t side) { sides[end[ends.first]++] = static_cast<Index>(side); });
+  const auto higher = [&](Index side) { return std::max(mesh.corners[side], next_corner(mesh, side)); };
   std::vector<Index> beyond(mesh.corners.size(), none);
   auto begin = sides.begin();
   for (const Index n : end) {  // the sides of a vertex end where those of the next one began
     const auto last = sides.begin() + n;
-    std::sort(begin, last);
+    std::sort(begin, last, [&](Index a, Index b) { return higher(a) < higher(b); });
     for (auto next = begin; begin < last; begin = next) {
-      next = std::find_if(begin, last, [begin](std::uint64_t s) { return s >> 32 != *begin >> 32; });
-      const auto side = static_cast<Index>(begin[0]);
-      const auto other = static_cast<Index>(next[-1]);
-      if (next - begin <= 2) beyond[side] = next - begin == 1 ? none_but_own : other / 3;
-      if (next - begin == 2) beyond[other] = side / 3;
+      next = std::find_if(begin, last, [&](Index side) { return higher(side) != higher(*begin); });
+      if (next - begin <= 2) beyond[*begin] = next - begin == 1 ? none_but_own : next[-1] / 3;
+      if (next - begin == 2) beyond[next[-1]] = *begin / 3;
     }
   }
   return beyond;
 }
 
 /// \param tolerances of the vertices, or none
-Surface surface_of(const Triangles& mesh, const Frame& frame, double max_error, std::span<const double> tolerances) {
-  Surface surface;
-  for (std::size_t v = 0; v < mesh.coordinates.size() / 3; ++v)
-    surface.positions.push_back(frame.scale * (position(mesh, v) - frame.middle));
-  surface.corners.assign(mesh.corners.begin(), mesh.corners.end());
-  surface.beyond = faces_beyond(mesh);
-  surface.limits.assign(mesh.corners.size() / 3, frame.scale * max_error);
-  for (std::size_t i = 0; i < mesh.corners.size() && !tolerances.empty(); ++i) {
-    surface.limits[i / 3] = std::min(surface.limits[i / 3], frame.scale * tolerances[mesh.corners[i]]);
+std::vector<double> limits_of(const Surface& surface, std::span<const double> tolerances) {
+  std::vector<double> limits(tolerances.empty() ? 0 : surface.n_faces(), surface.limit);
+  for (std::size_t i = 0; i < 3 * limits.size(); ++i) {
+    limits[i / 3] = std::min(limits[i / 3], surface.frame.scale * tolerances[surface.mesh.corners[i]]);
   }
-  return surface;
+  return limits;
 }
 
-/// Triangles a, b, b of the edges that occur once. \param limit in the frame
-Surface border_of(const Surface& surface, double limit) {
-  Surface border;
-  border.positions = surface.positions;
-  for (std::size_t side = 0; side < surface.corners.size(); ++side) {
+/// The corners a, b, b of the edges that occur once; none if nothing is claimed of them.
+std::vector<Index> border_of(const Surface& surface, double max_error) {
+  std::vector<Index> corners;
+  if (!(max_error < infinity)) return corners;
+  for (std::size_t side = 0; side < surface.beyond.size(); ++side) {
     if (surface.beyond[side] != none_but_own) continue;
-    const Index to = surface.corners[side % 3 == 2 ? side - 2 : side + 1];
-    border.corners.insert(border.corners.end(), {surface.corners[side], to, to});
+    const Index to = next_corner(surface.mesh, side);
+    corners.insert(corners.end(), {surface.mesh.corners[side], to, to});
   }
-  border.beyond.assign(border.corners.size(), none);
-  border.limits.assign(border.corners.size() / 3, limit);
-  return border;
+  return corners;
 }
 
 /// Checks whether patches of a surface cover triangles. Keeps its memory from one to the next.
@@ -200,7 +195,7 @@ class Patch {
       const std::array<Seen, 3> seen{view_.see(a), view_.see(b), view_.see(c)};
       if ((seen[0].outside & seen[1].outside & seen[2].outside) != 0) continue;
       over_.push_back({seen[0].at, seen[1].at, seen[2].at});
-      const double least = std::min(limit, surface_.limits[face]);
+      const double least = std::min(limit, surface_.limit_of(face));
       if (!view_.is_within(over_.back(), least)) fail("a face of its patch is not within the distance");
       for (std::size_t side = 0; side < 3; ++side) {
         if (view_.is_apart(seen[side], seen[(side + 1) % 3])) continue;
@@ -264,7 +259,7 @@ class Follower {
     Reader steps(chunk.steps);
     for (std::size_t triangle = chunk.begin; triangle < chunk.end; ++triangle) {
       try {
-        follow_step(steps, chunk.of->at(triangle), 0, chunk.of->limits[triangle]);
+        follow_step(steps, chunk.of->at(triangle), 0, chunk.of->limit_of(triangle));
         if (triangle + 1 == chunk.end && !steps.is_at_end()) refuse_bytes("bytes follow its proof");
       } catch (Refusal& refusal) {
         refusal.why = std::string(chunk.name) + " " + std::to_string(triangle) + ": " + refusal.why;
@@ -286,7 +281,7 @@ class Follower {
 
   void check_by_face(const Corners& piece, Index face, double limit) const {
     const Corners corners = to_->at(face);
-    const double most = std::min(limit, to_->limits[face]) - slack;
+    const double most = std::min(limit, to_->limit_of(face)) - slack;
     for (const Vec& corner : piece) {
       if (!is_near(corner, corners, most))
         refuse("a corner is not within the distance of face " + std::to_string(face));
@@ -381,13 +376,20 @@ Verification check_all(const Triangles& in, const Triangles& out, std::string_vi
   Reader file(certificate);
   Verification claim = read_head(file, in, out);
   const Frame frame(in, out);
-  const auto border = [&](const Surface& faces) {
-    return claim.max_error_borders < infinity ? border_of(faces, frame.scale * claim.max_error_borders) : Surface{};
+  const auto surface = [&](const Triangles& mesh) {
+    return Surface{mesh, frame, faces_beyond(mesh), frame.scale * claim.max_error};
   };
-  const Surface first = surface_of(in, frame, claim.max_error, claim.tolerances);
-  const Surface second = surface_of(out, frame, claim.max_error, {});
-  const Surface first_border = border(first);
-  const Surface second_border = border(second);
+  Surface first = surface(in);
+  const Surface second = surface(out);
+  first.limits = limits_of(first, claim.tolerances);
+  const auto border = [&](const Triangles& mesh, const std::vector<Index>& corners) {
+    return Surface{
+        {mesh.coordinates, corners}, frame, std::vector(corners.size(), none), frame.scale * claim.max_error_borders};
+  };
+  const std::vector<Index> first_edges = border_of(first, claim.max_error_borders);
+  const std::vector<Index> second_edges = border_of(second, claim.max_error_borders);
+  const Surface first_border = border(in, first_edges);
+  const Surface second_border = border(out, second_edges);
   std::vector<Chunk> chunks;
   add_chunks(file, first, second, "IN, face", chunks);
   add_chunks(file, second, first, "OUT, face", chunks);
