@@ -13,7 +13,7 @@
 #include <whittle/io/format.hh>
 #include <whittle/io/write.hh>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
 
 namespace {

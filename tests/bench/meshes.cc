@@ -2,7 +2,7 @@
 
 #include "bench/subdivision.hh"
 #include "support/meshes.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
 #include "whittle/io/read.hh"
 

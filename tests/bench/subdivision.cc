@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 
 namespace whittle::bench {
 namespace {

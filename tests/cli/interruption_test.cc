@@ -7,7 +7,7 @@
 
 #include "program/program.hh"
 #include "program/terminal.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/io/write.hh"
 
 namespace whittle::test {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "program/program.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
 #include "whittle/io/write.hh"
 

@@ -11,7 +11,7 @@
 
 #include "program/help_text.hh"
 #include "program/program.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
 

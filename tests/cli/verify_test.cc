@@ -8,7 +8,7 @@
 
 #include "program/failure.hh"
 #include "program/program.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/io/write.hh"
 
 namespace whittle::test {

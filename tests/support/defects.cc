@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
 
 namespace whittle::test {

@@ -1,6 +1,6 @@
 #include "support/suites.hh"
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 
 // Stringizes the call to get its name.
 #define WHITTLE_NAMED(call) \

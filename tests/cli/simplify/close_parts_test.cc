@@ -6,7 +6,7 @@
 
 #include "program/program.hh"
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/io/write.hh"
 
 namespace whittle::test {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "program/simplified.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
 #include "whittle/core/detail/checks.hh"
 

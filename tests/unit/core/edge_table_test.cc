@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 
 namespace whittle::test {

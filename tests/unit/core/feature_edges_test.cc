@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
 
 namespace whittle::test {

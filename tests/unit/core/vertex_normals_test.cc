@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 
 namespace whittle::test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "blocks/ladder.hh"
 #include "decimate/run.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/topology.hh"
 #include "whittle/metrics/distance.hh"

@@ -14,7 +14,7 @@
 #include <whittle/metrics/shape.hh>
 
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/topology.hh"
 #include "support/transforms.hh"

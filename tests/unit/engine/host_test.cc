@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/topology.hh"
 

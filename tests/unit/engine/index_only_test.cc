@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
 #include "whittle/engine/decimate.hh"

@@ -3,7 +3,7 @@
 
 #include "guard/face_boxes.hh"
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "whittle/engine/simplify.hh"
 #include "whittle/metrics/self_intersections.hh"

@@ -11,7 +11,7 @@
 
 #include "oracle/volume_sums.hh"
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/topology.hh"
 #include "support/transforms.hh"
 #include "whittle/engine/decimate.hh"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "support/meshes.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
 #include "whittle/core/frame.hh"

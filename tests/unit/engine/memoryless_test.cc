@@ -14,7 +14,7 @@
 #include "oracle/brute_force_memoryless.hh"
 #include "support/face_list.hh"
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/topology.hh"
 #include "support/transforms.hh"

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/core/feature_edges.hh"
 #include "whittle/engine/simplify.hh"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "oracle/brute_force.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
 
 // Compares the engine's contractions with those of an algorithm that evaluates every edge anew after each contraction.

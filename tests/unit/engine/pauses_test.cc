@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
 #include "whittle/core/feature_edges.hh"

@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/engine/formula/pair_evaluation.hh"
 
 namespace whittle::test {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "whittle/core/feature_edges.hh"
 #include "whittle/core/frame.hh"

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "io_test_tools.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/io/write.hh"
 
 namespace whittle::io {

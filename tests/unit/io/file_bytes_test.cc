@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
 

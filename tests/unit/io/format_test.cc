@@ -9,7 +9,7 @@
 #include <string>
 
 #include "format/format_row.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 
 namespace whittle::io {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "io_test_tools.hh"
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/io/write.hh"
 
 namespace whittle::io {

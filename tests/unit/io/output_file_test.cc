@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
 

@@ -9,7 +9,7 @@
 
 #include "io_test_tools.hh"
 #include "support/meshes.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/io/repair.hh"
 
 namespace whittle::io {

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "io_test_tools.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/io/write.hh"
 
 namespace whittle::io {

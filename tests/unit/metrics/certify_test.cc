@@ -14,7 +14,7 @@
 
 #include "support/brute_distance.hh"
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/engine/simplify.hh"
 

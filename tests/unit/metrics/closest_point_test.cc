@@ -13,7 +13,7 @@
 
 #include "oracle/point_distance.hh"
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
 
@@ -265,6 +265,34 @@ TEST(TriangleTree, AnswersTheSameWithAnyHintAboveAFlatGrid) {
     const ClosestPoint plain = tree.nearest(point);
     const ClosestPoint hinted = tree.nearest(point, static_cast<Index>(random.below(mesh.faces.size())));
     ASSERT_EQ(hinted.face, plain.face) << "query " << i;
+  }
+}
+
+/// As it does with a hint, wherever a point lies and whatever offsets are.
+TEST(TriangleTree, FindsWhatALookAtAllFacesFinds) {
+  const IndexedMesh solid = test::rotated(test::joined(test::tessellated_cube(6), test::sphere(2)), 14);
+  const IndexedMesh flat = test::moved(test::scaled(test::grid(6, 6), 0.37), Vec3(0.0, 0.0, 0.1));
+  for (const IndexedMesh& mesh : {solid, flat, random_thin_triangles(200, 1e-6, 5), random_thin_triangles(200, 0, 6)}) {
+    Random random(21);
+    std::vector<double> offsets;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) offsets.push_back(0.25 * static_cast<double>(random.below(3)));
+    TriangleTree tree(mesh, Vec3::Zero());
+    tree.set_offsets(offsets);
+    for (int i = 0; i < 2'000; ++i) {
+      const Vec3 vertex = mesh.positions[random.below(mesh.positions.size())];
+      const Vec3 point = i % 3 == 0   ? random_point(random, -2.0, 2.0)
+                         : i % 3 == 1 ? Vec3(vertex + Vec3(0.0, 0.0, random.uniform()))
+                                      : Vec3(vertex * (1.0 + 1e-15));
+      const ClosestPoint found = tree.nearest(point);
+      const ClosestPoint scanned = TriangleTree::nearest_without_tree(mesh, point);
+      ASSERT_EQ(scanned.face, found.face) << "point " << i;
+      ASSERT_EQ(scanned.point, found.point) << "point " << i;
+      ASSERT_EQ(scanned.distance_sq, found.distance_sq) << "point " << i;
+      const auto [face, distance] = tree.nearest_by_offsets(point, invalid_index);
+      const auto [scanned_face, scanned_distance] = TriangleTree::nearest_without_tree(mesh, offsets, point);
+      ASSERT_EQ(scanned_face, face) << "point " << i;
+      ASSERT_EQ(scanned_distance, distance) << "point " << i;
+    }
   }
 }
 

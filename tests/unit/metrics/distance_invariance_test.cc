@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
 #include "whittle/metrics/distance.hh"
 

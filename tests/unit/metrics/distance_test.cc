@@ -12,7 +12,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
 #include "whittle/metrics/bounds.hh"

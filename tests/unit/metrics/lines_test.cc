@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
 #include "whittle/metrics/topology.hh"

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/core/parts.hh"
 #include "whittle/metrics/self_intersections.hh"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/nearest_vertices.hh"
 #include "whittle/metrics/self_intersections.hh"

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
 #include "whittle/metrics/closest_point.hh"
 #include "whittle/metrics/distance.hh"

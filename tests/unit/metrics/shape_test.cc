@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
 

@@ -8,7 +8,7 @@
 
 #include "support/brute_distance.hh"
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
 

@@ -9,7 +9,7 @@
 
 #include "support/brute_distance.hh"
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/metrics/certify.hh"
 #include "whittle/metrics/closest_point.hh"
 

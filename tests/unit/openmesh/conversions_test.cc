@@ -12,7 +12,7 @@
 
 #include "common/meshes.hh"
 #include "support/meshes.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 
 namespace whittle::test {

@@ -11,7 +11,7 @@
 
 #include "common/decimation.hh"
 #include "common/modules.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
 
 namespace whittle::test {

@@ -10,7 +10,7 @@
 #include "common/meshes.hh"
 #include "common/modules.hh"
 #include "support/meshes.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
 
 namespace whittle::test {

@@ -19,7 +19,7 @@
 #include "common/meshes.hh"
 #include "common/same_mesh.hh"
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
 

@@ -9,7 +9,7 @@
 
 #include "common/decimation.hh"
 #include "common/modules.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 
 namespace whittle::test {
 namespace {

@@ -19,7 +19,7 @@
 
 #include "common/link_condition.hh"
 #include "common/meshes.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 
 namespace whittle::test {
 namespace {

@@ -12,7 +12,7 @@
 #include <whittle/openmesh/mod_garland_heckbert.hh>
 
 #include "common/meshes.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
 
 namespace whittle::test {

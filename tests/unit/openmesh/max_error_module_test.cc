@@ -14,7 +14,7 @@
 #include "common/decimation.hh"
 #include "common/modules.hh"
 #include "common/within_error.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 
 namespace whittle::test {
 namespace {

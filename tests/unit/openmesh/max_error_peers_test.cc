@@ -18,7 +18,7 @@
 #include "common/modules.hh"
 #include "common/within_error.hh"
 #include "support/meshes.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 
 namespace whittle::test {
 namespace {

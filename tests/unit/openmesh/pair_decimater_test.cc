@@ -10,7 +10,7 @@
 
 #include "common/decimation.hh"
 #include "common/meshes.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
 
 namespace whittle::test {

@@ -7,7 +7,7 @@
 #include "common/meshes.hh"
 #include "common/modules.hh"
 #include "oracle/brute_force.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
 
 namespace whittle::test {

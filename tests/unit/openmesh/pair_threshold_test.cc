@@ -21,7 +21,7 @@
 #include "common/same_mesh.hh"
 #include "support/meshes.hh"
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
 

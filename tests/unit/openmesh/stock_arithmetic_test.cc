@@ -9,7 +9,7 @@
 
 #include "common/meshes.hh"
 #include "support/meshes.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 
 namespace whittle::test {
 namespace {

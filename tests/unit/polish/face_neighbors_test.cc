@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 
 namespace whittle::test {

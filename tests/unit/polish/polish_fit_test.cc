@@ -12,7 +12,7 @@
 #include "original/backward_offsets.hh"
 #include "support/meshes.hh"
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "whittle/io/read.hh"
 #include "whittle/metrics/closest_point.hh"

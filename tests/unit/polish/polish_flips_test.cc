@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "decimated.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "surface/face_neighbors.hh"
 #include "surface/mesh_lines.hh"

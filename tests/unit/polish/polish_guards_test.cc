@@ -8,7 +8,7 @@
 #include "guard/new_intersections.hh"
 #include "guard/overlapping_boxes.hh"
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "surface/face_neighbors.hh"
 #include "whittle/core/feature_edges.hh"

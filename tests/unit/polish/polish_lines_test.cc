@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "decimated.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
 #include "surface/line_samples.hh"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/engine/decimate.hh"
 #include "whittle/polish/polish.hh"
 

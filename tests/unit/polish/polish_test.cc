@@ -14,7 +14,7 @@
 #include "original/foot_finder.hh"
 #include "original/foot_sums.hh"
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
 #include "surface/ordered_mesh.hh"

@@ -10,7 +10,7 @@
 
 #include "certificate.hh"
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "whittle/engine/simplify.hh"
 #include "whittle/metrics/certificate.hh"
 

@@ -12,7 +12,7 @@
 #include "support/brute_distance.hh"
 #include "support/meshes.hh"
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/engine/simplify.hh"

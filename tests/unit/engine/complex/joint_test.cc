@@ -5,7 +5,7 @@
 #include <random>
 
 #include "oracle/brute_force.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/topology.hh"
 #include "support/transforms.hh"

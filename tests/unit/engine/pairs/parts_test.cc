@@ -10,7 +10,7 @@
 
 #include "support/meshes.hh"
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/topology.hh"
 #include "support/transforms.hh"

@@ -12,7 +12,7 @@
 
 #include "support/meshes.hh"
 #include "support/random.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
 #include "whittle/engine/automatic_threshold.hh"

@@ -15,7 +15,7 @@
 #include <whittle/openmesh/pair_decimater.hh>
 
 #include "instantiations.hh"
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/topology.hh"
 #include "support/transforms.hh"

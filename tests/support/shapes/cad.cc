@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 
 namespace whittle::test {
 namespace {

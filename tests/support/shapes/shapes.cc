@@ -1,4 +1,4 @@
-#include "support/shapes.hh"
+#include "support/shapes/shapes.hh"
 
 #include <Eigen/Geometry>
 #include <cmath>
