@@ -41,6 +41,14 @@ double distance_sq_to_box(const Vec3& point, const Bounds& box) {
   return length_sq((box.min - point).cwiseMax(point - box.max).cwiseMax(0.0));
 }
 
+Bounds box_of(const IndexedMesh& mesh, Index face) {
+  const auto& [a, b, c] = mesh.faces[face];
+  const Vec3& pa = mesh.positions[a];
+  const Vec3& pb = mesh.positions[b];
+  const Vec3& pc = mesh.positions[c];
+  return {pa.cwiseMin(pb).cwiseMin(pc), pa.cwiseMax(pb).cwiseMax(pc)};
+}
+
 }  // namespace
 
 struct TriangleTree::Reference {
@@ -60,9 +68,8 @@ TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin, detail::
   const std::size_t n = mesh.faces.size();
   std::vector<Reference> references(n);
   for (std::size_t f = 0; f < n; ++f) {
-    const auto [a, b, c] = mesh.faces[f];
-    const Vec3 pa = mesh.positions[a] - origin, pb = mesh.positions[b] - origin, pc = mesh.positions[c] - origin;
-    references[f] = {{pa.cwiseMin(pb).cwiseMin(pc), pa.cwiseMax(pb).cwiseMax(pc)}, static_cast<Index>(f)};
+    const Bounds of_face = box_of(mesh, static_cast<Index>(f));
+    references[f] = {{of_face.min - origin, of_face.max - origin}, static_cast<Index>(f)};
   }
   const auto check = [meter] {
     if (meter != nullptr) meter->update(0);
@@ -76,14 +83,18 @@ TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin, detail::
   slot_of_face_.resize(n);
   for (const Reference& reference : references) {
     slot_of_face_[reference.face] = static_cast<std::uint32_t>(slots_.size());
-    Triangle corners = mesh.faces[reference.face];
-    std::sort(corners.begin(), corners.end());
-    const Vec3 a = mesh.positions[corners[0]] - origin;
-    const Vec3 b = mesh.positions[corners[1]] - origin;
-    const Vec3 c = mesh.positions[corners[2]] - origin;
-    slots_.push_back({a, b, c, trusted_normal(a, b, c), reference.face});
+    slots_.push_back(slot_of(mesh, reference.face, origin));
     if (slots_.size() % (1U << 16) == 0) check();
   }
+}
+
+TriangleTree::Slot TriangleTree::slot_of(const IndexedMesh& mesh, Index face, const Vec3& origin) {
+  Triangle corners = mesh.faces[face];
+  std::sort(corners.begin(), corners.end());
+  const Vec3 a = mesh.positions[corners[0]] - origin;
+  const Vec3 b = mesh.positions[corners[1]] - origin;
+  const Vec3 c = mesh.positions[corners[2]] - origin;
+  return {a, b, c, trusted_normal(a, b, c), face};
 }
 
 void TriangleTree::build(std::uint32_t node, std::vector<Reference>& references, std::uint32_t begin, std::uint32_t end,
@@ -229,6 +240,30 @@ ClosestPoint TriangleTree::nearest_local(const Vec3& offset, Index hint) const {
     if (far.distance_sq < near.distance_sq) std::swap(near, far);
     if (far.distance_sq <= best.distance_sq) stack[size++] = far;
     if (near.distance_sq <= best.distance_sq) stack[size++] = near;
+  }
+  return best;
+}
+
+ClosestPoint TriangleTree::nearest_without_tree(const IndexedMesh& mesh, const Vec3& point) {
+  ClosestPoint best;
+  best.distance_sq = infinity;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    if (distance_sq_to_box(point, box_of(mesh, f)) > best.distance_sq) continue;
+    const Vec3 candidate = nearest_in(slot_of(mesh, f, Vec3::Zero()), point);
+    const double distance_sq = length_sq(point - candidate);
+    if (distance_sq < best.distance_sq) best = {f, candidate, distance_sq};
+  }
+  return best;
+}
+
+TriangleTree::OffsetFace TriangleTree::nearest_without_tree(const IndexedMesh& mesh, std::span<const double> offsets,
+                                                            const Vec3& point) {
+  OffsetFace best{invalid_index, infinity};
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    if (std::sqrt(distance_sq_to_box(point, box_of(mesh, f))) + offsets[f] > best.distance) continue;
+    const Vec3 candidate = nearest_in(slot_of(mesh, f, Vec3::Zero()), point);
+    const double distance = std::sqrt(length_sq(point - candidate)) + offsets[f];
+    if (distance < best.distance) best = {f, distance};
   }
   return best;
 }

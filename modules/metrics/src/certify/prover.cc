@@ -20,7 +20,7 @@ Verdict Prover::prove(const Corners& triangle, double distance, Index hint, Fart
     if (point.distance > distance + slack) return Verdict::refuted;
     return point.distance > distance - 3 * slack ? Verdict::undecided : Verdict::proven;
   };
-  begin(triangle, hint);
+  begin(triangle, hint, distance);
   return search(limit, decide, farthest);
 }
 
@@ -33,7 +33,7 @@ double Prover::find_farthest(const Corners& triangle, double from, double accura
     return found < most - 4 * slack ? std::min(sought, most) : sought;
   };
   const auto decide = [](const FarthestPoint&) { return Verdict::proven; };
-  begin(triangle, hint);
+  begin(triangle, hint, limit(farthest));
   // Where it takes too many pieces, those that are left are to be within more.
   while (search(limit, decide, farthest) == Verdict::undecided && coarseness < most_coarseness) {
     if (limit(farthest) == most) most = std::numeric_limits<double>::infinity();
@@ -44,11 +44,16 @@ double Prover::find_farthest(const Corners& triangle, double from, double accura
   return proven;
 }
 
-void Prover::begin(const Corners& triangle, Index hint) {
+/// Without a hint it begins at the face found last, if that is near.
+void Prover::begin(const Corners& triangle, Index hint, double distance) {
   surface_ = target_.faces();
   steps_.clear();
-  pieces_.assign(1, {triangle, hint == invalid_index ? last_ : hint});
-  if (pieces_[0].hint == invalid_index) pieces_[0].hint = target_.nearest(triangle[0], invalid_index).face;
+  if (hint == invalid_index) {
+    const bool is_last_near = last_ != invalid_index &&
+                              distance_to(surface_.corners(last_), triangle[0]) + surface_.offset(last_) <= distance;
+    hint = is_last_near ? last_ : target_.nearest(triangle[0], last_).face;
+  }
+  pieces_.assign(1, {triangle, hint});
 }
 
 /// Proves the pieces that are left, and puts what they are split into in their place.
@@ -63,7 +68,7 @@ Verdict Prover::search(const Limit& limit, const Decide& decide, FarthestPoint& 
     if (is_proven(piece, limit(farthest))) continue;
     list_known(piece.hint);
     const Vec3 suspect = this->suspect(piece.corners);
-    const NearFace known = walk_near(suspect, nearest_known(suspect), limit(farthest));
+    const NearFace known = search_near(suspect, nearest_known(suspect), limit(farthest));
     if (known.face != piece.hint) known_.push_back(known.face);
     if (known.distance > limit(farthest) - 4 * slack) {
       const NearFace near = target_.nearest(suspect, known.face);
@@ -124,19 +129,28 @@ NearFace Prover::nearest_known(const Vec3& point) const {
   return nearest;
 }
 
-/// Walks over edges to faces that are nearer to a point, until one is within the distance.
-NearFace Prover::walk_near(const Vec3& point, NearFace from, double distance) const {
+/// Searches from face to face, over edges, for one that is within the distance of a point, beyond the nearest faces
+/// first. It ends at a face within the distance that no face around is nearer than.
+NearFace Prover::search_near(const Vec3& point, NearFace from, double distance) {
   constexpr int most_steps = 64;
-  for (int step = 0; step < most_steps && from.distance > distance - 4 * slack; ++step) {
-    const NearFace before = from;
-    for (const Index face : surface_.beyond[before.face]) {
-      if (face == invalid_index) continue;
-      const double there = distance_to(surface_.corners(face), point) + surface_.offset(face);
-      if (there < from.distance) from = {face, there};
+  const auto is_farther = [](const NearFace& one, const NearFace& other) { return one.distance > other.distance; };
+  searched_.clear();
+  searched_.insert(from.face);
+  to_search_.assign(1, from);
+  NearFace nearest = from;
+  for (int step = 0; step < most_steps && !to_search_.empty(); ++step) {
+    std::pop_heap(to_search_.begin(), to_search_.end(), is_farther);
+    const Index at = to_search_.back().face;
+    to_search_.pop_back();
+    if (at != nearest.face && nearest.distance <= distance - 4 * slack) break;
+    for (const Index face : surface_.beyond[at]) {
+      if (face == invalid_index || !searched_.insert(face)) continue;
+      to_search_.push_back({face, distance_to(surface_.corners(face), point) + surface_.offset(face)});
+      if (to_search_.back().distance < nearest.distance) nearest = to_search_.back();
+      std::push_heap(to_search_.begin(), to_search_.end(), is_farther);
     }
-    if (from.face == before.face) break;
   }
-  return from;
+  return nearest;
 }
 
 /// That of the corners, and of the point where faces were too high, which is farthest from the faces known.

@@ -42,10 +42,23 @@ void TargetSurface::build_tree(whittle::detail::ProgressMeter* meter) const {
   std::call_once(once_, [&] {
     tree_.emplace(in_frame_, Vec3::Zero(), meter);
     if (!offsets_.empty()) tree_->set_offsets(offsets_);
+    has_tree_ = true;
   });
 }
 
+NearFace TargetSurface::nearest_without_tree(const Vec3& point) const {
+  if (!offsets_.empty()) {
+    const auto [face, distance] = TriangleTree::nearest_without_tree(in_frame_, offsets_, point);
+    return {face, distance};
+  }
+  const ClosestPoint closest = TriangleTree::nearest_without_tree(in_frame_, point);
+  return {closest.face, std::sqrt(closest.distance_sq)};
+}
+
+/// Both ways find the same, so the result doesn't depend on the order of the threads.
 NearFace TargetSurface::nearest(const Vec3& point, Index hint) const {
+  constexpr int most_without_tree = 16;  // a tree takes as long as about 60
+  if (!has_tree_ && n_without_tree_++ < most_without_tree) return nearest_without_tree(point);
   build_tree(nullptr);
   if (!offsets_.empty()) {
     const auto [face, distance] = tree_->nearest_by_offsets(point, hint);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "whittle/core/indexed_mesh.hh"
@@ -57,6 +58,12 @@ class TriangleTree {
   /// \param point, hint as for `nearest_local`
   OffsetFace nearest_by_offsets(const Vec3& point, Index hint) const;
 
+  /// What `nearest_local` of a tree with its origin at zero finds, to the bit, by a look at all faces. For a few
+  /// points, for which a tree isn't worth while. \param mesh with faces
+  static ClosestPoint nearest_without_tree(const IndexedMesh& mesh, const Vec3& point);
+  /// The same of `nearest_by_offsets`. \param offsets of each face, not negative
+  static OffsetFace nearest_without_tree(const IndexedMesh& mesh, std::span<const double> offsets, const Vec3& point);
+
   const Vec3& origin() const { return origin_; }
 
   /// Calls `visit(face)` for each face whose own box meets the closed box `local` (relative to `origin()`), in no
@@ -88,6 +95,7 @@ class TriangleTree {
   /// Sorts the references into those of the first child and those of the second. Returns where the second's begin.
   static std::uint32_t split(std::vector<Reference>& references, std::uint32_t begin, std::uint32_t end,
                              const Bounds& centers, std::size_t depth);
+  static Slot slot_of(const IndexedMesh& mesh, Index face, const Vec3& origin);
   static Vec3 nearest_in(const Slot& slot, const Vec3& point);
 
   Vec3 origin_;

@@ -53,14 +53,14 @@ class Prover {
     Index obstacle = invalid_index;  ///< a face that was too high over the piece that was halved, if there was one
   };
 
-  void begin(const Corners& triangle, Index hint);
+  void begin(const Corners& triangle, Index hint, double distance);
   template <class Limit, class Decide>
   Verdict search(const Limit& limit, const Decide& decide, FarthestPoint& farthest);
   bool is_proven(const Piece& piece, double distance);
   bool is_near(const Corners& corners, Index face, double distance);
   void list_known(Index hint);
   NearFace nearest_known(const Vec3& point) const;
-  NearFace walk_near(const Vec3& point, NearFace from, double distance) const;
+  NearFace search_near(const Vec3& point, NearFace from, double distance);
   Vec3 suspect(const Corners& corners) const;
   double distance_from_one(const Corners& corners, Index face) const;
   void split(const Piece& piece);
@@ -69,8 +69,10 @@ class Prover {
   LinkedFaces surface_;  ///< that of the target
   int most_pieces_;
   Patch patch_;
-  Index last_ = invalid_index;  ///< the face over the center of the piece looked at last, or its hint
-  std::vector<Index> known_;    ///< faces that may be near to the piece looked at last
+  Index last_ = invalid_index;       ///< the face over the center of the piece looked at last, or its hint
+  std::vector<Index> known_;         ///< faces that may be near to the piece looked at last
+  NumberSet searched_;               ///< scratch
+  std::vector<NearFace> to_search_;  ///< scratch
   std::vector<Piece> pieces_;
   std::vector<ProofStep> steps_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -24,13 +25,17 @@ class TargetSurface final : public ProofTarget {
   void build_tree(whittle::detail::ProgressMeter* meter) const;
 
   LinkedFaces faces() const override { return {in_frame_.positions, in_frame_.faces, beyond_, offsets_}; }
-  /// Any number of threads may call.
+  /// Any number of threads may call. The first few times it does without a tree, if there is none.
   NearFace nearest(const Vec3& point, Index hint) const override;
 
  private:
+  NearFace nearest_without_tree(const Vec3& point) const;
+
   IndexedMesh in_frame_;
   std::vector<FacesBeyond> beyond_;
   std::vector<double> offsets_;
+  mutable std::atomic<int> n_without_tree_{0};  ///< points looked up without it
+  mutable std::atomic<bool> has_tree_{false};
   mutable std::once_flag once_;
   mutable std::optional<TriangleTree> tree_;
 };
