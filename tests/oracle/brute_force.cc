@@ -449,7 +449,7 @@ std::vector<Contraction> BruteForceDecimater::run(const DecimateTarget& target) 
     const auto [lives_on, gone] = stand_ins(*choice, survivor, removed);
     contract(*choice, survivor, removed);
     stands_for_[survivor] = lives_on;
-    done.push_back({lives_on, gone, frame_.to_model(choice->position), cost});
+    done.push_back({lives_on, gone, frame_.to_model(choice->position), cost, !choice->is_edge, false});
   }
   return done;
 }

@@ -20,7 +20,8 @@ Block::Block(const Surface& surface, const Partition& partition, std::size_t num
   input.locked = locked_;
   input.frozen = frozen_;
   gather_refusals(context.refusals);
-  input.context = {context.role, refusals_, context.displacement_limit};
+  input.context = context;
+  input.context.refusals = refusals_;
   input.memory = &own_memory;
   pass_.emplace(input, options);
   positions_ = {};

@@ -84,7 +84,7 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
   if (is_exact) {
     if (options.isotropy > 0) return "the cost has a term for edge lengths";
     if (options.quadric.regularization < QuadricOptions{}.regularization) return "rounding may decide the order";
-    if (options.listener) return "contractions are told in exact order";
+    if (options.listener || options.keep_steps) return "contractions are told in exact order";
     if (n_threads(options.threads) == 1) return "one thread works";
   } else {
     if (options.effective_cost() != Cost::memoryless) return "the cost may fall, or is not of quadrics";
@@ -101,12 +101,11 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
 }
 
 LevelRemainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, const DecimateTarget& target,
-                                  const DecimateOptions& options, const BlockPlan& plan,
-                                  std::optional<double> displacement_limit) {
+                                  const DecimateOptions& options, const BlockPlan& plan, const BlockExtras& extras) {
   const double share = std::max(plan.fewest_faces_left / static_cast<double>(plan.faces_per_block),
                                 target.share_of(mesh.faces.size(), mesh.positions.size()));
   SharedProgress progress(options, mesh.positions.size(), mesh.faces.size(), share);
-  const LevelContext context{options, mesh, frame, share, displacement_limit, progress};
+  const LevelContext context{options, mesh, frame, share, extras.displacement_limit, extras.steps, progress};
   const Memory memory{mean_face_area(mesh, frame, options.threads), {}};
   LevelRemainder remainder =
       is_exact_in_blocks(options) ? run_exact_levels(context, plan, memory) : run_levels(context, plan, memory);

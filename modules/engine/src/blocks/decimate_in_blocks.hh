@@ -33,13 +33,17 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
 /// Whether blocks keep the exact order: with plain quadrics.
 inline bool is_exact_in_blocks(const DecimateOptions& options) { return options.effective_cost() == Cost::quadric; }
 
+struct BlockExtras {
+  /// Of the surface by one contraction, in the frame. With one, memoryless quadrics may cost anything.
+  std::optional<double> displacement_limit{};
+  RunSteps* steps = nullptr;  ///< gets what is done; or null
+};
+
 /// Contracts most of what there is to contract in blocks that fit a cache, on all threads. The rest, down to the
 /// target, is left to a pass over the whole. Nothing depends on the number of threads.
 /// \param frame of the mesh \pre why_not_in_blocks(…).empty()
-/// \param displacement_limit of the surface by one contraction, in the frame. With one, memoryless quadrics may cost
-///        anything
 LevelRemainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, const DecimateTarget& target,
                                   const DecimateOptions& options, const BlockPlan& plan,
-                                  std::optional<double> displacement_limit = {});
+                                  const BlockExtras& extras = {});
 
 }  // namespace whittle

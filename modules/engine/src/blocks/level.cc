@@ -9,6 +9,8 @@
 #include "blocks/ladder.hh"
 #include "blocks/shared_stars.hh"
 #include "blocks/stitch.hh"
+#include "loop/contraction_log.hh"
+#include "whittle/core/detail/large_array.hh"
 #include "whittle/core/detail/parallel.hh"
 
 namespace whittle {
@@ -18,7 +20,7 @@ namespace {
 struct Job {
   DecimateOptions options;  ///< of the block alone
   std::optional<Block> block;
-  std::vector<Contraction> made;  ///< if someone listens, in the input's numbers
+  ContractionLog log;  ///< if contractions are told
 };
 
 class Level {
@@ -52,6 +54,9 @@ class Level {
   void finish(std::size_t number);
   double climb(const std::vector<std::size_t>& sample, double surplus, const Memory& memory);
   bool is_futile(const LevelGoal& goal, const Memory& memory);
+  void begin_log();
+  std::span<Contraction> log_of(std::size_t number);
+  void tell();
   void sum_up(LevelRemainder& remainder);
 
   const LevelContext& context_;
@@ -63,6 +68,8 @@ class Level {
   std::vector<std::unique_ptr<Job>> jobs_;  ///< a block each; null where it was not begun
   std::vector<NonmanifoldCounts> nonmanifold_;
   BlockResults results_;
+  LargeArray<Contraction> log_;  ///< if contractions are told: those of each block
+  std::vector<std::size_t> first_in_log_;
 };
 
 /// Every eighth block, or so, spread evenly; at least eight.
@@ -110,23 +117,59 @@ void Level::begin(std::size_t number, const Memory& memory) {
     last = p.n_faces;
     return progress.advance(is_trial ? 0 : n_gone);
   };
-  if (context_.options.listener) {
-    job->options.listener = [this, job = job.get()](Contraction contraction) {
-      for (Index* const v : {&contraction.survivor, &contraction.removed}) {
-        *v = job->block->number_of(*v);
-        if (before_) *v = before_->origins[*v];
-      }
-      job->made.push_back(contraction);
-    };
+  job->options.listener = {};
+  LoopContext context;
+  context.role = plan_.role;
+  context.refusals = refusals();
+  context.displacement_limit = context_.displacement_limit;
+  if (!log_.empty()) {
+    job->log.end = log_.data() + first_in_log_[number];
+    context.log = &job->log;
   }
-  job->block.emplace(surface_, partition_, number, locked_, memory, job->options,
-                     LoopContext{plan_.role, refusals(), context_.displacement_limit});
+  job->block.emplace(surface_, partition_, number, locked_, memory, job->options, context);
   if (!before_) nonmanifold_[number] = job->block->count_nonmanifold();
   job->block->start(least_left(*job->block, number), context_.frame);
   jobs_[number] = std::move(job);
 }
 
-void Level::finish(std::size_t number) { jobs_[number]->block->finish(results_); }
+void Level::finish(std::size_t number) {
+  Job& job = *jobs_[number];
+  for (Contraction& contraction : log_of(number)) {
+    for (Index* const v : {&contraction.survivor, &contraction.removed}) *v = job.block->number_of(*v);
+  }
+  tell_by_input(context_.input.positions, context_.frame, before_ ? before_->origins : std::vector<Index>{},
+                log_of(number));
+  job.block->finish(results_);
+}
+
+/// Makes room in the log: a block makes fewer contractions than it has vertices.
+void Level::begin_log() {
+  first_in_log_.push_back(0);
+  for (std::size_t number = 0; number < jobs_.size(); ++number) {
+    first_in_log_.push_back(first_in_log_.back() + partition_.vertices.of(number).size());
+  }
+  log_.resize(first_in_log_.back());
+}
+
+/// What a block has done so far.
+std::span<Contraction> Level::log_of(std::size_t number) {
+  if (log_.empty() || !jobs_[number]) return {};
+  return {log_.data() + first_in_log_[number], jobs_[number]->log.end};
+}
+
+/// Tells what all blocks have done, in the order of cost.
+void Level::tell() {
+  std::vector<std::span<const Contraction>> logs;
+  for (std::size_t number = 0; number < jobs_.size(); ++number) logs.push_back(log_of(number));
+  std::vector<Contraction> told;
+  std::vector<Contraction>& all = context_.steps != nullptr ? context_.steps->contractions : told;
+  const std::size_t n_before = all.size();
+  add_by_cost(logs, all);
+  if (context_.options.listener) {
+    for (std::size_t i = n_before; i < all.size(); ++i) context_.options.listener(all[i]);
+  }
+  if (context_.steps != nullptr) end_pass(*context_.steps);
+}
 
 /// Finds the cost that leaves as many of the sample's inner vertices as wanted, and runs the sample up to it.
 double Level::climb(const std::vector<std::size_t>& sample, double surplus, const Memory& memory) {
@@ -160,7 +203,6 @@ void Level::sum_up(LevelRemainder& remainder) {
     total.n_degenerate_faces += one.n_degenerate_faces;
     total.n_coincident_faces += one.n_coincident_faces;
     total.rejections += one.rejections;
-    for (const Contraction& contraction : job->made) context_.options.listener(contraction);
   }
   for (const NonmanifoldCounts& counts : nonmanifold_) {
     remainder.nonmanifold.edges += counts.edges;
@@ -198,6 +240,7 @@ LevelRemainder Level::run(const LevelGoal& goal, Memory memory) {
   std::iota(results_.merged_into.begin(), results_.merged_into.end(), Index{0});
   results_.is_face_left.assign(surface_.faces.size(), 1);
   locked_ = locked();
+  if (context_.is_told()) begin_log();
   if (!before_) nonmanifold_.resize(jobs_.size() + 1);
   // In the exact order blocks have to know what pairs with a shared vertex cost at least.
   std::optional<SharedStars> shared_stars;
@@ -238,6 +281,7 @@ LevelRemainder Level::run(const LevelGoal& goal, Memory memory) {
     if (job) blocks.push_back(&*job->block);
   }
   stitch(surface_, partition_, blocks, results_, memory, before_, threads(), remainder);
+  if (!log_.empty()) tell();
   sum_up(remainder);
   return remainder;
 }

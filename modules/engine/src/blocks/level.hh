@@ -26,7 +26,10 @@ struct LevelContext {
   Frame frame;
   double target_share = 0;                   ///< of the input's faces or vertices
   std::optional<double> displacement_limit;  ///< as that of `LoopContext`
+  RunSteps* steps;                           ///< gets what is done; or null
   SharedProgress& progress;
+
+  bool is_told() const { return steps != nullptr || options.listener; }
 };
 
 struct LevelPlan {

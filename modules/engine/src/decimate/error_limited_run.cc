@@ -196,7 +196,9 @@ ErrorBound::Violations ErrorLimitedRun::find_violations_before_guarding() {
 /// Tells what stands. \return what the proofs were made with
 std::unique_ptr<ErrorBounds> ErrorLimitedRun::end() {
   DecimateResult& result = passes_.done().result;
-  for (const Contraction& contraction : passes_.done().contractions) passes_.options().listener(contraction);
+  if (passes_.options().listener) {
+    for (const Contraction& contraction : passes_.done().steps.contractions) passes_.options().listener(contraction);
+  }
   if (!passes_.is_cancelled()) result.proven_error = target().error_limit();
   if (result.stop == StopReason::exhausted && result.refused_at_end.error > 0) result.stop = StopReason::error;
   return std::move(error_bounds_);

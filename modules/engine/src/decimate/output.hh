@@ -11,9 +11,6 @@ namespace whittle {
 /// The mesh and the maps of a decimation, without its attributes; `result` is left to the caller.
 Decimation geometry_of(const IndexedMesh& input, Remainder left, const Frame& frame);
 
-/// Adds the attributes of the mesh.
-void add_attributes(const IndexedMesh& input, const Frame& frame, const DecimateOptions& options, Decimation& out);
-
 /// What of the input's attributes is not carried.
 std::vector<Warning> warnings_about_attributes(const IndexedMesh& input);
 

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "decimate/changes.hh"
 #include "decimate/checks.hh"
 #include "decimate/input_features.hh"
 #include "decimate/output.hh"
+#include "loop/contraction_log.hh"
+#include "whittle/core/detail/large_array.hh"
 #include "whittle/core/parts.hh"
+#include "whittle/engine/attributes.hh"
 #include "whittle/engine/threshold_pairs.hh"
 
 namespace whittle {
@@ -130,8 +134,10 @@ std::string_view Passes::contract_in_blocks(const DecimateTarget& target, const 
   const std::string_view why_not = why_not_in_blocks(mesh_, target, options_, host_, plan);
   if (!why_not.empty()) return why_not;
   DecimateOptions options = options_;
-  keep_contractions(options);
-  LevelRemainder levels = decimate_in_blocks(mesh_, frame_, target, options, plan, limits_.displacement);
+  if (is_listener_told_at_end()) options.listener = {};
+  if (keeps_steps()) reserve_large(done_.steps.contractions, mesh_.positions.size());
+  LevelRemainder levels = decimate_in_blocks(mesh_, frame_, target, options, plan,
+                                             {limits_.displacement, keeps_steps() ? &done_.steps : nullptr});
   done_.progress = levels.progress;
   if (levels.is_futile) return "pairs wait for each other all over the mesh";
   done_.is_cancelled = levels.is_cancelled;
@@ -142,10 +148,11 @@ std::string_view Passes::contract_in_blocks(const DecimateTarget& target, const 
   return {};
 }
 
-/// Where contractions may be taken back, the listener is told of them in the end.
-void Passes::keep_contractions(DecimateOptions& options) {
-  if (!options.listener || !target_.error_limit()) return;
-  options.listener = [this](const Contraction& contraction) { done_.contractions.push_back(contraction); };
+/// \param log what the pass did, by the vertices that it began with
+void Passes::keep_steps_of_pass(std::span<Contraction> log) {
+  tell_by_input(mesh_.positions, frame_, done_.left ? done_.left->origins : std::vector<Index>{}, log);
+  done_.steps.contractions.insert(done_.steps.contractions.end(), log.begin(), log.end());
+  end_pass(done_.steps);
 }
 
 std::vector<DecimateTarget> Passes::stops() const {
@@ -230,7 +237,7 @@ DecimateOptions Passes::options_of_pass(double end) {
       return callback(progress);
     };
   }
-  keep_contractions(options);
+  if (is_listener_told_at_end()) options.listener = {};
   if (done_.left && options.listener) {
     options.listener = [this, callback = options.listener](Contraction contraction) {
       contraction.survivor = done_.left->origins[contraction.survivor];
@@ -257,6 +264,9 @@ void Passes::contract_to(const DecimateTarget& stop, bool is_last) {
   start.input.context.displacement_limits = limits_.displacements;
   start.input.context.error_bound = limits_.error_bound;
   start.input.context.border_bound = limits_.border_bound;
+  LargeArray<Contraction> made(keeps_steps() ? n_vertices_left() : 0);
+  ContractionLog log{made.data()};
+  if (keeps_steps()) start.input.context.log = &log;
   Pass pass(start.input, options);
   count_before(pass);
   DecimateResult result = run(pass, stop, preparation);
@@ -265,6 +275,7 @@ void Passes::contract_to(const DecimateTarget& stop, bool is_last) {
   done_.max_cost_of_pass = result.max_cost;
   add_earlier(done_.result, result);
   done_.result = std::move(result);
+  if (keeps_steps()) keep_steps_of_pass({made.data(), log.end});
   if (is_last) done_.nonmanifold = pass.complex().count_nonmanifold();
   done_.left = remainder_of(pass, start.input.surface.faces, done_.left ? &*done_.left : nullptr,
                             {.what_to_go_on_from = !is_last, .quadrics = options_.keep_quadrics});
@@ -286,6 +297,8 @@ bool Passes::adjust() {
     throw std::invalid_argument("decimate: a pause changed the number of vertices or faces");
   }
   check(paused.mesh);
+  PassEnd changes;
+  if (keeps_steps()) changes.turned = turned_faces(left.faces, paused.mesh.faces, left.origins, left.face_origins);
   left.faces = std::move(paused.mesh.faces);
   auto remembered = left.memory.quadrics.begin();
   for (Index v = 0; v < before.size(); ++v) {
@@ -295,6 +308,12 @@ bool Passes::adjust() {
     const Vec3 position = frame_.to_frame(paused.mesh.positions[v]);
     if (quadric) *quadric = quadric->about(position - left.positions[v]);
     left.positions[v] = position;
+    const Index origin = left.origins[v];
+    if (keeps_steps()) changes.moved.push_back({origin, to_output(position, mesh_.positions[origin], frame_)});
+  }
+  if (keeps_steps()) {
+    changes.n_contractions = done_.steps.contractions.size();
+    done_.steps.pass_ends.back() = std::move(changes);
   }
   return goes_on;
 }
@@ -309,7 +328,8 @@ Decimation Passes::output() {
     done_.nonmanifold = count_nonmanifold({done_.left->positions, Frame{}, done_.left->faces});
   }
   Decimation out = geometry_of(mesh_, std::move(*done_.left), frame_);
-  add_attributes(mesh_, frame_, options_, out);
+  if (options_.keep_steps) out.steps = std::move(done_.steps);
+  carry_attributes(mesh_, frame_, options_.normals, out.vertex_map, out.mesh);
   out.result = std::move(done_.result);
   pairs_.contracted = out.result.threshold_pairs.contracted;
   out.result.threshold_pairs = pairs_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -20,7 +21,7 @@ struct Done {
   double max_cost_of_pass = 0;                   ///< of the last one
   bool is_cancelled = false;                     ///< in blocks
   std::optional<NonmanifoldCounts> nonmanifold;  ///< of what is left; none if it was to go on
-  std::vector<Contraction> contractions;         ///< to tell the listener of, where they may be taken back
+  RunSteps steps;                                ///< where they are wanted, or are told in the end
 };
 
 /// What guards of a pass keep, besides what options say.
@@ -74,8 +75,10 @@ class Passes {
   DecimateResult run(Pass& pass, const DecimateTarget& stop, Preparation& preparation) const;
   void count_before(Pass& pass);
   NonmanifoldCounts count_nonmanifold(const Surface& surface) const;
-  void keep_contractions(DecimateOptions& options);
+  bool is_listener_told_at_end() const { return options_.listener && target_.error_limit(); }
+  bool keeps_steps() const { return options_.keep_steps || is_listener_told_at_end(); }
   DecimateOptions options_of_pass(double end);
+  void keep_steps_of_pass(std::span<Contraction> log);
 
   const IndexedMesh& mesh_;
   DecimateTarget target_;

@@ -55,6 +55,7 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraint
       cost_dimension_(host && host->cost() ? host->cost()->dimension() : cost_dimension(options)),
       cost_unit_(frame.unscale, cost_dimension_),
       host_(host),
+      log_(context.log),
       n_initial_vertices_(complex.n_vertices()),
       n_initial_faces_(complex.n_faces()),
       sieve_(complex),
@@ -275,9 +276,16 @@ void ContractionLoop::contract(const RankedPair& ranked, const Vec3& position, d
   for (const ContractionProfile::Common& neighbour : profile_.joint.common) reveal_at(neighbour.vertex);
 }
 
-/// Tells host and listener. A host may stop the run.
+/// Tells log, host and listener. A host may stop the run.
 void ContractionLoop::tell_others(const HostedContraction& made, double cost) {
-  const Contraction contraction{made.survivor, made.removed, frame_.to_model(made.position), cost_unit_.times(cost)};
+  Contraction contraction{made.survivor,
+                          made.removed,
+                          made.position,
+                          cost_unit_.times(cost),
+                          complex_.is_threshold_pair(profile_.pair.id),
+                          profile_.is_joint && !profile_.joint.coincident.empty()};
+  if (log_ != nullptr) log_->add(contraction);
+  contraction.position = frame_.to_model(made.position);
   if (host_ != nullptr && !host_->follow(made, contraction)) stop_ = StopReason::cancelled;
   if (options_.listener) options_.listener(contraction);
 }

@@ -53,7 +53,7 @@ class ContractionLoop {
   template <class Use>
   void for_each_refused(const Use& use) const;
   Rejections count_refused_pairs() const;
-  bool is_told() const { return host_ != nullptr || options_.listener != nullptr; }
+  bool is_told() const { return host_ != nullptr || options_.listener != nullptr || log_ != nullptr; }
   void tell_others(const HostedContraction& made, double cost);
   void contract(const RankedPair& ranked, const Vec3& position, double cost);
   void list_touched();
@@ -74,6 +74,7 @@ class ContractionLoop {
   double cost_dimension_;
   Frame::CostUnit cost_unit_;  ///< of the model
   DecimationHost* host_;
+  ContractionLog* log_;
   std::uint64_t n_initial_vertices_;
   std::uint64_t n_initial_faces_;
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "decimate/changes.hh"
 #include "decimate/input_features.hh"
 #include "decimate/run.hh"
 #include "simplify/nearer_result.hh"
@@ -108,6 +109,31 @@ class DecimationPolisher {
   std::optional<PolishOriginal> original_;  ///< made when it is needed
 };
 
+/// The vertices of the input that those of the result stand for, ascending.
+std::vector<Index> vertices_left(const Decimation& decimation) {
+  std::vector<std::uint8_t> is_removed(decimation.vertex_map.size());
+  for (const Contraction& contraction : decimation.steps.contractions) is_removed[contraction.removed] = 1;
+  std::vector<Index> vertices;
+  for (Index v = 0; v < is_removed.size(); ++v) {
+    if (is_removed[v] == 0 && decimation.vertex_map[v] != invalid_index) vertices.push_back(v);
+  }
+  return vertices;
+}
+
+/// Runs `polish`, and notes what it changes.
+template <class Polish>
+PolishResult polish_and_note(Decimation& decimation, const Polish& polish) {
+  if (decimation.steps.pass_ends.empty()) return polish();
+  const std::vector<Vec3> positions = decimation.mesh.positions;
+  const std::vector<Triangle> faces = decimation.mesh.faces;
+  PolishResult result = polish();
+  const std::vector<Index> vertices = vertices_left(decimation);
+  PassEnd& end = decimation.steps.pass_ends.back();
+  end.moved = moved_vertices(positions, decimation.mesh.positions, vertices);
+  end.turned = turned_faces(faces, decimation.mesh.faces, vertices, decimation.face_origins);
+  return result;
+}
+
 }  // namespace
 
 PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOptions& options, Decimation& decimation) {
@@ -159,12 +185,15 @@ Simplification simplify_as_settled(const IndexedMesh& mesh, const DecimateTarget
   }
   std::unique_ptr<ErrorBounds> bounds;
   Simplification result{run(mesh, target, settled.decimate, nullptr, {}, &bounds), *settled.decimate.cost, {}, 0, 0};
-  if (result.result.stop != StopReason::cancelled && !bounds) result.polish = polish_now(result, settled);
+  if (result.result.stop != StopReason::cancelled && !bounds) {
+    result.polish = polish_and_note(result, [&] { return polish_now(result, settled); });
+  }
   if (result.result.proven_error) {
     const Clock::time_point polish_start = Clock::now();
-    result.polish = polish_within(*bounds, mesh, result, [&](Decimation& decimation, const auto& held) {
+    const auto polish_held = [&](Decimation& decimation, const auto& held) {
       return polisher.polish(without_flips, decimation, held);
-    });
+    };
+    result.polish = polish_and_note(result, [&] { return polish_within(*bounds, mesh, result, polish_held); });
     polish_seconds += seconds_since(polish_start);
   }
   result.polish_seconds = polish_seconds;

@@ -117,6 +117,7 @@ struct Decimation {
   std::vector<Index> face_origins;        ///< faces of `mesh` → faces of the input, ascending
   std::vector<VertexPair> feature_edges;  ///< of `mesh`: what has become of the input's, lower vertex first, ascending
   std::vector<Index> vertex_map;  ///< input vertices → vertices of `mesh`; `invalid_index` where it was in no face
+  RunSteps steps;                 ///< if asked for
 };
 
 /// Decimates `mesh`. Colours are averaged over the vertices merged, and normals as `DecimateOptions::normals` says;

@@ -9,6 +9,7 @@
 #include "whittle/core/vertex_pair.hh"
 #include "whittle/engine/cost_traits.hh"
 #include "whittle/engine/formula/quadric_term.hh"
+#include "whittle/engine/run_steps.hh"
 
 namespace whittle {
 
@@ -53,14 +54,6 @@ struct Progress {
   std::uint64_t n_faces;     ///< left now
   double fraction;           ///< of the stage, [0, 1]; while contracting, of the way to the nearest target
   Stage stage = Stage::decimate;
-};
-
-/// One contraction, in the input's vertex numbers.
-struct Contraction {
-  Index survivor;
-  Index removed;
-  Vec3 position;  ///< of the survivor from now on, model units
-  double cost;    ///< unit as `DecimateTarget::max_cost`
 };
 
 struct Decimation;
@@ -122,6 +115,9 @@ struct DecimateOptions {
 
   /// Whether `Decimation::quadrics` is wanted.
   bool keep_quadrics = false;
+
+  /// Whether `Decimation::steps` is wanted.
+  bool keep_steps = false;
 
   /// Threads to use, 0 = all cores. No result depends on it.
   unsigned threads = 0;

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "whittle/core/indexed_mesh.hh"
+
+namespace whittle {
+
+/// One contraction, in the input's vertex numbers.
+struct Contraction {
+  Index survivor;
+  Index removed;
+  Vec3 position;    ///< of the survivor from now on, model units
+  double cost;                 ///< unit as `DecimateTarget::max_cost`
+  bool is_threshold_pair;  ///< whether the two were a pair beside the edges
+  /// Whether faces of the two coincide now. Of those over each edge, one of the more frequent orientation is left; none
+  /// if both are equally frequent.
+  bool joins_faces;
+};
+
+/// What a run did to the surface between two series of contractions.
+struct PassEnd {
+  struct MovedVertex {
+    Index vertex;   ///< of the input
+    Vec3 position;  ///< model units
+  };
+  struct TurnedFace {
+    Index face;        ///< of the input
+    Triangle corners;  ///< vertices of the input
+  };
+  std::uint64_t n_contractions = 0;  ///< made before
+  std::vector<MovedVertex> moved;    ///< by polish, ascending
+  std::vector<TurnedFace> turned;    ///< faces at edges that polish flipped, ascending
+};
+
+/// All that a run did, in order: enough to do it again.
+struct RunSteps {
+  std::vector<Contraction> contractions;
+  /// Of those faces that coincide, the first is left, from then on.
+  std::vector<PassEnd> pass_ends;
+};
+
+}  // namespace whittle

@@ -1,0 +1,225 @@
+#include <cctype>
+#include <istream>
+#include <limits>
+#include <string>
+
+#include "bytes.hh"
+#include "chunks.hh"
+
+namespace whittle::progressive {
+namespace {
+
+void require(bool is_so, const char* what) {
+  if (!is_so) throw RecordingError(std::string("it is damaged: ") + what);
+}
+
+Vec3 read_position(ByteReader& reader) {
+  const auto x = reader.number<double>();
+  const auto y = reader.number<double>();
+  const auto z = reader.number<double>();
+  return {x, y, z};
+}
+
+Vec3 read_single_position(ByteReader& reader) {
+  const auto x = reader.number<float>();
+  const auto y = reader.number<float>();
+  const auto z = reader.number<float>();
+  return {x, y, z};
+}
+
+template <std::size_t N>
+void read_floats(ByteReader& reader, std::uint64_t n, std::vector<std::array<float, N>>& values) {
+  for (std::uint64_t i = 0; i < n; ++i) {
+    auto& value = values.emplace_back();
+    for (float& number : value) number = reader.number<float>();
+  }
+}
+
+/// Takes chunks in their order.
+class RecordingReader {
+ public:
+  /// \return whether another chunk follows
+  bool take(const Chunk& chunk);
+  Recording end();
+
+ private:
+  void read_head(ByteReader& reader);
+  void read_vertices(ByteReader& reader, std::uint64_t n);
+  void read_faces(ByteReader& reader, std::uint64_t n);
+  void read_origins(ByteReader& reader, std::uint64_t n);
+  void read_contractions(ByteReader& reader, std::uint64_t n);
+  void read_moved(ByteReader& reader, std::uint64_t n);
+  void read_turned(ByteReader& reader, std::uint64_t n);
+  void read_elements(const std::string& type, ByteReader& reader, std::uint64_t n);
+  Triangle read_corners(ByteReader& reader, Index last) const;
+  IndexedMesh& mesh();
+  PassEnd& last_pass();
+
+  Recording recording_;
+  bool has_head_ = false;
+  std::uint64_t n_contractions_ = 0;  ///< that there are to be
+  std::uint64_t n_pass_ends_ = 0;     ///< likewise
+};
+
+bool RecordingReader::take(const Chunk& chunk) {
+  ByteReader reader(chunk.payload);
+  if (chunk.type == "END ") {
+    require(has_head_ && chunk.payload.empty(), "a part is not where it should be");
+    return false;
+  }
+  if (std::islower(static_cast<unsigned char>(chunk.type[0])) != 0) return true;
+  require(has_head_ != (chunk.type == "HEAD"), "a part is not where it should be");
+  if (chunk.type == "HEAD") {
+    read_head(reader);
+  } else if (chunk.type == "PASS") {
+    recording_.steps.pass_ends.push_back({recording_.steps.contractions.size(), {}, {}});
+  } else {
+    const std::uint64_t n = reader.count();
+    require(n <= chunk.payload.size(), "a part has too few bytes");
+    read_elements(chunk.type, reader, n);
+  }
+  require(reader.is_at_end(), "a part has too many bytes");
+  return true;
+}
+
+void RecordingReader::read_head(ByteReader& reader) {
+  has_head_ = true;
+  recording_.n_vertices = reader.count();
+  recording_.n_faces = reader.count();
+  require(recording_.n_vertices < invalid_index && recording_.n_faces < invalid_index, "too many vertices or faces");
+  n_contractions_ = reader.count();
+  n_pass_ends_ = reader.count();
+  for (std::uint64_t& part : recording_.hash) part = reader.number<std::uint64_t>();
+  const auto normals = reader.number<std::uint8_t>();
+  require(normals <= static_cast<std::uint8_t>(Normals::drop), "an unknown rule for normals");
+  recording_.normals = static_cast<Normals>(normals);
+  const auto is_embedded = reader.number<std::uint8_t>();
+  require(is_embedded <= 1, "an unknown flag");
+  if (is_embedded == 1) recording_.input.emplace();
+  recording_.about = reader.text(reader.count());
+}
+
+void RecordingReader::read_elements(const std::string& type, ByteReader& reader, std::uint64_t n) {
+  if (type == "VERT") {
+    read_vertices(reader, n);
+  } else if (type == "FACE") {
+    read_faces(reader, n);
+  } else if (type == "NORM") {
+    read_floats(reader, n, mesh().normals);
+  } else if (type == "COLR") {
+    read_floats(reader, n, mesh().colors);
+  } else if (type == "ORIG") {
+    read_origins(reader, n);
+  } else if (type == "STEP") {
+    read_contractions(reader, n);
+  } else if (type == "MOVE") {
+    read_moved(reader, n);
+  } else if (type == "TURN") {
+    read_turned(reader, n);
+  } else {
+    throw RecordingError("it has a part that only a later version of whittle can read");
+  }
+}
+
+IndexedMesh& RecordingReader::mesh() {
+  require(recording_.input.has_value(), "it has a part of a mesh that it says isn't there");
+  return *recording_.input;
+}
+
+void RecordingReader::read_vertices(ByteReader& reader, std::uint64_t n) {
+  const auto is_single = reader.number<std::uint8_t>();
+  require(is_single <= 1, "an unknown flag");
+  for (std::uint64_t i = 0; i < n; ++i) {
+    mesh().positions.push_back(is_single == 1 ? read_single_position(reader) : read_position(reader));
+  }
+}
+
+Triangle RecordingReader::read_corners(ByteReader& reader, Index last) const {
+  Triangle corners{};
+  corners[0] = reader.index_after(last, recording_.n_vertices);
+  corners[1] = reader.index_after(corners[0], recording_.n_vertices);
+  corners[2] = reader.index_after(corners[0], recording_.n_vertices);
+  return corners;
+}
+
+void RecordingReader::read_faces(ByteReader& reader, std::uint64_t n) {
+  Index last = 0;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    mesh().faces.push_back(read_corners(reader, last));
+    last = mesh().faces.back()[0];
+  }
+}
+
+void RecordingReader::read_origins(ByteReader& reader, std::uint64_t n) {
+  Index last = 0;
+  for (std::uint64_t i = 0; i < n; ++i) mesh().origins.push_back(last = reader.index_after(last, invalid_index));
+}
+
+void RecordingReader::read_contractions(ByteReader& reader, std::uint64_t n) {
+  std::vector<Contraction>& contractions = recording_.steps.contractions;
+  const std::size_t begin = contractions.size();
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const std::uint64_t removed_and_kind = reader.count();
+    require(removed_and_kind >> 2 < recording_.n_vertices, "a vertex number is out of range");
+    const auto removed = static_cast<Index>(removed_and_kind >> 2);
+    const Index survivor = reader.index_after(removed, recording_.n_vertices);
+    contractions.push_back(
+        {survivor, removed, Vec3::Zero(), 0, (removed_and_kind & 1) != 0, (removed_and_kind & 2) != 0});
+  }
+  for (std::size_t i = begin; i < contractions.size(); ++i) contractions[i].position = read_position(reader);
+  for (std::size_t i = begin; i < contractions.size(); ++i) contractions[i].cost = reader.number<double>();
+}
+
+PassEnd& RecordingReader::last_pass() {
+  std::vector<PassEnd>& ends = recording_.steps.pass_ends;
+  require(!ends.empty() && ends.back().n_contractions == recording_.steps.contractions.size(),
+          "a part is not where it should be");
+  return ends.back();
+}
+
+void RecordingReader::read_moved(ByteReader& reader, std::uint64_t n) {
+  std::vector<PassEnd::MovedVertex>& moved = last_pass().moved;
+  const std::size_t begin = moved.size();
+  Index last = 0;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    last = reader.index_after(last, recording_.n_vertices);
+    moved.push_back({last, Vec3::Zero()});
+  }
+  for (std::size_t i = begin; i < moved.size(); ++i) moved[i].position = read_position(reader);
+}
+
+void RecordingReader::read_turned(ByteReader& reader, std::uint64_t n) {
+  std::vector<PassEnd::TurnedFace>& turned = last_pass().turned;
+  Index last = 0;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    last = reader.index_after(last, recording_.n_faces);
+    turned.push_back({last, read_corners(reader, 0)});
+  }
+}
+
+Recording RecordingReader::end() {
+  require(recording_.steps.contractions.size() == n_contractions_ && recording_.steps.pass_ends.size() == n_pass_ends_,
+          "it has more or fewer steps than it says");
+  if (recording_.input) {
+    const IndexedMesh& mesh = *recording_.input;
+    const auto is_complete = [&](std::size_t n) { return n == 0 || n == mesh.positions.size(); };
+    require(mesh.positions.size() == recording_.n_vertices && mesh.faces.size() == recording_.n_faces &&
+                is_complete(mesh.normals.size()) && is_complete(mesh.colors.size()) && is_complete(mesh.origins.size()),
+            "its mesh has more or fewer vertices or faces than it says");
+    require(content_hash(mesh) == recording_.hash, "its mesh is not the one that was written");
+  }
+  return std::move(recording_);
+}
+
+}  // namespace
+
+Recording read_recording(std::istream& in) {
+  read_signature(in);
+  RecordingReader reader;
+  while (reader.take(read_chunk(in))) {
+  }
+  if (in.peek() != std::istream::traits_type::eof()) throw RecordingError("it is damaged: bytes follow its end");
+  return reader.end();
+}
+
+}  // namespace whittle::progressive

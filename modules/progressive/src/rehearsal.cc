@@ -1,0 +1,239 @@
+#include "rehearsal.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+namespace whittle::progressive {
+namespace {
+
+/// From the lowest corner on, in the same orientation.
+Triangle from_lowest(Triangle face) {
+  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+  return face;
+}
+
+/// A face of the survivor, seen from there.
+struct StarFace {
+  Index low, high;       ///< the other corners
+  bool is_turned;        ///< the higher one comes first
+  bool was_at_survivor;  ///< before the contraction
+  Index face;
+
+  auto edge() const { return std::pair(low, high); }
+  bool operator<(const StarFace& other) const {
+    return std::tie(low, high, is_turned, face) < std::tie(other.low, other.high, other.is_turned, other.face);
+  }
+};
+
+}  // namespace
+
+std::vector<std::pair<Index, Index>> faces_to_exchange(const Replay& replay, std::span<const Index> hidden) {
+  std::map<Triangle, std::vector<Index>> alike;  // hidden faces, then those that are there
+  for (const Index f : hidden) {
+    if (has_three_corners(replay.corners(f))) alike[from_lowest(replay.corners(f))].push_back(f);
+  }
+  std::vector<std::pair<Index, Index>> exchanged;
+  if (alike.empty()) return exchanged;
+  std::map<Triangle, std::vector<Index>> there;
+  for (Index f = 0; f < replay.input().faces.size(); ++f) {
+    if (!replay.has_face(f)) continue;
+    const auto found = alike.find(from_lowest(replay.corners(f)));
+    if (found != alike.end()) there[found->first].push_back(f);
+  }
+  for (const auto& [triangle, faces] : there) {
+    std::vector<Index> all = alike[triangle];
+    all.insert(all.end(), faces.begin(), faces.end());
+    std::sort(all.begin(), all.end());
+    all.resize(faces.size());  // the first ones are to be there
+    std::vector<Index> coming;
+    std::vector<Index> going;
+    std::set_difference(all.begin(), all.end(), faces.begin(), faces.end(), std::back_inserter(coming));
+    std::set_difference(faces.begin(), faces.end(), all.begin(), all.end(), std::back_inserter(going));
+    for (std::size_t i = 0; i < coming.size(); ++i) exchanged.emplace_back(coming[i], going[i]);
+  }
+  return exchanged;
+}
+
+Rehearsal::Rehearsal(Replay& replay)
+    : replay_(replay), is_removed_(replay.input().positions.size()), n_faces_at_(replay.input().positions.size(), 0) {
+  for (const Triangle& face : replay_.corners_) {
+    if (has_three_corners(face)) count_face(face, 1);
+  }
+  list_corners();
+}
+
+void Rehearsal::run() {
+  const RunSteps& steps = replay_.steps_;
+  replay_.counts_.reserve(steps.contractions.size() + 1);
+  replay_.before_.reserve(steps.contractions.size());
+  replay_.renamed_.reserve(std::min(6 * steps.contractions.size(), 3 * replay_.corners_.size()));
+  replay_.first_renamed_.reserve(steps.contractions.size() + 1);
+  replay_.counts_.push_back({0, static_cast<Index>(n_vertices_), static_cast<Index>(n_faces_)});
+  replay_.first_renamed_.push_back(0);
+  replay_.n_settled_.push_back(0);
+  for (const PassEnd& end : steps.pass_ends) {
+    require(end.n_contractions >= replay_.n_contractions_ && end.n_contractions <= steps.contractions.size(),
+            "passes end in order, after contractions that are there");
+    while (replay_.n_contractions_ < end.n_contractions) contract(steps.contractions[replay_.n_contractions_]);
+    end_pass(end);
+  }
+  while (replay_.n_contractions_ < steps.contractions.size()) contract(steps.contractions[replay_.n_contractions_]);
+}
+
+void Rehearsal::require(bool is_so, const char* what) const {
+  if (is_so) return;
+  throw std::invalid_argument("step " + std::to_string(replay_.level()) + " can't be made: " + what);
+}
+
+void Rehearsal::list_corners() {
+  first_.assign(replay_.positions_.size(), invalid_index);
+  next_.assign(3 * replay_.corners_.size(), invalid_index);
+  for (Index c = 0; c < next_.size(); ++c) {
+    if (has_three_corners(replay_.corners_[c / 3])) list_corner(c);
+  }
+}
+
+void Rehearsal::list_corner(Index corner) {
+  Index& first = first_[replay_.corners_[corner / 3][corner % 3]];
+  next_[corner] = std::exchange(first, corner);
+}
+
+void Rehearsal::count_face(const Triangle& face, int change) {
+  n_faces_ += static_cast<std::uint64_t>(change);
+  for (const Index v : face) {
+    n_vertices_ -= static_cast<std::uint64_t>(n_faces_at_[v] > 0);
+    n_faces_at_[v] += static_cast<Index>(change);
+    n_vertices_ += static_cast<std::uint64_t>(n_faces_at_[v] > 0);
+  }
+}
+
+// Contractions --------------------------------------------------------------------------------------------------------
+
+void Rehearsal::check(const Contraction& contraction) const {
+  require(is_there(contraction.survivor) && is_there(contraction.removed), "a vertex isn't there");
+  require(contraction.survivor != contraction.removed, "a vertex is merged into itself");
+  require(is_position(contraction.position), "a position isn't finite, or is above 3e150");
+  require(!std::isnan(contraction.cost), "a cost is no number");
+}
+
+void Rehearsal::contract(const Contraction& contraction) {
+  check(contraction);
+  Vec3& position = replay_.positions_[contraction.survivor];
+  replay_.before_.push_back(std::exchange(position, contraction.position));
+  rename_corners(contraction);
+  if (contraction.joins_faces) hide_coincident(contraction.survivor);
+  is_removed_[contraction.removed] = true;
+  const double cost = std::max(replay_.counts_.back().cost, contraction.cost);
+  replay_.counts_.push_back({cost, static_cast<Index>(n_vertices_), static_cast<Index>(n_faces_)});
+  replay_.first_renamed_.push_back(replay_.renamed_.size());
+  ++replay_.n_contractions_;
+}
+
+/// Those of faces that have vanished before keep their numbers, and are listed no more.
+void Rehearsal::rename_corners(const Contraction& contraction) {
+  const auto& [survivor, removed, position, cost, is_threshold_pair, joins_faces] = contraction;
+  for (Index c = std::exchange(first_[removed], invalid_index); c != invalid_index;) {
+    const Index next = next_[c];
+    Triangle& corners = replay_.corners_[c / 3];
+    if (has_three_corners(corners)) {
+      const bool vanishes = corners[0] == survivor || corners[1] == survivor || corners[2] == survivor;
+      if (vanishes && replay_.is_hidden_[c / 3] == 0) count_face(corners, -1);
+      corners[c % 3] = survivor;
+      replay_.renamed_.push_back(c);
+      list_corner(c);
+    }
+    c = next;
+  }
+  n_vertices_ -=
+      static_cast<std::uint64_t>(n_faces_at_[survivor] > 0) + static_cast<std::uint64_t>(n_faces_at_[removed] > 0);
+  n_faces_at_[survivor] += std::exchange(n_faces_at_[removed], 0);
+  n_vertices_ += static_cast<std::uint64_t>(n_faces_at_[survivor] > 0);
+}
+
+/// Leaves one of the faces that coincide, or none, as `Contraction::joins_faces` says.
+void Rehearsal::hide_coincident(Index survivor) {
+  const std::span<const Index> renamed = std::span(replay_.renamed_).subspan(replay_.first_renamed_.back());
+  std::vector<StarFace> star;
+  for (Index c = first_[survivor]; c != invalid_index; c = next_[c]) {
+    const Triangle& corners = replay_.corners_[c / 3];
+    if (!replay_.has_face(c / 3)) continue;
+    const Index x = corners[(c % 3 + 1) % 3];
+    const Index y = corners[(c % 3 + 2) % 3];
+    const bool is_renamed = std::find(renamed.begin(), renamed.end(), c) != renamed.end();
+    star.push_back({std::min(x, y), std::max(x, y), x > y, !is_renamed, c / 3});
+  }
+  std::sort(star.begin(), star.end());
+  for (auto begin = star.begin(), end = begin; begin != star.end(); begin = end) {
+    end = std::find_if(begin, star.end(), [&](const StarFace& face) { return face.edge() != begin->edge(); });
+    const auto n_before = std::count_if(begin, end, [](const StarFace& face) { return face.was_at_survivor; });
+    if (n_before == 0 || n_before == end - begin) continue;
+    const auto turned = std::find_if(begin, end, [](const StarFace& face) { return face.is_turned; });
+    const auto surplus = (end - turned) - (turned - begin);
+    const auto left = surplus == 0 ? end : surplus > 0 ? turned : begin;
+    for (auto face = begin; face != end; ++face) {
+      if (face != left) hide(face->face);
+    }
+  }
+}
+
+void Rehearsal::hide(Index face) {
+  replay_.is_hidden_[face] = 1;
+  replay_.hidings_.push_back({replay_.level(), face, true});
+  ++replay_.n_hidings_;
+  hidden_.push_back(face);
+  count_face(replay_.corners_[face], -1);
+}
+
+// Ends of passes ------------------------------------------------------------------------------------------------------
+
+void Rehearsal::end_pass(const PassEnd& end) {
+  settle();
+  replay_.passes_before_.emplace_back();
+  move(end);
+  turn(end);
+  replay_.n_settled_.push_back(replay_.hidings_.size());
+  ++replay_.n_pass_ends_;
+}
+
+/// Of faces that coincide, the first is there from now on.
+void Rehearsal::settle() {
+  for (const auto& [coming, going] : faces_to_exchange(replay_, hidden_)) {
+    for (const auto& [face, is_hidden] : {std::pair(coming, false), std::pair(going, true)}) {
+      replay_.is_hidden_[face] = is_hidden ? 1 : 0;
+      replay_.hidings_.push_back({replay_.level(), face, is_hidden});
+      ++replay_.n_hidings_;
+    }
+  }
+  hidden_.clear();
+}
+
+void Rehearsal::move(const PassEnd& end) {
+  for (const auto& [vertex, position] : end.moved) {
+    require(is_there(vertex), "a vertex that is moved isn't there");
+    require(is_position(position), "a position isn't finite, or is above 3e150");
+    replay_.passes_before_.back().positions.push_back(std::exchange(replay_.positions_[vertex], position));
+  }
+}
+
+void Rehearsal::turn(const PassEnd& end) {
+  for (const auto& [face, corners] : end.turned) {
+    require(face < replay_.corners_.size() && replay_.has_face(face), "a face that gets other corners isn't there");
+    require(has_three_corners(corners), "a face gets two equal corners");
+    require(std::all_of(corners.begin(), corners.end(), [this](Index v) { return is_there(v); }),
+            "a corner of a face isn't there");
+    count_face(replay_.corners_[face], -1);
+    replay_.passes_before_.back().corners.push_back(std::exchange(replay_.corners_[face], corners));
+    count_face(corners, 1);
+  }
+  if (end.turned.empty()) return;
+  Replay::Counts& counts = replay_.counts_.back();
+  require(counts.n_vertices == n_vertices_, "faces that get other corners leave a vertex without a face");
+  list_corners();
+}
+
+}  // namespace whittle::progressive

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "whittle/core/detail/large_array.hh"
+#include "whittle/progressive/replay.hh"
+
+namespace whittle::progressive {
+
+/// Whether the coordinates are finite, and their squares, too.
+inline bool is_position(const Vec3& p) {
+  constexpr double most = 3e150;
+  return (p.array().abs() <= most).all();
+}
+
+/// Of faces that coincide, the first is to be there. \param faces that are hidden and may be the first
+/// \return pairs of a face that is to be there, and the one that is there instead
+std::vector<std::pair<Index, Index>> faces_to_exchange(const Replay& replay, std::span<const Index> hidden);
+
+/// Does the steps of a replay for the first time, from the input on, and notes what undoes them.
+class Rehearsal {
+ public:
+  /// \param replay is at level 0 and has counts of nothing
+  explicit Rehearsal(Replay& replay);
+
+  /// \throw std::invalid_argument for a step that can't be made
+  void run();
+
+ private:
+  void list_corners();
+  void list_corner(Index corner);
+  void contract(const Contraction& contraction);
+  void rename_corners(const Contraction& contraction);
+  void hide_coincident(Index survivor);
+  void hide(Index face);
+  void end_pass(const PassEnd& end);
+  void settle();
+  void move(const PassEnd& end);
+  void turn(const PassEnd& end);
+  void count_face(const Triangle& face, int change);
+  void check(const Contraction& contraction) const;
+  void require(bool is_so, const char* what) const;
+  bool is_there(Index vertex) const { return vertex < is_removed_.size() && !is_removed_[vertex]; }
+
+  Replay& replay_;
+  std::vector<bool> is_removed_;    ///< per vertex
+  LargeArray<Index> first_, next_;  ///< corners at each vertex; the next one of each corner
+  LargeArray<Index> n_faces_at_;    ///< that are there, per vertex
+  std::uint64_t n_vertices_ = 0;    ///< with faces
+  std::uint64_t n_faces_ = 0;
+  std::vector<Index> hidden_;  ///< faces since the last pass end
+};
+
+}  // namespace whittle::progressive

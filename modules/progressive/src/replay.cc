@@ -1,0 +1,215 @@
+#include "whittle/progressive/replay.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "rehearsal.hh"
+#include "whittle/core/frame.hh"
+#include "whittle/engine/attributes.hh"
+
+namespace whittle::progressive {
+namespace {
+
+void check(const IndexedMesh& mesh) {
+  if (mesh.faces.size() > invalid_index / 3) throw std::length_error("replay: more than 2^32 / 3 faces");
+  const auto require = [](bool is_so, const char* what) {
+    if (!is_so) throw std::invalid_argument(std::string("replay: the input ") + what);
+  };
+  const std::size_t n = mesh.positions.size();
+  const auto has_vertices = [n](const Triangle& face) { return *std::max_element(face.begin(), face.end()) < n; };
+  require(std::all_of(mesh.faces.begin(), mesh.faces.end(), has_vertices), "has a face with a vertex that isn't there");
+  require(std::all_of(mesh.positions.begin(), mesh.positions.end(), is_position),
+          "has a coordinate that isn't finite, or is above 3e150");
+  for (const std::size_t size : {mesh.normals.size(), mesh.colors.size(), mesh.origins.size()}) {
+    require(size == 0 || size == n, "has an attribute of a wrong length");
+  }
+}
+
+}  // namespace
+
+Replay::Replay(IndexedMesh input, RunSteps steps, Normals normals)
+    : input_(std::move(input)),
+      steps_(std::move(steps)),
+      normals_(normals),
+      positions_(input_.positions.begin(), input_.positions.end()),
+      corners_(input_.faces.begin(), input_.faces.end()),
+      is_hidden_(input_.faces.size()) {
+  check(input_);
+  Rehearsal(*this).run();
+}
+
+// Which level ---------------------------------------------------------------------------------------------------------
+
+std::size_t Replay::level_after(std::size_t n_contractions) const {
+  n_contractions = std::min(n_contractions, steps_.contractions.size());
+  const auto is_before = [](std::size_t n, const PassEnd& end) { return n < end.n_contractions; };
+  const auto end = std::upper_bound(steps_.pass_ends.begin(), steps_.pass_ends.end(), n_contractions, is_before);
+  return n_contractions + static_cast<std::size_t>(end - steps_.pass_ends.begin());
+}
+
+std::optional<std::size_t> Replay::level_of_faces(std::uint64_t n_faces) const {
+  const auto found = std::partition_point(counts_.begin(), counts_.end(),
+                                          [n_faces](const Counts& counts) { return counts.n_faces > n_faces; });
+  if (found == counts_.end()) return std::nullopt;
+  return level_after(static_cast<std::size_t>(found - counts_.begin()));
+}
+
+std::optional<std::size_t> Replay::level_of_vertices(std::uint64_t n_vertices) const {
+  const auto found = std::partition_point(
+      counts_.begin(), counts_.end(), [n_vertices](const Counts& counts) { return counts.n_vertices > n_vertices; });
+  if (found == counts_.end()) return std::nullopt;
+  return level_after(static_cast<std::size_t>(found - counts_.begin()));
+}
+
+std::size_t Replay::level_of_cost(double cost) const {
+  const auto found = std::partition_point(counts_.begin() + 1, counts_.end(),
+                                          [cost](const Counts& counts) { return counts.cost <= cost; });
+  return level_after(static_cast<std::size_t>(found - counts_.begin()) - 1);
+}
+
+std::size_t Replay::level_at(double share) const {
+  const auto n = static_cast<double>(steps_.contractions.size());
+  return level_after(static_cast<std::size_t>(std::llround(std::clamp(share, 0.0, 1.0) * n)));
+}
+
+// Steps ---------------------------------------------------------------------------------------------------------------
+
+void Replay::go_to(std::size_t level) {
+  if (level > n_steps()) throw std::out_of_range("replay: there is no such level");
+  while (this->level() < level) is_pass_end_next() ? end_pass() : contract();
+  while (this->level() > level) is_pass_end_last() ? undo_pass_end() : undo_contraction();
+}
+
+void Replay::contract() {
+  const Contraction& contraction = steps_.contractions[n_contractions_];
+  positions_[contraction.survivor] = contraction.position;
+  for (const Index c : renamed(n_contractions_)) corners_[c / 3][c % 3] = contraction.survivor;
+  hide();
+  ++n_contractions_;
+}
+
+void Replay::undo_contraction() {
+  --n_contractions_;
+  const Contraction& contraction = steps_.contractions[n_contractions_];
+  undo_hiding();
+  positions_[contraction.survivor] = before_[n_contractions_];
+  for (const Index c : renamed(n_contractions_)) corners_[c / 3][c % 3] = contraction.removed;
+}
+
+void Replay::end_pass() {
+  const PassEnd& end = steps_.pass_ends[n_pass_ends_];
+  hide();
+  for (const auto& [vertex, position] : end.moved) positions_[vertex] = position;
+  for (const auto& [face, corners] : end.turned) corners_[face] = corners;
+  ++n_pass_ends_;
+}
+
+void Replay::undo_pass_end() {
+  --n_pass_ends_;
+  const PassEnd& end = steps_.pass_ends[n_pass_ends_];
+  const PassBefore& before = passes_before_[n_pass_ends_];
+  for (std::size_t i = end.turned.size(); i-- > 0;) corners_[end.turned[i].face] = before.corners[i];
+  for (std::size_t i = end.moved.size(); i-- > 0;) positions_[end.moved[i].vertex] = before.positions[i];
+  undo_hiding();
+}
+
+/// What the step at the current level hides.
+void Replay::hide() {
+  for (; n_hidings_ < hidings_.size() && hidings_[n_hidings_].step == level(); ++n_hidings_) {
+    is_hidden_[hidings_[n_hidings_].face] = hidings_[n_hidings_].is_hidden ? 1 : 0;
+  }
+}
+
+void Replay::undo_hiding() {
+  for (; n_hidings_ > 0 && hidings_[n_hidings_ - 1].step == level(); --n_hidings_) {
+    is_hidden_[hidings_[n_hidings_ - 1].face] = hidings_[n_hidings_ - 1].is_hidden ? 0 : 1;
+  }
+}
+
+// The surface ---------------------------------------------------------------------------------------------------------
+
+std::vector<Index> Replay::survivors() const {
+  std::vector<Index> survivors(input_.positions.size());
+  for (Index v = 0; v < survivors.size(); ++v) survivors[v] = v;
+  for (std::size_t i = n_contractions_; i-- > 0;) {
+    survivors[steps_.contractions[i].removed] = survivors[steps_.contractions[i].survivor];
+  }
+  return survivors;
+}
+
+/// Of faces that coincide, the first is there.
+std::vector<Index> Replay::faces_left() const {
+  std::vector<Index> hidden;
+  for (std::size_t i = n_settled_[n_pass_ends_]; i < n_hidings_; ++i) hidden.push_back(hidings_[i].face);
+  std::vector<std::uint8_t> is_hidden;
+  for (const auto& [coming, going] : faces_to_exchange(*this, hidden)) {
+    is_hidden.resize(is_hidden_.size(), 2);
+    is_hidden[coming] = 0;
+    is_hidden[going] = 1;
+  }
+  std::vector<Index> faces;
+  faces.reserve(n_faces());
+  for (Index f = 0; f < corners_.size(); ++f) {
+    const bool is_there = is_hidden.empty() || is_hidden[f] == 2 ? is_hidden_[f] == 0 : is_hidden[f] == 0;
+    if (is_there && has_three_corners(corners_[f])) faces.push_back(f);
+  }
+  return faces;
+}
+
+/// As the run did: before the last pass of polish, but normals that are recomputed are those of its result.
+void Replay::add_attributes(const std::vector<Index>& numbers, Decimation& out) const {
+  const Frame frame = Frame::of_points(input_.positions);
+  const bool is_polished = is_pass_end_last() && n_pass_ends_ == steps_.pass_ends.size();
+  if (!is_polished || normals_ == Normals::recompute || input_.normals.empty()) {
+    carry_attributes(input_, frame, normals_, out.vertex_map, out.mesh);
+    return;
+  }
+  IndexedMesh mesh = out.mesh;
+  const PassEnd& end = steps_.pass_ends.back();
+  const PassBefore& before = passes_before_.back();
+  for (std::size_t i = end.moved.size(); i-- > 0;) {
+    const Index v = numbers[end.moved[i].vertex];
+    if (v != invalid_index) mesh.positions[v] = before.positions[i];
+  }
+  for (std::size_t i = end.turned.size(); i-- > 0;) {
+    const auto face = std::lower_bound(out.face_origins.begin(), out.face_origins.end(), end.turned[i].face);
+    const auto& [a, b, c] = before.corners[i];
+    mesh.faces[static_cast<std::size_t>(face - out.face_origins.begin())] = {numbers[a], numbers[b], numbers[c]};
+  }
+  carry_attributes(input_, frame, normals_, out.vertex_map, mesh);
+  out.mesh.colors = std::move(mesh.colors);
+  out.mesh.normals = std::move(mesh.normals);
+}
+
+Decimation Replay::decimation() const {
+  Decimation out;
+  out.face_origins = faces_left();
+  std::vector<Index> numbers(positions_.size(), invalid_index);
+  for (const Index f : out.face_origins) {
+    for (const Index v : corners_[f]) numbers[v] = 0;
+  }
+  IndexedMesh& mesh = out.mesh;
+  for (Index v = 0; v < numbers.size(); ++v) {
+    if (numbers[v] == invalid_index) continue;
+    numbers[v] = static_cast<Index>(mesh.positions.size());
+    mesh.positions.push_back(positions_[v]);
+    mesh.origins.push_back(input_.origins.empty() ? v : input_.origins[v]);
+  }
+  for (const Index f : out.face_origins) {
+    const auto& [a, b, c] = corners_[f];
+    mesh.faces.push_back({numbers[a], numbers[b], numbers[c]});
+  }
+  out.vertex_map = survivors();
+  for (Index& v : out.vertex_map) v = numbers[v];
+  add_attributes(numbers, out);
+  out.result.n_contractions = n_contractions_;
+  out.result.n_vertices = n_vertices();
+  out.result.n_faces = n_faces();
+  out.result.max_cost = cost();
+  return out;
+}
+
+}  // namespace whittle::progressive

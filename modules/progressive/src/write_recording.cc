@@ -1,0 +1,194 @@
+#include <algorithm>
+#include <bit>
+#include <functional>
+#include <ostream>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "bytes.hh"
+#include "chunks.hh"
+#include "whittle/core/detail/parallel.hh"
+
+namespace whittle::progressive {
+namespace {
+
+/// Elements of a chunk.
+constexpr std::size_t most_elements = 65536;
+constexpr std::size_t most_about = 1'000'000;
+
+/// A chunk to be written.
+struct ChunkToWrite {
+  std::string_view type;
+  std::function<void(ByteWriter&)> write_payload;
+};
+
+bool is_float(const Vec3& p) {
+  const Eigen::Vector3f single = p.cast<float>();
+  const Vec3 back = single.cast<double>();
+  for (int i = 0; i < 3; ++i) {
+    if (std::bit_cast<std::uint64_t>(back[i]) != std::bit_cast<std::uint64_t>(p[i])) return false;
+  }
+  return true;
+}
+
+void write_position(ByteWriter& writer, const Vec3& p) {
+  for (int i = 0; i < 3; ++i) writer.number(p[i]);
+}
+
+/// In single precision where that keeps every bit.
+void write_positions(ByteWriter& writer, std::span<const Vec3> positions) {
+  const bool are_single = std::all_of(positions.begin(), positions.end(), is_float);
+  writer.number(static_cast<std::uint8_t>(are_single ? 1 : 0));
+  for (const Vec3& p : positions) {
+    if (!are_single) write_position(writer, p);
+    for (int i = 0; are_single && i < 3; ++i) writer.number(static_cast<float>(p[i]));
+  }
+}
+
+std::int64_t difference(Index to, Index from) { return std::int64_t{to} - std::int64_t{from}; }
+
+void write_corners(ByteWriter& writer, const Triangle& corners, Index last) {
+  writer.difference(difference(corners[0], last));
+  writer.difference(difference(corners[1], corners[0]));
+  writer.difference(difference(corners[2], corners[0]));
+}
+
+void write_faces(ByteWriter& writer, std::span<const Triangle> faces) {
+  Index last = 0;
+  for (const Triangle& face : faces) {
+    write_corners(writer, face, last);
+    last = face[0];
+  }
+}
+
+template <std::size_t N>
+void write_floats(ByteWriter& writer, std::span<const std::array<float, N>> values) {
+  for (const auto& value : values) {
+    for (const float number : value) writer.number(number);
+  }
+}
+
+void write_origins(ByteWriter& writer, std::span<const Index> origins) {
+  Index last = 0;
+  for (const Index origin : origins) {
+    writer.difference(difference(origin, last));
+    last = origin;
+  }
+}
+
+void write_contractions(ByteWriter& writer, std::span<const Contraction> contractions) {
+  constexpr std::size_t bytes_each = 40;
+  writer.bytes().reserve(contractions.size() * bytes_each);
+  for (const Contraction& contraction : contractions) {
+    const std::uint64_t kind = (contraction.is_threshold_pair ? 1U : 0U) | (contraction.joins_faces ? 2U : 0U);
+    writer.count((std::uint64_t{contraction.removed} << 2) | kind);
+    writer.difference(difference(contraction.survivor, contraction.removed));
+  }
+  for (const Contraction& contraction : contractions) write_position(writer, contraction.position);
+  for (const Contraction& contraction : contractions) writer.number(contraction.cost);
+}
+
+void write_moved(ByteWriter& writer, std::span<const PassEnd::MovedVertex> moved) {
+  Index last = 0;
+  for (const auto& [vertex, position] : moved) {
+    writer.difference(difference(vertex, last));
+    last = vertex;
+  }
+  for (const auto& [vertex, position] : moved) write_position(writer, position);
+}
+
+void write_turned(ByteWriter& writer, std::span<const PassEnd::TurnedFace> turned) {
+  Index last = 0;
+  for (const auto& [face, corners] : turned) {
+    writer.difference(difference(face, last));
+    write_corners(writer, corners, 0);
+    last = face;
+  }
+}
+
+class ChunkList {
+ public:
+  void add(std::string_view type, std::function<void(ByteWriter&)> write_payload) {
+    chunks_.push_back({type, std::move(write_payload)});
+  }
+  /// As many chunks as the elements take. Each begins with their number.
+  template <class Item, class Write>
+  void add_elements(std::string_view type, std::span<const Item> items, const Write& write) {
+    for (std::size_t begin = 0; begin < items.size(); begin += most_elements) {
+      const auto part = items.subspan(begin, std::min(most_elements, items.size() - begin));
+      add(type, [part, write](ByteWriter& writer) {
+        writer.count(part.size());
+        write(writer, part);
+      });
+    }
+  }
+  void write(std::ostream& out, const RecordingOptions& options) const;
+
+ private:
+  std::vector<ChunkToWrite> chunks_;
+};
+
+/// Some chunks at a time, so that there is memory for few of them.
+void ChunkList::write(std::ostream& out, const RecordingOptions& options) const {
+  constexpr std::size_t at_a_time = 64;
+  for (std::size_t begin = 0; begin < chunks_.size(); begin += at_a_time) {
+    std::vector<std::string> bytes(std::min(at_a_time, chunks_.size() - begin));
+    for_each_block(bytes.size(), options.threads, [&](std::size_t i) {
+      ByteWriter writer;
+      chunks_[begin + i].write_payload(writer);
+      bytes[i] = framed(chunks_[begin + i].type, writer.bytes(), options.compress);
+    });
+    for (const std::string& part : bytes) out << part;
+  }
+}
+
+void add_mesh(const IndexedMesh& mesh, ChunkList& chunks) {
+  chunks.add_elements("VERT", std::span(mesh.positions), write_positions);
+  chunks.add_elements("FACE", std::span(mesh.faces), write_faces);
+  chunks.add_elements("NORM", std::span(mesh.normals), write_floats<3>);
+  chunks.add_elements("COLR", std::span(mesh.colors), write_floats<4>);
+  chunks.add_elements("ORIG", std::span(mesh.origins), write_origins);
+}
+
+void add_steps(const RunSteps& steps, ChunkList& chunks) {
+  const std::span contractions(steps.contractions);
+  std::size_t n_done = 0;
+  for (const PassEnd& end : steps.pass_ends) {
+    chunks.add_elements("STEP", contractions.subspan(n_done, end.n_contractions - n_done), write_contractions);
+    chunks.add("PASS", [](ByteWriter&) {});
+    chunks.add_elements("MOVE", std::span(end.moved), write_moved);
+    chunks.add_elements("TURN", std::span(end.turned), write_turned);
+    n_done = end.n_contractions;
+  }
+  chunks.add_elements("STEP", contractions.subspan(n_done), write_contractions);
+}
+
+void write_head(ByteWriter& writer, const IndexedMesh& input, const RunSteps& steps, Normals normals,
+                std::string_view about, bool is_embedded) {
+  writer.count(input.positions.size());
+  writer.count(input.faces.size());
+  writer.count(steps.contractions.size());
+  writer.count(steps.pass_ends.size());
+  for (const std::uint64_t part : content_hash(input)) writer.number(part);
+  writer.number(static_cast<std::uint8_t>(normals));
+  writer.number(static_cast<std::uint8_t>(is_embedded ? 1 : 0));
+  writer.count(about.size());
+  writer.text(about);
+}
+
+}  // namespace
+
+void write_recording(std::ostream& out, const IndexedMesh& input, const RunSteps& steps, Normals normals,
+                     std::string_view about, const RecordingOptions& options) {
+  if (about.size() > most_about) throw std::invalid_argument("recording: more than a million bytes of text about it");
+  ChunkList chunks;
+  chunks.add("HEAD", [&](ByteWriter& writer) { write_head(writer, input, steps, normals, about, options.embed); });
+  if (options.embed) add_mesh(input, chunks);
+  add_steps(steps, chunks);
+  chunks.add("END ", [](ByteWriter&) {});
+  write_signature(out);
+  chunks.write(out, options);
+}
+
+}  // namespace whittle::progressive
