@@ -188,7 +188,7 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
        {blob, "-o", out, "--ratio", "0.1", "--cost", "quadric", "--weights", "uniform", "--placement", "midpoint",
         "--order", "exact", "--polish", "0", "--strict"},
        {terrain, "-o", out, "--max-error", "1%", "--max-error-borders", "0.5%", "--certificate", folder / "proof",
-        "--tolerance-map", tolerances},
+        "--record", folder / "rec", "--no-embed", "--zstd", "--tolerance-map", tolerances},
        {blob, "-o", out, "--faces", "500", "--certify", "--isotropic", "0.5", "--valence", "1", "--fit", "max"},
        {large, "-o", out, "--faces", "1000", "--effort", "fast"},
        {blob, "-o", out, "--faces", "500", "--engine", "openmesh"},
@@ -255,6 +255,27 @@ TEST(ReportKeys, OfConvertAreDocumented) {
   expect_documented("convert", {{bare, folder / "out", "--format", "obj", "--quiet", "--no-weld", "--force"},
                                 {bare, folder / "out.ply", "--input-format", "obj", "--output-format", "ply", "--ascii",
                                  "--weld", "auto", "--verbose", "--threads", "1", "--color", "never"}});
+}
+
+TEST(ReportKeys, OfReplayAreDocumented) {
+  const TemporaryFolder folder;
+  const std::string terrain = data_file("terrain.ply");
+  const std::string out = folder / "out";
+  const std::string rec = folder / "rec";
+  const std::string bare = folder / "bare";
+  for (const std::string& path : {rec, bare}) {
+    std::vector<std::string> arguments{"simplify", terrain, "-o",     folder / "small.ply", "--faces", "500",
+                                       "--record", path,    "--quiet"};
+    if (path == bare) arguments.insert(arguments.end(), {"--no-embed", "--zstd"});
+    ASSERT_EQ(whittle(arguments).exit_code, 0);
+  }
+  expect_documented(
+      "replay", {{rec, "-o", out, "--format", "ply", "--faces", "600", "--verbose", "--ascii"},
+                 {rec, "-o", out, "--output-format", "obj", "--vertices", "600", "--quiet", "--threads", "1"},
+                 {bare, "--output", out, "--format", "ply", "--input", terrain, "--cost", "1e-9", "--no-weld"},
+                 {bare, "-o", out, "--output-format", "ply", "--input", terrain, "--input-format", "ply", "--at", "0.5",
+                  "--weld", "0", "--force", "--color", "never"},
+                 {rec, "-o", folder / "out{i}.ply", "--steps", "0:1:3"}});
 }
 
 TEST(ReportKeys, OfVerifyAreDocumented) {

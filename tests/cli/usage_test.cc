@@ -68,7 +68,7 @@ TEST(Usage, NamesWhatIsUnknown) {
   expect_usage_error(whittle({"info", data_file("cubes.obj"), "another.obj"}),
                      {"one argument too many: 'another.obj'"});
   // An unknown option, or an unknown value of `--effort`, is an error.
-  for (const char* option : {"--effort", "--record", "--curve"}) {
+  for (const char* option : {"--effort", "--curve"}) {
     expect_usage_error(whittle(simplify_with(folder, {option, "1"})), {option});
   }
 }

@@ -18,10 +18,10 @@ import time
 
 import sites
 
-MODULES = ("core", "engine", "polish", "metrics", "verify", "io", "openmesh")
+MODULES = ("core", "engine", "polish", "metrics", "verify", "progressive", "io", "openmesh")
 
 # In this order, but first same_bytes if the module's results are among its own, and the module's own tests.
-PROGRAMS = ("test_core", "test_engine", "same_bytes", "test_polish", "test_metrics", "test_verify", "test_io",
+PROGRAMS = ("test_core", "test_engine", "same_bytes", "test_polish", "test_metrics", "test_verify", "test_progressive", "test_io",
             "example_plain_arrays", "example_locked_regions", "example_cancelling", "test_property", "test_fuzz",
             "test_data", "test_openmesh", "example_openmesh_properties", "example_own_cost_and_guard", "test_cli",
             "test_fuzz_command_line", "test_accuracy")

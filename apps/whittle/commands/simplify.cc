@@ -31,6 +31,7 @@
 #include "whittle/metrics/meeting_parts.hh"
 #include "whittle/metrics/self_intersections.hh"
 #include "whittle/metrics/shape.hh"
+#include "whittle/progressive/recording.hh"
 
 namespace whittle::app {
 namespace {
@@ -81,6 +82,7 @@ SimplifyOptions resolved(const SimplifyCommand& options, const SimplifyRecord& r
     decimate.feature_tolerance = options.feature_tolerance.in_units(record.diagonal) / record.diagonal;
   }
   decimate.threads = options.common.threads;
+  decimate.keep_steps = options.recording.has_value();
   return result;
 }
 
@@ -263,6 +265,15 @@ void count_intersections(const SimplifyCommand& options, const Talk& talk, Simpl
   record.n_intersections_after = count(record.simplified.mesh, 0.8, 1, bar);
 }
 
+void write_recording_file(const SimplifyCommand& options, const SimplifyRecord& record, OutputFiles& files) {
+  const Json about = {{"program", program_and_version()}, {"options", options_json(options)}};
+  const progressive::RecordingOptions how{options.embeds_input, options.compresses_recording, options.common.threads};
+  files.write(*options.recording, [&](std::ostream& out) {
+    progressive::write_recording(out, record.input.read.mesh, record.simplified.steps,
+                                 options.simplify.decimate.normals, to_text(about), how);
+  });
+}
+
 /// Writes the result, the map and the report. All of them appear, or none does.
 /// \param report becomes the report, even without --json; may be null
 void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwatch& since_start, SimplifyRecord& record,
@@ -274,6 +285,7 @@ void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwat
   if (options.certificate) {
     files.write(*options.certificate, [&record](std::ostream& out) { out << record.certificate; });
   }
+  if (options.recording) write_recording_file(options, record, files);
   record.seconds.write = watch.seconds();
   record.seconds.total = since_start.seconds();
   const Json json = report != nullptr || options.common.json ? simplify_json(options, record) : Json();

@@ -53,10 +53,10 @@ struct FileOptions {
   bool ascii = false;                         ///< text, in formats that are written as text or as binary data
 };
 /// Adds --weld. \param group as below
-void add_weld(CLI::App& app, FileOptions& options, const std::string& group = "OPTIONS");
+void add_weld(CLI::App& app, FileOptions& options, const std::string& group = "Options");
 
 /// Adds --weld and --no-weld. \param group of the help; or empty: that of options without one
-void add_weld_options(CLI::App& app, FileOptions& options, const std::string& group = "OPTIONS");
+void add_weld_options(CLI::App& app, FileOptions& options, const std::string& group = "Options");
 CLI::Option* add_format(CLI::App& app, FileOptions& options);
 CLI::Option* add_input_format(CLI::App& app, FileOptions& options);
 CLI::Option* add_output_format(CLI::App& app, FileOptions& options);

@@ -70,6 +70,8 @@ std::vector<Conflict> conflicts() {
       {"--max-cost", "--engine openmesh", "OpenMesh looks at a cost when it is queued, not when its turn comes"},
       {"--max-error", "--engine openmesh", not_in_openmesh},
       {"--certificate", "--prune", "the proof is about all of IN"},
+      {"--no-embed", "--prune", "the recording is of IN without its small parts"},
+      {"--record", "--engine openmesh", not_in_openmesh},
       {"--tolerance-map", "--prune", "the lengths are of all vertices of IN"},
       {"--threshold", "--engine openmesh", no_pairs},
       {"--max-pairs", "--engine openmesh", no_pairs},
@@ -299,6 +301,19 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
       "write the steps of the proof how far OUT is from IN at most, for 'whittle verify'; '{stem}' as in OUT")
       ->default_str("off")
       ->group(file_group);
+  add_value(
+      app, "--record", "FILE", options.recording, [](std::string_view text) { return std::string(text); },
+      "write the steps of the run, for 'whittle replay'; '{stem}' as in OUT")
+      ->default_str("off")
+      ->group(file_group);
+  app.add_flag_callback(
+         "--no-embed", [&options] { options.embeds_input = false; },
+         "leave IN out of the recording: it is smaller, and 'replay' needs IN")
+      ->default_str("off")
+      ->group(file_group);
+  app.add_flag("--zstd", options.compresses_recording, "compress the recording with zstd")
+      ->default_str("off")
+      ->group(file_group);
   add_choice<Normals>(app, "--normals", options.simplify.decimate.normals, normals,
                       "vertex normals: the mean of those merged, those of the faces of the result, or none")
       ->group(file_group);
@@ -339,7 +354,9 @@ void check_options(const CLI::App& app, const SimplifyCommand& options) {
 }
 
 std::vector<std::string> idle_options(const CLI::App& app, const SimplifyCommand& options) {
-  static const std::array<IdleOption, 7> all{{{"--max-pairs", "--threshold", ""},
+  static const std::array<IdleOption, 9> all{{{"--max-pairs", "--threshold", ""},
+                                              {"--no-embed", "--record", ""},
+                                              {"--zstd", "--record", ""},
                                               {"--max-error-borders", "--max-error", ""},
                                               {"--tolerance-map", "--max-error", ""},
                                               {"--across-walls", "--threshold", ""},
@@ -363,6 +380,7 @@ void check_files(const std::vector<SimplifyCommand>& runs) {
     outputs.push_back({"--output", run.output});
     if (run.map) outputs.push_back({"--map", *run.map});
     if (run.certificate) outputs.push_back({"--certificate", *run.certificate});
+    if (run.recording) outputs.push_back({"--record", *run.recording});
   }
   const SimplifyCommand& any = runs.front();
   if (any.common.json) outputs.push_back({"--json", *any.common.json});

@@ -44,6 +44,9 @@ struct SimplifyCommand {
   SelfIntersections self_intersections = SelfIntersections::allow;
   std::optional<std::string> map;          ///< file for the vertex map; `{stem}` as in `output`
   std::optional<std::string> certificate;  ///< file for the steps of the proof; `{stem}` as in `output`
+  std::optional<std::string> recording;    ///< file for the steps of the run; `{stem}` as in `output`
+  bool embeds_input = true;                ///< whether the recording has the input in it
+  bool compresses_recording = false;
   bool strict = false;
   bool certify = false;               ///< whether the largest distance is found without a limit, too
   std::vector<std::string> warnings;  ///< of options that do nothing

@@ -33,13 +33,13 @@ void check_stems(const SimplifyCommand& command) {
     throw UsageError("one argument too many: '" + command.inputs[1] +
                      "'; several inputs need '{stem}' in --output, such as 'out/{stem}.ply'");
   }
-  if (command.map && !has_stem(*command.map)) {
-    throw UsageError("--map: several inputs make several maps; its file needs '{stem}' in its name, too");
-  }
-  if (command.certificate && !has_stem(*command.certificate)) {
-    throw UsageError(
-        "--certificate: several inputs make several certificates; its file needs '{stem}' in its name, too");
-  }
+  const auto check = [](const std::optional<std::string>& path, const std::string& option, const std::string& what) {
+    if (!path || has_stem(*path)) return;
+    throw UsageError(option + ": several inputs make several " + what + "; its file needs '{stem}' in its name, too");
+  };
+  check(command.map, "--map", "maps");
+  check(command.certificate, "--certificate", "certificates");
+  check(command.recording, "--record", "recordings");
 }
 
 /// \throw UsageError naming two inputs that would be written to one file
@@ -81,8 +81,9 @@ std::vector<SimplifyCommand> runs_of(const SimplifyCommand& command) {
     run.input = command.inputs[i];
     if (!is_named_by_stem(command)) continue;
     run.output = with_stem(run.output, stem_of(run.input));
-    if (run.map) run.map = with_stem(*run.map, stem_of(run.input));
-    if (run.certificate) run.certificate = with_stem(*run.certificate, stem_of(run.input));
+    for (std::optional<std::string>* path : {&run.map, &run.certificate, &run.recording}) {
+      if (*path) *path = with_stem(**path, stem_of(run.input));
+    }
   }
   refuse_same_outputs(runs);
   return runs;

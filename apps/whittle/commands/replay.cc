@@ -1,0 +1,287 @@
+#include "whittle/progressive/replay.hh"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "commands/subcommands.hh"
+#include "files/input.hh"
+#include "files/output.hh"
+#include "files/report.hh"
+#include "options/values.hh"
+#include "terminal/stopwatch.hh"
+#include "terminal/table.hh"
+#include "whittle/io/errors.hh"
+#include "whittle/progressive/recording.hh"
+
+namespace whittle::app {
+namespace {
+
+using progressive::Recording;
+using progressive::Replay;
+
+constexpr char level_group[] = "Levels (one of these)";
+constexpr std::string_view number_word = "{i}";
+
+/// Levels at even distances.
+struct Series {
+  double from, to;  ///< shares of the contractions
+  std::uint64_t n;
+};
+
+struct ReplayCommand {
+  std::string recording;
+  std::optional<std::string> input;  ///< of the run, if it is not in the recording
+  std::string output;
+  std::optional<std::uint64_t> faces, vertices;
+  std::optional<double> cost, at;
+  std::optional<Series> series;
+  FileOptions files;
+  CommonOptions common;
+};
+
+/// A level that was written.
+struct Level {
+  std::string path;
+  std::size_t n_contractions;
+  std::uint64_t n_vertices, n_faces;
+  double cost;
+};
+
+struct ReplayRun {
+  Recording recording;  ///< its mesh and steps are in the replay
+  std::uint64_t n_contractions = 0;
+  std::vector<Level> levels;
+  double read_seconds = 0, replay_seconds = 0, write_seconds = 0;
+  std::vector<std::string> warnings;
+};
+
+constexpr Range share_range{0, 1};
+
+Series parse_series(std::string_view text) {
+  const std::size_t first = text.find(':');
+  const std::size_t second = first == std::string_view::npos ? first : text.find(':', first + 1);
+  if (second == std::string_view::npos) {
+    throw std::invalid_argument("'" + std::string(text) + "' is not of the form A:B:N, such as 0:1:50");
+  }
+  constexpr std::uint64_t fewest = 2;
+  constexpr std::uint64_t most = 1'000'000;
+  return {parse_number(text.substr(0, first), share_range, "A"),
+          parse_number(text.substr(first + 1, second - first - 1), share_range, "B"),
+          parse_count(text.substr(second + 1), fewest, most)};
+}
+
+Recording read_recording_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw io::ReadError(path, std::string("cannot be opened: ") + std::strerror(errno));
+  try {
+    return progressive::read_recording(file);
+  } catch (const progressive::RecordingError& error) {
+    throw io::ReadError(path, error.what());
+  }
+}
+
+/// The mesh that the run began with.
+IndexedMesh input_of(const ReplayCommand& options, Recording& recording, const Talk& talk) {
+  if (!options.input) {
+    if (recording.input) return std::move(*recording.input);
+    throw UsageError(options.recording + " doesn't have the mesh that was simplified: name it with --input");
+  }
+  IndexedMesh mesh = read_input(*options.input, options.files, options.common.threads, talk).read.mesh;
+  if (progressive::content_hash(mesh) != recording.hash) {
+    throw io::ReadError(*options.input, "is not the mesh of " + options.recording +
+                                            ", or is read otherwise: --weld and --no-weld have to be as they were");
+  }
+  return mesh;
+}
+
+Replay replay_of(const ReplayCommand& options, ReplayRun& run, const Talk& talk) {
+  run.recording = read_recording_file(options.recording);
+  run.n_contractions = run.recording.steps.contractions.size();
+  IndexedMesh mesh = input_of(options, run.recording, talk);
+  try {
+    return {std::move(mesh), std::move(run.recording.steps), run.recording.normals};
+  } catch (const std::invalid_argument& error) {
+    throw io::ReadError(options.recording, error.what());
+  }
+}
+
+/// \throw std::runtime_error if there is no such level
+std::size_t level_of(const ReplayCommand& options, const Replay& replay) {
+  if (options.cost) return replay.level_of_cost(*options.cost);
+  if (options.at) return replay.level_at(*options.at);
+  const std::optional<std::size_t> level =
+      options.faces ? replay.level_of_faces(*options.faces) : replay.level_of_vertices(*options.vertices);
+  if (level) return *level;
+  const auto asked = options.faces ? faces_text(*options.faces) : vertices_text(*options.vertices);
+  throw std::runtime_error(options.recording + ": its last level has more than " + asked + ": " +
+                           faces_text(replay.n_faces()) + " and " + vertices_text(replay.n_vertices()));
+}
+
+std::vector<std::size_t> levels_of(const ReplayCommand& options, const Replay& replay) {
+  if (!options.series) return {level_of(options, replay)};
+  const auto& [from, to, n] = *options.series;
+  std::vector<std::size_t> levels;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double share = from + (to - from) * static_cast<double>(i) / static_cast<double>(n - 1);
+    levels.push_back(replay.level_at(share));
+  }
+  return levels;
+}
+
+/// The file of level i of n: numbers have as many digits as the last one.
+std::string path_of(const ReplayCommand& options, std::size_t i, std::size_t n) {
+  std::string path = options.output;
+  const std::size_t width = std::to_string(n - 1).size();
+  std::string number = std::to_string(i);
+  number.insert(0, width - number.size(), '0');
+  for (std::size_t at = 0; (at = path.find(number_word, at)) != std::string::npos; at += number.size()) {
+    path.replace(at, number_word.size(), number);
+  }
+  return path;
+}
+
+Json replay_json(const ReplayCommand& options, const ReplayRun& run, double total_seconds) {
+  Json json = new_report();
+  json["recording"] = {{"path", options.recording},
+                       {"embedded", run.recording.input.has_value()},
+                       {"vertices", run.recording.n_vertices},
+                       {"faces", run.recording.n_faces},
+                       {"contractions", run.n_contractions}};
+  json["levels"] = Json::array();
+  for (const Level& level : run.levels) {
+    json["levels"].push_back({{"path", level.path},
+                              {"contractions", level.n_contractions},
+                              {"vertices", level.n_vertices},
+                              {"faces", level.n_faces},
+                              {"max_cost", level.cost}});
+  }
+  json["seconds"] = {{"read", run.read_seconds},
+                     {"replay", run.replay_seconds},
+                     {"write", run.write_seconds},
+                     {"total", total_seconds}};
+  json["peak_rss_bytes"] = peak_memory_bytes();
+  json["warnings"] = run.warnings;
+  return json;
+}
+
+void check(const CLI::App& app, const ReplayCommand& options) {
+  check_conflicts(app, common_conflicts());
+  const int n_given = int{options.faces.has_value()} + int{options.vertices.has_value()} +
+                      int{options.cost.has_value()} + int{options.at.has_value()} + int{options.series.has_value()};
+  if (n_given != 1) throw UsageError("one of --faces, --vertices, --cost, --at and --steps is needed, and only one");
+  const bool has_number = options.output.find(number_word) != std::string::npos;
+  if (options.series && !has_number) {
+    throw UsageError("--steps writes several files: --output needs '{i}' in it, such as 'frame_{i}.ply'");
+  }
+  if (!options.series && has_number) throw UsageError("'{i}' in --output is for --steps");
+  std::vector<std::string> inputs;
+  if (options.input) inputs.push_back(*options.input);
+  const std::size_t n = options.series ? options.series->n : 1;
+  std::vector<std::string> meshes;
+  std::vector<Output> outputs;
+  for (std::size_t i = 0; i < n; ++i) {
+    meshes.push_back(path_of(options, i, n));
+    outputs.push_back({"--output", meshes.back()});
+  }
+  if (options.common.json) outputs.push_back({"--json", *options.common.json});
+  check_formats(inputs, meshes, options.files);
+  inputs.push_back(options.recording);
+  check_outputs(outputs, inputs, options.common.force);
+}
+
+void write_levels(const ReplayCommand& options, Replay& replay, OutputFiles& files, const Talk& talk, ReplayRun& run) {
+  const std::vector<std::size_t> levels = levels_of(options, replay);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const Stopwatch replaying;
+    replay.go_to(levels[i]);
+    const Decimation level = replay.decimation();
+    run.replay_seconds += replaying.seconds();
+    const Stopwatch writing;
+    const std::string path = path_of(options, i, levels.size());
+    write_mesh(files, path, options.files, level.mesh, talk, run.warnings);
+    run.write_seconds += writing.seconds();
+    run.levels.push_back(
+        {path, level.result.n_contractions, level.result.n_vertices, level.result.n_faces, level.result.max_cost});
+  }
+}
+
+ExitCode run_replay(const CLI::App& app, const ReplayCommand& options) {
+  check(app, options);
+  const Talk talk = options.common.talk();
+  const Stopwatch watch;
+  ReplayRun run;
+  Replay replay = replay_of(options, run, talk);
+  run.read_seconds = watch.seconds();
+  OutputFiles files;
+  write_levels(options, replay, files, talk, run);
+  commit_with_report(files, options.common,
+                     options.common.json ? to_text(replay_json(options, run, watch.seconds())) : std::string());
+  const Level& last = run.levels.back();
+  const std::string what =
+      options.series ? counted(run.levels.size(), "level", "levels") + ", the last of " + faces_text(last.n_faces)
+                     : faces_text(last.n_faces) + ", " + vertices_text(last.n_vertices);
+  talk.say(shown_output(options.output) + ": " + what + " in " + seconds_text(watch.seconds()));
+  say_effort(talk, watch.seconds());
+  return ExitCode::done;
+}
+
+void add_level_options(CLI::App& app, ReplayCommand& options) {
+  const auto count = [](std::string_view text) { return std::optional(parse_count(text)); };
+  const auto add = [&app](const std::string& name, const std::string& value_name, auto& target, auto parse,
+                          const std::string& description) {
+    add_value(app, name, value_name, target, parse, description)->default_str("off")->group(level_group);
+  };
+  add("--faces", "N", options.faces, count, "the first level of at most N faces");
+  add("--vertices", "N", options.vertices, count, "the first level of at most N vertices");
+  add(
+      "--cost", "C", options.cost,
+      [](std::string_view text) { return std::optional(parse_number(text, Range{0}, "C")); },
+      "the last level to which no contraction costs more than C, in the unit of the run's cost");
+  add(
+      "--at", "T", options.at,
+      [](std::string_view text) { return std::optional(parse_number(text, share_range, "T")); },
+      "the level after this share of the contractions: 0 is the input, 1 the result of the run");
+  add(
+      "--steps", "A:B:N", options.series, [](std::string_view text) { return std::optional(parse_series(text)); },
+      "N levels at even distances, from --at A to --at B; '{i}' in --output stands for the number of each");
+}
+
+}  // namespace
+
+void setup_replay(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<ReplayCommand>();
+  CLI::App* sub = app.add_subcommand("replay", "Write any level of detail out of a recording of 'simplify'.");
+  add_file(*sub, "REC", options->recording, "what 'simplify --record' has written")->type_name("FILE");
+  add_level_options(*sub, *options);
+  add_value(
+      *sub, "-o,--output", "OUT", options->output, [](std::string_view text) { return std::string(text); },
+      "the level: a file, replaced if it exists, or '-' for standard output")
+      ->required();
+  add_value(
+      *sub, "--input", "FILE", options->input, [](std::string_view text) { return std::string(text); },
+      "the mesh that was simplified, for a recording that was written with --no-embed")
+      ->default_str("the one in REC");
+  add_format(*sub, options->files);
+  add_input_format(*sub, options->files);
+  add_output_format(*sub, options->files);
+  add_ascii(*sub, options->files);
+  add_weld_options(*sub, options->files);
+  add_common_options(*sub, options->common);
+  set_usage(*sub, "REC -o OUT LEVEL [OPTION]...");
+  sub->footer(
+      "Examples:\n"
+      "  whittle simplify dragon.ply -o small.ply --ratio 1% --record dragon.rec\n"
+      "  whittle replay dragon.rec --faces 20000 -o medium.ply\n"
+      "  whittle replay dragon.rec --steps 0:1:50 -o 'frame_{i}.ply'");
+  sub->callback([sub, options, &command] { command = [sub, options] { return run_replay(*sub, *options); }; });
+}
+
+}  // namespace whittle::app
