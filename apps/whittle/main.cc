@@ -108,6 +108,7 @@ int main(int argc, char** argv) {
     setup_compare(app, command);
     setup_convert(app, command);
     setup_verify(app, command);
+    setup_lod(app, command);
     setup_replay(app, command);
     setup_completion(app, command);
     setup_man(app, command);

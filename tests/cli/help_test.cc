@@ -13,8 +13,8 @@
 namespace whittle::test {
 namespace {
 
-const std::vector<std::string> subcommands{"simplify", "measure", "info",   "polish",
-                                           "compare",  "convert", "verify", "replay"};
+const std::vector<std::string> subcommands{"simplify", "measure", "info",   "polish", "compare",
+                                           "convert",  "verify",  "replay", "lod"};
 
 std::string page(const std::string& subcommand) {
   return read_text(std::filesystem::path(WHITTLE_DOCS_DIR) / "user" / (subcommand + ".md"));
@@ -76,6 +76,7 @@ TEST(Help, DocumentsEveryConflict) {
       if (sub == "measure" || sub == "polish") arguments.push_back(mesh);
       if (sub == "verify") arguments.insert(arguments.end(), {mesh, folder / "proof"});
       if (sub == "convert") arguments.push_back(folder / "out.obj");
+      if (sub == "lod") arguments.insert(arguments.end(), {"-o", folder / "out{i}.obj", "--faces", "100"});
       if (sub == "replay") arguments.insert(arguments.end(), {"-o", folder / "out.obj", "--at", "1"});
       if (sub == "simplify" || sub == "compare") arguments.insert(arguments.end(), {"--faces", "150"});
       const bool names_output = first.starts_with("--output") || second.starts_with("--output");

@@ -278,6 +278,18 @@ TEST(ReportKeys, OfReplayAreDocumented) {
                  {rec, "-o", folder / "out{i}.ply", "--steps", "0:1:3"}});
 }
 
+TEST(ReportKeys, OfLodAreDocumented) {
+  const TemporaryFolder folder;
+  const std::string terrain = data_file("terrain.ply");
+  const std::string out = folder / "out{i}";
+  expect_documented(
+      "lod", {{terrain, "-o", out, "--format", "ply", "--faces", "600,300", "--verbose", "--ascii", "--effort", "best"},
+              {terrain, "-o", out, "--output-format", "obj", "--ratios", "0.5,10%", "--quiet", "--threads", "1"},
+              {terrain, "--output", out, "--format", "ply", "--face-ratios", "10%", "--no-weld", "--fit", "max"},
+              {terrain, "-o", out, "--output-format", "ply", "--input-format", "ply", "--errors", "1%", "--weld", "0",
+               "--force", "--color", "never"}});
+}
+
 TEST(ReportKeys, OfVerifyAreDocumented) {
   const TemporaryFolder folder;
   const std::string point = point_mesh(folder);

@@ -13,6 +13,7 @@ void setup_polish(CLI::App& app, Command& command);
 void setup_compare(CLI::App& app, Command& command);
 void setup_convert(CLI::App& app, Command& command);
 void setup_verify(CLI::App& app, Command& command);
+void setup_lod(CLI::App& app, Command& command);
 void setup_replay(CLI::App& app, Command& command);
 
 // These two print what they know of the other subcommands. They read no mesh and have no options.

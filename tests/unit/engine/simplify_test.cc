@@ -183,5 +183,48 @@ TEST(Simplify, CanBeCancelledWhileContracting) {
   EXPECT_EQ(nothing.result.n_contractions, 0U);
 }
 
+TEST(SimplifyToLevels, GivesEachLevelItsCountAndPolishesIt) {
+  const IndexedMesh mesh = test::knot(600, 120);  // in blocks to the first level
+  std::vector<DecimateTarget> targets;
+  for (const std::uint64_t n : {70'000, 20'000, 3'000, 2'999, 500}) targets.push_back(DecimateTarget::faces(n));
+  const std::vector<Simplification> levels = simplify_to_levels(mesh, targets);
+  ASSERT_EQ(levels.size(), targets.size());
+  EXPECT_EQ(levels.back().result.why_in_one_pass, "");
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    EXPECT_LE(levels[i].mesh.faces.size(), targets[i].n_faces());
+    EXPECT_GE(levels[i].mesh.faces.size() + 2, targets[i].n_faces());
+    EXPECT_EQ(levels[i].result.n_faces, levels[i].mesh.faces.size());
+    EXPECT_GT(levels[i].polish.n_moved, 0U) << i;
+    if (i > 0) {
+      EXPECT_GE(levels[i].result.max_cost, levels[i - 1].result.max_cost);
+    }
+  }
+}
+
+TEST(SimplifyToLevels, IsAsAccurateAsARunToEachLevel) {
+  const IndexedMesh mesh = test::blob(5, 3);
+  std::vector<DecimateTarget> targets;
+  for (const std::uint64_t n : {8000, 2000, 500}) targets.push_back(DecimateTarget::faces(n));
+  const std::vector<Simplification> levels = simplify_to_levels(mesh, targets);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const double direct = metrics::surface_distance(mesh, simplify(mesh, targets[i]).mesh).mean;
+    EXPECT_LE(metrics::surface_distance(mesh, levels[i].mesh).mean, 1.1 * direct) << i;
+  }
+}
+
+TEST(SimplifyToLevels, RejectsWhatIsNoDescent) {
+  const IndexedMesh mesh = test::sphere(3);
+  const auto rejects = [&](const std::vector<DecimateTarget>& targets) {
+    EXPECT_THROW(simplify_to_levels(mesh, targets), std::invalid_argument);
+  };
+  rejects({});
+  rejects({DecimateTarget::faces(100), DecimateTarget::faces(100)});
+  rejects({DecimateTarget::faces(100), DecimateTarget::faces(200)});
+  rejects({DecimateTarget::faces(300), DecimateTarget::vertices(100)});
+  rejects({DecimateTarget::faces(300).or_vertices(100)});
+  rejects({DecimateTarget::faces(300).or_max_error(1)});
+  rejects({DecimateTarget::faces(mesh.faces.size())});
+}
+
 }  // namespace
 }  // namespace whittle::test

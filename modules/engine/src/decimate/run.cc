@@ -12,9 +12,16 @@
 namespace whittle {
 namespace {
 
+/// The first pause, if blocks would go beyond it on the way to the target.
+DecimateTarget target_of_blocks(const Passes& passes, const BlockPlan& plan) {
+  const std::vector<double>& pauses = passes.options().pauses.at;
+  const bool is_early = !pauses.empty() && pauses.front() > plan.surplus;
+  return is_early ? passes.target().with_counts_times(pauses.front()) : passes.target();
+}
+
 /// Contracts in blocks where that is worth while, and then to each stop in turn.
 void contract_to_stops(Passes& passes, const BlockPlan& plan) {
-  std::string_view why_in_one_pass = passes.contract_in_blocks(passes.target(), plan);
+  std::string_view why_in_one_pass = passes.contract_in_blocks(target_of_blocks(passes, plan), plan);
   const std::vector<DecimateTarget> stops = passes.stops();
   const auto contract_to_stop = [&](std::size_t i) { passes.contract_to(stops[i], i + 1 == stops.size()); };
   contract_to_stop(0);

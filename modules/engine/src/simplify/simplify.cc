@@ -2,6 +2,8 @@
 
 #include <chrono>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "decimate/changes.hh"
@@ -10,6 +12,7 @@
 #include "simplify/nearer_result.hh"
 #include "simplify/plain_trial.hh"
 #include "simplify/polish_within.hh"
+#include "whittle/engine/attributes.hh"
 
 namespace whittle {
 namespace {
@@ -228,6 +231,68 @@ Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, E
   better.decimate_seconds = other.decimate_seconds;
   better.polish_seconds = other.polish_seconds + seconds_since(compare_start);
   return std::move(better);
+}
+
+namespace {
+
+std::uint64_t count_of(const DecimateTarget& target) {
+  return target.n_faces().value_or(target.n_vertices().value_or(0));
+}
+
+/// \throw std::invalid_argument
+void check_levels(const IndexedMesh& mesh, const std::vector<DecimateTarget>& targets, const SimplifyOptions& options) {
+  const auto require = [](bool is_so, const char* what) {
+    if (!is_so) throw std::invalid_argument(std::string("simplify_to_levels: ") + what);
+  };
+  require(!targets.empty(), "there is no target");
+  require(options.decimate.pauses.at.empty() && !options.pauses, "pauses don't go with levels");
+  const bool has_faces = targets.front().n_faces().has_value();
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const DecimateTarget& target = targets[i];
+    require(target.n_faces().has_value() == has_faces && target.n_vertices().has_value() != has_faces,
+            "a target is no count, or counts are not all of one kind");
+    require(!target.cost_limit() && !target.error_limit(), "a target limits the cost or the error");
+    require(i == 0 || count_of(target) < count_of(targets[i - 1]), "targets are not in descending order");
+  }
+  require(count_of(targets.front()) < (has_faces ? mesh.faces.size() : mesh.positions.size()),
+          "the mesh has reached a target");
+}
+
+/// Multiples of the last target's count that come to the counts of the others, rounded up.
+std::vector<double> pauses_at(const std::vector<DecimateTarget>& targets) {
+  std::vector<double> at;
+  for (std::size_t i = 0; i + 1 < targets.size(); ++i) {
+    at.push_back((static_cast<double>(count_of(targets[i])) - 0.5) / static_cast<double>(count_of(targets.back())));
+  }
+  return at;
+}
+
+}  // namespace
+
+std::vector<Simplification> simplify_to_levels(const IndexedMesh& mesh, const std::vector<DecimateTarget>& targets,
+                                               Effort effort, const SimplifyOptions& options) {
+  check_levels(mesh, targets, options);
+  SimplifyOptions settled = with_effort(effort, options, mesh, targets.front());
+  settled.pauses->clear();
+  SimplifyOptions without_flips = settled;
+  without_flips.flips = false;
+  DecimationPolisher polisher(mesh);
+  const Frame frame = Frame::of_points(mesh.positions);
+  std::vector<Simplification> levels;
+  double polish_seconds = 0;
+  const auto add_level = [&](Decimation& paused) {
+    const Clock::time_point start = Clock::now();
+    const PolishResult polish = polisher.polish(without_flips, paused);
+    polish_seconds += seconds_since(start);
+    levels.push_back({paused, *settled.decimate.cost, polish, 0, 0});
+    carry_attributes(mesh, frame, settled.decimate.normals, levels.back().vertex_map, levels.back().mesh);
+    return !polish.cancelled;
+  };
+  settled.decimate.pauses = {pauses_at(targets), add_level};
+  levels.push_back(simplify_as_settled(mesh, targets.back(), settled, polisher));
+  levels.back().decimate_seconds -= polish_seconds;
+  levels.back().polish_seconds += polish_seconds;
+  return levels;
 }
 
 }  // namespace whittle

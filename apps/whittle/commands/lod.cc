@@ -1,0 +1,277 @@
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "commands/stage_bars.hh"
+#include "commands/subcommands.hh"
+#include "files/input.hh"
+#include "files/output.hh"
+#include "files/report.hh"
+#include "options/efforts.hh"
+#include "options/fits.hh"
+#include "options/values.hh"
+#include "terminal/interruption.hh"
+#include "terminal/stopwatch.hh"
+#include "terminal/table.hh"
+#include "whittle/progressive/levels.hh"
+
+namespace whittle::app {
+namespace {
+
+constexpr char level_group[] = "Levels (one of these)";
+
+struct LodCommand {
+  std::string input;
+  std::string output;
+  std::vector<double> ratios;        ///< shares of the vertices
+  std::vector<double> face_ratios;   ///< shares of the faces
+  std::vector<std::uint64_t> faces;  ///< counts
+  std::vector<Length> errors;
+  Effort effort = Effort::normal;
+  Fit fit = Fit::balanced;
+  FileOptions files;
+  CommonOptions common;
+};
+
+/// A level, and where it is written.
+struct Level {
+  Simplification simplified;
+  std::optional<double> error;  ///< that is proven, model units
+  std::string path;
+};
+
+struct LodRun {
+  Input input;
+  double diagonal = 0;
+  std::vector<Level> levels;
+  double levels_seconds = 0, write_seconds = 0;
+  std::vector<std::string> warnings;
+};
+
+/// The parts of a list with commas.
+template <class Parse>
+auto parse_list(std::string_view text, const Parse& parse) {
+  std::vector<decltype(parse(text))> values;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    values.push_back(parse(text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return values;
+}
+
+Length parse_error(std::string_view text) {
+  const Length length = parse_length(text, "E");
+  if (!(length.value > 0)) throw std::invalid_argument("a length has to be above 0");
+  return length;
+}
+
+/// Counts in descending order, each once. \throw UsageError if the mesh doesn't have more
+std::vector<DecimateTarget> targets_of(const LodCommand& options, const LodRun& run) {
+  const IndexedMesh& mesh = run.input.read.mesh;
+  std::vector<std::uint64_t> counts = options.faces;
+  for (const double ratio : options.ratios) counts.push_back(share_of(ratio, mesh.positions.size()));
+  for (const double ratio : options.face_ratios) counts.push_back(share_of(ratio, mesh.faces.size()));
+  std::sort(counts.begin(), counts.end(), std::greater<>());
+  counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+  std::vector<DecimateTarget> targets;
+  for (const std::uint64_t n : counts) {
+    targets.push_back(options.ratios.empty() ? DecimateTarget::faces(n) : DecimateTarget::vertices(n));
+  }
+  if (!options.faces.empty() && counts.front() >= mesh.faces.size()) {
+    throw UsageError("--faces: " + run.input.name + " has " + faces_text(mesh.faces.size()) + ", and " +
+                     std::to_string(counts.front()) + " are asked");
+  }
+  return targets;
+}
+
+/// In model units, ascending, each once.
+std::vector<double> errors_of(const LodCommand& options, const LodRun& run) {
+  std::vector<double> errors;
+  for (const Length& error : options.errors) errors.push_back(error.in_units(run.diagonal));
+  std::sort(errors.begin(), errors.end());
+  errors.erase(std::unique(errors.begin(), errors.end()), errors.end());
+  return errors;
+}
+
+std::vector<Level> make_levels(const LodCommand& options, const LodRun& run, const SimplifyOptions& simplify) {
+  const IndexedMesh& mesh = run.input.read.mesh;
+  std::vector<Level> levels;
+  if (options.errors.empty()) {
+    for (Simplification& level : simplify_to_levels(mesh, targets_of(options, run), options.effort, simplify)) {
+      levels.push_back({std::move(level), std::nullopt, {}});
+    }
+  } else {
+    for (progressive::ProvenLevel& level :
+         progressive::levels_within(mesh, errors_of(options, run), options.effort, simplify)) {
+      const double error = level.error;
+      levels.push_back({std::move(level), error, {}});
+    }
+  }
+  return levels;
+}
+
+/// The path of level i: words in braces are replaced.
+std::string path_of(std::string path, std::size_t i, std::uint64_t n_faces, std::uint64_t n_vertices) {
+  const auto replace = [&path](const std::string& word, const std::string& text) {
+    for (std::size_t at = 0; (at = path.find(word, at)) != std::string::npos; at += text.size()) {
+      path.replace(at, word.size(), text);
+    }
+  };
+  replace("{i}", std::to_string(i));
+  replace("{faces}", std::to_string(n_faces));
+  replace("{vertices}", std::to_string(n_vertices));
+  return path;
+}
+
+/// \throw UsageError if two levels would be written to the same file
+void name_levels(const LodCommand& options, LodRun& run) {
+  for (std::size_t i = 0; i < run.levels.size(); ++i) {
+    Level& level = run.levels[i];
+    const IndexedMesh& mesh = level.simplified.mesh;
+    level.path = path_of(options.output, i, mesh.faces.size(), mesh.positions.size());
+    if (i > 0 && level.path == run.levels[i - 1].path) {
+      throw UsageError("two levels would be written to " + level.path + "; use '{i}' in --output");
+    }
+  }
+}
+
+Json lod_json(const LodCommand& options, const LodRun& run, double total_seconds) {
+  Json json = new_report();
+  json["input"] = input_json(run.input, run.diagonal);
+  json["options"] = {{"weld", options.files.weld},
+                     {"weld_tolerance", to_string(options.files.weld_tolerance)},
+                     {"ascii", options.files.ascii},
+                     {"effort", word_of<Effort>(efforts, options.effort)},
+                     {"fit", word_of<Fit>(fits, options.fit)}};
+  json["levels"] = Json::array();
+  for (const Level& level : run.levels) {
+    Json one = {{"path", level.path},
+                {"vertices", level.simplified.mesh.positions.size()},
+                {"faces", level.simplified.mesh.faces.size()},
+                {"max_cost", level.simplified.result.max_cost}};
+    one["max_error"] = level.error ? Json(*level.error) : Json(nullptr);
+    json["levels"].push_back(std::move(one));
+  }
+  json["seconds"] = {{"read", run.input.seconds},
+                     {"levels", run.levels_seconds},
+                     {"write", run.write_seconds},
+                     {"total", total_seconds}};
+  json["peak_rss_bytes"] = peak_memory_bytes();
+  json["warnings"] = run.warnings;
+  return json;
+}
+
+void check(const CLI::App& app, const LodCommand& options) {
+  check_conflicts(app, common_conflicts());
+  const int n_given = int{!options.ratios.empty()} + int{!options.face_ratios.empty()} + int{!options.faces.empty()} +
+                      int{!options.errors.empty()};
+  if (n_given != 1) throw UsageError("one of --ratios, --face-ratios, --faces and --errors is needed, and only one");
+  if (path_of(options.output, 0, 1, 2) == options.output) {
+    throw UsageError("--output needs '{faces}', '{vertices}' or '{i}' in it, such as 'out_{faces}.ply'");
+  }
+  check_formats({options.input}, {options.output}, options.files);
+  std::vector<Output> outputs{{"--output", options.output}};
+  if (options.common.json) outputs.push_back({"--json", *options.common.json});
+  check_outputs(outputs, {options.input}, options.common.force);
+}
+
+SimplifyOptions library_options(const LodCommand& options, StageBars& bars) {
+  SimplifyOptions simplify;
+  simplify.fit = options.fit;
+  simplify.decimate.threads = options.common.threads;
+  simplify.decimate.progress = [&bars](const Progress& progress) { return bars.update(progress); };
+  return simplify;
+}
+
+void write_levels(const LodCommand& options, const Talk& talk, const Stopwatch& since_start, LodRun& run) {
+  const Stopwatch writing;
+  OutputFiles files;
+  for (const Level& level : run.levels) {
+    check_outputs({{"--output", level.path}}, {options.input}, options.common.force);
+    write_mesh(files, level.path, options.files, level.simplified.mesh, talk, run.warnings);
+  }
+  run.write_seconds = writing.seconds();
+  commit_with_report(files, options.common,
+                     options.common.json ? to_text(lod_json(options, run, since_start.seconds())) : std::string());
+}
+
+ExitCode run_lod(const CLI::App& app, const LodCommand& options) {
+  check(app, options);
+  const Talk talk = options.common.talk();
+  const Stopwatch watch;
+  LodRun run;
+  run.input = read_input(options.input, options.files, options.common.threads, talk);
+  run.warnings = run.input.warnings;
+  run.diagonal = metrics::bounds(run.input.read.mesh).diagonal();
+  const Stopwatch working;
+  {
+    StageBars bars(talk);
+    const SignalsWait signals_wait;
+    run.levels = make_levels(options, run, library_options(options, bars));
+    SignalsWait::throw_if_pending();
+  }
+  run.levels_seconds = working.seconds();
+  name_levels(options, run);
+  write_levels(options, talk, watch, run);
+  for (const Level& level : run.levels) {
+    const IndexedMesh& mesh = level.simplified.mesh;
+    const std::string error = level.error ? ", within " + length_text_rounded_up(*level.error, run.diagonal) : "";
+    talk.say(level.path + ": " + faces_text(mesh.faces.size()) + ", " + vertices_text(mesh.positions.size()) + error);
+  }
+  say_effort(talk, watch.seconds());
+  return ExitCode::done;
+}
+
+void add_level_options(CLI::App& app, LodCommand& options) {
+  const auto add = [&app](const std::string& name, const std::string& value_name, auto& target, auto parse,
+                          const std::string& description) {
+    add_value(
+        app, name, value_name, target, [parse](std::string_view text) { return parse_list(text, parse); }, description)
+        ->default_str("off")
+        ->group(level_group);
+  };
+  add("--ratios", "R,…", options.ratios, parse_ratio, "levels with these shares of the vertices: 0.5,0.25 or 50%,25%");
+  add("--face-ratios", "R,…", options.face_ratios, parse_ratio, "levels with these shares of the faces");
+  add(
+      "--faces", "N,…", options.faces, [](std::string_view text) { return parse_count(text); },
+      "levels with these numbers of faces");
+  add("--errors", "E,…", options.errors, parse_error,
+      "levels of few faces that are proven to be within these distances of IN, and IN of them: model units, or "
+      "percentages of the diagonal such as 0.1%,0.5%");
+}
+
+}  // namespace
+
+void setup_lod(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<LodCommand>();
+  CLI::App* sub = app.add_subcommand("lod", "Write several levels of detail out of one run.");
+  add_mesh_file(*sub, options->input);
+  add_level_options(*sub, *options);
+  add_value(
+      *sub, "-o,--output", "OUT", options->output, [](std::string_view text) { return std::string(text); },
+      "the levels: files, replaced if they exist; '{faces}' and '{vertices}' in it stand for the counts of each, '{i}' "
+      "for its number, from 0")
+      ->required();
+  add_choice<Effort>(*sub, "--effort", options->effort, efforts, effort_meaning);
+  add_choice<Fit>(*sub, "--fit", options->fit, fits, fit_meaning);
+  add_format(*sub, options->files);
+  add_input_format(*sub, options->files);
+  add_output_format(*sub, options->files);
+  add_ascii(*sub, options->files);
+  add_weld_options(*sub, options->files);
+  add_common_options(*sub, options->common);
+  set_usage(*sub, "IN -o OUT LEVELS [OPTION]...");
+  sub->footer(
+      "Examples:\n"
+      "  whittle lod dragon.ply --ratios 50%,25%,10% -o 'dragon_{faces}.ply'\n"
+      "  whittle lod part.stl --errors 0.1%,0.5%,1% -o 'part_{i}.obj'");
+  sub->callback([sub, options, &command] { command = [sub, options] { return run_lod(*sub, *options); }; });
+}
+
+}  // namespace whittle::app

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "whittle/engine/simplify.hh"
+
+namespace whittle::progressive {
+
+/// A level that is proven to be near to the input.
+struct ProvenLevel : Simplification {
+  double error = 0;  ///< each point of it is within this of the input, and each point of the input of it; model units
+};
+
+/// Levels of detail out of one run, of few faces within each error: the run goes down to the last face, each level is
+/// found by bisection, to 1 % of its faces, and is polished where that keeps within the error.
+/// \param errors model units, above 0, ascending
+/// \param options `decimate.progress` is asked during the run alone
+/// \return a level an error; of all the input's faces if no other is proven. Fewer if the run is cancelled
+/// \throw as `simplify`; std::invalid_argument for other errors
+std::vector<ProvenLevel> levels_within(const IndexedMesh& mesh, const std::vector<double>& errors,
+                                       Effort effort = Effort::normal, const SimplifyOptions& options = {});
+
+}  // namespace whittle::progressive

@@ -1,0 +1,87 @@
+#include "whittle/progressive/levels.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "whittle/metrics/certify.hh"
+#include "whittle/progressive/replay.hh"
+
+namespace whittle::progressive {
+namespace {
+
+void check(const std::vector<double>& errors) {
+  const auto is_length = [](double error) { return error > 0 && std::isfinite(error); };
+  if (errors.empty() || !std::all_of(errors.begin(), errors.end(), is_length) ||
+      !std::is_sorted(errors.begin(), errors.end())) {
+    throw std::invalid_argument("levels_within: errors are lengths above 0, ascending");
+  }
+}
+
+class LevelSearch {
+ public:
+  LevelSearch(const IndexedMesh& mesh, Replay& replay, const SimplifyOptions& options)
+      : mesh_(mesh), replay_(replay), options_(options) {}
+
+  ProvenLevel find(double error);
+
+ private:
+  bool is_within(double error, const Decimation& level) const {
+    if (level.mesh.faces.empty()) return false;
+    const metrics::CertifyOptions options{.threads = options_.decimate.threads, .vertex_map = level.vertex_map};
+    return metrics::certify(mesh_, level.mesh, error, options).verdict == metrics::Verdict::proven;
+  }
+  Decimation level_after(std::size_t n_contractions) {
+    replay_.go_to(replay_.level_after(n_contractions));
+    return replay_.decimation();
+  }
+
+  const IndexedMesh& mesh_;
+  Replay& replay_;
+  const SimplifyOptions& options_;
+  std::size_t least_ = 0;  ///< contractions that keep within the error before
+};
+
+/// The last of the levels that bisection finds to be within the error.
+ProvenLevel LevelSearch::find(double error) {
+  std::size_t most = replay_.steps().contractions.size() + 1;
+  Decimation found = level_after(least_);
+  while (most - least_ > std::max<std::size_t>(1, found.mesh.faces.size() / 200)) {  // two faces a contraction
+    const std::size_t middle = least_ + (most - least_) / 2;
+    Decimation level = level_after(middle);
+    if (is_within(error, level)) {
+      least_ = middle;
+      found = std::move(level);
+    } else {
+      most = middle;
+    }
+  }
+  ProvenLevel level{{std::move(found), *options_.decimate.cost, {}, 0, 0}, error};
+  Decimation polished = level;
+  const PolishResult polish = polish_decimation(mesh_, options_, polished);
+  if (polish.n_passes == 0 || !is_within(error, polished)) return level;
+  static_cast<Decimation&>(level) = std::move(polished);
+  level.polish = polish;
+  return level;
+}
+
+}  // namespace
+
+std::vector<ProvenLevel> levels_within(const IndexedMesh& mesh, const std::vector<double>& errors, Effort effort,
+                                       const SimplifyOptions& options) {
+  check(errors);
+  const auto last = DecimateTarget::faces(1);
+  SimplifyOptions settled = with_effort(effort, options, mesh, last);
+  settled.decimate.keep_steps = true;
+  Decimation run = decimate(mesh, last, settled.decimate);
+  std::vector<ProvenLevel> levels;
+  if (run.result.stop == StopReason::cancelled) return levels;
+  Replay replay(mesh, std::move(run.steps), settled.decimate.normals);
+  LevelSearch search(mesh, replay, settled);
+  for (const double error : errors) levels.push_back(search.find(error));
+  return levels;
+}
+
+}  // namespace whittle::progressive
