@@ -18,7 +18,7 @@ machine=${1:-}
 shift
 build=$PWD/build/cross-$machine
 libraries=$build/libraries # where the toolchain files look for them
-header_packages=(libeigen3-dev libnanoflann-dev libfast-float-dev)
+header_packages=(libeigen3-dev libnanoflann-dev libfast-float-dev libxxhash-dev)
 own_packages=(cmake ninja-build googletest "${header_packages[@]}")
 
 # The libraries that are headers alone serve any machine.

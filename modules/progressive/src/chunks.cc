@@ -1,7 +1,9 @@
 #include "chunks.hh"
 
 #include <xxhash.h>
+#ifdef WHITTLE_ZSTD
 #include <zstd.h>
+#endif
 
 #include <array>
 #include <istream>
@@ -18,6 +20,7 @@ constexpr std::uint32_t is_compressed = 1;  // a flag
 constexpr std::size_t header_bytes = 16;
 constexpr std::size_t check_bytes = 8;
 
+#ifdef WHITTLE_ZSTD
 std::string compressed(std::string_view bytes) {
   constexpr int fast = 1;
   std::string result(ZSTD_compressBound(bytes.size()), '\0');
@@ -33,6 +36,13 @@ std::string decompressed(std::string_view bytes, std::size_t size) {
   if (ZSTD_isError(n) != 0 || n != size) throw RecordingError("a part of it can't be decompressed");
   return result;
 }
+#else
+std::string compressed(std::string_view) { throw std::runtime_error("this program was built without zstd"); }
+
+std::string decompressed(std::string_view, std::size_t) {
+  throw RecordingError("it is compressed, and this program was built without zstd");
+}
+#endif
 
 std::string read_bytes(std::istream& in, std::size_t n) {
   std::string bytes(n, '\0');

@@ -52,7 +52,8 @@ enum class Stage {
 struct Progress {
   std::uint64_t n_vertices;  ///< left now
   std::uint64_t n_faces;     ///< left now
-  double fraction;           ///< of the stage, [0, 1]; while contracting, of the way to the nearest target
+  double
+      fraction;  ///< of the stage, [0, 1]; while contracting, of the way to the nearest count asked for, 0 if none is
   Stage stage = Stage::decimate;
 };
 

@@ -11,8 +11,8 @@ namespace whittle {
 struct Contraction {
   Index survivor;
   Index removed;
-  Vec3 position;    ///< of the survivor from now on, model units
-  double cost;                 ///< unit as `DecimateTarget::max_cost`
+  Vec3 position;           ///< of the survivor from now on, model units
+  double cost;             ///< unit as `DecimateTarget::max_cost`
   bool is_threshold_pair;  ///< whether the two were a pair beside the edges
   /// Whether faces of the two coincide now. Of those over each edge, one of the more frequent orientation is left; none
   /// if both are equally frequent.

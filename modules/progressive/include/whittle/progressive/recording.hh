@@ -33,7 +33,7 @@ struct Recording {
 /// What is said besides the steps.
 struct RecordingOptions {
   bool embed = true;      ///< the input
-  bool compress = false;  ///< with zstd
+  bool compress = false;  ///< with zstd; std::runtime_error if the library was built without it
   unsigned threads = 0;   ///< 0 = all cores; the file doesn't depend on it
 };
 
