@@ -23,7 +23,7 @@
 namespace whittle::app {
 namespace {
 
-constexpr char level_group[] = "Levels (one of these)";
+constexpr char lod_level_group[] = "Levels (one of these)";
 
 struct LodCommand {
   std::string input;
@@ -39,7 +39,7 @@ struct LodCommand {
 };
 
 /// A level, and where it is written.
-struct Level {
+struct LodLevel {
   Simplification simplified;
   std::optional<double> error;  ///< that is proven, model units
   std::string path;
@@ -48,7 +48,7 @@ struct Level {
 struct LodRun {
   Input input;
   double diagonal = 0;
-  std::vector<Level> levels;
+  std::vector<LodLevel> levels;
   double levels_seconds = 0, write_seconds = 0;
   std::vector<std::string> warnings;
 };
@@ -80,6 +80,7 @@ std::vector<DecimateTarget> targets_of(const LodCommand& options, const LodRun& 
   std::sort(counts.begin(), counts.end(), std::greater<>());
   counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
   std::vector<DecimateTarget> targets;
+  targets.reserve(counts.size());
   for (const std::uint64_t n : counts) {
     targets.push_back(options.ratios.empty() ? DecimateTarget::faces(n) : DecimateTarget::vertices(n));
   }
@@ -99,9 +100,9 @@ std::vector<double> errors_of(const LodCommand& options, const LodRun& run) {
   return errors;
 }
 
-std::vector<Level> make_levels(const LodCommand& options, const LodRun& run, const SimplifyOptions& simplify) {
+std::vector<LodLevel> make_levels(const LodCommand& options, const LodRun& run, const SimplifyOptions& simplify) {
   const IndexedMesh& mesh = run.input.read.mesh;
-  std::vector<Level> levels;
+  std::vector<LodLevel> levels;
   if (options.errors.empty()) {
     for (Simplification& level : simplify_to_levels(mesh, targets_of(options, run), options.effort, simplify)) {
       levels.push_back({std::move(level), std::nullopt, {}});
@@ -132,7 +133,7 @@ std::string path_of(std::string path, std::size_t i, std::uint64_t n_faces, std:
 /// \throw UsageError if two levels would be written to the same file
 void name_levels(const LodCommand& options, LodRun& run) {
   for (std::size_t i = 0; i < run.levels.size(); ++i) {
-    Level& level = run.levels[i];
+    LodLevel& level = run.levels[i];
     const IndexedMesh& mesh = level.simplified.mesh;
     level.path = path_of(options.output, i, mesh.faces.size(), mesh.positions.size());
     if (i > 0 && level.path == run.levels[i - 1].path) {
@@ -150,7 +151,7 @@ Json lod_json(const LodCommand& options, const LodRun& run, double total_seconds
                      {"effort", word_of<Effort>(efforts, options.effort)},
                      {"fit", word_of<Fit>(fits, options.fit)}};
   json["levels"] = Json::array();
-  for (const Level& level : run.levels) {
+  for (const LodLevel& level : run.levels) {
     Json one = {{"path", level.path},
                 {"vertices", level.simplified.mesh.positions.size()},
                 {"faces", level.simplified.mesh.faces.size()},
@@ -192,7 +193,7 @@ SimplifyOptions library_options(const LodCommand& options, StageBars& bars) {
 void write_levels(const LodCommand& options, const Talk& talk, const Stopwatch& since_start, LodRun& run) {
   const Stopwatch writing;
   OutputFiles files;
-  for (const Level& level : run.levels) {
+  for (const LodLevel& level : run.levels) {
     check_outputs({{"--output", level.path}}, {options.input}, options.common.force);
     write_mesh(files, level.path, options.files, level.simplified.mesh, talk, run.warnings);
   }
@@ -219,7 +220,7 @@ ExitCode run_lod(const CLI::App& app, const LodCommand& options) {
   run.levels_seconds = working.seconds();
   name_levels(options, run);
   write_levels(options, talk, watch, run);
-  for (const Level& level : run.levels) {
+  for (const LodLevel& level : run.levels) {
     const IndexedMesh& mesh = level.simplified.mesh;
     const std::string error = level.error ? ", within " + length_text_rounded_up(*level.error, run.diagonal) : "";
     talk.say(level.path + ": " + faces_text(mesh.faces.size()) + ", " + vertices_text(mesh.positions.size()) + error);
@@ -234,7 +235,7 @@ void add_level_options(CLI::App& app, LodCommand& options) {
     add_value(
         app, name, value_name, target, [parse](std::string_view text) { return parse_list(text, parse); }, description)
         ->default_str("off")
-        ->group(level_group);
+        ->group(lod_level_group);
   };
   add("--ratios", "R,…", options.ratios, parse_ratio, "levels with these shares of the vertices: 0.5,0.25 or 50%,25%");
   add("--face-ratios", "R,…", options.face_ratios, parse_ratio, "levels with these shares of the faces");

@@ -27,7 +27,7 @@ namespace {
 using progressive::Recording;
 using progressive::Replay;
 
-constexpr char level_group[] = "Levels (one of these)";
+constexpr char replay_level_group[] = "Levels (one of these)";
 constexpr std::string_view number_word = "{i}";
 
 /// Levels at even distances.
@@ -48,7 +48,7 @@ struct ReplayCommand {
 };
 
 /// A level that was written.
-struct Level {
+struct ReplayLevel {
   std::string path;
   std::size_t n_contractions;
   std::uint64_t n_vertices, n_faces;
@@ -58,7 +58,7 @@ struct Level {
 struct ReplayRun {
   Recording recording;  ///< its mesh and steps are in the replay
   std::uint64_t n_contractions = 0;
-  std::vector<Level> levels;
+  std::vector<ReplayLevel> levels;
   double read_seconds = 0, replay_seconds = 0, write_seconds = 0;
   std::vector<std::string> warnings;
 };
@@ -156,7 +156,7 @@ Json replay_json(const ReplayCommand& options, const ReplayRun& run, double tota
                        {"faces", run.recording.n_faces},
                        {"contractions", run.n_contractions}};
   json["levels"] = Json::array();
-  for (const Level& level : run.levels) {
+  for (const ReplayLevel& level : run.levels) {
     json["levels"].push_back({{"path", level.path},
                               {"contractions", level.n_contractions},
                               {"vertices", level.n_vertices},
@@ -224,7 +224,7 @@ ExitCode run_replay(const CLI::App& app, const ReplayCommand& options) {
   write_levels(options, replay, files, talk, run);
   commit_with_report(files, options.common,
                      options.common.json ? to_text(replay_json(options, run, watch.seconds())) : std::string());
-  const Level& last = run.levels.back();
+  const ReplayLevel& last = run.levels.back();
   const std::string what =
       options.series ? counted(run.levels.size(), "level", "levels") + ", the last of " + faces_text(last.n_faces)
                      : faces_text(last.n_faces) + ", " + vertices_text(last.n_vertices);
@@ -237,7 +237,7 @@ void add_level_options(CLI::App& app, ReplayCommand& options) {
   const auto count = [](std::string_view text) { return std::optional(parse_count(text)); };
   const auto add = [&app](const std::string& name, const std::string& value_name, auto& target, auto parse,
                           const std::string& description) {
-    add_value(app, name, value_name, target, parse, description)->default_str("off")->group(level_group);
+    add_value(app, name, value_name, target, parse, description)->default_str("off")->group(replay_level_group);
   };
   add("--faces", "N", options.faces, count, "the first level of at most N faces");
   add("--vertices", "N", options.vertices, count, "the first level of at most N vertices");

@@ -24,13 +24,13 @@ class Hasher {
       }
     }
   }
-  /// An array, after its length.
-  template <class Number, class Item>
+  /// An array of items of N numbers each, after its length.
+  template <class Number, std::size_t N, class Item>
   void add_all(const std::vector<Item>& items) {
-    static_assert(sizeof(Item) % sizeof(Number) == 0);
+    static_assert(sizeof(Item) == N * sizeof(Number));
     const std::uint64_t n = items.size();
     add(&n, 1);
-    if (n > 0) add(reinterpret_cast<const Number*>(items.data()), n * (sizeof(Item) / sizeof(Number)));
+    if (n > 0) add(reinterpret_cast<const Number*>(items.data()), n * N);
   }
   ContentHash hash() const {
     const XXH128_hash_t hash = XXH3_128bits_digest(state_.get());
@@ -45,11 +45,11 @@ class Hasher {
 
 ContentHash content_hash(const IndexedMesh& mesh) {
   Hasher hasher;
-  hasher.add_all<double>(mesh.positions);
-  hasher.add_all<Index>(mesh.faces);
-  hasher.add_all<float>(mesh.normals);
-  hasher.add_all<float>(mesh.colors);
-  hasher.add_all<Index>(mesh.origins);
+  hasher.add_all<double, 3>(mesh.positions);
+  hasher.add_all<Index, 3>(mesh.faces);
+  hasher.add_all<float, 3>(mesh.normals);
+  hasher.add_all<float, 4>(mesh.colors);
+  hasher.add_all<Index, 1>(mesh.origins);
   return hasher.hash();
 }
 

@@ -186,7 +186,7 @@ TEST(Simplify, CanBeCancelledWhileContracting) {
 TEST(SimplifyToLevels, GivesEachLevelItsCountAndPolishesIt) {
   const IndexedMesh mesh = test::knot(600, 120);  // in blocks to the first level
   std::vector<DecimateTarget> targets;
-  for (const std::uint64_t n : {70'000, 20'000, 3'000, 2'999, 500}) targets.push_back(DecimateTarget::faces(n));
+  for (const std::uint64_t n : {70'000U, 20'000U, 3'000U, 2'999U, 500U}) targets.push_back(DecimateTarget::faces(n));
   const std::vector<Simplification> levels = simplify_to_levels(mesh, targets);
   ASSERT_EQ(levels.size(), targets.size());
   EXPECT_EQ(levels.back().result.why_in_one_pass, "");
@@ -204,7 +204,7 @@ TEST(SimplifyToLevels, GivesEachLevelItsCountAndPolishesIt) {
 TEST(SimplifyToLevels, IsAsAccurateAsARunToEachLevel) {
   const IndexedMesh mesh = test::blob(5, 3);
   std::vector<DecimateTarget> targets;
-  for (const std::uint64_t n : {8000, 2000, 500}) targets.push_back(DecimateTarget::faces(n));
+  for (const std::uint64_t n : {8000U, 2000U, 500U}) targets.push_back(DecimateTarget::faces(n));
   const std::vector<Simplification> levels = simplify_to_levels(mesh, targets);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const double direct = metrics::surface_distance(mesh, simplify(mesh, targets[i]).mesh).mean;

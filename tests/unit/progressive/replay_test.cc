@@ -115,7 +115,7 @@ TEST(Replay, HasEachLevelThatARunInExactOrderHas) {
 
 /// Faces that coincide by and by, with threshold pairs between random triangles on few points.
 TEST(Replay, LeavesTheFacesThatARunLeavesWhereTheyCoincide) {
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
     test::Random random(seed);
     IndexedMesh mesh;
     const std::size_t n = 5 + random.below(8);
@@ -176,7 +176,7 @@ TEST(Replay, HasUsableLevelsWhereARunGoesInBlocks) {
   ASSERT_GE(decimated.steps.pass_ends.size(), 2U);
   Replay replay(mesh, decimated.steps);
   expect_same(replay.decimation(), decimated, "last level");
-  for (const std::uint64_t n_faces : {50000, 10000, 4000}) {
+  for (const std::uint64_t n_faces : {50000U, 10000U, 4000U}) {
     replay.go_to(*replay.level_of_faces(n_faces));
     const Decimation level = replay.decimation();
     const Decimation direct = decimate(mesh, DecimateTarget::faces(n_faces), options);

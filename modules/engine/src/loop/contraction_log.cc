@@ -20,7 +20,7 @@ void tell_by_input(std::span<const Vec3> positions, const Frame& frame, std::spa
 namespace {
 
 /// Contractions of a list that follow each other, of about the same cost.
-struct Run {
+struct CostRun {
   std::uint32_t cost_class;
   std::span<const Contraction> contractions;
 };
@@ -31,7 +31,7 @@ std::uint32_t class_of(double cost) {
   return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(std::max(cost, 0.0)) >> n_bits_left_out);
 }
 
-void add_runs(std::span<const Contraction> list, std::vector<Run>& runs) {
+void add_runs(std::span<const Contraction> list, std::vector<CostRun>& runs) {
   std::uint32_t greatest = 0;
   std::size_t begin = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -47,10 +47,11 @@ void add_runs(std::span<const Contraction> list, std::vector<Run>& runs) {
 }  // namespace
 
 void add_by_cost(std::span<const std::span<const Contraction>> lists, std::vector<Contraction>& all) {
-  std::vector<Run> runs;
+  std::vector<CostRun> runs;
   for (const std::span<const Contraction> list : lists) add_runs(list, runs);
-  std::stable_sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.cost_class < b.cost_class; });
-  for (const Run& run : runs) all.insert(all.end(), run.contractions.begin(), run.contractions.end());
+  std::stable_sort(runs.begin(), runs.end(),
+                   [](const CostRun& a, const CostRun& b) { return a.cost_class < b.cost_class; });
+  for (const CostRun& run : runs) all.insert(all.end(), run.contractions.begin(), run.contractions.end());
 }
 
 }  // namespace whittle
