@@ -237,12 +237,13 @@ void add_level_options(CLI::App& app, LodCommand& options) {
         ->default_str("off")
         ->group(lod_level_group);
   };
-  add("--ratios", "R,…", options.ratios, parse_ratio, "levels with these shares of the vertices: 0.5,0.25 or 50%,25%");
-  add("--face-ratios", "R,…", options.face_ratios, parse_ratio, "levels with these shares of the faces");
+  add("--ratios", "R,...", options.ratios, parse_ratio,
+      "levels with these shares of the vertices: 0.5,0.25 or 50%,25%");
+  add("--face-ratios", "R,...", options.face_ratios, parse_ratio, "levels with these shares of the faces");
   add(
-      "--faces", "N,…", options.faces, [](std::string_view text) { return parse_count(text); },
+      "--faces", "N,...", options.faces, [](std::string_view text) { return parse_count(text); },
       "levels with these numbers of faces");
-  add("--errors", "E,…", options.errors, parse_error,
+  add("--errors", "E,...", options.errors, parse_error,
       "levels of few faces that are proven to be within these distances of IN, and IN of them: model units, or "
       "percentages of the diagonal such as 0.1%,0.5%");
 }

@@ -121,8 +121,10 @@ void EngineRunT<MeshT>::note(const Contraction& contraction, double share) {
   merges_.push_back({input_.handle(contraction.removed), input_.handle(contraction.survivor)});
   if (has_vertex_attributes(mesh_)) shares_.push_back(static_cast<float>(share));
   if (!decimater_.listener_) return;
-  decimater_.listener_({input_.numbers.handles[contraction.survivor], input_.numbers.handles[contraction.removed],
-                        contraction.position, contraction.cost});
+  Contraction by_handles = contraction;
+  by_handles.survivor = input_.numbers.handles[contraction.survivor];
+  by_handles.removed = input_.numbers.handles[contraction.removed];
+  decimater_.listener_(by_handles);
 }
 
 /// Counts vertices with a face.

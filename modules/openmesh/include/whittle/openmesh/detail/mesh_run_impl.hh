@@ -218,8 +218,10 @@ bool MeshRunT<MeshT>::follow(const HostedContraction& made, const Contraction& c
   ++n_contractions_;
   decimater_.is_fresh_ = false;
   if (decimater_.listener_) {
-    decimater_.listener_({input_.numbers.handles[made.survivor], input_.numbers.handles[made.removed],
-                          contraction.position, contraction.cost});
+    Contraction by_handles = contraction;
+    by_handles.survivor = input_.numbers.handles[made.survivor];
+    by_handles.removed = input_.numbers.handles[made.removed];
+    decimater_.listener_(by_handles);
   }
   return decimater_.notify_observer(n_contractions_);
 }
