@@ -119,15 +119,9 @@ std::vector<LodLevel> make_levels(const LodCommand& options, const LodRun& run, 
 
 /// The path of level i: words in braces are replaced.
 std::string path_of(std::string path, std::size_t i, std::uint64_t n_faces, std::uint64_t n_vertices) {
-  const auto replace = [&path](const std::string& word, const std::string& text) {
-    for (std::size_t at = 0; (at = path.find(word, at)) != std::string::npos; at += text.size()) {
-      path.replace(at, word.size(), text);
-    }
-  };
-  replace("{i}", std::to_string(i));
-  replace("{faces}", std::to_string(n_faces));
-  replace("{vertices}", std::to_string(n_vertices));
-  return path;
+  path = replaced(std::move(path), "{i}", std::to_string(i));
+  path = replaced(std::move(path), "{faces}", std::to_string(n_faces));
+  return replaced(std::move(path), "{vertices}", std::to_string(n_vertices));
 }
 
 /// \throw UsageError if two levels would be written to the same file

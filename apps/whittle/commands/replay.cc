@@ -138,14 +138,10 @@ std::vector<std::size_t> levels_of(const ReplayCommand& options, const Replay& r
 
 /// The file of level i of n: numbers have as many digits as the last one.
 std::string path_of(const ReplayCommand& options, std::size_t i, std::size_t n) {
-  std::string path = options.output;
   const std::size_t width = std::to_string(n - 1).size();
   std::string number = std::to_string(i);
   number.insert(0, width - number.size(), '0');
-  for (std::size_t at = 0; (at = path.find(number_word, at)) != std::string::npos; at += number.size()) {
-    path.replace(at, number_word.size(), number);
-  }
-  return path;
+  return replaced(options.output, std::string(number_word), number);
 }
 
 Json replay_json(const ReplayCommand& options, const ReplayRun& run, double total_seconds) {

@@ -91,6 +91,13 @@ void fill_checked(std::ostream& stream, const std::string& name, const std::func
 
 }  // namespace
 
+std::string replaced(std::string path, const std::string& word, const std::string& text) {
+  for (std::size_t at = 0; (at = path.find(word, at)) != std::string::npos; at += text.size()) {
+    path.replace(at, word.size(), text);
+  }
+  return path;
+}
+
 void check_outputs(const std::vector<Output>& outputs, const std::vector<std::string>& inputs, bool force) {
   refuse_same_places(outputs);
   if (!force) refuse_inputs(outputs, inputs);

@@ -20,6 +20,9 @@ struct Output {
   std::string path;
 };
 
+/// A path with each `word` in it, such as "{faces}", replaced.
+std::string replaced(std::string path, const std::string& word, const std::string& text);
+
 /// Checks the outputs of a run before its work starts.
 /// \throw UsageError if two outputs are the same file or both standard output, or if an output is one of the `inputs`
 ///        and `force` isn't set.

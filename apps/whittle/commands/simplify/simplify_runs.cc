@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "files/failure.hh"
+#include "files/output.hh"
 #include "files/report.hh"
 #include "terminal/errors.hh"
 
@@ -21,10 +22,7 @@ std::string stem_of(const std::string& input) {
 }
 
 std::string with_stem(std::string path, const std::string& stem) {
-  for (std::size_t at = 0; (at = path.find(stem_word, at)) != std::string::npos; at += stem.size()) {
-    path.replace(at, stem_word.size(), stem);
-  }
-  return path;
+  return replaced(std::move(path), std::string(stem_word), stem);
 }
 
 void check_stems(const SimplifyCommand& command) {

@@ -52,8 +52,7 @@ enum class Stage {
 struct Progress {
   std::uint64_t n_vertices;  ///< left now
   std::uint64_t n_faces;     ///< left now
-  double
-      fraction;  ///< of the stage, [0, 1]; while contracting, of the way to the nearest count asked for, 0 if none is
+  double fraction;  ///< of the stage, [0, 1]; while contracting, of the way to the nearest count asked for, if one is
   Stage stage = Stage::decimate;
 };
 

@@ -74,9 +74,10 @@ Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, E
                         const SimplifyOptions& options = {});
 
 /// Levels of detail out of one run, each polished as the effort says; the run goes on from the polished surface. No
-/// trial of plain quadrics is made. \param targets a count each, all of faces or all of vertices, descending \return a
-/// level a target, in their order; fewer if no pair is left to contract, or the run is cancelled. The last one
-///         says why it stopped, and has the time of all
+/// trial of plain quadrics is made.
+/// \param targets a count each, all of faces or all of vertices, descending
+/// \return a level a target, in their order; fewer if no pair is left to contract, or if the run is cancelled. The
+///         last one says why it stopped, and has the time of all
 /// \throw as `simplify`; std::invalid_argument for other targets, for one that the mesh has reached, and for pauses
 std::vector<Simplification> simplify_to_levels(const IndexedMesh& mesh, const std::vector<DecimateTarget>& targets,
                                                Effort effort = Effort::normal, const SimplifyOptions& options = {});
