@@ -20,10 +20,10 @@
 namespace whittle::app {
 namespace {
 
-Talk errors(Volume::quiet);
+Talk error_talk(Volume::quiet);
 
 int fail(ExitCode code, const std::string& problem) {
-  errors.error(problem);
+  error_talk.error(problem);
   return static_cast<int>(code);
 }
 
@@ -66,14 +66,14 @@ std::vector<char*> without_help_word(const CLI::App& app, int argc, char** argv)
 int parse_and_run(CLI::App& app, const Command& command, int argc, char** argv) {
   try {
     app.parse(argc, argv);
-    errors = Talk(Volume::quiet, color_of(app));
+    error_talk = Talk(Volume::quiet, color_of(app));
   } catch (const CLI::Success& success) {
     std::ostringstream text;
     app.exit(success, text, text);
     print(text.str());
     return static_cast<int>(ExitCode::done);
   } catch (const CLI::ParseError& error) {
-    errors = Talk(Volume::quiet, color_of(app));
+    error_talk = Talk(Volume::quiet, color_of(app));
     const std::vector<CLI::App*> called = app.get_subcommands();
     return fail_usage(app, called.empty() ? no_subcommand(app, argc, argv) : problem_of(*called.front(), error));
   }
