@@ -28,12 +28,19 @@ started=$SECONDS
 step() { say "[$(((SECONDS - started) / 60)) min] $*"; }
 
 install_packages "$logs/packages.log" "${build_packages[@]}" clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev doxygen groff-base pkg-config git
+command -v npm >/dev/null || install_packages "$logs/packages.log" nodejs npm
+
+step "npm: what checks the glTF files"
+mkdir -p build/npm
+cp tests/gltf/package.json build/npm/
+quietly "$logs/npm.log" npm install --prefix build/npm --no-package-lock --no-audit --no-fund
 
 step "Format: clang-format on every tracked .hh and .cc"
 quietly "$logs/format.log" check_format
 
+# Several sources at a time, as with Clang below: what they include is parsed once.
 step "GCC: building everything optimised, warnings are errors"
-configure release
+configure release -DCMAKE_UNITY_BUILD=ON
 build release
 
 step "Doxygen: the reference of the public headers, warnings are errors"

@@ -13,7 +13,7 @@
 namespace whittle::test {
 namespace {
 
-std::vector<std::string> simplify(const std::string& mesh, const TemporaryFolder& out) {
+std::vector<std::string> simplify_arguments(const std::string& mesh, const TemporaryFolder& out) {
   return command(
       {"simplify", mesh, "-o", out / "out.off", "--map", out / "map", "--json", out / "report.json", "--faces", "100"});
 }
@@ -21,7 +21,7 @@ std::vector<std::string> simplify(const std::string& mesh, const TemporaryFolder
 TEST(Interruption, EndsReadingAtOnce) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const TemporaryFolder folder;
-    std::vector<std::string> arguments = simplify("-", folder);
+    std::vector<std::string> arguments = simplify_arguments("-", folder);
     arguments.insert(arguments.end(), {"--format", "off"});
     Running program(arguments);
     program.feed("OFF\n3 1 0\n");
@@ -43,7 +43,7 @@ TEST(Interruption, EndsDecimationWithNothingWritten) {
   for (const char* engine : {"flat", "openmesh"}) {
     SCOPED_TRACE(engine);
     Terminal terminal;
-    std::vector<std::string> arguments = simplify(mesh, folder);
+    std::vector<std::string> arguments = simplify_arguments(mesh, folder);
     arguments.insert(arguments.end(), {"--engine", engine});
     RunOptions options;
     options.stderr_to = terminal.descriptor();
@@ -61,7 +61,7 @@ TEST(Interruption, EndsDecimationWithNothingWritten) {
 
 TEST(Interruption, IsIgnoredWhereTheCallerIgnoresIt) {
   const TemporaryFolder folder;
-  std::vector<std::string> arguments = simplify("-", folder);
+  std::vector<std::string> arguments = simplify_arguments("-", folder);
   arguments.insert(arguments.end(), {"--format", "off", "--quiet"});
   RunOptions options;
   options.prepare = [] { ::signal(SIGHUP, SIG_IGN); };  // as nohup does

@@ -257,18 +257,41 @@ TEST(ReportKeys, OfConvertAreDocumented) {
                                  "--weld", "auto", "--verbose", "--threads", "1", "--color", "never"}});
 }
 
+/// Writes recordings of the terrain: one with its mesh, and one without.
+void write_recordings(const TemporaryFolder& folder, const std::string& rec, const std::string& bare) {
+  const std::vector<std::string> simplify{
+      "simplify", data_file("terrain.ply"), "-o", folder / "small.ply", "--faces", "500", "--quiet"};
+  std::vector<std::string> with_mesh = simplify;
+  with_mesh.insert(with_mesh.end(), {"--record", rec});
+  std::vector<std::string> without_mesh = simplify;
+  without_mesh.insert(without_mesh.end(), {"--record", bare, "--no-embed", "--zstd"});
+  ASSERT_EQ(whittle(with_mesh).exit_code, 0);
+  ASSERT_EQ(whittle(without_mesh).exit_code, 0);
+}
+
+TEST(ReportKeys, OfGeomorphAreDocumented) {
+  const TemporaryFolder folder;
+  const std::string terrain = data_file("terrain.ply");
+  const std::string frames = folder / "out{i}";
+  const std::string rec = folder / "rec";
+  const std::string bare = folder / "bare";
+  write_recordings(folder, rec, bare);
+  expect_documented("geomorph",
+                    {{rec, "-o", folder / "out.glb", "--from", "2000", "--verbose", "--threads", "1"},
+                     {bare, "--output", frames, "--format", "ply", "--input", terrain, "--frames", "3", "--no-weld"},
+                     {bare, "-o", frames, "--output-format", "ply", "--input", terrain, "--input-format", "ply",
+                      "--frames", "2", "--ascii", "--weld", "0", "--force", "--color", "never"},
+                     {rec, "-o", frames, "--output-format", "obj", "--to", "700", "--frames", "2", "--normal-blend",
+                      "linear", "--quiet"}});
+}
+
 TEST(ReportKeys, OfReplayAreDocumented) {
   const TemporaryFolder folder;
   const std::string terrain = data_file("terrain.ply");
   const std::string out = folder / "out";
   const std::string rec = folder / "rec";
   const std::string bare = folder / "bare";
-  for (const std::string& path : {rec, bare}) {
-    std::vector<std::string> arguments{"simplify", terrain, "-o",     folder / "small.ply", "--faces", "500",
-                                       "--record", path,    "--quiet"};
-    if (path == bare) arguments.insert(arguments.end(), {"--no-embed", "--zstd"});
-    ASSERT_EQ(whittle(arguments).exit_code, 0);
-  }
+  write_recordings(folder, rec, bare);
   expect_documented(
       "replay", {{rec, "-o", out, "--format", "ply", "--faces", "600", "--verbose", "--ascii"},
                  {rec, "-o", out, "--output-format", "obj", "--vertices", "600", "--quiet", "--threads", "1"},

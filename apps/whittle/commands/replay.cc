@@ -2,33 +2,26 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "commands/recording_input.hh"
 #include "commands/subcommands.hh"
-#include "files/input.hh"
 #include "files/output.hh"
 #include "files/report.hh"
 #include "options/values.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
-#include "whittle/io/errors.hh"
-#include "whittle/progressive/recording.hh"
 
 namespace whittle::app {
 namespace {
 
-using progressive::Recording;
 using progressive::Replay;
 
 constexpr char replay_level_group[] = "Levels (one of these)";
-constexpr std::string_view number_word = "{i}";
 
 /// Levels at even distances.
 struct Series {
@@ -37,8 +30,7 @@ struct Series {
 };
 
 struct ReplayCommand {
-  std::string recording;
-  std::optional<std::string> input;  ///< of the run, if it is not in the recording
+  RecordingOptions recording;
   std::string output;
   std::optional<std::uint64_t> faces, vertices;
   std::optional<double> cost, at;
@@ -56,8 +48,7 @@ struct ReplayLevel {
 };
 
 struct ReplayRun {
-  Recording recording;  ///< its mesh and steps are in the replay
-  std::uint64_t n_contractions = 0;
+  RecordingFacts recording;
   std::vector<ReplayLevel> levels;
   double read_seconds = 0, replay_seconds = 0, write_seconds = 0;
   std::vector<std::string> warnings;
@@ -78,41 +69,6 @@ Series parse_series(std::string_view text) {
           parse_count(text.substr(second + 1), fewest, most)};
 }
 
-Recording read_recording_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw io::ReadError(path, std::string("cannot be opened: ") + std::strerror(errno));
-  try {
-    return progressive::read_recording(file);
-  } catch (const progressive::RecordingError& error) {
-    throw io::ReadError(path, error.what());
-  }
-}
-
-/// The mesh that the run began with.
-IndexedMesh input_of(const ReplayCommand& options, Recording& recording, const Talk& talk) {
-  if (!options.input) {
-    if (recording.input) return std::move(*recording.input);
-    throw UsageError(options.recording + " doesn't have the mesh that was simplified: name it with --input");
-  }
-  IndexedMesh mesh = read_input(*options.input, options.files, options.common.threads, talk).read.mesh;
-  if (progressive::content_hash(mesh) != recording.hash) {
-    throw io::ReadError(*options.input, "is not the mesh of " + options.recording +
-                                            ", or is read otherwise: --weld and --no-weld have to be as they were");
-  }
-  return mesh;
-}
-
-Replay replay_of(const ReplayCommand& options, ReplayRun& run, const Talk& talk) {
-  run.recording = read_recording_file(options.recording);
-  run.n_contractions = run.recording.steps.contractions.size();
-  IndexedMesh mesh = input_of(options, run.recording, talk);
-  try {
-    return {std::move(mesh), std::move(run.recording.steps), run.recording.normals};
-  } catch (const std::invalid_argument& error) {
-    throw io::ReadError(options.recording, error.what());
-  }
-}
-
 /// \throw std::runtime_error if there is no such level
 std::size_t level_of(const ReplayCommand& options, const Replay& replay) {
   if (options.cost) return replay.level_of_cost(*options.cost);
@@ -121,7 +77,7 @@ std::size_t level_of(const ReplayCommand& options, const Replay& replay) {
       options.faces ? replay.level_of_faces(*options.faces) : replay.level_of_vertices(*options.vertices);
   if (level) return *level;
   const auto asked = options.faces ? faces_text(*options.faces) : vertices_text(*options.vertices);
-  throw std::runtime_error(options.recording + ": its last level has more than " + asked + ": " +
+  throw std::runtime_error(options.recording.path + ": its last level has more than " + asked + ": " +
                            faces_text(replay.n_faces()) + " and " + vertices_text(replay.n_vertices()));
 }
 
@@ -136,21 +92,9 @@ std::vector<std::size_t> levels_of(const ReplayCommand& options, const Replay& r
   return levels;
 }
 
-/// The file of level i of n: numbers have as many digits as the last one.
-std::string path_of(const ReplayCommand& options, std::size_t i, std::size_t n) {
-  const std::size_t width = std::to_string(n - 1).size();
-  std::string number = std::to_string(i);
-  number.insert(0, width - number.size(), '0');
-  return replaced(options.output, std::string(number_word), number);
-}
-
-Json replay_json(const ReplayCommand& options, const ReplayRun& run, double total_seconds) {
+Json replay_json(const ReplayRun& run, double total_seconds) {
   Json json = new_report();
-  json["recording"] = {{"path", options.recording},
-                       {"embedded", run.recording.input.has_value()},
-                       {"vertices", run.recording.n_vertices},
-                       {"faces", run.recording.n_faces},
-                       {"contractions", run.n_contractions}};
+  json["recording"] = recording_json(run.recording);
   json["levels"] = Json::array();
   for (const ReplayLevel& level : run.levels) {
     json["levels"].push_back({{"path", level.path},
@@ -173,24 +117,19 @@ void check(const CLI::App& app, const ReplayCommand& options) {
   const int n_given = int{options.faces.has_value()} + int{options.vertices.has_value()} +
                       int{options.cost.has_value()} + int{options.at.has_value()} + int{options.series.has_value()};
   if (n_given != 1) throw UsageError("one of --faces, --vertices, --cost, --at and --steps is needed, and only one");
-  const bool has_number = options.output.find(number_word) != std::string::npos;
-  if (options.series && !has_number) {
+  if (options.series && !has_number(options.output)) {
     throw UsageError("--steps writes several files: --output needs '{i}' in it, such as 'frame_{i}.ply'");
   }
-  if (!options.series && has_number) throw UsageError("'{i}' in --output is for --steps");
-  std::vector<std::string> inputs;
-  if (options.input) inputs.push_back(*options.input);
+  if (!options.series && has_number(options.output)) throw UsageError("'{i}' in --output is for --steps");
   const std::size_t n = options.series ? options.series->n : 1;
   std::vector<std::string> meshes;
   std::vector<Output> outputs;
   for (std::size_t i = 0; i < n; ++i) {
-    meshes.push_back(path_of(options, i, n));
+    meshes.push_back(numbered(options.output, i, n));
     outputs.push_back({"--output", meshes.back()});
   }
   if (options.common.json) outputs.push_back({"--json", *options.common.json});
-  check_formats(inputs, meshes, options.files);
-  inputs.push_back(options.recording);
-  check_outputs(outputs, inputs, options.common.force);
+  check_recording_outputs(options.recording, meshes, outputs, options.files, options.common);
 }
 
 void write_levels(const ReplayCommand& options, Replay& replay, OutputFiles& files, const Talk& talk, ReplayRun& run) {
@@ -201,7 +140,7 @@ void write_levels(const ReplayCommand& options, Replay& replay, OutputFiles& fil
     const Decimation level = replay.decimation();
     run.replay_seconds += replaying.seconds();
     const Stopwatch writing;
-    const std::string path = path_of(options, i, levels.size());
+    const std::string path = numbered(options.output, i, levels.size());
     write_mesh(files, path, options.files, level.mesh, talk, run.warnings);
     run.write_seconds += writing.seconds();
     run.levels.push_back(
@@ -214,12 +153,12 @@ ExitCode run_replay(const CLI::App& app, const ReplayCommand& options) {
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   ReplayRun run;
-  Replay replay = replay_of(options, run, talk);
+  Replay replay = read_replay(options.recording, options.files, options.common.threads, talk, run.recording);
   run.read_seconds = watch.seconds();
   OutputFiles files;
   write_levels(options, replay, files, talk, run);
   commit_with_report(files, options.common,
-                     options.common.json ? to_text(replay_json(options, run, watch.seconds())) : std::string());
+                     options.common.json ? to_text(replay_json(run, watch.seconds())) : std::string());
   const ReplayLevel& last = run.levels.back();
   const std::string what =
       options.series ? counted(run.levels.size(), "level", "levels") + ", the last of " + faces_text(last.n_faces)
@@ -255,16 +194,13 @@ void add_level_options(CLI::App& app, ReplayCommand& options) {
 void setup_replay(CLI::App& app, Command& command) {
   const auto options = std::make_shared<ReplayCommand>();
   CLI::App* sub = app.add_subcommand("replay", "Write any level of detail out of a recording of 'simplify'.");
-  add_file(*sub, "REC", options->recording, "what 'simplify --record' has written")->type_name("FILE");
+  add_recording(*sub, options->recording);
   add_level_options(*sub, *options);
   add_value(
       *sub, "-o,--output", "OUT", options->output, [](std::string_view text) { return std::string(text); },
       "the level: a file, replaced if it exists, or '-' for standard output")
       ->required();
-  add_value(
-      *sub, "--input", "FILE", options->input, [](std::string_view text) { return std::string(text); },
-      "the mesh that was simplified, for a recording that was written with --no-embed")
-      ->default_str("the one in REC");
+  add_recording_input(*sub, options->recording);
   add_format(*sub, options->files);
   add_input_format(*sub, options->files);
   add_output_format(*sub, options->files);

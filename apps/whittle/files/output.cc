@@ -17,6 +17,8 @@
 namespace whittle::app {
 namespace {
 
+constexpr char number_word[] = "{i}";
+
 namespace fs = std::filesystem;
 
 /// Equal for two names of one file. Files that don't exist yet have their names.
@@ -96,6 +98,15 @@ std::string replaced(std::string path, const std::string& word, const std::strin
     path.replace(at, word.size(), text);
   }
   return path;
+}
+
+bool has_number(const std::string& path) { return path.find(number_word) != std::string::npos; }
+
+std::string numbered(const std::string& path, std::size_t i, std::size_t n) {
+  const std::size_t width = std::to_string(n - 1).size();
+  std::string number = std::to_string(i);
+  number.insert(0, width - number.size(), '0');
+  return replaced(path, number_word, number);
 }
 
 void check_outputs(const std::vector<Output>& outputs, const std::vector<std::string>& inputs, bool force) {

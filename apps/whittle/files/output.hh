@@ -23,6 +23,11 @@ struct Output {
 /// A path with each `word` in it, such as "{faces}", replaced.
 std::string replaced(std::string path, const std::string& word, const std::string& text);
 
+/// Whether a path has "{i}" in it, which stands for a number.
+bool has_number(const std::string& path);
+/// The path of file i of n. Numbers have as many digits as the last one.
+std::string numbered(const std::string& path, std::size_t i, std::size_t n);
+
 /// Checks the outputs of a run before its work starts.
 /// \throw UsageError if two outputs are the same file or both standard output, or if an output is one of the `inputs`
 ///        and `force` isn't set.

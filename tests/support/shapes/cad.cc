@@ -12,8 +12,6 @@
 namespace whittle::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// Collects patches of squares; points closer than about 1e-9 become one vertex.
 class PatchBuilder {
  public:
@@ -94,7 +92,7 @@ void add_wall(PatchBuilder& builder, int n) {
   builder.add(n + 1, 1, [&](int k, int a) { return Vec3(x(a), 1, z(k)); });
 }
 
-void require(bool condition, const char* what) {
+void require_shape(bool condition, const char* what) {
   if (!condition) throw std::invalid_argument(what);
 }
 
@@ -109,7 +107,7 @@ IndexedMesh cube() {
 }
 
 IndexedMesh tessellated_cube(int n) {
-  require(n >= 1, "test shape: a cube has at least one square a side");
+  require_shape(n >= 1, "test shape: a cube has at least one square a side");
   PatchBuilder builder;
   const auto t = [n](int i) { return between(-1, 1, i, n); };
   for (int axis = 0; axis < 3; ++axis) {
@@ -128,10 +126,10 @@ IndexedMesh tessellated_cube(int n) {
 }
 
 IndexedMesh cone(int n_around, double height_of_apex) {
-  require(n_around >= 3, "test shape: a cone needs three vertices around");
+  require_shape(n_around >= 3, "test shape: a cone needs three vertices around");
   IndexedMesh mesh;
   for (int i = 0; i < n_around; ++i) {
-    const double angle = 2 * pi * i / n_around;
+    const double angle = 2 * std::numbers::pi * i / n_around;
     mesh.positions.emplace_back(std::cos(angle), std::sin(angle), 0);
   }
   const auto n = static_cast<Index>(n_around);
@@ -146,11 +144,11 @@ IndexedMesh cone(int n_around, double height_of_apex) {
 }
 
 IndexedMesh frustum(int n_around, double height_of_top) {
-  require(n_around >= 3, "test shape: a frustum needs three vertices around");
+  require_shape(n_around >= 3, "test shape: a frustum needs three vertices around");
   IndexedMesh mesh;
   for (const double radius : {1.0, 0.5})
     for (int i = 0; i < n_around; ++i) {
-      const double angle = 2 * pi * i / n_around;
+      const double angle = 2 * std::numbers::pi * i / n_around;
       mesh.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
                                   radius == 1.0 ? 0.0 : height_of_top);
     }
@@ -168,7 +166,7 @@ IndexedMesh frustum(int n_around, double height_of_top) {
 }
 
 IndexedMesh bracket(int n_side) {
-  require(n_side >= 2, "test shape: a bracket has at least two squares a side");
+  require_shape(n_side >= 2, "test shape: a bracket has at least two squares a side");
   PatchBuilder builder;
   add_plate(builder, n_side);
   add_wall(builder, n_side);

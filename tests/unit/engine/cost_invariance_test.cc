@@ -17,7 +17,7 @@
 namespace whittle::test {
 namespace {
 
-struct Setting {
+struct CostSetting {
   std::string name;
   double dimension;  ///< the unit of the cost is a length to this power
   DecimateOptions options;
@@ -28,10 +28,10 @@ struct Setting {
   bool has_exact_order() const { return options.cost != Cost::memoryless || options.order == Order::exact; }
 };
 
-void PrintTo(const Setting& setting, std::ostream* out) { *out << setting.name; }
+void PrintTo(const CostSetting& setting, std::ostream* out) { *out << setting.name; }
 
-std::vector<Setting> all_settings() {
-  std::vector<Setting> settings;
+std::vector<CostSetting> all_cost_settings() {
+  std::vector<CostSetting> settings;
   const auto add = [&](const std::string& name, double dimension, auto change) {
     settings.push_back({name, dimension, {}});
     change(settings.back().options);
@@ -71,7 +71,7 @@ std::vector<Setting> all_settings() {
   return settings;
 }
 
-class CostInvariance : public testing::TestWithParam<Setting> {
+class CostInvariance : public testing::TestWithParam<CostSetting> {
  protected:
   static std::vector<Contraction> contractions(const IndexedMesh& mesh) {
     std::vector<Contraction> done;
@@ -196,20 +196,20 @@ TEST_P(ExactCostInvariance, TheCostLimitIsInTheUnitOfTheCost) {
   }
 }
 
-std::vector<Setting> exact_settings() {
-  std::vector<Setting> settings = all_settings();
-  std::erase_if(settings, [](const Setting& setting) { return !setting.has_exact_order(); });
+std::vector<CostSetting> exact_cost_settings() {
+  std::vector<CostSetting> settings = all_cost_settings();
+  std::erase_if(settings, [](const CostSetting& setting) { return !setting.has_exact_order(); });
   return settings;
 }
 
-std::string name_of(const testing::TestParamInfo<Setting>& test) {
+std::string name_of(const testing::TestParamInfo<CostSetting>& test) {
   std::string name = test.param.name;
   std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Settings, CostInvariance, testing::ValuesIn(all_settings()), name_of);
-INSTANTIATE_TEST_SUITE_P(Settings, ExactCostInvariance, testing::ValuesIn(exact_settings()), name_of);
+INSTANTIATE_TEST_SUITE_P(Settings, CostInvariance, testing::ValuesIn(all_cost_settings()), name_of);
+INSTANTIATE_TEST_SUITE_P(Settings, ExactCostInvariance, testing::ValuesIn(exact_cost_settings()), name_of);
 
 }  // namespace
 }  // namespace whittle::test

@@ -17,12 +17,10 @@
 namespace whittle::test {
 namespace {
 
-DecimateTarget faces(std::uint64_t n) { return DecimateTarget::faces(n); }
-
 TEST(Decimate, AveragesColors) {
   IndexedMesh mesh = grid(10, 10);
   for (const Vec3& p : mesh.positions) mesh.colors.push_back({static_cast<float>(p.x() / 10), 0.25F, 1, 1});
-  const Decimation d = decimate(mesh, faces(20));
+  const Decimation d = decimate(mesh, DecimateTarget::faces(20));
   std::vector<double> sums(d.mesh.positions.size());
   std::vector<int> counts(d.mesh.positions.size());
   for (std::size_t v = 0; v < d.vertex_map.size(); ++v) {
@@ -48,7 +46,7 @@ IndexedMesh grid_with_normals() {
 
 TEST(Decimate, KeepsTheMeanOfTheNormalsMerged) {
   const IndexedMesh mesh = grid_with_normals();
-  const Decimation d = decimate(mesh, faces(150));
+  const Decimation d = decimate(mesh, DecimateTarget::faces(150));
   ASSERT_EQ(d.mesh.normals.size(), d.mesh.positions.size());
   std::vector<Vec3> sums(d.mesh.positions.size(), Vec3::Zero());
   std::vector<int> counts(d.mesh.positions.size());
@@ -65,17 +63,17 @@ TEST(Decimate, KeepsTheMeanOfTheNormalsMerged) {
     EXPECT_EQ(n, mesh.normals[d.mesh.origins[v]]) << "to the bit";
   }
   EXPECT_GT(n_alone, 0U);
-  EXPECT_EQ(decimate(mesh, faces(1000)).mesh.normals, mesh.normals) << "nothing is contracted";
+  EXPECT_EQ(decimate(mesh, DecimateTarget::faces(1000)).mesh.normals, mesh.normals) << "nothing is contracted";
 }
 
 TEST(Decimate, RecomputesOrDropsNormalsIfAsked) {
   const IndexedMesh mesh = grid_with_normals();
-  const Decimation anew = decimate(mesh, faces(20), {.normals = Normals::recompute});
+  const Decimation anew = decimate(mesh, DecimateTarget::faces(20), {.normals = Normals::recompute});
   ASSERT_EQ(anew.mesh.normals.size(), anew.mesh.positions.size());
   for (const auto& normal : anew.mesh.normals) EXPECT_NEAR(normal[2], 1, 1e-6);
-  EXPECT_TRUE(decimate(mesh, faces(20), {.normals = Normals::drop}).mesh.normals.empty());
+  EXPECT_TRUE(decimate(mesh, DecimateTarget::faces(20), {.normals = Normals::drop}).mesh.normals.empty());
   for (const Normals normals : {Normals::keep, Normals::recompute}) {
-    EXPECT_TRUE(decimate(grid(10, 10), faces(20), {.normals = normals}).mesh.normals.empty());
+    EXPECT_TRUE(decimate(grid(10, 10), DecimateTarget::faces(20), {.normals = normals}).mesh.normals.empty());
   }
 }
 

@@ -17,12 +17,10 @@
 namespace whittle::test {
 namespace {
 
-DecimateTarget faces(std::uint64_t n) { return DecimateTarget::faces(n); }
-
 std::vector<Contraction> contractions(const IndexedMesh& mesh, DecimateOptions options = {}) {
   std::vector<Contraction> done;
   options.listener = [&](const Contraction& c) { done.push_back(c); };
-  decimate(mesh, faces(mesh.faces.size() / 10), options);
+  decimate(mesh, DecimateTarget::faces(mesh.faces.size() / 10), options);
   return done;
 }
 
@@ -56,9 +54,9 @@ TEST(DecimateInvariance, OtherUnitsTurnsAndPlacesGiveTheSameContractions) {
 
 TEST(DecimateInvariance, AnotherOrderOfVerticesAndFacesGivesTheSameSurface) {
   const IndexedMesh mesh = noisy_sphere(4, 0.02, 11);
-  const Decimation here = decimate(mesh, faces(500));
+  const Decimation here = decimate(mesh, DecimateTarget::faces(500));
   const Permuted other = permuted(mesh, 12);
-  const Decimation there = decimate(other.mesh, faces(500));
+  const Decimation there = decimate(other.mesh, DecimateTarget::faces(500));
   ASSERT_EQ(there.mesh.positions.size(), here.mesh.positions.size());
   for (Index v = 0; v < other.old_vertex.size(); ++v) {
     const Vec3& p = there.mesh.positions[there.vertex_map[v]];
@@ -72,10 +70,10 @@ TEST(DecimateInvariance, ThreadsChangeNoBit) {
   const IndexedMesh mesh = noisy_sphere(6, 0.01, 13);
   DecimateOptions options;
   options.threads = 1;
-  const Decimation one = decimate(mesh, faces(5000), options);
+  const Decimation one = decimate(mesh, DecimateTarget::faces(5000), options);
   for (const unsigned threads : {2U, 3U, 8U, 0U}) {
     options.threads = threads;
-    const Decimation many = decimate(mesh, faces(5000), options);
+    const Decimation many = decimate(mesh, DecimateTarget::faces(5000), options);
     EXPECT_EQ(many.mesh.positions, one.mesh.positions) << threads;
     EXPECT_EQ(many.mesh.faces, one.mesh.faces) << threads;
   }

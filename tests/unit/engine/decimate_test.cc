@@ -22,12 +22,10 @@
 namespace whittle::test {
 namespace {
 
-DecimateTarget faces(std::uint64_t n) { return DecimateTarget::faces(n); }
-
 TEST(Decimate, StopsAtTheFirstCountNotAboveTheTarget) {
   const IndexedMesh mesh = blob(3, 1);  // closed: faces vanish in twos
   for (const std::uint64_t target : {1279U, 1001U, 1000U, 300U, 51U}) {
-    const Decimation d = decimate(mesh, faces(target));
+    const Decimation d = decimate(mesh, DecimateTarget::faces(target));
     EXPECT_EQ(d.result.n_faces, target - target % 2) << "target " << target;
     EXPECT_EQ(d.mesh.faces.size(), d.result.n_faces);
     EXPECT_EQ(d.mesh.positions.size(), d.result.n_vertices);
@@ -42,7 +40,7 @@ TEST(Decimate, StopsAtTheFirstCountNotAboveTheTarget) {
 
 TEST(Decimate, DoesNothingWhereTheTargetIsMetAlready) {
   const IndexedMesh mesh = terrain(8, 1);
-  const Decimation d = decimate(mesh, faces(mesh.faces.size()));
+  const Decimation d = decimate(mesh, DecimateTarget::faces(mesh.faces.size()));
   EXPECT_EQ(d.result.n_contractions, 0U);
   EXPECT_EQ(d.mesh.faces, mesh.faces);
   EXPECT_EQ(d.mesh.positions, mesh.positions);
@@ -77,7 +75,7 @@ TEST(Decimate, RespectsTheCostLimit) {
   std::vector<double> costs;
   DecimateOptions options;
   options.listener = [&](const Contraction& c) { costs.push_back(c.cost); };
-  decimate(mesh, faces(100), options);
+  decimate(mesh, DecimateTarget::faces(100), options);
   const double limit = costs[costs.size() / 2];
   const Decimation d = decimate(mesh, DecimateTarget::max_cost(limit));
   EXPECT_EQ(d.result.stop, StopReason::cost);
@@ -102,13 +100,13 @@ TEST(Decimate, GoesAsFarAsTheGuardsAllowIfAsked) {
 }
 
 TEST(Decimate, FlatGroundKeepsItsOutline) {
-  const Decimation d = decimate(grid(20, 10), faces(2));
+  const Decimation d = decimate(grid(20, 10), DecimateTarget::faces(2));
   EXPECT_EQ(d.result.n_faces, 2U);
   EXPECT_NEAR(surface_area(d.mesh), 200, 200 * 1e-8);  // the regularisation, 1e-9, pulls corners inwards
 }
 
 TEST(Decimate, TessellatedCubeBecomesTheCube) {
-  const Decimation d = decimate(tessellated_cube(8), faces(12));
+  const Decimation d = decimate(tessellated_cube(8), DecimateTarget::faces(12));
   ASSERT_EQ(d.result.n_faces, 12U);
   for (const Vec3& p : d.mesh.positions) {
     EXPECT_NEAR(p.cwiseAbs().minCoeff(), 1, 1e-6);
@@ -126,7 +124,7 @@ TEST(Decimate, KeepsTheTopologyOfEveryManifoldMesh) {
     for (const double ratio : {0.5, 0.2, 0.0}) {
       SCOPED_TRACE(ratio);
       const auto target = static_cast<std::uint64_t>(ratio * static_cast<double>(mesh.faces.size()));
-      const Topology after = topology(decimate(mesh, faces(target)).mesh);
+      const Topology after = topology(decimate(mesh, DecimateTarget::faces(target)).mesh);
       EXPECT_EQ(after.euler(), before.euler());
       EXPECT_EQ(after.components, before.components);
       EXPECT_EQ(after.border_loops, before.border_loops);
@@ -171,7 +169,7 @@ TEST(Decimate, LockedBordersKeepEveryBit) {
   DecimateOptions options;
   options.boundary = Boundary::locked;
   const IndexedMesh mesh = moved(terrain(16, 2), {1e5, -3e4, 7});
-  const Decimation d = decimate(mesh, faces(100), options);
+  const Decimation d = decimate(mesh, DecimateTarget::faces(100), options);
   EXPECT_EQ(topology(d.mesh).border_edges, topology(mesh).border_edges);
   std::size_t n_border = 0;
   for (std::size_t v = 0; v < d.mesh.positions.size(); ++v) {
@@ -228,8 +226,10 @@ TEST(Decimate, TheGreatestCostOfAHugeMeshIsANumber) {
   for (const Cost cost : {Cost::quadric, Cost::memoryless, Cost::lindstrom_turk, Cost::midpoint}) {
     DecimateOptions options;
     options.cost = cost;
-    EXPECT_EQ(decimate(scaled(tetrahedron(), 1e140), faces(1), options).result.max_cost, 0) << to_string(cost);
-    EXPECT_FALSE(std::isnan(decimate(scaled(grid(4, 4), 1e140), faces(8), options).result.max_cost)) << to_string(cost);
+    EXPECT_EQ(decimate(scaled(tetrahedron(), 1e140), DecimateTarget::faces(1), options).result.max_cost, 0)
+        << to_string(cost);
+    EXPECT_FALSE(std::isnan(decimate(scaled(grid(4, 4), 1e140), DecimateTarget::faces(8), options).result.max_cost))
+        << to_string(cost);
   }
 }
 
@@ -265,7 +265,7 @@ TEST(Decimate, UnderEndpointPlacementEachVertexLiesAtItsOrigin) {
         EXPECT_EQ(c.position, mesh.positions[c.survivor]);
         n_lower += c.survivor < c.removed;
       };
-      const Decimation d = decimate(mesh, faces(mesh.faces.size() / 4), options);
+      const Decimation d = decimate(mesh, DecimateTarget::faces(mesh.faces.size() / 4), options);
       EXPECT_GT(d.result.n_contractions, 0U);
       EXPECT_TRUE(std::ranges::is_sorted(d.mesh.origins));
       for (std::size_t v = 0; v < d.mesh.positions.size(); ++v) {
@@ -287,9 +287,9 @@ TEST(Decimate, UnderEndpointPlacementTheThreadsChangeNoOrigin) {
     DecimateOptions options;
     options.quadric.placement = Placement::endpoint;
     options.threads = 1;
-    const Decimation one = decimate(mesh, faces(mesh.faces.size() / 4), options);
+    const Decimation one = decimate(mesh, DecimateTarget::faces(mesh.faces.size() / 4), options);
     options.threads = 3;
-    const Decimation three = decimate(mesh, faces(mesh.faces.size() / 4), options);
+    const Decimation three = decimate(mesh, DecimateTarget::faces(mesh.faces.size() / 4), options);
     EXPECT_EQ(one.mesh.origins, three.mesh.origins) << name;
     EXPECT_EQ(one.mesh.positions, three.mesh.positions) << name;
     EXPECT_EQ(one.mesh.faces, three.mesh.faces) << name;
@@ -302,7 +302,8 @@ TEST(Decimate, GreaterRegularizationMakesRounderTriangles) {
   for (const double regularization : {1e-9, 4e-3, 1e-1}) {
     DecimateOptions options;
     options.quadric.regularization = regularization;
-    const double radius_ratio = metrics::shape(decimate(mesh, faces(512), options).mesh).radius_ratio_mean;
+    const double radius_ratio =
+        metrics::shape(decimate(mesh, DecimateTarget::faces(512), options).mesh).radius_ratio_mean;
     EXPECT_GT(radius_ratio, before + 0.02) << regularization;
     before = radius_ratio;
   }
@@ -318,7 +319,7 @@ TEST(Decimate, VertexMapIsTotalAndSaysWhoMerged) {
       if (r == c.removed) r = c.survivor;
     }
   };
-  const Decimation d = decimate(mesh, faces(200), options);
+  const Decimation d = decimate(mesh, DecimateTarget::faces(200), options);
   std::set<Index> used;
   for (const Triangle& f : mesh.faces) used.insert(f.begin(), f.end());
   ASSERT_EQ(d.vertex_map.size(), mesh.positions.size());
@@ -335,7 +336,7 @@ TEST(Decimate, VertexMapIsTotalAndSaysWhoMerged) {
 TEST(Decimate, OriginsGoThroughFromTheInput) {
   IndexedMesh mesh = blob(2, 7);
   for (Index v = 0; v < mesh.positions.size(); ++v) mesh.origins.push_back(3 * v + 5);
-  const Decimation d = decimate(mesh, faces(100));
+  const Decimation d = decimate(mesh, DecimateTarget::faces(100));
   for (Index v = 0; v < mesh.positions.size(); ++v) {
     if (d.mesh.origins[d.vertex_map[v]] == mesh.origins[v]) return;  // true of every vertex that survives
   }
@@ -346,27 +347,27 @@ TEST(Decimate, LeavesOutDegenerateFacesAndCountsThem) {
   IndexedMesh mesh = blob(1, 8);
   mesh.faces.insert(mesh.faces.begin() + 3, Triangle{4, 4, 7});
   mesh.faces.push_back({1, 2, 1});
-  const Decimation d = decimate(mesh, faces(80));
+  const Decimation d = decimate(mesh, DecimateTarget::faces(80));
   EXPECT_EQ(d.result.n_degenerate_faces, 2U);
   EXPECT_EQ(d.result.n_faces, 80U);
 }
 
 TEST(Decimate, TakesAnyValence) {
   for (const int n : {14, 15, 16, 17, 400}) {
-    const Decimation d = decimate(uv_sphere(8, n), faces(100));
+    const Decimation d = decimate(uv_sphere(8, n), DecimateTarget::faces(100));
     EXPECT_EQ(d.result.n_faces, 100U) << n;
     EXPECT_EQ(topology(d.mesh).euler(), 2) << n;
   }
-  EXPECT_EQ(decimate(cone(3000), faces(300)).result.n_faces, 300U);
+  EXPECT_EQ(decimate(cone(3000), DecimateTarget::faces(300)).result.n_faces, 300U);
 }
 
 TEST(Decimate, TakesEmptyAndTinyMeshes) {
-  EXPECT_EQ(decimate(IndexedMesh{}, faces(0)).mesh.faces.size(), 0U);
-  EXPECT_EQ(decimate(single_triangle(), faces(0)).mesh.faces.size(), 1U);
-  EXPECT_EQ(decimate(tetrahedron(), faces(0)).mesh.faces.size(), 4U);
+  EXPECT_EQ(decimate(IndexedMesh{}, DecimateTarget::faces(0)).mesh.faces.size(), 0U);
+  EXPECT_EQ(decimate(single_triangle(), DecimateTarget::faces(0)).mesh.faces.size(), 1U);
+  EXPECT_EQ(decimate(tetrahedron(), DecimateTarget::faces(0)).mesh.faces.size(), 4U);
   IndexedMesh point = single_triangle();
   for (Vec3& p : point.positions) p = Vec3(1, 2, 3);
-  EXPECT_EQ(decimate(point, faces(0)).mesh.faces.size(), 1U);
+  EXPECT_EQ(decimate(point, DecimateTarget::faces(0)).mesh.faces.size(), 1U);
 }
 
 TEST(Decimate, CanBeCancelled) {
@@ -381,7 +382,7 @@ TEST(Decimate, CanBeCancelled) {
     if (p.n_faces < mesh.faces.size()) ++n_calls;
     return n_calls == 0;
   };
-  const Decimation d = decimate(mesh, faces(4), options);
+  const Decimation d = decimate(mesh, DecimateTarget::faces(4), options);
   EXPECT_EQ(d.result.stop, StopReason::cancelled);
   EXPECT_EQ(n_calls, 1) << "not asked again";
   EXPECT_LT(d.result.n_faces, mesh.faces.size());
@@ -396,7 +397,7 @@ TEST(Decimate, CanBeCancelledWhileThresholdPairsAreSearched) {
   for (const int n_allowed : {0, 1}) {
     int n_calls = 0;
     options.progress = [&](const Progress&) { return ++n_calls <= n_allowed; };
-    const Decimation d = decimate(mesh, faces(4), options);
+    const Decimation d = decimate(mesh, DecimateTarget::faces(4), options);
     EXPECT_EQ(d.result.stop, StopReason::cancelled);
     EXPECT_EQ(n_calls, n_allowed + 1) << "not asked again";
     EXPECT_EQ(d.mesh.faces, mesh.faces);
@@ -406,10 +407,10 @@ TEST(Decimate, CanBeCancelledWhileThresholdPairsAreSearched) {
 TEST(Decimate, GivesTheQuadricsOfWhatIsLeftIfAsked) {
   const IndexedMesh mesh = moved(terrain(20, 3), Vec3(30, -7, 900));
   DecimateOptions options;
-  EXPECT_TRUE(decimate(mesh, faces(200), options).quadrics.empty());
+  EXPECT_TRUE(decimate(mesh, DecimateTarget::faces(200), options).quadrics.empty());
   options.keep_quadrics = true;
-  const Decimation all = decimate(mesh, faces(mesh.faces.size()), options);
-  const Decimation few = decimate(mesh, faces(200), options);
+  const Decimation all = decimate(mesh, DecimateTarget::faces(mesh.faces.size()), options);
+  const Decimation few = decimate(mesh, DecimateTarget::faces(200), options);
   const auto sum_of_traces = [](const Decimation& decimation) {
     double sum = 0;
     for (const PlacedQuadric& vertex : decimation.quadrics) sum += vertex.quadric.a.trace();
@@ -442,11 +443,12 @@ TEST(Decimate, RefusesWhatIsNoMeshOrNoOption) {
   };
   IndexedMesh mesh = tetrahedron();
   mesh.faces[2][1] = 4;
-  EXPECT_EQ(refused(mesh, faces(2), {}), "decimate: face 2 names vertex 4 of 4");
+  EXPECT_EQ(refused(mesh, DecimateTarget::faces(2), {}), "decimate: face 2 names vertex 4 of 4");
   for (const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 0x1p501}) {
     mesh = tetrahedron();
     mesh.positions[1].y() = x;
-    EXPECT_EQ(refused(mesh, faces(2), {}), "decimate: vertex 1 has a coordinate that is not finite, or above 3e150");
+    EXPECT_EQ(refused(mesh, DecimateTarget::faces(2), {}),
+              "decimate: vertex 1 has a coordinate that is not finite, or above 3e150");
   }
   mesh = tetrahedron();
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -456,20 +458,20 @@ TEST(Decimate, RefusesWhatIsNoMeshOrNoOption) {
   for (const double flip : {0.0, -5.0, 180.1, nan}) {
     DecimateOptions options;
     options.max_normal_flip_deg = flip;
-    EXPECT_NE(refused(mesh, faces(2), options), "accepted") << flip;
+    EXPECT_NE(refused(mesh, DecimateTarget::faces(2), options), "accepted") << flip;
   }
   for (const double bad : {-1e-9, nan}) {
     DecimateOptions options;
     options.quadric.regularization = bad;
-    EXPECT_NE(refused(mesh, faces(2), options), "accepted") << bad;
+    EXPECT_NE(refused(mesh, DecimateTarget::faces(2), options), "accepted") << bad;
     options = {};
     options.quadric.boundary_weight = bad;
-    EXPECT_NE(refused(mesh, faces(2), options), "accepted") << bad;
+    EXPECT_NE(refused(mesh, DecimateTarget::faces(2), options), "accepted") << bad;
   }
   const std::vector<std::uint8_t> locked(3);
   DecimateOptions options;
   options.locked = locked;
-  EXPECT_NE(refused(mesh, faces(2), options), "accepted");
+  EXPECT_NE(refused(mesh, DecimateTarget::faces(2), options), "accepted");
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ void expect_kept(const IndexedMesh& input, double max_error, const Decimation& r
   EXPECT_EQ(metrics::certify_borders(input, result.mesh, (1 + 1e-9) * max_error).verdict, metrics::Verdict::proven);
 }
 
-std::vector<NamedMesh> larger_meshes() {
+std::vector<NamedMesh> meshes_to_prove() {
   return {{"sphere", sphere(4)},
           {"noisy torus", noisy_torus(48, 24, 1, 0.4, 0.02, 1)},
           {"bracket", bracket(12)},
@@ -50,7 +50,7 @@ std::vector<NamedMesh> larger_meshes() {
 }
 
 TEST(MaxError, IsKeptByAllCosts) {
-  for (const auto& [name, mesh] : larger_meshes()) {
+  for (const auto& [name, mesh] : meshes_to_prove()) {
     for (const Cost cost : {Cost::quadric, Cost::memoryless, Cost::lindstrom_turk, Cost::midpoint}) {
       for (const double share : {0.001, 0.01, 0.05}) {
         SCOPED_TRACE(name + ", cost " + std::to_string(static_cast<int>(cost)) + ", " + std::to_string(share));
@@ -266,7 +266,7 @@ std::vector<double> tight_on_one_side(const IndexedMesh& mesh, double tight, dou
 }
 
 TEST(MaxError, IsLessInPlaces) {
-  for (const auto& named : larger_meshes()) {
+  for (const auto& named : meshes_to_prove()) {
     SCOPED_TRACE(named.name);
     const IndexedMesh& mesh = named.mesh;  // Clang 14 captures no structured bindings
     const double loose = 0.02 * diagonal(mesh);

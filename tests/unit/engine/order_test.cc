@@ -102,7 +102,7 @@ void add_plain_quadrics(Settings& settings) {
   settings.add("unregularised", [](DecimateOptions& o) { o.quadric.regularization = 0; });
   settings.list.back().order_is_defined = false;
   settings.add("round triangles", [](DecimateOptions& o) { o.quadric.regularization = 4e-3; });
-  settings.add("free topology", [](DecimateOptions& o) { o.topology = Topology::free; });
+  settings.add("free topology", [](DecimateOptions& o) { o.topology = whittle::Topology::free; });
 }
 
 void add_lindstrom_turk(Settings& settings) {
@@ -113,7 +113,7 @@ void add_lindstrom_turk(Settings& settings) {
   });
   settings.add("lindstrom-turk, free topology", [](DecimateOptions& o) {
     o.cost = Cost::lindstrom_turk;
-    o.topology = Topology::free;
+    o.topology = whittle::Topology::free;
   });
 }
 
@@ -121,7 +121,7 @@ void add_memoryless(Settings& settings) {
   settings.add_memoryless("", [](DecimateOptions&) {});
   settings.add_memoryless(", locked border", [](DecimateOptions& o) { o.boundary = Boundary::locked; });
   settings.add_memoryless(", free border", [](DecimateOptions& o) { o.boundary = Boundary::free; });
-  settings.add_memoryless(", free topology", [](DecimateOptions& o) { o.topology = Topology::free; });
+  settings.add_memoryless(", free topology", [](DecimateOptions& o) { o.topology = whittle::Topology::free; });
   settings.add_memoryless(", flip 180", [](DecimateOptions& o) { o.max_normal_flip_deg = 180; });
   settings.add_memoryless(", flip 20", [](DecimateOptions& o) { o.max_normal_flip_deg = 20; });
   settings.add_memoryless(", midpoint", [](DecimateOptions& o) { o.quadric.placement = Placement::midpoint; });
@@ -145,7 +145,7 @@ void add_edge_length_and_shape(Settings& settings) {
   });
   settings.add("valence 1, free topology", [](DecimateOptions& o) {
     o.valence_weight = 1;
-    o.topology = Topology::free;
+    o.topology = whittle::Topology::free;
   });
   settings.add("radius ratio 0.4", [](DecimateOptions& o) { o.min_radius_ratio = 0.4; });
 }
@@ -174,7 +174,7 @@ void add_threshold_pairs(Settings& settings) {
   settings.add_threshold(0.7, "0.7", [](DecimateOptions&) {});
   settings.add_threshold(1.6, "1.6", [](DecimateOptions&) {});
   settings.add_threshold(1.6, "1.6, held hardly", [](DecimateOptions& o) { o.quadric.point_weight = 1e-9; });
-  settings.add_threshold(2.1, "2.1, free topology", [](DecimateOptions& o) { o.topology = Topology::free; });
+  settings.add_threshold(2.1, "2.1, free topology", [](DecimateOptions& o) { o.topology = whittle::Topology::free; });
   settings.add_threshold(2.1, "2.1, flip 180", [](DecimateOptions& o) { o.max_normal_flip_deg = 180; });
   settings.add_threshold(2.1, "2.1, across walls, at most 3", [](DecimateOptions& o) {
     o.pairs.across_walls = true;

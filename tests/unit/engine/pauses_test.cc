@@ -25,14 +25,14 @@ Pauses idle(std::vector<double> at) {
   return {std::move(at), [](Decimation&) { return true; }};
 }
 
-struct Setting {
+struct PauseSetting {
   std::string name;
   DecimateOptions options;
 };
 
 /// In exact order a run depends on the surface, and on what is remembered about it, and on nothing else.
-std::vector<Setting> exact_settings() {
-  std::vector<Setting> settings;
+std::vector<PauseSetting> settings_with_pauses() {
+  std::vector<PauseSetting> settings;
   const auto add = [&settings](const std::string& name, const auto& change) {
     DecimateOptions options;
     options.order = Order::exact;
@@ -70,7 +70,7 @@ void expect_same(const Decimation& a, const Decimation& b, const std::string& co
 
 TEST(Pauses, InWhichNothingIsDoneChangeNothing) {
   for (const auto& [name, mesh] : all_meshes()) {
-    for (Setting setting : exact_settings()) {
+    for (PauseSetting setting : settings_with_pauses()) {
       SCOPED_TRACE(name + ", " + setting.name);
       const DecimateTarget target = DecimateTarget::faces(mesh.faces.size() / 4);
       std::vector<Contraction> made;

@@ -11,7 +11,7 @@ namespace {
 
 Vec3 random_vector(Random& random) { return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}; }
 
-Eigen::Matrix3d dense(const SymmetricMatrix& m) {
+Eigen::Matrix3d matrix_of(const SymmetricMatrix& m) {
   return (Eigen::Matrix3d() << m.xx, m.xy, m.xz, m.xy, m.yy, m.yz, m.xz, m.yz, m.zz).finished();
 }
 
@@ -44,8 +44,8 @@ TEST(PairMinimum, SolvesAsEigenDoes) {
     const PairMinimum<double> minimum = minimum_of(q);
     const Vec3 x(minimum.x, minimum.y, minimum.z);
     // The solve is backward stable: the residual is rounding of |M||x|, however ill-conditioned M is.
-    EXPECT_LE((dense(q.a) * x + q.b).norm(), 1e-13 * (1 + dense(q.a).norm() * x.norm())) << "matrix " << i;
-    const double largest_term = q.c + dense(q.a).norm() * x.squaredNorm();
+    EXPECT_LE((matrix_of(q.a) * x + q.b).norm(), 1e-13 * (1 + matrix_of(q.a).norm() * x.norm())) << "matrix " << i;
+    const double largest_term = q.c + matrix_of(q.a).norm() * x.squaredNorm();
     EXPECT_NEAR(minimum.value, std::max(0.0, q(x)), 1e-13 * (1 + largest_term)) << "matrix " << i;
   }
 }
@@ -93,7 +93,7 @@ TEST(CornerQuadric, OfACubesCornerIsTheMatrixByHand) {
     }
     // About the origin: Σ n_k (x_k − s_k)², that is diag(n), −n_k s_k and Σ n_k.
     const Quadric q = Quadric{sum, Vec3::Zero(), 0}.about(-corner);
-    EXPECT_EQ(dense(q.a), Eigen::Matrix3d(Vec3(n_sides[0], n_sides[1], n_sides[2]).asDiagonal())) << "corner " << v;
+    EXPECT_EQ(matrix_of(q.a), Eigen::Matrix3d(Vec3(n_sides[0], n_sides[1], n_sides[2]).asDiagonal())) << "corner " << v;
     EXPECT_EQ(q.b, Vec3(-n_sides[0] * corner.x(), -n_sides[1] * corner.y(), -n_sides[2] * corner.z()));
     EXPECT_EQ(q.c, n_sides[0] + n_sides[1] + n_sides[2]);
   }
@@ -113,7 +113,7 @@ TEST(CornerQuadric, IsGarlandAndHeckbertsPlaneMatrix) {
       sum_of_weights += weight;
       const Quadric q = Quadric{share, Vec3::Zero(), 0}.about(-corners[i]);
       const Eigen::Matrix4d expected = weight * plane_matrix(cross.normalized(), corners[0]);
-      EXPECT_TRUE(dense(q.a).isApprox(expected.topLeftCorner<3, 3>(), 1e-14));
+      EXPECT_TRUE(matrix_of(q.a).isApprox(expected.topLeftCorner<3, 3>(), 1e-14));
       EXPECT_TRUE(q.b.isApprox(expected.topRightCorner<3, 1>(), 1e-13));
       EXPECT_NEAR(q.c, expected(3, 3), 1e-14);
     }
@@ -126,9 +126,9 @@ TEST(BorderQuadric, IsThePlaneThroughTheEdgePerpendicularToTheFace) {
   const QuadricOptions options{.regularization = 0, .boundary_weight = 7};
   // The edge lies along x with length 2; the face lies in the plane z = 0.
   const SymmetricMatrix q = border_quadric({0, 0, 0}, {2, 0, 0}, {0.3, 1.7, 0}, options);
-  EXPECT_TRUE(dense(q).isApprox(Eigen::Matrix3d(Vec3(0, 7 * 4, 0).asDiagonal()), 1e-15)) << dense(q);
-  EXPECT_TRUE(dense(border_quadric({1, 1, 1}, {1, 1, 1}, {2, 0, 0}, options)).isZero());
-  EXPECT_TRUE(dense(border_quadric({0, 0, 0}, {1, 0, 0}, {2, 0, 0}, options)).isZero());
+  EXPECT_TRUE(matrix_of(q).isApprox(Eigen::Matrix3d(Vec3(0, 7 * 4, 0).asDiagonal()), 1e-15)) << matrix_of(q);
+  EXPECT_TRUE(matrix_of(border_quadric({1, 1, 1}, {1, 1, 1}, {2, 0, 0}, options)).isZero());
+  EXPECT_TRUE(matrix_of(border_quadric({0, 0, 0}, {1, 0, 0}, {2, 0, 0}, options)).isZero());
 }
 
 TEST(EvaluatePair, FindsTheMinimumOfTheSum) {

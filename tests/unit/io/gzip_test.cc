@@ -42,7 +42,7 @@ bool is_same_data(const std::string& a, const std::string& b) {
   }
 }
 
-std::string written(const IndexedMesh& mesh, Format format, bool gzip) {
+std::string packed_or_not(const IndexedMesh& mesh, Format format, bool gzip) {
   std::ostringstream out;
   write_mesh(out, format, mesh, {.gzip = gzip});
   return out.str();
@@ -79,9 +79,9 @@ TEST(Gzip, TakesAByteAtATime) {
 TEST(Gzip, OfEveryFormatIsReadWhateverTheName) {
   const IndexedMesh mesh = whittle::test::octahedron();
   for (const Format format : all_formats) {
-    const std::string bytes = written(mesh, format, true);
+    const std::string bytes = packed_or_not(mesh, format, true);
     ASSERT_TRUE(is_gzip(bytes));
-    EXPECT_EQ(unpacked(bytes), written(mesh, format, false));
+    EXPECT_EQ(unpacked(bytes), packed_or_not(mesh, format, false));
     const std::string name = "a." + std::string(name_of(format));
     for (const std::string& any : {name, name + ".gz"}) {
       EXPECT_EQ(read(bytes, any).mesh.faces.size(), 8U) << any;
@@ -108,7 +108,7 @@ TEST(Gzip, IsWrittenWhereTheNameAsksForIt) {
 }
 
 TEST(Gzip, CutOffAnywhereIsRefused) {
-  const std::string whole = written(whittle::test::octahedron(), Format::ply, true);
+  const std::string whole = packed_or_not(whittle::test::octahedron(), Format::ply, true);
   for (std::size_t length = 2; length < whole.size(); ++length) {
     expect_error(whole.substr(0, length), "a.ply.gz", "a.ply.gz: the gzip data end too early; the file is truncated");
   }
@@ -118,7 +118,7 @@ TEST(Gzip, CutOffAnywhereIsRefused) {
 // What follows the header of ten bytes is covered by the checksum and the length. Few flips unpack to the same bytes:
 // those of bits that fill up a byte, or that refer to another place with the same content.
 TEST(Gzip, DamagedAnywhereIsRefused) {
-  const std::string whole = written(whittle::test::octahedron(), Format::ply, true);
+  const std::string whole = packed_or_not(whittle::test::octahedron(), Format::ply, true);
   std::size_t n_same = 0;
   for (std::size_t byte = 10; byte < whole.size(); ++byte) {
     for (int bit = 0; bit < 8; ++bit) {
@@ -142,13 +142,13 @@ TEST(Gzip, DamagedAnywhereIsRefused) {
 }
 
 TEST(Gzip, MustEndWithTheFile) {
-  const std::string whole = written(whittle::test::octahedron(), Format::ply, true);
+  const std::string whole = packed_or_not(whittle::test::octahedron(), Format::ply, true);
   expect_error(whole + "more", "a.ply.gz", "a.ply.gz: the file goes on after the end of its gzip data");
 }
 
 TEST(Gzip, OfSomethingElseIsRefusedAsThat) {
   expect_error(packed(""), "a.ply.gz", "a.ply.gz: the file is empty");
-  const std::string off = written(whittle::test::octahedron(), Format::off, true);
+  const std::string off = packed_or_not(whittle::test::octahedron(), Format::off, true);
   expect_error(off, "a.ply.gz", "a.ply.gz: the content is off, not ply; rename it to .off.gz");
   const auto twice = error_of(packed(off), "a.off.gz");
   EXPECT_NE(std::string(twice->what()).find("the content is compressed with gzip"), std::string::npos) << twice->what();

@@ -26,7 +26,7 @@ IndexedMesh large_mesh() {
   return mesh;
 }
 
-std::string written(const IndexedMesh& mesh, Format format) {
+std::string text_of(const IndexedMesh& mesh, Format format) {
   std::ostringstream out;
   write_mesh(out, format, mesh);
   return out.str();
@@ -36,7 +36,7 @@ std::string written(const IndexedMesh& mesh, Format format) {
 std::string outcome(const std::string& bytes, Format format, unsigned threads) {
   try {
     const ReadResult result = read_mesh(bytes, "file", {.format = format, .threads = threads});
-    std::string text = written(result.mesh, Format::ply) + to_string(result.repairs);
+    std::string text = text_of(result.mesh, Format::ply) + to_string(result.repairs);
     for (const std::string& warning : result.warnings) text.append(1, '\n').append(warning);
     return text.append(1, '\n').append(std::to_string(result.file_faces));
   } catch (const ReadError& error) {
@@ -57,7 +57,7 @@ void put(std::string& bytes, std::size_t at, Number value) {
 TEST(ReadingOnThreads, GivesTheSameMesh) {
   const IndexedMesh mesh = large_mesh();
   for (const Format format : {Format::ply, Format::stl, Format::obj, Format::off}) {
-    expect_same_outcome(written(mesh, format), format);
+    expect_same_outcome(text_of(mesh, format), format);
   }
 }
 
@@ -69,13 +69,13 @@ TEST(ReadingOnThreads, FindsTheSameRepairs) {
     mesh.faces.push_back({face[1], face[2], face[0]});
     mesh.faces[random() % mesh.faces.size()][1] = face[0];
   }
-  expect_same_outcome(written(mesh, Format::ply), Format::ply);
+  expect_same_outcome(text_of(mesh, Format::ply), Format::ply);
 }
 
 TEST(ReadingOnThreads, NamesTheFirstCoordinateThatIsNotFinite) {
-  const std::string ply = written(blob(6, 1), Format::ply);
+  const std::string ply = text_of(blob(6, 1), Format::ply);
   const std::size_t first = ply.find("end_header\n") + 11;
-  const std::string stl = written(blob(6, 1), Format::stl);
+  const std::string stl = text_of(blob(6, 1), Format::stl);
   for (const std::size_t row : {40'000U, 39'999U, 20'000U}) {
     std::string bad_ply = ply;
     std::string bad_stl = stl;

@@ -20,7 +20,7 @@ IndexedMesh sample() {
   return mesh;
 }
 
-std::string written(Format format, bool ascii) {
+std::string file_of(Format format, bool ascii) {
   std::ostringstream out;
   write_mesh(out, format, sample(), {.ascii = ascii});
   return out.str();
@@ -46,11 +46,11 @@ std::vector<Case> cases() {
 class Truncation : public testing::TestWithParam<Case> {};
 
 TEST_P(Truncation, GivesAnErrorOrAValidMesh) {
-  const std::string whole = written(GetParam().format, GetParam().ascii);
+  const std::string whole = file_of(GetParam().format, GetParam().ascii);
   const std::string name = "a." + std::string(name_of(GetParam().format));
   const std::size_t faces = test::read(whole, name).mesh.faces.size();
   EXPECT_EQ(faces, 8U);
-  const bool is_text = whole == written(GetParam().format, true);
+  const bool is_text = whole == file_of(GetParam().format, true);
   for (std::size_t length = 0; length < whole.size(); ++length) {
     const std::string what = name + " cut after " + std::to_string(length) + " of " + std::to_string(whole.size());
     try {

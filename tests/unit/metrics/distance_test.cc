@@ -21,7 +21,7 @@ namespace whittle::metrics {
 namespace {
 
 constexpr std::size_t n_samples = 40'000;
-const DistanceOptions options{.samples = n_samples, .seed = 7};
+const DistanceOptions many_samples{.samples = n_samples, .seed = 7};
 
 /// [low, high]² at height z, two faces, normals up.
 IndexedMesh square(double low, double high, double z) {
@@ -91,7 +91,7 @@ TEST(SurfaceDistance, IsExactlyZeroBetweenEqualMeshesWithThinFaces) {
 
 TEST(SurfaceDistance, OfParallelSquaresIsTheirOffset) {
   const double h = 0.37;  // rounding of a sum of 40,000, in blocks of 2048: at most 2048 * 2^-53 of h
-  const SurfaceDistance d = surface_distance(square(0.0, 1.0, 0.0), square(0.0, 1.0, h), options);
+  const SurfaceDistance d = surface_distance(square(0.0, 1.0, 0.0), square(0.0, 1.0, h), many_samples);
   expect_constant(d.forward, h, 1e-13, "forward");
   expect_constant(d.backward, h, 1e-13, "backward");
   EXPECT_NEAR(d.mean, h, 1e-13);
@@ -106,7 +106,7 @@ TEST(SurfaceDistance, OfParallelSquaresIsTheirOffset) {
 TEST(SurfaceDistance, OfSquaresOfDifferentSizeCountsTheBorder) {
   // The large square has nine parts. One is the small square. On four strips the distance is uniform in [0, 1]. On four
   // corners it is that of a unit square's points from a corner: mean (sqrt 2 + asinh 1) / 3, mean square 2/3.
-  const SurfaceDistance d = surface_distance(square(0.0, 1.0, 0.0), square(-1.0, 2.0, 0.0), options);
+  const SurfaceDistance d = surface_distance(square(0.0, 1.0, 0.0), square(-1.0, 2.0, 0.0), many_samples);
   expect_zero(d.forward, "small to large");
   const double mean = (4.0 * 0.5 + 4.0 * (std::numbers::sqrt2 + std::asinh(1.0)) / 3.0) / 9.0;
   const double mean_sq = (4.0 / 3.0 + 4.0 * 2.0 / 3.0) / 9.0;
@@ -122,7 +122,7 @@ TEST(SurfaceDistance, OfSquaresOfDifferentSizeCountsTheBorder) {
 
 TEST(SurfaceDistance, GarlandHeckbertTakesSamplesAndVerticesAlike) {
   // As above. The four vertices of the large square have squared distance 2, those of the small one 0.
-  const SurfaceDistance d = surface_distance(square(0.0, 1.0, 0.0), square(-1.0, 2.0, 0.0), options);
+  const SurfaceDistance d = surface_distance(square(0.0, 1.0, 0.0), square(-1.0, 2.0, 0.0), many_samples);
   const double n = n_samples;
   EXPECT_NEAR(d.garland_heckbert, (n * d.backward.mean_sq + 4.0 * 2.0) / (2.0 * n + 8.0), 1e-14);
 }
@@ -131,7 +131,7 @@ TEST(SurfaceDistance, BetweenScaledCubes) {
   // The faces of (±1)³ lie s − 1 inside those of (±s)³. In the other direction, points beyond the edges are farther
   // away.
   const double s = 1.25, gap = s - 1.0;
-  const SurfaceDistance d = surface_distance(test::cube(), test::scaled(test::cube(), s), options);
+  const SurfaceDistance d = surface_distance(test::cube(), test::scaled(test::cube(), s), many_samples);
   expect_constant(d.forward, gap, 1e-13, "small to large");
   const double mean_sq = gap * gap + 2.0 * gap * gap * gap / (3.0 * s);
   EXPECT_NEAR(d.backward.mean_sq, mean_sq, 5.0 * 2.0 * gap * gap / std::sqrt(n_samples));
@@ -143,7 +143,8 @@ TEST(SurfaceDistance, BetweenACubeAndItsMovedCopy) {
   // Moved by δ along x. One end face is δ away everywhere. On the other end face, points nearer than δ to the rim are
   // nearer to the sides. On the four sides a strip sticks out by up to δ.
   const double delta = 0.05, n_sides = 24.0;  // total area of the faces
-  const SurfaceDistance d = surface_distance(test::cube(), test::moved(test::cube(), Vec3(delta, 0.0, 0.0)), options);
+  const SurfaceDistance d =
+      surface_distance(test::cube(), test::moved(test::cube(), Vec3(delta, 0.0, 0.0)), many_samples);
   const double end = 4.0 * delta;
   const double other_end = 4.0 * (delta - delta * delta + delta * delta * delta / 3.0);
   const double strips = 4.0 * 2.0 * (delta * delta / 2.0);
@@ -167,7 +168,7 @@ TEST(SurfaceDistance, BetweenConcentricSpheres) {
   }
   ASSERT_GT(inner, 0.998);
   const double s = 1.1;
-  const SurfaceDistance d = surface_distance(sphere, test::scaled(sphere, s), options);
+  const SurfaceDistance d = surface_distance(sphere, test::scaled(sphere, s), many_samples);
   for (const DirectedDistance& direction : {d.forward, d.backward}) {
     for (const double distance : {direction.mean, direction.rms, direction.max}) {
       EXPECT_GE(distance, s * inner - 1.0);
@@ -191,14 +192,14 @@ TEST(SurfaceDistance, TellsASphereWithoutItsCapFromTheWholeOne) {
                        [&](Index v) { return whole.positions[v].z() > std::cos(polar) - 1e-9; });
   });
   ASSERT_EQ(whole.faces.size() - open.faces.size(), 32U * 5U);
-  const SurfaceDistance d = surface_distance(whole, open, options);
+  const SurfaceDistance d = surface_distance(whole, open, many_samples);
   const double pole = std::hypot(std::sin(polar) * std::cos(std::numbers::pi / 32.0), 1.0 - std::cos(polar));
   EXPECT_NEAR(d.forward.max, pole, 1e-12);
   EXPECT_GT(d.forward.mean, 0.0);
   expect_zero(d.backward, "without cap to whole");
   EXPECT_EQ(d.backward.normal_deviation_deg, 0.0);
 
-  const SurfaceDistance swapped = surface_distance(open, whole, options);
+  const SurfaceDistance swapped = surface_distance(open, whole, many_samples);
   expect_zero(swapped.forward, "without cap to whole");
   EXPECT_NEAR(swapped.backward.max, pole, 1e-12);
 }
@@ -210,7 +211,7 @@ TEST(SurfaceDistance, VerticesCountForTheMaximumOnly) {
   spiked.positions.emplace_back(0.5 + 1e-9, 0.5, 0.0);
   spiked.positions.emplace_back(0.5, 0.5 + 1e-9, 0.0);
   spiked.faces.push_back({4, 5, 6});
-  const SurfaceDistance d = surface_distance(square(0.0, 1.0, 0.0), spiked, options);
+  const SurfaceDistance d = surface_distance(square(0.0, 1.0, 0.0), spiked, many_samples);
   EXPECT_DOUBLE_EQ(d.backward.max, 3.0);
   EXPECT_LT(d.backward.mean, 1e-3);
   EXPECT_NEAR(d.garland_heckbert, 9.0 / (2.0 * n_samples + 4.0 + 7.0), 1e-9);
@@ -219,26 +220,27 @@ TEST(SurfaceDistance, VerticesCountForTheMaximumOnly) {
 TEST(SurfaceDistance, DoesNotSampleUnusedVertices) {
   IndexedMesh mesh = test::cube();
   mesh.positions.emplace_back(50.0, 0.0, 0.0);
-  const SurfaceDistance d = surface_distance(test::cube(), mesh, options);
+  const SurfaceDistance d = surface_distance(test::cube(), mesh, many_samples);
   EXPECT_EQ(d.max, 0.0);
-  EXPECT_DOUBLE_EQ(surface_distance(mesh, test::cube(), options).diagonal, std::sqrt(12.0));
+  EXPECT_DOUBLE_EQ(surface_distance(mesh, test::cube(), many_samples).diagonal, std::sqrt(12.0));
 }
 
 TEST(SurfaceDistance, NormalDeviationOfATurnedPlaneIsItsAngle) {
   const IndexedMesh flat = test::moved(test::grid(6, 6), Vec3(-3.0, -3.0, 0.0));
   for (const double angle : {0.001, 10.0, 45.0, 89.9}) {
-    const SurfaceDistance d = surface_distance(flat, test::rotated(flat, Vec3::UnitX(), angle), options);
+    const SurfaceDistance d = surface_distance(flat, test::rotated(flat, Vec3::UnitX(), angle), many_samples);
     EXPECT_NEAR(d.forward.normal_deviation_deg, angle, 1e-10) << angle;
     EXPECT_NEAR(d.backward.normal_deviation_deg, angle, 1e-10) << angle;
     EXPECT_EQ(d.flipped_percent, 0.0) << angle;
   }
-  const SurfaceDistance d = surface_distance(flat, test::rotated(flat, Vec3::UnitX(), 100.0), options);
+  const SurfaceDistance d = surface_distance(flat, test::rotated(flat, Vec3::UnitX(), 100.0), many_samples);
   EXPECT_NEAR(d.normal_deviation_deg, 100.0, 1e-10);
   EXPECT_EQ(d.flipped_percent, 100.0);
 }
 
 TEST(SurfaceDistance, FacesTurnedOverAreFlipped) {
-  const SurfaceDistance d = surface_distance(square(0.0, 1.0, 0.0), test::inside_out(square(0.0, 1.0, 0.1)), options);
+  const SurfaceDistance d =
+      surface_distance(square(0.0, 1.0, 0.0), test::inside_out(square(0.0, 1.0, 0.1)), many_samples);
   EXPECT_NEAR(d.normal_deviation_deg, 180.0, 1e-10);
   EXPECT_LE(d.normal_deviation_deg, 180.0);
   EXPECT_EQ(d.flipped_percent, 100.0);
@@ -249,7 +251,7 @@ TEST(SurfaceDistance, FacesWithoutNormalDontCountForAngles) {
     IndexedMesh line;
     line.positions = {{0.0, 0.0, 0.0}, {0.5, 0.0, height}, {1.0, 0.0, 0.0}};
     line.faces = {{0, 1, 2}};
-    const SurfaceDistance d = surface_distance(line, square(0.0, 1.0, 1.0), options);
+    const SurfaceDistance d = surface_distance(line, square(0.0, 1.0, 1.0), many_samples);
     expect_constant(d.forward, 1.0, 1e-11, "line to square");
     EXPECT_EQ(d.normal_deviation_deg, 0.0);
     // Backward: the distance of (x, y, 1) from the axis is sqrt(1 + y²), at most sqrt 2, with a mean square of 1 + 1/3.
@@ -267,7 +269,7 @@ TEST(SurfaceDistance, SamplesAreSpreadByArea) {
   IndexedMesh both = flat;
   flat.faces = {{0, 1, 2}};
   both.faces = {{0, 1, 2}, {3, 4, 5}};
-  const SurfaceDistance d = surface_distance(flat, both, options);
+  const SurfaceDistance d = surface_distance(flat, both, many_samples);
   EXPECT_NEAR(d.backward.mean_sq, 1.0 / 1001.0, 2.0 / n_samples);  // stratified: one sample more or less per end
 }
 

@@ -25,14 +25,14 @@ namespace {
 
 using Stock = OpenMesh::Decimater::DecimaterT<FloatMesh>;
 
-struct Outcome {
+struct PeerOutcome {
   std::size_t n_faces;
   double error;    ///< the true largest distance, both ways, to a 1,000th
   double seconds;  ///< of one run, processor time of all threads
 };
 
 template <class Decimate>
-Outcome outcome(const FloatMesh& input, const Decimate& decimate) {
+PeerOutcome outcome(const FloatMesh& input, const Decimate& decimate) {
   FloatMesh mesh = input;
   mesh.request_vertex_status();  // else the marks of deletion go with the decimater
   mesh.request_edge_status();
@@ -49,7 +49,7 @@ Outcome outcome(const FloatMesh& input, const Decimate& decimate) {
 
 /// OpenMesh's decimater with its quadrics, its flip guard, and a limit of its own or of ours.
 template <class GuardT, class SetUp>
-Outcome stock(const FloatMesh& input, const SetUp& set_up) {
+PeerOutcome stock(const FloatMesh& input, const SetUp& set_up) {
   return outcome(input, [&](FloatMesh& mesh) {
     Stock decimater(mesh);
     set_up(add_module<GuardT>(decimater));
@@ -60,16 +60,16 @@ Outcome stock(const FloatMesh& input, const SetUp& set_up) {
   });
 }
 
-Outcome with_hausdorff(const FloatMesh& input, double tolerance) {
+PeerOutcome with_hausdorff(const FloatMesh& input, double tolerance) {
   return stock<OpenMesh::Decimater::ModHausdorffT<FloatMesh>>(
       input, [tolerance](auto& module) { module.set_tolerance(static_cast<float>(tolerance)); });
 }
 
-Outcome with_max_error(const FloatMesh& input, double limit) {
+PeerOutcome with_max_error(const FloatMesh& input, double limit) {
   return stock<ModMaxErrorT<FloatMesh>>(input, [limit](auto& module) { module.set_max_error(limit); });
 }
 
-Outcome pair_decimater(const FloatMesh& input, double limit, Driver driver) {
+PeerOutcome pair_decimater(const FloatMesh& input, double limit, Driver driver) {
   return outcome(input, [&](FloatMesh& mesh) {
     PairDecimaterT<FloatMesh> decimater(mesh);
     add_module<ModMaxErrorT<FloatMesh>>(decimater).set_max_error(limit);
@@ -82,13 +82,13 @@ Outcome pair_decimater(const FloatMesh& input, double limit, Driver driver) {
 
 /// The fewest faces that ModHausdorffT leaves at a true error of `limit` or less: its tolerance is halved until it is
 /// known to a few percent.
-Outcome best_hausdorff(const FloatMesh& input, double limit) {
+PeerOutcome best_hausdorff(const FloatMesh& input, double limit) {
   double low = limit / 64;
   double high = 2 * limit;
-  Outcome best = with_hausdorff(input, low);
+  PeerOutcome best = with_hausdorff(input, low);
   for (int i = 0; i < 7; ++i) {
     const double middle = std::sqrt(low * high);
-    const Outcome outcome = with_hausdorff(input, middle);
+    const PeerOutcome outcome = with_hausdorff(input, middle);
     const bool is_within = outcome.error <= limit;
     if (is_within && outcome.n_faces < best.n_faces) best = outcome;
     (is_within ? low : high) = middle;
@@ -102,11 +102,11 @@ TEST(ModMaxErrorBesideModHausdorff, LeavesFewerFacesAtTheSameTrueError) {
         NamedMesh{"noisy torus", noisy_torus(36, 18, 1.0, 0.4, 0.01, 11)}, NamedMesh{"terrain", terrain(24, 2)}}) {
     const auto input = open_mesh<FloatMesh>(shape.mesh);
     const double limit = share_of_diagonal(shape.mesh, 0.005);
-    const Outcome theirs = best_hausdorff(input, limit);
-    const Outcome in_stock = with_max_error(input, limit);
-    const Outcome on_mesh = pair_decimater(input, limit, Driver::mesh);
-    const Outcome in_engine = pair_decimater(input, limit, Driver::engine);
-    for (const Outcome& ours : {in_stock, on_mesh, in_engine}) EXPECT_LE(ours.error, limit) << shape.name;
+    const PeerOutcome theirs = best_hausdorff(input, limit);
+    const PeerOutcome in_stock = with_max_error(input, limit);
+    const PeerOutcome on_mesh = pair_decimater(input, limit, Driver::mesh);
+    const PeerOutcome in_engine = pair_decimater(input, limit, Driver::engine);
+    for (const PeerOutcome& ours : {in_stock, on_mesh, in_engine}) EXPECT_LE(ours.error, limit) << shape.name;
     const auto theirs_times = [&theirs](double factor) { return factor * static_cast<double>(theirs.n_faces); };
     EXPECT_LT(static_cast<double>(in_stock.n_faces), theirs_times(1.0)) << shape.name;
     EXPECT_LT(static_cast<double>(on_mesh.n_faces), theirs_times(0.8)) << shape.name;
@@ -120,7 +120,7 @@ TEST(ModMaxErrorBesideModHausdorff, ModHausdorffsToleranceIsNoLimitOfTheError) {
   EXPECT_GT(with_hausdorff(input, tolerance).error, 1.5 * tolerance);
 }
 
-void print(const std::string& mesh, const std::string& what, const Outcome& outcome, double limit) {
+void print(const std::string& mesh, const std::string& what, const PeerOutcome& outcome, double limit) {
   std::cout << std::fixed << "| " << mesh << " | " << what << " | " << outcome.n_faces << " | " << std::setprecision(2)
             << outcome.error / limit << " E | " << std::setprecision(outcome.seconds < 1 ? 2 : 1) << outcome.seconds
             << " s |" << std::endl;

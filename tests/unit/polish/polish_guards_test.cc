@@ -29,7 +29,7 @@ struct Polished {
   IndexedMesh after;
 };
 
-Polished polished(const IndexedMesh& original, double ratio, const PolishOptions& polish_options) {
+Polished polished_mesh(const IndexedMesh& original, double ratio, const PolishOptions& polish_options) {
   DecimateOptions options;
   options.cost = Cost::memoryless;
   Decimation d = decimate(
@@ -39,8 +39,8 @@ Polished polished(const IndexedMesh& original, double ratio, const PolishOptions
   polish(original, d.vertex_map, both.after, polish_options);
   return both;
 }
-Polished polished(const IndexedMesh& original, double ratio, unsigned passes) {
-  return polished(original, ratio, PolishOptions{.passes = passes});
+Polished polished_mesh(const IndexedMesh& original, double ratio, unsigned passes) {
+  return polished_mesh(original, ratio, PolishOptions{.passes = passes});
 }
 
 std::vector<NamedMesh> rough_meshes() {
@@ -57,7 +57,7 @@ TEST(PolishGuards, MakeNoFolds) {
   for (const auto& [name, original] : rough_meshes()) {
     for (const double ratio : {0.5, 0.1, 0.02}) {
       SCOPED_TRACE(name + " to " + std::to_string(ratio));
-      const Polished mesh = polished(original, ratio, 3);
+      const Polished mesh = polished_mesh(original, ratio, 3);
       EXPECT_LE(metrics::shape(mesh.after).folds, metrics::shape(mesh.before).folds);
     }
   }
@@ -69,7 +69,7 @@ TEST(PolishGuards, MakeNoFoldsByFlips) {
     for (const double angle_deg : {150.0, 175.0}) {
       SCOPED_TRACE(name + ", " + std::to_string(angle_deg));
       const PolishOptions options{.passes = 3, .flips = true, .feature_angle_deg = angle_deg};
-      const Polished mesh = polished(original, 0.5, options);
+      const Polished mesh = polished_mesh(original, 0.5, options);
       const auto n_folds = [](const IndexedMesh& m) { return feature_edges(m, 121).size(); };
       EXPECT_LE(n_folds(mesh.after), n_folds(mesh.before));
     }
@@ -82,7 +82,7 @@ TEST(PolishGuards, MakeNoThinFaces) {
     for (const double limit : {0.0, 0.2}) {
       for (const bool flips : {false, true}) {
         SCOPED_TRACE(name + ", " + std::to_string(limit));
-        const Polished mesh = polished(original, 0.4, {.passes = 3, .flips = flips, .min_radius_ratio = limit});
+        const Polished mesh = polished_mesh(original, 0.4, {.passes = 3, .flips = flips, .min_radius_ratio = limit});
         EXPECT_NE(mesh.after.positions, mesh.before.positions);
         EXPECT_GE(least(mesh.after), std::min(std::max(limit, 1e-3), least(mesh.before)) * (1 - 1e-9));
       }
@@ -181,7 +181,7 @@ TEST(PolishGuards, MakeNoIntersections) {
     for (Vec3& p : above.positions) p *= 1.02;
     const IndexedMesh both = joined(original, above);
     for (const double ratio : {0.3, 0.05}) {
-      const Polished mesh = polished(both, ratio, 3);
+      const Polished mesh = polished_mesh(both, ratio, 3);
       const Pairs before = metrics::self_intersections(mesh.before);
       EXPECT_EQ(added(before, metrics::self_intersections(mesh.after)), Pairs()) << ratio;
       EXPECT_NE(mesh.before.positions, mesh.after.positions);

@@ -18,22 +18,22 @@ namespace whittle::test {
 namespace {
 
 /// The largest distances that a pair is found to have: less can't be proven.
-struct Found {
+struct FoundDistances {
   double surface = 0;
   double borders = 0;
 };
 
-Found found_distances(const IndexedMesh& a, const IndexedMesh& b) {
+FoundDistances found_distances(const IndexedMesh& a, const IndexedMesh& b) {
   const auto larger = [](const metrics::LargestDistances& largest) {
     return std::max(largest.forward.at_least, largest.backward.at_least);
   };
-  Found found{larger(metrics::largest_distances(a, b, 1e-3, {.threads = 1})), 0};
+  FoundDistances found{larger(metrics::largest_distances(a, b, 1e-3, {.threads = 1})), 0};
   if (const auto borders = metrics::largest_border_distances(a, b, 1e-3, {.threads = 1}))
     found.borders = larger(*borders);
   return found;
 }
 
-bool is_true(const verify::Verification& claim, const Found& found) {
+bool is_true(const verify::Verification& claim, const FoundDistances& found) {
   return claim.max_error >= found.surface && claim.max_error_borders >= found.borders;
 }
 
@@ -69,7 +69,7 @@ void change_bytes(std::string& bytes, Random& random) {
 struct Case {
   IndexedMesh in;
   IndexedMesh out;
-  Found found;
+  FoundDistances found;
   metrics::CertifiedDistances claimed;
   std::string certificate;
 };

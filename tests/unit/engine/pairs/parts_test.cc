@@ -20,7 +20,7 @@
 namespace whittle::test {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 Parts parts_of(const IndexedMesh& mesh) { return find_parts(mesh.positions.size(), mesh.faces); }
 
@@ -96,7 +96,7 @@ TEST(Parts, HaveTheDiagonalsOfTheirBoxes) {
 /// Compares every two vertices.
 std::vector<double> gaps_by_brute_force(const IndexedMesh& mesh) {
   const Parts parts = parts_of(mesh);
-  std::vector<double> gaps_sq(parts.count, infinity);
+  std::vector<double> gaps_sq(parts.count, no_limit);
   for (Index v = 0; v < mesh.positions.size(); ++v) {
     for (Index w = 0; w < mesh.positions.size(); ++w) {
       const Index part = parts.part_of[v];
@@ -161,17 +161,17 @@ TEST(PartGaps, AreZeroWherePartsTouch) {
 
 TEST(PartGaps, AreInfiniteForASinglePart) {
   const IndexedMesh mesh = sphere(2);
-  EXPECT_EQ(gaps_between_parts(mesh, parts_of(mesh)), std::vector<double>{infinity});
+  EXPECT_EQ(gaps_between_parts(mesh, parts_of(mesh)), std::vector<double>{no_limit});
 }
 
 TEST(PartGaps, AreInfiniteFromTheLimitOn) {
   const IndexedMesh mesh = joined(spheres(2, 2, 0.25), moved(sphere(2), Vec3(0, 5, 0)));
   const std::vector<double> all = gaps_between_parts(mesh, parts_of(mesh));
   const auto gaps = [&](double max_gap) { return gaps_between_parts(mesh, parts_of(mesh), {.max_gap = max_gap}); };
-  EXPECT_EQ(gaps(3), (std::vector<double>{all[0], all[1], infinity}));
-  EXPECT_EQ(gaps(all[0]), std::vector<double>(3, infinity));
-  EXPECT_EQ(gaps(std::nextafter(all[0], 1)), (std::vector<double>{all[0], all[1], infinity}));
-  EXPECT_EQ(gaps(0), std::vector<double>(3, infinity));
+  EXPECT_EQ(gaps(3), (std::vector<double>{all[0], all[1], no_limit}));
+  EXPECT_EQ(gaps(all[0]), std::vector<double>(3, no_limit));
+  EXPECT_EQ(gaps(std::nextafter(all[0], 1)), (std::vector<double>{all[0], all[1], no_limit}));
+  EXPECT_EQ(gaps(0), std::vector<double>(3, no_limit));
   const IndexedMesh twice = joined(mesh, mesh);
   const double least = std::numeric_limits<double>::denorm_min();
   EXPECT_EQ(gaps_between_parts(twice, parts_of(twice), {.max_gap = least}), std::vector<double>(6, 0));
@@ -238,7 +238,7 @@ TEST(AutomaticThreshold, RefusesVerticesThatArentThere) {
   mesh.faces[3][1] = 16;
   EXPECT_THROW(automatic_threshold(mesh), std::invalid_argument);
   mesh = boxes(2, 1);
-  mesh.positions[9].x() = infinity;
+  mesh.positions[9].x() = no_limit;
   EXPECT_THROW(automatic_threshold(mesh), std::invalid_argument);
 }
 
@@ -298,8 +298,8 @@ TEST(WithoutSmallParts, KeepsPartsOfTheSizeItself) {
   const IndexedMesh mesh = two_triangles();
   const double size = part_diagonals(mesh.positions, parts_of(mesh))[0];
   EXPECT_EQ(without_small_parts(mesh, size).n_dropped_parts, 0U);
-  EXPECT_EQ(without_small_parts(mesh, std::nextafter(size, infinity)).n_dropped_parts, 1U);
-  EXPECT_TRUE(without_small_parts(mesh, infinity).mesh.faces.empty());
+  EXPECT_EQ(without_small_parts(mesh, std::nextafter(size, no_limit)).n_dropped_parts, 1U);
+  EXPECT_TRUE(without_small_parts(mesh, no_limit).mesh.faces.empty());
 }
 
 /// One such face lies between a removed part and a kept one, the other in the kept one.

@@ -9,7 +9,7 @@ namespace whittle::test {
 namespace {
 
 /// Two triangles apart, with these threshold pairs between them.
-TriangleComplex two_triangles(const std::vector<VertexPair>& threshold_pairs) {
+TriangleComplex triangles_with(const std::vector<VertexPair>& threshold_pairs) {
   const std::vector<Vec3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
   const std::vector<Triangle> faces = {{0, 1, 2}, {3, 4, 5}};
   TriangleComplex complex(points, faces, Frame{}, 1);
@@ -18,7 +18,7 @@ TriangleComplex two_triangles(const std::vector<VertexPair>& threshold_pairs) {
 }
 
 TEST(ThresholdPairSieve, PutsEdgesBeforePairs) {
-  TriangleComplex complex = two_triangles({{0, 3}, {1, 4}});
+  TriangleComplex complex = triangles_with({{0, 3}, {1, 4}});
   std::vector<Index> pairs = {7, 2, 6, 5};
   ThresholdPairSieve(complex).sift(pairs);
   EXPECT_THAT(std::vector<Index>(pairs.begin(), pairs.begin() + 2), testing::UnorderedElementsAre(2, 5));
@@ -26,7 +26,7 @@ TEST(ThresholdPairSieve, PutsEdgesBeforePairs) {
 }
 
 TEST(ThresholdPairSieve, DropsPairsThatAreEqualToOthers) {
-  TriangleComplex complex = two_triangles({{0, 3}, {0, 3}});
+  TriangleComplex complex = triangles_with({{0, 3}, {0, 3}});
   std::vector<Index> pairs = {6, 7};
   ThresholdPairSieve(complex).sift(pairs);
   EXPECT_THAT(pairs, testing::ElementsAre(6));
@@ -34,7 +34,7 @@ TEST(ThresholdPairSieve, DropsPairsThatAreEqualToOthers) {
 }
 
 TEST(ThresholdPairSieve, DropsPairsThatHaveBecomeOneVertex) {
-  TriangleComplex complex = two_triangles({{1, 1}});
+  TriangleComplex complex = triangles_with({{1, 1}});
   std::vector<Index> pairs = {6};
   ThresholdPairSieve(complex).sift(pairs);
   EXPECT_THAT(pairs, testing::IsEmpty());

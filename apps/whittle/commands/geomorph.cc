@@ -1,0 +1,182 @@
+#include "whittle/progressive/geomorph.hh"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "commands/recording_input.hh"
+#include "commands/subcommands.hh"
+#include "files/output.hh"
+#include "files/report.hh"
+#include "options/values.hh"
+#include "terminal/errors.hh"
+#include "terminal/stopwatch.hh"
+#include "terminal/table.hh"
+
+namespace whittle::app {
+namespace {
+
+using progressive::Geomorph;
+using progressive::NormalBlend;
+using progressive::Replay;
+
+constexpr std::array<Choice<NormalBlend>, 2> normal_blends{
+    {{"spherical", NormalBlend::spherical}, {"linear", NormalBlend::linear}}};
+
+struct GeomorphCommand {
+  RecordingOptions recording;
+  std::string output;
+  std::optional<std::uint64_t> from, to;  ///< numbers of faces; empty: the first level, the last one
+  std::optional<std::uint64_t> n_frames;
+  NormalBlend normal_blend = NormalBlend::spherical;
+  FileOptions files;
+  CommonOptions common;
+};
+
+struct GeomorphRun {
+  RecordingFacts recording;
+  std::vector<std::string> paths;
+  std::uint64_t n_vertices = 0, n_fine_faces = 0, n_coarse_faces = 0;
+  double read_seconds = 0, geomorph_seconds = 0, write_seconds = 0;
+  std::vector<std::string> warnings;
+};
+
+void check(const CLI::App& app, const GeomorphCommand& options, GeomorphRun& run) {
+  check_conflicts(app, common_conflicts());
+  if (options.n_frames && !has_number(options.output)) {
+    throw UsageError("--frames writes several files: --output needs '{i}' in it, such as 'frame_{i}.ply'");
+  }
+  if (!options.n_frames && has_number(options.output)) throw UsageError("'{i}' in --output is for --frames");
+  if (!options.n_frames && options.output != standard_stream && !options.output.ends_with(".glb")) {
+    throw UsageError(
+        "--output: a geomorph is written as glTF, to a file whose name ends with .glb; --frames writes meshes");
+  }
+  const std::size_t n = options.n_frames.value_or(1);
+  std::vector<Output> outputs;
+  for (std::size_t i = 0; i < n; ++i) {
+    run.paths.push_back(numbered(options.output, i, n));
+    outputs.push_back({"--output", run.paths.back()});
+  }
+  if (options.common.json) outputs.push_back({"--json", *options.common.json});
+  check_recording_outputs(options.recording, options.n_frames ? run.paths : std::vector<std::string>(), outputs,
+                          options.files, options.common);
+}
+
+/// \throw std::runtime_error if there is no such level
+std::size_t level_of_faces(const GeomorphCommand& options, const Replay& replay, std::uint64_t n_faces) {
+  if (const std::optional<std::size_t> level = replay.level_of_faces(n_faces)) return *level;
+  throw std::runtime_error(options.recording.path + ": its last level has more than " + faces_text(n_faces) + ": " +
+                           faces_text(replay.n_faces()));
+}
+
+Geomorph geomorph_of(const GeomorphCommand& options, Replay& replay) {
+  const std::size_t fine = options.from ? level_of_faces(options, replay, *options.from) : 0;
+  const std::size_t coarse = options.to ? level_of_faces(options, replay, *options.to) : replay.n_steps();
+  if (coarse < fine) throw UsageError("--to: the level to go to has more faces than the one to come from");
+  try {
+    return {replay, fine, coarse};
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(options.recording.path + ": " + error.what() +
+                             "; go to an earlier level, or record without '--effort best'");
+  }
+}
+
+void write_geomorph(const GeomorphCommand& options, const Geomorph& geomorph, OutputFiles& files, const Talk& talk,
+                    GeomorphRun& run) {
+  if (!options.n_frames) {
+    files.write(run.paths.front(), [&geomorph](std::ostream& out) { write_glb(out, geomorph); });
+    return;
+  }
+  for (std::size_t i = 0; i < run.paths.size(); ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(run.paths.size() - 1);
+    write_mesh(files, run.paths[i], options.files, geomorph.at(share, options.normal_blend), talk, run.warnings);
+  }
+}
+
+Json geomorph_json(const GeomorphRun& run, double total_seconds) {
+  Json json = new_report();
+  json["recording"] = recording_json(run.recording);
+  json["paths"] = run.paths;
+  json["vertices"] = run.n_vertices;
+  json["from_faces"] = run.n_fine_faces;
+  json["to_faces"] = run.n_coarse_faces;
+  json["seconds"] = {{"read", run.read_seconds},
+                     {"geomorph", run.geomorph_seconds},
+                     {"write", run.write_seconds},
+                     {"total", total_seconds}};
+  json["peak_rss_bytes"] = peak_memory_bytes();
+  json["warnings"] = run.warnings;
+  return json;
+}
+
+ExitCode run_geomorph(const CLI::App& app, const GeomorphCommand& options) {
+  GeomorphRun run;
+  check(app, options, run);
+  const Talk talk = options.common.talk();
+  const Stopwatch watch;
+  Replay replay = read_replay(options.recording, options.files, options.common.threads, talk, run.recording);
+  run.read_seconds = watch.seconds();
+  const Stopwatch morphing;
+  const Geomorph geomorph = geomorph_of(options, replay);
+  run.n_vertices = geomorph.fine().positions.size();
+  run.n_fine_faces = geomorph.fine().faces.size();
+  run.n_coarse_faces = geomorph.n_coarse_faces();
+  run.geomorph_seconds = morphing.seconds();
+  const Stopwatch writing;
+  OutputFiles files;
+  write_geomorph(options, geomorph, files, talk, run);
+  run.write_seconds = writing.seconds();
+  commit_with_report(files, options.common,
+                     options.common.json ? to_text(geomorph_json(run, watch.seconds())) : std::string());
+  const std::string frames = options.n_frames ? counted(*options.n_frames, "frame", "frames") + " " : std::string();
+  talk.say(shown_output(options.output) + ": " + frames + "from " + faces_text(run.n_fine_faces) + " to " +
+           std::to_string(run.n_coarse_faces) + " in " + seconds_text(watch.seconds()));
+  say_effort(talk, watch.seconds());
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void setup_geomorph(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<GeomorphCommand>();
+  CLI::App* sub = app.add_subcommand("geomorph", "Write a continuous way between two levels of a recording, as glTF.");
+  add_recording(*sub, options->recording);
+  add_value(
+      *sub, "-o,--output", "OUT", options->output, [](std::string_view text) { return std::string(text); },
+      "a .glb file with a morph target, replaced if it exists, or '-' for standard output; with --frames, meshes")
+      ->required();
+  const auto count = [](std::string_view text) { return std::optional(parse_count(text)); };
+  add_value(*sub, "--from", "N", options->from, count, "begin at the first level of at most N faces")
+      ->default_str("the input");
+  add_value(*sub, "--to", "N", options->to, count, "end at the first level of at most N faces")
+      ->default_str("the last level");
+  constexpr std::uint64_t fewest = 2;
+  constexpr std::uint64_t most = 1'000'000;
+  add_value(
+      *sub, "--frames", "N", options->n_frames,
+      [](std::string_view text) { return std::optional(parse_count(text, fewest, most)); },
+      "write N meshes on the way, both ends among them; '{i}' in OUT stands for the number of each")
+      ->default_str("off");
+  add_choice(*sub, "--normal-blend", options->normal_blend, normal_blends,
+             "how normals turn in --frames: at a constant speed, or as glTF does");
+  add_recording_input(*sub, options->recording);
+  add_format(*sub, options->files);
+  add_input_format(*sub, options->files);
+  add_output_format(*sub, options->files);
+  add_ascii(*sub, options->files);
+  add_weld_options(*sub, options->files);
+  add_common_options(*sub, options->common);
+  set_usage(*sub, "REC -o OUT [OPTION]...");
+  sub->footer(
+      "Examples:\n"
+      "  whittle simplify dragon.ply -o small.ply --ratio 1% --record dragon.rec\n"
+      "  whittle geomorph dragon.rec --from 50000 --to 10000 -o morph.glb\n"
+      "  whittle geomorph dragon.rec --from 50000 --frames 48 -o 'frame_{i}.ply'");
+  sub->callback([sub, options, &command] { command = [sub, options] { return run_geomorph(*sub, *options); }; });
+}
+
+}  // namespace whittle::app

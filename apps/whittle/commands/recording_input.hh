@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "files/input.hh"
+#include "files/output.hh"
+#include "files/report.hh"
+#include "whittle/progressive/replay.hh"
+
+// The recordings that `simplify --record` writes, as inputs of other subcommands.
+
+namespace whittle::app {
+
+struct RecordingOptions {
+  std::string path;
+  std::optional<std::string> input;  ///< the mesh of the run, if it is not in the recording
+};
+
+/// Adds the argument REC.
+void add_recording(CLI::App& app, RecordingOptions& options);
+/// Adds --input.
+void add_recording_input(CLI::App& app, RecordingOptions& options);
+
+/// What the report says of a recording.
+struct RecordingFacts {
+  std::string path;
+  bool is_embedded = false;                   ///< the input mesh
+  std::uint64_t n_vertices = 0, n_faces = 0;  ///< of the input
+  std::uint64_t n_contractions = 0;
+};
+
+/// {"path", "embedded", "vertices", "faces", "contractions"}
+Json recording_json(const RecordingFacts& facts);
+
+/// `check_formats` and `check_outputs` of a run that reads a recording. \param meshes those that it writes
+void check_recording_outputs(const RecordingOptions& options, const std::vector<std::string>& meshes,
+                             const std::vector<Output>& outputs, const FileOptions& files, const CommonOptions& common);
+
+/// \throw UsageError if there is no mesh to begin with; io::ReadError if a file can't be read, is damaged, or if the
+///        mesh is another one
+progressive::Replay read_replay(const RecordingOptions& options, const FileOptions& files, unsigned threads,
+                                const Talk& talk, RecordingFacts& facts);
+
+}  // namespace whittle::app
