@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "commands/simplify/advice.hh"
+#include "commands/simplify/simplify_files.hh"
 #include "commands/simplify/simplify_record.hh"
 #include "commands/simplify/simplify_report.hh"
 #include "commands/simplify/simplify_runs.hh"
@@ -31,7 +31,6 @@
 #include "whittle/metrics/meeting_parts.hh"
 #include "whittle/metrics/self_intersections.hh"
 #include "whittle/metrics/shape.hh"
-#include "whittle/progressive/recording.hh"
 
 namespace whittle::app {
 namespace {
@@ -82,7 +81,7 @@ SimplifyOptions resolved(const SimplifyCommand& options, const SimplifyRecord& r
     decimate.feature_tolerance = options.feature_tolerance.in_units(record.diagonal) / record.diagonal;
   }
   decimate.threads = options.common.threads;
-  decimate.keep_steps = options.recording.has_value();
+  decimate.keep_steps = options.recording || options.curve;
   return result;
 }
 
@@ -176,18 +175,6 @@ void take_warnings(const Talk& talk, SimplifyRecord& record) {
   }
 }
 
-/// Writes a line for every vertex of the file: its number in the result, or -1.
-void write_map(std::ostream& out, const SimplifyRecord& record) {
-  for (const Index read : record.input.read.vertex_map) {
-    const Index written = read == invalid_index ? invalid_index : record.simplified.vertex_map[read];
-    if (written == invalid_index) {
-      out << "-1\n";
-    } else {
-      out << written << '\n';
-    }
-  }
-}
-
 /// What stood in the way of the target, and what lifts it.
 std::string obstacle(const SimplifyCommand& options, const SimplifyRecord& record) {
   const DecimateResult& result = record.simplified.result;
@@ -254,6 +241,13 @@ void warn_of_meeting_parts(const SimplifyCommand& options, const Talk& talk, Sim
   talk.warning(record.warnings.back());
 }
 
+void measure_curve(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
+  if (!options.curve) return;
+  const Stopwatch watch;
+  record.curve = measure_curve(record.input.read.mesh, record.simplified, options.common.threads, talk);
+  record.seconds.curve = watch.seconds();
+}
+
 void count_intersections(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
   if (options.self_intersections == SelfIntersections::allow) return;
   const auto count = [&](const IndexedMesh& mesh, double from, double to, ProgressBar& bar) {
@@ -263,34 +257,6 @@ void count_intersections(const SimplifyCommand& options, const Talk& talk, Simpl
   ProgressBar bar(talk, "counting intersections");
   record.n_intersections_before = count(record.input.read.mesh, 0, 0.8, bar);
   record.n_intersections_after = count(record.simplified.mesh, 0.8, 1, bar);
-}
-
-void write_recording_file(const SimplifyCommand& options, const SimplifyRecord& record, OutputFiles& files) {
-  const Json about = {{"program", program_and_version()}, {"options", options_json(options)}};
-  const progressive::RecordingOptions how{options.embeds_input, options.compresses_recording, options.common.threads};
-  files.write(*options.recording, [&](std::ostream& out) {
-    progressive::write_recording(out, record.input.read.mesh, record.simplified.steps,
-                                 options.simplify.decimate.normals, to_text(about), how);
-  });
-}
-
-/// Writes the result, the map and the report. All of them appear, or none does.
-/// \param report becomes the report, even without --json; may be null
-void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwatch& since_start, SimplifyRecord& record,
-                 Json* report) {
-  const Stopwatch watch;
-  OutputFiles files;
-  write_mesh(files, options.output, options.files, record.simplified.mesh, talk, record.warnings);
-  if (options.map) files.write(*options.map, [&record](std::ostream& out) { write_map(out, record); });
-  if (options.certificate) {
-    files.write(*options.certificate, [&record](std::ostream& out) { out << record.certificate; });
-  }
-  if (options.recording) write_recording_file(options, record, files);
-  record.seconds.write = watch.seconds();
-  record.seconds.total = since_start.seconds();
-  const Json json = report != nullptr || options.common.json ? simplify_json(options, record) : Json();
-  commit_with_report(files, options.common, options.common.json ? to_text(json) : std::string());
-  if (report != nullptr) *report = json;
 }
 
 std::vector<std::string> lost_in_openmesh(const SimplifyCommand& options, const Input& input) {
@@ -343,6 +309,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   if (record.met) warn_of_gaps(options, talk, record);
   warn_of_meeting_parts(options, talk, record);
   count_intersections(options, talk, record);
+  measure_curve(options, talk, record);
   const std::string missed = record.met ? std::string() : shortfall(options, record);
   if (!record.met) record.warnings.push_back(missed);
   write_files(options, talk, watch, record, report);

@@ -1,15 +1,21 @@
 #include "bench/results/plots.hh"
 
 #include <algorithm>
+#include <fstream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "bench/results/csv.hh"
 #include "bench/results/statistics.hh"
-#include "bench/results/svg_chart.hh"
+#include "charts/svg_chart.hh"
 
 namespace whittle::bench {
 namespace {
+
+using app::Chart;
+using app::ChartPoint;
+using app::ChartSeries;
 
 constexpr std::string_view permuted_suffix = "/permuted";
 
@@ -70,7 +76,12 @@ std::vector<std::filesystem::path> write_plots(const std::filesystem::path& fold
   std::filesystem::create_directories(folder);
   std::vector<std::filesystem::path> files;
   const auto add = [&](const std::string& name, const Chart& chart) {
-    if (write_svg(folder / name, chart)) files.push_back(folder / name);
+    const std::string svg = app::to_svg(chart);
+    if (svg.empty()) return;
+    std::ofstream file(folder / name, std::ios::binary);
+    file << svg << std::flush;
+    if (!file) throw std::runtime_error("can't write " + (folder / name).string());
+    files.push_back(folder / name);
   };
   add("time.svg", time_chart(rows, false, clock));
   add("time-permuted.svg", time_chart(rows, true, clock));

@@ -56,6 +56,31 @@ TEST(VertexMap, SendsEveryVertexOfTheFileSomewhere) {
   }
 }
 
+/// For each vertex of the result, those of the file, as the map has them.
+std::vector<std::string> turned_round(const std::vector<long>& map, std::size_t n_vertices) {
+  std::vector<std::string> lines(n_vertices);
+  for (std::size_t v = 0; v < map.size(); ++v) {
+    if (map[v] < 0) continue;
+    std::string& line = lines[static_cast<std::size_t>(map[v])];
+    line += (line.empty() ? "" : " ") + std::to_string(v);
+  }
+  return lines;
+}
+
+TEST(VertexMap, GoesBack) {
+  const TemporaryFolder folder;
+  write_text(folder / "in.obj", read_text(data_file("cubes.obj")) + "v 7 7 7\n");  // a vertex without a face
+  for (const std::string& mesh : {folder / "in.obj", data_file("bracket.stl"), data_file("nonmanifold.obj")}) {
+    const Outcome outcome = whittle({"simplify", mesh, "-o", folder / "out.ply", "--face-ratio", "30%", "--threshold",
+                                     "auto", "--map", folder / "map", "--map-back", folder / "back"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome;
+    std::string expected;
+    const std::size_t n_vertices = io::read_mesh(folder / "out.ply").mesh.positions.size();
+    for (const std::string& line : turned_round(read_map(folder / "map"), n_vertices)) expected += line + '\n';
+    EXPECT_EQ(read_text(folder / "back"), expected) << mesh;
+  }
+}
+
 TEST(VertexMap, GoesThroughWelding) {
   const TemporaryFolder folder;
   ASSERT_EQ(whittle({"simplify", data_file("bracket.stl"), "-o", folder / "out.ply", "--vertices", "300", "--map",

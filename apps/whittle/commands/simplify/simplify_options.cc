@@ -72,6 +72,7 @@ std::vector<Conflict> conflicts() {
       {"--certificate", "--prune", "the proof is about all of IN"},
       {"--no-embed", "--prune", "the recording is of IN without its small parts"},
       {"--record", "--engine openmesh", not_in_openmesh},
+      {"--curve", "--engine openmesh", not_in_openmesh},
       {"--tolerance-map", "--prune", "the lengths are of all vertices of IN"},
       {"--threshold", "--engine openmesh", no_pairs},
       {"--max-pairs", "--engine openmesh", no_pairs},
@@ -290,22 +291,23 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
   add_output_format(app, options.files)->group(file_group);
   add_ascii(app, options.files)->group(file_group);
   add_weld_options(app, options.files, file_group);
-  add_value(
-      app, "--map", "FILE", options.map, [](std::string_view text) { return std::string(text); },
-      "write where each vertex of IN went: a line a vertex, its new number from 0, or -1; "
-      "'{stem}' as in OUT")
-      ->default_str("off")
-      ->group(file_group);
-  add_value(
-      app, "--certificate", "FILE", options.certificate, [](std::string_view text) { return std::string(text); },
-      "write the steps of the proof how far OUT is from IN at most, for 'whittle verify'; '{stem}' as in OUT")
-      ->default_str("off")
-      ->group(file_group);
-  add_value(
-      app, "--record", "FILE", options.recording, [](std::string_view text) { return std::string(text); },
-      "write the steps of the run, for 'whittle replay'; '{stem}' as in OUT")
-      ->default_str("off")
-      ->group(file_group);
+  const auto add_side_file = [&app](const std::string& option, std::optional<std::string>& path,
+                                    const std::string& description) {
+    add_value(
+        app, option, "FILE", path, [](std::string_view text) { return std::string(text); },
+        description + "; '{stem}' as in OUT")
+        ->default_str("off")
+        ->group(file_group);
+  };
+  add_side_file("--map", options.map,
+                "write where each vertex of IN went: a line a vertex, its new number from 0, or -1");
+  add_side_file("--map-back", options.map_back,
+                "write which vertices of IN each vertex of OUT is made of: a line a vertex, their numbers from 0");
+  add_side_file("--certificate", options.certificate,
+                "write the steps of the proof how far OUT is from IN at most, for 'whittle verify'");
+  add_side_file("--curve", options.curve,
+                "write the error at the levels from IN to OUT, as a table (.csv) or a drawing (.svg)");
+  add_side_file("--record", options.recording, "write the steps of the run, for 'whittle replay'");
   app.add_flag_callback(
          "--no-embed", [&options] { options.embeds_input = false; },
          "leave IN out of the recording: it is smaller, and 'replay' needs IN")
@@ -344,6 +346,9 @@ void check_options(const CLI::App& app, const SimplifyCommand& options) {
   check_targets(options.targets, "--faces, --vertices, --ratio, --face-ratio, --max-cost and --max-error");
   check_conflicts(app, common_conflicts());
   check_conflicts(app, conflicts());
+  if (options.curve && !options.curve->ends_with(".csv") && !options.curve->ends_with(".svg")) {
+    throw UsageError("--curve: '" + *options.curve + "' ends neither with .csv nor with .svg");
+  }
   const DecimateOptions& decimate = options.simplify.decimate;
   const CostTraits& traits = cost_traits(decimate.effective_cost());
   const std::string_view why = traits.why_not.threshold_in_exact_order;
@@ -378,9 +383,9 @@ void check_files(const std::vector<SimplifyCommand>& runs) {
     inputs.push_back(run.input);
     meshes.push_back(run.output);
     outputs.push_back({"--output", run.output});
-    if (run.map) outputs.push_back({"--map", *run.map});
-    if (run.certificate) outputs.push_back({"--certificate", *run.certificate});
-    if (run.recording) outputs.push_back({"--record", *run.recording});
+    for (const SideFile& file : side_files) {
+      if (run.*file.path) outputs.push_back({file.option, *(run.*file.path)});
+    }
   }
   const SimplifyCommand& any = runs.front();
   if (any.common.json) outputs.push_back({"--json", *any.common.json});

@@ -42,9 +42,12 @@ struct SimplifyCommand {
   std::optional<Length> prune;           ///< parts smaller than this are dropped
   Engine engine = Engine::flat;
   SelfIntersections self_intersections = SelfIntersections::allow;
-  std::optional<std::string> map;          ///< file for the vertex map; `{stem}` as in `output`
-  std::optional<std::string> certificate;  ///< file for the steps of the proof; `{stem}` as in `output`
-  std::optional<std::string> recording;    ///< file for the steps of the run; `{stem}` as in `output`
+  // More files to write, each with `{stem}` as in `output`.
+  std::optional<std::string> map;          ///< the vertex map
+  std::optional<std::string> map_back;     ///< the vertex map from OUT to IN
+  std::optional<std::string> certificate;  ///< the steps of the proof
+  std::optional<std::string> recording;    ///< the steps of the run
+  std::optional<std::string> curve;        ///< the error at the levels of the run
   bool embeds_input = true;                ///< whether the recording has the input in it
   bool compresses_recording = false;
   bool strict = false;
@@ -57,6 +60,18 @@ struct SimplifyCommand {
 SimplifyCommand settled(SimplifyCommand command);
 
 void add_simplify_options(CLI::App& app, SimplifyCommand& options);
+
+/// A file that a run can write besides the result.
+struct SideFile {
+  const char* option;
+  std::optional<std::string> SimplifyCommand::*path;
+  const char* plural;  ///< of what it is
+};
+inline constexpr SideFile side_files[] = {{"--map", &SimplifyCommand::map, "maps"},
+                                          {"--map-back", &SimplifyCommand::map_back, "maps"},
+                                          {"--certificate", &SimplifyCommand::certificate, "certificates"},
+                                          {"--record", &SimplifyCommand::recording, "recordings"},
+                                          {"--curve", &SimplifyCommand::curve, "curves"}};
 
 /// \throw UsageError for options that are missing or contradictory.
 void check_options(const CLI::App& app, const SimplifyCommand& options);

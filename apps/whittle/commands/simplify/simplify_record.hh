@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "commands/simplify/as_written.hh"
+#include "commands/simplify/curve.hh"
 #include "files/input.hh"
 #include "whittle/engine/simplify.hh"
 
@@ -16,6 +17,7 @@ struct SimplifySeconds {
   double decimate = 0;
   double polish = 0;
   double certify = 0;
+  double curve = 0;
   double write = 0;
   double total = 0;
 };
@@ -34,6 +36,7 @@ struct SimplifyRecord {
   bool met = false;
   std::optional<std::size_t> n_intersections_before;  ///< pairs of faces, if they were counted
   std::optional<std::size_t> n_intersections_after;
+  std::vector<CurvePoint> curve;  ///< if it is to be written
   std::vector<std::string> warnings;
   SimplifySeconds seconds;
 };

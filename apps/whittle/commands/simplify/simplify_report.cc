@@ -65,6 +65,7 @@ Json simplify_json(const SimplifyCommand& options, const SimplifyRecord& record)
   json["target"]["met"] = record.met;
   json["stop"] = to_string(result.stop);
   json["max_error"] = max_error_json(record);
+  json["curve"] = options.curve ? curve_json(record.curve) : Json(nullptr);
   json["contractions"] = result.n_contractions;
   json["threshold_pairs"] = threshold_pairs_json(result.threshold_pairs);
   json["max_cost"] = result.max_cost;
@@ -74,7 +75,8 @@ Json simplify_json(const SimplifyCommand& options, const SimplifyRecord& record)
   json["polish"] = *options.simplify.polish_passes > 0 ? polish_json(record.simplified.polish) : Json(nullptr);
   json["seconds"] = {{"read", record.seconds.read},     {"decimate", record.seconds.decimate},
                      {"polish", record.seconds.polish}, {"certify", record.seconds.certify},
-                     {"write", record.seconds.write},   {"total", record.seconds.total}};
+                     {"curve", record.seconds.curve},   {"write", record.seconds.write},
+                     {"total", record.seconds.total}};
   json["peak_rss_bytes"] = peak_memory_bytes();
   json["warnings"] = record.warnings;
   return json;

@@ -31,13 +31,12 @@ void check_stems(const SimplifyCommand& command) {
     throw UsageError("one argument too many: '" + command.inputs[1] +
                      "'; several inputs need '{stem}' in --output, such as 'out/{stem}.ply'");
   }
-  const auto check = [](const std::optional<std::string>& path, const std::string& option, const std::string& what) {
-    if (!path || has_stem(*path)) return;
-    throw UsageError(option + ": several inputs make several " + what + "; its file needs '{stem}' in its name, too");
-  };
-  check(command.map, "--map", "maps");
-  check(command.certificate, "--certificate", "certificates");
-  check(command.recording, "--record", "recordings");
+  for (const SideFile& file : side_files) {
+    const std::optional<std::string>& path = command.*file.path;
+    if (!path || has_stem(*path)) continue;
+    throw UsageError(std::string(file.option) + ": several inputs make several " + file.plural +
+                     "; its file needs '{stem}' in its name, too");
+  }
 }
 
 /// \throw UsageError naming two inputs that would be written to one file
@@ -79,8 +78,9 @@ std::vector<SimplifyCommand> runs_of(const SimplifyCommand& command) {
     run.input = command.inputs[i];
     if (!is_named_by_stem(command)) continue;
     run.output = with_stem(run.output, stem_of(run.input));
-    for (std::optional<std::string>* path : {&run.map, &run.certificate, &run.recording}) {
-      if (*path) *path = with_stem(**path, stem_of(run.input));
+    for (const SideFile& file : side_files) {
+      std::optional<std::string>& path = run.*file.path;
+      if (path) path = with_stem(*path, stem_of(run.input));
     }
   }
   refuse_same_outputs(runs);

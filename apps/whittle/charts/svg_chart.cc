@@ -1,17 +1,14 @@
-#include "bench/results/svg_chart.hh"
+#include "charts/svg_chart.hh"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
+#include <cstdio>
 #include <iomanip>
 #include <map>
 #include <sstream>
-#include <stdexcept>
 
-#include "bench/results/csv.hh"
-
-namespace whittle::bench {
+namespace whittle::app {
 namespace {
 
 // Pixels.
@@ -51,6 +48,13 @@ struct Axis {
     return begin + (end - begin) * std::log(value / ticks.front()) / std::log(ticks.back() / ticks.front());
   }
 };
+
+/// \param format printf format for a double
+std::string formatted(const char* format, double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
 
 std::string escaped(const std::string& text) {
   std::string result;
@@ -167,18 +171,15 @@ Axis axis_around(const std::vector<double>& values, double begin, double end) {
 
 }  // namespace
 
-bool write_svg(const std::filesystem::path& path, const Chart& chart) {
+std::string to_svg(const Chart& chart) {
   const std::vector<ChartSeries> all = drawable(chart.series);
-  if (all.empty()) return false;
+  if (all.empty()) return {};
   const Axis x = axis_around(values_of(all, &ChartPoint::x), left, right);
   const Axis y = axis_around(values_of(all, &ChartPoint::y), bottom, top);
   Drawing drawing;
   draw_axes(drawing, chart, x, y);
   for (std::size_t i = 0; i < all.size(); ++i) draw(drawing, all[i], i, x, y);
-  std::ofstream file(path, std::ios::binary);
-  file << drawing.finished() << std::flush;
-  if (!file) throw std::runtime_error("can't write " + path.string());
-  return true;
+  return drawing.finished();
 }
 
-}  // namespace whittle::bench
+}  // namespace whittle::app

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
-namespace whittle::bench {
+namespace whittle::app {
 
 struct ChartPoint {
   double x;
@@ -26,10 +25,8 @@ struct Chart {
   std::vector<ChartSeries> series;
 };
 
-/// Writes an SVG file, readable on white and on black. Points with a value of 0 or below are left out, and so are
-/// series without points. A chart without series isn't written.
-/// \return whether the file was written
-/// \throw std::runtime_error if the file can't be written
-bool write_svg(const std::filesystem::path& path, const Chart& chart);
+/// A drawing in SVG, readable on white and on black. Points with a value of 0 or below are left out, and so are series
+/// without points. \return empty for a chart without series
+std::string to_svg(const Chart& chart);
 
-}  // namespace whittle::bench
+}  // namespace whittle::app

@@ -1,0 +1,77 @@
+#include "commands/simplify/simplify_files.hh"
+
+#include <ostream>
+#include <vector>
+
+#include "commands/simplify/curve.hh"
+#include "commands/simplify/simplify_report.hh"
+#include "whittle/progressive/recording.hh"
+
+namespace whittle::app {
+namespace {
+
+/// For each vertex of the file, its number in the result.
+std::vector<Index> vertex_map_of(const SimplifyRecord& record) {
+  std::vector<Index> map = record.input.read.vertex_map;
+  for (Index& v : map) v = v == invalid_index ? v : record.simplified.vertex_map[v];
+  return map;
+}
+
+/// Writes a line for every vertex of the file: its number in the result, or -1.
+void write_map(std::ostream& out, const SimplifyRecord& record) {
+  for (const Index written : vertex_map_of(record)) {
+    if (written == invalid_index) {
+      out << "-1\n";
+    } else {
+      out << written << '\n';
+    }
+  }
+}
+
+/// Writes a line for every vertex of the result: the numbers of those that it is made of.
+void write_map_back(std::ostream& out, const SimplifyRecord& record) {
+  std::vector<std::vector<Index>> sources(record.simplified.mesh.positions.size());
+  const std::vector<Index> map = vertex_map_of(record);
+  for (Index v = 0; v < map.size(); ++v) {
+    if (map[v] != invalid_index) sources[map[v]].push_back(v);
+  }
+  for (const std::vector<Index>& vertices : sources) {
+    for (std::size_t i = 0; i < vertices.size(); ++i) out << (i == 0 ? "" : " ") << vertices[i];
+    out << '\n';
+  }
+}
+
+void write_recording_file(std::ostream& out, const SimplifyCommand& options, const SimplifyRecord& record) {
+  const Json about = {{"program", program_and_version()}, {"options", options_json(options)}};
+  const progressive::RecordingOptions how{options.embeds_input, options.compresses_recording, options.common.threads};
+  progressive::write_recording(out, record.input.read.mesh, record.simplified.steps, options.simplify.decimate.normals,
+                               to_text(about), how);
+}
+
+void write_curve(std::ostream& out, const SimplifyCommand& options, const SimplifyRecord& record) {
+  out << (options.curve->ends_with(".svg") ? curve_svg(record.curve, record.input.name) : curve_csv(record.curve));
+}
+
+}  // namespace
+
+void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwatch& since_start, SimplifyRecord& record,
+                 Json* report) {
+  const Stopwatch watch;
+  OutputFiles files;
+  write_mesh(files, options.output, options.files, record.simplified.mesh, talk, record.warnings);
+  const auto write = [&files](const std::optional<std::string>& path, const auto& fill) {
+    if (path) files.write(*path, fill);
+  };
+  write(options.map, [&](std::ostream& out) { write_map(out, record); });
+  write(options.map_back, [&](std::ostream& out) { write_map_back(out, record); });
+  write(options.certificate, [&](std::ostream& out) { out << record.certificate; });
+  write(options.recording, [&](std::ostream& out) { write_recording_file(out, options, record); });
+  write(options.curve, [&](std::ostream& out) { write_curve(out, options, record); });
+  record.seconds.write = watch.seconds();
+  record.seconds.total = since_start.seconds();
+  const Json json = report != nullptr || options.common.json ? simplify_json(options, record) : Json();
+  commit_with_report(files, options.common, options.common.json ? to_text(json) : std::string());
+  if (report != nullptr) *report = json;
+}
+
+}  // namespace whittle::app
