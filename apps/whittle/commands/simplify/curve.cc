@@ -14,7 +14,7 @@ namespace {
 
 /// The levels to measure, first that of the input.
 std::vector<std::size_t> levels_of(const progressive::Replay& replay) {
-  constexpr double step = 5.0 / 6;
+  constexpr double step = 0.75;
   std::vector<std::size_t> levels{0};
   for (auto n = static_cast<double>(replay.input().faces.size()) * step; n >= 1; n *= step) {
     const auto level = replay.level_of_faces(static_cast<std::uint64_t>(n));

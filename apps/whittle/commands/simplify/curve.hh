@@ -18,7 +18,7 @@ struct CurvePoint {
   double mean, rms, max;  ///< distances, sampled both ways, model units
 };
 
-/// The number of faces falls by a sixth from one point to the next. The first one is the input, the last one the
+/// The number of faces falls by a quarter from one point to the next. The first one is the input, the last one the
 /// result. \param simplified has its steps
 std::vector<CurvePoint> measure_curve(const IndexedMesh& input, const Decimation& simplified, unsigned threads,
                                       const Talk& talk);
