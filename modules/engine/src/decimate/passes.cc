@@ -288,7 +288,7 @@ bool Passes::is_beyond_target() const {
 
 bool Passes::adjust() {
   Remainder& left = *done_.left;
-  Decimation paused = geometry_of(mesh_, left, frame_);
+  Decimation paused = geometry_of(mesh_, left.geometry(), frame_);
   paused.result = done_.result;
   const std::vector<Vec3> before = paused.mesh.positions;
   const std::size_t n_faces = paused.mesh.faces.size();

@@ -93,7 +93,7 @@ std::vector<Index> representatives(TriangleComplex& complex) {
 std::vector<Index> surviving_faces(std::span<const Triangle> faces, const std::vector<Index>& representatives,
                                    TriangleComplex& complex) {
   std::vector<Index> result;
-  result.reserve(complex.n_faces());
+  reserve_large(result, complex.n_faces());
   for (Index f = 0; f < faces.size(); ++f) {
     if (has_three_corners(mapped(faces[f], representatives))) result.push_back(f);
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "whittle/core/detail/large_array.hh"
+
 namespace whittle {
 namespace {
 
@@ -9,7 +11,7 @@ namespace {
 /// \param went_to vertices that the pass began with → vertices of the complex
 std::vector<Index> vertices_left(const TriangleComplex& complex, const std::vector<Index>& went_to) {
   std::vector<Index> vertices;
-  vertices.reserve(complex.n_vertices());
+  reserve_large(vertices, complex.n_vertices());
   for (Index i = 0; i < went_to.size(); ++i) {
     if (went_to[i] != invalid_index && complex.identity(went_to[i]) == i) vertices.push_back(went_to[i]);
   }
@@ -18,13 +20,15 @@ std::vector<Index> vertices_left(const TriangleComplex& complex, const std::vect
 
 std::vector<PlacedQuadric> quadrics_of(const PairCost& cost, const std::vector<Index>& vertices) {
   std::vector<PlacedQuadric> quadrics;
-  quadrics.reserve(vertices.size());
+  reserve_large(quadrics, vertices.size());
   for (const Index v : vertices) quadrics.push_back(cost.quadric(v));
   return quadrics;
 }
 
 Memory memory_of(const PairCost& cost, const std::vector<Index>& vertices) {
   Memory memory{cost.face_area(), {}};
+  const auto n = std::count_if(vertices.begin(), vertices.end(), [&](Index v) { return cost.remembers(v); });
+  reserve_large(memory.quadrics, static_cast<std::size_t>(n));
   for (Index i = 0; i < vertices.size(); ++i) {
     if (cost.remembers(vertices[i])) memory.quadrics.push_back({i, cost.quadric(vertices[i]).quadric});
   }
@@ -48,6 +52,18 @@ std::vector<VertexPair> threshold_pairs_left(TriangleComplex& complex, const std
 
 }  // namespace
 
+Remainder Remainder::geometry() const {
+  Remainder copy;
+  copy.positions = positions;
+  copy.faces = faces;
+  copy.origins = origins;
+  copy.face_origins = face_origins;
+  copy.vertex_map = vertex_map;
+  copy.lines = lines;
+  copy.quadrics = quadrics;
+  return copy;
+}
+
 Remainder remainder_of(Pass& pass, std::span<const Triangle> faces, const Remainder* before,
                        const Gathering& gathering) {
   TriangleComplex& complex = pass.complex();
@@ -55,8 +71,8 @@ Remainder remainder_of(Pass& pass, std::span<const Triangle> faces, const Remain
   const std::vector<Index> vertices = vertices_left(complex, went_to);
   std::vector<Index> numbers(complex.n_vertex_slots(), invalid_index);
   Remainder left;
-  left.positions.reserve(vertices.size());
-  left.origins.reserve(vertices.size());
+  reserve_large(left.positions, vertices.size());
+  reserve_large(left.origins, vertices.size());
   for (const Index v : vertices) {
     numbers[v] = static_cast<Index>(left.positions.size());
     left.positions.push_back(complex.position(v));
@@ -66,16 +82,14 @@ Remainder remainder_of(Pass& pass, std::span<const Triangle> faces, const Remain
   for (Index& v : went_to) {
     if (v != invalid_index) v = numbers[v];
   }
-  left.faces.reserve(left.face_origins.size());
+  reserve_large(left.faces, left.face_origins.size());
   for (Index& f : left.face_origins) {
     left.faces.push_back(mapped(faces[f], went_to));
     if (before) f = before->face_origins[f];
   }
   if (before) {
-    left.vertex_map = before->vertex_map;
-    for (Index& v : left.vertex_map) {
-      if (v != invalid_index) v = went_to[v];
-    }
+    reserve_large(left.vertex_map, before->vertex_map.size());
+    for (const Index v : before->vertex_map) left.vertex_map.push_back(v == invalid_index ? v : went_to[v]);
   } else {
     left.vertex_map = std::move(went_to);
   }

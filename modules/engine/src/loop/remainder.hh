@@ -23,6 +23,9 @@ struct Remainder {
   std::vector<VertexPair> threshold_pairs;  ///< that may still be contracted
   std::vector<Refusal> refusals;            ///< that still hold, if the order is exact
 
+  /// A copy without what is for another pass.
+  Remainder geometry() const;
+
   /// The flags of the vertices here. \param flags per vertex of the input, or empty
   std::vector<std::uint8_t> of_vertices(const std::vector<std::uint8_t>& flags) const {
     std::vector<std::uint8_t> here;
