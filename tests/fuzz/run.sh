@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-all_targets=(obj off ply stl decimate polish metrics command_line)
+all_targets=(obj off ply stl decimate polish metrics steps command_line)
 minutes=${1:?usage: run.sh MINUTES [TARGET…]}
 shift
 targets=("$@")

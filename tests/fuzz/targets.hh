@@ -20,6 +20,8 @@ void fuzz_decimate(std::string_view bytes);
 void fuzz_polish(std::string_view bytes);
 /// All of `whittle::metrics`, on any two meshes.
 void fuzz_metrics(std::string_view bytes);
+/// Levels, geomorphs and recordings, of the steps of a run or of any other steps.
+void fuzz_steps(std::string_view bytes);
 
 /// The command line of the program.
 void fuzz_command_line(std::string_view bytes);
@@ -30,12 +32,13 @@ struct NamedTarget {
 };
 
 /// Those that need no program.
-inline constexpr std::array<NamedTarget, 7> library_targets{{{"obj", fuzz_obj},
+inline constexpr std::array<NamedTarget, 8> library_targets{{{"obj", fuzz_obj},
                                                              {"off", fuzz_off},
                                                              {"ply", fuzz_ply},
                                                              {"stl", fuzz_stl},
                                                              {"decimate", fuzz_decimate},
                                                              {"polish", fuzz_polish},
-                                                             {"metrics", fuzz_metrics}}};
+                                                             {"metrics", fuzz_metrics},
+                                                             {"steps", fuzz_steps}}};
 
 }  // namespace whittle::test

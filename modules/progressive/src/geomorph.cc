@@ -30,7 +30,7 @@ MorphEnd end_at(Replay& replay, std::size_t level) {
   if (mesh.normals.empty()) mesh.normals = vertex_normals(mesh, Frame::of_points(replay.input().positions));
   end.vertices.resize(mesh.positions.size());
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-    for (int c = 0; c < 3; ++c) end.vertices[mesh.faces[i][c]] = replay.corners(end.level.face_origins[i])[c];
+    for (std::size_t c = 0; c < 3; ++c) end.vertices[mesh.faces[i][c]] = replay.corners(end.level.face_origins[i])[c];
   }
   return end;
 }
@@ -63,8 +63,8 @@ bool is_turned(const Replay& replay, const MorphEnd& fine, const std::vector<Ind
 }
 
 Normal blend_linearly(const Normal& a, const Normal& b, double share) {
-  Vec3 sum;
-  for (int i = 0; i < 3; ++i) sum[i] = std::lerp(double{a[i]}, double{b[i]}, share);
+  Vec3 sum(std::lerp(double{a[0]}, double{b[0]}, share), std::lerp(double{a[1]}, double{b[1]}, share),
+           std::lerp(double{a[2]}, double{b[2]}, share));
   const double length = sum.norm();
   constexpr double no_direction = 1e-6;
   if (!(length > no_direction)) return a;

@@ -221,6 +221,9 @@ void Rehearsal::move(const PassEnd& end) {
 }
 
 void Rehearsal::turn(const PassEnd& end) {
+  const auto is_not_before = [](const auto& a, const auto& b) { return a.face >= b.face; };
+  require(std::adjacent_find(end.turned.begin(), end.turned.end(), is_not_before) == end.turned.end(),
+          "the faces that get other corners are not ascending");
   for (const auto& [face, corners] : end.turned) {
     require(face < replay_.corners_.size() && replay_.has_face(face), "a face that gets other corners isn't there");
     require(has_three_corners(corners), "a face gets two equal corners");
@@ -232,7 +235,12 @@ void Rehearsal::turn(const PassEnd& end) {
   }
   if (end.turned.empty()) return;
   Replay::Counts& counts = replay_.counts_.back();
-  require(counts.n_vertices == n_vertices_, "faces that get other corners leave a vertex without a face");
+  const auto& before = replay_.passes_before_.back().corners;
+  const auto keep_faces = [this](const Triangle& corners) {
+    return std::all_of(corners.begin(), corners.end(), [this](Index v) { return n_faces_at_[v] > 0; });
+  };
+  require(counts.n_vertices == n_vertices_ && std::all_of(before.begin(), before.end(), keep_faces),
+          "faces that get other corners leave a vertex without a face");
   list_corners();
 }
 

@@ -28,7 +28,7 @@ using PlacedFace = std::array<std::array<double, 3>, 3>;
 
 PlacedFace placed(const IndexedMesh& mesh, const Triangle& face) {
   PlacedFace corners{};
-  for (int c = 0; c < 3; ++c) {
+  for (std::size_t c = 0; c < 3; ++c) {
     const Vec3& p = mesh.positions[face[c]];
     corners[c] = {p[0], p[1], p[2]};
   }
@@ -124,7 +124,7 @@ TEST(Geomorph, NeverJumps) {
 
 /// A geomorph whose one moving vertex has the normal `from` first, and `to` in the end.
 std::vector<std::array<float, 3>> normals_between(const std::array<float, 3>& from, const std::array<float, 3>& to,
-                                                  NormalBlend blend, int n_times) {
+                                                  NormalBlend blend, std::size_t n_times) {
   IndexedMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   mesh.faces = {{0, 1, 2}, {2, 1, 3}};
@@ -134,7 +134,8 @@ std::vector<std::array<float, 3>> normals_between(const std::array<float, 3>& fr
   Replay replay(mesh, steps, Normals::keep);
   const Geomorph geomorph(replay, 0, 1);
   std::vector<std::array<float, 3>> normals;
-  for (int i = 0; i <= n_times; ++i) normals.push_back(geomorph.at(double(i) / n_times, blend).normals[3]);
+  for (std::size_t i = 0; i <= n_times; ++i)
+    normals.push_back(geomorph.at(double(i) / double(n_times), blend).normals[3]);
   return normals;
 }
 
@@ -147,10 +148,10 @@ double angle_deg(const std::array<float, 3>& a, const std::array<float, 3>& b) {
 TEST(Geomorph, TurnsNormalsAtAConstantSpeed) {
   for (const std::array<float, 3>& to :
        std::vector<std::array<float, 3>>{{1, 0, 0}, {0, 0, -1}, {0, 0.6F, 0.8F}, {0, 0.6F, -0.8F}, {0, 0, 1}}) {
-    constexpr int n_times = 16;
+    constexpr std::size_t n_times = 16;
     const auto normals = normals_between({0, 0, 1}, to, NormalBlend::spherical, n_times);
     const double step = angle_deg(normals.front(), normals.back()) / n_times;
-    for (int i = 1; i <= n_times; ++i) {
+    for (std::size_t i = 1; i <= n_times; ++i) {
       EXPECT_NEAR(angle_deg(normals[i - 1], normals[i]), step, 2e-4);
       EXPECT_NEAR(Vec3(normals[i][0], normals[i][1], normals[i][2]).norm(), 1, 1e-6);
     }
@@ -158,14 +159,14 @@ TEST(Geomorph, TurnsNormalsAtAConstantSpeed) {
 }
 
 TEST(Geomorph, BlendsNormalsLinearlyOnRequest) {
-  constexpr int n_times = 4;
+  constexpr std::size_t n_times = 4;
   const auto normals = normals_between({0, 0, 1}, {0, 0.96F, -0.28F}, NormalBlend::linear, n_times);
   const Vec3 from(normals[0][0], normals[0][1], normals[0][2]);
   const Vec3 to(normals[n_times][0], normals[n_times][1], normals[n_times][2]);
   ASSERT_GT(angle_deg(normals[0], normals[n_times]), 40);
-  for (int t = 0; t <= n_times; ++t) {
-    const Vec3 expected = ((n_times - t) * from + t * to).normalized();
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(normals[t][i], expected[i], 1e-6);
+  for (std::size_t t = 0; t <= n_times; ++t) {
+    const Vec3 expected = (double(n_times - t) * from + double(t) * to).normalized();
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(normals[t][i], expected[static_cast<Eigen::Index>(i)], 1e-6);
   }
 }
 
@@ -192,7 +193,7 @@ std::string glb_of(const IndexedMesh& mesh) {
 
 std::uint32_t number_at(const std::string& file, std::size_t at) {
   std::uint32_t number = 0;
-  for (int i = 3; i >= 0; --i) number = number << 8 | static_cast<unsigned char>(file[at + i]);
+  for (std::size_t i = 4; i-- > 0;) number = number << 8 | static_cast<unsigned char>(file[at + i]);
   return number;
 }
 
@@ -228,9 +229,10 @@ TEST(WriteGlb, HasBothLevels) {
   const auto center = json["nodes"][0]["translation"].get<std::vector<double>>();
   ASSERT_EQ(base.size(), 3 * geomorph.fine().positions.size());
   for (std::size_t v = 0; v < geomorph.fine().positions.size(); ++v) {
-    for (int i = 0; i < 3; ++i) {
-      EXPECT_NEAR(base[3 * v + i] + center[i], geomorph.fine().positions[v][i], 1e-7);
-      EXPECT_NEAR(base[3 * v + i] + target[3 * v + i] + center[i], geomorph.coarse().positions[v][i], 2e-7);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto axis = static_cast<Eigen::Index>(i);
+      EXPECT_NEAR(base[3 * v + i] + center[i], geomorph.fine().positions[v][axis], 1e-7);
+      EXPECT_NEAR(base[3 * v + i] + target[3 * v + i] + center[i], geomorph.coarse().positions[v][axis], 2e-7);
     }
   }
   ASSERT_EQ(indices.size(), 3 * mesh.faces.size());
