@@ -71,7 +71,7 @@ TEST_P(CostInStockDecimaters, TheUnitOfTheMeshChangesNoCollapse) {
     DoubleMesh mesh = open_mesh<DoubleMesh>(scaled(shape, factor));
     OpenMesh::Decimater::DecimaterT<DoubleMesh> decimater(mesh);
     add_cost(decimater, GetParam().options);
-    auto& recorder = add_module<ModRecorderT<DoubleMesh>>(decimater);
+    auto& recorder = add_module<ModCollapsesT<DoubleMesh>>(decimater);
     EXPECT_TRUE(decimater.initialize());
     decimater.decimate(120);
     return recorder.collapses;

@@ -258,7 +258,7 @@ TEST(ModGarlandHeckbert, TheUnitOfTheMeshChangesNoCollapse) {
     DoubleMesh mesh = open_mesh<DoubleMesh>(s);
     OpenMesh::Decimater::DecimaterT<DoubleMesh> decimater(mesh);
     ModGarlandHeckbertT<DoubleMesh>::Handle cost;
-    ModRecorderT<DoubleMesh>::Handle recorder;
+    ModCollapsesT<DoubleMesh>::Handle recorder;
     decimater.add(cost);
     decimater.add(recorder);
     EXPECT_TRUE(decimater.initialize());

@@ -148,7 +148,7 @@ TEST(PairDecimaterErrors, TheEngineSaysWhyItCannotRun) {
   decimater.set_driver(Driver::engine);
   ModGarlandHeckbertT<DoubleMesh>::Handle cost;
   ModFlipGuardT<DoubleMesh>::Handle guard;
-  ModRecorderT<DoubleMesh>::Handle recorder;
+  ModCollapsesT<DoubleMesh>::Handle recorder;
   decimater.add(cost);
   decimater.add(guard);
   EXPECT_THAT(decimater.engine_obstacle(), testing::HasSubstr("not initialized"));
@@ -157,7 +157,7 @@ TEST(PairDecimaterErrors, TheEngineSaysWhyItCannotRun) {
 
   decimater.add(recorder);
   decimater.initialize();
-  EXPECT_THAT(message(decimater), testing::HasSubstr("module Recorder"));
+  EXPECT_THAT(message(decimater), testing::HasSubstr("module Collapses"));
   decimater.remove(recorder);
 
   decimater.initialize();

@@ -355,7 +355,7 @@ TEST(PairThreshold, TheMeshDriverLeavesCopiesWhereTheyAre) {
   for (const Case& c : nonmanifold()) {
     PairRun<DoubleMesh> run(c.mesh, 0);
     run.decimater.set_driver(Driver::mesh);
-    ModRecorderT<DoubleMesh>::Handle recorder;
+    ModCollapsesT<DoubleMesh>::Handle recorder;
     run.decimater.add(recorder);
     ASSERT_TRUE(run.decimater.initialize());
     const Topology before = topology(c.mesh);
@@ -422,10 +422,10 @@ TEST(PairThreshold, IsRefusedWhereTheEngineCannotRun) {
   expect_plain_cost_wanted();
   cost.set_valence_weight(0);
 
-  ModRecorderT<DoubleMesh>::Handle recorder;
+  ModCollapsesT<DoubleMesh>::Handle recorder;
   run.decimater.add(recorder);
   ASSERT_TRUE(run.decimater.initialize());
-  EXPECT_THAT(error_of(run.decimater), testing::AllOf(HasSubstr(refused), HasSubstr("module Recorder")));
+  EXPECT_THAT(error_of(run.decimater), testing::AllOf(HasSubstr(refused), HasSubstr("module Collapses")));
   EXPECT_EQ(geometry_of(run.mesh).faces, shape.faces) << "something was contracted";
   run.decimater.set_pair_threshold(0);
   EXPECT_EQ(run.decimater.decimate(1), 1U) << "edges honour the module";

@@ -24,7 +24,7 @@ template <template <class> class CostModuleT, class MeshT, class Prepare>
 Run decimate_by_stock(MeshT mesh, std::size_t n_faces, const Prepare& prepare) {
   OpenMesh::Decimater::DecimaterT<MeshT> decimater(mesh);
   typename CostModuleT<MeshT>::Handle cost;
-  typename ModRecorderT<MeshT>::Handle recorder;
+  typename ModCollapsesT<MeshT>::Handle recorder;
   decimater.add(cost);
   decimater.add(recorder);
   prepare(decimater.module(cost));

@@ -113,10 +113,10 @@ using Collapse = std::pair<int, int>;
 
 /// A binary module that refuses nothing and records every collapse.
 template <class MeshT>
-class ModRecorderT : public OpenMesh::Decimater::ModBaseT<MeshT> {
+class ModCollapsesT : public OpenMesh::Decimater::ModBaseT<MeshT> {
  public:
-  DECIMATING_MODULE(ModRecorderT, MeshT, Recorder);
-  explicit ModRecorderT(MeshT& mesh) : Base(mesh, true) {}
+  DECIMATING_MODULE(ModCollapsesT, MeshT, Collapses);
+  explicit ModCollapsesT(MeshT& mesh) : Base(mesh, true) {}
   void initialize() override { collapses.clear(); }
   void postprocess_collapse(const CollapseInfo& collapse) override {
     collapses.emplace_back(collapse.v0.idx(), collapse.v1.idx());
