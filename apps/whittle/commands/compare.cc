@@ -267,9 +267,7 @@ void setup_compare(CLI::App& app, Command& command) {
       [](std::string_view text) { return parse_choice<Effort>(text, efforts); }, effort_meaning)
       ->default_str("normal; fast with --max-cost");
   add_sampling_options(*sub, options->distance);
-  add_format(*sub, options->files);
-  add_input_format(*sub, options->files);
-  add_weld_options(*sub, options->files);
+  add_input_options(*sub, options->files);
   add_common_options(*sub, options->common);
   set_usage(*sub, "IN TARGET... [OPTION]...");
   sub->footer(

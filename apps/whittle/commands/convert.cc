@@ -79,11 +79,7 @@ void setup_convert(CLI::App& app, Command& command) {
   CLI::App* sub = app.add_subcommand("convert", "Write a mesh in another format, and simplify nothing.");
   add_mesh_file(*sub, options->input);
   add_file(*sub, "OUT", options->output, "the result: a file, replaced if it exists, or '-' for standard output");
-  add_format(*sub, options->files);
-  add_input_format(*sub, options->files);
-  add_output_format(*sub, options->files);
-  add_ascii(*sub, options->files);
-  add_weld_options(*sub, options->files);
+  add_file_options(*sub, options->files);
   add_common_options(*sub, options->common);
   set_usage(*sub, "IN OUT [OPTION]...");
   sub->footer(

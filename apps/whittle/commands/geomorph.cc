@@ -164,11 +164,7 @@ void setup_geomorph(CLI::App& app, Command& command) {
   add_choice(*sub, "--normal-blend", options->normal_blend, normal_blends,
              "how normals turn in --frames: at a constant speed, or as glTF does");
   add_recording_input(*sub, options->recording);
-  add_format(*sub, options->files);
-  add_input_format(*sub, options->files);
-  add_output_format(*sub, options->files);
-  add_ascii(*sub, options->files);
-  add_weld_options(*sub, options->files);
+  add_file_options(*sub, options->files);
   add_common_options(*sub, options->common);
   set_usage(*sub, "REC -o OUT [OPTION]...");
   sub->footer(

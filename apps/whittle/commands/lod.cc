@@ -256,11 +256,7 @@ void setup_lod(CLI::App& app, Command& command) {
       ->required();
   add_choice<Effort>(*sub, "--effort", options->effort, efforts, effort_meaning);
   add_choice<Fit>(*sub, "--fit", options->fit, fits, fit_meaning);
-  add_format(*sub, options->files);
-  add_input_format(*sub, options->files);
-  add_output_format(*sub, options->files);
-  add_ascii(*sub, options->files);
-  add_weld_options(*sub, options->files);
+  add_file_options(*sub, options->files);
   add_common_options(*sub, options->common);
   set_usage(*sub, "IN -o OUT LEVELS [OPTION]...");
   sub->footer(

@@ -249,9 +249,7 @@ void setup_measure(CLI::App& app, Command& command) {
   add_sampling_options(*sub, options->distance);
   add_exact(*sub, options->exact);
   add_feature_angle(*sub, options->feature_angle_deg);
-  add_format(*sub, options->files);
-  add_input_format(*sub, options->files);
-  add_weld_options(*sub, options->files);
+  add_input_options(*sub, options->files);
   add_common_options(*sub, options->common);
   set_usage(*sub, "REF TEST [OPTION]...");
   sub->footer(

@@ -133,11 +133,7 @@ void setup_polish(CLI::App& app, Command& command) {
       "how often to find what lies where and move vertices; a pass that doesn't help is taken back, and ends it")
       ->default_str(std::to_string(options->passes));
   add_choice<Fit>(*sub, "--fit", options->fit, fits, fit_meaning);
-  add_format(*sub, options->files);
-  add_input_format(*sub, options->files);
-  add_output_format(*sub, options->files);
-  add_ascii(*sub, options->files);
-  add_weld_options(*sub, options->files);
+  add_file_options(*sub, options->files);
   add_common_options(*sub, options->common);
   set_usage(*sub, "REF IN -o OUT [OPTION]...");
   sub->footer(

@@ -201,11 +201,7 @@ void setup_replay(CLI::App& app, Command& command) {
       "the level: a file, replaced if it exists, or '-' for standard output")
       ->required();
   add_recording_input(*sub, options->recording);
-  add_format(*sub, options->files);
-  add_input_format(*sub, options->files);
-  add_output_format(*sub, options->files);
-  add_ascii(*sub, options->files);
-  add_weld_options(*sub, options->files);
+  add_file_options(*sub, options->files);
   add_common_options(*sub, options->common);
   set_usage(*sub, "REC -o OUT LEVEL [OPTION]...");
   sub->footer(

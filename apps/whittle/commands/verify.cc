@@ -201,9 +201,7 @@ void setup_verify(CLI::App& app, Command& command) {
                         "diagonal such as 0.1%");
   add_length_above_zero(*sub, "--max-error-borders", options->max_border_error,
                         "likewise for the distance between the open borders");
-  add_format(*sub, options->files);
-  add_input_format(*sub, options->files);
-  add_weld_options(*sub, options->files);
+  add_input_options(*sub, options->files);
   add_common_options(*sub, options->common);
   set_usage(*sub, "IN OUT CERT [OPTION]...");
   sub->footer(

@@ -8,6 +8,8 @@
 namespace whittle::app {
 namespace {
 
+constexpr char default_group[] = "Options";  // CLI11's name of the group of options without one
+
 constexpr std::array<Choice<ColorMode>, 3> color_modes{
     {{"auto", ColorMode::automatic}, {"always", ColorMode::always}, {"never", ColorMode::never}}};
 
@@ -30,6 +32,16 @@ CLI::Option* add_format_option(CLI::App& app, const std::string& name, std::opti
   return add_value(
              app, name, "EXT", format, [](std::string_view text) { return parse_format(text); }, description)
       ->default_str("by name");
+}
+
+/// Adds --weld and --no-weld.
+void add_weld_options(CLI::App& app, FileOptions& options, const std::string& group) {
+  add_weld(app, options, group);
+  app.add_flag_callback(
+         "--no-weld", [&options] { options.weld = false; },
+         "keep exact duplicates of vertices apart instead of making them one")
+      ->default_str("off")
+      ->group(group);
 }
 
 }  // namespace
@@ -90,6 +102,14 @@ void refuse_values_of_flags(CLI::App& app) {
 
 void set_usage(CLI::App& app, const std::string& usage) { app.get_option("--help")->option_text(usage); }
 
+void add_input_formats(CLI::App& app, FileOptions& options, const std::string& group) {
+  add_format_option(app, "--format", options.format,
+                    "the format, such as ply, of '-' and of files whose name doesn't tell it")
+      ->group(group);
+  add_format_option(app, "--input-format", options.input_format, "the format to read, whatever a file's name says")
+      ->group(group);
+}
+
 void add_weld(CLI::App& app, FileOptions& options, const std::string& group) {
   add_value(
       app, "--weld", "T|auto", options.weld_tolerance,
@@ -100,34 +120,19 @@ void add_weld(CLI::App& app, FileOptions& options, const std::string& group) {
       ->group(group);
 }
 
-void add_weld_options(CLI::App& app, FileOptions& options, const std::string& group) {
-  add_weld(app, options, group);
-  app.add_flag_callback(
-         "--no-weld", [&options] { options.weld = false; },
-         "keep exact duplicates of vertices apart instead of making them one")
+void add_input_options(CLI::App& app, FileOptions& options) {
+  add_input_formats(app, options, default_group);
+  add_weld_options(app, options, default_group);
+}
+
+void add_file_options(CLI::App& app, FileOptions& options, const std::string& group) {
+  add_input_formats(app, options, group);
+  add_format_option(app, "--output-format", options.output_format, "the format to write, whatever the name of OUT says")
+      ->group(group);
+  app.add_flag("--ascii", options.ascii, "write text instead of binary data: " + io::titles_with_text_and_binary())
       ->default_str("off")
       ->group(group);
-}
-
-CLI::Option* add_format(CLI::App& app, FileOptions& options) {
-  return add_format_option(app, "--format", options.format,
-                           "the format, such as ply, of '-' and of files whose name doesn't tell it");
-}
-
-CLI::Option* add_input_format(CLI::App& app, FileOptions& options) {
-  return add_format_option(app, "--input-format", options.input_format,
-                           "the format to read, whatever a file's name says");
-}
-
-CLI::Option* add_output_format(CLI::App& app, FileOptions& options) {
-  return add_format_option(app, "--output-format", options.output_format,
-                           "the format to write, whatever the name of OUT says");
-}
-
-CLI::Option* add_ascii(CLI::App& app, FileOptions& options) {
-  return app
-      .add_flag("--ascii", options.ascii, "write text instead of binary data: " + io::titles_with_text_and_binary())
-      ->default_str("off");
+  add_weld_options(app, options, group);
 }
 
 CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description) {

@@ -52,15 +52,16 @@ struct FileOptions {
   std::optional<io::Format> output_format{};  ///< of what is written, whatever its name
   bool ascii = false;                         ///< text, in formats that are written as text or as binary data
 };
-/// Adds --weld. \param group as below
-void add_weld(CLI::App& app, FileOptions& options, const std::string& group = "Options");
+// Each takes the group of the help, by default that of options without one.
 
-/// Adds --weld and --no-weld. \param group of the help; or empty: that of options without one
-void add_weld_options(CLI::App& app, FileOptions& options, const std::string& group = "Options");
-CLI::Option* add_format(CLI::App& app, FileOptions& options);
-CLI::Option* add_input_format(CLI::App& app, FileOptions& options);
-CLI::Option* add_output_format(CLI::App& app, FileOptions& options);
-CLI::Option* add_ascii(CLI::App& app, FileOptions& options);
+/// Adds --format and --input-format.
+void add_input_formats(CLI::App& app, FileOptions& options, const std::string& group = "Options");
+/// Adds --weld.
+void add_weld(CLI::App& app, FileOptions& options, const std::string& group = "Options");
+/// Adds --format, --input-format, --weld and --no-weld: how meshes are read.
+void add_input_options(CLI::App& app, FileOptions& options);
+/// Adds those and --output-format and --ascii: how meshes are read and written.
+void add_file_options(CLI::App& app, FileOptions& options, const std::string& group = "Options");
 
 /// Adds a positional argument that names a file: a mesh, unless it is given the type name FILE.
 CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description);

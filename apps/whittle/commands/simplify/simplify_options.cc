@@ -286,11 +286,7 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
       "without folder and extension")
       ->required()
       ->group(file_group);
-  add_format(app, options.files)->group(file_group);
-  add_input_format(app, options.files)->group(file_group);
-  add_output_format(app, options.files)->group(file_group);
-  add_ascii(app, options.files)->group(file_group);
-  add_weld_options(app, options.files, file_group);
+  add_file_options(app, options.files, file_group);
   const auto add_side_file = [&app](const std::string& option, std::optional<std::string>& path,
                                     const std::string& description) {
     add_value(
