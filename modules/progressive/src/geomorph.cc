@@ -79,7 +79,7 @@ Vec3 perpendicular_to(const Vec3& v) {
   return v.cross(Vec3::Unit(least)).normalized();
 }
 
-/// Shoemake 1985.
+/// \cite shoemake_1985_rotation
 Normal blend_spherically(const Normal& a, const Normal& b, double share) {
   const Vec3 from(a[0], a[1], a[2]);
   const Vec3 to(b[0], b[1], b[2]);

@@ -6,14 +6,15 @@
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/progressive/replay.hh"
 
-// A continuous way between two levels of detail (Hoppe 1996, section 3.2): each vertex of the finer one goes to the
-// place of the vertex that it went into.
+// A continuous way between two levels of detail: each vertex of the finer one goes to the place of the vertex that it
+// went into. \cite hoppe_1996_progressive (geomorphs)
 
 namespace whittle::progressive {
 
 /// How normals go from one level to the other.
 enum class NormalBlend {
-  spherical,  ///< at a constant angular speed; along any great circle between opposite normals
+  spherical,  ///< at a constant angular speed, along any great circle between opposite normals
+              ///< (\cite shoemake_1985_rotation: slerp)
   linear      ///< on the straight line, and then of unit length; the finer level's normal where that has no direction
 };
 

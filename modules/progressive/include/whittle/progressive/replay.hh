@@ -9,9 +9,9 @@
 #include "whittle/engine/decimate.hh"
 #include "whittle/engine/run_steps.hh"
 
-// Levels of detail out of the steps of a run (Hoppe 1996: progressive meshes). A step contracts a pair, or is a pass of
-// polish, and can be done and undone. Level k is the surface after k steps: level 0 is the input, the last one the
-// run's result.
+// Levels of detail out of the steps of a run. A step contracts a pair, or is a pass of polish, and can be done and
+// undone. Level k is the surface after k steps: level 0 is the input, the last one the run's result.
+// \cite hoppe_1996_progressive
 
 namespace whittle::progressive {
 
