@@ -28,7 +28,7 @@ constexpr std::array<Choice<NormalBlend>, 2> normal_blends{
     {{"spherical", NormalBlend::spherical}, {"linear", NormalBlend::linear}}};
 
 struct GeomorphCommand {
-  RecordingOptions recording;
+  RecordingInput recording;
   std::string output;
   std::optional<std::uint64_t> from, to;  ///< numbers of faces; empty: the first level, the last one
   std::optional<std::uint64_t> n_frames;
@@ -47,10 +47,7 @@ struct GeomorphRun {
 
 void check(const CLI::App& app, const GeomorphCommand& options, GeomorphRun& run) {
   check_conflicts(app, common_conflicts());
-  if (options.n_frames && !has_number(options.output)) {
-    throw UsageError("--frames writes several files: --output needs '{i}' in it, such as 'frame_{i}.ply'");
-  }
-  if (!options.n_frames && has_number(options.output)) throw UsageError("'{i}' in --output is for --frames");
+  check_number(options.output, "--frames", options.n_frames.has_value());
   if (!options.n_frames && options.output != standard_stream && !options.output.ends_with(".glb")) {
     throw UsageError(
         "--output: a geomorph is written as glTF, to a file whose name ends with .glb; --frames writes meshes");
@@ -66,16 +63,9 @@ void check(const CLI::App& app, const GeomorphCommand& options, GeomorphRun& run
                           options.files, options.common);
 }
 
-/// \throw std::runtime_error if there is no such level
-std::size_t level_of_faces(const GeomorphCommand& options, const Replay& replay, std::uint64_t n_faces) {
-  if (const std::optional<std::size_t> level = replay.level_of_faces(n_faces)) return *level;
-  throw std::runtime_error(options.recording.path + ": its last level has more than " + faces_text(n_faces) + ": " +
-                           faces_text(replay.n_faces()));
-}
-
 Geomorph geomorph_of(const GeomorphCommand& options, Replay& replay) {
-  const std::size_t fine = options.from ? level_of_faces(options, replay, *options.from) : 0;
-  const std::size_t coarse = options.to ? level_of_faces(options, replay, *options.to) : replay.n_steps();
+  const std::size_t fine = options.from ? level_of_faces(options.recording, replay, *options.from) : 0;
+  const std::size_t coarse = options.to ? level_of_faces(options.recording, replay, *options.to) : replay.n_steps();
   if (coarse < fine) throw UsageError("--to: the level to go to has more faces than the one to come from");
   try {
     return {replay, fine, coarse};
@@ -117,6 +107,10 @@ ExitCode run_geomorph(const CLI::App& app, const GeomorphCommand& options) {
   GeomorphRun run;
   check(app, options, run);
   const Talk talk = options.common.talk();
+  static const std::array<IdleOption, 3> idle{
+      {{"--normal-blend", "--frames", ""}, {"--ascii", "--frames", ""}, {"--output-format", "--frames", ""}}};
+  run.warnings = find_idle_options(app, idle);
+  for (const std::string& warning : run.warnings) talk.warning(warning);
   const Stopwatch watch;
   Replay replay = read_replay(options.recording, options.files, options.common.threads, talk, run.recording);
   run.read_seconds = watch.seconds();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "terminal/errors.hh"
+#include "terminal/table.hh"
 #include "whittle/io/errors.hh"
 #include "whittle/progressive/recording.hh"
 
@@ -26,7 +27,7 @@ Recording read_recording_file(const std::string& path) {
 }
 
 /// The mesh that the run began with.
-IndexedMesh input_of(const RecordingOptions& options, const FileOptions& files, unsigned threads, const Talk& talk,
+IndexedMesh input_of(const RecordingInput& options, const FileOptions& files, unsigned threads, const Talk& talk,
                      Recording& recording) {
   if (!options.input) {
     if (recording.input) return std::move(*recording.input);
@@ -40,13 +41,19 @@ IndexedMesh input_of(const RecordingOptions& options, const FileOptions& files, 
   return mesh;
 }
 
+[[noreturn]] void refuse_level(const RecordingInput& options, const progressive::Replay& replay,
+                               const std::string& asked) {
+  throw std::runtime_error(options.path + ": its last level has more than " + asked + ": " +
+                           faces_text(replay.n_faces()) + " and " + vertices_text(replay.n_vertices()));
+}
+
 }  // namespace
 
-void add_recording(CLI::App& app, RecordingOptions& options) {
+void add_recording(CLI::App& app, RecordingInput& options) {
   add_file(app, "REC", options.path, "what 'simplify --record' has written")->type_name("FILE");
 }
 
-void add_recording_input(CLI::App& app, RecordingOptions& options) {
+void add_recording_input(CLI::App& app, RecordingInput& options) {
   add_value(
       app, "--input", "FILE", options.input, [](std::string_view text) { return std::string(text); },
       "the mesh that was simplified, for a recording that was written with --no-embed")
@@ -61,7 +68,7 @@ Json recording_json(const RecordingFacts& facts) {
           {"contractions", facts.n_contractions}};
 }
 
-void check_recording_outputs(const RecordingOptions& options, const std::vector<std::string>& meshes,
+void check_recording_outputs(const RecordingInput& options, const std::vector<std::string>& meshes,
                              const std::vector<Output>& outputs, const FileOptions& files,
                              const CommonOptions& common) {
   std::vector<std::string> inputs;
@@ -71,7 +78,7 @@ void check_recording_outputs(const RecordingOptions& options, const std::vector<
   check_outputs(outputs, inputs, common.force);
 }
 
-progressive::Replay read_replay(const RecordingOptions& options, const FileOptions& files, unsigned threads,
+progressive::Replay read_replay(const RecordingInput& options, const FileOptions& files, unsigned threads,
                                 const Talk& talk, RecordingFacts& facts) {
   Recording recording = read_recording_file(options.path);
   facts = {options.path, recording.input.has_value(), recording.n_vertices, recording.n_faces,
@@ -82,6 +89,19 @@ progressive::Replay read_replay(const RecordingOptions& options, const FileOptio
   } catch (const std::invalid_argument& error) {
     throw io::ReadError(options.path, error.what());
   }
+}
+
+std::size_t level_of_faces(const RecordingInput& options, const progressive::Replay& replay, std::uint64_t n_faces) {
+  const std::optional<std::size_t> level = replay.level_of_faces(n_faces);
+  if (!level) refuse_level(options, replay, faces_text(n_faces));
+  return *level;
+}
+
+std::size_t level_of_vertices(const RecordingInput& options, const progressive::Replay& replay,
+                              std::uint64_t n_vertices) {
+  const std::optional<std::size_t> level = replay.level_of_vertices(n_vertices);
+  if (!level) refuse_level(options, replay, vertices_text(n_vertices));
+  return *level;
 }
 
 }  // namespace whittle::app

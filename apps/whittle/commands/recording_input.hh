@@ -14,15 +14,16 @@
 
 namespace whittle::app {
 
-struct RecordingOptions {
+/// What the command line says of a recording.
+struct RecordingInput {
   std::string path;
   std::optional<std::string> input;  ///< the mesh of the run, if it is not in the recording
 };
 
 /// Adds the argument REC.
-void add_recording(CLI::App& app, RecordingOptions& options);
+void add_recording(CLI::App& app, RecordingInput& options);
 /// Adds --input.
-void add_recording_input(CLI::App& app, RecordingOptions& options);
+void add_recording_input(CLI::App& app, RecordingInput& options);
 
 /// What the report says of a recording.
 struct RecordingFacts {
@@ -36,12 +37,18 @@ struct RecordingFacts {
 Json recording_json(const RecordingFacts& facts);
 
 /// `check_formats` and `check_outputs` of a run that reads a recording. \param meshes those that it writes
-void check_recording_outputs(const RecordingOptions& options, const std::vector<std::string>& meshes,
+void check_recording_outputs(const RecordingInput& options, const std::vector<std::string>& meshes,
                              const std::vector<Output>& outputs, const FileOptions& files, const CommonOptions& common);
 
 /// \throw UsageError if there is no mesh to begin with; io::ReadError if a file can't be read, is damaged, or if the
 ///        mesh is another one
-progressive::Replay read_replay(const RecordingOptions& options, const FileOptions& files, unsigned threads,
+progressive::Replay read_replay(const RecordingInput& options, const FileOptions& files, unsigned threads,
                                 const Talk& talk, RecordingFacts& facts);
+
+/// \throw std::runtime_error if the last level has more faces
+std::size_t level_of_faces(const RecordingInput& options, const progressive::Replay& replay, std::uint64_t n_faces);
+/// \throw std::runtime_error if the last level has more vertices
+std::size_t level_of_vertices(const RecordingInput& options, const progressive::Replay& replay,
+                              std::uint64_t n_vertices);
 
 }  // namespace whittle::app

@@ -30,7 +30,7 @@ struct Series {
 };
 
 struct ReplayCommand {
-  RecordingOptions recording;
+  RecordingInput recording;
   std::string output;
   std::optional<std::uint64_t> faces, vertices;
   std::optional<double> cost, at;
@@ -73,12 +73,8 @@ Series parse_series(std::string_view text) {
 std::size_t level_of(const ReplayCommand& options, const Replay& replay) {
   if (options.cost) return replay.level_of_cost(*options.cost);
   if (options.at) return replay.level_at(*options.at);
-  const std::optional<std::size_t> level =
-      options.faces ? replay.level_of_faces(*options.faces) : replay.level_of_vertices(*options.vertices);
-  if (level) return *level;
-  const auto asked = options.faces ? faces_text(*options.faces) : vertices_text(*options.vertices);
-  throw std::runtime_error(options.recording.path + ": its last level has more than " + asked + ": " +
-                           faces_text(replay.n_faces()) + " and " + vertices_text(replay.n_vertices()));
+  if (options.faces) return level_of_faces(options.recording, replay, *options.faces);
+  return level_of_vertices(options.recording, replay, *options.vertices);
 }
 
 std::vector<std::size_t> levels_of(const ReplayCommand& options, const Replay& replay) {
@@ -117,10 +113,7 @@ void check(const CLI::App& app, const ReplayCommand& options) {
   const int n_given = int{options.faces.has_value()} + int{options.vertices.has_value()} +
                       int{options.cost.has_value()} + int{options.at.has_value()} + int{options.series.has_value()};
   if (n_given != 1) throw UsageError("one of --faces, --vertices, --cost, --at and --steps is needed, and only one");
-  if (options.series && !has_number(options.output)) {
-    throw UsageError("--steps writes several files: --output needs '{i}' in it, such as 'frame_{i}.ply'");
-  }
-  if (!options.series && has_number(options.output)) throw UsageError("'{i}' in --output is for --steps");
+  check_number(options.output, "--steps", options.series.has_value());
   const std::size_t n = options.series ? options.series->n : 1;
   std::vector<std::string> meshes;
   std::vector<Output> outputs;

@@ -100,7 +100,13 @@ std::string replaced(std::string path, const std::string& word, const std::strin
   return path;
 }
 
-bool has_number(const std::string& path) { return path.find(number_word) != std::string::npos; }
+void check_number(const std::string& output, const std::string& option, bool is_given) {
+  const bool has_number = output.find(number_word) != std::string::npos;
+  if (is_given && !has_number) {
+    throw UsageError(option + " writes several files: --output needs '{i}' in it, such as 'frame_{i}.ply'");
+  }
+  if (!is_given && has_number) throw UsageError("'{i}' in --output is for " + option);
+}
 
 std::string numbered(const std::string& path, std::size_t i, std::size_t n) {
   const std::size_t width = std::to_string(n - 1).size();

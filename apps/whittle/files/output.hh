@@ -23,8 +23,9 @@ struct Output {
 /// A path with each `word` in it, such as "{faces}", replaced.
 std::string replaced(std::string path, const std::string& word, const std::string& text);
 
-/// Whether a path has "{i}" in it, which stands for a number.
-bool has_number(const std::string& path);
+/// \param output may have "{i}" in it, which stands for a number \param is_given whether `option`, which makes several
+/// files, is \throw UsageError if only one of both is so
+void check_number(const std::string& output, const std::string& option, bool is_given);
 /// The path of file i of n. Numbers have as many digits as the last one.
 std::string numbered(const std::string& path, std::size_t i, std::size_t n);
 

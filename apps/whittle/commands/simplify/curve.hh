@@ -19,7 +19,7 @@ struct CurvePoint {
 };
 
 /// The number of faces falls by a quarter from one point to the next. The first one is the input, the last one the
-/// result. \param simplified has its steps
+/// result, if that has faces. \param simplified has its steps
 std::vector<CurvePoint> measure_curve(const IndexedMesh& input, const Decimation& simplified, unsigned threads,
                                       const Talk& talk);
 

@@ -34,7 +34,7 @@ class Geomorph {
   std::size_t n_coarse_faces() const { return n_coarse_faces_; }
 
   /// Positions and colours are interpolated linearly, without rounding at both ends.
-  /// \param share 0 = `fine()`, 1 = `coarse()`; others are clamped
+  /// \param share 0 = `fine()`, 1 = `coarse()`; what lies outside is clamped
   IndexedMesh at(double share, NormalBlend blend = NormalBlend::spherical) const;
 
  private:
