@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -11,10 +12,13 @@
 #include <utility>
 #include <vector>
 
+#include "support/meshes.hh"
 #include "support/random.hh"
 #include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "whittle/engine/simplify.hh"
+#include "whittle/io/read.hh"
+#include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/distance.hh"
 
 namespace whittle::progressive {
@@ -111,6 +115,39 @@ TEST(Replay, HasEachLevelThatARunInExactOrderHas) {
       expect_replays(with_attributes(shape.mesh), settings.options, shape.name + ", " + settings.name);
     }
   }
+}
+
+/// Every level of a mesh, or one in `stride`, as a run to that level gives it; then the way back.
+void expect_each_level(const IndexedMesh& mesh, double threshold_rel, std::size_t stride) {
+  DecimateOptions options;
+  options.keep_steps = true;
+  if (threshold_rel > 0) options.pairs.threshold = threshold_rel * metrics::bounds(mesh).diagonal();
+  Replay replay(mesh, decimate(mesh, DecimateTarget::faces(1), options).steps);
+  const std::size_t n = replay.n_steps();
+  for (std::size_t i = 0; i <= n; i += stride) {
+    replay.go_to(i);
+    const std::uint64_t n_faces = replay.n_faces();
+    if (n_faces == 0) break;
+    replay.go_to(*replay.level_of_faces(n_faces));
+    expect_same(replay.decimation(), decimate(mesh, DecimateTarget::faces(n_faces), options),
+                "level " + std::to_string(i));
+    if (testing::Test::HasFailure()) return;
+  }
+  replay.go_to(0);
+  for (Index v = 0; v < mesh.positions.size(); ++v) ASSERT_EQ(replay.position(v), mesh.positions[v]);
+  for (Index f = 0; f < mesh.faces.size(); ++f) ASSERT_EQ(replay.corners(f), mesh.faces[f]);
+}
+
+TEST(ReplayOnRealMesh, HasEachLevelOfBones) {
+  WHITTLE_REAL_MESH_OR_SKIP(path, "bones.off");
+  expect_each_level(io::read_mesh(path).mesh, 0.02, 1);
+}
+
+/// WHITTLE_REPLAY_STRIDE=1 compares every level, which takes a quarter of an hour.
+TEST(ReplayOnRealMesh, HasLevelsOfTheBunny) {
+  WHITTLE_REAL_MESH_OR_SKIP(path, "bunny.obj");
+  const char* const stride = std::getenv("WHITTLE_REPLAY_STRIDE");
+  expect_each_level(io::read_mesh(path).mesh, 0, stride != nullptr ? std::stoul(stride) : 500);
 }
 
 /// Faces that coincide by and by, with threshold pairs between random triangles on few points.
