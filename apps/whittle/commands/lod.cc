@@ -108,8 +108,11 @@ std::vector<LodLevel> make_levels(const LodCommand& options, const LodRun& run, 
       levels.push_back({std::move(level), std::nullopt, {}});
     }
   } else {
+    const auto to_file = [&options](const IndexedMesh& level) {
+      return as_written(level, options.output, options.files, options.common.threads);
+    };
     for (progressive::ProvenLevel& level :
-         progressive::levels_within(mesh, errors_of(options, run), options.effort, simplify)) {
+         progressive::levels_within(mesh, errors_of(options, run), options.effort, simplify, to_file)) {
       const double error = level.error;
       levels.push_back({std::move(level), error, {}});
     }

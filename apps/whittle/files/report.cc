@@ -3,9 +3,12 @@
 #include <sys/resource.h>
 
 #include <ostream>
+#include <sstream>
 
+#include "files/input.hh"
 #include "files/output.hh"
 #include "terminal/table.hh"
+#include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
 
 namespace whittle::app {
@@ -139,6 +142,13 @@ void say_effort(const Talk& talk, double seconds) {
 }
 
 std::string shown_output(const std::string& path) { return path == standard_stream ? standard_output_name : path; }
+
+IndexedMesh as_written(const IndexedMesh& mesh, const std::string& path, const FileOptions& options, unsigned threads) {
+  const io::Format format = format_for_output(path, options);
+  std::ostringstream out;
+  io::write_mesh(out, format, mesh, {.ascii = options.ascii});
+  return io::read_mesh(std::move(out).str(), path, {.weld = options.weld, .format = format, .threads = threads}).mesh;
+}
 
 void write_mesh(OutputFiles& files, const std::string& path, const FileOptions& options, const IndexedMesh& mesh,
                 const Talk& talk, std::vector<std::string>& warnings) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -22,17 +23,13 @@ void check(const std::vector<double>& errors) {
 
 class LevelSearch {
  public:
-  LevelSearch(const IndexedMesh& mesh, Replay& replay, const SimplifyOptions& options)
-      : mesh_(mesh), replay_(replay), options_(options) {}
+  LevelSearch(const IndexedMesh& mesh, Replay& replay, const SimplifyOptions& options, const MeshMapping& as_written)
+      : mesh_(mesh), replay_(replay), options_(options), as_written_(as_written) {}
 
   ProvenLevel find(double error);
 
  private:
-  bool is_within(double error, const Decimation& level) const {
-    if (level.mesh.faces.empty()) return false;
-    const metrics::CertifyOptions options{.threads = options_.decimate.threads, .vertex_map = level.vertex_map};
-    return metrics::certify(mesh_, level.mesh, error, options).verdict == metrics::Verdict::proven;
-  }
+  bool is_within(double error, const Decimation& level) const;
   Decimation level_after(std::size_t n_contractions) {
     replay_.go_to(replay_.level_after(n_contractions));
     return replay_.decimation();
@@ -41,8 +38,19 @@ class LevelSearch {
   const IndexedMesh& mesh_;
   Replay& replay_;
   const SimplifyOptions& options_;
+  const MeshMapping& as_written_;
   std::size_t least_ = 0;  ///< contractions that keep within the error before
 };
+
+bool LevelSearch::is_within(double error, const Decimation& level) const {
+  std::optional<IndexedMesh> written;
+  if (as_written_) written = as_written_(level.mesh);
+  const IndexedMesh& mesh = written ? *written : level.mesh;
+  if (mesh.faces.empty()) return false;
+  metrics::CertifyOptions options{.threads = options_.decimate.threads};
+  if (mesh.positions.size() == level.mesh.positions.size()) options.vertex_map = level.vertex_map;
+  return metrics::certify(mesh_, mesh, error, options).verdict == metrics::Verdict::proven;
+}
 
 /// The last of the levels that bisection finds to be within the error.
 ProvenLevel LevelSearch::find(double error) {
@@ -58,6 +66,11 @@ ProvenLevel LevelSearch::find(double error) {
       most = middle;
     }
   }
+  if (least_ == 0 && !is_within(error, found)) {
+    std::ostringstream text;
+    text << "not even all faces of the input, as they are written, are proven to be within " << error;
+    throw std::runtime_error(text.str());
+  }
   ProvenLevel level{{std::move(found), *options_.decimate.cost, {}, 0, 0}, error};
   Decimation polished = level;
   const PolishResult polish = polish_decimation(mesh_, options_, polished);
@@ -70,7 +83,7 @@ ProvenLevel LevelSearch::find(double error) {
 }  // namespace
 
 std::vector<ProvenLevel> levels_within(const IndexedMesh& mesh, const std::vector<double>& errors, Effort effort,
-                                       const SimplifyOptions& options) {
+                                       const SimplifyOptions& options, const MeshMapping& as_written) {
   check(errors);
   const auto last = DecimateTarget::faces(1);
   SimplifyOptions settled = with_effort(effort, options, mesh, last);
@@ -79,7 +92,7 @@ std::vector<ProvenLevel> levels_within(const IndexedMesh& mesh, const std::vecto
   std::vector<ProvenLevel> levels;
   if (run.result.stop == StopReason::cancelled) return levels;
   Replay replay(mesh, std::move(run.steps), settled.decimate.normals);
-  LevelSearch search(mesh, replay, settled);
+  LevelSearch search(mesh, replay, settled, as_written);
   for (const double error : errors) levels.push_back(search.find(error));
   return levels;
 }

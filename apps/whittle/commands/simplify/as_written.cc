@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
-#include "files/input.hh"
+#include "files/report.hh"
 #include "terminal/interruption.hh"
 #include "terminal/progress_bar.hh"
-#include "whittle/io/read.hh"
-#include "whittle/io/write.hh"
 #include "whittle/metrics/certificate.hh"
 
 namespace whittle::app {
@@ -18,16 +15,6 @@ namespace {
 
 /// Of the largest distances.
 constexpr double accuracy = 1e-3;
-
-IndexedMesh as_written(const IndexedMesh& mesh, const SimplifyCommand& options) {
-  const io::Format format = format_for_output(options.output, options.files);
-  std::ostringstream out;
-  io::write_mesh(out, format, mesh, {.ascii = options.files.ascii});
-  const std::string bytes = std::move(out).str();
-  return io::read_mesh(bytes, options.output,
-                       {.weld = options.files.weld, .format = format, .threads = options.common.threads})
-      .mesh;
-}
 
 }  // namespace
 
@@ -40,7 +27,7 @@ std::optional<DistancesAsWritten> distances_as_written(const IndexedMesh& input,
   const SignalsWait signals_wait;
   const unsigned threads = options.common.threads;
   DistancesAsWritten distances;
-  distances.written = as_written(result.mesh, options);
+  distances.written = as_written(result.mesh, options.output, options.files, threads);
   if (distances.written.positions.size() == result.mesh.positions.size()) distances.vertex_map = result.vertex_map;
   distances.surface = metrics::largest_distances(
       input, distances.written, accuracy, {threads, part_of(bar, 0, 0.9), target.error_limit().value_or(no_limit)});
