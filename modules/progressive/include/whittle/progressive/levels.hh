@@ -12,7 +12,8 @@ using MeshMapping = std::function<IndexedMesh(const IndexedMesh&)>;
 
 /// A level that is proven to be near to the input.
 struct ProvenLevel : Simplification {
-  double error = 0;  ///< each point of it, as it is written, is within this of the input, and each point of the input of it; model units
+  double error = 0;  ///< each point of it, as it is written, is within this of the input, and each point of the input
+                     ///< of it; model units
 };
 
 /// Levels of detail out of one run, of few faces within each error: the run goes down to the last face, each level is
