@@ -27,12 +27,12 @@ check_tidy() {
 started=$SECONDS
 step() { say "[$(((SECONDS - started) / 60)) min] $*"; }
 
-install_packages "$logs/packages.log" "${build_packages[@]}" clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev doxygen groff-base pkg-config git
+install_packages "$logs/packages.log" "${build_packages[@]}" clang-14 clang-format-14 clang-tidy-14 libclang-rt-14-dev doxygen groff-base pkg-config git chromium
 command -v npm >/dev/null || install_packages "$logs/packages.log" nodejs npm
 
-step "npm: what checks the glTF files"
+step "npm: what checks glTF files and drives the browser"
 mkdir -p build/npm
-cp tests/gltf/package.json build/npm/
+cp tests/npm/package.json build/npm/
 quietly "$logs/npm.log" npm install --prefix build/npm --no-package-lock --no-audit --no-fund
 
 step "Format: clang-format on every tracked .hh and .cc"

@@ -111,6 +111,7 @@ int main(int argc, char** argv) {
     setup_lod(app, command);
     setup_replay(app, command);
     setup_geomorph(app, command);
+    setup_report(app, command);
     setup_completion(app, command);
     setup_man(app, command);
     refuse_values_of_flags(app);

@@ -13,8 +13,8 @@
 namespace whittle::test {
 namespace {
 
-const std::vector<std::string> subcommands{"simplify", "measure", "info",   "polish", "compare",
-                                           "convert",  "verify",  "replay", "lod",    "geomorph"};
+const std::vector<std::string> subcommands{"simplify", "measure", "info", "polish",   "compare", "convert",
+                                           "verify",   "replay",  "lod",  "geomorph", "report"};
 
 std::string page(const std::string& subcommand) {
   return read_text(std::filesystem::path(WHITTLE_DOCS_DIR) / "user" / (subcommand + ".md"));
@@ -78,6 +78,7 @@ TEST(Help, DocumentsEveryConflict) {
       if (sub == "convert") arguments.push_back(folder / "out.obj");
       if (sub == "lod") arguments.insert(arguments.end(), {"-o", folder / "out{i}.obj", "--faces", "100"});
       if (sub == "replay") arguments.insert(arguments.end(), {"-o", folder / "out.obj", "--at", "1"});
+      if (sub == "report") arguments.insert(arguments.end(), {"-o", folder / "out.html"});
       if (sub == "geomorph") arguments.insert(arguments.end(), {"-o", folder / "out.glb"});
       if (sub == "simplify" || sub == "compare") arguments.insert(arguments.end(), {"--faces", "150"});
       const bool names_output = first.starts_with("--output") || second.starts_with("--output");

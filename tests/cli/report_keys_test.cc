@@ -11,6 +11,7 @@
 
 #include "program/help_text.hh"
 #include "program/program.hh"
+#include "program/stand_in_programs.hh"
 #include "support/shapes/shapes.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
@@ -284,6 +285,26 @@ TEST(ReportKeys, OfGeomorphAreDocumented) {
                       "--frames", "2", "--ascii", "--weld", "0", "--force", "--color", "never"},
                      {rec, "-o", frames, "--output-format", "obj", "--to", "700", "--frames", "2", "--normal-blend",
                       "linear", "--quiet"}});
+}
+
+TEST(ReportKeys, OfReportAreDocumented) {
+  const TemporaryFolder folder;
+  if (!has_page(folder)) GTEST_SKIP() << "this program was built without the page";
+  const StandInPrograms programs(folder);
+  const std::string terrain = data_file("terrain.ply");
+  const std::string small = folder / "small";
+  const std::string rec = folder / "rec";
+  const std::string report = folder / "report";
+  ASSERT_EQ(whittle({"simplify", terrain, "-o", small, "--output-format", "ply", "--ratio", "10%", "--record", rec,
+                     "--json", report, "--quiet"})
+                .exit_code,
+            0);
+  expect_documented(
+      "report",
+      {{terrain, "-o", folder / "a.html", "--format", "ply", "--verbose", "--threads", "1"},
+       {terrain, small, "--output", folder / "b.html", "--input-format", "ply", "--run", report, "--no-weld", "--open"},
+       {terrain, rec, "--png", folder / "c.png", "--view", "colour=error", "--png-size", "300x200", "--quiet"},
+       {terrain, "-o", folder / "d.html", "--max-faces", "1000", "--weld", "0", "--force", "--color", "never"}});
 }
 
 TEST(ReportKeys, OfReplayAreDocumented) {

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <iomanip>
 #include <map>
-#include <sstream>
+
+#include "charts/svg_drawing.hh"
 
 namespace whittle::app {
 namespace {
@@ -19,10 +18,6 @@ constexpr double right = 690;  // the legend is to the right of it
 constexpr double top = 50;
 constexpr double bottom = 460;
 constexpr double legend_step = 22;
-
-// The colours of Okabe and Ito, for the colour-blind. Yellow is left out: it can't be seen on white.
-constexpr std::array<const char*, 7> colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                "#e69f00", "#56b4e9", "#888888"};
 
 /// 1, 2 and 5 times powers of ten, from the last one at or below `low` to the first one at or above `high`.
 std::vector<double> ticks_around(double low, double high) {
@@ -49,72 +44,7 @@ struct Axis {
   }
 };
 
-/// \param format printf format for a double
-std::string formatted(const char* format, double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
-/// Collects the elements of a drawing as text. Coordinates have one decimal.
-class Drawing {
- public:
-  Drawing() {
-    out_ << std::fixed << std::setprecision(1);
-    out_ << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width << "\" height=\"" << height
-         << "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#888\">\n";
-  }
-
-  /// \param anchor "start", "middle" or "end". \param attributes further ones
-  void add_text(double x, double y, const char* anchor, const std::string& text, const std::string& attributes = {}) {
-    out_ << "<text x=\"" << x << "\" y=\"" << y << "\" text-anchor=\"" << anchor << "\" " << attributes << '>'
-         << escaped(text) << "</text>\n";
-  }
-
-  void add_grid_line(double x0, double y0, double x1, double y1) {
-    out_ << "<line x1=\"" << x0 << "\" y1=\"" << y0 << "\" x2=\"" << x1 << "\" y2=\"" << y1
-         << "\" stroke=\"#888\" stroke-opacity=\"0.3\"/>\n";
-  }
-
-  void add_path(const std::vector<std::array<double, 2>>& points, const char* colour) {
-    out_ << "<polyline fill=\"none\" stroke-width=\"1.5\" stroke=\"" << colour << "\" points=\"";
-    for (const auto& [x, y] : points) out_ << x << ',' << y << ' ';
-    out_ << "\"/>\n";
-  }
-
-  /// A square, a diamond, a triangle, or an inverted triangle. \param title tooltip
-  void add_marker(double x, double y, std::size_t series, const std::string& title) {
-    constexpr double m = 5;
-    using Corners = std::vector<std::array<double, 2>>;
-    static const std::array<Corners, 4> shapes = {
-        Corners{{-m, -m}, {m, -m}, {m, m}, {-m, m}}, Corners{{0, -1.4 * m}, {1.4 * m, 0}, {0, 1.4 * m}, {-1.4 * m, 0}},
-        Corners{{0, -1.2 * m}, {1.2 * m, m}, {-1.2 * m, m}}, Corners{{0, 1.2 * m}, {1.2 * m, -m}, {-1.2 * m, -m}}};
-    out_ << "<polygon fill=\"" << colours[series % colours.size()] << "\" points=\"";
-    for (const auto& [dx, dy] : shapes[series % shapes.size()]) out_ << x + dx << ',' << y + dy << ' ';
-    out_ << "\"><title>" << escaped(title) << "</title></polygon>\n";
-  }
-
-  std::string finished() const { return out_.str() + "</svg>\n"; }
-
- private:
-  std::ostringstream out_;
-};
-
-void draw_axes(Drawing& drawing, const Chart& chart, const Axis& x, const Axis& y) {
+void draw_axes(SvgDrawing& drawing, const Chart& chart, const Axis& x, const Axis& y) {
   for (const double tick : x.ticks) {
     drawing.add_grid_line(x.at(tick), top, x.at(tick), bottom);
     drawing.add_text(x.at(tick), bottom + 18, "middle", formatted("%.7g", tick));
@@ -128,7 +58,7 @@ void draw_axes(Drawing& drawing, const Chart& chart, const Axis& x, const Axis& 
   drawing.add_text(left, top - 20, "start", chart.title, "font-size=\"16\" font-weight=\"bold\"");
 }
 
-void draw_lines(Drawing& drawing, const ChartSeries& series, const char* colour, const Axis& x, const Axis& y) {
+void draw_lines(SvgDrawing& drawing, const ChartSeries& series, const char* colour, const Axis& x, const Axis& y) {
   std::map<std::string, std::vector<std::array<double, 2>>> lines;
   for (const ChartPoint& point : series.points)
     if (!point.line.empty()) lines[point.line].push_back({x.at(point.x), y.at(point.y)});
@@ -138,8 +68,8 @@ void draw_lines(Drawing& drawing, const ChartSeries& series, const char* colour,
   }
 }
 
-void draw(Drawing& drawing, const ChartSeries& series, std::size_t i, const Axis& x, const Axis& y) {
-  draw_lines(drawing, series, colours[i % colours.size()], x, y);
+void draw(SvgDrawing& drawing, const ChartSeries& series, std::size_t i, const Axis& x, const Axis& y) {
+  draw_lines(drawing, series, colour_of(i), x, y);
   for (const ChartPoint& point : series.points)
     drawing.add_marker(x.at(point.x), y.at(point.y), i, series.name + ", " + point.name);
   const double legend_y = top + 10 + legend_step * static_cast<double>(i);
@@ -176,7 +106,7 @@ std::string to_svg(const Chart& chart) {
   if (all.empty()) return {};
   const Axis x = axis_around(values_of(all, &ChartPoint::x), left, right);
   const Axis y = axis_around(values_of(all, &ChartPoint::y), bottom, top);
-  Drawing drawing;
+  SvgDrawing drawing(width, height);
   draw_axes(drawing, chart, x, y);
   for (std::size_t i = 0; i < all.size(); ++i) draw(drawing, all[i], i, x, y);
   return drawing.finished();

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "commands/recording_input.hh"
+#include "commands/recording/recording_input.hh"
 #include "commands/subcommands.hh"
 #include "files/output.hh"
 #include "files/report.hh"

@@ -16,6 +16,7 @@ void setup_verify(CLI::App& app, Command& command);
 void setup_lod(CLI::App& app, Command& command);
 void setup_replay(CLI::App& app, Command& command);
 void setup_geomorph(CLI::App& app, Command& command);
+void setup_report(CLI::App& app, Command& command);
 
 // These two print what they know of the other subcommands. They read no mesh and have no options.
 void setup_completion(CLI::App& app, Command& command);

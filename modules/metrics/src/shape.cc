@@ -51,6 +51,9 @@ void measure_faces(const IndexedMesh& mesh, Shape& result) {
     angle_sum += angle;
     result.radius_ratio_min = std::min(result.radius_ratio_min, ratio);
     result.min_angle_min_deg = std::min(result.min_angle_min_deg, angle);
+    const std::size_t n_parts = result.radius_ratio_histogram.size();
+    ++result.radius_ratio_histogram[std::min(n_parts - 1,
+                                             static_cast<std::size_t>(ratio * static_cast<double>(n_parts)))];
     if (ratio < degenerate_radius_ratio) ++result.degenerate_faces;
   }
   result.radius_ratio_mean = ratio_sum / static_cast<double>(mesh.faces.size());

@@ -14,7 +14,6 @@
 namespace whittle::progressive {
 namespace {
 
-constexpr std::string_view signature{"\x89WHR\r\n\x1a\n", 8};
 constexpr std::uint32_t version = 1;
 constexpr std::uint32_t is_compressed = 1;  // a flag
 constexpr std::size_t header_bytes = 16;
@@ -55,7 +54,7 @@ std::string read_bytes(std::istream& in, std::size_t n) {
 
 void write_signature(std::ostream& out) {
   ByteWriter writer;
-  writer.text(signature);
+  writer.text(recording_signature);
   writer.number(version);
   writer.number(std::uint32_t{0});
   out << writer.bytes();
@@ -65,9 +64,10 @@ void read_signature(std::istream& in) {
   std::string bytes(header_bytes, '\0');
   in.read(bytes.data(), header_bytes);
   const auto n = static_cast<std::size_t>(in.gcount());
-  if (n < signature.size() || !bytes.starts_with(signature)) throw RecordingError("it is no recording of whittle");
+  if (n < recording_signature.size() || !bytes.starts_with(recording_signature))
+    throw RecordingError("it is no recording of whittle");
   if (n < header_bytes) throw RecordingError("it ends too soon; the file is not complete");
-  ByteReader reader(std::string_view(bytes).substr(signature.size()));
+  ByteReader reader(std::string_view(bytes).substr(recording_signature.size()));
   const auto found = reader.number<std::uint32_t>();
   if (found != version) {
     throw RecordingError("it is of version " + std::to_string(found) + ", and only version 1 can be read");

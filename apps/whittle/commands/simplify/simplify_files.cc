@@ -3,7 +3,7 @@
 #include <ostream>
 #include <vector>
 
-#include "commands/simplify/curve.hh"
+#include "commands/recording/curve.hh"
 #include "commands/simplify/simplify_report.hh"
 #include "whittle/progressive/recording.hh"
 

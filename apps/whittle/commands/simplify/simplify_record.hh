@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "commands/recording/curve.hh"
 #include "commands/simplify/as_written.hh"
-#include "commands/simplify/curve.hh"
 #include "files/input.hh"
 #include "whittle/engine/simplify.hh"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <map>
 
@@ -22,6 +23,8 @@ struct Shape {
   /// degenerate 0.
   double radius_ratio_mean = 0.0;
   double radius_ratio_min = 0.0;
+  /// Numbers of faces by radius ratio, in equal parts of [0, 1]; the last one includes 1.
+  std::array<std::size_t, 20> radius_ratio_histogram{};
   /// The least angle of each face, in [0, 60].
   double min_angle_mean_deg = 0.0;
   double min_angle_min_deg = 0.0;

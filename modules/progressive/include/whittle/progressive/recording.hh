@@ -15,6 +15,9 @@
 
 namespace whittle::progressive {
 
+/// What every recording begins with.
+inline constexpr std::string_view recording_signature{"\x89WHR\r\n\x1a\n", 8};
+
 /// Of 128 bits: equal for meshes of the same positions, faces, normals, colours and origins, to the bit.
 using ContentHash = std::array<std::uint64_t, 2>;
 ContentHash content_hash(const IndexedMesh& mesh);

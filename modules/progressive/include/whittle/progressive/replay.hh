@@ -18,6 +18,13 @@ namespace whittle::progressive {
 /// The surface at any of its levels, and the way between them.
 class Replay {
  public:
+  /// A face that is there no more because it coincides with others, or is there again.
+  struct Hiding {
+    std::size_t step;
+    Index face;
+    bool is_hidden;
+  };
+
   /// Goes through all steps once, to find out what undoes them. It ends at the last level.
   /// \param normals what the run did with them
   /// \throw std::invalid_argument for steps that no run makes of this mesh, or a mesh that `decimate` rejects
@@ -26,6 +33,9 @@ class Replay {
 
   const IndexedMesh& input() const { return input_; }
   const RunSteps& steps() const { return steps_; }
+  /// By step, ascending.
+  std::span<const Hiding> hidings() const { return hidings_; }
+  std::uint64_t n_faces_after(std::size_t n_contractions) const { return counts_of(n_contractions).n_faces; }
   std::size_t n_steps() const { return steps_.contractions.size() + steps_.pass_ends.size(); }
 
   // Which level
@@ -74,12 +84,6 @@ class Replay {
   struct Counts {
     double cost;  ///< the greatest so far
     Index n_vertices, n_faces;
-  };
-  /// A face that is there no more because it coincides with others, or is there again.
-  struct Hiding {
-    std::size_t step;
-    Index face;
-    bool is_hidden;
   };
   /// What undoes a pass of polish.
   struct PassBefore {

@@ -1,4 +1,4 @@
-#include "commands/recording_input.hh"
+#include "commands/recording/recording_input.hh"
 
 #include <cerrno>
 #include <cstring>

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "files/report.hh"
 #include "terminal/talk.hh"
-#include "whittle/engine/decimate.hh"
+#include "whittle/progressive/replay.hh"
 
 // The error of a run at its levels, from the input to the result.
 
@@ -19,8 +20,8 @@ struct CurvePoint {
 };
 
 /// The number of faces falls by a quarter from one point to the next. The first one is the input, the last one the
-/// result, if that has faces. \param simplified has its steps
-std::vector<CurvePoint> measure_curve(const IndexedMesh& input, const Decimation& simplified, unsigned threads,
+/// result, if that has faces. \param replay is left at the last level measured \param samples on each surface
+std::vector<CurvePoint> measure_curve(progressive::Replay& replay, std::size_t samples, unsigned threads,
                                       const Talk& talk);
 
 /// A line of names, then a line a point.

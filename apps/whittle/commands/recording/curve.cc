@@ -1,4 +1,4 @@
-#include "commands/simplify/curve.hh"
+#include "commands/recording/curve.hh"
 
 #include <cmath>
 
@@ -7,7 +7,6 @@
 #include "terminal/progress_bar.hh"
 #include "terminal/table.hh"
 #include "whittle/metrics/distance.hh"
-#include "whittle/progressive/replay.hh"
 
 namespace whittle::app {
 namespace {
@@ -25,11 +24,11 @@ std::vector<std::size_t> levels_of(const progressive::Replay& replay) {
   return levels;
 }
 
-CurvePoint measure(const IndexedMesh& input, const progressive::Replay& replay,
-                   const metrics::DistanceOptions& options) {
+CurvePoint measure(const progressive::Replay& replay, const metrics::DistanceOptions& options) {
   CurvePoint point{replay.n_faces(), replay.n_vertices(), replay.cost(), 0, 0, 0};
   if (replay.level() == 0) return point;
-  const metrics::SurfaceDistance distance = metrics::surface_distance(input, replay.decimation().mesh, options);
+  const metrics::SurfaceDistance distance =
+      metrics::surface_distance(replay.input(), replay.decimation().mesh, options);
   point.mean = distance.mean;
   point.rms = distance.rms;
   point.max = distance.max;
@@ -38,10 +37,9 @@ CurvePoint measure(const IndexedMesh& input, const progressive::Replay& replay,
 
 }  // namespace
 
-std::vector<CurvePoint> measure_curve(const IndexedMesh& input, const Decimation& simplified, unsigned threads,
+std::vector<CurvePoint> measure_curve(progressive::Replay& replay, std::size_t samples, unsigned threads,
                                       const Talk& talk) {
   ProgressBar bar(talk, "measuring the curve");
-  progressive::Replay replay(input, simplified.steps, Normals::drop);
   const std::vector<std::size_t> levels = levels_of(replay);
   std::vector<CurvePoint> curve;
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -49,10 +47,10 @@ std::vector<CurvePoint> measure_curve(const IndexedMesh& input, const Decimation
     if (replay.n_faces() == 0) break;
     const auto n = static_cast<double>(levels.size());
     metrics::DistanceOptions options;
-    options.samples = 100'000;
+    options.samples = samples;
     options.threads = threads;
     options.progress = part_of(bar, static_cast<double>(i) / n, static_cast<double>(i + 1) / n);
-    curve.push_back(measure(input, replay, options));
+    curve.push_back(measure(replay, options));
   }
   return curve;
 }

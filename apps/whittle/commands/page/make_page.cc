@@ -1,0 +1,257 @@
+#include "commands/page/make_page.hh"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "commands/page/page_charts.hh"
+#include "commands/page/page_tables.hh"
+#include "commands/recording/curve.hh"
+#include "commands/recording/recording_input.hh"
+#include "terminal/progress_bar.hh"
+#include "terminal/stopwatch.hh"
+#include "terminal/table.hh"
+#include "whittle/engine/simplify.hh"
+#include "whittle/io/errors.hh"
+#include "whittle/metrics/closest_point.hh"
+#include "whittle/progressive/recording.hh"
+
+namespace whittle::app {
+namespace {
+
+/// The name of a file without its folders.
+std::string short_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+
+bool is_recording(const std::string& path) {
+  std::array<char, 8> begin{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), begin.size());
+  return file && std::string_view(begin.data(), begin.size()) == progressive::recording_signature;
+}
+
+Json read_json(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw io::ReadError(path, std::string("cannot be opened: ") + std::strerror(errno));
+  Json json = Json::parse(file, nullptr, false);
+  if (!json.is_object()) throw io::ReadError(path, "is no report: its text is no JSON object");
+  return json;
+}
+
+/// The mean one; of a mesh without lengths, so long that nothing depends on it.
+double edge_length(const metrics::Shape& shape) {
+  return shape.edge_length_mean > 0 ? shape.edge_length_mean : std::numeric_limits<double>::infinity();
+}
+
+class PageMaker {
+ public:
+  PageMaker(const ReportCommand& options, const Talk& talk, PageFacts& facts)
+      : options_(options), talk_(talk), facts_(facts) {}
+
+  std::string make();
+
+ private:
+  unsigned threads() const { return options_.common.threads; }
+  void warn(const std::string& warning) {
+    talk_.warning(warning);
+    facts_.warnings.push_back(warning);
+  }
+  IndexedMesh read(const std::string& path);
+  void read_files();
+  void use_recording(const std::string& path);
+  void add_result(std::string name, const std::string& path, IndexedMesh mesh);
+  void measure_distances();
+  void measure_recording();
+  void add_tables();
+  void add_charts();
+  void limit_size(report::PageSurface& surface);
+  void fill_facts(std::size_t i, const report::PageSurface& surface);
+
+  const ReportCommand& options_;
+  const Talk& talk_;
+  PageFacts& facts_;
+  std::vector<std::string> paths_;  ///< of the meshes, the original's first
+  report::Page page_;
+  std::vector<CurvePoint> curve_;
+  std::vector<metrics::Shape> shapes_;  ///< of the files, the original's first
+  double diagonal_ = 0;
+};
+
+IndexedMesh PageMaker::read(const std::string& path) {
+  Input input = read_input(path, options_.files_options, threads(), talk_);
+  for (const std::string& warning : input.warnings) facts_.warnings.push_back(warning);
+  return std::move(input.read.mesh);
+}
+
+void PageMaker::add_result(std::string name, const std::string& path, IndexedMesh mesh) {
+  if (mesh.faces.empty()) {
+    warn(path + ": has no faces, and is left out");
+    return;
+  }
+  paths_.push_back(path);
+  page_.results.push_back({std::move(name), std::move(mesh), {}, {}, std::nullopt});
+}
+
+/// \pre it comes first, or after the original
+void PageMaker::use_recording(const std::string& path) {
+  if (page_.recording) throw UsageError("two recordings: " + path + " is one too many");
+  RecordingInput input{path, std::nullopt};
+  const bool is_first = path == options_.files.front();
+  if (!is_first) input.input = options_.files.front();
+  RecordingFacts facts;
+  page_.recording.emplace(
+      report::PageRecording{read_replay(input, options_.files_options, threads(), talk_, facts), {}, {}});
+  facts_.recording = recording_json(facts);
+  progressive::Replay& replay = page_.recording->replay;
+  if (is_first) {
+    paths_.push_back(path);
+    page_.original = {short_name(path) + ", its first level", replay.input(), {}, {}, std::nullopt};
+  }
+  replay.go_to(replay.n_steps());
+  add_result(short_name(path) + ", its last level", path, replay.decimation().mesh);
+}
+
+void PageMaker::read_files() {
+  const Stopwatch watch;
+  for (const std::string& path : options_.files) {
+    if (is_recording(path)) {
+      use_recording(path);
+    } else if (paths_.empty()) {
+      paths_.push_back(path);
+      page_.original = {short_name(path), read(path), {}, {}, std::nullopt};
+    } else {
+      add_result(short_name(path), path, read(path));
+    }
+  }
+  report::PageOrder order = report::put_in_page_order(page_.original.mesh);
+  if (page_.recording) page_.recording->order = std::move(order);
+  for (report::PageSurface& result : page_.results) report::put_in_page_order(result.mesh);
+  diagonal_ = metrics::bounds(page_.original.mesh).diagonal();
+  facts_.read_seconds = watch.seconds();
+}
+
+/// A coarser level in place of a mesh that is too large for the page.
+void PageMaker::limit_size(report::PageSurface& surface) {
+  const std::size_t n = surface.mesh.faces.size();
+  if (n <= options_.most_faces) return;
+  if (&surface == &page_.original && page_.recording) {
+    page_.recording.reset();
+    warn(surface.name + " has more faces than --max-faces: the page can't play the recording");
+  }
+  SimplifyOptions simplify;
+  simplify.decimate.threads = threads();
+  Simplification coarser =
+      whittle::simplify(surface.mesh, DecimateTarget::faces(options_.most_faces), Effort::fast, simplify);
+  surface.mesh = std::move(coarser.mesh);
+  report::put_in_page_order(surface.mesh);
+  surface.note = "A coarser level is shown: the file has " + faces_text(n);
+}
+
+void PageMaker::fill_facts(std::size_t i, const report::PageSurface& surface) {
+  facts_.meshes[i]["shown_faces"] = surface.mesh.faces.size();
+  facts_.meshes[i]["colour_deviation"] = surface.distances ? Json(surface.distances->deviation) : Json(nullptr);
+  facts_.meshes[i]["max_distance"] = surface.distances ? Json(surface.distances->max) : Json(nullptr);
+}
+
+/// Distances are those of the files, also where a coarser level is shown.
+void PageMaker::measure_distances() {
+  const Stopwatch watch;
+  ProgressBar bar(talk_, "measuring");
+  if (page_.results.empty()) {
+    limit_size(page_.original);
+  } else {
+    const metrics::TriangleTree of_original(page_.original.mesh);
+    const metrics::TriangleTree of_first(page_.results.front().mesh);
+    const auto map = [this](const IndexedMesh& mesh, const metrics::TriangleTree& other, double edge) {
+      constexpr std::size_t least = 110'000;
+      return report::distance_map(mesh, other,
+                                  {.spacing = edge,
+                                   .most_faces = std::max(least, page_.original.mesh.faces.size() / 2 * 3),
+                                   .threads = threads()});
+    };
+    for (report::PageSurface& result : page_.results) {
+      limit_size(result);
+      result.distances = map(result.mesh, of_original, edge_length(shapes_[0]));
+    }
+    limit_size(page_.original);
+    page_.original.distances = map(page_.original.mesh, of_first, edge_length(shapes_[1]));
+  }
+  page_.original.coarse_faces = report::coarse_faces(page_.original.mesh, threads());
+  for (report::PageSurface& result : page_.results) result.coarse_faces = report::coarse_faces(result.mesh, threads());
+  fill_facts(0, page_.original);
+  for (std::size_t i = 0; i < page_.results.size(); ++i) fill_facts(i + 1, page_.results[i]);
+  facts_.measure_seconds = watch.seconds();
+}
+
+void PageMaker::measure_recording() {
+  if (!page_.recording) return;
+  constexpr std::size_t samples = 20'000;
+  curve_ = measure_curve(page_.recording->replay, samples, threads(), talk_);
+  for (const CurvePoint& point : curve_) page_.recording->levels.push_back({point.n_faces, point.mean, point.max});
+}
+
+/// Of the files, so before coarser levels are made.
+void PageMaker::add_tables() {
+  const auto describe = [this](const IndexedMesh& mesh, Json json) {
+    const metrics::Topology topology = metrics::topology(mesh);
+    json["vertices"] = topology.vertices;
+    json["faces"] = topology.faces;
+    add_topology(json, topology);
+    shapes_.push_back(metrics::shape(mesh));
+    add_shape(json, shapes_.back());
+    return json;
+  };
+  page_.tables.push_back(table_of(page_.original.name, describe(page_.original.mesh, {{"diagonal", diagonal_}})));
+  facts_.meshes.push_back({{"path", paths_[0]},
+                           {"vertices", page_.original.mesh.positions.size()},
+                           {"faces", page_.original.mesh.faces.size()}});
+  for (std::size_t i = 0; i < page_.results.size(); ++i) {
+    const report::PageSurface& result = page_.results[i];
+    Json distance;
+    metrics::DistanceOptions how;
+    how.samples = 100'000;
+    how.threads = threads();
+    add_distance(distance, metrics::surface_distance(page_.original.mesh, result.mesh, how));
+    page_.tables.push_back(table_of(result.name, describe(result.mesh, {{"distance", distance}})));
+    facts_.meshes.push_back(
+        {{"path", paths_[i + 1]}, {"vertices", result.mesh.positions.size()}, {"faces", result.mesh.faces.size()}});
+  }
+  if (options_.run) page_.tables.push_back(table_of(short_name(*options_.run), read_json(*options_.run)));
+}
+
+void PageMaker::add_charts() {
+  std::vector<PageMesh> meshes;
+  const auto add = [&](const report::PageSurface& surface) {
+    meshes.push_back({surface.name, shapes_[meshes.size()], surface.distances ? &*surface.distances : nullptr});
+  };
+  add(page_.original);
+  for (const report::PageSurface& result : page_.results) add(result);
+  page_.charts = page_charts(meshes, curve_);
+}
+
+std::string PageMaker::make() {
+  read_files();
+  for (const std::string& path : options_.files) page_.title += (page_.title.empty() ? "" : ", ") + short_name(path);
+  add_tables();
+  measure_recording();
+  measure_distances();
+  add_charts();
+  std::ostringstream out;
+  write_page(out, page_);
+  return std::move(out).str();
+}
+
+}  // namespace
+
+bool has_page() { return true; }
+
+std::string make_page(const ReportCommand& options, const Talk& talk, PageFacts& facts) {
+  return PageMaker(options, talk, facts).make();
+}
+
+}  // namespace whittle::app

@@ -1,0 +1,137 @@
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "commands/page/browser.hh"
+#include "commands/page/make_page.hh"
+#include "commands/subcommands.hh"
+#include "files/output.hh"
+#include "options/values.hh"
+#include "terminal/stopwatch.hh"
+#include "terminal/table.hh"
+
+namespace whittle::app {
+namespace {
+
+PictureSize parse_picture_size(std::string_view text) {
+  constexpr std::uint64_t least = 64;
+  constexpr std::uint64_t most = 8192;
+  const std::size_t x = text.find('x');
+  if (x == std::string_view::npos) {
+    throw std::invalid_argument("'" + std::string(text) + "' is not of the form WxH, such as 1280x720");
+  }
+  return {parse_count(text.substr(0, x), least, most), parse_count(text.substr(x + 1), least, most)};
+}
+
+/// Settings of the page: they become a part of its address.
+std::string parse_view(std::string_view text) {
+  for (const char c : text) {
+    const bool is_plain =
+        (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '=' || c == ',' || c == '.' || c == '-';
+    if (!is_plain) throw std::invalid_argument("'" + std::string(text) + "' is not of the form KEY=VALUE,...");
+  }
+  std::string view(text);
+  for (char& c : view) {
+    if (c == ',') c = '&';
+  }
+  return view;
+}
+
+void check(const CLI::App& app, const ReportCommand& options) {
+  check_conflicts(app, common_conflicts());
+  if (!options.output && !options.png) throw UsageError("one of --output and --png is needed");
+  if (options.open && !options.output) throw UsageError("--open needs --output: the page to open");
+  static const std::vector<IdleOption> idle{{"--png-size", "--png", ""}, {"--view", "--png", ""}};
+  if (const auto warnings = find_idle_options(app, idle); !warnings.empty()) throw UsageError(warnings.front());
+  std::vector<Output> outputs;
+  if (options.output) outputs.push_back({"--output", *options.output});
+  if (options.png) outputs.push_back({"--png", *options.png});
+  if (options.common.json) outputs.push_back({"--json", *options.common.json});
+  std::vector<std::string> inputs = options.files;
+  if (options.run) inputs.push_back(*options.run);
+  check_outputs(outputs, inputs, options.common.force);
+  if (!has_page()) {
+    throw std::runtime_error("this whittle was built without the page: that takes Node.js, npm and meshoptimizer");
+  }
+}
+
+Json report_json(const ReportCommand& options, const PageFacts& facts, std::size_t n_bytes, double total_seconds) {
+  Json json = new_report();
+  json["output"] = options.output ? Json(*options.output) : Json(nullptr);
+  json["png"] = options.png ? Json(*options.png) : Json(nullptr);
+  json["bytes"] = n_bytes;
+  json["meshes"] = facts.meshes;
+  json["recording"] = facts.recording;
+  json["seconds"] = {{"read", facts.read_seconds}, {"measure", facts.measure_seconds}, {"total", total_seconds}};
+  json["peak_rss_bytes"] = peak_memory_bytes();
+  json["warnings"] = facts.warnings;
+  return json;
+}
+
+ExitCode run_report(const CLI::App& app, const ReportCommand& options) {
+  check(app, options);
+  const Talk talk = options.common.talk();
+  const Stopwatch watch;
+  PageFacts facts;
+  const std::string page = make_page(options, talk, facts);
+  OutputFiles files;
+  const auto write = [&files](const std::string& path, const std::string& bytes) {
+    files.write(path, [&bytes](std::ostream& out) { out << bytes; });
+  };
+  if (options.png) write(*options.png, picture_of(page, options.view, options.png_size));
+  if (options.output) write(*options.output, page);
+  commit_with_report(
+      files, options.common,
+      options.common.json ? to_text(report_json(options, facts, page.size(), watch.seconds())) : std::string());
+  constexpr double per_megabyte = 1e6;
+  constexpr double decimals = 10;
+  const std::string size =
+      shortest(std::ceil(static_cast<double>(page.size()) / per_megabyte * decimals) / decimals) + " MB";
+  talk.say(shown_output(options.output ? *options.output : *options.png) + ": " +
+           counted(facts.meshes.size(), "mesh", "meshes") + (options.output ? ", " + size : std::string()) + " in " +
+           seconds_text(watch.seconds()));
+  say_effort(talk, watch.seconds());
+  if (options.open && !open_on_desktop(*options.output)) talk.warning("--open: no program was found that opens it");
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void setup_report(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<ReportCommand>();
+  CLI::App* sub = app.add_subcommand("report", "Write a page to look at meshes, their error and a recording.");
+  add_mesh_files(*sub, options->files);
+  const auto text = [](std::string_view word) { return std::optional(std::string(word)); };
+  add_value(*sub, "-o,--output", "OUT", options->output, text,
+            "the page: an .html file, replaced if it exists, or '-' for standard output")
+      ->default_str("off");
+  add_value(*sub, "--png", "FILE", options->png, text, "draw a picture of the page with an installed Chromium")
+      ->default_str("off");
+  add_value(*sub, "--png-size", "WxH", options->png_size, parse_picture_size, "of the picture, pixels")
+      ->default_str("1280x720");
+  add_value(*sub, "--view", "KEY=VALUE,...", options->view, parse_view,
+            "how the picture is set up, such as layout=over,colour=error: the names of the page's controls")
+      ->default_str("as the page opens");
+  add_value(*sub, "--run", "FILE", options->run, text,
+            "show what 'simplify --json' has written: what was asked, reached and refused")
+      ->default_str("off");
+  add_value(
+      *sub, "--max-faces", "N", options->most_faces, [](std::string_view word) { return parse_count(word); },
+      "show a coarser level of meshes with more faces")
+      ->default_str(std::to_string(options->most_faces));
+  sub->add_flag("--open", options->open, "open the page on the desktop")->default_str("off");
+  add_input_options(*sub, options->files_options);
+  add_common_options(*sub, options->common);
+  set_usage(*sub, "IN [OUT...] -o PAGE [OPTION]...");
+  sub->footer(
+      "Examples:\n"
+      "  whittle report dragon.ply small.ply -o page.html\n"
+      "  whittle report dragon.ply dragon.rec -o page.html --run dragon.json\n"
+      "  whittle report dragon.ply small.ply --png error.png --view colour=error");
+  sub->callback([sub, options, &command] { command = [sub, options] { return run_report(*sub, *options); }; });
+}
+
+}  // namespace whittle::app

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/progressive/replay.hh"
+#include "whittle/report/distance_map.hh"
+
+// A page of HTML with meshes to look at, in one file that loads nothing else.
+
+namespace whittle::report {
+
+/// New numbers of a mesh's vertices and faces.
+struct PageOrder {
+  std::vector<Index> of_vertex;
+  std::vector<Index> of_face;
+};
+
+/// Numbers vertices and faces so that the page becomes small, and lets each face begin at its lowest vertex. Positions
+/// and faces alone are kept.
+PageOrder put_in_page_order(IndexedMesh& mesh);
+
+/// A mesh of the page. Only positions and faces are shown.
+struct PageSurface {
+  std::string name;
+  IndexedMesh mesh;  ///< in page order
+  /// Fewer faces over the same vertices: what is drawn while the view moves, where all of them take too long. Or empty.
+  std::vector<Triangle> coarse_faces;
+  std::string note;  ///< what else is to be known of it, such as that it is a coarser level; or empty
+  std::optional<DistanceMap> distances;  ///< to the original; of the original itself, to the first of the others
+};
+
+/// For `PageSurface::coarse_faces`: about 10,000; none for a mesh of few faces. \param threads 0 = all cores
+std::vector<Triangle> coarse_faces(const IndexedMesh& mesh, unsigned threads = 0);
+
+/// A level of a recording whose error is known.
+struct PageLevel {
+  std::uint64_t n_faces;
+  double mean_error, max_error;  ///< model units
+};
+
+/// A run that the page can play. Its first level is the original.
+struct PageRecording {
+  progressive::Replay replay;
+  PageOrder order;                ///< that of the original
+  std::vector<PageLevel> levels;  ///< of descending numbers of faces
+};
+
+/// A drawing.
+struct PageChart {
+  std::string title;
+  std::string svg;  ///< goes into the page as it is
+};
+
+/// A table of names and values.
+struct PageTable {
+  std::string title;
+  std::vector<std::pair<std::string, std::string>> rows;
+};
+
+struct Page {
+  std::string title;
+  PageSurface original;
+  std::vector<PageSurface> results;
+  std::optional<PageRecording> recording;
+  std::vector<PageChart> charts;
+  std::vector<PageTable> tables;
+};
+
+/// Positions are rounded to 65,536 steps along the longest side of the box around all meshes, distances to as many
+/// steps of the greatest one. Texts are shown as they are: they can't add markup. \param out its state says whether all
+/// could be written \throw std::invalid_argument if a mesh has no faces
+void write_page(std::ostream& out, const Page& page);
+
+}  // namespace whittle::report

@@ -1,0 +1,139 @@
+#include "whittle/report/page.hh"
+
+#include <algorithm>
+#include <map>
+#include <ostream>
+#include <stdexcept>
+#include <string_view>
+
+#include "packed_recording.hh"
+#include "packed_surface.hh"
+#include "page_bytes.hh"
+#include "page_template.hh"
+
+namespace whittle::report {
+namespace {
+
+/// Text as it is shown by HTML, also within quotes.
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\'':
+        result += "&#39;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+/// JSON within a script element, which ends at the first "</script".
+std::string in_script(const Json& json) {
+  std::string result;
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    if (c == '<') {
+      result += "\\u003c";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+std::string charts_html(const std::vector<PageChart>& charts) {
+  std::string html;
+  for (const auto& [title, svg] : charts) {
+    html += "<figure><figcaption>" + escaped(title) + "</figcaption>" + svg + "</figure>\n";
+  }
+  return html;
+}
+
+std::string tables_html(const std::vector<PageTable>& tables) {
+  std::string html;
+  for (const auto& [title, rows] : tables) {
+    html += "<table><caption>" + escaped(title) + "</caption><tbody>\n";
+    for (const auto& [name, value] : rows) {
+      html += "<tr><th scope=\"row\">" + escaped(name) + "</th><td>" + escaped(value) + "</td></tr>\n";
+    }
+    html += "</tbody></table>\n";
+  }
+  return html;
+}
+
+metrics::Bounds bounds_of_all(const Page& page) {
+  metrics::Bounds all = metrics::bounds(page.original.mesh);
+  const auto add = [&all](const Vec3& low, const Vec3& high) {
+    all.min = all.min.cwiseMin(low);
+    all.max = all.max.cwiseMax(high);
+  };
+  for (const PageSurface& result : page.results) {
+    const metrics::Bounds bounds = metrics::bounds(result.mesh);
+    add(bounds.min, bounds.max);
+  }
+  if (page.recording) {
+    for (const Contraction& c : page.recording->replay.steps().contractions) add(c.position, c.position);
+    for (const PassEnd& end : page.recording->replay.steps().pass_ends) {
+      for (const auto& [vertex, position] : end.moved) add(position, position);
+    }
+  }
+  return all;
+}
+
+Json pack(const Page& page, PageBytes& bytes) {
+  const Grid grid = Grid::around(bounds_of_all(page));
+  Json json;
+  json["title"] = page.title;
+  json["origin"] = {grid.origin.x(), grid.origin.y(), grid.origin.z()};
+  json["step"] = grid.step;
+  json["original"] = pack(page.original, grid, bytes);
+  json["results"] = Json::array();
+  for (const PageSurface& result : page.results) {
+    json["results"].push_back(pack(result, grid, bytes));
+  }
+  json["recording"] = page.recording ? pack(*page.recording, grid, bytes) : Json(nullptr);
+  return json;
+}
+
+}  // namespace
+
+void write_page(std::ostream& out, const Page& page) {
+  PageBytes bytes;
+  const std::string data = in_script(pack(page, bytes));
+  const std::map<std::string_view, std::string> contents{{"title", escaped(page.title)},
+                                                         {"data", data},
+                                                         {"bytes", base64(deflated(bytes.bytes()))},
+                                                         {"charts", charts_html(page.charts)},
+                                                         {"tables", tables_html(page.tables)}};
+  // Only words of the template are replaced: contents may have braces of their own.
+  std::string_view rest = page_template();
+  while (!rest.empty()) {
+    const std::size_t begin = rest.find("{{");
+    const std::size_t end = begin == std::string_view::npos ? begin : rest.find("}}", begin);
+    const auto found =
+        end == std::string_view::npos ? contents.end() : contents.find(rest.substr(begin + 2, end - begin - 2));
+    if (found == contents.end()) {
+      const std::size_t n = begin == std::string_view::npos ? rest.size() : begin + 2;
+      out << rest.substr(0, n);
+      rest.remove_prefix(n);
+      continue;
+    }
+    out << rest.substr(0, begin) << found->second;
+    rest.remove_prefix(end + 2);
+  }
+}
+
+}  // namespace whittle::report

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "whittle/core/indexed_mesh.hh"
+
+namespace whittle::report {
+
+using Json = nlohmann::ordered_json;
+
+/// The arrays of a page, compressed by meshoptimizer, one after the other. What is added gives the JSON by which the
+/// page finds it: {"at", "bytes", "count", "size", "codec"}, the last one "vertices" or "faces".
+class PageBytes {
+ public:
+  /// Items of `Item`, whose size is a multiple of four bytes.
+  template <class Item>
+  Json add(std::span<const Item> items) {
+    static_assert(sizeof(Item) % 4 == 0);
+    return add_items(items.data(), items.size(), sizeof(Item));
+  }
+  template <class Item>
+  Json add(const std::vector<Item>& items) {
+    return add(std::span<const Item>(items));
+  }
+  /// Vertex numbers of faces. Their corners may be rotated.
+  Json add_faces(std::span<const Triangle> faces, std::size_t n_vertices);
+
+  const std::vector<unsigned char>& bytes() const { return bytes_; }
+
+ private:
+  Json add_items(const void* items, std::size_t n, std::size_t size);
+
+  std::vector<unsigned char> bytes_;
+};
+
+/// As zlib does it (RFC 1950). What meshoptimizer has compressed becomes a sixth smaller still.
+std::vector<unsigned char> deflated(const std::vector<unsigned char>& bytes);
+
+/// RFC 4648.
+std::string base64(std::span<const unsigned char> bytes);
+
+}  // namespace whittle::report

@@ -1,0 +1,73 @@
+// What colours mean. All scales can be told apart by colour-blind people.
+import {DataTexture, LinearSRGBColorSpace, NearestFilter, RGBAFormat} from 'three';
+import {interpolateCividis, interpolatePuOr, interpolateViridis} from 'd3-scale-chromatic';
+
+const mostSteps = 8; // of a scale
+const leastSteps = 4;
+
+const valenceClasses = ['3 or less', '4', '5', '6', '7', '8', '9 or more'];
+
+/** \return 0 … 6 */
+export const valenceClass = (valence) => Math.min(6, Math.max(0, valence - 3));
+
+const parse = (text) => {
+  const hex = /^#(..)(..)(..)$/.exec(text);
+  return hex ? hex.slice(1).map((part) => parseInt(part, 16)) : text.match(/\d+/g).map(Number);
+};
+
+const even = (interpolate, n) => Array.from({length: n}, (_, i) => parse(interpolate(n > 1 ? (i + 0.5) / n : 0.5)));
+
+/** The scale of errors has steps that are not finer than its colours are right. \param tolerance a share of the scale */
+export function errorScale(tolerance) {
+  const nSteps = Math.min(mostSteps, Math.max(leastSteps, Math.floor(1 / tolerance)));
+  return errorScales[nSteps] ??= {colours: even(interpolateViridis, nSteps)};
+}
+
+const errorScales = {};
+
+export const scales = {
+  shape: {colours: even(interpolateCividis, mostSteps)},
+  valence: {colours: valenceClasses.map((_, i) => i === 3 ? [150, 150, 150] : parse(interpolatePuOr(i / 6))), names: valenceClasses},
+};
+
+/** A scale as a row of texels. */
+export function textureOf(scale) {
+  return scale.texture ??= makeTexture(scale);
+}
+
+function makeTexture(scale) {
+  const data = new Uint8Array(4 * scale.colours.length);
+  scale.colours.forEach((colour, i) => data.set([...colour, 255], 4 * i));
+  const texture = new DataTexture(data, scale.colours.length, 1, RGBAFormat);
+  texture.colorSpace = LinearSRGBColorSpace; // shown as it is
+  texture.minFilter = texture.magFilter = NearestFilter;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+/** Three digits that count. */
+export const short = (value) => value === 0 ? '0' : Number(value.toPrecision(3)).toString();
+
+/** Shows a scale in an element. \param top the value at its end, of scales without names */
+export function showLegend(element, title, scale, top) {
+  element.replaceChildren();
+  const heading = document.createElement('div');
+  heading.textContent = title;
+  const steps = document.createElement('div');
+  steps.className = 'steps';
+  const ticks = document.createElement('div');
+  ticks.className = 'ticks';
+  for (const [r, g, b] of scale.colours) {
+    const step = document.createElement('span');
+    step.style.backgroundColor = `rgb(${r} ${g} ${b})`;
+    steps.append(step);
+  }
+  const labels = scale.names ?? [0, top / 4, top / 2, 3 * top / 4, top].map(short);
+  for (const label of labels) {
+    const tick = document.createElement('span');
+    tick.textContent = label;
+    ticks.append(tick);
+  }
+  element.append(heading, steps, ticks);
+  element.setAttribute('aria-label', `${title}: from ${labels[0]} to ${labels[labels.length - 1]}`);
+}

@@ -1,0 +1,362 @@
+// The page of `whittle report`: puts the meshes, the controls and the player together.
+import {Vector3} from 'three';
+import {errorScale, scales, short, showLegend} from './colours.js';
+import {readPage} from './data.js';
+import {Model} from './model.js';
+import {Motion} from './motion.js';
+import {Player} from './player.js';
+import {Recording} from './recording.js';
+import {Surface} from './surface.js';
+import {View} from './view.js';
+
+const $ = (id) => document.getElementById(id);
+const inWords = (n, one, many) => `${n.toLocaleString('en')} ${n === 1 ? one : many}`;
+
+/** The box around a surface. */
+function boxOf(surface) {
+  const low = new Vector3(Infinity, Infinity, Infinity);
+  const high = low.clone().negate();
+  const {positions, corners, nFaces} = surface;
+  const p = new Vector3();
+  for (let i = 0; i < 3 * nFaces; ++i) {
+    p.fromArray(positions, 4 * corners[i]).divideScalar(65535);
+    low.min(p);
+    high.max(p);
+  }
+  return {low, high};
+}
+
+class App {
+  constructor({json, array}) {
+    this.json = json;
+    const original = new Surface(json.original, array);
+    this.original = new Model(original, '#9db4c8');
+    this.results = json.results.map((result) => new Model(new Surface(result, array), '#d9b382'));
+    this.recording = json.recording && new Recording(json.recording, array, original);
+    if (this.recording) this.results.unshift(new Model(this.recording, '#d9b382'));
+    this.result = this.results[0] ?? null;
+    this.isDrawn = true;
+    this.motion = new Motion(() => this.draw());
+    this.view = new View($('canvas'), boxOf(original), () => this.onView());
+    for (const model of [this.original, ...this.results]) this.view.scene.add(model.group);
+    this.setUpChoices();
+    if (this.recording) this.setUpPlayer();
+    this.setUpEvents();
+    this.followAddress();
+    this.applyTheme();
+    this.apply();
+  }
+
+  setUpChoices() {
+    this.results.forEach((model, i) => $('result').add(new Option(model.surface.name, i)));
+    $('result').closest('label').hidden = this.results.length < 2;
+    if (!this.result) {
+      for (const id of ['layout', 'ghost']) $(id).closest('label').hidden = true;
+      $('layout').value = 'original';
+    }
+    const hasErrors = [this.original, ...this.results].some((model) => model.surface.distances);
+    $('colour').querySelector('[value=error]').disabled = !hasErrors;
+  }
+
+  setUpPlayer() {
+    $('player').hidden = false;
+    const model = this.results[0];
+    this.player = new Player(this.recording, (positions) => {
+      model.update(positions);
+      this.showLevel();
+      this.draw();
+    });
+    this.player.goTo(1);
+    this.lastMoment = null;
+  }
+
+  /** Sets the controls as the address says: "#colour=error&edges=on". "picture" leaves the meshes alone, "level" is
+      the place in the recording, "turn" and "tilt" are degrees, "zoom" is how many times as near. */
+  followAddress() {
+    const settings = new Map(location.hash.slice(1).split('&').map((part) => part.split('=')));
+    const number = (key, otherwise) => Number.isFinite(Number(settings.get(key))) ? Number(settings.get(key)) : otherwise;
+    if (settings.has('picture')) document.body.classList.add('picture');
+    for (const [key, value] of settings) this.setControl(key, value);
+    if (settings.has('level') && this.player) this.player.goTo(number('level', 1));
+    this.result = this.results[Number($('result').value)] ?? this.result;
+    this.view.resize();
+    this.view.setPanes(this.layout() === 'beside' ? 2 : 1);
+    this.view.fit();
+    this.view.rotate(-number('turn', 0) * Math.PI / 180, -number('tilt', 0) * Math.PI / 180);
+    if (number('zoom', 0) > 0) this.view.zoom(1 / number('zoom', 1));
+  }
+
+  setControl(key, value) {
+    const control = /^[a-z]+$/.test(key) && $(key);
+    if (control instanceof HTMLSelectElement && [...control.options].some((option) => option.value === value)) {
+      control.value = value;
+    }
+    if (control instanceof HTMLInputElement && control.type === 'checkbox') control.checked = value === 'on';
+  }
+
+  // What is chosen ---------------------------------------------------------------------------------------------------
+
+  layout() {
+    const layout = $('layout').value;
+    return this.result ? layout : 'original';
+  }
+
+  /** Where the scale of errors ends, model units. */
+  greatestShown() {
+    const greatest = (key) => Math.max(...[this.original, this.result].map((model) => model?.surface.distances?.[key] ?? 0));
+    const chosen = $('top').value;
+    return chosen === 'usual' ? greatest('usual') : greatest('max') * Number(chosen);
+  }
+
+  /** How right the colours of errors are, as a share of the scale. */
+  tolerance(top) {
+    const distances = [this.original, this.result].map((model) => model?.surface.distances).filter((d) => d);
+    return Math.max(0, ...distances.map((d) => d.deviation * Math.max(d.usual, top) / (top || 1)));
+  }
+
+  apply() {
+    const colour = $('colour').value;
+    const top = this.greatestShown();
+    const scale = errorScale(this.tolerance(top));
+    for (const model of [this.original, this.result]) {
+      if (!model) continue;
+      model.setSmooth($('shading').value === 'smooth');
+      model.setColour(colour);
+      model.setErrorScale(scale, top);
+    }
+    $('top').closest('label').hidden = colour !== 'error';
+    $('ghost').closest('label').hidden = this.layout() !== 'over';
+    $('legend').hidden = colour === 'none';
+    if (colour === 'error') showLegend($('legend'), 'distance, model units', scale, top);
+    if (colour === 'shape') showLegend($('legend'), 'radius ratio 2r/R, 1 is equilateral', scales.shape, 1);
+    if (colour === 'valence') showLegend($('legend'), 'edges at a vertex', scales.valence);
+    this.showLabels();
+    this.view.setPanes(this.layout() === 'beside' ? 2 : 1);
+  }
+
+  showLabels() {
+    const text = ({surface}) => `${surface.name}: ${inWords(surface.nFaces, 'face', 'faces')}${surface.note ? `. ${surface.note}` : ''}`;
+    const layout = this.layout();
+    const left = layout === 'result' ? this.result : this.original;
+    $('left-label').textContent = text(left) + (layout === 'over' ? `, over ${text(this.result)}` : '');
+    $('right-label').textContent = layout === 'beside' ? text(this.result) : '';
+  }
+
+  showLevel() {
+    const {recording, player} = this;
+    const error = recording.errorAt(recording.nFaces);
+    const about = error && error.faces !== recording.nFaces ? 'about ' : '';
+    $('level').textContent = inWords(recording.nFaces, 'face', 'faces') + `, ${inWords(recording.nContractions, 'contraction', 'contractions')}` +
+      (error ? `; error ${about}${short(error.mean)} on average, ${short(error.max)} at most (model units)` : '');
+    $('slider').value = 1000 * player.place;
+    $('speed').textContent = `speed ${player.speed >= 1 ? player.speed : `1/${1 / player.speed}`}`;
+    $('play').textContent = player.direction > 0 ? 'Pause' : 'Play';
+    $('back').textContent = player.direction < 0 ? 'Pause' : 'Backwards';
+    if (this.result?.surface === recording) this.showLabels();
+  }
+
+  applyTheme() {
+    const style = getComputedStyle(document.documentElement);
+    this.background = style.getPropertyValue('--ground').trim();
+    const isDark = window.matchMedia('(prefers-color-scheme: dark)').matches && !window.matchMedia('print').matches;
+    for (const model of [this.original, ...this.results]) model.setLineColour(isDark ? '#0c0c0c' : '#202020');
+    this.draw();
+  }
+
+  // Drawing ----------------------------------------------------------------------------------------------------------
+
+  onView() {
+    this.motion.goOn();
+    this.draw();
+  }
+
+  /** Before the next picture. */
+  draw() {
+    if (!this.isDrawn) return;
+    this.isDrawn = false;
+    requestAnimationFrame(() => this.drawNow());
+  }
+
+  drawNow() {
+    this.isDrawn = true;
+    if (!this.view || !this.background) return;
+    const isQuick = this.motion.beginFrame();
+    this.view.setSharp(!isQuick);
+    for (const model of [this.original, this.result]) model?.useCoarse(isQuick);
+    const chosen = {edges: $('edges').checked, borders: $('borders').checked, nonmanifold: $('nonmanifold').checked};
+    const only = (...shown) => {
+      for (const model of [this.original, ...this.results]) model.group.visible = shown.includes(model);
+    };
+    const alone = (model) => () => {
+      only(model);
+      model.show(chosen);
+    };
+    const panes = {
+      beside: () => [alone(this.original), alone(this.result)],
+      original: () => [alone(this.original)],
+      result: () => [alone(this.result)],
+      over: () => [() => {
+        only(this.original, this.result);
+        this.original.show({...chosen, ghost: $('ghost').value});
+        this.result.show(chosen);
+      }],
+    }[this.layout()]();
+    this.view.draw(panes, this.background);
+    if (!document.documentElement.dataset.ready) document.documentElement.dataset.ready = Math.round(performance.now());
+  }
+
+  play(direction) {
+    this.player.play(direction);
+    this.lastMoment = null;
+    this.showLevel();
+    requestAnimationFrame((moment) => this.advance(moment));
+  }
+
+  advance(moment) {
+    const seconds = this.lastMoment === null ? 0 : (moment - this.lastMoment) / 1000;
+    this.lastMoment = moment;
+    if (this.player.advance(seconds)) requestAnimationFrame((next) => this.advance(next)); else this.showLevel();
+  }
+
+  // Events -----------------------------------------------------------------------------------------------------------
+
+  setUpEvents() {
+    for (const id of ['layout', 'ghost', 'shading', 'colour', 'top', 'edges', 'borders', 'nonmanifold']) {
+      $(id).addEventListener('change', () => this.apply());
+    }
+    $('result').addEventListener('change', () => {
+      this.result = this.results[Number($('result').value)];
+      this.apply();
+    });
+    $('fit').addEventListener('click', () => this.view.fit());
+    new ResizeObserver(() => this.view.resize()).observe($('canvas'));
+    for (const query of ['(prefers-color-scheme: dark)', 'print']) {
+      window.matchMedia(query).addEventListener('change', () => this.applyTheme());
+    }
+    document.addEventListener('keydown', (event) => this.onKey(event));
+    this.setUpPicking();
+    if (this.player) this.setUpPlayerEvents();
+  }
+
+  setUpPlayerEvents() {
+    const {player} = this;
+    const on = (id, event, act) => $(id).addEventListener(event, act);
+    on('slider', 'input', () => {
+      player.direction = 0;
+      player.goTo(Number($('slider').value) / 1000);
+    });
+    on('play', 'click', () => this.play(1));
+    on('back', 'click', () => this.play(-1));
+    on('next', 'click', () => player.stepBy(1));
+    on('previous', 'click', () => player.stepBy(-1));
+    on('faster', 'click', () => this.changeSpeed(2));
+    on('slower', 'click', () => this.changeSpeed(0.5));
+    on('movement', 'change', () => {
+      player.isContinuous = $('movement').value === 'continuous';
+      player.goTo(player.place);
+    });
+    on('spacing', 'change', () => {
+      player.isByFaces = $('spacing').value === 'faces';
+      player.goTo(player.place);
+    });
+  }
+
+  changeSpeed(factor) {
+    this.player.setSpeed(this.player.speed * factor);
+    this.showLevel();
+  }
+
+  onKey(event) {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    if (event.target instanceof Element && event.target.closest('select, input, button, summary')) return;
+    const act = this.actionOf(event.key, event.shiftKey);
+    if (!act) return;
+    event.preventDefault();
+    act();
+  }
+
+  actionOf(key, isShifted) {
+    const {view, player} = this;
+    const angle = Math.PI / 24;
+    const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[key];
+    if (arrows) return isShifted ? () => view.move(-0.05 * arrows[0], -0.05 * arrows[1]) : () => view.rotate(angle * arrows[0], -angle * arrows[1]);
+    const choose = (id, value) => () => {
+      $(id).value = value;
+      this.apply();
+    };
+    const toggle = (id) => () => {
+      $(id).checked = !$(id).checked;
+      this.apply();
+    };
+    const next = (id) => () => {
+      const options = [...$(id).options].filter((option) => !option.disabled);
+      const i = options.findIndex((option) => option.value === $(id).value);
+      $(id).value = options[(i + 1) % options.length].value;
+      this.apply();
+    };
+    const actions = {
+      '+': () => view.zoom(0.85), '=': () => view.zoom(0.85), '-': () => view.zoom(1 / 0.85), '0': () => view.fit(),
+      'c': next('colour'), 's': next('shading'), 'e': toggle('edges'),
+      ...this.result && {'1': choose('layout', 'beside'), '2': choose('layout', 'over'), '3': choose('layout', 'original'), '4': choose('layout', 'result')},
+      ...player && {' ': () => this.play(1), 'b': () => this.play(-1), '<': () => this.changeSpeed(0.5), '>': () => this.changeSpeed(2),
+        ',': () => player.stepBy(-1), '.': () => player.stepBy(1)},
+    };
+    return actions[key];
+  }
+
+  /** A click without a drag says what is there. */
+  setUpPicking() {
+    let down = null;
+    $('canvas').addEventListener('pointerdown', (event) => { down = [event.clientX, event.clientY]; });
+    $('canvas').addEventListener('pointerup', (event) => {
+      if (down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 4) this.describe(event);
+    });
+  }
+
+  describe(event) {
+    const models = {beside: [this.original, this.result], original: [this.original]}[this.layout()] ?? [this.result];
+    const {pane, hit} = this.view.pick(event, models.map((model) => model.faces));
+    const model = models[pane];
+    if (!hit) {
+      $('status').textContent = '';
+      return;
+    }
+    const place = this.toModel(hit.point).map(short).join(', ');
+    const value = this.valueAt(model, hit);
+    const meaning = {error: 'distance', shape: 'radius ratio'}[model.colour];
+    $('status').textContent = `${model.surface.name}: (${place})${meaning && value !== null ? `, ${meaning} ${short(value)}` : ''}`;
+  }
+
+  toModel(point) {
+    return point.toArray().map((coordinate, d) => this.json.origin[d] + coordinate * 65535 * this.json.step);
+  }
+
+  /** What the colour means at a point of a face. */
+  valueAt(model, {face, point}) {
+    const geometry = model.faces.geometry;
+    const value = geometry.getAttribute('value');
+    const position = geometry.getAttribute('position');
+    const [a, b, c] = [face.a, face.b, face.c].map((v) => new Vector3().fromBufferAttribute(position, v));
+    const area = (p, q, r) => q.clone().sub(p).cross(r.clone().sub(p)).length();
+    const weights = [area(point, b, c), area(a, point, c), area(a, b, point)];
+    const sum = weights[0] + weights[1] + weights[2];
+    if (sum === 0) return null;
+    const interpolated = [face.a, face.b, face.c].reduce((so_far, v, i) => so_far + weights[i] / sum * value.getX(v), 0);
+    if (model.colour !== 'error') return interpolated;
+    const {distances} = model.surface;
+    return distances && Math.abs(interpolated * 65535 - 32768) / 32767 * distances.max;
+  }
+}
+
+async function start() {
+  try {
+    window.whittle = new App(await readPage(document));
+  } catch (error) {
+    $('problem').hidden = false;
+    $('problem').textContent = `The meshes can't be shown: ${error.message}`;
+    document.documentElement.dataset.ready = 'failed';
+    throw error;
+  }
+}
+
+start();

@@ -1,0 +1,283 @@
+// What is drawn of a mesh: its faces, in one of several colourings, its edges, its vertices, and lines along its borders.
+import {
+  BufferAttribute, BufferGeometry, Color, ColorManagement, DoubleSide, GLSL3, Group, InterleavedBuffer, InterleavedBufferAttribute, LineBasicMaterial,
+  LineSegments, Mesh, Points, PointsMaterial, ShaderMaterial,
+} from 'three';
+import {scales, textureOf, valenceClass} from './colours.js';
+import {edgesOf, radiusRatio, valences} from './surface.js';
+
+ColorManagement.enabled = false; // colours are shown as they are written
+
+const vertexShader = `
+in float value;
+out vec3 place;
+out vec3 direction;
+out float shown;
+void main() {
+  vec4 seen = modelViewMatrix * vec4(position, 1.0);
+  place = seen.xyz;
+  direction = normalMatrix * normal;
+  shown = value;
+  gl_Position = projectionMatrix * seen;
+}`;
+
+// The light comes from the eye, and a little from above. A face seen from behind has another colour.
+const fragmentShader = `
+in vec3 place;
+in vec3 direction;
+in float shown;
+out vec4 colour;
+uniform bool isSmooth;
+uniform bool isScaled;
+uniform bool isOffset;
+uniform float top;
+uniform float opacity;
+uniform vec3 front;
+uniform vec3 back;
+uniform sampler2D scale;
+void main() {
+  vec3 flatNormal = normalize(cross(dFdx(place), dFdy(place)));
+  vec3 normal = isSmooth && dot(direction, direction) > 0.0 ? normalize(direction) : flatNormal;
+  if (dot(normal, place) > 0.0) normal = -normal;
+  float light = 0.35 + 0.5 * max(0.0, normal.z) + 0.15 * max(0.0, dot(normal, vec3(-0.4, 0.8, 0.45)));
+  vec3 own = gl_FrontFacing ? front : back;
+  if (isScaled) {
+    float value = isOffset ? abs(shown * 65535.0 - 32768.0) / 32767.0 : shown;
+    own = texture(scale, vec2(clamp(value / top, 0.0, 0.9999), 0.5)).rgb;
+    light = 0.6 + 0.4 * light;
+  }
+  colour = vec4(own * light, opacity);
+}`;
+
+function faceMaterial(front, opacity) {
+  return new ShaderMaterial({
+    glslVersion: GLSL3, vertexShader, fragmentShader, side: DoubleSide, transparent: opacity < 1, depthWrite: opacity === 1,
+    polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+    uniforms: {
+      isSmooth: {value: false}, isScaled: {value: false}, isOffset: {value: false}, top: {value: 1}, opacity: {value: opacity},
+      front: {value: new Color(front)}, back: {value: new Color('#8a5a44')}, scale: {value: textureOf(scales.shape)},
+    },
+  });
+}
+
+/** Geometry with positions as 16-bit numbers, four a vertex; the fourth one is an offset, if anything. */
+function packedGeometry(positions, corners) {
+  const buffer = new InterleavedBuffer(positions, 4);
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new InterleavedBufferAttribute(buffer, 3, 0, true));
+  geometry.setAttribute('value', new InterleavedBufferAttribute(buffer, 1, 3, true));
+  geometry.setIndex(new BufferAttribute(corners, 1));
+  return geometry;
+}
+
+export class Model {
+  /** \param surface a Surface or a Recording */
+  constructor(surface, colour) {
+    this.surface = surface;
+    this.isMoving = surface.positions instanceof Float32Array;
+    this.group = new Group();
+    this.position = this.isMoving ? new BufferAttribute(surface.positions.slice(), 3)
+      : new InterleavedBufferAttribute(new InterleavedBuffer(surface.positions, 4), 3, 0, true);
+    this.material = faceMaterial(colour, 1);
+    this.ghostMaterial = faceMaterial(colour, 0.35);
+    this.faces = new Mesh(this.plainGeometry(), this.material);
+    this.lineMaterial = new LineBasicMaterial({color: '#202020', transparent: true, opacity: 0.55});
+    this.pointMaterial = new PointsMaterial({color: colour, size: 2, sizeAttenuation: false});
+    this.edges = this.lines(new Uint32Array(0), this.lineMaterial);
+    this.borders = this.lines(surface.borders, new LineBasicMaterial({color: '#d55e00'}));
+    this.nonmanifold = this.lines(surface.nonmanifold, new LineBasicMaterial({color: '#cc0066', depthTest: false}));
+    this.points = new Points(this.pointGeometry(), this.pointMaterial);
+    this.valencePoints = null;
+    this.cached = {};
+    this.setColour('none');
+    this.group.add(this.faces, this.edges, this.borders, this.nonmanifold, this.points);
+    this.group.traverse((object) => { object.frustumCulled = false; });
+  }
+
+  plainGeometry() {
+    const {surface} = this;
+    if (!this.isMoving) return packedGeometry(surface.positions, surface.corners);
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', this.position);
+    geometry.setAttribute('value', new BufferAttribute(new Float32Array(surface.nVertices), 1));
+    geometry.setIndex(new BufferAttribute(surface.corners, 1));
+    geometry.setDrawRange(0, 3 * surface.nFaces);
+    return geometry;
+  }
+
+  lines(ends, material) {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', this.position);
+    geometry.setIndex(new BufferAttribute(ends, 1));
+    return new LineSegments(geometry, material);
+  }
+
+  pointGeometry() {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', this.position);
+    const isUsed = new Uint8Array(this.surface.nVertices);
+    const {corners, nFaces} = this.surface;
+    for (let i = 0; i < 3 * nFaces; ++i) isUsed[corners[i]] = 1;
+    geometry.setIndex(new BufferAttribute(Uint32Array.from(isUsed.keys()).filter((v) => isUsed[v]), 1));
+    return geometry;
+  }
+
+  /** The geometry of a colouring, made when it is first asked for. */
+  geometryOf(colour) {
+    const key = this.surface.version;
+    const cached = this.cached[colour];
+    if (cached && cached.key === key) return cached.geometry;
+    cached?.geometry.dispose();
+    let geometry;
+    if (colour === 'error' && this.surface.distances) {
+      this.surface.distances.cut();
+      geometry = packedGeometry(this.surface.distances.positions, this.surface.distances.corners);
+    } else if (colour === 'shape') {
+      geometry = this.shapeGeometry();
+    } else {
+      geometry = this.faces?.geometry && cached ? cached.geometry : this.plain ??= this.plainGeometry();
+    }
+    if (geometry !== this.plain) this.cached[colour] = {key, geometry};
+    return geometry;
+  }
+
+  /** Each face has corners of its own. */
+  shapeGeometry() {
+    const {corners, nFaces} = this.surface;
+    const from = this.isMoving ? this.position.array : this.surface.unitPositions();
+    const positions = new Float32Array(9 * nFaces);
+    const values = new Float32Array(3 * nFaces);
+    for (let i = 0; i < 3 * nFaces; ++i) {
+      for (let d = 0; d < 3; ++d) positions[3 * i + d] = from[3 * corners[i] + d];
+      if (i % 3 === 2) values.fill(radiusRatio(from, corners[i - 2], corners[i - 1], corners[i]), i - 2, i + 1);
+    }
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(positions, 3));
+    geometry.setAttribute('value', new BufferAttribute(values, 1));
+    return geometry;
+  }
+
+  /** Coloured points at the vertices, because a valence is a vertex's alone. */
+  makeValencePoints() {
+    const {corners, nFaces, nVertices} = this.surface;
+    const counts = valences(corners, 3 * nFaces, nVertices);
+    const colours = new Float32Array(3 * nVertices);
+    const used = [];
+    for (let v = 0; v < nVertices; ++v) {
+      if (counts[v] === 0) continue;
+      used.push(v);
+      scales.valence.colours[valenceClass(counts[v])].forEach((part, d) => { colours[3 * v + d] = part / 255; });
+    }
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', this.position);
+    geometry.setAttribute('color', new BufferAttribute(colours, 3));
+    geometry.setIndex(used);
+    const points = new Points(geometry, new PointsMaterial({vertexColors: true, size: 5, sizeAttenuation: false}));
+    points.frustumCulled = false;
+    return points;
+  }
+
+  setColour(colour) {
+    this.colour = colour;
+    const isScaled = colour === 'shape' || colour === 'error' && this.surface.distances !== null;
+    this.faces.geometry = this.geometryOf(colour);
+    for (const material of [this.material, this.ghostMaterial]) {
+      material.uniforms.isScaled.value = isScaled;
+      material.uniforms.isOffset.value = colour === 'error';
+      if (colour === 'shape') material.uniforms.scale.value = textureOf(scales.shape);
+    }
+    if (colour === 'valence' && this.valenceVersion !== this.surface.version) {
+      if (this.valencePoints) this.group.remove(this.valencePoints);
+      this.valencePoints = this.makeValencePoints();
+      this.valenceVersion = this.surface.version;
+      this.group.add(this.valencePoints);
+    }
+    if (this.valencePoints) this.valencePoints.visible = colour === 'valence';
+    this.useNormals();
+  }
+
+  setSmooth(isSmooth) {
+    this.material.uniforms.isSmooth.value = this.ghostMaterial.uniforms.isSmooth.value = isSmooth;
+    this.useNormals();
+  }
+
+  useNormals() {
+    const {geometry} = this.faces;
+    if (this.material.uniforms.isSmooth.value && geometry.normalVersion !== this.surface.version) {
+      geometry.deleteAttribute('normal');
+      geometry.computeVertexNormals();
+      geometry.normalVersion = this.surface.version;
+    }
+  }
+
+  /** \param scale of errors \param top where it ends, model units */
+  setErrorScale(scale, top) {
+    if (this.colour === 'error') {
+      for (const material of [this.material, this.ghostMaterial]) material.uniforms.scale.value = textureOf(scale);
+    }
+    const isError = this.colour === 'error' && this.surface.distances;
+    const own = isError ? top / (this.surface.distances.max || 1) : 1;
+    for (const material of [this.material, this.ghostMaterial]) material.uniforms.top.value = own || 1;
+  }
+
+  /** The same vertices with fewer faces. \return false where there are none, or where each face has a colour of its own */
+  useCoarse(isCoarse) {
+    const {coarse} = this.surface;
+    if (coarse.length === 0 || this.colour === 'shape') return false;
+    const {geometry} = this.faces;
+    geometry.fullIndex ??= geometry.getIndex();
+    geometry.coarseIndex ??= new BufferAttribute(coarse, 1);
+    geometry.setIndex(isCoarse ? geometry.coarseIndex : geometry.fullIndex);
+    return true;
+  }
+
+  /** What is drawn. \param ghost '' for the whole surface, or how it is drawn in front of another one */
+  show({edges, borders, nonmanifold, ghost = ''}) {
+    this.faces.visible = ghost === '' || ghost === 'transparent';
+    this.faces.material = ghost === '' ? this.material : this.ghostMaterial;
+    this.faces.renderOrder = ghost === '' ? 0 : 1;
+    this.points.visible = ghost === 'points';
+    this.edges.visible = ghost === 'edges' || ghost === '' && edges;
+    this.borders.visible = borders && this.surface.borders.length > 0;
+    this.nonmanifold.visible = nonmanifold && this.surface.nonmanifold.length > 0;
+    if (this.valencePoints) this.valencePoints.visible = this.colour === 'valence' && ghost === '';
+    if (this.edges.visible) this.updateEdges();
+  }
+
+  updateEdges() {
+    if (this.edgeVersion === this.surface.version) return;
+    this.edgeVersion = this.surface.version;
+    const ends = edgesOf(this.surface.corners, 3 * this.surface.nFaces);
+    const {geometry} = this.edges;
+    const index = geometry.getIndex();
+    if (index.array.length < ends.length) {
+      geometry.dispose();
+      geometry.setIndex(new BufferAttribute(ends.slice(), 1));
+    } else {
+      index.array.set(ends);
+      index.needsUpdate = true;
+    }
+    geometry.setDrawRange(0, ends.length);
+  }
+
+  /** Takes over what the recording has now. \param positions of this moment, of its vertices */
+  update(positions) {
+    this.position.array.set(positions);
+    this.position.needsUpdate = true;
+    const plain = this.plain ?? this.faces.geometry;
+    const index = plain.getIndex();
+    if (index && this.shownVersion !== this.surface.version) {
+      this.shownVersion = this.surface.version;
+      index.clearUpdateRanges();
+      index.addUpdateRange(0, 3 * this.surface.nFaces);
+      index.needsUpdate = true;
+      plain.setDrawRange(0, 3 * this.surface.nFaces);
+    }
+    this.setColour(this.colour);
+    if (this.edges.visible) this.updateEdges();
+  }
+
+  setLineColour(colour) {
+    this.lineMaterial.color.set(colour);
+  }
+}

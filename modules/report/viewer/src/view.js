@@ -1,0 +1,120 @@
+// The camera, and how the meshes lie beside or over each other.
+import {Color, PerspectiveCamera, Raycaster, Scene, Spherical, Vector2, Vector3, WebGLRenderer, LinearSRGBColorSpace} from 'three';
+import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
+
+export class View {
+  /** \param box {low, high}: what is to be seen \param onChange is called when another drawing is needed */
+  constructor(canvas, box, onChange) {
+    this.canvas = canvas;
+    this.renderer = new WebGLRenderer({canvas, antialias: false, preserveDrawingBuffer: true});
+    this.renderer.outputColorSpace = LinearSRGBColorSpace;
+    this.renderer.autoClear = false;
+    this.scene = new Scene();
+    this.camera = new PerspectiveCamera(35, 1, 0.001, 100);
+    this.center = new Vector3().addVectors(box.low, box.high).multiplyScalar(0.5);
+    this.radius = Math.max(1e-6, box.high.distanceTo(box.low) / 2);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = false;
+    this.controls.addEventListener('change', onChange);
+    this.onChange = onChange;
+    this.panes = 1;
+    this.setSharp(true);
+    this.resize();
+    this.fit();
+  }
+
+  /** Fits the canvas to its element. */
+  resize() {
+    const {clientWidth, clientHeight} = this.canvas;
+    this.width = Math.max(1, clientWidth);
+    this.height = Math.max(1, clientHeight);
+    this.renderer.setSize(this.width, this.height, false);
+    this.setPanes(this.panes);
+  }
+
+  /** Several pixels for each of the screen, which smooths what is drawn. */
+  setSharp(isSharp) {
+    const ratio = window.devicePixelRatio || 1;
+    const wanted = isSharp ? Math.max(2, ratio) : Math.min(1, ratio);
+    if (this.renderer.getPixelRatio() !== wanted) this.renderer.setPixelRatio(wanted);
+  }
+
+  setPanes(n) {
+    this.panes = n;
+    this.camera.aspect = this.width / n / this.height;
+    this.camera.updateProjectionMatrix();
+    this.onChange();
+  }
+
+  /** Looks at all of it, from the front, a little from above and from the side. */
+  fit() {
+    const half = this.camera.fov / 2 * Math.PI / 180;
+    const narrow = Math.atan(Math.tan(half) * Math.min(1, this.camera.aspect));
+    const distance = 1.05 * this.radius / Math.sin(narrow);
+    this.controls.target.copy(this.center);
+    this.camera.position.copy(this.center).add(new Vector3(0.35, 0.25, 1).normalize().multiplyScalar(distance));
+    this.camera.near = distance / 1000;
+    this.camera.far = distance * 100;
+    this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.onChange();
+  }
+
+  /** Around the middle of what is seen. Angles in radians. */
+  rotate(aside, up) {
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const spherical = new Spherical().setFromVector3(offset);
+    spherical.theta -= aside;
+    spherical.phi -= up;
+    spherical.makeSafe();
+    this.camera.position.copy(this.controls.target).add(offset.setFromSpherical(spherical));
+    this.controls.update();
+    this.onChange();
+  }
+
+  /** \param right, up shares of the distance */
+  move(right, up) {
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    const x = new Vector3().setFromMatrixColumn(this.camera.matrix, 0).multiplyScalar(right * distance);
+    const y = new Vector3().setFromMatrixColumn(this.camera.matrix, 1).multiplyScalar(up * distance);
+    this.camera.position.add(x).add(y);
+    this.controls.target.add(x).add(y);
+    this.controls.update();
+    this.onChange();
+  }
+
+  zoom(factor) {
+    this.camera.position.sub(this.controls.target).multiplyScalar(factor).add(this.controls.target);
+    this.controls.update();
+    this.onChange();
+  }
+
+  /** \param panes functions that show what is to be seen in each, left to right */
+  draw(panes, background) {
+    const {renderer, width, height} = this;
+    renderer.setClearColor(new Color(background));
+    renderer.setScissorTest(false);
+    renderer.setViewport(0, 0, width, height);
+    renderer.clear();
+    renderer.setScissorTest(true);
+    panes.forEach((show, i) => {
+      const left = Math.round(width * i / panes.length);
+      const right = Math.round(width * (i + 1) / panes.length);
+      renderer.setViewport(left, 0, right - left, height);
+      renderer.setScissor(left, 0, right - left, height);
+      show();
+      renderer.render(this.scene, this.camera);
+    });
+  }
+
+  /** What is seen at a point of the window. \return {pane, hit}, without `hit` where there is nothing */
+  pick(event, meshes) {
+    const box = this.canvas.getBoundingClientRect();
+    const x = (event.clientX - box.left) / box.width * this.panes;
+    const pane = Math.min(this.panes - 1, Math.max(0, Math.floor(x)));
+    const at = new Vector2(2 * (x - pane) - 1, 1 - 2 * (event.clientY - box.top) / box.height);
+    const raycaster = new Raycaster();
+    raycaster.setFromCamera(at, this.camera);
+    return {pane, hit: raycaster.intersectObject(meshes[pane], false)[0]};
+  }
+}

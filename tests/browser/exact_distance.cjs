@@ -1,0 +1,41 @@
+// The distance of a point to a mesh, by a look at every face. Source: Ericson: Real-Time Collision Detection (2005),
+// section 5.1.5.
+'use strict';
+
+const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const along = (a, direction, t) => [a[0] + t * direction[0], a[1] + t * direction[1], a[2] + t * direction[2]];
+
+function closestOnFace(p, a, b, c) {
+  const ab = minus(b, a);
+  const ac = minus(c, a);
+  const ap = minus(p, a);
+  const [d1, d2] = [dot(ab, ap), dot(ac, ap)];
+  if (d1 <= 0 && d2 <= 0) return a;
+  const bp = minus(p, b);
+  const [d3, d4] = [dot(ab, bp), dot(ac, bp)];
+  if (d3 >= 0 && d4 <= d3) return b;
+  const vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return along(a, ab, d1 / (d1 - d3));
+  const cp = minus(p, c);
+  const [d5, d6] = [dot(ab, cp), dot(ac, cp)];
+  if (d6 >= 0 && d5 <= d6) return c;
+  const vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return along(a, ac, d2 / (d2 - d6));
+  const va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return along(b, minus(c, b), (d4 - d3) / (d4 - d3 + d5 - d6));
+  const sum = va + vb + vc;
+  return along(along(a, ab, vb / sum), ac, vc / sum);
+}
+
+/** \param mesh {positions: [x, y, z] each, corners: three numbers a face} */
+function exactDistance(p, {positions, corners}) {
+  let least = Infinity;
+  for (let i = 0; i < corners.length; i += 3) {
+    const difference = minus(p, closestOnFace(p, positions[corners[i]], positions[corners[i + 1]], positions[corners[i + 2]]));
+    least = Math.min(least, dot(difference, difference));
+  }
+  return Math.sqrt(least);
+}
+
+module.exports = {exactDistance};

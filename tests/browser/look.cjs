@@ -1,0 +1,314 @@
+// look.cjs NODE_MODULES CHROMIUM FOLDER: opens the pages that run.sh has written and tries them. Fails if one of the
+// checks fails, or if a page prints to the console or asks for anything but itself.
+'use strict';
+const assert = require('assert/strict');
+const fs = require('fs');
+const path = require('path');
+const {exactDistance} = require('./exact_distance.cjs');
+
+const [nodeModules, chromium, folder] = process.argv.slice(2);
+const {chromium: driver} = require(path.join(path.resolve(nodeModules), 'playwright-core'));
+const file = (name) => path.resolve(folder, name);
+const readJson = (name) => JSON.parse(fs.readFileSync(file(name), 'utf8'));
+
+let browser;
+
+/** Opens a page, lets `use` try it, and checks that it was silent. */
+async function withPage(name, use, {hash = '', width = 1200, height = 900, colorScheme = 'light'} = {}) {
+  const context = await browser.newContext({viewport: {width, height}, colorScheme});
+  const page = await context.newPage();
+  const messages = [];
+  page.on('console', (message) => messages.push(`console: ${message.text()}`));
+  page.on('pageerror', (error) => messages.push(`error: ${error.message}`));
+  page.on('dialog', (dialog) => messages.push(`dialog: ${dialog.message()}`) && dialog.dismiss());
+  const requests = [];
+  page.on('request', (request) => requests.push(request.url()));
+  await page.goto(`file://${file(name).split('/').map(encodeURIComponent).join('/')}${hash}`);
+  await page.waitForFunction(() => document.documentElement.dataset.ready);
+  await use(page);
+  assert.deepEqual(messages, [], `${name} is silent`);
+  assert.equal(requests.length, 1, `${name} asks for nothing: ${requests}`);
+  await context.close();
+}
+
+/** Waits until what was asked for is drawn. */
+const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+/** The pixels of the canvas: of each half, how many differ from the background, and a sum that tells pictures apart. */
+async function pixels(page) {
+  await drawn(page);
+  return page.evaluate(() => {
+    const canvas = document.getElementById('canvas');
+    const copy = document.createElement('canvas');
+    copy.width = canvas.width;
+    copy.height = canvas.height;
+    const context = copy.getContext('2d');
+    context.drawImage(canvas, 0, 0);
+    const {data} = context.getImageData(0, 0, copy.width, copy.height);
+    const halves = [{shown: 0, sum: 0}, {shown: 0, sum: 0}];
+    for (let i = 0; i < data.length; i += 4) {
+      const x = i / 4 % copy.width;
+      const half = halves[x < copy.width / 2 ? 0 : 1];
+      if (data[i] !== data[0] || data[i + 1] !== data[1] || data[i + 2] !== data[2]) ++half.shown;
+      half.sum = (half.sum * 31 + data[i] * 7 + data[i + 1] * 5 + data[i + 2]) % 1000003;
+    }
+    return {halves, background: [data[0], data[1], data[2]], nPixels: copy.width * copy.height};
+  });
+}
+
+const text = (page, id) => page.$eval(`#${id}`, (element) => element.textContent);
+const nFacesOf = (label) => Number(/([\d,]+) faces?/.exec(label)[1].replaceAll(',', ''));
+
+async function showsBothMeshes(page) {
+  const {halves, nPixels} = await pixels(page);
+  for (const {shown} of halves) assert.ok(shown > nPixels / 200, 'a half of the picture is empty');
+  assert.notEqual(halves[0].sum, halves[1].sum, 'both halves are the same');
+}
+
+async function showsEachLevel(page, levels) {
+  const n = levels.length - 1;
+  const counts = await page.evaluate((last) => {
+    const slider = document.getElementById('slider');
+    const shown = [];
+    for (let i = 0; i <= last; ++i) {
+      slider.value = 1000 * i / last;
+      slider.dispatchEvent(new Event('input'));
+      shown.push(document.getElementById('level').textContent);
+    }
+    for (let i = last; i >= 0; --i) { // and back
+      slider.value = 1000 * i / last;
+      slider.dispatchEvent(new Event('input'));
+      shown.push(document.getElementById('level').textContent);
+    }
+    return shown;
+  }, n);
+  levels.forEach(({faces}, i) => {
+    assert.equal(nFacesOf(counts[i]), faces, `level ${i}`);
+    assert.equal(nFacesOf(counts[2 * n + 1 - i]), faces, `level ${i}, on the way back`);
+  });
+}
+
+/** The level that is drawn is that of the file that `replay` writes. */
+async function looksLikeItsResult(page) {
+  await page.selectOption('#layout', 'result');
+  await page.selectOption('#result', '0');
+  const level = await pixels(page);
+  await page.selectOption('#result', '1');
+  const result = await pixels(page);
+  const difference = Math.abs(level.halves[0].shown - result.halves[0].shown);
+  assert.ok(difference <= 0.002 * level.nPixels, 'the last level is not where the result is');
+}
+
+async function movesContinuously(page) {
+  await page.selectOption('#movement', 'continuous');
+  const at = async (place) => {
+    await page.evaluate((share) => window.whittle.player.goTo(share), place);
+    return page.evaluate(() => Array.from(window.whittle.results[0].position.array));
+  };
+  const places = [];
+  for (let i = 0; i <= 20; ++i) places.push(await at(0.5 + i / 2000));
+  let farthest = 0;
+  for (let i = 1; i < places.length; ++i) {
+    for (let k = 0; k < places[i].length; ++k) farthest = Math.max(farthest, Math.abs(places[i][k] - places[i - 1][k]));
+  }
+  assert.ok(farthest < 0.05, `a vertex jumps: ${farthest}`);
+  await page.selectOption('#movement', 'steps');
+}
+
+async function playsBothWays(page) {
+  const place = () => page.evaluate(() => window.whittle.player.place);
+  await page.evaluate(() => window.whittle.player.goTo(0.5));
+  await page.click('#play');
+  await page.waitForFunction(() => window.whittle.player.place > 0.52);
+  await page.click('#play');
+  const middle = await place();
+  await page.click('#back');
+  await page.waitForFunction((from) => window.whittle.player.place < from, middle);
+  await page.click('#back');
+  await page.click('#faster');
+  assert.match(await text(page, 'speed'), /2/);
+  await page.click('#slower');
+  await page.click('#slower');
+  assert.match(await text(page, 'speed'), /1\/2/);
+}
+
+async function hasEveryView(page) {
+  const seen = new Map();
+  const note = async (what) => {
+    const {halves} = await pixels(page);
+    const sum = `${halves[0].sum} ${halves[1].sum}`;
+    assert.ok(halves[0].shown + halves[1].shown > 500, `${what} is empty`);
+    assert.ok(!seen.has(sum), `${what} looks like ${seen.get(sum)}`);
+    seen.set(sum, what);
+  };
+  await page.evaluate(() => window.whittle.player.goTo(0.9));
+  for (const layout of ['beside', 'original', 'result']) {
+    await page.selectOption('#layout', layout);
+    await note(layout);
+  }
+  await page.selectOption('#layout', 'over');
+  for (const ghost of ['transparent', 'edges', 'points']) {
+    await page.selectOption('#ghost', ghost);
+    await note(`over, ${ghost}`);
+  }
+  await page.selectOption('#layout', 'beside');
+  await page.selectOption('#shading', 'smooth');
+  await note('smooth');
+  await page.check('#edges');
+  await note('edges');
+  await page.uncheck('#edges');
+  for (const colour of ['valence', 'shape', 'error']) {
+    await page.selectOption('#colour', colour);
+    await note(colour);
+    assert.ok((await text(page, 'legend')).length > 10, `${colour} has a legend`);
+  }
+  await page.selectOption('#top', '0.1');
+  await note('a tenth of the error');
+}
+
+async function obeysKeys(page) {
+  await page.focus('#canvas');
+  let last = JSON.stringify(await pixels(page));
+  for (const key of ['ArrowLeft', 'ArrowUp', 'Shift+ArrowRight', '+', '-', '0', 's', 'e', 'c', '2', '3', '4', '1']) {
+    await page.keyboard.press(key);
+    const now = JSON.stringify(await pixels(page));
+    assert.notEqual(now, last, `the key ${key} changes nothing`);
+    last = now;
+  }
+  const place = () => page.evaluate(() => window.whittle.player.place);
+  await page.evaluate(() => window.whittle.player.goTo(0.5));
+  await page.keyboard.press('.');
+  assert.ok(Math.abs(await place() - 0.501) < 1e-9);
+  await page.keyboard.press(',');
+  await page.keyboard.press(',');
+  assert.ok(Math.abs(await place() - 0.499) < 1e-9);
+  await page.keyboard.press('>');
+  assert.match(await text(page, 'speed'), /2/);
+  await page.keyboard.press('<');
+  await page.keyboard.press(' ');
+  await page.waitForFunction(() => window.whittle.player.place > 0.51);
+  await page.keyboard.press(' ');
+  await page.keyboard.press('b');
+  await page.waitForFunction(() => window.whittle.player.direction < 0 && window.whittle.player.place < 0.51);
+  await page.keyboard.press('b');
+  // Every control can be reached with Tab, and has a name.
+  const nControls = await page.$$eval('select, input, button, summary, canvas', (all) => all.filter((e) => e.offsetParent !== null).length);
+  const reached = new Set();
+  for (let i = 0; i < 2 * nControls; ++i) {
+    await page.keyboard.press('Tab');
+    reached.add(await page.evaluate(() => document.activeElement.id || document.activeElement.tagName));
+  }
+  reached.delete('BODY');
+  assert.ok(reached.size >= nControls, `${reached.size} of ${nControls} controls are reached by Tab`);
+  const nameless = await page.$$eval('select, input', (all) => all.filter((e) => !e.labels || e.labels.length === 0).map((e) => e.id));
+  assert.deepEqual(nameless, []);
+}
+
+async function fitsANarrowWindow(page) {
+  const overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+  assert.ok(overflow <= 0, `${overflow} pixels wider than the window`);
+  const {halves} = await pixels(page);
+  assert.ok(halves[0].shown > 200 && halves[1].shown > 200);
+}
+
+/** At points of both surfaces, what the colour means is the distance of the meshes in the page, to a step of the scale. */
+async function hasRightErrors(page) {
+  await page.selectOption('#colour', 'error');
+  await drawn(page);
+  const {points, meshes, top, nSteps} = await page.evaluate(() => {
+    const app = window.whittle;
+    const scale = 65535 * app.json.step;
+    let seed = 1;
+    const random = () => (seed = seed * 48271 % 2147483647) / 2147483647;
+    const models = [app.original, app.result];
+    const unit = (positions, v) => [0, 1, 2].map((d) => positions[4 * v + d] / 65535 * scale);
+    const chosen = models.map((model) => {
+      const {distances} = model.surface;
+      const corner = (f, k) => unit(distances.positions, distances.corners[3 * f + k]);
+      const areas = [];
+      let area = 0;
+      for (let f = 0; f < distances.nFaces; ++f) {
+        const [a, b, c] = [0, 1, 2].map((k) => corner(f, k));
+        const [u, w] = [b.map((x, d) => x - a[d]), c.map((x, d) => x - a[d])];
+        areas.push(area += Math.hypot(u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]));
+      }
+      return Array.from({length: 500}, () => {
+        const f = areas.findIndex((sum) => sum >= random() * area);
+        let [s, t] = [random(), random()];
+        if (s + t > 1) [s, t] = [1 - s, 1 - t];
+        const weights = [1 - s - t, s, t];
+        const vertices = [0, 1, 2].map((k) => distances.corners[3 * f + k]);
+        const offset = vertices.reduce((sum, v, k) => sum + weights[k] * (distances.positions[4 * v + 3] - 32768) / 32767 * distances.max, 0);
+        const position = [0, 1, 2].map((d) => vertices.reduce((sum, v, k) => sum + weights[k] * unit(distances.positions, v)[d], 0));
+        return {position, shown: Math.abs(offset)};
+      });
+    });
+    const meshOf = ({surface}) => ({positions: Array.from({length: surface.nVertices}, (_, v) => unit(surface.positions, v)),
+      corners: Array.from(surface.corners)});
+    return {points: chosen, meshes: models.map(meshOf), top: app.greatestShown(),
+      nSteps: app.result.material.uniforms.scale.value.image.width};
+  });
+  assert.ok(nSteps >= 4);
+  let nBeyond = 0;
+  points.forEach((some, i) => some.forEach(({position, shown}) => {
+    const exact = exactDistance(position, meshes[1 - i]);
+    if (Math.abs(Math.min(exact, top) - Math.min(shown, top)) > top / nSteps) ++nBeyond;
+  }));
+  console.log(`errors: ${nBeyond} of 1000 points are more than one of ${nSteps} steps off`);
+  assert.ok(nBeyond <= 50, `${nBeyond} of 1000 points are more than a step off`);
+}
+
+async function saysWhatIsClicked(page) {
+  await page.selectOption('#layout', 'original');
+  await drawn(page);
+  const box = await (await page.$('#canvas')).boundingBox();
+  for (const x of [0.5, 0.42, 0.58, 0.35, 0.65]) {
+    await page.mouse.click(box.x + x * box.width, box.y + 0.5 * box.height);
+    if (/distance/.test(await text(page, 'status'))) return;
+  }
+  assert.fail(`a click says: ${await text(page, 'status')}`);
+}
+
+async function main() {
+  browser = await driver.launch({executablePath: chromium,
+    args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
+  await withPage('recording.html', async (page) => {
+    await showsBothMeshes(page);
+    await showsEachLevel(page, readJson('levels.json').levels);
+    await page.evaluate(() => window.whittle.player.goTo(1));
+    await looksLikeItsResult(page);
+  });
+  await withPage('recording.html', movesContinuously);
+  await withPage('recording.html', playsBothWays);
+  await withPage('recording.html', hasEveryView, {hash: '#result=1'});
+  await withPage('recording.html', obeysKeys);
+  await withPage('recording.html', fitsANarrowWindow, {width: 360, height: 740});
+  await withPage('joined.html', (page) => showsEachLevel(page, readJson('cubes_levels.json').levels));
+  await withPage('flipped.html', async (page) => {
+    await showsEachLevel(page, readJson('terrain_levels.json').levels);
+    await page.evaluate(() => window.whittle.player.goTo(1));
+    await looksLikeItsResult(page);
+  });
+  await withPage('errors.html', hasRightErrors);
+  await withPage('errors.html', saysWhatIsClicked, {hash: '#colour=error'});
+  const backgrounds = {};
+  for (const colorScheme of ['light', 'dark']) {
+    await withPage('errors.html', async (page) => {
+      await showsBothMeshes(page);
+      backgrounds[colorScheme] = (await pixels(page)).background[0];
+    }, {colorScheme});
+  }
+  assert.ok(backgrounds.light > 150 && backgrounds.dark < 100, `backgrounds: ${JSON.stringify(backgrounds)}`);
+  await withPage('markup.html', async (page) => {
+    assert.match(await text(page, 'left-label'), /^<img src=x onerror=alert\(1\)><script>/);
+    assert.match(await page.title(), /^<img src=x/);
+    assert.equal(await page.$('img'), null);
+  });
+  await browser.close();
+  console.log('the pages are as they should be');
+}
+
+main().catch((error) => {
+  console.error(error);
+  process.exit(1);
+});

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# run.sh WHITTLE DATA NODE_MODULES FOLDER: writes pages of test meshes into FOLDER and looks at them in Chromium.
+# Exit status 77: there is no Node.js, no playwright-core or no Chromium.
+set -euo pipefail
+whittle=$1 data=$2 node_modules=$3 folder=$4
+
+skip() {
+  echo "skipped: $*"
+  exit 77
+}
+command -v node >/dev/null || skip "Node.js is not installed"
+[ -d "$node_modules/playwright-core" ] || skip "npm's package playwright-core is not in $node_modules"
+chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || skip "Chromium is not installed"
+
+rm -rf "$folder"
+mkdir -p "$folder"
+"$whittle" simplify "$data/blob.obj" -o "$folder/blob.ply" --faces 60 --record "$folder/blob.rec" --json "$folder/blob.json" --quiet
+"$whittle" report "$data/blob.obj" "$folder/blob.rec" -o "$folder/recording.html" --run "$folder/blob.json" --quiet
+# Every level that the slider of the page stops at, and its number of faces as `replay` has it.
+"$whittle" replay "$folder/blob.rec" --steps 0:1:1001 -o "$folder/level_{i}.off" --json "$folder/levels.json" --quiet
+rm "$folder"/level_*.off
+# Flipped edges, polish on the way, and faces that join.
+"$whittle" simplify "$data/cubes.obj" -o "$folder/cubes.ply" --faces 40 --cost quadric --threshold auto --record "$folder/cubes.rec" --quiet
+"$whittle" report "$data/cubes.obj" "$folder/cubes.rec" -o "$folder/joined.html" --quiet
+"$whittle" simplify "$data/terrain.ply" -o "$folder/terrain.ply" --ratio 10% --effort best --record "$folder/terrain.rec" --quiet
+"$whittle" report "$data/terrain.ply" "$folder/terrain.rec" -o "$folder/flipped.html" --quiet
+for name in cubes terrain; do
+  "$whittle" replay "$folder/$name.rec" --steps 0:1:51 -o "$folder/level_{i}.off" --json "$folder/${name}_levels.json" --quiet
+done
+rm "$folder"/level_*.off
+"$whittle" simplify "$data/knot.ply" -o "$folder/knot.ply" --ratio 2% --quiet
+"$whittle" report "$data/knot.ply" "$folder/knot.ply" -o "$folder/errors.html" --quiet
+# A name with markup, in both of its contexts.
+cp "$data/cubes.obj" "$folder/<img src=x onerror=alert(1)><script>alert(2)<script>.obj"
+"$whittle" report "$folder/<img src=x onerror=alert(1)><script>alert(2)<script>.obj" -o "$folder/markup.html" --quiet
+node "$(dirname "$0")/look.cjs" "$node_modules" "$chromium" "$folder"

@@ -1,0 +1,134 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "program/failure.hh"
+#include "program/program.hh"
+#include "program/stand_in_programs.hh"
+#include "support/temporary_folder.hh"
+
+namespace whittle::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+nlohmann::json data_of(const std::string& page) {
+  const std::string begin = "<script id=\"whittle-data\" type=\"application/json\">";
+  const std::size_t at = page.find(begin) + begin.size();
+  return nlohmann::json::parse(page.substr(at, page.find("</script>", at) - at));
+}
+
+/// A result, its recording and the report of its run, in a folder; and whether this program can write pages.
+class ReportCommand : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const Outcome run = whittle({"simplify", mesh, "-o", folder / "small.ply", "--faces", "400", "--record",
+                                 folder / "run.rec", "--json", folder / "run.json", "--quiet"});
+    ASSERT_EQ(run.exit_code, 0) << run;
+    if (!has_page(folder)) GTEST_SKIP() << "this program was built without the page";
+  }
+
+  const TemporaryFolder folder;
+  const std::string mesh = data_file("blob.obj");
+};
+
+TEST_F(ReportCommand, WritesAPageOfMeshes) {
+  const std::string page = folder / "page.html";
+  const Outcome outcome = whittle({"report", mesh, folder / "small.ply", "-o", page, "--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  const auto json = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(json["meshes"].size(), 2U);
+  EXPECT_EQ(json["meshes"][1]["faces"], 400);
+  EXPECT_GT(json["meshes"][1]["max_distance"], 0);
+  EXPECT_EQ(json["recording"], nullptr);
+  const std::string html = read_text(page);
+  EXPECT_EQ(json["bytes"], html.size());
+  EXPECT_THAT(html, StartsWith("<!DOCTYPE html>"));
+  EXPECT_THAT(html, HasSubstr("distance mean rel"));
+  const auto data = data_of(html);
+  EXPECT_EQ(data["results"][0]["name"], "small.ply");
+  EXPECT_EQ(data["results"][0]["distances"]["max"], json["meshes"][1]["max_distance"]);
+}
+
+TEST_F(ReportCommand, TakesRecordingsAsOriginalAndAsResult) {
+  for (const std::vector<std::string>& files :
+       {std::vector<std::string>{folder / "run.rec"}, {mesh, folder / "run.rec"}}) {
+    std::vector<std::string> words{"report", "-o", "-", "--run", folder / "run.json", "--quiet"};
+    words.insert(words.begin() + 1, files.begin(), files.end());
+    const Outcome outcome = whittle(words);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome;
+    const auto data = data_of(outcome.out);
+    EXPECT_GT(data["recording"]["steps"], 1000);
+    EXPECT_EQ(data["results"][0]["faces"], 400);
+    EXPECT_EQ(data["recording"]["levels"][0]["mean"], 0);
+    EXPECT_THAT(outcome.out, HasSubstr("rejections link"));
+  }
+}
+
+TEST_F(ReportCommand, ShowsACoarserLevelOfALargeMesh) {
+  const Outcome outcome =
+      whittle({"report", mesh, folder / "small.ply", "-o", folder / "page.html", "--max-faces", "1000", "--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_LE(json["meshes"][0]["shown_faces"], 1000);
+  EXPECT_GT(json["meshes"][0]["faces"], 1000);
+  EXPECT_THAT(std::string(data_of(read_text(folder / "page.html"))["original"]["note"]), HasSubstr("coarser"));
+}
+
+TEST_F(ReportCommand, DrawsAPictureWithChromium) {
+  const StandInPrograms programs(folder);
+  const std::string picture = folder / "picture.png";
+  const Outcome outcome =
+      whittle({"report", mesh, "--png", picture, "--png-size", "640x480", "--view", "colour=shape,edges=on"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_EQ(read_text(picture), "a picture");
+  const std::string arguments = read_text(folder / "chromium.txt");
+  EXPECT_THAT(arguments, HasSubstr("--window-size=640,480\n"));
+  EXPECT_THAT(arguments, HasSubstr("/page.html#picture&colour=shape&edges=on\n"));
+}
+
+TEST_F(ReportCommand, OpensThePage) {
+  const StandInPrograms programs(folder);
+  const std::string page = folder / "page.html";
+  EXPECT_EQ(whittle({"report", mesh, "-o", page, "--open"}).exit_code, 0);
+  EXPECT_EQ(read_text(folder / "opened.txt"), page);
+}
+
+TEST_F(ReportCommand, SaysWhichProgramIsMissing) {
+  const StandInPrograms programs(folder);
+  std::filesystem::remove_all(folder / "bin");
+  const Outcome drawn = whittle({"report", mesh, "--png", folder / "picture.png", "-o", folder / "page.html"});
+  EXPECT_EQ(drawn.exit_code, 1);
+  EXPECT_THAT(drawn.err, HasSubstr("apt install chromium"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "page.html"));
+  const Outcome opened = whittle({"report", mesh, "-o", folder / "page.html", "--open"});
+  EXPECT_EQ(opened.exit_code, 0);
+  EXPECT_THAT(opened.err, HasSubstr("warning: --open"));
+}
+
+TEST_F(ReportCommand, SaysWhatIsWrong) {
+  const std::string out = folder / "page.html";
+  const auto report = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), "report");
+    return whittle(words);
+  };
+  expect_usage_error(report({mesh}), {"--output", "--png"});
+  expect_usage_error(report({mesh, folder / "run.rec", folder / "run.rec", "-o", out}), {"two recordings"});
+  expect_usage_error(report({mesh, "-o", out, "--png-size", "10x"}), {"--png-size"});
+  expect_usage_error(report({mesh, "-o", out, "--view", "colour=error"}), {"--view", "--png"});
+  expect_usage_error(report({mesh, "--png", folder / "p.png", "--view", "colour='x'"}), {"--view", "KEY=VALUE"});
+  expect_usage_error(report({mesh, "--png", folder / "p.png", "--open"}), {"--open"});
+  expect_usage_error(report({mesh, "-o", mesh}), {"--force"});
+  EXPECT_EQ(report({data_file("cubes.obj"), folder / "run.rec", "-o", out}).exit_code, 4);
+  EXPECT_EQ(report({mesh, "-o", out, "--run", mesh}).exit_code, 4);
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+}  // namespace
+}  // namespace whittle::test

@@ -1,0 +1,123 @@
+#include "whittle/report/page.hh"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "page_bytes.hh"
+#include "support/suites.hh"
+#include "whittle/engine/decimate.hh"
+
+namespace whittle::report {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+PageSurface surface_of(const std::string& name, IndexedMesh mesh) {
+  put_in_page_order(mesh);
+  return {name, std::move(mesh), {}, {}, std::nullopt};
+}
+
+std::string written(const Page& page) {
+  std::ostringstream out;
+  write_page(out, page);
+  return std::move(out).str();
+}
+
+nlohmann::json data_of(const std::string& page) {
+  const std::string begin = "<script id=\"whittle-data\" type=\"application/json\">";
+  const std::size_t at = page.find(begin) + begin.size();
+  return nlohmann::json::parse(page.substr(at, page.find("</script>", at) - at));
+}
+
+/// Faces by their corners, wherever they begin and in any order.
+std::vector<std::array<Vec3, 3>> shape_of(const IndexedMesh& mesh) {
+  const auto before = [](const Vec3& a, const Vec3& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  };
+  std::vector<std::array<Vec3, 3>> faces;
+  for (const auto& [a, b, c] : mesh.faces) {
+    std::array<Vec3, 3> face{mesh.positions[a], mesh.positions[b], mesh.positions[c]};
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end(), before), face.end());
+    faces.push_back(face);
+  }
+  std::sort(faces.begin(), faces.end(), [&](const auto& x, const auto& y) {
+    return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end(), before);
+  });
+  return faces;
+}
+
+TEST(PageOrder, KeepsTheSurface) {
+  for (const auto& [name, mesh] : test::all_meshes()) {
+    SCOPED_TRACE(name);
+    IndexedMesh ordered = mesh;
+    const PageOrder order = put_in_page_order(ordered);
+    EXPECT_EQ(shape_of(ordered), shape_of(mesh));
+    for (Index v = 0; v < mesh.positions.size(); ++v) {
+      EXPECT_EQ(ordered.positions[order.of_vertex[v]], mesh.positions[v]);
+    }
+    for (Index f = 0; f < mesh.faces.size(); ++f) {
+      Triangle face = mesh.faces[f];
+      for (Index& v : face) v = order.of_vertex[v];
+      std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+      EXPECT_EQ(ordered.faces[order.of_face[f]], face);
+    }
+  }
+}
+
+TEST(Page, NamesItsMeshesAndCounts) {
+  const IndexedMesh mesh = test::closed_meshes().front().mesh;
+  const IndexedMesh small = decimate(mesh, DecimateTarget::faces(20)).mesh;
+  Page page{"a title", surface_of("the original", mesh), {surface_of("the result", small)}, std::nullopt, {}, {}};
+  const nlohmann::json data = data_of(written(page));
+  EXPECT_EQ(data["original"]["name"], "the original");
+  EXPECT_EQ(data["original"]["faces"], mesh.faces.size());
+  EXPECT_EQ(data["results"][0]["faces"], small.faces.size());
+  EXPECT_TRUE(data["recording"].is_null());
+}
+
+TEST(Page, LetsNoTextBecomeMarkup) {
+  const IndexedMesh mesh = test::closed_meshes().front().mesh;
+  const std::string evil = "</script><script>alert(\"1\")</script>'&{{bytes}}";
+  Page page{evil, surface_of(evil, mesh), {}, std::nullopt, {{evil, "<svg></svg>"}}, {{evil, {{evil, evil}}}}};
+  const std::string html = written(page);
+  EXPECT_THAT(html, Not(HasSubstr("<script>alert")));
+  EXPECT_THAT(html, HasSubstr("&lt;/script&gt;&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt;&#39;&amp;{{bytes}}"));
+  EXPECT_EQ(data_of(html)["original"]["name"], evil);
+}
+
+TEST(Page, LoadsNothing) {
+  const IndexedMesh mesh = test::closed_meshes().front().mesh;
+  const std::string html = written({"t", surface_of("m", mesh), {}, std::nullopt, {}, {}});
+  EXPECT_THAT(html, HasSubstr("http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'"));
+  for (const char* const word : {"src=", "href=", "@import", "url("}) {
+    EXPECT_THAT(html.substr(0, html.find("<script>")), Not(HasSubstr(word)));
+  }
+}
+
+TEST(Page, RefusesAMeshWithoutFaces) {
+  std::ostringstream out;
+  EXPECT_THROW(write_page(out, {"t", {"m", IndexedMesh{}, {}, {}, std::nullopt}, {}, std::nullopt, {}, {}}),
+               std::invalid_argument);
+}
+
+TEST(Base64, IsThatOfRfc4648) {
+  const auto of = [](const std::string& text) {
+    return base64({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+  };
+  EXPECT_EQ(of(""), "");
+  EXPECT_EQ(of("f"), "Zg==");
+  EXPECT_EQ(of("fo"), "Zm8=");
+  EXPECT_EQ(of("foo"), "Zm9v");
+  EXPECT_EQ(of("foobar"), "Zm9vYmFy");
+}
+
+TEST(CoarseFaces, AreNoneForAMeshOfFewFaces) { EXPECT_TRUE(coarse_faces(test::closed_meshes().front().mesh).empty()); }
+
+}  // namespace
+}  // namespace whittle::report
