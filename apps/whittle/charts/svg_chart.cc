@@ -11,8 +11,8 @@ namespace whittle::app {
 namespace {
 
 // Pixels.
-constexpr double width = 920;
-constexpr double height = 520;
+constexpr double line_chart_width = 920;
+constexpr double line_chart_height = 520;
 constexpr double left = 80;
 constexpr double right = 690;  // the legend is to the right of it
 constexpr double top = 50;
@@ -106,7 +106,7 @@ std::string to_svg(const Chart& chart) {
   if (all.empty()) return {};
   const Axis x = axis_around(values_of(all, &ChartPoint::x), left, right);
   const Axis y = axis_around(values_of(all, &ChartPoint::y), bottom, top);
-  SvgDrawing drawing(width, height);
+  SvgDrawing drawing(line_chart_width, line_chart_height);
   draw_axes(drawing, chart, x, y);
   for (std::size_t i = 0; i < all.size(); ++i) draw(drawing, all[i], i, x, y);
   return drawing.finished();

@@ -138,7 +138,7 @@ std::vector<double> DistanceMapper::offsets_of(const SurfacePoints& points) cons
 unsigned DistanceMapper::n_points_along(const Triangle& face) const {
   constexpr double most = 8;
   double longest_sq = 0;
-  for (int k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < 3; ++k) {
     longest_sq =
         std::max(longest_sq, (map_.mesh.positions[face[k]] - map_.mesh.positions[face[(k + 1) % 3]]).squaredNorm());
   }
@@ -151,7 +151,6 @@ std::vector<double> DistanceMapper::face_deviations() const {
   std::vector<double> interpolated;
   std::vector<std::size_t> first{0};
   for (const OpenFace& face : open_) {
-    const auto& [a, b, c] = face.corners;
     const unsigned n = n_points_along(face.corners);
     if (n == 1) {  // the middles of its edges say enough
       first.push_back(interpolated.size());
@@ -162,7 +161,7 @@ std::vector<double> DistanceMapper::face_deviations() const {
         const double u = (i + 1.0 / 3) / n;
         const double v = (k + 1.0 / 3) / n;
         const auto at = [&, w = 1 - u - v](const auto& of_vertex) {
-          return (w * of_vertex[a] + u * of_vertex[b] + v * of_vertex[c]);
+          return (w * of_vertex[face.corners[0]] + u * of_vertex[face.corners[1]] + v * of_vertex[face.corners[2]]);
         };
         points.add(Vec3(at(map_.mesh.positions)), Vec3(at(normals_)));
         interpolated.push_back(at(map_.offsets));

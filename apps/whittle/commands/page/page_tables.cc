@@ -25,7 +25,8 @@ void add_rows(const std::string& name, const Json& json, report::PageTable& tabl
     for (char& c : words) {
       if (c == '_') c = ' ';
     }
-    add_rows(name.empty() ? words : name + ' ' + words, value, table);
+    if (!name.empty()) words.insert(0, name + ' ');
+    add_rows(words, value, table);
   }
 }
 
