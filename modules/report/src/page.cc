@@ -119,7 +119,8 @@ void write_page(std::ostream& out, const Page& page) {
                                                          {"charts", charts_html(page.charts)},
                                                          {"tables", tables_html(page.tables)}};
   // Only words of the template are replaced: contents may have braces of their own.
-  std::string_view rest = page_template();
+  const std::string page_text = page_template();
+  std::string_view rest = page_text;
   while (!rest.empty()) {
     const std::size_t begin = rest.find("{{");
     const std::size_t end = begin == std::string_view::npos ? begin : rest.find("}}", begin);

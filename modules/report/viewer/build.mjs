@@ -47,15 +47,17 @@ const length = 15000; // some compilers take no longer string literals
 const parts = [];
 const bytes = Buffer.from(page, 'utf8').toString('latin1');
 for (let i = 0; i < bytes.length; i += length) parts.push(bytes.slice(i, i + length));
-const literals = parts.map((part) => `R"${delimiter}(${part})${delimiter}"`).join('\n');
+const literals = parts.map((part) => `R"${delimiter}(${part})${delimiter}"`).join(',\n');
 writeFileSync(output, Buffer.from(`#include "page_template.hh"
 
 namespace whittle::report {
 
-std::string_view page_template() {
-  static constexpr char page[] =
-${literals};
-  return {page, sizeof(page) - 1};
+std::string page_template() {
+  static const char* const parts[] = {
+${literals}};
+  std::string page;
+  for (const char* const part : parts) page += part;
+  return page;
 }
 
 }  // namespace whittle::report
