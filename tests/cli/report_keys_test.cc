@@ -164,6 +164,7 @@ std::string point_mesh(const TemporaryFolder& folder) {
 
 TEST(ReportKeys, OfSimplifyAreDocumented) {
   const TemporaryFolder folder;
+  if (!has_page(folder) || !has_chromium()) GTEST_SKIP() << "no page, or no Chromium";
   const std::string out = folder / "out.obj";
   const std::string bare = folder / "bare";
   const std::string blob = data_file("blob.obj");
@@ -193,6 +194,8 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
        {blob, "-o", out, "--faces", "500", "--certify", "--isotropic", "0.5", "--valence", "1", "--fit", "max",
         "--curve", folder / "curve.svg", "--map-back", folder / "back"},
        {large, "-o", out, "--faces", "1000", "--effort", "fast"},
+       {cubes, "-o", out, "--faces", "100", "--frames", folder / "f{i}.png", "--every", "50%", "--animate",
+        folder / "a.webp"},
        {blob, "-o", out, "--faces", "500", "--engine", "openmesh"},
        {bare, "missing.ply", "-o", folder / "{stem}.txt", "--input-format", "obj", "--output-format", "ply", "--ascii",
         "--faces", "200"}});
@@ -289,8 +292,7 @@ TEST(ReportKeys, OfGeomorphAreDocumented) {
 
 TEST(ReportKeys, OfReportAreDocumented) {
   const TemporaryFolder folder;
-  if (!has_page(folder)) GTEST_SKIP() << "this program was built without the page";
-  const StandInPrograms programs(folder);
+  if (!has_page(folder) || !has_chromium()) GTEST_SKIP() << "no page, or no Chromium";
   const std::string terrain = data_file("terrain.ply");
   const std::string small = folder / "small";
   const std::string rec = folder / "rec";
@@ -300,11 +302,12 @@ TEST(ReportKeys, OfReportAreDocumented) {
                 .exit_code,
             0);
   expect_documented(
-      "report",
-      {{terrain, "-o", folder / "a.html", "--format", "ply", "--verbose", "--threads", "1"},
-       {terrain, small, "--output", folder / "b.html", "--input-format", "ply", "--run", report, "--no-weld", "--open"},
-       {terrain, rec, "--png", folder / "c.png", "--view", "colour=error", "--png-size", "300x200", "--quiet"},
-       {terrain, "-o", folder / "d.html", "--max-faces", "1000", "--weld", "0", "--force", "--color", "never"}});
+      "report", {{terrain, "-o", folder / "a.html", "--format", "ply", "--verbose", "--threads", "1"},
+                 {terrain, small, "--output", folder / "b.html", "--input-format", "ply", "--run", report, "--no-weld"},
+                 {terrain, rec, "--png", folder / "c.png", "--view", "colour=error", "--png-size", "300x200", "--quiet",
+                  "--frames", folder / "f{i}.png", "--every", "0.5", "--animate", folder / "a.webp"},
+                 {terrain, "-o", folder / "d.html", "--max-faces", "1000", "--weld", "0", "--force", "--color", "never",
+                  "--open"}});
 }
 
 TEST(ReportKeys, OfReplayAreDocumented) {

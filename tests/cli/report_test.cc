@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -81,16 +82,45 @@ TEST_F(ReportCommand, ShowsACoarserLevelOfALargeMesh) {
   EXPECT_THAT(std::string(data_of(read_text(folder / "page.html"))["original"]["note"]), HasSubstr("coarser"));
 }
 
-TEST_F(ReportCommand, DrawsAPictureWithChromium) {
-  const StandInPrograms programs(folder);
-  const std::string picture = folder / "picture.png";
-  const Outcome outcome =
-      whittle({"report", mesh, "--png", picture, "--png-size", "640x480", "--view", "colour=shape,edges=on"});
+/// Width and height of a PNG file.
+std::array<unsigned, 2> size_of_png(const std::string& bytes) {
+  const auto number = [&bytes](std::size_t at) {
+    unsigned value = 0;
+    for (std::size_t i = at; i < at + 4; ++i) value = value << 8U | static_cast<unsigned char>(bytes.at(i));
+    return value;
+  };
+  return {number(16), number(20)};
+}
+
+TEST_F(ReportCommand, DrawsPicturesWithChromium) {
+  if (!has_chromium()) GTEST_SKIP() << "no Chromium";
+  const auto picture = [&](const std::string& view) {
+    const std::string file = folder / "picture.png";
+    const Outcome outcome = whittle(
+        {"report", mesh, folder / "small.ply", "--png", file, "--png-size", "640x480", "--view", view, "--quiet"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome;
+    return read_text(file);
+  };
+  const std::string plain = picture("colour=none");
+  EXPECT_THAT(plain, StartsWith("\x89PNG"));
+  EXPECT_EQ(size_of_png(plain), (std::array<unsigned, 2>{640, 480}));
+  EXPECT_NE(picture("colour=error"), plain);
+}
+
+TEST_F(ReportCommand, DrawsARecordingOnItsWay) {
+  if (!has_chromium()) GTEST_SKIP() << "no Chromium";
+  const Outcome outcome = whittle({"report", folder / "run.rec", "--frames", folder / "f_{i}.png", "--every", "50%",
+                                   "--animate", folder / "run.webp", "--png-size", "400x300"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome;
-  EXPECT_EQ(read_text(picture), "a picture");
-  const std::string arguments = read_text(folder / "chromium.txt");
-  EXPECT_THAT(arguments, HasSubstr("--window-size=640,480\n"));
-  EXPECT_THAT(arguments, HasSubstr("/page.html#picture&colour=shape&edges=on\n"));
+  const std::string first = read_text(folder / "f_0.png");
+  EXPECT_EQ(size_of_png(first), (std::array<unsigned, 2>{400, 300}));
+  EXPECT_NE(read_text(folder / "f_1.png"), first);
+  EXPECT_NE(read_text(folder / "f_2.png"), read_text(folder / "f_1.png"));
+  const std::string animation = read_text(folder / "run.webp");
+  EXPECT_THAT(animation, StartsWith("RIFF"));
+  std::size_t n_frames = 0;
+  for (std::size_t at = 0; (at = animation.find("ANMF", at)) != std::string::npos; ++at) ++n_frames;
+  EXPECT_EQ(n_frames, 3U);
 }
 
 TEST_F(ReportCommand, OpensThePage) {
@@ -121,7 +151,9 @@ TEST_F(ReportCommand, SaysWhatIsWrong) {
   expect_usage_error(report({mesh}), {"--output", "--png"});
   expect_usage_error(report({mesh, folder / "run.rec", folder / "run.rec", "-o", out}), {"two recordings"});
   expect_usage_error(report({mesh, "-o", out, "--png-size", "10x"}), {"--png-size"});
-  expect_usage_error(report({mesh, "-o", out, "--view", "colour=error"}), {"--view", "--png"});
+  expect_usage_error(report({folder / "run.rec", "--frames", folder / "f.png"}), {"--frames", "{i}"});
+  expect_usage_error(report({folder / "run.rec", "--frames", folder / "f{i}.jpg"}), {"--frames", ".png"});
+  expect_usage_error(report({folder / "run.rec", "--animate", folder / "f.gif"}), {"--animate", ".webp"});
   expect_usage_error(report({mesh, "--png", folder / "p.png", "--view", "colour='x'"}), {"--view", "KEY=VALUE"});
   expect_usage_error(report({mesh, "--png", folder / "p.png", "--open"}), {"--open"});
   expect_usage_error(report({mesh, "-o", mesh}), {"--force"});

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "commands/page/browser.hh"
+#include "commands/page/frames.hh"
 #include "commands/page/make_page.hh"
 #include "commands/subcommands.hh"
 #include "files/output.hh"
@@ -42,20 +43,18 @@ std::string parse_view(std::string_view text) {
 
 void check(const CLI::App& app, const ReportCommand& options) {
   check_conflicts(app, common_conflicts());
-  if (!options.output && !options.png) throw UsageError("one of --output and --png is needed");
+  if (!options.output && !options.png && !options.frames.is_given()) {
+    throw UsageError("one of --output, --png, --frames and --animate is needed");
+  }
   if (options.open && !options.output) throw UsageError("--open needs --output: the page to open");
-  static const std::vector<IdleOption> idle{{"--png-size", "--png", ""}, {"--view", "--png", ""}};
-  if (const auto warnings = find_idle_options(app, idle); !warnings.empty()) throw UsageError(warnings.front());
-  std::vector<Output> outputs;
+  std::vector<Output> outputs = frame_outputs(options.frames);
   if (options.output) outputs.push_back({"--output", *options.output});
   if (options.png) outputs.push_back({"--png", *options.png});
   if (options.common.json) outputs.push_back({"--json", *options.common.json});
   std::vector<std::string> inputs = options.files;
   if (options.run) inputs.push_back(*options.run);
   check_outputs(outputs, inputs, options.common.force);
-  if (!has_page()) {
-    throw std::runtime_error("this whittle was built without the page: that takes Node.js, npm and meshoptimizer");
-  }
+  require_page();
 }
 
 Json report_json(const ReportCommand& options, const PageFacts& facts, std::size_t n_bytes, double total_seconds) {
@@ -77,12 +76,16 @@ ExitCode run_report(const CLI::App& app, const ReportCommand& options) {
   const Stopwatch watch;
   PageFacts facts;
   const std::string page = make_page(options, talk, facts);
+  if (options.frames.is_given() && facts.recording.is_null()) {
+    throw UsageError("--frames and --animate need a recording, and one whose input has at most --max-faces");
+  }
   OutputFiles files;
   const auto write = [&files](const std::string& path, const std::string& bytes) {
     files.write(path, [&bytes](std::ostream& out) { out << bytes; });
   };
-  if (options.png) write(*options.png, picture_of(page, options.view, options.png_size));
+  if (options.png) write(*options.png, PageView(page, options.view, options.png_size).picture("png"));
   if (options.output) write(*options.output, page);
+  write_frames(files, options.frames, page, options.view, options.png_size, talk);
   commit_with_report(
       files, options.common,
       options.common.json ? to_text(report_json(options, facts, page.size(), watch.seconds())) : std::string());
@@ -90,9 +93,12 @@ ExitCode run_report(const CLI::App& app, const ReportCommand& options) {
   constexpr double decimals = 10;
   const std::string size =
       shortest(std::ceil(static_cast<double>(page.size()) / per_megabyte * decimals) / decimals) + " MB";
-  talk.say(shown_output(options.output ? *options.output : *options.png) + ": " +
-           counted(facts.meshes.size(), "mesh", "meshes") + (options.output ? ", " + size : std::string()) + " in " +
-           seconds_text(watch.seconds()));
+  const std::optional<std::string> shown = options.output             ? options.output
+                                           : options.png              ? options.png
+                                           : options.frames.animation ? options.frames.animation
+                                                                      : options.frames.frames;
+  talk.say(shown_output(*shown) + ": " + counted(facts.meshes.size(), "mesh", "meshes") +
+           (options.output ? ", " + size : std::string()) + " in " + seconds_text(watch.seconds()));
   say_effort(talk, watch.seconds());
   if (options.open && !open_on_desktop(*options.output)) talk.warning("--open: no program was found that opens it");
   return ExitCode::done;
@@ -108,12 +114,12 @@ void setup_report(CLI::App& app, Command& command) {
   add_value(*sub, "-o,--output", "OUT", options->output, text,
             "the page: an .html file, replaced if it exists, or '-' for standard output")
       ->default_str("off");
-  add_value(*sub, "--png", "FILE", options->png, text, "draw a picture of the page with an installed Chromium")
+  add_value(*sub, "--png", "FILE", options->png, text, "draw a picture of the page, with an installed Chromium")
       ->default_str("off");
-  add_value(*sub, "--png-size", "WxH", options->png_size, parse_picture_size, "of the picture, pixels")
+  add_value(*sub, "--png-size", "WxH", options->png_size, parse_picture_size, "of pictures, pixels")
       ->default_str("1280x720");
   add_value(*sub, "--view", "KEY=VALUE,...", options->view, parse_view,
-            "how the picture is set up, such as layout=over,colour=error: the names of the page's controls")
+            "how pictures are set up, such as layout=over,colour=error: the names of the page's controls")
       ->default_str("as the page opens");
   add_value(*sub, "--run", "FILE", options->run, text,
             "show what 'simplify --json' has written: what was asked, reached and refused")
@@ -122,6 +128,7 @@ void setup_report(CLI::App& app, Command& command) {
       *sub, "--max-faces", "N", options->most_faces, [](std::string_view word) { return parse_count(word); },
       "show a coarser level of meshes with more faces")
       ->default_str(std::to_string(options->most_faces));
+  add_frame_options(*sub, options->frames);
   sub->add_flag("--open", options->open, "open the page on the desktop")->default_str("off");
   add_input_options(*sub, options->files_options);
   add_common_options(*sub, options->common);
@@ -130,7 +137,8 @@ void setup_report(CLI::App& app, Command& command) {
       "Examples:\n"
       "  whittle report dragon.ply small.ply -o page.html\n"
       "  whittle report dragon.ply dragon.rec -o page.html --run dragon.json\n"
-      "  whittle report dragon.ply small.ply --png error.png --view colour=error");
+      "  whittle report dragon.ply small.ply --png error.png --view colour=error\n"
+      "  whittle report dragon.rec --animate dragon.webp --every 2%");
   sub->callback([sub, options, &command] { command = [sub, options] { return run_report(*sub, *options); }; });
 }
 

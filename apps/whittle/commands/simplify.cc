@@ -81,7 +81,7 @@ SimplifyOptions resolved(const SimplifyCommand& options, const SimplifyRecord& r
     decimate.feature_tolerance = options.feature_tolerance.in_units(record.diagonal) / record.diagonal;
   }
   decimate.threads = options.common.threads;
-  decimate.keep_steps = options.recording || options.curve;
+  decimate.keep_steps = options.recording || options.curve || options.pictures.is_given();
   return result;
 }
 

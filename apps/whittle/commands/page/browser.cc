@@ -1,110 +1,141 @@
 #include "commands/page/browser.hh"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <array>
-#include <cerrno>
-#include <cstdlib>
+#include <chrono>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
+#include <thread>
+#include <utility>
 #include <vector>
 
-extern char** environ;
+#include "commands/page/child_process.hh"
+
+// Chrome DevTools Protocol: https://chromedevtools.github.io/devtools-protocol. Messages are JSON, each ended by a zero
+// byte, through the two pipes of --remote-debugging-pipe.
 
 namespace whittle::app {
 namespace {
 
-namespace fs = std::filesystem;
+using Message = nlohmann::json;
 
 constexpr std::array<const char*, 5> browsers{"chromium", "chromium-browser", "google-chrome", "google-chrome-stable",
                                               "chrome"};
 
-/// A folder that is there as long as this.
-class WorkFolder {
- public:
-  WorkFolder() {
-    std::string path = (fs::temp_directory_path() / "whittle-XXXXXX").string();
-    if (::mkdtemp(path.data()) == nullptr) {
-      throw std::runtime_error("can't make a folder for the picture: " + std::string(std::strerror(errno)));
-    }
-    path_ = path;
-  }
-  ~WorkFolder() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-
-  fs::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
-
-/// Runs a program to its end, and lets it print nothing. \return its exit status, or nothing if there is no such
-/// program
-std::optional<int> run_quietly(std::vector<std::string> arguments) {
-  std::vector<char*> words;
-  words.reserve(arguments.size() + 1);
-  for (std::string& argument : arguments) words.push_back(argument.data());
-  words.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
-    ::posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_WRONLY, 0);
-  }
-  pid_t child = 0;
-  const int error = ::posix_spawnp(&child, words.front(), &actions, nullptr, words.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
-  if (error == ENOENT) return std::nullopt;
-  if (error != 0) throw std::runtime_error(arguments.front() + " can't be run: " + std::strerror(error));
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
-}
-
-/// Of the options of a picture: all that is drawn is computed, by the processor alone, and the page's own clock waits.
-std::vector<std::string> drawing_options(const WorkFolder& folder, const PictureSize& size) {
+/// All that is drawn is computed by the processor alone.
+std::vector<std::string> browser_options(const WorkFolder& folder) {
   std::vector<std::string> options{"--headless",
+                                   "--remote-debugging-pipe",
                                    "--hide-scrollbars",
                                    "--use-angle=swiftshader",
                                    "--enable-unsafe-swiftshader",
                                    "--no-first-run",
-                                   "--virtual-time-budget=20000",
-                                   "--force-device-scale-factor=1",
-                                   "--user-data-dir=" + (folder / "profile").string(),
-                                   "--window-size=" + std::to_string(size.width) + ',' + std::to_string(size.height),
-                                   "--screenshot=" + (folder / "picture.png").string()};
-  if (::geteuid() == 0) options.emplace_back("--no-sandbox");
+                                   "--user-data-dir=" + folder / "profile"};
+  if (is_root()) options.emplace_back("--no-sandbox");
   return options;
+}
+
+std::unique_ptr<TalkingProcess> start_browser(const std::vector<std::string>& options) {
+  for (const char* const browser : browsers) {
+    std::vector<std::string> words{browser};
+    words.insert(words.end(), options.begin(), options.end());
+    if (std::unique_ptr<TalkingProcess> process = TalkingProcess::start(std::move(words))) return process;
+  }
+  throw std::runtime_error("pictures need Chromium, which is not installed (on Debian: apt install chromium)");
+}
+
+std::string decoded_base64(const std::string& text) {
+  std::string bytes;
+  unsigned group = 0;
+  int n_bits = 0;
+  for (const char c : text) {
+    const char* const digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const char* const digit = std::strchr(digits, c);
+    if (c == '\0' || digit == nullptr) break;
+    group = (group << 6U | static_cast<unsigned>(digit - digits)) & 0xffffffU;
+    n_bits += 6;
+    if (n_bits < 8) continue;
+    n_bits -= 8;
+    bytes += static_cast<char>(group >> n_bits & 255U);
+  }
+  return bytes;
 }
 
 }  // namespace
 
-std::string picture_of(const std::string& page, const std::string& view, const PictureSize& size) {
-  const WorkFolder folder;
-  std::ofstream(folder / "page.html", std::ios::binary) << page;
-  std::vector<std::string> arguments = drawing_options(folder, size);
-  arguments.push_back("file://" + (folder / "page.html").string() + "#picture&" + view);
-  for (const char* const browser : browsers) {
-    std::vector<std::string> words{browser};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    const std::optional<int> status = run_quietly(std::move(words));
-    if (!status) continue;
-    std::ifstream picture(folder / "picture.png", std::ios::binary);
-    if (*status != 0 || !picture) throw std::runtime_error("--png: " + std::string(browser) + " has drawn no picture");
-    return {std::istreambuf_iterator<char>(picture), std::istreambuf_iterator<char>()};
+/// One page in one browser.
+class PageView::Session {
+ public:
+  Session(const std::string& page, const std::string& settings, const PictureSize& size)
+      : browser_(start_browser(browser_options(folder_))) {
+    std::ofstream(folder_ / "page.html", std::ios::binary) << page;
+    const Message target = call("Target.createTarget", {{"url", "about:blank"}});
+    session_ = call("Target.attachToTarget", {{"targetId", target.at("targetId")}, {"flatten", true}}).at("sessionId");
+    call("Emulation.setDeviceMetricsOverride",
+         {{"width", size.width}, {"height", size.height}, {"deviceScaleFactor", 1}, {"mobile", false}});
+    call("Page.navigate", {{"url", "file://" + folder_ / "page.html" + "#picture&" + settings}});
+    wait_for_page();
   }
-  throw std::runtime_error("--png needs Chromium, which is not installed (on Debian: apt install chromium)");
+  ~Session() {
+    try {
+      call("Browser.close", Message::object());
+    } catch (const std::exception&) {  // it is gone already
+    }
+  }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  std::string evaluate(const std::string& script) {
+    const Message result =
+        call("Runtime.evaluate", {{"expression", script}, {"awaitPromise", true}, {"returnByValue", true}});
+    if (result.contains("exceptionDetails")) throw std::runtime_error("the page can't be drawn: " + result.dump());
+    const Message& value = result.at("result");
+    return value.contains("value") && value["value"].is_string() ? value["value"].get<std::string>() : std::string();
+  }
+  /// \throw std::runtime_error if Chromium refuses
+  Message call(const std::string& method, const Message& parameters) {
+    Message message{{"id", ++n_calls_}, {"method", method}, {"params", parameters}};
+    if (!session_.empty() && !method.starts_with("Browser.")) message["sessionId"] = session_;
+    browser_->write(message.dump() + '\0');
+    while (true) {
+      Message answer = Message::parse(browser_->read_until('\0'));
+      if (answer.value("id", 0) != n_calls_) continue;  // an event
+      if (answer.contains("error"))
+        throw std::runtime_error("Chromium refuses " + method + ": " + answer["error"].dump());
+      return std::move(answer.at("result"));
+    }
+  }
+
+ private:
+  void wait_for_page() {
+    constexpr std::chrono::milliseconds wait(20);
+    while (true) {
+      const std::string state = evaluate("window.whittle ? 'ready' : document.documentElement?.dataset.ready || ''");
+      if (state == "failed") throw std::runtime_error("Chromium can't show the page");
+      if (state == "ready") return;
+      std::this_thread::sleep_for(wait);
+    }
+  }
+
+  WorkFolder folder_;  // there until the browser has ended
+  std::unique_ptr<TalkingProcess> browser_;
+  std::string session_;
+  int n_calls_ = 0;
+};
+
+PageView::PageView(const std::string& page, const std::string& settings, const PictureSize& size)
+    : session_(std::make_unique<Session>(page, settings, size)) {}
+
+PageView::~PageView() = default;
+
+void PageView::go_to(double place) { session_->evaluate("window.whittle.showPlace(" + std::to_string(place) + ")"); }
+
+std::string PageView::picture(const std::string& format) {
+  session_->evaluate("window.whittle.drawn()");
+  const nlohmann::json shot = session_->call("Page.captureScreenshot", {{"format", format}});
+  return decoded_base64(shot.at("data"));
 }
 
 bool open_on_desktop(const std::string& path) { return run_quietly({"xdg-open", path}).value_or(1) == 0; }

@@ -141,6 +141,7 @@ void PageMaker::limit_size(report::PageSurface& surface) {
   if (n <= options_.most_faces) return;
   if (&surface == &page_.original && page_.recording) {
     page_.recording.reset();
+    facts_.recording = nullptr;
     warn(surface.name + " has more faces than --max-faces: the page can't play the recording");
   }
   SimplifyOptions simplify;
@@ -249,6 +250,17 @@ std::string PageMaker::make() {
 }  // namespace
 
 bool has_page() { return true; }
+
+std::string make_player(const std::string& path, const IndexedMesh& input, const RunSteps& steps) {
+  report::Page page;
+  page.title = short_name(path);
+  page.original = {page.title, input, {}, {}, std::nullopt};
+  page.recording.emplace(report::PageRecording{progressive::Replay(input, steps, Normals::drop), {}, {}});
+  page.recording->order = report::put_in_page_order(page.original.mesh);
+  std::ostringstream out;
+  write_page(out, page);
+  return std::move(out).str();
+}
 
 std::string make_page(const ReportCommand& options, const Talk& talk, PageFacts& facts) {
   return PageMaker(options, talk, facts).make();

@@ -3,6 +3,8 @@
 #include "commands/page/report_options.hh"
 #include "files/report.hh"
 #include "terminal/talk.hh"
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/engine/run_steps.hh"
 
 namespace whittle::app {
 
@@ -15,6 +17,12 @@ struct PageFacts {
   double measure_seconds = 0;
   std::vector<std::string> warnings;
 };
+
+/// A page that plays a run. \param path of the input \param steps of the run \pre `has_page()`
+std::string make_player(const std::string& path, const IndexedMesh& input, const RunSteps& steps);
+
+/// \throw std::runtime_error if this program was built without the viewer of the page
+void require_page();
 
 /// Whether this program was built with the viewer of the page.
 bool has_page();

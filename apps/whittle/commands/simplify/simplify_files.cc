@@ -3,6 +3,8 @@
 #include <ostream>
 #include <vector>
 
+#include "commands/page/frames.hh"
+#include "commands/page/make_page.hh"
 #include "commands/recording/curve.hh"
 #include "commands/simplify/simplify_report.hh"
 #include "whittle/progressive/recording.hh"
@@ -67,6 +69,10 @@ void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwat
   write(options.certificate, [&](std::ostream& out) { out << record.certificate; });
   write(options.recording, [&](std::ostream& out) { write_recording_file(out, options, record); });
   write(options.curve, [&](std::ostream& out) { write_curve(out, options, record); });
+  if (options.pictures.is_given()) {
+    const std::string player = make_player(record.input.name, record.input.read.mesh, record.simplified.steps);
+    write_frames(files, options.pictures, player, "", {}, talk);
+  }
   record.seconds.write = watch.seconds();
   record.seconds.total = since_start.seconds();
   const Json json = report != nullptr || options.common.json ? simplify_json(options, record) : Json();

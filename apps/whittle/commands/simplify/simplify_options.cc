@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "commands/page/frames.hh"
+#include "commands/page/make_page.hh"
 #include "files/input.hh"
 #include "files/output.hh"
 #include "options/efforts.hh"
@@ -73,6 +75,8 @@ std::vector<Conflict> conflicts() {
       {"--no-embed", "--prune", "the recording is of IN without its small parts"},
       {"--record", "--engine openmesh", not_in_openmesh},
       {"--curve", "--engine openmesh", not_in_openmesh},
+      {"--frames", "--engine openmesh", not_in_openmesh},
+      {"--animate", "--engine openmesh", not_in_openmesh},
       {"--tolerance-map", "--prune", "the lengths are of all vertices of IN"},
       {"--threshold", "--engine openmesh", no_pairs},
       {"--max-pairs", "--engine openmesh", no_pairs},
@@ -303,6 +307,7 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
                 "write the steps of the proof how far OUT is from IN at most, for 'whittle verify'");
   add_side_file("--curve", options.curve,
                 "write the error at the levels from IN to OUT, as a table (.csv) or a drawing (.svg)");
+  add_frame_options(app, options.pictures, file_group);
   add_side_file("--record", options.recording, "write the steps of the run, for 'whittle replay'");
   app.add_flag_callback(
          "--no-embed", [&options] { options.embeds_input = false; },
@@ -342,6 +347,7 @@ void check_options(const CLI::App& app, const SimplifyCommand& options) {
   check_targets(options.targets, "--faces, --vertices, --ratio, --face-ratio, --max-cost and --max-error");
   check_conflicts(app, common_conflicts());
   check_conflicts(app, conflicts());
+  if (options.pictures.is_given()) require_page();
   if (options.curve && !options.curve->ends_with(".csv") && !options.curve->ends_with(".svg")) {
     throw UsageError("--curve: '" + *options.curve + "' ends neither with .csv nor with .svg");
   }
@@ -355,15 +361,16 @@ void check_options(const CLI::App& app, const SimplifyCommand& options) {
 }
 
 std::vector<std::string> idle_options(const CLI::App& app, const SimplifyCommand& options) {
-  static const std::array<IdleOption, 9> all{{{"--max-pairs", "--threshold", ""},
-                                              {"--no-embed", "--record", ""},
-                                              {"--zstd", "--record", ""},
-                                              {"--max-error-borders", "--max-error", ""},
-                                              {"--tolerance-map", "--max-error", ""},
-                                              {"--across-walls", "--threshold", ""},
-                                              {"--feature-tolerance", "--feature-angle", ""},
-                                              {"--boundary free", "", "--cost lindstrom-turk"},
-                                              {"--boundary free", "", "--cost midpoint"}}};
+  static const std::array<IdleOption, 10> all{{{"--every", options.pictures.animation ? "--animate" : "--frames", ""},
+                                               {"--max-pairs", "--threshold", ""},
+                                               {"--no-embed", "--record", ""},
+                                               {"--zstd", "--record", ""},
+                                               {"--max-error-borders", "--max-error", ""},
+                                               {"--tolerance-map", "--max-error", ""},
+                                               {"--across-walls", "--threshold", ""},
+                                               {"--feature-tolerance", "--feature-angle", ""},
+                                               {"--boundary free", "", "--cost lindstrom-turk"},
+                                               {"--boundary free", "", "--cost midpoint"}}};
   std::vector<std::string> warnings = find_idle_options(app, all);
   if (is_given(app, "--fit") && options.simplify.polish_passes == 0U) {
     warnings.emplace_back("'--fit' does nothing without polish");
@@ -371,16 +378,18 @@ std::vector<std::string> idle_options(const CLI::App& app, const SimplifyCommand
   return warnings;
 }
 
-void check_files(const std::vector<SimplifyCommand>& runs) {
+void check_files(std::vector<SimplifyCommand> runs) {
   std::vector<std::string> inputs;
   std::vector<std::string> meshes;
   std::vector<Output> outputs;
-  for (const SimplifyCommand& run : runs) {
+  for (SimplifyCommand& run : runs) {
     inputs.push_back(run.input);
     meshes.push_back(run.output);
     outputs.push_back({"--output", run.output});
-    for (const SideFile& file : side_files) {
-      if (run.*file.path) outputs.push_back({file.option, *(run.*file.path)});
+    const std::vector<Output> frames = frame_outputs(std::exchange(run.pictures, {}));
+    outputs.insert(outputs.end(), frames.begin(), frames.end());
+    for (const SideFile& file : side_files(run)) {
+      if (*file.path) outputs.push_back({file.option, **file.path});
     }
   }
   const SimplifyCommand& any = runs.front();

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "commands/page/report_options.hh"
 #include "options/command_line.hh"
 #include "options/targets.hh"
 #include "options/values.hh"
@@ -48,6 +50,7 @@ struct SimplifyCommand {
   std::optional<std::string> certificate;  ///< the steps of the proof
   std::optional<std::string> recording;    ///< the steps of the run
   std::optional<std::string> curve;        ///< the error at the levels of the run
+  FrameOptions pictures;                   ///< of the run
   bool embeds_input = true;                ///< whether the recording has the input in it
   bool compresses_recording = false;
   bool strict = false;
@@ -64,14 +67,18 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options);
 /// A file that a run can write besides the result.
 struct SideFile {
   const char* option;
-  std::optional<std::string> SimplifyCommand::*path;
+  std::optional<std::string>* path;
   const char* plural;  ///< of what it is
 };
-inline constexpr SideFile side_files[] = {{"--map", &SimplifyCommand::map, "maps"},
-                                          {"--map-back", &SimplifyCommand::map_back, "maps"},
-                                          {"--certificate", &SimplifyCommand::certificate, "certificates"},
-                                          {"--record", &SimplifyCommand::recording, "recordings"},
-                                          {"--curve", &SimplifyCommand::curve, "curves"}};
+inline std::array<SideFile, 7> side_files(SimplifyCommand& options) {
+  return {{{"--map", &options.map, "maps"},
+           {"--map-back", &options.map_back, "maps"},
+           {"--certificate", &options.certificate, "certificates"},
+           {"--record", &options.recording, "recordings"},
+           {"--curve", &options.curve, "curves"},
+           {"--frames", &options.pictures.frames, "pictures"},
+           {"--animate", &options.pictures.animation, "pictures"}}};
+}
 
 /// \throw UsageError for options that are missing or contradictory.
 void check_options(const CLI::App& app, const SimplifyCommand& options);
@@ -81,7 +88,7 @@ std::vector<std::string> idle_options(const CLI::App& app, const SimplifyCommand
 
 /// \throw UsageError if a format isn't told, if an output would overwrite an input or another output
 /// \throw io::WriteError as `check_outputs`
-void check_files(const std::vector<SimplifyCommand>& runs);
+void check_files(std::vector<SimplifyCommand> runs);
 
 /// Key `options` of the report: every option except the targets and those that control what is printed.
 nlohmann::ordered_json options_json(const SimplifyCommand& options);

@@ -25,15 +25,14 @@ std::string with_stem(std::string path, const std::string& stem) {
   return replaced(std::move(path), std::string(stem_word), stem);
 }
 
-void check_stems(const SimplifyCommand& command) {
+void check_stems(SimplifyCommand command) {
   if (command.inputs.size() == 1) return;
   if (!is_named_by_stem(command)) {
     throw UsageError("one argument too many: '" + command.inputs[1] +
                      "'; several inputs need '{stem}' in --output, such as 'out/{stem}.ply'");
   }
-  for (const SideFile& file : side_files) {
-    const std::optional<std::string>& path = command.*file.path;
-    if (!path || has_stem(*path)) continue;
+  for (const SideFile& file : side_files(command)) {
+    if (!*file.path || has_stem(**file.path)) continue;
     throw UsageError(std::string(file.option) + ": several inputs make several " + file.plural +
                      "; its file needs '{stem}' in its name, too");
   }
@@ -78,9 +77,8 @@ std::vector<SimplifyCommand> runs_of(const SimplifyCommand& command) {
     run.input = command.inputs[i];
     if (!is_named_by_stem(command)) continue;
     run.output = with_stem(run.output, stem_of(run.input));
-    for (const SideFile& file : side_files) {
-      std::optional<std::string>& path = run.*file.path;
-      if (path) path = with_stem(*path, stem_of(run.input));
+    for (const SideFile& file : side_files(run)) {
+      if (*file.path) *file.path = with_stem(**file.path, stem_of(run.input));
     }
   }
   refuse_same_outputs(runs);

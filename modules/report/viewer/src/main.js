@@ -205,6 +205,17 @@ class App {
     if (!document.documentElement.dataset.ready) document.documentElement.dataset.ready = Math.round(performance.now());
   }
 
+  /** Settles when what was asked for is drawn. */
+  drawn() {
+    this.draw();
+    return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done('drawn'))));
+  }
+
+  /** \param place in the recording, 0 … 1 */
+  showPlace(place) {
+    this.player?.goTo(place);
+  }
+
   play(direction) {
     this.player.play(direction);
     this.lastMoment = null;

@@ -32,7 +32,7 @@ export class Recording {
     this.borders = new Uint32Array(0);
     this.nonmanifold = new Uint32Array(0);
     this.distances = null;
-    this.name = 'level of the recording';
+    this.name = 'level of the run';
     this.note = '';
     this.version = 0;
     this.nVertices = original.nVertices;

@@ -1,0 +1,75 @@
+#include "commands/page/frames.hh"
+
+#include <cmath>
+
+#include "commands/page/animation.hh"
+#include "commands/page/browser.hh"
+#include "options/values.hh"
+#include "terminal/errors.hh"
+#include "terminal/progress_bar.hh"
+
+namespace whittle::app {
+namespace {
+
+std::size_t n_frames(const FrameOptions& options) { return static_cast<std::size_t>(std::ceil(1 / options.every)) + 1; }
+
+double place_of(const FrameOptions& options, std::size_t i) {
+  return std::min(1.0, static_cast<double>(i) * options.every);
+}
+
+}  // namespace
+
+void add_frame_options(CLI::App& app, FrameOptions& options, const std::string& group) {
+  const auto text = [](std::string_view word) { return std::optional(std::string(word)); };
+  add_value(app, "--frames", "FILE", options.frames, text,
+            "draw the original and the levels of the run over each other, with Chromium: .png files; '{i}' stands for "
+            "the number of each")
+      ->default_str("off")
+      ->group(group);
+  add_value(app, "--every", "R", options.every, parse_ratio, "a picture after each such share of the contractions")
+      ->default_str("5%")
+      ->group(group);
+  add_value(app, "--animate", "FILE", options.animation, text, "make one moving picture of them: a .webp file")
+      ->default_str("off")
+      ->group(group);
+}
+
+std::vector<Output> frame_outputs(const FrameOptions& options) {
+  std::vector<Output> outputs;
+  if (options.frames) {
+    check_number(*options.frames, "--frames", true);
+    if (!options.frames->ends_with(".png"))
+      throw UsageError("--frames: '" + *options.frames + "' doesn't end with .png");
+    const std::size_t n = n_frames(options);
+    for (std::size_t i = 0; i < n; ++i) outputs.push_back({"--frames", numbered(*options.frames, i, n)});
+  }
+  if (options.animation) {
+    if (!options.animation->ends_with(".webp")) {
+      throw UsageError("--animate: '" + *options.animation + "' doesn't end with .webp");
+    }
+    outputs.push_back({"--animate", *options.animation});
+  }
+  return outputs;
+}
+
+void write_frames(OutputFiles& files, const FrameOptions& options, const std::string& page, const std::string& settings,
+                  const PictureSize& size, const Talk& talk) {
+  if (!options.is_given()) return;
+  const std::size_t n = n_frames(options);
+  ProgressBar bar(talk, "drawing");
+  const ProgressCallback progress = part_of(bar, 0, 1);
+  PageView view(page, "layout=over&" + settings, size);
+  Animation animation;
+  const auto write = [&files](const std::string& path, const std::string& bytes) {
+    files.write(path, [&bytes](std::ostream& out) { out << bytes; });
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    view.go_to(place_of(options, i));
+    if (options.frames) write(numbered(*options.frames, i, n), view.picture("png"));
+    if (options.animation) animation.add(view.picture("webp"));
+    if (progress) progress({static_cast<double>(i + 1) / static_cast<double>(n)});
+  }
+  if (options.animation) write(*options.animation, animation.finished());
+}
+
+}  // namespace whittle::app
