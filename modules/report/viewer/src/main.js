@@ -70,17 +70,18 @@ class App {
     this.lastMoment = null;
   }
 
-  /** Sets the controls as the address says: "#colour=error&edges=on". "picture" leaves the meshes alone, "level" is
+  /** Sets the controls as the address says: "#colour=error&edges=on". "picture" leaves the meshes alone, "plain"
+      without names, "level" is
       the place in the recording, "turn" and "tilt" are degrees, "zoom" is how many times as near. */
   followAddress() {
     const settings = new Map(location.hash.slice(1).split('&').map((part) => part.split('=')));
     const number = (key, otherwise) => Number.isFinite(Number(settings.get(key))) ? Number(settings.get(key)) : otherwise;
-    if (settings.has('picture')) document.body.classList.add('picture');
+    for (const key of ['picture', 'plain']) if (settings.has(key)) document.body.classList.add(key);
     for (const [key, value] of settings) this.setControl(key, value);
     if (settings.has('level') && this.player) this.player.goTo(number('level', 1));
     this.result = this.results[Number($('result').value)] ?? this.result;
-    this.view.resize();
     this.view.setPanes(this.layout() === 'beside' ? 2 : 1);
+    this.view.setUp($('up').value);
     this.view.fit();
     this.view.rotate(-number('turn', 0) * Math.PI / 180, -number('tilt', 0) * Math.PI / 180);
     if (number('zoom', 0) > 0) this.view.zoom(1 / number('zoom', 1));
@@ -240,6 +241,10 @@ class App {
       this.apply();
     });
     $('fit').addEventListener('click', () => this.view.fit());
+    $('up').addEventListener('change', () => {
+      this.view.setUp($('up').value);
+      this.view.fit();
+    });
     new ResizeObserver(() => this.view.resize()).observe($('canvas'));
     for (const query of ['(prefers-color-scheme: dark)', 'print']) {
       window.matchMedia(query).addEventListener('change', () => this.applyTheme());

@@ -1,5 +1,5 @@
 // The camera, and how the meshes lie beside or over each other.
-import {Color, PerspectiveCamera, Raycaster, Scene, Spherical, Vector2, Vector3, WebGLRenderer, LinearSRGBColorSpace} from 'three';
+import {Color, PerspectiveCamera, Quaternion, Raycaster, Scene, Spherical, Vector2, Vector3, WebGLRenderer, LinearSRGBColorSpace} from 'three';
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 
 export class View {
@@ -13,14 +13,23 @@ export class View {
     this.camera = new PerspectiveCamera(35, 1, 0.001, 100);
     this.center = new Vector3().addVectors(box.low, box.high).multiplyScalar(0.5);
     this.radius = Math.max(1e-6, box.high.distanceTo(box.low) / 2);
-    this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.enableDamping = false;
-    this.controls.addEventListener('change', onChange);
     this.onChange = onChange;
+    this.setUp('y');
     this.panes = 1;
     this.setSharp(true);
     this.resize();
     this.fit();
+  }
+
+  /** \param axis 'x', 'y' or 'z', which is to point upwards */
+  setUp(axis) {
+    this.camera.up.set(Number(axis === 'x'), Number(axis === 'y'), Number(axis === 'z'));
+    this.fromUp = new Quaternion().setFromUnitVectors(this.camera.up, new Vector3(0, 1, 0)); // to where y is upwards
+    this.toUp = this.fromUp.clone().invert();
+    this.controls?.dispose();
+    this.controls = new OrbitControls(this.camera, this.canvas); // looks at the camera's axis once
+    this.controls.enableDamping = false;
+    this.controls.addEventListener('change', this.onChange);
   }
 
   /** Fits the canvas to its element. */
@@ -52,7 +61,7 @@ export class View {
     const narrow = Math.atan(Math.tan(half) * Math.min(1, this.camera.aspect));
     const distance = 1.05 * this.radius / Math.sin(narrow);
     this.controls.target.copy(this.center);
-    this.camera.position.copy(this.center).add(new Vector3(0.35, 0.25, 1).normalize().multiplyScalar(distance));
+    this.camera.position.copy(this.center).add(new Vector3(0.35, 0.25, 1).normalize().multiplyScalar(distance).applyQuaternion(this.toUp));
     this.camera.near = distance / 1000;
     this.camera.far = distance * 100;
     this.camera.updateProjectionMatrix();
@@ -62,12 +71,12 @@ export class View {
 
   /** Around the middle of what is seen. Angles in radians. */
   rotate(aside, up) {
-    const offset = this.camera.position.clone().sub(this.controls.target);
+    const offset = this.camera.position.clone().sub(this.controls.target).applyQuaternion(this.fromUp);
     const spherical = new Spherical().setFromVector3(offset);
     spherical.theta -= aside;
     spherical.phi -= up;
     spherical.makeSafe();
-    this.camera.position.copy(this.controls.target).add(offset.setFromSpherical(spherical));
+    this.camera.position.copy(this.controls.target).add(offset.setFromSpherical(spherical).applyQuaternion(this.toUp));
     this.controls.update();
     this.onChange();
   }

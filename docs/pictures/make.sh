@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# make.sh WHITTLE [MESHES]: draws the pictures of the README and the docs again, with Chromium. Needs ImageMagick, too.
+# MESHES is a folder with the real meshes of two pictures, ankylosaurus.obj and bones.off; without it these stay as they are.
+set -euo pipefail
+whittle=$(realpath "$1") meshes=${2:-}
+docs=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+data=$docs/../../data
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# draw NAME MESH SIZE VIEW: one mesh.
+draw() { "$whittle" report "$2" --png "$work/$1.png" --png-size "$3" --view "plain,$4" --quiet; }
+# simplified NAME MESH OPTION...: a mesh in the work folder.
+simplified() { "$whittle" simplify "$2" -o "$work/$1.ply" "${@:3}" --quiet --force; }
+
+knot=$data/knot.ply
+simplified knot_10 "$knot" --ratio 10%
+simplified knot_2 "$knot" --ratio 2%
+draw a "$knot" 420x380 edges=off
+draw b "$work/knot_10.ply" 420x380 edges=on
+draw c "$work/knot_2.ply" 420x380 edges=on
+montage "$work"/{a,b,c}.png -tile 3x1 -geometry +0+0 "$docs/knot.png"
+
+"$whittle" report "$knot" "$work/knot_2.ply" --png "$docs/error.png" --png-size 1260x520 --view colour=error --quiet
+
+# 10 by 10 cubes, with gaps of a tenth of their size.
+awk 'BEGIN {
+  for (i = 0; i < 100; ++i) {
+    for (k = 0; k < 8; ++k) print "v", 1.1 * (i % 10) + k % 2, 1.1 * int(i / 10) + int(k / 2) % 2, int(k / 4)
+    split("1 3 4 2  5 6 8 7  1 2 6 5  3 7 8 4  1 5 7 3  2 4 8 6", c, " +")
+    for (f = 0; f < 6; ++f) print "f", 8*i + c[4*f+1], 8*i + c[4*f+2], 8*i + c[4*f+3], 8*i + c[4*f+4]
+  }
+}' >"$work/cubes.obj"
+simplified cubes_400 "$work/cubes.obj" --faces 400 --effort fast
+simplified cubes_60 "$work/cubes.obj" --faces 60 --threshold auto --effort fast
+draw a "$work/cubes.obj" 420x400 edges=on,turn=20
+draw b "$work/cubes_400.ply" 420x400 edges=on,turn=20
+draw c "$work/cubes_60.ply" 420x400 edges=on,turn=20
+montage "$work"/{a,b,c}.png -tile 3x1 -geometry +0+0 "$docs/cubes.png"
+
+[ -n "$meshes" ] || exit 0
+
+foot=$meshes/bones.off
+simplified foot_apart "$foot" --faces 210 --effort fast
+simplified foot_joined "$foot" --faces 210 --threshold auto --effort fast
+draw a "$foot" 420x240 edges=on,zoom=1.6
+draw b "$work/foot_apart.ply" 420x240 edges=on,zoom=1.6
+draw c "$work/foot_joined.ply" 420x240 edges=on,zoom=1.6
+montage "$work"/{a,b,c}.png -tile 3x1 -geometry +0+0 "$docs/foot.png"
+
+# Plain, valence and isotropic in columns.
+ankylosaurus=$meshes/ankylosaurus.obj
+cells=()
+for share in 50% 20% 1% 0.5%; do
+  case $share in 50% | 20%) weight=0.5 ;; *) weight=4 ;; esac
+  i=0
+  for options in "" "--valence $weight" "--isotropic 1 --valence 0.5"; do
+    # shellcheck disable=SC2086 # the options are words
+    simplified cell "$ankylosaurus" --face-ratio $share --effort fast $options
+    draw "cell_${share}_$i" "$work/cell.ply" 530x360 edges=on,up=z,turn=-60,zoom=1.4
+    cells+=("$work/cell_${share}_$i.png")
+    i=$((i + 1))
+  done
+done
+montage "${cells[@]}" -tile 3x4 -geometry +0+0 "$docs/ankylosaurus.png"
