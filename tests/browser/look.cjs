@@ -291,6 +291,14 @@ async function main() {
   });
   await withPage('errors.html', hasRightErrors);
   await withPage('errors.html', saysWhatIsClicked, {hash: '#colour=error'});
+  await withPage('why.html', async (page) => {
+    assert.match(await text(page, 'reasons'), /150 by topology/);
+    assert.match(await text(page, 'advice'), /--topology free/);
+    const marked = await pixels(page);
+    await page.uncheck('#refused');
+    assert.notDeepEqual(await pixels(page), marked, 'refused pairs are not drawn');
+    assert.ok(await page.isHidden('#reasons'));
+  });
   const backgrounds = {};
   for (const colorScheme of ['light', 'dark']) {
     await withPage('errors.html', async (page) => {

@@ -195,7 +195,7 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
         "--curve", folder / "curve.svg", "--map-back", folder / "back"},
        {large, "-o", out, "--faces", "1000", "--effort", "fast"},
        {cubes, "-o", out, "--faces", "100", "--frames", folder / "f{i}.png", "--every", "50%", "--animate",
-        folder / "a.webp"},
+        folder / "a.webp", "--page", folder / "a.html"},
        {blob, "-o", out, "--faces", "500", "--engine", "openmesh"},
        {bare, "missing.ply", "-o", folder / "{stem}.txt", "--input-format", "obj", "--output-format", "ply", "--ascii",
         "--faces", "200"}});

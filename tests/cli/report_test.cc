@@ -123,6 +123,21 @@ TEST_F(ReportCommand, DrawsARecordingOnItsWay) {
   EXPECT_EQ(n_frames, 3U);
 }
 
+/// Pairs by reason, as the page has them.
+TEST_F(ReportCommand, ShowsWhyARunStopped) {
+  const std::string page = folder / "why.html";
+  const Outcome outcome = whittle(
+      {"simplify", data_file("cubes.obj"), "-o", folder / "least.ply", "--faces", "20", "--page", page, "--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  const auto refused = nlohmann::json::parse(outcome.out)["refused_at_end"];
+  const auto data = data_of(read_text(page));
+  ASSERT_EQ(data["results"][0]["refusals"].size(), 1U);
+  EXPECT_EQ(data["results"][0]["refusals"][0]["reason"], "by topology");
+  EXPECT_EQ(data["results"][0]["refusals"][0]["pairs"]["count"], refused["link"]);
+  EXPECT_THAT(std::string(data["advice"]), HasSubstr("'--topology free'"));
+  EXPECT_GT(data["recording"]["steps"], 0);
+}
+
 TEST_F(ReportCommand, OpensThePage) {
   const StandInPrograms programs(folder);
   const std::string page = folder / "page.html";

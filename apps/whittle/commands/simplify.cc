@@ -81,7 +81,7 @@ SimplifyOptions resolved(const SimplifyCommand& options, const SimplifyRecord& r
     decimate.feature_tolerance = options.feature_tolerance.in_units(record.diagonal) / record.diagonal;
   }
   decimate.threads = options.common.threads;
-  decimate.keep_steps = options.recording || options.curve || options.pictures.is_given();
+  decimate.keep_steps = options.recording || options.curve || options.page || options.pictures.is_given();
   return result;
 }
 
@@ -314,6 +314,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   measure_curve(options, talk, record);
   const std::string missed = record.met ? std::string() : shortfall(options, record);
   if (!record.met) record.warnings.push_back(missed);
+  record.shortfall = missed;
   write_files(options, talk, watch, record, report);
 
   say_details(options, talk, record);

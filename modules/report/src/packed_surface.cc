@@ -95,8 +95,12 @@ Json pack(const PageSurface& surface, const Grid& grid, PageBytes& bytes) {
     const std::size_t n = edges.sides(e).size();
     if (n != 2) (n == 1 ? borders : nonmanifold).push_back({edges[e].a, edges[e].b});
   }
+  Json refusals = Json::array();
+  for (const auto& [reason, pairs] : surface.refusals)
+    refusals.push_back({{"reason", reason}, {"pairs", bytes.add(pairs)}});
   return {{"name", surface.name},
           {"note", surface.note},
+          {"refusals", std::move(refusals)},
           {"vertices", positions.size()},
           {"faces", mesh.faces.size()},
           {"positions", bytes.add(positions)},

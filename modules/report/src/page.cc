@@ -97,6 +97,7 @@ Json pack(const Page& page, PageBytes& bytes) {
   const Grid grid = Grid::around(bounds_of_all(page));
   Json json;
   json["title"] = page.title;
+  json["advice"] = page.advice;
   json["origin"] = {grid.origin.x(), grid.origin.y(), grid.origin.z()};
   json["step"] = grid.step;
   json["original"] = pack(page.original, grid, bytes);

@@ -20,7 +20,7 @@ using ::testing::Not;
 
 PageSurface surface_of(const std::string& name, IndexedMesh mesh) {
   put_in_page_order(mesh);
-  return {name, std::move(mesh), {}, {}, std::nullopt};
+  return {name, std::move(mesh), {}, {}, {}, std::nullopt};
 }
 
 std::string written(const Page& page) {
@@ -73,7 +73,7 @@ TEST(PageOrder, KeepsTheSurface) {
 TEST(Page, NamesItsMeshesAndCounts) {
   const IndexedMesh mesh = test::closed_meshes().front().mesh;
   const IndexedMesh small = decimate(mesh, DecimateTarget::faces(20)).mesh;
-  Page page{"a title", surface_of("the original", mesh), {surface_of("the result", small)}, std::nullopt, {}, {}};
+  Page page{"a title", {}, surface_of("the original", mesh), {surface_of("the result", small)}, std::nullopt, {}, {}};
   const nlohmann::json data = data_of(written(page));
   EXPECT_EQ(data["original"]["name"], "the original");
   EXPECT_EQ(data["original"]["faces"], mesh.faces.size());
@@ -84,7 +84,7 @@ TEST(Page, NamesItsMeshesAndCounts) {
 TEST(Page, LetsNoTextBecomeMarkup) {
   const IndexedMesh mesh = test::closed_meshes().front().mesh;
   const std::string evil = "</script><script>alert(\"1\")</script>'&{{bytes}}";
-  Page page{evil, surface_of(evil, mesh), {}, std::nullopt, {{evil, "<svg></svg>"}}, {{evil, {{evil, evil}}}}};
+  Page page{evil, evil, surface_of(evil, mesh), {}, std::nullopt, {{evil, "<svg></svg>"}}, {{evil, {{evil, evil}}}}};
   const std::string html = written(page);
   EXPECT_THAT(html, Not(HasSubstr("<script>alert")));
   EXPECT_THAT(html, HasSubstr("&lt;/script&gt;&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt;&#39;&amp;{{bytes}}"));
@@ -93,7 +93,7 @@ TEST(Page, LetsNoTextBecomeMarkup) {
 
 TEST(Page, LoadsNothing) {
   const IndexedMesh mesh = test::closed_meshes().front().mesh;
-  const std::string html = written({"t", surface_of("m", mesh), {}, std::nullopt, {}, {}});
+  const std::string html = written({"t", {}, surface_of("m", mesh), {}, std::nullopt, {}, {}});
   EXPECT_THAT(html, HasSubstr("http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'"));
   for (const char* const word : {"src=", "href=", "@import", "url("}) {
     EXPECT_THAT(html.substr(0, html.find("<script>")), Not(HasSubstr(word)));
@@ -102,7 +102,7 @@ TEST(Page, LoadsNothing) {
 
 TEST(Page, RefusesAMeshWithoutFaces) {
   std::ostringstream out;
-  EXPECT_THROW(write_page(out, {"t", {"m", IndexedMesh{}, {}, {}, std::nullopt}, {}, std::nullopt, {}, {}}),
+  EXPECT_THROW(write_page(out, {"t", {}, {"m", IndexedMesh{}, {}, {}, {}, std::nullopt}, {}, std::nullopt, {}, {}}),
                std::invalid_argument);
 }
 

@@ -14,6 +14,7 @@
 #include "commands/page/page_tables.hh"
 #include "commands/recording/curve.hh"
 #include "commands/recording/recording_input.hh"
+#include "commands/refusal_reasons.hh"
 #include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
@@ -54,6 +55,7 @@ class PageMaker {
       : options_(options), talk_(talk), facts_(facts) {}
 
   std::string make();
+  std::string make_of(const RunForPage& run);
 
  private:
   unsigned threads() const { return options_.common.threads; }
@@ -63,6 +65,8 @@ class PageMaker {
   }
   IndexedMesh read(const std::string& path);
   void read_files();
+  void take(const RunForPage& run);
+  std::string compose();
   void use_recording(const std::string& path);
   void add_result(std::string name, const std::string& path, IndexedMesh mesh);
   void measure_distances();
@@ -94,7 +98,7 @@ void PageMaker::add_result(std::string name, const std::string& path, IndexedMes
     return;
   }
   paths_.push_back(path);
-  page_.results.push_back({std::move(name), std::move(mesh), {}, {}, std::nullopt});
+  page_.results.push_back({std::move(name), std::move(mesh), {}, {}, {}, std::nullopt});
 }
 
 /// \pre it comes first, or after the original
@@ -110,7 +114,7 @@ void PageMaker::use_recording(const std::string& path) {
   progressive::Replay& replay = page_.recording->replay;
   if (is_first) {
     paths_.push_back(path);
-    page_.original = {short_name(path) + ", its first level", replay.input(), {}, {}, std::nullopt};
+    page_.original = {short_name(path) + ", its first level", replay.input(), {}, {}, {}, std::nullopt};
   }
   replay.go_to(replay.n_steps());
   add_result(short_name(path) + ", its last level", path, replay.decimation().mesh);
@@ -123,7 +127,7 @@ void PageMaker::read_files() {
       use_recording(path);
     } else if (paths_.empty()) {
       paths_.push_back(path);
-      page_.original = {short_name(path), read(path), {}, {}, std::nullopt};
+      page_.original = {short_name(path), read(path), {}, {}, {}, std::nullopt};
     } else {
       add_result(short_name(path), path, read(path));
     }
@@ -222,7 +226,6 @@ void PageMaker::add_tables() {
     facts_.meshes.push_back(
         {{"path", paths_[i + 1]}, {"vertices", result.mesh.positions.size()}, {"faces", result.mesh.faces.size()}});
   }
-  if (options_.run) page_.tables.push_back(table_of(short_name(*options_.run), read_json(*options_.run)));
 }
 
 void PageMaker::add_charts() {
@@ -235,10 +238,51 @@ void PageMaker::add_charts() {
   page_.charts = page_charts(meshes, curve_);
 }
 
+/// The refused pairs of each reason, by the numbers that the page gives vertices.
+std::vector<report::PageRefusals> refusals_of(const Simplification& simplified, const report::PageOrder& order) {
+  std::vector<report::PageRefusals> refusals;
+  for (const auto& [count, words] : refusal_reasons) {
+    report::PageRefusals one{words, {}};
+    for (const auto& [pair, reason] : simplified.refused_pairs) {
+      if (reason == count) one.pairs.push_back({order.of_vertex[pair.a], order.of_vertex[pair.b]});
+    }
+    if (!one.pairs.empty()) refusals.push_back(std::move(one));
+  }
+  return refusals;
+}
+
+void PageMaker::take(const RunForPage& run) {
+  paths_ = {run.path};
+  page_.title = short_name(run.path) + ", " + short_name(run.output);
+  page_.advice = run.advice;
+  page_.original = {short_name(run.path), run.input, {}, {}, {}, std::nullopt};
+  page_.recording.emplace(
+      report::PageRecording{progressive::Replay(run.input, run.simplified.steps, run.normals), {}, {}});
+  page_.recording->order = report::put_in_page_order(page_.original.mesh);
+  add_result(short_name(run.output), run.output, run.simplified.mesh);
+  if (!page_.results.empty()) {
+    report::PageSurface& result = page_.results.front();
+    result.refusals = refusals_of(run.simplified, report::put_in_page_order(result.mesh));
+  }
+  diagonal_ = metrics::bounds(page_.original.mesh).diagonal();
+}
+
 std::string PageMaker::make() {
   read_files();
   for (const std::string& path : options_.files) page_.title += (page_.title.empty() ? "" : ", ") + short_name(path);
   add_tables();
+  if (options_.run) page_.tables.push_back(table_of(short_name(*options_.run), read_json(*options_.run)));
+  return compose();
+}
+
+std::string PageMaker::make_of(const RunForPage& run) {
+  take(run);
+  add_tables();
+  page_.tables.push_back(table_of("the run", run.report));
+  return compose();
+}
+
+std::string PageMaker::compose() {
   measure_recording();
   measure_distances();
   add_charts();
@@ -251,10 +295,17 @@ std::string PageMaker::make() {
 
 bool has_page() { return true; }
 
+std::string make_page(const RunForPage& run, const CommonOptions& common, const Talk& talk) {
+  ReportCommand options;
+  options.common = common;
+  PageFacts facts;
+  return PageMaker(options, talk, facts).make_of(run);
+}
+
 std::string make_player(const std::string& path, const IndexedMesh& input, const RunSteps& steps) {
   report::Page page;
   page.title = short_name(path);
-  page.original = {page.title, input, {}, {}, std::nullopt};
+  page.original = {page.title, input, {}, {}, {}, std::nullopt};
   page.recording.emplace(report::PageRecording{progressive::Replay(input, steps, Normals::drop), {}, {}});
   page.recording->order = report::put_in_page_order(page.original.mesh);
   std::ostringstream out;

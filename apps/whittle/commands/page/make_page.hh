@@ -5,6 +5,7 @@
 #include "terminal/talk.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/engine/run_steps.hh"
+#include "whittle/engine/simplify.hh"
 
 namespace whittle::app {
 
@@ -17,6 +18,20 @@ struct PageFacts {
   double measure_seconds = 0;
   std::vector<std::string> warnings;
 };
+
+/// A run of `simplify`, while all of it is known.
+struct RunForPage {
+  std::string path;  ///< of the input
+  std::string output;
+  const IndexedMesh& input;
+  const Simplification& simplified;  ///< with its steps
+  Normals normals;
+  Json report;
+  std::string advice;  ///< if the target was missed: why, and what helps
+};
+
+/// A page of a run: both meshes, the recording, and what stands in the way of fewer faces. \pre `has_page()`
+std::string make_page(const RunForPage& run, const CommonOptions& common, const Talk& talk);
 
 /// A page that plays a run. \param path of the input \param steps of the run \pre `has_page()`
 std::string make_player(const std::string& path, const IndexedMesh& input, const RunSteps& steps);

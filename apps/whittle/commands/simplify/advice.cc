@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "commands/refusal_reasons.hh"
 #include "terminal/table.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/parts.hh"
@@ -17,15 +18,6 @@ namespace {
 
 /// Larger meshes are not decimated on trial: the advice is to take little time.
 constexpr std::size_t most_faces_tried = 200'000;
-
-struct Reason {
-  std::uint64_t Rejections::*count;
-  const char* text;
-};
-constexpr Reason reasons[] = {{&Rejections::link, "by topology"}, {&Rejections::flip, "by turning a face"},
-                              {&Rejections::shape, "by shape"},   {&Rejections::feature, "by features"},
-                              {&Rejections::locked, "locked"},    {&Rejections::intersection, "by intersecting"},
-                              {&Rejections::error, "by error"}};
 
 /// An option that lifts a reason.
 struct Lift {
@@ -107,9 +99,9 @@ struct Best {
 }  // namespace
 
 std::string reasons_at_end(const Rejections& refused) {
-  std::vector<Reason> sorted(std::begin(reasons), std::end(reasons));
+  std::vector<RefusalReason> sorted(std::begin(refusal_reasons), std::end(refusal_reasons));
   std::stable_sort(sorted.begin(), sorted.end(),
-                   [&](const Reason& x, const Reason& y) { return refused.*x.count > refused.*y.count; });
+                   [&](const RefusalReason& x, const RefusalReason& y) { return refused.*x.count > refused.*y.count; });
   std::string text;
   for (const auto& [count, words] : sorted) {
     if (refused.*count == 0) break;

@@ -75,6 +75,7 @@ std::vector<Conflict> conflicts() {
       {"--no-embed", "--prune", "the recording is of IN without its small parts"},
       {"--record", "--engine openmesh", not_in_openmesh},
       {"--curve", "--engine openmesh", not_in_openmesh},
+      {"--page", "--engine openmesh", not_in_openmesh},
       {"--frames", "--engine openmesh", not_in_openmesh},
       {"--animate", "--engine openmesh", not_in_openmesh},
       {"--tolerance-map", "--prune", "the lengths are of all vertices of IN"},
@@ -307,6 +308,9 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
                 "write the steps of the proof how far OUT is from IN at most, for 'whittle verify'");
   add_side_file("--curve", options.curve,
                 "write the error at the levels from IN to OUT, as a table (.csv) or a drawing (.svg)");
+  add_side_file("--page", options.page,
+                "write a page to look at the run in a browser: both meshes, the way between them, and what stood in "
+                "the way of fewer faces");
   add_frame_options(app, options.pictures, file_group);
   add_side_file("--record", options.recording, "write the steps of the run, for 'whittle replay'");
   app.add_flag_callback(
@@ -347,7 +351,7 @@ void check_options(const CLI::App& app, const SimplifyCommand& options) {
   check_targets(options.targets, "--faces, --vertices, --ratio, --face-ratio, --max-cost and --max-error");
   check_conflicts(app, common_conflicts());
   check_conflicts(app, conflicts());
-  if (options.pictures.is_given()) require_page();
+  if (options.page || options.pictures.is_given()) require_page();
   if (options.curve && !options.curve->ends_with(".csv") && !options.curve->ends_with(".svg")) {
     throw UsageError("--curve: '" + *options.curve + "' ends neither with .csv nor with .svg");
   }

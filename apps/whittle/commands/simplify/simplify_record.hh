@@ -37,6 +37,7 @@ struct SimplifyRecord {
   std::optional<std::size_t> n_intersections_before;  ///< pairs of faces, if they were counted
   std::optional<std::size_t> n_intersections_after;
   std::vector<CurvePoint> curve;  ///< if it is to be written
+  std::string shortfall;          ///< if the target was missed: why, and what helps
   std::vector<std::string> warnings;
   SimplifySeconds seconds;
 };

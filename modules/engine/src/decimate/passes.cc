@@ -155,6 +155,14 @@ void Passes::keep_steps_of_pass(std::span<Contraction> log) {
   end_pass(done_.steps);
 }
 
+/// \param pass that has ended; what it began with is still there
+void Passes::keep_refused_pairs(Pass& pass) {
+  const auto input_vertex = [this](Index v) { return done_.left ? done_.left->origins[v] : v; };
+  for (const auto& [pair, reason] : pass.refusals()) {
+    if (reason != nullptr) done_.refused.push_back({{input_vertex(pair.a), input_vertex(pair.b)}, reason});
+  }
+}
+
 std::vector<DecimateTarget> Passes::stops() const {
   std::vector<DecimateTarget> stops;
   const bool has_count = target_.n_faces() || target_.n_vertices();
@@ -276,6 +284,8 @@ void Passes::contract_to(const DecimateTarget& stop, bool is_last) {
   add_earlier(done_.result, result);
   done_.result = std::move(result);
   if (keeps_steps()) keep_steps_of_pass({made.data(), log.end});
+  done_.refused.clear();
+  if (done_.result.stop == StopReason::exhausted) keep_refused_pairs(pass);
   if (is_last) done_.nonmanifold = pass.complex().count_nonmanifold();
   done_.left = remainder_of(pass, start.input.surface.faces, done_.left ? &*done_.left : nullptr,
                             {.what_to_go_on_from = !is_last, .quadrics = options_.keep_quadrics});
@@ -331,6 +341,10 @@ Decimation Passes::output() {
   if (options_.keep_steps) out.steps = std::move(done_.steps);
   carry_attributes(mesh_, frame_, options_.normals, out.vertex_map, out.mesh);
   out.result = std::move(done_.result);
+  for (const auto& [pair, reason] : done_.refused) {
+    const auto [a, b] = std::minmax(out.vertex_map[pair.a], out.vertex_map[pair.b]);
+    if (b != invalid_index) out.refused_pairs.push_back({{a, b}, reason});
+  }
   pairs_.contracted = out.result.threshold_pairs.contracted;
   out.result.threshold_pairs = pairs_;
   out.result.warnings = warnings_about(mesh_, pairs_);

@@ -22,6 +22,7 @@ struct Done {
   bool is_cancelled = false;                     ///< in blocks
   std::optional<NonmanifoldCounts> nonmanifold;  ///< of what is left; none if it was to go on
   RunSteps steps;                                ///< where they are wanted, or are told in the end
+  std::vector<RefusedPair> refused;              ///< of the last pass, if it could do no more; by the input's vertices
 };
 
 /// What guards of a pass keep, besides what options say.
@@ -79,6 +80,7 @@ class Passes {
   bool keeps_steps() const { return options_.keep_steps || is_listener_told_at_end(); }
   DecimateOptions options_of_pass(double end);
   void keep_steps_of_pass(std::span<Contraction> log);
+  void keep_refused_pairs(Pass& pass);
 
   const IndexedMesh& mesh_;
   DecimateTarget target_;

@@ -45,6 +45,25 @@ function makeTexture(scale) {
   return texture;
 }
 
+/** Of the reasons for which pairs are refused: those of Okabe and Ito that are seen on a surface. */
+export const refusalColours = ['#d55e00', '#0072b2', '#cc79a7', '#009e73', '#000000', '#56b4e9', '#e69f00'];
+
+/** Shows what the colours of refused pairs mean. */
+export function showRefusals(element, refusals) {
+  element.replaceChildren();
+  const heading = document.createElement('div');
+  heading.textContent = 'pairs that may not be contracted';
+  element.append(heading);
+  refusals.forEach(({reason, pairs}, i) => {
+    const row = document.createElement('div');
+    const mark = document.createElement('span');
+    mark.className = 'mark';
+    mark.style.backgroundColor = refusalColours[i % refusalColours.length];
+    row.append(mark, `${(pairs.length / 2).toLocaleString('en')} ${reason}`);
+    element.append(row);
+  });
+}
+
 /** Three digits that count. */
 export const short = (value) => value === 0 ? '0' : Number(value.toPrecision(3)).toString();
 

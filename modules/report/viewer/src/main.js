@@ -1,6 +1,6 @@
 // The page of `whittle report`: puts the meshes, the controls and the player together.
 import {Vector3} from 'three';
-import {errorScale, scales, short, showLegend} from './colours.js';
+import {errorScale, scales, short, showLegend, showRefusals} from './colours.js';
 import {readPage} from './data.js';
 import {Model} from './model.js';
 import {Motion} from './motion.js';
@@ -34,7 +34,8 @@ class App {
     this.results = json.results.map((result) => new Model(new Surface(result, array), '#d9b382'));
     this.recording = json.recording && new Recording(json.recording, array, original);
     if (this.recording) this.results.unshift(new Model(this.recording, '#d9b382'));
-    this.result = this.results[0] ?? null;
+    // What stands in the way of fewer faces is to be seen at once.
+    this.result = this.results.find((model) => model.surface.refusals.length > 0) ?? this.results[0] ?? null;
     this.isDrawn = true;
     this.motion = new Motion(() => this.draw());
     this.view = new View($('canvas'), boxOf(original), () => this.onView());
@@ -50,6 +51,7 @@ class App {
   setUpChoices() {
     this.results.forEach((model, i) => $('result').add(new Option(model.surface.name, i)));
     $('result').closest('label').hidden = this.results.length < 2;
+    if (this.result) $('result').value = this.results.indexOf(this.result);
     if (!this.result) {
       for (const id of ['layout', 'ghost']) $(id).closest('label').hidden = true;
       $('layout').value = 'original';
@@ -131,8 +133,20 @@ class App {
     if (colour === 'error') showLegend($('legend'), 'distance, model units', scale, top);
     if (colour === 'shape') showLegend($('legend'), 'radius ratio 2r/R, 1 is equilateral', scales.shape, 1);
     if (colour === 'valence') showLegend($('legend'), 'edges at a vertex', scales.valence);
+    this.showReasons();
     this.showLabels();
     this.view.setPanes(this.layout() === 'beside' ? 2 : 1);
+  }
+
+  /** Why there are not fewer faces. */
+  showReasons() {
+    const refusals = this.result?.surface.refusals ?? [];
+    const isThere = refusals.length > 0 && this.layout() !== 'original';
+    $('refused').closest('label').hidden = refusals.length === 0;
+    $('reasons').hidden = !isThere || !$('refused').checked;
+    if (isThere) showRefusals($('reasons'), refusals);
+    $('advice').hidden = !this.json.advice;
+    $('advice').textContent = this.json.advice;
   }
 
   showLabels() {
@@ -184,7 +198,7 @@ class App {
     const isQuick = this.motion.beginFrame();
     this.view.setSharp(!isQuick);
     for (const model of [this.original, this.result]) model?.useCoarse(isQuick);
-    const chosen = {edges: $('edges').checked, borders: $('borders').checked, nonmanifold: $('nonmanifold').checked};
+    const chosen = {edges: $('edges').checked, borders: $('borders').checked, nonmanifold: $('nonmanifold').checked, refused: $('refused').checked};
     const only = (...shown) => {
       for (const model of [this.original, ...this.results]) model.group.visible = shown.includes(model);
     };
@@ -233,7 +247,7 @@ class App {
   // Events -----------------------------------------------------------------------------------------------------------
 
   setUpEvents() {
-    for (const id of ['layout', 'ghost', 'shading', 'colour', 'top', 'edges', 'borders', 'nonmanifold']) {
+    for (const id of ['layout', 'ghost', 'shading', 'colour', 'top', 'edges', 'borders', 'nonmanifold', 'refused']) {
       $(id).addEventListener('change', () => this.apply());
     }
     $('result').addEventListener('change', () => {

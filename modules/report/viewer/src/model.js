@@ -3,7 +3,7 @@ import {
   BufferAttribute, BufferGeometry, Color, ColorManagement, DoubleSide, GLSL3, Group, InterleavedBuffer, InterleavedBufferAttribute, LineBasicMaterial,
   LineSegments, Mesh, Points, PointsMaterial, ShaderMaterial,
 } from 'three';
-import {scales, textureOf, valenceClass} from './colours.js';
+import {refusalColours, scales, textureOf, valenceClass} from './colours.js';
 import {edgesOf, radiusRatio, valences} from './surface.js';
 
 ColorManagement.enabled = false; // colours are shown as they are written
@@ -86,11 +86,13 @@ export class Model {
     this.edges = this.lines(new Uint32Array(0), this.lineMaterial);
     this.borders = this.lines(surface.borders, new LineBasicMaterial({color: '#d55e00'}));
     this.nonmanifold = this.lines(surface.nonmanifold, new LineBasicMaterial({color: '#cc0066', depthTest: false}));
+    this.refusals = surface.refusals.map(({pairs}, i) =>
+      this.lines(pairs, new LineBasicMaterial({color: refusalColours[i % refusalColours.length], depthTest: false})));
     this.points = new Points(this.pointGeometry(), this.pointMaterial);
     this.valencePoints = null;
     this.cached = {};
     this.setColour('none');
-    this.group.add(this.faces, this.edges, this.borders, this.nonmanifold, this.points);
+    this.group.add(this.faces, this.edges, this.borders, this.nonmanifold, this.points, ...this.refusals);
     this.group.traverse((object) => { object.frustumCulled = false; });
   }
 
@@ -232,13 +234,14 @@ export class Model {
   }
 
   /** What is drawn. \param ghost '' for the whole surface, or how it is drawn in front of another one */
-  show({edges, borders, nonmanifold, ghost = ''}) {
+  show({edges, borders, nonmanifold, refused, ghost = ''}) {
     this.faces.visible = ghost === '' || ghost === 'transparent';
     this.faces.material = ghost === '' ? this.material : this.ghostMaterial;
     this.faces.renderOrder = ghost === '' ? 0 : 1;
     this.points.visible = ghost === 'points';
     this.edges.visible = ghost === 'edges' || ghost === '' && edges;
     this.borders.visible = borders && this.surface.borders.length > 0;
+    for (const lines of this.refusals) lines.visible = refused && ghost === '';
     this.nonmanifold.visible = nonmanifold && this.surface.nonmanifold.length > 0;
     if (this.valencePoints) this.valencePoints.visible = this.colour === 'valence' && ghost === '';
     if (this.edges.visible) this.updateEdges();

@@ -31,6 +31,7 @@ export class Recording {
     this.coarse = new Uint32Array(0);
     this.borders = new Uint32Array(0);
     this.nonmanifold = new Uint32Array(0);
+    this.refusals = [];
     this.distances = null;
     this.name = 'level of the run';
     this.note = '';

@@ -14,6 +14,7 @@ export class Surface {
     this.coarse = array(json.coarse, Uint32Array); // of fewer faces; or empty
     this.borders = array(json.borders, Uint32Array);
     this.nonmanifold = array(json.nonmanifold, Uint32Array);
+    this.refusals = json.refusals.map(({reason, pairs}) => ({reason, pairs: array(pairs, Uint32Array)}));
     this.distances = json.distances && new Distances(json.distances, array, this);
     this.version = 0;
   }

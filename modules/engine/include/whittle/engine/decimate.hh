@@ -106,6 +106,12 @@ struct DecimateResult {
   std::vector<Warning> warnings;            ///< a kind at most once
 };
 
+/// A pair that may not be contracted.
+struct RefusedPair {
+  VertexPair pair;                    ///< of the decimated mesh
+  std::uint64_t Rejections::*reason;  ///< where it is counted
+};
+
 /// The decimated mesh and where the input's vertices went.
 struct Decimation {
   /// Vertices by ascending origin, faces in the input's order; unmoved vertices keep every bit. Under
@@ -118,6 +124,8 @@ struct Decimation {
   std::vector<VertexPair> feature_edges;  ///< of `mesh`: what has become of the input's, lower vertex first, ascending
   std::vector<Index> vertex_map;  ///< input vertices → vertices of `mesh`; `invalid_index` where it was in no face
   RunSteps steps;                 ///< if asked for
+  /// What stands in the way of going on, if `result.stop` is `exhausted` or `error`: those of `result.refused_at_end`.
+  std::vector<RefusedPair> refused_pairs;
 };
 
 /// Decimates `mesh`. Colours are averaged over the vertices merged, and normals as `DecimateOptions::normals` says;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "whittle/core/indexed_mesh.hh"
+#include "whittle/core/vertex_pair.hh"
 #include "whittle/progressive/replay.hh"
 #include "whittle/report/distance_map.hh"
 
@@ -25,13 +26,20 @@ struct PageOrder {
 /// and faces alone are kept.
 PageOrder put_in_page_order(IndexedMesh& mesh);
 
+/// Pairs that a run may not contract, for one reason.
+struct PageRefusals {
+  std::string reason;
+  std::vector<VertexPair> pairs;  ///< of the surface's mesh
+};
+
 /// A mesh of the page. Only positions and faces are shown.
 struct PageSurface {
   std::string name;
   IndexedMesh mesh;  ///< in page order
   /// Fewer faces over the same vertices: what is drawn while the view moves, where all of them take too long. Or empty.
   std::vector<Triangle> coarse_faces;
-  std::string note;  ///< what else is to be known of it, such as that it is a coarser level; or empty
+  std::string note;                    ///< what else is to be known of it, such as that it is a coarser level; or empty
+  std::vector<PageRefusals> refusals;  ///< what stands in the way of fewer faces
   std::optional<DistanceMap> distances;  ///< to the original; of the original itself, to the first of the others
 };
 
@@ -65,6 +73,7 @@ struct PageTable {
 
 struct Page {
   std::string title;
+  std::string advice;  ///< why there are not fewer faces, and what helps; or empty
   PageSurface original;
   std::vector<PageSurface> results;
   std::optional<PageRecording> recording;
