@@ -238,9 +238,9 @@ async function hasRightErrors(page) {
         if (s + t > 1) [s, t] = [1 - s, 1 - t];
         const weights = [1 - s - t, s, t];
         const vertices = [0, 1, 2].map((k) => distances.corners[3 * f + k]);
-        const offset = vertices.reduce((sum, v, k) => sum + weights[k] * (distances.positions[4 * v + 3] - 32768) / 32767 * distances.max, 0);
+        const signed = vertices.reduce((sum, v, k) => sum + weights[k] * (distances.positions[4 * v + 3] - 32768) / 32767 * distances.max, 0);
         const position = [0, 1, 2].map((d) => vertices.reduce((sum, v, k) => sum + weights[k] * unit(distances.positions, v)[d], 0));
-        return {position, shown: Math.abs(offset)};
+        return {position, shown: Math.abs(signed)};
       });
     });
     const meshOf = ({surface}) => ({positions: Array.from({length: surface.nVertices}, (_, v) => unit(surface.positions, v)),

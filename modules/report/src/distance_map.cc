@@ -97,10 +97,10 @@ class DistanceMapper {
   DistanceMap run();
 
  private:
-  std::vector<double> offsets_of(const SurfacePoints& points) const;
+  std::vector<double> signed_distances_of(const SurfacePoints& points) const;
   /// How far an interpolated distance is off, in the unit of the tolerance.
-  double deviation(double offset, double interpolated) const {
-    const double distance = std::abs(offset);
+  double deviation(double exact, double interpolated) const {
+    const double distance = std::abs(exact);
     const double size = std::max(map_.usual, std::min(distance, std::abs(interpolated)));
     return size > 0 ? std::abs(distance - std::abs(interpolated)) / size : 0;
   }
@@ -120,18 +120,18 @@ class DistanceMapper {
   std::vector<Index> middle_;  ///< 3 an open face: vertex on each edge, or `invalid_index`
 };
 
-std::vector<double> DistanceMapper::offsets_of(const SurfacePoints& points) const {
-  std::vector<double> offsets(points.positions.size());
-  for_each_range(offsets.size(), options_.threads, [&](std::size_t begin, std::size_t end) {
+std::vector<double> DistanceMapper::signed_distances_of(const SurfacePoints& points) const {
+  std::vector<double> distances(points.positions.size());
+  for_each_range(distances.size(), options_.threads, [&](std::size_t begin, std::size_t end) {
     Index hint = invalid_index;
     for (std::size_t i = begin; i < end; ++i) {
       const metrics::ClosestPoint closest = other_.nearest(points.positions[i], hint);
       hint = closest.face;
       const bool is_behind = (closest.point - points.positions[i]).dot(points.normals[i]) < 0;
-      offsets[i] = is_behind ? -std::sqrt(closest.distance_sq) : std::sqrt(closest.distance_sq);
+      distances[i] = is_behind ? -std::sqrt(closest.distance_sq) : std::sqrt(closest.distance_sq);
     }
   });
-  return offsets;
+  return distances;
 }
 
 /// How many points of a face are looked at along each of its edges.
@@ -164,16 +164,16 @@ std::vector<double> DistanceMapper::face_deviations() const {
           return (w * of_vertex[face.corners[0]] + u * of_vertex[face.corners[1]] + v * of_vertex[face.corners[2]]);
         };
         points.add(Vec3(at(map_.mesh.positions)), Vec3(at(normals_)));
-        interpolated.push_back(at(map_.offsets));
+        interpolated.push_back(at(map_.signed_distances));
       }
     }
     first.push_back(interpolated.size());
   }
-  const std::vector<double> offsets = offsets_of(points);
+  const std::vector<double> distances = signed_distances_of(points);
   std::vector<double> greatest(open_.size(), 0);
   for (std::size_t f = 0; f < open_.size(); ++f) {
     for (std::size_t i = first[f]; i < first[f + 1]; ++i) {
-      greatest[f] = std::max(greatest[f], deviation(offsets[i], interpolated[i]));
+      greatest[f] = std::max(greatest[f], deviation(distances[i], interpolated[i]));
     }
   }
   return greatest;
@@ -205,12 +205,12 @@ void DistanceMapper::cut_edges(const detail::EdgeTable& edges) {
     const auto& [a, b] = edges[e];
     middles.add(0.5 * (map_.mesh.positions[a] + map_.mesh.positions[b]), 0.5 * (normals_[a] + normals_[b]));
   }
-  const std::vector<double> offsets = offsets_of(middles);
+  const std::vector<double> distances = signed_distances_of(middles);
   const std::vector<double> of_faces = face_deviations();
   std::vector<double> deviations(tested.size());
   for (std::size_t i = 0; i < tested.size(); ++i) {
     const auto& [a, b] = edges[tested[i]];
-    deviations[i] = deviation(offsets[i], 0.5 * (map_.offsets[a] + map_.offsets[b]));
+    deviations[i] = deviation(distances[i], 0.5 * (map_.signed_distances[a] + map_.signed_distances[b]));
     for (const Index side : edges.sides(tested[i])) {
       deviations[i] = std::max(deviations[i], of_faces[detail::face_of(side)]);
     }
@@ -230,8 +230,8 @@ void DistanceMapper::cut_edges(const detail::EdgeTable& edges) {
       vertex = static_cast<Index>(map_.mesh.positions.size());
       map_.mesh.positions.push_back(middles.positions[test_of[side]]);
       normals_.push_back(middles.normals[test_of[side]]);
-      map_.offsets.push_back(offsets[test_of[side]]);
-      map_.max = std::max(map_.max, std::abs(map_.offsets.back()));
+      map_.signed_distances.push_back(distances[test_of[side]]);
+      map_.max = std::max(map_.max, std::abs(map_.signed_distances.back()));
     }
     middle_[side] = vertex;
   }
@@ -269,7 +269,7 @@ double DistanceMapper::usual_deviation() const {
   constexpr std::size_t n_looked_at = 20'000;
   constexpr double share = 0.95;
   SurfacePoints points;
-  std::vector<std::pair<double, double>> found;  // the interpolated offset, then the deviation; the area
+  std::vector<std::pair<double, double>> found;  // the interpolated distance, then the deviation; the area
   const IndexedMesh& mesh = map_.mesh;
   const std::size_t step = std::max<std::size_t>(1, mesh.faces.size() / n_looked_at);
   double total = 0;
@@ -277,11 +277,12 @@ double DistanceMapper::usual_deviation() const {
     const auto& [a, b, c] = mesh.faces[f];
     const auto& [p, q, r] = std::tie(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
     points.add((p + q + r) / 3, normals_[a] + normals_[b] + normals_[c]);
-    found.emplace_back((map_.offsets[a] + map_.offsets[b] + map_.offsets[c]) / 3, (q - p).cross(r - p).norm());
+    found.emplace_back((map_.signed_distances[a] + map_.signed_distances[b] + map_.signed_distances[c]) / 3,
+                       (q - p).cross(r - p).norm());
     total += found.back().second;
   }
-  const std::vector<double> offsets = offsets_of(points);
-  for (std::size_t i = 0; i < found.size(); ++i) found[i].first = deviation(offsets[i], found[i].first);
+  const std::vector<double> distances = signed_distances_of(points);
+  for (std::size_t i = 0; i < found.size(); ++i) found[i].first = deviation(distances[i], found[i].first);
   std::sort(found.begin(), found.end());
   double so_far = 0;
   for (const auto& [deviation, area] : found) {
@@ -292,9 +293,9 @@ double DistanceMapper::usual_deviation() const {
 }
 
 DistanceMap DistanceMapper::run() {
-  map_.offsets = offsets_of({map_.mesh.positions, normals_});
+  map_.signed_distances = signed_distances_of({map_.mesh.positions, normals_});
   for (const OpenFace& face : open_) {
-    for (const Index v : face.corners) map_.max = std::max(map_.max, std::abs(map_.offsets[v]));
+    for (const Index v : face.corners) map_.max = std::max(map_.max, std::abs(map_.signed_distances[v]));
   }
   map_.usual = usual_distance(map_);
   map_.mesh.faces.clear();
@@ -322,7 +323,7 @@ std::vector<double> distance_histogram(const DistanceMap& map, double max, std::
   std::vector<double> shares(n, 0.0);
   double total = 0;
   for_each_third(map.mesh, [&](Index v, double area) {
-    const double at = max > 0 ? std::abs(map.offsets[v]) / max * static_cast<double>(n) : 0;
+    const double at = max > 0 ? std::abs(map.signed_distances[v]) / max * static_cast<double>(n) : 0;
     shares[std::min(n - 1, static_cast<std::size_t>(at))] += area;
     total += area;
   });

@@ -35,24 +35,24 @@ class ByteGroups {
   std::size_t n_ = 0;
 };
 
-/// 0, 1, 2, … 127 for offsets of 0 and above: in even steps up to the usual distance, then in even factors up to the
-/// greatest one. Offsets below 0 have 128 more.
-std::uint8_t packed_offset(double offset, const DistanceMap& map) {
+/// 0, 1, 2, … 127 for signed distances of 0 and above: in even steps up to the usual distance, then in even factors up
+/// to the greatest one. Those below 0 have 128 more.
+std::uint8_t packed_distance(double signed_distance, const DistanceMap& map) {
   constexpr double n_usual = 100;
   constexpr double n_greater = 27;
-  const double distance = std::abs(offset);
+  const double distance = std::abs(signed_distance);
   double step = 0;
   if (distance <= map.usual) {
     step = map.usual > 0 ? distance / map.usual * n_usual : 0;
   } else {
     step = n_usual + std::ceil(n_greater * std::log(distance / map.usual) / std::log(map.max / map.usual));
   }
-  return static_cast<std::uint8_t>(std::lround(std::min(step, n_usual + n_greater)) + (offset < 0 ? 128 : 0));
+  return static_cast<std::uint8_t>(std::lround(std::min(step, n_usual + n_greater)) + (signed_distance < 0 ? 128 : 0));
 }
 
 Json pack(const DistanceMap& map, PageBytes& bytes) {
   ByteGroups values;
-  for (const double offset : map.offsets) values.add(packed_offset(offset, map));
+  for (const double distance : map.signed_distances) values.add(packed_distance(distance, map));
   ByteGroups cuts;
   Json rounds = Json::array();
   for (const std::vector<std::uint8_t>& round : map.rounds) {
@@ -62,7 +62,7 @@ Json pack(const DistanceMap& map, PageBytes& bytes) {
   return {{"max", map.max},
           {"usual", map.usual},
           {"deviation", map.deviation},
-          {"vertices", map.offsets.size()},
+          {"vertices", map.signed_distances.size()},
           {"values", bytes.add(values.groups())},
           {"faces", map.mesh.faces.size()},
           {"rounds", std::move(rounds)},

@@ -20,8 +20,8 @@ struct Grid {
 
 /// {"name", "note", "refusals", "vertices", "faces", "positions", "corners", "coarse", "borders", "nonmanifold",
 /// "distances"}: positions of four 16-bit numbers, the last one 0, edges and pairs of two 32-bit ones. "distances" is
-/// null, or {"max", "usual", "deviation", "vertices", "values", "faces", "rounds", "cuts"}: a byte a vertex, its offset
-/// (packed_surface.cc); numbers of faces of each round, and a byte a face (`DistanceMap::rounds`).
+/// null, or {"max", "usual", "deviation", "vertices", "values", "faces", "rounds", "cuts"}: a byte a vertex, its signed
+/// distance (packed_surface.cc); numbers of faces of each round, and a byte a face (`DistanceMap::rounds`).
 Json pack(const PageSurface& surface, const Grid& grid, PageBytes& bytes);
 
 }  // namespace whittle::report

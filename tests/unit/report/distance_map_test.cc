@@ -42,13 +42,13 @@ TEST(DistanceMap, HasTheDistanceAtEachVertex) {
     const IndexedMesh other = half_of(mesh);
     if (other.faces.empty()) continue;
     const DistanceMap map = distance_map(mesh, metrics::TriangleTree(other));
-    ASSERT_EQ(map.offsets.size(), map.mesh.positions.size());
+    ASSERT_EQ(map.signed_distances.size(), map.mesh.positions.size());
     double max = 0;
-    for (Index v = 0; v < map.offsets.size(); ++v) {
-      EXPECT_NEAR(std::abs(map.offsets[v]), test::distance_to_all(other, map.mesh.positions[v]), 1e-12);
+    for (Index v = 0; v < map.signed_distances.size(); ++v) {
+      EXPECT_NEAR(std::abs(map.signed_distances[v]), test::distance_to_all(other, map.mesh.positions[v]), 1e-12);
     }
     for (const Triangle& face : map.mesh.faces) {
-      for (const Index v : face) max = std::max(max, std::abs(map.offsets[v]));
+      for (const Index v : face) max = std::max(max, std::abs(map.signed_distances[v]));
     }
     EXPECT_EQ(map.max, max);
     EXPECT_LE(map.usual, map.max);
@@ -87,7 +87,7 @@ TEST(DistanceMap, IsNearlyRightInside) {
       };
       const double exact = test::distance_to_all(mesh, Vec3(at(map.mesh.positions)));
       const double size = std::max(map.usual, exact);
-      n_beyond += int{std::abs(std::abs(at(map.offsets)) - exact) > 2 * options.tolerance * size};
+      n_beyond += int{std::abs(std::abs(at(map.signed_distances)) - exact) > 2 * options.tolerance * size};
     }
     EXPECT_LE(n_beyond, n / 8);
   }
@@ -130,7 +130,7 @@ TEST(DistanceMap, IsTheSameForAnyNumberOfThreads) {
   const metrics::TriangleTree tree(half_of(mesh));
   const DistanceMap one = distance_map(mesh, tree, {.threads = 1});
   const DistanceMap three = distance_map(mesh, tree, {.threads = 3});
-  EXPECT_EQ(one.offsets, three.offsets);
+  EXPECT_EQ(one.signed_distances, three.signed_distances);
   EXPECT_EQ(one.mesh.faces, three.mesh.faces);
 }
 
@@ -140,8 +140,8 @@ TEST(DistanceMap, SaysWhichSideTheOtherSurfaceIsOn) {
   below.faces = {{0, 1, 2}};
   IndexedMesh above = below;
   for (Vec3& p : above.positions) p.z() = 0.25;
-  EXPECT_EQ(distance_map(below, metrics::TriangleTree(above)).offsets, std::vector<double>(3, 0.25));
-  EXPECT_EQ(distance_map(above, metrics::TriangleTree(below)).offsets, std::vector<double>(3, -0.25));
+  EXPECT_EQ(distance_map(below, metrics::TriangleTree(above)).signed_distances, std::vector<double>(3, 0.25));
+  EXPECT_EQ(distance_map(above, metrics::TriangleTree(below)).signed_distances, std::vector<double>(3, -0.25));
 }
 
 TEST(DistanceMap, RefusesWhatCantBe) {

@@ -29,7 +29,7 @@ in float shown;
 out vec4 colour;
 uniform bool isSmooth;
 uniform bool isScaled;
-uniform bool isOffset;
+uniform bool isSigned;
 uniform float top;
 uniform float opacity;
 uniform vec3 front;
@@ -42,7 +42,7 @@ void main() {
   float light = 0.35 + 0.5 * max(0.0, normal.z) + 0.15 * max(0.0, dot(normal, vec3(-0.4, 0.8, 0.45)));
   vec3 own = gl_FrontFacing ? front : back;
   if (isScaled) {
-    float value = isOffset ? abs(shown * 65535.0 - 32768.0) / 32767.0 : shown;
+    float value = isSigned ? abs(shown * 65535.0 - 32768.0) / 32767.0 : shown;
     own = texture(scale, vec2(clamp(value / top, 0.0, 0.9999), 0.5)).rgb;
     light = 0.6 + 0.4 * light;
   }
@@ -54,13 +54,13 @@ function faceMaterial(front, opacity) {
     glslVersion: GLSL3, vertexShader, fragmentShader, side: DoubleSide, transparent: opacity < 1, depthWrite: opacity === 1,
     polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
     uniforms: {
-      isSmooth: {value: false}, isScaled: {value: false}, isOffset: {value: false}, top: {value: 1}, opacity: {value: opacity},
+      isSmooth: {value: false}, isScaled: {value: false}, isSigned: {value: false}, top: {value: 1}, opacity: {value: opacity},
       front: {value: new Color(front)}, back: {value: new Color('#8a5a44')}, scale: {value: textureOf(scales.shape)},
     },
   });
 }
 
-/** Geometry with positions as 16-bit numbers, four a vertex; the fourth one is an offset, if anything. */
+/** Geometry with positions as 16-bit numbers, four a vertex; the fourth one is a signed distance, if anything. */
 function packedGeometry(positions, corners) {
   const buffer = new InterleavedBuffer(positions, 4);
   const geometry = new BufferGeometry();
@@ -185,7 +185,7 @@ export class Model {
     this.faces.geometry = this.geometryOf(colour);
     for (const material of [this.material, this.ghostMaterial]) {
       material.uniforms.isScaled.value = isScaled;
-      material.uniforms.isOffset.value = colour === 'error';
+      material.uniforms.isSigned.value = colour === 'error';
       if (colour === 'shape') material.uniforms.scale.value = textureOf(scales.shape);
     }
     if (colour === 'valence' && this.valenceVersion !== this.surface.version) {

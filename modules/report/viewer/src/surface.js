@@ -32,7 +32,7 @@ class Distances {
     this.usual = json.usual; // 99 % of the area is nearer, model units
     this.deviation = json.deviation; // of most colours, as a share of `usual` or of the distance
     this.nFaces = json.faces;
-    this.values = array(json.values, Uint8Array); // as packed_surface.cc packs offsets
+    this.values = array(json.values, Uint8Array); // as packed_surface.cc packs signed distances
     this.nVertices = json.vertices;
     this.rounds = json.rounds;
     this.cuts = array(json.cuts, Uint8Array);
@@ -40,7 +40,7 @@ class Distances {
     this.isCut = false;
   }
 
-  /** Makes `positions`, four numbers a vertex, the last one the offset: 1 and 65535 are `max` behind and in front. And `corners`. */
+  /** Makes `positions`, four numbers a vertex, the last one the signed distance: 1 and 65535 are `max` behind and in front. And `corners`. */
   cut() {
     if (this.isCut) return;
     this.isCut = true;
@@ -59,7 +59,7 @@ class Distances {
     for (let v = 0; v < this.nVertices; ++v) this.positions[4 * v + 3] = 32768 + Math.round(32767 * this.shareOfMax(this.values[v]));
   }
 
-  /** The offset that a byte stands for, as a share of `max`. */
+  /** The signed distance that a byte stands for, as a share of `max`. */
   shareOfMax(byte) {
     const step = byte & 127;
     const distance = step <= 100 ? this.usual * step / 100 : this.usual * (this.max / this.usual) ** ((step - 100) / 27);

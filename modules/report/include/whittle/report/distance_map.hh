@@ -10,16 +10,16 @@
 
 namespace whittle::report {
 
-/// How far each point of a surface is from another surface. An offset is that distance, below 0 where the other surface
+/// How far each point of a surface is from another surface. A signed distance is below 0 where the other surface
 /// lies behind. It is linear across each face of a mesh, which has the faces of the surface, cut into smaller ones
-/// where that is not so. Where the surfaces cross, distances are not linear, and offsets are.
+/// where that is not so. Where the surfaces cross, distances are not linear, and signed ones are.
 struct DistanceMap {
-  IndexedMesh mesh;             ///< positions and faces alone; the vertices of the surface come first
-  std::vector<double> offsets;  ///< of its vertices, model units
-  double max = 0;               ///< greatest distance, model units
-  double usual = 0;             ///< nearer than this is 99 % of the area, model units; at most `max`
-  double deviation = 0;         ///< of 95 % of the area, interpolated distances are not farther off: in the unit of
-                                ///< `DistanceMapOptions::tolerance`, from a sample
+  IndexedMesh mesh;                      ///< positions and faces alone; the vertices of the surface come first
+  std::vector<double> signed_distances;  ///< of its vertices, model units
+  double max = 0;                        ///< greatest distance, model units
+  double usual = 0;                      ///< nearer than this is 99 % of the area, model units; at most `max`
+  double deviation = 0;  ///< of 95 % of the area, interpolated distances are not farther off: in the unit of
+                         ///< `DistanceMapOptions::tolerance`, from a sample
 
   /// How the faces were cut, in rounds. The first one begins with the faces of the surface, each other one with the
   /// parts of those that were cut in the round before. A byte a face: bit k, the edge from corner k on is cut in its
