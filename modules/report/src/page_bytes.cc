@@ -29,7 +29,7 @@ Json PageBytes::add_faces(std::span<const Triangle> faces, std::size_t n_vertice
 std::vector<unsigned char> deflated(const std::vector<unsigned char>& bytes) {
   uLongf n = compressBound(static_cast<uLong>(bytes.size()));
   std::vector<unsigned char> result(n);
-  if (compress2(result.data(), &n, bytes.data(), static_cast<uLong>(bytes.size()), Z_BEST_COMPRESSION) != Z_OK) {
+  if (compress2(result.data(), &n, bytes.data(), static_cast<uLong>(bytes.size()), Z_DEFAULT_COMPRESSION) != Z_OK) {
     throw std::runtime_error("zlib can't compress the page");
   }
   result.resize(n);
