@@ -271,7 +271,7 @@ async function saysWhatIsClicked(page) {
 
 async function main() {
   browser = await driver.launch({executablePath: chromium,
-    args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
+    args: ['--no-sandbox', '--disable-dev-shm-usage', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
   await withPage('recording.html', async (page) => {
     await showsBothMeshes(page);
     await showsEachLevel(page, readJson('levels.json').levels);

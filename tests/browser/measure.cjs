@@ -40,7 +40,7 @@ async function measure(browser, file) {
 
 async function main() {
   const browser = await driver.launch({executablePath: chromium,
-    args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
+    args: ['--no-sandbox', '--disable-dev-shm-usage', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
   for (const page of pages) await measure(browser, page);
   await browser.close();
 }

@@ -29,6 +29,7 @@ std::vector<std::string> browser_options(const WorkFolder& folder) {
   std::vector<std::string> options{"--headless",
                                    "--remote-debugging-pipe",
                                    "--hide-scrollbars",
+                                   "--disable-dev-shm-usage",  // containers have little of it
                                    "--use-angle=swiftshader",
                                    "--enable-unsafe-swiftshader",
                                    "--no-first-run",
