@@ -154,6 +154,7 @@ void PageMaker::limit_size(report::PageSurface& surface) {
       whittle::simplify(surface.mesh, DecimateTarget::faces(options_.most_faces), Effort::fast, simplify);
   surface.mesh = std::move(coarser.mesh);
   report::put_in_page_order(surface.mesh);
+  surface.refusals.clear();  // their vertices may be gone
   surface.note = "A coarser level is shown: the file has " + faces_text(n);
 }
 
@@ -163,7 +164,7 @@ void PageMaker::fill_facts(std::size_t i, const report::PageSurface& surface) {
   facts_.meshes[i]["max_distance"] = surface.distances ? Json(surface.distances->max) : Json(nullptr);
 }
 
-/// Distances are those of the files, also where a coarser level is shown.
+/// From what is shown to the files, also where a coarser level is shown.
 void PageMaker::measure_distances() {
   const Stopwatch watch;
   ProgressBar bar(talk_, "measuring");

@@ -80,7 +80,8 @@ export class Model {
       : new InterleavedBufferAttribute(new InterleavedBuffer(surface.positions, 4), 3, 0, true);
     this.material = faceMaterial(colour, 1);
     this.ghostMaterial = faceMaterial(colour, 0.35);
-    this.faces = new Mesh(this.plainGeometry(), this.material);
+    this.plain = this.plainGeometry();
+    this.faces = new Mesh(this.plain, this.material);
     this.lineMaterial = new LineBasicMaterial({color: '#202020', transparent: true, opacity: 0.55});
     this.pointMaterial = new PointsMaterial({color: colour, size: 2, sizeAttenuation: false});
     this.edges = this.lines(new Uint32Array(0), this.lineMaterial);
@@ -126,20 +127,20 @@ export class Model {
 
   /** The geometry of a colouring, made when it is first asked for. */
   geometryOf(colour) {
+    const isPlain = colour !== 'shape' && !(colour === 'error' && this.surface.distances);
+    if (isPlain) return this.plain;
     const key = this.surface.version;
     const cached = this.cached[colour];
     if (cached && cached.key === key) return cached.geometry;
     cached?.geometry.dispose();
     let geometry;
-    if (colour === 'error' && this.surface.distances) {
+    if (colour === 'error') {
       this.surface.distances.cut();
       geometry = packedGeometry(this.surface.distances.positions, this.surface.distances.corners);
-    } else if (colour === 'shape') {
-      geometry = this.shapeGeometry();
     } else {
-      geometry = this.faces?.geometry && cached ? cached.geometry : this.plain ??= this.plainGeometry();
+      geometry = this.shapeGeometry();
     }
-    if (geometry !== this.plain) this.cached[colour] = {key, geometry};
+    this.cached[colour] = {key, geometry};
     return geometry;
   }
 
@@ -267,9 +268,9 @@ export class Model {
   update(positions) {
     this.position.array.set(positions);
     this.position.needsUpdate = true;
-    const plain = this.plain ?? this.faces.geometry;
+    const {plain} = this;
     const index = plain.getIndex();
-    if (index && this.shownVersion !== this.surface.version) {
+    if (this.shownVersion !== this.surface.version) {
       this.shownVersion = this.surface.version;
       index.clearUpdateRanges();
       index.addUpdateRange(0, 3 * this.surface.nFaces);
