@@ -13,6 +13,18 @@ draw() { "$whittle" report "$2" --png "$work/$1.png" --png-size "$3" --view "pla
 # simplified NAME MESH OPTION...: a mesh in the work folder.
 simplified() { "$whittle" simplify "$2" -o "$work/$1.ply" "${@:3}" --quiet --force; }
 
+# row NAME SIZE VIEW MESH...: meshes side by side, as docs/pictures/NAME.png.
+row() {
+  local name=$1 size=$2 view=$3 mesh i=0
+  local -a cells=()
+  for mesh in "${@:4}"; do
+    draw "$name$i" "$mesh" "$size" "$view"
+    cells+=("$work/$name$i.png")
+    i=$((i + 1))
+  done
+  montage "${cells[@]}" -tile "$i"x1 -geometry +0+0 "$docs/$name.png"
+}
+
 knot=$data/knot.ply
 simplified knot_10 "$knot" --ratio 10%
 simplified knot_2 "$knot" --ratio 2%
@@ -33,20 +45,14 @@ awk 'BEGIN {
 }' >"$work/cubes.obj"
 simplified cubes_400 "$work/cubes.obj" --faces 400 --effort fast
 simplified cubes_60 "$work/cubes.obj" --faces 60 --threshold auto --effort fast
-draw a "$work/cubes.obj" 420x400 edges=on,turn=20
-draw b "$work/cubes_400.ply" 420x400 edges=on,turn=20
-draw c "$work/cubes_60.ply" 420x400 edges=on,turn=20
-montage "$work"/{a,b,c}.png -tile 3x1 -geometry +0+0 "$docs/cubes.png"
+row cubes 420x400 edges=on,turn=20 "$work/cubes.obj" "$work/cubes_400.ply" "$work/cubes_60.ply"
 
 [ -n "$meshes" ] || exit 0
 
 foot=$meshes/bones.off
 simplified foot_apart "$foot" --faces 210 --effort fast
 simplified foot_joined "$foot" --faces 210 --threshold auto --effort fast
-draw a "$foot" 420x240 edges=on,zoom=1.6
-draw b "$work/foot_apart.ply" 420x240 edges=on,zoom=1.6
-draw c "$work/foot_joined.ply" 420x240 edges=on,zoom=1.6
-montage "$work"/{a,b,c}.png -tile 3x1 -geometry +0+0 "$docs/foot.png"
+row foot 420x240 edges=on,zoom=1.6 "$foot" "$work/foot_apart.ply" "$work/foot_joined.ply"
 
 # Plain, valence and isotropic in columns.
 ankylosaurus=$meshes/ankylosaurus.obj
