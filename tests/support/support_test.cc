@@ -227,7 +227,10 @@ TEST(Permuted, SaysWhereEverythingWentAndTakesAttributesAlong) {
   }
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     mesh.face_groups.push_back(f % 3);
-    for (const Index v : mesh.faces[f]) mesh.corner_texcoords.push_back({static_cast<float>(v), static_cast<float>(f)});
+  }
+  mesh.attributes.push_back({.name = "uv", .kind = AttributeKind::texcoord, .n_components = 2, .values = {}});
+  for (Index v = 0; v < mesh.positions.size(); ++v) {
+    for (const double number : {1.0 * v, 2.0 * v}) mesh.attributes[0].values.push_back(number);
   }
   const auto [out, old_vertex, old_face] = permuted(mesh, 77);
   ASSERT_EQ(out.positions.size(), mesh.positions.size());
@@ -239,12 +242,12 @@ TEST(Permuted, SaysWhereEverythingWentAndTakesAttributesAlong) {
     EXPECT_EQ(out.positions[v], mesh.positions[old_vertex[v]]);
     EXPECT_EQ(out.normals[v], mesh.normals[old_vertex[v]]);
     EXPECT_EQ(out.colors[v], mesh.colors[old_vertex[v]]);
+    EXPECT_EQ(out.attributes[0].value(v)[1], 2.0 * old_vertex[v]);
   }
   for (Index f = 0; f < out.faces.size(); ++f) {
     EXPECT_EQ(out.face_groups[f], mesh.face_groups[old_face[f]]);
     for (std::size_t i = 0; i < 3; ++i) {
       EXPECT_EQ(old_vertex[out.faces[f][i]], mesh.faces[old_face[f]][i]);
-      EXPECT_EQ(out.corner_texcoords[3 * f + i], mesh.corner_texcoords[3 * old_face[f] + i]);
     }
   }
 }

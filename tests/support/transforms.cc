@@ -26,6 +26,18 @@ std::vector<T> gathered(const std::vector<T>& values, const std::vector<Index>& 
   return result;
 }
 
+std::vector<Attribute> gathered(const std::vector<Attribute>& attributes, const std::vector<Index>& order) {
+  std::vector<Attribute> result = attributes;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i].values.clear();
+    for (const Index from : order) {
+      const auto value = attributes[i].value(from);
+      result[i].values.insert(result[i].values.end(), value.begin(), value.end());
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 IndexedMesh rotated(const IndexedMesh& mesh, const Vec3& axis, double angle_deg) {
@@ -70,16 +82,17 @@ Permuted permuted(const IndexedMesh& mesh, std::uint64_t seed) {
 
   IndexedMesh& out = result.mesh;
   out.positions = gathered(mesh.positions, result.old_vertex);
-  out.normals = gathered(mesh.normals, result.old_vertex);
-  out.colors = gathered(mesh.colors, result.old_vertex);
+  out.normals = mesh.wedges.empty() ? gathered(mesh.normals, result.old_vertex) : mesh.normals;
+  out.colors = mesh.wedges.empty() ? gathered(mesh.colors, result.old_vertex) : mesh.colors;
+  out.attributes = mesh.wedges.empty() ? gathered(mesh.attributes, result.old_vertex) : mesh.attributes;
+  out.face_attributes = gathered(mesh.face_attributes, result.old_face);
   out.face_groups = gathered(mesh.face_groups, result.old_face);
   out.group_names = mesh.group_names;
   for (const Index f : result.old_face) {
     const auto [a, b, c] = mesh.faces[f];
     out.faces.push_back({new_vertex[a], new_vertex[b], new_vertex[c]});
-    if (mesh.corner_texcoords.empty()) continue;
-    for (std::size_t corner = 0; corner < 3; ++corner)
-      out.corner_texcoords.push_back(mesh.corner_texcoords[3 * std::size_t{f} + corner]);
+    if (mesh.wedges.empty()) continue;
+    for (std::size_t corner = 0; corner < 3; ++corner) out.wedges.push_back(mesh.wedges[3 * std::size_t{f} + corner]);
   }
   return result;
 }

@@ -79,7 +79,7 @@ std::vector<std::string> attributes_of(const IndexedMesh& mesh) {
   std::vector<std::string> names;
   if (!mesh.normals.empty()) names.emplace_back("vertex normals");
   if (!mesh.colors.empty()) names.emplace_back("vertex colours");
-  if (!mesh.corner_texcoords.empty()) names.emplace_back("texture coordinates");
+  for (const Attribute& attribute : mesh.attributes) names.push_back(attribute.name);
   if (!mesh.face_groups.empty()) names.emplace_back("groups");
   return names;
 }

@@ -28,9 +28,9 @@ void check_original(const IndexedMesh& original) {
 /// \param n_original_vertices number of the original's
 void check(std::size_t n_original_vertices, std::span<const Index> vertex_map, const IndexedMesh& mesh,
            const PolishOptions& options) {
-  check_attribute_lengths(mesh, "polish");
   check_positions(mesh.positions, "polish");
   check_corners(mesh.positions.size(), mesh.faces);
+  check_attributes(mesh, "polish");
   if (vertex_map.size() != n_original_vertices) {
     throw std::invalid_argument("polish: vertex_map has another length than the original's vertices");
   }
@@ -49,6 +49,13 @@ void check(std::size_t n_original_vertices, std::span<const Index> vertex_map, c
   }
   if (const auto ratio = options.min_radius_ratio; ratio && !(*ratio >= 0 && *ratio <= 1)) {
     throw std::invalid_argument("polish: min_radius_ratio is not in [0, 1]");
+  }
+}
+
+void recompute_normals(IndexedMesh& mesh, const Frame& frame) {
+  const std::vector<std::array<float, 3>> normals = vertex_normals(mesh, frame);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) mesh.normals[mesh.wedge(f, k)] = normals[mesh.faces[f][k]];
   }
 }
 
@@ -102,11 +109,11 @@ PolishResult polish(const PolishOriginal& original, std::span<const Index> verte
   PolishOptions ordered_options = options;
   ordered_options.locked = ordered.per_vertex(options.locked);
   ordered_options.features = ordered.map(options.features);
-  ordered_options.flips = options.flips && mesh.corner_texcoords.empty();
+  ordered_options.flips = options.flips && mesh.wedges.empty();
   const PolishResult result = run(surface, ordered.map(vertex_map), ordered.mesh, ordered_options);
   if (result.n_passes == 0) return result;
   ordered.write_to(mesh);
-  if (options.recompute_normals && !mesh.normals.empty()) mesh.normals = vertex_normals(mesh, frame);
+  if (options.recompute_normals && !mesh.normals.empty()) recompute_normals(mesh, frame);
   return result;
 }
 

@@ -164,7 +164,7 @@ void Replay::add_attributes(const std::vector<Index>& numbers, Decimation& out) 
   const Frame frame = Frame::of_points(input_.positions);
   const bool is_polished = is_pass_end_last() && n_pass_ends_ == steps_.pass_ends.size();
   if (!is_polished || normals_ == Normals::recompute || input_.normals.empty()) {
-    carry_attributes(input_, frame, normals_, out.vertex_map, out.mesh);
+    carry_attributes(input_, frame, normals_, out.vertex_map, out.face_origins, out.mesh);
     return;
   }
   IndexedMesh mesh = out.mesh;
@@ -179,9 +179,10 @@ void Replay::add_attributes(const std::vector<Index>& numbers, Decimation& out) 
     const auto& [a, b, c] = before.corners[i];
     mesh.faces[static_cast<std::size_t>(face - out.face_origins.begin())] = {numbers[a], numbers[b], numbers[c]};
   }
-  carry_attributes(input_, frame, normals_, out.vertex_map, mesh);
-  out.mesh.colors = std::move(mesh.colors);
-  out.mesh.normals = std::move(mesh.normals);
+  carry_attributes(input_, frame, normals_, out.vertex_map, out.face_origins, mesh);
+  mesh.positions = std::move(out.mesh.positions);
+  mesh.faces = std::move(out.mesh.faces);
+  out.mesh = std::move(mesh);
 }
 
 Decimation Replay::decimation() const {

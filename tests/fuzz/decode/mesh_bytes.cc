@@ -221,7 +221,11 @@ void add_attributes(IndexedMesh& mesh, ByteSource& source) {
   if ((which & 4U) != 0) {
     for (Index v = 0; v < n; ++v) mesh.origins.push_back(3 * v + 1);
   }
-  if ((which & 24U) == 24) mesh.corner_texcoords.assign(3 * mesh.faces.size(), {0, 1});
+  if ((which & 24U) == 24) {
+    Attribute texcoords{.name = "uv", .kind = AttributeKind::texcoord, .n_components = 2, .values = {}};
+    for (std::size_t v = 0; v < n; ++v) texcoords.values.insert(texcoords.values.end(), {mesh.positions[v].x(), 1});
+    mesh.attributes.push_back(texcoords);
+  }
   if ((which & 96U) == 96) {
     mesh.group_names = {"a", "b"};
     for (Index f = 0; f < mesh.faces.size(); ++f) mesh.face_groups.push_back(f % 2);

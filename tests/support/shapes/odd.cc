@@ -159,9 +159,9 @@ IndexedMesh with_isolated_vertices(const IndexedMesh& mesh, int count, std::uint
 IndexedMesh inside_out(const IndexedMesh& mesh) {
   IndexedMesh result = mesh;
   for (Triangle& face : result.faces) std::swap(face[1], face[2]);
-  if (!result.corner_texcoords.empty())
-    for (std::size_t f = 0; f < result.faces.size(); ++f)
-      std::swap(result.corner_texcoords[3 * f + 1], result.corner_texcoords[3 * f + 2]);
+  for (std::size_t corner = 0; corner < result.wedges.size(); corner += 3) {
+    std::swap(result.wedges[corner + 1], result.wedges[corner + 2]);
+  }
   for (auto& normal : result.normals)
     for (float& x : normal) x = -x;
   return result;

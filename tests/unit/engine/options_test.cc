@@ -100,11 +100,15 @@ TEST(DecimateOptions, RefuseAttributesOfAWrongLength) {
   EXPECT_TRUE(is_refused([](IndexedMesh& m) { m.colors.resize(m.positions.size() - 1); }));
   EXPECT_TRUE(is_refused([](IndexedMesh& m) { m.normals.resize(1); }));
   EXPECT_TRUE(is_refused([](IndexedMesh& m) { m.origins.resize(m.positions.size() + 1); }));
-  EXPECT_TRUE(is_refused([](IndexedMesh& m) { m.corner_texcoords.resize(m.faces.size()); }));
+  EXPECT_TRUE(is_refused([](IndexedMesh& m) { m.attributes.push_back({.name = "uv", .values = {1, 2, 3}}); }));
+  EXPECT_TRUE(is_refused([](IndexedMesh& m) { m.attributes.push_back({.name = "uv", .n_components = 0}); }));
+  EXPECT_TRUE(is_refused([](IndexedMesh& m) { m.face_attributes.push_back({.name = "part", .values = {1}}); }));
+  EXPECT_TRUE(is_refused([](IndexedMesh& m) { m.wedges.resize(m.faces.size()); }));
+  EXPECT_TRUE(is_refused([](IndexedMesh& m) { m.wedges.assign(3 * m.faces.size(), 0); })) << "at many vertices";
   EXPECT_TRUE(is_refused([](IndexedMesh& m) { m.face_groups.resize(m.faces.size() - 1); }));
 }
 
-TEST(DecimateResult, WarnsOfWhatIsNotCarried) {
+TEST(DecimateResult, WarnsOfPairsThatAreLeftOut) {
   const auto kinds_of = [](const IndexedMesh& mesh, const DecimateOptions& options) {
     std::vector<WarningKind> kinds;
     for (const Warning& warning : decimate(mesh, DecimateTarget::faces(50), options).result.warnings) {
@@ -118,9 +122,6 @@ TEST(DecimateResult, WarnsOfWhatIsNotCarried) {
   EXPECT_TRUE(kinds_of(mesh, options).empty());
   options.pairs = {.threshold = 0.5, .max_pairs = 1, .across_walls = true};
   EXPECT_EQ(kinds_of(mesh, options), std::vector{WarningKind::pairs_capped});
-  mesh.corner_texcoords.resize(3 * mesh.faces.size());
-  mesh.face_groups.resize(mesh.faces.size());
-  EXPECT_EQ(kinds_of(mesh, {}), (std::vector{WarningKind::texcoords_dropped, WarningKind::groups_dropped}));
 }
 
 }  // namespace

@@ -27,22 +27,16 @@ IndexedMesh random_faces(std::uint64_t seed, Index vertices, std::size_t faces) 
     for (Index& v : face) v = static_cast<Index>(random.below(vertices));
     mesh.faces.push_back(face);
     mesh.face_groups.push_back(static_cast<Index>(f));
-    for (int c = 0; c < 3; ++c) mesh.corner_texcoords.push_back({static_cast<float>(f), static_cast<float>(c)});
   }
+  mesh.face_attributes.push_back({.name = "number", .values = {mesh.face_groups.begin(), mesh.face_groups.end()}});
   return mesh;
 }
 
-// `random_faces` stores each face's number in its group and texture coordinates.
+// `random_faces` stores each face's number in its group and an attribute.
 void expect_attributes_follow(const IndexedMesh& mesh, const std::string& what) {
   ASSERT_EQ(mesh.face_groups.size(), mesh.faces.size()) << what;
-  ASSERT_EQ(mesh.corner_texcoords.size(), 3 * mesh.faces.size()) << what;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      EXPECT_EQ(mesh.corner_texcoords[3 * f + c],
-                (std::array<float, 2>{static_cast<float>(mesh.face_groups[f]), static_cast<float>(c)}))
-          << what;
-    }
-  }
+  EXPECT_EQ(mesh.face_attributes[0].values, std::vector<double>(mesh.face_groups.begin(), mesh.face_groups.end()))
+      << what;
 }
 
 TEST(DropDegenerateFaces, AgreesWithBruteForce) {

@@ -11,6 +11,7 @@
 #include "surface/mesh_lines.hh"
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/feature_edges.hh"
+#include "whittle/core/wedges.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/nearest_vertices.hh"
 #include "whittle/metrics/self_intersections.hh"
@@ -144,7 +145,7 @@ TEST(PolishFlips, LeaveFeaturesGroupsAndTextures) {
       EXPECT_TRUE(has_edge(after, face[place], face[(place + 1) % 3]));
     }
   }
-  grouped.mesh.corner_texcoords.resize(3 * grouped.mesh.faces.size());
+  make_wedge_table(grouped.mesh);
   EXPECT_EQ(polished(round, grouped, {.flips = true}).faces, grouped.mesh.faces);
 }
 

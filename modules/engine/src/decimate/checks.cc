@@ -102,7 +102,7 @@ void check(const IndexedMesh& mesh) {
     }
   }
   check_positions(mesh.positions, "decimate");
-  check_attribute_lengths(mesh, "decimate");
+  check_attributes(mesh, "decimate");
 }
 
 }  // namespace whittle

@@ -19,9 +19,6 @@ IndexOnlyDecimation decimate_index_only(const IndexedMesh& mesh, const DecimateT
   out.faces.reserve(small.mesh.faces.size());
   for (const auto& [a, b, c] : small.mesh.faces) out.faces.push_back({kept[a], kept[b], kept[c]});
   out.result = std::move(small.result);
-  std::erase_if(out.result.warnings, [](const Warning& warning) {  // the caller still has all attributes
-    return warning.kind == WarningKind::texcoords_dropped || warning.kind == WarningKind::groups_dropped;
-  });
   out.face_origins = std::move(small.face_origins);
   out.vertex_map = std::move(small.vertex_map);
   for (Index& v : out.vertex_map) {

@@ -23,13 +23,4 @@ Decimation geometry_of(const IndexedMesh& input, Remainder left, const Frame& fr
   return out;
 }
 
-std::vector<Warning> warnings_about_attributes(const IndexedMesh& input) {
-  std::vector<Warning> warnings;
-  if (!input.corner_texcoords.empty()) {
-    warnings.push_back({WarningKind::texcoords_dropped, "texture coordinates are not carried"});
-  }
-  if (!input.face_groups.empty()) warnings.push_back({WarningKind::groups_dropped, "groups are not carried"});
-  return warnings;
-}
-
 }  // namespace whittle

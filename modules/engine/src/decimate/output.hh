@@ -11,7 +11,4 @@ namespace whittle {
 /// The mesh and the maps of a decimation, without its attributes; `result` is left to the caller.
 Decimation geometry_of(const IndexedMesh& input, Remainder left, const Frame& frame);
 
-/// What of the input's attributes is not carried.
-std::vector<Warning> warnings_about_attributes(const IndexedMesh& input);
-
 }  // namespace whittle

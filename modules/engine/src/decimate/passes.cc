@@ -83,8 +83,8 @@ void compare_surfaces(const IndexedMesh& input, const NonmanifoldCounts& before,
   out.result.n_vanished_components = count_vanished(parts, out.vertex_map);
 }
 
-std::vector<Warning> warnings_about(const IndexedMesh& input, const ThresholdPairCounts& pairs) {
-  std::vector<Warning> warnings = warnings_about_attributes(input);
+std::vector<Warning> warnings_about(const ThresholdPairCounts& pairs) {
+  std::vector<Warning> warnings;
   if (pairs.capped) {
     warnings.push_back({WarningKind::pairs_capped,
                         "some vertices had more threshold pairs than max_pairs; the nearest "
@@ -339,7 +339,7 @@ Decimation Passes::output() {
   }
   Decimation out = geometry_of(mesh_, std::move(*done_.left), frame_);
   if (options_.keep_steps) out.steps = std::move(done_.steps);
-  carry_attributes(mesh_, frame_, options_.normals, out.vertex_map, out.mesh);
+  carry_attributes(mesh_, frame_, options_.normals, out.vertex_map, out.face_origins, out.mesh);
   out.result = std::move(done_.result);
   for (const auto& [pair, reason] : done_.refused) {
     const auto [a, b] = std::minmax(out.vertex_map[pair.a], out.vertex_map[pair.b]);
@@ -347,7 +347,7 @@ Decimation Passes::output() {
   }
   pairs_.contracted = out.result.threshold_pairs.contracted;
   out.result.threshold_pairs = pairs_;
-  out.result.warnings = warnings_about(mesh_, pairs_);
+  out.result.warnings = warnings_about(pairs_);
   compare_surfaces(mesh_, *nonmanifold_before_, *done_.nonmanifold, options_, out);
   return out;
 }

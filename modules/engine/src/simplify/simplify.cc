@@ -285,7 +285,8 @@ std::vector<Simplification> simplify_to_levels(const IndexedMesh& mesh, const st
     const PolishResult polish = polisher.polish(without_flips, paused);
     polish_seconds += seconds_since(start);
     levels.push_back({paused, *settled.decimate.cost, polish, 0, 0});
-    carry_attributes(mesh, frame, settled.decimate.normals, levels.back().vertex_map, levels.back().mesh);
+    Decimation& level = levels.back();
+    carry_attributes(mesh, frame, settled.decimate.normals, level.vertex_map, level.face_origins, level.mesh);
     return !polish.cancelled;
   };
   settled.decimate.pauses = {pauses_at(targets), add_level};

@@ -204,8 +204,8 @@ IndexedMesh three_cubes() {
   }
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     mesh.face_groups.push_back(f);
-    for (Index c = 0; c < 3; ++c) mesh.corner_texcoords.push_back({static_cast<float>(f), static_cast<float>(c)});
   }
+  mesh.face_attributes.push_back({.name = "number", .values = {mesh.face_groups.begin(), mesh.face_groups.end()}});
   mesh.group_names = {"first", "second"};
   return mesh;
 }
@@ -267,8 +267,8 @@ TEST(WithoutSmallParts, CarriesWhatBelongsToTheOthers) {
     const std::size_t old = f < 12 ? f : f + 12;
     for (std::size_t c = 0; c < 3; ++c) {
       EXPECT_EQ(out.faces[f][c], pruned.vertex_map[mesh.faces[old][c]]);
-      EXPECT_EQ(out.corner_texcoords[3 * f + c], mesh.corner_texcoords[3 * old + c]);
     }
+    EXPECT_EQ(out.face_attributes[0].values[f], mesh.face_attributes[0].values[old]);
     EXPECT_EQ(out.face_groups[f], mesh.face_groups[old]);
   }
   EXPECT_EQ(out.group_names, mesh.group_names);

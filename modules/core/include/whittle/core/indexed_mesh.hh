@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "whittle/core/attribute.hh"
 #include "whittle/core/detail/abi.hh"
 
 namespace whittle {
@@ -33,22 +34,37 @@ using Color = std::array<float, 4>;
 
 /// A triangle mesh as plain arrays.
 ///
-/// Any set of triangles is allowed: open, non-manifold, several parts. V is the number of vertices, F of faces. An
-/// attribute array is either empty (absent) or as long as its comment says.
+/// Any set of triangles is allowed: open, non-manifold, several parts. V is the number of vertices, F of faces.
+///
+/// A vertex may have several attribute values: one on each side of a texture seam. Each of them is a *wedge*
+/// (\cite hoppe_1999_attributes), and each corner of a face has one. W is the number of wedges. Where `wedges` is
+/// empty, each vertex has one wedge, with the vertex's number, and W = V. wedges.hh has what to do with them.
+///
+/// An attribute array is either empty (absent) or as long as its comment says.
 struct IndexedMesh {
   std::vector<Vec3>
       positions;  ///< V; finite, model units. At most 2^500 (3e150), so that squares of lengths are finite.
   std::vector<Triangle> faces;  ///< F; every number below V.
 
-  std::vector<std::array<float, 3>> normals;           ///< V; unit length (zero where undefined).
-  std::vector<Color> colors;                           ///< V.
-  std::vector<std::array<float, 2>> corner_texcoords;  ///< 3F; corner c of face f at 3f + c.
-  std::vector<Index> face_groups;                      ///< F; the material or group, a number into `group_names`.
+  /// 3F or empty; the wedge of corner c of face f at 3f + c, below W. Corners with one wedge are at one vertex.
+  std::vector<Index> wedges;
+
+  std::vector<std::array<float, 3>> normals;  ///< W; unit length (zero where undefined).
+  std::vector<Color> colors;                  ///< W.
+  std::vector<Attribute> attributes;          ///< W values each: texture coordinates and all others.
+
+  std::vector<Attribute> face_attributes;  ///< F values each.
+  std::vector<Index> face_groups;          ///< F; the material or group, a number into `group_names`.
   std::vector<std::string> group_names;
 
   /// V; the number that each vertex had in the first file or array, ascending. Welding keeps the lowest number of the
   /// merged vertices, decimation that of the surviving vertex. Empty: vertex v has origin v.
   std::vector<Index> origins;
+
+  /// The wedge at a corner of a face.
+  Index wedge(std::size_t face, std::size_t corner) const {
+    return wedges.empty() ? faces[face][corner] : wedges[3 * face + corner];
+  }
 };
 
 }  // namespace whittle

@@ -1,15 +1,17 @@
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "whittle/core/frame.hh"
 #include "whittle/engine/options.hh"
 
 namespace whittle {
 
-/// Gives a decimated mesh the colours and normals of the input's vertices, as `decimate` does: the mean of those
-/// merged. \param frame of the input \param vertex_map as that of `Decimation` \param mesh has positions and faces
-void carry_attributes(const IndexedMesh& input, const Frame& frame, Normals normals,
-                      const std::vector<Index>& vertex_map, IndexedMesh& mesh);
+/// Gives a decimated mesh the attributes of the input, as `decimate` does: each wedge has the mean of those merged into
+/// it, by kind of attribute; each face has what its origin has.
+/// \param frame of the input \param vertex_map, face_origins as those of `Decimation`
+/// \param mesh has positions and faces. If the input has wedges, the corners of each face are in their first order
+void carry_attributes(const IndexedMesh& input, const Frame& frame, Normals normals, std::span<const Index> vertex_map,
+                      std::span<const Index> face_origins, IndexedMesh& mesh);
 
 }  // namespace whittle

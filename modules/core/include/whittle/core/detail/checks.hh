@@ -39,20 +39,8 @@ inline void check_positions(std::span<const Vec3> positions, const char* caller)
 }
 
 /// \param caller whose name begins the message
-/// \throw std::invalid_argument if an attribute is there and has another length than `IndexedMesh` says.
-inline void check_attribute_lengths(const IndexedMesh& mesh, const char* caller) {
-  const auto check = [caller](const char* name, std::size_t length, std::size_t expected) {
-    if (length == 0 || length == expected) return;
-    throw std::invalid_argument(std::string(caller) + ": " + name + " has " + std::to_string(length) +
-                                " entries, not " + std::to_string(expected));
-  };
-  const std::size_t n_vertices = mesh.positions.size();
-  const std::size_t n_faces = mesh.faces.size();
-  check("normals", mesh.normals.size(), n_vertices);
-  check("colors", mesh.colors.size(), n_vertices);
-  check("origins", mesh.origins.size(), n_vertices);
-  check("corner_texcoords", mesh.corner_texcoords.size(), 3 * n_faces);
-  check("face_groups", mesh.face_groups.size(), n_faces);
-}
+/// \throw std::invalid_argument if an attribute is there and has another length than `IndexedMesh` says, or if a
+/// wedge is at two vertices. \pre no face names a vertex that isn't there
+void check_attributes(const IndexedMesh& mesh, const char* caller);
 
 }  // namespace whittle

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "whittle/core/indexed_mesh.hh"
@@ -9,6 +11,12 @@
 // Drops faces and vertices from a mesh, with their attributes. The others keep their order.
 
 namespace whittle {
+
+/// \pre `to` is at most `from`
+inline void copy_value(Attribute& attribute, std::size_t from, std::size_t to) {
+  const std::span<const double> value = std::as_const(attribute).value(from);
+  std::copy(value.begin(), value.end(), attribute.value(to).begin());
+}
 
 /// Drops the faces for which `is_dropped(f)` holds, with their attributes. \return the number dropped.
 template <class Predicate>
@@ -20,19 +28,21 @@ std::size_t drop_faces(IndexedMesh& mesh, const Predicate& is_dropped) {
     if (kept != f) {
       mesh.faces[kept] = mesh.faces[f];
       if (!mesh.face_groups.empty()) mesh.face_groups[kept] = mesh.face_groups[f];
-      for (std::size_t c = 0; c < 3 && !mesh.corner_texcoords.empty(); ++c) {
-        mesh.corner_texcoords[3 * kept + c] = mesh.corner_texcoords[3 * f + c];
-      }
+      for (std::size_t c = 0; c < 3 && !mesh.wedges.empty(); ++c) mesh.wedges[3 * kept + c] = mesh.wedges[3 * f + c];
+      for (Attribute& attribute : mesh.face_attributes) copy_value(attribute, f, kept);
     }
     ++kept;
   }
   mesh.faces.resize(kept);
   if (!mesh.face_groups.empty()) mesh.face_groups.resize(kept);
-  if (!mesh.corner_texcoords.empty()) mesh.corner_texcoords.resize(3 * kept);
+  if (!mesh.wedges.empty()) mesh.wedges.resize(3 * kept);
+  for (Attribute& attribute : mesh.face_attributes) attribute.values.resize(kept * attribute.n_components);
   return count - kept;
 }
 
-/// Drops the vertices for which `is_dropped(v)` holds, with their attributes. If any is dropped, `origins` is filled.
+/// Drops the vertices for which `is_dropped(v)` holds. Their attributes go with them, but for those of wedges in a
+/// table
+/// (`drop_unused_wedges`). If any is dropped, `origins` is filled.
 /// \pre no face has a dropped vertex
 /// \return V; the new number of each vertex, `invalid_index` if it was dropped
 template <class Predicate>
@@ -56,9 +66,17 @@ std::vector<Index> drop_vertices(IndexedMesh& mesh, const Predicate& is_dropped)
     values.resize(kept);
   };
   compact(mesh.positions);
-  compact(mesh.normals);
-  compact(mesh.colors);
   compact(mesh.origins);
+  if (mesh.wedges.empty()) {
+    compact(mesh.normals);
+    compact(mesh.colors);
+    for (Attribute& attribute : mesh.attributes) {
+      for (std::size_t v = 0; v < count; ++v) {
+        if (renumbered[v] != invalid_index) copy_value(attribute, v, renumbered[v]);
+      }
+      attribute.values.resize(kept * attribute.n_components);
+    }
+  }
   for (Triangle& face : mesh.faces) {
     for (Index& v : face) v = renumbered[v];
   }

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/core/vertex_pair.hh"
+
+// What to do with the wedges of a mesh (`IndexedMesh`): the attribute values of a vertex, one on each side of a seam.
+
+namespace whittle {
+
+/// W.
+std::size_t n_wedges(const IndexedMesh& mesh);
+
+/// Makes the table of wedges, if there is none: each vertex is a wedge.
+void make_wedge_table(IndexedMesh& mesh);
+
+/// Joins the wedges of a vertex that have equal attributes, bit by bit, and drops those that no corner has. The others
+/// are numbered by vertex. The table goes, too, where each vertex has one wedge.
+void join_equal_wedges(IndexedMesh& mesh);
+
+/// Leaves one wedge to each vertex: that of the lowest number. The table goes.
+void drop_seams(IndexedMesh& mesh);
+
+/// The same surface with a vertex for each wedge, and no table. Vertices are numbered by wedge; each has the origin of
+/// the vertex that it was.
+IndexedMesh split_at_wedges(const IndexedMesh& mesh);
+
+/// The edges that are borders of charts or materials: between two faces of different groups, or with different values
+/// on both sides at either end. Normals and tangents don't count, but for a tangent's sign: shading may break anywhere.
+/// \return lower vertex first, ascending
+std::vector<VertexPair> seam_edges(const IndexedMesh& mesh);
+
+}  // namespace whittle

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "whittle/core/attribute.hh"
+
+namespace whittle {
+
+/// The weighted mean of some values of an attribute, as its kind asks. It can be used again after `result`.
+class AttributeBlend {
+ public:
+  AttributeBlend(AttributeKind kind, std::size_t n_components);
+
+  void add(std::span<const double> value, double weight);
+  /// \pre something was added \param to gets the mean
+  /// \return false where directions cancel out: then `to` is as it was
+  bool result(std::span<double> to);
+
+ private:
+  struct Vote {
+    double what;  ///< a joint, or a category in the first component
+    double weight;
+    std::vector<double> value;  ///< of a category, as it was first added
+  };
+
+  void vote(double what, double weight, std::span<const double> value);
+  bool direction(std::span<double> to) const;
+  void joint_weights(std::span<double> to);
+  void forget();
+
+  AttributeKind kind_;
+  std::vector<double> sum_;
+  double total_ = 0;
+  std::size_t n_ = 0;
+  std::vector<double> last_;  ///< the value added last: alone, it keeps every bit
+  std::vector<Vote> votes_;   ///< in the order in which they were first added
+};
+
+}  // namespace whittle
