@@ -1,6 +1,7 @@
 #include "blocks/decimate_in_blocks.hh"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 #include "whittle/core/detail/parallel.hh"
@@ -72,6 +73,15 @@ LevelRemainder run_exact_levels(const LevelContext& context, const BlockPlan& pl
 
 }  // namespace
 
+namespace {
+
+bool has_several_groups(const IndexedMesh& mesh) {
+  const std::vector<Index>& groups = mesh.face_groups;
+  return std::adjacent_find(groups.begin(), groups.end(), std::not_equal_to<>()) != groups.end();
+}
+
+}  // namespace
+
 std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget& target,
                                    const DecimateOptions& options, const DecimationHost* host, const BlockPlan& plan) {
   const bool is_exact = is_exact_in_blocks(options);
@@ -95,6 +105,7 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
   if (options.pairs.threshold > 0) return "threshold pairs join what lies apart";
   if (options.topology != Topology::keep) return "the topology may change";
   if (options.feature_angle_deg.value_or(180) < 180 || !options.feature_edges.empty()) return "feature lines are kept";
+  if (!mesh.wedges.empty() || has_several_groups(mesh)) return "seams are kept";
   if (options.refuse_intersections) return "intersections are refused";
   if (is_exact && is_far_flung(mesh)) return "rounding may decide the order";
   return {};

@@ -8,8 +8,8 @@
 namespace whittle {
 
 Restraints::Restraints(const TriangleComplex& complex, std::span<const std::uint8_t> locked, const FeatureLines& lines,
-                       double corner_angle_deg, double tolerance)
-    : tolerance_sq_(tolerance * tolerance) {
+                       double corner_angle_deg, double tolerance, SeamPlacement seam_placement)
+    : tolerance_sq_(tolerance * tolerance), seam_placement_(seam_placement) {
   if (locked.empty() && lines.edges.empty()) return;
   freedoms_.assign(complex.n_vertex_slots(), Freedom::full);
   if (!lines.edges.empty()) mark_features(complex, lines, corner_angle_deg);
@@ -20,9 +20,14 @@ Restraints::Restraints(const TriangleComplex& complex, std::span<const std::uint
 
 void Restraints::mark_features(const TriangleComplex& complex, const FeatureLines& lines, double corner_angle_deg) {
   is_feature_.resize(complex.n_pair_slots());
-  std::vector<std::array<Index, 2>> others(complex.n_vertex_slots());  // of the first two feature edges at a vertex
+  if (!lines.is_seam.empty()) is_seam_.resize(complex.n_pair_slots());
+  struct Other {
+    Index vertex;
+    bool is_seam;
+  };
+  std::vector<std::array<Other, 2>> others(complex.n_vertex_slots());  // of the first two feature edges at a vertex
   std::vector<Index> n_features(complex.n_vertex_slots());
-  const auto add = [&](Index v, Index other) {
+  const auto add = [&](Index v, const Other& other) {
     if (n_features[v] < 2) others[v][n_features[v]] = other;
     ++n_features[v];
   };
@@ -35,13 +40,17 @@ void Restraints::mark_features(const TriangleComplex& complex, const FeatureLine
     is_feature_[e] = true;
     const auto number = static_cast<std::size_t>(found - lines.edges.begin());
     if (!lines.courses.empty() && !lines.courses[number].empty()) courses_[e] = lines.courses[number];
-    add(a, b);
-    add(b, a);
+    if (!lines.is_seam.empty()) is_seam_[e] = lines.is_seam[number] != 0;
+    add(a, {b, is_seam(e)});
+    add(b, {a, is_seam(e)});
   }
   const double least_cosine = detail::cosine_of_deg(corner_angle_deg);
   const auto turns = [&](Index v) {
-    const Vec3 in = complex.position(v) - complex.position(others[v][0]);
-    const Vec3 out = complex.position(others[v][1]) - complex.position(v);
+    const auto& [first, second] = others[v];
+    if (first.is_seam != second.is_seam) return true;
+    if (first.is_seam) return false;
+    const Vec3 in = complex.position(v) - complex.position(first.vertex);
+    const Vec3 out = complex.position(second.vertex) - complex.position(v);
     return in.dot(out) < least_cosine * in.norm() * out.norm();
   };
   std::vector<bool> is_corner(freedoms_.size());  // by original vertex
@@ -79,7 +88,7 @@ bool Restraints::bends_a_line(TriangleComplex& complex, const ContractionProfile
     return live_feature(neighbour.edges[0]) && live_feature(neighbour.edges[1]);
   });
   if (closes_loop) return true;
-  if (!is_feature_[pair.id]) return false;
+  if (!is_feature_[pair.id] || is_seam(pair.id)) return false;
   // The vertex that moves takes its line's next edge along.
   const Index moved = moved_end(pair, complex.position(pair.a), position) == 0 ? pair.a : pair.b;
   const std::optional<Index> next = other_feature_edge(complex, moved, pair.id);
@@ -114,6 +123,7 @@ FeatureLines Restraints::lines(TriangleComplex& complex, const std::vector<Index
     const auto course = courses_.find(e);
     lines.edges.push_back(ends);
     lines.courses.push_back(course == courses_.end() ? Course{} : course->second);
+    if (has_seams()) lines.is_seam.push_back(static_cast<std::uint8_t>(is_seam(e)));
   }
   lines.corners.emplace();
   for (Index v = 0; v < freedoms_.size(); ++v) {
@@ -158,7 +168,7 @@ void Restraints::merge_courses(const TriangleComplex& complex, const Contraction
 
 void Restraints::note(const TriangleComplex& complex, const ContractionProfile& profile, const Change& change) {
   if (!any()) return;
-  if (is_feature(change.pair.id)) merge_courses(complex, profile, change);
+  if (is_feature(change.pair.id) && !is_seam(change.pair.id)) merge_courses(complex, profile, change);
   freedoms_[change.survivor] = std::max(freedoms_[change.pair.a], freedoms_[change.pair.b]);
   if (!has_features()) return;
   for (const Change::MergedEdges& merged : change.edges) {
@@ -166,6 +176,10 @@ void Restraints::note(const TriangleComplex& complex, const ContractionProfile& 
     const bool either = is_feature_[first] || is_feature_[second];
     for (const auto& [from, to] : {std::pair(first, second), std::pair(second, first)}) {
       if (is_feature_[from] && !is_feature_[to] && courses_.contains(from)) courses_[to] = courses_[from];
+    }
+    if (has_seams()) {
+      const auto is_hard = [this](Index edge) { return is_feature_[edge] && !is_seam_[edge]; };
+      is_seam_[first] = is_seam_[second] = either && !is_hard(first) && !is_hard(second);
     }
     is_feature_[first] = is_feature_[second] = either;
   }

@@ -11,18 +11,26 @@
 
 namespace whittle {
 
-/// The feature lines of a surface, by its vertices.
+/// The feature lines and seams of a surface, by its vertices. Seams are lines, too, but only the cost holds them in
+/// place.
 struct FeatureLines {
   /// Where a line was, between the ends of a feature edge: its vertices there, in no particular order, in the frame.
   using Course = std::vector<Vec3>;
 
   std::vector<VertexPair> edges;                ///< ascending, the lower vertex first
+  std::vector<std::uint8_t> is_seam;            ///< of each edge: whether it is a seam, and no feature; or empty: none
   std::vector<Course> courses;                  ///< of each edge; or empty: no edge stands for several
   std::optional<std::vector<Index>> corners{};  ///< vertices where lines meet, end or turn; empty: to be found
 };
 
+/// Where two vertices on a seam may go that become one.
+enum class SeamPlacement {
+  at_ends,  ///< to where one of them is
+  optimal   ///< where the cost likes, which knows of seams
+};
+
 /// Which vertices may not go where they like: locked ones stay where they are; those on a feature line move along it
-/// only, and where lines meet, end or turn they stay.
+/// only, and where lines meet, end or turn they stay. Seams turn as they like.
 class Restraints {
  public:
   /// None.
@@ -30,9 +38,9 @@ class Restraints {
   /// \param locked per vertex, or empty
   /// \param lines by original vertices; those edges count that the complex has
   /// \param corner_angle_deg a line that turns further has a corner there, if `lines` doesn't say where corners are
-  /// \param tolerance how far a line may come to lie from what it was, in the frame
+  /// \param tolerance how far a feature line may come to lie from what it was, in the frame
   Restraints(const TriangleComplex& complex, std::span<const std::uint8_t> locked, const FeatureLines& lines,
-             double corner_angle_deg, double tolerance);
+             double corner_angle_deg, double tolerance, SeamPlacement seam_placement);
 
   bool any() const { return !freedoms_.empty(); }
 
@@ -45,8 +53,16 @@ class Restraints {
     if (!first_may_move && !second_may_move) return std::nullopt;
     if (!first_may_move) return Pinned::first;
     if (!second_may_move) return Pinned::second;
-    return along_feature ? Pinned::either : Pinned::none;
+    const bool is_free = !along_feature || (is_seam(pair.id) && seam_placement_ == SeamPlacement::optimal);
+    return is_free ? Pinned::none : Pinned::either;
   }
+  /// Whether the edge is on a seam, and on no feature line.
+  bool is_seam(Index edge) const { return !is_seam_.empty() && is_seam_[edge]; }
+  /// Whether v is on a line, if there are seams.
+  bool is_on_seam(Index v) const {
+    return has_seams() && (freedoms_[v] == Freedom::line || freedoms_[v] == Freedom::corner);
+  }
+  bool has_seams() const { return !is_seam_.empty(); }
   bool is_feature(Index edge) const { return has_features() && is_feature_[edge]; }
   bool are_both_locked(const Pair& pair) const { return is_locked(pair.a) && is_locked(pair.b); }
 
@@ -83,9 +99,11 @@ class Restraints {
   void merge_courses(const TriangleComplex& complex, const ContractionProfile& profile, const Change& change);
 
   std::vector<Freedom> freedoms_;              ///< per vertex, or empty
-  std::vector<bool> is_feature_;               ///< per pair, or empty
+  std::vector<bool> is_feature_;               ///< per pair, or empty; seams, too
+  std::vector<bool> is_seam_;                  ///< per pair, or empty
   std::unordered_map<Index, Course> courses_;  ///< of feature edges that stand for several
   double tolerance_sq_ = 0;
+  SeamPlacement seam_placement_ = SeamPlacement::at_ends;
 };
 
 }  // namespace whittle

@@ -5,7 +5,7 @@
 
 #include "decimate/changes.hh"
 #include "decimate/checks.hh"
-#include "decimate/input_features.hh"
+#include "decimate/input_lines.hh"
 #include "decimate/output.hh"
 #include "loop/contraction_log.hh"
 #include "whittle/core/detail/large_array.hh"
@@ -187,7 +187,7 @@ double Passes::way_to(const DecimateTarget& stop) const {
 void Passes::begin_with_input(PassStart& start, const DecimateOptions& options, Preparation& preparation) {
   start.found_pairs = threshold_pairs(mesh_, options, preparation);
   pairs_ = counts_of(start.found_pairs, options_);
-  start.found_lines.edges = input_features(mesh_, options_);
+  start.found_lines = input_lines(mesh_, options_);
   start.input.surface = {mesh_.positions, frame_, mesh_.faces};
   start.input.threshold_pairs = start.found_pairs.pairs;
   start.input.lines = &start.found_lines;

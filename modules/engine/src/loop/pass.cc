@@ -8,10 +8,13 @@
 namespace whittle {
 namespace {
 
+bool has_quadrics(const DecimateOptions& options) {
+  return options.effective_cost() == Cost::quadric || options.effective_cost() == Cost::memoryless;
+}
+
 /// Whether each vertex of the result lies at one of the input.
 bool stays_at_vertices(const DecimateOptions& options) {
-  const bool has_quadrics = options.effective_cost() == Cost::quadric || options.effective_cost() == Cost::memoryless;
-  return has_quadrics && options.quadric.placement == Placement::endpoint;
+  return has_quadrics(options) && options.quadric.placement == Placement::endpoint;
 }
 
 /// Per vertex of the complex; empty if none is. \param by_user by number in the input, or empty
@@ -69,12 +72,13 @@ Pass::Pass(const PassInput& input, const DecimateOptions& options)
   if (!input.frozen.empty()) complex_.freeze(input.frozen);
   cost_->see_faces(options.threads);
   complex_.connect(input.threshold_pairs, options.threads);
+  const bool has_planes = !hosted_cost && has_quadrics(options);
+  restraints_ = Restraints(complex_, locked_vertices(complex_, input.locked, options.boundary),
+                           input.lines ? *input.lines : FeatureLines{}, options.feature_angle_deg.value_or(180),
+                           input.feature_tolerance, has_planes ? SeamPlacement::optimal : SeamPlacement::at_ends);
   cost_->start(options.threads);
   if (state) cost_->resume(*state);
   if (input.memory) cost_->recall(*input.memory);
-  restraints_ = Restraints(complex_, locked_vertices(complex_, input.locked, options.boundary),
-                           input.lines ? *input.lines : FeatureLines{}, options.feature_angle_deg.value_or(180),
-                           input.feature_tolerance);
 }
 
 void Pass::start(const DecimateTarget& target, const Frame& frame) {

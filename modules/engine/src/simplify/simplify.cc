@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "decimate/changes.hh"
-#include "decimate/input_features.hh"
+#include "decimate/input_lines.hh"
 #include "decimate/run.hh"
 #include "simplify/nearer_result.hh"
 #include "simplify/plain_trial.hh"
@@ -83,7 +83,7 @@ PolishResult polish_decimation(const IndexedMesh& mesh, const PolishOriginal& or
   polish_options.locked.resize(std::max(polish_options.locked.size(), held.size()));
   for (std::size_t v = 0; v < held.size(); ++v) polish_options.locked[v] |= held[v];
   polish_options.features = decimation.feature_edges;
-  if (!decimation.feature_edges.empty()) polish_options.original_features = input_features(mesh, decimate);
+  if (!decimation.feature_edges.empty()) polish_options.original_features = input_lines(mesh, decimate).edges;
   return polish(original, decimation.vertex_map, decimation.mesh, polish_options);
 }
 
@@ -212,12 +212,18 @@ bool is_better(const IndexedMesh& input, const Simplification& other, const Simp
   return is_nearer(input, other.mesh, result.mesh);
 }
 
-}  // namespace
+/// The attributes are fitted where positions are.
+void fit_attributes_of(const IndexedMesh& input, const SimplifyOptions& settled, Simplification& result) {
+  const bool is_cancelled = result.result.stop == StopReason::cancelled || result.polish.cancelled;
+  if (is_cancelled || settled.polish_passes == 0U) return;
+  const Clock::time_point start = Clock::now();
+  fit_attributes(input, result.face_origins, settled.decimate.normals, result.mesh, settled.decimate.threads);
+  result.polish_seconds += seconds_since(start);
+}
 
-Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, Effort effort,
-                        const SimplifyOptions& options) {
-  const SimplifyOptions settled = with_effort(effort, options, mesh, target);
-  DecimationPolisher polisher(mesh);
+/// With plain quadrics and without, where both are tried.
+Simplification better_of_both(const IndexedMesh& mesh, const DecimateTarget& target, const SimplifyOptions& settled,
+                              DecimationPolisher& polisher) {
   Simplification result = simplify_as_settled(mesh, target, settled, polisher);
   const bool is_cancelled = result.result.stop == StopReason::cancelled || result.polish.cancelled;
   if (is_cancelled || !*settled.tries_plain_quadrics || !is_worth_plain_quadrics(mesh, target)) return result;
@@ -231,6 +237,17 @@ Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, E
   better.decimate_seconds = other.decimate_seconds;
   better.polish_seconds = other.polish_seconds + seconds_since(compare_start);
   return std::move(better);
+}
+
+}  // namespace
+
+Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, Effort effort,
+                        const SimplifyOptions& options) {
+  const SimplifyOptions settled = with_effort(effort, options, mesh, target);
+  DecimationPolisher polisher(mesh);
+  Simplification result = better_of_both(mesh, target, settled, polisher);
+  fit_attributes_of(mesh, settled, result);
+  return result;
 }
 
 namespace {
@@ -287,10 +304,12 @@ std::vector<Simplification> simplify_to_levels(const IndexedMesh& mesh, const st
     levels.push_back({paused, *settled.decimate.cost, polish, 0, 0});
     Decimation& level = levels.back();
     carry_attributes(mesh, frame, settled.decimate.normals, level.vertex_map, level.face_origins, level.mesh);
+    fit_attributes_of(mesh, settled, levels.back());
     return !polish.cancelled;
   };
   settled.decimate.pauses = {pauses_at(targets), add_level};
   levels.push_back(simplify_as_settled(mesh, targets.back(), settled, polisher));
+  fit_attributes_of(mesh, settled, levels.back());
   levels.back().decimate_seconds -= polish_seconds;
   levels.back().polish_seconds += polish_seconds;
   return levels;

@@ -14,4 +14,11 @@ namespace whittle {
 void carry_attributes(const IndexedMesh& input, const Frame& frame, Normals normals, std::span<const Index> vertex_map,
                       std::span<const Index> face_origins, IndexedMesh& mesh);
 
+/// Fits the attributes of a simplified mesh to those of its input, by least squares over samples of the input
+/// (attribute_fit.cc). Each is compared within its chart. Categories and joint weights are those of the nearest point.
+/// \param face_origins as that of `Decimation`
+/// \param mesh has the attributes of the input, as `carry_attributes` gives them \param threads 0 = all cores
+void fit_attributes(const IndexedMesh& input, std::span<const Index> face_origins, Normals normals, IndexedMesh& mesh,
+                    unsigned threads);
+
 }  // namespace whittle

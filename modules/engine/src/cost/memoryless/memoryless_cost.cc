@@ -6,12 +6,13 @@
 namespace whittle {
 namespace {
 
-/// Estimated from the faces at rings, because other vertices have the planes of borders, too.
-MeanFaceArea mean_face_area(const TriangleComplex& complex, const VertexQuadrics& quadrics, double regularization) {
+/// Estimated from the faces at rings, because other vertices have the planes of borders and seams, too.
+MeanFaceArea mean_face_area(const TriangleComplex& complex, const Restraints& restraints,
+                            const VertexQuadrics& quadrics, double regularization) {
   double area = 0;
   std::uint64_t n_corners = 0;
   for (Index v = 0; v < complex.n_vertex_slots(); ++v) {
-    if (!complex.is_ring(v)) continue;
+    if (!complex.is_ring(v) || restraints.is_on_seam(v)) continue;
     area += quadrics.matrix(v).trace();
     n_corners += complex.neighbours(v).size();
   }
@@ -37,10 +38,12 @@ void look_at_ring(const TriangleComplex& complex, const Vec3& origin, Contractio
 
 void MemorylessCost::start(unsigned threads) {
   ranks_.start(threads);
-  face_area_ = mean_face_area(complex_, ranks_.quadrics(), options_.regularization);
+  face_area_ = mean_face_area(complex_, restraints_, ranks_.quadrics(), options_.regularization);
   ranks_.multiply_by_memoryless_factor(face_area_.first());
   has_planes_of_faces_.resize(complex_.n_vertex_slots());
-  for (Index v = 0; v < complex_.n_vertex_slots(); ++v) has_planes_of_faces_[v] = complex_.is_ring(v);
+  for (Index v = 0; v < complex_.n_vertex_slots(); ++v) {
+    has_planes_of_faces_[v] = complex_.is_ring(v) && !restraints_.is_on_seam(v);
+  }
 }
 
 void MemorylessCost::resume(const DecimationState& state) {
@@ -60,7 +63,8 @@ void MemorylessCost::recall(const Memory& memory) {
 
 /// Whether the merged vertex, and its neighbours, get the planes of their faces alone.
 bool MemorylessCost::forgets(const ContractionProfile& profile) const {
-  return !profile.is_joint && complex_.is_ring(profile.pair.a) && complex_.is_ring(profile.pair.b);
+  const auto forgets_at = [this](Index v) { return complex_.is_ring(v) && !restraints_.is_on_seam(v); };
+  return !profile.is_joint && forgets_at(profile.pair.a) && forgets_at(profile.pair.b);
 }
 
 /// Where the volume is kept, else at the minimum.

@@ -9,13 +9,14 @@ namespace whittle {
 
 /// Memoryless quadrics (memoryless_term.hh). A contraction changes those of the merged vertex and of its neighbours.
 ///
-/// At borders and where the surface isn't manifold vertices remember, as with Garland–Heckbert, and so do the
+/// At borders, on seams and where the surface isn't manifold vertices remember, as with Garland–Heckbert, and so do the
 /// neighbours of vertices that are joined. Thin parts are not looked at there.
 class MemorylessCost final : public PairCost {
  public:
   MemorylessCost(TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options,
                  bool has_threshold_pairs)
       : complex_(complex),
+        restraints_(restraints),
         options_(options),
         ranks_(complex, restraints, options, has_threshold_pairs),
         changes_(options) {}
@@ -50,6 +51,7 @@ class MemorylessCost final : public PairCost {
   void remember_around(const ContractionProfile& profile);
 
   TriangleComplex& complex_;
+  const Restraints& restraints_;
   QuadricOptions options_;
   MeanFaceArea face_area_;
   QuadricCost ranks_;

@@ -8,14 +8,14 @@
 namespace whittle {
 
 void QuadricCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
-  if (options_.placement == Placement::optimal && !restraints_.any()) {
+  if (options_.placement == Placement::optimal) {
     const auto is_edge = [this](const Pair& pair) { return !complex_.is_threshold_pair(pair.id); };
     const auto n_edges =
         static_cast<std::size_t>(std::partition_point(pairs.begin(), pairs.end(), is_edge) - pairs.begin());
     find_minima(quadrics_, Points::without, pairs.first(n_edges), ranks, first_area_);
     find_minima(quadrics_, Points::with, pairs.subspan(n_edges), ranks.subspan(n_edges), first_area_);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (!ranks[i].is_minimum) ranks[i] = rank_one(pairs[i]);
+      if (!ranks[i].is_minimum || restraints_.pinned(pairs[i]) != Pinned::none) ranks[i] = rank_one(pairs[i]);
     }
   } else {
     std::transform(pairs.begin(), pairs.end(), ranks.begin(), [this](const Pair& pair) { return rank_one(pair); });

@@ -100,6 +100,28 @@ void VertexQuadrics::add_borders() {
   }
 }
 
+void VertexQuadrics::add_seams(const Restraints& restraints) {
+  if (!restraints.has_seams()) return;
+  QuadricOptions options = options_;
+  if (options.boundary_weight == 0) options.boundary_weight = QuadricOptions{}.boundary_weight;
+  options.boundary_weight /= 2;
+  for (Index v = 0; v < complex_.n_vertex_slots(); ++v) {
+    if (complex_.is_frozen(v)) continue;
+    const auto add = [&](const Neighbour& end, const Neighbour& opposite) {
+      if (!restraints.is_seam(end.edge)) return;
+      quadrics_[v].a += border_quadric(complex_.position(v), complex_.position(end.vertex),
+                                       complex_.position(opposite.vertex), options);
+    };
+    const std::span<const Neighbour> neighbours = complex_.neighbours(v);
+    const std::size_t step = complex_.is_ring(v) ? 1 : 2;
+    for (std::size_t i = 0; i < neighbours.size(); i += step) {
+      const Neighbour& next = neighbours[(i + 1) % neighbours.size()];
+      add(neighbours[i], next);
+      add(next, neighbours[i]);
+    }
+  }
+}
+
 void VertexQuadrics::resume(const DecimationState& state) {
   for (Index v = 0; v < quadrics_.size(); ++v) store(v, state.vertices[complex_.origin(v)].quadric);
 }

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "complex/restraints.hh"
 #include "cost/pair_cost.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/engine/formula/point_quadric.hh"
@@ -21,6 +22,9 @@ class VertexQuadrics {
   void sum_faces(unsigned threads);
   /// Adds the planes through border edges. \pre the complex is connected
   void add_borders();
+  /// Adds two planes through each seam edge, perpendicular to its faces, which weigh half as much as that of a border.
+  /// They are there even if borders have none. \pre the complex is connected
+  void add_seams(const Restraints& restraints);
 
   /// Takes all quadrics from an earlier run.
   void resume(const DecimationState& state);
