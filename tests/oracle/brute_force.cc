@@ -8,6 +8,7 @@
 
 #include "support/face_list.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
+#include "whittle/core/wedges.hh"
 #include "whittle/engine/formula/edge_length_term.hh"
 
 namespace whittle::test {
@@ -57,12 +58,31 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
   for (const Triangle& f : mesh.faces) {
     if (f[0] != f[1] && f[1] != f[2] && f[2] != f[0]) faces_.push_back(f);
   }
-  const std::map<Edge, int> n_faces = count_edge_faces(faces_);
   if (options.boundary == Boundary::free) options_.quadric.boundary_weight = 0;
 
+  std::vector<bool> locked(positions_.size());
+  for (Index v = 0; v < positions_.size(); ++v) {
+    locked[v] = (!options.locked.empty() && options.locked[v] != 0) ||
+                (options.boundary == Boundary::locked && link_of(v, faces_).vertices.contains(invalid_index));
+  }
+  const double tolerance = options.feature_tolerance * bounds_of(mesh.positions).diagonal() * frame_.scale;
+  restraints_ = BruteForceRestraints(positions_, faces_, locked, options_, tolerance, seam_edges(mesh));
+  sum_planes(options.quadric);
+  std::vector<bool> is_on_seam;
+  for (Index v = 0; v < positions_.size(); ++v) is_on_seam.push_back(restraints_.is_on_seam(v));
+  if (options_.cost == Cost::memoryless) memory_.emplace(positions_, faces_, is_on_seam);
+  if (options.pairs.threshold > 0) find_threshold_pairs(options.pairs);
+  had_threshold_pairs_ = !threshold_pairs_.empty();
+}
+
+/// Those of faces, seams and borders. \param options whatever becomes of borders
+void BruteForceDecimater::sum_planes(const QuadricOptions& options) {
   quadrics_.resize(positions_.size());
   points_.resize(positions_.size());
-  std::vector<bool> locked(positions_.size());
+  const std::map<Edge, int> n_faces = count_edge_faces(faces_);
+  QuadricOptions of_seams = options_.quadric;
+  const double weight = options_.quadric.boundary_weight;
+  of_seams.boundary_weight = 0.5 * (weight > 0 ? weight : QuadricOptions{}.boundary_weight);
   for (Index v = 0; v < positions_.size(); ++v) {
     SymmetricMatrix& sum = quadrics_[v].a;
     for (const Triangle& f : faces_) {
@@ -71,26 +91,21 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
       sum += corner_quadric(positions_[v], positions_[f[(corner + 1) % 3]], positions_[f[(corner + 2) % 3]],
                             options_.quadric);
     }
-    points_[v] = {positions_[v], 1 / (1 + 3 * options.quadric.regularization) * sum.trace(), 0};
-    for (const Triangle& f : faces_) {
-      if (!has(f, v)) continue;
-      const Index next = f[(corner_of(f, v) + 1) % 3];
-      const Index previous = f[(corner_of(f, v) + 2) % 3];
-      if (n_faces.at(edge(v, next)) == 1) {
-        sum += border_quadric(positions_[v], positions_[next], positions_[previous], options_.quadric);
+    points_[v] = {positions_[v], 1 / (1 + 3 * options.regularization) * sum.trace(), 0};
+    const auto add_lines = [&](const auto& is_on_line, const QuadricOptions& of_line) {
+      for (const Triangle& f : faces_) {
+        if (!has(f, v)) continue;
+        const Index next = f[(corner_of(f, v) + 1) % 3];
+        const Index previous = f[(corner_of(f, v) + 2) % 3];
+        if (is_on_line(v, next)) sum += border_quadric(positions_[v], positions_[next], positions_[previous], of_line);
+        if (is_on_line(previous, v)) {
+          sum += border_quadric(positions_[previous], positions_[v], positions_[next], of_line);
+        }
       }
-      if (n_faces.at(edge(previous, v)) == 1) {
-        sum += border_quadric(positions_[previous], positions_[v], positions_[next], options_.quadric);
-      }
-    }
-    locked[v] = (!options.locked.empty() && options.locked[v] != 0) ||
-                (options.boundary == Boundary::locked && link_of(v, faces_).vertices.contains(invalid_index));
+    };
+    add_lines([&](Index a, Index b) { return restraints_.is_seam(a, b); }, of_seams);
+    add_lines([&](Index a, Index b) { return n_faces.at(edge(a, b)) == 1; }, options_.quadric);
   }
-  const double tolerance = options.feature_tolerance * bounds_of(mesh.positions).diagonal() * frame_.scale;
-  restraints_ = BruteForceRestraints(positions_, faces_, locked, options, tolerance);
-  if (options_.cost == Cost::memoryless) memory_.emplace(positions_, faces_);
-  if (options.pairs.threshold > 0) find_threshold_pairs(options.pairs);
-  had_threshold_pairs_ = !threshold_pairs_.empty();
 }
 
 void BruteForceDecimater::find_threshold_pairs(const PairOptions& options) {

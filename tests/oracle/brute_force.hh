@@ -52,6 +52,7 @@ class BruteForceDecimater {
   PlacedQuadric placed(Index v, bool is_edge) const;
   std::vector<Choice> choices() const;
   Choice choice(Index a, Index b, bool is_edge, const SurfaceNow& surface) const;
+  void sum_planes(const QuadricOptions& options);
   PairEvaluation evaluate(Index a, Index b, bool is_edge, const SurfaceNow& surface) const;
   std::optional<Choice> next_choice() const;
   std::optional<Choice> settle(Choice choice) const;

@@ -48,8 +48,10 @@ std::set<Index> neighbours_of(std::span<const Triangle> faces, Index v) {
 
 BruteForceRestraints::BruteForceRestraints(std::span<const Vec3> positions, std::span<const Triangle> faces,
                                            const std::vector<bool>& locked, const DecimateOptions& options,
-                                           double tolerance)
+                                           double tolerance, std::span<const VertexPair> seams)
     : sharp_angle_deg_(options.feature_angle_deg.value_or(180)),
+      had_seams_(!seams.empty()),
+      seams_have_planes_(options.cost == Cost::quadric || options.cost == Cost::memoryless),
       tolerance_(tolerance),
       freedoms_(positions.size(), Freedom::full) {
   std::set<Edge> asked_for;
@@ -58,6 +60,10 @@ BruteForceRestraints::BruteForceRestraints(std::span<const Vec3> positions, std:
     const bool is_on = sharp_angle_deg_ < 180;
     const bool is_one = asked_for.contains(ends) || (is_on && is_sharp(positions, faces, ends.first, ends.second));
     if (is_one) features_[ends];
+  }
+  for (const auto& [a, b] : seams) {
+    if (!features_.contains({a, b})) seams_.insert({a, b});
+    features_[{a, b}];
   }
   mark_freedoms(positions, sharp_angle_deg_);
   for (Index v = 0; v < positions.size(); ++v) {
@@ -74,6 +80,12 @@ void BruteForceRestraints::mark_freedoms(std::span<const Vec3> positions, double
   for (const auto& [v, ends] : others) {
     freedoms_[v] = Freedom::corner;
     if (ends.size() != 2) continue;
+    const bool is_first_soft = is_seam(v, ends[0]);
+    if (is_first_soft != is_seam(v, ends[1])) continue;
+    if (is_first_soft) {
+      freedoms_[v] = Freedom::line;
+      continue;
+    }
     const Vec3 in = positions[v] - positions[ends[0]];
     const Vec3 out = positions[ends[1]] - positions[v];
     const bool turns = in.dot(out) < cosine_of(corner_angle_deg) * in.norm() * out.norm();
@@ -91,7 +103,8 @@ std::optional<Pinned> BruteForceRestraints::pinned(Index a, Index b) const {
   const bool along_feature = is_feature(a, b);
   const bool a_may_move = may_move(a, along_feature);
   const bool b_may_move = may_move(b, along_feature);
-  if (a_may_move && b_may_move) return along_feature ? Pinned::either : Pinned::none;
+  const bool is_free = !along_feature || (is_seam(a, b) && seams_have_planes_);
+  if (a_may_move && b_may_move) return is_free ? Pinned::none : Pinned::either;
   if (a_may_move) return Pinned::second;
   if (b_may_move) return Pinned::first;
   return std::nullopt;
@@ -115,7 +128,7 @@ bool BruteForceRestraints::keeps_lines(std::span<const Vec3> positions, std::spa
   for (const Index v : neighbours_of(faces, a)) {
     if (v != b && is_feature(a, v) && is_feature(b, v)) return false;
   }
-  if (!is_feature(a, b)) return true;
+  if (!is_feature(a, b) || is_seam(a, b)) return true;
   const auto [moved, next] = move_along(a, b, positions[a], position);
   if (!next) return true;
   std::vector<Vec3> passed{positions[moved]};
@@ -168,7 +181,9 @@ bool BruteForceRestraints::keeps_sharpness(std::span<const Vec3> positions, std:
 void BruteForceRestraints::contract(std::span<const Vec3> positions, std::span<const Triangle> after, Index survivor,
                                     Index removed, const Vec3& position) {
   const auto [a, b] = edge(survivor, removed);
-  if (is_feature(a, b)) {
+  if (is_seam(a, b)) {
+    features_.erase({a, b});
+  } else if (is_feature(a, b)) {
     const auto [moved, next] = move_along(a, b, positions[a], position);
     const Course course = features_.at({a, b});
     features_.erase({a, b});
@@ -184,6 +199,8 @@ void BruteForceRestraints::contract(std::span<const Vec3> positions, std::span<c
   for (const auto& [ends, course] : features_) {
     const Edge merged = edge(now(ends.first), now(ends.second));
     if (!faces_at(after, merged.first, merged.second).empty()) features[merged] = course;
+    const bool is_soft = seams_.contains(ends) && !seams_.contains(merged) && !features_.contains(merged);
+    if (is_soft) seams_.insert(merged);
   }
   features_ = std::move(features);
 }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -21,7 +23,12 @@ class BruteForceRestraints {
   /// \param positions in the frame \param faces of the mesh, without collapsed faces
   /// \param locked per vertex \param tolerance how far a line may move away from its course, in the frame
   BruteForceRestraints(std::span<const Vec3> positions, std::span<const Triangle> faces,
-                       const std::vector<bool>& locked, const DecimateOptions& options, double tolerance);
+                       const std::vector<bool>& locked, const DecimateOptions& options, double tolerance,
+                       std::span<const VertexPair> seams);
+
+  /// Whether there are seams, and v may not go where it likes.
+  bool is_on_seam(Index v) const { return had_seams_ && freedoms_[v] != Freedom::full; }
+  bool is_seam(Index a, Index b) const { return seams_.contains(std::minmax(a, b)); }
 
   /// Where the merged vertex of a pair may go; nullopt if neither vertex may move.
   std::optional<Pinned> pinned(Index a, Index b) const;
@@ -57,6 +64,9 @@ class BruteForceRestraints {
   bool is_sharp(std::span<const Vec3> positions, std::span<const Triangle> faces, Index x, Index y) const;
 
   double sharp_angle_deg_ = 180;
+  bool had_seams_ = false;
+  bool seams_have_planes_ = false;  ///< in the cost; or merged vertices on them go to an end
+  std::set<Edge> seams_;            ///< of the features, those that only the cost holds in place
   double tolerance_ = 0;
   std::vector<Freedom> freedoms_;    ///< per vertex
   std::map<Edge, Course> features_;  ///< with the course of the line between the ends

@@ -74,8 +74,7 @@ void check_maps(const DecimateCase& c, const Decimation& d) {
   }
 }
 
-void check_counts(const DecimateCase& c, const Decimation& d, const metrics::Topology& before,
-                  const metrics::Topology& after) {
+void check_counts(const Decimation& d, const metrics::Topology& before, const metrics::Topology& after) {
   const DecimateResult& result = d.result;
   require(result.n_faces == d.mesh.faces.size(), "faces are counted");
   require(result.n_vertices == d.mesh.positions.size(), "vertices are counted");
@@ -329,7 +328,7 @@ void check_decimation(const DecimateCase& c, const Decimation& d, const std::vec
   const metrics::Topology before = metrics::topology(c.mesh);
   const metrics::Topology after = metrics::topology(d.mesh);
   check_maps(c, d);
-  check_counts(c, d, before, after);
+  check_counts(d, before, after);
   check_error(c, d);
   check_stop(c, d);
   check_contractions(c, d, made);

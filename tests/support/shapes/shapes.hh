@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 #include <whittle/core/indexed_mesh.hh>
@@ -72,6 +74,17 @@ IndexedMesh frustum(int n_around, double height = 20.0);
 /// An angle bracket: a plate with a round hole through it and a wall standing on its edge; flat sides, sharp edges.
 /// With n = `n_side` (at least 2) squares along a side: V 10n² + 12n + 2, F 20n² + 24n + 4, g 1.
 IndexedMesh bracket(int n_side);
+
+// With seams ----------------------------------------------------------------------------------------------------------
+
+/// `tessellated_cube` with a chart and a group a side, and normals that break at its edges. Each corner of a face has a
+/// wedge of its own: `join_equal_wedges` leaves one a vertex and side. The texture coordinates are `chart_position`.
+IndexedMesh charted_cube(int n);
+/// Texture coordinates on a side of the charted cube, a linear function of the position.
+std::array<double, 2> chart_position(std::size_t side, const Vec3& position);
+/// `torus` with texture coordinates in [0, 1]: the turn around the axis, and that around the tube. It is one chart, cut
+/// along a circle of each kind.
+IndexedMesh textured_torus(int nu, int nv);
 
 // Several parts -------------------------------------------------------------------------------------------------------
 

@@ -19,6 +19,15 @@ struct Case {
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
+/// With three groups of faces, here and there.
+IndexedMesh in_groups(IndexedMesh mesh) {
+  for (const auto& [a, b, c] : mesh.faces) {
+    const Vec3 middle = (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3;
+    mesh.face_groups.push_back(static_cast<Index>((middle.x() > 0.3 ? 1 : 0) + (middle.y() > middle.x() ? 1 : 0)));
+  }
+  return mesh;
+}
+
 std::vector<Case> all_shapes() {
   return {{"tetrahedron", tetrahedron()},
           {"octahedron", octahedron()},
@@ -55,7 +64,15 @@ std::vector<Case> all_shapes() {
           {"soup(icosahedron)", soup(icosahedron())},
           {"with_duplicate_faces(blob)", with_duplicate_faces(blob(1, 3), 7)},
           {"with_isolated_vertices(blob)", with_isolated_vertices(blob(1, 4), 9, 1)},
-          {"inside_out(blob)", inside_out(blob(2, 6))}};
+          {"inside_out(blob)", inside_out(blob(2, 6))},
+          {"charted_cube(3)", charted_cube(3)},
+          {"textured_torus(14,8)", textured_torus(14, 8)},
+          {"blob(2) in groups", in_groups(blob(2, 3))},
+          {"noisy_grid(9,8) in groups", in_groups(noisy_grid(9, 8, 0.3, 4))},
+          {"bracket(2) in groups", in_groups(bracket(2))},
+          {"two_cubes_on_an_edge(3) in groups", in_groups(two_cubes_on_an_edge(3))},
+          {"moebius(14,3) in groups", in_groups(moebius(14, 3))},
+          {"book(3,4) in groups", in_groups(book(3, 4))}};
 }
 
 struct Setting {
@@ -244,6 +261,7 @@ TEST_P(ContractionOrder, IsThatOfBruteForce) {
 /// On a mesh collapsed to a line all costs are 0. The lowest vertices are at the border.
 TEST(ContractionOrderOfTies, IsThatOfBruteForceWhereALockedVertexSurvives) {
   for (const Case& named : all_shapes()) {
+    if (!seam_edges(named.mesh).empty()) continue;  // there ties have another order where a vertex on a line survives
     IndexedMesh line = named.mesh;
     for (Vec3& p : line.positions) p = {0, 0, std::round(2 * p.z())};
     DecimateOptions options;

@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "attributes/attribute_blend.hh"
 #include "attributes/wedge_map.hh"
+#include "whittle/core/attribute_blend.hh"
 #include "whittle/core/detail/index_lists.hh"
 #include "whittle/core/geometry/vertex_normals.hh"
 
@@ -114,7 +114,7 @@ void carry_attributes(const IndexedMesh& input, const Frame& frame, Normals norm
                       std::span<const Index> face_origins, IndexedMesh& mesh) {
   carry_face_attributes(input, face_origins, mesh);
   if (!has_attributes(input)) return;
-  WedgeMap map = wedge_map(input, vertex_map, face_origins);
+  WedgeMap map = map_wedges(input, vertex_map, face_origins);
   AttributeCarrier carrier(map, frame, mesh);
   mesh.colors = carrier.carried(AttributeKind::color, input.colors);
   mesh.attributes.clear();

@@ -5,6 +5,7 @@
 
 #include "whittle/core/detail/disjoint_sets.hh"
 #include "whittle/core/wedges.hh"
+#include "whittle/engine/attributes.hh"
 
 namespace whittle {
 namespace {
@@ -33,7 +34,7 @@ WedgeMap one_a_vertex(std::span<const Index> vertex_map) {
 
 }  // namespace
 
-WedgeMap wedge_map(const IndexedMesh& input, std::span<const Index> vertex_map, std::span<const Index> face_origins) {
+WedgeMap map_wedges(const IndexedMesh& input, std::span<const Index> vertex_map, std::span<const Index> face_origins) {
   if (input.wedges.empty()) return one_a_vertex(vertex_map);
   Sets sets = joined_wedges(input, vertex_map);
   std::vector<std::pair<Index, Index>> used;  // vertex of the result, least wedge of the input
@@ -56,6 +57,11 @@ WedgeMap wedge_map(const IndexedMesh& input, std::span<const Index> vertex_map, 
     for (std::size_t k = 0; k < 3; ++k) map.of_corners.push_back(map.of_input[input.wedge(f, k)]);
   }
   return map;
+}
+
+std::vector<Index> wedge_map(const IndexedMesh& input, std::span<const Index> vertex_map,
+                             std::span<const Index> face_origins) {
+  return map_wedges(input, vertex_map, face_origins).of_input;
 }
 
 }  // namespace whittle

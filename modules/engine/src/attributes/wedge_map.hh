@@ -7,8 +7,7 @@
 
 namespace whittle {
 
-/// What has become of the input's wedges. Two of them become one where an edge of a face that has both was contracted,
-/// as in Hoppe's wedge meshes (\cite hoppe_1999_attributes): each side of a seam keeps its own.
+/// What has become of the input's wedges (`wedge_map`).
 struct WedgeMap {
   std::vector<Index> of_input;    ///< input wedges → those of the result; `invalid_index` where it has no such corner
   std::vector<Index> vertex_of;   ///< wedges of the result → its vertices, ascending
@@ -17,6 +16,6 @@ struct WedgeMap {
 
 /// \param vertex_map, face_origins as those of `Decimation` \pre faces of the result begin with the same corner as
 /// those of the input that they come from
-WedgeMap wedge_map(const IndexedMesh& input, std::span<const Index> vertex_map, std::span<const Index> face_origins);
+WedgeMap map_wedges(const IndexedMesh& input, std::span<const Index> vertex_map, std::span<const Index> face_origins);
 
 }  // namespace whittle

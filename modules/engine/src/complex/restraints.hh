@@ -58,10 +58,8 @@ class Restraints {
   }
   /// Whether the edge is on a seam, and on no feature line.
   bool is_seam(Index edge) const { return !is_seam_.empty() && is_seam_[edge]; }
-  /// Whether v is on a line, if there are seams.
-  bool is_on_seam(Index v) const {
-    return has_seams() && (freedoms_[v] == Freedom::line || freedoms_[v] == Freedom::corner);
-  }
+  /// Whether there are seams, and v may not go where it likes.
+  bool is_on_seam(Index v) const { return has_seams() && freedoms_[v] != Freedom::full; }
   bool has_seams() const { return !is_seam_.empty(); }
   bool is_feature(Index edge) const { return has_features() && is_feature_[edge]; }
   bool are_both_locked(const Pair& pair) const { return is_locked(pair.a) && is_locked(pair.b); }

@@ -26,6 +26,7 @@ struct VertexState {
 /// Life of a cost, told by the loop:
 ///
 ///   see_faces()                    the faces of each vertex are listed
+///   see_seams(seams)               only if there are some; faces are still listed
 ///   start()                        neighbours and edges are known
 ///   resume(state)                  only if the run goes on from another one
 ///   recall(memory)                 only if others worked on the surface before
@@ -38,6 +39,8 @@ class PairCost {
   virtual ~PairCost() = default;
 
   virtual void see_faces(unsigned /*threads*/) {}
+  /// \param seams by number in the input, ascending
+  virtual void see_seams(std::span<const VertexPair> /*seams*/) {}
   virtual void start(unsigned /*threads*/) {}
   /// Takes what was kept about vertices from an earlier run. Called after `start`. \param state by number in the input
   virtual void resume(const DecimationState& /*state*/) {}

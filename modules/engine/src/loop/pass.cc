@@ -12,6 +12,14 @@ bool has_quadrics(const DecimateOptions& options) {
   return options.effective_cost() == Cost::quadric || options.effective_cost() == Cost::memoryless;
 }
 
+std::vector<VertexPair> seams_of(const FeatureLines& lines) {
+  std::vector<VertexPair> seams;
+  for (std::size_t i = 0; i < lines.edges.size(); ++i) {
+    if (lines.is_seam[i] != 0) seams.push_back(lines.edges[i]);
+  }
+  return seams;
+}
+
 /// Whether each vertex of the result lies at one of the input.
 bool stays_at_vertices(const DecimateOptions& options) {
   return has_quadrics(options) && options.quadric.placement == Placement::endpoint;
@@ -71,6 +79,7 @@ Pass::Pass(const PassInput& input, const DecimateOptions& options)
   if (hosted_cost ? hosted_cost->stays_at_vertices() : stays_at_vertices(options)) complex_.follow_positions();
   if (!input.frozen.empty()) complex_.freeze(input.frozen);
   cost_->see_faces(options.threads);
+  if (input.lines && !input.lines->is_seam.empty()) cost_->see_seams(seams_of(*input.lines));
   complex_.connect(input.threshold_pairs, options.threads);
   const bool has_planes = !hosted_cost && has_quadrics(options);
   restraints_ = Restraints(complex_, locked_vertices(complex_, input.locked, options.boundary),

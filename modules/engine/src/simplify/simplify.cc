@@ -13,6 +13,7 @@
 #include "simplify/plain_trial.hh"
 #include "simplify/polish_within.hh"
 #include "whittle/engine/attributes.hh"
+#include "whittle/polish/fit_attributes.hh"
 
 namespace whittle {
 namespace {
@@ -217,7 +218,8 @@ void fit_attributes_of(const IndexedMesh& input, const SimplifyOptions& settled,
   const bool is_cancelled = result.result.stop == StopReason::cancelled || result.polish.cancelled;
   if (is_cancelled || settled.polish_passes == 0U) return;
   const Clock::time_point start = Clock::now();
-  fit_attributes(input, result.face_origins, settled.decimate.normals, result.mesh, settled.decimate.threads);
+  fit_attributes(input, wedge_map(input, result.vertex_map, result.face_origins), result.mesh,
+                 {settled.decimate.normals == Normals::keep, settled.decimate.threads});
   result.polish_seconds += seconds_since(start);
 }
 

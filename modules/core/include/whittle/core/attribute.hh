@@ -26,10 +26,10 @@ enum class ScalarType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32
 
 /// A named attribute, with one value for each wedge, or face, of a mesh.
 struct Attribute {
-  std::string name;  ///< as the file has it: "TEXCOORD_0", "quality"
+  std::string name{};  ///< as the file has it: "TEXCOORD_0", "quality"
   AttributeKind kind = AttributeKind::scalar;
   std::size_t n_components = 1;  ///< At least 1.
-  std::vector<double> values;    ///< `n_components` for each, one after the other.
+  std::vector<double> values{};  ///< `n_components` for each, one after the other.
   ScalarType type = ScalarType::float32;
   bool is_normalized = false;  ///< Whether a file stores integers for [0, 1] or [-1, 1]. `values` are real numbers.
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "whittle/core/frame.hh"
 #include "whittle/engine/options.hh"
@@ -14,11 +15,10 @@ namespace whittle {
 void carry_attributes(const IndexedMesh& input, const Frame& frame, Normals normals, std::span<const Index> vertex_map,
                       std::span<const Index> face_origins, IndexedMesh& mesh);
 
-/// Fits the attributes of a simplified mesh to those of its input, by least squares over samples of the input
-/// (attribute_fit.cc). Each is compared within its chart. Categories and joint weights are those of the nearest point.
-/// \param face_origins as that of `Decimation`
-/// \param mesh has the attributes of the input, as `carry_attributes` gives them \param threads 0 = all cores
-void fit_attributes(const IndexedMesh& input, std::span<const Index> face_origins, Normals normals, IndexedMesh& mesh,
-                    unsigned threads);
+/// What each wedge of the input has become, or `invalid_index`. Two of them become one where an edge of a face that has
+/// both was contracted, as in Hoppe's wedge meshes (\cite hoppe_1999_attributes): each side of a seam keeps its own.
+/// \param vertex_map, face_origins as those of `Decimation`
+std::vector<Index> wedge_map(const IndexedMesh& input, std::span<const Index> vertex_map,
+                             std::span<const Index> face_origins);
 
 }  // namespace whittle

@@ -10,7 +10,7 @@ class IsotropicCost final : public SummedQuadricsCost {
  public:
   IsotropicCost(const TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options,
                 double isotropy)
-      : SummedQuadricsCost(complex, restraints, options, false), isotropy_(isotropy) {}
+      : SummedQuadricsCost(complex, options, false), restraints_(restraints), isotropy_(isotropy) {}
 
   using PairCost::rank;
   void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;
@@ -18,6 +18,7 @@ class IsotropicCost final : public SummedQuadricsCost {
   Reach reach() const override { return Reach::ends; }
 
  private:
+  const Restraints& restraints_;
   double isotropy_;
 };
 

@@ -22,6 +22,7 @@ class MemorylessCost final : public PairCost {
         changes_(options) {}
 
   void see_faces(unsigned threads) override { ranks_.see_faces(threads); }
+  void see_seams(std::span<const VertexPair> seams) override { ranks_.see_seams(seams); }
   void start(unsigned threads) override;
   void resume(const DecimationState& state) override;
   void recall(const Memory& memory) override;

@@ -13,7 +13,7 @@ class QuadricCost final : public SummedQuadricsCost {
  public:
   QuadricCost(const TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options,
               bool has_threshold_pairs)
-      : SummedQuadricsCost(complex, restraints, options, has_threshold_pairs), complex_(complex) {}
+      : SummedQuadricsCost(complex, options, has_threshold_pairs), complex_(complex), restraints_(restraints) {}
 
   using PairCost::rank;
   void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;
@@ -30,6 +30,7 @@ class QuadricCost final : public SummedQuadricsCost {
   PairEvaluation rank_one(const Pair& pair) const;
 
   const TriangleComplex& complex_;
+  const Restraints& restraints_;
   std::optional<double> first_area_;
 };
 

@@ -1,23 +1,19 @@
 #pragma once
 
-#include "complex/restraints.hh"
 #include "cost/pair_cost.hh"
 #include "cost/quadric/vertex_quadrics.hh"
 
 namespace whittle {
 
-/// A cost of quadrics: those of the faces, borders and seams at first, and a merged vertex has the sum of its two.
+/// A cost of quadrics: those of the faces, seams and borders at first, and a merged vertex has the sum of its two.
 class SummedQuadricsCost : public PairCost {
  public:
-  SummedQuadricsCost(const TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options,
-                     bool has_threshold_pairs)
-      : restraints_(restraints), options_(options), quadrics_(complex, options, has_threshold_pairs) {}
+  SummedQuadricsCost(const TriangleComplex& complex, const QuadricOptions& options, bool has_threshold_pairs)
+      : options_(options), quadrics_(complex, options, has_threshold_pairs) {}
 
   void see_faces(unsigned threads) final { quadrics_.sum_faces(threads); }
-  void start(unsigned /*threads*/) final {
-    quadrics_.add_borders();
-    quadrics_.add_seams(restraints_);
-  }
+  void see_seams(std::span<const VertexPair> seams) final { quadrics_.add_seams(seams); }
+  void start(unsigned /*threads*/) final { quadrics_.add_borders(); }
   void resume(const DecimationState& state) final { quadrics_.resume(state); }
   void recall(const Memory& memory) final { quadrics_.recall(memory); }
   bool remembers(Index /*v*/) const final { return true; }
@@ -25,7 +21,6 @@ class SummedQuadricsCost : public PairCost {
   VertexState vertex_state() const final { return quadrics_.state(); }
 
  protected:
-  const Restraints& restraints_;
   QuadricOptions options_;
   VertexQuadrics quadrics_;
 };

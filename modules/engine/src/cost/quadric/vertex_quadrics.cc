@@ -100,24 +100,25 @@ void VertexQuadrics::add_borders() {
   }
 }
 
-void VertexQuadrics::add_seams(const Restraints& restraints) {
-  if (!restraints.has_seams()) return;
+void VertexQuadrics::add_seams(std::span<const VertexPair> seams) {
   QuadricOptions options = options_;
   if (options.boundary_weight == 0) options.boundary_weight = QuadricOptions{}.boundary_weight;
   options.boundary_weight /= 2;
-  for (Index v = 0; v < complex_.n_vertex_slots(); ++v) {
-    if (complex_.is_frozen(v)) continue;
-    const auto add = [&](const Neighbour& end, const Neighbour& opposite) {
-      if (!restraints.is_seam(end.edge)) return;
-      quadrics_[v].a += border_quadric(complex_.position(v), complex_.position(end.vertex),
-                                       complex_.position(opposite.vertex), options);
-    };
-    const std::span<const Neighbour> neighbours = complex_.neighbours(v);
-    const std::size_t step = complex_.is_ring(v) ? 1 : 2;
-    for (std::size_t i = 0; i < neighbours.size(); i += step) {
-      const Neighbour& next = neighbours[(i + 1) % neighbours.size()];
-      add(neighbours[i], next);
-      add(next, neighbours[i]);
+  const std::vector<Index> vertices = complex_.vertices_by_origin();
+  std::vector<bool> is_on_seam(vertices.size());
+  for (const auto& [a, b] : seams) is_on_seam[vertices[a]] = is_on_seam[vertices[b]] = true;
+  const auto is_seam = [&](Index v, Index w) {
+    const auto [low, high] = std::minmax({complex_.origin(v), complex_.origin(w)});
+    return is_on_seam[w] && std::binary_search(seams.begin(), seams.end(), VertexPair{low, high});
+  };
+  const auto position = [this](Index v) -> const Vec3& { return complex_.position(v); };
+  for (Index v = 0; v < is_on_seam.size(); ++v) {
+    if (!is_on_seam[v]) continue;
+    SymmetricMatrix& sum = quadrics_[v].a;
+    for (const Neighbour& listed : complex_.listed_faces(v)) {
+      const auto [x, y] = TriangleComplex::as_face(listed);
+      if (is_seam(v, x)) sum += border_quadric(position(v), position(x), position(y), options);
+      if (is_seam(v, y)) sum += border_quadric(position(y), position(v), position(x), options);
     }
   }
 }

@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "complex/restraints.hh"
 #include "cost/pair_cost.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/engine/formula/point_quadric.hh"
@@ -20,11 +19,12 @@ class VertexQuadrics {
 
   /// Sums the planes of each vertex's faces, in the input's order. \pre the complex lists faces
   void sum_faces(unsigned threads);
+  /// Adds planes through seam edges, perpendicular to each of their faces, which weigh half as much as that of a
+  /// border. They are there even if borders have none. \param seams by number in the input, ascending \pre the complex
+  /// lists faces
+  void add_seams(std::span<const VertexPair> seams);
   /// Adds the planes through border edges. \pre the complex is connected
   void add_borders();
-  /// Adds two planes through each seam edge, perpendicular to its faces, which weigh half as much as that of a border.
-  /// They are there even if borders have none. \pre the complex is connected
-  void add_seams(const Restraints& restraints);
 
   /// Takes all quadrics from an earlier run.
   void resume(const DecimationState& state);

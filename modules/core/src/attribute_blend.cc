@@ -1,4 +1,4 @@
-#include "attributes/attribute_blend.hh"
+#include "whittle/core/attribute_blend.hh"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,238 @@
+#include "whittle/polish/fit_attributes.hh"
+
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "attributes/attribute_feet.hh"
+#include "whittle/core/attribute_blend.hh"
+#include "whittle/core/detail/checks.hh"
+#include "whittle/core/wedges.hh"
+
+namespace whittle {
+namespace {
+
+using polishing::AttributeFeet;
+using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using Vector = Eigen::VectorXd;
+
+constexpr double guess_weight = 0.02;  ///< λ
+constexpr double least_length = 1e-3;  ///< of a sum of directions that is one
+
+/// How many of the first numbers of a value are blended by sums.
+std::size_t n_linear(AttributeKind kind, std::size_t n_components) {
+  if (kind == AttributeKind::category || kind == AttributeKind::joint_weights) return 0;
+  return kind == AttributeKind::tangent ? std::min<std::size_t>(n_components, 3) : n_components;
+}
+
+/// The corners of a mesh as wedges, and where these are: the surface, cut open at its seams.
+IndexedMesh cut_open(const IndexedMesh& mesh) {
+  IndexedMesh cut;
+  cut.positions.resize(n_wedges(mesh), Vec3::Zero());
+  cut.faces.resize(mesh.faces.size());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index w = cut.faces[f][k] = mesh.wedge(f, k);
+      cut.positions[w] = mesh.positions[mesh.faces[f][k]];
+    }
+  }
+  return cut;
+}
+
+/// Values of an attribute: of the original, and of the mesh, to be fitted.
+struct Values {
+  AttributeKind kind;
+  std::size_t n_components;
+  std::vector<double> from, to;
+
+  std::span<const double> original(Index w) const { return {from.data() + w * n_components, n_components}; }
+  std::span<double> fitted(Index w) { return {to.data() + w * n_components, n_components}; }
+};
+
+class AttributeFit {
+ public:
+  /// \param original, mesh cut open
+  AttributeFit(const IndexedMesh& original, std::span<const Index> wedge_map, const IndexedMesh& mesh,
+               unsigned threads);
+
+  void fit(Values& values) const;
+
+ private:
+  template <class Use>
+  void for_each_sample(const Use& use) const;
+  void assemble();
+  void guess(Values& values) const;
+  Vector right_side(const Values& values, std::size_t component) const;
+
+  const IndexedMesh& original_;
+  const IndexedMesh& mesh_;
+  AttributeFeet feet_;
+  Matrix matrix_;
+  Vector guess_weights_;  ///< λ M
+};
+
+AttributeFit::AttributeFit(const IndexedMesh& original, std::span<const Index> wedge_map, const IndexedMesh& mesh,
+                           unsigned threads)
+    : original_(original), mesh_(mesh) {
+  const detail::Workers workers(threads);
+  const polishing::OriginalSurface surface(original, workers);
+  const polishing::Origins origins(surface, wedge_map, mesh.positions.size(), 1, workers);
+  std::vector<Vec3> positions;
+  positions.reserve(mesh.positions.size());
+  for (const Vec3& p : mesh.positions) positions.push_back(surface.frame().to_frame(p));
+  const polishing::VertexCorners corners = polishing::corners_by_vertex(mesh.faces, mesh.positions.size());
+  feet_ = find_attribute_feet(origins, {mesh.faces, corners, positions}, workers);
+  assemble();
+}
+
+/// Calls `use(wedges of the original, how many count, foot's face, weights at its corners, sample's weight)`. The value
+/// at a sample is the mean of those wedges.
+template <class Use>
+void AttributeFit::for_each_sample(const Use& use) const {
+  const auto tell = [&](const AttributeFeet::Sample& sample, std::span<const Index> wedges) {
+    const auto& [foot, weight] = sample;
+    if (foot.face == invalid_index || !(weight > 0)) return;
+    const double second = foot.second;
+    const double third = foot.third;
+    use(wedges, foot.face, std::array<double, 3>{1 - second - third, second, third}, weight);
+  };
+  for (Index w = 0; w < feet_.of_vertices.size(); ++w) tell(feet_.of_vertices[w], {&w, 1});
+  for (std::size_t f = 0; f < feet_.of_faces.size(); ++f) tell(feet_.of_faces[f], original_.faces[f]);
+}
+
+void AttributeFit::assemble() {
+  const auto n = static_cast<Eigen::Index>(mesh_.positions.size());
+  std::vector<std::array<double, 9>> of_faces(mesh_.faces.size(), std::array<double, 9>{});
+  Vector masses = Vector::Zero(n);
+  for_each_sample([&](std::span<const Index>, Index face, const std::array<double, 3>& at, double weight) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      masses[mesh_.faces[face][i]] += weight * at[i];
+      for (std::size_t k = 0; k < 3; ++k) of_faces[face][3 * i + k] += weight * at[i] * at[k];
+    }
+  });
+  const double mean = masses.mean();
+  guess_weights_ = guess_weight * masses.array().max(0) + 1e-6 * (mean > 0 ? mean : 1.0);
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(9 * of_faces.size() + mesh_.positions.size());
+  for (std::size_t f = 0; f < of_faces.size(); ++f) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        entries.emplace_back(static_cast<int>(mesh_.faces[f][i]), static_cast<int>(mesh_.faces[f][k]),
+                             of_faces[f][3 * i + k]);
+      }
+    }
+  }
+  for (int w = 0; w < n; ++w) entries.emplace_back(w, w, guess_weights_[w]);
+  matrix_.resize(n, n);
+  matrix_.setFromTriplets(entries.begin(), entries.end());
+}
+
+/// The original's value nearest to each wedge.
+void AttributeFit::guess(Values& values) const {
+  AttributeBlend blend(values.kind, values.n_components);
+  for (Index w = 0; w < feet_.of_wedges.size(); ++w) {
+    const polishing::NearestPoint& nearest = feet_.of_wedges[w];
+    if (nearest.face == invalid_index) continue;
+    const auto& [second, third] = nearest.at;
+    const std::array<double, 3> at{1 - second - third, second, third};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (at[k] > 0) blend.add(values.original(original_.faces[nearest.face][k]), at[k]);
+    }
+    blend.result(values.fitted(w));
+  }
+}
+
+Vector AttributeFit::right_side(const Values& values, std::size_t component) const {
+  Vector sums = Vector::Zero(static_cast<Eigen::Index>(mesh_.positions.size()));
+  for_each_sample([&](std::span<const Index> wedges, Index face, const std::array<double, 3>& at, double weight) {
+    double value = 0;
+    for (const Index w : wedges) value += values.original(w)[component];
+    value *= weight / static_cast<double>(wedges.size());
+    for (std::size_t k = 0; k < 3; ++k) sums[mesh_.faces[face][k]] += at[k] * value;
+  });
+  return sums;
+}
+
+/// Of unit length again, or in [0, 1]. \param before what stays where a direction has no length
+void restore_range(AttributeKind kind, std::span<const double> before, std::span<double> value) {
+  if (kind == AttributeKind::color) {
+    for (double& x : value) x = std::clamp(x, 0.0, 1.0);
+  } else if (kind == AttributeKind::normal || kind == AttributeKind::tangent) {
+    const double length = std::sqrt(value[0] * value[0] + value[1] * value[1] + value[2] * value[2]);
+    for (std::size_t i = 0; i < 3; ++i) value[i] = length > least_length ? value[i] / length : before[i];
+  }
+}
+
+void AttributeFit::fit(Values& values) const {
+  guess(values);
+  const std::vector<double> guessed = values.to;
+  const std::size_t n = values.n_components;
+  const auto n_wedges = static_cast<Eigen::Index>(mesh_.positions.size());
+  Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver;
+  solver.setTolerance(1e-5);
+  solver.setMaxIterations(50);
+  solver.compute(matrix_);
+  for (std::size_t i = 0; i < n_linear(values.kind, n); ++i) {
+    const auto column = [&](std::vector<double>& all) {
+      return Eigen::Map<Vector, 0, Eigen::InnerStride<>>(all.data() + i, n_wedges,
+                                                         Eigen::InnerStride<>(static_cast<Eigen::Index>(n)));
+    };
+    const Vector start = column(values.to);
+    column(values.to) = solver.solveWithGuess(right_side(values, i) + guess_weights_.cwiseProduct(start), start);
+  }
+  for (Index w = 0; w < mesh_.positions.size(); ++w) {
+    restore_range(values.kind, {guessed.data() + w * n, n}, values.fitted(w));
+  }
+}
+
+template <std::size_t N>
+void fit_array(const AttributeFit& fit, AttributeKind kind, const std::vector<std::array<float, N>>& from,
+               std::vector<std::array<float, N>>& to) {
+  Values values{kind, N, {}, {}};
+  for (const auto& value : from) values.from.insert(values.from.end(), value.begin(), value.end());
+  for (const auto& value : to) values.to.insert(values.to.end(), value.begin(), value.end());
+  fit.fit(values);
+  for (std::size_t i = 0; i < N * to.size(); ++i) to[i / N][i % N] = static_cast<float>(values.to[i]);
+}
+
+void check_map(const IndexedMesh& original, std::span<const Index> wedge_map, const IndexedMesh& mesh) {
+  check_attributes(original, "fit_attributes");
+  check_attributes(mesh, "fit_attributes");
+  const auto require = [](bool is_so, const char* what) {
+    if (!is_so) throw std::invalid_argument(std::string("fit_attributes: ") + what);
+  };
+  require(wedge_map.size() == n_wedges(original), "wedge_map has another length than the original's wedges");
+  const std::size_t n = n_wedges(mesh);
+  require(std::all_of(wedge_map.begin(), wedge_map.end(), [n](Index w) { return w == invalid_index || w < n; }),
+          "wedge_map names a wedge that isn't there");
+  require(mesh.attributes.size() == original.attributes.size(), "the meshes have other attributes");
+}
+
+}  // namespace
+
+void fit_attributes(const IndexedMesh& original, std::span<const Index> wedge_map, IndexedMesh& mesh,
+                    const FitAttributesOptions& options) {
+  const bool fits_normals = options.fit_normals && !original.normals.empty() && !mesh.normals.empty();
+  const bool fits_colors = !original.colors.empty() && !mesh.colors.empty();
+  if (!fits_normals && !fits_colors && original.attributes.empty()) return;
+  check_map(original, wedge_map, mesh);
+  if (original.faces.empty() || mesh.faces.empty()) return;
+  const IndexedMesh cut_original = cut_open(original);
+  const IndexedMesh cut_mesh = cut_open(mesh);
+  const AttributeFit fit(cut_original, wedge_map, cut_mesh, options.threads);
+  if (fits_normals) fit_array(fit, AttributeKind::normal, original.normals, mesh.normals);
+  if (fits_colors) fit_array(fit, AttributeKind::color, original.colors, mesh.colors);
+  for (std::size_t i = 0; i < mesh.attributes.size(); ++i) {
+    Attribute& attribute = mesh.attributes[i];
+    Values values{attribute.kind, attribute.n_components, original.attributes[i].values, std::move(attribute.values)};
+    fit.fit(values);
+    attribute.values = std::move(values.to);
+  }
+}
+
+}  // namespace whittle

@@ -1,0 +1,176 @@
+// Meshes with charts and materials: seams stay closed and in place, attributes stay near those of the input.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "support/shapes/shapes.hh"
+#include "support/topology.hh"
+#include "whittle/core/wedges.hh"
+#include "whittle/engine/simplify.hh"
+
+namespace whittle::test {
+namespace {
+
+IndexedMesh with_joined_wedges(IndexedMesh mesh) {
+  join_equal_wedges(mesh);
+  return mesh;
+}
+
+const std::array all_costs{Cost::quadric, Cost::memoryless, Cost::lindstrom_turk, Cost::midpoint};
+
+/// The faces of a group.
+IndexedMesh group_of(const IndexedMesh& mesh, Index group) {
+  IndexedMesh part;
+  part.positions = mesh.positions;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (mesh.face_groups[f] == group) part.faces.push_back(mesh.faces[f]);
+  }
+  return part;
+}
+
+TEST(Seams, OfMaterialsStayClosedAndInPlace) {
+  const IndexedMesh mesh = with_joined_wedges(charted_cube(8));
+  for (const Cost cost : all_costs) {
+    DecimateOptions options;
+    options.cost = cost;
+    const Decimation d = decimate(mesh, DecimateTarget::faces(60), options);
+    EXPECT_EQ(d.result.stop, StopReason::target);
+    EXPECT_TRUE(topology(d.mesh).manifold() && topology(d.mesh).closed());
+    EXPECT_EQ(topology(d.mesh).genus(), 0);
+    EXPECT_EQ(d.mesh.group_names, mesh.group_names);
+    for (Index side = 0; side < 6; ++side) {
+      const IndexedMesh part = group_of(d.mesh, side);
+      const Topology shape = topology(part);
+      EXPECT_EQ(shape.components, 1);
+      EXPECT_EQ(shape.border_loops, 1);
+      for (const Triangle& face : part.faces) {
+        for (const Index v : face) {
+          EXPECT_NEAR(d.mesh.positions[v][side / 2], side % 2 == 1 ? 1 : -1, 1e-9) << "a material bleeds";
+        }
+      }
+    }
+  }
+}
+
+TEST(Seams, AreTheFeatureEdgesOfTheResult) {
+  for (const IndexedMesh& mesh : {with_joined_wedges(charted_cube(8)), textured_torus(40, 24)}) {
+    for (const Cost cost : all_costs) {
+      DecimateOptions options;
+      options.cost = cost;
+      const Decimation d = decimate(mesh, DecimateTarget::faces(mesh.faces.size() / 8), options);
+      EXPECT_EQ(d.result.stop, StopReason::target);
+      EXPECT_EQ(seam_edges(d.mesh), d.feature_edges);
+    }
+  }
+}
+
+TEST(Seams, OfAFlatSurfaceKeepTheirShape) {
+  IndexedMesh mesh = grid(24, 24);  // a disc of one material in a square of another
+  for (const Triangle& face : mesh.faces) {
+    const Vec3 middle = (mesh.positions[face[0]] + mesh.positions[face[1]] + mesh.positions[face[2]]) / 3;
+    mesh.face_groups.push_back((middle - Vec3(12, 12, 0)).norm() < 7.3 ? 1 : 0);
+  }
+  const auto area_of_disc = [](const IndexedMesh& m) {
+    double area = 0;
+    for (std::size_t f = 0; f < m.faces.size(); ++f) {
+      const auto& [a, b, c] = m.faces[f];
+      if (m.face_groups[f] == 1)
+        area += (m.positions[b] - m.positions[a]).cross(m.positions[c] - m.positions[a]).norm() / 2;
+    }
+    return area;
+  };
+  for (const Cost cost : {Cost::quadric, Cost::memoryless}) {
+    for (const Boundary boundary : {Boundary::weighted, Boundary::free}) {
+      DecimateOptions options;
+      options.cost = cost;
+      options.boundary = boundary;
+      const Decimation d = decimate(mesh, DecimateTarget::faces(60), options);
+      EXPECT_EQ(d.result.stop, StopReason::target);
+      EXPECT_NEAR(area_of_disc(d.mesh), area_of_disc(mesh), 0.04 * area_of_disc(mesh));
+    }
+  }
+}
+
+/// Chart positions are linear on each side, and so are those of the result: the fit can be exact.
+TEST(FitAttributes, IsExactWhereBothAreLinear) {
+  const IndexedMesh mesh = with_joined_wedges(charted_cube(10));
+  for (const std::uint64_t n : {600U, 200U, 40U}) {
+    const Simplification s = simplify(mesh, DecimateTarget::faces(n));
+    EXPECT_EQ(s.result.stop, StopReason::target);
+    for (std::size_t f = 0; f < s.mesh.faces.size(); ++f) {
+      const Index side = s.mesh.face_groups[f];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index w = s.mesh.wedge(f, k);
+        const std::array<double, 2> expected = chart_position(side, s.mesh.positions[s.mesh.faces[f][k]]);
+        for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(s.mesh.attributes[0].value(w)[i], expected[i], 1e-4);
+        for (std::size_t i = 0; i < 3; ++i) {
+          const float along = i == side / 2 ? (side % 2 == 1 ? 1.0F : -1.0F) : 0.0F;
+          EXPECT_NEAR(s.mesh.normals[w][i], along, 1e-6);
+        }
+      }
+    }
+  }
+}
+
+/// Mean distance on the surface between a face's middle and where its texture is on the torus.
+struct Slip {
+  double mean = 0;
+  int n_folded = 0;
+};
+Slip slip_of(const IndexedMesh& mesh) {
+  constexpr double turn = 2 * std::numbers::pi;
+  Slip slip;
+  double area = 0;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto& [a, b, c] = mesh.faces[f];
+    const Vec3 edge = mesh.positions[b] - mesh.positions[a];
+    const Vec3 other = mesh.positions[c] - mesh.positions[a];
+    Eigen::Matrix<double, 2, 3> uv;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto value = mesh.attributes[0].value(mesh.wedge(f, k));
+      uv.col(static_cast<Eigen::Index>(k)) << value[0], value[1];
+    }
+    const Eigen::Vector2d first = uv.col(1) - uv.col(0);
+    const Eigen::Vector2d second = uv.col(2) - uv.col(0);
+    slip.n_folded += int{first.x() * second.y() - first.y() * second.x() <= 0};
+    const Eigen::Vector2d at = uv.rowwise().mean() * turn;
+    const Vec3 there((1 + 0.35 * std::cos(at.y())) * std::cos(at.x()), (1 + 0.35 * std::cos(at.y())) * std::sin(at.x()),
+                     0.35 * std::sin(at.y()));
+    const double weight = edge.cross(other).norm();
+    slip.mean += weight * (there - (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3).norm();
+    area += weight;
+  }
+  slip.mean /= area;
+  return slip;
+}
+
+TEST(FitAttributes, BringsATextureBackToItsPlace) {
+  const IndexedMesh mesh = textured_torus(120, 60);
+  for (const double share : {0.2, 0.05}) {
+    const auto n = static_cast<std::uint64_t>(share * static_cast<double>(mesh.faces.size()));
+    const Simplification fitted = simplify(mesh, DecimateTarget::faces(n));
+    const Simplification carried = simplify(mesh, DecimateTarget::faces(n), Effort::fast);
+    const Slip slip = slip_of(fitted.mesh);
+    EXPECT_EQ(slip.n_folded, 0);
+    EXPECT_LT(slip.mean, 0.5 * slip_of(carried.mesh).mean);
+    const double area = 4 * std::numbers::pi * std::numbers::pi * 0.35;
+    const double edge = std::sqrt(4 / std::sqrt(3.0) * area / static_cast<double>(n));
+    EXPECT_LT(slip.mean, 0.15 * edge);
+  }
+}
+
+TEST(FitAttributes, GivesTheSameForAnyThreads) {
+  const IndexedMesh mesh = textured_torus(60, 30);
+  SimplifyOptions options;
+  options.decimate.threads = 1;
+  const Simplification one = simplify(mesh, DecimateTarget::faces(400), Effort::normal, options);
+  options.decimate.threads = 3;
+  const Simplification three = simplify(mesh, DecimateTarget::faces(400), Effort::normal, options);
+  EXPECT_EQ(one.mesh.wedges, three.mesh.wedges);
+  EXPECT_EQ(one.mesh.attributes[0].values, three.mesh.attributes[0].values);
+}
+
+}  // namespace
+}  // namespace whittle::test
