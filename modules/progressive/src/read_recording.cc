@@ -93,9 +93,10 @@ void RecordingReader::read_head(ByteReader& reader) {
   const auto normals = reader.number<std::uint8_t>();
   require(normals <= static_cast<std::uint8_t>(Normals::drop), "an unknown rule for normals");
   recording_.normals = static_cast<Normals>(normals);
-  const auto is_embedded = reader.number<std::uint8_t>();
-  require(is_embedded <= 1, "an unknown flag");
-  if (is_embedded == 1) recording_.input.emplace();
+  const auto flags = reader.number<std::uint8_t>();
+  require(flags <= 3, "an unknown flag");
+  if (flags % 2 == 1) recording_.input.emplace();
+  recording_.steps.fits_attributes = flags / 2 == 1;
   recording_.about = reader.text(reader.count());
 }
 

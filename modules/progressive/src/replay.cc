@@ -9,6 +9,7 @@
 #include "rehearsal.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/engine/attributes.hh"
+#include "whittle/polish/fit_attributes.hh"
 
 namespace whittle::progressive {
 namespace {
@@ -159,8 +160,16 @@ std::vector<Index> Replay::faces_left() const {
   return faces;
 }
 
-/// As the run did: before the last pass of polish, but normals that are recomputed are those of its result.
+/// As the run did: before the last pass of polish, but normals that are recomputed are those of its result. In the end
+/// they may be fitted.
 void Replay::add_attributes(const std::vector<Index>& numbers, Decimation& out) const {
+  carry_attributes_to(numbers, out);
+  if (!steps_.fits_attributes || level() != n_steps()) return;
+  fit_attributes(input_, wedge_map(input_, out.vertex_map, out.face_origins), out.mesh,
+                 {.fit_normals = normals_ == Normals::keep});
+}
+
+void Replay::carry_attributes_to(const std::vector<Index>& numbers, Decimation& out) const {
   const Frame frame = Frame::of_points(input_.positions);
   const bool is_polished = is_pass_end_last() && n_pass_ends_ == steps_.pass_ends.size();
   if (!is_polished || normals_ == Normals::recompute || input_.normals.empty()) {

@@ -172,7 +172,7 @@ void write_head(ByteWriter& writer, const IndexedMesh& input, const RunSteps& st
   writer.count(steps.pass_ends.size());
   for (const std::uint64_t part : content_hash(input)) writer.number(part);
   writer.number(static_cast<std::uint8_t>(normals));
-  writer.number(static_cast<std::uint8_t>(is_embedded ? 1 : 0));
+  writer.number(static_cast<std::uint8_t>((is_embedded ? 1 : 0) + (steps.fits_attributes ? 2 : 0)));
   writer.count(about.size());
   writer.text(about);
 }

@@ -6,6 +6,7 @@
 #include "oracle/brute_force.hh"
 #include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
+#include "whittle/core/wedges.hh"
 
 // Compares the engine's contractions with those of an algorithm that evaluates every edge anew after each contraction.
 

@@ -220,6 +220,7 @@ void fit_attributes_of(const IndexedMesh& input, const SimplifyOptions& settled,
   const Clock::time_point start = Clock::now();
   fit_attributes(input, wedge_map(input, result.vertex_map, result.face_origins), result.mesh,
                  {settled.decimate.normals == Normals::keep, settled.decimate.threads});
+  result.steps.fits_attributes = true;
   result.polish_seconds += seconds_since(start);
 }
 

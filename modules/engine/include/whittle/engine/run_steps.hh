@@ -39,6 +39,7 @@ struct RunSteps {
   std::vector<Contraction> contractions;
   /// Of those faces that coincide, the first is left, from then on.
   std::vector<PassEnd> pass_ends;
+  bool fits_attributes = false;  ///< whether attributes are fitted to the input's in the end (`fit_attributes`)
 };
 
 }  // namespace whittle

@@ -110,6 +110,7 @@ class Replay {
   void undo_hiding();
   std::vector<Index> faces_left() const;
   void add_attributes(const std::vector<Index>& numbers, Decimation& out) const;
+  void carry_attributes_to(const std::vector<Index>& numbers, Decimation& out) const;
 
   IndexedMesh input_;
   RunSteps steps_;
