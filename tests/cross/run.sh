@@ -60,7 +60,7 @@ gather_libraries() {
 configure_other_machine() {
   cmake -G Ninja -S . -B "$build" --toolchain "$PWD/tests/cross/$machine.cmake" -DCMAKE_BUILD_TYPE=Release \
     -DWHITTLE_CROSS_LIBRARIES="$libraries" -DWHITTLE_GOOGLETEST=/usr/src/googletest -DWHITTLE_WARNINGS_AS_ERRORS=ON \
-    -DWHITTLE_BUILD_OPENMESH=OFF -DWHITTLE_BUILD_APPS=OFF -DWHITTLE_BUILD_REPORT=OFF -DCMAKE_UNITY_BUILD=ON
+    -DWHITTLE_BUILD_OPENMESH=OFF -DWHITTLE_BUILD_APPS=OFF -DWHITTLE_BUILD_REPORT=OFF -DWHITTLE_BUILD_RENDER=OFF -DCMAKE_UNITY_BUILD=ON
 }
 
 # Wine's services would keep the output of the program open that starts them, and its test would never end.
@@ -85,7 +85,7 @@ build_same_bytes() {
   local folder=$1 compiler=$2 flags=$3
   shift 3
   cmake -G Ninja -S . -B "$folder" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None \
-    -DCMAKE_CXX_FLAGS="$flags" -DWHITTLE_BUILD_APPS=OFF -DWHITTLE_BUILD_OPENMESH=OFF -DWHITTLE_BUILD_REPORT=OFF -DCMAKE_UNITY_BUILD=ON "$@" &&
+    -DCMAKE_CXX_FLAGS="$flags" -DWHITTLE_BUILD_APPS=OFF -DWHITTLE_BUILD_OPENMESH=OFF -DWHITTLE_BUILD_REPORT=OFF -DWHITTLE_BUILD_RENDER=OFF -DCMAKE_UNITY_BUILD=ON "$@" &&
     cmake --build "$folder" --target same_bytes
 }
 
