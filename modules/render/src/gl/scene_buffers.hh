@@ -1,0 +1,41 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "gl/functions.hh"
+#include "scene/scene_arrays.hh"
+
+namespace whittle::render {
+
+/// A scene in OpenGL's memory. All functions need the context to be current. The context frees what is made here.
+class SceneBuffers {
+ public:
+  /// \throw std::invalid_argument if a texture's array doesn't have its size
+  SceneBuffers(const GlFunctions& gl, SceneArrays arrays);
+
+  /// Draws all faces into the framebuffer: first those that don't blend, then the others from back to front.
+  /// \param to_eye unit vector
+  void draw(unsigned program, const Eigen::Vector3f& to_eye);
+
+ private:
+  void upload_arrays();
+  unsigned texture_of(const Material& material);
+  unsigned upload(const Texture& texture);
+  void use(unsigned program, std::size_t batch);
+  void draw_solid_faces(unsigned program);
+  void draw_blend_faces(unsigned program, const Eigen::Vector3f& to_eye);
+  std::vector<BlendFace> from_back_to_front(const Eigen::Vector3f& to_eye) const;
+
+  const GlFunctions& gl_;
+  SceneArrays arrays_;
+  std::map<const Texture*, unsigned> textures_;
+  std::vector<unsigned> texture_of_batch_;
+  unsigned white_ = 0;  ///< for materials without a texture
+  unsigned solid_vertex_array_ = 0;
+  unsigned blend_vertex_array_ = 0;
+  unsigned blend_indices_ = 0;
+};
+
+}  // namespace whittle::render

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "whittle/render/scene.hh"
+
+namespace whittle::render {
+
+/// What OpenGL is told of a vertex.
+struct SceneVertex {
+  std::array<float, 3> position;  ///< in the unit of the frame's radius, from its centre
+  std::array<float, 3> normal;    ///< unit length; 0 for a face without area
+  std::array<float, 2> texcoord;
+  std::array<float, 4> color;  ///< linear
+};
+
+/// Faces of one material of one part.
+struct Batch {
+  Material material;  ///< without a texture, where the mesh has no coordinates for it
+  std::size_t first_index = 0;
+  std::size_t n_indices = 0;
+};
+
+/// A face that blends with what is behind it.
+struct BlendFace {
+  std::array<std::uint32_t, 3> vertices;
+  std::uint32_t batch;
+};
+
+/// A scene as OpenGL wants it.
+struct SceneArrays {
+  std::vector<SceneVertex> vertices;
+  std::vector<std::uint32_t> indices;  ///< of all faces that don't blend, by batch; front faces counter-clockwise
+  std::vector<Batch> batches;          ///< in the order of parts and groups
+  std::vector<BlendFace> blend_faces;
+};
+
+/// \throw std::invalid_argument if a face names a vertex or a wedge that isn't there, or arrays of a mesh are too short
+SceneArrays scene_arrays(const Scene& scene, const Sphere& frame);
+
+/// The positions of a part's vertices in the scene.
+std::vector<Vec3> placed_positions(const Part& part);
+
+/// Whether a face has three different corners at finite places. \throw std::invalid_argument if one isn't there
+bool can_be_drawn(const Triangle& face, const std::vector<Vec3>& positions);
+
+}  // namespace whittle::render
