@@ -2,7 +2,7 @@
 
 # What building takes; the tests come with the build.
 build_packages=(g++ cmake ninja-build libopenmesh-dev libeigen3-dev libnanoflann-dev libcli11-dev libfast-float-dev
-  nlohmann-json3-dev zlib1g-dev libzstd-dev libxxhash-dev libmeshoptimizer-dev libwebp-dev libpng-dev
+  nlohmann-json3-dev zlib1g-dev libzstd-dev libxxhash-dev libmeshoptimizer-dev libdraco-dev libwebp-dev libpng-dev
   libjpeg-dev libegl-dev libgl-dev libgl1-mesa-dri libgtest-dev libgmock-dev)
 
 say() { printf '== %s\n' "$*"; }

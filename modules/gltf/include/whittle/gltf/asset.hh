@@ -1,0 +1,110 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "whittle/core/indexed_mesh.hh"
+
+// glTF 2.0 (https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html), as text (.gltf) and binary (.glb). An asset is
+// read, the triangles of some meshes are replaced, and it is written. All else is written as it was read.
+
+namespace whittle::gltf {
+
+struct WriteOptions {
+  /// Whether replaced geometry is compressed by EXT_meshopt_compression and KHR_mesh_quantization, which readers of the
+  /// file then need. Positions get a step of at most 1/65536 of the mesh's longest side; normals 8 bits; weights, and
+  /// texture coordinates in [0, 1], 16 bits.
+  bool compress = false;
+};
+
+/// A file of text, and the file with its buffer that lies beside it.
+struct GltfText {
+  std::string json;
+  std::string buffer;      ///< empty if there is none, or if the text contains it
+  std::string buffer_uri;  ///< what the text calls it
+};
+
+/// A glTF asset: its document, its buffers, and the triangles that replace those of its meshes.
+///
+/// Errors in a file are `io::ReadError`s of one line. `read` finds all that are in the document, `triangles` those in
+/// the numbers of a mesh. Meshes are numbered as in the document.
+class Asset {
+ public:
+  /// Reads a file and the buffers that it names. \throw io::ReadError
+  static Asset read(const std::filesystem::path& path);
+  /// Likewise from memory. \param name of the file, for messages. \param folder where files lie that the asset names;
+  /// if empty, an asset that needs such a file is refused
+  static Asset read(std::string bytes, const std::string& name, const std::filesystem::path& folder = {});
+
+  Asset(Asset&& other) noexcept;
+  Asset& operator=(Asset&& other) noexcept;
+  ~Asset();
+
+  std::size_t n_meshes() const;
+  /// The name, or "mesh N" if there is none. One line of printable characters.
+  std::string mesh_name(std::size_t mesh) const;
+  /// Of all primitives that are triangles, strips or fans, as `triangles` would give them.
+  std::size_t n_triangles(std::size_t mesh) const;
+  /// How often nodes use the mesh. With EXT_mesh_gpu_instancing a node uses it once an instance.
+  std::size_t n_instances(std::size_t mesh) const;
+  /// The matrix from the mesh's coordinates into the scene's, for each instance.
+  std::vector<Eigen::Matrix4d> world_transforms(std::size_t mesh) const;
+
+  /// All triangles of a mesh, from all its primitives that are triangles, strips or fans and have positions.
+  ///
+  /// Each vertex of a primitive that a triangle uses is a vertex; none are joined, and there is no table of wedges.
+  /// `face_groups` has the number of the primitive, `group_names` the material's name or number for each primitive.
+  /// NORMAL, COLOR_0 and POSITION are in their own arrays. `attributes` has the others by their names in the file:
+  /// "TEXCOORD_0", "_TEMPERATURE"; and
+  /// - "JOINTS_0+WEIGHTS_0": all sets of joints and weights together: 4 joints a set, then the weights;
+  /// - "target 0 POSITION": of the first morph target; NORMAL and so on likewise.
+  /// Where a primitive has no such attribute, it is zero. Numbers that aren't finite are read as zero, except in
+  /// positions. A mesh that was replaced is as it was given.
+  /// \throw io::ReadError if an index is above the vertices, a position isn't finite, or compressed data are damaged
+  IndexedMesh triangles(std::size_t mesh) const;
+
+  /// Replaces the triangles of a mesh. Lines and points stay.
+  ///
+  /// `face_groups` says which primitive a face belongs to; it may be empty where only one has triangles. A primitive
+  /// that has lost all its triangles is dropped. Each wedge, or vertex, that a primitive's faces have becomes a vertex
+  /// of it. A primitive gets those attributes that it had, as far as the mesh has them.
+  /// \param triangles with the groups and attribute names that `triangles` gave; the table of wedges is allowed
+  /// \throw std::invalid_argument if the mesh would have nothing left, which glTF can't say, or if a group, an index or
+  ///        the size of an attribute is wrong
+  void set_triangles(std::size_t mesh, IndexedMesh triangles);
+
+  /// What isn't kept as it was, a line each: extensions of meshes that say something of single vertices.
+  std::vector<std::string> warnings() const;
+
+  /// Image files that the asset names, relative to its folder.
+  std::vector<std::filesystem::path> image_files() const;
+
+  /// The document as it was read.
+  std::string document() const;
+
+  /// Writes a file: .gltf as text, all else as GLB. In text the buffer is part of it if the input's was; otherwise it
+  /// lies beside it, with the same name and .bin. Images that lie in files are copied into the folder of the output,
+  /// unless they are there. \throw io::WriteError
+  void write(const std::filesystem::path& path, const WriteOptions& options = {}) const;
+  /// The bytes of a .glb. \throw std::length_error for more than 4 GiB
+  std::string write_glb(const WriteOptions& options = {}) const;
+  /// The text of a .gltf. \param buffer_uri names the buffer, unless the input's was part of the text
+  GltfText write_gltf(const std::string& buffer_uri, const WriteOptions& options = {}) const;
+
+ private:
+  struct Content;
+  explicit Asset(std::unique_ptr<Content> content);
+
+  std::unique_ptr<Content> content_;
+};
+
+/// Whether bytes begin as a GLB does, or a name ends as one of a glTF file does.
+bool is_glb(std::string_view bytes);
+bool has_gltf_extension(const std::filesystem::path& path);
+
+}  // namespace whittle::gltf

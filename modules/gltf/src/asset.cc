@@ -1,0 +1,221 @@
+#include "whittle/gltf/asset.hh"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <span>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "codec/meshopt.hh"
+#include "document/glb.hh"
+#include "document/json.hh"
+#include "document/uri.hh"
+#include "geometry/elements.hh"
+#include "geometry/instances.hh"
+#include "geometry/read_triangles.hh"
+#include "geometry/split.hh"
+#include "geometry/surface.hh"
+#include "model/extensions.hh"
+#include "model/read_model.hh"
+#include "whittle/io/output_file.hh"
+#include "write/output.hh"
+#include "write/references.hh"
+
+namespace whittle::gltf {
+
+struct Asset::Content {
+  std::string bytes;  // the model points into them
+  std::filesystem::path folder;
+  Json document;
+  Model model;
+  Replacements replacements;
+
+  const Mesh& mesh(std::size_t number) const { return model.meshes.at(number); }
+
+  Output output(const WriteOptions& options) const {
+    const bool compress = options.compress && !replacements.empty();
+    if (compress && !has_meshopt()) throw std::invalid_argument("this build can't compress: it has no meshoptimizer");
+    return make_output(model, document, replacements, compress);
+  }
+};
+
+namespace {
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  return text;
+}
+
+std::string utf8(const std::filesystem::path& path) {
+  const std::u8string text = path.generic_u8string();
+  return {text.begin(), text.end()};
+}
+
+bool is_in_document(const Model& model) {
+  const auto first =
+      std::find_if(model.buffers.begin(), model.buffers.end(), [](const Buffer& buffer) { return buffer.bytes; });
+  return first != model.buffers.end() && first->is_in_document;
+}
+
+/// Copies the image files of an asset into another folder, unless they are there.
+void copy_images(const std::vector<std::filesystem::path>& images, const std::filesystem::path& from,
+                 const std::filesystem::path& to) {
+  std::error_code error;
+  if (from.empty() || std::filesystem::equivalent(from, to, error)) return;
+  for (const std::filesystem::path& image : images) {
+    const std::filesystem::path copy = to / image;
+    const bool is_inside = std::none_of(image.begin(), image.end(), [](const auto& part) { return part == ".."; });
+    if (!is_inside || std::filesystem::exists(copy, error)) continue;
+    if (!std::filesystem::is_regular_file(from / image, error)) continue;
+    std::filesystem::create_directories(copy.parent_path(), error);
+    io::OutputFile file(copy);
+    file.stream() << read_file(from / image, (from / image).string());
+    file.commit();
+  }
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+void write_bytes(io::OutputFile& file, std::string_view bytes) {
+  file.stream().write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+}  // namespace
+
+bool is_glb(std::string_view bytes) { return bytes.starts_with(glb_magic); }
+
+bool has_gltf_extension(const std::filesystem::path& path) {
+  const std::string extension = lower_case(path.extension().string());
+  return extension == ".gltf" || extension == ".glb";
+}
+
+Asset::Asset(std::unique_ptr<Content> content) : content_(std::move(content)) {}
+Asset::Asset(Asset&& other) noexcept = default;
+Asset& Asset::operator=(Asset&& other) noexcept = default;
+Asset::~Asset() = default;
+
+Asset Asset::read(const std::filesystem::path& path) {
+  return read(read_file(path, path.string()), path.string(), folder_of(path));
+}
+
+Asset Asset::read(std::string bytes, const std::string& name, const std::filesystem::path& folder) {
+  auto content = std::make_unique<Content>();
+  content->bytes = std::move(bytes);
+  content->folder = folder;
+  if (content->bytes.empty()) throw io::ReadError(name, "the file is empty");
+  GlbParts parts{content->bytes, {}};
+  if (is_glb(content->bytes)) parts = split_glb(content->bytes, name);
+  content->document = parse_json(parts.json, name);
+  content->model = read_model(content->document, {name, parts.buffer, folder});
+  return Asset(std::move(content));
+}
+
+std::size_t Asset::n_meshes() const { return content_->model.meshes.size(); }
+
+std::string Asset::mesh_name(std::size_t mesh) const {
+  const Json* const name = member(elements_of(content_->document, "meshes").at(mesh), "name");
+  if (!name || !name->is_string() || name->get_ref<const std::string&>().empty()) return "mesh " + std::to_string(mesh);
+  return printable(name->get_ref<const std::string&>());
+}
+
+std::size_t Asset::n_triangles(std::size_t mesh) const {
+  const auto found = content_->replacements.find(mesh);
+  if (found != content_->replacements.end()) return found->second.faces.size();
+  std::size_t n = 0;
+  for (const Primitive& primitive : content_->mesh(mesh).primitives) n += n_triangles_of(content_->model, primitive);
+  return n;
+}
+
+std::size_t Asset::n_instances(std::size_t mesh) const { return gltf::n_instances(content_->model, mesh); }
+
+std::vector<Eigen::Matrix4d> Asset::world_transforms(std::size_t mesh) const {
+  return gltf::world_transforms(content_->model, mesh);
+}
+
+IndexedMesh Asset::triangles(std::size_t mesh) const {
+  const auto found = content_->replacements.find(mesh);
+  if (found != content_->replacements.end()) return found->second;
+  if (mesh >= n_meshes()) throw std::out_of_range("there is no mesh " + std::to_string(mesh));
+  return read_triangles(content_->model, content_->document, mesh);
+}
+
+void Asset::set_triangles(std::size_t mesh, IndexedMesh triangles) {
+  if (mesh >= n_meshes()) throw std::out_of_range("there is no mesh " + std::to_string(mesh));
+  check_replacement(content_->model, mesh, triangles);
+  content_->replacements.insert_or_assign(mesh, std::move(triangles));
+}
+
+std::vector<std::string> Asset::warnings() const {
+  std::vector<std::string> warnings;
+  for (const auto& [mesh, triangles] : content_->replacements) {
+    const std::set<std::string> extensions = extensions_in(content_->document["meshes"][mesh]);
+    for (const std::string_view name : {outline_extension, manifold_extension}) {
+      if (!extensions.contains(std::string(name))) continue;
+      warnings.push_back(mesh_name(mesh) + ": dropped " + std::string(name) + ", which is about single vertices");
+    }
+  }
+  return warnings;
+}
+
+std::vector<std::filesystem::path> Asset::image_files() const {
+  std::vector<std::filesystem::path> files;
+  for (const Json& image : elements_of(content_->document, "images")) {
+    const Json* const uri = member(image, "uri");
+    if (!uri || !uri->is_string() || is_data_uri(uri->get_ref<const std::string&>())) continue;
+    if (auto file = file_of_uri(uri->get_ref<const std::string&>())) files.push_back(*std::move(file));
+  }
+  return files;
+}
+
+std::string Asset::document() const { return content_->document.dump(); }
+
+std::string Asset::write_glb(const WriteOptions& options) const {
+  const Output output = content_->output(options);
+  return join_glb(output.document.dump(), output.buffer);
+}
+
+GltfText Asset::write_gltf(const std::string& buffer_uri, const WriteOptions& options) const {
+  Output output = content_->output(options);
+  GltfText text;
+  if (!output.buffer.empty()) {
+    Json& first = output.document["buffers"][0];
+    if (is_in_document(content_->model)) {
+      first["uri"] = data_uri(output.buffer);
+    } else {
+      text.buffer_uri = buffer_uri;
+      first["uri"] = buffer_uri;
+      text.buffer = std::move(output.buffer);
+    }
+  }
+  constexpr int indentation = 2;
+  text.json = output.document.dump(indentation) + '\n';
+  return text;
+}
+
+void Asset::write(const std::filesystem::path& path, const WriteOptions& options) const {
+  if (lower_case(path.extension().string()) == ".gltf") {
+    const std::filesystem::path buffer_path = std::filesystem::path(path).replace_extension(".bin");
+    const GltfText text = write_gltf(uri_of_file(utf8(buffer_path.filename())), options);
+    io::OutputFile file(path);
+    write_bytes(file, text.json);
+    if (!text.buffer.empty()) {
+      io::OutputFile buffer(buffer_path);
+      write_bytes(buffer, text.buffer);
+      buffer.commit();
+    }
+    file.commit();
+  } else {
+    const std::string glb = write_glb(options);
+    io::OutputFile file(path);
+    write_bytes(file, glb);
+    file.commit();
+  }
+  copy_images(image_files(), content_->folder, folder_of(path));
+}
+
+}  // namespace whittle::gltf

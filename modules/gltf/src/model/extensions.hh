@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "document/json.hh"
+
+namespace whittle::gltf {
+
+inline constexpr std::string_view draco_extension = "KHR_draco_mesh_compression";
+inline constexpr std::string_view meshopt_extension = "EXT_meshopt_compression";
+inline constexpr std::string_view quantization_extension = "KHR_mesh_quantization";
+inline constexpr std::string_view instancing_extension = "EXT_mesh_gpu_instancing";
+inline constexpr std::string_view structural_metadata_extension = "EXT_structural_metadata";
+inline constexpr std::string_view outline_extension = "CESIUM_primitive_outline";
+inline constexpr std::string_view manifold_extension = "EXT_mesh_manifold";
+
+/// Whether it is known what an extension says of geometry, accessors and buffer views.
+bool is_known_extension(std::string_view name);
+
+/// Refuses other versions than 2.x, and required extensions that aren't known. \throw io::ReadError
+void check_version_and_extensions(const Part& root);
+
+}  // namespace whittle::gltf

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+
+#include "whittle/core/attribute.hh"
+
+// Numbers as buffers hold them: the lowest byte first.
+
+namespace whittle::gltf {
+
+template <class Scalar>
+Scalar load_scalar(const char* bytes) {
+  std::array<char, sizeof(Scalar)> raw;
+  std::memcpy(raw.data(), bytes, raw.size());
+  if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
+  return std::bit_cast<Scalar>(raw);
+}
+
+template <class Scalar>
+void append_scalar(std::string& bytes, Scalar value) {
+  auto raw = std::bit_cast<std::array<char, sizeof(Scalar)>>(value);
+  if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
+  bytes.append(raw.data(), raw.size());
+}
+
+/// Calls `function` with a value of the type.
+template <class Function>
+decltype(auto) with_scalar_type(ScalarType type, const Function& function) {
+  switch (type) {
+    case ScalarType::int8:
+      return function(std::int8_t{});
+    case ScalarType::uint8:
+      return function(std::uint8_t{});
+    case ScalarType::int16:
+      return function(std::int16_t{});
+    case ScalarType::uint16:
+      return function(std::uint16_t{});
+    case ScalarType::int32:
+      return function(std::int32_t{});
+    case ScalarType::uint32:
+      return function(std::uint32_t{});
+    case ScalarType::float32:
+      return function(float{});
+    case ScalarType::float64:
+      break;
+  }
+  return function(double{});
+}
+
+std::size_t size_of(ScalarType type);
+bool is_integer(ScalarType type);
+bool is_signed(ScalarType type);
+/// Of an integer type.
+double largest_of(ScalarType type);
+
+/// What `componentType` says; empty for other numbers. Beyond those of glTF 2.0: 5124 and 5130.
+std::optional<ScalarType> scalar_type(std::size_t component_type);
+std::size_t component_type(ScalarType type);
+
+/// \param is_normalized whether integers stand for [0, 1] or [-1, 1]
+double load_real(const char* bytes, ScalarType type, bool is_normalized);
+/// An integer. Negative ones become larger than any count.
+std::size_t load_whole(const char* bytes, ScalarType type);
+/// Rounds to the nearest that the type has. \throw std::range_error for a real number beyond 32 bits
+void append_real(std::string& bytes, double value, ScalarType type, bool is_normalized);
+
+/// The elements of an accessor.
+struct ElementShape {
+  std::size_t n_rows = 1;     ///< of a column
+  std::size_t n_columns = 1;  ///< of a matrix; 1 for scalars and vectors
+
+  std::size_t n_components() const { return n_rows * n_columns; }
+  /// Columns of matrices begin at multiples of 4 bytes.
+  std::size_t column_stride(ScalarType type) const;
+  /// Bytes from one element to the next, if nothing else is between them.
+  std::size_t packed_stride(ScalarType type) const;
+  /// Bytes of an element, without what comes after the last component.
+  std::size_t n_bytes(ScalarType type) const;
+
+  friend bool operator==(const ElementShape&, const ElementShape&) = default;
+};
+
+/// Of a type's name: "VEC3".
+std::optional<ElementShape> element_shape(const std::string& name);
+std::string name_of(const ElementShape& shape);
+
+}  // namespace whittle::gltf

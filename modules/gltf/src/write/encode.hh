@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codec/meshopt.hh"
+#include "geometry/surface.hh"
+#include "model/model.hh"
+#include "whittle/core/indexed_mesh.hh"
+
+namespace whittle::gltf {
+
+/// The values of an accessor, as a buffer holds them.
+struct Encoded {
+  ScalarType type = ScalarType::float32;
+  bool is_normalized = false;
+  ElementShape shape;
+  std::size_t count = 0;
+  std::size_t stride = 0;  ///< a multiple of 4, but for indices
+  std::string bytes;       ///< `count * stride`; for compression, in the form of its filter
+  MeshoptMode mode = MeshoptMode::attributes;
+  MeshoptFilter filter = MeshoptFilter::none;
+  std::vector<double> low;  ///< of each component, of what is read back; only for positions
+  std::vector<double> high;
+};
+
+/// Positions are multiples of 2^exponent, so that compressed ones need few bits.
+struct Grid {
+  int exponent = 0;
+};
+
+/// The coarsest with 2^16 steps along the longest side of all positions. Empty where 24 bits wouldn't do: far away from
+/// the origin.
+std::optional<Grid> grid_of(const IndexedMesh& triangles);
+
+/// How values are written that are to be compressed.
+struct Compression {
+  std::optional<Grid> grid;
+};
+
+/// \param documented the accessor that the values replace: its shape, and the type where that can be kept
+/// \param compression null: none. \throw std::range_error if a number is too large for 32 bits
+Encoded encode_channel(const Channel& channel, const Accessor& documented, const std::vector<double>& values,
+                       const Compression* compression);
+
+/// In the smallest type that fits, of 16 bits or more. \param documented null, or those that they replace: 8 bits stay
+Encoded encode_indices(const std::vector<Triangle>& faces, std::size_t n_vertices, const Accessor* documented,
+                       bool compress);
+
+}  // namespace whittle::gltf

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+#include "document/json.hh"
+#include "model/model.hh"
+#include "whittle/core/indexed_mesh.hh"
+
+namespace whittle::gltf {
+
+/// The meshes whose triangles are replaced.
+using Replacements = std::map<std::size_t, IndexedMesh>;
+
+/// A document, and the bytes of its first buffer. That buffer's URI isn't set. There is none if it has no bytes.
+struct Output {
+  Json document;
+  std::string buffer;
+};
+
+/// \param compress whether new geometry is compressed. \pre the replacements were checked, and this build can compress
+Output make_output(const Model& model, const Json& document, const Replacements& replacements, bool compress);
+
+}  // namespace whittle::gltf

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "document/json.hh"
+#include "model/model.hh"
+
+namespace whittle::gltf {
+
+/// The first buffer of an output, and the one that stands for its compressed parts, which has no bytes.
+struct PackedBuffers {
+  std::string bytes;
+  std::size_t n_fallback_bytes = 0;
+};
+
+inline constexpr std::size_t first_buffer = 0;
+inline constexpr std::size_t fallback_buffer = 1;
+
+/// Brings all bytes that a document refers to into one buffer, and says there where they are. The distance of two bytes
+/// that one view has stays, and what an offset leaves when it is divided by 8. The document still lists its old
+/// buffers.
+PackedBuffers pack_buffers(Json& document, const Model& model);
+
+/// Lists the buffers in a document. \param with_fallback whether views are compressed
+void list_buffers(Json& document, const Model& model, const PackedBuffers& packed);
+
+}  // namespace whittle::gltf
