@@ -205,7 +205,6 @@ void replace_geometry(Json& document, const Json& old, const Model& model, const
   fill_cleared(document, "bufferViews", {{"buffer", first_buffer}, {"byteLength", 1}});
   fill_cleared(document, "accessors",
                {{"componentType", component_type(ScalarType::uint8)}, {"count", 1}, {"type", "SCALAR"}});
-  list_extensions(document, old, compress);
 }
 
 }  // namespace
@@ -219,6 +218,7 @@ Output make_output(const Model& model, const Json& document, const Replacements&
     replace_geometry(output.document, document, model, replacements, compress, buffers);
   }
   list_buffers(output.document, model, buffers);
+  if (!replacements.empty()) list_extensions(output.document, document, compress);
   output.buffer = std::move(buffers.bytes);
   return output;
 }
