@@ -26,7 +26,8 @@
 namespace whittle::gltf {
 
 struct Asset::Content {
-  std::string bytes;  // the model points into them
+  std::string bytes;             // the model points into them
+  std::filesystem::path source;  // empty if it was read from memory
   std::filesystem::path folder;
   Json document;
   Model model;
@@ -77,6 +78,26 @@ void copy_images(const std::vector<std::filesystem::path>& images, const std::fi
   }
 }
 
+bool are_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code error;
+  return std::filesystem::equivalent(a, b, error);
+}
+
+/// Where the buffer of a text file goes: beside it, but not in place of a buffer of the input, which others may need.
+std::filesystem::path buffer_path_for(const std::filesystem::path& output, const Json& document,
+                                      const std::filesystem::path& source) {
+  std::filesystem::path path = std::filesystem::path(output).replace_extension(".bin");
+  if (source.empty() || are_same_file(output, source)) return path;
+  for (const Json& buffer : elements_of(document, "buffers")) {
+    const Json* const uri = member(buffer, "uri");
+    const auto file = uri && uri->is_string() ? file_of_uri(uri->get_ref<const std::string&>()) : std::nullopt;
+    if (file && are_same_file(source.parent_path() / *file, path)) {
+      path.replace_filename(path.stem().string() + "_simplified.bin");
+    }
+  }
+  return path;
+}
+
 std::filesystem::path folder_of(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
@@ -100,7 +121,9 @@ Asset& Asset::operator=(Asset&& other) noexcept = default;
 Asset::~Asset() = default;
 
 Asset Asset::read(const std::filesystem::path& path) {
-  return read(read_file(path, path.string()), path.string(), folder_of(path));
+  Asset asset = read(read_file(path, path.string()), path.string(), folder_of(path));
+  asset.content_->source = path;
+  return asset;
 }
 
 Asset Asset::read(std::string bytes, const std::string& name, const std::filesystem::path& folder) {
@@ -199,7 +222,7 @@ GltfText Asset::write_gltf(const std::string& buffer_uri, const WriteOptions& op
 
 void Asset::write(const std::filesystem::path& path, const WriteOptions& options) const {
   if (lower_case(path.extension().string()) == ".gltf") {
-    const std::filesystem::path buffer_path = std::filesystem::path(path).replace_extension(".bin");
+    const std::filesystem::path buffer_path = buffer_path_for(path, content_->document, content_->source);
     const GltfText text = write_gltf(uri_of_file(utf8(buffer_path.filename())), options);
     io::OutputFile file(path);
     write_bytes(file, text.json);

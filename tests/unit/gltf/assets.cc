@@ -4,6 +4,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "codec/draco.hh"
+#include "codec/meshopt.hh"
 #include "document/glb.hh"
 #include "document/uri.hh"
 
@@ -89,6 +91,13 @@ void resolve_numbers(Json& json, const Document& document) {
   json.erase("none");
 }
 
+bool can_read(const std::filesystem::path& file) {
+  if (has_draco() && has_meshopt()) return true;
+  const std::string bytes = bytes_of_file(file);
+  return (has_draco() || bytes.find("KHR_draco_mesh_compression") == std::string::npos) &&
+         (has_meshopt() || bytes.find("EXT_meshopt_compression") == std::string::npos);
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> asset_files(const std::vector<std::string>& folders) {
@@ -97,7 +106,7 @@ std::vector<std::filesystem::path> asset_files(const std::vector<std::string>& f
     if (!std::filesystem::is_directory(assets / folder)) continue;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(assets / folder)) {
       const std::string extension = entry.path().extension().string();
-      if (extension == ".gltf" || extension == ".glb") files.push_back(entry.path());
+      if ((extension == ".gltf" || extension == ".glb") && can_read(entry.path())) files.push_back(entry.path());
     }
   }
   std::sort(files.begin(), files.end());

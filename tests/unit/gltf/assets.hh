@@ -5,11 +5,14 @@
 #include <string_view>
 #include <vector>
 
+#include "codec/draco.hh"
+#include "codec/meshopt.hh"
 #include "document/json.hh"
 
 namespace whittle::gltf::test {
 
-/// All .gltf and .glb files in folders of the test assets, such as "gltf-tiny". Empty where there are no assets.
+/// All .gltf and .glb files in folders of the test assets, such as "gltf-tiny", but for those that this build
+/// can't decompress. Empty where there are no assets.
 std::vector<std::filesystem::path> asset_files(const std::vector<std::string>& folders);
 
 /// Of a file, relative to the assets.
@@ -39,5 +42,9 @@ Json without_geometry(const Document& document);
 /// Tests that need the assets say so, and are skipped, where these are absent.
 #define WHITTLE_NEEDS_ASSETS(files) \
   if ((files).empty()) GTEST_SKIP() << "the test assets are not there: " << WHITTLE_TEST_ASSETS
+
+/// Likewise tests that compress or decompress.
+#define WHITTLE_NEEDS_CODECS() \
+  if (!has_draco() || !has_meshopt()) GTEST_SKIP() << "this build has no Draco, or no meshoptimizer"
 
 }  // namespace whittle::gltf::test

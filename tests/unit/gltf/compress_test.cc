@@ -67,6 +67,7 @@ void expect_close(const IndexedMesh& a, const IndexedMesh& b) {
 }
 
 TEST(GltfCompress, IsReadBackAlmostAsItWas) {
+  WHITTLE_NEEDS_CODECS();
   const auto files = asset_files({"gltf-realistic", "gltf-tiny"});
   WHITTLE_NEEDS_ASSETS(files);
   for (const auto& file : files) {
@@ -86,6 +87,7 @@ TEST(GltfCompress, IsReadBackAlmostAsItWas) {
 }
 
 TEST(GltfCompress, PositionsAreWithinAStep) {
+  WHITTLE_NEEDS_CODECS();
   const auto file = asset_file("gltf-realistic/mannequiny.glb");
   WHITTLE_NEEDS_ASSETS(asset_files({"gltf-realistic"}));
   Asset asset = Asset::read(file);
@@ -111,6 +113,7 @@ TEST(GltfCompress, PositionsAreWithinAStep) {
 }
 
 TEST(GltfCompress, TakesAThirdOfTheBytesOfGeometry) {
+  WHITTLE_NEEDS_CODECS();
   const auto file = asset_file("gltf-realistic/helicopter.glb");
   WHITTLE_NEEDS_ASSETS(asset_files({"gltf-realistic"}));
   Asset asset = Asset::read(file);

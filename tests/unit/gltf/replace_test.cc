@@ -75,6 +75,7 @@ TEST_F(GltfReplace, GivesPrimitivesOnlyWhatTheyHad) {
 }
 
 TEST_F(GltfReplace, ForgetsExtensionsThatNothingHas) {
+  WHITTLE_NEEDS_CODECS();
   for (const std::string name : {"guitar_quantized.glb", "chess-board.glb", "Ingenuity.glb"}) {
     Asset asset = Asset::read(asset_file("gltf-realistic/" + name));
     for (std::size_t m = 0; m < asset.n_meshes(); ++m) asset.set_triangles(m, asset.triangles(m));

@@ -19,7 +19,7 @@ namespace {
 
 const std::vector<std::string> accepted_folders = {"gltf-realistic", "gltf-tiny", "gltf-quirky"};
 
-/// Those of which readers may refuse some: they are no valid glTF.
+/// Those that aren't valid glTF.
 bool may_be_refused(const std::string& name) {
   return name.find("mesh-custom-attributes") != std::string::npos || name.find("mesh-sparse") != std::string::npos;
 }
@@ -141,6 +141,18 @@ TEST(GltfRoundTrip, WritesTextWithABufferBesideIt) {
     for (std::size_t m = 0; m < asset.n_meshes(); ++m) expect_same_triangles(asset.triangles(m), again.triangles(m));
     for (const auto& image : asset.image_files()) EXPECT_TRUE(std::filesystem::exists(folder.path() / image)) << image;
   }
+}
+
+TEST(GltfRoundTrip, OverwritesNoBufferOfTheInput) {
+  const auto file = asset_file("gltf-tiny/bli_22_vertex_color/22_vertex_color.gltf");
+  WHITTLE_NEEDS_ASSETS(asset_files({"gltf-tiny"}));
+  const whittle::test::TemporaryFolder folder;
+  std::filesystem::copy_file(file, folder.path() / "in.gltf");
+  std::filesystem::copy_file(file.parent_path() / "22_vertex_color.bin", folder.path() / "22_vertex_color.bin");
+  Asset::read(folder.path() / "in.gltf").write(folder.path() / "22_vertex_color.gltf");
+  EXPECT_EQ(bytes_of_file(folder.path() / "22_vertex_color.bin"),
+            bytes_of_file(file.parent_path() / "22_vertex_color.bin"));
+  EXPECT_THAT(folder.files(), ::testing::Contains("22_vertex_color_simplified.bin"));
 }
 
 TEST(GltfRoundTrip, TakesWedges) {

@@ -128,6 +128,7 @@ TEST_F(GltfTriangles, HaveWhatSparseValuesReplace) {
 }
 
 TEST_F(GltfTriangles, OfDracoAreThoseThatItWasMadeOf) {
+  WHITTLE_NEEDS_CODECS();
   const Asset packed = realistic("helicopter_draco.gltf");
   const Asset plain = realistic("helicopter.glb");
   ASSERT_EQ(packed.n_meshes(), plain.n_meshes());
@@ -148,6 +149,7 @@ Triangle turned(Triangle face) {
 }
 
 TEST_F(GltfTriangles, OfMeshoptAreThoseOfItsFallback) {
+  WHITTLE_NEEDS_CODECS();
   const auto file = asset_file("gltf-quirky/pip_meshopt-fallback/meshopt-fallback.gltf");
   Json document = Json::parse(bytes_of_file(file));
   for (Json& view : document["bufferViews"]) view.erase("extensions");

@@ -82,6 +82,7 @@ TEST(GltfValidator, FindsNoNewErrorInBinaryFiles) {
 }
 
 TEST(GltfValidator, FindsNoNewErrorInCompressedFiles) {
+  WHITTLE_NEEDS_CODECS();
   WHITTLE_NEEDS_ASSETS(asset_files({"gltf-tiny"}));
   if (!has_validator()) GTEST_SKIP() << "there is no Node.js, or no gltf-validator in " WHITTLE_NODE_MODULES;
   Pairs pairs;

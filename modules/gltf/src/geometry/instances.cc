@@ -26,12 +26,21 @@ void read_vector(const Model& model, const Node& node, const char* name, std::si
   if (found != node.instances.end()) Elements(model.accessors[found->second]).read(instance, vector);
 }
 
-Eigen::Matrix4d world_matrix(const Model& model, const Node& node) {
-  Eigen::Matrix4d matrix = node.matrix;
-  for (std::optional<std::size_t> parent = node.parent; parent; parent = model.nodes[*parent].parent) {
-    matrix = model.nodes[*parent].matrix * matrix;
+/// The matrix of each node, to the scene's coordinates.
+std::vector<Eigen::Matrix4d> world_matrices(const Model& model) {
+  std::vector<Eigen::Matrix4d> matrices(model.nodes.size());
+  std::vector<bool> is_known(model.nodes.size());
+  std::vector<std::size_t> path;  // up to a node that is known, or has no parent
+  for (std::size_t start = 0; start < model.nodes.size(); ++start) {
+    std::optional<std::size_t> node = start;
+    for (; node && !is_known[*node]; node = model.nodes[*node].parent) path.push_back(*node);
+    for (; !path.empty(); path.pop_back()) {
+      const Node& next = model.nodes[path.back()];
+      matrices[path.back()] = next.parent ? matrices[*next.parent] * next.matrix : next.matrix;
+      is_known[path.back()] = true;
+    }
   }
-  return matrix;
+  return matrices;
 }
 
 }  // namespace
@@ -46,9 +55,11 @@ std::size_t n_instances(const Model& model, std::size_t mesh) {
 
 std::vector<Eigen::Matrix4d> world_transforms(const Model& model, std::size_t mesh) {
   std::vector<Eigen::Matrix4d> transforms;
-  for (const Node& node : model.nodes) {
+  const std::vector<Eigen::Matrix4d> matrices = world_matrices(model);
+  for (std::size_t number = 0; number < model.nodes.size(); ++number) {
+    const Node& node = model.nodes[number];
     if (node.mesh != mesh) continue;
-    const Eigen::Matrix4d matrix = world_matrix(model, node);
+    const Eigen::Matrix4d& matrix = matrices[number];
     if (node.instances.empty()) transforms.push_back(matrix);
     for (std::size_t i = 0; !node.instances.empty() && i < n_instances(model, node); ++i) {
       std::array<double, 3> translation{0, 0, 0};

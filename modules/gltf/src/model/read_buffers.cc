@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <system_error>
 
 #include "codec/meshopt.hh"
 #include "document/uri.hh"
@@ -21,7 +22,12 @@ std::string bytes_of_uri(const Part& part, const std::string& uri, const Source&
   const std::optional<std::filesystem::path> path = file_of_uri(uri);
   if (!path) part.fail("\"" + printable(uri) + "\" is not a file beside the asset");
   if (source.folder.empty()) part.fail("its file \"" + printable(uri) + "\" is not there");
-  return read_file(source.folder / *path, source.file + ": " + part.name() + ": " + printable(uri));
+  std::error_code error;
+  const std::filesystem::path file = source.folder / *path;
+  if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error)) {
+    part.fail("\"" + printable(uri) + "\" is not a file");  // a device may have no end
+  }
+  return read_file(file, source.file + ": " + part.name() + ": " + printable(uri));
 }
 
 Buffer read_buffer(Model& model, const Part& part, const Source& source, bool is_first) {

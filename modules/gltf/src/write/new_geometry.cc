@@ -36,6 +36,7 @@ std::vector<Piece> pieces_of(const Mesh& mesh, const IndexedMesh& triangles, boo
     const std::vector<Index> order = optimize_order(piece.faces, piece.wedges.size());
     const auto reorder = [&](std::vector<Index>& values) {
       std::vector<Index> reordered;
+      reordered.reserve(order.size());
       for (const Index i : order) reordered.push_back(values[i]);
       values = std::move(reordered);
     };

@@ -128,8 +128,10 @@ Json append_view(const Encoded& values, bool compress, PackedBuffers& to) {
 std::vector<std::size_t> numbered(const std::vector<std::optional<std::size_t>>& wished, std::vector<bool> free) {
   Numbers numbers(std::move(free));
   std::vector<std::optional<std::size_t>> taken;
+  taken.reserve(wished.size());
   for (const auto& wish : wished) taken.push_back(numbers.take_if_free(wish));
   std::vector<std::size_t> all;
+  all.reserve(wished.size());
   for (const auto& number : taken) all.push_back(number ? *number : numbers.take_any());
   return all;
 }
