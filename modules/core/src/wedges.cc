@@ -50,28 +50,6 @@ bool are_apart(const IndexedMesh& mesh, Index a, Index b) {
   });
 }
 
-/// Keeps the values of some wedges. \param kept old numbers, in the order of the new ones
-void gather_wedges(IndexedMesh& mesh, std::span<const Index> kept) {
-  const auto gather = [&](auto& values) {
-    if (values.empty()) return;
-    std::remove_reference_t<decltype(values)> gathered;
-    gathered.reserve(kept.size());
-    for (const Index w : kept) gathered.push_back(values[w]);
-    values = std::move(gathered);
-  };
-  gather(mesh.normals);
-  gather(mesh.colors);
-  for (Attribute& attribute : mesh.attributes) {
-    std::vector<double> gathered;
-    gathered.reserve(kept.size() * attribute.n_components);
-    for (const Index w : kept) {
-      const std::span<const double> value = attribute.value(w);
-      gathered.insert(gathered.end(), value.begin(), value.end());
-    }
-    attribute.values = std::move(gathered);
-  }
-}
-
 /// The vertex of each wedge; `invalid_index` if no corner has it.
 std::vector<Index> vertices_of_wedges(const IndexedMesh& mesh) {
   std::vector<Index> vertices(n_wedges(mesh), invalid_index);
@@ -95,6 +73,27 @@ void make_wedge_table(IndexedMesh& mesh) {
   if (!mesh.wedges.empty()) return;
   mesh.wedges.reserve(3 * mesh.faces.size());
   for (const Triangle& face : mesh.faces) mesh.wedges.insert(mesh.wedges.end(), face.begin(), face.end());
+}
+
+void gather_wedges(IndexedMesh& mesh, std::span<const Index> kept) {
+  const auto gather = [&](auto& values) {
+    if (values.empty()) return;
+    std::remove_reference_t<decltype(values)> gathered;
+    gathered.reserve(kept.size());
+    for (const Index w : kept) gathered.push_back(values[w]);
+    values = std::move(gathered);
+  };
+  gather(mesh.normals);
+  gather(mesh.colors);
+  for (Attribute& attribute : mesh.attributes) {
+    std::vector<double> gathered;
+    gathered.reserve(kept.size() * attribute.n_components);
+    for (const Index w : kept) {
+      const std::span<const double> value = attribute.value(w);
+      gathered.insert(gathered.end(), value.begin(), value.end());
+    }
+    attribute.values = std::move(gathered);
+  }
 }
 
 void join_equal_wedges(IndexedMesh& mesh) {

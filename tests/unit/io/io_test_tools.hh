@@ -7,15 +7,24 @@
 #include <bit>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
+#include "whittle/core/detail/checks.hh"
+#include "whittle/core/wedges.hh"
 #include "whittle/io/read.hh"
 
 namespace whittle::io::test {
 
-inline ReadResult read(std::string_view bytes, std::string_view name, bool weld = true) {
-  return read_mesh(std::span<const char>(bytes.data(), bytes.size()), name, {.weld = weld});
+inline ReadResult read(std::string_view bytes, std::string_view name, bool weld = true,
+                       AttributeScope attributes = AttributeScope::all) {
+  return read_mesh(std::span<const char>(bytes.data(), bytes.size()), name, {.weld = weld, .attributes = attributes});
+}
+
+/// With normals and colours of vertices alone.
+inline ReadResult read_per_vertex(std::string_view bytes, std::string_view name) {
+  return read(bytes, name, true, AttributeScope::per_vertex);
 }
 
 /// The error that reading ends with. Without an error the test fails and nothing is returned.
@@ -51,12 +60,14 @@ inline void expect_valid(const ReadResult& result, const std::string& what) {
   }
   EXPECT_EQ(std::count(is_used.begin(), is_used.end(), 0), 0) << what << ": isolated vertices";
   for (const Vec3& p : mesh.positions) ASSERT_TRUE(p.allFinite()) << what;
-  EXPECT_TRUE(mesh.normals.empty() || mesh.normals.size() == vertices) << what;
+  EXPECT_NO_THROW(check_attributes(mesh, "a reader")) << what;
+  if (!mesh.wedges.empty()) {
+    EXPECT_EQ(n_wedges(mesh), std::set<Index>(mesh.wedges.begin(), mesh.wedges.end()).size()) << what;
+  }
   for (const auto& n : mesh.normals) {
     const double length = std::hypot(double{n[0]}, double{n[1]}, double{n[2]});
     ASSERT_TRUE(length == 0 || std::abs(length - 1) < 2e-4) << what << ": normal of length " << length;
   }
-  EXPECT_TRUE(mesh.colors.empty() || mesh.colors.size() == vertices) << what;
   for (const Color& color : mesh.colors) {
     for (const float c : color) ASSERT_TRUE(c >= 0 && c <= 1) << what << ": colour component " << c;
   }

@@ -19,14 +19,28 @@ void append_rows(std::string& text, const std::vector<Row>& rows) {
 }
 
 /// What reading gives or how it fails, as text.
-std::string outcome(const std::string& obj, std::size_t bytes_per_chunk, unsigned threads = 1) {
+std::string outcome(const std::string& obj, std::size_t bytes_per_chunk, unsigned threads = 1,
+                    AttributeScope scope = AttributeScope::all) {
   try {
-    const ReadResult result = read_obj_in_chunks(obj, "file", bytes_per_chunk, threads);
+    const ReadResult result =
+        read_obj_in_chunks(obj, "file", bytes_per_chunk, {.threads = threads, .attributes = scope});
     std::string text;
     append_rows(text, result.mesh.positions);
     append_rows(text, result.mesh.faces);
     append_rows(text, result.mesh.normals);
     append_rows(text, result.mesh.colors);
+    append_rows(text, std::vector<std::vector<Index>>{result.mesh.wedges, result.mesh.face_groups});
+    for (const auto* const attributes : {&result.mesh.attributes, &result.mesh.face_attributes}) {
+      for (const Attribute& attribute : *attributes) {
+        text.append(attribute.name).append(1, ' ');
+        append_rows(text, std::vector<std::vector<double>>{attribute.values});
+      }
+    }
+    for (const std::string& name : result.mesh.group_names) text.append(name).append(1, '\n');
+    for (const std::string& library : result.notes.material_libraries) text.append(library).append(1, '\n');
+    for (const auto& [attribute, names] : result.notes.face_names) {
+      for (const std::string& name : names) text.append(attribute).append(name).append(1, '\n');
+    }
     for (const std::string& warning : result.warnings) text.append(warning).append(1, '\n');
     return text.append(std::to_string(result.file_faces)).append(to_string(result.repairs));
   } catch (const ReadError& error) {
@@ -43,6 +57,13 @@ const std::vector<std::string>& sample_lines() {
                                                  "vn 0 0 1",
                                                  "vn 1 0 0",
                                                  "vt 0 0",
+                                                 "vt 0.5 0.25 1",
+                                                 "f 1/1/1 2/-1/1 3//1",
+                                                 "f 1/2 2/1 3/1 4/1",
+                                                 "vt 1 \\\n 1",
+                                                 "mtllib a b.mtl",
+                                                 "o thing",
+                                                 "s 2",
                                                  "f 1 2 3",
                                                  "f -1 -2 -3",
                                                  "f 1//1 2//2 3/",
@@ -83,6 +104,9 @@ TEST(ObjChunks, GiveTheSameAsTheWhole) {
     for (const std::size_t bytes : {std::size_t{1}, std::size_t{11}, std::size_t{60}}) {
       ASSERT_EQ(outcome(obj, bytes, i % 10 == 0 ? 3 : 1), expected) << bytes << " bytes a chunk of\n" << obj;
     }
+    ASSERT_EQ(outcome(obj, 11, 1, AttributeScope::per_vertex),
+              outcome(obj, obj.size() + 1, 1, AttributeScope::per_vertex))
+        << obj;
   }
   EXPECT_GT(n_read, 300U);
   EXPECT_LT(n_read, 1300U);

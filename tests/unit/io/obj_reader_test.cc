@@ -9,6 +9,7 @@ using test::cat;
 using test::error_of;
 using test::expect_error;
 using test::read;
+using test::read_per_vertex;
 
 const std::string tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 const std::string tetrahedron_faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
@@ -101,7 +102,7 @@ TEST(ObjReader, IgnoresTheWeightOfAVertex) {
 TEST(ObjReader, AveragesNormalsThatDifferBetweenCorners) {
   const std::string normals = "vn 1 0 0\nvn 0 1 0\nvn 0 1 0\n";
   const std::string faces = "f 1//1 3//1 2//1\nf 1//2 2//2 4//2\nf 1//2 4//3 3//3\n";
-  const ReadResult result = read(tetrahedron + normals + faces, "a.obj");
+  const ReadResult result = read_per_vertex(tetrahedron + normals + faces, "a.obj");
   const float half = std::sqrt(0.5F);
   EXPECT_NEAR(result.mesh.normals[0][0], half, 1e-6);
   EXPECT_NEAR(result.mesh.normals[0][1], half, 1e-6);
@@ -121,16 +122,17 @@ TEST(ObjReader, IgnoresNormalsItCannotFindAndSaysSo) {
 }
 
 TEST(ObjReader, NamesWhatItDoesNotCarry) {
-  const ReadResult result = read("mtllib a.mtl\no one\n" + tetrahedron +
-                                     "vt 0 0\ng left\nusemtl red\ns 1\nf 1/1 2/1 3/1\ng right\nl 1 2\np 1\nfoo 1 2\n" +
-                                     "cstype bezier\nsurf 0 1 0 1 1 2 3\n",
-                                 "a.obj");
-  EXPECT_EQ(result.warnings,
-            (std::vector<std::string>{"texture coordinates (vt) are not carried", "materials (usemtl) are not carried",
-                                      "groups and object names (g, o) are not carried",
-                                      "smoothing groups (s) are not carried", "lines and points (l, p) are not carried",
-                                      "free-form curves and surfaces (curv, surf) are not read",
-                                      "1 unknown statements ignored, the first in line 15: \"foo\""}));
+  const std::string obj = "mtllib a.mtl\no one\n" + tetrahedron +
+                          "vt 0 0\ng left\nusemtl red\ns 1\nf 1/1 2/1 3/1\ng right\nl 1 2\np 1\nfoo 1 2\n" +
+                          "cstype bezier\nsurf 0 1 0 1 1 2 3\n";
+  std::vector<std::string> expected = {"lines and points (l, p) are not carried",
+                                       "free-form curves and surfaces (curv, surf) are not read",
+                                       "1 unknown statements ignored, the first in line 15: \"foo\""};
+  EXPECT_EQ(read(obj, "a.obj").warnings, expected);
+  expected.insert(expected.begin(),
+                  {"texture coordinates (vt) are not carried", "materials (usemtl) are not carried",
+                   "groups and object names (g, o) are not carried", "smoothing groups (s) are not carried"});
+  EXPECT_EQ(read_per_vertex(obj, "a.obj").warnings, expected);
 }
 
 TEST(ObjReader, SaysNothingOfSmoothingThatIsOffAndOfOneName) {

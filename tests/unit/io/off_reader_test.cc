@@ -45,7 +45,10 @@ TEST(OffReader, CarriesNormalsAndColors) {
   EXPECT_EQ(result.mesh.colors[0], (Color{1, 0, 0, 1}));
   EXPECT_EQ(result.mesh.colors[1], (Color{0, 0.2F, 0, 0}));
   EXPECT_EQ(result.mesh.colors[2], (Color{0, 0, 0, 0.4F}));
-  EXPECT_EQ(result.warnings, (std::vector<std::string>{"texture coordinates are not carried"}));
+  ASSERT_EQ(result.mesh.attributes.size(), 1U);
+  EXPECT_EQ(result.mesh.attributes[0].kind, AttributeKind::texcoord);
+  EXPECT_EQ(result.mesh.attributes[0].values, (std::vector<double>{0.5, 0.5, 0, 0, 0, 0}));
+  EXPECT_TRUE(result.warnings.empty());
 }
 
 TEST(OffReader, TakesColorsAsIntegersAndAsReals) {

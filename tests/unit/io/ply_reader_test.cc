@@ -122,16 +122,19 @@ TEST(PlyReader, CarriesNormalsAndColorsOfEveryScale) {
 }
 
 TEST(PlyReader, NamesPropertiesAndElementsItDoesNotCarry) {
-  const ReadResult result =
-      read(ascii + "comment made up\nobj_info none\n" + three_vertices +
-               "property float confidence\nproperty uchar red\nproperty list uchar float extra\n" + one_face +
-               "property uchar flags\nproperty list uchar float texcoord\nelement edge 2\nproperty int vertex1\n"
-               "property int vertex2\nelement nothing 0\nproperty int a\nelement empty 9\n" +
-               end + "0 0 0 0.5 9 2 1 2\n1 0 0 0.5 9 0\n0 1 0 0.5 9 1 3\n3 0 1 2 7 2 0.5 0.5\n0 1\n1 2\n",
-           "a.ply");
-  EXPECT_EQ(result.warnings, (std::vector<std::string>{"vertex properties not carried: confidence, red, extra",
-                                                       "face properties not carried: flags, texcoord",
-                                                       "elements \"edge\" are not carried"}));
+  const std::string ply =
+      ascii + "comment made up\nobj_info none\n" + three_vertices +
+      "property float confidence\nproperty uchar red\nproperty list uchar float extra\n" + one_face +
+      "property uchar flags\nproperty list uchar float texcoord\nproperty list uchar int holes\nelement edge 2\n"
+      "property int vertex1\nproperty int vertex2\nelement nothing 0\nproperty int a\nelement empty 9\n" +
+      end + "0 0 0 0.5 9 2 1 2\n1 0 0 0.5 9 0\n0 1 0 0.5 9 1 3\n3 0 1 2 7 6 0 0 0.5 0.5 1 1 0\n0 1\n1 2\n";
+  EXPECT_EQ(read(ply, "a.ply").warnings,
+            (std::vector<std::string>{"vertex properties not carried: extra", "face properties not carried: holes",
+                                      "elements \"edge\" are not carried"}));
+  EXPECT_EQ(test::read_per_vertex(ply, "a.ply").warnings,
+            (std::vector<std::string>{"vertex properties not carried: confidence, red, extra",
+                                      "face properties not carried: flags, texcoord, holes",
+                                      "elements \"edge\" are not carried"}));
 }
 
 TEST(PlyReader, RoundsTextToTheDeclaredType) {

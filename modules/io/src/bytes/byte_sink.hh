@@ -12,6 +12,14 @@
 
 namespace whittle::io {
 
+/// Writes the bytes of a number, lowest first. \param to `sizeof value` bytes
+template <class Number>
+void store_little_endian(Number value, char* to) {
+  auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(value);
+  if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
+  std::memcpy(to, bytes.data(), bytes.size());
+}
+
 /// Formats numbers into a block of memory and writes full blocks to a stream. Errors show in the stream's state, once
 /// `flush` was called.
 class ByteSink {
@@ -37,8 +45,8 @@ class ByteSink {
   /// Writes the bytes of a number, lowest first.
   template <class Number>
   ByteSink& little_endian(Number value) {
-    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(value);
-    if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
+    std::array<char, sizeof(Number)> bytes;
+    store_little_endian(value, bytes.data());
     put(bytes.data(), bytes.size());
     return *this;
   }

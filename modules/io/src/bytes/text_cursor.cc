@@ -8,6 +8,20 @@ std::string_view without_byte_order_mark(std::string_view text) {
   return text;
 }
 
+std::string TextCursor::rest_of_line() {
+  std::string text;
+  for (skip_blanks(); !at_line_end();) {
+    if (is_continuation()) {
+      skip_blanks();
+      text += ' ';
+    } else {
+      text += *at_++;
+    }
+  }
+  while (!text.empty() && is_blank(text.back())) text.pop_back();
+  return text;
+}
+
 std::uint64_t TextCursor::line_of(const char* where) const {
   std::uint64_t line = 1;
   for (const char* c = begin_; c != where; ++c) {

@@ -85,6 +85,10 @@ class TextCursor {
     return {first, static_cast<std::size_t>(at_ - first)};
   }
 
+  /// Moves to the end of the line, and returns what is left of it, without the blanks around. A continuation becomes a
+  /// blank.
+  std::string rest_of_line();
+
   /// Moves to a byte of the text. \pre not beyond its end.
   void skip_to(std::size_t offset) { at_ = begin_ + offset; }
 

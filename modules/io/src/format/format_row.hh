@@ -40,8 +40,8 @@ struct FormatRow {
   Evidence (*recognises)(std::string_view bytes);
 
   /// Reads a whole file and triangulates its polygons (`MeshBuilder`); all other repairs are left to `repair`.
-  /// \param name of the file, for messages. \param threads it may take; 0 = all cores. \throw ReadError
-  ReadResult (*read)(std::string_view bytes, std::string_view name, unsigned threads);
+  /// \param name of the file, for messages. \throw ReadError
+  ReadResult (*read)(std::string_view bytes, std::string_view name, const ReadOptions& options);
 
   /// \param warnings gets a line for each thing that the mesh has and the file can't hold.
   /// \throw std::range_error if the format can't hold a number of the mesh. The message doesn't name the file.

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "format/corner_values.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/io/read.hh"
@@ -33,6 +34,18 @@ class MeshBuilder {
   /// As stored.
   std::vector<double>& tolerances() { return result_.tolerances; }
 
+  /// All attributes but the above: as the mesh is to have them. Those of faces are for the triangles so far; `finish`
+  /// gives zeros to the others.
+  IndexedMesh& mesh() { return result_.mesh; }
+  FileNotes& notes() { return result_.notes; }
+
+  /// The values that corners of faces name (`CornerItems`). Normals are as stored.
+  Attribute& corner_texcoords() { return corner_values_.texcoords; }
+  /// Likewise.
+  std::vector<std::array<float, 3>>& corner_normals() { return corner_values_.normals; }
+  /// 3 for each triangle, or fewer: the others name nothing.
+  std::vector<CornerItems>& corner_items() { return corner_values_.corners; }
+
   std::size_t vertex_count() const { return result_.mesh.positions.size(); }
   std::size_t face_count() const { return result_.mesh.faces.size(); }
 
@@ -46,33 +59,43 @@ class MeshBuilder {
     result_.mesh.faces.push_back(face);
   }
   void add_triangles(std::vector<Triangle> faces);
+  /// No corner names a normal any more.
+  void forget_normals();
+  void forget_texcoords();
   /// Any number of corners. A corner that repeats its neighbour is left out. With fewer than three corners left, the
-  /// face is counted as degenerate.
-  void add_polygon(std::span<const Index> corners);
+  /// face is counted as degenerate. \param items what each corner names, or empty: nothing
+  void add_polygon(std::span<const Index> corners, std::span<const CornerItems> items = {});
 
-  /// Adds the vertices and faces that another one has collected. Their corners are numbers of the whole.
+  /// Adds the vertices, the faces, and what their corners name, of another one. Numbers are those of the whole.
   void append(MeshBuilder&& more);
 
   void warn(std::string warning) { result_.warnings.push_back(std::move(warning)); }
 
-  /// Triangulates, scales colours and normals, and fills in the origins.
-  ReadResult finish();
+  /// Triangulates, scales colours and normals, gives vertices or wedges what corners name, and fills in the origins.
+  ReadResult finish(AttributeScope scope = AttributeScope::all);
 
  private:
   struct Polygon {
     std::size_t first_face;  // Of the n − 2 that are reserved for it.
     std::size_t first_corner;
     std::size_t corners;
+    std::size_t first_item;  // `no_items` if the corners name nothing.
   };
+  static constexpr std::size_t no_items = ~std::size_t{0};
 
+  void add_items(std::span<const CornerItems> items);
   void triangulate();
   void scale_colors();
-  void normalize_normals();
+  void take_corner_values(AttributeScope scope);
+  void make_texcoords_finite();
 
   ReadResult result_;
   std::vector<Polygon> polygons_;
   std::vector<Index> polygon_corners_;
+  std::vector<CornerItems> polygon_items_;
+  CornerValues corner_values_;
   std::vector<Index> scratch_;
+  std::vector<CornerItems> scratch_items_;
 };
 
 }  // namespace whittle::io

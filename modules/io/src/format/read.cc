@@ -8,6 +8,7 @@
 #include "format/format_row.hh"
 #include "format/mesh_builder.hh"
 #include "whittle/core/detail/large_array.hh"
+#include "whittle/core/wedges.hh"
 
 namespace whittle::io {
 
@@ -22,16 +23,16 @@ Format choose_format(std::string_view name, const ReadOptions& options) {
   }
 }
 
-ReadResult parse_unpacked(std::string_view bytes, std::string_view name, Format format, unsigned threads) {
+ReadResult parse_unpacked(std::string_view bytes, std::string_view name, Format format, const ReadOptions& options) {
   refuse_wrong_content(bytes, name, format);
-  return row_of(format).read(bytes, name, threads);
+  return row_of(format).read(bytes, name, options);
 }
 
 // The content tells whether it is packed, not the name: servers unpack files and leave their names, or the reverse.
-ReadResult parse(std::string_view bytes, std::string_view name, Format format, unsigned threads) {
-  if (!is_gzip(bytes)) return parse_unpacked(bytes, name, format, threads);
+ReadResult parse(std::string_view bytes, std::string_view name, Format format, const ReadOptions& options) {
+  if (!is_gzip(bytes)) return parse_unpacked(bytes, name, format, options);
   const std::vector<char> unpacked = gunzip(bytes, name);
-  return parse_unpacked({unpacked.data(), unpacked.size()}, name, format, threads);
+  return parse_unpacked({unpacked.data(), unpacked.size()}, name, format, options);
 }
 
 // The vertex of the mesh that each vertex of the file became. \pre the mesh's origins are numbers of the file.
@@ -61,6 +62,7 @@ void finish(ReadResult& result, std::string_view name, const ReadOptions& option
     throw ReadError(std::string(name), "no face is left of " + std::to_string(result.file_faces) +
                                            ": all are degenerate (" + to_string(result.repairs) + ")");
   }
+  if (options.attributes == AttributeScope::per_vertex) drop_seams(result.mesh);
   result.vertex_map = vertex_map(result, joined_to);
 }
 
@@ -72,7 +74,7 @@ ReadResult read_mesh(const std::filesystem::path& path, const ReadOptions& optio
   const Format format = choose_format(name, options);
   ReadResult result = [&] {
     const FileBytes file(path);  // Freed before the repairs need memory.
-    return parse(file.view(), name, format, options.threads);
+    return parse(file.view(), name, format, options);
   }();
   finish(result, name, options, format);
   return result;
@@ -80,7 +82,7 @@ ReadResult read_mesh(const std::filesystem::path& path, const ReadOptions& optio
 
 ReadResult read_mesh(std::span<const char> bytes, std::string_view name, const ReadOptions& options) {
   const Format format = choose_format(name, options);
-  ReadResult result = parse(std::string_view(bytes.data(), bytes.size()), name, format, options.threads);
+  ReadResult result = parse(std::string_view(bytes.data(), bytes.size()), name, format, options);
   finish(result, name, options, format);
   return result;
 }

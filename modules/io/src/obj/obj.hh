@@ -11,11 +11,11 @@
 namespace whittle::io {
 
 // `FormatRow` says what these do.
-ReadResult read_obj(std::string_view bytes, std::string_view name, unsigned threads);
+ReadResult read_obj(std::string_view bytes, std::string_view name, const ReadOptions& options);
 /// \param text without a byte order mark \param bytes_per_chunk more than 0, up to the end of a line; the result
 /// doesn't depend on it
 ReadResult read_obj_in_chunks(std::string_view text, std::string_view name, std::size_t bytes_per_chunk,
-                              unsigned threads);
+                              const ReadOptions& options);
 void write_obj(ByteSink& sink, const IndexedMesh& mesh, const WriteOptions& options,
                std::vector<std::string>& warnings);
 

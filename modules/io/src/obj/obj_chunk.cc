@@ -1,11 +1,11 @@
 #include "obj/obj_chunk.hh"
 
+#include <algorithm>
 #include <string>
 
 namespace whittle::io {
 
 ObjOthers& ObjOthers::operator+=(const ObjOthers& more) {
-  texcoords += more.texcoords;
   materials += more.materials;
   groups += more.groups;
   smoothing_groups += more.smoothing_groups;
@@ -25,6 +25,7 @@ ObjRows ObjChunk::guess_rows(std::string_view lines) {
     while (is_blank(at)) ++at;
     if (at < lines.size() && lines[at] == 'v') {
       rows.vertices += is_blank(at + 1) ? 1 : 0;
+      rows.texcoords += at + 1 < lines.size() && lines[at + 1] == 't' && is_blank(at + 2) ? 1 : 0;
       rows.normals += at + 1 < lines.size() && lines[at + 1] == 'n' && is_blank(at + 2) ? 1 : 0;
     }
     const std::size_t end = lines.find('\n', at);
@@ -55,24 +56,42 @@ void ObjChunk::read_statement() {
   } else if (keyword == "vn") {
     read_normal();
   } else if (keyword == "vt") {
-    ++others_.texcoords;
-  } else {
+    read_texcoord();
+  } else if (!read_tag(keyword)) {
     const std::size_t unknown_before = others_.unknown;
     skip_other(keyword);
     if (others_.unknown != unknown_before && others_.first_unknown == nullptr) others_.first_unknown = start;
   }
 }
 
+// Returns false if the statement is another one.
+bool ObjChunk::read_tag(std::string_view keyword) {
+  if (keyword == "mtllib") {
+    libraries_.push_back(cursor_.rest_of_line());
+    return true;
+  }
+  struct Named {
+    std::string_view keyword;
+    ObjTag tag;
+  };
+  static constexpr Named tags[n_obj_tags] = {
+      {"usemtl", ObjTag::material}, {"g", ObjTag::group}, {"o", ObjTag::object}, {"s", ObjTag::smoothing}};
+  const auto* const found =
+      std::find_if(std::begin(tags), std::end(tags), [&](const Named& named) { return named.keyword == keyword; });
+  if (found == std::end(tags)) return false;
+  std::string name = cursor_.rest_of_line();
+  others_.materials += found->tag == ObjTag::material;
+  others_.groups += found->tag == ObjTag::group || found->tag == ObjTag::object;
+  others_.smoothing_groups += found->tag == ObjTag::smoothing && name != "off" && name != "0";
+  if (name.empty() && found->tag == ObjTag::group) name = "default";  // as the manual has it
+  if (!switches_.empty() && switches_.back().tag == found->tag && switches_.back().first_face == builder_.face_count())
+    switches_.pop_back();  // no face had it
+  switches_.push_back({builder_.face_count(), found->tag, std::move(name)});
+  return true;
+}
+
 void ObjChunk::skip_other(std::string_view keyword) {
-  cursor_.skip_blanks();
-  if (keyword == "usemtl" || keyword == "mtllib") {
-    others_.materials += keyword == "usemtl";
-  } else if (keyword == "g" || keyword == "o") {
-    ++others_.groups;
-  } else if (keyword == "s") {
-    const std::string_view group = cursor_.token();
-    others_.smoothing_groups += group != "off" && group != "0";
-  } else if (keyword == "l" || keyword == "p") {
+  if (keyword == "l" || keyword == "p") {
     ++others_.lines_and_points;
   } else if (keyword == "curv" || keyword == "curv2" || keyword == "surf") {
     ++others_.free_form;
@@ -115,6 +134,20 @@ void ObjChunk::read_color(std::size_t vertex) {
   colors.push_back(values);
 }
 
+// "vt u [v [w]]"
+void ObjChunk::read_texcoord() {
+  ++n_texcoords_;
+  if (scope_ == AttributeScope::per_vertex) return;
+  std::array<float, 3> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    cursor_.skip_blanks();
+    if (i > 0 && (cursor_.at_line_end() || cursor_.peek() == '#')) break;
+    values[i] = cursor_.number<float>("a texture coordinate");
+  }
+  has_third_texcoord_ = has_third_texcoord_ || values[2] != 0;
+  texcoords_.insert(texcoords_.end(), values.begin(), values.end());
+}
+
 void ObjChunk::read_normal() {
   std::array<float, 3> normal;
   for (float& component : normal) {
@@ -127,16 +160,17 @@ void ObjChunk::read_normal() {
 void ObjChunk::read_face() {
   const char* const start = cursor_.position();
   corners_.clear();
+  items_.clear();
   while (cursor_.skip_blanks(), !cursor_.at_line_end() && cursor_.peek() != '#') {
-    const Index vertex = read_corner_vertex();
-    if (!cursor_.at_token_end()) read_corner_rest(vertex);
-    corners_.push_back(vertex);
+    corners_.push_back(read_corner_vertex());
+    if (!cursor_.at_token_end()) read_corner_rest();
   }
   if (corners_.size() < 3) {
     cursor_.fail(start, "a face needs three corners, this has " + std::to_string(corners_.size()) +
                             (cursor_.at_end() ? "; the file may be truncated" : ""));
   }
-  builder_.add_polygon(corners_);
+  if (!items_.empty()) items_.resize(corners_.size());
+  builder_.add_polygon(corners_, items_);
 }
 
 Index ObjChunk::read_corner_vertex() {
@@ -160,19 +194,35 @@ Index ObjChunk::read_corner_vertex() {
 }
 
 // "/t", "//n" or "/t/n".
-void ObjChunk::read_corner_rest(Index vertex) {
+void ObjChunk::read_corner_rest() {
   const char* const at = cursor_.position();
   if (!cursor_.skip_if('/')) cursor_.fail_token(at, "a vertex number");
   if (!cursor_.skip_if('/')) {
     if (cursor_.at_token_end()) return;  // "1/": some programs write it
-    cursor_.integer("a texture coordinate number");
+    read_corner_texcoord();
     if (cursor_.at_token_end()) return;
     if (!cursor_.skip_if('/')) cursor_.fail_token(at, "\"/\" and a normal number");
   }
-  if (!cursor_.at_token_end()) note_corner_normal(vertex);
+  if (!cursor_.at_token_end()) read_corner_normal();
 }
 
-void ObjChunk::note_corner_normal(Index vertex) {
+void ObjChunk::read_corner_texcoord() {
+  const char* const at = cursor_.position();
+  const std::int64_t number = cursor_.integer("a texture coordinate number");
+  if (scope_ == AttributeScope::per_vertex) return;
+  const auto texcoords = static_cast<std::int64_t>(before_.texcoords + n_texcoords_);
+  const std::int64_t texcoord = number > 0 ? number - 1 : texcoords + number;
+  if (number == 0 || texcoord < 0 || static_cast<std::uint64_t>(texcoord) >= most_elements) {
+    if (bad_texcoord_.at == nullptr) bad_texcoord_ = {number, at};
+    return;
+  }
+  if (texcoord > largest_texcoord_.number) largest_texcoord_ = {texcoord, at};
+  items_.resize(corners_.size());
+  items_.back().texcoord = static_cast<Index>(texcoord);
+}
+
+void ObjChunk::read_corner_normal() {
+  const char* const at = cursor_.position();
   const std::int64_t number = cursor_.whole_integer("a normal number");
   const auto normals = static_cast<std::int64_t>(before_.normals + normals_.size());
   const std::int64_t normal = number > 0 ? number - 1 : normals + number;
@@ -180,8 +230,9 @@ void ObjChunk::note_corner_normal(Index vertex) {
     has_bad_normals_ = true;
     return;
   }
-  const bool comes_later = vertex >= before_.vertices + builder_.vertex_count();
-  corner_normals_.push_back({vertex, static_cast<Index>(normal), comes_later});
+  if (normal > largest_normal_.number) largest_normal_ = {normal, at};
+  items_.resize(corners_.size());
+  items_.back().normal = static_cast<Index>(normal);
 }
 
 }  // namespace whittle::io

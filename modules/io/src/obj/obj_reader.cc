@@ -1,11 +1,11 @@
-// Wavefront OBJ ("Object Files (.obj)", Wavefront Advanced Visualizer manual, appendix B1). Reads v, vn and f. Counts
-// what is not carried, for warnings: texture coordinates, names, lines, free-form geometry.
+// Wavefront OBJ ("Object Files (.obj)", Wavefront Advanced Visualizer manual, appendix B1). Reads v, vt, vn, f, and
+// what gives faces materials, groups, objects and smoothing groups. Counts what is not carried, for warnings: lines,
+// free-form geometry.
 //
-// A large file is read in chunks of lines, on all threads. Statements may refer to the last vertices and normals before
-// them, so these are counted first.
+// A large file is read in chunks of lines, on all threads. Statements may refer to the last vertices, texture
+// coordinates and normals before them, so these are counted first.
 #include <algorithm>
 #include <array>
-#include <compare>
 #include <exception>
 #include <string>
 #include <utility>
@@ -13,6 +13,7 @@
 
 #include "obj/obj.hh"
 #include "obj/obj_chunk.hh"
+#include "obj/obj_tags.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/core/detail/parallel.hh"
 
@@ -22,8 +23,8 @@ namespace {
 
 class ObjReader {
  public:
-  ObjReader(std::string_view text, std::string_view name, unsigned threads)
-      : whole_(text, name), text_(text), threads_(threads) {}
+  ObjReader(std::string_view text, std::string_view name, const ReadOptions& options)
+      : whole_(text, name), text_(text), threads_(options.threads), scope_(options.attributes) {}
 
   ReadResult read(std::size_t bytes_per_chunk) {
     const std::vector<std::size_t> begins = chunk_begins(text_, bytes_per_chunk);
@@ -31,42 +32,42 @@ class ObjReader {
     join_chunks();
     check_largest_vertex();
     check_counts();
-    set_normals();
+    check_normals();
+    set_texcoords();
+    if (scope_ == AttributeScope::all) tags_.give_to(builder_);
     warn_of_what_is_not_carried();
-    return builder_.finish();
+    return builder_.finish(scope_);
   }
 
  private:
-  struct VertexNormal {
-    Index vertex;
-    Index normal;  // a number into `file_normals_`
-    auto operator<=>(const VertexNormal&) const = default;
-  };
-
   static std::vector<std::size_t> chunk_begins(std::string_view text, std::size_t bytes_per_chunk);
   bool read_chunks(const std::vector<std::size_t>& begins);
   void join_chunks();
   void reserve_for_all();
   void join_colors(std::vector<Color>& colors, std::size_t vertices_before);
-  void note_corner_normals(const ObjChunk& chunk);
   void check_largest_vertex() const;
   void check_counts() const;
-  void set_normals();
+  void check_normals();
+  void set_texcoords();
   void warn_of_what_is_not_carried();
 
   TextCursor whole_;  // For messages.
   std::string_view text_;
   unsigned threads_;
+  AttributeScope scope_;
   std::vector<ObjChunk> chunks_;
   MeshBuilder builder_;
 
-  // Faces may use vertices that come later. So the largest number is checked at the end.
-  ObjChunk::LargestVertex largest_vertex_;
-
-  std::vector<std::array<float, 3>> file_normals_;
-  std::vector<Index> normal_of_vertex_;        // The first that a corner of the vertex has.
-  std::vector<VertexNormal> further_normals_;  // Other ones, and those of vertices that come later.
+  // Faces may use vertices that come later. So the largest numbers are checked at the end.
+  ObjNumber largest_vertex_;
+  ObjNumber largest_texcoord_;
+  ObjNumber largest_normal_;
+  ObjNumber bad_texcoord_;
+  ObjRows rows_;
+  std::vector<float> texcoords_;
+  bool has_third_texcoord_ = false;
   bool has_bad_normals_ = false;
+  ObjTags tags_;
   ObjOthers others_;
 };
 
@@ -98,7 +99,7 @@ bool ObjReader::read_chunks(const std::vector<std::size_t>& begins) {
   chunks_.clear();
   ObjRows before;
   for (std::size_t i = 0; i < n; ++i) {
-    chunks_.emplace_back(whole_.part(begins[i], end(i)), before);
+    chunks_.emplace_back(whole_.part(begins[i], end(i)), before, scope_);
     before += rows[i];
   }
   std::vector<std::exception_ptr> errors(n);
@@ -118,12 +119,21 @@ bool ObjReader::read_chunks(const std::vector<std::size_t>& begins) {
 
 void ObjReader::join_chunks() {
   if (chunks_.size() > 1) reserve_for_all();
+  const auto keep_larger = [](ObjNumber& largest, const ObjNumber& other) {
+    if (other.number > largest.number) largest = other;
+  };
   for (ObjChunk& chunk : chunks_) {
-    note_corner_normals(chunk);
     has_bad_normals_ = has_bad_normals_ || chunk.has_bad_normals();
-    file_normals_.insert(file_normals_.end(), chunk.normals().begin(), chunk.normals().end());
+    has_third_texcoord_ = has_third_texcoord_ || chunk.has_third_texcoord();
+    if (bad_texcoord_.at == nullptr) bad_texcoord_ = chunk.bad_texcoord();
+    builder_.corner_normals().insert(builder_.corner_normals().end(), chunk.normals().begin(), chunk.normals().end());
+    texcoords_.insert(texcoords_.end(), chunk.texcoords().begin(), chunk.texcoords().end());
     others_ += chunk.others();
-    if (chunk.largest_vertex().number > largest_vertex_.number) largest_vertex_ = chunk.largest_vertex();
+    rows_ += chunk.rows();
+    keep_larger(largest_vertex_, chunk.largest_vertex());
+    keep_larger(largest_texcoord_, chunk.largest_texcoord());
+    keep_larger(largest_normal_, chunk.largest_normal());
+    tags_.add(chunk, builder_.face_count());
     std::vector<Color> colors = std::move(chunk.builder().colors());
     chunk.builder().colors().clear();
     join_colors(colors, builder_.vertex_count());
@@ -150,19 +160,6 @@ void ObjReader::join_colors(std::vector<Color>& colors, std::size_t vertices_bef
   all.insert(all.end(), colors.begin(), colors.end());
 }
 
-void ObjReader::note_corner_normals(const ObjChunk& chunk) {
-  for (const auto& [vertex, normal, comes_later] : chunk.corner_normals()) {
-    if (!comes_later && normal_of_vertex_.size() <= vertex) {
-      normal_of_vertex_.resize(builder_.vertex_count() + chunk.rows().vertices, invalid_index);
-    }
-    if (!comes_later && normal_of_vertex_[vertex] == invalid_index) {
-      normal_of_vertex_[vertex] = normal;
-    } else if (comes_later || normal_of_vertex_[vertex] != normal) {
-      further_normals_.push_back({vertex, normal});
-    }
-  }
-}
-
 void ObjReader::check_largest_vertex() const {
   const std::size_t vertices = builder_.vertex_count();
   const auto& [number, at] = largest_vertex_;
@@ -177,44 +174,49 @@ void ObjReader::check_counts() const {
   }
 }
 
-// A mesh has one normal per vertex. Where corners differ (at a crease), it is the mean of the different normals.
-void ObjReader::set_normals() {
-  if (normal_of_vertex_.empty() && further_normals_.empty() && !has_bad_normals_) return;
-  const std::size_t count = file_normals_.size();
-  bool all_known = !has_bad_normals_;
-  for (const Index n : normal_of_vertex_) all_known = all_known && (n == invalid_index || n < count);
-  for (const VertexNormal& further : further_normals_) all_known = all_known && further.normal < count;
-  if (!all_known) {
-    builder_.warn("normals are ignored: faces use numbers of normals that the file doesn't have");
+void ObjReader::check_normals() {
+  const auto count = static_cast<std::int64_t>(builder_.corner_normals().size());
+  if (!has_bad_normals_ && largest_normal_.number < count) return;
+  builder_.warn("normals are ignored: faces use numbers of normals that the file doesn't have");
+  builder_.forget_normals();
+}
+
+// Numbers of texture coordinates are left in files from which the coordinates were taken out. Other wrong numbers are
+// errors.
+void ObjReader::set_texcoords() {
+  if (rows_.texcoords == 0 || scope_ == AttributeScope::per_vertex) {
+    const bool has_any = bad_texcoord_.at != nullptr || largest_texcoord_.number >= 0;
+    if (has_any) builder_.warn("texture coordinates are ignored: faces use numbers of some, but the file has none");
+    builder_.forget_texcoords();
     return;
   }
-  const std::size_t vertices = builder_.vertex_count();
-  auto& normals = builder_.normals();
-  normals.assign(vertices, {0, 0, 0});
-  normal_of_vertex_.resize(vertices, invalid_index);
-  for (std::size_t v = 0; v < vertices; ++v) {
-    if (normal_of_vertex_[v] != invalid_index) normals[v] = file_normals_[normal_of_vertex_[v]];
+  const std::string of_the_file = ", but the file has " + std::to_string(rows_.texcoords);
+  if (bad_texcoord_.at != nullptr) {
+    whole_.fail(bad_texcoord_.at, "texture coordinate number " + std::to_string(bad_texcoord_.number) +
+                                      (bad_texcoord_.number == 0 ? "; OBJ counts from 1" : of_the_file));
   }
-  std::sort(further_normals_.begin(), further_normals_.end());
-  further_normals_.erase(std::unique(further_normals_.begin(), further_normals_.end()), further_normals_.end());
-  bool averaged = false;
-  for (const auto& [vertex, normal] : further_normals_) {
-    Index& first = normal_of_vertex_[vertex];
-    if (first == normal) continue;
-    averaged = averaged || first != invalid_index;
-    if (first == invalid_index) first = normal;
-    for (std::size_t i = 0; i < 3; ++i) normals[vertex][i] += file_normals_[normal][i];
+  if (static_cast<std::uint64_t>(largest_texcoord_.number + 1) > rows_.texcoords) {
+    whole_.fail(largest_texcoord_.at, "texture coordinate number " + std::to_string(largest_texcoord_.number + 1) +
+                                          of_the_file + "; it may be truncated");
   }
-  if (averaged) builder_.warn("normals that differ between the corners of a vertex were averaged");
+  Attribute& texcoords = builder_.corner_texcoords();
+  texcoords.name = "vt";
+  texcoords.n_components = has_third_texcoord_ ? 3 : 2;
+  resize_large(texcoords.values, texcoords.n_components * rows_.texcoords);
+  for (std::size_t i = 0; i < rows_.texcoords; ++i) {
+    for (std::size_t k = 0; k < texcoords.n_components; ++k) texcoords.value(i)[k] = double{texcoords_[3 * i + k]};
+  }
 }
 
 void ObjReader::warn_of_what_is_not_carried() {
   auto& colors = builder_.colors();
   if (!colors.empty()) colors.resize(builder_.vertex_count(), Color{opaque, opaque, opaque, opaque});
-  if (others_.texcoords > 0) builder_.warn("texture coordinates (vt) are not carried");
-  if (others_.materials > 0) builder_.warn("materials (usemtl) are not carried");
-  if (others_.groups > 1) builder_.warn("groups and object names (g, o) are not carried");
-  if (others_.smoothing_groups > 0) builder_.warn("smoothing groups (s) are not carried");
+  if (scope_ == AttributeScope::per_vertex) {
+    if (rows_.texcoords > 0) builder_.warn("texture coordinates (vt) are not carried");
+    if (others_.materials > 0) builder_.warn("materials (usemtl) are not carried");
+    if (others_.groups > 1) builder_.warn("groups and object names (g, o) are not carried");
+    if (others_.smoothing_groups > 0) builder_.warn("smoothing groups (s) are not carried");
+  }
   if (others_.lines_and_points > 0) builder_.warn("lines and points (l, p) are not carried");
   if (others_.free_form > 0) builder_.warn("free-form curves and surfaces (curv, surf) are not read");
   if (others_.unknown > 0) {
@@ -226,17 +228,17 @@ void ObjReader::warn_of_what_is_not_carried() {
 
 }  // namespace
 
-ReadResult read_obj(std::string_view bytes, std::string_view name, unsigned threads) {
+ReadResult read_obj(std::string_view bytes, std::string_view name, const ReadOptions& options) {
   const std::string_view text = without_byte_order_mark(bytes);
   constexpr std::size_t least = std::size_t{1} << 20;  // some milliseconds of work
   constexpr std::size_t most_chunks = 64;
-  return read_obj_in_chunks(
-      text, name, n_threads(threads) == 1 ? text.size() : std::max(least, text.size() / most_chunks), threads);
+  const bool is_one = n_threads(options.threads) == 1;
+  return read_obj_in_chunks(text, name, is_one ? text.size() : std::max(least, text.size() / most_chunks), options);
 }
 
 ReadResult read_obj_in_chunks(std::string_view text, std::string_view name, std::size_t bytes_per_chunk,
-                              unsigned threads) {
-  return ObjReader(text, name, threads).read(bytes_per_chunk);
+                              const ReadOptions& options) {
+  return ObjReader(text, name, options).read(bytes_per_chunk);
 }
 
 }  // namespace whittle::io

@@ -69,9 +69,16 @@ OffHeader read_header(TextCursor& cursor) {
 }
 
 void warn_of_what_is_not_carried(MeshBuilder& builder, const OffHeader& header, bool face_colors, bool extra_values) {
-  if (header.texcoords) builder.warn("texture coordinates are not carried");
+  if (header.texcoords && builder.mesh().attributes.empty()) builder.warn("texture coordinates are not carried");
   if (face_colors) builder.warn("face colours are not carried");
   if (extra_values) builder.warn("numbers after a vertex's coordinates are ignored: the keyword OFF announces none");
+}
+
+/// \return where texture coordinates of vertices go
+std::vector<double>* add_texcoords(MeshBuilder& builder) {
+  builder.mesh().attributes.push_back(
+      {.name = "s,t", .kind = AttributeKind::texcoord, .n_components = 2, .values = {}});
+  return &builder.mesh().attributes.back().values;
 }
 
 /// \param cursor where the file goes on
@@ -82,7 +89,10 @@ template <class Cursor>
 
 class AsciiOffReader {
  public:
-  AsciiOffReader(const TextCursor& cursor, const OffHeader& header) : cursor_(cursor), header_(header) {}
+  AsciiOffReader(const TextCursor& cursor, const OffHeader& header, AttributeScope scope)
+      : cursor_(cursor), header_(header) {
+    if (header.texcoords && scope == AttributeScope::all) texcoords_ = add_texcoords(builder_);
+  }
 
   ReadResult read() {
     read_counts();
@@ -142,15 +152,15 @@ class AsciiOffReader {
         component = cursor_.number<float>("a normal");
       }
     }
-    if (header_.colors) {
+    if (header_.colors || header_.texcoords) {
       read_color();
-    } else if (!header_.texcoords && more_on_line()) {
+    } else if (more_on_line()) {
       extra_values_ = true;
     }
     cursor_.next_line();
   }
 
-  // One to four numbers. Texture coordinates follow if the keyword has ST.
+  // A colour has one to four numbers, texture coordinates two.
   void read_color() {
     std::array<float, 6> values{};
     std::size_t count = 0;
@@ -158,8 +168,15 @@ class AsciiOffReader {
       if (count == values.size()) cursor_.fail("too many numbers for a vertex");
       values[count++] = cursor_.number<float>("a colour");
     }
-    const std::size_t texture = header_.texcoords ? 2 : 0;
-    const std::size_t components = count >= texture ? count - texture : 0;
+    const std::size_t components = header_.texcoords && count >= 2 ? count - 2 : header_.texcoords ? 0 : count;
+    if (texcoords_ != nullptr) {
+      const bool has_both = count >= 2;
+      for (std::size_t i = 0; i < 2; ++i) texcoords_->push_back(has_both ? double{values[components + i]} : 0);
+    }
+    if (!header_.colors) {
+      if (components > 0) extra_values_ = true;
+      return;
+    }
     Color color{opaque, opaque, opaque, opaque};
     if (components == 3 || components == 4) {
       for (std::size_t i = 0; i < components; ++i) color[i] = values[i];
@@ -202,6 +219,7 @@ class AsciiOffReader {
   OffHeader header_;
   OffCounts counts_;
   MeshBuilder builder_;
+  std::vector<double>* texcoords_ = nullptr;  // Null: not to be carried.
   std::vector<Index> corners_;
   bool face_colors_ = false;
   bool extra_values_ = false;
@@ -219,14 +237,15 @@ struct BinaryLayout {
 
 class BinaryOffReader {
  public:
-  BinaryOffReader(const ByteCursor& cursor, const OffHeader& header, const BinaryLayout& layout)
+  BinaryOffReader(const ByteCursor& cursor, const OffHeader& header, const BinaryLayout& layout, AttributeScope scope)
       : cursor_(cursor), header_(header), layout_(layout) {
     cursor_.set_order(layout.order);
+    if (header.texcoords && scope == AttributeScope::all) texcoords_ = add_texcoords(builder_);
   }
 
   /// Whether the file ends exactly after its last face if it has this layout.
   static bool fits(ByteCursor cursor, const OffHeader& header, const BinaryLayout& layout) {
-    BinaryOffReader reader(cursor, header, layout);
+    BinaryOffReader reader(cursor, header, layout, AttributeScope::per_vertex);
     try {
       reader.read_counts();
       reader.cursor_.skip(static_cast<std::size_t>(reader.counts_.vertices) * reader.vertex_bytes());
@@ -289,7 +308,10 @@ class BinaryOffReader {
       for (std::size_t i = 0; i < layout_.color_components; ++i) color[i] = read_color_component();
       builder_.colors().push_back(color);
     }
-    if (header_.texcoords) cursor_.skip(2 * sizeof(float));
+    for (std::size_t i = 0; i < 2 && header_.texcoords; ++i) {
+      const double texcoord = cursor_.read<float>("a texture coordinate");
+      if (texcoords_ != nullptr) texcoords_->push_back(texcoord);
+    }
   }
 
   // A component is an integer up to 255 or a real number. The bits of a real number, taken as an integer, exceed 255.
@@ -340,6 +362,7 @@ class BinaryOffReader {
   BinaryLayout layout_;
   OffCounts counts_;
   MeshBuilder builder_;
+  std::vector<double>* texcoords_ = nullptr;  // Null: not to be carried.
   std::vector<Index> corners_;
   bool face_colors_ = false;
 };
@@ -365,15 +388,15 @@ BinaryLayout find_layout(ByteCursor cursor, const OffHeader& header) {
 
 }  // namespace
 
-ReadResult read_off(std::string_view bytes, std::string_view name, unsigned /*threads*/) {
+ReadResult read_off(std::string_view bytes, std::string_view name, const ReadOptions& options) {
   const std::string_view text = without_byte_order_mark(bytes);
   TextCursor cursor(text, name);
   const OffHeader header = read_header(cursor);
-  if (!header.binary) return AsciiOffReader(cursor, header).read();
+  if (!header.binary) return AsciiOffReader(cursor, header, options.attributes).read();
   cursor.next_line();
   const auto start = static_cast<std::size_t>(cursor.position() - bytes.data());
   const ByteCursor data(bytes, start, std::endian::big, name);
-  return BinaryOffReader(data, header, find_layout(data, header)).read();
+  return BinaryOffReader(data, header, find_layout(data, header), options.attributes).read();
 }
 
 }  // namespace whittle::io

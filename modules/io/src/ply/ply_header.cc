@@ -30,7 +30,12 @@ class HeaderReader {
 
  private:
   void read_line(const char* start, std::string_view keyword) {
-    if (keyword == "comment" || keyword == "obj_info" || keyword.empty()) return;
+    if (keyword.empty()) return;
+    if (keyword == "comment" || keyword == "obj_info") {
+      cursor_.skip_rest_of_line();
+      header_.remarks.emplace_back(start, static_cast<std::size_t>(cursor_.position() - start));
+      return;
+    }
     cursor_.skip_blanks();
     if (keyword == "format") {
       read_format();

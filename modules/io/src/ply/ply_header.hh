@@ -7,9 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "whittle/core/attribute.hh"
+
 namespace whittle::io {
 
-enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+using PlyType = ScalarType;
 
 constexpr std::size_t size_of(PlyType type) {
   switch (type) {
@@ -46,7 +48,8 @@ enum class PlyEncoding { ascii, little_endian, big_endian };
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::ascii;
   std::vector<PlyElement> elements;
-  std::size_t data_start = 0;  ///< Byte after the header.
+  std::vector<std::string_view> remarks;  ///< The lines of comments and `obj_info`, as they stand.
+  std::size_t data_start = 0;             ///< Byte after the header.
 };
 
 /// \throw ReadError if the header is incomplete or invalid, or has more vertices or faces than a mesh can hold.

@@ -12,6 +12,8 @@
 #include "format/mesh_builder.hh"
 #include "ply/ply.hh"
 #include "ply/ply_header.hh"
+#include "ply/ply_notes.hh"
+#include "ply/ply_plan.hh"
 #include "ply/ply_sources.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/core/detail/parallel.hh"
@@ -20,53 +22,33 @@ namespace whittle::io {
 
 namespace {
 
-// The meaning of a vertex property, and the index of its number in `Row`.
-enum Role : std::size_t { x, y, z, nx, ny, nz, red, green, blue, alpha, tolerance, other };
 using Row = std::array<double, other + 1>;
 
-Role role_of(std::string_view property) {
-  struct Named {
-    std::string_view name;
-    Role role;
-  };
-  static constexpr Named names[] = {{"x", x},
-                                    {"y", y},
-                                    {"z", z},
-                                    {"nx", nx},
-                                    {"ny", ny},
-                                    {"nz", nz},
-                                    {"red", red},
-                                    {"r", red},
-                                    {"diffuse_red", red},
-                                    {"green", green},
-                                    {"g", green},
-                                    {"diffuse_green", green},
-                                    {"blue", blue},
-                                    {"b", blue},
-                                    {"diffuse_blue", blue},
-                                    {"alpha", alpha},
-                                    {"a", alpha},
-                                    {"diffuse_alpha", alpha},
-                                    {"tolerance", tolerance}};
-  for (const auto& [name, role] : names) {
-    if (property == name) return role;
-  }
-  return other;
-}
+// Where the numbers of a property are stored: every `stride` numbers, from `values` on. Null: nowhere.
+struct Target {
+  double* values = nullptr;
+  std::size_t stride = 1;
+  double unit = 1;
 
-// The number that means full intensity. Integers of 8 and 16 bits use their full range. `MeshBuilder` scales all others
-// when the whole file is known.
-double color_scale(PlyType type) {
-  if (type == PlyType::uint8 || type == PlyType::int8) return 255;
-  if (type == PlyType::uint16 || type == PlyType::int16) return 65535;
-  return 1;
+  void set(std::size_t i, double number) const { values[i * stride] = number / unit; }
+};
+
+std::vector<Target> targets_of(const PlyAttributes& planned, std::vector<Attribute>& attributes) {
+  std::vector<Target> targets(planned.places.size());
+  for (std::size_t p = 0; p < targets.size(); ++p) {
+    if (!planned.places[p]) continue;
+    Attribute& attribute = attributes[planned.places[p]->attribute];
+    targets[p] = {attribute.values.data() + planned.places[p]->component, attribute.n_components,
+                  planned.places[p]->unit};
+  }
+  return targets;
 }
 
 template <class Source>
 class BodyReader {
  public:
-  BodyReader(const PlyHeader& header, const Source& source, unsigned threads)
-      : header_(header), source_(source), threads_(threads) {
+  BodyReader(const PlyHeader& header, const Source& source, const ReadOptions& options)
+      : header_(header), source_(source), threads_(options.threads), scope_(options.attributes) {
     for (const PlyElement& element : header.elements) {
       if (element.name == "vertex") vertices_ = element.count;
     }
@@ -86,7 +68,9 @@ class BodyReader {
       }
     }
     source_.finish();
-    return builder_.finish();
+    ReadResult result = builder_.finish();
+    if (scope_ == AttributeScope::all) take_ply_notes(header_, result);
+    return result;
   }
 
  private:
@@ -129,57 +113,35 @@ class BodyReader {
     }
   }
 
-  struct VertexPlan {
-    std::vector<Role> roles;  // Of each property.
-    std::array<bool, other + 1> has{};
-    bool normals = false;
-    bool colors = false;
-    std::array<double, 4> color_scales{1, 1, 1, 1};
-  };
-
-  VertexPlan plan_vertices(const PlyElement& element) {
-    VertexPlan plan;
-    for (const PlyProperty& property : element.properties) {
-      const Role role = property.count_type ? other : role_of(property.name);
-      plan.roles.push_back(role);
-      plan.has[role] = true;
-      if (role >= red && role <= alpha) plan.color_scales[role - red] = color_scale(property.type);
-    }
+  void read_vertices(const PlyElement& element) {
+    PlyVertexPlan plan = plan_vertices(element, scope_);
     if (element.count > 0 && !(plan.has[x] && plan.has[y] && plan.has[z])) {
       source_.fail(source_.location(), "vertices need the properties x, y and z; the header lacks one");
     }
-    plan.normals = plan.has[nx] && plan.has[ny] && plan.has[nz];
-    plan.colors = plan.has[red] && plan.has[green] && plan.has[blue];
-    std::string lost;
-    for (std::size_t i = 0; i < plan.roles.size(); ++i) {
-      const Role role = plan.roles[i];
-      const bool carried = role <= z || (role <= nz && plan.normals) || (role <= alpha && role >= red && plan.colors);
-      if (!carried) lost += (lost.empty() ? "" : ", ") + element.properties[i].name;
-    }
-    if (!lost.empty()) builder_.warn("vertex properties not carried: " + lost);
-    return plan;
-  }
-
-  void read_vertices(const PlyElement& element) {
-    const VertexPlan plan = plan_vertices(element);
+    if (!plan.lost.empty()) builder_.warn("vertex properties not carried: " + plan.lost);
     const auto count = static_cast<std::size_t>(element.count);
     if (element.properties.empty()) return;
     resize_large(builder_.positions(), count);
     if (plan.normals) resize_large(builder_.normals(), count);
     if (plan.colors) resize_large(builder_.colors(), count);
     if (plan.has[tolerance]) resize_large(builder_.tolerances(), count);
+    auto& attributes = builder_.mesh().attributes;
+    attributes = std::move(plan.others.attributes);
+    for (Attribute& attribute : attributes) resize_large(attribute.values, attribute.n_components * count);
+    const std::vector<Target> targets = targets_of(plan.others, attributes);
     if constexpr (Source::has_fixed_sizes) {
-      if (read_fixed_vertices(element, plan)) return;
+      if (read_fixed_vertices(element, plan, targets)) return;
     }
-    for (std::size_t v = 0; v < count; ++v) read_vertex(source_, element, plan, v);
+    for (std::size_t v = 0; v < count; ++v) read_vertex(source_, element, plan, targets, v);
   }
 
-  void read_vertex(Source& source, const PlyElement& element, const VertexPlan& plan, std::size_t v) {
+  void read_vertex(Source& source, const PlyElement& element, const PlyVertexPlan& plan,
+                   const std::vector<Target>& targets, std::size_t v) {
     Row row{};
     source.begin_row();
     for (std::size_t p = 0; p < plan.roles.size(); ++p) {
       const PlyProperty& property = element.properties[p];
-      const Role role = plan.roles[p];
+      const PlyRole role = plan.roles[p];
       if (property.count_type) {
         skip_property(source, element, property);
         continue;
@@ -187,6 +149,7 @@ class BodyReader {
       const Location at = source.location();
       row[role] = source.number(property.type, "a vertex property");
       if (role <= z && !std::isfinite(row[role])) source.fail(at, "a coordinate is not finite");
+      if (role == other && targets[p].values != nullptr) targets[p].set(v, row[role]);
     }
     source.end_row();
     builder_.positions()[v] = {row[x], row[y], row[z]};
@@ -197,16 +160,16 @@ class BodyReader {
     if (plan.has[tolerance]) builder_.tolerances()[v] = row[tolerance];
   }
 
-  static Color color_of(const VertexPlan& plan, const Row& row) {
+  static Color color_of(const PlyVertexPlan& plan, const Row& row) {
     Color color;
-    for (std::size_t i = 0; i < 4; ++i) color[i] = static_cast<float>(row[red + i] / plan.color_scales[i]);
+    for (std::size_t i = 0; i < 4; ++i) color[i] = static_cast<float>(row[red + i] / plan.color_units[i]);
     if (!plan.has[alpha]) color[3] = opaque;
     return color;
   }
 
   // On all threads, if every row has the same size and all is well. Returns false if not: then nothing was read, and
   // whoever reads one row after the other finds the first error.
-  bool read_fixed_vertices(const PlyElement& element, const VertexPlan& plan) {
+  bool read_fixed_vertices(const PlyElement& element, const PlyVertexPlan& plan, const std::vector<Target>& targets) {
     std::size_t size = 0;
     for (const PlyProperty& property : element.properties) {
       if (property.count_type) return false;
@@ -216,7 +179,7 @@ class BodyReader {
     try {
       for_each_range(count, threads_, [&](std::size_t begin, std::size_t end) {
         Source source = source_.further(begin * size);
-        for (std::size_t v = begin; v < end; ++v) read_vertex(source, element, plan, v);
+        for (std::size_t v = begin; v < end; ++v) read_vertex(source, element, plan, targets, v);
       });
     } catch (const ReadError&) {
       return false;
@@ -225,89 +188,172 @@ class BodyReader {
     return true;
   }
 
-  // The index of the property that holds the corners. Warns of the other properties.
-  std::size_t find_corners(const PlyElement& element) {
-    std::size_t found = element.properties.size();
-    std::string lost;
-    for (std::size_t p = 0; p < element.properties.size(); ++p) {
-      const PlyProperty& property = element.properties[p];
-      if (property.count_type && (property.name == "vertex_indices" || property.name == "vertex_index")) {
-        found = p;
-      } else {
-        lost += (lost.empty() ? "" : ", ") + property.name;
-      }
-    }
-    if (element.count > 0 && found == element.properties.size()) {
+  // Warns of what isn't carried.
+  PlyFacePlan plan_of(const PlyElement& element, AttributeScope scope) {
+    PlyFacePlan plan = plan_faces(element, scope);
+    if (element.count > 0 && !plan.corners) {
       source_.fail(source_.location(), "elements \"" + element.name + "\" have no list vertex_indices");
     }
-    if (!lost.empty() && element.count > 0) builder_.warn(element.name + " properties not carried: " + lost);
-    return found;
+    if (!plan.lost.empty() && element.count > 0) {
+      builder_.warn(element.name + " properties not carried: " + plan.lost);
+    }
+    return plan;
   }
 
   void read_faces(const PlyElement& element) {
-    const std::size_t list = find_corners(element);
+    PlyFacePlan plan = plan_of(element, scope_);
+    auto& attributes = builder_.mesh().face_attributes;
+    attributes = std::move(plan.others.attributes);
+    for (Attribute& attribute : attributes) attribute.values.resize(attribute.n_components * builder_.face_count());
+    if (plan.texcoords) builder_.corner_texcoords().type = element.properties[*plan.texcoords].type;
     if constexpr (Source::has_fixed_sizes) {
-      if (read_fixed_triangles(element, list)) return;
+      if (read_fixed_triangles(element, plan)) return;
     }
     builder_.reserve_faces(static_cast<std::size_t>(element.count));
+    std::vector<double> row(element.properties.size());
     for (std::uint64_t f = 0; f < element.count; ++f) {
-      source_.begin_row();
-      for (std::size_t p = 0; p < element.properties.size(); ++p) {
-        if (p != list) {
-          skip_property(source_, element, element.properties[p]);
-          continue;
-        }
-        const PlyProperty& property = element.properties[p];
-        const std::uint64_t length = read_length(source_, *property.count_type, property.name);
-        if (length == 3) {
-          builder_.add_triangle(read_triangle(source_, property.type));
-          continue;
-        }
-        corners_.clear();
-        for (std::uint64_t c = 0; c < length; ++c) corners_.push_back(read_corner(source_, property.type));
-        builder_.add_polygon(corners_);
-      }
-      source_.end_row();
+      const Location at = read_face(element, plan, row);
+      const std::size_t n_before = builder_.face_count();
+      add_face(at, plan.texcoords.has_value());
+      add_face_values(plan, row, builder_.face_count() - n_before);
     }
   }
 
-  // As `read_fixed_vertices`, if all faces are triangles.
-  bool read_fixed_triangles(const PlyElement& element, std::size_t list) {
+  // Reads the corners of a face, their texture coordinates, and its other numbers. Returns where it begins.
+  Location read_face(const PlyElement& element, const PlyFacePlan& plan, std::vector<double>& row) {
+    source_.begin_row();
+    const Location at = source_.location();
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const PlyProperty& property = element.properties[p];
+      if (p == plan.corners) {
+        const std::uint64_t length = read_length(source_, *property.count_type, property.name);
+        corners_.clear();
+        for (std::uint64_t c = 0; c < length; ++c) corners_.push_back(read_corner(source_, property.type));
+      } else if (p == plan.texcoords) {
+        const std::uint64_t length = read_length(source_, *property.count_type, property.name);
+        texcoords_.clear();
+        for (std::uint64_t i = 0; i < length; ++i) {
+          texcoords_.push_back(source_.list_number(property.type, "a texture coordinate"));
+        }
+      } else if (plan.others.places[p]) {
+        row[p] = source_.list_number(property.type, "a face property");
+      } else {
+        skip_property(source_, element, property);
+      }
+    }
+    source_.end_row();
+    return at;
+  }
+
+  // A face without texture has no texture coordinates.
+  void add_face(Location at, bool may_have_texcoords) {
+    if (!may_have_texcoords || texcoords_.empty()) {
+      builder_.add_polygon(corners_);
+      return;
+    }
+    if (texcoords_.size() != 2 * corners_.size()) {
+      source_.fail(at, "a list texcoord of length " + std::to_string(texcoords_.size()) + " for a face of " +
+                           std::to_string(corners_.size()) + " corners; it needs two numbers a corner");
+    }
+    std::vector<double>& values = builder_.corner_texcoords().values;
+    items_.clear();
+    for (std::size_t c = 0; c < corners_.size(); ++c) {
+      if (values.size() / 2 >= most_elements) source_.fail(at, "more texture coordinates than a mesh can have");
+      items_.push_back({.texcoord = static_cast<Index>(values.size() / 2)});
+      values.push_back(texcoords_[2 * c]);
+      values.push_back(texcoords_[2 * c + 1]);
+    }
+    builder_.add_polygon(corners_, items_);
+  }
+
+  // \param n_added the triangles that the face became
+  void add_face_values(const PlyFacePlan& plan, const std::vector<double>& row, std::size_t n_added) {
+    auto& attributes = builder_.mesh().face_attributes;
+    if (attributes.empty()) return;
+    const std::size_t n_before = builder_.face_count() - n_added;
+    for (Attribute& attribute : attributes) attribute.values.resize(attribute.n_components * builder_.face_count());
+    const std::vector<Target> targets = targets_of(plan.others, attributes);
+    for (std::size_t p = 0; p < row.size(); ++p) {
+      for (std::size_t i = 0; i < n_added && targets[p].values != nullptr; ++i) targets[p].set(n_before + i, row[p]);
+    }
+  }
+
+  // As `read_fixed_vertices`, if all faces are triangles, and all have texture coordinates or none.
+  bool read_fixed_triangles(const PlyElement& element, const PlyFacePlan& plan) {
     std::size_t size = 0;
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
       const PlyProperty& property = element.properties[p];
-      if (property.count_type && p != list) return false;
-      size += property.count_type ? size_of(*property.count_type) + 3 * size_of(property.type) : size_of(property.type);
+      if (property.count_type && p != plan.corners && p != plan.texcoords) return false;
+      const std::size_t n = p == plan.corners ? 3 : p == plan.texcoords ? 6 : 1;
+      size += (property.count_type ? size_of(*property.count_type) : 0) + n * size_of(property.type);
     }
     const auto count = static_cast<std::size_t>(element.count);
     if (count == 0 || count > source_.bytes_left() / size) return false;
-    std::vector<Triangle> faces;
-    resize_large(faces, count);
+    if (plan.texcoords && count > most_elements / 3) return false;
+    Triangles read;
+    resize_large(read.faces, count);
+    if (plan.texcoords) resize_large(read.texcoords, 6 * count);
+    auto& attributes = builder_.mesh().face_attributes;
+    for (Attribute& attribute : attributes) {
+      attribute.values.resize(attribute.n_components * (builder_.face_count() + count));
+    }
+    const std::vector<Target> targets = targets_of(plan.others, attributes);
     std::atomic<bool> are_triangles = true;
     try {
       for_each_range(count, threads_, [&](std::size_t begin, std::size_t end) {
         Source source = source_.further(begin * size);
         for (std::size_t f = begin; f < end && are_triangles.load(std::memory_order_relaxed); ++f) {
-          for (std::size_t p = 0; p < element.properties.size(); ++p) {
-            const PlyProperty& property = element.properties[p];
-            if (p != list) {
-              skip_property(source, element, property);
-            } else if (source.length(*property.count_type, "the length of a list") == 3) {
-              faces[f] = read_triangle(source, property.type);
-            } else {
-              are_triangles = false;
-              return;
-            }
-          }
+          if (!read_fixed_triangle(source, element, plan, targets, f, read)) are_triangles = false;
         }
       });
     } catch (const ReadError&) {
+      are_triangles = false;
+    }
+    if (!are_triangles) {
+      for (Attribute& attribute : attributes) attribute.values.resize(attribute.n_components * builder_.face_count());
       return false;
     }
-    if (!are_triangles) return false;
     source_.skip_bytes(count * size);
-    builder_.add_triangles(std::move(faces));
+    add_fixed_triangles(std::move(read));
     return true;
+  }
+
+  struct Triangles {
+    std::vector<Triangle> faces;
+    std::vector<double> texcoords;
+  };
+
+  // \return false if it isn't a triangle, or lacks texture coordinates
+  bool read_fixed_triangle(Source& source, const PlyElement& element, const PlyFacePlan& plan,
+                           const std::vector<Target>& targets, std::size_t f, Triangles& read) const {
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const PlyProperty& property = element.properties[p];
+      if (p == plan.corners) {
+        if (source.length(*property.count_type, "the length of a list") != 3) return false;
+        read.faces[f] = read_triangle(source, property.type);
+      } else if (p == plan.texcoords) {
+        if (source.length(*property.count_type, "the length of a list") != 6) return false;
+        for (std::size_t i = 0; i < 6; ++i) {
+          read.texcoords[6 * f + i] = source.list_number(property.type, "a texture coordinate");
+        }
+      } else if (targets[p].values != nullptr) {
+        targets[p].set(builder_.face_count() + f, source.number(property.type, "a face property"));
+      } else {
+        source.skip(property.type, 1, element.name);
+      }
+    }
+    return true;
+  }
+
+  void add_fixed_triangles(Triangles read) {
+    if (!read.texcoords.empty()) {
+      std::vector<CornerItems>& items = builder_.corner_items();
+      items.resize(3 * builder_.face_count());
+      reserve_large(items, items.size() + 3 * read.faces.size());
+      for (Index i = 0; i < 3 * read.faces.size(); ++i) items.push_back({.texcoord = i});
+      builder_.corner_texcoords().values = std::move(read.texcoords);
+    }
+    builder_.add_triangles(std::move(read.faces));
   }
 
   Triangle read_triangle(Source& source, PlyType type) const {
@@ -331,11 +377,11 @@ class BodyReader {
   // Every three consecutive vertices of a strip are a triangle; every second triangle is turned over. −1 begins a new
   // strip. A triangle with two equal corners joins two strips and is no face.
   void read_strips(const PlyElement& element) {
-    const std::size_t list = find_corners(element);
+    const PlyFacePlan plan = plan_of(element, AttributeScope::per_vertex);
     for (std::uint64_t s = 0; s < element.count; ++s) {
       source_.begin_row();
       for (std::size_t p = 0; p < element.properties.size(); ++p) {
-        if (p == list) {
+        if (p == plan.corners) {
           read_strip(element.properties[p]);
         } else {
           skip_property(source_, element, element.properties[p]);
@@ -373,23 +419,27 @@ class BodyReader {
   const PlyHeader& header_;
   Source source_;
   unsigned threads_;
+  AttributeScope scope_;
   MeshBuilder builder_;
   std::uint64_t vertices_ = 0;
+  // Of the face being read.
   std::vector<Index> corners_;
+  std::vector<double> texcoords_;
+  std::vector<CornerItems> items_;
 };
 
 }  // namespace
 
-ReadResult read_ply(std::string_view bytes, std::string_view name, unsigned threads) {
+ReadResult read_ply(std::string_view bytes, std::string_view name, const ReadOptions& options) {
   const std::string_view text = without_byte_order_mark(bytes);
   const PlyHeader header = read_ply_header(text, name);
   if (header.encoding == PlyEncoding::ascii) {
     TextCursor cursor(text, name);
     cursor.skip_to(header.data_start);
-    return BodyReader(header, PlyTextSource(cursor), threads).read();
+    return BodyReader(header, PlyTextSource(cursor), options).read();
   }
   const std::endian order = header.encoding == PlyEncoding::big_endian ? std::endian::big : std::endian::little;
-  return BodyReader(header, PlyBinarySource(ByteCursor(text, header.data_start, order, name)), threads).read();
+  return BodyReader(header, PlyBinarySource(ByteCursor(text, header.data_start, order, name)), options).read();
 }
 
 }  // namespace whittle::io

@@ -48,6 +48,10 @@ class PlyTextSource {
     cursor_.skip_space();
     return cursor_.whole_integer(what);
   }
+  double list_number(PlyType type, std::string_view what) {
+    cursor_.skip_space();
+    return number(type, what);
+  }
   void skip(PlyType type, std::uint64_t count, std::string_view what) {
     for (std::uint64_t i = 0; i < count; ++i) {
       cursor_.skip_space();
@@ -112,6 +116,7 @@ class PlyBinarySource {
     if (!(std::abs(value) < 9e15) || value != std::floor(value)) fail(at, std::string(what) + " is not whole");
     return static_cast<std::int64_t>(value);
   }
+  double list_number(PlyType type, std::string_view what) { return number(type, what); }
   void skip(PlyType type, std::uint64_t count, std::string_view what) {
     cursor_.require(count * size_of(type), what);
     cursor_.skip(count * size_of(type));

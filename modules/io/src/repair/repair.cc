@@ -5,6 +5,7 @@
 #include "repair/duplicate_faces.hh"
 #include "repair/weld.hh"
 #include "whittle/core/detail/drop.hh"
+#include "whittle/core/wedges.hh"
 
 namespace whittle::io {
 
@@ -83,6 +84,7 @@ std::vector<Index> tidy_after_welding(IndexedMesh& mesh, Repairs& done, unsigned
   const std::size_t count = mesh.positions.size();
   std::vector<Index> renumbered = drop_isolated(mesh);
   done.isolated_vertices += count - mesh.positions.size() - done.welded_vertices;
+  join_equal_wedges(mesh);
   return renumbered;
 }
 

@@ -23,18 +23,18 @@ Vec3 newell_normal(std::span<const Index> polygon, const std::vector<Vec3>& posi
   return normal;
 }
 
-void make_fan(std::span<const Index> polygon, std::span<Triangle> out) {
-  for (std::size_t i = 0; i + 2 < polygon.size(); ++i) out[i] = {polygon[0], polygon[i + 1], polygon[i + 2]};
+void make_fan(Index n_corners, std::span<Triangle> out) {
+  for (Index i = 0; i + 2 < n_corners; ++i) out[i] = {0, i + 1, i + 2};
 }
 
 // A triangle between the ends and the middle of a chain of corners, then both halves of the chain. No corner gets many
 // triangles.
-void halve(std::span<const Index> chain, std::span<Triangle> out) {
-  if (chain.size() < 3) return;
-  const std::size_t middle = chain.size() / 2;
-  out[0] = {chain.front(), chain[middle], chain.back()};
-  halve(chain.first(middle + 1), out.subspan(1));
-  halve(chain.subspan(middle), out.subspan(middle));
+void halve(Index first, Index last, std::span<Triangle> out) {
+  if (last - first < 2) return;
+  const Index middle = first + (last - first + 1) / 2;
+  out[0] = {first, middle, last};
+  halve(first, middle, out.subspan(1));
+  halve(middle, last, out.subspan(middle - first));
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ void halve(std::span<const Index> chain, std::span<Triangle> out) {
 void PolygonTriangulator::triangulate(std::span<const Index> polygon, const std::vector<Vec3>& positions,
                                       std::span<Triangle> out) {
   if (polygon.size() == 3) {
-    out[0] = {polygon[0], polygon[1], polygon[2]};
+    out[0] = {0, 1, 2};
     return;
   }
   if (polygon.size() == 4) {
@@ -51,10 +51,11 @@ void PolygonTriangulator::triangulate(std::span<const Index> polygon, const std:
   }
   project(polygon, positions);
   if (is_strictly_convex()) {
-    polygon.size() <= most_fan_corners ? make_fan(polygon, out) : halve(polygon, out);
+    const auto n = static_cast<Index>(polygon.size());
+    n <= most_fan_corners ? make_fan(n, out) : halve(0, n - 1, out);
     return;
   }
-  clip_ears(polygon, out);
+  clip_ears(out);
 }
 
 void PolygonTriangulator::split_quad(std::span<const Index> quad, const std::vector<Vec3>& positions,
@@ -70,11 +71,11 @@ void PolygonTriangulator::split_quad(std::span<const Index> quad, const std::vec
   const bool bd_is_good = across_bd > 0;
   const bool use_bd = ac_is_good == bd_is_good ? (d - b).squaredNorm() < c.squaredNorm() : bd_is_good;
   if (use_bd) {
-    out[0] = {quad[0], quad[1], quad[3]};
-    out[1] = {quad[1], quad[2], quad[3]};
+    out[0] = {0, 1, 3};
+    out[1] = {1, 2, 3};
   } else {
-    out[0] = {quad[0], quad[1], quad[2]};
-    out[1] = {quad[0], quad[2], quad[3]};
+    out[0] = {0, 1, 2};
+    out[1] = {0, 2, 3};
   }
 }
 
@@ -159,8 +160,8 @@ bool PolygonTriangulator::is_ear(std::uint32_t corner) {
   return true;
 }
 
-void PolygonTriangulator::clip_ears(std::span<const Index> polygon, std::span<Triangle> out) {
-  const auto n = static_cast<std::uint32_t>(polygon.size());
+void PolygonTriangulator::clip_ears(std::span<Triangle> out) {
+  const auto n = static_cast<std::uint32_t>(points_.size());
   next_.resize(n);
   previous_.resize(n);
   is_reflex_.assign(n, 0);
@@ -185,7 +186,7 @@ void PolygonTriangulator::clip_ears(std::span<const Index> polygon, std::span<Tr
     }
     const std::uint32_t a = previous_[corner];
     const std::uint32_t c = next_[corner];
-    out[written++] = {polygon[a], polygon[corner], polygon[c]};
+    out[written++] = {a, corner, c};
     next_[a] = c;
     previous_[c] = a;
     is_reflex_[corner] = 0;
@@ -196,7 +197,7 @@ void PolygonTriangulator::clip_ears(std::span<const Index> polygon, std::span<Tr
     failures = 0;
     corner = next_[c];  // One further on, so that not all ears meet in one corner.
   }
-  out[written] = {polygon[previous_[corner]], polygon[corner], polygon[next_[corner]]};
+  out[written] = {previous_[corner], corner, next_[corner]};
 }
 
 }  // namespace whittle::io

@@ -18,7 +18,8 @@ namespace whittle::io {
 /// triangles.
 class PolygonTriangulator {
  public:
-  /// Writes n − 2 triangles of the polygon's vertex numbers to `out`. \pre n ≥ 3, and `out` has n − 2 elements.
+  /// Writes n − 2 triangles to `out`. Their corners are places in the polygon, from 0. \param polygon vertex numbers
+  /// \pre n ≥ 3, and `out` has n − 2 elements.
   void triangulate(std::span<const Index> polygon, const std::vector<Vec3>& positions, std::span<Triangle> out);
 
  private:
@@ -27,7 +28,7 @@ class PolygonTriangulator {
   void split_quad(std::span<const Index> quad, const std::vector<Vec3>& positions, std::span<Triangle> out);
   void project(std::span<const Index> polygon, const std::vector<Vec3>& positions);
   bool is_strictly_convex() const;
-  void clip_ears(std::span<const Index> polygon, std::span<Triangle> out);
+  void clip_ears(std::span<Triangle> out);
   bool is_ear(std::uint32_t corner);
   double turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   void build_grid();

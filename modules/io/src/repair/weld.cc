@@ -5,6 +5,7 @@
 #include <atomic>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <numeric>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/core/detail/parallel.hh"
+#include "whittle/core/wedges.hh"
 #include "whittle/io/repair.hh"
 
 namespace whittle::io {
@@ -249,6 +251,28 @@ std::size_t drop_faces_at_equal_positions(IndexedMesh& mesh, unsigned threads) {
   return drop_faces(mesh, [&](std::size_t f) { return is_copy[f] != 0; });
 }
 
+template <class Numbers>
+bool are_same_bits(const Numbers& a, const Numbers& b) {
+  return std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+}
+
+bool have_same_attributes(const IndexedMesh& mesh, Index a, Index b) {
+  if (!mesh.normals.empty() && !are_same_bits(mesh.normals[a], mesh.normals[b])) return false;
+  if (!mesh.colors.empty() && !are_same_bits(mesh.colors[a], mesh.colors[b])) return false;
+  return std::all_of(mesh.attributes.begin(), mesh.attributes.end(),
+                     [&](const Attribute& attribute) { return are_same_bits(attribute.value(a), attribute.value(b)); });
+}
+
+// Makes a wedge of each vertex, if some that are joined have different attributes.
+// \param group the vertex that each is joined to
+void keep_attributes(IndexedMesh& mesh, const std::vector<Index>& group) {
+  const bool has_any = !mesh.normals.empty() || !mesh.colors.empty() || !mesh.attributes.empty();
+  if (!mesh.wedges.empty() || !has_any) return;
+  for (Index v = 0; v < group.size(); ++v) {
+    if (group[v] != v && !have_same_attributes(mesh, v, group[v])) return make_wedge_table(mesh);
+  }
+}
+
 std::size_t count_welded(const std::vector<Index>& group) {
   std::size_t welded = 0;
   for (std::size_t v = 0; v < group.size(); ++v) welded += group[v] != v;
@@ -289,6 +313,7 @@ Repairs weld(IndexedMesh& mesh, std::vector<Index>* joined_to, bool drops_copies
     return done;
   }
   if (!has_any(find_doubtful_groups(edges, n_vertices))) {
+    keep_attributes(mesh, group);
     mesh.faces = std::move(grouped);
     if (joined_to != nullptr) *joined_to = std::move(group);
     return done;
@@ -309,6 +334,7 @@ Repairs weld(IndexedMesh& mesh, std::vector<Index>* joined_to, bool drops_copies
       static_cast<std::size_t>(std::count(is_dropped.begin(), is_dropped.end(), dropped_as_degenerate));
   done.duplicate_faces =
       static_cast<std::size_t>(std::count(is_dropped.begin(), is_dropped.end(), dropped_as_duplicate));
+  keep_attributes(mesh, group);
   mesh.faces = renumber(mesh.faces, group, threads);
   drop_faces(mesh, [&](std::size_t f) { return is_dropped[f] != 0; });
   if (joined_to != nullptr && done.welded_vertices > 0) *joined_to = std::move(group);
@@ -318,7 +344,9 @@ Repairs weld(IndexedMesh& mesh, std::vector<Index>* joined_to, bool drops_copies
 }  // namespace
 
 Repairs weld_borders(IndexedMesh& mesh, std::vector<Index>* joined_to, unsigned threads) {
-  return weld(mesh, joined_to, false, threads);
+  const Repairs done = weld(mesh, joined_to, false, threads);
+  join_equal_wedges(mesh);
+  return done;
 }
 
 Repairs weld_borders_without_copies(IndexedMesh& mesh, std::vector<Index>* joined_to, unsigned threads) {

@@ -14,7 +14,7 @@ namespace whittle::io {
 constexpr std::size_t stl_header_bytes = 80;
 
 // `FormatRow` says what these do.
-ReadResult read_stl(std::string_view bytes, std::string_view name, unsigned threads);
+ReadResult read_stl(std::string_view bytes, std::string_view name, const ReadOptions& options);
 void write_stl(ByteSink& sink, const IndexedMesh& mesh, const WriteOptions& options,
                std::vector<std::string>& warnings);
 

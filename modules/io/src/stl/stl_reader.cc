@@ -171,13 +171,13 @@ bool is_binary_stl_by_size(std::string_view bytes) {
   return facets > 0 && bytes.size() == prefix_bytes + facets * facet_bytes;
 }
 
-ReadResult read_stl(std::string_view bytes, std::string_view name, unsigned threads) {
-  if (is_binary_stl_by_size(bytes)) return read_binary(bytes, name, threads);
+ReadResult read_stl(std::string_view bytes, std::string_view name, const ReadOptions& options) {
+  if (is_binary_stl_by_size(bytes)) return read_binary(bytes, name, options.threads);
   const std::string_view text = without_byte_order_mark(bytes);
   TextCursor cursor(text, name);
   cursor.skip_space();
   if (equals_ignoring_case(cursor.token(), "solid") && looks_like_text(text)) return AsciiStlReader(text, name).read();
-  return read_binary(bytes, name, threads);
+  return read_binary(bytes, name, options.threads);
 }
 
 }  // namespace whittle::io

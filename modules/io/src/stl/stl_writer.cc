@@ -3,7 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "format/colors.hh"
+#include "format/vertex_split.hh"
 #include "stl/stl.hh"
 
 namespace whittle::io {
@@ -81,6 +81,9 @@ void write_stl(ByteSink& sink, const IndexedMesh& mesh, const WriteOptions& opti
                std::vector<std::string>& warnings) {
   if (!mesh.normals.empty()) warnings.emplace_back("STL has no vertex normals: they are left out");
   if (!mesh.colors.empty()) warnings.emplace_back("STL has no vertex colours: they are left out");
+  warn_of_lost("STL", "vertex attribute", names_of_others(mesh.attributes, std::nullopt), warnings);
+  warn_of_lost("STL", "face attribute", names_of_others(mesh.face_attributes, std::nullopt), warnings);
+  warn_of_lost_groups("STL", mesh, options.notes, warnings);
   if (options.ascii) {
     write_ascii(sink, mesh);
   } else if (write_binary(sink, mesh)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "whittle/core/indexed_mesh.hh"
@@ -14,6 +15,10 @@ std::size_t n_wedges(const IndexedMesh& mesh);
 
 /// Makes the table of wedges, if there is none: each vertex is a wedge.
 void make_wedge_table(IndexedMesh& mesh);
+
+/// Keeps the values of some wedges, in this order; one may come several times. The table stays as it is.
+/// \param kept old numbers, in the order of the new ones
+void gather_wedges(IndexedMesh& mesh, std::span<const Index> kept);
 
 /// Joins the wedges of a vertex that have equal attributes, bit by bit, and drops those that no corner has. The others
 /// are numbered by vertex. The table goes, too, where each vertex has one wedge.

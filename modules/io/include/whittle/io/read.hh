@@ -10,10 +10,17 @@
 
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/io/errors.hh"
+#include "whittle/io/file_notes.hh"
 #include "whittle/io/format.hh"
 #include "whittle/io/repair.hh"
 
 namespace whittle::io {
+
+/// Which attributes are read.
+enum class AttributeScope {
+  per_vertex,  ///< Normals and colours, one of each a vertex: of welded vertices that of the lowest, in OBJ their mean.
+  all          ///< Everything that `IndexedMesh` holds. A vertex may have several wedges.
+};
 
 struct ReadOptions {
   /// Whether to weld exact duplicates of vertices on open borders (`weld_borders`).
@@ -22,12 +29,16 @@ struct ReadOptions {
   std::optional<Format> format{};
   /// Largest number of threads; 0 = all cores. The result is the same for any number.
   unsigned threads = 0;
+  /// For callers that can't take wedges, groups, or attributes of faces: `per_vertex`.
+  AttributeScope attributes = AttributeScope::all;
 };
 
 struct ReadResult {
   /// At least one face. Every vertex has a face. `origins` is filled and ascends: the vertex's number in the file, from
-  /// 0; in STL, the corner's. Normals and colours are filled if the file has them for vertices.
+  /// 0; in STL, the corner's. Attributes are filled as far as the file has them; docs/user/formats.md says which.
   IndexedMesh mesh;
+  /// What the file says beside the mesh. To be given to the writer.
+  FileNotes notes;
   /// `file_vertices` numbers: the vertex of `mesh` that each vertex of the file became, `invalid_index` if it was
   /// dropped. Vertices that were welded together became the same.
   std::vector<Index> vertex_map;

@@ -34,14 +34,18 @@ std::string to_string(const Repairs& repairs);
 /// A sheet that is there twice with vertices of its own would be welded to its copy along the rim. Where that would
 /// happen, copies of faces are dropped before welding: those at the positions of an earlier face, in the same cyclic
 /// order.
+///
+/// Corners keep their attributes: where welded vertices have different ones, each becomes a wedge (`IndexedMesh`).
+/// Wedges of a vertex with equal attributes are joined, and those without a corner dropped (`join_equal_wedges`).
 /// \pre positions are finite, every corner is below V, attribute arrays are empty or full.
 /// \param joined_to as for `weld_borders`. \param threads largest number of threads; 0 = all cores. The result is the
 /// same for any number, here and below.
 Repairs repair(IndexedMesh& mesh, bool weld = true, std::vector<Index>* joined_to = nullptr, unsigned threads = 0);
 
 /// Joins vertices with exactly equal positions (0.0 equals −0.0), if they lie on open borders (edges with one face) or
-/// at the ends of an edge without length. The lowest numbered vertex stays, with its attributes and origin. Those
-/// joined to it are left isolated. Other coincident vertices stay apart: two closed parts touch there.
+/// at the ends of an edge without length. The lowest numbered vertex stays, with its origin. Those joined to it are
+/// left isolated; where their attributes differ, they become its wedges. Other coincident vertices stay apart: two
+/// closed parts touch there.
 ///
 /// No edge gets a third face. Where joining all vertices would do that, the edge is in doubt. The vertices at its ends
 /// are then joined only as far as their faces are connected across other edges. Faces that are still open at the edge
