@@ -57,12 +57,12 @@ ExitCode run_convert(const CLI::App& app, const ConvertCommand& options) {
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   Conversion run;
-  run.input = read_input(options.input, options.files, options.common.threads, talk);
+  run.input = read_input(options.input, options.files, options.common.threads, talk, io::AttributeScope::all);
   run.warnings = run.input.warnings;
   const IndexedMesh& mesh = run.input.read.mesh;
   const Stopwatch writing;
   OutputFiles files;
-  write_mesh(files, options.output, options.files, mesh, talk, run.warnings);
+  write_mesh(files, options.output, options.files, mesh, talk, run.warnings, run.input.read.notes);
   run.write_seconds = writing.seconds();
   commit_with_report(files, options.common,
                      options.common.json ? to_text(convert_json(options, run, watch.seconds())) : std::string());

@@ -48,7 +48,7 @@ Findings look_at(const InfoOptions& options, const Talk& talk) {
   const MeshFile file(options.input, options.files);
   Findings findings;
   findings.name = file.name();
-  findings.read = file.read(true, options.common.threads);
+  findings.read = file.read(true, options.common.threads, io::AttributeScope::all);
   findings.weld_tolerance = weld_gaps(findings.read, options.files.weld_tolerance, options.common.threads);
   findings.repaired = view(findings.read.mesh, options.common.threads, talk);
   findings.kind = kind_of(findings.read.mesh, findings.repaired.topology, options.common.threads);

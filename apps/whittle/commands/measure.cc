@@ -212,8 +212,11 @@ ExitCode run_measure(const CLI::App& app, const MeasureOptions& options) {
   }
   const Talk talk = options.common.talk();
   const Stopwatch watch;
-  const Input reference = read_input(options.reference, options.files, options.common.threads, talk);
-  const Input test = read_input(options.test, options.files, options.common.threads, talk);
+  const auto read = [&](const std::string& path) {
+    return read_input(path, options.files, options.common.threads, talk, io::AttributeScope::all);
+  };
+  const Input reference = read(options.reference);
+  const Input test = read(options.test);
   const Measurement measured = measure(reference.read.mesh, test.read.mesh, options, talk);
   write_report(options.common, measure_json(reference, test, measured, options), summary_of(reference, test, measured));
   say_effort(talk, watch.seconds());

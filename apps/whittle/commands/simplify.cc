@@ -271,12 +271,18 @@ std::vector<std::string> lost_in_openmesh(const SimplifyCommand& options, const 
   return warnings;
 }
 
+/// Recordings, and OpenMesh's engine, take one value of an attribute a vertex.
+io::AttributeScope attributes_to_read(const SimplifyCommand& options) {
+  const bool is_recorded = options.recording || options.curve || options.page || options.pictures.is_given();
+  return is_recorded || options.engine == Engine::openmesh ? io::AttributeScope::per_vertex : io::AttributeScope::all;
+}
+
 /// One run, of `options.input`. \param report becomes the report, even without --json; may be null
 ExitCode simplify_one(SimplifyCommand options, Json* report) {
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   SimplifyRecord record;
-  record.input = read_input(options.input, options.files, options.common.threads, talk);
+  record.input = read_input(options.input, options.files, options.common.threads, talk, attributes_to_read(options));
   record.seconds.read = record.input.seconds;
   record.warnings = options.warnings;
   for (const std::string& warning : options.warnings) talk.warning(warning);

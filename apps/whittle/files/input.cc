@@ -82,8 +82,8 @@ MeshFile::MeshFile(std::string path, const FileOptions& options) : path_(std::mo
   if (path_ == standard_stream) standard_input_ = io::read_all(STDIN_FILENO, standard_input_name);
 }
 
-io::ReadResult MeshFile::read(bool weld, unsigned threads) const {
-  const io::ReadOptions options{.weld = weld, .format = format_, .threads = threads};
+io::ReadResult MeshFile::read(bool weld, unsigned threads, io::AttributeScope attributes) const {
+  const io::ReadOptions options{.weld = weld, .format = format_, .threads = threads, .attributes = attributes};
   io::ReadResult result = path_ == standard_stream ? io::read_mesh(standard_input_, standard_input_name, options)
                                                    : io::read_mesh(path_, options);
   refuse_large_coordinates(result.mesh, name());
@@ -106,11 +106,12 @@ double weld_gaps(io::ReadResult& read, const AutomaticLength& tolerance, unsigne
 
 std::string about(const std::string& name, const std::string& text) { return name + ": " + text; }
 
-Input read_input(const std::string& path, const FileOptions& options, unsigned threads, const Talk& talk) {
+Input read_input(const std::string& path, const FileOptions& options, unsigned threads, const Talk& talk,
+                 io::AttributeScope attributes) {
   const Stopwatch watch;
   const MeshFile file(path, options);
   const std::string name = file.name();
-  Input input{path, name, file.read(options.weld, threads), {}};
+  Input input{path, name, file.read(options.weld, threads, attributes), {}};
   input.weld_tolerance = weld_gaps(input.read, options.weld_tolerance, threads);
   input.seconds = watch.seconds();
   if (input.read.repairs.any()) talk.say(name + ": " + io::to_string(input.read.repairs));

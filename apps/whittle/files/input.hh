@@ -33,7 +33,8 @@ class MeshFile {
  public:
   MeshFile(std::string path, const FileOptions& options);
   /// \param weld in place of that of the options \param threads 0 = all cores
-  io::ReadResult read(bool weld, unsigned threads) const;
+  io::ReadResult read(bool weld, unsigned threads,
+                      io::AttributeScope attributes = io::AttributeScope::per_vertex) const;
   /// The name in messages: the path, or "standard input".
   std::string name() const { return path_ == standard_stream ? standard_input_name : path_; }
 
@@ -60,7 +61,8 @@ struct Input {
 std::string about(const std::string& name, const std::string& text);
 
 /// Reads a mesh. Prints what was repaired and what is not carried.
-/// \throw io::ReadError as `io::read_mesh`.
-Input read_input(const std::string& path, const FileOptions& options, unsigned threads, const Talk& talk);
+/// \param attributes all, for what can take wedges and groups \throw io::ReadError as `io::read_mesh`.
+Input read_input(const std::string& path, const FileOptions& options, unsigned threads, const Talk& talk,
+                 io::AttributeScope attributes = io::AttributeScope::per_vertex);
 
 }  // namespace whittle::app

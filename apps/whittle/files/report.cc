@@ -147,13 +147,15 @@ IndexedMesh as_written(const IndexedMesh& mesh, const std::string& path, const F
   const io::Format format = format_for_output(path, options);
   std::ostringstream out;
   io::write_mesh(out, format, mesh, {.ascii = options.ascii});
-  return io::read_mesh(std::move(out).str(), path, {.weld = options.weld, .format = format, .threads = threads}).mesh;
+  const io::ReadOptions how{
+      .weld = options.weld, .format = format, .threads = threads, .attributes = io::AttributeScope::per_vertex};
+  return io::read_mesh(std::move(out).str(), path, how).mesh;
 }
 
 void write_mesh(OutputFiles& files, const std::string& path, const FileOptions& options, const IndexedMesh& mesh,
-                const Talk& talk, std::vector<std::string>& warnings) {
+                const Talk& talk, std::vector<std::string>& warnings, const io::FileNotes& notes) {
   files.write(path, [&](std::ostream& out) {
-    const io::WriteOptions how{.ascii = options.ascii, .gzip = io::has_gzip_extension(path)};
+    const io::WriteOptions how{.ascii = options.ascii, .gzip = io::has_gzip_extension(path), .notes = notes};
     for (const std::string& warning : io::write_mesh(out, format_for_output(path, options), mesh, how).warnings) {
       warnings.push_back(about(shown_output(path), warning));
       talk.warning(warnings.back());

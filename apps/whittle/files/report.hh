@@ -75,8 +75,9 @@ std::string shown_output(const std::string& path);
 IndexedMesh as_written(const IndexedMesh& mesh, const std::string& path, const FileOptions& options, unsigned threads);
 
 /// Adds a mesh to the files of a run. Prints warnings about what the format can't hold, and adds them to `warnings`.
+/// \param notes of the file that the mesh was read from
 void write_mesh(OutputFiles& files, const std::string& path, const FileOptions& options, const IndexedMesh& mesh,
-                const Talk& talk, std::vector<std::string>& warnings);
+                const Talk& talk, std::vector<std::string>& warnings, const io::FileNotes& notes = {});
 
 /// Completes the files of a run (`OutputFiles::commit`), with the report if --json names a file. Otherwise prints
 /// `json` to standard output. \param json empty if no report is wanted

@@ -60,7 +60,8 @@ void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwat
                  Json* report) {
   const Stopwatch watch;
   OutputFiles files;
-  write_mesh(files, options.output, options.files, record.simplified.mesh, talk, record.warnings);
+  write_mesh(files, options.output, options.files, record.simplified.mesh, talk, record.warnings,
+             record.input.read.notes);
   const auto write = [&files](const std::optional<std::string>& path, const auto& fill) {
     if (path) files.write(*path, fill);
   };
