@@ -1,6 +1,9 @@
 // The subcommand `convert`.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -38,8 +41,9 @@ TEST(Convert, SaysWhatItRepairsAndWhatItDoesNotCarry) {
              "f 1/1/1 2/1/1 3/1/1 4/1/1\n");
   const Outcome outcome = whittle({"convert", folder / "in.obj", folder / "out.stl", "--json", "-"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome;
-  for (const char* said : {"in.obj: triangulated 1 polygon, dropped 1 isolated vertex", "in.obj: texture coordinates",
-                           "out.stl: STL has no vertex normals", "out.stl: 2 faces, 4 vertices in "}) {
+  for (const char* said :
+       {"in.obj: triangulated 1 polygon, dropped 1 isolated vertex", "out.stl: STL can't hold the vertex attribute vt",
+        "out.stl: STL has no vertex normals", "out.stl: 2 faces, 4 vertices in "}) {
     EXPECT_NE(outcome.err.find(said), std::string::npos) << "not said: " << said << '\n' << outcome;
   }
   const auto json = parse_json(outcome.out);
@@ -64,6 +68,23 @@ TEST(Convert, KeepsAttributes) {
   const IndexedMesh converted = io::read_mesh(folder / "out.off").mesh;
   EXPECT_EQ(converted.colors, mesh.colors);
   EXPECT_EQ(converted.normals, mesh.normals);
+}
+
+TEST(Convert, KeepsWhatAnObjFileHas) {
+  const TemporaryFolder folder;
+  const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+  const std::string obj = "mtllib my paint.mtl\n" + square +
+                          "vt 0 0\nvt 1 0\nvt 1 1\nvt 0.5 0.5\nvt 0 1\nusemtl red\nf 1/1 2/2 3/3\nusemtl blue\n"
+                          "f 1/4 3/3 4/5\n";
+  std::ofstream(folder / "in.obj") << obj;
+  ASSERT_EQ(whittle({"convert", folder / "in.obj", folder / "out.obj"}).exit_code, 0);
+  std::ifstream file(folder / "out.obj");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), obj);
+  const Outcome to_stl = whittle({"convert", folder / "in.obj", folder / "out.stl"});
+  EXPECT_THAT(to_stl.err, testing::HasSubstr("STL can't hold the vertex attribute vt: it is left out"));
+  ASSERT_EQ(whittle({"convert", folder / "in.obj", folder / "out.ply"}).exit_code, 0);
+  ASSERT_EQ(whittle({"convert", folder / "out.ply", folder / "again.obj"}).exit_code, 0);
+  EXPECT_EQ(io::read_mesh(folder / "again.obj").mesh.group_names, (std::vector<std::string>{"red", "blue"}));
 }
 
 TEST(Convert, WeldsUnlessToldNotTo) {

@@ -59,15 +59,17 @@ class MeshBuilder {
     result_.mesh.faces.push_back(face);
   }
   void add_triangles(std::vector<Triangle> faces);
-  /// No corner names a normal any more.
-  void forget_normals();
-  void forget_texcoords();
   /// Any number of corners. A corner that repeats its neighbour is left out. With fewer than three corners left, the
   /// face is counted as degenerate. \param items what each corner names, or empty: nothing
   void add_polygon(std::span<const Index> corners, std::span<const CornerItems> items = {});
 
   /// Adds the vertices, the faces, and what their corners name, of another one. Numbers are those of the whole.
   void append(MeshBuilder&& more);
+
+  /// No corner names a normal any more.
+  void forget_normals();
+  /// Likewise a texture coordinate.
+  void forget_texcoords();
 
   void warn(std::string warning) { result_.warnings.push_back(std::move(warning)); }
 

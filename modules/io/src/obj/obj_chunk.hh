@@ -83,7 +83,7 @@ class ObjChunk {
   const ObjNumber& largest_vertex() const { return largest_vertex_; }
   const ObjNumber& largest_texcoord() const { return largest_texcoord_; }
   const ObjNumber& largest_normal() const { return largest_normal_; }
-  /// The first number of a texture coordinate that can't be one: as it stands. Null if there is none.
+  /// The first number of a texture coordinate that can't be one, as it stands. `at` is null if there is none.
   const ObjNumber& bad_texcoord() const { return bad_texcoord_; }
   const std::vector<ObjSwitch>& switches() const { return switches_; }
   const std::vector<std::string>& libraries() const { return libraries_; }  ///< what `mtllib` names

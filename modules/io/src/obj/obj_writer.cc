@@ -61,8 +61,10 @@ class TagWriter {
     for (const char* const keyword : {obj_object, obj_group, obj_smoothing}) {
       Tag& tag = tags_.emplace_back();
       tag.keyword = keyword;
-      const auto found = std::find_if(mesh.face_attributes.begin(), mesh.face_attributes.end(),
-                                      [&](const Attribute& a) { return a.name == keyword && a.n_components == 1; });
+      const auto found =
+          std::find_if(mesh.face_attributes.begin(), mesh.face_attributes.end(), [&](const Attribute& a) {
+            return a.name == keyword && a.kind == AttributeKind::category && a.n_components == 1;
+          });
       if (found != mesh.face_attributes.end()) tag.attribute = &*found;
       const auto names = notes.face_names.find(keyword);
       if (names != notes.face_names.end()) tag.names = &names->second;
