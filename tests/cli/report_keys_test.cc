@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "program/gltf_cube.hh"
 #include "program/help_text.hh"
 #include "program/program.hh"
 #include "program/stand_in_programs.hh"
@@ -173,6 +174,8 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
   std::filesystem::copy_file(cubes, bare);
   const std::string large = folder / "large.ply";  // goes in blocks
   io::write_mesh(large, torus(600, 150));
+  const std::string cube = folder / "cube.glb";
+  write_gltf_cube(cube, 4);
   const std::string tolerances = folder / "tolerances";
   std::string lines;
   for (std::size_t v = 0; v < io::read_mesh(terrain).file_vertices; ++v) lines += "0.8%\n";
@@ -197,6 +200,8 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
        {cubes, "-o", out, "--faces", "100", "--frames", folder / "f{i}.png", "--every", "50%", "--animate",
         folder / "a.webp", "--page", folder / "a.html"},
        {blob, "-o", out, "--faces", "500", "--engine", "openmesh"},
+       {blob, "-o", out, "--faces", "500", "--attributes", "position-only"},
+       {cube, "-o", folder / "small.glb", "--faces", "100", "--compress"},
        {bare, "missing.ply", "-o", folder / "{stem}.txt", "--input-format", "obj", "--output-format", "ply", "--ascii",
         "--faces", "200"}});
 }

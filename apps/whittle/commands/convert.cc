@@ -30,7 +30,7 @@ Json convert_json(const ConvertCommand& options, const Conversion& run, double t
   const IndexedMesh& mesh = run.input.read.mesh;
   Json json = new_report();
   json["input"] = input_json(run.input, metrics::bounds(mesh).diagonal());
-  json["input"]["format"] = io::name_of(run.input.read.format);
+  json["input"]["format"] = run.input.format;
   json["options"] = {{"weld", options.files.weld},
                      {"weld_tolerance", to_string(options.files.weld_tolerance)},
                      {"ascii", options.files.ascii}};
@@ -76,6 +76,7 @@ ExitCode run_convert(const CLI::App& app, const ConvertCommand& options) {
 
 void setup_convert(CLI::App& app, Command& command) {
   const auto options = std::make_shared<ConvertCommand>();
+  options->files.reads_gltf = true;
   CLI::App* sub = app.add_subcommand("convert", "Write a mesh in another format, and simplify nothing.");
   add_mesh_file(*sub, options->input);
   add_file(*sub, "OUT", options->output, "the result: a file, replaced if it exists, or '-' for standard output");

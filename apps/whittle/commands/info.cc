@@ -31,6 +31,8 @@ struct View {
 struct Findings {
   std::string name;              ///< of the file, in messages
   io::ReadResult read;           ///< after all repairs
+  std::string format;            ///< "ply"
+  std::string format_title;      ///< "PLY"
   double weld_tolerance = 0;     ///< model units; 0 = exact duplicates alone
   std::optional<View> unwelded;  ///< set if welding changed something
   View repaired;
@@ -49,6 +51,8 @@ Findings look_at(const InfoOptions& options, const Talk& talk) {
   Findings findings;
   findings.name = file.name();
   findings.read = file.read(true, options.common.threads, io::AttributeScope::all);
+  findings.format = format_name(findings.read, file);
+  findings.format_title = format_title(findings.read, file);
   findings.weld_tolerance = weld_gaps(findings.read, options.files.weld_tolerance, options.common.threads);
   findings.repaired = view(findings.read.mesh, options.common.threads, talk);
   findings.kind = kind_of(findings.read.mesh, findings.repaired.topology, options.common.threads);
@@ -94,7 +98,7 @@ Json info_json(const InfoOptions& options, const Findings& findings) {
   const io::ReadResult& read = findings.read;
   Json json = new_report();
   json["path"] = options.input;
-  json["format"] = io::name_of(read.format);
+  json["format"] = findings.format;
   json["file"] = {{"vertices", read.file_vertices}, {"faces", read.file_faces}};
   json["repairs"] = repairs_json(read.repairs);
   json["weld_tolerance"] = findings.weld_tolerance;
@@ -148,8 +152,8 @@ std::string joined(const std::vector<std::string>& words) {
 std::string summary_of(const Findings& findings) {
   const io::ReadResult& read = findings.read;
   const std::string repairs = io::to_string(read.repairs);
-  std::string text = findings.name + ": " + std::string(io::title_of(read.format)) + ", " +
-                     vertices_text(read.file_vertices) + ", " + faces_text(read.file_faces) + " in the file\n";
+  std::string text = findings.name + ": " + findings.format_title + ", " + vertices_text(read.file_vertices) + ", " +
+                     faces_text(read.file_faces) + " in the file\n";
   text += "repairs: " + (repairs.empty() ? "none" : repairs) + '\n';
   text += "box: " + point_text(findings.bounds.min) + " to " + point_text(findings.bounds.max) + ", diagonal " +
           significant(findings.bounds.diagonal()) + '\n';
@@ -192,6 +196,7 @@ ExitCode run_info(const CLI::App& app, const InfoOptions& options) {
 
 void setup_info(CLI::App& app, Command& command) {
   const auto options = std::make_shared<InfoOptions>();
+  options->files.reads_gltf = true;
   CLI::App* sub = app.add_subcommand("info", "Say what is in a mesh file and what is wrong with it.");
   add_mesh_file(*sub, options->input);
   add_input_formats(*sub, options->files);

@@ -246,6 +246,7 @@ void add_exact(CLI::App& app, std::optional<double>& accuracy) {
 
 void setup_measure(CLI::App& app, Command& command) {
   const auto options = std::make_shared<MeasureOptions>();
+  options->files.reads_gltf = true;
   CLI::App* sub = app.add_subcommand("measure", "Say how far TEST is from REF, and how well TEST is made.");
   add_file(*sub, "REF", options->reference, "the reference mesh, or '-' for standard input");
   add_file(*sub, "TEST", options->test, "the mesh to judge, or '-' for standard input");

@@ -14,7 +14,7 @@ struct RefusalReason {
 
 inline constexpr RefusalReason refusal_reasons[] = {
     {&Rejections::link, "by topology"}, {&Rejections::flip, "by turning a face"},
-    {&Rejections::shape, "by shape"},   {&Rejections::feature, "by features"},
+    {&Rejections::shape, "by shape"},   {&Rejections::feature, "by features or seams"},
     {&Rejections::locked, "locked"},    {&Rejections::intersection, "by intersecting"},
     {&Rejections::error, "by error"}};
 

@@ -14,6 +14,7 @@
 #include "commands/simplify/simplify_texts.hh"
 #include "commands/stage_bars.hh"
 #include "commands/subcommands.hh"
+#include "files/gltf_file.hh"
 #include "files/input.hh"
 #include "files/output.hh"
 #include "files/report.hh"
@@ -214,6 +215,7 @@ void warn_of_valence_three(const SimplifyCommand& options, const Talk& talk, Sim
 
 /// Narrow gaps between borders keep a mesh from getting small: what rounding has taken apart can't merge.
 void warn_of_gaps(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
+  if (record.input.gltf) return;  // its meshes are not welded to each other
   const bool is_welded_exactly = options.files.weld && record.input.weld_tolerance == 0;
   if (!is_welded_exactly || !has_much_border(record.simplified.mesh)) return;
   IndexedMesh mesh = record.input.read.mesh;
@@ -227,8 +229,10 @@ void warn_of_gaps(const SimplifyCommand& options, const Talk& talk, SimplifyReco
   talk.warning(record.warnings.back());
 }
 
+/// Meshes of a glTF file don't lie where the scene puts them.
 void warn_of_meeting_parts(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
-  if (record.simplified.mesh.faces.empty()) return;
+  const bool has_several_meshes = record.input.gltf && record.input.gltf->n_meshes() > 1;
+  if (record.simplified.mesh.faces.empty() || has_several_meshes) return;
   const std::size_t n = metrics::newly_meeting_parts(record.input.read.mesh, record.simplified.mesh,
                                                      record.simplified.vertex_map, options.common.threads)
                             .size();
@@ -277,12 +281,23 @@ io::AttributeScope attributes_to_read(const SimplifyCommand& options) {
   return is_recorded || options.engine == Engine::openmesh ? io::AttributeScope::per_vertex : io::AttributeScope::all;
 }
 
+void drop_attributes(IndexedMesh& mesh) {
+  mesh.wedges.clear();
+  mesh.normals.clear();
+  mesh.colors.clear();
+  mesh.attributes.clear();
+  mesh.face_attributes.clear();
+  mesh.face_groups.clear();
+  mesh.group_names.clear();
+}
+
 /// One run, of `options.input`. \param report becomes the report, even without --json; may be null
 ExitCode simplify_one(SimplifyCommand options, Json* report) {
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   SimplifyRecord record;
   record.input = read_input(options.input, options.files, options.common.threads, talk, attributes_to_read(options));
+  if (!options.keeps_attributes) drop_attributes(record.input.read.mesh);
   record.seconds.read = record.input.seconds;
   record.warnings = options.warnings;
   for (const std::string& warning : options.warnings) talk.warning(warning);

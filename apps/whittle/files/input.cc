@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "files/gltf_file.hh"
 #include "options/values.hh"
 #include "terminal/errors.hh"
 #include "terminal/stopwatch.hh"
@@ -28,6 +29,18 @@ void refuse_large_coordinates(const IndexedMesh& mesh, const std::string& name) 
 
 std::string needs_format(const std::string& option) {
   return "'-' needs --format or " + option + ": one of " + io::format_names();
+}
+
+bool reads_gltf(const std::string& path, const FileOptions& options) {
+  return options.reads_gltf && !options.input_format && is_gltf(path);
+}
+
+/// Whether the output is a glTF file that was read. \throw UsageError if the run reads none
+bool writes_gltf(const std::string& path, const std::vector<std::string>& inputs, const FileOptions& options) {
+  if (!options.writes_gltf || options.output_format || !is_gltf(path)) return false;
+  const auto is_read = [&](const std::string& input) { return reads_gltf(input, options); };
+  if (std::all_of(inputs.begin(), inputs.end(), is_read)) return true;
+  throw UsageError(path + ": glTF is written only from glTF, whose materials and nodes it keeps");
 }
 
 /// \throw UsageError if neither name nor options tell it
@@ -67,27 +80,41 @@ void check_formats(const std::vector<std::string>& inputs, const std::vector<std
   const auto n_standard = std::count(inputs.begin(), inputs.end(), standard_stream);
   if (n_standard > 1) throw UsageError("only one of the inputs can be standard input ('-')");
   if (n_standard == 1 && !options.format && !options.input_format) throw UsageError(needs_format("--input-format"));
-  const auto is_told = [](const std::string& path) { return format_by_name(path).has_value(); };
+  const auto is_told = [&options](const std::string& path) {
+    return format_by_name(path).has_value() || (options.reads_gltf && is_gltf(path));
+  };
   if (options.format && (options.input_format || std::all_of(inputs.begin(), inputs.end(), is_told)) &&
       (options.output_format || std::all_of(outputs.begin(), outputs.end(), is_told))) {
     throw UsageError(
         "--format is for '-' and for names that don't tell the format; here every name does, or another option");
   }
-  for (const std::string& output : outputs) format_for_output(output, options);
+  for (const std::string& output : outputs) {
+    if (!writes_gltf(output, inputs, options)) format_for_output(output, options);
+  }
 }
 
 MeshFile::MeshFile(std::string path, const FileOptions& options) : path_(std::move(path)) {
   format_ = options.input_format;
   if (!format_ && !format_by_name(path_)) format_ = options.format;
   if (path_ == standard_stream) standard_input_ = io::read_all(STDIN_FILENO, standard_input_name);
+  if (reads_gltf(path_, options)) gltf_ = std::make_shared<GltfFile>(path_);
 }
 
 io::ReadResult MeshFile::read(bool weld, unsigned threads, io::AttributeScope attributes) const {
   const io::ReadOptions options{.weld = weld, .format = format_, .threads = threads, .attributes = attributes};
-  io::ReadResult result = path_ == standard_stream ? io::read_mesh(standard_input_, standard_input_name, options)
-                                                   : io::read_mesh(path_, options);
+  io::ReadResult result = gltf_                      ? gltf_->read(options)
+                          : path_ == standard_stream ? io::read_mesh(standard_input_, standard_input_name, options)
+                                                     : io::read_mesh(path_, options);
   refuse_large_coordinates(result.mesh, name());
   return result;
+}
+
+std::string format_name(const io::ReadResult& read, const MeshFile& file) {
+  return file.gltf() ? "gltf" : std::string(io::name_of(read.format));
+}
+
+std::string format_title(const io::ReadResult& read, const MeshFile& file) {
+  return file.gltf() ? "glTF" : std::string(io::title_of(read.format));
 }
 
 double weld_gaps(io::ReadResult& read, const AutomaticLength& tolerance, unsigned threads) {
@@ -112,7 +139,9 @@ Input read_input(const std::string& path, const FileOptions& options, unsigned t
   const MeshFile file(path, options);
   const std::string name = file.name();
   Input input{path, name, file.read(options.weld, threads, attributes), {}};
-  input.weld_tolerance = weld_gaps(input.read, options.weld_tolerance, threads);
+  input.format = format_name(input.read, file);
+  input.gltf = file.gltf();
+  if (!input.gltf) input.weld_tolerance = weld_gaps(input.read, options.weld_tolerance, threads);
   input.seconds = watch.seconds();
   if (input.read.repairs.any()) talk.say(name + ": " + io::to_string(input.read.repairs));
   for (const std::string& warning : input.read.warnings) {

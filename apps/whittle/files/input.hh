@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,8 @@
 #include "whittle/io/read.hh"
 
 namespace whittle::app {
+
+class GltfFile;
 
 /// The name of the standard streams on the command line.
 inline constexpr std::string_view standard_stream = "-";
@@ -37,12 +40,20 @@ class MeshFile {
                       io::AttributeScope attributes = io::AttributeScope::per_vertex) const;
   /// The name in messages: the path, or "standard input".
   std::string name() const { return path_ == standard_stream ? standard_input_name : path_; }
+  /// If it is a glTF file: that, to be written again.
+  const std::shared_ptr<GltfFile>& gltf() const { return gltf_; }
 
  private:
   std::string path_;
   std::optional<io::Format> format_;
   std::vector<char> standard_input_;
+  std::shared_ptr<GltfFile> gltf_;
 };
+
+/// Of a mesh that was read from a file: "ply", "gltf".
+std::string format_name(const io::ReadResult& read, const MeshFile& file);
+/// For sentences: "PLY", "glTF".
+std::string format_title(const io::ReadResult& read, const MeshFile& file);
 
 /// Welds vertices that lie near each other, if `tolerance` asks for that. \return to which length, model units; 0: not
 double weld_gaps(io::ReadResult& read, const AutomaticLength& tolerance, unsigned threads);
@@ -55,6 +66,8 @@ struct Input {
   std::vector<std::string> warnings;  ///< those of `read`, with the name in front
   double seconds = 0;                 ///< that reading took
   double weld_tolerance = 0;          ///< to which vertices were welded, model units; 0 = exact duplicates alone
+  std::string format{};               ///< `format_name`
+  std::shared_ptr<GltfFile> gltf{};   ///< as `MeshFile::gltf`
 };
 
 /// "NAME: TEXT": a line about a file.

@@ -5,6 +5,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "files/gltf_file.hh"
 #include "files/input.hh"
 #include "files/output.hh"
 #include "terminal/table.hh"
@@ -144,6 +145,11 @@ void say_effort(const Talk& talk, double seconds) {
 std::string shown_output(const std::string& path) { return path == standard_stream ? standard_output_name : path; }
 
 IndexedMesh as_written(const IndexedMesh& mesh, const std::string& path, const FileOptions& options, unsigned threads) {
+  if (options.writes_gltf && is_gltf(path)) {
+    IndexedMesh rounded = mesh;
+    for (Vec3& p : rounded.positions) p = p.cast<float>().cast<double>();
+    return rounded;
+  }
   const io::Format format = format_for_output(path, options);
   std::ostringstream out;
   io::write_mesh(out, format, mesh, {.ascii = options.ascii});

@@ -51,6 +51,8 @@ struct FileOptions {
   std::optional<io::Format> input_format{};   ///< of what is read, whatever its name
   std::optional<io::Format> output_format{};  ///< of what is written, whatever its name
   bool ascii = false;                         ///< text, in formats that are written as text or as binary data
+  bool reads_gltf = false;                    ///< whether the command takes glTF files
+  bool writes_gltf = false;                   ///< whether it writes those that it has read
 };
 // Each takes the group of the help, by default that of options without one.
 

@@ -1,5 +1,6 @@
 #include "commands/simplify/simplify_options.hh"
 
+#include <algorithm>
 #include <array>
 #include <iterator>
 #include <limits>
@@ -8,6 +9,7 @@
 
 #include "commands/page/frames.hh"
 #include "commands/page/make_page.hh"
+#include "files/gltf_file.hh"
 #include "files/input.hh"
 #include "files/output.hh"
 #include "options/efforts.hh"
@@ -35,6 +37,7 @@ constexpr std::array<Choice<SelfIntersections>, 3> self_intersections{
     {{"allow", SelfIntersections::allow}, {"count", SelfIntersections::count}, {"refuse", SelfIntersections::refuse}}};
 constexpr std::array<Choice<Normals>, 3> normals{
     {{"keep", Normals::keep}, {"recompute", Normals::recompute}, {"drop", Normals::drop}}};
+constexpr std::array<Choice<bool>, 2> attribute_words{{{"keep", true}, {"position-only", false}}};
 constexpr std::array<Choice<Engine>, 2> engines{{{"flat", Engine::flat}, {"openmesh", Engine::openmesh}}};
 
 /// Adds the options that a cost doesn't take, in the order in which conflicts are reported.
@@ -275,6 +278,7 @@ bool has_threshold(const SimplifyCommand& options) {
 }  // namespace
 
 void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
+  options.files.reads_gltf = options.files.writes_gltf = true;
   add_mesh_files(app, options.inputs);
   add_target_options(app, options.targets, unit_by_cost());
   add_max_error(app, options.targets);
@@ -321,6 +325,14 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
   app.add_flag("--zstd", options.compresses_recording, "compress the recording with zstd")
       ->default_str("off")
       ->group(file_group);
+  app.add_flag("--compress", options.compresses_gltf,
+               "compress the geometry of a glTF file: rounded, and by EXT_meshopt_compression")
+      ->default_str("off")
+      ->group(file_group);
+  add_choice<bool>(app, "--attributes", options.keeps_attributes, attribute_words,
+                   "texture coordinates, colours, materials and all else but positions: keep them, with their seams, "
+                   "or drop them")
+      ->group(file_group);
   add_choice<Normals>(app, "--normals", options.simplify.decimate.normals, normals,
                       "vertex normals: the mean of those merged, those of the faces of the result, or none")
       ->group(file_group);
@@ -347,11 +359,35 @@ SimplifyCommand settled(SimplifyCommand command) {
   return command;
 }
 
+/// \throw UsageError for options that don't go with glTF, or with glTF alone
+void check_gltf(const SimplifyCommand& options) {
+  const bool is_written = is_gltf(options.output) && !options.files.output_format;
+  if (options.compresses_gltf && !is_written) throw UsageError("--compress is for outputs in glTF");
+  if (options.compresses_gltf && (options.targets.max_error || options.certify || options.certificate)) {
+    throw UsageError("--compress rounds positions, so nothing can be proven of them: leave one out");
+  }
+  const bool is_read = std::any_of(options.inputs.begin(), options.inputs.end(), is_gltf);
+  const bool is_recorded = options.recording || options.curve || options.page || options.pictures.is_given();
+  if (is_read && is_recorded) {
+    throw UsageError(
+        "--record, --curve, --page, --frames and --animate don't take glTF yet: 'convert' it to PLY first");
+  }
+  const bool welds_gaps = options.files.weld_tolerance.is_automatic || options.files.weld_tolerance.length.value > 0;
+  if (is_read && welds_gaps)
+    throw UsageError("--weld doesn't take glTF: its meshes are welded at equal positions alone");
+  if (is_read && (options.threshold.is_automatic || options.threshold.length.value > 0)) {
+    throw UsageError("--threshold doesn't take glTF: its meshes don't lie where the scene puts them");
+  }
+  if (is_read && options.engine == Engine::openmesh) throw UsageError("--engine openmesh doesn't take glTF");
+  if (is_written && !options.keeps_attributes) throw UsageError("--attributes position-only doesn't go with glTF");
+}
+
 void check_options(const CLI::App& app, const SimplifyCommand& options) {
   check_targets(options.targets, "--faces, --vertices, --ratio, --face-ratio, --max-cost and --max-error");
   check_conflicts(app, common_conflicts());
   check_conflicts(app, conflicts());
   if (options.page || options.pictures.is_given()) require_page();
+  check_gltf(options);
   if (options.curve && !options.curve->ends_with(".csv") && !options.curve->ends_with(".svg")) {
     throw UsageError("--curve: '" + *options.curve + "' ends neither with .csv nor with .svg");
   }
@@ -409,7 +445,9 @@ nlohmann::ordered_json options_json(const SimplifyCommand& options) {
       {"weld", options.files.weld},
       {"weld_tolerance", to_string(options.files.weld_tolerance)},
       {"ascii", options.files.ascii},
+      {"attributes", word_of<bool>(attribute_words, options.keeps_attributes)},
       {"normals", word_of<Normals>(normals, decimate.normals)},
+      {"compress", options.compresses_gltf},
       {"effort", word_of<Effort>(efforts, options.effort)},
       {"cost", to_string(decimate.effective_cost())},
       {"valence", decimate.valence_weight},

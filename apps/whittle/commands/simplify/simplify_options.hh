@@ -54,6 +54,8 @@ struct SimplifyCommand {
   FrameOptions pictures;                   ///< of the run
   bool embeds_input = true;                ///< whether the recording has the input in it
   bool compresses_recording = false;
+  bool compresses_gltf = false;
+  bool keeps_attributes = true;  ///< or positions alone
   bool strict = false;
   bool certify = false;               ///< whether the largest distance is found without a limit, too
   std::vector<std::string> warnings;  ///< of options that do nothing

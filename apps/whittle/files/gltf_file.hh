@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "files/output.hh"
+#include "whittle/gltf/asset.hh"
+#include "whittle/io/read.hh"
+
+namespace whittle::app {
+
+/// A glTF file as one mesh, and back. Each of its meshes is a part of that mesh, or several; no two have a vertex in
+/// common. So one run simplifies all of them, and each gets the faces that its shape needs.
+///
+/// A part is as large as in the scene, up to a power of two, which changes no digits; where a mesh is used several
+/// times, as large as at most. It lies where the mesh has it, not where the scene puts it.
+class GltfFile {
+ public:
+  /// \throw io::ReadError
+  explicit GltfFile(const std::filesystem::path& path);
+
+  /// Reads all meshes that have triangles. \throw io::ReadError if there is none
+  io::ReadResult read(const io::ReadOptions& options);
+
+  /// Those with triangles. \pre `read`
+  std::size_t n_meshes() const { return parts_.size(); }
+
+  /// Writes the file with its meshes replaced, and the files that lie beside it: .gltf as text, all else as GLB.
+  /// \param mesh what `read` gave, simplified \param compress as `gltf::WriteOptions` has it
+  /// \return a line for each thing that isn't as it was
+  std::vector<std::string> write(OutputFiles& files, const std::string& path, const IndexedMesh& mesh, bool compress);
+
+ private:
+  /// A mesh of the file that has triangles.
+  struct Part {
+    std::size_t mesh;   ///< its number in the file
+    double scale;       ///< from its coordinates to those of the whole
+    Index first_group;  ///< in the whole
+    Index n_groups;
+    bool has_normals, has_colors;
+    std::vector<Attribute> attributes;  ///< without values
+    std::vector<std::size_t> slots;     ///< of these in the whole
+  };
+
+  double scale_of(std::size_t mesh) const;
+  void append(std::size_t number, IndexedMesh mesh, IndexedMesh& all);
+  std::vector<IndexedMesh> split(const IndexedMesh& mesh) const;
+  void copy_images(OutputFiles& files, const std::filesystem::path& folder) const;
+
+  std::filesystem::path path_;
+  gltf::Asset asset_;
+  std::vector<Part> parts_;
+};
+
+/// Whether a file name ends in .gltf or .glb.
+bool is_gltf(const std::string& path);
+
+}  // namespace whittle::app

@@ -1,0 +1,132 @@
+// glTF in and out.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "program/failure.hh"
+#include "program/gltf_cube.hh"
+#include "program/program.hh"
+#include "support/shapes/shapes.hh"
+#include "whittle/gltf/asset.hh"
+#include "whittle/io/read.hh"
+
+namespace whittle::test {
+namespace {
+
+using Json = nlohmann::json;
+
+/// What isn't geometry.
+Json other_than_geometry(Json document) {
+  for (const char* key : {"accessors", "bufferViews", "buffers"}) document.erase(key);
+  for (Json& mesh : document["meshes"]) mesh.erase("primitives");
+  for (Json& animation : document["animations"]) animation.erase("samplers");
+  return document;
+}
+
+Json document_of(const std::string& path) { return Json::parse(gltf::Asset::read(path).document()); }
+
+TEST(Gltf, IsSimplifiedWithAllThatIsInIt) {
+  const TemporaryFolder folder;
+  const std::string in = folder / "cube.glb";
+  write_gltf_cube(in, 8);
+  for (const char* name : {"out.glb", "out.gltf"}) {
+    const std::string out = folder / name;
+    const Outcome outcome = whittle({"simplify", in, "-o", out, "--faces", "60", "--json", "-"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome;
+    const Json json = parse_json(outcome.out);
+    EXPECT_EQ(json["target"]["met"], true);
+    EXPECT_EQ(json["warnings"].size(), 0U) << json["warnings"];
+    const gltf::Asset asset = gltf::Asset::read(out);
+    EXPECT_EQ(other_than_geometry(Json::parse(asset.document())), other_than_geometry(document_of(in)));
+    const IndexedMesh mesh = asset.triangles(0);
+    EXPECT_EQ(mesh.faces.size(), json["output"]["faces"]);
+    ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      for (const Index v : mesh.faces[f]) {
+        const auto& n = mesh.normals[v];
+        const Vec3 normal(n[0], n[1], n[2]);
+        Eigen::Index axis = 0;
+        normal.cwiseAbs().maxCoeff(&axis);
+        const std::size_t side = 2 * static_cast<std::size_t>(axis) + (normal[axis] > 0 ? 1 : 0);
+        EXPECT_EQ(mesh.face_groups[f], side % 2);
+        EXPECT_NEAR(mesh.positions[v][axis], side % 2 == 1 ? 1 : -1, 1e-6) << "a material bleeds";
+        const auto expected = chart_position(side, mesh.positions[v]);
+        for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(mesh.attributes[0].value(v)[i], expected[i], 1e-3);
+      }
+    }
+  }
+}
+
+TEST(Gltf, IsReadByOtherCommands) {
+  const TemporaryFolder folder;
+  const std::string in = folder / "cube.gltf";
+  write_gltf_cube(in, 3);
+  const Outcome info = whittle({"info", in, "--json", "-"});
+  ASSERT_EQ(info.exit_code, 0) << info;
+  EXPECT_EQ(parse_json(info.out)["format"], "gltf");
+  EXPECT_EQ(parse_json(info.out)["closed"], true) << "it is welded at its seams";
+  const Outcome converted = whittle({"convert", in, folder / "cube.obj"});
+  ASSERT_EQ(converted.exit_code, 0) << converted;
+  EXPECT_EQ(io::read_mesh(folder / "cube.obj").mesh.group_names,
+            (std::vector<std::string>{"cube: brick", "cube: glass"}));
+  const Outcome measured = whittle({"measure", in, folder / "cube.obj", "--samples", "1000", "--json", "-"});
+  ASSERT_EQ(measured.exit_code, 0) << measured;
+  EXPECT_LT(parse_json(measured.out)["max_rel"], 1e-9);
+}
+
+TEST(Gltf, OfPositionsAloneBecomesAnotherFormat) {
+  const TemporaryFolder folder;
+  write_gltf_cube(folder / "cube.glb", 6);
+  const Outcome outcome = whittle(
+      {"simplify", folder / "cube.glb", "-o", folder / "out.ply", "--faces", "12", "--attributes", "position-only"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  const IndexedMesh mesh = io::read_mesh(folder / "out.ply").mesh;
+  EXPECT_EQ(mesh.faces.size(), 12U);
+  EXPECT_TRUE(mesh.normals.empty() && mesh.attributes.empty() && mesh.face_groups.empty());
+}
+
+TEST(Gltf, IsProvenAsItIsWritten) {
+  const TemporaryFolder folder;
+  const std::string in = folder / "cube.glb";
+  write_gltf_cube(in, 6);
+  const std::string out = folder / "out.glb";
+  const Outcome outcome = whittle({"simplify", in, "-o", out, "--max-error", "0.1%", "--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  const Outcome measured = whittle({"measure", in, out, "--exact", "0.01", "--json", "-"});
+  ASSERT_EQ(measured.exit_code, 0) << measured;
+  EXPECT_LT(parse_json(outcome.out)["output"]["faces"], 100);
+}
+
+TEST(Gltf, RefusesWhatItCannotDo) {
+  const TemporaryFolder folder;
+  const std::string in = folder / "cube.glb";
+  write_gltf_cube(in, 3);
+  const std::string out = folder / "out.glb";
+  const std::string blob = data_file("blob.obj");
+  expect_usage_error(whittle({"simplify", blob, "-o", out, "--faces", "9"}), {"glTF is written only from glTF"});
+  expect_usage_error(whittle({"simplify", in, "-o", folder / "o.ply", "--faces", "9", "--compress"}), {"--compress"});
+  for (const std::vector<std::string>& options : {std::vector<std::string>{"--record", folder / "r"},
+                                                  {"--curve", folder / "c.svg"},
+                                                  {"--engine", "openmesh"},
+                                                  {"--weld", "1%"},
+                                                  {"--threshold", "auto"},
+                                                  {"--attributes", "position-only"},
+                                                  {"--compress", "--certify"}}) {
+    std::vector<std::string> all{"simplify", in, "-o", out, "--faces", "9"};
+    all.insert(all.end(), options.begin(), options.end());
+    expect_usage_error(whittle(all), {options.front()});
+  }
+  std::ofstream(folder / "cut.glb") << "glTF";
+  const Outcome outcome = whittle({"simplify", folder / "cut.glb", "-o", out, "--faces", "9"});
+  EXPECT_EQ(outcome.exit_code, 4) << outcome;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome;
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+}  // namespace
+}  // namespace whittle::test
