@@ -1,14 +1,28 @@
-// The distance of a point to a mesh, by a look at every face. Source: Ericson: Real-Time Collision Detection (2005),
-// section 5.1.5.
+// The distance of a point to a mesh, and where a ray meets it, by a look at every face. Sources: Ericson: Real-Time
+// Collision Detection (2005), section 5.1.5; Möller and Trumbore: Fast, Minimum Storage Ray/Triangle Intersection (1997).
 'use strict';
 
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const along = (a, direction, t) => [a[0] + t * direction[0], a[1] + t * direction[1], a[2] + t * direction[2]];
+
+function closestOnSegment(p, a, b) {
+  const ab = minus(b, a);
+  const length = dot(ab, ab);
+  return length > 0 ? along(a, ab, Math.min(1, Math.max(0, dot(minus(p, a), ab) / length))) : a;
+}
+
+const nearer = (p, a, b) => dot(minus(a, p), minus(a, p)) < dot(minus(b, p), minus(b, p)) ? a : b;
+
+const closestOnSides = (p, a, b, c) =>
+  nearer(p, closestOnSegment(p, a, b), nearer(p, closestOnSegment(p, b, c), closestOnSegment(p, c, a)));
 
 function closestOnFace(p, a, b, c) {
   const ab = minus(b, a);
   const ac = minus(c, a);
+  const normal = cross(ab, ac);
+  if (dot(normal, normal) === 0) return closestOnSides(p, a, b, c);
   const ap = minus(p, a);
   const [d1, d2] = [dot(ab, ap), dot(ac, ap)];
   if (d1 <= 0 && d2 <= 0) return a;
@@ -38,4 +52,28 @@ function exactDistance(p, {positions, corners}) {
   return Math.sqrt(least);
 }
 
-module.exports = {exactDistance};
+/** How many times its direction a ray goes until it meets a face; Infinity if it misses. */
+function meetsFace(origin, direction, a, b, c) {
+  const ab = minus(b, a);
+  const ac = minus(c, a);
+  const p = cross(direction, ac);
+  const determinant = dot(ab, p);
+  if (determinant === 0) return Infinity;
+  const ao = minus(origin, a);
+  const u = dot(ao, p) / determinant;
+  const q = cross(ao, ab);
+  const v = dot(direction, q) / determinant;
+  const t = dot(ac, q) / determinant;
+  return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? t : Infinity;
+}
+
+/** The first point of a mesh on a ray, or null. */
+function firstPoint(origin, direction, {positions, corners}) {
+  let least = Infinity;
+  for (let i = 0; i < corners.length; i += 3) {
+    least = Math.min(least, meetsFace(origin, direction, positions[corners[i]], positions[corners[i + 1]], positions[corners[i + 2]]));
+  }
+  return least < Infinity ? along(origin, direction, least) : null;
+}
+
+module.exports = {exactDistance, firstPoint};

@@ -4,7 +4,7 @@
 const assert = require('assert/strict');
 const fs = require('fs');
 const path = require('path');
-const {exactDistance} = require('./exact_distance.cjs');
+const {stepsOff} = require('./colours.cjs');
 
 const [nodeModules, chromium, folder] = process.argv.slice(2);
 const {chromium: driver} = require(path.join(path.resolve(nodeModules), 'playwright-core'));
@@ -32,7 +32,7 @@ async function withPage(name, use, {hash = '', width = 1200, height = 900, color
 }
 
 /** Waits until what was asked for is drawn. */
-const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+const drawn = (page) => page.evaluate(() => window.whittle.drawn());
 
 /** The pixels of the canvas: of each half, how many differ from the background, and a sum that tells pictures apart. */
 async function pixels(page) {
@@ -211,51 +211,23 @@ async function fitsANarrowWindow(page) {
   assert.ok(halves[0].shown > 200 && halves[1].shown > 200);
 }
 
-/** At points of both surfaces, what the colour means is the distance of the meshes in the page, to a step of the scale. */
+/** At 1,000 pixels of both surfaces, the colour is that of the exact distance of what is seen there. */
 async function hasRightErrors(page) {
   await page.selectOption('#colour', 'error');
-  await drawn(page);
-  const {points, meshes, top, nSteps} = await page.evaluate(() => {
-    const app = window.whittle;
-    const scale = 65535 * app.json.step;
-    let seed = 1;
-    const random = () => (seed = seed * 48271 % 2147483647) / 2147483647;
-    const models = [app.original, app.result];
-    const unit = (positions, v) => [0, 1, 2].map((d) => positions[4 * v + d] / 65535 * scale);
-    const chosen = models.map((model) => {
-      const {distances} = model.surface;
-      const corner = (f, k) => unit(distances.positions, distances.corners[3 * f + k]);
-      const areas = [];
-      let area = 0;
-      for (let f = 0; f < distances.nFaces; ++f) {
-        const [a, b, c] = [0, 1, 2].map((k) => corner(f, k));
-        const [u, w] = [b.map((x, d) => x - a[d]), c.map((x, d) => x - a[d])];
-        areas.push(area += Math.hypot(u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]));
-      }
-      return Array.from({length: 500}, () => {
-        const f = areas.findIndex((sum) => sum >= random() * area);
-        let [s, t] = [random(), random()];
-        if (s + t > 1) [s, t] = [1 - s, 1 - t];
-        const weights = [1 - s - t, s, t];
-        const vertices = [0, 1, 2].map((k) => distances.corners[3 * f + k]);
-        const signed = vertices.reduce((sum, v, k) => sum + weights[k] * (distances.positions[4 * v + 3] - 32768) / 32767 * distances.max, 0);
-        const position = [0, 1, 2].map((d) => vertices.reduce((sum, v, k) => sum + weights[k] * unit(distances.positions, v)[d], 0));
-        return {position, shown: Math.abs(signed)};
-      });
-    });
-    const meshOf = ({surface}) => ({positions: Array.from({length: surface.nVertices}, (_, v) => unit(surface.positions, v)),
-      corners: Array.from(surface.corners)});
-    return {points: chosen, meshes: models.map(meshOf), top: app.greatestShown(),
-      nSteps: app.result.material.uniforms.scale.value.image.width};
-  });
-  assert.ok(nSteps >= 4);
-  let nBeyond = 0;
-  points.forEach((some, i) => some.forEach(({position, shown}) => {
-    const exact = exactDistance(position, meshes[1 - i]);
-    if (Math.abs(Math.min(exact, top) - Math.min(shown, top)) > top / nSteps) ++nBeyond;
-  }));
-  console.log(`errors: ${nBeyond} of 1000 points are more than one of ${nSteps} steps off`);
-  assert.ok(nBeyond <= 50, `${nBeyond} of 1000 points are more than a step off`);
+  const off = [];
+  for (const [turn, zoom, shading] of [[0, 1, 'flat'], [2, 0.5, 'flat'], [1, 0.4, 'smooth'], [1, 5, 'flat']]) {
+    await page.selectOption('#shading', shading);
+    await page.evaluate(([angle, factor]) => {
+      window.whittle.view.rotate(angle, 0);
+      window.whittle.view.zoom(factor);
+    }, [turn, zoom]);
+    await drawn(page);
+    for (const pane of [0, 1]) off.push(...await stepsOff(page, pane, 125));
+  }
+  const worst = Math.max(...off);
+  const nWrong = off.filter((steps) => steps > 0.1).length;
+  console.log(`errors: the colours of ${nWrong} of ${off.length} pixels are off, the worst by ${worst.toFixed(3)} steps of the scale`);
+  assert.equal(nWrong, 0, `${nWrong} colours are more than a tenth of a step off, the worst by ${worst} steps`);
 }
 
 async function saysWhatIsClicked(page) {
@@ -264,6 +236,7 @@ async function saysWhatIsClicked(page) {
   const box = await (await page.$('#canvas')).boundingBox();
   for (const x of [0.5, 0.42, 0.58, 0.35, 0.65]) {
     await page.mouse.click(box.x + x * box.width, box.y + 0.5 * box.height);
+    await page.waitForTimeout(200);
     if (/distance/.test(await text(page, 'status'))) return;
   }
   assert.fail(`a click says: ${await text(page, 'status')}`);

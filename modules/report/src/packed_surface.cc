@@ -61,7 +61,6 @@ Json pack(const DistanceMap& map, PageBytes& bytes) {
   }
   return {{"max", map.max},
           {"usual", map.usual},
-          {"deviation", map.deviation},
           {"vertices", map.signed_distances.size()},
           {"values", bytes.add(values.groups())},
           {"faces", map.mesh.faces.size()},

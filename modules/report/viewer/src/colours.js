@@ -2,8 +2,7 @@
 import {DataTexture, LinearSRGBColorSpace, NearestFilter, RGBAFormat} from 'three';
 import {interpolateCividis, interpolatePuOr, interpolateViridis} from 'd3-scale-chromatic';
 
-const mostSteps = 8; // of a scale
-const leastSteps = 4;
+const nSteps = 8; // of a scale
 
 const valenceClasses = ['3 or less', '4', '5', '6', '7', '8', '9 or more'];
 
@@ -17,16 +16,9 @@ const parse = (text) => {
 
 const even = (interpolate, n) => Array.from({length: n}, (_, i) => parse(interpolate(n > 1 ? (i + 0.5) / n : 0.5)));
 
-/** The scale of errors has steps that are not finer than its colours are right. \param tolerance a share of the scale */
-export function errorScale(tolerance) {
-  const nSteps = Math.min(mostSteps, Math.max(leastSteps, Math.floor(1 / tolerance)));
-  return errorScales[nSteps] ??= {colours: even(interpolateViridis, nSteps)};
-}
-
-const errorScales = {};
-
 export const scales = {
-  shape: {colours: even(interpolateCividis, mostSteps)},
+  error: {colours: even(interpolateViridis, nSteps)},
+  shape: {colours: even(interpolateCividis, nSteps)},
   valence: {colours: valenceClasses.map((_, i) => i === 3 ? [150, 150, 150] : parse(interpolatePuOr(i / 6))), names: valenceClasses},
 };
 

@@ -1,12 +1,14 @@
 // The page of `whittle report`: puts the meshes, the controls and the player together.
 import {Vector3} from 'three';
-import {errorScale, scales, short, showLegend, showRefusals} from './colours.js';
+import {scales, short, showLegend, showRefusals} from './colours.js';
 import {readPage} from './data.js';
+import {ExactColours} from './exact.js';
 import {Model} from './model.js';
 import {Motion} from './motion.js';
 import {Player} from './player.js';
 import {Recording} from './recording.js';
-import {Surface} from './surface.js';
+import {doInSlices} from './slices.js';
+import {Surface, unit} from './surface.js';
 import {View} from './view.js';
 
 const $ = (id) => document.getElementById(id);
@@ -37,8 +39,9 @@ class App {
     // What stands in the way of fewer faces is to be seen at once.
     this.result = this.results.find((model) => model.surface.refusals.length > 0) ?? this.results[0] ?? null;
     this.isDrawn = true;
-    this.motion = new Motion(() => this.draw());
+    this.motion = new Motion((wasQuick) => this.onRest(wasQuick));
     this.view = new View($('canvas'), boxOf(original), () => this.onView());
+    this.exact = new ExactColours(this.view, () => this.draw());
     for (const model of [this.original, ...this.results]) this.view.scene.add(model.group);
     this.setUpChoices();
     if (this.recording) this.setUpPlayer();
@@ -111,26 +114,20 @@ class App {
     return chosen === 'usual' ? greatest('usual') : greatest('max') * Number(chosen);
   }
 
-  /** How right the colours of errors are, as a share of the scale. */
-  tolerance(top) {
-    const distances = [this.original, this.result].map((model) => model?.surface.distances).filter((d) => d);
-    return Math.max(0, ...distances.map((d) => d.deviation * Math.max(d.usual, top) / (top || 1)));
-  }
-
   apply() {
     const colour = $('colour').value;
     const top = this.greatestShown();
-    const scale = errorScale(this.tolerance(top));
     for (const model of [this.original, this.result]) {
       if (!model) continue;
       model.setSmooth($('shading').value === 'smooth');
       model.setColour(colour);
-      model.setErrorScale(scale, top);
+      model.setErrorScale(scales.error, top);
     }
+    this.exact.setScale(scales.error, top / this.json.step);
     $('top').closest('label').hidden = colour !== 'error';
     $('ghost').closest('label').hidden = this.layout() !== 'over';
     $('legend').hidden = colour === 'none';
-    if (colour === 'error') showLegend($('legend'), 'distance, model units', scale, top);
+    if (colour === 'error') showLegend($('legend'), 'distance, model units', scales.error, top);
     if (colour === 'shape') showLegend($('legend'), 'radius ratio 2r/R, 1 is equilateral', scales.shape, 1);
     if (colour === 'valence') showLegend($('legend'), 'edges at a vertex', scales.valence);
     this.showReasons();
@@ -181,8 +178,41 @@ class App {
   // Drawing ----------------------------------------------------------------------------------------------------------
 
   onView() {
+    this.exact?.stop();
     this.motion.goOn();
     this.draw();
+  }
+
+  /** What was drawn quickly stays until exact colours are found. */
+  onRest(wasQuick) {
+    if (this.hasExactColours()) this.startExactColours(); else if (wasQuick) this.draw();
+  }
+
+  /** The models of the panes, left to right, without what is laid over them. */
+  modelsOfPanes() {
+    return {beside: [this.original, this.result], original: [this.original]}[this.layout()] ?? [this.result];
+  }
+
+  /** The surface that distances of a model go to; null if it is not all in the page. */
+  otherOf(model) {
+    const other = model === this.original ? this.results.find(({surface}) => surface.distances) : this.original;
+    return model.surface.distances && other && other.surface.note === '' ? other.surface : null;
+  }
+
+  hasExactColours() {
+    return $('colour').value === 'error' && this.modelsOfPanes().some((model) => this.otherOf(model));
+  }
+
+  keyOfExactColours() {
+    return [this.view.key(), this.layout(), this.results.indexOf(this.result), $('shading').value].join();
+  }
+
+  startExactColours() {
+    const isSmooth = $('shading').value === 'smooth';
+    this.exact.start(this.keyOfExactColours(), this.modelsOfPanes().map((model) => {
+      const other = this.otherOf(model);
+      return other && {surface: model.surface, geometry: model.wholeGeometry(), isSmooth, other};
+    }));
   }
 
   /** Before the next picture. */
@@ -195,35 +225,50 @@ class App {
   drawNow() {
     this.isDrawn = true;
     if (!this.view || !this.background) return;
-    const isQuick = this.motion.beginFrame();
+    const hasExactColours = this.hasExactColours();
+    const isExact = hasExactColours && this.exact.isDoneFor(this.keyOfExactColours());
+    const isQuick = !isExact && (this.motion.beginFrame() || hasExactColours && this.motion.isSlow);
     this.view.setSharp(!isQuick);
     for (const model of [this.original, this.result]) model?.useCoarse(isQuick);
+    this.view.draw(this.panes(isExact), this.background);
+    if (hasExactColours && !this.motion.isMoving) this.startExactColours();
+    if (!document.documentElement.dataset.ready) document.documentElement.dataset.ready = Math.round(performance.now());
+  }
+
+  /** Functions that show what is to be seen in each pane, left to right. */
+  panes(isExact) {
     const chosen = {edges: $('edges').checked, borders: $('borders').checked, nonmanifold: $('nonmanifold').checked, refused: $('refused').checked};
     const only = (...shown) => {
       for (const model of [this.original, ...this.results]) model.group.visible = shown.includes(model);
     };
-    const alone = (model) => () => {
-      only(model);
-      model.show(chosen);
+    const showWhole = (model) => {
+      this.exact.pixels.visible = isExact && this.otherOf(model) !== null;
+      model.show({...chosen, areFacesDrawn: this.exact.pixels.visible});
     };
-    const panes = {
-      beside: () => [alone(this.original), alone(this.result)],
-      original: () => [alone(this.original)],
-      result: () => [alone(this.result)],
-      over: () => [() => {
-        only(this.original, this.result);
-        this.original.show({...chosen, ghost: $('ghost').value});
-        this.result.show(chosen);
-      }],
-    }[this.layout()]();
-    this.view.draw(panes, this.background);
-    if (!document.documentElement.dataset.ready) document.documentElement.dataset.ready = Math.round(performance.now());
+    if (this.layout() !== 'over') {
+      return this.modelsOfPanes().map((model) => () => {
+        only(model);
+        showWhole(model);
+      });
+    }
+    return [() => {
+      only(this.original, this.result);
+      this.original.show({...chosen, ghost: $('ghost').value});
+      showWhole(this.result);
+    }];
   }
 
-  /** Settles when what was asked for is drawn. */
-  drawn() {
-    this.draw();
-    return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done('drawn'))));
+  /** Settles when what was asked for is drawn, in exact colours. */
+  async drawn() {
+    const frames = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    do {
+      this.motion.end();
+      this.draw();
+      await frames();
+      await this.exact.work;
+    } while (this.hasExactColours() && !this.exact.isDoneFor(this.keyOfExactColours()));
+    await frames();
+    return 'drawn';
   }
 
   /** \param place in the recording, 0 … 1 */
@@ -343,8 +388,8 @@ class App {
     });
   }
 
-  describe(event) {
-    const models = {beside: [this.original, this.result], original: [this.original]}[this.layout()] ?? [this.result];
+  async describe(event) {
+    const models = this.modelsOfPanes();
     const {pane, hit} = this.view.pick(event, models.map((model) => model.faces));
     const model = models[pane];
     if (!hit) {
@@ -352,17 +397,25 @@ class App {
       return;
     }
     const place = this.toModel(hit.point).map(short).join(', ');
-    const value = this.valueAt(model, hit);
+    const value = await this.valueAt(model, hit);
     const meaning = {error: 'distance', shape: 'radius ratio'}[model.colour];
     $('status').textContent = `${model.surface.name}: (${place})${meaning && value !== null ? `, ${meaning} ${short(value)}` : ''}`;
   }
 
   toModel(point) {
-    return point.toArray().map((coordinate, d) => this.json.origin[d] + coordinate * 65535 * this.json.step);
+    return point.toArray().map((coordinate, d) => this.json.origin[d] + coordinate * unit * this.json.step);
   }
 
   /** What the colour means at a point of a face. */
-  valueAt(model, {face, point}) {
+  async valueAt(model, hit) {
+    const other = model.colour === 'error' && this.otherOf(model);
+    if (!other) return this.interpolatedAt(model, hit);
+    const tree = this.exact.treeOf(other);
+    await doInSlices(tree.finish());
+    return tree.distance(hit.point.clone().multiplyScalar(unit)) * this.json.step;
+  }
+
+  interpolatedAt(model, {face, point}) {
     const geometry = model.faces.geometry;
     const value = geometry.getAttribute('value');
     const position = geometry.getAttribute('position');

@@ -4,54 +4,14 @@ import {
   LineSegments, Mesh, Points, PointsMaterial, ShaderMaterial,
 } from 'three';
 import {refusalColours, scales, textureOf, valenceClass} from './colours.js';
+import {faceShader, vertexShader} from './shaders.js';
 import {edgesOf, radiusRatio, valences} from './surface.js';
 
 ColorManagement.enabled = false; // colours are shown as they are written
 
-const vertexShader = `
-in float value;
-out vec3 place;
-out vec3 direction;
-out float shown;
-void main() {
-  vec4 seen = modelViewMatrix * vec4(position, 1.0);
-  place = seen.xyz;
-  direction = normalMatrix * normal;
-  shown = value;
-  gl_Position = projectionMatrix * seen;
-}`;
-
-// The light comes from the eye, and a little from above. A face seen from behind has another colour.
-const fragmentShader = `
-in vec3 place;
-in vec3 direction;
-in float shown;
-out vec4 colour;
-uniform bool isSmooth;
-uniform bool isScaled;
-uniform bool isSigned;
-uniform float top;
-uniform float opacity;
-uniform vec3 front;
-uniform vec3 back;
-uniform sampler2D scale;
-void main() {
-  vec3 flatNormal = normalize(cross(dFdx(place), dFdy(place)));
-  vec3 normal = isSmooth && dot(direction, direction) > 0.0 ? normalize(direction) : flatNormal;
-  if (dot(normal, place) > 0.0) normal = -normal;
-  float light = 0.35 + 0.5 * max(0.0, normal.z) + 0.15 * max(0.0, dot(normal, vec3(-0.4, 0.8, 0.45)));
-  vec3 own = gl_FrontFacing ? front : back;
-  if (isScaled) {
-    float value = isSigned ? abs(shown * 65535.0 - 32768.0) / 32767.0 : shown;
-    own = texture(scale, vec2(clamp(value / top, 0.0, 0.9999), 0.5)).rgb;
-    light = 0.6 + 0.4 * light;
-  }
-  colour = vec4(own * light, opacity);
-}`;
-
 function faceMaterial(front, opacity) {
   return new ShaderMaterial({
-    glslVersion: GLSL3, vertexShader, fragmentShader, side: DoubleSide, transparent: opacity < 1, depthWrite: opacity === 1,
+    glslVersion: GLSL3, vertexShader, fragmentShader: faceShader, side: DoubleSide, transparent: opacity < 1, depthWrite: opacity === 1,
     polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
     uniforms: {
       isSmooth: {value: false}, isScaled: {value: false}, isSigned: {value: false}, top: {value: 1}, opacity: {value: opacity},
@@ -204,8 +164,7 @@ export class Model {
     this.useNormals();
   }
 
-  useNormals() {
-    const {geometry} = this.faces;
+  useNormals(geometry = this.faces.geometry) {
     if (this.material.uniforms.isSmooth.value && geometry.normalVersion !== this.surface.version) {
       geometry.deleteAttribute('normal');
       geometry.computeVertexNormals();
@@ -223,6 +182,14 @@ export class Model {
     for (const material of [this.material, this.ghostMaterial]) material.uniforms.top.value = own || 1;
   }
 
+  /** All faces as they are in the file. */
+  wholeGeometry() {
+    this.useNormals(this.plain);
+    this.whole ??= new BufferGeometry();
+    for (const [name, attribute] of Object.entries(this.plain.attributes)) this.whole.setAttribute(name, attribute);
+    return this.whole.setIndex(this.plain.fullIndex ?? this.plain.getIndex());
+  }
+
   /** The same vertices with fewer faces. \return false where there are none, or where each face has a colour of its own */
   useCoarse(isCoarse) {
     const {coarse} = this.surface;
@@ -234,9 +201,10 @@ export class Model {
     return true;
   }
 
-  /** What is drawn. \param ghost '' for the whole surface, or how it is drawn in front of another one */
-  show({edges, borders, nonmanifold, refused, ghost = ''}) {
-    this.faces.visible = ghost === '' || ghost === 'transparent';
+  /** What is drawn. \param ghost '' for the whole surface, or how it is drawn in front of another one
+      \param areFacesDrawn whether something else has drawn the whole surface already */
+  show({edges, borders, nonmanifold, refused, ghost = '', areFacesDrawn = false}) {
+    this.faces.visible = ghost === '' && !areFacesDrawn || ghost === 'transparent';
     this.faces.material = ghost === '' ? this.material : this.ghostMaterial;
     this.faces.renderOrder = ghost === '' ? 0 : 1;
     this.points.visible = ghost === 'points';

@@ -4,7 +4,7 @@ const slow = 1000 / 30; // milliseconds a frame
 const rest = 200; // milliseconds without a movement
 
 export class Motion {
-  /** \param onRest is called when a movement has ended and what was drawn is not the best that there is */
+  /** \param onRest is called when a movement has ended, with whether frames were drawn quickly */
   constructor(onRest) {
     this.onRest = onRest;
     this.isMoving = false;
@@ -17,11 +17,15 @@ export class Motion {
   goOn() {
     this.isMoving = true;
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => {
-      this.isMoving = false;
-      this.lastFrame = null;
-      if (this.isSlow) this.onRest();
-    }, rest);
+    this.timer = setTimeout(() => this.end(), rest);
+  }
+
+  end() {
+    if (!this.isMoving) return;
+    clearTimeout(this.timer);
+    this.isMoving = false;
+    this.lastFrame = null;
+    this.onRest(this.isSlow);
   }
 
   /** \return whether the frame is to be drawn quickly */

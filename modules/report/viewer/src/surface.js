@@ -30,7 +30,6 @@ class Distances {
   constructor(json, array, surface) {
     this.max = json.max; // model units
     this.usual = json.usual; // 99 % of the area is nearer, model units
-    this.deviation = json.deviation; // of most colours, as a share of `usual` or of the distance
     this.nFaces = json.faces;
     this.values = array(json.values, Uint8Array); // as packed_surface.cc packs signed distances
     this.nVertices = json.vertices;

@@ -43,9 +43,36 @@ export class View {
 
   /** Several pixels for each of the screen, which smooths what is drawn. */
   setSharp(isSharp) {
-    const ratio = window.devicePixelRatio || 1;
-    const wanted = isSharp ? Math.max(2, ratio) : Math.min(1, ratio);
+    const wanted = isSharp ? this.sharpRatio() : Math.min(1, window.devicePixelRatio || 1);
     if (this.renderer.getPixelRatio() !== wanted) this.renderer.setPixelRatio(wanted);
+  }
+
+  sharpRatio() {
+    return Math.max(2, window.devicePixelRatio || 1);
+  }
+
+  /** The pixels of the canvas when it is sharp. */
+  sharpSize() {
+    return {width: Math.floor(this.width * this.sharpRatio()), height: Math.floor(this.height * this.sharpRatio())};
+  }
+
+  /** The panes among them. */
+  boxesOfPanes() {
+    const ratio = this.sharpRatio();
+    return this.spansOfPanes().map(({left, width}) => (
+      {left: Math.round(left * ratio), width: Math.round(width * ratio), height: Math.round(this.height * ratio)}));
+  }
+
+  spansOfPanes() {
+    const edge = (i) => Math.round(this.width * i / this.panes);
+    return Array.from({length: this.panes}, (_, i) => ({left: edge(i), width: edge(i + 1) - edge(i)}));
+  }
+
+  /** Of two views that look the same. */
+  key() {
+    this.camera.updateMatrixWorld();
+    const {matrixWorld, projectionMatrix} = this.camera;
+    return [this.panes, ...Object.values(this.sharpSize()), ...matrixWorld.elements, ...projectionMatrix.elements].join();
   }
 
   setPanes(n) {
@@ -106,12 +133,10 @@ export class View {
     renderer.setViewport(0, 0, width, height);
     renderer.clear();
     renderer.setScissorTest(true);
-    panes.forEach((show, i) => {
-      const left = Math.round(width * i / panes.length);
-      const right = Math.round(width * (i + 1) / panes.length);
-      renderer.setViewport(left, 0, right - left, height);
-      renderer.setScissor(left, 0, right - left, height);
-      show();
+    this.spansOfPanes().forEach((span, i) => {
+      renderer.setViewport(span.left, 0, span.width, height);
+      renderer.setScissor(span.left, 0, span.width, height);
+      panes[i]();
       renderer.render(this.scene, this.camera);
     });
   }
@@ -119,9 +144,12 @@ export class View {
   /** What is seen at a point of the window. \return {pane, hit}, without `hit` where there is nothing */
   pick(event, meshes) {
     const box = this.canvas.getBoundingClientRect();
-    const x = (event.clientX - box.left) / box.width * this.panes;
-    const pane = Math.min(this.panes - 1, Math.max(0, Math.floor(x)));
-    const at = new Vector2(2 * (x - pane) - 1, 1 - 2 * (event.clientY - box.top) / box.height);
+    const x = event.clientX - box.left - this.canvas.clientLeft;
+    const y = event.clientY - box.top - this.canvas.clientTop;
+    const spans = this.spansOfPanes();
+    const pane = Math.max(0, spans.findLastIndex(({left}) => left <= x));
+    const {left, width} = spans[pane];
+    const at = new Vector2(2 * (x - left) / width - 1, 1 - 2 * y / this.height);
     const raycaster = new Raycaster();
     raycaster.setFromCamera(at, this.camera);
     return {pane, hit: raycaster.intersectObject(meshes[pane], false)[0]};

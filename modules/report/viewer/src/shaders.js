@@ -1,0 +1,79 @@
+// How faces are drawn, as GLSL.
+
+export const vertexShader = `
+in float value;
+out vec3 place;
+out vec3 direction;
+out float shown;
+void main() {
+  vec4 seen = modelViewMatrix * vec4(position, 1.0);
+  place = seen.xyz;
+  direction = normalMatrix * normal;
+  shown = value;
+  gl_Position = projectionMatrix * seen;
+}`;
+
+// The light comes from the eye, and a little from above.
+const light = `
+in vec3 place;
+in vec3 direction;
+uniform bool isSmooth;
+float light() {
+  vec3 flatNormal = normalize(cross(dFdx(place), dFdy(place)));
+  vec3 normal = isSmooth && dot(direction, direction) > 0.0 ? normalize(direction) : flatNormal;
+  if (dot(normal, place) > 0.0) normal = -normal;
+  return 0.35 + 0.5 * max(0.0, normal.z) + 0.15 * max(0.0, dot(normal, vec3(-0.4, 0.8, 0.45)));
+}`;
+
+// Less shadow than elsewhere leaves the colours of a scale apart.
+const scaled = `
+uniform float top;
+uniform sampler2D scale;
+vec3 scaled(float value, float light) {
+  return texture(scale, vec2(clamp(value / top, 0.0, 0.9999), 0.5)).rgb * (0.6 + 0.4 * light);
+}`;
+
+/** A face seen from behind has another colour. */
+export const faceShader = `${light}${scaled}
+in float shown;
+out vec4 colour;
+uniform bool isScaled;
+uniform bool isSigned;
+uniform float opacity;
+uniform vec3 front;
+uniform vec3 back;
+void main() {
+  float value = isSigned ? abs(shown * 65535.0 - 32768.0) / 32767.0 : shown;
+  vec3 own = gl_FrontFacing ? front : back;
+  colour = vec4(isScaled ? scaled(value, light()) : own * light(), opacity);
+}`;
+
+/** What is seen at each pixel: how far away it is, as the bytes of a number, and its light. */
+export const placeShader = `${light}
+layout(location = 0) out vec4 depth;
+layout(location = 1) out vec4 lightness;
+void main() {
+  uint bits = floatBitsToUint(-place.z);
+  depth = vec4(uvec4(bits, bits >> 8, bits >> 16, bits >> 24) & 255u) / 255.0;
+  lightness = vec4(light());
+}`;
+
+/** A triangle that covers the whole pane. */
+export const paneShader = `
+void main() {
+  gl_Position = vec4(position, 1.0);
+}`;
+
+/** A value for each pixel, below 0 where there is none. */
+export const pixelShader = `${scaled}
+out vec4 colour;
+uniform sampler2D values;
+uniform sampler2D lights;
+uniform sampler2D depths;
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  float value = texelFetch(values, pixel, 0).r;
+  if (value < 0.0) discard;
+  colour = vec4(scaled(value, texelFetch(lights, pixel, 0).r), 1.0);
+  gl_FragDepth = texelFetch(depths, pixel, 0).r;
+}`;
