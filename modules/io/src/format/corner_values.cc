@@ -4,7 +4,9 @@
 #include <bit>
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <utility>
 
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/core/wedges.hh"
@@ -98,10 +100,25 @@ void add_values(IndexedMesh& mesh, CornerValues& values, std::span<const CornerI
   mesh.attributes.push_back(std::move(values.texcoords));
 }
 
+/// What each vertex's corners name, if all of them name the same: the common case without seams.
+std::optional<std::vector<CornerItems>> items_of_vertices(const IndexedMesh& mesh,
+                                                          const std::vector<CornerItems>& corners) {
+  std::vector<CornerItems> items(mesh.positions.size());
+  std::vector<char> is_known(items.size(), 0);
+  for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+    const Index v = mesh.faces[corner / 3][corner % 3];
+    if (is_known[v] != 0 && items[v] != corners[corner]) return std::nullopt;
+    items[v] = corners[corner];
+    is_known[v] = 1;
+  }
+  return items;
+}
+
 }  // namespace
 
 void set_corner_values(IndexedMesh& mesh, CornerValues values) {
   if (values.corners.empty()) return;
+  if (const auto items = items_of_vertices(mesh, values.corners)) return add_values(mesh, values, *items);
   WedgeFinder finder(mesh.positions.size(), values);
   std::vector<Index> wedges;
   resize_large(wedges, values.corners.size());

@@ -51,7 +51,7 @@ void MeshBuilder::add_polygon(std::span<const Index> corners, std::span<const Co
   if (!items.empty()) corner_items().resize(3 * face_count());
   if (corners.size() == 3) {
     add_triangle({corners[0], corners[1], corners[2]});
-    add_items(items);
+    if (!items.empty()) add_items(items);
     return;
   }
   ++result_.file_faces;

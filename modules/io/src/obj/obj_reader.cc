@@ -143,14 +143,19 @@ void ObjReader::join_chunks() {
 }
 
 void ObjReader::reserve_for_all() {
-  std::size_t n_vertices = 0;
+  ObjRows rows;
   std::size_t n_faces = 0;
+  bool has_items = false;
   for (ObjChunk& chunk : chunks_) {
-    n_vertices += chunk.builder().vertex_count();
+    rows += chunk.rows();
     n_faces += chunk.builder().face_count();
+    has_items = has_items || !chunk.builder().corner_items().empty();
   }
-  builder_.reserve_vertices(n_vertices);
+  builder_.reserve_vertices(rows.vertices);
   builder_.reserve_faces(n_faces);
+  reserve_large(builder_.corner_normals(), rows.normals);
+  if (scope_ == AttributeScope::all) reserve_large(texcoords_, 3 * rows.texcoords);
+  if (has_items) reserve_large(builder_.corner_items(), 3 * n_faces);
 }
 
 void ObjReader::join_colors(std::vector<Color>& colors, std::size_t vertices_before) {

@@ -73,9 +73,9 @@ class RowSink {
   void put_all(const PlyColumn& column, const Real* values) {
     const Real* const end = values + column.n_components;
     if (column.type == ScalarType::float32) {
-      for (; values != end; ++values) put(static_cast<float>(*values));
+      put_each<float>(values, end);
     } else if (column.type == ScalarType::float64) {
-      for (; values != end; ++values) put(double{*values});
+      put_each<double>(values, end);
     } else if (column.type == ScalarType::uint8 && column.floats != nullptr) {
       for (; values != end; ++values) put(static_cast<std::uint8_t>(to_byte(static_cast<float>(*values))));
     } else {
@@ -86,6 +86,18 @@ class RowSink {
   void end_row() {
     sink_ << (ascii_ ? std::string_view("\n") : std::string_view(row_.data(), used_));
     used_ = 0;
+  }
+
+  /// Likewise as numbers of one type.
+  template <class Stored, class Number>
+  void put_each(const Number* values, const Number* end) {
+    if (ascii_) {
+      for (; values != end; ++values) put(static_cast<Stored>(*values));
+      return;
+    }
+    char* to = row_.data() + used_;
+    used_ += sizeof(Stored) * static_cast<std::size_t>(end - values);
+    for (; values != end; ++values, to += sizeof(Stored)) store_little_endian(static_cast<Stored>(*values), to);
   }
 
  private:
@@ -185,7 +197,8 @@ class PlyWriter {
       for (const auto& [what, column] : face_columns_) {
         if (what == FaceColumn::corners) {
           rows.put(std::uint8_t{3});
-          for (const Index v : stored_.faces[f]) rows.put(v);
+          const Triangle& face = stored_.faces[f];
+          rows.put_each<Index>(face.data(), face.data() + face.size());
         } else if (what == FaceColumn::scalar) {
           rows.put(column, f);
         } else {
