@@ -84,6 +84,7 @@ std::vector<std::string> attributes_of(const IndexedMesh& mesh) {
   if (!mesh.normals.empty()) names.emplace_back("vertex normals");
   if (!mesh.colors.empty()) names.emplace_back("vertex colours");
   for (const Attribute& attribute : mesh.attributes) names.push_back(attribute.name);
+  for (const Attribute& attribute : mesh.face_attributes) names.push_back(attribute.name + " of faces");
   if (!mesh.face_groups.empty()) names.emplace_back("groups");
   return names;
 }

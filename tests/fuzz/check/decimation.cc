@@ -14,6 +14,7 @@
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 #include "whittle/core/geometry/triangle_intersection.hh"
+#include "whittle/core/wedges.hh"
 #include "whittle/metrics/certify.hh"
 #include "whittle/metrics/self_intersections.hh"
 #include "whittle/metrics/topology.hh"
@@ -266,7 +267,7 @@ void check_features(const DecimateCase& c, const Decimation& d, const metrics::T
     require(hides_folds || std::binary_search(features.begin(), features.end(), edge) || is_thin_at(d.mesh, edge),
             "no other edges get sharp", text_of(edge));
   }
-  if (!c.options.feature_edges.empty()) return;  // those may be flat
+  if (!c.options.feature_edges.empty() || !seam_edges(c.mesh).empty()) return;  // those may be flat
   const std::vector<VertexPair> sharp = feature_edges(d.mesh, std::max(0.0, angle_deg - rounding_deg));
   for (const VertexPair& edge : features) {
     require(std::binary_search(sharp.begin(), sharp.end(), edge) || is_thin_at(d.mesh, edge), "features stay sharp",

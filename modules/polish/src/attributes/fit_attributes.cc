@@ -177,7 +177,9 @@ void AttributeFit::fit(Values& values) const {
   solver.setTolerance(1e-5);
   solver.setMaxIterations(50);
   solver.compute(matrix_);
-  for (std::size_t i = 0; i < n_linear(values.kind, n); ++i) {
+  const auto is_finite = [](double x) { return std::isfinite(x); };
+  const bool is_fitted = std::all_of(values.from.begin(), values.from.end(), is_finite);  // or one spoils all
+  for (std::size_t i = 0; is_fitted && i < n_linear(values.kind, n); ++i) {
     const auto column = [&](std::vector<double>& all) {
       return Eigen::Map<Vector, 0, Eigen::InnerStride<>>(all.data() + i, n_wedges,
                                                          Eigen::InnerStride<>(static_cast<Eigen::Index>(n)));

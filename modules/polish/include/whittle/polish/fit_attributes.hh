@@ -23,8 +23,8 @@ struct FitAttributesOptions {
 };
 
 /// Fits the attributes of `mesh`: texture coordinates, colours, normals and whatever else may be blended. Normals and
-/// tangents keep unit length, colours stay in [0, 1]. Categories and joint weights become those of the original's
-/// nearest point. Nothing happens if either mesh has no faces.
+/// tangents keep unit length, colours stay in [0, 1]. Categories, joint weights, and attributes with a value that isn't
+/// finite become those of the original's nearest point. Nothing happens if either mesh has no faces.
 /// \param original what `mesh` was made from
 /// \param wedge_map for each wedge of `original` that of `mesh` that it has become, or `invalid_index`
 /// \param mesh has the attributes of the original, in the same order
