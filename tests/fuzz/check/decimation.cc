@@ -111,7 +111,7 @@ void check_stop(const DecimateCase& c, const Decimation& d) {
   require(left.locked == 0 || !c.options.locked.empty() || c.options.boundary == Boundary::locked,
           "being locked is a reason where asked for");
   require(left.feature == 0 || c.options.feature_angle_deg || !c.options.feature_edges.empty() ||
-              !c.options.locked.empty() || c.options.boundary == Boundary::locked,
+              !c.options.locked.empty() || c.options.boundary == Boundary::locked || !seam_edges(c.mesh).empty(),
           "features are a reason where asked for");
 }
 

@@ -275,6 +275,20 @@ bool has_threshold(const SimplifyCommand& options) {
   return options.threshold.is_automatic || options.threshold.length.value > 0;
 }
 
+void add_attribute_options(CLI::App& app, SimplifyCommand& options) {
+  app.add_flag("--compress", options.compresses_gltf,
+               "compress the geometry of a glTF file: rounded, and by EXT_meshopt_compression")
+      ->default_str("off")
+      ->group(file_group);
+  add_choice<bool>(app, "--attributes", options.keeps_attributes, attribute_words,
+                   "texture coordinates, colours, materials and all else but positions: keep them, with their seams, "
+                   "or drop them")
+      ->group(file_group);
+  add_choice<Normals>(app, "--normals", options.simplify.decimate.normals, normals,
+                      "vertex normals: the mean of those merged, those of the faces of the result, or none")
+      ->group(file_group);
+}
+
 }  // namespace
 
 void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
@@ -325,17 +339,7 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
   app.add_flag("--zstd", options.compresses_recording, "compress the recording with zstd")
       ->default_str("off")
       ->group(file_group);
-  app.add_flag("--compress", options.compresses_gltf,
-               "compress the geometry of a glTF file: rounded, and by EXT_meshopt_compression")
-      ->default_str("off")
-      ->group(file_group);
-  add_choice<bool>(app, "--attributes", options.keeps_attributes, attribute_words,
-                   "texture coordinates, colours, materials and all else but positions: keep them, with their seams, "
-                   "or drop them")
-      ->group(file_group);
-  add_choice<Normals>(app, "--normals", options.simplify.decimate.normals, normals,
-                      "vertex normals: the mean of those merged, those of the faces of the result, or none")
-      ->group(file_group);
+  add_attribute_options(app, options);
   add_pair_options(app, options);
   add_cost_options(app, options);
   add_guard_options(app, options);

@@ -1,6 +1,5 @@
 #include "whittle/polish/fit_attributes.hh"
 
-#include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <array>
@@ -20,6 +19,10 @@ namespace {
 using polishing::AttributeFeet;
 using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 using Vector = Eigen::VectorXd;
+
+// Conjugate gradients: few are enough, as the matrix is like one of masses.
+constexpr int most_steps = 50;
+constexpr double least_residual = 1e-5;  ///< over the right side
 
 constexpr double guess_weight = 0.02;  ///< λ
 constexpr double least_length = 1e-3;  ///< of a sum of directions that is one
@@ -53,6 +56,43 @@ struct Values {
   std::span<const double> original(Index w) const { return {from.data() + w * n_components, n_components}; }
   std::span<double> fitted(Index w) { return {to.data() + w * n_components, n_components}; }
 };
+
+/// In one order, which library functions with wide registers don't keep.
+double dot(const Vector& a, const Vector& b) {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+Vector product(const Matrix& matrix, const Vector& x) {
+  Vector y = Vector::Zero(x.size());
+  for (Eigen::Index row = 0; row < x.size(); ++row) {
+    for (Matrix::InnerIterator entry(matrix, row); entry; ++entry) y[row] += entry.value() * x[entry.col()];
+  }
+  return y;
+}
+
+/// Solves matrix · x = b by conjugate gradients with the diagonal as preconditioner. \cite saad_2003_iterative (9.2)
+/// \param x from where to start
+Vector solved(const Matrix& matrix, const Vector& b, Vector x) {
+  const Vector diagonal = matrix.diagonal();
+  Vector residual = b - product(matrix, x);
+  Vector scaled = residual.cwiseQuotient(diagonal);
+  Vector direction = scaled;
+  double size = dot(residual, scaled);
+  const double enough = least_residual * least_residual * dot(b, b);
+  for (int step = 0; step < most_steps && dot(residual, residual) > enough; ++step) {
+    const Vector image = product(matrix, direction);
+    const double length = size / dot(direction, image);
+    x += length * direction;
+    residual -= length * image;
+    scaled = residual.cwiseQuotient(diagonal);
+    const double next_size = dot(residual, scaled);
+    direction = scaled + next_size / size * direction;
+    size = next_size;
+  }
+  return x;
+}
 
 class AttributeFit {
  public:
@@ -115,7 +155,7 @@ void AttributeFit::assemble() {
       for (std::size_t k = 0; k < 3; ++k) of_faces[face][3 * i + k] += weight * at[i] * at[k];
     }
   });
-  const double mean = masses.mean();
+  const double mean = dot(masses, Vector::Ones(n)) / static_cast<double>(n);
   guess_weights_ = guess_weight * masses.array().max(0) + 1e-6 * (mean > 0 ? mean : 1.0);
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(9 * of_faces.size() + mesh_.positions.size());
@@ -173,10 +213,6 @@ void AttributeFit::fit(Values& values) const {
   const std::vector<double> guessed = values.to;
   const std::size_t n = values.n_components;
   const auto n_wedges = static_cast<Eigen::Index>(mesh_.positions.size());
-  Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver;
-  solver.setTolerance(1e-5);
-  solver.setMaxIterations(50);
-  solver.compute(matrix_);
   const auto is_finite = [](double x) { return std::isfinite(x); };
   const bool is_fitted = std::all_of(values.from.begin(), values.from.end(), is_finite);  // or one spoils all
   for (std::size_t i = 0; is_fitted && i < n_linear(values.kind, n); ++i) {
@@ -185,7 +221,7 @@ void AttributeFit::fit(Values& values) const {
                                                          Eigen::InnerStride<>(static_cast<Eigen::Index>(n)));
     };
     const Vector start = column(values.to);
-    column(values.to) = solver.solveWithGuess(right_side(values, i) + guess_weights_.cwiseProduct(start), start);
+    column(values.to) = solved(matrix_, right_side(values, i) + guess_weights_.cwiseProduct(start), start);
   }
   for (Index w = 0; w < mesh_.positions.size(); ++w) {
     restore_range(values.kind, {guessed.data() + w * n, n}, values.fitted(w));
