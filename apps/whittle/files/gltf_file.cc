@@ -99,8 +99,8 @@ void GltfFile::append(std::size_t number, IndexedMesh mesh, IndexedMesh& all) {
   for (const Vec3& p : mesh.positions) all.positions.push_back(part.scale * p);
   for (const auto& [a, b, c] : mesh.faces) all.faces.push_back({first + a, first + b, first + c});
   for (const Index group : mesh.face_groups) all.face_groups.push_back(part.first_group + group);
-  const std::string name = asset_.mesh_name(number);
-  for (const std::string& group : mesh.group_names) all.group_names.push_back(name + ": " + group);
+  const std::string prefix = asset_.mesh_name(number) + ": ";
+  for (const std::string& group : mesh.group_names) all.group_names.push_back(prefix + group);
   parts_.push_back(std::move(part));
 }
 

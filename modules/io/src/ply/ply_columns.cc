@@ -72,7 +72,7 @@ std::string free_name(std::string name, const std::vector<PlyColumn>& columns) {
   };
   if (!is_taken(name)) return name;
   for (int number = 2;; ++number) {
-    const std::string tried = name + "_" + std::to_string(number);
+    std::string tried = name + "_" + std::to_string(number);
     if (!is_taken(tried)) return tried;
   }
 }
