@@ -3,8 +3,6 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <ostream>
 #include <utility>
 
@@ -25,10 +23,6 @@ void append_values(std::vector<T>& all, std::size_t n_before, std::vector<T>&& m
   all.insert(all.end(), more.begin(), more.end());
 }
 
-Attribute without_values(const Attribute& attribute) {
-  return {attribute.name, attribute.kind, attribute.n_components, {}, attribute.type, attribute.is_normalized};
-}
-
 bool is_same_kind(const Attribute& a, const Attribute& b) {
   return a.name == b.name && a.kind == b.kind && a.n_components == b.n_components && a.type == b.type &&
          a.is_normalized == b.is_normalized;
@@ -39,18 +33,9 @@ std::size_t slot_of(const Attribute& attribute, std::size_t n_wedges, IndexedMes
   const auto found = std::find_if(all.attributes.begin(), all.attributes.end(),
                                   [&](const Attribute& other) { return is_same_kind(other, attribute); });
   if (found != all.attributes.end()) return static_cast<std::size_t>(found - all.attributes.begin());
-  all.attributes.push_back(without_values(attribute));
+  all.attributes.push_back(attribute.without_values());
   all.attributes.back().values.resize(n_wedges * attribute.n_components);
   return all.attributes.size() - 1;
-}
-
-/// The vertices of the file as those of the repaired mesh. \param joined_to as that of `io::repair`; may be empty
-std::vector<Index> vertex_map(const IndexedMesh& mesh, std::size_t n_before, const std::vector<Index>& joined_to) {
-  std::vector<Index> numbers(n_before, invalid_index);
-  for (Index v = 0; v < mesh.positions.size(); ++v) numbers[mesh.origins.empty() ? v : mesh.origins[v]] = v;
-  std::vector<Index> map(n_before);
-  for (std::size_t v = 0; v < n_before; ++v) map[v] = numbers[joined_to.empty() ? v : joined_to[v]];
-  return map;
 }
 
 }  // namespace
@@ -89,7 +74,7 @@ void GltfFile::append(std::size_t number, IndexedMesh mesh, IndexedMesh& all) {
   append_values(all.normals, n_before, std::move(mesh.normals), n_more, {0, 0, 0});
   append_values(all.colors, n_before, std::move(mesh.colors), n_more, {1, 1, 1, 1});
   for (const Attribute& attribute : mesh.attributes) {
-    part.attributes.push_back(without_values(attribute));
+    part.attributes.push_back(attribute.without_values());
     part.slots.push_back(slot_of(attribute, n_before, all));
     std::vector<double>& values = all.attributes[part.slots.back()].values;
     values.insert(values.end(), attribute.values.begin(), attribute.values.end());
@@ -115,7 +100,7 @@ io::ReadResult GltfFile::read(const io::ReadOptions& options) {
     result.file_faces += mesh.faces.size();
     result.repairs += io::repair(mesh, options.weld, &joined_to, options.threads);
     const auto first = static_cast<Index>(result.mesh.positions.size());
-    for (const Index v : vertex_map(mesh, n_before, joined_to)) {
+    for (const Index v : io::vertex_map_of(mesh, n_before, joined_to)) {
       result.vertex_map.push_back(v == invalid_index ? v : first + v);
     }
     for (Index v = 0; v < mesh.positions.size(); ++v) {
@@ -125,7 +110,6 @@ io::ReadResult GltfFile::read(const io::ReadOptions& options) {
     result.file_vertices += n_before;
     if (!mesh.faces.empty()) append(m, std::move(mesh), result.mesh);
   }
-  result.warnings = asset_.warnings();
   if (result.mesh.faces.empty()) throw io::ReadError(path_.string(), "there are no triangles in it");
   return result;
 }
@@ -176,18 +160,6 @@ std::vector<IndexedMesh> GltfFile::split(const IndexedMesh& mesh) const {
   return split;
 }
 
-void GltfFile::copy_images(OutputFiles& files, const std::filesystem::path& folder) const {
-  for (const std::filesystem::path& image : asset_.image_files()) {
-    const std::filesystem::path target = folder / image;
-    std::error_code error;
-    if (image.is_absolute() || std::filesystem::exists(target, error)) continue;
-    std::ifstream source(path_.parent_path() / image, std::ios::binary);
-    if (!source) continue;  // as broken as it was
-    std::filesystem::create_directories(target.parent_path(), error);
-    files.write(target.string(), [&](std::ostream& out) { out << source.rdbuf(); });
-  }
-}
-
 std::vector<std::string> GltfFile::write(OutputFiles& files, const std::string& path, const IndexedMesh& mesh,
                                          bool compress) {
   std::vector<std::string> warnings;
@@ -199,17 +171,15 @@ std::vector<std::string> GltfFile::write(OutputFiles& files, const std::string& 
       asset_.set_triangles(parts_[i].mesh, std::move(meshes[i]));
     }
   }
-  const gltf::WriteOptions how{.compress = compress};
-  const std::filesystem::path target(path);
-  if (target.extension() != ".gltf") {
-    files.write(path, [&](std::ostream& out) { out << asset_.write_glb(how); });
-  } else {
-    const std::filesystem::path buffer = std::filesystem::path(target).replace_extension(".bin");
-    const gltf::GltfText text = asset_.write_gltf(buffer.filename().string(), how);
-    files.write(path, [&](std::ostream& out) { out << text.json; });
-    if (!text.buffer.empty()) files.write(buffer.string(), [&](std::ostream& out) { out << text.buffer; });
+  for (const gltf::AssetFile& file : asset_.files(path, {.compress = compress})) {
+    std::error_code error;
+    if (file.path != path && file.path.has_parent_path()) {
+      std::filesystem::create_directories(file.path.parent_path(), error);
+    }
+    files.write(file.path.string(), [&](std::ostream& out) { out << file.bytes; });
   }
-  copy_images(files, target.parent_path());
+  const std::vector<std::string> lost = asset_.warnings();
+  warnings.insert(warnings.end(), lost.begin(), lost.end());
   return warnings;
 }
 

@@ -28,7 +28,7 @@ class GltfFile {
   /// Those with triangles. \pre `read`
   std::size_t n_meshes() const { return parts_.size(); }
 
-  /// Writes the file with its meshes replaced, and the files that lie beside it: .gltf as text, all else as GLB.
+  /// Writes the file with its meshes replaced, and the files that lie beside it (`gltf::Asset::files`).
   /// \param mesh what `read` gave, simplified \param compress as `gltf::WriteOptions` has it
   /// \return a line for each thing that isn't as it was
   std::vector<std::string> write(OutputFiles& files, const std::string& path, const IndexedMesh& mesh, bool compress);
@@ -48,7 +48,6 @@ class GltfFile {
   double scale_of(std::size_t mesh) const;
   void append(std::size_t number, IndexedMesh mesh, IndexedMesh& all);
   std::vector<IndexedMesh> split(const IndexedMesh& mesh) const;
-  void copy_images(OutputFiles& files, const std::filesystem::path& folder) const;
 
   std::filesystem::path path_;
   gltf::Asset asset_;

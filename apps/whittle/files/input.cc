@@ -88,6 +88,11 @@ void check_formats(const std::vector<std::string>& inputs, const std::vector<std
     throw UsageError(
         "--format is for '-' and for names that don't tell the format; here every name does, or another option");
   }
+  const bool welds_gaps = options.weld_tolerance.is_automatic || options.weld_tolerance.length.value > 0;
+  const auto is_read_as_gltf = [&options](const std::string& path) { return reads_gltf(path, options); };
+  if (welds_gaps && std::any_of(inputs.begin(), inputs.end(), is_read_as_gltf)) {
+    throw UsageError("--weld doesn't take glTF: its meshes are welded at equal positions alone");
+  }
   for (const std::string& output : outputs) {
     if (!writes_gltf(output, inputs, options)) format_for_output(output, options);
   }
@@ -141,7 +146,7 @@ Input read_input(const std::string& path, const FileOptions& options, unsigned t
   Input input{path, name, file.read(options.weld, threads, attributes), {}};
   input.format = format_name(input.read, file);
   input.gltf = file.gltf();
-  if (!input.gltf) input.weld_tolerance = weld_gaps(input.read, options.weld_tolerance, threads);
+  input.weld_tolerance = weld_gaps(input.read, options.weld_tolerance, threads);
   input.seconds = watch.seconds();
   if (input.read.repairs.any()) talk.say(name + ": " + io::to_string(input.read.repairs));
   for (const std::string& warning : input.read.warnings) {

@@ -62,20 +62,20 @@ bool is_in_document(const Model& model) {
 }
 
 /// Copies the image files of an asset into another folder, unless they are there.
-void copy_images(const std::vector<std::filesystem::path>& images, const std::filesystem::path& from,
-                 const std::filesystem::path& to) {
+/// Copies of images, but for those that are there.
+std::vector<AssetFile> copies_of(const std::vector<std::filesystem::path>& images, const std::filesystem::path& from,
+                                 const std::filesystem::path& to) {
+  std::vector<AssetFile> copies;
   std::error_code error;
-  if (from.empty() || std::filesystem::equivalent(from, to, error)) return;
+  if (from.empty() || std::filesystem::equivalent(from, to, error)) return copies;
   for (const std::filesystem::path& image : images) {
     const std::filesystem::path copy = to / image;
     const bool is_inside = std::none_of(image.begin(), image.end(), [](const auto& part) { return part == ".."; });
     if (!is_inside || std::filesystem::exists(copy, error)) continue;
     if (!std::filesystem::is_regular_file(from / image, error)) continue;
-    std::filesystem::create_directories(copy.parent_path(), error);
-    io::OutputFile file(copy);
-    file.stream() << read_file(from / image, (from / image).string());
-    file.commit();
+    copies.push_back({copy, read_file(from / image, (from / image).string())});
   }
+  return copies;
 }
 
 bool are_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
@@ -100,10 +100,6 @@ std::filesystem::path buffer_path_for(const std::filesystem::path& output, const
 
 std::filesystem::path folder_of(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-}
-
-void write_bytes(io::OutputFile& file, std::string_view bytes) {
-  file.stream().write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
 }  // namespace
@@ -220,25 +216,29 @@ GltfText Asset::write_gltf(const std::string& buffer_uri, const WriteOptions& op
   return text;
 }
 
-void Asset::write(const std::filesystem::path& path, const WriteOptions& options) const {
+std::vector<AssetFile> Asset::files(const std::filesystem::path& path, const WriteOptions& options) const {
+  std::vector<AssetFile> files;
   if (lower_case(path.extension().string()) == ".gltf") {
     const std::filesystem::path buffer_path = buffer_path_for(path, content_->document, content_->source);
-    const GltfText text = write_gltf(uri_of_file(utf8(buffer_path.filename())), options);
-    io::OutputFile file(path);
-    write_bytes(file, text.json);
-    if (!text.buffer.empty()) {
-      io::OutputFile buffer(buffer_path);
-      write_bytes(buffer, text.buffer);
-      buffer.commit();
-    }
-    file.commit();
+    GltfText text = write_gltf(uri_of_file(utf8(buffer_path.filename())), options);
+    files.push_back({path, std::move(text.json)});
+    if (!text.buffer.empty()) files.push_back({buffer_path, std::move(text.buffer)});
   } else {
-    const std::string glb = write_glb(options);
-    io::OutputFile file(path);
-    write_bytes(file, glb);
-    file.commit();
+    files.push_back({path, write_glb(options)});
   }
-  copy_images(image_files(), content_->folder, folder_of(path));
+  for (AssetFile& copy : copies_of(image_files(), content_->folder, folder_of(path))) files.push_back(std::move(copy));
+  return files;
+}
+
+void Asset::write(const std::filesystem::path& path, const WriteOptions& options) const {
+  std::vector<std::unique_ptr<io::OutputFile>> written;
+  for (const AssetFile& file : files(path, options)) {
+    std::error_code error;
+    if (file.path != path) std::filesystem::create_directories(folder_of(file.path), error);
+    written.push_back(std::make_unique<io::OutputFile>(file.path));
+    written.back()->stream().write(file.bytes.data(), static_cast<std::streamsize>(file.bytes.size()));
+  }
+  for (const auto& file : written) file->commit();
 }
 
 }  // namespace whittle::gltf

@@ -102,6 +102,25 @@ TEST(Gltf, IsProvenAsItIsWritten) {
   EXPECT_LT(parse_json(outcome.out)["output"]["faces"], 100);
 }
 
+TEST(Gltf, TakesImagesAlongButNoneFromOutside) {
+  const TemporaryFolder folder;
+  namespace fs = std::filesystem;
+  fs::create_directories(folder.path() / "in" / "tex");
+  fs::create_directories(folder.path() / "sub" / "out");
+  const std::string in = folder / "in/a cube.gltf";
+  write_gltf_cube(in, 3);
+  Json document = Json::parse(std::ifstream(in));
+  document["images"] = {{{"uri", "tex/wall.png"}}, {{"uri", "../outside.png"}}};
+  std::ofstream(in) << document;
+  for (const char* name : {"in/tex/wall.png", "outside.png"}) std::ofstream(folder / name) << "an image";
+  const std::string out = folder / "sub/out/small 1.gltf";
+  const Outcome outcome = whittle({"simplify", in, "-o", out, "--faces", "30"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_TRUE(fs::exists(folder.path() / "sub" / "out" / "tex" / "wall.png"));
+  EXPECT_FALSE(fs::exists(folder.path() / "sub" / "outside.png"));
+  EXPECT_EQ(gltf::Asset::read(out).triangles(0).faces.size(), 30U) << "its buffer is found";
+}
+
 TEST(Gltf, RefusesWhatItCannotDo) {
   const TemporaryFolder folder;
   const std::string in = folder / "cube.glb";
@@ -112,6 +131,8 @@ TEST(Gltf, RefusesWhatItCannotDo) {
   expect_usage_error(whittle({"simplify", in, "-o", folder / "o.ply", "--faces", "9", "--compress"}), {"--compress"});
   for (const std::vector<std::string>& options : {std::vector<std::string>{"--record", folder / "r"},
                                                   {"--curve", folder / "c.svg"},
+                                                  {"--map", folder / "m"},
+                                                  {"--certificate", folder / "c"},
                                                   {"--engine", "openmesh"},
                                                   {"--weld", "1%"},
                                                   {"--threshold", "auto"},

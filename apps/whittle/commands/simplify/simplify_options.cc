@@ -285,7 +285,7 @@ void add_attribute_options(CLI::App& app, SimplifyCommand& options) {
                    "or drop them")
       ->group(file_group);
   add_choice<Normals>(app, "--normals", options.simplify.decimate.normals, normals,
-                      "vertex normals: the mean of those merged, those of the faces of the result, or none")
+                      "vertex normals: those of IN, those of the faces of the result, or none")
       ->group(file_group);
 }
 
@@ -376,9 +376,10 @@ void check_gltf(const SimplifyCommand& options) {
     throw UsageError(
         "--record, --curve, --page, --frames and --animate don't take glTF yet: 'convert' it to PLY first");
   }
-  const bool welds_gaps = options.files.weld_tolerance.is_automatic || options.files.weld_tolerance.length.value > 0;
-  if (is_read && welds_gaps)
-    throw UsageError("--weld doesn't take glTF: its meshes are welded at equal positions alone");
+  if (is_written && (options.map || options.map_back)) {
+    throw UsageError("--map and --map-back don't take glTF: its vertices are those of primitives");
+  }
+  if (is_read && options.certificate) throw UsageError("--certificate doesn't take glTF, as 'verify' doesn't read it");
   if (is_read && (options.threshold.is_automatic || options.threshold.length.value > 0)) {
     throw UsageError("--threshold doesn't take glTF: its meshes don't lie where the scene puts them");
   }

@@ -43,7 +43,7 @@ class AttributeCarrier {
   }
 
   Attribute carried(const Attribute& from) {
-    Attribute to{from.name, from.kind, from.n_components, {}, from.type, from.is_normalized};
+    Attribute to = from.without_values();
     to.values.resize(n_ * from.n_components);
     blend(
         from.kind, from.n_components, n_, [&](Index w) { return from.value(w); },
@@ -95,7 +95,7 @@ bool has_attributes(const IndexedMesh& mesh) {
 void carry_face_attributes(const IndexedMesh& input, std::span<const Index> face_origins, IndexedMesh& mesh) {
   mesh.face_attributes.clear();
   for (const Attribute& from : input.face_attributes) {
-    Attribute to{from.name, from.kind, from.n_components, {}, from.type, from.is_normalized};
+    Attribute to = from.without_values();
     for (const Index f : face_origins) {
       const std::span<const double> value = from.value(f);
       to.values.insert(to.values.end(), value.begin(), value.end());

@@ -65,9 +65,14 @@ ProgressCallback polish_progress(const DecimateOptions& decimate, const Decimate
   };
 }
 
-/// \param mesh, original the same surface
+/// What polish looks up about the input.
+struct PolishInput {
+  PolishOriginal original;
+  std::vector<VertexPair> lines;  ///< feature edges and seams
+};
+
 /// \param held a vertex of the decimation, 1 if it is to stay where it is; or empty
-PolishResult polish_decimation(const IndexedMesh& mesh, const PolishOriginal& original, const SimplifyOptions& options,
+PolishResult polish_decimation(const PolishInput& input, const SimplifyOptions& options,
                                const std::vector<std::uint8_t>& held, Decimation& decimation) {
   const DecimateOptions& decimate = options.decimate;
   PolishOptions polish_options;
@@ -84,8 +89,8 @@ PolishResult polish_decimation(const IndexedMesh& mesh, const PolishOriginal& or
   polish_options.locked.resize(std::max(polish_options.locked.size(), held.size()));
   for (std::size_t v = 0; v < held.size(); ++v) polish_options.locked[v] |= held[v];
   polish_options.features = decimation.feature_edges;
-  if (!decimation.feature_edges.empty()) polish_options.original_features = input_lines(mesh, decimate).edges;
-  return polish(original, decimation.vertex_map, decimation.mesh, polish_options);
+  if (!decimation.feature_edges.empty()) polish_options.original_features = input.lines;
+  return polish(input.original, decimation.vertex_map, decimation.mesh, polish_options);
 }
 
 /// Polishes decimations of one mesh.
@@ -99,8 +104,11 @@ class DecimationPolisher {
     if (options.polish_passes == 0U) return {};
     const DecimateOptions& decimate = options.decimate;
     try {
-      if (!original_) original_.emplace(mesh_, decimate.threads, polish_progress(decimate, decimation.result));
-      return polish_decimation(mesh_, *original_, options, held, decimation);
+      if (!input_) {
+        PolishOriginal original(mesh_, decimate.threads, polish_progress(decimate, decimation.result));
+        input_.emplace(PolishInput{std::move(original), input_lines(mesh_, decimate).edges});
+      }
+      return polish_decimation(*input_, options, held, decimation);
     } catch (const Cancelled&) {
       PolishResult result;
       result.cancelled = true;
@@ -110,7 +118,7 @@ class DecimationPolisher {
 
  private:
   const IndexedMesh& mesh_;
-  std::optional<PolishOriginal> original_;  ///< made when it is needed
+  std::optional<PolishInput> input_;  ///< made when it is needed
 };
 
 /// The vertices of the input that those of the result stand for, ascending.

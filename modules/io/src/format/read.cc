@@ -35,15 +35,6 @@ ReadResult parse(std::string_view bytes, std::string_view name, Format format, c
   return parse_unpacked({unpacked.data(), unpacked.size()}, name, format, options);
 }
 
-// The vertex of the mesh that each vertex of the file became. \pre the mesh's origins are numbers of the file.
-std::vector<Index> vertex_map(const ReadResult& result, const std::vector<Index>& joined_to) {
-  std::vector<Index> map;
-  resize_large(map, result.file_vertices, invalid_index);
-  for (std::size_t v = 0; v < result.mesh.origins.size(); ++v) map[result.mesh.origins[v]] = static_cast<Index>(v);
-  for (std::size_t v = 0; v < joined_to.size(); ++v) map[v] = map[joined_to[v]];
-  return map;
-}
-
 void finish(ReadResult& result, std::string_view name, const ReadOptions& options, Format format) {
   result.format = format;
   if (result.file_faces == 0) {
@@ -63,7 +54,7 @@ void finish(ReadResult& result, std::string_view name, const ReadOptions& option
                                            ": all are degenerate (" + to_string(result.repairs) + ")");
   }
   if (options.attributes == AttributeScope::per_vertex) drop_seams(result.mesh);
-  result.vertex_map = vertex_map(result, joined_to);
+  result.vertex_map = vertex_map_of(result.mesh, result.file_vertices, joined_to);
 }
 
 }  // namespace

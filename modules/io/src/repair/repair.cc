@@ -5,6 +5,7 @@
 #include "repair/duplicate_faces.hh"
 #include "repair/weld.hh"
 #include "whittle/core/detail/drop.hh"
+#include "whittle/core/detail/large_array.hh"
 #include "whittle/core/wedges.hh"
 
 namespace whittle::io {
@@ -86,6 +87,16 @@ std::vector<Index> tidy_after_welding(IndexedMesh& mesh, Repairs& done, unsigned
   done.isolated_vertices += count - mesh.positions.size() - done.welded_vertices;
   join_equal_wedges(mesh);
   return renumbered;
+}
+
+std::vector<Index> vertex_map_of(const IndexedMesh& mesh, std::size_t n_before, const std::vector<Index>& joined_to) {
+  std::vector<Index> map;
+  resize_large(map, n_before, invalid_index);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    map[mesh.origins.empty() ? v : mesh.origins[v]] = static_cast<Index>(v);
+  }
+  for (std::size_t v = 0; v < joined_to.size(); ++v) map[v] = map[joined_to[v]];
+  return map;
 }
 
 Repairs repair(IndexedMesh& mesh, bool weld, std::vector<Index>* joined_to, unsigned threads) {

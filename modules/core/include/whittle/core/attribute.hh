@@ -33,6 +33,7 @@ struct Attribute {
   ScalarType type = ScalarType::float32;
   bool is_normalized = false;  ///< Whether a file stores integers for [0, 1] or [-1, 1]. `values` are real numbers.
 
+  Attribute without_values() const { return {name, kind, n_components, {}, type, is_normalized}; }
   std::size_t size() const { return values.size() / n_components; }
   std::span<const double> value(std::size_t i) const { return {values.data() + i * n_components, n_components}; }
   std::span<double> value(std::size_t i) { return {values.data() + i * n_components, n_components}; }

@@ -41,7 +41,7 @@ struct Rejections {
   std::uint64_t link = 0;          ///< it would change the topology (link condition)
   std::uint64_t flip = 0;          ///< it would turn a face over, or make one without area
   std::uint64_t shape = 0;         ///< it would make a face thinner than allowed
-  std::uint64_t feature = 0;       ///< it would take a vertex off its feature line, or a line away
+  std::uint64_t feature = 0;       ///< it would take a vertex off its feature line or seam, or a line away
   std::uint64_t locked = 0;        ///< both vertices are locked
   std::uint64_t intersection = 0;  ///< it would make faces intersect that didn't before
   std::uint64_t error = 0;         ///< it would take the surface farther from the input than `max_error`, or might

@@ -68,7 +68,8 @@ struct Simplification : Decimation {
 /// \pre `options` as `with_effort` gives them
 PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOptions& options, Decimation& decimation);
 
-/// Simplifies `mesh`. A run that is cancelled while contracting is not polished.
+/// Simplifies `mesh`. Unless there is no polish, attributes are fitted to those of `mesh` in the end
+/// (`fit_attributes`): so are normals with `Normals::keep`. A run that is cancelled while contracting is not polished.
 /// \throw as `decimate`
 Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, Effort effort = Effort::normal,
                         const SimplifyOptions& options = {});

@@ -29,6 +29,12 @@ struct GltfText {
   std::string buffer_uri;  ///< what the text calls it
 };
 
+/// A file to be written.
+struct AssetFile {
+  std::filesystem::path path;
+  std::string bytes;
+};
+
 /// A glTF asset: its document, its buffers, and the triangles that replace those of its meshes.
 ///
 /// Errors in a file are `io::ReadError`s of one line. `read` finds all that are in the document, `triangles` those in
@@ -87,9 +93,12 @@ class Asset {
   /// The document as it was read.
   std::string document() const;
 
-  /// Writes a file: .gltf as text, all else as GLB. In text the buffer is part of it if the input's was; otherwise it
-  /// lies beside it, with the same name and .bin. Images that lie in files are copied into the folder of the output,
-  /// unless they are there. \throw io::WriteError
+  /// What `write` writes, the asset itself first: .gltf as text, all else as GLB. In text the buffer is part of it if
+  /// the input's was; otherwise it lies beside it, with the same name and .bin. Images that lie in files are copied
+  /// into the folder of the output, or below it, unless they are there.
+  /// \throw io::ReadError if an image can't be read
+  std::vector<AssetFile> files(const std::filesystem::path& path, const WriteOptions& options = {}) const;
+  /// Writes these files, and makes the folders of images. \throw io::WriteError
   void write(const std::filesystem::path& path, const WriteOptions& options = {}) const;
   /// The bytes of a .glb. \throw std::length_error for more than 4 GiB
   std::string write_glb(const WriteOptions& options = {}) const;

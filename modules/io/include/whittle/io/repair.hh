@@ -42,6 +42,11 @@ std::string to_string(const Repairs& repairs);
 /// same for any number, here and below.
 Repairs repair(IndexedMesh& mesh, bool weld = true, std::vector<Index>* joined_to = nullptr, unsigned threads = 0);
 
+/// The vertex of a repaired mesh that each vertex before the repair became, `invalid_index` if it was dropped.
+/// \param n_before number of vertices before \param joined_to as `repair` gives it
+/// \pre the mesh's origins are numbers of vertices before the repair, or empty: none was dropped
+std::vector<Index> vertex_map_of(const IndexedMesh& mesh, std::size_t n_before, const std::vector<Index>& joined_to);
+
 /// Joins vertices with exactly equal positions (0.0 equals −0.0), if they lie on open borders (edges with one face) or
 /// at the ends of an edge without length. The lowest numbered vertex stays, with its origin. Those joined to it are
 /// left isolated; where their attributes differ, they become its wedges. Other coincident vertices stay apart: two

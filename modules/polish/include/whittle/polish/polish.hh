@@ -66,7 +66,7 @@ struct PolishOptions {
   /// Whether each pass also flips edges, before it moves vertices. An edge is flipped where that lowers the sum of the
   /// squared distances of the points with feet in its two faces. A flip makes no folds, no intersections, and no vertex
   /// with fewer than four or more than nine faces. Edges of lines stay, and edges between two face groups. Faces keep
-  /// their numbers. The edges of a mesh with texture coordinates stay.
+  /// their numbers. The edges of a mesh with a table of wedges stay.
   bool flips = false;
   bool fit_borders = true;  ///< whether border vertices move
 
