@@ -1,7 +1,6 @@
 #include "whittle/engine/attributes.hh"
 
 #include <array>
-#include <optional>
 #include <utility>
 
 #include "attributes/wedge_map.hh"
@@ -76,8 +75,8 @@ class AttributeCarrier {
   }
 
   const std::vector<std::array<float, 3>>& vertex_normals() {
-    if (!vertex_normals_) vertex_normals_ = whittle::vertex_normals(mesh_, frame_);
-    return *vertex_normals_;
+    if (vertex_normals_.empty()) vertex_normals_ = whittle::vertex_normals(mesh_, frame_);
+    return vertex_normals_;
   }
 
   const WedgeMap& map_;
@@ -85,7 +84,7 @@ class AttributeCarrier {
   const IndexedMesh& mesh_;
   std::size_t n_;                     ///< wedges of the result
   detail::IndexLists<Index> merged_;  ///< the input's wedges that became each
-  std::optional<std::vector<std::array<float, 3>>> vertex_normals_;
+  std::vector<std::array<float, 3>> vertex_normals_;  ///< of the result's faces, made when they are first asked for
 };
 
 bool has_attributes(const IndexedMesh& mesh) {
