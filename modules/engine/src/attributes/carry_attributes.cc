@@ -82,8 +82,8 @@ class AttributeCarrier {
   const WedgeMap& map_;
   const Frame& frame_;
   const IndexedMesh& mesh_;
-  std::size_t n_;                     ///< wedges of the result
-  detail::IndexLists<Index> merged_;  ///< the input's wedges that became each
+  std::size_t n_;                                     ///< wedges of the result
+  detail::IndexLists<Index> merged_;                  ///< the input's wedges that became each
   std::vector<std::array<float, 3>> vertex_normals_;  ///< of the result's faces, made when they are first asked for
 };
 
