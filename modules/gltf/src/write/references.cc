@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/extensions.hh"
+#include "model/scalars.hh"
 
 namespace whittle::gltf {
 namespace {
