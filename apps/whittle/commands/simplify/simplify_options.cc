@@ -12,6 +12,7 @@
 #include "files/gltf_file.hh"
 #include "files/input.hh"
 #include "files/output.hh"
+#include "options/attribute_weights.hh"
 #include "options/efforts.hh"
 #include "options/fits.hh"
 #include "options/values.hh"
@@ -284,6 +285,15 @@ void add_attribute_options(CLI::App& app, SimplifyCommand& options) {
                    "texture coordinates, colours, materials and all else but positions: keep them, with their seams, "
                    "or drop them")
       ->group(file_group);
+  AttributeWeights& by_kind = options.simplify.decimate.attribute_weights;
+  add_value(
+      app, "--attribute-weight", "KIND=W", by_kind,
+      [&by_kind](std::string_view text) { return parse_attribute_weights(text, by_kind); },
+      "how much an error of an attribute counts beside the shape, of kinds uv, normal, color, morph and joints; "
+      "several "
+      "with commas between, 0: not at all, W >= 0")
+      ->default_str(to_string(by_kind))
+      ->group(cost_group);
   add_choice<Normals>(app, "--normals", options.simplify.decimate.normals, normals,
                       "vertex normals: those of IN, those of the faces of the result, or none")
       ->group(file_group);
@@ -451,6 +461,7 @@ nlohmann::ordered_json options_json(const SimplifyCommand& options) {
       {"weld_tolerance", to_string(options.files.weld_tolerance)},
       {"ascii", options.files.ascii},
       {"attributes", word_of<bool>(attribute_words, options.keeps_attributes)},
+      {"attribute_weights", to_string(decimate.attribute_weights)},
       {"normals", word_of<Normals>(normals, decimate.normals)},
       {"compress", options.compresses_gltf},
       {"effort", word_of<Effort>(efforts, options.effort)},

@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 
+#include "cost/quadric/attribute_quadrics.hh"
 #include "whittle/core/detail/parallel.hh"
 
 namespace whittle {
@@ -106,6 +107,7 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
   if (options.topology != Topology::keep) return "the topology may change";
   if (options.feature_angle_deg.value_or(180) < 180 || !options.feature_edges.empty()) return "feature lines are kept";
   if (!mesh.wedges.empty() || has_several_groups(mesh)) return "seams are kept";
+  if (is_exact && looks_at_attributes(options, mesh)) return "attributes count";
   if (options.refuse_intersections) return "intersections are refused";
   if (is_exact && is_far_flung(mesh)) return "rounding may decide the order";
   return {};

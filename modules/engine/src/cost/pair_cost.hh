@@ -12,6 +12,8 @@
 
 namespace whittle {
 
+struct AttributeSums;
+
 /// What a cost keeps about a vertex, as memory to be fetched before it is asked for.
 struct VertexState {
   const std::byte* begin = nullptr;
@@ -27,6 +29,7 @@ struct VertexState {
 ///
 ///   see_faces()                    the faces of each vertex are listed
 ///   see_seams(seams)               only if there are some; faces are still listed
+///   see_attributes(sums)           only if some count
 ///   start()                        neighbours and edges are known
 ///   resume(state)                  only if the run goes on from another one
 ///   recall(memory)                 only if others worked on the surface before
@@ -41,6 +44,7 @@ class PairCost {
   virtual void see_faces(unsigned /*threads*/) {}
   /// \param seams by number in the input, ascending
   virtual void see_seams(std::span<const VertexPair> /*seams*/) {}
+  virtual void see_attributes(const AttributeSums& /*sums*/) {}
   virtual void start(unsigned /*threads*/) {}
   /// Takes what was kept about vertices from an earlier run. Called after `start`. \param state by number in the input
   virtual void resume(const DecimationState& /*state*/) {}

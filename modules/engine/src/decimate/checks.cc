@@ -28,6 +28,11 @@ void check_ranges(const DecimateOptions& options) {
   require(is_angle(options.feature_angle_deg), "feature_angle_deg is not in (0, 180]");
   require(options.feature_tolerance >= 0, "feature_tolerance is negative or not a number");
   require(options.isotropy >= 0 && options.isotropy <= 1, "isotropy is not in [0, 1]");
+  const AttributeWeights& weights = options.attribute_weights;
+  for (const double weight :
+       {weights.texcoord, weights.normal, weights.color, weights.displacement, weights.joint_weights}) {
+    require(is_finite_and_not_negative(weight), "an attribute weight is negative or not finite");
+  }
   require(is_finite_and_not_negative(options.valence_weight), "valence_weight is negative or not finite");
   const double min_radius_ratio = options.min_radius_ratio.value_or(0);
   require(min_radius_ratio >= 0 && min_radius_ratio <= 1, "min_radius_ratio is not in [0, 1]");

@@ -1,8 +1,10 @@
 #include "decimate/passes.hh"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
+#include "attributes/wedge_map.hh"
 #include "decimate/changes.hh"
 #include "decimate/checks.hh"
 #include "decimate/input_lines.hh"
@@ -10,6 +12,7 @@
 #include "loop/contraction_log.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/core/parts.hh"
+#include "whittle/core/wedges.hh"
 #include "whittle/engine/attributes.hh"
 #include "whittle/engine/threshold_pairs.hh"
 
@@ -102,6 +105,19 @@ DecimateResult cancelled_at_once(const TriangleComplex& complex) {
   return result;
 }
 
+/// The wedges of the input as they are, and the vertex of each; no vertices where each has one wedge.
+WedgeMap wedges_of(const IndexedMesh& mesh) {
+  WedgeMap map;
+  map.of_input.resize(n_wedges(mesh));
+  std::iota(map.of_input.begin(), map.of_input.end(), Index{0});
+  if (mesh.wedges.empty()) return map;
+  map.vertex_of.resize(map.of_input.size());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) map.vertex_of[mesh.wedge(f, k)] = mesh.faces[f][k];
+  }
+  return map;
+}
+
 /// Adds what was done before to the result of a pass.
 void add_earlier(const DecimateResult& earlier, DecimateResult& result) {
   result.n_contractions += earlier.n_contractions;
@@ -119,6 +135,7 @@ struct PassStart {
   PassInput input;
   ThresholdPairs found_pairs;
   FeatureLines found_lines;
+  AttributeSums attributes;
   std::vector<std::uint8_t> locked;
 };
 
@@ -206,6 +223,25 @@ void Passes::begin_with_remainder(PassStart& start) const {
   start.input.locked = start.locked;
 }
 
+/// Costs know the attributes of the input, whatever was contracted before.
+void Passes::begin_with_attributes(PassStart& start) {
+  if (host_ || !looks_at_attributes(options_, mesh_)) return;
+  if (!attributes_) attributes_ = scaled_attributes(mesh_, frame_, options_.attribute_weights);
+  if (attributes_->n_components == 0) return;
+  WedgeMap map;
+  if (done_.left) {
+    map = map_wedges(mesh_, done_.left->vertex_map, done_.left->face_origins);
+  } else {
+    map = wedges_of(mesh_);
+  }
+  if (map.vertex_of.empty()) {  // a wedge a vertex
+    map.vertex_of.resize(n_vertices_left());
+    std::iota(map.vertex_of.begin(), map.vertex_of.end(), Index{0});
+  }
+  start.attributes = sum_attributes(mesh_, frame_, *attributes_, map.of_input, std::move(map.vertex_of));
+  start.input.attributes = &start.attributes;
+}
+
 DecimateResult Passes::run(Pass& pass, const DecimateTarget& stop, Preparation& preparation) const {
   TriangleComplex& complex = pass.complex();
   DecimateResult result;
@@ -266,6 +302,7 @@ void Passes::contract_to(const DecimateTarget& stop, bool is_last) {
   } else {
     begin_with_input(start, options, preparation);
   }
+  begin_with_attributes(start);
   start.input.feature_tolerance = options_.feature_tolerance * bounds_of(mesh_.positions).diagonal() * frame_.scale;
   start.input.host = host_;
   start.input.context.displacement_limit = limits_.displacement;

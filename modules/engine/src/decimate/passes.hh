@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "blocks/decimate_in_blocks.hh"
+#include "cost/quadric/attribute_quadrics.hh"
 #include "loop/pass.hh"
 #include "loop/remainder.hh"
 
@@ -73,6 +74,7 @@ class Passes {
   double way_to(const DecimateTarget& stop) const;
   void begin_with_input(PassStart& start, const DecimateOptions& options, Preparation& preparation);
   void begin_with_remainder(PassStart& start) const;
+  void begin_with_attributes(PassStart& start);
   DecimateResult run(Pass& pass, const DecimateTarget& stop, Preparation& preparation) const;
   void count_before(Pass& pass);
   NonmanifoldCounts count_nonmanifold(const Surface& surface) const;
@@ -87,6 +89,7 @@ class Passes {
   const DecimateOptions& options_;
   DecimationHost* host_;
   Frame frame_;
+  std::optional<ScaledAttributes> attributes_;  ///< of the input, once a pass has begun
   PassLimits limits_;
   Done done_;
   std::optional<NonmanifoldCounts> nonmanifold_before_;  ///< of the input

@@ -80,6 +80,7 @@ Pass::Pass(const PassInput& input, const DecimateOptions& options)
   if (!input.frozen.empty()) complex_.freeze(input.frozen);
   cost_->see_faces(options.threads);
   if (input.lines && !input.lines->is_seam.empty()) cost_->see_seams(seams_of(*input.lines));
+  if (input.attributes) cost_->see_attributes(*input.attributes);
   complex_.connect(input.threshold_pairs, options.threads);
   const bool has_planes = !hosted_cost && has_quadrics(options);
   restraints_ = Restraints(complex_, locked_vertices(complex_, input.locked, options.boundary),

@@ -56,6 +56,16 @@ struct Progress {
   Stage stage = Stage::decimate;
 };
 
+/// How much attributes count in costs with quadrics (attribute_quadrics.hh), by kind: an error of one is a length,
+/// times this, and counts as if the surface were so far off. [0, inf); 0 = not at all. Other kinds don't count.
+struct AttributeWeights {
+  double texcoord = 0.03;      ///< Of the way over which a texture changes by so much, in the mean.
+  double normal = 1;           ///< Of 0.05 % of the diagonal of the bounding box for a radian.
+  double color = 1;            ///< Of 0.1 % of the diagonal for the range of a component.
+  double displacement = 0.3;   ///< Of what a morph target moves.
+  double joint_weights = 0.1;  ///< Of the way between the centres of what joints move.
+};
+
 struct Decimation;
 
 /// Where a run pauses on its way to the counts of its target, and what is done there. It pauses the same way on any
@@ -112,6 +122,9 @@ struct DecimateOptions {
   std::vector<VertexPair> feature_edges{};
 
   Normals normals = Normals::keep;
+
+  /// With weights by area alone (`QuadricOptions::weights`), and without `isotropy`; other costs look at positions.
+  AttributeWeights attribute_weights{};
 
   /// Whether `Decimation::quadrics` is wanted.
   bool keep_quadrics = false;

@@ -99,6 +99,7 @@ void MemorylessCost::merge(ContractionProfile& profile, const PairEvaluation& ra
     Quadric quadric;
     quadric.a = ring.planes();
     ranks_.quadrics().merge(change, quadric);
+    ranks_.merge_attributes(change);
     change_ring(ring);
     return;
   }

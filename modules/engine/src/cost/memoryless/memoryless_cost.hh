@@ -23,6 +23,7 @@ class MemorylessCost final : public PairCost {
 
   void see_faces(unsigned threads) override { ranks_.see_faces(threads); }
   void see_seams(std::span<const VertexPair> seams) override { ranks_.see_seams(seams); }
+  void see_attributes(const AttributeSums& sums) override { ranks_.see_attributes(sums); }
   void start(unsigned threads) override;
   void resume(const DecimationState& state) override;
   void recall(const Memory& memory) override;

@@ -20,6 +20,17 @@ void QuadricCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ra
   } else {
     std::transform(pairs.begin(), pairs.end(), ranks.begin(), [this](const Pair& pair) { return rank_one(pair); });
   }
+  if (!attributes_.any()) return;
+  for (std::size_t i = 0; i < pairs.size(); ++i) add_attributes(pairs[i], ranks[i]);
+}
+
+/// What attributes cost at the position that the planes like.
+void QuadricCost::add_attributes(const Pair& pair, PairEvaluation& rank) const {
+  double error = attributes_.error(pair, !complex_.is_threshold_pair(pair.id), rank.position);
+  if (first_area_) {
+    error *= memoryless_factor(quadrics_.matrix(pair.a).trace() + quadrics_.matrix(pair.b).trace(), *first_area_);
+  }
+  rank.cost += error;
 }
 
 /// One end of a pair, as the pair's cost sees it.
@@ -45,6 +56,7 @@ void QuadricCost::merge(ContractionProfile& /*profile*/, const PairEvaluation& r
       merged(placed(change.pair, change.pair.a, change.before[0]), placed(change.pair, change.pair.b, change.before[1]),
              change.position, ranked.is_minimum);
   quadrics_.merge(change, sum.quadric);
+  merge_attributes(change);
 }
 
 }  // namespace whittle

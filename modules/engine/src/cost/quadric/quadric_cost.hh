@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "complex/restraints.hh"
+#include "cost/quadric/attribute_quadrics.hh"
 #include "cost/quadric/summed_quadrics_cost.hh"
 
 namespace whittle {
@@ -15,10 +16,15 @@ class QuadricCost final : public SummedQuadricsCost {
               bool has_threshold_pairs)
       : SummedQuadricsCost(complex, options, has_threshold_pairs), complex_(complex), restraints_(restraints) {}
 
+  void see_attributes(const AttributeSums& sums) override { attributes_ = AttributeQuadrics(complex_, sums); }
   using PairCost::rank;
   void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;
   void merge(ContractionProfile& profile, const PairEvaluation& ranked, const Change& change) override;
   Reach reach() const override { return Reach::none; }
+
+  void merge_attributes(const Change& change) {
+    if (attributes_.any()) attributes_.merge(change, !complex_.is_threshold_pair(change.pair.id));
+  }
 
   VertexQuadrics& quadrics() { return quadrics_; }
   const VertexQuadrics& quadrics() const { return quadrics_; }
@@ -28,10 +34,12 @@ class QuadricCost final : public SummedQuadricsCost {
  private:
   PlacedQuadric placed(const Pair& pair, Index v, const Vec3& position) const;
   PairEvaluation rank_one(const Pair& pair) const;
+  void add_attributes(const Pair& pair, PairEvaluation& rank) const;
 
   const TriangleComplex& complex_;
   const Restraints& restraints_;
   std::optional<double> first_area_;
+  AttributeQuadrics attributes_;
 };
 
 }  // namespace whittle

@@ -1,0 +1,249 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "cost/quadric/attribute_quadrics.hh"
+#include "whittle/core/wedges.hh"
+
+namespace whittle {
+namespace {
+
+/// Slopes of an attribute are cut there, times its weight. A texture of even scale has a slope of 1.
+constexpr double steepest = 4;
+/// Of the diagonal: what an error of 1 counts as, in normals (radians) and colours.
+constexpr double length_of_radian = 5e-4;
+constexpr double length_of_color = 1e-3;
+/// Of the diagonal: no error of attributes counts as more.
+constexpr double most_error = 0.02;
+
+using Corners = std::array<Vec3, 3>;
+
+Corners corners_in_frame(const IndexedMesh& mesh, const Frame& frame, std::size_t face) {
+  Corners corners;
+  for (std::size_t k = 0; k < 3; ++k) corners[k] = frame.to_frame(mesh.positions[mesh.faces[face][k]]);
+  return corners;
+}
+
+double area_of(const Corners& c) { return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm(); }
+
+/// Twice the area of a face in the texture, by the first two coordinates.
+double double_area_in_texture(const IndexedMesh& mesh, const Attribute& texcoord, std::size_t face) {
+  const auto at = [&](std::size_t k) { return texcoord.value(mesh.wedge(face, k)); };
+  const auto [a, b, c] = std::array{at(0), at(1), at(2)};
+  return std::abs((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
+}
+
+/// How long a texture's unit is on the surface, in the frame: the root of the ratio of areas. 0 without a texture.
+double length_of_texture(const IndexedMesh& mesh, const Frame& frame, const Attribute& texcoord) {
+  if (texcoord.n_components < 2) return 0;
+  double surface = 0;
+  double texture = 0;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const double area = 0.5 * double_area_in_texture(mesh, texcoord, f);
+    if (!(area > 0) || !std::isfinite(area)) continue;
+    texture += area;
+    surface += area_of(corners_in_frame(mesh, frame, f));
+  }
+  return texture > 0 ? std::sqrt(surface / texture) : 0;
+}
+
+/// Appends components to a table that is filled by columns.
+class Columns {
+ public:
+  explicit Columns(std::size_t n_wedges) : n_wedges_(n_wedges) {}
+
+  /// \param value (wedge, component) → number
+  template <class Value>
+  void add(std::size_t n, double length, const Value& value) {
+    if (!(length > 0) || !std::isfinite(length)) return;
+    for (std::size_t i = 0; i < n; ++i) {
+      std::vector<double>& column = columns_.emplace_back(n_wedges_);
+      for (Index w = 0; w < n_wedges_; ++w) {
+        const double number = length * value(w, i);
+        column[w] = std::isfinite(number) ? number : 0;
+      }
+    }
+  }
+
+  std::vector<double> rows() const {
+    std::vector<double> rows(columns_.size() * n_wedges_);
+    for (std::size_t j = 0; j < columns_.size(); ++j) {
+      for (std::size_t w = 0; w < n_wedges_; ++w) rows[w * columns_.size() + j] = columns_[j][w];
+    }
+    return rows;
+  }
+  std::size_t size() const { return columns_.size(); }
+
+ private:
+  std::size_t n_wedges_;
+  std::vector<std::vector<double>> columns_;
+};
+
+/// Where the vertices of each joint lie in the mean. A blend of these points, by the weights of a wedge, stands for
+/// the weights: what one joint's vertices take over from another's counts as the way between both.
+class JointCenters {
+ public:
+  JointCenters(const Attribute& weights, std::span<const Vec3> position_of) : weights_(weights) {
+    std::vector<double> totals;
+    for (Index w = 0; w < position_of.size(); ++w) {
+      for_each_joint(w, [&](std::size_t joint, double weight) {
+        if (joint >= centers_.size()) centers_.resize(joint + 1, Vec3::Zero()), totals.resize(joint + 1);
+        centers_[joint] += weight * position_of[w];
+        totals[joint] += weight;
+      });
+    }
+    for (std::size_t j = 0; j < centers_.size(); ++j) {
+      if (totals[j] > 0) centers_[j] /= totals[j];
+    }
+  }
+
+  Vec3 blend(Index wedge) const {
+    Vec3 blend = Vec3::Zero();
+    for_each_joint(wedge, [&](std::size_t joint, double weight) { blend += weight * centers_[joint]; });
+    return blend;
+  }
+
+ private:
+  template <class Visit>
+  void for_each_joint(Index wedge, const Visit& visit) const {
+    constexpr double most_joints = 65536;
+    const std::span<const double> value = weights_.value(wedge);
+    const std::size_t n = value.size() / 2;
+    for (std::size_t i = 0; i < n; ++i) {
+      const bool is_joint = value[i] >= 0 && value[i] < most_joints && value[n + i] > 0 && std::isfinite(value[n + i]);
+      if (is_joint) visit(static_cast<std::size_t>(value[i]), value[n + i]);
+    }
+  }
+
+  const Attribute& weights_;
+  std::vector<Vec3> centers_;
+};
+
+std::vector<Vec3> positions_of_wedges(const IndexedMesh& mesh, const Frame& frame) {
+  std::vector<Vec3> positions(n_wedges(mesh), Vec3::Zero());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) positions[mesh.wedge(f, k)] = frame.to_frame(mesh.positions[mesh.faces[f][k]]);
+  }
+  return positions;
+}
+
+void add_attribute(const IndexedMesh& mesh, const Frame& frame, double diagonal, const AttributeWeights& weights,
+                   const Attribute& attribute, Columns& columns) {
+  const auto value = [&](Index w, std::size_t i) { return attribute.value(w)[i]; };
+  switch (attribute.kind) {
+    case AttributeKind::texcoord:
+      if (weights.texcoord > 0) {
+        columns.add(attribute.n_components, weights.texcoord * length_of_texture(mesh, frame, attribute), value);
+      }
+      break;
+    case AttributeKind::normal:
+      columns.add(attribute.n_components, weights.normal * length_of_radian * diagonal, value);
+      break;
+    case AttributeKind::color:
+      columns.add(attribute.n_components, weights.color * length_of_color * diagonal, value);
+      break;
+    case AttributeKind::displacement:
+      columns.add(attribute.n_components, weights.displacement * frame.scale, value);
+      break;
+    case AttributeKind::joint_weights:
+      if (weights.joint_weights > 0) {
+        const JointCenters centers(attribute, positions_of_wedges(mesh, frame));
+        columns.add(3, weights.joint_weights,
+                    [&](Index w, std::size_t i) { return centers.blend(w)[static_cast<Eigen::Index>(i)]; });
+      }
+      break;
+    case AttributeKind::tangent:
+    case AttributeKind::direction:
+    case AttributeKind::scalar:
+    case AttributeKind::category:
+      break;
+  }
+}
+
+/// A face's linear functions of the position, one for each component: slope, then value at the origin.
+class FaceFunctions {
+ public:
+  /// \pre the face has an area
+  explicit FaceFunctions(const Corners& corners) : center_((corners[0] + corners[1] + corners[2]) / 3) {
+    const Vec3 u = corners[1] - corners[0];
+    const Vec3 v = corners[2] - corners[0];
+    const Vec3 n = u.cross(v);
+    const double square = n.squaredNorm();
+    dual_u_ = v.cross(n) / square;
+    dual_v_ = n.cross(u) / square;
+  }
+
+  std::array<double, 4> through(double s0, double s1, double s2) const {
+    Vec3 gradient = (s1 - s0) * dual_u_ + (s2 - s0) * dual_v_;
+    const double length = gradient.norm();
+    if (length > steepest) gradient *= steepest / length;
+    return {gradient.x(), gradient.y(), gradient.z(), (s0 + s1 + s2) / 3 - gradient.dot(center_)};
+  }
+
+ private:
+  Vec3 center_, dual_u_, dual_v_;
+};
+
+void add_function(const std::array<double, 4>& f, double area, std::size_t component, double* sum) {
+  double* into = sum + 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) *into++ += area * f[i] * f[j];
+  }
+  for (std::size_t i = 0; i < 4; ++i) *into++ += area * f[i] * f[3];
+  into += 4 * component;
+  for (std::size_t i = 0; i < 4; ++i) *into++ += area * f[i];
+}
+
+}  // namespace
+
+bool looks_at_attributes(const DecimateOptions& options, const IndexedMesh& mesh) {
+  const bool has_quadrics = options.effective_cost() == Cost::quadric || options.effective_cost() == Cost::memoryless;
+  if (!has_quadrics || options.quadric.weights == Weights::uniform || options.isotropy > 0) return false;
+  return !mesh.normals.empty() || !mesh.colors.empty() || !mesh.attributes.empty();
+}
+
+ScaledAttributes scaled_attributes(const IndexedMesh& input, const Frame& frame, const AttributeWeights& weights) {
+  const double diagonal = bounds_of(input.positions).diagonal() * frame.scale;
+  Columns columns(n_wedges(input));
+  if (!input.normals.empty()) {
+    columns.add(3, weights.normal * length_of_radian * diagonal,
+                [&](Index w, std::size_t i) { return input.normals[w][i]; });
+  }
+  if (!input.colors.empty()) {
+    columns.add(3, weights.color * length_of_color * diagonal,
+                [&](Index w, std::size_t i) { return input.colors[w][i]; });
+  }
+  for (const Attribute& attribute : input.attributes) {
+    add_attribute(input, frame, diagonal, weights, attribute, columns);
+  }
+  return {columns.size(), columns.rows(), most_error * diagonal};
+}
+
+AttributeSums sum_attributes(const IndexedMesh& input, const Frame& frame, const ScaledAttributes& attributes,
+                             std::span<const Index> wedge_of, std::vector<Index> vertex_of) {
+  AttributeSums result{attributes.n_components, attributes.farthest, {}, std::move(vertex_of)};
+  result.sums.resize(result.vertex_of.size() * result.stride());
+  for (std::size_t f = 0; f < input.faces.size(); ++f) {
+    const Corners corners = corners_in_frame(input, frame, f);
+    const double area = area_of(corners);
+    if (!(area > 0)) continue;
+    const FaceFunctions functions(corners);
+    for (std::size_t j = 0; j < attributes.n_components; ++j) {
+      const auto value = [&](std::size_t k) {
+        return attributes.values[input.wedge(f, k) * attributes.n_components + j];
+      };
+      const std::array<double, 4> function = functions.through(value(0), value(1), value(2));
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index w = wedge_of[input.wedge(f, k)];
+        if (w != invalid_index) add_function(function, area, j, result.sums.data() + w * result.stride());
+      }
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index w = wedge_of[input.wedge(f, k)];
+      if (w != invalid_index) result.sums[w * result.stride()] += area;
+    }
+  }
+  return result;
+}
+
+}  // namespace whittle
