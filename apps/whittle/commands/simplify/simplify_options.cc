@@ -86,6 +86,8 @@ std::vector<Conflict> conflicts() {
       {"--max-pairs", "--engine openmesh", no_pairs},
       {"--across-walls", "--engine openmesh", no_pairs},
       {"--self-intersections refuse", "--engine openmesh", not_in_openmesh},
+      {"--per-mesh", "--max-error", "the error is that of each mesh in any case"},
+      {"--per-mesh", "--attributes position-only", "nothing would say which mesh a face is of"},
       {"--topology free", "--engine openmesh", "a half-edge mesh keeps its topology"}};
   all.insert(all.end(), std::begin(more), std::end(more));
   return all;
@@ -296,6 +298,10 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
   add_mesh_files(app, options.inputs);
   add_target_options(app, options.targets, unit_by_cost());
   add_max_error(app, options.targets);
+  app.add_flag("--per-mesh", options.is_per_mesh,
+               "each mesh of a glTF file has these shares, or counts, on its own; otherwise they are for all together")
+      ->default_str("off")
+      ->group(target_group);
   app.add_flag("--strict", options.strict, "end with status 3 when the target was not met")
       ->default_str("off")
       ->group(target_group);
@@ -371,6 +377,10 @@ void check_gltf(const SimplifyCommand& options) {
     throw UsageError("--compress rounds positions, so nothing can be proven of them: leave one out");
   }
   const bool is_read = std::any_of(options.inputs.begin(), options.inputs.end(), is_gltf);
+  const bool is_all_gltf = std::all_of(options.inputs.begin(), options.inputs.end(), is_gltf);
+  if (options.is_per_mesh && (!is_all_gltf || options.files.input_format)) {
+    throw UsageError("--per-mesh is for inputs in glTF, which may have several meshes");
+  }
   const bool is_recorded = options.recording || options.curve || options.page || options.pictures.is_given();
   if (is_read && is_recorded) {
     throw UsageError(
@@ -453,6 +463,7 @@ nlohmann::ordered_json options_json(const SimplifyCommand& options) {
       {"attributes", word_of<bool>(attribute_words, options.keeps_attributes)},
       {"normals", word_of<Normals>(normals, decimate.normals)},
       {"compress", options.compresses_gltf},
+      {"per_mesh", options.is_per_mesh},
       {"effort", word_of<Effort>(efforts, options.effort)},
       {"cost", to_string(decimate.effective_cost())},
       {"valence", decimate.valence_weight},
