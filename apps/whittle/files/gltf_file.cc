@@ -7,6 +7,7 @@
 #include <ostream>
 #include <utility>
 
+#include "files/companions.hh"
 #include "whittle/core/pieces.hh"
 #include "whittle/io/repair.hh"
 
@@ -23,6 +24,23 @@ const Attribute* find_same_kind(const std::vector<Attribute>& attributes, const 
 }  // namespace
 
 bool is_gltf(const std::string& path) { return gltf::has_gltf_extension(path); }
+
+void flip_texcoords(IndexedMesh& mesh) {
+  for (Attribute& attribute : mesh.attributes) {
+    if (attribute.kind != AttributeKind::texcoord || attribute.n_components < 2) continue;
+    for (std::size_t w = 0; w < attribute.size(); ++w) attribute.value(w)[1] = 1 - attribute.value(w)[1];
+  }
+}
+
+void write_asset(OutputFiles& files, const std::string& path, const gltf::Asset& asset, bool compress) {
+  for (const gltf::AssetFile& file : asset.files(path, {.compress = compress})) {
+    if (file.path == path) {
+      files.write(path, [&](std::ostream& out) { out << file.bytes; });
+    } else {
+      write_with_folders(files, file.path, file.bytes);
+    }
+  }
+}
 
 GltfFile::GltfFile(const std::filesystem::path& path) : path_(path), asset_(gltf::Asset::read(path)) {}
 
@@ -119,13 +137,7 @@ std::vector<std::string> GltfFile::write(OutputFiles& files, const std::string& 
       asset_.set_triangles(parts_[i].mesh, std::move(meshes[i]));
     }
   }
-  for (const gltf::AssetFile& file : asset_.files(path, {.compress = compress})) {
-    std::error_code error;
-    if (file.path != path && file.path.has_parent_path()) {
-      std::filesystem::create_directories(file.path.parent_path(), error);
-    }
-    files.write(file.path.string(), [&](std::ostream& out) { out << file.bytes; });
-  }
+  write_asset(files, path, asset_, compress);
   const std::vector<std::string> lost = asset_.warnings();
   warnings.insert(warnings.end(), lost.begin(), lost.end());
   return warnings;

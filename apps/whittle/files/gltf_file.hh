@@ -58,6 +58,12 @@ class GltfFile {
   std::vector<Part> parts_;
 };
 
+/// Writes an asset, and the files that lie beside it (`gltf::Asset::files`).
+void write_asset(OutputFiles& files, const std::string& path, const gltf::Asset& asset, bool compress);
+
+/// Turns textures upside down: in glTF the second texture coordinate grows downwards, in all other formats upwards.
+void flip_texcoords(IndexedMesh& mesh);
+
 /// Whether a file name ends in .gltf or .glb.
 bool is_gltf(const std::string& path);
 

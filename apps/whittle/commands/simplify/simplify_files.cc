@@ -7,7 +7,7 @@
 #include "commands/page/make_page.hh"
 #include "commands/recording/curve.hh"
 #include "commands/simplify/simplify_report.hh"
-#include "files/gltf_file.hh"
+#include "files/mesh_output.hh"
 #include "whittle/progressive/recording.hh"
 
 namespace whittle::app {
@@ -55,25 +55,14 @@ void write_curve(std::ostream& out, const SimplifyCommand& options, const Simpli
   out << (options.curve->ends_with(".svg") ? curve_svg(record.curve, record.input.name) : curve_csv(record.curve));
 }
 
-void write_result(OutputFiles& files, const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
-  const IndexedMesh& mesh = record.simplified.mesh;
-  if (!record.input.gltf || !is_gltf(options.output) || options.files.output_format) {
-    write_mesh(files, options.output, options.files, mesh, talk, record.warnings, record.input.read.notes);
-    return;
-  }
-  for (const std::string& warning : record.input.gltf->write(files, options.output, mesh, options.compresses_gltf)) {
-    record.warnings.push_back(about(options.output, warning));
-    talk.warning(record.warnings.back());
-  }
-}
-
 }  // namespace
 
 void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwatch& since_start, SimplifyRecord& record,
                  Json* report) {
   const Stopwatch watch;
   OutputFiles files;
-  write_result(files, options, talk, record);
+  write_result(files, {options.output, options.files, options.compresses_gltf}, record.input, record.simplified.mesh,
+               talk, record.warnings);
   const auto write = [&files](const std::optional<std::string>& path, const auto& fill) {
     if (path) files.write(*path, fill);
   };

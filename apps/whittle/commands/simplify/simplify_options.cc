@@ -11,6 +11,7 @@
 #include "commands/page/make_page.hh"
 #include "files/gltf_file.hh"
 #include "files/input.hh"
+#include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "options/efforts.hh"
 #include "options/fits.hh"
@@ -371,7 +372,7 @@ SimplifyCommand settled(SimplifyCommand command) {
 
 /// \throw UsageError for options that don't go with glTF, or with glTF alone
 void check_gltf(const SimplifyCommand& options) {
-  const bool is_written = is_gltf(options.output) && !options.files.output_format;
+  const bool is_written = is_gltf_output(options.output, options.files);
   if (options.compresses_gltf && !is_written) throw UsageError("--compress is for outputs in glTF");
   if (options.compresses_gltf && (options.targets.max_error || options.certify || options.certificate)) {
     throw UsageError("--compress rounds positions, so nothing can be proven of them: leave one out");
@@ -389,12 +390,14 @@ void check_gltf(const SimplifyCommand& options) {
   if (is_written && (options.map || options.map_back)) {
     throw UsageError("--map and --map-back don't take glTF: its vertices are those of primitives");
   }
-  if (is_read && options.certificate) throw UsageError("--certificate doesn't take glTF, as 'verify' doesn't read it");
+  if ((is_read || is_written) && options.certificate)
+    throw UsageError("--certificate doesn't take glTF, as 'verify' doesn't read it");
   if (is_read && (options.threshold.is_automatic || options.threshold.length.value > 0)) {
     throw UsageError("--threshold doesn't take glTF: its meshes don't lie where the scene puts them");
   }
   if (is_read && options.engine == Engine::openmesh) throw UsageError("--engine openmesh doesn't take glTF");
-  if (is_written && !options.keeps_attributes) throw UsageError("--attributes position-only doesn't go with glTF");
+  if (is_read && is_written && !options.keeps_attributes)
+    throw UsageError("--attributes position-only doesn't go with glTF");
 }
 
 void check_options(const CLI::App& app, const SimplifyCommand& options) {

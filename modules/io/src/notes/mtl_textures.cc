@@ -59,6 +59,11 @@ void skip_options(std::string_view& text) {
 
 }  // namespace
 
+std::string_view texture_of_statement(std::string_view text) {
+  skip_options(text);
+  return text;
+}
+
 std::vector<std::string> mtl_textures(std::string_view text) {
   std::vector<std::string> names;
   while (!text.empty()) {
@@ -66,8 +71,8 @@ std::vector<std::string> mtl_textures(std::string_view text) {
     std::string_view line = trimmed(text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
     if (!is_texture_keyword(take_word(line))) continue;
-    skip_options(line);
-    if (!line.empty() && std::find(names.begin(), names.end(), line) == names.end()) names.emplace_back(line);
+    const std::string_view name = texture_of_statement(line);
+    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
   }
   return names;
 }

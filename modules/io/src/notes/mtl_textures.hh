@@ -6,6 +6,9 @@
 
 namespace whittle::io {
 
+/// The name of a texture in a statement. \param text what follows the keyword: options and the name
+std::string_view texture_of_statement(std::string_view text);
+
 /// The names of textures in a material library (MTL), as they stand there, but without options (`-o 0 0 0`, `-bm 1`…).
 /// Each comes once.
 std::vector<std::string> mtl_textures(std::string_view text);

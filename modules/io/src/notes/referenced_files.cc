@@ -2,8 +2,10 @@
 #include <fstream>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "bytes/words.hh"
+#include "notes/mtl_materials.hh"
 #include "notes/mtl_textures.hh"
 #include "notes/texture_lines.hh"
 #include "whittle/io/file_notes.hh"
@@ -40,6 +42,36 @@ std::string content_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// A material library: its path as `referenced_files` has it, and its text.
+struct Library {
+  fs::path path;
+  std::string text;
+
+  fs::path path_of(std::string_view texture) const {
+    return (path.parent_path() / with_slashes(texture)).lexically_normal();
+  }
+};
+
+std::vector<Library> libraries_of(const FileNotes& notes, const fs::path& folder) {
+  std::vector<Library> libraries;
+  for (const std::string& line : notes.material_libraries) {
+    for (const std::string& name : library_names(line)) {
+      const fs::path path = fs::path(with_slashes(name)).lexically_normal();
+      libraries.push_back({path, content_of(folder / path)});
+    }
+  }
+  return libraries;
+}
+
+std::vector<fs::path> textures_of(const FileNotes& notes) {
+  std::vector<fs::path> textures;
+  for (const std::string& line : notes.header_lines) {
+    const std::string_view name = texture_of_line(line);
+    if (!name.empty()) textures.push_back(fs::path(with_slashes(name)).lexically_normal());
+  }
+  return textures;
+}
+
 }  // namespace
 
 std::vector<fs::path> referenced_files(const FileNotes& notes, const fs::path& folder) {
@@ -47,20 +79,26 @@ std::vector<fs::path> referenced_files(const FileNotes& notes, const fs::path& f
   const auto add = [&](const fs::path& file) {
     if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
   };
-  for (const std::string& line : notes.header_lines) {
-    const std::string_view name = texture_of_line(line);
-    if (!name.empty()) add(fs::path(with_slashes(name)).lexically_normal());
-  }
-  for (const std::string& line : notes.material_libraries) {
-    for (const std::string& name : library_names(line)) {
-      const fs::path library = fs::path(with_slashes(name)).lexically_normal();
-      add(library);
-      for (const std::string& texture : mtl_textures(content_of(folder / library))) {
-        add((library.parent_path() / with_slashes(texture)).lexically_normal());
-      }
-    }
+  for (const fs::path& texture : textures_of(notes)) add(texture);
+  for (const Library& library : libraries_of(notes, folder)) {
+    add(library.path);
+    for (const std::string& texture : mtl_textures(library.text)) add(library.path_of(texture));
   }
   return files;
+}
+
+std::vector<Material> read_materials(const FileNotes& notes, const fs::path& folder) {
+  std::vector<Material> materials;
+  for (const fs::path& texture : textures_of(notes)) materials.push_back({.name = {}, .texture = texture});
+  for (const Library& library : libraries_of(notes, folder)) {
+    for (MtlMaterial& material : mtl_materials(library.text)) {
+      Material& added = materials.emplace_back(Material{std::move(material.name), material.color, {}});
+      if (material.texture.empty()) continue;
+      added.texture = library.path_of(material.texture);
+      std::fill_n(added.color.begin(), 3, 1.0F);
+    }
+  }
+  return materials;
 }
 
 }  // namespace whittle::io

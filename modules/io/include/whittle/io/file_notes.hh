@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "whittle/core/attribute.hh"
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/io/format.hh"
 
 namespace whittle::io {
 
@@ -29,10 +31,24 @@ struct FileNotes {
   ScalarType color_type = ScalarType::uint8;
 };
 
+/// The notes without the libraries, or textures, that a file of this format can't name.
+FileNotes notes_in(Format format, FileNotes notes);
+
 /// The files that a mesh file needs: its textures, its material libraries (MTL), and the textures that these name.
 /// Paths are relative to the mesh file's folder, but for absolute ones; backslashes separate folders, too. Each comes
 /// once, in the order of the notes. A library that can't be read is listed, without its textures.
 /// \param folder of the mesh file
 std::vector<std::filesystem::path> referenced_files(const FileNotes& notes, const std::filesystem::path& folder);
+
+/// How a surface looks, as far as all formats say it.
+struct Material {
+  std::string name;                 ///< that of the faces' group (`IndexedMesh::group_names`)
+  Color color{1, 1, 1, 1};          ///< MTL: `Kd`, and `d` or `Tr`; white where there is a texture
+  std::filesystem::path texture{};  ///< MTL: `map_Kd`; as `referenced_files` has it; empty if there is none
+};
+
+/// The materials of the libraries that a mesh file names, in their order. PLY's textures are materials without a name.
+/// Libraries that can't be read have none. \param folder of the mesh file
+std::vector<Material> read_materials(const FileNotes& notes, const std::filesystem::path& folder);
 
 }  // namespace whittle::io
