@@ -6,7 +6,6 @@
 
 #include "whittle/openmesh/detail/engine_run.hh"
 #include "whittle/openmesh/detail/mesh_run.hh"
-#include "whittle/openmesh/pair_decimater.hh"
 
 namespace whittle {
 
