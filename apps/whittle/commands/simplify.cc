@@ -260,7 +260,8 @@ void measure_curve(const SimplifyCommand& options, const Talk& talk, SimplifyRec
   if (!options.curve) return;
   const Stopwatch watch;
   constexpr std::size_t samples = 100'000;
-  progressive::Replay replay(record.input.read.mesh, record.simplified.steps, Normals::drop);
+  const IndexedMesh input = recorded_input(record);
+  progressive::Replay replay(input, record.simplified.steps, Normals::drop);
   record.curve = measure_curve(replay, samples, options.common.threads, talk);
   record.seconds.curve = watch.seconds();
 }

@@ -161,14 +161,28 @@ TEST(Gltf, HasTheTargetMeshByMeshIfAsked) {
   expect_usage_error(whittle({"simplify", blob, "-o", folder / "o.ply", "--per-mesh", "--faces", "9"}), {"--per-mesh"});
 }
 
+TEST(Gltf, IsRecorded) {
+  const TemporaryFolder folder;
+  const std::string in = folder / "cube.glb";
+  write_gltf_cube(in, 8);
+  const Outcome outcome = whittle({"simplify", in, "-o", folder / "out.glb", "--faces", "60", "--record", folder / "r",
+                                   "--curve", folder / "c.csv"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_EQ(gltf::Asset::read(folder / "out.glb").triangles(0).attributes.size(), 1U) << "the result keeps its texture";
+  const Outcome replayed = whittle({"replay", folder / "r", "--faces", "300", "-o", folder / "level.ply"});
+  ASSERT_EQ(replayed.exit_code, 0) << replayed;
+  EXPECT_NEAR(static_cast<double>(io::read_mesh(folder / "level.ply").mesh.faces.size()), 300, 1);
+  EXPECT_THAT(read_text(folder / "c.csv"), testing::HasSubstr("\n768,"));
+}
+
 TEST(Gltf, RefusesWhatItCannotDo) {
   const TemporaryFolder folder;
   const std::string in = folder / "cube.glb";
   write_gltf_cube(in, 3);
   const std::string out = folder / "out.glb";
   expect_usage_error(whittle({"simplify", in, "-o", folder / "o.ply", "--faces", "9", "--compress"}), {"--compress"});
-  for (const std::vector<std::string>& options : {std::vector<std::string>{"--record", folder / "r"},
-                                                  {"--curve", folder / "c.svg"},
+  for (const std::vector<std::string>& options : {std::vector<std::string>{"--no-embed", "--record", folder / "r"},
+                                                  {"--per-mesh", "--curve", folder / "c.svg"},
                                                   {"--map", folder / "m"},
                                                   {"--certificate", folder / "c"},
                                                   {"--engine", "openmesh"},

@@ -47,7 +47,7 @@ void write_map_back(std::ostream& out, const SimplifyRecord& record) {
 void write_recording_file(std::ostream& out, const SimplifyCommand& options, const SimplifyRecord& record) {
   const Json about = {{"program", program_and_version()}, {"options", options_json(options)}};
   const progressive::RecordingOptions how{options.embeds_input, options.compresses_recording, options.common.threads};
-  progressive::write_recording(out, record.input.read.mesh, record.simplified.steps, options.simplify.decimate.normals,
+  progressive::write_recording(out, recorded_input(record), record.simplified.steps, options.simplify.decimate.normals,
                                to_text(about), how);
 }
 
@@ -77,7 +77,7 @@ void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwat
                      options.common, talk);
   });
   if (options.pictures.is_given()) {
-    const std::string player = make_player(record.input.name, record.input.read.mesh, record.simplified.steps);
+    const std::string player = make_player(record.input.name, recorded_input(record), record.simplified.steps);
     write_frames(files, options.pictures, player, "", {}, talk);
   }
   record.seconds.write = watch.seconds();

@@ -63,6 +63,7 @@ std::vector<Conflict> conflicts() {
   const std::string edges_alone(plain_quadrics_alone);
   const std::string no_pairs = "OpenMesh's decimater contracts edges alone";
   const std::string own_order = "OpenMesh's decimater has an order of its own";
+  const std::string one_run = "each mesh has a run of its own";
   const std::string not_in_openmesh = "only Whittle's own loop does that";
   const Conflict more[] = {
       {"--threshold", "--isotropic", edges_alone},
@@ -88,6 +89,10 @@ std::vector<Conflict> conflicts() {
       {"--across-walls", "--engine openmesh", no_pairs},
       {"--self-intersections refuse", "--engine openmesh", not_in_openmesh},
       {"--per-mesh", "--max-error", "the error is that of each mesh in any case"},
+      {"--per-mesh", "--record", one_run},
+      {"--per-mesh", "--curve", one_run},
+      {"--per-mesh", "--frames", one_run},
+      {"--per-mesh", "--animate", one_run},
       {"--per-mesh", "--attributes position-only", "nothing would say which mesh a face is of"},
       {"--topology free", "--engine openmesh", "a half-edge mesh keeps its topology"}};
   all.insert(all.end(), std::begin(more), std::end(more));
@@ -382,10 +387,9 @@ void check_gltf(const SimplifyCommand& options) {
   if (options.is_per_mesh && (!is_all_gltf || options.files.input_format)) {
     throw UsageError("--per-mesh is for inputs in glTF, which may have several meshes");
   }
-  const bool is_recorded = options.recording || options.curve || options.page || options.pictures.is_given();
-  if (is_read && is_recorded) {
-    throw UsageError(
-        "--record, --curve, --page, --frames and --animate don't take glTF yet: 'convert' it to PLY first");
+  if (is_read && options.page) throw UsageError("--page doesn't take glTF yet: 'convert' it to PLY first");
+  if (is_read && options.recording && !options.embeds_input) {
+    throw UsageError("--no-embed doesn't take glTF, as 'replay' doesn't read it");
   }
   if (is_written && (options.map || options.map_back)) {
     throw UsageError("--map and --map-back don't take glTF: its vertices are those of primitives");

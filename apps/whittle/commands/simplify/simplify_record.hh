@@ -8,6 +8,7 @@
 #include "commands/recording/curve.hh"
 #include "commands/simplify/as_written.hh"
 #include "files/input.hh"
+#include "whittle/core/wedges.hh"
 #include "whittle/engine/simplify.hh"
 
 namespace whittle::app {
@@ -42,5 +43,16 @@ struct SimplifyRecord {
   std::vector<std::string> warnings;
   SimplifySeconds seconds;
 };
+
+/// The input as recordings have it: with one normal and one colour a vertex.
+inline IndexedMesh recorded_input(const SimplifyRecord& record) {
+  IndexedMesh mesh = record.input.read.mesh;
+  drop_seams(mesh);
+  mesh.attributes.clear();
+  mesh.face_attributes.clear();
+  mesh.face_groups.clear();
+  mesh.group_names.clear();
+  return mesh;
+}
 
 }  // namespace whittle::app
