@@ -86,6 +86,7 @@ std::string listed(const std::vector<std::string>& names) {
 
 std::string listed(const std::vector<fs::path>& paths) {
   std::vector<std::string> names;
+  names.reserve(paths.size());
   for (const fs::path& path : paths) names.push_back(path.generic_string());
   return listed(names);
 }
