@@ -5,12 +5,14 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "files/companions.hh"
 #include "files/gltf_file.hh"
 #include "whittle/gltf/make_asset.hh"
 #include "whittle/io/file_notes.hh"
+#include "whittle/io/materials.hh"
 
 namespace whittle::app {
 namespace {
@@ -23,18 +25,25 @@ class Looks {
   /// \param embeds_all whether all images become part of the asset
   Looks(const Input& input, bool embeds_all) : folder_(folder_of(input.path)), embeds_all_(embeds_all) {
     if (input.path == standard_stream) return;
-    materials_ = io::read_materials(input.read.notes, folder_);
+    known_ = io::read_materials(input.read.notes, folder_);
     for (const fs::path& file : io::referenced_files(input.read.notes, folder_)) {
-      if (!fs::exists(folder_ / file)) missing_.push_back(file);
+      std::error_code error;
+      if (!fs::exists(folder_ / file, error)) missing_.push_back(file);
     }
   }
 
   gltf::NewMaterial material(const std::string& name, bool has_texcoords) {
-    const io::Material* const found = find(name);
     gltf::NewMaterial material{.name = name};
-    if (found == nullptr) return material;
-    material.color = found->color;
-    if (has_texcoords && !found->texture.empty()) material.image = image(found->texture);
+    const auto& all = known_.materials;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& known) { return known.name == name; });
+    fs::path texture = known_.textures.empty() ? fs::path() : known_.textures.front();
+    if (found != all.end()) {
+      texture = found->texture;
+      // A black one would leave nothing of a texture.
+      for (std::size_t i = 0; i < 3 && texture.empty(); ++i) material.color[i] = static_cast<float>(found->diffuse[i]);
+      material.color[3] = static_cast<float>(found->opacity);
+    }
+    if (has_texcoords && !texture.empty()) material.image = image(texture);
     return material;
   }
 
@@ -45,16 +54,6 @@ class Looks {
   const std::vector<fs::path>& foreign() const { return foreign_; }
 
  private:
-  /// That of a group; otherwise that of all.
-  const io::Material* find(const std::string& name) const {
-    for (const std::string& wanted : {name, std::string()}) {
-      const auto found =
-          std::find_if(materials_.begin(), materials_.end(), [&](const auto& m) { return m.name == wanted; });
-      if (found != materials_.end()) return &*found;
-    }
-    return nullptr;
-  }
-
   std::optional<std::size_t> image(const fs::path& file) {
     const auto known =
         std::find_if(images_.begin(), images_.end(), [&](const gltf::NewImage& image) { return image.file == file; });
@@ -72,7 +71,7 @@ class Looks {
 
   fs::path folder_;
   bool embeds_all_;
-  std::vector<io::Material> materials_;
+  io::SurfaceMaterials known_;
   std::vector<gltf::NewImage> images_;
   std::vector<fs::path> missing_;
   std::vector<fs::path> foreign_;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "whittle/core/attribute.hh"
-#include "whittle/core/indexed_mesh.hh"
 #include "whittle/io/format.hh"
 
 namespace whittle::io {
@@ -39,16 +38,5 @@ FileNotes notes_in(Format format, FileNotes notes);
 /// once, in the order of the notes. A library that can't be read is listed, without its textures.
 /// \param folder of the mesh file
 std::vector<std::filesystem::path> referenced_files(const FileNotes& notes, const std::filesystem::path& folder);
-
-/// How a surface looks, as far as all formats say it.
-struct Material {
-  std::string name;                 ///< that of the faces' group (`IndexedMesh::group_names`)
-  Color color{1, 1, 1, 1};          ///< MTL: `Kd`, and `d` or `Tr`; white where there is a texture
-  std::filesystem::path texture{};  ///< MTL: `map_Kd`; as `referenced_files` has it; empty if there is none
-};
-
-/// The materials of the libraries that a mesh file names, in their order. PLY's textures are materials without a name.
-/// Libraries that can't be read have none. \param folder of the mesh file
-std::vector<Material> read_materials(const FileNotes& notes, const std::filesystem::path& folder);
 
 }  // namespace whittle::io
