@@ -104,7 +104,7 @@ TEST(Convert, WritesNothingWhereSomethingIsWrong) {
   const Outcome same = whittle({"convert", mesh, mesh});
   EXPECT_EQ(same.exit_code, 2) << "without --force";
   EXPECT_NE(same.err.find("OUT: "), std::string::npos) << same;
-  EXPECT_EQ(whittle({"convert", mesh, folder / "out.glb"}).exit_code, 2);
+  EXPECT_EQ(whittle({"convert", mesh, folder / "out.fbx"}).exit_code, 2);
   EXPECT_EQ(whittle({"convert", mesh, "-"}).exit_code, 2) << "without a format";
   EXPECT_EQ(whittle({"convert", folder / "missing.ply", folder / "out.ply"}).exit_code, 4);
   EXPECT_EQ(whittle({"convert", mesh, folder / "no/such/out.ply"}).exit_code, 1);

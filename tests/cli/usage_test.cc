@@ -269,7 +269,7 @@ TEST(Usage, StandardStreamsNeedAFormat) {
 TEST(Usage, RefusesToWriteAFormatItDoesNotKnow) {
   const TemporaryFolder folder;
   const std::string mesh = data_file("cubes.obj");
-  expect_usage_error(whittle({"simplify", mesh, "-o", folder / "out.glb", "--faces", "150"}), {"out.glb", "glTF"});
+  expect_usage_error(whittle({"simplify", mesh, "-o", folder / "out.fbx", "--faces", "150"}), {"out.fbx", "FBX"});
   expect_usage_error(whittle({"simplify", mesh, "-o", folder / "out", "--faces", "150"}), {"out", io::format_names()});
   EXPECT_TRUE(folder.files().empty());
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# run.sh WHITTLE DATA NODE_MODULES FOLDER: writes geomorphs of test meshes into FOLDER and validates them.
+# run.sh WHITTLE DATA NODE_MODULES FOLDER: writes glTF files of test meshes into FOLDER, geomorphs among them, and validates
+# them.
 # Exit status 77: there is no Node.js or no validator.
 set -euo pipefail
 whittle=$1 data=$2 node_modules=$3 folder=$4
@@ -18,7 +19,9 @@ mkdir -p "$folder"
 for mesh in knot.ply terrain.ply cubes.obj bracket.stl; do
   name=${mesh%.*}
   "$whittle" simplify "$data/$mesh" -o "$folder/$name.ply" --ratio 20% --record "$folder/$name.rec" --quiet
-  "$whittle" geomorph "$folder/$name.rec" -o "$folder/$name.glb" --quiet
+  "$whittle" geomorph "$folder/$name.rec" -o "$folder/geomorph_$name.glb" --quiet
+  "$whittle" convert "$data/$mesh" "$folder/$name.glb" --quiet
+  "$whittle" simplify "$data/$mesh" -o "$folder/$name.gltf" --ratio 20% --quiet
 done
 # Vertices with colours, and some whose faces have no area, so that their normals are zero.
 cat >"$folder/colored.off" <<'OFF'
@@ -36,5 +39,6 @@ COFF
 3 0 4 5
 OFF
 "$whittle" simplify "$folder/colored.off" -o "$folder/colored.ply" --faces 1 --record "$folder/colored.rec" --quiet
-"$whittle" geomorph "$folder/colored.rec" -o "$folder/colored.glb" --quiet
-node "$(dirname "$0")/validate.cjs" "$node_modules" "$folder"/*.glb
+"$whittle" geomorph "$folder/colored.rec" -o "$folder/geomorph_colored.glb" --quiet
+"$whittle" convert "$folder/colored.off" "$folder/colored.glb" --quiet
+node "$(dirname "$0")/validate.cjs" "$node_modules" "$folder"/*.glb "$folder"/*.gltf

@@ -4,6 +4,7 @@
 
 #include "commands/subcommands.hh"
 #include "files/input.hh"
+#include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
 #include "options/values.hh"
@@ -35,7 +36,7 @@ Json convert_json(const ConvertCommand& options, const Conversion& run, double t
                      {"weld_tolerance", to_string(options.files.weld_tolerance)},
                      {"ascii", options.files.ascii}};
   json["output"] = {{"path", options.output},
-                    {"format", io::name_of(format_for_output(options.output, options.files))},
+                    {"format", output_format_name(options.output, options.files)},
                     {"vertices", mesh.positions.size()},
                     {"faces", mesh.faces.size()}};
   json["seconds"] = {{"read", run.input.seconds}, {"write", run.write_seconds}, {"total", total_seconds}};
@@ -62,7 +63,7 @@ ExitCode run_convert(const CLI::App& app, const ConvertCommand& options) {
   const IndexedMesh& mesh = run.input.read.mesh;
   const Stopwatch writing;
   OutputFiles files;
-  write_mesh(files, options.output, options.files, mesh, talk, run.warnings, run.input.read.notes);
+  write_result(files, {options.output, options.files}, run.input, mesh, talk, run.warnings);
   run.write_seconds = writing.seconds();
   commit_with_report(files, options.common,
                      options.common.json ? to_text(convert_json(options, run, watch.seconds())) : std::string());
@@ -76,7 +77,7 @@ ExitCode run_convert(const CLI::App& app, const ConvertCommand& options) {
 
 void setup_convert(CLI::App& app, Command& command) {
   const auto options = std::make_shared<ConvertCommand>();
-  options->files.reads_gltf = true;
+  options->files.reads_gltf = options->files.writes_gltf = true;
   CLI::App* sub = app.add_subcommand("convert", "Write a mesh in another format, and simplify nothing.");
   add_mesh_file(*sub, options->input);
   add_file(*sub, "OUT", options->output, "the result: a file, replaced if it exists, or '-' for standard output");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "commands/simplify/advice.hh"
+#include "commands/simplify/per_mesh.hh"
 #include "commands/simplify/simplify_files.hh"
 #include "commands/simplify/simplify_record.hh"
 #include "commands/simplify/simplify_report.hh"
@@ -112,7 +113,9 @@ Simplification simplify_to(const DecimateTarget& target, const SimplifyCommand& 
   library_options.decimate.progress = [&bars](const Progress& progress) { return bars.update(progress); };
   if (options.engine == Engine::openmesh) return simplify_in_openmesh(library_options, record);
   const SignalsWait signals_wait;
-  Simplification result = simplify(record.input.read.mesh, target, options.effort, library_options);
+  Simplification result =
+      options.is_per_mesh ? simplify_per_mesh(record.input, record.targets_per_mesh, options.effort, library_options)
+                          : simplify(record.input.read.mesh, target, options.effort, library_options);
   SignalsWait::throw_if_pending();
   return result;
 }
@@ -183,14 +186,22 @@ std::string obstacle(const SimplifyCommand& options, const SimplifyRecord& recor
   if (options.engine == Engine::openmesh) return refused + "'--engine flat' may get further";
   const std::string left = reasons_at_end(result.refused_at_end);
   if (left.empty()) return refused + "nothing is left that may be contracted";
+  if (options.is_per_mesh) return refused + "the pairs left: " + left;
   return refused + "the pairs left: " + left + "; " +
          advice(record.input.read.mesh, record.simplified, record.target, resolved(options, record).decimate);
 }
 
 std::string shortfall(const SimplifyCommand& options, const SimplifyRecord& record) {
   const DecimateResult& result = record.simplified.result;
-  return record.input.name + ": target not met: " + to_string(record.target) + " asked, " + faces_text(result.n_faces) +
-         " and " + vertices_text(result.n_vertices) + " reached; " + obstacle(options, record);
+  std::string where;
+  if (options.is_per_mesh) {
+    const auto above = meshes_above(record.targets_per_mesh, *record.input.gltf, record.simplified.mesh);
+    if (!above.empty())
+      where = " by " + above.front() + (above.size() > 1 ? " and " + std::to_string(above.size() - 1) + " more" : "");
+  }
+  return record.input.name + ": target not met" + where + ": " + to_string(record.target) + " asked, " +
+         faces_text(result.n_faces) + " and " + vertices_text(result.n_vertices) + " reached; " +
+         obstacle(options, record);
 }
 
 /// Whether a twentieth of the vertices and more lie on open borders.
@@ -249,7 +260,8 @@ void measure_curve(const SimplifyCommand& options, const Talk& talk, SimplifyRec
   if (!options.curve) return;
   const Stopwatch watch;
   constexpr std::size_t samples = 100'000;
-  progressive::Replay replay(record.input.read.mesh, record.simplified.steps, Normals::drop);
+  const IndexedMesh input = recorded_input(record);
+  progressive::Replay replay(input, record.simplified.steps, Normals::drop);
   record.curve = measure_curve(replay, samples, options.common.threads, talk);
   record.seconds.curve = watch.seconds();
 }
@@ -291,6 +303,15 @@ void drop_attributes(IndexedMesh& mesh) {
   mesh.group_names.clear();
 }
 
+/// \pre what was read has not been pruned
+void set_target(const SimplifyCommand& options, SimplifyRecord& record) {
+  const IndexedMesh& mesh = record.input.read.mesh;
+  record.target = resolve(options.targets, mesh.positions.size(), mesh.faces.size(), record.diagonal);
+  if (!options.is_per_mesh) return;
+  record.targets_per_mesh = targets_per_mesh(options.targets, record.input, record.diagonal);
+  record.target = sum_of(record.targets_per_mesh);
+}
+
 /// One run, of `options.input`. \param report becomes the report, even without --json; may be null
 ExitCode simplify_one(SimplifyCommand options, Json* report) {
   const Talk talk = options.common.talk();
@@ -309,8 +330,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
     }
   }
   record.diagonal = metrics::bounds(record.input.read.mesh).diagonal();
-  record.target = resolve(options.targets, record.input.read.mesh.positions.size(), record.input.read.mesh.faces.size(),
-                          record.diagonal);
+  set_target(options, record);
   if (options.prune) prune(options, talk, record);
   if (record.target.error_limit()) record.tolerances = tolerances_of(options, talk, record);
 

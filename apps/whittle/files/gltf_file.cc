@@ -3,44 +3,44 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <ostream>
 #include <utility>
 
-#include "whittle/core/detail/index_lists.hh"
-#include "whittle/core/wedges.hh"
+#include "files/companions.hh"
+#include "whittle/core/pieces.hh"
 #include "whittle/io/repair.hh"
 
 namespace whittle::app {
 namespace {
 
-/// Adds the values of another mesh, or as many of `absent` where that has none.
-template <class T>
-void append_values(std::vector<T>& all, std::size_t n_before, std::vector<T>&& more, std::size_t n_more,
-                   const T& absent) {
-  if (all.empty() && more.empty()) return;
-  all.resize(n_before, absent);
-  if (more.empty()) more.assign(n_more, absent);
-  all.insert(all.end(), more.begin(), more.end());
-}
-
-bool is_same_kind(const Attribute& a, const Attribute& b) {
-  return a.name == b.name && a.kind == b.kind && a.n_components == b.n_components && a.type == b.type &&
-         a.is_normalized == b.is_normalized;
-}
-
-/// \return the attribute of `all` that takes the values of one of a part
-std::size_t slot_of(const Attribute& attribute, std::size_t n_wedges, IndexedMesh& all) {
-  const auto found = std::find_if(all.attributes.begin(), all.attributes.end(),
+/// The attribute of `attributes` with the values that one of a part has. Null if it was dropped.
+const Attribute* find_same_kind(const std::vector<Attribute>& attributes, const Attribute& attribute) {
+  const auto found = std::find_if(attributes.begin(), attributes.end(),
                                   [&](const Attribute& other) { return is_same_kind(other, attribute); });
-  if (found != all.attributes.end()) return static_cast<std::size_t>(found - all.attributes.begin());
-  all.attributes.push_back(attribute.without_values());
-  all.attributes.back().values.resize(n_wedges * attribute.n_components);
-  return all.attributes.size() - 1;
+  return found == attributes.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
 bool is_gltf(const std::string& path) { return gltf::has_gltf_extension(path); }
+
+void flip_texcoords(IndexedMesh& mesh) {
+  for (Attribute& attribute : mesh.attributes) {
+    if (attribute.kind != AttributeKind::texcoord || attribute.n_components < 2) continue;
+    for (std::size_t w = 0; w < attribute.size(); ++w) attribute.value(w)[1] = 1 - attribute.value(w)[1];
+  }
+}
+
+void write_asset(OutputFiles& files, const std::string& path, const gltf::Asset& asset, bool compress) {
+  for (const gltf::AssetFile& file : asset.files(path, {.compress = compress})) {
+    if (file.path == path) {
+      files.write(path, [&](std::ostream& out) { out << file.bytes; });
+    } else {
+      write_with_folders(files, file.path, file.bytes);
+    }
+  }
+}
 
 GltfFile::GltfFile(const std::filesystem::path& path) : path_(path), asset_(gltf::Asset::read(path)) {}
 
@@ -56,36 +56,18 @@ double GltfFile::scale_of(std::size_t mesh) const {
 }
 
 void GltfFile::append(std::size_t number, IndexedMesh mesh, IndexedMesh& all) {
-  const std::size_t n_before = n_wedges(all);
-  const std::size_t n_more = n_wedges(mesh);
   Part part{number,
             scale_of(number),
             static_cast<Index>(all.group_names.size()),
             static_cast<Index>(mesh.group_names.size()),
             !mesh.normals.empty(),
             !mesh.colors.empty(),
-            {},
             {}};
-  if (!mesh.wedges.empty() || !all.wedges.empty()) {
-    make_wedge_table(all);
-    make_wedge_table(mesh);
-    for (const Index w : mesh.wedges) all.wedges.push_back(static_cast<Index>(n_before) + w);
-  }
-  append_values(all.normals, n_before, std::move(mesh.normals), n_more, {0, 0, 0});
-  append_values(all.colors, n_before, std::move(mesh.colors), n_more, {1, 1, 1, 1});
-  for (const Attribute& attribute : mesh.attributes) {
-    part.attributes.push_back(attribute.without_values());
-    part.slots.push_back(slot_of(attribute, n_before, all));
-    std::vector<double>& values = all.attributes[part.slots.back()].values;
-    values.insert(values.end(), attribute.values.begin(), attribute.values.end());
-  }
-  for (Attribute& attribute : all.attributes) attribute.values.resize((n_before + n_more) * attribute.n_components);
-  const auto first = static_cast<Index>(all.positions.size());
-  for (const Vec3& p : mesh.positions) all.positions.push_back(part.scale * p);
-  for (const auto& [a, b, c] : mesh.faces) all.faces.push_back({first + a, first + b, first + c});
-  for (const Index group : mesh.face_groups) all.face_groups.push_back(part.first_group + group);
+  for (const Attribute& attribute : mesh.attributes) part.attributes.push_back(attribute.without_values());
+  for (Vec3& p : mesh.positions) p *= part.scale;
   const std::string prefix = asset_.mesh_name(number) + ": ";
-  for (const std::string& group : mesh.group_names) all.group_names.push_back(prefix + group);
+  for (std::string& group : mesh.group_names) group.insert(0, prefix);
+  append_mesh(all, std::move(mesh));
   parts_.push_back(std::move(part));
 }
 
@@ -103,10 +85,11 @@ io::ReadResult GltfFile::read(const io::ReadOptions& options) {
     for (const Index v : io::vertex_map_of(mesh, n_before, joined_to)) {
       result.vertex_map.push_back(v == invalid_index ? v : first + v);
     }
-    for (Index v = 0; v < mesh.positions.size(); ++v) {
-      const Index origin = mesh.origins.empty() ? v : mesh.origins[v];
-      result.mesh.origins.push_back(static_cast<Index>(result.file_vertices) + origin);
+    if (mesh.origins.empty()) {
+      mesh.origins.resize(mesh.positions.size());
+      std::iota(mesh.origins.begin(), mesh.origins.end(), Index{0});
     }
+    for (Index& origin : mesh.origins) origin += static_cast<Index>(result.file_vertices);
     result.file_vertices += n_before;
     if (!mesh.faces.empty()) append(m, std::move(mesh), result.mesh);
   }
@@ -114,48 +97,31 @@ io::ReadResult GltfFile::read(const io::ReadOptions& options) {
   return result;
 }
 
-std::vector<IndexedMesh> GltfFile::split(const IndexedMesh& mesh) const {
+std::vector<Index> GltfFile::meshes_of_faces(const IndexedMesh& mesh) const {
   std::vector<Index> part_of_group;
   for (Index i = 0; i < parts_.size(); ++i) part_of_group.resize(part_of_group.size() + parts_[i].n_groups, i);
-  const detail::IndexLists<Index> faces(parts_.size(), [&](const auto& emit) {
-    for (Index f = 0; f < mesh.faces.size(); ++f) emit(part_of_group[mesh.face_groups[f]], f);
-  });
-  std::vector<Index> vertices(mesh.positions.size(), invalid_index);
-  std::vector<Index> wedges(n_wedges(mesh), invalid_index);
-  std::vector<IndexedMesh> split(parts_.size());
-  for (Index i = 0; i < parts_.size(); ++i) {
+  std::vector<Index> meshes;
+  meshes.reserve(mesh.faces.size());
+  for (const Index group : mesh.face_groups) meshes.push_back(part_of_group[group]);
+  return meshes;
+}
+
+std::vector<IndexedMesh> GltfFile::split(const IndexedMesh& mesh) const {
+  std::vector<IndexedMesh> split;
+  std::vector<MeshPiece> pieces = split_mesh(mesh, meshes_of_faces(mesh), parts_.size());
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
     const Part& part = parts_[i];
-    IndexedMesh& own = split[i];
-    std::vector<Index> kept;  // wedges
-    for (const Index f : faces.of(i)) {
-      Triangle& face = own.faces.emplace_back();
-      own.face_groups.push_back(mesh.face_groups[f] - part.first_group);
-      for (std::size_t k = 0; k < 3; ++k) {
-        Index& v = vertices[mesh.faces[f][k]];
-        if (v == invalid_index) {
-          v = static_cast<Index>(own.positions.size());
-          own.positions.push_back(mesh.positions[mesh.faces[f][k]] / part.scale);
-        }
-        Index& w = wedges[mesh.wedge(f, k)];
-        if (w == invalid_index) {
-          w = static_cast<Index>(kept.size());
-          kept.push_back(mesh.wedge(f, k));
-        }
-        face[k] = v;
-        own.wedges.push_back(w);
-      }
+    IndexedMesh& own = split.emplace_back(std::move(pieces[i].mesh));
+    for (Vec3& p : own.positions) p /= part.scale;
+    for (Index& group : own.face_groups) group -= part.first_group;
+    if (!part.has_normals) own.normals.clear();
+    if (!part.has_colors) own.colors.clear();
+    std::vector<Attribute> attributes;
+    for (const Attribute& attribute : part.attributes) {
+      const Attribute* const values = find_same_kind(own.attributes, attribute);
+      if (values != nullptr) attributes.push_back(*values);
     }
-    for (const Index w : kept) {
-      if (part.has_normals && !mesh.normals.empty()) own.normals.push_back(mesh.normals[w]);
-      if (part.has_colors && !mesh.colors.empty()) own.colors.push_back(mesh.colors[w]);
-    }
-    for (std::size_t a = 0; a < part.slots.size() && !mesh.attributes.empty(); ++a) {
-      Attribute& attribute = own.attributes.emplace_back(part.attributes[a]);
-      for (const Index w : kept) {
-        const auto value = mesh.attributes[part.slots[a]].value(w);
-        attribute.values.insert(attribute.values.end(), value.begin(), value.end());
-      }
-    }
+    own.attributes = std::move(attributes);
   }
   return split;
 }
@@ -171,13 +137,7 @@ std::vector<std::string> GltfFile::write(OutputFiles& files, const std::string& 
       asset_.set_triangles(parts_[i].mesh, std::move(meshes[i]));
     }
   }
-  for (const gltf::AssetFile& file : asset_.files(path, {.compress = compress})) {
-    std::error_code error;
-    if (file.path != path && file.path.has_parent_path()) {
-      std::filesystem::create_directories(file.path.parent_path(), error);
-    }
-    files.write(file.path.string(), [&](std::ostream& out) { out << file.bytes; });
-  }
+  write_asset(files, path, asset_, compress);
   const std::vector<std::string> lost = asset_.warnings();
   warnings.insert(warnings.end(), lost.begin(), lost.end());
   return warnings;

@@ -27,6 +27,11 @@ class GltfFile {
 
   /// Those with triangles. \pre `read`
   std::size_t n_meshes() const { return parts_.size(); }
+  /// \param mesh below `n_meshes`
+  std::string mesh_name(std::size_t mesh) const { return asset_.mesh_name(parts_[mesh].mesh); }
+
+  /// For each face of the whole, or of what has become of it, the mesh that it belongs to, below `n_meshes`.
+  std::vector<Index> meshes_of_faces(const IndexedMesh& mesh) const;
 
   /// Writes the file with its meshes replaced, and the files that lie beside it (`gltf::Asset::files`).
   /// \param mesh what `read` gave, simplified \param compress as `gltf::WriteOptions` has it
@@ -42,7 +47,6 @@ class GltfFile {
     Index n_groups;
     bool has_normals, has_colors;
     std::vector<Attribute> attributes;  ///< without values
-    std::vector<std::size_t> slots;     ///< of these in the whole
   };
 
   double scale_of(std::size_t mesh) const;
@@ -53,6 +57,12 @@ class GltfFile {
   gltf::Asset asset_;
   std::vector<Part> parts_;
 };
+
+/// Writes an asset, and the files that lie beside it (`gltf::Asset::files`).
+void write_asset(OutputFiles& files, const std::string& path, const gltf::Asset& asset, bool compress);
+
+/// Turns textures upside down: in glTF the second texture coordinate grows downwards, in all other formats upwards.
+void flip_texcoords(IndexedMesh& mesh);
 
 /// Whether a file name ends in .gltf or .glb.
 bool is_gltf(const std::string& path);

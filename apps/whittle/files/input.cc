@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "files/gltf_file.hh"
+#include "files/mesh_output.hh"
 #include "options/values.hh"
 #include "terminal/errors.hh"
 #include "terminal/stopwatch.hh"
@@ -35,12 +36,11 @@ bool reads_gltf(const std::string& path, const FileOptions& options) {
   return options.reads_gltf && !options.input_format && is_gltf(path);
 }
 
-/// Whether the output is a glTF file that was read. \throw UsageError if the run reads none
-bool writes_gltf(const std::string& path, const std::vector<std::string>& inputs, const FileOptions& options) {
-  if (!options.writes_gltf || options.output_format || !is_gltf(path)) return false;
-  const auto is_read = [&](const std::string& input) { return reads_gltf(input, options); };
-  if (std::all_of(inputs.begin(), inputs.end(), is_read)) return true;
-  throw UsageError(path + ": glTF is written only from glTF, whose materials and nodes it keeps");
+/// \throw UsageError with --ascii
+bool writes_gltf(const std::string& path, const FileOptions& options) {
+  if (!is_gltf_output(path, options)) return false;
+  if (!options.ascii) return true;
+  throw UsageError("--ascii is for " + io::titles_with_text_and_binary() + "; glTF is text in a .gltf file");
 }
 
 /// \throw UsageError if neither name nor options tell it
@@ -94,7 +94,7 @@ void check_formats(const std::vector<std::string>& inputs, const std::vector<std
     throw UsageError("--weld doesn't take glTF: its meshes are welded at equal positions alone");
   }
   for (const std::string& output : outputs) {
-    if (!writes_gltf(output, inputs, options)) format_for_output(output, options);
+    if (!writes_gltf(output, options)) format_for_output(output, options);
   }
 }
 

@@ -5,8 +5,8 @@
 #include <ostream>
 #include <sstream>
 
-#include "files/gltf_file.hh"
 #include "files/input.hh"
+#include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "terminal/table.hh"
 #include "whittle/io/read.hh"
@@ -145,7 +145,7 @@ void say_effort(const Talk& talk, double seconds) {
 std::string shown_output(const std::string& path) { return path == standard_stream ? standard_output_name : path; }
 
 IndexedMesh as_written(const IndexedMesh& mesh, const std::string& path, const FileOptions& options, unsigned threads) {
-  if (options.writes_gltf && is_gltf(path)) {
+  if (is_gltf_output(path, options)) {
     IndexedMesh rounded = mesh;
     for (Vec3& p : rounded.positions) p = p.cast<float>().cast<double>();
     return rounded;

@@ -52,7 +52,7 @@ struct FileOptions {
   std::optional<io::Format> output_format{};  ///< of what is written, whatever its name
   bool ascii = false;                         ///< text, in formats that are written as text or as binary data
   bool reads_gltf = false;                    ///< whether the command takes glTF files
-  bool writes_gltf = false;                   ///< whether it writes those that it has read
+  bool writes_gltf = false;                   ///< whether it writes them
 };
 // Each takes the group of the help, by default that of options without one.
 

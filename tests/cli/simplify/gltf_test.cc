@@ -121,16 +121,68 @@ TEST(Gltf, TakesImagesAlongButNoneFromOutside) {
   EXPECT_EQ(gltf::Asset::read(out).triangles(0).faces.size(), 30U) << "its buffer is found";
 }
 
+/// Two meshes: the cube, and the half of it that is of one material.
+void write_two_meshes(const std::string& path) {
+  write_gltf_cube(path, 8);
+  Json document = Json::parse(std::ifstream(path));
+  Json half = document["meshes"][0];
+  half["name"] = "half";
+  half["primitives"] = Json::array({half["primitives"][0]});
+  document["meshes"].push_back(half);
+  std::ofstream(path) << document;
+}
+
+TEST(Gltf, HasTheTargetMeshByMeshIfAsked) {
+  const TemporaryFolder folder;
+  const std::string in = folder / "cubes.gltf";
+  write_two_meshes(in);
+  const std::string out = folder / "out.glb";
+  struct Case {
+    std::vector<std::string> target;
+    std::size_t of_cube, of_half;
+  };
+  for (const auto& [target, of_cube, of_half] :
+       {Case{{"--face-ratio", "50%"}, 384, 192}, Case{{"--faces", "100"}, 100, 100},
+        Case{{"--faces", "500"}, 500, 384}}) {
+    std::vector<std::string> arguments{"simplify", in, "-o", out, "--per-mesh", "--json", "-"};
+    arguments.insert(arguments.end(), target.begin(), target.end());
+    const Outcome outcome = whittle(arguments);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome;
+    const Json json = parse_json(outcome.out);
+    EXPECT_EQ(json["target"]["met"], true) << outcome;
+    EXPECT_EQ(json["target"]["faces"], of_cube + of_half);
+    const gltf::Asset asset = gltf::Asset::read(out);
+    EXPECT_THAT(asset.n_triangles(0), testing::AllOf(testing::Le(of_cube), testing::Ge(of_cube - 1)));
+    EXPECT_THAT(asset.n_triangles(1), testing::AllOf(testing::Le(of_half), testing::Ge(of_half - 1)));
+  }
+  const Outcome missed = whittle({"simplify", in, "-o", out, "--per-mesh", "--faces", "3"});
+  EXPECT_THAT(missed.err, testing::HasSubstr("target not met by cube")) << missed;
+  const std::string blob = data_file("blob.obj");
+  expect_usage_error(whittle({"simplify", blob, "-o", folder / "o.ply", "--per-mesh", "--faces", "9"}), {"--per-mesh"});
+}
+
+TEST(Gltf, IsRecorded) {
+  const TemporaryFolder folder;
+  const std::string in = folder / "cube.glb";
+  write_gltf_cube(in, 8);
+  const Outcome outcome = whittle({"simplify", in, "-o", folder / "out.glb", "--faces", "60", "--record", folder / "r",
+                                   "--curve", folder / "c.csv"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_EQ(gltf::Asset::read(folder / "out.glb").triangles(0).attributes.size(), 1U) << "the result keeps its texture";
+  const Outcome replayed = whittle({"replay", folder / "r", "--faces", "300", "-o", folder / "level.ply"});
+  ASSERT_EQ(replayed.exit_code, 0) << replayed;
+  EXPECT_NEAR(static_cast<double>(io::read_mesh(folder / "level.ply").mesh.faces.size()), 300, 1);
+  EXPECT_THAT(read_text(folder / "c.csv"), testing::HasSubstr("\n768,"));
+}
+
 TEST(Gltf, RefusesWhatItCannotDo) {
   const TemporaryFolder folder;
   const std::string in = folder / "cube.glb";
   write_gltf_cube(in, 3);
   const std::string out = folder / "out.glb";
-  const std::string blob = data_file("blob.obj");
-  expect_usage_error(whittle({"simplify", blob, "-o", out, "--faces", "9"}), {"glTF is written only from glTF"});
   expect_usage_error(whittle({"simplify", in, "-o", folder / "o.ply", "--faces", "9", "--compress"}), {"--compress"});
-  for (const std::vector<std::string>& options : {std::vector<std::string>{"--record", folder / "r"},
-                                                  {"--curve", folder / "c.svg"},
+  for (const std::vector<std::string>& options : {std::vector<std::string>{"--no-embed", "--record", folder / "r"},
+                                                  {"--per-mesh", "--curve", folder / "c.svg"},
                                                   {"--map", folder / "m"},
                                                   {"--certificate", folder / "c"},
                                                   {"--engine", "openmesh"},

@@ -1,6 +1,7 @@
 #include "assets.hh"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 
@@ -12,7 +13,13 @@
 namespace whittle::gltf::test {
 namespace {
 
-const std::filesystem::path assets = WHITTLE_TEST_ASSETS;
+/// The environment may name another folder than the build.
+std::filesystem::path folder_of_assets() {
+  const char* const folder = std::getenv("WHITTLE_TEST_ASSETS");
+  return folder != nullptr ? folder : WHITTLE_TEST_ASSETS;
+}
+
+const std::filesystem::path assets = folder_of_assets();
 
 Document make_document(std::string_view json, std::string_view chunk, const std::filesystem::path& folder) {
   Document document{Json::parse(json), {}};
@@ -100,13 +107,15 @@ bool can_read(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::vector<std::filesystem::path> asset_files(const std::vector<std::string>& folders) {
+std::vector<std::filesystem::path> asset_files(const std::vector<std::string>& folders,
+                                               const std::vector<std::string>& extensions) {
   std::vector<std::filesystem::path> files;
   for (const std::string& folder : folders) {
     if (!std::filesystem::is_directory(assets / folder)) continue;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(assets / folder)) {
       const std::string extension = entry.path().extension().string();
-      if ((extension == ".gltf" || extension == ".glb") && can_read(entry.path())) files.push_back(entry.path());
+      const bool is_asked = std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+      if (is_asked && can_read(entry.path())) files.push_back(entry.path());
     }
   }
   std::sort(files.begin(), files.end());

@@ -11,9 +11,10 @@
 
 namespace whittle::gltf::test {
 
-/// All .gltf and .glb files in folders of the test assets, such as "gltf-tiny", but for those that this build
+/// All files with some extensions in folders of the test assets, such as "gltf-tiny", but for those that this build
 /// can't decompress. Empty where there are no assets.
-std::vector<std::filesystem::path> asset_files(const std::vector<std::string>& folders);
+std::vector<std::filesystem::path> asset_files(const std::vector<std::string>& folders,
+                                               const std::vector<std::string>& extensions = {".gltf", ".glb"});
 
 /// Of a file, relative to the assets.
 std::string asset_name(const std::filesystem::path& file);

@@ -2,46 +2,16 @@
 // doesn't have.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "assets.hh"
-#include "support/temporary_folder.hh"
+#include "validator.hh"
 #include "whittle/gltf/asset.hh"
 #include "whittle/io/errors.hh"
 
 namespace whittle::gltf::test {
 namespace {
-
-bool has_validator() {
-  return std::filesystem::is_directory(WHITTLE_NODE_MODULES "/gltf-validator") &&
-         std::system("node --version >" WHITTLE_NULL_DEVICE) == 0;
-}
-
-/// Pairs of an input and what was made of it.
-class Pairs {
- public:
-  std::filesystem::path add(const std::filesystem::path& input, const std::string& extension) {
-    const std::string name = std::to_string(n_++) + "_" + input.stem().string() + extension;
-    const std::filesystem::path output = folder_.path() / name;
-    std::ofstream(list(), std::ios::app) << input.string() << '\t' << output.string() << '\n';
-    return output;
-  }
-
-  bool have_no_new_errors() const {
-    const std::string command =
-        "node \"" WHITTLE_NEW_ERRORS "\" \"" WHITTLE_NODE_MODULES "\" \"" + list().string() + '"';
-    return std::system(command.c_str()) == 0;
-  }
-
- private:
-  std::filesystem::path list() const { return folder_.path() / "list.txt"; }
-
-  whittle::test::TemporaryFolder folder_;
-  std::size_t n_ = 0;
-};
 
 /// Every third face, with its vertices and a table of wedges.
 IndexedMesh thinned(const IndexedMesh& mesh) {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <type_traits>
 #include <whittle/engine/formula/edge_length_term.hh>
-#include <whittle/openmesh/detail/blend_attributes.hh>
+#include <whittle/openmesh/detail/attributes/blend_attributes.hh>
 
 #include "common/meshes.hh"
 #include "common/modules.hh"
@@ -258,7 +258,7 @@ Mesh::Color blended(const Mesh::Color& first, const Mesh::Color& second, double 
   mesh.request_vertex_colors();
   mesh.set_color(VertexHandle(0), first);
   mesh.set_color(VertexHandle(1), second);
-  blend_attributes(mesh, VertexHandle(0), VertexHandle(1), share);
+  VertexBlendT<Mesh>(mesh).blend(mesh, VertexHandle(0), VertexHandle(1), share);
   return mesh.color(VertexHandle(0));
 }
 

@@ -7,7 +7,7 @@
 #include "commands/page/make_page.hh"
 #include "commands/recording/curve.hh"
 #include "commands/simplify/simplify_report.hh"
-#include "files/gltf_file.hh"
+#include "files/mesh_output.hh"
 #include "whittle/progressive/recording.hh"
 
 namespace whittle::app {
@@ -47,24 +47,12 @@ void write_map_back(std::ostream& out, const SimplifyRecord& record) {
 void write_recording_file(std::ostream& out, const SimplifyCommand& options, const SimplifyRecord& record) {
   const Json about = {{"program", program_and_version()}, {"options", options_json(options)}};
   const progressive::RecordingOptions how{options.embeds_input, options.compresses_recording, options.common.threads};
-  progressive::write_recording(out, record.input.read.mesh, record.simplified.steps, options.simplify.decimate.normals,
+  progressive::write_recording(out, recorded_input(record), record.simplified.steps, options.simplify.decimate.normals,
                                to_text(about), how);
 }
 
 void write_curve(std::ostream& out, const SimplifyCommand& options, const SimplifyRecord& record) {
   out << (options.curve->ends_with(".svg") ? curve_svg(record.curve, record.input.name) : curve_csv(record.curve));
-}
-
-void write_result(OutputFiles& files, const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
-  const IndexedMesh& mesh = record.simplified.mesh;
-  if (!record.input.gltf || !is_gltf(options.output) || options.files.output_format) {
-    write_mesh(files, options.output, options.files, mesh, talk, record.warnings, record.input.read.notes);
-    return;
-  }
-  for (const std::string& warning : record.input.gltf->write(files, options.output, mesh, options.compresses_gltf)) {
-    record.warnings.push_back(about(options.output, warning));
-    talk.warning(record.warnings.back());
-  }
 }
 
 }  // namespace
@@ -73,7 +61,8 @@ void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwat
                  Json* report) {
   const Stopwatch watch;
   OutputFiles files;
-  write_result(files, options, talk, record);
+  write_result(files, {options.output, options.files, options.compresses_gltf}, record.input, record.simplified.mesh,
+               talk, record.warnings);
   const auto write = [&files](const std::optional<std::string>& path, const auto& fill) {
     if (path) files.write(*path, fill);
   };
@@ -88,7 +77,7 @@ void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwat
                      options.common, talk);
   });
   if (options.pictures.is_given()) {
-    const std::string player = make_player(record.input.name, record.input.read.mesh, record.simplified.steps);
+    const std::string player = make_player(record.input.name, recorded_input(record), record.simplified.steps);
     write_frames(files, options.pictures, player, "", {}, talk);
   }
   record.seconds.write = watch.seconds();

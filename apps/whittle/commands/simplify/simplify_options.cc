@@ -11,6 +11,7 @@
 #include "commands/page/make_page.hh"
 #include "files/gltf_file.hh"
 #include "files/input.hh"
+#include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "options/attribute_weights.hh"
 #include "options/efforts.hh"
@@ -63,6 +64,7 @@ std::vector<Conflict> conflicts() {
   const std::string edges_alone(plain_quadrics_alone);
   const std::string no_pairs = "OpenMesh's decimater contracts edges alone";
   const std::string own_order = "OpenMesh's decimater has an order of its own";
+  const std::string one_run = "each mesh has a run of its own";
   const std::string not_in_openmesh = "only Whittle's own loop does that";
   const Conflict more[] = {
       {"--threshold", "--isotropic", edges_alone},
@@ -87,6 +89,12 @@ std::vector<Conflict> conflicts() {
       {"--max-pairs", "--engine openmesh", no_pairs},
       {"--across-walls", "--engine openmesh", no_pairs},
       {"--self-intersections refuse", "--engine openmesh", not_in_openmesh},
+      {"--per-mesh", "--max-error", "the error is that of each mesh in any case"},
+      {"--per-mesh", "--record", one_run},
+      {"--per-mesh", "--curve", one_run},
+      {"--per-mesh", "--frames", one_run},
+      {"--per-mesh", "--animate", one_run},
+      {"--per-mesh", "--attributes position-only", "nothing would say which mesh a face is of"},
       {"--topology free", "--engine openmesh", "a half-edge mesh keeps its topology"}};
   all.insert(all.end(), std::begin(more), std::end(more));
   return all;
@@ -306,6 +314,10 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
   add_mesh_files(app, options.inputs);
   add_target_options(app, options.targets, unit_by_cost());
   add_max_error(app, options.targets);
+  app.add_flag("--per-mesh", options.is_per_mesh,
+               "each mesh of a glTF file has these shares, or counts, on its own; otherwise they are for all together")
+      ->default_str("off")
+      ->group(target_group);
   app.add_flag("--strict", options.strict, "end with status 3 when the target was not met")
       ->default_str("off")
       ->group(target_group);
@@ -375,26 +387,31 @@ SimplifyCommand settled(SimplifyCommand command) {
 
 /// \throw UsageError for options that don't go with glTF, or with glTF alone
 void check_gltf(const SimplifyCommand& options) {
-  const bool is_written = is_gltf(options.output) && !options.files.output_format;
+  const bool is_written = is_gltf_output(options.output, options.files);
   if (options.compresses_gltf && !is_written) throw UsageError("--compress is for outputs in glTF");
   if (options.compresses_gltf && (options.targets.max_error || options.certify || options.certificate)) {
     throw UsageError("--compress rounds positions, so nothing can be proven of them: leave one out");
   }
   const bool is_read = std::any_of(options.inputs.begin(), options.inputs.end(), is_gltf);
-  const bool is_recorded = options.recording || options.curve || options.page || options.pictures.is_given();
-  if (is_read && is_recorded) {
-    throw UsageError(
-        "--record, --curve, --page, --frames and --animate don't take glTF yet: 'convert' it to PLY first");
+  const bool is_all_gltf = std::all_of(options.inputs.begin(), options.inputs.end(), is_gltf);
+  if (options.is_per_mesh && (!is_all_gltf || options.files.input_format)) {
+    throw UsageError("--per-mesh is for inputs in glTF, which may have several meshes");
+  }
+  if (is_read && options.page) throw UsageError("--page doesn't take glTF yet: 'convert' it to PLY first");
+  if (is_read && options.recording && !options.embeds_input) {
+    throw UsageError("--no-embed doesn't take glTF, as 'replay' doesn't read it");
   }
   if (is_written && (options.map || options.map_back)) {
     throw UsageError("--map and --map-back don't take glTF: its vertices are those of primitives");
   }
-  if (is_read && options.certificate) throw UsageError("--certificate doesn't take glTF, as 'verify' doesn't read it");
+  if ((is_read || is_written) && options.certificate)
+    throw UsageError("--certificate doesn't take glTF, as 'verify' doesn't read it");
   if (is_read && (options.threshold.is_automatic || options.threshold.length.value > 0)) {
     throw UsageError("--threshold doesn't take glTF: its meshes don't lie where the scene puts them");
   }
   if (is_read && options.engine == Engine::openmesh) throw UsageError("--engine openmesh doesn't take glTF");
-  if (is_written && !options.keeps_attributes) throw UsageError("--attributes position-only doesn't go with glTF");
+  if (is_read && is_written && !options.keeps_attributes)
+    throw UsageError("--attributes position-only doesn't go with glTF");
 }
 
 void check_options(const CLI::App& app, const SimplifyCommand& options) {
@@ -464,6 +481,7 @@ nlohmann::ordered_json options_json(const SimplifyCommand& options) {
       {"attribute_weights", to_string(decimate.attribute_weights)},
       {"normals", word_of<Normals>(normals, decimate.normals)},
       {"compress", options.compresses_gltf},
+      {"per_mesh", options.is_per_mesh},
       {"effort", word_of<Effort>(efforts, options.effort)},
       {"cost", to_string(decimate.effective_cost())},
       {"valence", decimate.valence_weight},

@@ -55,6 +55,7 @@ struct SimplifyCommand {
   bool embeds_input = true;                ///< whether the recording has the input in it
   bool compresses_recording = false;
   bool compresses_gltf = false;
+  bool is_per_mesh = false;      ///< whether each mesh of a glTF file has the target on its own
   bool keeps_attributes = true;  ///< or positions alone
   bool strict = false;
   bool certify = false;               ///< whether the largest distance is found without a limit, too

@@ -8,6 +8,7 @@
 #include "commands/recording/curve.hh"
 #include "commands/simplify/as_written.hh"
 #include "files/input.hh"
+#include "whittle/core/wedges.hh"
 #include "whittle/engine/simplify.hh"
 
 namespace whittle::app {
@@ -26,8 +27,9 @@ struct SimplifySeconds {
 struct SimplifyRecord {
   Input input;
   DecimateTarget target = DecimateTarget::as_far_as_possible();
-  double diagonal = 0;             ///< of the input's bounding box
-  std::vector<double> tolerances;  ///< of the input's vertices, model units; or empty
+  std::vector<DecimateTarget> targets_per_mesh;  ///< with --per-mesh; `target` is their sum then
+  double diagonal = 0;                           ///< of the input's bounding box
+  std::vector<double> tolerances;                ///< of the input's vertices, model units; or empty
   std::size_t n_pruned_parts = 0;
   double threshold = 0;  ///< of threshold pairs, model units; 0 = none
   Simplification simplified;
@@ -41,5 +43,16 @@ struct SimplifyRecord {
   std::vector<std::string> warnings;
   SimplifySeconds seconds;
 };
+
+/// The input as recordings have it: with one normal and one colour a vertex.
+inline IndexedMesh recorded_input(const SimplifyRecord& record) {
+  IndexedMesh mesh = record.input.read.mesh;
+  drop_seams(mesh);
+  mesh.attributes.clear();
+  mesh.face_attributes.clear();
+  mesh.face_groups.clear();
+  mesh.group_names.clear();
+  return mesh;
+}
 
 }  // namespace whittle::app

@@ -112,7 +112,7 @@ std::string uri_of_file(std::string_view name) {
   constexpr std::string_view digits = "0123456789ABCDEF";
   std::string uri;
   for (const char c : name) {
-    if (is_plain_in_uri(c)) {
+    if (is_plain_in_uri(c) || c == '/') {
       uri += c;
     } else {
       const auto byte = static_cast<unsigned char>(c);

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t alignment = 8;
 
 /// A range of bytes, and the object of the document that says so.
-struct Range {
+struct PackedRange {
   Json* object;
   std::size_t buffer;
   std::size_t offset;
@@ -20,17 +20,17 @@ struct Range {
 };
 
 /// In the order of buffers and offsets. Ranges that are not in a buffer are left out.
-std::vector<Range> ranges_of(Json& document, const Model& model) {
-  std::vector<Range> ranges;
+std::vector<PackedRange> ranges_of(Json& document, const Model& model) {
+  std::vector<PackedRange> ranges;
   for_each_range(document, [&](Json& object) {
     const Json* const offset = member(object, "byteOffset");
-    const Range range{&object, *as_whole(object["buffer"]), offset ? as_whole(*offset).value_or(0) : 0,
-                      *as_whole(object["byteLength"])};
+    const PackedRange range{&object, *as_whole(object["buffer"]), offset ? as_whole(*offset).value_or(0) : 0,
+                            *as_whole(object["byteLength"])};
     if (range.buffer >= model.buffers.size()) return;
     const std::size_t size = model.buffers[range.buffer].size;
     if (range.offset <= size && range.length <= size - range.offset) ranges.push_back(range);
   });
-  std::stable_sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) {
+  std::stable_sort(ranges.begin(), ranges.end(), [](const PackedRange& a, const PackedRange& b) {
     return std::pair(a.buffer, a.offset) < std::pair(b.buffer, b.offset);
   });
   return ranges;
@@ -51,7 +51,7 @@ class Packer {
  public:
   Packer(const Model& model, PackedBuffers& to) : model_(model), to_(to) {}
 
-  void add(const Range& range) {
+  void add(const PackedRange& range) {
     if (run_buffer_ != range.buffer || range.offset > run_end_ || !has_run_) begin_run(range);
     extend_run(range.offset + range.length);
     const bool has_bytes = model_.buffers[range.buffer].bytes.has_value();
@@ -59,7 +59,7 @@ class Packer {
   }
 
  private:
-  void begin_run(const Range& range) {
+  void begin_run(const PackedRange& range) {
     has_run_ = true;
     run_buffer_ = range.buffer;
     run_begin_ = run_end_ = range.offset;
@@ -112,7 +112,7 @@ Json description_of_first(const Json& document, const Model& model) {
 PackedBuffers pack_buffers(Json& document, const Model& model) {
   PackedBuffers packed;
   Packer packer(model, packed);
-  for (const Range& range : ranges_of(document, model)) packer.add(range);
+  for (const PackedRange& range : ranges_of(document, model)) packer.add(range);
   return packed;
 }
 

@@ -49,6 +49,12 @@ std::string_view title_of(Format format) { return row_of(format).title; }
 
 bool has_text_and_binary(Format format) { return row_of(format).has_text_and_binary; }
 
+FileNotes notes_in(Format format, FileNotes notes) {
+  if (!row_of(format).names_libraries) notes.material_libraries.clear();
+  if (!row_of(format).names_textures) notes.header_lines.clear();
+  return notes;
+}
+
 std::string format_names(std::string_view separator) {
   std::string names;
   for (const detail::FormatRow* row : detail::format_table) {

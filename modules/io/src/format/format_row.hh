@@ -35,6 +35,9 @@ struct FormatRow {
   /// Whether it is written as text or as binary data, by `WriteOptions::ascii`. If not, there is one way to write it.
   bool has_text_and_binary;
 
+  bool names_libraries;  ///< Whether it has `FileNotes::material_libraries`.
+  bool names_textures;   ///< Whether it has `FileNotes::header_lines`.
+
   /// Whether content is of this format whatever the file's name says. The surest format wins, of equally sure ones the
   /// first of the table. Null if the format's files have nothing in common to tell them by.
   Evidence (*recognises)(std::string_view bytes);

@@ -16,6 +16,8 @@ constinit const FormatRow obj_row{
     .extensions = obj_extensions,
     .beginning = Beginning::text,
     .has_text_and_binary = false,
+    .names_libraries = true,
+    .names_textures = false,
     .recognises = nullptr,
     .read = read_obj,
     .write = write_obj,

@@ -26,6 +26,8 @@ constinit const FormatRow off_row{
     .extensions = off_extensions,
     .beginning = Beginning::text_header,
     .has_text_and_binary = false,
+    .names_libraries = false,
+    .names_textures = false,
     .recognises = recognise_off,
     .read = read_off,
     .write = write_off,

@@ -22,6 +22,8 @@ constinit const FormatRow ply_row{
     .extensions = ply_extensions,
     .beginning = Beginning::text_header,
     .has_text_and_binary = true,
+    .names_libraries = true,
+    .names_textures = true,
     .recognises = recognise_ply,
     .read = read_ply,
     .write = write_ply,

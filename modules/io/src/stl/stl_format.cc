@@ -29,6 +29,8 @@ constinit const FormatRow stl_row{
     .extensions = stl_extensions,
     .beginning = Beginning::any_bytes,  // a binary file's count may be wrong: the reader says so
     .has_text_and_binary = true,
+    .names_libraries = false,
+    .names_textures = false,
     .recognises = recognise_stl,
     .read = read_stl,
     .write = write_stl,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "whittle/core/attribute.hh"
+#include "whittle/io/format.hh"
 
 namespace whittle::io {
 
@@ -28,6 +29,9 @@ struct FileNotes {
   /// PLY: the type of vertex colours. Others than `uint8`, `uint16` and `float32` are not kept.
   ScalarType color_type = ScalarType::uint8;
 };
+
+/// The notes without the libraries, or textures, that a file of this format can't name.
+FileNotes notes_in(Format format, FileNotes notes);
 
 /// The files that a mesh file needs: its textures, its material libraries (MTL), and the textures that these name.
 /// Paths are relative to the mesh file's folder, but for absolute ones; backslashes separate folders, too. Each comes

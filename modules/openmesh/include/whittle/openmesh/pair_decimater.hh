@@ -220,4 +220,4 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
 
 }  // namespace whittle
 
-#include "whittle/openmesh/pair_decimater_impl.hh"
+#include "whittle/openmesh/detail/pair_decimater_impl.hh"

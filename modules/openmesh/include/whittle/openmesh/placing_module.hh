@@ -13,6 +13,7 @@
 
 #include "whittle/engine/formula/valence_term.hh"
 #include "whittle/openmesh/conversions.hh"
+#include "whittle/openmesh/detail/attributes/blend_attributes.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
 
 namespace whittle {
@@ -145,6 +146,7 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   mutable OpenMesh::VProp<Index> numbers_;  ///< index in `quadrics_`; garbage collection moves it along
   std::optional<Pending> pending_;          ///< the collapse under way
   PlacedQuadric merged_;                    ///< the merged vertex of that collapse
+  std::optional<VertexBlendT<MeshT>> blend_;
 };
 
 }  // namespace whittle

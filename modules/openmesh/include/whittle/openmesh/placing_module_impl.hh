@@ -1,6 +1,5 @@
 #pragma once
 
-#include "whittle/openmesh/detail/blend_attributes.hh"
 #include "whittle/openmesh/detail/feature_bits.hh"
 #include "whittle/openmesh/placing_module.hh"
 
@@ -165,8 +164,9 @@ void PlacingModuleT<MeshT>::preprocess_collapse(const CollapseInfo& collapse) {
     const PairEvaluation evaluation = evaluate_cheapest(collapse);
     place_next(evaluation, this->place(first, second, evaluation), first);
   }
-  blend_attributes(mesh_, collapse.v1, collapse.v0,
-                   share_along(position(collapse.v1), position(collapse.v0), pending_->position));
+  if (!blend_ || !blend_->fits(mesh_)) blend_.emplace(mesh_);
+  blend_->blend(mesh_, collapse.v1, collapse.v0,
+                share_along(position(collapse.v1), position(collapse.v0), pending_->position));
   const bool is_v0_first = pending_->first == collapse.v0;
   merged_ = merge(pending_->first, is_v0_first ? collapse.v1 : collapse.v0, pending_->evaluation, pending_->position);
   carry_feature_bits(mesh_, collapse);

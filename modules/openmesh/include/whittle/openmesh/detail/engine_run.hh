@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "whittle/engine/decimate.hh"
+#include "whittle/openmesh/detail/attributes/blend_attributes.hh"
 #include "whittle/openmesh/detail/bulk_collapse.hh"
 #include "whittle/openmesh/detail/face_relinker.hh"
 #include "whittle/openmesh/detail/run_input.hh"
@@ -65,7 +66,8 @@ class EngineRunT final : private DecimationHost {
   std::optional<DecimationState> state_;
   std::vector<VertexMerge> merges_;  ///< by first copies
   std::uint64_t n_notified_ = 0;     ///< contractions that the observer was told of last, if the error is limited
-  std::vector<float> shares_;        ///< of the removed vertices in the merged ones, if the mesh has attributes
+  VertexBlendT<MeshT> blend_;
+  std::vector<float> shares_;  ///< of the removed vertices in the merged ones, if vertices carry something
 };
 
 }  // namespace whittle

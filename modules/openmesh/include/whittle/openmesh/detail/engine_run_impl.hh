@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "whittle/core/detail/edge_table.hh"
-#include "whittle/openmesh/detail/blend_attributes.hh"
 #include "whittle/openmesh/detail/engine_run.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
 
@@ -22,7 +21,8 @@ EngineRunT<MeshT>::EngineRunT(PairDecimaterT<MeshT>& decimater, const DecimateTa
       target_(target),
       input_(mesh_, Copies::joined,
              [&decimater, only_selected](VertexHandle v) { return decimater.is_fixed(v, only_selected); }),
-      state_(state_of_module()) {}
+      state_(state_of_module()),
+      blend_(mesh_) {}
 
 template <class MeshT>
 DecimateResult EngineRunT<MeshT>::run() {
@@ -119,7 +119,7 @@ bool EngineRunT<MeshT>::follow(const HostedContraction& made, const Contraction&
 template <class MeshT>
 void EngineRunT<MeshT>::note(const Contraction& contraction, double share) {
   merges_.push_back({input_.handle(contraction.removed), input_.handle(contraction.survivor)});
-  if (has_vertex_attributes(mesh_)) shares_.push_back(static_cast<float>(share));
+  if (!blend_.empty()) shares_.push_back(static_cast<float>(share));
   if (!decimater_.listener_) return;
   Contraction by_handles = contraction;
   by_handles.survivor = input_.numbers.handles[contraction.survivor];
@@ -149,6 +149,9 @@ void EngineRunT<MeshT>::write_back(Decimation& small) {
     if (position == to_vec3(mesh_.point(handle))) continue;  // don't round a vertex that hasn't moved
     mesh_.set_point(handle, to_point<typename MeshT::Point>(position));
   }
+  std::vector<Index> vertex_of(mesh_.n_vertices(), invalid_index);
+  for (const auto& [vertex, handle] : vertices) vertex_of[static_cast<std::size_t>(handle.idx())] = vertex;
+  input_.write_corners(small, vertex_of, decimater_.threads_, mesh_);
   if (mesh_.has_face_normals()) update_face_normals(vertices, small.mesh.origins);
   hand_over_quadrics(vertices, std::move(small.quadrics), were_collapses);
 }
@@ -157,7 +160,7 @@ void EngineRunT<MeshT>::write_back(Decimation& small) {
 template <class MeshT>
 void EngineRunT<MeshT>::blend() {
   for (std::size_t i = 0; i < shares_.size(); ++i) {
-    blend_attributes(mesh_, merges_[i].survivor, merges_[i].removed, shares_[i]);
+    blend_.blend(mesh_, merges_[i].survivor, merges_[i].removed, shares_[i]);
   }
 }
 

@@ -66,7 +66,11 @@ DecimateOptions MeshRunT<MeshT>::options() const {
 
 template <class MeshT>
 DecimateResult MeshRunT<MeshT>::run() {
-  DecimateResult result = whittle::decimate(input_.mesh, target_, options(), *this).result;
+  Decimation small = whittle::decimate(input_.mesh, target_, options(), *this);
+  std::vector<Index> vertex_of(mesh_.n_vertices(), invalid_index);
+  for (Index v = 0; v < small.mesh.origins.size(); ++v) vertex_of[small.mesh.origins[v]] = v;
+  input_.write_corners(small, vertex_of, decimater_.threads_, mesh_);
+  DecimateResult result = small.result;
   result.n_vertices = decimater_.count_elements().vertices;
   result.rejections.locked += rejections_.locked;
   result.rejections.link += rejections_.link;

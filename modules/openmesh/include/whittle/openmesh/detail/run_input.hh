@@ -1,12 +1,16 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "whittle/engine/attributes.hh"
 #include "whittle/engine/host.hh"
 #include "whittle/openmesh/conversions.hh"
+#include "whittle/openmesh/detail/attributes/corner_attributes.hh"
 #include "whittle/openmesh/detail/status_bits.hh"
+#include "whittle/polish/fit_attributes.hh"
 
 namespace whittle {
 
@@ -14,9 +18,10 @@ namespace whittle {
 template <class MeshT>
 struct RunInputT {
   detail::VertexNumbers numbers;     ///< handles of the vertices of `mesh`, and the reverse
-  IndexedMesh mesh;                  ///< positions and faces
+  IndexedMesh mesh;                  ///< positions and faces, and what corners carry
   std::vector<VertexPair> features;  ///< edges with the feature bit, ascending
   std::vector<std::uint8_t> locked;  ///< by vertex, or empty if none is
+  CornerAttributesT<MeshT> corners;
 
   /// \param is_fixed handle → whether the vertex may neither move nor vanish
   template <class IsFixed>
@@ -24,12 +29,33 @@ struct RunInputT {
       : numbers(detail::number_vertices(source, copies)),
         mesh(detail::geometry_of(source, numbers)),
         features(find_features(source)),
-        locked(find_locked(source, is_fixed)) {}
+        locked(find_locked(source, is_fixed)),
+        corners(source) {
+    add_wedges(source, corners, mesh);
+    if (corners.empty()) return;
+    const StatusBitsT<OpenMesh::FaceHandle, const MeshT> bits(source);
+    for (int i = 0; i < static_cast<int>(source.n_faces()); ++i) {
+      if (!bits.is_deleted(OpenMesh::FaceHandle(i))) face_handles_.push_back(static_cast<Index>(i));
+    }
+  }
 
   OpenMesh::VertexHandle handle(Index v) const { return OpenMesh::VertexHandle(static_cast<int>(numbers.handles[v])); }
   Index number(OpenMesh::VertexHandle v) const { return numbers.number_of[static_cast<std::size_t>(v.idx())]; }
 
+  /// Gives the corners that are left what they have become, fitted to what they were (`fit_attributes`).
+  /// \param vertex_of by handle, the vertex of `small.mesh` \param threads 0 = all cores
+  void write_corners(Decimation& small, std::span<const Index> vertex_of, unsigned threads, MeshT& to) const {
+    if (corners.empty() || small.result.n_contractions == 0) return;
+    fit_attributes(mesh, wedge_map(mesh, small.vertex_map, small.face_origins), small.mesh, {.threads = threads});
+    std::vector<Index> handles;
+    handles.reserve(small.face_origins.size());
+    for (const Index f : small.face_origins) handles.push_back(face_handles_[f]);
+    set_corners(small.mesh, handles, vertex_of, corners, to);
+  }
+
  private:
+  std::vector<Index> face_handles_;  ///< of the faces of `mesh`, if corners carry something
+
   /// Several edges may join copies of the same two vertices: the pair is listed once.
   std::vector<VertexPair> find_features(const MeshT& source) const {
     std::vector<VertexPair> result;

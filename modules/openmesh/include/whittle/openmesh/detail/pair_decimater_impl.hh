@@ -6,7 +6,6 @@
 
 #include "whittle/openmesh/detail/engine_run.hh"
 #include "whittle/openmesh/detail/mesh_run.hh"
-#include "whittle/openmesh/pair_decimater.hh"
 
 namespace whittle {
 
@@ -179,7 +178,7 @@ template <class MeshT>
 DecimateResult PairDecimaterT<MeshT>::run_engine(const DecimateTarget& target, bool only_selected) {
   const DecimateTarget effective = with_error_limits(target);
   if (effective.error_limit() && !is_fresh_) initialize();
-  const DecimateResult result = EngineRunT<MeshT>(*this, effective, only_selected).run();
+  DecimateResult result = EngineRunT<MeshT>(*this, effective, only_selected).run();
   if (error_guard_) error_guard_->note_new_surface();
   return result;
 }

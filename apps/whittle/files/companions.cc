@@ -1,0 +1,76 @@
+#include "files/companions.hh"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <ostream>
+#include <system_error>
+
+#include "files/input.hh"
+#include "terminal/table.hh"
+
+namespace whittle::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Copies a file. \return why not, if it isn't there afterwards
+std::string copied(OutputFiles& files, const fs::path& from, const fs::path& to, const fs::path& name, bool& is_new) {
+  std::error_code error;
+  if (!is_inside(name)) return "outside of the folder";
+  if (!fs::is_regular_file(from / name, error)) return "not there";
+  const std::optional<std::string> content = content_of(from / name);
+  if (!content) return "can't be read";
+  is_new = !fs::exists(to / name, error);
+  if (!is_new) return content_of(to / name) == content ? "" : "there is another one";
+  write_with_folders(files, to / name, *content);
+  return "";
+}
+
+}  // namespace
+
+fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
+
+bool is_inside(const fs::path& name) {
+  return name.is_relative() && std::none_of(name.begin(), name.end(), [](const auto& part) { return part == ".."; });
+}
+
+std::optional<std::string> content_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  std::string content{std::istreambuf_iterator<char>(file), {}};
+  if (file.bad()) return std::nullopt;
+  return content;
+}
+
+void write_with_folders(OutputFiles& files, const fs::path& path, const std::string& bytes) {
+  std::error_code error;  // that of writing says more
+  fs::create_directories(folder_of(path), error);
+  files.write(path.string(), [&](std::ostream& out) { out << bytes; });
+}
+
+void copy_companions(OutputFiles& files, const std::string& input, const std::string& output,
+                     std::span<const fs::path> names, const Talk& talk, std::vector<std::string>& warnings) {
+  std::error_code error;
+  const fs::path from = folder_of(input);
+  const fs::path to = folder_of(output);
+  if (input == standard_stream || output == standard_stream || fs::equivalent(from, to, error)) return;
+  std::vector<std::string> new_files;
+  std::string missing;
+  for (const fs::path& name : names) {
+    if (name.is_absolute() || to / name == output) continue;
+    bool is_new = false;
+    const std::string problem = copied(files, from, to, name, is_new);
+    if (is_new) new_files.push_back(name.generic_string());
+    if (!problem.empty()) missing += (missing.empty() ? "" : ", ") + name.generic_string() + " (" + problem + ")";
+  }
+  if (!new_files.empty()) {
+    const std::string others = counted(new_files.size() - 1, "more file", "more files");
+    talk.say(output + ": copied " + new_files.front() + (new_files.size() > 1 ? " and " + others : "") + " beside it");
+  }
+  if (missing.empty()) return;
+  warnings.push_back(about(output, "needs files that were not copied: " + missing));
+  talk.warning(warnings.back());
+}
+
+}  // namespace whittle::app

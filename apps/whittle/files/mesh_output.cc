@@ -1,0 +1,51 @@
+#include "files/mesh_output.hh"
+
+#include <filesystem>
+
+#include "files/companions.hh"
+#include "files/gltf_file.hh"
+#include "files/new_gltf.hh"
+#include "files/report.hh"
+
+namespace whittle::app {
+namespace {
+
+void write_to_gltf(OutputFiles& files, const MeshOutput& output, Input& input, const IndexedMesh& mesh,
+                   const Talk& talk, std::vector<std::string>& warnings) {
+  if (!input.gltf) return write_new_gltf(files, output.path, input, mesh, output.compresses_gltf, talk, warnings);
+  for (const std::string& warning : input.gltf->write(files, output.path, mesh, output.compresses_gltf)) {
+    warnings.push_back(about(output.path, warning));
+    talk.warning(warnings.back());
+  }
+}
+
+void write_from_gltf(OutputFiles& files, const MeshOutput& output, const IndexedMesh& mesh, const Talk& talk,
+                     std::vector<std::string>& warnings) {
+  IndexedMesh flipped = mesh;
+  flip_texcoords(flipped);
+  write_mesh(files, output.path, output.options, flipped, talk, warnings);
+}
+
+}  // namespace
+
+bool is_gltf_output(const std::string& path, const FileOptions& options) {
+  return options.writes_gltf && !options.output_format && is_gltf(path);
+}
+
+std::string output_format_name(const std::string& path, const FileOptions& options) {
+  if (is_gltf_output(path, options)) return "gltf";
+  return std::string(io::name_of(format_for_output(path, options)));
+}
+
+void write_result(OutputFiles& files, const MeshOutput& output, Input& input, const IndexedMesh& mesh, const Talk& talk,
+                  std::vector<std::string>& warnings) {
+  if (is_gltf_output(output.path, output.options)) {
+    return write_to_gltf(files, output, input, mesh, talk, warnings);
+  }
+  if (input.gltf) return write_from_gltf(files, output, mesh, talk, warnings);
+  write_mesh(files, output.path, output.options, mesh, talk, warnings, input.read.notes);
+  const io::FileNotes notes = io::notes_in(format_for_output(output.path, output.options), input.read.notes);
+  copy_companions(files, input.path, output.path, io::referenced_files(notes, folder_of(input.path)), talk, warnings);
+}
+
+}  // namespace whittle::app

@@ -1,0 +1,176 @@
+// The document is made with accessors of three zeros, and read; then the mesh replaces these.
+#include "whittle/gltf/make_asset.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "document/glb.hh"
+#include "document/json.hh"
+#include "document/uri.hh"
+#include "model/scalars.hh"
+#include "whittle/core/geometry/vertex_normals.hh"
+#include "whittle/core/wedges.hh"
+#include "whittle/version.hh"
+
+namespace whittle::gltf {
+namespace {
+
+constexpr std::string_view png_magic = "\x89PNG";
+constexpr std::string_view jpeg_magic = "\xFF\xD8\xFF";
+
+constexpr std::size_t n_zeros = 48;  // bytes: three times four 32-bit numbers
+
+Json empty_accessor(const char* shape, ScalarType type) {
+  Json json = {{"bufferView", 0}, {"componentType", component_type(type)}, {"count", 3}, {"type", shape}};
+  if (type != ScalarType::float32) json["normalized"] = true;
+  return json;
+}
+
+/// Adds accessors for what the mesh has. \return the attributes of its primitives
+Json add_accessors(const IndexedMesh& mesh, Json& document) {
+  Json& accessors = document["accessors"] = Json::array();
+  Json attributes = Json::object();
+  const auto add = [&](const std::string& name, const char* shape, ScalarType type = ScalarType::float32) {
+    attributes[name] = accessors.size();
+    accessors.push_back(empty_accessor(shape, type));
+  };
+  add("POSITION", "VEC3");
+  for (const char* const bound : {"min", "max"}) accessors[0][bound] = {0, 0, 0};
+  if (!mesh.normals.empty()) add("NORMAL", "VEC3");
+  if (!mesh.colors.empty()) add("COLOR_0", "VEC4", ScalarType::uint16);
+  for (const Attribute& attribute : mesh.attributes) add(attribute.name, "VEC2");
+  return attributes;
+}
+
+void add_view(std::string_view bytes, std::string& buffer, Json& document) {
+  document["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", buffer.size()}, {"byteLength", bytes.size()}});
+  buffer += bytes;
+  buffer.append((4 - buffer.size() % 4) % 4, '\0');
+}
+
+void add_image(const NewImage& image, std::string& buffer, Json& document) {
+  const std::u8string name = image.file.generic_u8string();
+  const std::string file(name.begin(), name.end());
+  document["textures"].push_back({{"source", document["images"].size()}, {"sampler", 0}});
+  if (image.bytes.empty()) {
+    document["images"].push_back(Json::object({{"uri", uri_of_file(file)}}));
+    return;
+  }
+  document["images"].push_back({{"name", file},
+                                {"mimeType", image.bytes.starts_with(png_magic) ? "image/png" : "image/jpeg"},
+                                {"bufferView", document["bufferViews"].size()}});
+  add_view(image.bytes, buffer, document);
+}
+
+/// \return the bytes of the buffer: the zeros of the accessors, and the images that the asset contains
+std::string add_buffer(const std::vector<NewImage>& images, Json& document) {
+  std::string buffer;
+  add_view(std::string(n_zeros, '\0'), buffer, document);
+  for (const NewImage& image : images) add_image(image, buffer, document);
+  constexpr int repeat = 10497;
+  if (!images.empty()) document["samplers"].push_back({{"wrapS", repeat}, {"wrapT", repeat}});
+  document["buffers"].push_back(Json::object({{"byteLength", buffer.size()}}));
+  return buffer;
+}
+
+Json material_json(const NewMaterial& material, bool is_transparent) {
+  Json look = {{"baseColorFactor", material.color}, {"metallicFactor", 0}, {"roughnessFactor", 1}};
+  if (material.image) look["baseColorTexture"]["index"] = *material.image;
+  Json json = Json::object();
+  if (!material.name.empty()) json["name"] = material.name;
+  json["pbrMetallicRoughness"] = std::move(look);
+  if (is_transparent) json["alphaMode"] = "BLEND";
+  return json;
+}
+
+/// Leaves out materials of groups without faces, and numbers the groups anew.
+void drop_unused(NewAsset& asset) {
+  IndexedMesh& mesh = asset.mesh;
+  if (mesh.face_groups.empty()) mesh.face_groups.assign(mesh.faces.size(), 0);
+  std::vector<Index> numbers(asset.materials.size(), invalid_index);
+  for (const Index group : mesh.face_groups) numbers.at(group) = 0;
+  std::vector<NewMaterial> used;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (numbers[i] == invalid_index) continue;
+    numbers[i] = static_cast<Index>(used.size());
+    used.push_back(std::move(asset.materials[i]));
+  }
+  for (Index& group : mesh.face_groups) group = numbers[group];
+  asset.materials = std::move(used);
+}
+
+/// Leaves texture coordinates alone, under the names of glTF.
+void keep_texcoords(IndexedMesh& mesh) {
+  std::vector<Attribute> kept;
+  for (const Attribute& attribute : mesh.attributes) {
+    if (attribute.kind != AttributeKind::texcoord || attribute.n_components < 2) continue;
+    Attribute& own = kept.emplace_back(
+        Attribute{.name = "TEXCOORD_" + std::to_string(kept.size()), .kind = attribute.kind, .n_components = 2});
+    for (std::size_t w = 0; w < attribute.size(); ++w) {
+      const auto value = attribute.value(w);
+      own.values.insert(own.values.end(), value.begin(), value.begin() + 2);
+    }
+  }
+  mesh.attributes = std::move(kept);
+}
+
+/// glTF has unit normals alone.
+void fill_in_normals(IndexedMesh& mesh) {
+  const auto is_undefined = [](const std::array<float, 3>& n) { return n[0] == 0 && n[1] == 0 && n[2] == 0; };
+  if (std::none_of(mesh.normals.begin(), mesh.normals.end(), is_undefined)) return;
+  const auto of_faces = vertex_normals(mesh, Frame::of_points(mesh.positions));
+  for (std::size_t corner = 0; corner < 3 * mesh.faces.size(); ++corner) {
+    auto& normal = mesh.normals[mesh.wedge(corner / 3, corner % 3)];
+    if (is_undefined(normal)) normal = of_faces[mesh.faces[corner / 3][corner % 3]];
+    if (is_undefined(normal)) normal = {0, 0, 1};
+  }
+}
+
+void refuse_large(const std::vector<Vec3>& positions) {
+  for (const Vec3& p : positions) {
+    if (p.cwiseAbs().maxCoeff() > std::numeric_limits<float>::max()) {
+      throw std::range_error("a coordinate is too large: glTF has 32-bit numbers");
+    }
+  }
+}
+
+bool is_transparent(const Color& color) { return color[3] < 1; }
+
+Json document_of(const NewAsset& asset) {
+  Json document = {{"asset", {{"version", "2.0"}, {"generator", "whittle " WHITTLE_VERSION_STRING}}},
+                   {"scene", 0},
+                   {"scenes", Json::array({Json::object({{"nodes", Json::array({0})}})})},
+                   {"nodes", Json::array({{{"name", asset.name}, {"mesh", 0}}})}};
+  const Json attributes = add_accessors(asset.mesh, document);
+  const bool has_transparency = std::any_of(asset.mesh.colors.begin(), asset.mesh.colors.end(), is_transparent);
+  Json primitives = Json::array();
+  for (std::size_t i = 0; i < asset.materials.size(); ++i) {
+    const NewMaterial& material = asset.materials[i];
+    document["materials"].push_back(material_json(material, has_transparency || is_transparent(material.color)));
+    primitives.push_back({{"attributes", attributes}, {"material", i}});
+  }
+  document["meshes"].push_back({{"name", asset.name}, {"primitives", std::move(primitives)}});
+  return document;
+}
+
+}  // namespace
+
+bool is_image(std::string_view bytes) { return bytes.starts_with(png_magic) || bytes.starts_with(jpeg_magic); }
+
+Asset make_asset(NewAsset asset) {
+  refuse_large(asset.mesh.positions);
+  drop_unused(asset);
+  keep_texcoords(asset.mesh);
+  fill_in_normals(asset.mesh);
+  Json document = document_of(asset);
+  const std::string buffer = add_buffer(asset.images, document);
+  Asset made = Asset::read(join_glb(document.dump(), buffer), asset.name);
+  made.set_triangles(0, std::move(asset.mesh));
+  return made;
+}
+
+}  // namespace whittle::gltf
