@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "commands/measure/attribute_rows.hh"
 #include "commands/subcommands.hh"
 #include "files/input.hh"
 #include "files/output.hh"
@@ -15,6 +16,7 @@
 #include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
+#include "whittle/metrics/attribute_deviation.hh"
 #include "whittle/metrics/certify.hh"
 #include "whittle/metrics/line_distance.hh"
 #include "whittle/metrics/self_intersections.hh"
@@ -43,6 +45,7 @@ struct LinesMeasured {
 
 struct Measurement {
   metrics::SurfaceDistance distance;
+  std::vector<metrics::AttributeDeviation> attributes;
   std::optional<metrics::LargestDistances> largest;  ///< set if asked for
   LinesMeasured borders;
   std::optional<LinesMeasured> features;  ///< set if asked for
@@ -63,10 +66,13 @@ Measurement measure(const IndexedMesh& reference, const IndexedMesh& test, const
   ProgressBar bar(talk, "measuring");
   metrics::DistanceOptions distance = options.distance;
   distance.threads = options.common.threads;
-  distance.progress = part_of(bar, 0, options.exact ? 0.4 : 0.7);
+  const double until = options.exact ? 0.4 : 0.7;
+  distance.progress = part_of(bar, 0, 0.5 * until);
   const unsigned threads = options.common.threads;
   Measurement measured;
   measured.distance = metrics::surface_distance(reference, test, distance);
+  distance.progress = part_of(bar, 0.5 * until, until);
+  measured.attributes = metrics::attribute_deviations(reference, test, distance);
   if (options.exact) {
     measured.largest = metrics::largest_distances(reference, test, *options.exact, {threads, part_of(bar, 0.4, 0.7)});
   }
@@ -105,6 +111,7 @@ Json measure_json(const Input& reference, const Input& test, const Measurement& 
   json["test"] = input_json(test, metrics::bounds(test.read.mesh).diagonal());
   json["diagonal"] = measured.distance.diagonal;
   add_distance(json, measured.distance);
+  json["attributes"] = attributes_json(measured.attributes);
   json["exact"] = exact_json(measured, options);
   json["border"] = lines_json(measured.borders.distance, measured.distance.diagonal);
   json["features"] = features_json(measured, options);
@@ -212,10 +219,12 @@ std::string file_line(const char* role, const Input& input) {
 }
 
 std::string summary_of(const Input& reference, const Input& test, const Measurement& measured) {
+  std::string tables = distance_table(measured);
+  if (!measured.attributes.empty()) tables += '\n' + attributes_table(measured.attributes);
+  if (measured.pictures) tables += '\n' + measured.pictures->text;
   return file_line("REF: ", reference) + file_line("TEST: ", test) +
          "lengths in model units, and over the diagonal of REF's box, which is " +
-         significant(measured.distance.diagonal) + "\n\n" + distance_table(measured) +
-         (measured.pictures ? '\n' + measured.pictures->text : "") + "\nTEST\n" + shape_table(measured);
+         significant(measured.distance.diagonal) + "\n\n" + tables + "\nTEST\n" + shape_table(measured);
 }
 
 /// \throw what `run_measure` throws before it reads

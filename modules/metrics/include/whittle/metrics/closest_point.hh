@@ -47,6 +47,11 @@ class TriangleTree {
   /// The same, with argument and result in coordinates relative to `origin()`.
   ClosestPoint nearest_local(const Vec3& offset, Index hint = invalid_index) const;
 
+  /// Calls `visit(face, point, distance_sq)` for each face that comes as near to a point as that, with its nearest
+  /// point, in no particular order. All is relative to `origin()`. \param most_sq a distance, squared
+  template <class Visitor>
+  void visit_near(const Vec3& offset, double most_sq, Visitor&& visit) const;
+
   /// Lets faces count as farther than they are, in `nearest_by_offsets`. \param offsets of each face, not negative
   void set_offsets(std::vector<double> offsets);
 
@@ -97,6 +102,9 @@ class TriangleTree {
                              const Bounds& centers, std::size_t depth);
   static Slot slot_of(const IndexedMesh& mesh, Index face, const Vec3& origin);
   static Vec3 nearest_in(const Slot& slot, const Vec3& point);
+  /// Always summed in the same order: a vector that is smaller in each component never gets a greater length.
+  static double length_sq(const Vec3& v);
+  static double distance_sq_to_box(const Vec3& point, const Bounds& box);
 
   Vec3 origin_;
   std::vector<Node> nodes_;
@@ -105,6 +113,26 @@ class TriangleTree {
   std::vector<double> offsets_;        ///< Of each face; or empty.
   std::vector<double> least_offsets_;  ///< Of the faces in each node.
 };
+
+template <class Visitor>
+void TriangleTree::visit_near(const Vec3& offset, double most_sq, Visitor&& visit) const {
+  std::array<std::uint32_t, max_depth + 2> stack;
+  std::size_t size = 0;
+  stack[size++] = 0;
+  while (size > 0) {
+    const Node& node = nodes_[stack[--size]];
+    if (distance_sq_to_box(offset, node.box) > most_sq) continue;
+    if (node.count == 0) {
+      stack[size++] = node.first + 1;
+      stack[size++] = node.first;
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      const Vec3 point = nearest_in(slots_[i], offset);
+      const double distance_sq = length_sq(offset - point);
+      if (distance_sq <= most_sq) visit(slots_[i].face, point, distance_sq);
+    }
+  }
+}
 
 template <class Visitor>
 void TriangleTree::visit_boxes(const Bounds& local, Visitor&& visit) const {
