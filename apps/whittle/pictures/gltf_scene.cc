@@ -36,9 +36,9 @@ render::AlphaMode drawn(gltf::AlphaMode mode) {
 }
 
 /// Reads each image once.
-class Textures {
+class AssetTextures {
  public:
-  Textures(const gltf::Asset& asset, std::vector<std::string>& warnings) : asset_(asset), warnings_(warnings) {}
+  AssetTextures(const gltf::Asset& asset, std::vector<std::string>& warnings) : asset_(asset), warnings_(warnings) {}
 
   /// \return null if the image can't be read, with a warning
   std::shared_ptr<const render::Texture> of(const gltf::TextureUse& use) {
@@ -70,7 +70,7 @@ class Textures {
   std::map<std::tuple<std::size_t, gltf::Wrap, gltf::Wrap>, std::shared_ptr<const render::Texture>> textures_;
 };
 
-render::Material drawn(const gltf::Material& material, Textures& textures) {
+render::Material drawn(const gltf::Material& material, AssetTextures& textures) {
   render::Material to;
   to.base_color = material.base_color;
   to.alpha_mode = drawn(material.alpha_mode);
@@ -95,7 +95,7 @@ bool has_instances(const gltf::Asset& asset) {
 
 ReadScene scene_of(const gltf::Asset& asset) {
   ReadScene read;
-  Textures textures(asset, read.warnings);
+  AssetTextures textures(asset, read.warnings);
   const bool has_nodes = has_instances(asset);
   for (std::size_t m = 0; m < asset.n_meshes(); ++m) {
     if (asset.n_triangles(m) == 0) continue;

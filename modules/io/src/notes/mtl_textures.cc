@@ -61,15 +61,17 @@ void skip_options(std::string_view& text) {
 
 std::vector<std::string> mtl_textures(std::string_view text) {
   std::vector<std::string> names;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = trimmed(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (!is_texture_keyword(take_word(line))) continue;
-    skip_options(line);
-    if (!line.empty() && std::find(names.begin(), names.end(), line) == names.end()) names.emplace_back(line);
-  }
+  for_each_mtl_line(text, [&](std::string_view line) {
+    if (!is_texture_keyword(take_word(line))) return;
+    const std::string_view name = texture_name(line);
+    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
+  });
   return names;
+}
+
+std::string_view texture_name(std::string_view text) {
+  skip_options(text);
+  return text;
 }
 
 std::string with_slashes(std::string_view name) {

@@ -6,13 +6,20 @@
 namespace whittle::metrics {
 
 void NearSheets::find(const TriangleTree& tree, const Vec3& point, double most_sq) {
-  near_.clear();
-  tree.visit_near(point, most_sq, [&](Index face, const Vec3& nearest, double distance_sq) {
-    near_.push_back({face, nearest, distance_sq});
-  });
-  std::sort(near_.begin(), near_.end(), [](const ClosestPoint& a, const ClosestPoint& b) {
+  const auto is_nearer = [](const ClosestPoint& a, const ClosestPoint& b) {
     return std::tie(a.distance_sq, a.face) < std::tie(b.distance_sq, b.face);
+  };
+  near_.clear();
+  tree.visit_near(point, most_sq, [&](const ClosestPoint& closest) {
+    near_.push_back(closest);
+    std::push_heap(near_.begin(), near_.end(), is_nearer);
+    if (near_.size() > most_faces) {
+      std::pop_heap(near_.begin(), near_.end(), is_nearer);
+      near_.pop_back();
+    }
+    return near_.size() < most_faces ? most_sq : near_.front().distance_sq;
   });
+  std::sort_heap(near_.begin(), near_.end(), is_nearer);
 }
 
 std::size_t NearSheets::root(std::size_t i) {

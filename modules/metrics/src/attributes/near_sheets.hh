@@ -13,7 +13,8 @@ namespace whittle::metrics {
 /// The faces near a point, and the sheets that they form. It is used again for the next point.
 class NearSheets {
  public:
-  /// Finds all faces that are within a distance. \param most_sq that distance, squared
+  /// Finds the faces that are within a distance; of more than 64 the nearest ones. \param most_sq that distance,
+  /// squared
   void find(const TriangleTree& tree, const Vec3& point, double most_sq);
 
   /// Calls `visit(nearest)` with the nearest point of each sheet: of faces that are connected, within the distance,
@@ -28,6 +29,8 @@ class NearSheets {
   }
 
  private:
+  static constexpr std::size_t most_faces = 64;
+
   void join(const SurfaceAttribute& attribute);
   std::size_t root(std::size_t i);
 

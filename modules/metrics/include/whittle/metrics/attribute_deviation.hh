@@ -43,7 +43,7 @@ struct AttributeDeviation {
 /// where the value is another one. So a sample is also compared with the other sheets that come nearly as near, and the
 /// least deviation counts. A sheet is a set of faces where the attribute is continuous: they are connected over
 /// vertices at which both have the same value. Nearly as near: d² ≤ d₀² + (diagonal/1000)², where d₀ is the distance of
-/// the nearest point, and the diagonal is the greater one of both boxes.
+/// the nearest point, and the diagonal is the greater one of both boxes; of the faces there the 64 nearest ones count.
 ///
 /// Directions of length 0 count as absent; an attribute that can nowhere be compared is left out.
 /// \throw as `surface_distance`

@@ -47,8 +47,9 @@ class TriangleTree {
   /// The same, with argument and result in coordinates relative to `origin()`.
   ClosestPoint nearest_local(const Vec3& offset, Index hint = invalid_index) const;
 
-  /// Calls `visit(face, point, distance_sq)` for each face that comes as near to a point as that, with its nearest
-  /// point, in no particular order. All is relative to `origin()`. \param most_sq a distance, squared
+  /// Calls `visit(closest)` for each face that comes as near to a point as a distance, with its nearest point; nearer
+  /// ones come first, roughly. All is relative to `origin()`. \param most_sq that distance, squared. What `visit`
+  /// returns takes its place.
   template <class Visitor>
   void visit_near(const Vec3& offset, double most_sq, Visitor&& visit) const;
 
@@ -116,21 +117,23 @@ class TriangleTree {
 
 template <class Visitor>
 void TriangleTree::visit_near(const Vec3& offset, double most_sq, Visitor&& visit) const {
+  const auto box_distance_sq = [&](std::uint32_t node) { return distance_sq_to_box(offset, nodes_[node].box); };
   std::array<std::uint32_t, max_depth + 2> stack;
   std::size_t size = 0;
   stack[size++] = 0;
   while (size > 0) {
-    const Node& node = nodes_[stack[--size]];
-    if (distance_sq_to_box(offset, node.box) > most_sq) continue;
-    if (node.count == 0) {
-      stack[size++] = node.first + 1;
-      stack[size++] = node.first;
-    }
+    const std::uint32_t number = stack[--size];
+    if (box_distance_sq(number) > most_sq) continue;
+    const Node& node = nodes_[number];
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
       const Vec3 point = nearest_in(slots_[i], offset);
       const double distance_sq = length_sq(offset - point);
-      if (distance_sq <= most_sq) visit(slots_[i].face, point, distance_sq);
+      if (distance_sq <= most_sq) most_sq = visit(ClosestPoint{slots_[i].face, point, distance_sq});
     }
+    if (node.count > 0) continue;
+    const bool first_is_nearer = box_distance_sq(node.first) <= box_distance_sq(node.first + 1);
+    stack[size++] = first_is_nearer ? node.first + 1 : node.first;
+    stack[size++] = first_is_nearer ? node.first : node.first + 1;
   }
 }
 
