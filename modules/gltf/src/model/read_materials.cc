@@ -18,13 +18,6 @@ Part element(const Part& root, std::string_view key, std::string_view label, std
   return all[number];
 }
 
-double read_number(const Part& part, std::string_view key, double otherwise) {
-  const Json* const found = member(part.json(), key);
-  if (!found) return otherwise;
-  if (!found->is_number()) part.fail(std::string(key) + " is not a number");
-  return found->get<double>();
-}
-
 /// OpenGL's numbers. Other ones count as the default.
 Wrap read_wrap(const Part& sampler, std::string_view key) {
   constexpr std::size_t clamp_to_edge = 33071;
@@ -38,7 +31,7 @@ Wrap read_wrap(const Part& sampler, std::string_view key) {
 Eigen::Affine2d read_transform(const Part& part) {
   const auto offset = part.numbers("offset", 2).value_or(std::vector<double>{0, 0});
   const auto scale = part.numbers("scale", 2).value_or(std::vector<double>{1, 1});
-  const double rotation = read_number(part, "rotation", 0);
+  const double rotation = part.number("rotation").value_or(0);
   return Eigen::Translation2d(offset[0], offset[1]) * Eigen::Rotation2Dd(-rotation) *
          Eigen::Scaling(scale[0], scale[1]);
 }
@@ -89,7 +82,7 @@ Material read_material(const Part& root, std::size_t number) {
   read_base_color(root, part.object("pbrMetallicRoughness"), "baseColorFactor", "baseColorTexture", material);
   read_base_color(root, part.extension(specular_glossiness_extension), "diffuseFactor", "diffuseTexture", material);
   material.alpha_mode = read_alpha_mode(part);
-  material.alpha_cutoff = std::max(0.0, read_number(part, "alphaCutoff", material.alpha_cutoff));
+  material.alpha_cutoff = std::max(0.0, part.number("alphaCutoff").value_or(material.alpha_cutoff));
   material.double_sided = part.flag("doubleSided");
   return material;
 }
