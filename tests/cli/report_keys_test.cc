@@ -218,7 +218,9 @@ TEST(ReportKeys, OfMeasureAreDocumented) {
                                 {terrain, terrain, "--samples", "1000", "--verbose", "--threads", "1", "--weld", "0"},
                                 {point, point, "--no-weld", "--samples", "1000", "--quiet", "--exact", "1"},
                                 {bare, point, "--no-weld", "--format", "obj", "--samples", "1000", "--force"},
-                                {bare, point, "--no-weld", "--input-format", "obj", "--samples", "1000"}});
+                                {bare, point, "--no-weld", "--input-format", "obj", "--samples", "1000"},
+                                {bracket, bracket, "--samples", "10", "--render", "1"},
+                                {terrain, bracket, "--samples", "10", "--render", "1", "--render-image", folder / "a.png"}});
 }
 
 TEST(ReportKeys, OfInfoAreDocumented) {

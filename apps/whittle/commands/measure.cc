@@ -1,18 +1,22 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
+#include "commands/measure/attribute_rows.hh"
 #include "commands/subcommands.hh"
 #include "files/input.hh"
 #include "files/output.hh"
 #include "files/report.hh"
 #include "options/sampling.hh"
 #include "options/values.hh"
+#include "pictures/compare_pictures.hh"
 #include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
+#include "whittle/metrics/attribute_deviation.hh"
 #include "whittle/metrics/certify.hh"
 #include "whittle/metrics/line_distance.hh"
 #include "whittle/metrics/self_intersections.hh"
@@ -26,7 +30,9 @@ struct MeasureOptions {
   FileOptions files;
   metrics::DistanceOptions distance;
   std::optional<double> feature_angle_deg;
-  std::optional<double> exact;  ///< accuracy of the largest distance
+  std::optional<double> exact;             ///< accuracy of the largest distance
+  std::optional<std::size_t> n_views;      ///< to draw both meshes from
+  std::optional<std::string> worst_image;  ///< file for the worst view
   CommonOptions common;
 };
 
@@ -39,12 +45,14 @@ struct LinesMeasured {
 
 struct Measurement {
   metrics::SurfaceDistance distance;
+  std::vector<metrics::AttributeDeviation> attributes;
   std::optional<metrics::LargestDistances> largest;  ///< set if asked for
   LinesMeasured borders;
   std::optional<LinesMeasured> features;  ///< set if asked for
   metrics::Shape shape;
   metrics::Topology topology;
   std::size_t self_intersections = 0;
+  std::optional<PictureErrors> pictures;  ///< set if asked for
 };
 
 LinesMeasured measure_lines(const std::vector<metrics::Segment>& reference, const std::vector<metrics::Segment>& test,
@@ -58,10 +66,13 @@ Measurement measure(const IndexedMesh& reference, const IndexedMesh& test, const
   ProgressBar bar(talk, "measuring");
   metrics::DistanceOptions distance = options.distance;
   distance.threads = options.common.threads;
-  distance.progress = part_of(bar, 0, options.exact ? 0.4 : 0.7);
+  const double until = options.exact ? 0.4 : 0.7;
+  distance.progress = part_of(bar, 0, 0.5 * until);
   const unsigned threads = options.common.threads;
   Measurement measured;
   measured.distance = metrics::surface_distance(reference, test, distance);
+  distance.progress = part_of(bar, 0.5 * until, until);
+  measured.attributes = metrics::attribute_deviations(reference, test, distance);
   if (options.exact) {
     measured.largest = metrics::largest_distances(reference, test, *options.exact, {threads, part_of(bar, 0.4, 0.7)});
   }
@@ -100,13 +111,23 @@ Json measure_json(const Input& reference, const Input& test, const Measurement& 
   json["test"] = input_json(test, metrics::bounds(test.read.mesh).diagonal());
   json["diagonal"] = measured.distance.diagonal;
   add_distance(json, measured.distance);
+  json["attributes"] = attributes_json(measured.attributes);
   json["exact"] = exact_json(measured, options);
   json["border"] = lines_json(measured.borders.distance, measured.distance.diagonal);
   json["features"] = features_json(measured, options);
   add_shape(json, measured.shape);
   json["self_intersections"] = measured.self_intersections;
   add_topology(json, measured.topology);
+  json["render"] = measured.pictures ? measured.pictures->json : Json(nullptr);
   return json;
+}
+
+/// Draws both meshes if asked for.
+std::optional<PictureErrors> measure_pictures(const Input& reference, const Input& test, const MeasureOptions& options,
+                                              const Talk& talk) {
+  if (!options.n_views) return std::nullopt;
+  ProgressBar bar(talk, "drawing");
+  return compare_pictures(reference, test, {*options.n_views, options.common.threads, part_of(bar, 0, 1)});
 }
 
 /// Adds the rows for the distance between lines; none if there is no such distance. \param name "borders"
@@ -198,18 +219,28 @@ std::string file_line(const char* role, const Input& input) {
 }
 
 std::string summary_of(const Input& reference, const Input& test, const Measurement& measured) {
+  std::string tables = distance_table(measured);
+  if (!measured.attributes.empty()) tables += '\n' + attributes_table(measured.attributes);
+  if (measured.pictures) tables += '\n' + measured.pictures->text;
   return file_line("REF: ", reference) + file_line("TEST: ", test) +
          "lengths in model units, and over the diagonal of REF's box, which is " +
-         significant(measured.distance.diagonal) + "\n\n" + distance_table(measured) + "\nTEST\n" +
-         shape_table(measured);
+         significant(measured.distance.diagonal) + "\n\n" + tables + "\nTEST\n" + shape_table(measured);
+}
+
+/// \throw what `run_measure` throws before it reads
+void check_command(const CLI::App& app, const MeasureOptions& options) {
+  check_conflicts(app, common_conflicts());
+  check_formats({options.reference, options.test}, {}, options.files);
+  std::vector<Output> outputs;
+  if (options.common.json) outputs.push_back({"--json", *options.common.json});
+  if (options.worst_image) outputs.push_back({"--render-image", *options.worst_image});
+  check_outputs(outputs, {options.reference, options.test}, options.common.force);
+  if (options.worst_image && !options.n_views) throw UsageError("--render-image needs --render N");
+  if (options.n_views) require_pictures();
 }
 
 ExitCode run_measure(const CLI::App& app, const MeasureOptions& options) {
-  check_conflicts(app, common_conflicts());
-  check_formats({options.reference, options.test}, {}, options.files);
-  if (options.common.json) {
-    check_outputs({{"--json", *options.common.json}}, {options.reference, options.test}, options.common.force);
-  }
+  check_command(app, options);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   const auto read = [&](const std::string& path) {
@@ -217,8 +248,17 @@ ExitCode run_measure(const CLI::App& app, const MeasureOptions& options) {
   };
   const Input reference = read(options.reference);
   const Input test = read(options.test);
-  const Measurement measured = measure(reference.read.mesh, test.read.mesh, options, talk);
-  write_report(options.common, measure_json(reference, test, measured, options), summary_of(reference, test, measured));
+  Measurement measured = measure(reference.read.mesh, test.read.mesh, options, talk);
+  measured.pictures = measure_pictures(reference, test, options, talk);
+  if (measured.pictures) {
+    for (const std::string& warning : measured.pictures->warnings) talk.warning(warning);
+  }
+  OutputFiles files;
+  if (options.worst_image) {
+    files.write(*options.worst_image, [&](std::ostream& out) { out << measured.pictures->worst_png; });
+  }
+  write_report(files, options.common, measure_json(reference, test, measured, options),
+               summary_of(reference, test, measured));
   say_effort(talk, watch.seconds());
   return ExitCode::done;
 }
@@ -242,6 +282,20 @@ void add_exact(CLI::App& app, std::optional<double>& accuracy) {
       ->default_str("off");
 }
 
+void add_render(CLI::App& app, MeasureOptions& options) {
+  constexpr std::uint64_t most_views = 10'000;
+  add_value(
+      app, "--render", "N", options.n_views,
+      [](std::string_view text) { return static_cast<std::size_t>(parse_count(text, 1, most_views)); },
+      "also draw both meshes with their textures from N directions, and say how different the pictures are: PSNR and "
+      "FLIP, 1 <= N <= 10000")
+      ->default_str("off");
+  add_value(
+      app, "--render-image", "FILE", options.worst_image, [](std::string_view text) { return std::string(text); },
+      "write the two pictures with the least PSNR, and their FLIP, as one PNG file")
+      ->default_str("off");
+}
+
 }  // namespace
 
 void setup_measure(CLI::App& app, Command& command) {
@@ -253,6 +307,7 @@ void setup_measure(CLI::App& app, Command& command) {
   add_sampling_options(*sub, options->distance);
   add_exact(*sub, options->exact);
   add_feature_angle(*sub, options->feature_angle_deg);
+  add_render(*sub, *options);
   add_input_options(*sub, options->files);
   add_common_options(*sub, options->common);
   set_usage(*sub, "REF TEST [OPTION]...");
@@ -261,7 +316,8 @@ void setup_measure(CLI::App& app, Command& command) {
       "  whittle measure dragon.ply small.ply\n"
       "  whittle measure dragon.ply small.ply --json - | jq .mean_rel\n"
       "  whittle measure fandisk.off small.off --feature-angle 40\n"
-      "  whittle measure fandisk.off small.off --exact 1e-3");
+      "  whittle measure fandisk.off small.off --exact 1e-3\n"
+      "  whittle measure helmet.glb small.glb --render 24 --render-image worst.png");
   sub->callback([sub, options, &command] { command = [sub, options] { return run_measure(*sub, *options); }; });
 }
 

@@ -25,6 +25,8 @@ class GltfFile {
   /// Reads all meshes that have triangles. \throw io::ReadError if there is none
   io::ReadResult read(const io::ReadOptions& options);
 
+  const gltf::Asset& asset() const { return asset_; }
+
   /// Those with triangles. \pre `read`
   std::size_t n_meshes() const { return parts_.size(); }
   /// \param mesh below `n_meshes`

@@ -177,13 +177,17 @@ void commit_with_report(OutputFiles& files, const CommonOptions& options, const 
 }
 
 void write_report(const CommonOptions& options, const Json& json, const std::string& text) {
-  if (options.json == standard_stream) return print(to_text(json));
-  if (options.json) {
-    OutputFiles files;
+  OutputFiles files;
+  write_report(files, options, json, text);
+}
+
+void write_report(OutputFiles& files, const CommonOptions& options, const Json& json, const std::string& text) {
+  const bool json_to_stream = options.json == standard_stream;
+  if (options.json && !json_to_stream) {
     files.write(*options.json, [&json](std::ostream& out) { out << to_text(json); });
-    files.commit();
   }
-  print(text);
+  files.commit();
+  print(json_to_stream ? to_text(json) : text);
 }
 
 }  // namespace whittle::app

@@ -85,5 +85,7 @@ void commit_with_report(OutputFiles& files, const CommonOptions& options, const 
 
 /// Writes the report where --json says. Prints `text`, the same for people, unless the report goes to standard output.
 void write_report(const CommonOptions& options, const Json& json, const std::string& text);
+/// Likewise, and completes the other files of the run (`OutputFiles::commit`).
+void write_report(OutputFiles& files, const CommonOptions& options, const Json& json, const std::string& text);
 
 }  // namespace whittle::app

@@ -18,6 +18,7 @@
 #include "geometry/split.hh"
 #include "geometry/surface.hh"
 #include "model/extensions.hh"
+#include "model/read_materials.hh"
 #include "model/read_model.hh"
 #include "whittle/io/output_file.hh"
 #include "write/output.hh"
@@ -167,6 +168,20 @@ void Asset::set_triangles(std::size_t mesh, IndexedMesh triangles) {
   if (mesh >= n_meshes()) throw std::out_of_range("there is no mesh " + std::to_string(mesh));
   check_replacement(content_->model, mesh, triangles);
   content_->replacements.insert_or_assign(mesh, std::move(triangles));
+}
+
+std::vector<Material> Asset::materials(std::size_t mesh) const {
+  const Part root(content_->document, "", content_->model.file);
+  std::vector<Material> materials;
+  for (const Primitive& primitive : content_->mesh(mesh).primitives) {
+    materials.push_back(primitive.material ? read_material(root, *primitive.material) : Material{});
+  }
+  return materials;
+}
+
+std::string Asset::image(std::size_t image) const {
+  const Part root(content_->document, "", content_->model.file);
+  return read_image_bytes(content_->model, root, image, {content_->model.file, {}, content_->folder});
 }
 
 std::vector<std::string> Asset::warnings() const {

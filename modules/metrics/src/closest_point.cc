@@ -34,13 +34,6 @@ double half_surface(const Bounds& box) {
   return side.x() * side.y() + side.y() * side.z() + side.z() * side.x();
 }
 
-/// Always summed in the same order: a vector that is smaller in each component never gets a greater length.
-double length_sq(const Vec3& v) { return (v.x() * v.x() + v.y() * v.y()) + v.z() * v.z(); }
-
-double distance_sq_to_box(const Vec3& point, const Bounds& box) {
-  return length_sq((box.min - point).cwiseMax(point - box.max).cwiseMax(0.0));
-}
-
 Bounds box_of(const IndexedMesh& mesh, Index face) {
   const auto& [a, b, c] = mesh.faces[face];
   const Vec3& pa = mesh.positions[a];
@@ -86,6 +79,12 @@ TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin, detail::
     slots_.push_back(slot_of(mesh, reference.face, origin));
     if (slots_.size() % (1U << 16) == 0) check();
   }
+}
+
+double TriangleTree::length_sq(const Vec3& v) { return (v.x() * v.x() + v.y() * v.y()) + v.z() * v.z(); }
+
+double TriangleTree::distance_sq_to_box(const Vec3& point, const Bounds& box) {
+  return length_sq((box.min - point).cwiseMax(point - box.max).cwiseMax(0.0));
 }
 
 TriangleTree::Slot TriangleTree::slot_of(const IndexedMesh& mesh, Index face, const Vec3& origin) {

@@ -372,6 +372,42 @@ TEST(TriangleTree, VisitsExactlyTheFacesWhoseBoxesMeet) {
   }
 }
 
+TEST(TriangleTree, VisitsExactlyTheFacesThatAreNear) {
+  const IndexedMesh mesh = random_triangles(300, -2.0, -0.5, 8);
+  const TriangleTree tree(mesh, Vec3::Zero());
+  Random random(9);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 point = random_point(random, -0.5, 1.5);
+    const double most = random.uniform(0.01, 0.6);
+    std::vector<Index> visited, expected;
+    tree.visit_near(point, most * most, [&](const ClosestPoint& closest) {
+      visited.push_back(closest.face);
+      EXPECT_NEAR((closest.point - point).squaredNorm(), closest.distance_sq, 1e-14);
+      return most * most;
+    });
+    for (Index f = 0; f < mesh.faces.size(); ++f) {
+      const auto& [a, b, c] = mesh.faces[f];
+      const auto distance =
+          distance_by_features(point.cast<long double>(), mesh.positions[a].cast<long double>(),
+                               mesh.positions[b].cast<long double>(), mesh.positions[c].cast<long double>());
+      if (distance <= most) expected.push_back(f);
+    }
+    std::sort(visited.begin(), visited.end());
+    EXPECT_EQ(visited, expected);
+  }
+}
+
+TEST(TriangleTree, VisitsNoFacesBeyondWhatAVisitLeaves) {
+  const IndexedMesh mesh = random_triangles(300, -2.0, -0.5, 8);
+  const TriangleTree tree(mesh, Vec3::Zero());
+  double least_sq = std::numeric_limits<double>::infinity();
+  tree.visit_near(Vec3::Zero(), least_sq, [&](const ClosestPoint& closest) {
+    EXPECT_LE(closest.distance_sq, least_sq);
+    return least_sq = closest.distance_sq;
+  });
+  EXPECT_EQ(least_sq, tree.nearest_local(Vec3::Zero()).distance_sq);
+}
+
 TEST(TriangleTree, RejectsWhatIsNoSurface) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(TriangleTree(IndexedMesh{}), std::invalid_argument);

@@ -167,6 +167,13 @@ bool Part::flag(std::string_view key) const {
   return found && found->get<bool>();
 }
 
+std::optional<double> Part::number(std::string_view key) const {
+  const Json* found = member(*json_, key);
+  if (!found) return {};
+  if (!found->is_number()) fail("\"" + std::string(key) + "\" is not a number");
+  return found->get<double>();
+}
+
 std::optional<std::vector<double>> Part::numbers(std::string_view key, std::size_t n) const {
   const Json* found = member(*json_, key);
   if (!found) return {};

@@ -14,6 +14,8 @@ inline constexpr std::string_view instancing_extension = "EXT_mesh_gpu_instancin
 inline constexpr std::string_view structural_metadata_extension = "EXT_structural_metadata";
 inline constexpr std::string_view outline_extension = "CESIUM_primitive_outline";
 inline constexpr std::string_view manifold_extension = "EXT_mesh_manifold";
+inline constexpr std::string_view texture_transform_extension = "KHR_texture_transform";
+inline constexpr std::string_view specular_glossiness_extension = "KHR_materials_pbrSpecularGlossiness";
 
 /// Whether it is known what an extension says of geometry, accessors and buffer views.
 bool is_known_extension(std::string_view name);

@@ -12,24 +12,6 @@ namespace {
 constexpr std::size_t least_stride = 4;
 constexpr std::size_t most_stride = 252;
 
-/// The bytes that a buffer's URI names.
-std::string bytes_of_uri(const Part& part, const std::string& uri, const Source& source) {
-  if (is_data_uri(uri)) {
-    std::optional<std::string> bytes = decode_data_uri(uri);
-    if (!bytes) part.fail("its data URI is no valid base64");
-    return *std::move(bytes);
-  }
-  const std::optional<std::filesystem::path> path = file_of_uri(uri);
-  if (!path) part.fail("\"" + printable(uri) + "\" is not a file beside the asset");
-  if (source.folder.empty()) part.fail("its file \"" + printable(uri) + "\" is not there");
-  std::error_code error;
-  const std::filesystem::path file = source.folder / *path;
-  if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error)) {
-    part.fail("\"" + printable(uri) + "\" is not a file");  // a device may have no end
-  }
-  return read_file(file, source.file + ": " + part.name() + ": " + printable(uri));
-}
-
 Buffer read_buffer(Model& model, const Part& part, const Source& source, bool is_first) {
   Buffer buffer;
   buffer.size = part.required_whole("byteLength");
@@ -192,6 +174,23 @@ Accessor read_accessor(const Model& model, const Part& part) {
 }
 
 }  // namespace
+
+std::string bytes_of_uri(const Part& part, const std::string& uri, const Source& source) {
+  if (is_data_uri(uri)) {
+    std::optional<std::string> bytes = decode_data_uri(uri);
+    if (!bytes) part.fail("its data URI is no valid base64");
+    return *std::move(bytes);
+  }
+  const std::optional<std::filesystem::path> path = file_of_uri(uri);
+  if (!path) part.fail("\"" + printable(uri) + "\" is not a file beside the asset");
+  if (source.folder.empty()) part.fail("its file \"" + printable(uri) + "\" is not there");
+  std::error_code error;
+  const std::filesystem::path file = source.folder / *path;
+  if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error)) {
+    part.fail("\"" + printable(uri) + "\" is not a file");  // a device may have no end
+  }
+  return read_file(file, source.file + ": " + part.name() + ": " + printable(uri));
+}
 
 void read_buffers(Model& model, const Part& root, const Source& source) {
   for (const Part& part : root.array("buffers", "buffer")) {

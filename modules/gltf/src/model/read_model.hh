@@ -21,7 +21,10 @@ struct Source {
 /// the source's bytes. \throw io::ReadError
 Model read_model(const Json& document, const Source& source);
 
-// Its parts, in this order.
+/// The bytes that a URI of `part` names. \throw io::ReadError
+std::string bytes_of_uri(const Part& part, const std::string& uri, const Source& source);
+
+// Parts of `read_model`, in this order.
 
 void read_buffers(Model& model, const Part& root, const Source& source);
 void read_views(Model& model, const Part& root);

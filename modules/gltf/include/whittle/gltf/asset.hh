@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "whittle/core/indexed_mesh.hh"
+#include "whittle/gltf/material.hh"
 
 // glTF 2.0 (https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html), as text (.gltf) and binary (.glb). An asset is
 // read, the triangles of some meshes are replaced, and it is written. All else is written as it was read.
@@ -73,6 +74,13 @@ class Asset {
   /// positions. A mesh that was replaced is as it was given.
   /// \throw io::ReadError if an index is above the vertices, a position isn't finite, or compressed data are damaged
   IndexedMesh triangles(std::size_t mesh) const;
+
+  /// How each primitive of a mesh looks, by its number: one without a material has the default one.
+  /// \throw io::ReadError if a material isn't there, or is wrong
+  std::vector<Material> materials(std::size_t mesh) const;
+  /// The bytes of an image file, which is PNG or JPEG unless an extension says otherwise. `TextureUse::image` names it.
+  /// \throw io::ReadError if it isn't there
+  std::string image(std::size_t image) const;
 
   /// Replaces the triangles of a mesh. Lines and points stay.
   ///

@@ -47,6 +47,12 @@ class TriangleTree {
   /// The same, with argument and result in coordinates relative to `origin()`.
   ClosestPoint nearest_local(const Vec3& offset, Index hint = invalid_index) const;
 
+  /// Calls `visit(closest)` for each face that comes as near to a point as a distance, with its nearest point; nearer
+  /// ones come first, roughly. All is relative to `origin()`. \param most_sq that distance, squared. What `visit`
+  /// returns takes its place.
+  template <class Visitor>
+  void visit_near(const Vec3& offset, double most_sq, Visitor&& visit) const;
+
   /// Lets faces count as farther than they are, in `nearest_by_offsets`. \param offsets of each face, not negative
   void set_offsets(std::vector<double> offsets);
 
@@ -97,6 +103,9 @@ class TriangleTree {
                              const Bounds& centers, std::size_t depth);
   static Slot slot_of(const IndexedMesh& mesh, Index face, const Vec3& origin);
   static Vec3 nearest_in(const Slot& slot, const Vec3& point);
+  /// Always summed in the same order: a vector that is smaller in each component never gets a greater length.
+  static double length_sq(const Vec3& v);
+  static double distance_sq_to_box(const Vec3& point, const Bounds& box);
 
   Vec3 origin_;
   std::vector<Node> nodes_;
@@ -105,6 +114,28 @@ class TriangleTree {
   std::vector<double> offsets_;        ///< Of each face; or empty.
   std::vector<double> least_offsets_;  ///< Of the faces in each node.
 };
+
+template <class Visitor>
+void TriangleTree::visit_near(const Vec3& offset, double most_sq, Visitor&& visit) const {
+  const auto box_distance_sq = [&](std::uint32_t node) { return distance_sq_to_box(offset, nodes_[node].box); };
+  std::array<std::uint32_t, max_depth + 2> stack;
+  std::size_t size = 0;
+  stack[size++] = 0;
+  while (size > 0) {
+    const std::uint32_t number = stack[--size];
+    if (box_distance_sq(number) > most_sq) continue;
+    const Node& node = nodes_[number];
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      const Vec3 point = nearest_in(slots_[i], offset);
+      const double distance_sq = length_sq(offset - point);
+      if (distance_sq <= most_sq) most_sq = visit(ClosestPoint{slots_[i].face, point, distance_sq});
+    }
+    if (node.count > 0) continue;
+    const bool first_is_nearer = box_distance_sq(node.first) <= box_distance_sq(node.first + 1);
+    stack[size++] = first_is_nearer ? node.first + 1 : node.first;
+    stack[size++] = first_is_nearer ? node.first : node.first + 1;
+  }
+}
 
 template <class Visitor>
 void TriangleTree::visit_boxes(const Bounds& local, Visitor&& visit) const {

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "files/input.hh"
+#include "files/report.hh"
+#include "whittle/core/progress.hh"
+
+namespace whittle::app {
+
+struct PictureOptions {
+  std::size_t n_views = 24;
+  unsigned threads = 0;
+  ProgressCallback progress{};
+};
+
+/// How different two meshes look.
+struct PictureErrors {
+  Json json;                          ///< {"views", "psnr", "flip", …}
+  std::string text;                   ///< the same for people: lines of a table
+  std::string worst_png;              ///< a PNG file of the worst view: the original, the other mesh, where they differ
+  std::vector<std::string> warnings;  ///< textures that aren't drawn
+};
+
+/// \throw std::runtime_error if this program or this machine can't draw
+void require_pictures();
+
+/// Draws both with their textures from the same views. \pre `require_pictures` \throw std::runtime_error; Cancelled
+PictureErrors compare_pictures(const Input& original, const Input& simplified, const PictureOptions& options);
+
+}  // namespace whittle::app

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "whittle/core/attribute.hh"
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/metrics/distance.hh"
+
+namespace whittle::metrics {
+
+/// From the samples of one surface to the other surface.
+struct DirectedAttributeDeviation {
+  double mean = 0.0;  ///< Of the samples.
+  double max = 0.0;   ///< Of the samples: a lower bound.
+};
+
+/// How far the values of an attribute are apart on two surfaces. The unit depends on the kind:
+///
+/// |kind|deviation of two values|
+/// |-|-|
+/// |texcoord|Euclidean distance; 1 is the width of the texture|
+/// |normal, tangent|the angle between both directions, degrees, [0, 180]|
+/// |color|Euclidean distance of red, green, blue and opacity, each in [0, 1]|
+/// |joint_weights|half the sum of the differences of the weights, joint by joint, [0, 1]|
+/// |displacement, direction|Euclidean distance, units of the attribute|
+/// |scalar|absolute difference; of several components the Euclidean distance|
+/// |category|1 if they differ, otherwise 0; so the mean is the share of the area where they differ|
+struct AttributeDeviation {
+  std::string name;  ///< As in the meshes. "NORMAL" and "COLOR_0" for `IndexedMesh::normals` and `colors`.
+  AttributeKind kind = AttributeKind::scalar;
+  double mean = 0.0;                    ///< Half the sum of both directions'.
+  double max = 0.0;                     ///< The greater one of both directions'.
+  DirectedAttributeDeviation forward;   ///< From the reference to the test surface.
+  DirectedAttributeDeviation backward;  ///< From the test surface to the reference.
+};
+
+/// The attributes of vertices and corners that both meshes have, by name and kind: those with as many components, or of
+/// any number of joints. In the order of the reference; `normals` and `colors` come first.
+///
+/// At each sample the value is that of its face, interpolated between the corners; it is compared with the value at the
+/// nearest point of the other surface. Near a seam, or between two sheets, the nearest point may lie on the wrong side,
+/// where the value is another one. So a sample is also compared with the other sheets that come nearly as near, and the
+/// least deviation counts. A sheet is a set of faces where the attribute is continuous: they are connected over
+/// vertices at which both have the same value. Nearly as near: d² ≤ d₀² + (diagonal/1000)², where d₀ is the distance of
+/// the nearest point, and the diagonal is the greater one of both boxes; of the faces there the 64 nearest ones count.
+///
+/// Directions of length 0 count as absent; an attribute that can nowhere be compared is left out.
+/// \throw as `surface_distance`
+std::vector<AttributeDeviation> attribute_deviations(const IndexedMesh& reference, const IndexedMesh& test,
+                                                     const DistanceOptions& options = {});
+
+}  // namespace whittle::metrics

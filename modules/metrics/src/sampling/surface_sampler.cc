@@ -1,0 +1,43 @@
+#include "sampling/surface_sampler.hh"
+
+#include <Eigen/Geometry>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "triangle_math.hh"
+
+namespace whittle::metrics {
+
+void check_samples(std::size_t n_samples) {
+  constexpr std::size_t max_samples = std::size_t{1} << 40;
+  if (n_samples >= 1 && n_samples <= max_samples) return;
+  throw std::invalid_argument("number of samples is to be in 1 ... 2^40, not " + std::to_string(n_samples));
+}
+
+SurfaceSampler::SurfaceSampler(const IndexedMesh& mesh, const Vec3& origin, std::size_t n_samples, CounterRandom random)
+    : mesh_(mesh), origin_(origin), n_samples_(n_samples), random_(random), area_before_(mesh.faces.size() + 1, 0.0) {
+  for (const bool by_area : {true, false}) {
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      const auto [a, b, c] = corners(f);
+      area_before_[f + 1] = area_before_[f] + (by_area ? (b - a).cross(c - a).norm() : 1.0);
+    }
+    if (area_before_.back() > 0.0) break;
+  }
+}
+
+Vec3 SurfaceSampler::in_tree(std::size_t face, const Vec3& point) const {
+  Triangle ascending = mesh_.faces[face];  // as trees have it
+  std::sort(ascending.begin(), ascending.end());
+  const Vec3 a = at(ascending[0]), b = at(ascending[1]), c = at(ascending[2]);
+  if (!trusted_normal(a, b, c).isZero(0.0)) return point;
+  Vec3 from = a, to = b;
+  for (const auto& [p, q] : {std::pair(b, c), std::pair(c, a)}) {
+    if ((q - p).squaredNorm() > (to - from).squaredNorm()) from = p, to = q;
+  }
+  const Vec3 side = to - from;
+  const double length_sq = side.squaredNorm();
+  return length_sq > 0.0 ? Vec3(from + std::clamp((point - from).dot(side) / length_sq, 0.0, 1.0) * side) : from;
+}
+
+}  // namespace whittle::metrics
