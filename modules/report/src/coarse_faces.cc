@@ -9,8 +9,11 @@ std::vector<Triangle> coarse_faces(const IndexedMesh& mesh, unsigned threads) {
   const DecimateTarget target = DecimateTarget::faces(n_coarse);
   SimplifyOptions options;
   options.decimate.threads = threads;
+  IndexedMesh surface;
+  surface.positions = mesh.positions;
+  surface.faces = mesh.faces;
   std::vector<Triangle> faces =
-      decimate_index_only(mesh, target, with_effort(Effort::fast, options, mesh, target).decimate).faces;
+      decimate_index_only(surface, target, with_effort(Effort::fast, options, surface, target).decimate).faces;
   if (faces.size() > mesh.faces.size() / 2) faces.clear();
   return faces;
 }
