@@ -135,11 +135,15 @@ Json pack_groups(const PageSurface& surface, PageBytes& bytes) {
   return bytes.add(packed);
 }
 
+const char* name_of(AttributeKind kind) {
+  return kind == AttributeKind::texcoord ? "texcoord" : kind == AttributeKind::color ? "colour" : "normal";
+}
+
 Json pack(const AttributeMap& map, PageBytes& bytes) {
-  constexpr std::array names{"texcoord", "colour", "normal"};
   ByteGroups values;
   for (const double deviation : map.deviations) values.add(packed_value(deviation, {map.max, map.usual}));
-  return {{"attribute", names[static_cast<std::size_t>(map.attribute)]},
+  return {{"name", map.name},
+          {"kind", name_of(map.kind)},
           {"max", map.max},
           {"usual", map.usual},
           {"values", bytes.add(values.groups())}};

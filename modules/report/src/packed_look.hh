@@ -28,7 +28,7 @@ class PageImages {
 /// - "normals": an octahedral map of two 16-bit numbers a wedge; "colours": four bytes a wedge, sRGB. Or null
 /// - "materials": [{"name", "colour", "image", "texcoords", "transform", "wrap", "alpha", "cutoff"}]; "groups": the
 ///   number of each face's material, 16 bits. Faces without one have the last one, which is plain
-/// - "maps": [{"attribute", "max", "usual", "values"}], a byte a wedge (`packed_value`)
+/// - "maps": [{"name", "kind", "max", "usual", "values"}], a byte a wedge (`packed_value`)
 Json pack_look(const PageSurface& surface, PageBytes& bytes, PageImages& images);
 
 }  // namespace whittle::report

@@ -20,10 +20,10 @@ struct Grid {
 };
 
 /// {"name", "note", "refusals", "vertices", "faces", "positions", "corners", "coarse", "borders", "nonmanifold",
-/// "distances", "look"}: positions of four 16-bit numbers, the last one 0, edges and pairs of two 32-bit ones. "distances" is
-/// null, or {"max", "usual", "deviation", "vertices", "values", "faces", "rounds", "cuts"}: a byte a vertex, its signed
-/// distance (`packed_value`); numbers of faces of each round, and a byte a face (`DistanceMap::rounds`).
-/// With a "look" (`pack_look`), corners are numbers of wedges.
+/// "distances", "look"}: positions of four 16-bit numbers, the last one 0, edges and pairs of two 32-bit ones.
+/// "distances" is null, or {"max", "usual", "deviation", "vertices", "values", "faces", "rounds", "cuts"}: a byte a
+/// vertex, its signed distance (`packed_value`); numbers of faces of each round, and a byte a face
+/// (`DistanceMap::rounds`). With a "look" (`pack_look`), corners are numbers of wedges.
 Json pack(const PageSurface& surface, const Grid& grid, PageBytes& bytes, PageImages& images);
 
 }  // namespace whittle::report

@@ -15,8 +15,8 @@ namespace whittle::report {
 using Json = nlohmann::ordered_json;
 
 /// The arrays of a page, compressed by meshoptimizer, one after the other. What is added gives the JSON by which the
-/// page finds it: {"at", "bytes", "count", "size", "codec"}, the last one "vertices", "faces" or, for bytes as they are,
-/// "none".
+/// page finds it: {"at", "bytes", "count", "size", "codec"}, the last one "vertices", "faces" or, for bytes as they
+/// are, "none".
 class PageBytes {
  public:
   /// Items of `Item`, whose size is a multiple of four bytes.

@@ -371,10 +371,8 @@ void check_gltf(const SimplifyCommand& options) {
     throw UsageError("--compress rounds positions, so nothing can be proven of them: leave one out");
   }
   const bool is_read = std::any_of(options.inputs.begin(), options.inputs.end(), is_gltf);
-  const bool is_recorded = options.recording || options.curve || options.page || options.pictures.is_given();
-  if (is_read && is_recorded) {
-    throw UsageError(
-        "--record, --curve, --page, --frames and --animate don't take glTF yet: 'convert' it to PLY first");
+  if (is_read && options.recording) {
+    throw UsageError("--record doesn't take glTF yet: 'convert' it to PLY first");
   }
   if (is_written && (options.map || options.map_back)) {
     throw UsageError("--map and --map-back don't take glTF: its vertices are those of primitives");

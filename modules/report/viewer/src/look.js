@@ -6,12 +6,20 @@ import {
 import {lookShader, lookVertexShader} from './shaders.js';
 import {shareOfMax} from './surface.js';
 
-/** Attributes of which deviations are shown: their colouring, its name, and what the legend says. */
-export const attributeMaps = {
-  texcoord: {colour: 'slip', name: 'texture coordinates: error', title: 'texture coordinates, 1 is the whole texture', value: 'texture coordinates off by'},
-  colour: {colour: 'tint', name: 'vertex colours: error', title: 'greatest difference of red, green, blue', value: 'colour off by'},
-  normal: {colour: 'tilt', name: 'normals: error', title: 'angle between normals, degrees', value: 'normal off by'},
+/** Kinds of attributes of which deviations are shown: their name, what the legend says, and what a click says. */
+const kinds = {
+  texcoord: {label: 'texture coordinates', title: 'texture coordinates off by, 1 is the whole texture', value: 'texture coordinates off by'},
+  colour: {label: 'vertex colours', title: 'length of the difference of red, green, blue and opacity', value: 'colour off by'},
+  normal: {label: 'normals', title: 'angle between normals, degrees', value: 'degrees between normals'},
 };
+
+/** Deviations of an attribute. The colouring is named after the kind; of several, further ones have a number. */
+function deviationsOf(map, i, all, array) {
+  const n = all.slice(0, i).filter(({kind}) => kind === map.kind).length;
+  const {label, title, value} = kinds[map.kind];
+  return {...map, title, value, colour: map.kind + (n > 0 ? n + 1 : ''), label: `error of ${label}${n > 0 ? ` (${map.name})` : ''}`,
+    values: array(map.values, Uint8Array)};
+}
 
 /** The decoded images of the page. */
 export function loadImages(images, array) {
@@ -33,7 +41,7 @@ export class Look {
     this.materials = json.materials;
     this.groups = json.groups && array(json.groups, Uint16Array); // the number of each face's material
     this.images = images;
-    this.maps = json.maps.map((map) => ({...map, ...attributeMaps[map.attribute], values: array(map.values, Uint8Array)}));
+    this.maps = json.maps.map((map, i, all) => deviationsOf(map, i, all, array));
   }
 
   vertexOf(wedge) {

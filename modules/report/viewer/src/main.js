@@ -3,7 +3,7 @@ import {Vector3} from 'three';
 import {scales, short, showLegend, showNote, showRefusals} from './colours.js';
 import {readPage} from './data.js';
 import {ExactColours} from './exact.js';
-import {attributeMaps, loadImages} from './look.js';
+import {loadImages} from './look.js';
 import {Model} from './model.js';
 import {Motion} from './motion.js';
 import {Player} from './player.js';
@@ -69,15 +69,15 @@ class App {
 
   /** Those that a mesh has beside its shape. The page opens with what it looks like. */
   addColours() {
-    const hasAny = (colour) => [this.original, ...this.results].some(({surface}) => surface.look?.has(colour));
-    const looks = [['material', 'material'], ['colours', 'vertex colours'], ['normals', 'normals']].filter(([colour]) => hasAny(colour));
-    const errors = Object.values(attributeMaps).filter(({colour}) => hasAny(colour)).map(({colour, name}) => [colour, name]);
+    const looks = [this.original, ...this.results].map(({surface}) => surface.look).filter((look) => look);
+    const hasAny = (colour) => looks.some((look) => look.has(colour));
+    const names = [['material', 'material'], ['colours', 'vertex colours'], ['normals', 'normals']].filter(([colour]) => hasAny(colour));
+    const errors = new Map(looks.flatMap(({maps}) => maps.map(({colour, label}) => [colour, label])));
     const error = $('colour').querySelector('[value=error]');
-    for (const [colour, name] of looks) error.before(new Option(name, colour));
-    error.after(...errors.map(([colour, name]) => new Option(name, colour)));
+    for (const [colour, name] of names) error.before(new Option(name, colour));
+    error.after(...[...errors].map(([colour, name]) => new Option(name, colour)));
     if (hasAny('normals')) $('shading').add(new Option('normals of the file', 'file'));
-    $('colour').value = looks[0]?.[0] ?? 'none';
-    if (looks[0]?.[0] === 'normals') $('colour').value = 'none';
+    $('colour').value = ['material', 'colours'].find(hasAny) ?? 'none';
   }
 
   setUpPlayer() {
@@ -145,7 +145,7 @@ class App {
   }
 
   showLegend(colour, top) {
-    const map = Object.values(attributeMaps).find((one) => one.colour === colour);
+    const map = [this.original, this.result].map((model) => model?.surface.look?.mapOf(colour)).find((one) => one);
     $('top').closest('label').hidden = colour !== 'error' && !map;
     $('legend').hidden = ['none', 'material', 'colours'].includes(colour);
     if (map) showLegend($('legend'), map.title, scales.error, top);

@@ -69,7 +69,7 @@ struct PageSurface {
   std::vector<Triangle> coarse_faces;
   std::string note;                    ///< what else is to be known of it, such as that it is a coarser level; or empty
   std::vector<PageRefusals> refusals;  ///< what stands in the way of fewer faces
-  std::optional<DistanceMap> distances;  ///< to the original; of the original itself, to the first of the others
+  std::optional<DistanceMap> distances;        ///< to the original; of the original itself, to the first of the others
   std::vector<AttributeMap> attribute_maps{};  ///< likewise; in page order
   std::vector<PageMaterial> materials{};       ///< by face group; a group without one is plain
   PageColors colors = PageColors::srgb;        ///< what `mesh.colors` are
