@@ -183,6 +183,7 @@ Json pack_look(const PageSurface& surface, PageBytes& bytes, PageImages& images)
           {"texcoords", texcoords.pack(bytes)},
           {"normals", pack_normals(mesh, bytes)},
           {"colours", pack_colors(surface, bytes)},
+          {"linear", surface.colors == PageColors::linear},
           {"groups", materials.empty() ? Json(nullptr) : pack_groups(surface, bytes)},
           {"materials", std::move(materials)},
           {"maps", std::move(maps)}};

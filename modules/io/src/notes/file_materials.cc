@@ -29,13 +29,12 @@ void read_statement(std::string_view line, const MaterialLibrary& library, std::
   if (is_same_word(keyword, "newmtl")) materials.emplace_back().name = rest;
   if (materials.empty()) return;
   FileMaterial& material = materials.back();
-  if (is_same_word(keyword, "Kd")) {
+  if (is_same_word(keyword, "kd")) {
     material.diffuse[0] = take_share(rest, 1);
     for (const std::size_t d : {1U, 2U}) material.diffuse[d] = take_share(rest, material.diffuse[0]);
   }
   if (is_same_word(keyword, "d")) material.opacity = take_share(rest, 1);
-  if (is_same_word(keyword, "Tr")) material.opacity = 1 - take_share(rest, 0);
-  if (is_same_word(keyword, "map_Kd")) {
+  if (is_same_word(keyword, "map_kd")) {
     const std::string_view name = name_of_texture(line);
     if (!name.empty()) material.texture = library.texture(name);
   }

@@ -38,6 +38,7 @@ export class Look {
     this.texcoords = json.texcoords.map(({values}) => Float32Array.from(array(values, Int32Array), (n) => n / 65536));
     this.normals = json.normals && directions(array(json.normals, Int16Array));
     this.colours = json.colours && array(json.colours, Uint8Array);
+    this.isLinear = json.linear; // whether colours are to be interpolated as light
     this.materials = json.materials;
     this.groups = json.groups && array(json.groups, Uint16Array); // the number of each face's material
     this.images = images;
@@ -117,12 +118,13 @@ export class Look {
     return lookMaterial({
       image: bitmap && textureOf(bitmap, wrap), texcoord: `texcoord${texcoords ?? 0}`, alpha, cutoff,
       factor: colour, transform: new Matrix3().set(a, b, c, d, e, f, 0, 0, 1), isTinted: this.colours !== null,
+      isLinear: this.isLinear,
     });
   }
 
   /** Vertex colours alone. */
   colourMaterial() {
-    this.tinted ??= lookMaterial({isTinted: true});
+    this.tinted ??= lookMaterial({isTinted: true, isLinear: this.isLinear});
     return this.tinted;
   }
 }
@@ -159,12 +161,12 @@ function textureOf(bitmap, wrap) {
   return ofImage.get(wrap.join());
 }
 
-function lookMaterial({image = null, texcoord = 'texcoord0', factor = [1, 1, 1, 1], transform = new Matrix3(), isTinted, alpha = 'opaque', cutoff = 0}) {
+function lookMaterial({image = null, texcoord = 'texcoord0', factor = [1, 1, 1, 1], transform = new Matrix3(), isTinted, isLinear, alpha = 'opaque', cutoff = 0}) {
   return new ShaderMaterial({
     glslVersion: GLSL3, vertexShader: lookVertexShader, fragmentShader: lookShader, side: DoubleSide, defines: {TEXCOORD: texcoord},
     transparent: alpha === 'blend', depthWrite: alpha !== 'blend', polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
     uniforms: {
-      isSmooth: {value: false}, hasImage: {value: image !== null}, image: {value: image}, isTinted: {value: isTinted},
+      isSmooth: {value: false}, hasImage: {value: image !== null}, image: {value: image}, isTinted: {value: isTinted}, isLinear: {value: isLinear},
       factor: {value: new Color(...factor)}, opacity: {value: factor[3]}, transform: {value: transform},
       cutoff: {value: alpha === 'mask' ? cutoff : 0}, isOpaque: {value: alpha !== 'blend'},
     },

@@ -13,8 +13,16 @@ void main() {
   gl_Position = projectionMatrix * seen;
 }`;
 
-/** TEXCOORD is the attribute with the texture coordinates. */
-export const lookVertexShader = `
+const coding = `
+vec3 decoded(vec3 srgb) {
+  return mix(srgb / 12.92, pow((srgb + 0.055) / 1.055, vec3(2.4)), step(0.04045, srgb));
+}
+vec3 encoded(vec3 linear) {
+  return mix(12.92 * linear, 1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, linear));
+}`;
+
+/** TEXCOORD is the attribute with the texture coordinates. Vertex colours are interpolated as the file means them. */
+export const lookVertexShader = `${coding}
 in vec2 TEXCOORD;
 in vec4 tint;
 out vec3 place;
@@ -22,12 +30,13 @@ out vec3 direction;
 out vec2 texel;
 out vec4 tinted;
 uniform mat3 transform;
+uniform bool isLinear;
 void main() {
   vec4 seen = modelViewMatrix * vec4(position, 1.0);
   place = seen.xyz;
   direction = normalMatrix * normal;
   texel = (transform * vec3(TEXCOORD, 1.0)).xy;
-  tinted = tint;
+  tinted = vec4(isLinear ? decoded(tint.rgb) : tint.rgb, tint.a);
   gl_Position = projectionMatrix * seen;
 }`;
 
@@ -76,24 +85,18 @@ void main() {
 }`;
 
 /** Factor, image and vertex colour, multiplied in linear light. There is less shadow than elsewhere. */
-export const lookShader = `${light}
+export const lookShader = `${light}${coding}
 in vec2 texel;
 in vec4 tinted;
 out vec4 colour;
-uniform bool hasImage, isTinted, isOpaque;
+uniform bool hasImage, isTinted, isLinear, isOpaque;
 uniform sampler2D image;
 uniform vec3 factor;
 uniform float opacity, cutoff;
-vec3 decoded(vec3 srgb) {
-  return mix(srgb / 12.92, pow((srgb + 0.055) / 1.055, vec3(2.4)), step(0.04045, srgb));
-}
-vec3 encoded(vec3 linear) {
-  return mix(12.92 * linear, 1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, linear));
-}
 void main() {
   vec4 own = vec4(factor, opacity);
   if (hasImage) own *= texture(image, texel);
-  if (isTinted) own *= vec4(decoded(tinted.rgb), tinted.a);
+  if (isTinted) own *= vec4(isLinear ? tinted.rgb : decoded(tinted.rgb), tinted.a);
   if (own.a < cutoff) discard;
   colour = vec4(encoded(own.rgb) * (0.6 + 0.4 * light()), isOpaque ? 1.0 : own.a);
 }`;
