@@ -29,13 +29,15 @@ async function coloursOfQuarters(page) {
     [copy.width, copy.height] = [canvas.width, canvas.height];
     const context = copy.getContext('2d');
     context.drawImage(canvas, 0, 0);
+    const {data} = context.getImageData(0, 0, copy.width, copy.height);
     return view.boxesOfPanes().map(({left, width, height}) => [[-1, 1], [1, 1], [-1, -1], [1, -1]].map(([x, y]) => {
       const seen = view.center.clone();
       seen.x += 0.25 * x; // the square is 1 wide in the unit of the page
       seen.y += 0.25 * y;
       seen.project(view.camera);
       const [column, row] = [left + (seen.x + 1) / 2 * width, (1 - seen.y) / 2 * height].map(Math.floor);
-      return Array.from(context.getImageData(column, row, 1, 1).data.subarray(0, 3));
+      const i = 4 * (column + row * copy.width);
+      return Array.from(data.subarray(i, i + 3));
     }));
   });
 }
