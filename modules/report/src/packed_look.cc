@@ -12,10 +12,13 @@ namespace {
 
 constexpr double per_texture = 65536;
 
-const char* media_type_of(std::string_view file) {
-  if (file.starts_with("\x89PNG")) return "image/png";
-  if (file.starts_with("RIFF")) return "image/webp";
-  return "image/jpeg";
+/// Null if it is none that a page shows.
+const char* media_type_of(std::string_view bytes) {
+  if (bytes.starts_with("\x89PNG")) return "image/png";
+  if (bytes.starts_with("\xff\xd8\xff")) return "image/jpeg";
+  return bytes.starts_with("RIFF") && bytes.substr(std::min<std::size_t>(8, bytes.size())).starts_with("WEBP")
+             ? "image/webp"
+             : nullptr;
 }
 
 std::vector<Index> vertices_of_further_wedges(const IndexedMesh& mesh) {
@@ -110,7 +113,8 @@ class TexcoordSets {
 Json pack_material(const PageMaterial& material, TexcoordSets& texcoords, PageImages& images) {
   constexpr std::array wraps{"repeat", "mirror", "clamp"};
   constexpr std::array alphas{"opaque", "mask", "blend"};
-  const Json set = material.image ? texcoords.number_of(material.texcoord) : Json(nullptr);
+  const bool is_textured = material.image && is_page_image(*material.image);
+  const Json set = is_textured ? texcoords.number_of(material.texcoord) : Json(nullptr);
   const auto& transform = material.texcoord_transform.matrix();
   const auto wrap = [&](std::size_t d) { return wraps[static_cast<std::size_t>(material.wrap[d])]; };
   return {{"name", material.name},
@@ -150,6 +154,8 @@ Json pack(const AttributeMap& map, PageBytes& bytes) {
 }
 
 }  // namespace
+
+bool is_page_image(std::string_view bytes) { return media_type_of(bytes) != nullptr; }
 
 std::size_t PageImages::number_of(const PageMaterial& material) {
   const auto [found, is_new] = numbers_.try_emplace(*material.image, files_.size());

@@ -121,6 +121,21 @@ TEST(Gltf, TakesImagesAlongButNoneFromOutside) {
   EXPECT_EQ(gltf::Asset::read(out).triangles(0).faces.size(), 30U) << "its buffer is found";
 }
 
+TEST(Gltf, HasACurve) {
+  const TemporaryFolder folder;
+  const std::string in = folder / "cube.glb";
+  write_gltf_cube(in, 6);
+  const auto simplify = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"simplify", in, "-o", folder / "out.glb", "--face-ratio", "20%", "--quiet"});
+    const Outcome outcome = whittle(options);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome;
+    return read_text(folder / "out.glb");
+  };
+  const std::string plain = simplify({});
+  EXPECT_EQ(simplify({"--curve", folder / "curve.csv"}), plain) << "the result is the same";
+  EXPECT_FALSE(read_text(folder / "curve.csv").empty());
+}
+
 TEST(Gltf, RefusesWhatItCannotDo) {
   const TemporaryFolder folder;
   const std::string in = folder / "cube.glb";
@@ -130,7 +145,6 @@ TEST(Gltf, RefusesWhatItCannotDo) {
   expect_usage_error(whittle({"simplify", blob, "-o", out, "--faces", "9"}), {"glTF is written only from glTF"});
   expect_usage_error(whittle({"simplify", in, "-o", folder / "o.ply", "--faces", "9", "--compress"}), {"--compress"});
   for (const std::vector<std::string>& options : {std::vector<std::string>{"--record", folder / "r"},
-                                                  {"--curve", folder / "c.svg"},
                                                   {"--map", folder / "m"},
                                                   {"--certificate", folder / "c"},
                                                   {"--engine", "openmesh"},

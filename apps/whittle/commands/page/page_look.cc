@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <optional>
+#include <system_error>
 #include <utility>
 
 #include "files/gltf_file.hh"
@@ -54,7 +54,9 @@ class Images {
     const auto [slot, is_new] = images_.try_emplace(key);
     if (!is_new) return slot->second;
     try {
-      slot->second = std::make_shared<const std::string>(read(key));
+      std::string bytes = read(key);
+      if (!report::is_page_image(bytes)) throw io::ReadError(name(key), "is neither PNG nor JPEG nor WebP");
+      slot->second = std::make_shared<const std::string>(std::move(bytes));
     } catch (const io::ReadError& error) {
       warnings_.push_back(std::string(error.what()) + "; it isn't shown");
     }
@@ -62,13 +64,17 @@ class Images {
   }
 
  private:
+  static std::string name(std::size_t image) { return "image " + std::to_string(image); }
+  static std::string name(const std::filesystem::path& path) { return path.string(); }
+
   std::vector<std::string>& warnings_;
   std::map<Key, Image> images_;
 };
 
 std::string bytes_of(const std::filesystem::path& path) {
+  std::error_code error;
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw io::ReadError(path.string(), "cannot be opened");
+  if (!std::filesystem::is_regular_file(path, error) || !file) throw io::ReadError(path.string(), "cannot be opened");
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
@@ -125,28 +131,33 @@ void PageLook::read_gltf(const Input& input, std::vector<std::string>& warnings)
   if (std::all_of(places_.begin(), places_.end(), stays)) places_.clear();
 }
 
+/// As pictures have them (pictures/read_scene.cc).
 void PageLook::read_library(const Input& input, std::vector<std::string>& warnings) {
   const IndexedMesh& mesh = input.read.mesh;
   const std::filesystem::path folder = std::filesystem::path(input.path).parent_path();
-  const std::vector<io::FileMaterial> known = io::file_materials(input.read.notes, folder);
-  if (known.empty()) return;
+  const io::SurfaceMaterials known = io::read_materials(input.read.notes, folder);
+  for (const std::filesystem::path& library : known.missing) {
+    warnings.push_back(about(input.name, "material library " + library.string() + " can't be read"));
+  }
+  if (known.materials.empty() && known.textures.size() != 1) return;
   const auto texcoord = std::find_if(mesh.attributes.begin(), mesh.attributes.end(),
                                      [](const Attribute& a) { return a.kind == AttributeKind::texcoord; });
   Images<std::filesystem::path> images(warnings);
-  for (std::size_t group = 0; group < std::max<std::size_t>(1, mesh.group_names.size()); ++group) {
-    const std::string name = group < mesh.group_names.size() ? mesh.group_names[group] : "";
-    const auto found = std::find_if(known.begin(), known.end(), [&](const io::FileMaterial& material) {
-      return material.name.empty() || mesh.group_names.empty() || material.name == name;
-    });
-    report::PageMaterial& material = materials_.emplace_back();
-    material.name = name;
-    if (found == known.end()) continue;
-    material.base_color = {found->diffuse[0], found->diffuse[1], found->diffuse[2], found->opacity};
+  report::PageMaterial plain;
+  if (texcoord != mesh.attributes.end()) plain.texcoord = texcoord->name;
+  plain.texcoord_transform = from_below();
+  if (known.textures.size() == 1) plain.image = images.of(folder / known.textures.front(), bytes_of);
+  materials_.assign(std::max<std::size_t>(1, mesh.group_names.size()), plain);
+  for (std::size_t group = 0; group < mesh.group_names.size(); ++group) {
+    report::PageMaterial& material = materials_[group];
+    material.name = mesh.group_names[group];
+    const auto found = std::find_if(known.materials.begin(), known.materials.end(),
+                                    [&](const io::SurfaceMaterial& one) { return one.name == material.name; });
+    if (found == known.materials.end()) continue;
+    if (!found->texture.empty()) material.image = images.of(folder / found->texture, bytes_of);
+    if (!material.image) std::copy(found->diffuse.begin(), found->diffuse.end(), material.base_color.begin());
+    material.base_color[3] = found->opacity;
     if (found->opacity < 1) material.alpha = report::PageAlpha::blend;
-    if (found->texture.empty() || texcoord == mesh.attributes.end()) continue;
-    material.texcoord = texcoord->name;
-    material.texcoord_transform = from_below();
-    material.image = images.of(folder / found->texture, bytes_of);
   }
 }
 

@@ -59,12 +59,6 @@ void skip_options(std::string_view& text) {
 
 }  // namespace
 
-std::string_view name_of_texture(std::string_view statement) {
-  take_word(statement);
-  skip_options(statement);
-  return statement;
-}
-
 std::vector<std::string> mtl_textures(std::string_view text) {
   std::vector<std::string> names;
   for_each_mtl_line(text, [&](std::string_view line) {

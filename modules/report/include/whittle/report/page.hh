@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,9 @@ struct PageRefusals {
   std::vector<VertexPair> pairs;  ///< of the surface's mesh
 };
 
+/// Whether bytes begin as those of a PNG, JPEG or WebP file, which are the images that a page shows.
+bool is_page_image(std::string_view bytes);
+
 /// What a texture shows outside of [0, 1].
 enum class PageWrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge };
 
@@ -48,7 +52,8 @@ enum class PageAlpha : std::uint8_t { opaque, mask, blend };
 struct PageMaterial {
   std::string name;
   std::array<double, 4> base_color = {1, 1, 1, 1};  ///< linear red, green, blue, and opacity; each in [0, 1]
-  /// The bytes of a PNG, JPEG or WebP file, or null. Images with equal bytes are in the page once.
+  /// The bytes of an image (`is_page_image`), or null. Others aren't shown. Images with equal bytes are in the page
+  /// once.
   std::shared_ptr<const std::string> image;
   std::string texcoord = "TEXCOORD_0";  ///< the attribute with the image's coordinates; without it there is no image
   /// To coordinates that are (0, 0) at the outer corner of the first pixel. For OBJ: (u, v) to (u, 1 − v).
