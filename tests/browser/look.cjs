@@ -5,6 +5,7 @@ const assert = require('assert/strict');
 const fs = require('fs');
 const path = require('path');
 const {stepsOff} = require('./colours.cjs');
+const textured = require('./textured.cjs');
 
 const [nodeModules, chromium, folder] = process.argv.slice(2);
 const {chromium: driver} = require(path.join(path.resolve(nodeModules), 'playwright-core'));
@@ -272,6 +273,12 @@ async function main() {
     assert.notDeepEqual(await pixels(page), marked, 'refused pairs are not drawn');
     assert.ok(await page.isHidden('#reasons'));
   });
+  await withPage('errors.html', textured.offersShapesAlone);
+  await withPage('gltf.html', textured.showsTheTextureOfGltf);
+  await withPage('shifted.html', textured.saysHowFarItsTextureIsOff, {hash: '#colour=texcoord'});
+  await withPage('square.obj.html', textured.showsItsTexture);
+  await withPage('broken.obj.html', textured.showsNoBrokenTexture);
+  await withPage('coloured.ply.html', textured.showsItsColours);
   const backgrounds = {};
   for (const colorScheme of ['light', 'dark']) {
     await withPage('errors.html', async (page) => {

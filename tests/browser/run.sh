@@ -34,4 +34,12 @@ rm "$folder"/level_*.off
 # A name with markup, in both of its contexts.
 cp "$data/cubes.obj" "$folder/<img src=x onerror=alert(1)><script>alert(2)<script>.obj"
 "$whittle" report "$folder/<img src=x onerror=alert(1)><script>alert(2)<script>.obj" -o "$folder/markup.html" --quiet
+# Textures, colours and normals.
+node "$(dirname "$0")/textured_files.cjs" "$folder"
+"$whittle" simplify "$folder/square.gltf" -o "$folder/small.glb" --faces 2 --page "$folder/gltf.html" --quiet
+"$whittle" report "$folder/square.gltf" "$folder/shifted.gltf" -o "$folder/shifted.html" --quiet
+for name in square.obj broken.obj coloured.ply; do
+  "$whittle" simplify "$folder/$name" -o "$folder/small_$name" --faces 2 --quiet
+  "$whittle" report "$folder/$name" "$folder/small_$name" -o "$folder/$name.html" --quiet
+done
 node "$(dirname "$0")/look.cjs" "$node_modules" "$chromium" "$folder"

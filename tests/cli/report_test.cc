@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "program/failure.hh"
+#include "program/gltf_cube.hh"
 #include "program/program.hh"
 #include "program/stand_in_programs.hh"
 #include "support/temporary_folder.hh"
@@ -80,6 +81,60 @@ TEST_F(ReportCommand, ShowsACoarserLevelOfALargeMesh) {
   EXPECT_LE(json["meshes"][0]["shown_faces"], 1000);
   EXPECT_GT(json["meshes"][0]["faces"], 1000);
   EXPECT_THAT(std::string(data_of(read_text(folder / "page.html"))["original"]["note"]), HasSubstr("coarser"));
+}
+
+TEST_F(ReportCommand, ShowsGltfWhereTheSceneHasIt) {
+  write_gltf_cube(folder / "cube.glb", 8);
+  const Outcome run = whittle({"simplify", folder / "cube.glb", "-o", folder / "small.glb", "--face-ratio", "20%",
+                               "--page", folder / "run.html", "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run;
+  const Outcome outcome =
+      whittle({"report", folder / "cube.glb", folder / "small.glb", "-o", folder / "page.html", "--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  for (const char* const name : {"run.html", "page.html"}) {
+    const auto data = data_of(read_text(folder / name));
+    EXPECT_EQ(data["origin"][0], -3) << "a node makes the cube 3 times as large";
+    for (const auto& look : {data["original"]["look"], data["results"][0]["look"]}) {
+      ASSERT_EQ(look["materials"].size(), 4U) << name << ": of two primitives, of the points, and none";
+      EXPECT_EQ(look["materials"][1]["alpha"], "blend");
+      EXPECT_FALSE(look["normals"].is_null());
+      EXPECT_EQ(look["maps"].size(), 2U);
+    }
+  }
+}
+
+TEST_F(ReportCommand, ShowsColoursAndTextures) {
+  const std::string image = "\x89PNG and so on";
+  const auto write = [&](const std::string& name, const std::string& text) { std::ofstream(folder / name) << text; };
+  write("a.png", image);
+  write("a.mtl", "newmtl red\nKd 1 0 0\nnewmtl bricks\nKd 0 0 0\nmap_Kd a.png\n");
+  write("a.obj",
+        "mtllib a.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nv 0 0 1 1 0 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+        "usemtl bricks\nf 1/1 2/2 3/3\nusemtl red\nf 1/1 3/2 4/3\n");
+  const Outcome outcome = whittle({"report", folder / "a.obj", "-o", folder / "page.html", "--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  const auto data = data_of(read_text(folder / "page.html"));
+  const auto& look = data["original"]["look"];
+  EXPECT_FALSE(look["colours"].is_null());
+  ASSERT_EQ(data["images"].size(), 1U);
+  EXPECT_EQ(data["images"][0]["bytes"]["bytes"], image.size());
+  EXPECT_EQ(look["materials"][0]["image"], 0);
+  EXPECT_EQ(look["materials"][0]["colour"], (nlohmann::json{1, 1, 1, 1})) << "a texture hides Kd";
+  EXPECT_EQ(look["materials"][1]["colour"], (nlohmann::json{1, 0, 0, 1}));
+}
+
+TEST_F(ReportCommand, WarnsOfWhatIsNoImage) {
+  const auto write = [&](const std::string& name, const std::string& text) { std::ofstream(folder / name) << text; };
+  write("a.mtl", "newmtl a\nmap_Kd a.mtl\nnewmtl b\nmap_Kd b.png\n");
+  write("a.obj",
+        "mtllib a.mtl\nmtllib b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\n"
+        "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 3/2 4/3\n");
+  const Outcome outcome = whittle({"report", folder / "a.obj", "-o", folder / "page.html"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_THAT(outcome.err, HasSubstr("a.mtl: is neither PNG nor JPEG nor WebP"));
+  EXPECT_THAT(outcome.err, HasSubstr("b.png: cannot be opened"));
+  EXPECT_THAT(outcome.err, HasSubstr("material library b.mtl can't be read"));
+  EXPECT_TRUE(data_of(read_text(folder / "page.html"))["images"].empty());
 }
 
 /// Width and height of a PNG file.

@@ -28,6 +28,7 @@
 #include "terminal/table.hh"
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/parts.hh"
+#include "whittle/core/wedges.hh"
 #include "whittle/engine/automatic_threshold.hh"
 #include "whittle/io/border_gaps.hh"
 #include "whittle/metrics/meeting_parts.hh"
@@ -289,8 +290,8 @@ std::vector<std::string> lost_in_openmesh(const SimplifyCommand& options, const 
 
 /// Recordings, and OpenMesh's engine, take one value of an attribute a vertex.
 io::AttributeScope attributes_to_read(const SimplifyCommand& options) {
-  const bool is_recorded = options.recording || options.curve || options.page || options.pictures.is_given();
-  return is_recorded || options.engine == Engine::openmesh ? io::AttributeScope::per_vertex : io::AttributeScope::all;
+  return options.recording || options.engine == Engine::openmesh ? io::AttributeScope::per_vertex
+                                                                 : io::AttributeScope::all;
 }
 
 void drop_attributes(IndexedMesh& mesh) {

@@ -97,6 +97,14 @@ io::ReadResult GltfFile::read(const io::ReadOptions& options) {
   return result;
 }
 
+std::vector<GltfFile::Group> GltfFile::groups() const {
+  std::vector<Group> groups;
+  for (const Part& part : parts_) {
+    for (Index i = 0; i < part.n_groups; ++i) groups.push_back({part.mesh, i, part.scale});
+  }
+  return groups;
+}
+
 std::vector<Index> GltfFile::meshes_of_faces(const IndexedMesh& mesh) const {
   std::vector<Index> part_of_group;
   for (Index i = 0; i < parts_.size(); ++i) part_of_group.resize(part_of_group.size() + parts_[i].n_groups, i);

@@ -35,6 +35,13 @@ class GltfFile {
   /// For each face of the whole, or of what has become of it, the mesh that it belongs to, below `n_meshes`.
   std::vector<Index> meshes_of_faces(const IndexedMesh& mesh) const;
 
+  /// For each group of faces of what was read: the number of its mesh in the file, and of its primitive. \pre `read`
+  struct Group {
+    std::size_t mesh, primitive;
+    double scale;  ///< from the mesh's coordinates to those of the whole
+  };
+  std::vector<Group> groups() const;
+
   /// Writes the file with its meshes replaced, and the files that lie beside it (`gltf::Asset::files`).
   /// \param mesh what `read` gave, simplified \param compress as `gltf::WriteOptions` has it
   /// \return a line for each thing that isn't as it was

@@ -161,6 +161,13 @@ IndexedMesh split_at_wedges(const IndexedMesh& mesh) {
   return split;
 }
 
+IndexedMesh without_attributes(const IndexedMesh& mesh) {
+  IndexedMesh surface;
+  surface.positions = mesh.positions;
+  surface.faces = mesh.faces;
+  return surface;
+}
+
 std::vector<VertexPair> seam_edges(const IndexedMesh& mesh) {
   std::vector<VertexPair> seams;
   if (mesh.wedges.empty() && mesh.face_groups.empty()) return seams;

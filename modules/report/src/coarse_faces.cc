@@ -1,3 +1,4 @@
+#include "whittle/core/wedges.hh"
 #include "whittle/engine/simplify.hh"
 #include "whittle/report/page.hh"
 
@@ -9,8 +10,9 @@ std::vector<Triangle> coarse_faces(const IndexedMesh& mesh, unsigned threads) {
   const DecimateTarget target = DecimateTarget::faces(n_coarse);
   SimplifyOptions options;
   options.decimate.threads = threads;
+  const IndexedMesh surface = without_attributes(mesh);
   std::vector<Triangle> faces =
-      decimate_index_only(mesh, target, with_effort(Effort::fast, options, mesh, target).decimate).faces;
+      decimate_index_only(surface, target, with_effort(Effort::fast, options, surface, target).decimate).faces;
   if (faces.size() > mesh.faces.size() / 2) faces.clear();
   return faces;
 }

@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "packed_values.hh"
 #include "whittle/core/detail/edge_table.hh"
+#include "whittle/core/wedges.hh"
 
 namespace whittle::report {
 namespace {
@@ -19,40 +21,9 @@ std::uint16_t rounded(double steps) {
   return static_cast<std::uint16_t>(std::clamp(std::round(steps), 0.0, most_steps));
 }
 
-/// Bytes in groups of four.
-using Bytes = std::vector<std::array<std::uint8_t, 4>>;
-
-class ByteGroups {
- public:
-  void add(std::uint8_t byte) {
-    if (n_++ % 4 == 0) groups_.emplace_back();
-    groups_.back()[(n_ - 1) % 4] = byte;
-  }
-  const Bytes& groups() const { return groups_; }
-
- private:
-  Bytes groups_;
-  std::size_t n_ = 0;
-};
-
-/// 0, 1, 2, … 127 for signed distances of 0 and above: in even steps up to the usual distance, then in even factors up
-/// to the greatest one. Those below 0 have 128 more.
-std::uint8_t packed_distance(double signed_distance, const DistanceMap& map) {
-  constexpr double n_usual = 100;
-  constexpr double n_greater = 27;
-  const double distance = std::abs(signed_distance);
-  double step = 0;
-  if (distance <= map.usual) {
-    step = map.usual > 0 ? distance / map.usual * n_usual : 0;
-  } else {
-    step = n_usual + std::ceil(n_greater * std::log(distance / map.usual) / std::log(map.max / map.usual));
-  }
-  return static_cast<std::uint8_t>(std::lround(std::min(step, n_usual + n_greater)) + (signed_distance < 0 ? 128 : 0));
-}
-
 Json pack(const DistanceMap& map, PageBytes& bytes) {
   ByteGroups values;
-  for (const double distance : map.signed_distances) values.add(packed_distance(distance, map));
+  for (const double distance : map.signed_distances) values.add(packed_value(distance, {map.max, map.usual}));
   ByteGroups cuts;
   Json rounds = Json::array();
   for (const std::vector<std::uint8_t>& round : map.rounds) {
@@ -68,6 +39,15 @@ Json pack(const DistanceMap& map, PageBytes& bytes) {
           {"cuts", bytes.add(cuts.groups())}};
 }
 
+/// Vertex numbers; wedge numbers where there are wedges, of which the page knows the vertices.
+std::vector<Triangle> packed_corners(const IndexedMesh& mesh) {
+  std::vector<Triangle> corners = mesh.faces;
+  for (std::size_t f = 0; f < corners.size() && !mesh.wedges.empty(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) corners[f][k] = mesh.wedges[3 * f + k];
+  }
+  return corners;
+}
+
 }  // namespace
 
 Grid Grid::around(const metrics::Bounds& bounds) {
@@ -80,7 +60,7 @@ std::array<std::uint16_t, 3> Grid::at(const Vec3& position) const {
   return {rounded(steps.x()), rounded(steps.y()), rounded(steps.z())};
 }
 
-Json pack(const PageSurface& surface, const Grid& grid, PageBytes& bytes) {
+Json pack(const PageSurface& surface, const Grid& grid, PageBytes& bytes, PageImages& images) {
   const IndexedMesh& mesh = surface.mesh;
   std::vector<PackedPosition> positions;
   for (const Vec3& position : mesh.positions) {
@@ -97,17 +77,20 @@ Json pack(const PageSurface& surface, const Grid& grid, PageBytes& bytes) {
   Json refusals = Json::array();
   for (const auto& [reason, pairs] : surface.refusals)
     refusals.push_back({{"reason", reason}, {"pairs", bytes.add(pairs)}});
+  Json look = pack_look(surface, bytes, images);
+  const std::vector<Triangle> corners = look.is_null() ? mesh.faces : packed_corners(mesh);
   return {{"name", surface.name},
           {"note", surface.note},
           {"refusals", std::move(refusals)},
           {"vertices", positions.size()},
           {"faces", mesh.faces.size()},
           {"positions", bytes.add(positions)},
-          {"corners", bytes.add_faces(mesh.faces, positions.size())},
+          {"corners", bytes.add_faces(corners, std::max(positions.size(), n_wedges(mesh)))},
           {"coarse", bytes.add_faces(surface.coarse_faces, positions.size())},
           {"borders", bytes.add(borders)},
           {"nonmanifold", bytes.add(nonmanifold)},
-          {"distances", surface.distances ? pack(*surface.distances, bytes) : Json(nullptr)}};
+          {"distances", surface.distances ? pack(*surface.distances, bytes) : Json(nullptr)},
+          {"look", std::move(look)}};
 }
 
 }  // namespace whittle::report

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "packed_look.hh"
 #include "page_bytes.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/report/page.hh"
@@ -19,9 +20,10 @@ struct Grid {
 };
 
 /// {"name", "note", "refusals", "vertices", "faces", "positions", "corners", "coarse", "borders", "nonmanifold",
-/// "distances"}: positions of four 16-bit numbers, the last one 0, edges and pairs of two 32-bit ones. "distances" is
-/// null, or {"max", "usual", "deviation", "vertices", "values", "faces", "rounds", "cuts"}: a byte a vertex, its signed
-/// distance (packed_surface.cc); numbers of faces of each round, and a byte a face (`DistanceMap::rounds`).
-Json pack(const PageSurface& surface, const Grid& grid, PageBytes& bytes);
+/// "distances", "look"}: positions of four 16-bit numbers, the last one 0, edges and pairs of two 32-bit ones.
+/// "distances" is null, or {"max", "usual", "deviation", "vertices", "values", "faces", "rounds", "cuts"}: a byte a
+/// vertex, its signed distance (`packed_value`); numbers of faces of each round, and a byte a face
+/// (`DistanceMap::rounds`). With a "look" (`pack_look`), corners are numbers of wedges.
+Json pack(const PageSurface& surface, const Grid& grid, PageBytes& bytes, PageImages& images);
 
 }  // namespace whittle::report

@@ -100,12 +100,14 @@ Json pack(const Page& page, PageBytes& bytes) {
   json["advice"] = page.advice;
   json["origin"] = {grid.origin.x(), grid.origin.y(), grid.origin.z()};
   json["step"] = grid.step;
-  json["original"] = pack(page.original, grid, bytes);
+  PageImages images;
+  json["original"] = pack(page.original, grid, bytes, images);
   json["results"] = Json::array();
   for (const PageSurface& result : page.results) {
-    json["results"].push_back(pack(result, grid, bytes));
+    json["results"].push_back(pack(result, grid, bytes, images));
   }
   json["recording"] = page.recording ? pack(*page.recording, grid, bytes) : Json(nullptr);
+  json["images"] = images.pack(bytes);
   return json;
 }
 

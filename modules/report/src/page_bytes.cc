@@ -26,6 +26,12 @@ Json PageBytes::add_faces(std::span<const Triangle> faces, std::size_t n_vertice
   return {{"at", at}, {"bytes", n_bytes}, {"count", n}, {"size", 4}, {"codec", "faces"}};
 }
 
+Json PageBytes::add_file(std::string_view file) {
+  const std::size_t at = bytes_.size();
+  bytes_.insert(bytes_.end(), file.begin(), file.end());
+  return {{"at", at}, {"bytes", file.size()}, {"count", file.size()}, {"size", 1}, {"codec", "none"}};
+}
+
 std::vector<unsigned char> deflated(const std::vector<unsigned char>& bytes) {
   uLongf n = compressBound(static_cast<uLong>(bytes.size()));
   std::vector<unsigned char> result(n);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "whittle/core/indexed_mesh.hh"
@@ -14,7 +15,8 @@ namespace whittle::report {
 using Json = nlohmann::ordered_json;
 
 /// The arrays of a page, compressed by meshoptimizer, one after the other. What is added gives the JSON by which the
-/// page finds it: {"at", "bytes", "count", "size", "codec"}, the last one "vertices" or "faces".
+/// page finds it: {"at", "bytes", "count", "size", "codec"}, the last one "vertices", "faces" or, for bytes as they
+/// are, "none".
 class PageBytes {
  public:
   /// Items of `Item`, whose size is a multiple of four bytes.
@@ -29,6 +31,8 @@ class PageBytes {
   }
   /// Vertex numbers of faces. Their corners may be rotated.
   Json add_faces(std::span<const Triangle> faces, std::size_t n_vertices);
+  /// A file, as it is.
+  Json add_file(std::string_view file);
 
   const std::vector<unsigned char>& bytes() const { return bytes_; }
 

@@ -175,6 +175,21 @@ TEST(Gltf, IsRecorded) {
   EXPECT_THAT(read_text(folder / "c.csv"), testing::HasSubstr("\n768,"));
 }
 
+TEST(Gltf, HasACurve) {
+  const TemporaryFolder folder;
+  const std::string in = folder / "cube.glb";
+  write_gltf_cube(in, 6);
+  const auto simplify = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"simplify", in, "-o", folder / "out.glb", "--face-ratio", "20%", "--quiet"});
+    const Outcome outcome = whittle(options);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome;
+    return read_text(folder / "out.glb");
+  };
+  const std::string plain = simplify({});
+  EXPECT_EQ(simplify({"--curve", folder / "curve.csv"}), plain) << "the result is the same";
+  EXPECT_FALSE(read_text(folder / "curve.csv").empty());
+}
+
 TEST(Gltf, RefusesWhatItCannotDo) {
   const TemporaryFolder folder;
   const std::string in = folder / "cube.glb";

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "commands/page/page_charts.hh"
+#include "commands/page/page_look.hh"
 #include "commands/page/page_tables.hh"
 #include "commands/recording/curve.hh"
 #include "commands/recording/recording_input.hh"
@@ -18,6 +19,7 @@
 #include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
+#include "whittle/core/wedges.hh"
 #include "whittle/engine/simplify.hh"
 #include "whittle/io/errors.hh"
 #include "whittle/metrics/closest_point.hh"
@@ -63,13 +65,16 @@ class PageMaker {
     talk_.warning(warning);
     facts_.warnings.push_back(warning);
   }
-  IndexedMesh read(const std::string& path);
+  Input read(const std::string& path);
+  PageLook look_of(const Input& input);
+  static report::PageSurface surface_of(std::string name, IndexedMesh mesh, const PageLook& look);
   void read_files();
   void take(const RunForPage& run);
   std::string compose();
   void use_recording(const std::string& path);
-  void add_result(std::string name, const std::string& path, IndexedMesh mesh);
+  void add_result(const std::string& path, report::PageSurface surface);
   void measure_distances();
+  void measure_attributes();
   void measure_recording();
   void add_tables();
   void add_charts();
@@ -86,19 +91,34 @@ class PageMaker {
   double diagonal_ = 0;
 };
 
-IndexedMesh PageMaker::read(const std::string& path) {
-  Input input = read_input(path, options_.files_options, threads(), talk_);
+Input PageMaker::read(const std::string& path) {
+  Input input = read_input(path, options_.files_options, threads(), talk_, io::AttributeScope::all);
   for (const std::string& warning : input.warnings) facts_.warnings.push_back(warning);
-  return std::move(input.read.mesh);
+  return input;
 }
 
-void PageMaker::add_result(std::string name, const std::string& path, IndexedMesh mesh) {
-  if (mesh.faces.empty()) {
+PageLook PageMaker::look_of(const Input& input) {
+  std::vector<std::string> warnings;
+  PageLook look(input, warnings);
+  for (const std::string& warning : warnings) warn(warning);
+  return look;
+}
+
+/// Where the scene shows it.
+report::PageSurface PageMaker::surface_of(std::string name, IndexedMesh mesh, const PageLook& look) {
+  look.put_in_scene(mesh);
+  report::PageSurface surface{std::move(name), std::move(mesh), {}, {}, {}, std::nullopt};
+  look.dress(surface);
+  return surface;
+}
+
+void PageMaker::add_result(const std::string& path, report::PageSurface surface) {
+  if (surface.mesh.faces.empty()) {
     warn(path + ": has no faces, and is left out");
     return;
   }
   paths_.push_back(path);
-  page_.results.push_back({std::move(name), std::move(mesh), {}, {}, {}, std::nullopt});
+  page_.results.push_back(std::move(surface));
 }
 
 /// \pre it comes first, or after the original
@@ -114,10 +134,10 @@ void PageMaker::use_recording(const std::string& path) {
   progressive::Replay& replay = page_.recording->replay;
   if (is_first) {
     paths_.push_back(path);
-    page_.original = {short_name(path) + ", its first level", replay.input(), {}, {}, {}, std::nullopt};
+    page_.original = surface_of(short_name(path) + ", its first level", replay.input(), PageLook());
   }
   replay.go_to(replay.n_steps());
-  add_result(short_name(path) + ", its last level", path, replay.decimation().mesh);
+  add_result(path, surface_of(short_name(path) + ", its last level", replay.decimation().mesh, PageLook()));
 }
 
 void PageMaker::read_files() {
@@ -125,11 +145,16 @@ void PageMaker::read_files() {
   for (const std::string& path : options_.files) {
     if (is_recording(path)) {
       use_recording(path);
-    } else if (paths_.empty()) {
+      continue;
+    }
+    Input input = read(path);
+    const PageLook look = look_of(input);
+    report::PageSurface surface = surface_of(short_name(path), std::move(input.read.mesh), look);
+    if (paths_.empty()) {
       paths_.push_back(path);
-      page_.original = {short_name(path), read(path), {}, {}, {}, std::nullopt};
+      page_.original = std::move(surface);
     } else {
-      add_result(short_name(path), path, read(path));
+      add_result(path, std::move(surface));
     }
   }
   report::PageOrder order = report::put_in_page_order(page_.original.mesh);
@@ -194,6 +219,18 @@ void PageMaker::measure_distances() {
   facts_.measure_seconds = watch.seconds();
 }
 
+/// As distances: from what is shown, to what is shown of the other file.
+void PageMaker::measure_attributes() {
+  const Stopwatch watch;
+  for (report::PageSurface& result : page_.results) {
+    result.attribute_maps = report::attribute_maps(result.mesh, page_.original.mesh, threads());
+  }
+  if (!page_.results.empty()) {
+    page_.original.attribute_maps = report::attribute_maps(page_.original.mesh, page_.results.front().mesh, threads());
+  }
+  facts_.measure_seconds += watch.seconds();
+}
+
 void PageMaker::measure_recording() {
   if (!page_.recording) return;
   constexpr std::size_t samples = 20'000;
@@ -253,14 +290,18 @@ std::vector<report::PageRefusals> refusals_of(const Simplification& simplified, 
 }
 
 void PageMaker::take(const RunForPage& run) {
-  paths_ = {run.path};
-  page_.title = short_name(run.path) + ", " + short_name(run.output);
+  const std::string name = short_name(run.input.name);
+  const PageLook look = look_of(run.input);
+  paths_ = {run.input.name};
+  page_.title = name + ", " + short_name(run.output);
   page_.advice = run.advice;
-  page_.original = {short_name(run.path), run.input, {}, {}, {}, std::nullopt};
-  page_.recording.emplace(
-      report::PageRecording{progressive::Replay(run.input, run.simplified.steps, run.normals), {}, {}});
+  page_.original = surface_of(name, run.input.read.mesh, look);
+  RunSteps steps = run.simplified.steps;
+  look.put_in_scene(run.input.read.mesh, steps);
+  page_.recording.emplace(report::PageRecording{
+      progressive::Replay(without_attributes(page_.original.mesh), std::move(steps), Normals::drop), {}, {}});
   page_.recording->order = report::put_in_page_order(page_.original.mesh);
-  add_result(short_name(run.output), run.output, run.simplified.mesh);
+  add_result(run.output, surface_of(short_name(run.output), run.simplified.mesh, look));
   if (!page_.results.empty()) {
     report::PageSurface& result = page_.results.front();
     result.refusals = refusals_of(run.simplified, report::put_in_page_order(result.mesh));
@@ -286,6 +327,7 @@ std::string PageMaker::make_of(const RunForPage& run) {
 std::string PageMaker::compose() {
   measure_recording();
   measure_distances();
+  measure_attributes();
   add_charts();
   std::ostringstream out;
   write_page(out, page_);
@@ -306,8 +348,8 @@ std::string make_page(const RunForPage& run, const CommonOptions& common, const 
 std::string make_player(const std::string& path, const IndexedMesh& input, const RunSteps& steps) {
   report::Page page;
   page.title = short_name(path);
-  page.original = {page.title, input, {}, {}, {}, std::nullopt};
-  page.recording.emplace(report::PageRecording{progressive::Replay(input, steps, Normals::drop), {}, {}});
+  page.original = {page.title, without_attributes(input), {}, {}, {}, std::nullopt};
+  page.recording.emplace(report::PageRecording{progressive::Replay(page.original.mesh, steps, Normals::drop), {}, {}});
   page.recording->order = report::put_in_page_order(page.original.mesh);
   std::ostringstream out;
   write_page(out, page);

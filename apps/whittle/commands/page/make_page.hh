@@ -1,6 +1,7 @@
 #pragma once
 
 #include "commands/page/report_options.hh"
+#include "files/input.hh"
 #include "files/report.hh"
 #include "terminal/talk.hh"
 #include "whittle/core/indexed_mesh.hh"
@@ -21,11 +22,9 @@ struct PageFacts {
 
 /// A run of `simplify`, while all of it is known.
 struct RunForPage {
-  std::string path;  ///< of the input
+  const Input& input;
   std::string output;
-  const IndexedMesh& input;
   const Simplification& simplified;  ///< with its steps
-  Normals normals;
   Json report;
   std::string advice;  ///< if the target was missed: why, and what helps
 };

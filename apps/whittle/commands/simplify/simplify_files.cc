@@ -72,9 +72,9 @@ void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwat
   write(options.recording, [&](std::ostream& out) { write_recording_file(out, options, record); });
   write(options.curve, [&](std::ostream& out) { write_curve(out, options, record); });
   write(options.page, [&](std::ostream& out) {
-    out << make_page({record.input.name, options.output, record.input.read.mesh, record.simplified,
-                      options.simplify.decimate.normals, simplify_json(options, record), record.shortfall},
-                     options.common, talk);
+    out << make_page(
+        {record.input, options.output, record.simplified, simplify_json(options, record), record.shortfall},
+        options.common, talk);
   });
   if (options.pictures.is_given()) {
     const std::string player = make_player(record.input.name, recorded_input(record), record.simplified.steps);

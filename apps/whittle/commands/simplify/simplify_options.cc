@@ -397,7 +397,6 @@ void check_gltf(const SimplifyCommand& options) {
   if (options.is_per_mesh && (!is_all_gltf || options.files.input_format)) {
     throw UsageError("--per-mesh is for inputs in glTF, which may have several meshes");
   }
-  if (is_read && options.page) throw UsageError("--page doesn't take glTF yet: 'convert' it to PLY first");
   if (is_read && options.recording && !options.embeds_input) {
     throw UsageError("--no-embed doesn't take glTF, as 'replay' doesn't read it");
   }

@@ -59,6 +59,12 @@ export function showRefusals(element, refusals) {
 /** Three digits that count. */
 export const short = (value) => value === 0 ? '0' : Number(value.toPrecision(3)).toString();
 
+/** Says in an element what colours mean that have no scale. */
+export function showNote(element, text) {
+  element.textContent = text;
+  element.setAttribute('aria-label', text);
+}
+
 /** Shows a scale in an element. \param top the value at its end, of scales without names */
 export function showLegend(element, title, scale, top) {
   element.replaceChildren();

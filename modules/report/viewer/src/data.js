@@ -23,6 +23,7 @@ export async function readPage(document) {
     const decoded = new Uint8Array(count * size);
     const source = bytes.subarray(at, at + length);
     if (count > 0 && codec === 'faces') MeshoptDecoder.decodeIndexBuffer(decoded, count, size, source);
+    if (codec === 'none') decoded.set(source);
     if (count > 0 && codec === 'vertices') MeshoptDecoder.decodeVertexBuffer(decoded, count, size, source);
     return new Type(decoded.buffer);
   };

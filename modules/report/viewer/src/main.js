@@ -1,8 +1,9 @@
 // The page of `whittle report`: puts the meshes, the controls and the player together.
 import {Vector3} from 'three';
-import {scales, short, showLegend, showRefusals} from './colours.js';
+import {scales, short, showLegend, showNote, showRefusals} from './colours.js';
 import {readPage} from './data.js';
 import {ExactColours} from './exact.js';
+import {loadImages} from './look.js';
 import {Model} from './model.js';
 import {Motion} from './motion.js';
 import {Player} from './player.js';
@@ -29,15 +30,17 @@ function boxOf(surface) {
 }
 
 class App {
-  constructor({json, array}) {
+  /** \param images of the page */
+  constructor({json, array}, images) {
     this.json = json;
-    const original = new Surface(json.original, array);
+    const original = new Surface(json.original, array, images);
     this.original = new Model(original, '#9db4c8');
-    this.results = json.results.map((result) => new Model(new Surface(result, array), '#d9b382'));
+    this.results = json.results.map((result) => new Model(new Surface(result, array, images), '#d9b382'));
     this.recording = json.recording && new Recording(json.recording, array, original);
     if (this.recording) this.results.unshift(new Model(this.recording, '#d9b382'));
     // What stands in the way of fewer faces is to be seen at once.
-    this.result = this.results.find((model) => model.surface.refusals.length > 0) ?? this.results[0] ?? null;
+    this.result = this.results.find((model) => model.surface.refusals.length > 0) ??
+      this.results.find((model) => model.surface.look) ?? this.results[0] ?? null;
     this.isDrawn = true;
     this.motion = new Motion((wasQuick) => this.onRest(wasQuick));
     this.view = new View($('canvas'), boxOf(original), () => this.onView());
@@ -61,6 +64,20 @@ class App {
     }
     const hasErrors = [this.original, ...this.results].some((model) => model.surface.distances);
     $('colour').querySelector('[value=error]').disabled = !hasErrors;
+    this.addColours();
+  }
+
+  /** Those that a mesh has beside its shape. The page opens with what it looks like. */
+  addColours() {
+    const looks = [this.original, ...this.results].map(({surface}) => surface.look).filter((look) => look);
+    const hasAny = (colour) => looks.some((look) => look.has(colour));
+    const names = [['material', 'material'], ['colours', 'vertex colours'], ['normals', 'normals']].filter(([colour]) => hasAny(colour));
+    const errors = new Map(looks.flatMap(({maps}) => maps.map(({colour, label}) => [colour, label])));
+    const error = $('colour').querySelector('[value=error]');
+    for (const [colour, name] of names) error.before(new Option(name, colour));
+    error.after(...[...errors].map(([colour, name]) => new Option(name, colour)));
+    if (hasAny('normals')) $('shading').add(new Option('normals of the file', 'file'));
+    $('colour').value = ['material', 'colours'].find(hasAny) ?? 'none';
   }
 
   setUpPlayer() {
@@ -107,32 +124,35 @@ class App {
     return this.result ? layout : 'original';
   }
 
-  /** Where the scale of errors ends, model units. */
+  /** Where the scale of errors ends, in their unit. */
   greatestShown() {
-    const greatest = (key) => Math.max(...[this.original, this.result].map((model) => model?.surface.distances?.[key] ?? 0));
+    const greatest = (key) => Math.max(...[this.original, this.result].map((model) => model?.range()?.[key] ?? 0));
     const chosen = $('top').value;
     return chosen === 'usual' ? greatest('usual') : greatest('max') * Number(chosen);
   }
 
   apply() {
-    const colour = $('colour').value;
+    const models = [this.original, this.result].filter((model) => model);
+    for (const model of models) model.setColour($('colour').value, $('shading').value);
     const top = this.greatestShown();
-    for (const model of [this.original, this.result]) {
-      if (!model) continue;
-      model.setSmooth($('shading').value === 'smooth');
-      model.setColour(colour);
-      model.setErrorScale(scales.error, top);
-    }
+    for (const model of models) model.setScale(scales.error, top);
     this.exact.setScale(scales.error, top / this.json.step);
-    $('top').closest('label').hidden = colour !== 'error';
     $('ghost').closest('label').hidden = this.layout() !== 'over';
-    $('legend').hidden = colour === 'none';
-    if (colour === 'error') showLegend($('legend'), 'distance, model units', scales.error, top);
-    if (colour === 'shape') showLegend($('legend'), 'radius ratio 2r/R, 1 is equilateral', scales.shape, 1);
-    if (colour === 'valence') showLegend($('legend'), 'edges at a vertex', scales.valence);
+    this.showLegend($('colour').value, top);
     this.showReasons();
     this.showLabels();
     this.view.setPanes(this.layout() === 'beside' ? 2 : 1);
+  }
+
+  showLegend(colour, top) {
+    const map = [this.original, this.result].map((model) => model?.surface.look?.mapOf(colour)).find((one) => one);
+    $('top').closest('label').hidden = colour !== 'error' && !map;
+    $('legend').hidden = ['none', 'material', 'colours'].includes(colour);
+    if (map) showLegend($('legend'), map.title, scales.error, top);
+    if (colour === 'normals') showNote($('legend'), 'normals: x, y, z from −1 to 1 as red, green, blue');
+    if (colour === 'error') showLegend($('legend'), 'distance, model units', scales.error, top);
+    if (colour === 'shape') showLegend($('legend'), 'radius ratio 2r/R, 1 is equilateral', scales.shape, 1);
+    if (colour === 'valence') showLegend($('legend'), 'edges at a vertex', scales.valence);
   }
 
   /** Why there are not fewer faces. */
@@ -208,7 +228,7 @@ class App {
   }
 
   startExactColours() {
-    const isSmooth = $('shading').value === 'smooth';
+    const isSmooth = $('shading').value !== 'flat';
     this.exact.start(this.keyOfExactColours(), this.modelsOfPanes().map((model) => {
       const other = this.otherOf(model);
       return other && {surface: model.surface, geometry: model.wholeGeometry(), isSmooth, other};
@@ -398,7 +418,7 @@ class App {
     }
     const place = this.toModel(hit.point).map(short).join(', ');
     const value = await this.valueAt(model, hit);
-    const meaning = {error: 'distance', shape: 'radius ratio'}[model.colour];
+    const meaning = {error: 'distance', shape: 'radius ratio'}[model.colour] ?? model.range()?.value;
     $('status').textContent = `${model.surface.name}: (${place})${meaning && value !== null ? `, ${meaning} ${short(value)}` : ''}`;
   }
 
@@ -418,6 +438,7 @@ class App {
   interpolatedAt(model, {face, point}) {
     const geometry = model.faces.geometry;
     const value = geometry.getAttribute('value');
+    if (!value) return null;
     const position = geometry.getAttribute('position');
     const [a, b, c] = [face.a, face.b, face.c].map((v) => new Vector3().fromBufferAttribute(position, v));
     const area = (p, q, r) => q.clone().sub(p).cross(r.clone().sub(p)).length();
@@ -425,15 +446,16 @@ class App {
     const sum = weights[0] + weights[1] + weights[2];
     if (sum === 0) return null;
     const interpolated = [face.a, face.b, face.c].reduce((so_far, v, i) => so_far + weights[i] / sum * value.getX(v), 0);
-    if (model.colour !== 'error') return interpolated;
-    const {distances} = model.surface;
-    return distances && Math.abs(interpolated * 65535 - 32768) / 32767 * distances.max;
+    if (model.colour === 'shape') return interpolated;
+    const share = model.colour === 'error' ? Math.abs(interpolated * 65535 - 32768) / 32767 : interpolated;
+    return model.range() && share * model.range().max;
   }
 }
 
 async function start() {
   try {
-    window.whittle = new App(await readPage(document));
+    const page = await readPage(document);
+    window.whittle = new App(page, await loadImages(page.json.images, page.array));
   } catch (error) {
     $('problem').hidden = false;
     $('problem').textContent = `The meshes can't be shown: ${error.message}`;

@@ -16,6 +16,7 @@ function faceMaterial(front, opacity) {
     uniforms: {
       isSmooth: {value: false}, isScaled: {value: false}, isSigned: {value: false}, top: {value: 1}, opacity: {value: opacity},
       front: {value: new Color(front)}, back: {value: new Color('#8a5a44')}, scale: {value: textureOf(scales.shape)},
+      areNormals: {value: false},
     },
   });
 }
@@ -52,6 +53,7 @@ export class Model {
     this.points = new Points(this.pointGeometry(), this.pointMaterial);
     this.valencePoints = null;
     this.cached = {};
+    this.shading = 'flat';
     this.setColour('none');
     this.group.add(this.faces, this.edges, this.borders, this.nonmanifold, this.points, ...this.refusals);
     this.group.traverse((object) => { object.frustumCulled = false; });
@@ -85,8 +87,26 @@ export class Model {
     return geometry;
   }
 
+  /** Whether a colouring shows what wedges have. */
+  showsLook(colour) {
+    const {look} = this.surface;
+    return look !== null && (look.has(colour) || colour === 'none' && this.shading === 'file' && look.normals !== null);
+  }
+
+  /** The vertices of the wedges. */
+  lookGeometry() {
+    this.wedged ??= this.surface.look.geometry(this.surface.positions);
+    return this.wedged;
+  }
+
+  /** Of the colouring: something with `max` and `usual`, and where its values come from; or null. */
+  range() {
+    return this.colour === 'error' ? this.surface.distances : this.surface.look?.mapOf(this.colour) ?? null;
+  }
+
   /** The geometry of a colouring, made when it is first asked for. */
   geometryOf(colour) {
+    if (this.showsLook(colour)) return this.lookGeometry();
     const isPlain = colour !== 'shape' && !(colour === 'error' && this.surface.distances);
     if (isPlain) return this.plain;
     const key = this.surface.version;
@@ -140,15 +160,21 @@ export class Model {
     return points;
   }
 
-  setColour(colour) {
+  /** \param shading 'flat', 'smooth', or 'file': by the normals that the file has */
+  setColour(colour, shading = this.shading) {
     this.colour = colour;
-    const isScaled = colour === 'shape' || colour === 'error' && this.surface.distances !== null;
+    this.shading = shading;
+    const {look} = this.surface;
+    const map = look?.mapOf(colour);
     this.faces.geometry = this.geometryOf(colour);
-    for (const material of [this.material, this.ghostMaterial]) {
-      material.uniforms.isScaled.value = isScaled;
-      material.uniforms.isSigned.value = colour === 'error';
-      if (colour === 'shape') material.uniforms.scale.value = textureOf(scales.shape);
+    if (map) this.faces.geometry.setAttribute('value', new BufferAttribute(look.shares(map), 1));
+    for (const {uniforms} of [this.material, this.ghostMaterial]) {
+      uniforms.isScaled.value = colour === 'shape' || this.range() !== null;
+      uniforms.isSigned.value = colour === 'error';
+      uniforms.areNormals.value = colour === 'normals' && this.showsLook(colour);
+      if (colour === 'shape') uniforms.scale.value = textureOf(scales.shape);
     }
+    this.shown = this.shownMaterial();
     if (colour === 'valence' && this.valenceVersion !== this.surface.version) {
       if (this.valencePoints) this.group.remove(this.valencePoints);
       this.valencePoints = this.makeValencePoints();
@@ -156,30 +182,54 @@ export class Model {
       this.group.add(this.valencePoints);
     }
     if (this.valencePoints) this.valencePoints.visible = colour === 'valence';
-    this.useNormals();
+    this.useShading();
   }
 
-  setSmooth(isSmooth) {
-    this.material.uniforms.isSmooth.value = this.ghostMaterial.uniforms.isSmooth.value = isSmooth;
-    this.useNormals();
+  /** What the whole surface is drawn with. */
+  shownMaterial() {
+    const isLook = this.showsLook(this.colour);
+    if (isLook && this.colour === 'material') return this.surface.look.surfaceMaterials();
+    return isLook && this.colour === 'colours' ? this.surface.look.colourMaterial() : this.material;
   }
 
-  useNormals(geometry = this.faces.geometry) {
-    if (this.material.uniforms.isSmooth.value && geometry.normalVersion !== this.surface.version) {
-      geometry.deleteAttribute('normal');
-      geometry.computeVertexNormals();
-      geometry.normalVersion = this.surface.version;
+  useShading() {
+    for (const {uniforms} of [this.shown, this.material, this.ghostMaterial].flat()) uniforms.isSmooth.value = this.shading !== 'flat';
+    this.useNormals(this.faces.geometry);
+  }
+
+  useNormals(geometry) {
+    if (this.shading === 'flat') return;
+    const isLook = geometry === this.wedged;
+    const {look, version} = this.surface;
+    const key = isLook && this.shading === 'file' && look.normals ? 'file' : version;
+    if (geometry.normalKey === key) return;
+    geometry.normalKey = key;
+    geometry.deleteAttribute('normal');
+    if (key === 'file') geometry.setAttribute('normal', new BufferAttribute(look.normals, 3));
+    else if (isLook) geometry.setAttribute('normal', this.normalsOfWedges());
+    else geometry.computeVertexNormals();
+  }
+
+  /** Those of their vertices. */
+  normalsOfWedges() {
+    this.useNormals(this.plain);
+    const {look} = this.surface;
+    const ofVertices = this.plain.getAttribute('normal').array;
+    const normals = new Float32Array(3 * look.nWedges);
+    for (let w = 0; w < look.nWedges; ++w) {
+      const v = 3 * look.vertexOf(w);
+      normals.set(ofVertices.subarray(v, v + 3), 3 * w);
     }
+    return new BufferAttribute(normals, 3);
   }
 
-  /** \param scale of errors \param top where it ends, model units */
-  setErrorScale(scale, top) {
-    if (this.colour === 'error') {
-      for (const material of [this.material, this.ghostMaterial]) material.uniforms.scale.value = textureOf(scale);
+  /** \param scale of deviations \param top where it ends, in the unit of `range()` */
+  setScale(scale, top) {
+    const range = this.range();
+    for (const {uniforms} of [this.material, this.ghostMaterial]) {
+      if (range) uniforms.scale.value = textureOf(scale);
+      uniforms.top.value = range ? top / (range.max || 1) || 1 : 1;
     }
-    const isError = this.colour === 'error' && this.surface.distances;
-    const own = isError ? top / (this.surface.distances.max || 1) : 1;
-    for (const material of [this.material, this.ghostMaterial]) material.uniforms.top.value = own || 1;
   }
 
   /** All faces as they are in the file. */
@@ -190,11 +240,12 @@ export class Model {
     return this.whole.setIndex(this.plain.fullIndex ?? this.plain.getIndex());
   }
 
-  /** The same vertices with fewer faces. \return false where there are none, or where each face has a colour of its own */
+  /** The same vertices with fewer faces. \return false where there are none, or where the faces have more than
+      vertices */
   useCoarse(isCoarse) {
     const {coarse} = this.surface;
-    if (coarse.length === 0 || this.colour === 'shape') return false;
     const {geometry} = this.faces;
+    if (coarse.length === 0 || this.colour === 'shape' || geometry === this.wedged) return false;
     geometry.fullIndex ??= geometry.getIndex();
     geometry.coarseIndex ??= new BufferAttribute(coarse, 1);
     geometry.setIndex(isCoarse ? geometry.coarseIndex : geometry.fullIndex);
@@ -205,7 +256,7 @@ export class Model {
       \param areFacesDrawn whether something else has drawn the whole surface already */
   show({edges, borders, nonmanifold, refused, ghost = '', areFacesDrawn = false}) {
     this.faces.visible = ghost === '' && !areFacesDrawn || ghost === 'transparent';
-    this.faces.material = ghost === '' ? this.material : this.ghostMaterial;
+    this.faces.material = ghost === '' ? this.shown : this.ghostMaterial;
     this.faces.renderOrder = ghost === '' ? 0 : 1;
     this.points.visible = ghost === 'points';
     this.edges.visible = ghost === 'edges' || ghost === '' && edges;

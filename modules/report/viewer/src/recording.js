@@ -33,6 +33,7 @@ export class Recording {
     this.nonmanifold = new Uint32Array(0);
     this.refusals = [];
     this.distances = null;
+    this.look = null;
     this.name = 'level of the run';
     this.note = '';
     this.version = 0;

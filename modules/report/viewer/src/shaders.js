@@ -13,14 +13,44 @@ void main() {
   gl_Position = projectionMatrix * seen;
 }`;
 
+const coding = `
+vec3 decoded(vec3 srgb) {
+  return mix(srgb / 12.92, pow((srgb + 0.055) / 1.055, vec3(2.4)), step(0.04045, srgb));
+}
+vec3 encoded(vec3 linear) {
+  return mix(12.92 * linear, 1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, linear));
+}`;
+
+/** TEXCOORD is the attribute with the texture coordinates. Vertex colours are interpolated as the file means them. */
+export const lookVertexShader = `${coding}
+in vec2 TEXCOORD;
+in vec4 tint;
+out vec3 place;
+out vec3 direction;
+out vec2 texel;
+out vec4 tinted;
+uniform mat3 transform;
+uniform bool isLinear;
+void main() {
+  vec4 seen = modelViewMatrix * vec4(position, 1.0);
+  place = seen.xyz;
+  direction = normalMatrix * normal;
+  texel = (transform * vec3(TEXCOORD, 1.0)).xy;
+  tinted = vec4(isLinear ? decoded(tint.rgb) : tint.rgb, tint.a);
+  gl_Position = projectionMatrix * seen;
+}`;
+
 // The light comes from the eye, and a little from above.
 const light = `
 in vec3 place;
 in vec3 direction;
 uniform bool isSmooth;
-float light() {
+vec3 normalHere() {
   vec3 flatNormal = normalize(cross(dFdx(place), dFdy(place)));
-  vec3 normal = isSmooth && dot(direction, direction) > 0.0 ? normalize(direction) : flatNormal;
+  return isSmooth && dot(direction, direction) > 0.0 ? normalize(direction) : flatNormal;
+}
+float light() {
+  vec3 normal = normalHere();
   if (dot(normal, place) > 0.0) normal = -normal;
   return 0.35 + 0.5 * max(0.0, normal.z) + 0.15 * max(0.0, dot(normal, vec3(-0.4, 0.8, 0.45)));
 }`;
@@ -39,13 +69,36 @@ in float shown;
 out vec4 colour;
 uniform bool isScaled;
 uniform bool isSigned;
+uniform bool areNormals;
 uniform float opacity;
 uniform vec3 front;
 uniform vec3 back;
 void main() {
+  if (areNormals) {
+    vec3 seen = isSmooth || gl_FrontFacing ? normalHere() : -normalHere();
+    colour = vec4(0.5 + 0.5 * (seen * mat3(viewMatrix)), opacity); // by the axes of the model
+    return;
+  }
   float value = isSigned ? abs(shown * 65535.0 - 32768.0) / 32767.0 : shown;
   vec3 own = gl_FrontFacing ? front : back;
   colour = vec4(isScaled ? scaled(value, light()) : own * light(), opacity);
+}`;
+
+/** Factor, image and vertex colour, multiplied in linear light. There is less shadow than elsewhere. */
+export const lookShader = `${light}${coding}
+in vec2 texel;
+in vec4 tinted;
+out vec4 colour;
+uniform bool hasImage, isTinted, isLinear, isOpaque;
+uniform sampler2D image;
+uniform vec3 factor;
+uniform float opacity, cutoff;
+void main() {
+  vec4 own = vec4(factor, opacity);
+  if (hasImage) own *= texture(image, texel);
+  if (isTinted) own *= vec4(isLinear ? tinted.rgb : decoded(tinted.rgb), tinted.a);
+  if (own.a < cutoff) discard;
+  colour = vec4(encoded(own.rgb) * (0.6 + 0.4 * light()), isOpaque ? 1.0 : own.a);
 }`;
 
 /** What is seen at each pixel: how far away it is, as the bytes of a number, and its light. */

@@ -1,16 +1,21 @@
 // A mesh of the page. Coordinates are 0 … 1 along the longest side of the box around all meshes.
 
+import {Look} from './look.js';
+
 export const unit = 65535;
 
 /** A mesh that stays as it is. */
 export class Surface {
-  constructor(json, array) {
+  /** \param images of the page */
+  constructor(json, array, images) {
     this.name = json.name;
     this.note = json.note;
     this.nVertices = json.vertices;
     this.nFaces = json.faces;
     this.positions = array(json.positions, Uint16Array); // four numbers a vertex, the last one 0
-    this.corners = array(json.corners, Uint32Array);
+    const corners = array(json.corners, Uint32Array);
+    this.look = json.look && new Look(json.look, array, corners, images); // or null: it has a shape alone
+    this.corners = this.look?.corners() ?? corners;
     this.coarse = array(json.coarse, Uint32Array); // of fewer faces; or empty
     this.borders = array(json.borders, Uint32Array);
     this.nonmanifold = array(json.nonmanifold, Uint32Array);
@@ -55,14 +60,7 @@ class Distances {
       first += n;
     }
     for (const vertex of open) this.corners[this.nCorners++] = vertex;
-    for (let v = 0; v < this.nVertices; ++v) this.positions[4 * v + 3] = 32768 + Math.round(32767 * this.shareOfMax(this.values[v]));
-  }
-
-  /** The signed distance that a byte stands for, as a share of `max`. */
-  shareOfMax(byte) {
-    const step = byte & 127;
-    const distance = step <= 100 ? this.usual * step / 100 : this.usual * (this.max / this.usual) ** ((step - 100) / 27);
-    return this.max > 0 ? Math.min(1, distance / this.max) * (byte < 128 ? 1 : -1) : 0;
+    for (let v = 0; v < this.nVertices; ++v) this.positions[4 * v + 3] = 32768 + Math.round(32767 * shareOfMax(this.values[v], this));
   }
 
   /** \return the parts of faces that are cut */
@@ -92,6 +90,14 @@ class Distances {
     middles.set(key, made);
     return made;
   }
+}
+
+/** The signed value that a byte stands for, as a share of `max`: the inverse of `packed_value`. */
+export function shareOfMax(byte, {usual, max}) {
+  const step = byte & 127;
+  let value = usual * step / 100;
+  if (step > 100) value = usual > 0 ? usual * (max / usual) ** ((step - 100) / 27) : max * (step - 100) / 27;
+  return max > 0 ? Math.min(1, value / max) * (byte < 128 ? 1 : -1) : 0;
 }
 
 /** The faces, each from its lowest vertex on. */

@@ -31,6 +31,9 @@ void drop_seams(IndexedMesh& mesh);
 /// the vertex that it was.
 IndexedMesh split_at_wedges(const IndexedMesh& mesh);
 
+/// Positions and faces alone.
+IndexedMesh without_attributes(const IndexedMesh& mesh);
+
 /// The edges that are borders of charts or materials: between two faces of different groups, or with different values
 /// on both sides at either end. Normals and tangents don't count, but for a tangent's sign: shading may break anywhere.
 /// \return lower vertex first, ascending

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,5 +50,18 @@ struct AttributeDeviation {
 /// \throw as `surface_distance`
 std::vector<AttributeDeviation> attribute_deviations(const IndexedMesh& reference, const IndexedMesh& test,
                                                      const DistanceOptions& options = {});
+
+/// The deviations of one attribute at the wedges of a mesh, in the unit that `AttributeDeviation` has.
+struct WedgeDeviations {
+  std::string name;
+  AttributeKind kind = AttributeKind::scalar;
+  std::vector<double> values;  ///< W; 0 at wedges that no face has, and where the attribute can't be compared
+};
+
+/// What `attribute_deviations` finds from one surface to the other one, at each wedge in place of samples.
+/// \param kinds of attributes that are wanted \param threads 0 = all cores; the result doesn't depend on it
+/// \throw std::invalid_argument as `surface_distance`
+std::vector<WedgeDeviations> attribute_deviations_at_wedges(const IndexedMesh& mesh, const IndexedMesh& other,
+                                                            std::span<const AttributeKind> kinds, unsigned threads = 0);
 
 }  // namespace whittle::metrics

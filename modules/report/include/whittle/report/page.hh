@@ -1,15 +1,20 @@
 #pragma once
 
+#include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/core/vertex_pair.hh"
 #include "whittle/progressive/replay.hh"
+#include "whittle/report/attribute_map.hh"
 #include "whittle/report/distance_map.hh"
 
 // A page of HTML with meshes to look at, in one file that loads nothing else.
@@ -22,8 +27,9 @@ struct PageOrder {
   std::vector<Index> of_face;
 };
 
-/// Numbers vertices and faces so that the page becomes small, and lets each face begin at its lowest vertex. Positions
-/// and faces alone are kept.
+/// Numbers vertices and faces so that the page becomes small, and lets each face begin at its lowest vertex. Wedges are
+/// numbered so that vertex v has wedge v; others of the same vertex come after all of these. Kept are positions, faces,
+/// what wedges have, and groups of faces.
 PageOrder put_in_page_order(IndexedMesh& mesh);
 
 /// Pairs that a run may not contract, for one reason.
@@ -32,7 +38,35 @@ struct PageRefusals {
   std::vector<VertexPair> pairs;  ///< of the surface's mesh
 };
 
-/// A mesh of the page. Only positions and faces are shown.
+/// Whether bytes begin as those of a PNG, JPEG or WebP file, which are the images that a page shows.
+bool is_page_image(std::string_view bytes);
+
+/// What a texture shows outside of [0, 1].
+enum class PageWrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge };
+
+/// What the opacity of a colour does: nothing; the surface ends where it is below the cutoff; what is behind shines
+/// through.
+enum class PageAlpha : std::uint8_t { opaque, mask, blend };
+
+/// How a surface looks: base colour · image · vertex colour, in linear light, as in glTF.
+struct PageMaterial {
+  std::string name;
+  std::array<double, 4> base_color = {1, 1, 1, 1};  ///< linear red, green, blue, and opacity; each in [0, 1]
+  /// The bytes of an image (`is_page_image`), or null. Others aren't shown. Images with equal bytes are in the page
+  /// once.
+  std::shared_ptr<const std::string> image;
+  std::string texcoord = "TEXCOORD_0";  ///< the attribute with the image's coordinates; without it there is no image
+  /// To coordinates that are (0, 0) at the outer corner of the first pixel. For OBJ: (u, v) to (u, 1 − v).
+  Eigen::Affine2d texcoord_transform = Eigen::Affine2d::Identity();
+  std::array<PageWrap, 2> wrap{};
+  PageAlpha alpha = PageAlpha::opaque;
+  double alpha_cutoff = 0.5;
+};
+
+/// How numbers are related to light.
+enum class PageColors : std::uint8_t { srgb, linear };
+
+/// A mesh of the page. Shown are positions, faces, and, by wedge, normals, colours and texture coordinates.
 struct PageSurface {
   std::string name;
   IndexedMesh mesh;  ///< in page order
@@ -40,7 +74,10 @@ struct PageSurface {
   std::vector<Triangle> coarse_faces;
   std::string note;                    ///< what else is to be known of it, such as that it is a coarser level; or empty
   std::vector<PageRefusals> refusals;  ///< what stands in the way of fewer faces
-  std::optional<DistanceMap> distances;  ///< to the original; of the original itself, to the first of the others
+  std::optional<DistanceMap> distances;        ///< to the original; of the original itself, to the first of the others
+  std::vector<AttributeMap> attribute_maps{};  ///< likewise; in page order
+  std::vector<PageMaterial> materials{};       ///< by face group; a group without one is plain
+  PageColors colors = PageColors::srgb;        ///< what `mesh.colors` are
 };
 
 /// For `PageSurface::coarse_faces`: about 10,000; none for a mesh of few faces. \param threads 0 = all cores
@@ -82,8 +119,9 @@ struct Page {
 };
 
 /// Positions are rounded to 65,536 steps along the longest side of the box around all meshes, distances to as many
-/// steps of the greatest one. Texts are shown as they are: they can't add markup. \param out its state says whether all
-/// could be written \throw std::invalid_argument if a mesh has no faces
+/// steps of the greatest one; texture coordinates to a 65,536th of the texture. Texts are shown as they are: they can't
+/// add markup. \param out its state says whether all could be written \throw std::invalid_argument if a mesh has no
+/// faces
 void write_page(std::ostream& out, const Page& page);
 
 }  // namespace whittle::report
