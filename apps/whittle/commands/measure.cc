@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "commands/measure/attribute_rows.hh"
+#include "commands/measure/picture_rows.hh"
 #include "commands/subcommands.hh"
 #include "files/input.hh"
 #include "files/output.hh"
@@ -118,7 +119,7 @@ Json measure_json(const Input& reference, const Input& test, const Measurement& 
   add_shape(json, measured.shape);
   json["self_intersections"] = measured.self_intersections;
   add_topology(json, measured.topology);
-  json["render"] = measured.pictures ? measured.pictures->json : Json(nullptr);
+  json["render"] = measured.pictures ? pictures_json(*measured.pictures) : Json(nullptr);
   return json;
 }
 
@@ -221,7 +222,7 @@ std::string file_line(const char* role, const Input& input) {
 std::string summary_of(const Input& reference, const Input& test, const Measurement& measured) {
   std::string tables = distance_table(measured);
   if (!measured.attributes.empty()) tables += '\n' + attributes_table(measured.attributes);
-  if (measured.pictures) tables += '\n' + measured.pictures->text;
+  if (measured.pictures) tables += '\n' + pictures_table(*measured.pictures);
   return file_line("REF: ", reference) + file_line("TEST: ", test) +
          "lengths in model units, and over the diagonal of REF's box, which is " +
          significant(measured.distance.diagonal) + "\n\n" + tables + "\nTEST\n" + shape_table(measured);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "files/input.hh"
-#include "files/report.hh"
 #include "whittle/core/progress.hh"
 
 namespace whittle::app {
@@ -16,12 +15,16 @@ struct PictureOptions {
   ProgressCallback progress{};
 };
 
-/// How different two meshes look.
+/// How different two meshes look. PSNR is in decibels, infinite for equal pictures; FLIP in [0, 1].
 struct PictureErrors {
-  Json json;                          ///< {"views", "psnr", "flip", …}
-  std::string text;                   ///< the same for people: lines of a table
+  std::size_t n_views = 0;
+  double mean_psnr = 0;
+  double pooled_psnr = 0;  ///< of all views as one picture
+  double worst_psnr = 0;
+  double mean_flip = 0;
+  double worst_flip = 0;
   std::string worst_png;              ///< a PNG file of the worst view: the original, the other mesh, where they differ
-  std::vector<std::string> warnings;  ///< textures that aren't drawn
+  std::vector<std::string> warnings;  ///< textures and materials that aren't drawn
 };
 
 /// \throw std::runtime_error if this program or this machine can't draw
