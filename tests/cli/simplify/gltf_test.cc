@@ -190,6 +190,22 @@ TEST(Gltf, HasACurve) {
   EXPECT_FALSE(read_text(folder / "curve.csv").empty());
 }
 
+TEST(Gltf, WeighsAttributesAsAsked) {
+  const TemporaryFolder folder;
+  const std::string in = folder / "cube.glb";
+  write_gltf_cube(in, 8);
+  const auto simplify = [&](const std::string& weights) {
+    return whittle(
+        {"simplify", in, "-o", folder / "out.glb", "--faces", "100", "--json", "-", "--attribute-weight", weights});
+  };
+  const Outcome outcome = simplify("uv=0.5,joints=0");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_EQ(parse_json(outcome.out)["options"]["attribute_weights"], "uv=0.5,normal=1,color=1,morph=0.3,joints=0");
+  for (const std::string weights : {"uv", "uv=-1", "texture=1", "uv=1,", "uv=x", ""}) {
+    expect_usage_error(simplify(weights), {"--attribute-weight"});
+  }
+}
+
 TEST(Gltf, RefusesWhatItCannotDo) {
   const TemporaryFolder folder;
   const std::string in = folder / "cube.glb";
@@ -198,6 +214,7 @@ TEST(Gltf, RefusesWhatItCannotDo) {
   expect_usage_error(whittle({"simplify", in, "-o", folder / "o.ply", "--faces", "9", "--compress"}), {"--compress"});
   for (const std::vector<std::string>& options : {std::vector<std::string>{"--no-embed", "--record", folder / "r"},
                                                   {"--per-mesh", "--curve", folder / "c.svg"},
+                                                  {"--per-mesh", "--page", folder / "p.html"},
                                                   {"--map", folder / "m"},
                                                   {"--certificate", folder / "c"},
                                                   {"--engine", "openmesh"},

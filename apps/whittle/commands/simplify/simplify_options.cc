@@ -92,6 +92,7 @@ std::vector<Conflict> conflicts() {
       {"--per-mesh", "--max-error", "the error is that of each mesh in any case"},
       {"--per-mesh", "--record", one_run},
       {"--per-mesh", "--curve", one_run},
+      {"--per-mesh", "--page", one_run},
       {"--per-mesh", "--frames", one_run},
       {"--per-mesh", "--animate", one_run},
       {"--per-mesh", "--attributes position-only", "nothing would say which mesh a face is of"},
@@ -162,6 +163,16 @@ void add_pair_options(CLI::App& app, SimplifyCommand& options) {
       ->group(pair_group);
 }
 
+void add_attribute_weight(CLI::App& app, AttributeWeights& by_kind) {
+  add_value(
+      app, "--attribute-weight", "KIND=W", by_kind,
+      [&by_kind](std::string_view text) { return parse_attribute_weights(text, by_kind); },
+      "how much an error of an attribute counts beside the shape, of kinds uv, normal, color, morph and joints; "
+      "several with commas between, 0: not at all, W >= 0")
+      ->default_str(to_string(by_kind))
+      ->group(cost_group);
+}
+
 void add_cost_options(CLI::App& app, SimplifyCommand& options) {
   DecimateOptions& decimate = options.simplify.decimate;
   QuadricOptions& quadric = decimate.quadric;
@@ -194,6 +205,7 @@ void add_cost_options(CLI::App& app, SimplifyCommand& options) {
       ->default_str(defaults_by_cost(
           [](const CostTraits& traits) { return std::string(word_of<Order>(orders, traits.default_order)); }))
       ->group(cost_group);
+  add_attribute_weight(app, decimate.attribute_weights);
   add_value(
       app, "--polish", "N", options.simplify.polish_passes,
       [](std::string_view text) { return static_cast<unsigned>(parse_count(text, 0, 1000)); },
@@ -293,15 +305,6 @@ void add_attribute_options(CLI::App& app, SimplifyCommand& options) {
                    "texture coordinates, colours, materials and all else but positions: keep them, with their seams, "
                    "or drop them")
       ->group(file_group);
-  AttributeWeights& by_kind = options.simplify.decimate.attribute_weights;
-  add_value(
-      app, "--attribute-weight", "KIND=W", by_kind,
-      [&by_kind](std::string_view text) { return parse_attribute_weights(text, by_kind); },
-      "how much an error of an attribute counts beside the shape, of kinds uv, normal, color, morph and joints; "
-      "several "
-      "with commas between, 0: not at all, W >= 0")
-      ->default_str(to_string(by_kind))
-      ->group(cost_group);
   add_choice<Normals>(app, "--normals", options.simplify.decimate.normals, normals,
                       "vertex normals: those of IN, those of the faces of the result, or none")
       ->group(file_group);
