@@ -61,7 +61,7 @@ struct Progress {
 struct AttributeWeights {
   double texcoord = 0.03;      ///< Of the way over which a texture changes by so much, in the mean.
   double normal = 1;           ///< Of 0.05 % of the diagonal of the bounding box for a radian.
-  double color = 1;            ///< Of 0.1 % of the diagonal for the range of a component.
+  double color = 1;            ///< Of 0.3 % of the diagonal for the range of a component.
   double displacement = 0.3;   ///< Of what a morph target moves.
   double joint_weights = 0.1;  ///< Of the way between the centres of what joints move.
 };

@@ -12,7 +12,7 @@ namespace {
 constexpr double steepest = 4;
 /// Of the diagonal: what an error of 1 counts as, in normals (radians) and colours.
 constexpr double length_of_radian = 5e-4;
-constexpr double length_of_color = 1e-3;
+constexpr double length_of_color = 3e-3;
 /// Of the diagonal: no error of attributes counts as more.
 constexpr double most_error = 0.02;
 
