@@ -9,6 +9,13 @@
 namespace whittle::gltf {
 namespace {
 
+std::string in_quotes(std::string_view word) {
+  std::string text(1, '"');
+  text += word;
+  text += '"';
+  return text;
+}
+
 /// Watches a document while it is parsed.
 class Limits {
  public:
@@ -90,7 +97,7 @@ void Part::fail(const std::string& problem) const {
   throw io::ReadError(*file_, name_.empty() ? problem : name_ + ": " + problem);
 }
 
-void Part::fail_missing(std::string_view key) const { fail("\"" + std::string(key) + "\" is missing"); }
+void Part::fail_missing(std::string_view key) const { fail(in_quotes(key) + " is missing"); }
 
 std::string Part::called(std::string_view key) const {
   return name_.empty() ? std::string(key) : name_ + ' ' + printable(key);
@@ -99,7 +106,7 @@ std::string Part::called(std::string_view key) const {
 std::optional<Part> Part::object(std::string_view key) const {
   const Json* found = member(*json_, key);
   if (!found) return {};
-  if (!found->is_object()) fail("\"" + std::string(key) + "\" is not an object");
+  if (!found->is_object()) fail(in_quotes(key) + " is not an object");
   return Part(*found, called(key), *file_);
 }
 
@@ -107,7 +114,7 @@ std::vector<Part> Part::array(std::string_view key, std::string_view label) cons
   std::vector<Part> parts;
   const Json* found = member(*json_, key);
   if (!found) return parts;
-  if (!found->is_array()) fail("\"" + std::string(key) + "\" is not an array");
+  if (!found->is_array()) fail(in_quotes(key) + " is not an array");
   parts.reserve(found->size());
   for (const Json& element : *found) {
     Part part(element, called(label) + ' ' + std::to_string(parts.size()), *file_);
@@ -121,7 +128,7 @@ std::optional<std::size_t> Part::whole(std::string_view key) const {
   const Json* found = member(*json_, key);
   if (!found) return {};
   const std::optional<std::size_t> number = as_whole(*found);
-  if (!number) fail("\"" + std::string(key) + "\" is not a whole number from 0 on");
+  if (!number) fail(in_quotes(key) + " is not a whole number from 0 on");
   return number;
 }
 
@@ -136,7 +143,7 @@ std::size_t Part::required_whole(std::string_view key) const {
 std::optional<std::size_t> Part::index(std::string_view key, std::size_t size, std::string_view label) const {
   const std::optional<std::size_t> number = whole(key);
   if (number && *number >= size) {
-    fail("\"" + std::string(key) + "\" names " + std::string(label) + ' ' + std::to_string(*number) + ", there are " +
+    fail(in_quotes(key) + " names " + std::string(label) + ' ' + std::to_string(*number) + ", there are " +
          std::to_string(size));
   }
   return number;
@@ -151,7 +158,7 @@ std::size_t Part::required_index(std::string_view key, std::size_t size, std::st
 std::optional<std::string> Part::text(std::string_view key) const {
   const Json* found = member(*json_, key);
   if (!found) return {};
-  if (!found->is_string()) fail("\"" + std::string(key) + "\" is not a string");
+  if (!found->is_string()) fail(in_quotes(key) + " is not a string");
   return found->get<std::string>();
 }
 
@@ -163,14 +170,14 @@ std::string Part::required_text(std::string_view key) const {
 
 bool Part::flag(std::string_view key) const {
   const Json* found = member(*json_, key);
-  if (found && !found->is_boolean()) fail("\"" + std::string(key) + "\" is neither true nor false");
+  if (found && !found->is_boolean()) fail(in_quotes(key) + " is neither true nor false");
   return found && found->get<bool>();
 }
 
 std::optional<double> Part::number(std::string_view key) const {
   const Json* found = member(*json_, key);
   if (!found) return {};
-  if (!found->is_number()) fail("\"" + std::string(key) + "\" is not a number");
+  if (!found->is_number()) fail(in_quotes(key) + " is not a number");
   return found->get<double>();
 }
 
@@ -179,7 +186,7 @@ std::optional<std::vector<double>> Part::numbers(std::string_view key, std::size
   if (!found) return {};
   const bool are_numbers = found->is_array() && found->size() == n &&
                            std::all_of(found->begin(), found->end(), [](const Json& x) { return x.is_number(); });
-  if (!are_numbers) fail("\"" + std::string(key) + "\" is not " + std::to_string(n) + " numbers");
+  if (!are_numbers) fail(in_quotes(key) + " is not " + std::to_string(n) + " numbers");
   return found->get<std::vector<double>>();
 }
 
@@ -187,11 +194,11 @@ std::vector<std::size_t> Part::indices(std::string_view key, std::size_t size, s
   std::vector<std::size_t> all;
   const Json* found = member(*json_, key);
   if (!found) return all;
-  if (!found->is_array()) fail("\"" + std::string(key) + "\" is not an array");
+  if (!found->is_array()) fail(in_quotes(key) + " is not an array");
   for (const Json& element : *found) {
     const std::optional<std::size_t> number = as_whole(element);
     if (!number || *number >= size) {
-      fail("\"" + std::string(key) + "\" names a " + std::string(label) + " that is not there");
+      fail(in_quotes(key) + " names a " + std::string(label) + " that is not there");
     }
     all.push_back(*number);
   }
@@ -203,9 +210,9 @@ std::vector<std::pair<std::string, std::size_t>> Part::named_indices(std::size_t
   if (!json_->is_object()) fail("not an object");
   for (const auto& [key, value] : json_->items()) {
     const std::optional<std::size_t> number = as_whole(value);
-    if (!number) fail("\"" + printable(key) + "\" is not a whole number from 0 on");
+    if (!number) fail(in_quotes(printable(key)) + " is not a whole number from 0 on");
     if (*number >= size) {
-      fail("\"" + printable(key) + "\" names " + std::string(label) + ' ' + std::to_string(*number) + ", there are " +
+      fail(in_quotes(printable(key)) + " names " + std::string(label) + ' ' + std::to_string(*number) + ", there are " +
            std::to_string(size));
     }
     all.emplace_back(key, *number);
