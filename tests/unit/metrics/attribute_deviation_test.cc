@@ -268,8 +268,10 @@ TEST(AttributeDeviation, AgreesWithALookAtAllFaces) {
   join_equal_wedges(other);
   test::Random random(5);
   for (double& x : other.attributes[0].values) x += random.uniform(-0.01, 0.01);
-  for (const auto& [a, b] :
+  for (const auto& pair :
        {std::pair(cube, other), std::pair(test::textured_torus(14, 9), test::textured_torus(9, 8))}) {
+    const IndexedMesh& a = pair.first;
+    const IndexedMesh& b = pair.second;
     const double tolerance = 1e-3 * std::max(bounds(a).diagonal(), bounds(b).diagonal());
     const SurfaceSampler sampler(a, Vec3::Zero(), n_samples, CounterRandom(3, 0));
     double sum = 0, max = 0;

@@ -63,10 +63,9 @@ void expect_charts_in_place(const DoubleMesh& mesh, double tolerance, const std:
     const std::size_t side = side_of(mesh, f);
     for (const HalfedgeHandle h : mesh.fh_range(f)) {
       const auto uv = chart_position(side, to_vec3(mesh.point(mesh.to_vertex_handle(h))));
-      for (int i = 0; i < 2; ++i) {
-        EXPECT_NEAR(mesh.texcoord2D(h)[i], uv[static_cast<std::size_t>(i)], tolerance)
-            << context << ", face " << f.idx();
-        EXPECT_NEAR(mesh.texcoord3D(h)[1 - i], uv[static_cast<std::size_t>(i)], tolerance) << context;
+      for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_NEAR(mesh.texcoord2D(h)[i], uv[i], tolerance) << context << ", face " << f.idx();
+        EXPECT_NEAR(mesh.texcoord3D(h)[1 - i], uv[i], tolerance) << context;
       }
       EXPECT_EQ(mesh.texcoord3D(h)[2], static_cast<float>(side)) << context;
       EXPECT_NEAR((to_vec3(mesh.normal(h)) - to_vec3(mesh.calc_face_normal(f))).norm(), 0, 1e-3) << context;
