@@ -214,14 +214,15 @@ TEST(ReportKeys, OfMeasureAreDocumented) {
   std::filesystem::copy_file(point, bare);
   const std::string terrain = data_file("terrain.ply");
   const std::string bracket = data_file("bracket.stl");
-  expect_documented("measure", {{bracket, bracket, "--color", "never", "--feature-angle", "40", "--samples", "1000",
-                                 "--seed", "2", "--exact", "0.01"},
-                                {terrain, terrain, "--samples", "1000", "--verbose", "--threads", "1", "--weld", "0"},
-                                {point, point, "--no-weld", "--samples", "1000", "--quiet", "--exact", "1"},
-                                {bare, point, "--no-weld", "--format", "obj", "--samples", "1000", "--force"},
-                                {bare, point, "--no-weld", "--input-format", "obj", "--samples", "1000"},
-                                {bracket, bracket, "--samples", "10", "--render", "1"},
-                                {terrain, bracket, "--samples", "10", "--render", "1", "--render-image", folder / "a.png"}});
+  expect_documented("measure",
+                    {{bracket, bracket, "--color", "never", "--feature-angle", "40", "--samples", "1000", "--seed", "2",
+                      "--exact", "0.01"},
+                     {terrain, terrain, "--samples", "1000", "--verbose", "--threads", "1", "--weld", "0"},
+                     {point, point, "--no-weld", "--samples", "1000", "--quiet", "--exact", "1"},
+                     {bare, point, "--no-weld", "--format", "obj", "--samples", "1000", "--force"},
+                     {bare, point, "--no-weld", "--input-format", "obj", "--samples", "1000"},
+                     {bracket, bracket, "--samples", "10", "--render", "1"},
+                     {terrain, bracket, "--samples", "10", "--render", "1", "--render-image", folder / "a.png"}});
 }
 
 TEST(ReportKeys, OfInfoAreDocumented) {

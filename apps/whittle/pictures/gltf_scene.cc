@@ -6,34 +6,11 @@
 #include <tuple>
 #include <utility>
 
+#include "files/gltf_materials.hh"
 #include "pictures/read_scene.hh"
 
 namespace whittle::app {
 namespace {
-
-render::Wrap drawn(gltf::Wrap wrap) {
-  switch (wrap) {
-    case gltf::Wrap::mirrored_repeat:
-      return render::Wrap::mirrored_repeat;
-    case gltf::Wrap::clamp_to_edge:
-      return render::Wrap::clamp_to_edge;
-    case gltf::Wrap::repeat:
-      break;
-  }
-  return render::Wrap::repeat;
-}
-
-render::AlphaMode drawn(gltf::AlphaMode mode) {
-  switch (mode) {
-    case gltf::AlphaMode::mask:
-      return render::AlphaMode::mask;
-    case gltf::AlphaMode::blend:
-      return render::AlphaMode::blend;
-    case gltf::AlphaMode::opaque:
-      break;
-  }
-  return render::AlphaMode::opaque;
-}
 
 /// Reads each image once.
 class AssetTextures {
@@ -47,8 +24,8 @@ class AssetTextures {
     const std::shared_ptr<const render::Texture> image = image_of(use.image);
     if (!image) return nullptr;
     auto texture = std::make_shared<render::Texture>(*image);
-    texture->wrap_u = drawn(use.wrap_u);
-    texture->wrap_v = drawn(use.wrap_v);
+    texture->wrap_u = wrap_as<render::Wrap>(use.wrap_u);
+    texture->wrap_v = wrap_as<render::Wrap>(use.wrap_v);
     return slot->second = std::move(texture);
   }
 
@@ -73,7 +50,7 @@ class AssetTextures {
 render::Material drawn(const gltf::Material& material, AssetTextures& textures) {
   render::Material to;
   to.base_color = material.base_color;
-  to.alpha_mode = drawn(material.alpha_mode);
+  to.alpha_mode = alpha_as<render::AlphaMode>(material.alpha_mode);
   to.alpha_cutoff = material.alpha_cutoff;
   to.double_sided = material.double_sided;
   if (const auto& use = material.base_color_texture) {

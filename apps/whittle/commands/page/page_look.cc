@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "files/gltf_file.hh"
+#include "files/gltf_materials.hh"
 #include "whittle/io/errors.hh"
 #include "whittle/io/materials.hh"
 
@@ -17,30 +18,6 @@ namespace whittle::app {
 namespace {
 
 using Image = std::shared_ptr<const std::string>;
-
-report::PageWrap shown(gltf::Wrap wrap) {
-  switch (wrap) {
-    case gltf::Wrap::mirrored_repeat:
-      return report::PageWrap::mirrored_repeat;
-    case gltf::Wrap::clamp_to_edge:
-      return report::PageWrap::clamp_to_edge;
-    case gltf::Wrap::repeat:
-      break;
-  }
-  return report::PageWrap::repeat;
-}
-
-report::PageAlpha shown(gltf::AlphaMode mode) {
-  switch (mode) {
-    case gltf::AlphaMode::mask:
-      return report::PageAlpha::mask;
-    case gltf::AlphaMode::blend:
-      return report::PageAlpha::blend;
-    case gltf::AlphaMode::opaque:
-      break;
-  }
-  return report::PageAlpha::opaque;
-}
 
 /// Reads each image once. `Key` names it, and `read(key)` gives its bytes.
 template <class Key>
@@ -90,12 +67,12 @@ report::PageMaterial shown(const gltf::Material& material, const std::string& na
   report::PageMaterial to;
   to.name = name;
   to.base_color = material.base_color;
-  to.alpha = shown(material.alpha_mode);
+  to.alpha = alpha_as<report::PageAlpha>(material.alpha_mode);
   to.alpha_cutoff = material.alpha_cutoff;
   if (const auto& use = material.base_color_texture) {
     to.texcoord = "TEXCOORD_" + std::to_string(use->texcoord);
     to.texcoord_transform = use->transform;
-    to.wrap = {shown(use->wrap_u), shown(use->wrap_v)};
+    to.wrap = {wrap_as<report::PageWrap>(use->wrap_u), wrap_as<report::PageWrap>(use->wrap_v)};
   }
   return to;
 }

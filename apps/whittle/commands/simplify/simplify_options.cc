@@ -42,65 +42,6 @@ constexpr std::array<Choice<Normals>, 3> normals{
 constexpr std::array<Choice<bool>, 2> attribute_words{{{"keep", true}, {"position-only", false}}};
 constexpr std::array<Choice<Engine>, 2> engines{{{"flat", Engine::flat}, {"openmesh", Engine::openmesh}}};
 
-/// Adds the options that a cost doesn't take, in the order in which conflicts are reported.
-void add_cost_conflicts(const CostTraits& traits, std::vector<Conflict>& conflicts) {
-  const auto add = [&](const char* option, std::string_view why) {
-    if (!why.empty()) conflicts.push_back({option, "--cost " + std::string(traits.name), std::string(why)});
-  };
-  const CostConflicts& why = traits.why_not;
-  add("--weights uniform", why.weights);
-  add("--weights area-angle", why.weights);
-  add("--placement midpoint", why.placement);
-  add("--placement endpoint", why.placement);
-  add("--boundary-weight", why.boundary_weight);
-  add("--isotropic", why.isotropy);
-  add("--valence", why.valence_weight);
-  add("--threshold", why.threshold);
-}
-
-std::vector<Conflict> conflicts() {
-  std::vector<Conflict> all;
-  for (const CostTraits& traits : all_cost_traits) add_cost_conflicts(traits, all);
-  const std::string edges_alone(plain_quadrics_alone);
-  const std::string no_pairs = "OpenMesh's decimater contracts edges alone";
-  const std::string own_order = "OpenMesh's decimater has an order of its own";
-  const std::string one_run = "each mesh has a run of its own";
-  const std::string not_in_openmesh = "only Whittle's own loop does that";
-  const Conflict more[] = {
-      {"--threshold", "--isotropic", edges_alone},
-      {"--threshold", "--valence", edges_alone},
-      {"--boundary-weight", "--boundary free", std::string(free_borders_have_no_weight)},
-      {"--feature-angle", "--engine openmesh", not_in_openmesh},
-      {"--feature-tolerance", "--engine openmesh", not_in_openmesh},
-      {"--min-radius-ratio", "--engine openmesh", not_in_openmesh},
-      {"--order exact", "--engine openmesh", own_order},
-      {"--order approximate", "--engine openmesh", own_order},
-      {"--max-cost", "--engine openmesh", "OpenMesh looks at a cost when it is queued, not when its turn comes"},
-      {"--max-error", "--engine openmesh", not_in_openmesh},
-      {"--certificate", "--prune", "the proof is about all of IN"},
-      {"--no-embed", "--prune", "the recording is of IN without its small parts"},
-      {"--record", "--engine openmesh", not_in_openmesh},
-      {"--curve", "--engine openmesh", not_in_openmesh},
-      {"--page", "--engine openmesh", not_in_openmesh},
-      {"--frames", "--engine openmesh", not_in_openmesh},
-      {"--animate", "--engine openmesh", not_in_openmesh},
-      {"--tolerance-map", "--prune", "the lengths are of all vertices of IN"},
-      {"--threshold", "--engine openmesh", no_pairs},
-      {"--max-pairs", "--engine openmesh", no_pairs},
-      {"--across-walls", "--engine openmesh", no_pairs},
-      {"--self-intersections refuse", "--engine openmesh", not_in_openmesh},
-      {"--per-mesh", "--max-error", "the error is that of each mesh in any case"},
-      {"--per-mesh", "--record", one_run},
-      {"--per-mesh", "--curve", one_run},
-      {"--per-mesh", "--page", one_run},
-      {"--per-mesh", "--frames", one_run},
-      {"--per-mesh", "--animate", one_run},
-      {"--per-mesh", "--attributes position-only", "nothing would say which mesh a face is of"},
-      {"--topology free", "--engine openmesh", "a half-edge mesh keeps its topology"}};
-  all.insert(all.end(), std::begin(more), std::end(more));
-  return all;
-}
-
 constexpr Range angle_range{0, 180, false};
 constexpr Range ratio_range{0, 1};
 
@@ -419,7 +360,7 @@ void check_gltf(const SimplifyCommand& options) {
 void check_options(const CLI::App& app, const SimplifyCommand& options) {
   check_targets(options.targets, "--faces, --vertices, --ratio, --face-ratio, --max-cost and --max-error");
   check_conflicts(app, common_conflicts());
-  check_conflicts(app, conflicts());
+  check_conflicts(app, simplify_conflicts());
   if (options.page || options.pictures.is_given()) require_page();
   check_gltf(options);
   if (options.curve && !options.curve->ends_with(".csv") && !options.curve->ends_with(".svg")) {

@@ -68,6 +68,9 @@ SimplifyCommand settled(SimplifyCommand command);
 
 void add_simplify_options(CLI::App& app, SimplifyCommand& options);
 
+/// The options that don't go together, those that a cost doesn't take first (simplify_conflicts.cc).
+std::vector<Conflict> simplify_conflicts();
+
 /// A file that a run can write besides the result.
 struct SideFile {
   const char* option;
