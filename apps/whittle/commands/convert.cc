@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "commands/subcommands.hh"
+#include "files/gltf_file.hh"
 #include "files/input.hh"
 #include "files/mesh_output.hh"
 #include "files/output.hh"
@@ -30,7 +31,7 @@ struct Conversion {
 Json convert_json(const ConvertCommand& options, const Conversion& run, double total_seconds) {
   const IndexedMesh& mesh = run.input.read.mesh;
   Json json = new_report();
-  json["input"] = input_json(run.input, metrics::bounds(mesh).diagonal());
+  json["input"] = input_json(run.input, mesh.faces.empty() ? 0 : metrics::bounds(mesh).diagonal());
   json["input"]["format"] = run.input.format;
   json["options"] = {{"weld", options.files.weld},
                      {"weld_tolerance", to_string(options.files.weld_tolerance)},
@@ -53,14 +54,19 @@ void check(const CLI::App& app, const ConvertCommand& options) {
   check_outputs(outputs, {options.input}, options.common.force);
 }
 
-ExitCode run_convert(const CLI::App& app, const ConvertCommand& options) {
+ExitCode run_convert(const CLI::App& app, ConvertCommand options) {
   check(app, options);
+  options.files.takes_no_triangles = is_gltf_output(options.output, options.files);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   Conversion run;
   run.input = read_input(options.input, options.files, options.common.threads, talk, io::AttributeScope::all);
   run.warnings = run.input.warnings;
   const IndexedMesh& mesh = run.input.read.mesh;
+  if (mesh.faces.empty()) {
+    run.warnings.push_back(about(run.input.name, why_no_faces(run.input.read) + "; all of it is written as it was"));
+    talk.warning(run.warnings.back());
+  }
   const Stopwatch writing;
   OutputFiles files;
   write_result(files, {options.output, options.files}, run.input, mesh, talk, run.warnings);

@@ -17,6 +17,7 @@
 #include "commands/subcommands.hh"
 #include "files/gltf_file.hh"
 #include "files/input.hh"
+#include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
 #include "files/tolerance_map.hh"
@@ -313,11 +314,33 @@ void set_target(const SimplifyCommand& options, SimplifyRecord& record) {
   record.target = sum_of(record.targets_per_mesh);
 }
 
+/// Writes a glTF file without triangles with all that is in it.
+/// \throw UnsupportedMesh if a file is asked for that says something of a run
+ExitCode pass_through(SimplifyCommand& options, const Talk& talk, const Stopwatch& since_start, SimplifyRecord& record,
+                      Json* report) {
+  const std::string why = record.input.name + ": " + why_no_faces(record.input.read);
+  for (const SideFile& file : side_files(options)) {
+    if (*file.path) throw UnsupportedMesh(why + "; there is nothing to write for " + file.option);
+  }
+  record.target = resolve(options.targets, 0, 0, record.diagonal);
+  record.simplified.cost = options.simplify.decimate.effective_cost();
+  options.simplify.decimate.cost = record.simplified.cost;
+  record.simplified.result.stop = record.target.is_reached_at(0, 0) ? StopReason::target : StopReason::exhausted;
+  record.met = is_met(record.target, record.simplified.result.stop);
+  record.warnings.push_back(why + "; there is nothing to simplify, and all of it is written as it was");
+  talk.warning(record.warnings.back());
+  write_files(options, talk, since_start, record, report);
+  say_details(options, talk, record);
+  talk.say(summary(options, record));
+  return ExitCode::done;
+}
+
 /// One run, of `options.input`. \param report becomes the report, even without --json; may be null
 ExitCode simplify_one(SimplifyCommand options, Json* report) {
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   SimplifyRecord record;
+  options.files.takes_no_triangles = is_gltf_output(options.output, options.files);
   record.input = read_input(options.input, options.files, options.common.threads, talk, attributes_to_read(options));
   if (!options.keeps_attributes) drop_attributes(record.input.read.mesh);
   record.seconds.read = record.input.seconds;
@@ -330,6 +353,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
       talk.warning(lost);
     }
   }
+  if (record.input.read.mesh.faces.empty()) return pass_through(options, talk, watch, record, report);
   record.diagonal = metrics::bounds(record.input.read.mesh).diagonal();
   set_target(options, record);
   if (options.prune) prune(options, talk, record);

@@ -32,6 +32,11 @@ void flip_texcoords(IndexedMesh& mesh) {
   }
 }
 
+std::string why_no_faces(const io::ReadResult& read) {
+  if (read.file_faces == 0) return "there are no triangles in it";
+  return "there are only degenerate triangles in it (" + std::to_string(read.file_faces) + ")";
+}
+
 void write_asset(OutputFiles& files, const std::string& path, const gltf::Asset& asset, bool compress) {
   for (const gltf::AssetFile& file : asset.files(path, {.compress = compress})) {
     if (file.path == path) {
@@ -93,7 +98,6 @@ io::ReadResult GltfFile::read(const io::ReadOptions& options) {
     result.file_vertices += n_before;
     if (!mesh.faces.empty()) append(m, std::move(mesh), result.mesh);
   }
-  if (result.mesh.faces.empty()) throw io::ReadError(path_.string(), "there are no triangles in it");
   return result;
 }
 

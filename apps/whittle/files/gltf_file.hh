@@ -22,7 +22,8 @@ class GltfFile {
   /// \throw io::ReadError
   explicit GltfFile(const std::filesystem::path& path);
 
-  /// Reads all meshes that have triangles. \throw io::ReadError if there is none
+  /// Reads all meshes that have triangles. There may be none: then the whole has no faces, `why_no_faces` says why, and
+  /// `write` writes the file as it was.
   io::ReadResult read(const io::ReadOptions& options);
 
   const gltf::Asset& asset() const { return asset_; }
@@ -66,6 +67,9 @@ class GltfFile {
   gltf::Asset asset_;
   std::vector<Part> parts_;
 };
+
+/// Why nothing is left of what was read from a glTF file: "there are no triangles in it". \pre it has no faces
+std::string why_no_faces(const io::ReadResult& read);
 
 /// Writes an asset, and the files that lie beside it (`gltf::Asset::files`).
 void write_asset(OutputFiles& files, const std::string& path, const gltf::Asset& asset, bool compress);

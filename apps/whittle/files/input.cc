@@ -98,7 +98,8 @@ void check_formats(const std::vector<std::string>& inputs, const std::vector<std
   }
 }
 
-MeshFile::MeshFile(std::string path, const FileOptions& options) : path_(std::move(path)) {
+MeshFile::MeshFile(std::string path, const FileOptions& options)
+    : path_(std::move(path)), takes_no_triangles_(options.takes_no_triangles) {
   format_ = options.input_format;
   if (!format_ && !format_by_name(path_)) format_ = options.format;
   if (path_ == standard_stream) standard_input_ = io::read_all(STDIN_FILENO, standard_input_name);
@@ -110,6 +111,7 @@ io::ReadResult MeshFile::read(bool weld, unsigned threads, io::AttributeScope at
   io::ReadResult result = gltf_                      ? gltf_->read(options)
                           : path_ == standard_stream ? io::read_mesh(standard_input_, standard_input_name, options)
                                                      : io::read_mesh(path_, options);
+  if (result.mesh.faces.empty() && !takes_no_triangles_) throw io::ReadError(name(), why_no_faces(result));
   refuse_large_coordinates(result.mesh, name());
   return result;
 }
@@ -148,7 +150,8 @@ Input read_input(const std::string& path, const FileOptions& options, unsigned t
   input.gltf = file.gltf();
   input.weld_tolerance = weld_gaps(input.read, options.weld_tolerance, threads);
   input.seconds = watch.seconds();
-  if (input.read.repairs.any()) talk.say(name + ": " + io::to_string(input.read.repairs));
+  if (input.read.repairs.any() && !input.read.mesh.faces.empty())
+    talk.say(name + ": " + io::to_string(input.read.repairs));
   for (const std::string& warning : input.read.warnings) {
     input.warnings.push_back(about(name, warning));
     talk.warning(input.warnings.back());

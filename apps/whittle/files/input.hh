@@ -36,6 +36,7 @@ class MeshFile {
  public:
   MeshFile(std::string path, const FileOptions& options);
   /// \param weld in place of that of the options \param threads 0 = all cores
+  /// \throw io::ReadError also for glTF without triangles, unless the options take it
   io::ReadResult read(bool weld, unsigned threads,
                       io::AttributeScope attributes = io::AttributeScope::per_vertex) const;
   /// The name in messages: the path, or "standard input".
@@ -46,6 +47,7 @@ class MeshFile {
  private:
   std::string path_;
   std::optional<io::Format> format_;
+  bool takes_no_triangles_;
   std::vector<char> standard_input_;
   std::shared_ptr<GltfFile> gltf_;
 };

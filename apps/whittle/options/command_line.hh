@@ -53,6 +53,7 @@ struct FileOptions {
   bool ascii = false;                         ///< text, in formats that are written as text or as binary data
   bool reads_gltf = false;                    ///< whether the command takes glTF files
   bool writes_gltf = false;                   ///< whether it writes them
+  bool takes_no_triangles = false;            ///< whether glTF without triangles is read, as a mesh without faces
 };
 // Each takes the group of the help, by default that of options without one.
 

@@ -206,6 +206,84 @@ TEST(Gltf, WeighsAttributesAsAsked) {
   }
 }
 
+/// Turns the cube into a file of points alone, or of triangles that are points.
+std::string write_cube_without_faces(const TemporaryFolder& folder, bool has_points) {
+  const std::string path = folder / (has_points ? "points.gltf" : "degenerate.gltf");
+  write_gltf_cube(path, 2);
+  Json document = Json::parse(std::ifstream(path));
+  document["accessors"].push_back({{"componentType", 5123}, {"count", 9}, {"type", "SCALAR"}});  // zeros
+  for (Json& primitive : document["meshes"][0]["primitives"]) {
+    primitive["mode"] = has_points ? 0 : 4;
+    primitive["indices"] = document["accessors"].size() - 1;
+  }
+  std::ofstream(path) << document;
+  return path;
+}
+
+void expect_same_points(const std::string& path, const std::string& other) {
+  const Json before = document_of(path);
+  const Json after = document_of(other);
+  EXPECT_EQ(other_than_geometry(after), other_than_geometry(before));
+  const Json& primitives = before["meshes"][0]["primitives"];
+  ASSERT_EQ(after["meshes"][0]["primitives"].size(), primitives.size());
+  for (std::size_t p = 0; p < primitives.size(); ++p) {
+    const auto positions = [p](const Json& document) -> const Json& {
+      return document["accessors"][document["meshes"][0]["primitives"][p]["attributes"]["POSITION"].get<std::size_t>()];
+    };
+    for (const char* key : {"count", "min", "max"}) EXPECT_EQ(positions(after)[key], positions(before)[key]) << key;
+  }
+}
+
+TEST(Gltf, WithoutFacesIsWrittenAsItWas) {
+  const TemporaryFolder folder;
+  for (const bool has_points : {true, false}) {
+    const std::string in = write_cube_without_faces(folder, has_points);
+    const std::string why =
+        has_points ? "there are no triangles in it" : "there are only degenerate triangles in it (9)";
+    for (const std::vector<std::string>& target :
+         {std::vector<std::string>{"--faces", "1"},
+          {"--face-ratio", "10%", "--per-mesh"},
+          {"--max-error", "1%"},
+          {"--vertices", "5", "--strict", "--prune", "1%", "--self-intersections", "count"}}) {
+      for (const char* name : {"out.glb", "out.gltf"}) {
+        std::vector<std::string> arguments{"simplify", in, "-o", folder / name, "--json", "-"};
+        arguments.insert(arguments.end(), target.begin(), target.end());
+        const Outcome outcome = whittle(arguments);
+        ASSERT_EQ(outcome.exit_code, 0) << outcome;
+        const Json json = parse_json(outcome.out);
+        EXPECT_EQ(json["target"]["met"], true);
+        EXPECT_EQ(json["output"]["faces"], 0);
+        ASSERT_EQ(json["warnings"].size(), 1U) << json["warnings"];
+        EXPECT_THAT(json["warnings"][0].get<std::string>(),
+                    testing::AllOf(testing::HasSubstr(why), testing::HasSubstr("nothing to simplify")));
+        expect_same_points(in, folder / name);
+      }
+    }
+    const Outcome converted = whittle({"convert", in, folder / "converted.glb", "--json", "-"});
+    ASSERT_EQ(converted.exit_code, 0) << converted;
+    EXPECT_EQ(parse_json(converted.out)["output"]["faces"], 0);
+    expect_same_points(in, folder / "converted.glb");
+  }
+}
+
+TEST(Gltf, WithoutFacesIsRefusedWhereFacesAreNeeded) {
+  const TemporaryFolder folder;
+  const std::string in = write_cube_without_faces(folder, true);
+  const std::string out = folder / "out.ply";
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"simplify", in, "-o", out, "--faces", "1"},
+        {"simplify", in, "-o", folder / "out.glb", "--faces", "1", "--curve", folder / "c.csv"},
+        {"convert", in, out},
+        {"info", in},
+        {"measure", in, in},
+        {"report", in, "-o", folder / "page.html"}}) {
+    const Outcome outcome = whittle(command);
+    EXPECT_EQ(outcome.exit_code, 4) << outcome;
+    EXPECT_THAT(outcome.err, testing::HasSubstr(in + ": there are no triangles in it")) << outcome;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome;
+  }
+}
+
 TEST(Gltf, RefusesWhatItCannotDo) {
   const TemporaryFolder folder;
   const std::string in = folder / "cube.glb";
