@@ -131,8 +131,8 @@ TEST_F(ReportCommand, WarnsOfWhatIsNoImage) {
         "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 3/2 4/3\n");
   const Outcome outcome = whittle({"report", folder / "a.obj", "-o", folder / "page.html"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome;
-  EXPECT_THAT(outcome.err, HasSubstr("a.mtl: is neither PNG nor JPEG nor WebP"));
-  EXPECT_THAT(outcome.err, HasSubstr("b.png: cannot be opened"));
+  EXPECT_THAT(outcome.err, HasSubstr("a.obj: texture a.mtl is not shown: it is neither PNG nor JPEG nor WebP"));
+  EXPECT_THAT(outcome.err, HasSubstr("texture b.png is not shown: the file can't be read"));
   EXPECT_THAT(outcome.err, HasSubstr("material library b.mtl can't be read"));
   EXPECT_TRUE(data_of(read_text(folder / "page.html"))["images"].empty());
 }

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 std::string copied(OutputFiles& files, const fs::path& from, const fs::path& to, const fs::path& name, bool& is_new) {
   std::error_code error;
   if (!is_inside(name)) return "outside of the folder";
-  if (!fs::is_regular_file(from / name, error)) return "not there";
+  if (!fs::exists(from / name, error)) return "not there";
   const std::optional<std::string> content = content_of(from / name);
   if (!content) return "can't be read";
   is_new = !fs::exists(to / name, error);
@@ -36,8 +36,9 @@ bool is_inside(const fs::path& name) {
 }
 
 std::optional<std::string> content_of(const fs::path& path) {
+  std::error_code error;
   std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
+  if (!fs::is_regular_file(path, error) || !file) return std::nullopt;
   std::string content{std::istreambuf_iterator<char>(file), {}};
   if (file.bad()) return std::nullopt;
   return content;

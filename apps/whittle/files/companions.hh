@@ -19,7 +19,7 @@ std::filesystem::path folder_of(const std::filesystem::path& file);
 /// Whether a path that a file in some folder names leads to that folder, or to one below it.
 bool is_inside(const std::filesystem::path& name);
 
-/// Empty if the file can't be read.
+/// Empty if it can't be read, or is a folder or a device: files name others that may be anything.
 std::optional<std::string> content_of(const std::filesystem::path& path);
 
 /// Writes a file of any name, with the folders that it needs.

@@ -1,102 +1,110 @@
 #include "pictures/read_scene.hh"
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <Eigen/Geometry>
 #include <map>
 #include <memory>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "files/gltf_file.hh"
-#include "whittle/io/materials.hh"
+#include "files/materials.hh"
 
 namespace whittle::app {
 namespace {
 
-namespace fs = std::filesystem;
+using Texture = std::shared_ptr<const render::Texture>;
 
-/// Reads the textures of a mesh file, each once.
-class MeshTextures {
+/// Decodes each image once.
+class Textures {
  public:
-  MeshTextures(fs::path folder, std::vector<std::string>& warnings) : folder_(std::move(folder)), warnings_(warnings) {}
+  Textures(const std::vector<MaterialImage>& images, std::vector<std::string>& warnings)
+      : images_(images), warnings_(warnings) {}
 
-  /// \return null if it can't be read, with a warning
-  std::shared_ptr<const render::Texture> at(const fs::path& path) {
-    const auto [slot, is_new] = textures_.try_emplace(path);
+  /// \return null if there is none, or if it can't be drawn, with a warning
+  Texture of(const FileMaterial& material) {
+    if (!material.image) return nullptr;
+    const auto [slot, is_new] = textures_.try_emplace({*material.image, material.wrap[0], material.wrap[1]});
     if (!is_new) return slot->second;
+    const Texture image = decoded(*material.image);
+    if (!image) return nullptr;
+    auto texture = std::make_shared<render::Texture>(*image);
+    texture->wrap_u = wrap_as<render::Wrap>(material.wrap[0]);
+    texture->wrap_v = wrap_as<render::Wrap>(material.wrap[1]);
+    return slot->second = std::move(texture);
+  }
+
+ private:
+  Texture decoded(std::size_t number) {
+    const auto [slot, is_new] = decoded_.try_emplace(number);
+    if (!is_new) return slot->second;
+    const MaterialImage& image = images_[number];
     try {
-      slot->second = std::make_shared<render::Texture>(render::read_image(bytes_of(folder_ / path)));
+      if (!image.bytes) throw std::runtime_error(image.problem);
+      slot->second = std::make_shared<render::Texture>(render::read_image(*image.bytes));
     } catch (const std::runtime_error& error) {
-      warnings_.push_back("texture " + path.string() + " is not drawn: " + error.what());
+      warnings_.push_back(image.name + " is not drawn: " + error.what());
     }
     return slot->second;
   }
 
- private:
-  static std::string bytes_of(const fs::path& path) {
-    std::error_code error;
-    std::ifstream file(path, std::ios::binary);
-    if (!fs::is_regular_file(path, error) || !file) throw std::runtime_error("the file can't be read");
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-
-  fs::path folder_;
+  const std::vector<MaterialImage>& images_;
   std::vector<std::string>& warnings_;
-  std::map<fs::path, std::shared_ptr<const render::Texture>> textures_;
+  std::map<std::size_t, Texture> decoded_;
+  std::map<std::tuple<std::size_t, gltf::Wrap, gltf::Wrap>, Texture> textures_;
 };
 
-/// The look of a surface of which the file says nothing: white, and seen from both sides.
-render::Material plain_material(const IndexedMesh& mesh) {
-  render::Material material;
-  material.double_sided = true;
-  const auto uv = std::find_if(mesh.attributes.begin(), mesh.attributes.end(),
-                               [](const Attribute& a) { return a.kind == AttributeKind::texcoord; });
-  if (uv != mesh.attributes.end()) material.texcoord = uv->name;
-  // v points up in these formats.
-  material.texcoord_transform = Eigen::Translation2d(0, 1) * Eigen::Scaling(1.0, -1.0);
-  return material;
-}
-
-/// A texture hides Kd, as in most programs.
-render::Material drawn(const io::SurfaceMaterial& from, render::Material to, MeshTextures& textures) {
-  if (!from.texture.empty()) to.base_color_texture = textures.at(from.texture);
-  if (!to.base_color_texture) std::copy(from.diffuse.begin(), from.diffuse.end(), to.base_color.begin());
-  to.base_color[3] = from.opacity;
-  if (from.opacity < 1) to.alpha_mode = render::AlphaMode::blend;
+render::Material drawn(const FileMaterial& material, Textures& textures) {
+  render::Material to;
+  to.base_color_texture = textures.of(material);
+  to.base_color = to.base_color_texture ? material.base_color : material.imageless_color;
+  to.texcoord = material.texcoord;
+  to.texcoord_transform = material.texcoord_transform;
+  to.alpha_mode = alpha_as<render::AlphaMode>(material.alpha_mode);
+  to.alpha_cutoff = material.alpha_cutoff;
+  to.double_sided = material.double_sided;
   return to;
 }
 
-/// Materials by face group. A PLY file with one texture has it on all faces.
-std::vector<render::Material> materials_of(const io::ReadResult& file, const io::SurfaceMaterials& from,
-                                           MeshTextures& textures) {
-  render::Material plain = plain_material(file.mesh);
-  if (from.textures.size() == 1) plain.base_color_texture = textures.at(from.textures.front());
-  std::vector<render::Material> materials(std::max<std::size_t>(1, file.mesh.group_names.size()), plain);
-  for (std::size_t g = 0; g < file.mesh.group_names.size(); ++g) {
-    const auto found = std::find_if(from.materials.begin(), from.materials.end(),
-                                    [&](const auto& material) { return material.name == file.mesh.group_names[g]; });
-    if (found != from.materials.end()) materials[g] = drawn(*found, plain, textures);
+bool has_instances(const gltf::Asset& asset) {
+  for (std::size_t m = 0; m < asset.n_meshes(); ++m) {
+    if (asset.n_triangles(m) > 0 && asset.n_instances(m) > 0) return true;
   }
-  return materials;
+  return false;
+}
+
+/// Adds all nodes of an asset that have meshes.
+void add_parts(const gltf::Asset& asset, const FileMaterials& materials, Textures& textures, ReadScene& read) {
+  const bool has_nodes = has_instances(asset);
+  for (std::size_t m = 0; m < asset.n_meshes(); ++m) {
+    if (asset.n_triangles(m) == 0) continue;
+    std::vector<Eigen::Matrix4d> transforms = asset.world_transforms(m);
+    if (!has_nodes) transforms.push_back(Eigen::Matrix4d::Identity());
+    if (transforms.empty()) continue;
+    render::Part part;
+    part.mesh = &read.meshes.emplace_back(asset.triangles(m));
+    for (const FileMaterial& material : materials.of_meshes[m]) part.materials.push_back(drawn(material, textures));
+    for (const Eigen::Matrix4d& transform : transforms) {
+      part.transform = Eigen::Affine3d(transform);
+      read.scene.parts.push_back(part);
+    }
+  }
 }
 
 }  // namespace
 
 ReadScene read_scene(const Input& input) {
-  if (input.gltf) return scene_of(input.gltf->asset());
-  const fs::path folder = input.path == standard_stream ? fs::path() : fs::path(input.path).parent_path();
-  const io::SurfaceMaterials from = io::read_materials(input.read.notes, folder);
+  const FileMaterials materials = read_materials(input);
   ReadScene read;
-  for (const fs::path& library : from.missing) {
-    read.warnings.push_back("material library " + library.string() + " can't be read, its materials are not drawn");
+  read.warnings = materials.warnings;
+  Textures textures(materials.images, read.warnings);
+  if (input.gltf) {
+    add_parts(input.gltf->asset(), materials, textures, read);
+    return read;
   }
-  if (from.textures.size() > 1) read.warnings.emplace_back("it has several textures, none of them is drawn");
-  MeshTextures textures(folder, read.warnings);
   render::Part part;
   part.mesh = &input.read.mesh;
-  part.materials = materials_of(input.read, from, textures);
+  for (const FileMaterial& material : materials.of_meshes[0]) part.materials.push_back(drawn(material, textures));
   part.vertex_colors = render::ColorEncoding::srgb;
   read.scene.parts.push_back(std::move(part));
   return read;

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "files/input.hh"
-#include "whittle/gltf/asset.hh"
 #include "whittle/render/scene.hh"
 
 namespace whittle::app {
@@ -17,11 +16,9 @@ struct ReadScene {
   std::vector<std::string> warnings;  ///< a line for each texture that isn't drawn
 };
 
-/// What a mesh file shows: of glTF all nodes with meshes, of others the mesh. Textures are read.
+/// What a mesh file shows: of glTF all nodes with meshes, each as often as it is there, or all meshes where no node has
+/// one; of others the mesh. Textures are read.
 /// \param input must outlive the scene
 ReadScene read_scene(const Input& input);
-
-/// All nodes of an asset that have meshes, each as often as it is there; all meshes where no node has one.
-ReadScene scene_of(const gltf::Asset& asset);
 
 }  // namespace whittle::app

@@ -10,8 +10,8 @@
 
 namespace whittle::app {
 
-/// How a mesh file looks: the materials of its groups of faces, from glTF, from the library (MTL) of an OBJ file, or
-/// the texture that a PLY file names. And where the scene of a glTF file puts its meshes. It holds no mesh.
+/// How a mesh file looks: the materials of its groups of faces (`read_materials`), and where the scene of a glTF file
+/// puts its meshes. It holds no mesh.
 class PageLook {
  public:
   PageLook() = default;
@@ -28,8 +28,7 @@ class PageLook {
   void put_in_scene(const IndexedMesh& input, RunSteps& steps) const;
 
  private:
-  void read_gltf(const Input& input, std::vector<std::string>& warnings);
-  void read_library(const Input& input, std::vector<std::string>& warnings);
+  void read_places(const GltfFile& file);
   std::vector<Index> groups_of_vertices(const IndexedMesh& mesh) const;
   bool is_mirrored(Index group) const { return places_[group].linear().determinant() < 0; }
 
