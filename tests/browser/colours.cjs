@@ -1,17 +1,12 @@
 // What the colours of errors in a page mean, against the exact distances of the meshes in it.
 'use strict';
+const {pixelsOfCanvas} = require('./canvas.cjs');
 const {exactDistance, firstPoint} = require('./exact_distance.cjs');
 
 /** Random pixels of a pane that are not background, with their colours and the rays through their middles. */
-const seenPixels = (page, pane, n) => page.evaluate(([paneOf, nPixels]) => {
+const seenPixels = async (page, pane, n) => page.evaluate(([canvas, paneOf, nPixels]) => {
   const {view} = window.whittle;
-  const canvas = document.getElementById('canvas');
-  const copy = document.createElement('canvas');
-  [copy.width, copy.height] = [canvas.width, canvas.height];
-  const context = copy.getContext('2d');
-  context.drawImage(canvas, 0, 0);
-  const {data} = context.getImageData(0, 0, copy.width, copy.height);
-  const colourAt = (i) => Array.from(data.subarray(4 * i, 4 * i + 3));
+  const colourAt = (i) => Array.from(canvas.data.subarray(4 * i, 4 * i + 3));
   const background = window.whittle.background.match(/\w\w/g).map((part) => parseInt(part, 16)).join();
   const {left, width, height} = view.boxesOfPanes()[paneOf];
   let seed = 1;
@@ -20,14 +15,14 @@ const seenPixels = (page, pane, n) => page.evaluate(([paneOf, nPixels]) => {
   const pixels = [];
   while (pixels.length < nPixels) {
     const [x, y] = [random(width), random(height)];
-    const colour = colourAt(left + x + y * copy.width);
+    const colour = colourAt(left + x + y * canvas.width);
     if (colour.join() === background) continue;
     const {position} = view.camera;
     const beyond = position.clone().set(2 * (x + 0.5) / width - 1, 1 - 2 * (y + 0.5) / height, 0.5).unproject(view.camera);
     pixels.push({colour, origin: grid(position), direction: grid(beyond.sub(position))});
   }
   return pixels;
-}, [pane, n]);
+}, [await pixelsOfCanvas(page), pane, n]);
 
 /** The meshes as the page has them, the legend's colours, and where the scale ends. Lengths are those of its grid. */
 const shownMeshes = (page) => page.evaluate(() => {

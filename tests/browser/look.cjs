@@ -4,6 +4,7 @@
 const assert = require('assert/strict');
 const fs = require('fs');
 const path = require('path');
+const {pixelsOfCanvas} = require('./canvas.cjs');
 const {stepsOff} = require('./colours.cjs');
 const textured = require('./textured.cjs');
 
@@ -38,23 +39,16 @@ const drawn = (page) => page.evaluate(() => window.whittle.drawn());
 /** The pixels of the canvas: of each half, how many differ from the background, and a sum that tells pictures apart. */
 async function pixels(page) {
   await drawn(page);
-  return page.evaluate(() => {
-    const canvas = document.getElementById('canvas');
-    const copy = document.createElement('canvas');
-    copy.width = canvas.width;
-    copy.height = canvas.height;
-    const context = copy.getContext('2d');
-    context.drawImage(canvas, 0, 0);
-    const {data} = context.getImageData(0, 0, copy.width, copy.height);
+  return page.evaluate(({data, width, height}) => {
     const halves = [{shown: 0, sum: 0}, {shown: 0, sum: 0}];
     for (let i = 0; i < data.length; i += 4) {
-      const x = i / 4 % copy.width;
-      const half = halves[x < copy.width / 2 ? 0 : 1];
+      const x = i / 4 % width;
+      const half = halves[x < width / 2 ? 0 : 1];
       if (data[i] !== data[0] || data[i + 1] !== data[1] || data[i + 2] !== data[2]) ++half.shown;
       half.sum = (half.sum * 31 + data[i] * 7 + data[i + 1] * 5 + data[i + 2]) % 1000003;
     }
-    return {halves, background: [data[0], data[1], data[2]], nPixels: copy.width * copy.height};
-  });
+    return {halves, background: [data[0], data[1], data[2]], nPixels: width * height};
+  }, await pixelsOfCanvas(page));
 }
 
 const text = (page, id) => page.$eval(`#${id}`, (element) => element.textContent);

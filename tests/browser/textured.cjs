@@ -1,6 +1,7 @@
 // Checks of the pages that show textures, colours and normals (textured_files.cjs).
 'use strict';
 const assert = require('assert/strict');
+const {pixelsOfCanvas} = require('./canvas.cjs');
 const {quarters, factor, shift, vertexColour} = require('./textured_files.cjs');
 
 const decoded = (part) => part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4;
@@ -22,24 +23,18 @@ async function coloursOfQuarters(page) {
     view.controls.update();
     return window.whittle.drawn();
   });
-  return page.evaluate(() => {
+  return page.evaluate((canvas) => {
     const {view} = window.whittle;
-    const canvas = document.getElementById('canvas');
-    const copy = document.createElement('canvas');
-    [copy.width, copy.height] = [canvas.width, canvas.height];
-    const context = copy.getContext('2d');
-    context.drawImage(canvas, 0, 0);
-    const {data} = context.getImageData(0, 0, copy.width, copy.height);
     return view.boxesOfPanes().map(({left, width, height}) => [[-1, 1], [1, 1], [-1, -1], [1, -1]].map(([x, y]) => {
       const seen = view.center.clone();
       seen.x += 0.25 * x; // the square is 1 wide in the unit of the page
       seen.y += 0.25 * y;
       seen.project(view.camera);
       const [column, row] = [left + (seen.x + 1) / 2 * width, (1 - seen.y) / 2 * height].map(Math.floor);
-      const i = 4 * (column + row * copy.width);
-      return Array.from(data.subarray(i, i + 3));
+      const i = 4 * (column + row * canvas.width);
+      return Array.from(canvas.data.subarray(i, i + 3));
     }));
-  });
+  }, await pixelsOfCanvas(page));
 }
 
 function assertColours(found, expected, what) {
