@@ -271,6 +271,7 @@ async function main() {
   await withPage('gltf.html', textured.showsTheTextureOfGltf);
   await withPage('shifted.html', textured.saysHowFarItsTextureIsOff, {hash: '#colour=texcoord'});
   await withPage('square.obj.html', textured.showsItsTexture);
+  await withPage('fine.obj.html', textured.showsItsTextureWhileItMoves);
   await withPage('broken.obj.html', textured.showsNoBrokenTexture);
   await withPage('coloured.ply.html', textured.showsItsColours);
   const backgrounds = {};

@@ -38,7 +38,7 @@ cp "$data/cubes.obj" "$folder/<img src=x onerror=alert(1)><script>alert(2)<scrip
 node "$(dirname "$0")/textured_files.cjs" "$folder"
 "$whittle" simplify "$folder/square.gltf" -o "$folder/small.glb" --faces 2 --page "$folder/gltf.html" --quiet
 "$whittle" report "$folder/square.gltf" "$folder/shifted.gltf" -o "$folder/shifted.html" --quiet
-for name in square.obj broken.obj coloured.ply; do
+for name in square.obj fine.obj broken.obj coloured.ply; do
   "$whittle" simplify "$folder/$name" -o "$folder/small_$name" --faces 2 --quiet
   "$whittle" report "$folder/$name" "$folder/small_$name" -o "$folder/$name.html" --quiet
 done

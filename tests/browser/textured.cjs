@@ -13,28 +13,34 @@ const light = 0.6 + 0.4 * (0.35 + 0.5 + 0.15 * 0.45);
 
 const options = (page, id) => page.$$eval(`#${id} option`, (all) => all.filter(({disabled}) => !disabled).map(({value}) => value));
 
-/** Looks at the squares straight on. \return of each pane the colours in the middle of its quarters, as `quarters` */
+/** Looks at the squares straight on. */
+const lookStraight = (page) => page.evaluate(() => {
+  const {view} = window.whittle;
+  const distance = view.camera.position.distanceTo(view.center);
+  view.camera.position.copy(view.center);
+  view.camera.position.z += distance;
+  view.controls.update();
+  return window.whittle.drawn();
+});
+
+/** \return of each pane the colours in the middle of its quarters, as `quarters`: of what is drawn now */
+const drawnQuarters = async (page) => page.evaluate((canvas) => {
+  const {view} = window.whittle;
+  const ratio = canvas.width / view.sharpSize().width;
+  return view.boxesOfPanes().map(({left, width, height}) => [[-1, 1], [1, 1], [-1, -1], [1, -1]].map(([x, y]) => {
+    const seen = view.center.clone();
+    seen.x += 0.25 * x; // the square is 1 wide in the unit of the page
+    seen.y += 0.25 * y;
+    seen.project(view.camera);
+    const [column, row] = [left + (seen.x + 1) / 2 * width, (1 - seen.y) / 2 * height].map((at) => Math.floor(ratio * at));
+    const i = 4 * (column + row * canvas.width);
+    return Array.from(canvas.data.subarray(i, i + 3));
+  }));
+}, await pixelsOfCanvas(page));
+
 async function coloursOfQuarters(page) {
-  await page.evaluate(() => {
-    const {view} = window.whittle;
-    const distance = view.camera.position.distanceTo(view.center);
-    view.camera.position.copy(view.center);
-    view.camera.position.z += distance;
-    view.controls.update();
-    return window.whittle.drawn();
-  });
-  return page.evaluate((canvas) => {
-    const {view} = window.whittle;
-    return view.boxesOfPanes().map(({left, width, height}) => [[-1, 1], [1, 1], [-1, -1], [1, -1]].map(([x, y]) => {
-      const seen = view.center.clone();
-      seen.x += 0.25 * x; // the square is 1 wide in the unit of the page
-      seen.y += 0.25 * y;
-      seen.project(view.camera);
-      const [column, row] = [left + (seen.x + 1) / 2 * width, (1 - seen.y) / 2 * height].map(Math.floor);
-      const i = 4 * (column + row * canvas.width);
-      return Array.from(canvas.data.subarray(i, i + 3));
-    }));
-  }, await pixelsOfCanvas(page));
+  await lookStraight(page);
+  return drawnQuarters(page);
 }
 
 function assertColours(found, expected, what) {
@@ -49,6 +55,25 @@ const lit = (colours) => colours.map((colour) => colour.map((part) => light * pa
 async function showsItsTexture(page, by = [1, 1, 1]) {
   assert.equal(await page.$eval('#colour', ({value}) => value), 'material');
   assertColours(await coloursOfQuarters(page), lit(quarters.map((colour) => times(colour, by))), 'texture');
+}
+
+/** Fewer faces are drawn then. */
+async function showsItsTextureWhileItMoves(page) {
+  await lookStraight(page);
+  const faces = () => page.evaluate(() => window.whittle.original.faces.geometry.getIndex().count / 3);
+  const nFaces = await faces();
+  await page.evaluate(async () => {
+    const {motion} = window.whittle;
+    motion.goOn();
+    motion.isSlow = true;
+    clearTimeout(motion.timer); // it goes on moving
+    window.whittle.draw();
+    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  });
+  assert.ok(await faces() < nFaces / 3, `${await faces()} of ${nFaces} faces are drawn`);
+  assertColours((await drawnQuarters(page)).slice(0, 1), lit(quarters), 'moving texture');
+  await page.evaluate(() => window.whittle.drawn());
+  assert.equal(await faces(), nFaces);
 }
 
 async function showsTheTextureOfGltf(page) {
@@ -88,4 +113,4 @@ async function offersShapesAlone(page) {
   assert.equal(await page.$eval('#colour', ({value}) => value), 'none');
 }
 
-module.exports = {offersShapesAlone, saysHowFarItsTextureIsOff, showsItsColours, showsItsTexture, showsNoBrokenTexture, showsTheTextureOfGltf};
+module.exports = {offersShapesAlone, saysHowFarItsTextureIsOff, showsItsColours, showsItsTexture, showsItsTextureWhileItMoves, showsNoBrokenTexture, showsTheTextureOfGltf};

@@ -13,7 +13,8 @@ const factor = [1, 0.5, 0.25];
 const shift = 0.125;
 const vertexColour = [30, 140, 220];
 const imageSize = 64;
-const n = 8; // faces along a side, times 2
+const few = 8; // faces along a side, times 2
+const many = 130; // for a page to draw fewer of them while it moves
 
 function png(width, height, colourAt) {
   const chunk = (type, data) => {
@@ -46,7 +47,7 @@ function crc(bytes) {
 
 const image = () => png(imageSize, imageSize, (x, y) => quarters[(x < imageSize / 2 ? 0 : 1) + (y < imageSize / 2 ? 0 : 2)]);
 
-function square() {
+function square(n) {
   const vertices = [];
   const faces = [];
   for (let j = 0; j <= n; ++j) for (let i = 0; i <= n; ++i) vertices.push([i / n, j / n]);
@@ -61,7 +62,7 @@ function square() {
 
 /** The node doubles its size and moves it: the page has it where the scene has it. */
 function gltf(off) {
-  const {vertices, faces} = square();
+  const {vertices, faces} = square(few);
   const floats = (numbers) => Buffer.from(new Float32Array(numbers).buffer);
   const parts = [floats(vertices.flatMap(([x, y]) => [x, y, 0])), floats(vertices.flatMap(() => [0, 0, 1])),
     floats(vertices.flatMap(([x, y]) => [x + off, 1 - y])), Buffer.from(new Uint16Array(faces.flat()).buffer)];
@@ -81,14 +82,14 @@ function gltf(off) {
 }
 
 /** Texture coordinates count from below. */
-function obj(library) {
-  const {vertices, faces} = square();
+function obj(library, n = few) {
+  const {vertices, faces} = square(n);
   return [`mtllib ${library}`, ...vertices.map(([x, y]) => `v ${x} ${y} 0`), ...vertices.map(([x, y]) => `vt ${x} ${y}`), 'usemtl quarters',
     ...faces.map((face) => `f ${face.map((v) => `${v + 1}/${v + 1}`).join(' ')}`), ''].join('\n');
 }
 
 function ply() {
-  const {vertices, faces} = square();
+  const {vertices, faces} = square(few);
   return ['ply', 'format ascii 1.0', `element vertex ${vertices.length}`, ...['x', 'y', 'z'].map((c) => `property float ${c}`),
     ...['red', 'green', 'blue'].map((c) => `property uchar ${c}`), `element face ${faces.length}`,
     'property list uchar int vertex_indices', 'end_header', ...vertices.map(([x, y]) => `${x} ${y} 0 ${vertexColour.join(' ')}`),
@@ -104,6 +105,7 @@ if (require.main === module) {
   write('quarters.png', image());
   write('square.mtl', 'newmtl quarters\nmap_Kd quarters.png\n');
   write('square.obj', obj('square.mtl'));
+  write('fine.obj', obj('square.mtl', many));
   write('broken.png', 'no image');
   write('broken.mtl', 'newmtl quarters\nmap_Kd broken.png\n');
   write('broken.obj', obj('broken.mtl'));

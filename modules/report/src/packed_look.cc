@@ -128,12 +128,15 @@ Json pack_material(const PageMaterial& material, TexcoordSets& texcoords, PageIm
           {"cutoff", material.alpha_cutoff}};
 }
 
-Json pack_groups(const PageSurface& surface, PageBytes& bytes) {
+/// Null if there are no materials. \tparam Faces has `faces` and `face_groups`
+template <class Faces>
+Json pack_groups(const Faces& of, std::size_t n_materials, PageBytes& bytes) {
+  if (n_materials == 0) return nullptr;
   constexpr std::size_t most = 65535;
-  const auto last = static_cast<std::uint16_t>(std::min(surface.materials.size(), most));
-  std::vector<std::array<std::uint16_t, 2>> packed((surface.mesh.faces.size() + 1) / 2);
-  for (std::size_t f = 0; f < surface.mesh.faces.size(); ++f) {
-    const std::size_t group = surface.mesh.face_groups.empty() ? 0 : surface.mesh.face_groups[f];
+  const auto last = static_cast<std::uint16_t>(std::min(n_materials, most));
+  std::vector<std::array<std::uint16_t, 2>> packed((of.faces.size() + 1) / 2);
+  for (std::size_t f = 0; f < of.faces.size(); ++f) {
+    const std::size_t group = of.face_groups.empty() ? 0 : of.face_groups[f];
     packed[f / 2][f % 2] = group < last ? static_cast<std::uint16_t>(group) : last;
   }
   return bytes.add(packed);
@@ -190,7 +193,8 @@ Json pack_look(const PageSurface& surface, PageBytes& bytes, PageImages& images)
           {"normals", pack_normals(mesh, bytes)},
           {"colours", pack_colors(surface, bytes)},
           {"linear", surface.colors == PageColors::linear},
-          {"groups", materials.empty() ? Json(nullptr) : pack_groups(surface, bytes)},
+          {"groups", pack_groups(mesh, surface.materials.size(), bytes)},
+          {"coarse_groups", pack_groups(surface.coarse, surface.materials.size(), bytes)},
           {"materials", std::move(materials)},
           {"maps", std::move(maps)}};
 }

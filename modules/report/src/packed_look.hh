@@ -22,13 +22,14 @@ class PageImages {
 };
 
 /// Null where the mesh has nothing beside its shape. Otherwise {"wedges", "count", "texcoords", "normals", "colours",
-/// "linear", "materials", "groups", "maps"}:
+/// "linear", "materials", "groups", "coarse_groups", "maps"}:
 /// - "wedges": the vertex of each wedge above the vertices; the first ones are the vertices
 /// - "texcoords": sets that are shown, [{"name", "values"}]: two 32-bit numbers a wedge, in 65,536ths
 /// - "normals": an octahedral map of two 16-bit numbers a wedge; "colours": four bytes a wedge, sRGB. Or null.
 ///   "linear": whether colours are interpolated as light
 /// - "materials": [{"name", "colour", "image", "texcoords", "transform", "wrap", "alpha", "cutoff"}]; "groups": the
-///   number of each face's material, 16 bits. Faces without one have the last one, which is plain
+///   number of each face's material, 16 bits, "coarse_groups" likewise. Faces without one have the last one, which is
+///   plain
 /// - "maps": [{"name", "kind", "max", "usual", "values"}], a byte a wedge (`packed_value`)
 Json pack_look(const PageSurface& surface, PageBytes& bytes, PageImages& images);
 

@@ -40,12 +40,9 @@ Json pack(const DistanceMap& map, PageBytes& bytes) {
 }
 
 /// Vertex numbers; wedge numbers where there are wedges, of which the page knows the vertices.
-std::vector<Triangle> packed_corners(const IndexedMesh& mesh) {
-  std::vector<Triangle> corners = mesh.faces;
-  for (std::size_t f = 0; f < corners.size() && !mesh.wedges.empty(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) corners[f][k] = mesh.wedges[3 * f + k];
-  }
-  return corners;
+std::vector<Triangle> packed_corners(std::vector<Triangle> faces, const std::vector<Index>& wedges) {
+  for (std::size_t corner = 0; corner < wedges.size(); ++corner) faces[corner / 3][corner % 3] = wedges[corner];
+  return faces;
 }
 
 }  // namespace
@@ -78,15 +75,16 @@ Json pack(const PageSurface& surface, const Grid& grid, PageBytes& bytes, PageIm
   for (const auto& [reason, pairs] : surface.refusals)
     refusals.push_back({{"reason", reason}, {"pairs", bytes.add(pairs)}});
   Json look = pack_look(surface, bytes, images);
-  const std::vector<Triangle> corners = look.is_null() ? mesh.faces : packed_corners(mesh);
+  const auto corners = [&](const auto& of) { return look.is_null() ? of.faces : packed_corners(of.faces, of.wedges); };
+  const std::size_t n_corners = std::max(positions.size(), n_wedges(mesh));
   return {{"name", surface.name},
           {"note", surface.note},
           {"refusals", std::move(refusals)},
           {"vertices", positions.size()},
           {"faces", mesh.faces.size()},
           {"positions", bytes.add(positions)},
-          {"corners", bytes.add_faces(corners, std::max(positions.size(), n_wedges(mesh)))},
-          {"coarse", bytes.add_faces(surface.coarse_faces, positions.size())},
+          {"corners", bytes.add_faces(corners(mesh), n_corners)},
+          {"coarse", bytes.add_faces(corners(surface.coarse), n_corners)},
           {"borders", bytes.add(borders)},
           {"nonmanifold", bytes.add(nonmanifold)},
           {"distances", surface.distances ? pack(*surface.distances, bytes) : Json(nullptr)},

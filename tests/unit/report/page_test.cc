@@ -9,13 +9,18 @@
 #include <string>
 
 #include "page_bytes.hh"
+#include "support/shapes/shapes.hh"
 #include "support/suites.hh"
+#include "whittle/core/wedges.hh"
 #include "whittle/engine/decimate.hh"
 
 namespace whittle::report {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::Gt;
 using ::testing::HasSubstr;
+using ::testing::Le;
 using ::testing::Not;
 
 PageSurface surface_of(const std::string& name, IndexedMesh mesh) {
@@ -117,7 +122,33 @@ TEST(Base64, IsThatOfRfc4648) {
   EXPECT_EQ(of("foobar"), "Zm9vYmFy");
 }
 
-TEST(CoarseFaces, AreNoneForAMeshOfFewFaces) { EXPECT_TRUE(coarse_faces(test::closed_meshes().front().mesh).empty()); }
+TEST(CoarseFaces, AreNoneForAMeshOfFewFaces) {
+  EXPECT_TRUE(coarse_faces(test::closed_meshes().front().mesh).faces.empty());
+}
+
+TEST(CoarseFaces, HaveTheTexturesOfTheirCharts) {
+  IndexedMesh mesh = test::charted_cube(60);
+  join_equal_wedges(mesh);
+  put_in_page_order(mesh);
+  const CoarseFaces coarse = coarse_faces(mesh, 1);
+  ASSERT_THAT(coarse.faces.size(), AllOf(Gt(9'000U), Le(10'000U)));
+  ASSERT_EQ(coarse.wedges.size(), 3 * coarse.faces.size());
+  ASSERT_EQ(coarse.face_groups.size(), coarse.faces.size());
+  for (std::size_t corner = 0; corner < coarse.wedges.size(); ++corner) {
+    const Index side = coarse.face_groups[corner / 3];
+    const auto expected = test::chart_position(side, mesh.positions[coarse.faces[corner / 3][corner % 3]]);
+    const auto found = mesh.attributes[0].value(coarse.wedges[corner]);
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(found[i], expected[i], 1e-12) << "corner " << corner;
+  }
+}
+
+TEST(CoarseFaces, OfAMeshWithoutSeamsHaveNoWedges) {
+  IndexedMesh mesh = without_attributes(test::charted_cube(60));
+  put_in_page_order(mesh);
+  const CoarseFaces coarse = coarse_faces(mesh, 1);
+  EXPECT_FALSE(coarse.faces.empty());
+  EXPECT_TRUE(coarse.wedges.empty() && coarse.face_groups.empty());
+}
 
 }  // namespace
 }  // namespace whittle::report

@@ -212,8 +212,8 @@ void PageMaker::measure_distances() {
     limit_size(page_.original);
     page_.original.distances = map(page_.original.mesh, of_first, edge_length(shapes_[1]));
   }
-  page_.original.coarse_faces = report::coarse_faces(page_.original.mesh, threads());
-  for (report::PageSurface& result : page_.results) result.coarse_faces = report::coarse_faces(result.mesh, threads());
+  page_.original.coarse = report::coarse_faces(page_.original.mesh, threads());
+  for (report::PageSurface& result : page_.results) result.coarse = report::coarse_faces(result.mesh, threads());
   fill_facts(0, page_.original);
   for (std::size_t i = 0; i < page_.results.size(); ++i) fill_facts(i + 1, page_.results[i]);
   facts_.measure_seconds = watch.seconds();

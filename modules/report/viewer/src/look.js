@@ -41,6 +41,7 @@ export class Look {
     this.isLinear = json.linear; // whether colours are to be interpolated as light
     this.materials = json.materials;
     this.groups = json.groups && array(json.groups, Uint16Array); // the number of each face's material
+    this.coarseGroups = json.coarse_groups && array(json.coarse_groups, Uint16Array);
     this.images = images;
     this.maps = json.maps.map((map, i, all) => deviationsOf(map, i, all, array));
   }
@@ -49,9 +50,8 @@ export class Look {
     return wedge < this.nVertices ? wedge : this.further[wedge - this.nVertices];
   }
 
-  /** The vertex of each corner. */
-  corners() {
-    return this.further.length === 0 ? this.wedges : this.wedges.map((wedge) => this.vertexOf(wedge));
+  verticesOf(wedges) {
+    return this.further.length === 0 ? wedges : wedges.map((wedge) => this.vertexOf(wedge));
   }
 
   /** Whether there is something to see in a colouring. */
@@ -84,27 +84,13 @@ export class Look {
     geometry.setAttribute('position', new InterleavedBufferAttribute(new InterleavedBuffer(gathered, 4), 3, 0, true));
     this.texcoords.forEach((values, i) => geometry.setAttribute(`texcoord${i}`, new BufferAttribute(values, 2)));
     if (this.colours) geometry.setAttribute('tint', new BufferAttribute(this.colours, 4, true));
-    this.addFaces(geometry);
+    useFaces(geometry, facesByMaterial(this.wedges, this.groups));
     return geometry;
   }
 
-  addFaces(geometry) {
-    if (!this.groups) {
-      geometry.setIndex(new BufferAttribute(this.wedges, 1));
-      return;
-    }
-    const nFaces = this.wedges.length / 3;
-    const order = Uint32Array.from({length: nFaces}, (_, f) => f).sort((a, b) => this.groups[a] - this.groups[b] || a - b);
-    const index = new Uint32Array(this.wedges.length);
-    order.forEach((f, i) => index.set(this.wedges.subarray(3 * f, 3 * f + 3), 3 * i));
-    geometry.setIndex(new BufferAttribute(index, 1));
-    for (let first = 0; first < nFaces;) {
-      const group = this.groups[order[first]];
-      let end = first;
-      while (end < nFaces && this.groups[order[end]] === group) ++end;
-      geometry.addGroup(3 * first, 3 * (end - first), group);
-      first = end;
-    }
+  /** Fewer faces. \param wedges of their corners */
+  coarseFaces(wedges) {
+    return facesByMaterial(wedges, this.coarseGroups);
   }
 
   /** For the groups of the geometry; made when they are first asked for. */
@@ -127,6 +113,30 @@ export class Look {
     this.tinted ??= lookMaterial({isTinted: true, isLinear: this.isLinear});
     return this.tinted;
   }
+}
+
+/** Faces, those of a material one after the other. \param groups the number of each face's material, or null */
+function facesByMaterial(corners, groups) {
+  if (!groups) return {index: new BufferAttribute(corners, 1), groups: []};
+  const nFaces = corners.length / 3;
+  const order = Uint32Array.from({length: nFaces}, (_, f) => f).sort((a, b) => groups[a] - groups[b] || a - b);
+  const index = new Uint32Array(corners.length);
+  order.forEach((f, i) => index.set(corners.subarray(3 * f, 3 * f + 3), 3 * i));
+  const runs = [];
+  for (let first = 0; first < nFaces;) {
+    const materialIndex = groups[order[first]];
+    let end = first;
+    while (end < nFaces && groups[order[end]] === materialIndex) ++end;
+    runs.push({start: 3 * first, count: 3 * (end - first), materialIndex});
+    first = end;
+  }
+  return {index: new BufferAttribute(index, 1), groups: runs};
+}
+
+/** \param faces {index, groups} */
+export function useFaces(geometry, {index, groups}) {
+  geometry.setIndex(index);
+  geometry.groups = groups;
 }
 
 /** Unit vectors of an octahedral map. */

@@ -4,6 +4,7 @@ import {
   LineSegments, Mesh, Points, PointsMaterial, ShaderMaterial,
 } from 'three';
 import {refusalColours, scales, textureOf, valenceClass} from './colours.js';
+import {useFaces} from './look.js';
 import {faceShader, vertexShader} from './shaders.js';
 import {edgesOf, radiusRatio, valences} from './surface.js';
 
@@ -237,19 +238,17 @@ export class Model {
     this.useNormals(this.plain);
     this.whole ??= new BufferGeometry();
     for (const [name, attribute] of Object.entries(this.plain.attributes)) this.whole.setAttribute(name, attribute);
-    return this.whole.setIndex(this.plain.fullIndex ?? this.plain.getIndex());
+    return this.whole.setIndex(this.plain.allFaces?.index ?? this.plain.getIndex());
   }
 
-  /** The same vertices with fewer faces. \return false where there are none, or where the faces have more than
-      vertices */
+  /** Draws fewer faces over the same vertices, if there are some, or all of them again. */
   useCoarse(isCoarse) {
-    const {coarse} = this.surface;
+    const {coarse, coarseWedges, look} = this.surface;
     const {geometry} = this.faces;
-    if (coarse.length === 0 || this.colour === 'shape' || geometry === this.wedged) return false;
-    geometry.fullIndex ??= geometry.getIndex();
-    geometry.coarseIndex ??= new BufferAttribute(coarse, 1);
-    geometry.setIndex(isCoarse ? geometry.coarseIndex : geometry.fullIndex);
-    return true;
+    if (coarse.length === 0 || this.colour === 'shape') return;
+    geometry.allFaces ??= {index: geometry.getIndex(), groups: geometry.groups};
+    geometry.coarseFaces ??= geometry === this.wedged ? look.coarseFaces(coarseWedges) : {index: new BufferAttribute(coarse, 1), groups: []};
+    useFaces(geometry, isCoarse ? geometry.coarseFaces : geometry.allFaces);
   }
 
   /** What is drawn. \param ghost '' for the whole surface, or how it is drawn in front of another one

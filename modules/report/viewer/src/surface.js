@@ -15,8 +15,9 @@ export class Surface {
     this.positions = array(json.positions, Uint16Array); // four numbers a vertex, the last one 0
     const corners = array(json.corners, Uint32Array);
     this.look = json.look && new Look(json.look, array, corners, images); // or null: it has a shape alone
-    this.corners = this.look?.corners() ?? corners;
-    this.coarse = array(json.coarse, Uint32Array); // of fewer faces; or empty
+    this.corners = this.look?.verticesOf(corners) ?? corners;
+    this.coarseWedges = array(json.coarse, Uint32Array); // of fewer faces; or empty
+    this.coarse = this.look?.verticesOf(this.coarseWedges) ?? this.coarseWedges;
     this.borders = array(json.borders, Uint32Array);
     this.nonmanifold = array(json.nonmanifold, Uint32Array);
     this.refusals = json.refusals.map(({reason, pairs}) => ({reason, pairs: array(pairs, Uint32Array)}));

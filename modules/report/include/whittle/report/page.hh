@@ -66,12 +66,19 @@ struct PageMaterial {
 /// How numbers are related to light.
 enum class PageColors : std::uint8_t { srgb, linear };
 
+/// Fewer faces over the vertices and wedges of a mesh.
+struct CoarseFaces {
+  std::vector<Triangle> faces;
+  std::vector<Index> wedges;       ///< as `IndexedMesh::wedges`; empty if the mesh has none
+  std::vector<Index> face_groups;  ///< likewise
+};
+
 /// A mesh of the page. Shown are positions, faces, and, by wedge, normals, colours and texture coordinates.
 struct PageSurface {
   std::string name;
   IndexedMesh mesh;  ///< in page order
-  /// Fewer faces over the same vertices: what is drawn while the view moves, where all of them take too long. Or empty.
-  std::vector<Triangle> coarse_faces;
+  /// What is drawn while the view moves, where all faces take too long. Or empty.
+  CoarseFaces coarse;
   std::string note;                    ///< what else is to be known of it, such as that it is a coarser level; or empty
   std::vector<PageRefusals> refusals;  ///< what stands in the way of fewer faces
   std::optional<DistanceMap> distances;        ///< to the original; of the original itself, to the first of the others
@@ -80,8 +87,8 @@ struct PageSurface {
   PageColors colors = PageColors::srgb;        ///< what `mesh.colors` are
 };
 
-/// For `PageSurface::coarse_faces`: about 10,000; none for a mesh of few faces. \param threads 0 = all cores
-std::vector<Triangle> coarse_faces(const IndexedMesh& mesh, unsigned threads = 0);
+/// For `PageSurface::coarse`: about 10,000; none for a mesh of few faces. \param threads 0 = all cores
+CoarseFaces coarse_faces(const IndexedMesh& mesh, unsigned threads = 0);
 
 /// A level of a recording whose error is known.
 struct PageLevel {
