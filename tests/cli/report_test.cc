@@ -93,7 +93,7 @@ TEST_F(ReportCommand, ShowsGltfWhereTheSceneHasIt) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome;
   for (const char* const name : {"run.html", "page.html"}) {
     const auto data = data_of(read_text(folder / name));
-    EXPECT_EQ(data["origin"][0], -3) << "a node makes the cube 3 times as large";
+    EXPECT_NEAR(data["origin"][0].get<double>(), -3, 1e-6) << "a node makes the cube 3 times as large";
     for (const auto& look : {data["original"]["look"], data["results"][0]["look"]}) {
       ASSERT_EQ(look["materials"].size(), 4U) << name << ": of two primitives, of the points, and none";
       EXPECT_EQ(look["materials"][1]["alpha"], "blend");

@@ -81,8 +81,7 @@ void BruteForceDecimater::sum_planes(const QuadricOptions& options) {
   points_.resize(positions_.size());
   const std::map<Edge, int> n_faces = count_edge_faces(faces_);
   QuadricOptions of_seams = options_.quadric;
-  const double weight = options_.quadric.boundary_weight;
-  of_seams.boundary_weight = 0.5 * (weight > 0 ? weight : QuadricOptions{}.boundary_weight);
+  of_seams.boundary_weight = options_.attribute_weights.seam;
   for (Index v = 0; v < positions_.size(); ++v) {
     SymmetricMatrix& sum = quadrics_[v].a;
     for (const Triangle& f : faces_) {

@@ -212,6 +212,14 @@ bool has_much_border(const IndexedMesh& mesh) {
   return 20 * static_cast<std::size_t>(std::count(is_border.begin(), is_border.end(), 1)) >= mesh.positions.size();
 }
 
+void warn_of_folds(const Talk& talk, SimplifyRecord& record) {
+  const std::size_t n = record.simplified.n_folded_texture_faces;
+  if (n == 0) return;
+  record.warnings.push_back(record.input.name + ": " + faces_text(n) + (n == 1 ? " is" : " are") +
+                            " folded over on the texture");
+  talk.warning(record.warnings.back());
+}
+
 /// The penalty for valences makes vertices with three edges rare, but refuses none.
 void warn_of_valence_three(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
   if (options.simplify.decimate.valence_weight == 0 || record.simplified.mesh.faces.empty()) return;
@@ -373,6 +381,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   take_warnings(talk, record);
   record.met = is_met(record.target, record.simplified.result.stop);
 
+  warn_of_folds(talk, record);
   warn_of_valence_three(options, talk, record);
   if (record.met) warn_of_gaps(options, talk, record);
   warn_of_meeting_parts(options, talk, record);

@@ -21,6 +21,14 @@ const Attribute* find_same_kind(const std::vector<Attribute>& attributes, const 
   return found == attributes.end() ? nullptr : &*found;
 }
 
+/// A triangle whose corners are all the first corner of the first face. \pre there is a face
+IndexedMesh a_point_of(IndexedMesh mesh) {
+  const Index v = mesh.faces.front().front();
+  mesh.faces = {{v, v, v}};
+  mesh.face_groups.resize(1);
+  return mesh;
+}
+
 }  // namespace
 
 bool is_gltf(const std::string& path) { return gltf::has_gltf_extension(path); }
@@ -143,11 +151,13 @@ std::vector<std::string> GltfFile::write(OutputFiles& files, const std::string& 
   std::vector<std::string> warnings;
   std::vector<IndexedMesh> meshes = split(mesh);
   for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const std::size_t number = parts_[i].mesh;
     if (meshes[i].faces.empty()) {
-      warnings.push_back(asset_.mesh_name(parts_[i].mesh) + " would have no faces left, it stays as it was");
-    } else {
-      asset_.set_triangles(parts_[i].mesh, std::move(meshes[i]));
+      warnings.push_back(asset_.mesh_name(number) +
+                         " has vanished; a triangle without area stands for it, as glTF has no empty meshes");
+      meshes[i] = a_point_of(asset_.triangles(number));
     }
+    asset_.set_triangles(number, std::move(meshes[i]));
   }
   write_asset(files, path, asset_, compress);
   const std::vector<std::string> lost = asset_.warnings();

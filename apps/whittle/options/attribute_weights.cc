@@ -14,11 +14,12 @@ struct Kind {
   double AttributeWeights::*weight;
 };
 
-constexpr std::array<Kind, 5> kinds{{{"uv", &AttributeWeights::texcoord},
+constexpr std::array<Kind, 6> kinds{{{"uv", &AttributeWeights::texcoord},
                                      {"normal", &AttributeWeights::normal},
                                      {"color", &AttributeWeights::color},
                                      {"morph", &AttributeWeights::displacement},
-                                     {"joints", &AttributeWeights::joint_weights}}};
+                                     {"joints", &AttributeWeights::joint_weights},
+                                     {"seam", &AttributeWeights::seam}}};
 
 /// \param text "uv=0.5"
 void parse_one(std::string_view text, AttributeWeights& weights) {
@@ -26,7 +27,8 @@ void parse_one(std::string_view text, AttributeWeights& weights) {
   const std::string_view word = text.substr(0, equals);
   const auto* const kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.word == word; });
   if (equals == std::string_view::npos || kind == kinds.end()) {
-    throw std::invalid_argument("'" + std::string(text) + "' isn't KIND=W with uv, normal, color, morph or joints");
+    throw std::invalid_argument("'" + std::string(text) +
+                                "' isn't KIND=W with uv, normal, color, morph, joints or seam");
   }
   weights.*(kind->weight) = parse_number(text.substr(equals + 1), {0}, "W");
 }

@@ -70,6 +70,8 @@ std::vector<Lift> lifts(const IndexedMesh& mesh, const Decimation& result, const
       [](DecimateOptions& o) { o.max_normal_flip_deg = 180; });
   add(options.min_radius_ratio > 0, &Rejections::shape, "--min-radius-ratio 0",
       [](DecimateOptions& o) { o.min_radius_ratio.reset(); });
+  add(options.seams == Seams::keep, &Rejections::feature, "--seams weighted",
+      [](DecimateOptions& o) { o.seams = Seams::weighted; });
   add(options.feature_angle_deg.has_value(), &Rejections::feature, "--feature-angle 180",
       [](DecimateOptions& o) { o.feature_angle_deg.reset(); });
   add(options.boundary == Boundary::locked, &Rejections::locked, "--boundary weighted",

@@ -69,6 +69,7 @@ void add_simplified(const MeshPiece& piece, std::size_t n_faces_before, Simplifi
   for (std::size_t v = 0; v < piece.vertices.size(); ++v) {
     if (more.vertex_map[v] != invalid_index) all.vertex_map[piece.vertices[v]] = first + more.vertex_map[v];
   }
+  all.n_folded_texture_faces += more.n_folded_texture_faces;
   for (const Index f : more.face_origins) all.face_origins.push_back(piece.faces[f]);
   for (const VertexPair& edge : more.feature_edges) all.feature_edges.push_back(moved(edge));
   for (const RefusedPair& refused : more.refused_pairs) {

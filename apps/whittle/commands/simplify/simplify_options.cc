@@ -32,6 +32,7 @@ constexpr std::array<Choice<Weights>, 3> weights{
     {{"area", Weights::area}, {"uniform", Weights::uniform}, {"area-angle", Weights::area_angle}}};
 constexpr std::array<Choice<Placement>, 3> placements{
     {{"optimal", Placement::optimal}, {"midpoint", Placement::midpoint}, {"endpoint", Placement::endpoint}}};
+constexpr std::array<Choice<Seams>, 2> seams{{{"weighted", Seams::weighted}, {"keep", Seams::keep}}};
 constexpr std::array<Choice<Boundary>, 3> boundaries{
     {{"weighted", Boundary::weighted}, {"locked", Boundary::locked}, {"free", Boundary::free}}};
 constexpr std::array<Choice<Topology>, 2> topologies{{{"keep", Topology::keep}, {"free", Topology::free}}};
@@ -108,8 +109,8 @@ void add_attribute_weight(CLI::App& app, AttributeWeights& by_kind) {
   add_value(
       app, "--attribute-weight", "KIND=W", by_kind,
       [&by_kind](std::string_view text) { return parse_attribute_weights(text, by_kind); },
-      "how much an error of an attribute counts beside the shape, of kinds uv, normal, color, morph and joints; "
-      "several with commas between, 0: not at all, W >= 0")
+      "how much an error of an attribute counts beside the shape, of kinds uv, normal, color, morph and joints, and "
+      "how firmly seams are held; several with commas between, 0: not at all, W >= 0")
       ->default_str(to_string(by_kind))
       ->group(cost_group);
 }
@@ -245,6 +246,9 @@ void add_attribute_options(CLI::App& app, SimplifyCommand& options) {
   add_choice<bool>(app, "--attributes", options.keeps_attributes, attribute_words,
                    "texture coordinates, colours, materials and all else but positions: keep them, with their seams, "
                    "or drop them")
+      ->group(file_group);
+  add_choice<Seams>(app, "--seams", options.simplify.decimate.seams, seams,
+                    "borders of charts and materials are held by a weight, or stay where they are, with their corners")
       ->group(file_group);
   add_choice<Normals>(app, "--normals", options.simplify.decimate.normals, normals,
                       "vertex normals: those of IN, those of the faces of the result, or none")
@@ -422,6 +426,7 @@ nlohmann::ordered_json options_json(const SimplifyCommand& options) {
       {"ascii", options.files.ascii},
       {"attributes", word_of<bool>(attribute_words, options.keeps_attributes)},
       {"attribute_weights", to_string(decimate.attribute_weights)},
+      {"seams", word_of<Seams>(seams, decimate.seams)},
       {"normals", word_of<Normals>(normals, decimate.normals)},
       {"compress", options.compresses_gltf},
       {"per_mesh", options.is_per_mesh},

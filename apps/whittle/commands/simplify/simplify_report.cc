@@ -16,6 +16,7 @@ Json output_json(const SimplifyCommand& options, const SimplifyRecord& record, c
   Json json = {{"path", options.output}, {"vertices", topology.vertices}, {"faces", topology.faces}};
   add_topology(json, topology);
   json["vanished_components"] = record.simplified.result.n_vanished_components;
+  json["folded_texture_faces"] = record.simplified.n_folded_texture_faces;
   json["pruned_components"] = record.n_pruned_parts;
   json["self_intersections"] = record.n_intersections_after ? Json(*record.n_intersections_after) : Json(nullptr);
   json["coincident_faces"] = record.simplified.result.n_coincident_faces;

@@ -11,8 +11,8 @@
 
 namespace whittle {
 
-/// The feature lines and seams of a surface, by its vertices. Seams are lines, too, but only the cost holds them in
-/// place.
+/// The feature lines and seams of a surface, by its vertices. Seams are lines, too, but only the cost says where they
+/// go.
 struct FeatureLines {
   /// Where a line was, between the ends of a feature edge: its vertices there, in no particular order, in the frame.
   using Course = std::vector<Vec3>;
@@ -23,10 +23,11 @@ struct FeatureLines {
   std::optional<std::vector<Index>> corners{};  ///< vertices where lines meet, end or turn; empty: to be found
 };
 
-/// Where two vertices on a seam may go that become one.
-enum class SeamPlacement {
-  at_ends,  ///< to where one of them is
-  optimal   ///< where the cost likes, which knows of seams
+/// How seams hold their vertices.
+enum class SeamHold {
+  at_ends,  ///< They go along the seam; two that become one go to where one of them is.
+  along,    ///< They go along the seam, to where the cost likes, which knows of seams.
+  by_cost   ///< They go where the cost likes.
 };
 
 /// Which vertices may not go where they like: locked ones stay where they are; those on a feature line move along it
@@ -40,28 +41,29 @@ class Restraints {
   /// \param corner_angle_deg a line that turns further has a corner there, if `lines` doesn't say where corners are
   /// \param tolerance how far a feature line may come to lie from what it was, in the frame
   Restraints(const TriangleComplex& complex, std::span<const std::uint8_t> locked, const FeatureLines& lines,
-             double corner_angle_deg, double tolerance, SeamPlacement seam_placement);
+             double corner_angle_deg, double tolerance, SeamHold seam_hold);
 
   bool any() const { return !freedoms_.empty(); }
 
   /// Where v̄ may go; nullopt if neither vertex may leave its place along this edge.
   std::optional<Pinned> pinned(const Pair& pair) const {
     if (!any()) return Pinned::none;
-    const bool along_feature = is_feature(pair.id);
-    const bool first_may_move = may_move(pair.a, along_feature);
-    const bool second_may_move = may_move(pair.b, along_feature);
+    const bool along_line = is_feature(pair.id);
+    const bool first_may_move = may_move(pair.a, along_line);
+    const bool second_may_move = may_move(pair.b, along_line);
     if (!first_may_move && !second_may_move) return std::nullopt;
     if (!first_may_move) return Pinned::first;
     if (!second_may_move) return Pinned::second;
-    const bool is_free = !along_feature || (is_seam(pair.id) && seam_placement_ == SeamPlacement::optimal);
+    const bool is_free = !along_line || (is_seam(pair.id) && seam_hold_ != SeamHold::at_ends);
     return is_free ? Pinned::none : Pinned::either;
   }
   /// Whether the edge is on a seam, and on no feature line.
   bool is_seam(Index edge) const { return !is_seam_.empty() && is_seam_[edge]; }
-  /// Whether there are seams, and v may not go where it likes.
+  /// Whether there are seams, and v is on one, or may not go where it likes.
   bool is_on_seam(Index v) const { return has_seams() && freedoms_[v] != Freedom::full; }
   bool has_seams() const { return !is_seam_.empty(); }
-  bool is_feature(Index edge) const { return has_features() && is_feature_[edge]; }
+  /// Whether the edge is part of a line that holds its vertices.
+  bool is_feature(Index edge) const { return has_features() && is_line(edge); }
   bool are_both_locked(const Pair& pair) const { return is_locked(pair.a) && is_locked(pair.b); }
 
   /// Whether contracting the pair would lay two feature edges on one another, so that a line lost its loop, or take a
@@ -77,14 +79,16 @@ class Restraints {
  private:
   enum class Freedom : std::uint8_t {
     full,
+    seam,    ///< full; it is on seams, which only the cost holds
     line,    ///< along its two feature edges
     corner,  ///< none, as feature lines meet, end or turn there
     locked   ///< none
   };
 
   bool has_features() const { return !is_feature_.empty(); }
-  bool may_move(Index v, bool along_feature) const {
-    return freedoms_[v] == Freedom::full || (freedoms_[v] == Freedom::line && along_feature);
+  bool is_line(Index edge) const { return is_feature_[edge] && !(seam_hold_ == SeamHold::by_cost && is_seam(edge)); }
+  bool may_move(Index v, bool along_line) const {
+    return freedoms_[v] <= Freedom::seam || (freedoms_[v] == Freedom::line && along_line);
   }
   bool is_locked(Index v) const { return any() && freedoms_[v] == Freedom::locked; }
   void mark_features(const TriangleComplex& complex, const FeatureLines& lines, double corner_angle_deg);
@@ -101,7 +105,7 @@ class Restraints {
   std::vector<bool> is_seam_;                  ///< per pair, or empty
   std::unordered_map<Index, Course> courses_;  ///< of feature edges that stand for several
   double tolerance_sq_ = 0;
-  SeamPlacement seam_placement_ = SeamPlacement::at_ends;
+  SeamHold seam_hold_ = SeamHold::at_ends;
 };
 
 }  // namespace whittle

@@ -28,7 +28,7 @@ struct VertexState {
 /// Life of a cost, told by the loop:
 ///
 ///   see_faces()                    the faces of each vertex are listed
-///   see_seams(seams)               only if there are some; faces are still listed
+///   see_seams(seams, weight)       only if there are some; faces are still listed
 ///   see_attributes(sums)           only if some count
 ///   start()                        neighbours and edges are known
 ///   resume(state)                  only if the run goes on from another one
@@ -43,7 +43,7 @@ class PairCost {
 
   virtual void see_faces(unsigned /*threads*/) {}
   /// \param seams by number in the input, ascending
-  virtual void see_seams(std::span<const VertexPair> /*seams*/) {}
+  virtual void see_seams(std::span<const VertexPair> /*seams*/, double /*weight*/) {}
   virtual void see_attributes(const AttributeSums& /*sums*/) {}
   virtual void start(unsigned /*threads*/) {}
   /// Takes what was kept about vertices from an earlier run. Called after `start`. \param state by number in the input

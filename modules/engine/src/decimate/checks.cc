@@ -30,7 +30,7 @@ void check_ranges(const DecimateOptions& options) {
   require(options.isotropy >= 0 && options.isotropy <= 1, "isotropy is not in [0, 1]");
   const AttributeWeights& weights = options.attribute_weights;
   for (const double weight :
-       {weights.texcoord, weights.normal, weights.color, weights.displacement, weights.joint_weights}) {
+       {weights.texcoord, weights.normal, weights.color, weights.displacement, weights.joint_weights, weights.seam}) {
     require(is_finite_and_not_negative(weight), "an attribute weight is negative or not finite");
   }
   require(is_finite_and_not_negative(options.valence_weight), "valence_weight is negative or not finite");

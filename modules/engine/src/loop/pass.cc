@@ -20,6 +20,12 @@ std::vector<VertexPair> seams_of(const FeatureLines& lines) {
   return seams;
 }
 
+/// \param has_planes whether the cost has planes through seams
+SeamHold seam_hold(Seams seams, bool has_planes) {
+  if (!has_planes) return SeamHold::at_ends;
+  return seams == Seams::weighted ? SeamHold::by_cost : SeamHold::along;
+}
+
 /// Whether each vertex of the result lies at one of the input.
 bool stays_at_vertices(const DecimateOptions& options) {
   return has_quadrics(options) && options.quadric.placement == Placement::endpoint;
@@ -79,13 +85,15 @@ Pass::Pass(const PassInput& input, const DecimateOptions& options)
   if (hosted_cost ? hosted_cost->stays_at_vertices() : stays_at_vertices(options)) complex_.follow_positions();
   if (!input.frozen.empty()) complex_.freeze(input.frozen);
   cost_->see_faces(options.threads);
-  if (input.lines && !input.lines->is_seam.empty()) cost_->see_seams(seams_of(*input.lines));
+  if (input.lines && !input.lines->is_seam.empty()) {
+    cost_->see_seams(seams_of(*input.lines), options.attribute_weights.seam);
+  }
   if (input.attributes) cost_->see_attributes(*input.attributes);
   complex_.connect(input.threshold_pairs, options.threads);
   const bool has_planes = !hosted_cost && has_quadrics(options);
   restraints_ = Restraints(complex_, locked_vertices(complex_, input.locked, options.boundary),
                            input.lines ? *input.lines : FeatureLines{}, options.feature_angle_deg.value_or(180),
-                           input.feature_tolerance, has_planes ? SeamPlacement::optimal : SeamPlacement::at_ends);
+                           input.feature_tolerance, seam_hold(options.seams, has_planes));
   cost_->start(options.threads);
   if (state) cost_->resume(*state);
   if (input.memory) cost_->recall(*input.memory);

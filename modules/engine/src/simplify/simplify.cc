@@ -226,8 +226,10 @@ void fit_attributes_of(const IndexedMesh& input, const SimplifyOptions& settled,
   const bool is_cancelled = result.result.stop == StopReason::cancelled || result.polish.cancelled;
   if (is_cancelled || settled.polish_passes == 0U) return;
   const Clock::time_point start = Clock::now();
-  fit_attributes(input, wedge_map(input, result.vertex_map, result.face_origins), result.mesh,
-                 {settled.decimate.normals == Normals::keep, settled.decimate.threads});
+  const AttributeFitReport report =
+      fit_attributes(input, wedge_map(input, result.vertex_map, result.face_origins), result.mesh,
+                     {settled.decimate.normals == Normals::keep, settled.decimate.threads});
+  result.n_folded_texture_faces = report.n_folded_faces;
   result.steps.fits_attributes = true;
   result.polish_seconds += seconds_since(start);
 }
@@ -312,7 +314,7 @@ std::vector<Simplification> simplify_to_levels(const IndexedMesh& mesh, const st
     const Clock::time_point start = Clock::now();
     const PolishResult polish = polisher.polish(without_flips, paused);
     polish_seconds += seconds_since(start);
-    levels.push_back({paused, *settled.decimate.cost, polish, 0, 0});
+    levels.push_back({paused, *settled.decimate.cost, polish, 0, 0, 0});
     Decimation& level = levels.back();
     carry_attributes(mesh, frame, settled.decimate.normals, level.vertex_map, level.face_origins, level.mesh);
     fit_attributes_of(mesh, settled, levels.back());

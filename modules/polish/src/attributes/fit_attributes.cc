@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "attributes/attribute_feet.hh"
+#include "attributes/texture_folds.hh"
 #include "whittle/core/attribute_blend.hh"
 #include "whittle/core/detail/checks.hh"
 #include "whittle/core/wedges.hh"
@@ -101,6 +102,8 @@ class AttributeFit {
                unsigned threads);
 
   void fit(Values& values) const;
+  /// \return how many folded faces are left \pre texture coordinates, fitted
+  std::size_t unfold(Values& values) const;
 
  private:
   template <class Use>
@@ -228,6 +231,12 @@ void AttributeFit::fit(Values& values) const {
   }
 }
 
+std::size_t AttributeFit::unfold(Values& values) const {
+  const auto turns =
+      turns_on_image({original_.faces, values.from, values.n_components}, feet_.of_faces, mesh_.faces.size());
+  return polishing::unfold(mesh_.faces, turns, values.to, values.n_components);
+}
+
 template <std::size_t N>
 void fit_array(const AttributeFit& fit, AttributeKind kind, const std::vector<std::array<float, N>>& from,
                std::vector<std::array<float, N>>& to) {
@@ -253,13 +262,14 @@ void check_map(const IndexedMesh& original, std::span<const Index> wedge_map, co
 
 }  // namespace
 
-void fit_attributes(const IndexedMesh& original, std::span<const Index> wedge_map, IndexedMesh& mesh,
-                    const FitAttributesOptions& options) {
+AttributeFitReport fit_attributes(const IndexedMesh& original, std::span<const Index> wedge_map, IndexedMesh& mesh,
+                                  const FitAttributesOptions& options) {
   const bool fits_normals = options.fit_normals && !original.normals.empty() && !mesh.normals.empty();
   const bool fits_colors = !original.colors.empty() && !mesh.colors.empty();
-  if (!fits_normals && !fits_colors && original.attributes.empty()) return;
+  AttributeFitReport report;
+  if (!fits_normals && !fits_colors && original.attributes.empty()) return report;
   check_map(original, wedge_map, mesh);
-  if (original.faces.empty() || mesh.faces.empty()) return;
+  if (original.faces.empty() || mesh.faces.empty()) return report;
   const IndexedMesh cut_original = cut_open(original);
   const IndexedMesh cut_mesh = cut_open(mesh);
   const AttributeFit fit(cut_original, wedge_map, cut_mesh, options.threads);
@@ -269,8 +279,11 @@ void fit_attributes(const IndexedMesh& original, std::span<const Index> wedge_ma
     Attribute& attribute = mesh.attributes[i];
     Values values{attribute.kind, attribute.n_components, original.attributes[i].values, std::move(attribute.values)};
     fit.fit(values);
+    const bool is_texture = values.kind == AttributeKind::texcoord && values.n_components >= 2;
+    if (is_texture) report.n_folded_faces += fit.unfold(values);
     attribute.values = std::move(values.to);
   }
+  return report;
 }
 
 }  // namespace whittle

@@ -27,6 +27,13 @@ enum class Topology {
          ///< out.
 };
 
+/// What happens to vertices on seams (`seam_edges`).
+enum class Seams {
+  weighted,  ///< Planes of weight `AttributeWeights::seam` hold them in place. Costs without quadrics have no planes:
+             ///< with them, seams are kept.
+  keep       ///< They go along their seam only; where seams meet or end they stay.
+};
+
 /// What becomes of the vertex normals of a mesh that has some.
 enum class Normals {
   keep,       ///< The mean of those of the vertices merged into one; a vertex that nothing merged into keeps its own.
@@ -64,6 +71,7 @@ struct AttributeWeights {
   double color = 1;            ///< Of 0.3 % of the diagonal for the range of a component.
   double displacement = 0.3;   ///< Of what a morph target moves.
   double joint_weights = 0.1;  ///< Of the way between the centres of what joints move.
+  double seam = 1;  ///< Of planes through seams (`seam_edges`), as `QuadricOptions::boundary_weight` is of borders.
 };
 
 struct Decimation;
@@ -121,6 +129,7 @@ struct DecimateOptions {
   /// Edges that are features whatever their angle. Pairs that are no edge of the mesh don't count.
   std::vector<VertexPair> feature_edges{};
 
+  Seams seams = Seams::weighted;
   Normals normals = Normals::keep;
 
   /// With weights by area alone (`QuadricOptions::weights`), and without `isotropy`; other costs look at positions.

@@ -60,6 +60,9 @@ SimplifyOptions with_effort(Effort effort, SimplifyOptions options);
 struct Simplification : Decimation {
   Cost cost = Cost::memoryless;  ///< that was used
   PolishResult polish;
+  /// Faces that lie on a texture the other way round than the input does there (`fit_attributes`). Not counted without
+  /// polish.
+  std::size_t n_folded_texture_faces = 0;
   double decimate_seconds = 0;
   double polish_seconds = 0;
 };

@@ -22,7 +22,7 @@ class MemorylessCost final : public PairCost {
         changes_(options) {}
 
   void see_faces(unsigned threads) override { ranks_.see_faces(threads); }
-  void see_seams(std::span<const VertexPair> seams) override { ranks_.see_seams(seams); }
+  void see_seams(std::span<const VertexPair> seams, double weight) override { ranks_.see_seams(seams, weight); }
   void see_attributes(const AttributeSums& sums) override { ranks_.see_attributes(sums); }
   void start(unsigned threads) override;
   void resume(const DecimationState& state) override;

@@ -12,7 +12,7 @@ class SummedQuadricsCost : public PairCost {
       : options_(options), quadrics_(complex, options, has_threshold_pairs) {}
 
   void see_faces(unsigned threads) final { quadrics_.sum_faces(threads); }
-  void see_seams(std::span<const VertexPair> seams) final { quadrics_.add_seams(seams); }
+  void see_seams(std::span<const VertexPair> seams, double weight) final { quadrics_.add_seams(seams, weight); }
   void start(unsigned /*threads*/) final { quadrics_.add_borders(); }
   void resume(const DecimationState& state) final { quadrics_.resume(state); }
   void recall(const Memory& memory) final { quadrics_.recall(memory); }

@@ -100,10 +100,9 @@ void VertexQuadrics::add_borders() {
   }
 }
 
-void VertexQuadrics::add_seams(std::span<const VertexPair> seams) {
+void VertexQuadrics::add_seams(std::span<const VertexPair> seams, double weight) {
   QuadricOptions options = options_;
-  if (options.boundary_weight == 0) options.boundary_weight = QuadricOptions{}.boundary_weight;
-  options.boundary_weight /= 2;
+  options.boundary_weight = weight;
   const std::vector<Index> vertices = complex_.vertices_by_origin();
   std::vector<bool> is_on_seam(vertices.size());
   for (const auto& [a, b] : seams) is_on_seam[vertices[a]] = is_on_seam[vertices[b]] = true;

@@ -19,10 +19,9 @@ class VertexQuadrics {
 
   /// Sums the planes of each vertex's faces, in the input's order. \pre the complex lists faces
   void sum_faces(unsigned threads);
-  /// Adds planes through seam edges, perpendicular to each of their faces, which weigh half as much as that of a
-  /// border. They are there even if borders have none. \param seams by number in the input, ascending \pre the complex
-  /// lists faces
-  void add_seams(std::span<const VertexPair> seams);
+  /// Adds planes through seam edges, perpendicular to each of their faces. \param seams by number in the input,
+  /// ascending \param weight as `QuadricOptions::boundary_weight` is of borders \pre the complex lists faces
+  void add_seams(std::span<const VertexPair> seams, double weight);
   /// Adds the planes through border edges. \pre the complex is connected
   void add_borders();
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "whittle/core/indexed_mesh.hh"
@@ -12,6 +13,9 @@
 //   - b_sk are the barycentric coordinates of its foot on the simplified mesh, x_sk the values of the corners there
 //   - x⁰_w is the value that the original has nearest to wedge w, M_w = Σ m_s b_sk, and λ is 0.02
 //
+// Texture coordinates are moved, where the fit leaves a fold, as little as takes it away: a fold is a face that lies on
+// the image the other way round than the original does there.
+//
 // Feet are found on the same side of every seam: both surfaces are cut open there. The normal equations are solved by
 // conjugate gradients, for each number of a value by itself.
 
@@ -22,6 +26,10 @@ struct FitAttributesOptions {
   unsigned threads = 0;     ///< 0 = all cores; the result is the same for any number
 };
 
+struct AttributeFitReport {
+  std::size_t n_folded_faces = 0;  ///< that are left, of all sets of texture coordinates
+};
+
 /// Fits the attributes of `mesh`: texture coordinates, colours, normals and whatever else may be blended. Normals and
 /// tangents keep unit length, colours stay in [0, 1]. Categories, joint weights, and attributes with a value that isn't
 /// finite become those of the original's nearest point. Nothing happens if either mesh has no faces.
@@ -29,7 +37,7 @@ struct FitAttributesOptions {
 /// \param wedge_map for each wedge of `original` that of `mesh` that it has become, or `invalid_index`
 /// \param mesh has the attributes of the original, in the same order
 /// \throw std::invalid_argument for a map of another length than the wedges, or for wedges that aren't there
-void fit_attributes(const IndexedMesh& original, std::span<const Index> wedge_map, IndexedMesh& mesh,
-                    const FitAttributesOptions& options = {});
+AttributeFitReport fit_attributes(const IndexedMesh& original, std::span<const Index> wedge_map, IndexedMesh& mesh,
+                                  const FitAttributesOptions& options = {});
 
 }  // namespace whittle
