@@ -76,7 +76,7 @@ TEST_F(Posed, PrintsATable) {
       whittle({"measure", sheet("low.glb", {}), sheet("high.gltf", {.height = 0.5}), "--posed", "2"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome;
   for (const char* said : {"scene, mean distance", "at rest", "mean of 2 poses", "worst pose", "poses / rest",
-                           "worst pose: 2 of 2, grow at 0.75 s\n"}) {
+                           "REF's scene at rest, which is 5.657\n", "worst pose: 2 of 2, grow at 0.75 s\n"}) {
     EXPECT_NE(outcome.out.find(said), std::string::npos) << "not said: " << said << '\n' << outcome;
   }
 }

@@ -1,5 +1,7 @@
 #include "scene_builder.hh"
 
+#include <cstdint>
+
 #include "document/glb.hh"
 #include "model/scalars.hh"
 

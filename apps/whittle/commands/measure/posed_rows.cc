@@ -57,7 +57,8 @@ std::string posed_table(const PosedDistance& posed) {
                quotient_text(posed.average.forward, posed.rest.forward),
                quotient_text(posed.average.backward, posed.rest.backward)});
   }
-  return table.text() + worst_line(posed);
+  return table.text() + "in brackets: over the diagonal of REF's scene at rest, which is " +
+         significant(posed.diagonal) + '\n' + worst_line(posed);
 }
 
 }  // namespace whittle::app
