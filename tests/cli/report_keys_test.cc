@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "program/gltf_cube.hh"
+#include "program/gltf_sheet.hh"
 #include "program/help_text.hh"
 #include "program/program.hh"
 #include "program/stand_in_programs.hh"
@@ -214,6 +215,10 @@ TEST(ReportKeys, OfMeasureAreDocumented) {
   std::filesystem::copy_file(point, bare);
   const std::string terrain = data_file("terrain.ply");
   const std::string bracket = data_file("bracket.stl");
+  const std::string low = folder / "low.glb", high = folder / "high.glb", flat = folder / "flat.glb";
+  write_gltf_sheet(low, {});
+  write_gltf_sheet(high, {.height = 1});
+  write_gltf_sheet(flat, {.is_animated = false, .scale = 0});
   expect_documented("measure",
                     {{bracket, bracket, "--color", "never", "--feature-angle", "40", "--samples", "1000", "--seed", "2",
                       "--exact", "0.01"},
@@ -222,6 +227,8 @@ TEST(ReportKeys, OfMeasureAreDocumented) {
                      {bare, point, "--no-weld", "--format", "obj", "--samples", "1000", "--force"},
                      {bare, point, "--no-weld", "--input-format", "obj", "--samples", "1000"},
                      {bracket, bracket, "--samples", "10", "--render", "1"},
+                     {low, high, "--samples", "10", "--posed", "2"},
+                     {flat, flat, "--samples", "10", "--posed", "2"},
                      {terrain, bracket, "--samples", "10", "--render", "1", "--render-image", folder / "a.png"}});
 }
 

@@ -7,6 +7,8 @@
 
 #include "commands/measure/attribute_rows.hh"
 #include "commands/measure/picture_rows.hh"
+#include "commands/measure/posed.hh"
+#include "commands/measure/posed_rows.hh"
 #include "commands/subcommands.hh"
 #include "files/input.hh"
 #include "files/output.hh"
@@ -34,6 +36,7 @@ struct MeasureOptions {
   std::optional<double> exact;             ///< accuracy of the largest distance
   std::optional<std::size_t> n_views;      ///< to draw both meshes from
   std::optional<std::string> worst_image;  ///< file for the worst view
+  std::optional<std::size_t> n_poses;      ///< to measure both scenes in
   CommonOptions common;
 };
 
@@ -54,6 +57,7 @@ struct Measurement {
   metrics::Topology topology;
   std::size_t self_intersections = 0;
   std::optional<PictureErrors> pictures;  ///< set if asked for
+  std::optional<PosedDistance> posed;     ///< set if asked for
 };
 
 LinesMeasured measure_lines(const std::vector<metrics::Segment>& reference, const std::vector<metrics::Segment>& test,
@@ -120,7 +124,16 @@ Json measure_json(const Input& reference, const Input& test, const Measurement& 
   json["self_intersections"] = measured.self_intersections;
   add_topology(json, measured.topology);
   json["render"] = measured.pictures ? pictures_json(*measured.pictures) : Json(nullptr);
+  json["posed"] = measured.posed ? posed_json(*measured.posed) : Json(nullptr);
   return json;
+}
+
+/// Measures both scenes in poses.
+PosedDistance measure_posed(const PosedScenes& scenes, const MeasureOptions& options, const Talk& talk) {
+  ProgressBar bar(talk, "posing");
+  metrics::DistanceOptions distance = options.distance;
+  distance.threads = options.common.threads;
+  return scenes.measure(*options.n_poses, distance, bar);
 }
 
 /// Draws both meshes if asked for.
@@ -222,6 +235,7 @@ std::string file_line(const char* role, const Input& input) {
 std::string summary_of(const Input& reference, const Input& test, const Measurement& measured) {
   std::string tables = distance_table(measured);
   if (!measured.attributes.empty()) tables += '\n' + attributes_table(measured.attributes);
+  if (measured.posed) tables += '\n' + posed_table(*measured.posed);
   if (measured.pictures) tables += '\n' + pictures_table(*measured.pictures);
   return file_line("REF: ", reference) + file_line("TEST: ", test) +
          "lengths in model units, and over the diagonal of REF's box, which is " +
@@ -238,6 +252,10 @@ void check_command(const CLI::App& app, const MeasureOptions& options) {
   check_outputs(outputs, {options.reference, options.test}, options.common.force);
   if (options.worst_image && !options.n_views) throw UsageError("--render-image needs --render N");
   if (options.n_views) require_pictures();
+  if (!options.n_poses) return;
+  for (const std::string& path : {options.reference, options.test}) {
+    if (!reads_gltf(path, options.files)) throw UsageError("--posed is for glTF files, which " + path + " is not");
+  }
 }
 
 ExitCode run_measure(const CLI::App& app, const MeasureOptions& options) {
@@ -249,7 +267,10 @@ ExitCode run_measure(const CLI::App& app, const MeasureOptions& options) {
   };
   const Input reference = read(options.reference);
   const Input test = read(options.test);
+  std::optional<PosedScenes> scenes;
+  if (options.n_poses) scenes.emplace(reference, test);
   Measurement measured = measure(reference.read.mesh, test.read.mesh, options, talk);
+  if (scenes) measured.posed = measure_posed(*scenes, options, talk);
   measured.pictures = measure_pictures(reference, test, options, talk);
   if (measured.pictures) {
     for (const std::string& warning : measured.pictures->warnings) talk.warning(warning);
@@ -297,6 +318,16 @@ void add_render(CLI::App& app, MeasureOptions& options) {
       ->default_str("off");
 }
 
+void add_posed(CLI::App& app, std::optional<std::size_t>& n_poses) {
+  constexpr std::uint64_t most_poses = 10'000;
+  add_value(
+      app, "--posed", "N", n_poses,
+      [](std::string_view text) { return static_cast<std::size_t>(parse_count(text, 1, most_poses)); },
+      "also measure the scenes of two glTF files in N poses, of their animations or, without these, with turned joints "
+      "and blended morph targets, 1 <= N <= 10000")
+      ->default_str("off");
+}
+
 }  // namespace
 
 void setup_measure(CLI::App& app, Command& command) {
@@ -309,6 +340,7 @@ void setup_measure(CLI::App& app, Command& command) {
   add_exact(*sub, options->exact);
   add_feature_angle(*sub, options->feature_angle_deg);
   add_render(*sub, *options);
+  add_posed(*sub, options->n_poses);
   add_input_options(*sub, options->files);
   add_common_options(*sub, options->common);
   set_usage(*sub, "REF TEST [OPTION]...");
@@ -318,7 +350,8 @@ void setup_measure(CLI::App& app, Command& command) {
       "  whittle measure dragon.ply small.ply --json - | jq .mean_rel\n"
       "  whittle measure fandisk.off small.off --feature-angle 40\n"
       "  whittle measure fandisk.off small.off --exact 1e-3\n"
-      "  whittle measure helmet.glb small.glb --render 24 --render-image worst.png");
+      "  whittle measure helmet.glb small.glb --render 24 --render-image worst.png\n"
+      "  whittle measure knight.glb small.glb --posed 16");
   sub->callback([sub, options, &command] { command = [sub, options] { return run_measure(*sub, *options); }; });
 }
 

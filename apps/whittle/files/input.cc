@@ -32,10 +32,6 @@ std::string needs_format(const std::string& option) {
   return "'-' needs --format or " + option + ": one of " + io::format_names();
 }
 
-bool reads_gltf(const std::string& path, const FileOptions& options) {
-  return options.reads_gltf && !options.input_format && is_gltf(path);
-}
-
 /// \throw UsageError with --ascii
 bool writes_gltf(const std::string& path, const FileOptions& options) {
   if (!is_gltf_output(path, options)) return false;
@@ -57,6 +53,10 @@ io::Format output_format(const std::string& path, const FileOptions& options) {
 }
 
 }  // namespace
+
+bool reads_gltf(const std::string& path, const FileOptions& options) {
+  return options.reads_gltf && !options.input_format && is_gltf(path);
+}
 
 std::optional<io::Format> format_by_name(const std::string& path) {
   try {

@@ -18,6 +18,9 @@ class GltfFile;
 inline constexpr std::string_view standard_stream = "-";
 inline constexpr char standard_input_name[] = "standard input";
 
+/// Whether an input is read as glTF.
+bool reads_gltf(const std::string& path, const FileOptions& options);
+
 /// The format by the extension of a file name, if it has a known one.
 std::optional<io::Format> format_by_name(const std::string& path);
 

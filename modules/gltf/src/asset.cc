@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "asset_content.hh"
 #include "codec/meshopt.hh"
 #include "document/glb.hh"
 #include "document/json.hh"
@@ -26,22 +27,11 @@
 
 namespace whittle::gltf {
 
-struct Asset::Content {
-  std::string bytes;             // the model points into them
-  std::filesystem::path source;  // empty if it was read from memory
-  std::filesystem::path folder;
-  Json document;
-  Model model;
-  Replacements replacements;
-
-  const Mesh& mesh(std::size_t number) const { return model.meshes.at(number); }
-
-  Output output(const WriteOptions& options) const {
-    const bool compress = options.compress && !replacements.empty();
-    if (compress && !has_meshopt()) throw std::invalid_argument("this build can't compress: it has no meshoptimizer");
-    return make_output(model, document, replacements, compress);
-  }
-};
+Output Asset::Content::output(const WriteOptions& options) const {
+  const bool compress = options.compress && !replacements.empty();
+  if (compress && !has_meshopt()) throw std::invalid_argument("this build can't compress: it has no meshoptimizer");
+  return make_output(model, document, replacements, compress);
+}
 
 namespace {
 

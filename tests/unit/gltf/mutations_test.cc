@@ -7,8 +7,10 @@
 
 #include "assets.hh"
 #include "fuzz/mutate.hh"
+#include "scene_builder.hh"
 #include "support/random.hh"
 #include "whittle/gltf/asset.hh"
+#include "whittle/gltf/pose.hh"
 #include "whittle/io/errors.hh"
 
 namespace whittle::gltf::test {
@@ -57,8 +59,21 @@ void repair_sizes(std::string& file, std::size_t old_size) {
   put(12, byte(12) + (byte(13) << 8U) + (byte(14) << 16U) + file.size() - old_size);
 }
 
+/// Poses scenes that are small: what is damaged may name a mesh, or an instance, any number of times.
+void pose(const Asset& asset) {
+  constexpr std::size_t most_triangles = 100'000;
+  std::size_t n = 0;
+  for (std::size_t m = 0; m < asset.n_meshes(); ++m) n += asset.n_triangles(m) * asset.n_instances(m);
+  if (n > most_triangles) return;
+  const Poser poser(asset);
+  poser.mesh(poser.rest());
+  for (const AnimationTime& moment : poser.moments(3)) poser.mesh(poser.animated(moment));
+  poser.mesh(poser.artificial(0));
+}
+
 void read_and_write(std::string bytes) {
   Asset asset = Asset::read(std::move(bytes), "input");
+  pose(asset);
   for (std::size_t m = 0; m < asset.n_meshes(); ++m) {
     asset.world_transforms(m);
     asset.set_triangles(m, asset.triangles(m));
@@ -66,10 +81,9 @@ void read_and_write(std::string bytes) {
   asset.write_glb();
 }
 
-TEST(GltfMutations, AreRefusedInOneLineOrRead) {
-  const std::vector<std::string> files = small_files();
-  WHITTLE_NEEDS_ASSETS(files);
-  Random random(7);
+/// Damages files in turn, and reads, poses and writes them.
+void expect_refused_or_read(const std::vector<std::string>& files, std::uint64_t seed) {
+  Random random(seed);
   std::size_t n_refused = 0;
   for (std::size_t i = 0; i < n_mutations; ++i) {
     const std::string& file = files[i % files.size()];
@@ -87,6 +101,21 @@ TEST(GltfMutations, AreRefusedInOneLineOrRead) {
   }
   EXPECT_GT(n_refused, n_mutations / 4);
   EXPECT_LT(n_refused, n_mutations * 19 / 20);
+}
+
+TEST(GltfMutations, AreRefusedInOneLineOrRead) {
+  const std::vector<std::string> files = small_files();
+  WHITTLE_NEEDS_ASSETS(files);
+  expect_refused_or_read(files, 7);
+}
+
+TEST(GltfMutations, OfScenesThatMoveAreRefusedInOneLineOrPosed) {
+  SceneBuilder bent = bar();
+  bent.animate(2, "rotation", {0, 1, 2}, bent.fractions("VEC4", {0, 0, 0, 32767, 0, 0, 23170, 23170, 1, 2, 3, 4}));
+  SceneBuilder morphing = morphing_triangle();
+  morphing.animate(0, "weights", {0, 1}, morphing.floats("SCALAR", {0, 0, 1, 0, 0, 0, 0, 0, 3, 1, 0, 0}),
+                   "CUBICSPLINE");
+  expect_refused_or_read({bent.glb(), morphing.glb(), bar().glb(), morphing_triangle().glb()}, 8);
 }
 
 }  // namespace

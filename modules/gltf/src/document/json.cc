@@ -16,6 +16,10 @@ std::string in_quotes(std::string_view word) {
   return text;
 }
 
+bool are_numbers(const Json& json) {
+  return json.is_array() && std::all_of(json.begin(), json.end(), [](const Json& x) { return x.is_number(); });
+}
+
 /// Watches a document while it is parsed.
 class Limits {
  public:
@@ -181,12 +185,17 @@ std::optional<double> Part::number(std::string_view key) const {
   return found->get<double>();
 }
 
+std::optional<std::vector<double>> Part::numbers(std::string_view key) const {
+  const Json* found = member(*json_, key);
+  if (!found) return {};
+  if (!are_numbers(*found)) fail(in_quotes(key) + " is not an array of numbers");
+  return found->get<std::vector<double>>();
+}
+
 std::optional<std::vector<double>> Part::numbers(std::string_view key, std::size_t n) const {
   const Json* found = member(*json_, key);
   if (!found) return {};
-  const bool are_numbers = found->is_array() && found->size() == n &&
-                           std::all_of(found->begin(), found->end(), [](const Json& x) { return x.is_number(); });
-  if (!are_numbers) fail(in_quotes(key) + " is not " + std::to_string(n) + " numbers");
+  if (!are_numbers(*found) || found->size() != n) fail(in_quotes(key) + " is not " + std::to_string(n) + " numbers");
   return found->get<std::vector<double>>();
 }
 

@@ -55,6 +55,8 @@ class Part {
   std::string required_text(std::string_view key) const;
   bool flag(std::string_view key) const;
   std::optional<double> number(std::string_view key) const;
+  /// An array of numbers.
+  std::optional<std::vector<double>> numbers(std::string_view key) const;
   /// `n` finite numbers.
   std::optional<std::vector<double>> numbers(std::string_view key, std::size_t n) const;
   /// Numbers below `size`: "children".

@@ -17,7 +17,7 @@ std::size_t n_instances(const Model& model, const Node& node) {
   return n;
 }
 
-/// A vector of an instance. \return whether the instances have one of that name
+/// Reads a vector of an instance. It stays as it is if the instances have none of that name.
 template <std::size_t n>
 void read_vector(const Model& model, const Node& node, const char* name, std::size_t instance,
                  std::array<double, n>& vector) {
@@ -26,8 +26,16 @@ void read_vector(const Model& model, const Node& node, const char* name, std::si
   if (found != node.instances.end()) Elements(model.accessors[found->second]).read(instance, vector);
 }
 
-/// The matrix of each node, to the scene's coordinates.
-std::vector<Eigen::Matrix4d> world_matrices(const Model& model) {
+}  // namespace
+
+std::vector<Eigen::Matrix4d> local_matrices(const Model& model) {
+  std::vector<Eigen::Matrix4d> matrices;
+  matrices.reserve(model.nodes.size());
+  for (const Node& node : model.nodes) matrices.push_back(node.matrix);
+  return matrices;
+}
+
+std::vector<Eigen::Matrix4d> world_matrices(const Model& model, std::span<const Eigen::Matrix4d> locals) {
   std::vector<Eigen::Matrix4d> matrices(model.nodes.size());
   std::vector<bool> is_known(model.nodes.size());
   std::vector<std::size_t> path;  // up to a node that is known, or has no parent
@@ -35,15 +43,26 @@ std::vector<Eigen::Matrix4d> world_matrices(const Model& model) {
     std::optional<std::size_t> node = start;
     for (; node && !is_known[*node]; node = model.nodes[*node].parent) path.push_back(*node);
     for (; !path.empty(); path.pop_back()) {
-      const Node& next = model.nodes[path.back()];
-      matrices[path.back()] = next.parent ? matrices[*next.parent] * next.matrix : next.matrix;
+      const std::optional<std::size_t> parent = model.nodes[path.back()].parent;
+      matrices[path.back()] = parent ? matrices[*parent] * locals[path.back()] : locals[path.back()];
       is_known[path.back()] = true;
     }
   }
   return matrices;
 }
 
-}  // namespace
+std::vector<Eigen::Matrix4d> instance_matrices(const Model& model, const Node& node) {
+  if (node.instances.empty()) return {Eigen::Matrix4d::Identity()};
+  std::vector<Eigen::Matrix4d> matrices;
+  for (std::size_t i = 0; i < n_instances(model, node); ++i) {
+    Transform transform;
+    read_vector(model, node, "TRANSLATION", i, transform.translation);
+    read_vector(model, node, "ROTATION", i, transform.rotation);
+    read_vector(model, node, "SCALE", i, transform.scale);
+    matrices.push_back(transform.matrix());
+  }
+  return matrices;
+}
 
 std::size_t n_instances(const Model& model, std::size_t mesh) {
   std::size_t n = 0;
@@ -55,20 +74,12 @@ std::size_t n_instances(const Model& model, std::size_t mesh) {
 
 std::vector<Eigen::Matrix4d> world_transforms(const Model& model, std::size_t mesh) {
   std::vector<Eigen::Matrix4d> transforms;
-  const std::vector<Eigen::Matrix4d> matrices = world_matrices(model);
+  const std::vector<Eigen::Matrix4d> matrices = world_matrices(model, local_matrices(model));
   for (std::size_t number = 0; number < model.nodes.size(); ++number) {
     const Node& node = model.nodes[number];
     if (node.mesh != mesh) continue;
-    const Eigen::Matrix4d& matrix = matrices[number];
-    if (node.instances.empty()) transforms.push_back(matrix);
-    for (std::size_t i = 0; !node.instances.empty() && i < n_instances(model, node); ++i) {
-      std::array<double, 3> translation{0, 0, 0};
-      std::array<double, 4> rotation{0, 0, 0, 1};
-      std::array<double, 3> scale{1, 1, 1};
-      read_vector(model, node, "TRANSLATION", i, translation);
-      read_vector(model, node, "ROTATION", i, rotation);
-      read_vector(model, node, "SCALE", i, scale);
-      transforms.push_back(matrix * composed_matrix(translation, rotation, scale));
+    for (const Eigen::Matrix4d& instance : instance_matrices(model, node)) {
+      transforms.push_back(matrices[number] * instance);
     }
   }
   return transforms;

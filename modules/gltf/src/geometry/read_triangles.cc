@@ -14,9 +14,6 @@
 namespace whittle::gltf {
 namespace {
 
-/// Squares of lengths have to be finite (`IndexedMesh::positions`).
-constexpr double largest_coordinate = 0x1p500;
-
 /// A primitive's triangles, and which of its vertices they use.
 struct UsedSurface {
   std::size_t primitive;

@@ -29,8 +29,7 @@ std::size_t n_triangles_of(PrimitiveMode mode, std::size_t n_corners) {
   return has_triangles && n_corners > 2 ? n_corners - 2 : 0;
 }
 
-Eigen::Matrix4d composed_matrix(std::span<const double, 3> translation, std::span<const double, 4> rotation,
-                                std::span<const double, 3> scale) {
+Eigen::Matrix4d Transform::matrix() const {
   const Eigen::Quaterniond turn(rotation[3], rotation[0], rotation[1], rotation[2]);
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
   matrix.topLeftCorner<3, 3>() = turn.toRotationMatrix() * Eigen::Vector3d(scale[0], scale[1], scale[2]).asDiagonal();

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -18,6 +18,9 @@
 // every range of bytes is inside of what it is a part of.
 
 namespace whittle::gltf {
+
+/// Of positions: squares of lengths have to be finite (`IndexedMesh::positions`).
+inline constexpr double largest_coordinate = 0x1p500;
 
 struct Buffer {
   std::size_t size = 0;                   ///< as the document says
@@ -77,16 +80,22 @@ struct Mesh {
   std::vector<Primitive> primitives;
 };
 
+/// A translation, a rotation (x, y, z, w) and a scale, as nodes and instances have them.
+struct Transform {
+  std::array<double, 3> translation{0, 0, 0};
+  std::array<double, 4> rotation{0, 0, 0, 1};
+  std::array<double, 3> scale{1, 1, 1};
+
+  Eigen::Matrix4d matrix() const;
+};
+
 struct Node {
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();  ///< to the parent's coordinates
+  std::optional<Transform> transform;                    ///< what `matrix` was made of; none if the document has that
   std::optional<std::size_t> parent;
   std::optional<std::size_t> mesh;
   NamedNumbers instances;  ///< of EXT_mesh_gpu_instancing: names and accessors; empty: one
 };
-
-/// From a translation, a rotation (x, y, z, w) and a scale.
-Eigen::Matrix4d composed_matrix(std::span<const double, 3> translation, std::span<const double, 4> rotation,
-                                std::span<const double, 3> scale);
 
 struct Model {
   std::string file;                 ///< its name, for messages

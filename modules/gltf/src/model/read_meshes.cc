@@ -80,13 +80,21 @@ Primitive read_primitive(const Model& model, const Part& part) {
   return primitive;
 }
 
-Eigen::Matrix4d read_matrix(const Part& part) {
-  if (const auto matrix = part.numbers("matrix", 16)) return Eigen::Map<const Eigen::Matrix4d>(matrix->data());
-  const auto translation = part.numbers("translation", 3).value_or(std::vector<double>{0, 0, 0});
-  const auto rotation = part.numbers("rotation", 4).value_or(std::vector<double>{0, 0, 0, 1});
-  const auto scale = part.numbers("scale", 3).value_or(std::vector<double>{1, 1, 1});
-  return composed_matrix(std::span<const double, 3>(translation), std::span<const double, 4>(rotation),
-                         std::span<const double, 3>(scale));
+template <std::size_t n>
+void read_numbers(const Part& part, std::string_view key, std::array<double, n>& vector) {
+  if (const auto numbers = part.numbers(key, n)) std::copy(numbers->begin(), numbers->end(), vector.begin());
+}
+
+void read_placement(const Part& part, Node& node) {
+  if (const auto matrix = part.numbers("matrix", 16)) {
+    node.matrix = Eigen::Map<const Eigen::Matrix4d>(matrix->data());
+    return;
+  }
+  Transform& transform = node.transform.emplace();
+  read_numbers(part, "translation", transform.translation);
+  read_numbers(part, "rotation", transform.rotation);
+  read_numbers(part, "scale", transform.scale);
+  node.matrix = transform.matrix();
 }
 
 NamedNumbers read_instances(const Model& model, const Part& node) {
@@ -131,7 +139,7 @@ void read_nodes(Model& model, const Part& root) {
   model.nodes.resize(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     Node& node = model.nodes[i];
-    node.matrix = read_matrix(parts[i]);
+    read_placement(parts[i], node);
     node.mesh = parts[i].index("mesh", model.meshes.size(), "mesh");
     if (node.mesh) node.instances = read_instances(model, parts[i]);
     for (const std::size_t child : parts[i].indices("children", parts.size(), "node")) {

@@ -16,6 +16,8 @@
 
 namespace whittle::gltf {
 
+class Poser;
+
 struct WriteOptions {
   /// Whether replaced geometry is compressed by EXT_meshopt_compression and KHR_mesh_quantization, which readers of the
   /// file then need. Positions get a step of at most 1/65536 of the mesh's longest side; normals 8 bits; weights, and
@@ -114,6 +116,7 @@ class Asset {
   GltfText write_gltf(const std::string& buffer_uri, const WriteOptions& options = {}) const;
 
  private:
+  friend class Poser;
   struct Content;
   explicit Asset(std::unique_ptr<Content> content);
 

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+#include "document/json.hh"
+#include "model/model.hh"
+#include "whittle/gltf/asset.hh"
+#include "write/output.hh"
+
+namespace whittle::gltf {
+
+struct Asset::Content {
+  std::string bytes;             ///< the model points into them
+  std::filesystem::path source;  ///< empty if it was read from memory
+  std::filesystem::path folder;
+  Json document;
+  Model model;
+  Replacements replacements;
+
+  const Mesh& mesh(std::size_t number) const { return model.meshes.at(number); }
+  /// What is to be written. \throw std::invalid_argument if this build can't compress
+  Output output(const WriteOptions& options) const;
+};
+
+}  // namespace whittle::gltf
