@@ -68,8 +68,8 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
   const double tolerance = options.feature_tolerance * bounds_of(mesh.positions).diagonal() * frame_.scale;
   restraints_ = BruteForceRestraints(positions_, faces_, locked, options_, tolerance, seam_edges(mesh));
   sum_planes(options.quadric);
-  std::vector<bool> is_on_seam;
-  for (Index v = 0; v < positions_.size(); ++v) is_on_seam.push_back(restraints_.is_on_seam(v));
+  std::vector<bool> is_on_seam(positions_.size());
+  for (const auto& [v, w] : restraints_.seams()) is_on_seam[v] = is_on_seam[w] = true;
   if (options_.cost == Cost::memoryless) memory_.emplace(positions_, faces_, is_on_seam);
   if (options.pairs.threshold > 0) find_threshold_pairs(options.pairs);
   had_threshold_pairs_ = !threshold_pairs_.empty();
@@ -78,6 +78,7 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
 /// Those of faces, seams and borders. \param options whatever becomes of borders
 void BruteForceDecimater::sum_planes(const QuadricOptions& options) {
   quadrics_.resize(positions_.size());
+  seams_.resize(positions_.size());
   points_.resize(positions_.size());
   const std::map<Edge, int> n_faces = count_edge_faces(faces_);
   QuadricOptions of_seams = options_.quadric;
@@ -91,7 +92,7 @@ void BruteForceDecimater::sum_planes(const QuadricOptions& options) {
                             options_.quadric);
     }
     points_[v] = {positions_[v], 1 / (1 + 3 * options.regularization) * sum.trace(), 0};
-    const auto add_lines = [&](const auto& is_on_line, const QuadricOptions& of_line) {
+    const auto add_lines = [&](const auto& is_on_line, const QuadricOptions& of_line, SymmetricMatrix& sum) {
       for (const Triangle& f : faces_) {
         if (!has(f, v)) continue;
         const Index next = f[(corner_of(f, v) + 1) % 3];
@@ -102,8 +103,9 @@ void BruteForceDecimater::sum_planes(const QuadricOptions& options) {
         }
       }
     };
-    add_lines([&](Index a, Index b) { return restraints_.is_seam(a, b); }, of_seams);
-    add_lines([&](Index a, Index b) { return n_faces.at(edge(a, b)) == 1; }, options_.quadric);
+    add_lines([&](Index a, Index b) { return restraints_.is_seam(a, b); }, of_seams, seams_[v].a);
+    sum += seams_[v].a;
+    add_lines([&](Index a, Index b) { return n_faces.at(edge(a, b)) == 1; }, options_.quadric, sum);
   }
 }
 
@@ -421,6 +423,20 @@ void BruteForceDecimater::contract(const Choice& choice, Index survivor, Index r
   threshold_pairs_ = std::move(pairs);
 }
 
+/// The planes of seams of both ends, about the merged vertex. Vertices that remember all from now on lose theirs.
+Quadric BruteForceDecimater::merge_seams(const Choice& choice) {
+  const auto& [cost, a, b, is_edge, cheapest, is_minimum, position] = choice;
+  Quadric sum = seams_[a].about(position - positions_[a]);
+  sum += seams_[b].about(position - positions_[b]);
+  seams_[a] = seams_[b] = {};
+  if (!is_joint(a, b, is_edge)) return sum;
+  for (const Triangle& f : faces_) {
+    if (!has(f, a) && !has(f, b)) continue;
+    for (const Index v : f) seams_[v] = {};
+  }
+  return sum;
+}
+
 /// Returns the merged vertex's quadric. For memoryless costs it also updates the quadrics of neighbours.
 Quadric BruteForceDecimater::merge_quadrics(const Choice& choice) {
   const auto& [cost, a, b, is_edge, cheapest, is_minimum, position] = choice;
@@ -428,12 +444,13 @@ Quadric BruteForceDecimater::merge_quadrics(const Choice& choice) {
   Quadric quadric = merged(placed(a, is_edge), placed(b, is_edge), position, is_minimum).quadric;
   if (!memory_) return quadric;
   const Vec3 origin = forgets(choice) ? cheapest : Vec3::Zero();
+  const Quadric seams = merge_seams(choice);
   for (const Index v : memory_->forgetful_neighbours(a, b, is_joint(a, b, is_edge), faces_)) {
     quadrics_[v].a += change_of_planes(positions_, faces_, a, b, v, position, origin, options_.quadric);
   }
   if (!forgets(choice)) return quadric;
-  quadric = {};
-  quadric.a = FacesAroundPair(positions_, faces_, a, b, origin).planes(position - origin, options_.quadric);
+  seams_[a] = seams_[b] = quadric = seams;
+  quadric.a += FacesAroundPair(positions_, faces_, a, b, origin).planes(position - origin, options_.quadric);
   return quadric;
 }
 

@@ -67,6 +67,7 @@ class BruteForceDecimater {
   std::vector<Triangle> faces_after(Index survivor, Index removed) const;
   void contract(const Choice& choice, Index survivor, Index removed);
   std::pair<Index, Index> stand_ins(const Choice& choice, Index survivor, Index removed) const;
+  Quadric merge_seams(const Choice& choice);
   Quadric merge_quadrics(const Choice& choice);
 
   DecimateOptions options_;
@@ -74,6 +75,7 @@ class BruteForceDecimater {
   std::vector<Vec3> positions_;
   std::vector<Index> stands_for_;  ///< per vertex, the input vertex that results name
   std::vector<Quadric> quadrics_;
+  std::vector<Quadric> seams_;  ///< the planes of seams, of vertices that forget all other planes
   std::vector<PointQuadric> points_;
   std::set<std::pair<Index, Index>> threshold_pairs_;  ///< lower vertex first; some may share a face
   bool had_threshold_pairs_ = false;                   ///< at the start

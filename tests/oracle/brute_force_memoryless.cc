@@ -146,14 +146,14 @@ SymmetricMatrix change_of_planes(std::span<const Vec3> positions, std::span<cons
 }
 
 BruteForceMemory::BruteForceMemory(std::span<const Vec3> positions, std::span<const Triangle> faces,
-                                   std::vector<bool> is_on_seam)
-    : remembers_(is_on_seam), is_on_seam_(std::move(is_on_seam)) {
+                                   const std::vector<bool>& is_on_seam)
+    : remembers_(positions.size()) {
   for (Index v = 0; v < positions.size(); ++v) is_ring_.push_back(is_ring(v, faces));
   double area = 0;
   std::size_t n_corners = 0;
   for (const Triangle& f : faces) {
     const auto n_inside =
-        static_cast<std::size_t>(std::ranges::count_if(f, [this](Index v) { return is_ring_[v] && !is_on_seam_[v]; }));
+        static_cast<std::size_t>(std::ranges::count_if(f, [&](Index v) { return is_ring_[v] && !is_on_seam[v]; }));
     const Vec3 normal = (positions[f[1]] - positions[f[0]]).cross(positions[f[2]] - positions[f[0]]);
     area += 0.5 * normal.norm() * static_cast<double>(n_inside);
     n_corners += n_inside;
@@ -175,7 +175,6 @@ void BruteForceMemory::contract(Index survivor, Index removed, bool is_joint, st
                                 std::span<const Triangle> after) {
   remembers_[survivor] = !forgets(survivor, removed, is_joint);
   is_ring_[survivor] = is_ring_[survivor] && is_ring_[removed];
-  is_on_seam_[survivor] = is_on_seam_[survivor] || is_on_seam_[removed];
   if (!is_joint) return;
   is_ring_[survivor] = is_ring(survivor, after);
   for (const Index v : neighbours_of(survivor, removed, before)) {

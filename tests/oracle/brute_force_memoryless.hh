@@ -46,16 +46,15 @@ SymmetricMatrix change_of_planes(std::span<const Vec3> positions, std::span<cons
 class BruteForceMemory {
  public:
   /// \param faces of the input mesh
-  BruteForceMemory(std::span<const Vec3> positions, std::span<const Triangle> faces, std::vector<bool> is_on_seam);
+  BruteForceMemory(std::span<const Vec3> positions, std::span<const Triangle> faces,
+                   const std::vector<bool>& is_on_seam);
 
   /// Of the vertices with a ring: each face counts once for every such corner.
   const MeanFaceArea& face_area() const { return face_area_; }
 
-  /// Whether the merged vertex of a and b has the planes of its own faces only.
+  /// Whether the merged vertex of a and b has the planes of its own faces only, and those of seams.
   /// \param is_joint whether the contraction needs more than the link condition
-  bool forgets(Index a, Index b, bool is_joint) const {
-    return !is_joint && is_ring_[a] && is_ring_[b] && !is_on_seam_[a] && !is_on_seam_[b];
-  }
+  bool forgets(Index a, Index b, bool is_joint) const { return !is_joint && is_ring_[a] && is_ring_[b]; }
   /// The neighbours of a and b that have the planes of their own faces, before and after the contraction.
   std::vector<Index> forgetful_neighbours(Index a, Index b, bool is_joint, std::span<const Triangle> faces) const;
 
@@ -67,7 +66,6 @@ class BruteForceMemory {
   std::vector<bool> is_ring_;  ///< its faces were one closed fan of one orientation when last looked at: at first, and
                                ///< after joints; two that merge are one if both were
   std::vector<bool> remembers_;
-  std::vector<bool> is_on_seam_;
   MeanFaceArea face_area_;
 };
 

@@ -50,11 +50,9 @@ BruteForceRestraints::BruteForceRestraints(std::span<const Vec3> positions, std:
                                            const std::vector<bool>& locked, const DecimateOptions& options,
                                            double tolerance, std::span<const VertexPair> seams)
     : sharp_angle_deg_(options.feature_angle_deg.value_or(180)),
-      had_seams_(!seams.empty()),
       seams_have_planes_(options.cost == Cost::quadric || options.cost == Cost::memoryless),
       seams_give_way_(seams_have_planes_ && options.seams == Seams::weighted),
       tolerance_(tolerance),
-      is_on_seam_(positions.size()),
       freedoms_(positions.size(), Freedom::full) {
   std::set<Edge> asked_for;
   for (const auto& [a, b] : options.feature_edges) asked_for.insert(edge(a, b));
@@ -65,7 +63,6 @@ BruteForceRestraints::BruteForceRestraints(std::span<const Vec3> positions, std:
   }
   for (const auto& [a, b] : seams) {
     if (!features_.contains({a, b})) seams_.insert({a, b});
-    is_on_seam_[a] = is_on_seam_[b] = true;
     if (!seams_give_way_) features_[{a, b}];
   }
   mark_freedoms(positions, sharp_angle_deg_);
@@ -184,7 +181,6 @@ bool BruteForceRestraints::keeps_sharpness(std::span<const Vec3> positions, std:
 void BruteForceRestraints::contract(std::span<const Vec3> positions, std::span<const Triangle> after, Index survivor,
                                     Index removed, const Vec3& position) {
   if (seams_give_way_) seams_.clear();  // their planes are summed already
-  is_on_seam_[survivor] = is_on_seam_[survivor] || is_on_seam_[removed];
   const auto [a, b] = edge(survivor, removed);
   if (is_seam(a, b)) {
     features_.erase({a, b});

@@ -26,8 +26,7 @@ class BruteForceRestraints {
                        const std::vector<bool>& locked, const DecimateOptions& options, double tolerance,
                        std::span<const VertexPair> seams);
 
-  /// Whether there are seams, and v is on one, or may not go where it likes.
-  bool is_on_seam(Index v) const { return had_seams_ && (is_on_seam_[v] || freedoms_[v] != Freedom::full); }
+  const std::set<Edge>& seams() const { return seams_; }
   bool is_seam(Index a, Index b) const { return seams_.contains(std::minmax(a, b)); }
 
   /// Where the merged vertex of a pair may go; nullopt if neither vertex may move.
@@ -64,12 +63,10 @@ class BruteForceRestraints {
   bool is_sharp(std::span<const Vec3> positions, std::span<const Triangle> faces, Index x, Index y) const;
 
   double sharp_angle_deg_ = 180;
-  bool had_seams_ = false;
   bool seams_have_planes_ = false;  ///< in the cost; or merged vertices on them go to an end
   bool seams_give_way_ = false;     ///< then they are no features
   std::set<Edge> seams_;            ///< those that only the cost holds in place
   double tolerance_ = 0;
-  std::vector<bool> is_on_seam_;     ///< per vertex
   std::vector<Freedom> freedoms_;    ///< per vertex
   std::map<Edge, Course> features_;  ///< with the course of the line between the ends
 };

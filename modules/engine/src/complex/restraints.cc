@@ -7,6 +7,15 @@
 
 namespace whittle {
 
+std::vector<VertexPair> FeatureLines::holding_edges(bool with_seams) const {
+  if (with_seams || is_seam.empty()) return edges;
+  std::vector<VertexPair> holding;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (is_seam[i] == 0) holding.push_back(edges[i]);
+  }
+  return holding;
+}
+
 Restraints::Restraints(const TriangleComplex& complex, std::span<const std::uint8_t> locked, const FeatureLines& lines,
                        double corner_angle_deg, double tolerance, SeamHold seam_hold)
     : tolerance_sq_(tolerance * tolerance), seam_hold_(seam_hold) {
@@ -41,10 +50,7 @@ void Restraints::mark_features(const TriangleComplex& complex, const FeatureLine
     const auto number = static_cast<std::size_t>(found - lines.edges.begin());
     if (!lines.courses.empty() && !lines.courses[number].empty()) courses_[e] = lines.courses[number];
     if (!lines.is_seam.empty()) is_seam_[e] = lines.is_seam[number] != 0;
-    if (!is_line(e)) {
-      freedoms_[a] = freedoms_[b] = Freedom::seam;
-      continue;
-    }
+    if (!is_line(e)) continue;
     add(a, {b, is_seam(e)});
     add(b, {a, is_seam(e)});
   }

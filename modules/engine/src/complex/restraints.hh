@@ -21,6 +21,9 @@ struct FeatureLines {
   std::vector<std::uint8_t> is_seam;            ///< of each edge: whether it is a seam, and no feature; or empty: none
   std::vector<Course> courses;                  ///< of each edge; or empty: no edge stands for several
   std::optional<std::vector<Index>> corners{};  ///< vertices where lines meet, end or turn; empty: to be found
+
+  /// Those that hold their vertices. \param with_seams whether seams do
+  std::vector<VertexPair> holding_edges(bool with_seams) const;
 };
 
 /// How seams hold their vertices.
@@ -59,8 +62,6 @@ class Restraints {
   }
   /// Whether the edge is on a seam, and on no feature line.
   bool is_seam(Index edge) const { return !is_seam_.empty() && is_seam_[edge]; }
-  /// Whether there are seams, and v is on one, or may not go where it likes.
-  bool is_on_seam(Index v) const { return has_seams() && freedoms_[v] != Freedom::full; }
   bool has_seams() const { return !is_seam_.empty(); }
   /// Whether the edge is part of a line that holds its vertices.
   bool is_feature(Index edge) const { return has_features() && is_line(edge); }
@@ -79,7 +80,6 @@ class Restraints {
  private:
   enum class Freedom : std::uint8_t {
     full,
-    seam,    ///< full; it is on seams, which only the cost holds
     line,    ///< along its two feature edges
     corner,  ///< none, as feature lines meet, end or turn there
     locked   ///< none
@@ -88,7 +88,7 @@ class Restraints {
   bool has_features() const { return !is_feature_.empty(); }
   bool is_line(Index edge) const { return is_feature_[edge] && !(seam_hold_ == SeamHold::by_cost && is_seam(edge)); }
   bool may_move(Index v, bool along_line) const {
-    return freedoms_[v] <= Freedom::seam || (freedoms_[v] == Freedom::line && along_line);
+    return freedoms_[v] == Freedom::full || (freedoms_[v] == Freedom::line && along_line);
   }
   bool is_locked(Index v) const { return any() && freedoms_[v] == Freedom::locked; }
   void mark_features(const TriangleComplex& complex, const FeatureLines& lines, double corner_angle_deg);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "complex/triangle_complex.hh"
@@ -17,14 +18,15 @@ struct Memory {
 
   MeanFaceArea face_area;
   std::vector<Remembered> quadrics;  ///< by vertex, ascending
-
-  /// Calls `use(vertex of the complex, quadric)` for each that is in the complex.
-  template <class Use>
-  void for_each_in(const TriangleComplex& complex, const Use& use) const {
-    if (quadrics.empty()) return;
-    const std::vector<Index> vertices = complex.vertices_by_origin();
-    for (const auto& [vertex, quadric] : quadrics) use(vertices[vertex], quadric);
-  }
+  std::vector<Remembered> seams{};   ///< likewise, of vertices that remember nothing but planes of seams
 };
+
+/// Calls `use(vertex of the complex, quadric)` for each.
+template <class Use>
+void for_each_remembered(std::span<const Memory::Remembered> all, const TriangleComplex& complex, const Use& use) {
+  if (all.empty()) return;
+  const std::vector<Index> vertices = complex.vertices_by_origin();
+  for (const auto& [vertex, quadric] : all) use(vertices[vertex], quadric);
+}
 
 }  // namespace whittle

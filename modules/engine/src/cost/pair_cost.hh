@@ -53,6 +53,8 @@ class PairCost {
   virtual void recall(const Memory& /*memory*/) {}
   /// Whether what is kept about v can't be told from its faces.
   virtual bool remembers(Index /*v*/) const { return false; }
+  /// The planes of seams that v remembers, if these are all that it remembers; or null.
+  virtual const Quadric* remembered_seams(Index /*v*/) const { return nullptr; }
   /// What is remembered about the faces as they were at the start.
   virtual MeanFaceArea face_area() const { return {}; }
 

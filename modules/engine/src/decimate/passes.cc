@@ -335,7 +335,7 @@ bool Passes::is_beyond_target() const {
 
 bool Passes::adjust() {
   Remainder& left = *done_.left;
-  Decimation paused = geometry_of(mesh_, left.geometry(), frame_);
+  Decimation paused = geometry_of(mesh_, options_, left.geometry(), frame_);
   paused.result = done_.result;
   const std::vector<Vec3> before = paused.mesh.positions;
   const std::size_t n_faces = paused.mesh.faces.size();
@@ -347,16 +347,19 @@ bool Passes::adjust() {
   PassEnd changes;
   if (keeps_steps()) changes.turned = turned_faces(left.faces, paused.mesh.faces, left.origins, left.face_origins);
   left.faces = std::move(paused.mesh.faces);
-  auto remembered = left.memory.quadrics.begin();
+  const std::vector<Vec3> positions_before = left.positions;
   for (Index v = 0; v < before.size(); ++v) {
-    Quadric* const quadric =
-        remembered != left.memory.quadrics.end() && remembered->vertex == v ? &(remembered++)->quadric : nullptr;
     if (paused.mesh.positions[v] == before[v]) continue;
     const Vec3 position = frame_.to_frame(paused.mesh.positions[v]);
-    if (quadric) *quadric = quadric->about(position - left.positions[v]);
     left.positions[v] = position;
     const Index origin = left.origins[v];
     if (keeps_steps()) changes.moved.push_back({origin, to_output(position, mesh_.positions[origin], frame_)});
+  }
+  for (std::vector<Memory::Remembered>* const all : {&left.memory.quadrics, &left.memory.seams}) {
+    for (auto& [v, quadric] : *all) {
+      const Vec3 way = left.positions[v] - positions_before[v];
+      if (!way.isZero(0)) quadric = quadric.about(way);
+    }
   }
   if (keeps_steps()) {
     changes.n_contractions = done_.steps.contractions.size();
@@ -374,7 +377,7 @@ Decimation Passes::output() {
   if (!done_.nonmanifold) {
     done_.nonmanifold = count_nonmanifold({done_.left->positions, Frame{}, done_.left->faces});
   }
-  Decimation out = geometry_of(mesh_, std::move(*done_.left), frame_);
+  Decimation out = geometry_of(mesh_, options_, std::move(*done_.left), frame_);
   if (options_.keep_steps) out.steps = std::move(done_.steps);
   carry_attributes(mesh_, frame_, options_.normals, out.vertex_map, out.face_origins, out.mesh);
   out.result = std::move(done_.result);

@@ -21,9 +21,9 @@ std::vector<VertexPair> seams_of(const FeatureLines& lines) {
 }
 
 /// \param has_planes whether the cost has planes through seams
-SeamHold seam_hold(Seams seams, bool has_planes) {
+SeamHold seam_hold(const DecimateOptions& options, bool has_planes) {
   if (!has_planes) return SeamHold::at_ends;
-  return seams == Seams::weighted ? SeamHold::by_cost : SeamHold::along;
+  return options.holds_seams() ? SeamHold::along : SeamHold::by_cost;
 }
 
 /// Whether each vertex of the result lies at one of the input.
@@ -93,7 +93,7 @@ Pass::Pass(const PassInput& input, const DecimateOptions& options)
   const bool has_planes = !hosted_cost && has_quadrics(options);
   restraints_ = Restraints(complex_, locked_vertices(complex_, input.locked, options.boundary),
                            input.lines ? *input.lines : FeatureLines{}, options.feature_angle_deg.value_or(180),
-                           input.feature_tolerance, seam_hold(options.seams, has_planes));
+                           input.feature_tolerance, seam_hold(options, has_planes));
   cost_->start(options.threads);
   if (state) cost_->resume(*state);
   if (input.memory) cost_->recall(*input.memory);

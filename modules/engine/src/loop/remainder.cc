@@ -30,7 +30,9 @@ Memory memory_of(const PairCost& cost, const std::vector<Index>& vertices) {
   const auto n = std::count_if(vertices.begin(), vertices.end(), [&](Index v) { return cost.remembers(v); });
   reserve_large(memory.quadrics, static_cast<std::size_t>(n));
   for (Index i = 0; i < vertices.size(); ++i) {
-    if (cost.remembers(vertices[i])) memory.quadrics.push_back({i, cost.quadric(vertices[i]).quadric});
+    const Index v = vertices[i];
+    if (cost.remembers(v)) memory.quadrics.push_back({i, cost.quadric(v).quadric});
+    if (const Quadric* const seams = cost.remembered_seams(v)) memory.seams.push_back({i, *seams});
   }
   return memory;
 }

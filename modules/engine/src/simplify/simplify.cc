@@ -68,7 +68,7 @@ ProgressCallback polish_progress(const DecimateOptions& decimate, const Decimate
 /// What polish looks up about the input.
 struct PolishInput {
   PolishOriginal original;
-  std::vector<VertexPair> lines;  ///< feature edges and seams
+  std::vector<VertexPair> lines;  ///< feature edges, and seams if they hold their vertices
 };
 
 /// \param held a vertex of the decimation, 1 if it is to stay where it is; or empty
@@ -106,7 +106,8 @@ class DecimationPolisher {
     try {
       if (!input_) {
         PolishOriginal original(mesh_, decimate.threads, polish_progress(decimate, decimation.result));
-        input_.emplace(PolishInput{std::move(original), input_lines(mesh_, decimate).edges});
+        input_.emplace(
+            PolishInput{std::move(original), input_lines(mesh_, decimate).holding_edges(decimate.holds_seams())});
       }
       return polish_decimation(*input_, options, held, decimation);
     } catch (const Cancelled&) {

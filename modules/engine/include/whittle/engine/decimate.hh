@@ -118,8 +118,10 @@ struct Decimation {
   DecimateResult result;
   /// Those of the vertices of `mesh`, in the frame of the input's bounding box, if asked for: to go on from.
   std::vector<PlacedQuadric> quadrics;
-  std::vector<Index> face_origins;        ///< faces of `mesh` → faces of the input, ascending
-  std::vector<VertexPair> feature_edges;  ///< of `mesh`: what has become of the input's, lower vertex first, ascending
+  std::vector<Index> face_origins;  ///< faces of `mesh` → faces of the input, ascending
+  /// Of `mesh`: what has become of the input's, and of its seams if these hold their vertices
+  /// (`DecimateOptions::holds_seams`); lower vertex first, ascending.
+  std::vector<VertexPair> feature_edges;
   std::vector<Index> vertex_map;  ///< input vertices → vertices of `mesh`; `invalid_index` where it was in no face
   RunSteps steps;                 ///< if asked for
   /// What stands in the way of going on, if `result.stop` is `exhausted` or `error`: those of `result.refused_at_end`.

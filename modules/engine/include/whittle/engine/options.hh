@@ -71,7 +71,7 @@ struct AttributeWeights {
   double color = 1;            ///< Of 0.3 % of the diagonal for the range of a component.
   double displacement = 0.3;   ///< Of what a morph target moves.
   double joint_weights = 0.1;  ///< Of the way between the centres of what joints move.
-  double seam = 1;  ///< Of planes through seams (`seam_edges`), as `QuadricOptions::boundary_weight` is of borders.
+  double seam = 0.1;  ///< Of planes through seams (`seam_edges`), as `QuadricOptions::boundary_weight` is of borders.
 };
 
 struct Decimation;
@@ -157,6 +157,11 @@ struct DecimateOptions {
 
   // What the fields above come to in `decimate` where they are empty.
   Cost effective_cost() const { return cost.value_or(Cost::quadric); }
+  /// Whether vertices on seams go along them only: with `Seams::keep`, and with costs without quadrics.
+  bool holds_seams() const {
+    const bool has_planes = effective_cost() == Cost::quadric || effective_cost() == Cost::memoryless;
+    return seams == Seams::keep || !has_planes;
+  }
   Order effective_order() const {
     return order == Order::automatic ? cost_traits(effective_cost()).default_order : order;
   }

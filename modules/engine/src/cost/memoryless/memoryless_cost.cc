@@ -1,18 +1,19 @@
 #include "cost/memoryless/memoryless_cost.hh"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace whittle {
 namespace {
 
 /// Estimated from the faces at rings, because other vertices have the planes of borders and seams, too.
-MeanFaceArea mean_face_area(const TriangleComplex& complex, const Restraints& restraints,
+MeanFaceArea mean_face_area(const TriangleComplex& complex, const std::unordered_map<Index, Quadric>& seams,
                             const VertexQuadrics& quadrics, double regularization) {
   double area = 0;
   std::uint64_t n_corners = 0;
   for (Index v = 0; v < complex.n_vertex_slots(); ++v) {
-    if (!complex.is_ring(v) || restraints.is_on_seam(v)) continue;
+    if (!complex.is_ring(v) || seams.contains(v)) continue;
     area += quadrics.matrix(v).trace();
     n_corners += complex.neighbours(v).size();
   }
@@ -36,13 +37,28 @@ void look_at_ring(const TriangleComplex& complex, const Vec3& origin, Contractio
 
 }  // namespace
 
+void MemorylessCost::see_seams(std::span<const VertexPair> seams, double weight) {
+  for (const auto& [v, planes] : ranks_.quadrics().add_seams(seams, weight)) seams_[v].a = planes;
+}
+
+const Quadric* MemorylessCost::remembered_seams(Index v) const {
+  const auto found = seams_.find(v);
+  return found == seams_.end() ? nullptr : &found->second;
+}
+
+/// What v has now are not the planes of its faces any more.
+void MemorylessCost::remember_all(Index v) {
+  has_planes_of_faces_[v] = false;
+  seams_.erase(v);
+}
+
 void MemorylessCost::start(unsigned threads) {
   ranks_.start(threads);
-  face_area_ = mean_face_area(complex_, restraints_, ranks_.quadrics(), options_.regularization);
+  face_area_ = mean_face_area(complex_, seams_, ranks_.quadrics(), options_.regularization);
   ranks_.multiply_by_memoryless_factor(face_area_.first());
-  has_planes_of_faces_.resize(complex_.n_vertex_slots());
+  has_planes_of_faces_.assign(complex_.n_vertex_slots(), true);
   for (Index v = 0; v < complex_.n_vertex_slots(); ++v) {
-    has_planes_of_faces_[v] = complex_.is_ring(v) && !restraints_.is_on_seam(v);
+    if (!complex_.is_ring(v)) remember_all(v);
   }
 }
 
@@ -55,16 +71,39 @@ void MemorylessCost::resume(const DecimationState& state) {
 void MemorylessCost::recall(const Memory& memory) {
   face_area_ = memory.face_area;
   ranks_.multiply_by_memoryless_factor(face_area_.first());
-  memory.for_each_in(complex_, [this](Index v, const Quadric& quadric) {
-    ranks_.quadrics().store(v, quadric);
-    has_planes_of_faces_[v] = false;
+  VertexQuadrics& quadrics = ranks_.quadrics();
+  for_each_remembered(memory.quadrics, complex_, [&](Index v, const Quadric& quadric) {
+    quadrics.store(v, quadric);
+    remember_all(v);
+  });
+  for_each_remembered(memory.seams, complex_, [&](Index v, const Quadric& seams) {
+    Quadric quadric = seams;
+    quadric.a += quadrics.matrix(v);
+    quadric.a -= seams_[v].a;  // of the seams there are now
+    quadrics.store(v, quadric);
+    seams_[v] = seams;
   });
 }
 
 /// Whether the merged vertex, and its neighbours, get the planes of their faces alone.
 bool MemorylessCost::forgets(const ContractionProfile& profile) const {
-  const auto forgets_at = [this](Index v) { return complex_.is_ring(v) && !restraints_.is_on_seam(v); };
-  return !profile.is_joint && forgets_at(profile.pair.a) && forgets_at(profile.pair.b);
+  return !profile.is_joint && complex_.is_ring(profile.pair.a) && complex_.is_ring(profile.pair.b);
+}
+
+/// Moves the planes of seams of both vertices to the merged one. \return these, about it
+Quadric MemorylessCost::merge_seams(const Change& change) {
+  Quadric sum;
+  bool has_some = false;
+  const std::array ends{change.pair.a, change.pair.b};
+  for (std::size_t end = 0; end < 2; ++end) {
+    const auto found = seams_.find(ends[end]);
+    if (found == seams_.end()) continue;
+    sum += found->second.about(change.position - change.before[end]);
+    has_some = true;
+    seams_.erase(found);
+  }
+  if (has_some) seams_[change.survivor] = sum;
+  return sum;
 }
 
 /// Where the volume is kept, else at the minimum.
@@ -92,17 +131,19 @@ double MemorylessCost::final_cost(const ContractionProfile& profile, const PairE
 
 void MemorylessCost::merge(ContractionProfile& profile, const PairEvaluation& ranked, const Change& change) {
   const auto& [id, a, b] = change.pair;
-  has_planes_of_faces_[a] = has_planes_of_faces_[b] = profile.has_ring;
   if (profile.has_ring) {
+    has_planes_of_faces_[a] = has_planes_of_faces_[b] = true;
     MergedRing& ring = profile.ring;
     if (ring.moved_to() != change.position) ring.move_to(change.position, options_);
-    Quadric quadric;
-    quadric.a = ring.planes();
+    Quadric quadric = seams_.empty() ? Quadric{} : merge_seams(change);
+    quadric.a += ring.planes();
     ranks_.quadrics().merge(change, quadric);
     ranks_.merge_attributes(change);
     change_ring(ring);
     return;
   }
+  remember_all(a);
+  remember_all(b);
   if (profile.is_joint) {
     remember_around(profile);
   } else {
@@ -139,10 +180,15 @@ void MemorylessCost::change_neighbours(const ContractionProfile& profile, const 
 /// After a joint the faces at these vertices hang together in another way.
 void MemorylessCost::remember_around(const ContractionProfile& profile) {
   for (const StarFaces& faces : {profile.first, profile.second}) {
-    for (const Neighbour& neighbour : faces.neighbours()) has_planes_of_faces_[neighbour.vertex] = false;
+    for (const Neighbour& neighbour : faces.neighbours()) remember_all(neighbour.vertex);
   }
-  for (const ContractionProfile::Common& opposite : profile.opposites) has_planes_of_faces_[opposite.vertex] = false;
-  for (const auto& [x, y] : profile.joint.coincident) has_planes_of_faces_[x] = has_planes_of_faces_[y] = false;
+  for (const ContractionProfile::Common& opposite : profile.opposites) {
+    remember_all(opposite.vertex);
+  }
+  for (const auto& [x, y] : profile.joint.coincident) {
+    remember_all(x);
+    remember_all(y);
+  }
 }
 
 }  // namespace whittle

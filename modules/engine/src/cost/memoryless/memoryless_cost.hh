@@ -1,5 +1,6 @@
 #pragma once
 
+#include <unordered_map>
 #include <vector>
 
 #include "cost/quadric/quadric_cost.hh"
@@ -9,25 +10,26 @@ namespace whittle {
 
 /// Memoryless quadrics (memoryless_term.hh). A contraction changes those of the merged vertex and of its neighbours.
 ///
-/// At borders, on seams and where the surface isn't manifold vertices remember, as with Garland–Heckbert, and so do the
-/// neighbours of vertices that are joined. Thin parts are not looked at there.
+/// At borders and where the surface isn't manifold vertices remember, as with Garland–Heckbert, and so do the
+/// neighbours of vertices that are joined. Thin parts are not looked at there. Vertices on seams remember the planes of
+/// seams, besides those of their faces.
 class MemorylessCost final : public PairCost {
  public:
   MemorylessCost(TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options,
                  bool has_threshold_pairs)
       : complex_(complex),
-        restraints_(restraints),
         options_(options),
         ranks_(complex, restraints, options, has_threshold_pairs),
         changes_(options) {}
 
   void see_faces(unsigned threads) override { ranks_.see_faces(threads); }
-  void see_seams(std::span<const VertexPair> seams, double weight) override { ranks_.see_seams(seams, weight); }
+  void see_seams(std::span<const VertexPair> seams, double weight) override;
   void see_attributes(const AttributeSums& sums) override { ranks_.see_attributes(sums); }
   void start(unsigned threads) override;
   void resume(const DecimationState& state) override;
   void recall(const Memory& memory) override;
   bool remembers(Index v) const override { return !has_planes_of_faces_[v]; }
+  const Quadric* remembered_seams(Index v) const override;
   MeanFaceArea face_area() const override { return face_area_; }
 
   using PairCost::rank;
@@ -51,14 +53,17 @@ class MemorylessCost final : public PairCost {
   void change_ring(const MergedRing& ring);
   void change_neighbours(const ContractionProfile& profile, const Change& change);
   void remember_around(const ContractionProfile& profile);
+  void remember_all(Index v);
+  Quadric merge_seams(const Change& change);
 
   TriangleComplex& complex_;
-  const Restraints& restraints_;
   QuadricOptions options_;
   MeanFaceArea face_area_;
   QuadricCost ranks_;
-  std::vector<bool> has_planes_of_faces_;  ///< per vertex, whether of its live faces and of no others
-  PlaneChanges changes_;                   ///< scratch
+  /// Per vertex, whether of its live faces and of no others, those of seams aside.
+  std::vector<bool> has_planes_of_faces_;
+  std::unordered_map<Index, Quadric> seams_;  ///< of vertices that have planes of faces, and of seams: the latter
+  PlaneChanges changes_;                      ///< scratch
 };
 
 }  // namespace whittle

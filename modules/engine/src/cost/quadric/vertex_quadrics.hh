@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "cost/pair_cost.hh"
@@ -21,7 +22,8 @@ class VertexQuadrics {
   void sum_faces(unsigned threads);
   /// Adds planes through seam edges, perpendicular to each of their faces. \param seams by number in the input,
   /// ascending \param weight as `QuadricOptions::boundary_weight` is of borders \pre the complex lists faces
-  void add_seams(std::span<const VertexPair> seams, double weight);
+  /// \return what was added, by vertex
+  std::vector<std::pair<Index, SymmetricMatrix>> add_seams(std::span<const VertexPair> seams, double weight);
   /// Adds the planes through border edges. \pre the complex is connected
   void add_borders();
 
@@ -29,7 +31,7 @@ class VertexQuadrics {
   void resume(const DecimationState& state);
   /// Takes those that vertices remember.
   void recall(const Memory& memory) {
-    memory.for_each_in(complex_, [this](Index v, const Quadric& quadric) { store(v, quadric); });
+    for_each_remembered(memory.quadrics, complex_, [this](Index v, const Quadric& quadric) { store(v, quadric); });
   }
 
   const SymmetricMatrix& matrix(Index v) const { return quadrics_[v].a; }
