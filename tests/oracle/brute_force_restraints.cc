@@ -51,7 +51,7 @@ BruteForceRestraints::BruteForceRestraints(std::span<const Vec3> positions, std:
                                            double tolerance, std::span<const VertexPair> seams)
     : sharp_angle_deg_(options.feature_angle_deg.value_or(180)),
       seams_have_planes_(options.cost == Cost::quadric || options.cost == Cost::memoryless),
-      seams_give_way_(seams_have_planes_ && options.seams == Seams::weighted),
+      seams_give_way_(seams_have_planes_ && options.seams == Seams::weighted && options.isotropy == 0),
       tolerance_(tolerance),
       freedoms_(positions.size(), Freedom::full) {
   std::set<Edge> asked_for;

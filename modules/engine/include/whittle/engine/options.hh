@@ -29,9 +29,9 @@ enum class Topology {
 
 /// What happens to vertices on seams (`seam_edges`).
 enum class Seams {
-  weighted,  ///< Planes of weight `AttributeWeights::seam` hold them in place. Costs without quadrics have no planes:
-             ///< with them, seams are kept.
-  keep       ///< They go along their seam only; where seams meet or end they stay.
+  weighted,  ///< Planes of weight `AttributeWeights::seam` hold them in place, where the cost is of quadrics alone;
+             ///< else seams are kept (`DecimateOptions::holds_seams`).
+  keep  ///< They go along their seam only; where seams meet or end they stay.
 };
 
 /// What becomes of the vertex normals of a mesh that has some.
@@ -157,10 +157,11 @@ struct DecimateOptions {
 
   // What the fields above come to in `decimate` where they are empty.
   Cost effective_cost() const { return cost.value_or(Cost::quadric); }
-  /// Whether vertices on seams go along them only: with `Seams::keep`, and with costs without quadrics.
+  /// Whether vertices on seams go along them only: with `Seams::keep`, with costs without quadrics, and with a share of
+  /// `isotropy`, which knows of no seams.
   bool holds_seams() const {
     const bool has_planes = effective_cost() == Cost::quadric || effective_cost() == Cost::memoryless;
-    return seams == Seams::keep || !has_planes;
+    return seams == Seams::keep || !has_planes || isotropy > 0;
   }
   Order effective_order() const {
     return order == Order::automatic ? cost_traits(effective_cost()).default_order : order;
