@@ -85,6 +85,12 @@ std::array<double, 2> chart_position(std::size_t side, const Vec3& position);
 /// `torus` with texture coordinates in [0, 1]: the turn around the axis, and that around the tube. It is one chart, cut
 /// along a circle of each kind.
 IndexedMesh textured_torus(int nu, int nv);
+/// A torus cut into charts of `tile` × `tile` squares. Chart (i, j) has texture coordinates from (10 i, 10 j) to
+/// (10 i + 1, 10 j + 1). \pre `tile` divides both numbers
+IndexedMesh tiled_torus(int nu, int nv, int tile);
+/// `grid(n, n)` with a disc of one material, group 1, in a square of another.
+IndexedMesh disc_in_square(int n);
+double area_of_disc(const IndexedMesh& disc_in_square);
 
 // Several parts -------------------------------------------------------------------------------------------------------
 

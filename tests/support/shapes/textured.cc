@@ -3,9 +3,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <string>
 
 #include "support/shapes/shapes.hh"
+#include "whittle/core/wedges.hh"
 
 namespace whittle::test {
 namespace {
@@ -81,6 +83,48 @@ IndexedMesh textured_torus(int nu, int nv) {
   }
   mesh.attributes.push_back(uv);
   return mesh;
+}
+
+IndexedMesh tiled_torus(int nu, int nv, int tile) {
+  IndexedMesh mesh = textured_torus(nu, nv);
+  const Attribute whole = mesh.attributes[0];
+  std::vector<double>& values = mesh.attributes[0].values;
+  values.clear();
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    std::array<double, 2> middle{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t i = 0; i < 2; ++i) middle[i] += whole.value(mesh.wedges[3 * f + k])[i] / 3;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t i = 0; i < 2; ++i) {
+        const double n_tiles = static_cast<double>(i == 0 ? nu : nv) / tile;
+        const double corner = std::floor(middle[i] * n_tiles);
+        values.push_back(10 * corner + (whole.value(mesh.wedges[3 * f + k])[i] * n_tiles - corner));
+      }
+    }
+  }
+  std::iota(mesh.wedges.begin(), mesh.wedges.end(), Index{0});
+  join_equal_wedges(mesh);
+  return mesh;
+}
+
+IndexedMesh disc_in_square(int n) {
+  IndexedMesh mesh = grid(n, n);
+  for (const Triangle& face : mesh.faces) {
+    const Vec3 middle = (mesh.positions[face[0]] + mesh.positions[face[1]] + mesh.positions[face[2]]) / 3;
+    mesh.face_groups.push_back((middle - Vec3(n, n, 0) / 2).norm() < 0.3 * n ? 1 : 0);
+  }
+  return mesh;
+}
+
+double area_of_disc(const IndexedMesh& mesh) {
+  double area = 0;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto& [a, b, c] = mesh.faces[f];
+    const Vec3 normal = (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]);
+    if (mesh.face_groups[f] == 1) area += normal.norm() / 2;
+  }
+  return area;
 }
 
 }  // namespace whittle::test

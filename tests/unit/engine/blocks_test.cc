@@ -11,6 +11,7 @@
 #include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/topology.hh"
+#include "whittle/core/wedges.hh"
 #include "whittle/metrics/distance.hh"
 
 namespace whittle::test {
@@ -362,6 +363,33 @@ TEST(BlocksInExactOrder, BeginAgainAsAWholeWhenTheyWentTooFar) {
 }
 
 // Threads, listener, progress ----------------------------------------------------------------------------------------
+
+TEST(Blocks, TakeMeshesWithSeams) {
+  IndexedMesh cube = charted_cube(16);
+  join_equal_wedges(cube);
+  for (const IndexedMesh& mesh : {tiled_torus(60, 30, 3), cube}) {
+    const Decimation one = in_blocks(mesh, mesh.faces.size() / 8, memoryless(1));
+    const Decimation three = in_blocks(mesh, mesh.faces.size() / 8, memoryless(3));
+    EXPECT_EQ(one.result.stop, StopReason::target);
+    EXPECT_TRUE(topology(one.mesh).manifold() && topology(one.mesh).closed());
+    EXPECT_EQ(topology(one.mesh).genus(), topology(mesh).genus());
+    EXPECT_FALSE(one.mesh.wedges.empty());
+    EXPECT_EQ(one.mesh.positions, three.mesh.positions);
+    EXPECT_EQ(one.mesh.faces, three.mesh.faces);
+    EXPECT_EQ(one.mesh.wedges, three.mesh.wedges);
+  }
+}
+
+TEST(Blocks, HoldSeams) {
+  const IndexedMesh mesh = disc_in_square(60);
+  const auto area_error = [&](double weight) {
+    DecimateOptions options = memoryless();
+    options.attribute_weights.seam = weight;
+    return std::abs(area_of_disc(in_blocks(mesh, 400, options).mesh) / area_of_disc(mesh) - 1);
+  };
+  EXPECT_LT(area_error(0.1), 0.01);
+  EXPECT_GT(area_error(0), 2 * area_error(0.1));
+}
 
 TEST(Blocks, GiveTheSameBytesOnAnyNumberOfThreads) {
   for (const auto& [name, mesh] : larger_meshes()) {

@@ -81,20 +81,24 @@ void Block::gather_refusals(std::span<const Refusal> all) {
   }
 }
 
+/// \param of_surface what vertices of the surface remember
+std::vector<Memory::Remembered> Block::remembered_here(std::span<const Memory::Remembered> of_surface) const {
+  std::vector<Memory::Remembered> here;
+  auto next = of_surface.begin();
+  for (Index v = 0; v < vertices_.size() && next != of_surface.end(); ++v) {
+    next = std::lower_bound(next, of_surface.end(), vertices_[v],
+                            [](const Memory::Remembered& r, Index vertex) { return r.vertex < vertex; });
+    if (next != of_surface.end() && next->vertex == vertices_[v]) here.push_back({v, next->quadric});
+  }
+  return here;
+}
+
 /// The block's share of the faces, and what its vertices remember.
 Memory Block::memory_of_block(const Surface& surface, const Memory& memory) const {
   const double share = static_cast<double>(own_faces_.size()) / static_cast<double>(surface.faces.size());
   const double n_faces = share * static_cast<double>(memory.face_area.n_faces());
-  Memory own{memory.face_area.of_part(static_cast<std::uint64_t>(std::max(1.0, n_faces))), {}};
-  auto remembered = memory.quadrics.begin();
-  for (Index v = 0; v < vertices_.size() && remembered != memory.quadrics.end(); ++v) {
-    remembered = std::lower_bound(remembered, memory.quadrics.end(), vertices_[v],
-                                  [](const Memory::Remembered& r, Index vertex) { return r.vertex < vertex; });
-    if (remembered != memory.quadrics.end() && remembered->vertex == vertices_[v]) {
-      own.quadrics.push_back({v, remembered->quadric});
-    }
-  }
-  return own;
+  return {memory.face_area.of_part(static_cast<std::uint64_t>(std::max(1.0, n_faces))),
+          remembered_here(memory.quadrics), remembered_here(memory.seams)};
 }
 
 void Block::finish(BlockResults& results) {
@@ -107,9 +111,9 @@ void Block::finish(BlockResults& results) {
     results.merged_into[vertices_[v]] = vertices_[merged_into[v]];
     if (merged_into[v] != v) continue;
     survivors_.push_back({vertices_[v], complex.position(at[v])});
-    if (pass_->cost().remembers(at[v])) {
-      remembered_.push_back({vertices_[v], pass_->cost().quadric(at[v]).quadric});
-    }
+    const PairCost& cost = pass_->cost();
+    if (cost.remembers(at[v])) memory_.quadrics.push_back({vertices_[v], cost.quadric(at[v]).quadric});
+    if (const Quadric* const seams = cost.remembered_seams(at[v])) memory_.seams.push_back({vertices_[v], *seams});
   }
   if (keeps_order_) refusals_ = pass_->refusals();
   for (auto& [pair, reason] : refusals_) pair = {vertices_[pair.a], vertices_[pair.b]};

@@ -47,14 +47,15 @@ class Block {
   /// Writes down what is left, and frees the complex.
   void finish(BlockResults& results);
   const std::vector<Survivor>& survivors() const { return survivors_; }
-  /// What they remember, by vertex of the surface.
-  const std::vector<Memory::Remembered>& remembered() const { return remembered_; }
+  /// What they remember, by vertex of the surface; without what the surface remembers as a whole.
+  const Memory& memory() const { return memory_; }
   /// In exact order: of pairs with an end that isn't frozen, by vertices of the surface.
   const std::vector<Refusal>& refusals() const { return refusals_; }
 
  private:
   void gather_refusals(std::span<const Refusal> all);
   void gather(const Surface& surface, const Partition& partition, std::size_t number);
+  std::vector<Memory::Remembered> remembered_here(std::span<const Memory::Remembered> of_surface) const;
   Memory memory_of_block(const Surface& surface, const Memory& memory) const;
 
   std::span<const Index> own_;        ///< vertices of the surface
@@ -69,7 +70,7 @@ class Block {
   std::optional<Pass> pass_;
   DecimateResult result_;
   std::vector<Survivor> survivors_;
-  std::vector<Memory::Remembered> remembered_;
+  Memory memory_;
   bool keeps_order_;               ///< exactly
   std::vector<Refusal> refusals_;  ///< at first by vertex of the block
 };

@@ -36,7 +36,8 @@ class Stitching {
   void write_vertices(LevelRemainder& remainder) const;
   void write_faces(LevelRemainder& remainder) const;
   void write_vertex_map(LevelRemainder& remainder) const;
-  void write_memory(const Memory& before, LevelRemainder& remainder) const;
+  void write_memory(const Memory& before, std::vector<Memory::Remembered> Memory::*list,
+                    LevelRemainder& remainder) const;
   void write_refusals(LevelRemainder& remainder) const;
 
  private:
@@ -119,25 +120,27 @@ void Stitching::write_vertex_map(LevelRemainder& remainder) const {
   });
 }
 
-/// Vertices that were frozen here remember what they did before.
-void Stitching::write_memory(const Memory& before, LevelRemainder& remainder) const {
+/// Vertices that were frozen here remember what they did before. \param list of a memory
+void Stitching::write_memory(const Memory& before, std::vector<Memory::Remembered> Memory::*list,
+                             LevelRemainder& remainder) const {
   std::vector<const Quadric*> quadrics(n_vertices_);  // by vertex left, or null
   const auto remember = [&](const Memory::Remembered& r) {
     if (vertex_number_[r.vertex] != invalid_index) quadrics[vertex_number_[r.vertex]] = &r.quadric;
   };
-  for (const Memory::Remembered& r : before.quadrics) {
+  for (const Memory::Remembered& r : before.*list) {
     if (partition_.is_shared[r.vertex] != 0) remember(r);
   }
   for_each_block(blocks_.size(), threads_, [&](std::size_t b) {
-    for (const Memory::Remembered& r : blocks_[b]->remembered()) remember(r);
+    for (const Memory::Remembered& r : blocks_[b]->memory().*list) remember(r);
   });
   std::size_t n = 0;
   const std::vector<Index> places =
       number_chosen(n_vertices_, threads_, n, [&](std::size_t v) { return quadrics[v] != nullptr; });
-  remainder.memory.quadrics.resize(n);
+  std::vector<Memory::Remembered>& after = remainder.memory.*list;
+  after.resize(n);
   for_each_range(n_vertices_, threads_, [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<Index>(begin); v < end; ++v) {
-      if (quadrics[v] != nullptr) remainder.memory.quadrics[places[v]] = {v, *quadrics[v]};
+      if (quadrics[v] != nullptr) after[places[v]] = {v, *quadrics[v]};
     }
   });
 }
@@ -166,7 +169,8 @@ void stitch(const Surface& surface, const Partition& partition, std::span<const 
   stitching.write_vertices(remainder);
   stitching.write_faces(remainder);
   stitching.write_vertex_map(remainder);
-  stitching.write_memory(memory, remainder);
+  stitching.write_memory(memory, &Memory::quadrics, remainder);
+  stitching.write_memory(memory, &Memory::seams, remainder);
   stitching.write_refusals(remainder);
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -31,31 +30,6 @@ std::vector<std::pair<Cost, Seams>> all_costs_and_seams() {
     for (const Seams seams : {Seams::weighted, Seams::keep}) all.emplace_back(cost, seams);
   }
   return all;
-}
-
-/// A torus cut into charts of `tile` × `tile` squares. Chart (i, j) has texture coordinates from (10 i, 10 j) to
-/// (10 i + 1, 10 j + 1). \pre `tile` divides both numbers
-IndexedMesh tiled_torus(int nu, int nv, int tile) {
-  IndexedMesh mesh = textured_torus(nu, nv);
-  const Attribute whole = mesh.attributes[0];
-  std::vector<double>& values = mesh.attributes[0].values;
-  values.clear();
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    std::array<double, 2> middle{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      for (std::size_t i = 0; i < 2; ++i) middle[i] += whole.value(mesh.wedges[3 * f + k])[i] / 3;
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-      for (std::size_t i = 0; i < 2; ++i) {
-        const double n_tiles = static_cast<double>(i == 0 ? nu : nv) / tile;
-        const double corner = std::floor(middle[i] * n_tiles);
-        values.push_back(10 * corner + (whole.value(mesh.wedges[3 * f + k])[i] * n_tiles - corner));
-      }
-    }
-  }
-  std::iota(mesh.wedges.begin(), mesh.wedges.end(), Index{0});
-  join_equal_wedges(mesh);
-  return mesh;
 }
 
 /// How far texture coordinates of a tiled torus go beyond their charts, in charts; infinite if a face has two charts.
@@ -140,28 +114,8 @@ TEST(Seams, AreTheFeatureEdgesOfTheResult) {
   }
 }
 
-/// A disc of one material in a square of another.
-IndexedMesh disc_in_square() {
-  IndexedMesh mesh = grid(24, 24);
-  for (const Triangle& face : mesh.faces) {
-    const Vec3 middle = (mesh.positions[face[0]] + mesh.positions[face[1]] + mesh.positions[face[2]]) / 3;
-    mesh.face_groups.push_back((middle - Vec3(12, 12, 0)).norm() < 7.3 ? 1 : 0);
-  }
-  return mesh;
-}
-
-double area_of_disc(const IndexedMesh& mesh) {
-  double area = 0;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const auto& [a, b, c] = mesh.faces[f];
-    const Vec3 normal = (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]);
-    if (mesh.face_groups[f] == 1) area += normal.norm() / 2;
-  }
-  return area;
-}
-
 TEST(Seams, OfAFlatSurfaceKeepTheirShape) {
-  const IndexedMesh mesh = disc_in_square();
+  const IndexedMesh mesh = disc_in_square(24);
   for (const Cost cost : {Cost::quadric, Cost::memoryless}) {
     for (const Boundary boundary : {Boundary::weighted, Boundary::free}) {
       for (const Seams seams : {Seams::weighted, Seams::keep}) {
@@ -178,7 +132,7 @@ TEST(Seams, OfAFlatSurfaceKeepTheirShape) {
 }
 
 TEST(Seams, AreNotHeldWithoutWeight) {
-  const IndexedMesh mesh = disc_in_square();
+  const IndexedMesh mesh = disc_in_square(24);
   const auto area_error = [&](double weight) {
     DecimateOptions options;
     options.attribute_weights.seam = weight;

@@ -79,9 +79,9 @@ void MemorylessCost::recall(const Memory& memory) {
   for_each_remembered(memory.seams, complex_, [&](Index v, const Quadric& seams) {
     Quadric quadric = seams;
     quadric.a += quadrics.matrix(v);
-    quadric.a -= seams_[v].a;  // of the seams there are now
+    if (const auto now = seams_.find(v); now != seams_.end()) quadric.a -= now->second.a;
     quadrics.store(v, quadric);
-    seams_[v] = seams;
+    if (has_planes_of_faces_[v]) seams_[v] = seams;
   });
 }
 

@@ -184,14 +184,15 @@ class FaceFunctions {
   Vec3 center_, dual_u_, dual_v_;
 };
 
-void add_function(const std::array<double, 4>& f, double area, std::size_t component, double* sum) {
-  double* into = sum + 1;
+/// Adds a component's function to a face's share in the sums of its wedges.
+void add_function(const std::array<double, 4>& f, double area, std::size_t component, std::span<double> share) {
+  double* into = share.data() + 1;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = i; j < 3; ++j) *into++ += area * f[i] * f[j];
   }
   for (std::size_t i = 0; i < 4; ++i) *into++ += area * f[i] * f[3];
   into += 4 * component;
-  for (std::size_t i = 0; i < 4; ++i) *into++ += area * f[i];
+  for (std::size_t i = 0; i < 4; ++i) *into++ = area * f[i];
 }
 
 }  // namespace
@@ -223,24 +224,26 @@ AttributeSums sum_attributes(const IndexedMesh& input, const Frame& frame, const
                              std::span<const Index> wedge_of, std::vector<Index> vertex_of) {
   AttributeSums result{attributes.n_components, attributes.farthest, {}, std::move(vertex_of)};
   result.sums.resize(result.vertex_of.size() * result.stride());
+  std::vector<double> share(result.stride());
   for (std::size_t f = 0; f < input.faces.size(); ++f) {
     const Corners corners = corners_in_frame(input, frame, f);
     const double area = area_of(corners);
     if (!(area > 0)) continue;
     const FaceFunctions functions(corners);
+    std::fill(share.begin(), share.end(), 0);
+    share[0] = area;
+    std::array<const double*, 3> values{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      values[k] = attributes.values.data() + input.wedge(f, k) * attributes.n_components;
+    }
     for (std::size_t j = 0; j < attributes.n_components; ++j) {
-      const auto value = [&](std::size_t k) {
-        return attributes.values[input.wedge(f, k) * attributes.n_components + j];
-      };
-      const std::array<double, 4> function = functions.through(value(0), value(1), value(2));
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Index w = wedge_of[input.wedge(f, k)];
-        if (w != invalid_index) add_function(function, area, j, result.sums.data() + w * result.stride());
-      }
+      add_function(functions.through(values[0][j], values[1][j], values[2][j]), area, j, share);
     }
     for (std::size_t k = 0; k < 3; ++k) {
       const Index w = wedge_of[input.wedge(f, k)];
-      if (w != invalid_index) result.sums[w * result.stride()] += area;
+      if (w == invalid_index) continue;
+      double* const sum = result.sums.data() + w * result.stride();
+      for (std::size_t i = 0; i < share.size(); ++i) sum[i] += share[i];
     }
   }
   return result;
