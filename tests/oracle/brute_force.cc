@@ -92,14 +92,14 @@ void BruteForceDecimater::sum_planes(const QuadricOptions& options) {
                             options_.quadric);
     }
     points_[v] = {positions_[v], 1 / (1 + 3 * options.regularization) * sum.trace(), 0};
-    const auto add_lines = [&](const auto& is_on_line, const QuadricOptions& of_line, SymmetricMatrix& sum) {
+    const auto add_lines = [&](const auto& is_on_line, const QuadricOptions& of_line, SymmetricMatrix& into) {
       for (const Triangle& f : faces_) {
         if (!has(f, v)) continue;
         const Index next = f[(corner_of(f, v) + 1) % 3];
         const Index previous = f[(corner_of(f, v) + 2) % 3];
-        if (is_on_line(v, next)) sum += border_quadric(positions_[v], positions_[next], positions_[previous], of_line);
+        if (is_on_line(v, next)) into += border_quadric(positions_[v], positions_[next], positions_[previous], of_line);
         if (is_on_line(previous, v)) {
-          sum += border_quadric(positions_[previous], positions_[v], positions_[next], of_line);
+          into += border_quadric(positions_[previous], positions_[v], positions_[next], of_line);
         }
       }
     };

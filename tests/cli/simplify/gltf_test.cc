@@ -161,6 +161,28 @@ TEST(Gltf, HasTheTargetMeshByMeshIfAsked) {
   expect_usage_error(whittle({"simplify", blob, "-o", folder / "o.ply", "--per-mesh", "--faces", "9"}), {"--per-mesh"});
 }
 
+TEST(Gltf, KeepsATriangleOfAMeshThatVanishes) {
+  const TemporaryFolder folder;
+  const std::string in = folder / "cubes.gltf";
+  write_two_meshes(in);
+  Json document = Json::parse(std::ifstream(in));
+  std::swap(document["meshes"][0], document["meshes"][1]);  // the half is the greater one
+  document["nodes"].push_back({{"mesh", 1}, {"scale", {1e-3, 1e-3, 1e-3}}});
+  document["scenes"][0]["nodes"].push_back(document["nodes"].size() - 1);
+  std::ofstream(in) << document;
+  const std::string out = folder / "out.glb";
+  const Outcome outcome = whittle(
+      {"simplify", in, "-o", out, "--faces", "20", "--topology", "free", "--max-normal-flip", "180", "--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_EQ(parse_json(outcome.out)["target"]["met"], true);
+  EXPECT_THAT(outcome.err, testing::HasSubstr("has vanished; a triangle without area stands for it"));
+  const gltf::Asset asset = gltf::Asset::read(out);
+  EXPECT_LE(asset.n_triangles(0), 20U);
+  ASSERT_EQ(asset.n_triangles(1), 1U);
+  const IndexedMesh point = asset.triangles(1);
+  for (const Index v : point.faces[0]) EXPECT_EQ(point.positions[v], point.positions[0]);
+}
+
 TEST(Gltf, IsRecorded) {
   const TemporaryFolder folder;
   const std::string in = folder / "cube.glb";
@@ -188,6 +210,27 @@ TEST(Gltf, HasACurve) {
   const std::string plain = simplify({});
   EXPECT_EQ(simplify({"--curve", folder / "curve.csv"}), plain) << "the result is the same";
   EXPECT_FALSE(read_text(folder / "curve.csv").empty());
+}
+
+TEST(Gltf, HoldsSeamsAsAsked) {
+  const TemporaryFolder folder;
+  const std::string in = folder / "cube.glb";
+  write_gltf_cube(in, 8);
+  for (const std::string seams : {"weighted", "keep"}) {
+    const std::string out = folder / (seams + ".glb");
+    const Outcome outcome =
+        whittle({"simplify", in, "-o", out, "--face-ratio", "1%", "--seams", seams, "--json", "-", "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome;
+    const Json json = parse_json(outcome.out);
+    EXPECT_EQ(json["options"]["seams"], seams);
+    EXPECT_EQ(json["target"]["met"], seams == "weighted");
+    EXPECT_EQ(json["refused_at_end"]["feature"] == 0, seams == "weighted");
+    EXPECT_EQ(json["output"]["folded_texture_faces"], 0);
+    const std::string warnings = json["warnings"].dump();
+    EXPECT_EQ(warnings.find("'--seams weighted' reaches it") != std::string::npos, seams == "keep") << outcome;
+  }
+  expect_usage_error(whittle({"simplify", in, "-o", folder / "o.glb", "--faces", "9", "--seams", "loose"}),
+                     {"--seams"});
 }
 
 TEST(Gltf, WeighsAttributesAsAsked) {
