@@ -31,7 +31,7 @@ enum class Topology {
 enum class Seams {
   weighted,  ///< Planes of weight `AttributeWeights::seam` hold them in place, where the cost is of quadrics alone;
              ///< else seams are kept (`DecimateOptions::holds_seams`).
-  keep  ///< They go along their seam only; where seams meet or end they stay.
+  keep       ///< They go along their seam only; where seams meet or end they stay.
 };
 
 /// What becomes of the vertex normals of a mesh that has some.
