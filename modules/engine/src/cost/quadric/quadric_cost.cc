@@ -29,6 +29,7 @@ void QuadricCost::add_attributes(const Pair& pair, PairEvaluation& rank) const {
   double error = attributes_.error(pair, !complex_.is_threshold_pair(pair.id), rank.position);
   if (first_area_) {
     error *= memoryless_factor(quadrics_.matrix(pair.a).trace() + quadrics_.matrix(pair.b).trace(), *first_area_);
+    rank.bound += error;  // which is no lower bound then in any case; above it, the pair would be ranked over and over
   }
   rank.cost += error;
 }
