@@ -1,11 +1,11 @@
 #include "blocks/decimate_in_blocks.hh"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <limits>
 
 #include "cost/quadric/attribute_quadrics.hh"
+#include "cost/seam_planes.hh"
 #include "whittle/core/detail/parallel.hh"
 #include "whittle/core/wedges.hh"
 
@@ -29,39 +29,6 @@ MeanFaceArea mean_face_area(const IndexedMesh& mesh, const Frame& frame, unsigne
   double area = 0;
   for (const double part : areas) area += part;
   return {area, n, n};
-}
-
-/// The planes through seams at their vertices, by vertex. As `VertexQuadrics::add_seams` adds them.
-std::vector<Memory::Remembered> seam_planes(const IndexedMesh& mesh, const Frame& frame,
-                                            const DecimateOptions& options) {
-  const std::vector<VertexPair> seams = seam_edges(mesh);
-  if (seams.empty()) return {};
-  std::vector<Index> vertices;
-  for (const auto& [a, b] : seams) vertices.insert(vertices.end(), {a, b});
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  std::vector<Memory::Remembered> planes;
-  for (const Index v : vertices) planes.push_back({v, {}});
-  std::vector<Index> place_of(mesh.positions.size(), invalid_index);
-  for (Index i = 0; i < vertices.size(); ++i) place_of[vertices[i]] = i;
-  QuadricOptions of_seams = options.quadric;
-  of_seams.boundary_weight = options.attribute_weights.seam;
-  const auto is_seam = [&](Index v, Index w) {
-    if (place_of[v] == invalid_index || place_of[w] == invalid_index) return false;
-    const auto [low, high] = std::minmax(v, w);
-    return std::binary_search(seams.begin(), seams.end(), VertexPair{low, high});
-  };
-  for (const Triangle& face : mesh.faces) {
-    std::array<Vec3, 3> at;
-    for (std::size_t k = 0; k < 3; ++k) at[k] = frame.to_frame(mesh.positions[face[k]]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t next = (k + 1) % 3;
-      if (!is_seam(face[k], face[next])) continue;
-      const SymmetricMatrix plane = border_quadric(at[k], at[next], at[(k + 2) % 3], of_seams);
-      for (const std::size_t end : {k, next}) planes[place_of[face[end]]].quadric.a += plane;
-    }
-  }
-  return planes;
 }
 
 /// Whether the mesh is so large beside its edges that costs are rounding errors: most of those about 1000 faces are
@@ -155,7 +122,8 @@ LevelRemainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, c
                                 target.share_of(mesh.faces.size(), mesh.positions.size()));
   SharedProgress progress(options, mesh.positions.size(), mesh.faces.size(), share);
   const LevelContext context{options, mesh, frame, share, extras.displacement_limit, extras.steps, progress};
-  const Memory memory{mean_face_area(mesh, frame, options.threads), {}, seam_planes(mesh, frame, options)};
+  const Memory memory{
+      mean_face_area(mesh, frame, options.threads), {}, seam_planes(mesh, frame, seam_edges(mesh), options)};
   LevelRemainder remainder =
       is_exact_in_blocks(options) ? run_exact_levels(context, plan, memory) : run_levels(context, plan, memory);
   remainder.progress = progress.now().fraction;

@@ -7,6 +7,14 @@
 
 namespace whittle {
 
+std::vector<VertexPair> FeatureLines::seams() const {
+  std::vector<VertexPair> seams;
+  for (std::size_t i = 0; i < is_seam.size(); ++i) {
+    if (is_seam[i] != 0) seams.push_back(edges[i]);
+  }
+  return seams;
+}
+
 std::vector<VertexPair> FeatureLines::holding_edges(bool with_seams) const {
   if (with_seams || is_seam.empty()) return edges;
   std::vector<VertexPair> holding;

@@ -22,6 +22,8 @@ struct FeatureLines {
   std::vector<Course> courses;                  ///< of each edge; or empty: no edge stands for several
   std::optional<std::vector<Index>> corners{};  ///< vertices where lines meet, end or turn; empty: to be found
 
+  /// Those that are seams.
+  std::vector<VertexPair> seams() const;
   /// Those that hold their vertices. \param with_seams whether seams do
   std::vector<VertexPair> holding_edges(bool with_seams) const;
 };

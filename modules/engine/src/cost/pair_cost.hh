@@ -28,7 +28,7 @@ struct VertexState {
 /// Life of a cost, told by the loop:
 ///
 ///   see_faces()                    the faces of each vertex are listed
-///   see_seams(seams, weight)       only if there are some; faces are still listed
+///   see_seams(planes)              only if there are some, and nothing is to be recalled; faces are still listed
 ///   see_attributes(sums)           only if some count
 ///   start()                        neighbours and edges are known
 ///   resume(state)                  only if the run goes on from another one
@@ -42,8 +42,8 @@ class PairCost {
   virtual ~PairCost() = default;
 
   virtual void see_faces(unsigned /*threads*/) {}
-  /// \param seams by number in the input, ascending
-  virtual void see_seams(std::span<const VertexPair> /*seams*/, double /*weight*/) {}
+  /// \param planes of seams (`seam_planes`), by number in the input
+  virtual void see_seams(std::span<const Memory::Remembered> /*planes*/) {}
   virtual void see_attributes(const AttributeSums& /*sums*/) {}
   virtual void start(unsigned /*threads*/) {}
   /// Takes what was kept about vertices from an earlier run. Called after `start`. \param state by number in the input

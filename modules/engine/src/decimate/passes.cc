@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "attributes/wedge_map.hh"
+#include "cost/seam_planes.hh"
 #include "decimate/changes.hh"
 #include "decimate/checks.hh"
 #include "decimate/input_lines.hh"
@@ -135,6 +136,7 @@ struct PassStart {
   PassInput input;
   ThresholdPairs found_pairs;
   FeatureLines found_lines;
+  std::vector<Memory::Remembered> seam_planes;
   AttributeSums attributes;
   std::vector<std::uint8_t> locked;
 };
@@ -208,6 +210,8 @@ void Passes::begin_with_input(PassStart& start, const DecimateOptions& options, 
   start.input.surface = {mesh_.positions, frame_, mesh_.faces};
   start.input.threshold_pairs = start.found_pairs.pairs;
   start.input.lines = &start.found_lines;
+  start.seam_planes = seam_planes(mesh_, frame_, start.found_lines.seams(), options_);
+  start.input.seam_planes = start.seam_planes;
   start.input.locked = options_.locked;
 }
 

@@ -12,14 +12,6 @@ bool has_quadrics(const DecimateOptions& options) {
   return options.effective_cost() == Cost::quadric || options.effective_cost() == Cost::memoryless;
 }
 
-std::vector<VertexPair> seams_of(const FeatureLines& lines) {
-  std::vector<VertexPair> seams;
-  for (std::size_t i = 0; i < lines.edges.size(); ++i) {
-    if (lines.is_seam[i] != 0) seams.push_back(lines.edges[i]);
-  }
-  return seams;
-}
-
 /// \param has_planes whether the cost has planes through seams
 SeamHold seam_hold(const DecimateOptions& options, bool has_planes) {
   if (!has_planes) return SeamHold::at_ends;
@@ -85,9 +77,7 @@ Pass::Pass(const PassInput& input, const DecimateOptions& options)
   if (hosted_cost ? hosted_cost->stays_at_vertices() : stays_at_vertices(options)) complex_.follow_positions();
   if (!input.frozen.empty()) complex_.freeze(input.frozen);
   cost_->see_faces(options.threads);
-  if (input.lines && !input.lines->is_seam.empty()) {
-    cost_->see_seams(seams_of(*input.lines), options.attribute_weights.seam);
-  }
+  if (!input.seam_planes.empty()) cost_->see_seams(input.seam_planes);
   if (input.attributes) cost_->see_attributes(*input.attributes);
   complex_.connect(input.threshold_pairs, options.threads);
   const bool has_planes = !hosted_cost && has_quadrics(options);

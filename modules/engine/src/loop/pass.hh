@@ -24,6 +24,7 @@ struct PassInput {
   Surface surface;
   std::span<const VertexPair> threshold_pairs;
   const FeatureLines* lines = nullptr;
+  std::span<const Memory::Remembered> seam_planes;  ///< unless `memory` has them
   const AttributeSums* attributes = nullptr;
   double feature_tolerance = 0;          ///< in the frame
   std::span<const std::uint8_t> locked;  ///< per vertex, or empty

@@ -37,8 +37,9 @@ void look_at_ring(const TriangleComplex& complex, const Vec3& origin, Contractio
 
 }  // namespace
 
-void MemorylessCost::see_seams(std::span<const VertexPair> seams, double weight) {
-  for (const auto& [v, planes] : ranks_.quadrics().add_seams(seams, weight)) seams_[v].a = planes;
+void MemorylessCost::see_seams(std::span<const Memory::Remembered> planes) {
+  ranks_.see_seams(planes);
+  for_each_remembered(planes, complex_, [this](Index v, const Quadric& sum) { seams_[v] = sum; });
 }
 
 const Quadric* MemorylessCost::remembered_seams(Index v) const {
@@ -79,7 +80,6 @@ void MemorylessCost::recall(const Memory& memory) {
   for_each_remembered(memory.seams, complex_, [&](Index v, const Quadric& seams) {
     Quadric quadric = seams;
     quadric.a += quadrics.matrix(v);
-    if (const auto now = seams_.find(v); now != seams_.end()) quadric.a -= now->second.a;
     quadrics.store(v, quadric);
     if (has_planes_of_faces_[v]) seams_[v] = seams;
   });

@@ -23,7 +23,7 @@ class MemorylessCost final : public PairCost {
         changes_(options) {}
 
   void see_faces(unsigned threads) override { ranks_.see_faces(threads); }
-  void see_seams(std::span<const VertexPair> seams, double weight) override;
+  void see_seams(std::span<const Memory::Remembered> planes) override;
   void see_attributes(const AttributeSums& sums) override { ranks_.see_attributes(sums); }
   void start(unsigned threads) override;
   void resume(const DecimationState& state) override;

@@ -14,7 +14,7 @@ class QuadricCost final : public SummedQuadricsCost {
  public:
   QuadricCost(const TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options,
               bool has_threshold_pairs)
-      : SummedQuadricsCost(complex, options, has_threshold_pairs), complex_(complex), restraints_(restraints) {}
+      : SummedQuadricsCost(complex, options, has_threshold_pairs), restraints_(restraints) {}
 
   void see_attributes(const AttributeSums& sums) override { attributes_ = AttributeQuadrics(complex_, sums); }
   using PairCost::rank;
@@ -36,7 +36,6 @@ class QuadricCost final : public SummedQuadricsCost {
   PairEvaluation rank_one(const Pair& pair) const;
   void add_attributes(const Pair& pair, PairEvaluation& rank) const;
 
-  const TriangleComplex& complex_;
   const Restraints& restraints_;
   std::optional<double> first_area_;
   AttributeQuadrics attributes_;

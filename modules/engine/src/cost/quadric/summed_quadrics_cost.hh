@@ -9,10 +9,12 @@ namespace whittle {
 class SummedQuadricsCost : public PairCost {
  public:
   SummedQuadricsCost(const TriangleComplex& complex, const QuadricOptions& options, bool has_threshold_pairs)
-      : options_(options), quadrics_(complex, options, has_threshold_pairs) {}
+      : complex_(complex), options_(options), quadrics_(complex, options, has_threshold_pairs) {}
 
   void see_faces(unsigned threads) final { quadrics_.sum_faces(threads); }
-  void see_seams(std::span<const VertexPair> seams, double weight) final { quadrics_.add_seams(seams, weight); }
+  void see_seams(std::span<const Memory::Remembered> planes) final {
+    for_each_remembered(planes, complex_, [this](Index v, const Quadric& sum) { quadrics_.add_planes(v, sum.a); });
+  }
   void start(unsigned /*threads*/) final { quadrics_.add_borders(); }
   void resume(const DecimationState& state) final { quadrics_.resume(state); }
   void recall(const Memory& memory) final { quadrics_.recall(memory); }
@@ -21,6 +23,7 @@ class SummedQuadricsCost : public PairCost {
   VertexState vertex_state() const final { return quadrics_.state(); }
 
  protected:
+  const TriangleComplex& complex_;
   QuadricOptions options_;
   VertexQuadrics quadrics_;
 };

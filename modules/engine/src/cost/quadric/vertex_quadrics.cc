@@ -100,33 +100,6 @@ void VertexQuadrics::add_borders() {
   }
 }
 
-std::vector<std::pair<Index, SymmetricMatrix>> VertexQuadrics::add_seams(std::span<const VertexPair> seams,
-                                                                         double weight) {
-  QuadricOptions options = options_;
-  options.boundary_weight = weight;
-  const std::vector<Index> vertices = complex_.vertices_by_origin();
-  std::vector<bool> is_on_seam(vertices.size());
-  for (const auto& [a, b] : seams) is_on_seam[vertices[a]] = is_on_seam[vertices[b]] = true;
-  const auto is_seam = [&](Index v, Index w) {
-    const auto [low, high] = std::minmax({complex_.origin(v), complex_.origin(w)});
-    return is_on_seam[w] && std::binary_search(seams.begin(), seams.end(), VertexPair{low, high});
-  };
-  const auto position = [this](Index v) -> const Vec3& { return complex_.position(v); };
-  std::vector<std::pair<Index, SymmetricMatrix>> added;
-  for (Index v = 0; v < is_on_seam.size(); ++v) {
-    if (!is_on_seam[v]) continue;
-    SymmetricMatrix sum;
-    for (const Neighbour& listed : complex_.listed_faces(v)) {
-      const auto [x, y] = TriangleComplex::as_face(listed);
-      if (is_seam(v, x)) sum += border_quadric(position(v), position(x), position(y), options);
-      if (is_seam(v, y)) sum += border_quadric(position(y), position(v), position(x), options);
-    }
-    quadrics_[v].a += sum;
-    added.emplace_back(v, sum);
-  }
-  return added;
-}
-
 void VertexQuadrics::resume(const DecimationState& state) {
   for (Index v = 0; v < quadrics_.size(); ++v) store(v, state.vertices[complex_.origin(v)].quadric);
 }

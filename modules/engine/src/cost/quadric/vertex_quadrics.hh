@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "cost/pair_cost.hh"
@@ -20,10 +19,8 @@ class VertexQuadrics {
 
   /// Sums the planes of each vertex's faces, in the input's order. \pre the complex lists faces
   void sum_faces(unsigned threads);
-  /// Adds planes through seam edges, perpendicular to each of their faces. \param seams by number in the input,
-  /// ascending \param weight as `QuadricOptions::boundary_weight` is of borders \pre the complex lists faces
-  /// \return what was added, by vertex
-  std::vector<std::pair<Index, SymmetricMatrix>> add_seams(std::span<const VertexPair> seams, double weight);
+  /// Adds planes through v, before there are any that aren't.
+  void add_planes(Index v, const SymmetricMatrix& planes) { quadrics_[v].a += planes; }
   /// Adds the planes through border edges. \pre the complex is connected
   void add_borders();
 

@@ -15,7 +15,7 @@ class ValenceCost final : public PairCost {
       : complex_(complex), cost_(std::move(cost)), weight_(weight) {}
 
   void see_faces(unsigned threads) override { cost_->see_faces(threads); }
-  void see_seams(std::span<const VertexPair> seams, double weight) override { cost_->see_seams(seams, weight); }
+  void see_seams(std::span<const Memory::Remembered> planes) override { cost_->see_seams(planes); }
   void see_attributes(const AttributeSums& sums) override { cost_->see_attributes(sums); }
   void start(unsigned threads) override { cost_->start(threads); }
   void resume(const DecimationState& state) override { cost_->resume(state); }

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cost/memory.hh"
+#include "whittle/core/frame.hh"
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/engine/options.hh"
+
+namespace whittle {
+
+/// The planes that hold seams (`Seams`): for each seam edge and each of its faces the one through the edge,
+/// perpendicular to the face, as border edges have. They belong to both ends of the edge. \param seams lower vertex
+/// first, ascending \return their sums by vertex, ascending, in the frame
+std::vector<Memory::Remembered> seam_planes(const IndexedMesh& mesh, const Frame& frame,
+                                            std::span<const VertexPair> seams, const DecimateOptions& options);
+
+}  // namespace whittle
