@@ -19,14 +19,14 @@ constexpr double least_majority = 0.8;  ///< of the votes for a way round
 /// Of an unfolded face, over the edge that stays: what a sweep tries first, and what it is content with in the end.
 constexpr std::array least_heights{0.01, 0.0};
 constexpr int sweeps_a_height = 15;
-constexpr double flat = 1e-6;  ///< the height below which a face counts as flat, likewise
+constexpr double flat = 1e-6;  ///< the height below which a face counts as flat, over its longest edge
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Twice the area on the image; negative where a face lies clockwise.
 double area_on_image(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
 
-/// Where turn · (inward normal) · x ≥ least.
+/// The points x where normal · x ≥ least.
 struct HalfPlane {
   Vec2 normal;
   double least;

@@ -1,4 +1,4 @@
-// Decimation in blocks: the partition, and the promises of decimate where small meshes are cut into many blocks.
+// Decimation in blocks: the promises of decimate where small meshes are cut into many blocks.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,11 +6,11 @@
 #include <numeric>
 #include <thread>
 
-#include "blocks/ladder.hh"
 #include "decimate/run.hh"
 #include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/topology.hh"
+#include "unit/engine/blocks/larger_meshes.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/metrics/distance.hh"
 
@@ -48,23 +48,6 @@ Decimation in_blocks(const IndexedMesh& mesh, std::uint64_t n_faces, const Decim
   return run(mesh, target, options, nullptr, small_blocks);
 }
 
-std::vector<NamedMesh> larger_meshes() {
-  std::vector<NamedMesh> meshes{{"blob(4)", blob(4, 1)},
-                                {"noisy_sphere(4)", noisy_sphere(4, 0.05, 2)},
-                                {"torus(60, 20)", torus(60, 20)},
-                                {"terrain(30)", terrain(30, 3)},
-                                {"tessellated_cube(14)", tessellated_cube(14)},
-                                {"spheres(5, 3)", spheres(5, 3)},
-                                {"soup(blob(3))", soup(blob(3, 4))},
-                                {"book(3, 40)", book(3, 40)},
-                                {"two_cubes_on_an_edge(8)", two_cubes_on_an_edge(8)},
-                                {"moebius(60, 8)", moebius(60, 8)},
-                                {"isolated", with_isolated_vertices(blob(4, 5), 300, 6)},
-                                {"duplicates", with_duplicate_faces(blob(4, 7), 100)}};
-  for (const NamedMesh& named : all_meshes()) meshes.push_back(named);
-  return meshes;
-}
-
 void expect_equal(const Decimation& a, const Decimation& b) {
   EXPECT_EQ(a.mesh.positions, b.mesh.positions);
   EXPECT_EQ(a.mesh.faces, b.mesh.faces);
@@ -77,82 +60,7 @@ void expect_equal(const Decimation& a, const Decimation& b) {
   EXPECT_EQ(a.result.rejections.link, b.result.rejections.link);
 }
 
-// The partition ------------------------------------------------------------------------------------------------------
-
-TEST(Partition, GivesEachFaceToOneBlockAndEachInnerVertexAllItsFaces) {
-  for (const auto& [name, mesh] : larger_meshes()) {
-    SCOPED_TRACE(name);
-    const Surface surface{mesh.positions, Frame::of_points(mesh.positions), mesh.faces};
-    for (const std::size_t size : {std::size_t{10}, std::size_t{100}, std::size_t{1000}}) {
-      const Partition partition = make_partition(surface, size, 0.5, 1);
-      std::vector<std::size_t> block_of_face(mesh.faces.size(), partition.n_blocks());
-      std::size_t n_vertices = 0;
-      for (std::size_t block = 0; block < partition.n_blocks(); ++block) {
-        const auto faces = partition.faces.of(block);
-        EXPECT_TRUE(std::is_sorted(faces.begin(), faces.end()));
-        for (const Index f : faces) {
-          EXPECT_EQ(block_of_face[f], partition.n_blocks()) << "face " << f << " is in two blocks";
-          block_of_face[f] = block;
-        }
-        const auto vertices = partition.vertices.of(block);
-        EXPECT_TRUE(std::is_sorted(vertices.begin(), vertices.end()));
-        for (Index rank = 0; rank < vertices.size(); ++rank) {
-          EXPECT_EQ(partition.block_of[vertices[rank]], block);
-          EXPECT_EQ(partition.ranks[vertices[rank]], rank);
-        }
-        n_vertices += vertices.size();
-      }
-      EXPECT_EQ(n_vertices, mesh.positions.size());
-      for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        ASSERT_LT(block_of_face[f], partition.n_blocks());
-        for (const Index v : mesh.faces[f]) {
-          EXPECT_TRUE(partition.is_shared[v] != 0 || block_of_face[f] == partition.block_of[v]);
-        }
-      }
-    }
-  }
-}
-
-TEST(Partition, HasBlocksOfAboutTheSizeAskedForAndDependsOnTheMeshAlone) {
-  const IndexedMesh mesh = blob(6, 1);
-  const Surface surface{mesh.positions, Frame::of_points(mesh.positions), mesh.faces};
-  const Partition partition = make_partition(surface, 1000, 0.5, 1);
-  EXPECT_GE(partition.n_blocks(), 64U);
-  for (std::size_t block = 0; block < partition.n_blocks(); ++block) {
-    EXPECT_LT(partition.faces.of(block).size(), 2500U);
-    EXPECT_GT(partition.faces.of(block).size(), 250U);
-  }
-  const Partition other = make_partition(surface, 1000, 0.5, 3);
-  EXPECT_EQ(partition.block_of, other.block_of);
-  EXPECT_EQ(partition.is_shared, other.is_shared);
-  for (std::size_t block = 0; block < partition.n_blocks(); ++block) {
-    EXPECT_TRUE(std::ranges::equal(partition.faces.of(block), other.faces.of(block)));
-  }
-  const Partition shifted = make_partition(surface, 1000, 0.3, 1);
-  std::size_t n_shared_in_both = 0;
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    n_shared_in_both += partition.is_shared[v] != 0 && shifted.is_shared[v] != 0 ? 1 : 0;
-  }
-  EXPECT_LT(n_shared_in_both,
-            static_cast<std::size_t>(std::count(partition.is_shared.begin(), partition.is_shared.end(), 1)) / 2);
-}
-
-TEST(CostLadder, ClimbsInSmallStepsNearTheGoalAndEnds) {
-  for (const double area : {0.0, 1e-12, 1e-3}) {
-    CostLadder ladder(area);
-    EXPECT_GT(ladder.cost(), 0);
-    double last = ladder.cost();
-    EXPECT_FALSE(ladder.climb(1)) << "few enough are left";
-    for (const double excess : {10.0, 3.0, 1.1}) {
-      EXPECT_TRUE(ladder.climb(excess));
-      EXPECT_GT(ladder.cost(), last);
-      EXPECT_LE(ladder.cost(), (excess < 2 ? 1.2 : 4) * last);
-      last = ladder.cost();
-    }
-    int n = 0;
-    while (ladder.climb(2)) ASSERT_LT(++n, 2000) << "where nothing can be contracted";
-  }
-}
+// The promises of decimate -------------------------------------------------------------------------------------------
 
 TEST(Blocks, TakeMeshesWithoutArea) {
   IndexedMesh mesh = grid(30, 30);
@@ -161,8 +69,6 @@ TEST(Blocks, TakeMeshesWithoutArea) {
   EXPECT_EQ(d.mesh.faces.size(), d.result.n_faces);
   EXPECT_EQ(topology(d.mesh).components, 1);
 }
-
-// The promises of decimate -------------------------------------------------------------------------------------------
 
 TEST(Blocks, KeepTopologyAndReachTheTarget) {
   for (const auto& [name, mesh] : larger_meshes()) {
@@ -231,6 +137,33 @@ TEST(Blocks, MapVerticesAndFaces) {
       for (const Index v : face) EXPECT_NE(d.vertex_map[v], invalid_index);
     }
   }
+}
+
+TEST(Blocks, TakeMeshesWithSeams) {
+  IndexedMesh cube = charted_cube(16);
+  join_equal_wedges(cube);
+  for (const IndexedMesh& mesh : {tiled_torus(60, 30, 3), cube}) {
+    const Decimation one = in_blocks(mesh, mesh.faces.size() / 8, memoryless(1));
+    const Decimation three = in_blocks(mesh, mesh.faces.size() / 8, memoryless(3));
+    EXPECT_EQ(one.result.stop, StopReason::target);
+    EXPECT_TRUE(topology(one.mesh).manifold() && topology(one.mesh).closed());
+    EXPECT_EQ(topology(one.mesh).genus(), topology(mesh).genus());
+    EXPECT_FALSE(one.mesh.wedges.empty());
+    EXPECT_EQ(one.mesh.positions, three.mesh.positions);
+    EXPECT_EQ(one.mesh.faces, three.mesh.faces);
+    EXPECT_EQ(one.mesh.wedges, three.mesh.wedges);
+  }
+}
+
+TEST(Blocks, HoldSeams) {
+  const IndexedMesh mesh = disc_in_square(60);
+  const auto area_error = [&](double weight) {
+    DecimateOptions options = memoryless();
+    options.attribute_weights.seam = weight;
+    return std::abs(area_of_disc(in_blocks(mesh, 400, options).mesh) / area_of_disc(mesh) - 1);
+  };
+  EXPECT_LT(area_error(0.1), 0.01);
+  EXPECT_GT(area_error(0), 2 * area_error(0.1));
 }
 
 TEST(Blocks, SayWhyTheyAreNotTaken) {
@@ -363,33 +296,6 @@ TEST(BlocksInExactOrder, BeginAgainAsAWholeWhenTheyWentTooFar) {
 }
 
 // Threads, listener, progress ----------------------------------------------------------------------------------------
-
-TEST(Blocks, TakeMeshesWithSeams) {
-  IndexedMesh cube = charted_cube(16);
-  join_equal_wedges(cube);
-  for (const IndexedMesh& mesh : {tiled_torus(60, 30, 3), cube}) {
-    const Decimation one = in_blocks(mesh, mesh.faces.size() / 8, memoryless(1));
-    const Decimation three = in_blocks(mesh, mesh.faces.size() / 8, memoryless(3));
-    EXPECT_EQ(one.result.stop, StopReason::target);
-    EXPECT_TRUE(topology(one.mesh).manifold() && topology(one.mesh).closed());
-    EXPECT_EQ(topology(one.mesh).genus(), topology(mesh).genus());
-    EXPECT_FALSE(one.mesh.wedges.empty());
-    EXPECT_EQ(one.mesh.positions, three.mesh.positions);
-    EXPECT_EQ(one.mesh.faces, three.mesh.faces);
-    EXPECT_EQ(one.mesh.wedges, three.mesh.wedges);
-  }
-}
-
-TEST(Blocks, HoldSeams) {
-  const IndexedMesh mesh = disc_in_square(60);
-  const auto area_error = [&](double weight) {
-    DecimateOptions options = memoryless();
-    options.attribute_weights.seam = weight;
-    return std::abs(area_of_disc(in_blocks(mesh, 400, options).mesh) / area_of_disc(mesh) - 1);
-  };
-  EXPECT_LT(area_error(0.1), 0.01);
-  EXPECT_GT(area_error(0), 2 * area_error(0.1));
-}
 
 TEST(Blocks, GiveTheSameBytesOnAnyNumberOfThreads) {
   for (const auto& [name, mesh] : larger_meshes()) {
