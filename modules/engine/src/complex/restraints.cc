@@ -7,23 +7,6 @@
 
 namespace whittle {
 
-std::vector<VertexPair> FeatureLines::seams() const {
-  std::vector<VertexPair> seams;
-  for (std::size_t i = 0; i < is_seam.size(); ++i) {
-    if (is_seam[i] != 0) seams.push_back(edges[i]);
-  }
-  return seams;
-}
-
-std::vector<VertexPair> FeatureLines::holding_edges(bool with_seams) const {
-  if (with_seams || is_seam.empty()) return edges;
-  std::vector<VertexPair> holding;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (is_seam[i] == 0) holding.push_back(edges[i]);
-  }
-  return holding;
-}
-
 Restraints::Restraints(const TriangleComplex& complex, std::span<const std::uint8_t> locked, const FeatureLines& lines,
                        double corner_angle_deg, double tolerance, SeamHold seam_hold)
     : tolerance_sq_(tolerance * tolerance), seam_hold_(seam_hold) {
@@ -58,7 +41,6 @@ void Restraints::mark_features(const TriangleComplex& complex, const FeatureLine
     const auto number = static_cast<std::size_t>(found - lines.edges.begin());
     if (!lines.courses.empty() && !lines.courses[number].empty()) courses_[e] = lines.courses[number];
     if (!lines.is_seam.empty()) is_seam_[e] = lines.is_seam[number] != 0;
-    if (!is_line(e)) continue;
     add(a, {b, is_seam(e)});
     add(b, {a, is_seam(e)});
   }
@@ -92,7 +74,7 @@ std::optional<Index> Restraints::other_feature_edge(TriangleComplex& complex, In
   if (freedoms_[v] != Freedom::line) return std::nullopt;
   for (const Neighbour& neighbour : complex.live_pairs(v)) {
     const Index e = complex.live_edge(neighbour.edge);
-    if (e != edge && is_line(e)) return e;
+    if (e != edge && is_feature_[e]) return e;
   }
   return std::nullopt;
 }
@@ -100,13 +82,13 @@ std::optional<Index> Restraints::other_feature_edge(TriangleComplex& complex, In
 bool Restraints::bends_a_line(TriangleComplex& complex, const ContractionProfile& profile, const Vec3& position) const {
   if (!has_features()) return false;
   const Pair& pair = profile.pair;
-  const auto is_live_line = [&](Index edge) { return is_line(complex.live_edge(edge)); };
+  const auto is_live_line = [&](Index edge) { return is_feature_[complex.live_edge(edge)]; };
   const std::vector<ContractionProfile::Common>& common = profile.merged_neighbours();
   const bool closes_loop = std::any_of(common.begin(), common.end(), [&](const ContractionProfile::Common& neighbour) {
     return is_live_line(neighbour.edges[0]) && is_live_line(neighbour.edges[1]);
   });
   if (closes_loop) return true;
-  if (!is_line(pair.id) || is_seam(pair.id)) return false;
+  if (!is_feature_[pair.id] || is_seam(pair.id)) return false;
   // The vertex that moves takes its line's next edge along.
   const Index moved = moved_end(pair, complex.position(pair.a), position) == 0 ? pair.a : pair.b;
   const std::optional<Index> next = other_feature_edge(complex, moved, pair.id);
@@ -157,7 +139,7 @@ std::optional<Index> Restraints::other_feature_edge_before(const TriangleComplex
   const auto& [id, a, b] = change.pair;
   if (freedoms_[end == 0 ? a : b] != Freedom::line) return std::nullopt;
   for (const Change::MergedEdges& merged : change.edges) {
-    if (is_line(merged.edges[end])) return merged.edges[end];
+    if (is_feature_[merged.edges[end]]) return merged.edges[end];
   }
   const auto is_merged = [&change](Index v) {
     return std::any_of(change.edges.begin(), change.edges.end(),
@@ -166,7 +148,7 @@ std::optional<Index> Restraints::other_feature_edge_before(const TriangleComplex
   for (const Neighbour& neighbour : (end == 0 ? profile.first : profile.second).neighbours()) {
     if (is_merged(neighbour.vertex)) continue;
     const Index e = complex.live_edge(neighbour.edge);
-    if (is_line(e)) return e;
+    if (is_feature_[e]) return e;
   }
   return std::nullopt;
 }

@@ -11,8 +11,7 @@
 
 namespace whittle {
 
-/// The feature lines and seams of a surface, by its vertices. Seams are lines, too, but only the cost says where they
-/// go.
+/// The lines that hold their vertices, by these: features, and seams that are kept. Seams have no tolerance.
 struct FeatureLines {
   /// Where a line was, between the ends of a feature edge: its vertices there, in no particular order, in the frame.
   using Course = std::vector<Vec3>;
@@ -21,18 +20,12 @@ struct FeatureLines {
   std::vector<std::uint8_t> is_seam;            ///< of each edge: whether it is a seam, and no feature; or empty: none
   std::vector<Course> courses;                  ///< of each edge; or empty: no edge stands for several
   std::optional<std::vector<Index>> corners{};  ///< vertices where lines meet, end or turn; empty: to be found
-
-  /// Those that are seams.
-  std::vector<VertexPair> seams() const;
-  /// Those that hold their vertices. \param with_seams whether seams do
-  std::vector<VertexPair> holding_edges(bool with_seams) const;
 };
 
 /// How seams hold their vertices.
 enum class SeamHold {
   at_ends,  ///< They go along the seam; two that become one go to where one of them is.
-  along,    ///< They go along the seam, to where the cost likes, which knows of seams.
-  by_cost   ///< They go where the cost likes.
+  along     ///< They go along the seam, to where the cost likes, which knows of seams.
 };
 
 /// Which vertices may not go where they like: locked ones stay where they are; those on a feature line move along it
@@ -66,7 +59,7 @@ class Restraints {
   bool is_seam(Index edge) const { return !is_seam_.empty() && is_seam_[edge]; }
   bool has_seams() const { return !is_seam_.empty(); }
   /// Whether the edge is part of a line that holds its vertices.
-  bool is_feature(Index edge) const { return has_features() && is_line(edge); }
+  bool is_feature(Index edge) const { return has_features() && is_feature_[edge]; }
   bool are_both_locked(const Pair& pair) const { return is_locked(pair.a) && is_locked(pair.b); }
 
   /// Whether contracting the pair would lay two feature edges on one another, so that a line lost its loop, or take a
@@ -88,7 +81,6 @@ class Restraints {
   };
 
   bool has_features() const { return !is_feature_.empty(); }
-  bool is_line(Index edge) const { return is_feature_[edge] && !(seam_hold_ == SeamHold::by_cost && is_seam(edge)); }
   bool may_move(Index v, bool along_line) const {
     return freedoms_[v] == Freedom::full || (freedoms_[v] == Freedom::line && along_line);
   }

@@ -1,6 +1,7 @@
 #include "decimate/input_lines.hh"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "whittle/core/feature_edges.hh"
@@ -23,14 +24,19 @@ std::vector<VertexPair> input_features(const IndexedMesh& mesh, const DecimateOp
 
 }  // namespace
 
-FeatureLines input_lines(const IndexedMesh& mesh, const DecimateOptions& options) {
-  FeatureLines lines;
-  const std::vector<VertexPair> features = input_features(mesh, options);
+InputLines input_lines(const IndexedMesh& mesh, const DecimateOptions& options, bool keeps_seams) {
+  InputLines lines;
+  std::vector<VertexPair>& edges = lines.held.edges;
+  edges = input_features(mesh, options);
   const std::vector<VertexPair> seams = seam_edges(mesh);
-  std::set_union(features.begin(), features.end(), seams.begin(), seams.end(), std::back_inserter(lines.edges));
-  if (seams.empty()) return lines;
-  for (const VertexPair& edge : lines.edges) {
-    lines.is_seam.push_back(static_cast<std::uint8_t>(!std::binary_search(features.begin(), features.end(), edge)));
+  std::set_difference(seams.begin(), seams.end(), edges.begin(), edges.end(), std::back_inserter(lines.seams));
+  if (seams.empty() || !keeps_seams) return lines;
+  std::vector<VertexPair> all;
+  std::set_union(edges.begin(), edges.end(), seams.begin(), seams.end(), std::back_inserter(all));
+  edges = std::move(all);
+  for (const VertexPair& edge : edges) {
+    const bool is_seam = std::binary_search(lines.seams.begin(), lines.seams.end(), edge);
+    lines.held.is_seam.push_back(static_cast<std::uint8_t>(is_seam));
   }
   return lines;
 }

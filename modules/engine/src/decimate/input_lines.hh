@@ -6,8 +6,13 @@
 
 namespace whittle {
 
-/// The feature edges by angle and those that the caller names, and the seams of the mesh. Some that the caller names
-/// may be no edges of the mesh.
-FeatureLines input_lines(const IndexedMesh& mesh, const DecimateOptions& options);
+struct InputLines {
+  /// The feature edges by angle and those that the caller names, and the seams if they are kept. Some that the caller
+  /// names may be no edges of the mesh.
+  FeatureLines held;
+  std::vector<VertexPair> seams;  ///< those that are no features, whether they are kept or not; ascending
+};
+/// \param keeps_seams whether vertices on seams go along them only
+InputLines input_lines(const IndexedMesh& mesh, const DecimateOptions& options, bool keeps_seams);
 
 }  // namespace whittle

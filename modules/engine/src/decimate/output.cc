@@ -5,7 +5,7 @@
 #include "loop/contraction_log.hh"
 
 namespace whittle {
-Decimation geometry_of(const IndexedMesh& input, const DecimateOptions& options, Remainder left, const Frame& frame) {
+Decimation geometry_of(const IndexedMesh& input, Remainder left, const Frame& frame) {
   Decimation out;
   IndexedMesh& mesh = out.mesh;
   mesh.positions = std::move(left.positions);
@@ -18,7 +18,7 @@ Decimation geometry_of(const IndexedMesh& input, const DecimateOptions& options,
   mesh.faces = std::move(left.faces);
   out.face_origins = std::move(left.face_origins);
   out.vertex_map = std::move(left.vertex_map);
-  out.feature_edges = left.lines.holding_edges(options.holds_seams());
+  out.feature_edges = std::move(left.lines.edges);
   out.quadrics = std::move(left.quadrics);
   return out;
 }

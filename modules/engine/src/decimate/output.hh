@@ -9,6 +9,6 @@
 namespace whittle {
 
 /// The mesh and the maps of a decimation, without its attributes; `result` is left to the caller.
-Decimation geometry_of(const IndexedMesh& input, const DecimateOptions& options, Remainder left, const Frame& frame);
+Decimation geometry_of(const IndexedMesh& input, Remainder left, const Frame& frame);
 
 }  // namespace whittle

@@ -135,7 +135,7 @@ void add_earlier(const DecimateResult& earlier, DecimateResult& result) {
 struct PassStart {
   PassInput input;
   ThresholdPairs found_pairs;
-  FeatureLines found_lines;
+  InputLines found_lines;
   std::vector<Memory::Remembered> seam_planes;
   AttributeSums attributes;
   std::vector<std::uint8_t> locked;
@@ -206,11 +206,12 @@ double Passes::way_to(const DecimateTarget& stop) const {
 void Passes::begin_with_input(PassStart& start, const DecimateOptions& options, Preparation& preparation) {
   start.found_pairs = threshold_pairs(mesh_, options, preparation);
   pairs_ = counts_of(start.found_pairs, options_);
-  start.found_lines = input_lines(mesh_, options_);
+  const bool has_hosted_cost = host_ != nullptr && host_->cost() != nullptr;  // which knows of no seams
+  start.found_lines = input_lines(mesh_, options_, options_.holds_seams() || has_hosted_cost);
   start.input.surface = {mesh_.positions, frame_, mesh_.faces};
   start.input.threshold_pairs = start.found_pairs.pairs;
-  start.input.lines = &start.found_lines;
-  start.seam_planes = seam_planes(mesh_, frame_, start.found_lines.seams(), options_);
+  start.input.lines = &start.found_lines.held;
+  start.seam_planes = seam_planes(mesh_, frame_, start.found_lines.seams, options_);
   start.input.seam_planes = start.seam_planes;
   start.input.locked = options_.locked;
 }
@@ -339,7 +340,7 @@ bool Passes::is_beyond_target() const {
 
 bool Passes::adjust() {
   Remainder& left = *done_.left;
-  Decimation paused = geometry_of(mesh_, options_, left.geometry(), frame_);
+  Decimation paused = geometry_of(mesh_, left.geometry(), frame_);
   paused.result = done_.result;
   const std::vector<Vec3> before = paused.mesh.positions;
   const std::size_t n_faces = paused.mesh.faces.size();
@@ -381,7 +382,7 @@ Decimation Passes::output() {
   if (!done_.nonmanifold) {
     done_.nonmanifold = count_nonmanifold({done_.left->positions, Frame{}, done_.left->faces});
   }
-  Decimation out = geometry_of(mesh_, options_, std::move(*done_.left), frame_);
+  Decimation out = geometry_of(mesh_, std::move(*done_.left), frame_);
   if (options_.keep_steps) out.steps = std::move(done_.steps);
   carry_attributes(mesh_, frame_, options_.normals, out.vertex_map, out.face_origins, out.mesh);
   out.result = std::move(done_.result);

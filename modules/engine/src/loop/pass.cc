@@ -12,12 +12,6 @@ bool has_quadrics(const DecimateOptions& options) {
   return options.effective_cost() == Cost::quadric || options.effective_cost() == Cost::memoryless;
 }
 
-/// \param has_planes whether the cost has planes through seams
-SeamHold seam_hold(const DecimateOptions& options, bool has_planes) {
-  if (!has_planes) return SeamHold::at_ends;
-  return options.holds_seams() ? SeamHold::along : SeamHold::by_cost;
-}
-
 /// Whether each vertex of the result lies at one of the input.
 bool stays_at_vertices(const DecimateOptions& options) {
   return has_quadrics(options) && options.quadric.placement == Placement::endpoint;
@@ -83,7 +77,7 @@ Pass::Pass(const PassInput& input, const DecimateOptions& options)
   const bool has_planes = !hosted_cost && has_quadrics(options);
   restraints_ = Restraints(complex_, locked_vertices(complex_, input.locked, options.boundary),
                            input.lines ? *input.lines : FeatureLines{}, options.feature_angle_deg.value_or(180),
-                           input.feature_tolerance, seam_hold(options, has_planes));
+                           input.feature_tolerance, has_planes ? SeamHold::along : SeamHold::at_ends);
   cost_->start(options.threads);
   if (state) cost_->resume(*state);
   if (input.memory) cost_->recall(*input.memory);

@@ -107,7 +107,7 @@ class DecimationPolisher {
       if (!input_) {
         PolishOriginal original(mesh_, decimate.threads, polish_progress(decimate, decimation.result));
         input_.emplace(
-            PolishInput{std::move(original), input_lines(mesh_, decimate).holding_edges(decimate.holds_seams())});
+            PolishInput{std::move(original), input_lines(mesh_, decimate, decimate.holds_seams()).held.edges});
       }
       return polish_decimation(*input_, options, held, decimation);
     } catch (const Cancelled&) {
