@@ -71,6 +71,7 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
   std::vector<bool> is_on_seam(positions_.size());
   for (const auto& [v, w] : restraints_.seams()) is_on_seam[v] = is_on_seam[w] = true;
   if (options_.cost == Cost::memoryless) memory_.emplace(positions_, faces_, is_on_seam);
+  attributes_ = BruteForceAttributes(mesh, frame_, positions_, options_);
   if (options.pairs.threshold > 0) find_threshold_pairs(options.pairs);
   had_threshold_pairs_ = !threshold_pairs_.empty();
 }
@@ -202,7 +203,15 @@ PairEvaluation BruteForceDecimater::evaluate(Index a, Index b, bool is_edge, con
   const PlacedQuadric second = placed(b, is_edge);
   const Placement placement = options_.quadric.placement;
   if (options_.isotropy > 0) return evaluate_isotropic(first, second, options_.isotropy, placement, pinned);
-  return evaluate_pair(first, second, placement, pinned);
+  if (!attributes_.any()) return evaluate_pair(first, second, placement, pinned);
+  const BruteForceAttributes::PairCost attributes = attributes_.of(a, b, is_edge, positions_[b] - positions_[a]);
+  PlacedQuadric with_attributes = first;
+  with_attributes.quadric += attributes.quadric;
+  PairEvaluation evaluation = evaluate_pair(with_attributes, second, placement, pinned);
+  if (attributes.quadric(evaluation.position - first.position) <= attributes.most) return evaluation;
+  evaluation = evaluate_pair(first, second, placement, pinned);
+  evaluation.cost += attributes.most;
+  return evaluation;
 }
 
 /// The first in order of the allowed pairs, with final costs.
@@ -409,6 +418,9 @@ void BruteForceDecimater::contract(const Choice& choice, Index survivor, Index r
   std::vector<Triangle> faces = faces_after(survivor, removed);
   restraints_.contract(positions_, faces, survivor, removed, choice.position);
   quadrics_[survivor] = merge_quadrics(choice);
+  if (attributes_.any()) {
+    attributes_.contract(choice.low, choice.high, survivor, choice.is_edge, positions_, choice.position);
+  }
   if (memory_) {
     memory_->contract(survivor, removed, is_joint(choice.low, choice.high, choice.is_edge), faces_, faces);
   }
@@ -441,7 +453,7 @@ Quadric BruteForceDecimater::merge_seams(const Choice& choice) {
 Quadric BruteForceDecimater::merge_quadrics(const Choice& choice) {
   const auto& [cost, a, b, is_edge, cheapest, is_minimum, position] = choice;
   if (options_.cost != Cost::quadric && options_.cost != Cost::memoryless) return {};
-  Quadric quadric = merged(placed(a, is_edge), placed(b, is_edge), position, is_minimum).quadric;
+  Quadric quadric = merged(placed(a, is_edge), placed(b, is_edge), position, is_minimum && !attributes_.any()).quadric;
   if (!memory_) return quadric;
   const Vec3 origin = forgets(choice) ? cheapest : Vec3::Zero();
   const Quadric seams = merge_seams(choice);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "oracle/brute_force_attributes.hh"
 #include "oracle/brute_force_costs.hh"
 #include "oracle/brute_force_memoryless.hh"
 #include "oracle/brute_force_restraints.hh"
@@ -81,7 +82,8 @@ class BruteForceDecimater {
   bool had_threshold_pairs_ = false;                   ///< at the start
   BruteForceRestraints restraints_;
   std::optional<BruteForceMemory> memory_;  ///< of memoryless quadrics
-  std::vector<Triangle> faces_;             ///< of the current mesh, in the input's order
+  BruteForceAttributes attributes_;
+  std::vector<Triangle> faces_;  ///< of the current mesh, in the input's order
 };
 
 }  // namespace whittle::test

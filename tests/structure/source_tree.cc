@@ -43,8 +43,8 @@ std::vector<std::string> include_folders(const SourceTree& tree, const std::stri
     if (path.starts_with("modules/")) modules.insert(path.substr(0, path.find('/', 8)));
   for (const std::string& module : modules) {
     const std::string unit_tests = "tests/unit" + module.substr(module.find('/')) + "/";
-    if (from.starts_with(module + "/") || from.starts_with(unit_tests) || from.starts_with("tests/fuzz/"))
-      folders.push_back(module + "/src");
+    const bool sees_all = from.starts_with("tests/fuzz/") || from.starts_with("tests/oracle/");
+    if (from.starts_with(module + "/") || from.starts_with(unit_tests) || sees_all) folders.push_back(module + "/src");
     folders.push_back(module + "/include");
   }
   folders.insert(folders.end(), {"apps/whittle", "tests"});

@@ -168,10 +168,37 @@ IndexedMesh without_attributes(const IndexedMesh& mesh) {
   return surface;
 }
 
+namespace {
+
+/// The faces with a corner where its vertex differs between faces; a seam has no others.
+std::vector<std::uint8_t> faces_at_seams(const IndexedMesh& mesh) {
+  const auto group = [&](std::size_t f) { return mesh.face_groups.empty() ? 0 : mesh.face_groups[f]; };
+  std::vector<Index> first(mesh.positions.size(), invalid_index);  // corner at each vertex
+  std::vector<std::uint8_t> has_several(mesh.positions.size(), 0);
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    for (Index k = 0; k < 3; ++k) {
+      const Index v = mesh.faces[f][k];
+      if (first[v] == invalid_index) first[v] = 3 * f + k;
+      if (has_several[v] != 0) continue;
+      const bool differs =
+          group(f) != group(first[v] / 3) || are_apart(mesh, mesh.wedge(f, k), mesh.wedge(first[v] / 3, first[v] % 3));
+      has_several[v] = static_cast<std::uint8_t>(differs);
+    }
+  }
+  std::vector<std::uint8_t> is_there(mesh.faces.size());
+  for (std::size_t f = 0; f < is_there.size(); ++f) {
+    const auto& [a, b, c] = mesh.faces[f];
+    is_there[f] = static_cast<std::uint8_t>(has_several[a] | has_several[b] | has_several[c]);
+  }
+  return is_there;
+}
+
+}  // namespace
+
 std::vector<VertexPair> seam_edges(const IndexedMesh& mesh) {
   std::vector<VertexPair> seams;
   if (mesh.wedges.empty() && mesh.face_groups.empty()) return seams;
-  const detail::EdgeTable edges(mesh.faces, mesh.positions.size());
+  const detail::EdgeTable edges(mesh.faces, mesh.positions.size(), faces_at_seams(mesh));
   const auto wedge_at = [&](Index side, Index vertex) {
     const Index f = detail::face_of(side);
     const Triangle& face = mesh.faces[f];

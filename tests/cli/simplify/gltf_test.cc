@@ -244,7 +244,7 @@ TEST(Gltf, WeighsAttributesAsAsked) {
   const Outcome outcome = simplify("uv=0.5,joints=0");
   ASSERT_EQ(outcome.exit_code, 0) << outcome;
   EXPECT_EQ(parse_json(outcome.out)["options"]["attribute_weights"],
-            "uv=0.5,normal=1,color=1,morph=0.3,joints=0,seam=0.1");
+            "uv=0.5,normal=1,color=1,morph=0.3,joints=0,seam=0.03");
   for (const std::string weights : {"uv", "uv=-1", "texture=1", "uv=1,", "uv=x", ""}) {
     expect_usage_error(simplify(weights), {"--attribute-weight"});
   }

@@ -227,7 +227,6 @@ constexpr double rounding_floor = 1e-14;
 std::vector<Contraction> contractions_of(const IndexedMesh& mesh, DecimateOptions options) {
   std::vector<Contraction> done;
   options.listener = [&](const Contraction& c) { done.push_back(c); };
-  options.attribute_weights = {0, 0, 0, 0, 0};  // brute force looks at positions
   decimate(mesh, DecimateTarget::as_far_as_possible(), options);
   return done;
 }

@@ -4,7 +4,7 @@
 #include <functional>
 #include <limits>
 
-#include "cost/quadric/attribute_quadrics.hh"
+#include "cost/attributes/scaled_attributes.hh"
 #include "cost/seam_planes.hh"
 #include "whittle/core/detail/parallel.hh"
 #include "whittle/core/wedges.hh"

@@ -12,8 +12,6 @@
 
 namespace whittle {
 
-struct AttributeSums;
-
 /// What a cost keeps about a vertex, as memory to be fetched before it is asked for.
 struct VertexState {
   const std::byte* begin = nullptr;
@@ -29,7 +27,7 @@ struct VertexState {
 ///
 ///   see_faces()                    the faces of each vertex are listed
 ///   see_seams(planes)              only if there are some, and nothing is to be recalled; faces are still listed
-///   see_attributes(sums)           only if some count
+///   see_attributes(attributes)         only if some count
 ///   start()                        neighbours and edges are known
 ///   resume(state)                  only if the run goes on from another one
 ///   recall(memory)                 only if others worked on the surface before
@@ -44,7 +42,7 @@ class PairCost {
   virtual void see_faces(unsigned /*threads*/) {}
   /// \param planes of seams (`seam_planes`), by number in the input
   virtual void see_seams(std::span<const Memory::Remembered> /*planes*/) {}
-  virtual void see_attributes(const AttributeSums& /*sums*/) {}
+  virtual void see_attributes(SurfaceAttributes&& /*attributes*/) {}
   virtual void start(unsigned /*threads*/) {}
   /// Takes what was kept about vertices from an earlier run. Called after `start`. \param state by number in the input
   virtual void resume(const DecimationState& /*state*/) {}
@@ -55,6 +53,8 @@ class PairCost {
   virtual bool remembers(Index /*v*/) const { return false; }
   /// The planes of seams that v remembers, if these are all that it remembers; or null.
   virtual const Quadric* remembered_seams(Index /*v*/) const { return nullptr; }
+  /// What is kept about the attributes of some vertices, which get their places as numbers.
+  virtual SurfaceAttributes attributes_at(std::span<const Index> /*vertices*/) const { return {}; }
   /// What is remembered about the faces as they were at the start.
   virtual MeanFaceArea face_area() const { return {}; }
 
@@ -62,6 +62,10 @@ class PairCost {
   /// threads
   ///        may ask at once.
   virtual void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const = 0;
+  /// Likewise, with less work where a pair costs at least `enough`: its rank may cost less than it does, but that much.
+  virtual void rank_up_to(double /*enough*/, std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
+    rank(pairs, ranks);
+  }
   PairEvaluation rank(const Pair& pair) const {
     PairEvaluation ranked;
     rank({&pair, 1}, {&ranked, 1});

@@ -41,4 +41,9 @@ InputLines input_lines(const IndexedMesh& mesh, const DecimateOptions& options, 
   return lines;
 }
 
+std::vector<VertexPair> held_edges(const IndexedMesh& mesh, const DecimateOptions& options) {
+  if (!options.holds_seams()) return input_features(mesh, options);
+  return input_lines(mesh, options, true).held.edges;
+}
+
 }  // namespace whittle

@@ -15,4 +15,7 @@ struct InputLines {
 /// \param keeps_seams whether vertices on seams go along them only
 InputLines input_lines(const IndexedMesh& mesh, const DecimateOptions& options, bool keeps_seams);
 
+/// The edges of `InputLines::held`, without a host.
+std::vector<VertexPair> held_edges(const IndexedMesh& mesh, const DecimateOptions& options);
+
 }  // namespace whittle

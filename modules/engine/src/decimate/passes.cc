@@ -137,7 +137,7 @@ struct PassStart {
   ThresholdPairs found_pairs;
   InputLines found_lines;
   std::vector<Memory::Remembered> seam_planes;
-  AttributeSums attributes;
+  SurfaceAttributes attributes;
   std::vector<std::uint8_t> locked;
 };
 
@@ -228,11 +228,15 @@ void Passes::begin_with_remainder(PassStart& start) const {
   start.input.locked = start.locked;
 }
 
-/// Costs know the attributes of the input, whatever was contracted before.
+/// What the pass before knows of attributes, or the first that looks at them gathers from the input.
 void Passes::begin_with_attributes(PassStart& start) {
+  if (done_.left && done_.left->memory.attributes.wedges.any()) {
+    start.input.attributes = &done_.left->memory.attributes;
+    return;
+  }
   if (host_ || !looks_at_attributes(options_, mesh_)) return;
-  if (!attributes_) attributes_ = scaled_attributes(mesh_, frame_, options_.attribute_weights);
-  if (attributes_->n_components == 0) return;
+  const ScaledAttributes attributes = scaled_attributes(mesh_, frame_, options_.attribute_weights);
+  if (attributes.n_components == 0) return;
   WedgeMap map;
   if (done_.left) {
     map = map_wedges(mesh_, done_.left->vertex_map, done_.left->face_origins);
@@ -243,7 +247,11 @@ void Passes::begin_with_attributes(PassStart& start) {
     map.vertex_of.resize(n_vertices_left());
     std::iota(map.vertex_of.begin(), map.vertex_of.end(), Index{0});
   }
-  start.attributes = sum_attributes(mesh_, frame_, *attributes_, map.of_input, std::move(map.vertex_of));
+  const auto& [surface_positions, surface_frame, faces] = start.input.surface;
+  std::vector<Vec3> positions(surface_positions.begin(), surface_positions.end());
+  for (Vec3& p : positions) p = surface_frame.to_frame(p);
+  start.attributes =
+      sum_attributes(mesh_, frame_, attributes, map.of_input, std::move(map.vertex_of), positions, options_.threads);
   start.input.attributes = &start.attributes;
 }
 
@@ -360,12 +368,7 @@ bool Passes::adjust() {
     const Index origin = left.origins[v];
     if (keeps_steps()) changes.moved.push_back({origin, to_output(position, mesh_.positions[origin], frame_)});
   }
-  for (std::vector<Memory::Remembered>* const all : {&left.memory.quadrics, &left.memory.seams}) {
-    for (auto& [v, quadric] : *all) {
-      const Vec3 way = left.positions[v] - positions_before[v];
-      if (!way.isZero(0)) quadric = quadric.about(way);
-    }
-  }
+  move_origins(left.memory, positions_before, left.positions);
   if (keeps_steps()) {
     changes.n_contractions = done_.steps.contractions.size();
     done_.steps.pass_ends.back() = std::move(changes);

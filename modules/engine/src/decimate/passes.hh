@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "blocks/decimate_in_blocks.hh"
-#include "cost/quadric/attribute_quadrics.hh"
 #include "loop/pass.hh"
 #include "loop/remainder.hh"
 
@@ -89,7 +88,6 @@ class Passes {
   const DecimateOptions& options_;
   DecimationHost* host_;
   Frame frame_;
-  std::optional<ScaledAttributes> attributes_;  ///< of the input, once a pass has begun
   PassLimits limits_;
   Done done_;
   std::optional<NonmanifoldCounts> nonmanifold_before_;  ///< of the input

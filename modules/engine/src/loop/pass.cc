@@ -72,7 +72,7 @@ Pass::Pass(const PassInput& input, const DecimateOptions& options)
   if (!input.frozen.empty()) complex_.freeze(input.frozen);
   cost_->see_faces(options.threads);
   if (!input.seam_planes.empty()) cost_->see_seams(input.seam_planes);
-  if (input.attributes) cost_->see_attributes(*input.attributes);
+  if (input.attributes) cost_->see_attributes(std::move(*input.attributes));
   complex_.connect(input.threshold_pairs, options.threads);
   const bool has_planes = !hosted_cost && has_quadrics(options);
   restraints_ = Restraints(complex_, locked_vertices(complex_, input.locked, options.boundary),

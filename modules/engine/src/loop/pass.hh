@@ -25,12 +25,12 @@ struct PassInput {
   std::span<const VertexPair> threshold_pairs;
   const FeatureLines* lines = nullptr;
   std::span<const Memory::Remembered> seam_planes;  ///< unless `memory` has them
-  const AttributeSums* attributes = nullptr;
-  double feature_tolerance = 0;          ///< in the frame
-  std::span<const std::uint8_t> locked;  ///< per vertex, or empty
-  std::span<const std::uint8_t> frozen;  ///< per vertex, or empty: those that take part in no contraction
-  const Memory* memory = nullptr;        ///< of passes before
-  LoopContext context;                   ///< its refusals must outlive the pass
+  SurfaceAttributes* attributes = nullptr;          ///< moved from
+  double feature_tolerance = 0;                     ///< in the frame
+  std::span<const std::uint8_t> locked;             ///< per vertex, or empty
+  std::span<const std::uint8_t> frozen;             ///< per vertex, or empty: those that take part in no contraction
+  const Memory* memory = nullptr;                   ///< of passes before
+  LoopContext context;                              ///< its refusals must outlive the pass
   DecimationHost* host = nullptr;
 };
 

@@ -34,6 +34,7 @@ Memory memory_of(const PairCost& cost, const std::vector<Index>& vertices) {
     if (cost.remembers(v)) memory.quadrics.push_back({i, cost.quadric(v).quadric});
     if (const Quadric* const seams = cost.remembered_seams(v)) memory.seams.push_back({i, *seams});
   }
+  memory.attributes = cost.attributes_at(vertices);
   return memory;
 }
 

@@ -25,11 +25,16 @@ class BucketQueue {
   /// The bucket of a cost: monotone. Costs below 2⁻²⁰⁰ (of a frame 1 in size: rounding) share the first bucket, those
   /// above 2⁵⁶ the last.
   static Bucket bucket_of(double cost) {
-    constexpr int mantissa_bits = 7;
-    constexpr std::uint64_t first = std::uint64_t{1023 - 200} << mantissa_bits;
     const std::uint64_t bits = std::bit_cast<std::uint64_t>(cost) >> (52 - mantissa_bits);
-    return bits <= first ? 0 : static_cast<Bucket>(std::min<std::uint64_t>(bits - first, n_buckets - 1));
+    return bits <= first_bits ? 0 : static_cast<Bucket>(std::min<std::uint64_t>(bits - first_bits, n_buckets - 1));
   }
+
+  /// The least cost of a bucket.
+  static double least_cost_in(Bucket bucket) {
+    return bucket == 0 ? 0 : std::bit_cast<double>((first_bits + bucket) << (52 - mantissa_bits));
+  }
+  /// No cost from there on is past.
+  double end_of_past() const { return least_cost_in(next_bucket_); }
 
   /// Puts in the first members. \param buckets of members 0, 1, …; `no_bucket` leaves one out
   void fill(std::span<const Bucket> buckets) {
@@ -84,6 +89,8 @@ class BucketQueue {
   bool is_past(Bucket bucket) const { return bucket < next_bucket_; }
 
  private:
+  static constexpr int mantissa_bits = 7;
+  static constexpr std::uint64_t first_bits = std::uint64_t{1023 - 200} << mantissa_bits;
   static constexpr Bucket n_buckets = 256 * 128;
   static constexpr std::size_t block_capacity = 15;
   struct alignas(64) Block {

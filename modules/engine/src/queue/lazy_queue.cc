@@ -51,7 +51,7 @@ void LazyQueue::fill_queue(const RefusedPairs& refused, unsigned threads) {
       parcel.pairs[parcel.n] = {id, ends.first, ends.second};
       parcel.n += static_cast<std::size_t>(is_queued_at_first(ends) && refused.refuser(id) == RefusedPairs::none);
     }
-    evaluate(parcel);
+    evaluate(parcel, 0);
     for (std::size_t i = 0; i < parcel.n; ++i) {
       const Index id = parcel.pairs[i].id;
       const auto& [bound, cost, position, is_minimum] = parcel.evaluations[i];
@@ -70,25 +70,25 @@ void LazyQueue::fill_queue(const RefusedPairs& refused, unsigned threads) {
   }
 }
 
-/// Ranks the pairs, each with the lower origin first.
-LazyQueue::Parcel& LazyQueue::evaluate(Parcel& parcel) const {
+/// Ranks the pairs, each with the lower origin first. Pairs that cost `enough` have to wait in any case.
+LazyQueue::Parcel& LazyQueue::evaluate(Parcel& parcel, double enough) const {
   const auto pairs = std::span(parcel.pairs).first(parcel.n);
   for (Pair& pair : pairs) pair = in_order(complex_, pair);
-  rank(pairs, std::span(parcel.evaluations).first(parcel.n));
+  rank(pairs, std::span(parcel.evaluations).first(parcel.n), enough);
   return parcel;
 }
 
-void LazyQueue::rank(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const {
-  cost_.rank(pairs, evaluations);
+void LazyQueue::rank(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations, double enough) const {
+  cost_.rank_up_to(enough, pairs, evaluations);
   if (uncertain_ == nullptr) return;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (uncertain_->contains_any(pairs[i])) evaluations[i].cost = evaluations[i].bound;
   }
 }
 
-PairEvaluation LazyQueue::rank(const Pair& pair) const {
+PairEvaluation LazyQueue::rank(const Pair& pair, double enough) const {
   PairEvaluation evaluation;
-  rank({&pair, 1}, {&evaluation, 1});
+  rank({&pair, 1}, {&evaluation, 1}, enough);
   return evaluation;
 }
 
@@ -157,10 +157,10 @@ void LazyQueue::evaluate_members() {
   for (std::size_t begin = 0; begin < members_.size(); begin += pairs_per_parcel) {
     Parcel& next = parcels_[begin / pairs_per_parcel % 2];
     find_pairs(begin, std::min(members_.size(), begin + pairs_per_parcel), next);
-    if (last != nullptr) sort_in(evaluate(*last));
+    if (last != nullptr) sort_in(evaluate(*last, queue_.end_of_past()));
     last = &next;
   }
-  if (last != nullptr) sort_in(evaluate(*last));
+  if (last != nullptr) sort_in(evaluate(*last, queue_.end_of_past()));
 }
 
 /// Each thread writes to its own parcel. All may shorten paths in the complex' `parents_`, to the same values.
@@ -171,7 +171,7 @@ void LazyQueue::evaluate_members_on_all_threads() {
     thread_pool_.for_each_range(n, pairs_per_parcel, [this, begin](std::size_t first, std::size_t last) {
       Parcel& parcel = parcels_[first / pairs_per_parcel];
       find_pairs(begin + first, begin + last, parcel);
-      evaluate(parcel);
+      evaluate(parcel, queue_.end_of_past());
     });
     for (std::size_t i = 0; i < n; i += pairs_per_parcel) sort_in(parcels_[i / pairs_per_parcel]);
   }
@@ -298,7 +298,7 @@ void LazyQueue::queue_cheaper(const Change& change) {
     if (!complex_.is_pair_alive(pair)) continue;
     raised_.add(survivor, pair);
     const Pair now = pair_now(complex_, pair);
-    const PairEvaluation evaluation = rank(now);
+    const PairEvaluation evaluation = rank(now, 2 * raised_costs_[pair]);
     if (static_cast<float>(evaluation.cost) > raised_costs_[pair]) continue;
     raised_costs_[pair] = static_cast<float>(evaluation.cost);
     enqueue(candidate(complex_, now, evaluation.cost));

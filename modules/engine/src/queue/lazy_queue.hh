@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -55,8 +56,8 @@ class LazyQueue final : public PairQueue {
 
   bool is_queued_at_first(const TriangleComplex::Ends& ends) const;
   void fill_queue(const RefusedPairs& refused, unsigned threads);
-  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations) const;
-  PairEvaluation rank(const Pair& pair) const;
+  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations, double enough) const;
+  PairEvaluation rank(const Pair& pair, double enough = std::numeric_limits<double>::infinity()) const;
   std::optional<Candidate> next_candidate();
   std::optional<RankedPair> turn_of(const Candidate& then);
   bool open_bucket();
@@ -64,7 +65,7 @@ class LazyQueue final : public PairQueue {
   void evaluate_members();
   void evaluate_members_on_all_threads();
   void find_pairs(std::size_t begin, std::size_t end, Parcel& parcel);
-  Parcel& evaluate(Parcel& parcel) const;
+  Parcel& evaluate(Parcel& parcel, double enough) const;
   void sort_in(const Parcel& parcel);
   void sort_in(const Pair& pair, const PairEvaluation& evaluation);
   void prefetch_turns();

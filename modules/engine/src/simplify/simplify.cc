@@ -106,8 +106,7 @@ class DecimationPolisher {
     try {
       if (!input_) {
         PolishOriginal original(mesh_, decimate.threads, polish_progress(decimate, decimation.result));
-        input_.emplace(
-            PolishInput{std::move(original), input_lines(mesh_, decimate, decimate.holds_seams()).held.edges});
+        input_.emplace(PolishInput{std::move(original), held_edges(mesh_, decimate)});
       }
       return polish_decimation(*input_, options, held, decimation);
     } catch (const Cancelled&) {

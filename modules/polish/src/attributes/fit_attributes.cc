@@ -12,6 +12,7 @@
 #include "attributes/texture_folds.hh"
 #include "whittle/core/attribute_blend.hh"
 #include "whittle/core/detail/checks.hh"
+#include "whittle/core/detail/parallel.hh"
 #include "whittle/core/wedges.hh"
 
 namespace whittle {
@@ -110,10 +111,11 @@ class AttributeFit {
   void for_each_sample(const Use& use) const;
   void assemble();
   void guess(Values& values) const;
-  Vector right_side(const Values& values, std::size_t component) const;
+  std::vector<double> right_sides(const Values& values, std::size_t n) const;
 
   const IndexedMesh& original_;
   const IndexedMesh& mesh_;
+  unsigned threads_;
   AttributeFeet feet_;
   Matrix matrix_;
   Vector guess_weights_;  ///< λ M
@@ -121,7 +123,7 @@ class AttributeFit {
 
 AttributeFit::AttributeFit(const IndexedMesh& original, std::span<const Index> wedge_map, const IndexedMesh& mesh,
                            unsigned threads)
-    : original_(original), mesh_(mesh) {
+    : original_(original), mesh_(mesh), threads_(threads) {
   const detail::Workers workers(threads);
   const polishing::OriginalSurface surface(original, workers);
   const polishing::Origins origins(surface, wedge_map, mesh.positions.size(), 1, workers);
@@ -190,13 +192,20 @@ void AttributeFit::guess(Values& values) const {
   }
 }
 
-Vector AttributeFit::right_side(const Values& values, std::size_t component) const {
-  Vector sums = Vector::Zero(static_cast<Eigen::Index>(mesh_.positions.size()));
+/// Of the first n components, a row for each wedge.
+std::vector<double> AttributeFit::right_sides(const Values& values, std::size_t n) const {
+  std::vector<double> sums(n * mesh_.positions.size());
+  std::vector<double> value(n);
   for_each_sample([&](std::span<const Index> wedges, Index face, const std::array<double, 3>& at, double weight) {
-    double value = 0;
-    for (const Index w : wedges) value += values.original(w)[component];
-    value *= weight / static_cast<double>(wedges.size());
-    for (std::size_t k = 0; k < 3; ++k) sums[mesh_.faces[face][k]] += at[k] * value;
+    std::fill(value.begin(), value.end(), 0.0);
+    for (const Index w : wedges) {
+      for (std::size_t i = 0; i < n; ++i) value[i] += values.original(w)[i];
+    }
+    const double share = weight / static_cast<double>(wedges.size());
+    for (std::size_t k = 0; k < 3; ++k) {
+      double* const sum = sums.data() + n * mesh_.faces[face][k];
+      for (std::size_t i = 0; i < n; ++i) sum[i] += at[k] * (share * value[i]);
+    }
   });
   return sums;
 }
@@ -211,20 +220,27 @@ void restore_range(AttributeKind kind, std::span<const double> before, std::span
   }
 }
 
+/// A column of a table with rows of n numbers.
+auto column(std::vector<double>& table, std::size_t i, std::size_t n) {
+  using Stride = Eigen::InnerStride<>;
+  return Eigen::Map<Vector, 0, Stride>(table.data() + i, static_cast<Eigen::Index>(table.size() / n),
+                                       Stride(static_cast<Eigen::Index>(n)));
+}
+
 void AttributeFit::fit(Values& values) const {
   guess(values);
   const std::vector<double> guessed = values.to;
   const std::size_t n = values.n_components;
-  const auto n_wedges = static_cast<Eigen::Index>(mesh_.positions.size());
   const auto is_finite = [](double x) { return std::isfinite(x); };
   const bool is_fitted = std::all_of(values.from.begin(), values.from.end(), is_finite);  // or one spoils all
-  for (std::size_t i = 0; is_fitted && i < n_linear(values.kind, n); ++i) {
-    const auto column = [&](std::vector<double>& all) {
-      return Eigen::Map<Vector, 0, Eigen::InnerStride<>>(all.data() + i, n_wedges,
-                                                         Eigen::InnerStride<>(static_cast<Eigen::Index>(n)));
-    };
-    const Vector start = column(values.to);
-    column(values.to) = solved(matrix_, right_side(values, i) + guess_weights_.cwiseProduct(start), start);
+  const std::size_t n_fitted = is_fitted ? n_linear(values.kind, n) : 0;
+  if (n_fitted > 0) {
+    std::vector<double> sides = right_sides(values, n_fitted);
+    for_each_block(n_fitted, threads_, [&](std::size_t i) {
+      const Vector start = column(values.to, i, n);
+      const Vector side = column(sides, i, n_fitted) + guess_weights_.cwiseProduct(start);
+      column(values.to, i, n) = solved(matrix_, side, start);
+    });
   }
   for (Index w = 0; w < mesh_.positions.size(); ++w) {
     restore_range(values.kind, {guessed.data() + w * n, n}, values.fitted(w));

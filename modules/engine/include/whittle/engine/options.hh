@@ -63,7 +63,7 @@ struct Progress {
   Stage stage = Stage::decimate;
 };
 
-/// How much attributes count in costs with quadrics (attribute_quadrics.hh), by kind: an error of one is a length,
+/// How much attributes count in costs with quadrics (docs/dev/attributes.md), by kind: an error of one is a length,
 /// times this, and counts as if the surface were so far off. [0, inf); 0 = not at all. Other kinds don't count.
 struct AttributeWeights {
   double texcoord = 0.03;      ///< Of the way over which a texture changes by so much, in the mean.
@@ -71,7 +71,7 @@ struct AttributeWeights {
   double color = 1;            ///< Of 0.3 % of the diagonal for the range of a component.
   double displacement = 0.3;   ///< Of what a morph target moves.
   double joint_weights = 0.1;  ///< Of the way between the centres of what joints move.
-  double seam = 0.1;  ///< Of planes through seams (`seam_edges`), as `QuadricOptions::boundary_weight` is of borders.
+  double seam = 0.03;  ///< Of planes through seams (`seam_edges`), as `QuadricOptions::boundary_weight` is of borders.
 };
 
 struct Decimation;

@@ -8,8 +8,8 @@ namespace whittle {
 namespace {
 
 /// Estimated from the faces at rings, because other vertices have the planes of borders and seams, too.
-MeanFaceArea mean_face_area(const TriangleComplex& complex, const std::unordered_map<Index, Quadric>& seams,
-                            const VertexQuadrics& quadrics, double regularization) {
+MeanFaceArea mean_face_area(const TriangleComplex& complex, const PlanesOfSeams& seams, const VertexQuadrics& quadrics,
+                            double regularization) {
   double area = 0;
   std::uint64_t n_corners = 0;
   for (Index v = 0; v < complex.n_vertex_slots(); ++v) {
@@ -39,12 +39,8 @@ void look_at_ring(const TriangleComplex& complex, const Vec3& origin, Contractio
 
 void MemorylessCost::see_seams(std::span<const Memory::Remembered> planes) {
   ranks_.see_seams(planes);
-  for_each_remembered(planes, complex_, [this](Index v, const Quadric& sum) { seams_[v] = sum; });
-}
-
-const Quadric* MemorylessCost::remembered_seams(Index v) const {
-  const auto found = seams_.find(v);
-  return found == seams_.end() ? nullptr : &found->second;
+  for_each_remembered(planes, complex_,
+                      [this](Index v, const Quadric& sum) { seams_.set(v, sum, complex_.n_vertex_slots()); });
 }
 
 /// What v has now are not the planes of its faces any more.
@@ -81,29 +77,13 @@ void MemorylessCost::recall(const Memory& memory) {
     Quadric quadric = seams;
     quadric.a += quadrics.matrix(v);
     quadrics.store(v, quadric);
-    if (has_planes_of_faces_[v]) seams_[v] = seams;
+    if (has_planes_of_faces_[v]) seams_.set(v, seams, complex_.n_vertex_slots());
   });
 }
 
 /// Whether the merged vertex, and its neighbours, get the planes of their faces alone.
 bool MemorylessCost::forgets(const ContractionProfile& profile) const {
   return !profile.is_joint && complex_.is_ring(profile.pair.a) && complex_.is_ring(profile.pair.b);
-}
-
-/// Moves the planes of seams of both vertices to the merged one. \return these, about it
-Quadric MemorylessCost::merge_seams(const Change& change) {
-  Quadric sum;
-  bool has_some = false;
-  const std::array ends{change.pair.a, change.pair.b};
-  for (std::size_t end = 0; end < 2; ++end) {
-    const auto found = seams_.find(ends[end]);
-    if (found == seams_.end()) continue;
-    sum += found->second.about(change.position - change.before[end]);
-    has_some = true;
-    seams_.erase(found);
-  }
-  if (has_some) seams_[change.survivor] = sum;
-  return sum;
 }
 
 /// Where the volume is kept, else at the minimum.
@@ -135,7 +115,7 @@ void MemorylessCost::merge(ContractionProfile& profile, const PairEvaluation& ra
     has_planes_of_faces_[a] = has_planes_of_faces_[b] = true;
     MergedRing& ring = profile.ring;
     if (ring.moved_to() != change.position) ring.move_to(change.position, options_);
-    Quadric quadric = seams_.empty() ? Quadric{} : merge_seams(change);
+    Quadric quadric = seams_.merge(change);
     quadric.a += ring.planes();
     ranks_.quadrics().merge(change, quadric);
     ranks_.merge_attributes(change);

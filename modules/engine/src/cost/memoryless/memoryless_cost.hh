@@ -1,8 +1,8 @@
 #pragma once
 
-#include <unordered_map>
 #include <vector>
 
+#include "cost/memoryless/planes_of_seams.hh"
 #include "cost/quadric/quadric_cost.hh"
 #include "whittle/engine/formula/plane_changes.hh"
 
@@ -24,16 +24,22 @@ class MemorylessCost final : public PairCost {
 
   void see_faces(unsigned threads) override { ranks_.see_faces(threads); }
   void see_seams(std::span<const Memory::Remembered> planes) override;
-  void see_attributes(const AttributeSums& sums) override { ranks_.see_attributes(sums); }
+  void see_attributes(SurfaceAttributes&& attributes) override { ranks_.see_attributes(std::move(attributes)); }
   void start(unsigned threads) override;
   void resume(const DecimationState& state) override;
   void recall(const Memory& memory) override;
   bool remembers(Index v) const override { return !has_planes_of_faces_[v]; }
-  const Quadric* remembered_seams(Index v) const override;
+  const Quadric* remembered_seams(Index v) const override { return seams_.find(v); }
+  SurfaceAttributes attributes_at(std::span<const Index> vertices) const override {
+    return ranks_.attributes_at(vertices);
+  }
   MeanFaceArea face_area() const override { return face_area_; }
 
   using PairCost::rank;
   void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override { ranks_.rank(pairs, ranks); }
+  void rank_up_to(double enough, std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override {
+    ranks_.rank_up_to(enough, pairs, ranks);
+  }
   Settlement settle(ContractionProfile& profile, const PairEvaluation& ranked) const override;
   double final_cost(const ContractionProfile& profile, const PairEvaluation& ranked,
                     const Vec3& position) const override;
@@ -54,7 +60,6 @@ class MemorylessCost final : public PairCost {
   void change_neighbours(const ContractionProfile& profile, const Change& change);
   void remember_around(const ContractionProfile& profile);
   void remember_all(Index v);
-  Quadric merge_seams(const Change& change);
 
   TriangleComplex& complex_;
   QuadricOptions options_;
@@ -62,8 +67,8 @@ class MemorylessCost final : public PairCost {
   QuadricCost ranks_;
   /// Per vertex, whether of its live faces and of no others, those of seams aside.
   std::vector<bool> has_planes_of_faces_;
-  std::unordered_map<Index, Quadric> seams_;  ///< of vertices that have planes of faces, and of seams: the latter
-  PlaneChanges changes_;                      ///< scratch
+  PlanesOfSeams seams_;   ///< of vertices that have planes of faces, and of seams: the latter
+  PlaneChanges changes_;  ///< scratch
 };
 
 }  // namespace whittle

@@ -7,31 +7,30 @@
 
 namespace whittle {
 
-void QuadricCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
-  if (options_.placement == Placement::optimal) {
-    const auto is_edge = [this](const Pair& pair) { return !complex_.is_threshold_pair(pair.id); };
-    const auto n_edges =
-        static_cast<std::size_t>(std::partition_point(pairs.begin(), pairs.end(), is_edge) - pairs.begin());
-    find_minima(quadrics_, Points::without, pairs.first(n_edges), ranks, first_area_);
-    find_minima(quadrics_, Points::with, pairs.subspan(n_edges), ranks.subspan(n_edges), first_area_);
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (!ranks[i].is_minimum || restraints_.pinned(pairs[i]) != Pinned::none) ranks[i] = rank_one(pairs[i]);
-    }
-  } else {
-    std::transform(pairs.begin(), pairs.end(), ranks.begin(), [this](const Pair& pair) { return rank_one(pair); });
-  }
+void QuadricCost::rank_up_to(double enough, std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
+  rank_planes(pairs, ranks);
   if (!attributes_.any()) return;
-  for (std::size_t i = 0; i < pairs.size(); ++i) add_attributes(pairs[i], ranks[i]);
+  constexpr std::size_t ahead = 4;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (i + ahead < pairs.size() && ranks[i + ahead].cost < enough) attributes_.prefetch(pairs[i + ahead]);
+    if (ranks[i].cost < enough) ranks[i] = rank_with_attributes(pairs[i], ranks[i].bound);
+  }
 }
 
-/// What attributes cost at the position that the planes like.
-void QuadricCost::add_attributes(const Pair& pair, PairEvaluation& rank) const {
-  double error = attributes_.error(pair, !complex_.is_threshold_pair(pair.id), rank.position);
-  if (first_area_) {
-    error *= memoryless_factor(quadrics_.matrix(pair.a).trace() + quadrics_.matrix(pair.b).trace(), *first_area_);
-    rank.bound += error;  // which is no lower bound then in any case; above it, the pair would be ranked over and over
+void QuadricCost::rank_planes(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
+  if (options_.placement != Placement::optimal) {
+    std::transform(pairs.begin(), pairs.end(), ranks.begin(),
+                   [this](const Pair& pair) { return rank_planes_of(pair); });
+    return;
   }
-  rank.cost += error;
+  const auto is_edge = [this](const Pair& pair) { return !complex_.is_threshold_pair(pair.id); };
+  const auto n_edges =
+      static_cast<std::size_t>(std::partition_point(pairs.begin(), pairs.end(), is_edge) - pairs.begin());
+  find_minima(quadrics_, Points::without, pairs.first(n_edges), ranks, first_area_);
+  find_minima(quadrics_, Points::with, pairs.subspan(n_edges), ranks.subspan(n_edges), first_area_);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (!ranks[i].is_minimum || restraints_.pinned(pairs[i]) != Pinned::none) ranks[i] = rank_planes_of(pairs[i]);
+  }
 }
 
 /// One end of a pair, as the pair's cost sees it.
@@ -40,11 +39,9 @@ WHITTLE_INLINE PlacedQuadric QuadricCost::placed(const Pair& pair, Index v, cons
   return complex_.is_threshold_pair(pair.id) ? quadrics_.with_points(v, placed) : placed;
 }
 
-PairEvaluation QuadricCost::rank_one(const Pair& pair) const {
-  const Pinned pinned = restraints_.pinned(pair).value_or(Pinned::first);
-  const PlacedQuadric first = placed(pair, pair.a, complex_.position(pair.a));
-  const PlacedQuadric second = placed(pair, pair.b, complex_.position(pair.b));
-  PairEvaluation evaluation = evaluate_pair(first, second, options_.placement, pinned);
+/// Memoryless costs have a factor by the weight of the planes.
+PairEvaluation QuadricCost::in_unit(PairEvaluation evaluation, const PlacedQuadric& first,
+                                    const PlacedQuadric& second) const {
   if (!first_area_) return evaluation;
   const double factor = memoryless_factor(first.quadric.a.trace() + second.quadric.a.trace(), *first_area_);
   evaluation.bound *= factor;
@@ -52,10 +49,35 @@ PairEvaluation QuadricCost::rank_one(const Pair& pair) const {
   return evaluation;
 }
 
+PairEvaluation QuadricCost::rank_planes_of(const Pair& pair) const {
+  const PlacedQuadric first = placed(pair, pair.a, complex_.position(pair.a));
+  const PlacedQuadric second = placed(pair, pair.b, complex_.position(pair.b));
+  const Pinned pinned = restraints_.pinned(pair).value_or(Pinned::first);
+  return in_unit(evaluate_pair(first, second, options_.placement, pinned), first, second);
+}
+
+/// Attributes move the vertex, too, unless they would cost more than they may.
+PairEvaluation QuadricCost::rank_with_attributes(const Pair& pair, double bound_of_planes) const {
+  const PlacedQuadric first = placed(pair, pair.a, complex_.position(pair.a));
+  const PlacedQuadric second = placed(pair, pair.b, complex_.position(pair.b));
+  const Pinned pinned = restraints_.pinned(pair).value_or(Pinned::first);
+  const PairAttributes attributes = attributes_.of(pair, !complex_.is_threshold_pair(pair.id));
+  PlacedQuadric all = first;
+  all.quadric += attributes.quadric;
+  PairEvaluation evaluation = evaluate_pair(all, second, options_.placement, pinned);
+  if (!(attributes.quadric(evaluation.position - first.position) <= attributes.most)) {
+    evaluation = evaluate_pair(first, second, options_.placement, pinned);
+    evaluation.cost += attributes.most;
+  }
+  if (first_area_) return in_unit(evaluation, first, second);
+  if (!attributes.never_falls) evaluation.bound = bound_of_planes;
+  return evaluation;
+}
+
 void QuadricCost::merge(ContractionProfile& /*profile*/, const PairEvaluation& ranked, const Change& change) {
   const PlacedQuadric sum =
       merged(placed(change.pair, change.pair.a, change.before[0]), placed(change.pair, change.pair.b, change.before[1]),
-             change.position, ranked.is_minimum);
+             change.position, ranked.is_minimum && !attributes_.any());
   quadrics_.merge(change, sum.quadric);
   merge_attributes(change);
 }

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "complex/restraints.hh"
-#include "cost/quadric/attribute_quadrics.hh"
+#include "cost/attributes/attribute_quadrics.hh"
 #include "cost/quadric/summed_quadrics_cost.hh"
 
 namespace whittle {
@@ -16,9 +17,15 @@ class QuadricCost final : public SummedQuadricsCost {
               bool has_threshold_pairs)
       : SummedQuadricsCost(complex, options, has_threshold_pairs), restraints_(restraints) {}
 
-  void see_attributes(const AttributeSums& sums) override { attributes_ = AttributeQuadrics(complex_, sums); }
+  void see_attributes(SurfaceAttributes&& attributes) override {
+    attributes_ = AttributeQuadrics(complex_, std::move(attributes));
+  }
+  SurfaceAttributes attributes_at(std::span<const Index> vertices) const override { return attributes_.at(vertices); }
   using PairCost::rank;
-  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;
+  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override {
+    rank_up_to(std::numeric_limits<double>::infinity(), pairs, ranks);
+  }
+  void rank_up_to(double enough, std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;
   void merge(ContractionProfile& profile, const PairEvaluation& ranked, const Change& change) override;
   Reach reach() const override { return Reach::none; }
 
@@ -33,8 +40,10 @@ class QuadricCost final : public SummedQuadricsCost {
 
  private:
   PlacedQuadric placed(const Pair& pair, Index v, const Vec3& position) const;
-  PairEvaluation rank_one(const Pair& pair) const;
-  void add_attributes(const Pair& pair, PairEvaluation& rank) const;
+  void rank_planes(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const;
+  PairEvaluation rank_planes_of(const Pair& pair) const;
+  PairEvaluation rank_with_attributes(const Pair& pair, double bound_of_planes) const;
+  PairEvaluation in_unit(PairEvaluation evaluation, const PlacedQuadric& first, const PlacedQuadric& second) const;
 
   const Restraints& restraints_;
   std::optional<double> first_area_;

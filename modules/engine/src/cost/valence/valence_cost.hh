@@ -16,7 +16,10 @@ class ValenceCost final : public PairCost {
 
   void see_faces(unsigned threads) override { cost_->see_faces(threads); }
   void see_seams(std::span<const Memory::Remembered> planes) override { cost_->see_seams(planes); }
-  void see_attributes(const AttributeSums& sums) override { cost_->see_attributes(sums); }
+  SurfaceAttributes attributes_at(std::span<const Index> vertices) const override {
+    return cost_->attributes_at(vertices);
+  }
+  void see_attributes(SurfaceAttributes&& attributes) override { cost_->see_attributes(std::move(attributes)); }
   void start(unsigned threads) override { cost_->start(threads); }
   void resume(const DecimationState& state) override { cost_->resume(state); }
   void recall(const Memory& memory) override { cost_->recall(memory); }

@@ -30,6 +30,8 @@ using Lanes = LaneArray<T, n>;
 
 using Double2 = detail::Lanes<double, 2>;
 using Double4 = detail::Lanes<double, 4>;
+/// In registers that every processor has.
+using Float4 = detail::Lanes<float, 4>;
 
 template <class Real>
 inline constexpr std::size_t n_lanes = sizeof(Real) / sizeof(double);
@@ -59,6 +61,11 @@ WHITTLE_INLINE Vector load_lanes(const Number* from) {
   Vector lanes;
   std::memcpy(static_cast<void*>(&lanes), from, sizeof(lanes));
   return lanes;
+}
+
+template <class Vector, class Number>
+WHITTLE_INLINE void store_lanes(const Vector& lanes, Number* to) {
+  std::memcpy(static_cast<void*>(to), &lanes, sizeof(lanes));
 }
 
 /// real = {at(0), at(1), …}

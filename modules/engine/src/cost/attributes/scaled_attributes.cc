@@ -2,14 +2,12 @@
 #include <array>
 #include <cmath>
 
-#include "cost/quadric/attribute_quadrics.hh"
+#include "cost/attributes/scaled_attributes.hh"
 #include "whittle/core/wedges.hh"
 
 namespace whittle {
 namespace {
 
-/// Slopes of an attribute are cut there, times its weight. A texture of even scale has a slope of 1.
-constexpr double steepest = 4;
 /// Of the diagonal: what an error of 1 counts as, in normals (radians) and colours.
 constexpr double length_of_radian = 5e-4;
 constexpr double length_of_color = 3e-3;
@@ -65,14 +63,15 @@ class Columns {
     }
   }
 
-  std::vector<double> rows() const {
-    std::vector<double> rows(columns_.size() * n_wedges_);
+  ScaledAttributes rows(double farthest) const {
+    ScaledAttributes attributes{columns_.size(), {}, farthest};
+    const std::size_t stride = attributes.stride();
+    attributes.values.resize(stride * n_wedges_);
     for (std::size_t j = 0; j < columns_.size(); ++j) {
-      for (std::size_t w = 0; w < n_wedges_; ++w) rows[w * columns_.size() + j] = columns_[j][w];
+      for (std::size_t w = 0; w < n_wedges_; ++w) attributes.values[w * stride + j] = columns_[j][w];
     }
-    return rows;
+    return attributes;
   }
-  std::size_t size() const { return columns_.size(); }
 
  private:
   std::size_t n_wedges_;
@@ -160,41 +159,6 @@ void add_attribute(const IndexedMesh& mesh, const Frame& frame, double diagonal,
   }
 }
 
-/// A face's linear functions of the position, one for each component: slope, then value at the origin.
-class FaceFunctions {
- public:
-  /// \pre the face has an area
-  explicit FaceFunctions(const Corners& corners) : center_((corners[0] + corners[1] + corners[2]) / 3) {
-    const Vec3 u = corners[1] - corners[0];
-    const Vec3 v = corners[2] - corners[0];
-    const Vec3 n = u.cross(v);
-    const double square = n.squaredNorm();
-    dual_u_ = v.cross(n) / square;
-    dual_v_ = n.cross(u) / square;
-  }
-
-  std::array<double, 4> through(double s0, double s1, double s2) const {
-    Vec3 gradient = (s1 - s0) * dual_u_ + (s2 - s0) * dual_v_;
-    const double length = gradient.norm();
-    if (length > steepest) gradient *= steepest / length;
-    return {gradient.x(), gradient.y(), gradient.z(), (s0 + s1 + s2) / 3 - gradient.dot(center_)};
-  }
-
- private:
-  Vec3 center_, dual_u_, dual_v_;
-};
-
-/// Adds a component's function to a face's share in the sums of its wedges.
-void add_function(const std::array<double, 4>& f, double area, std::size_t component, std::span<double> share) {
-  double* into = share.data() + 1;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = i; j < 3; ++j) *into++ += area * f[i] * f[j];
-  }
-  for (std::size_t i = 0; i < 4; ++i) *into++ += area * f[i] * f[3];
-  into += 4 * component;
-  for (std::size_t i = 0; i < 4; ++i) *into++ = area * f[i];
-}
-
 }  // namespace
 
 bool looks_at_attributes(const DecimateOptions& options, const IndexedMesh& mesh) {
@@ -217,36 +181,7 @@ ScaledAttributes scaled_attributes(const IndexedMesh& input, const Frame& frame,
   for (const Attribute& attribute : input.attributes) {
     add_attribute(input, frame, diagonal, weights, attribute, columns);
   }
-  return {columns.size(), columns.rows(), most_error * diagonal};
-}
-
-AttributeSums sum_attributes(const IndexedMesh& input, const Frame& frame, const ScaledAttributes& attributes,
-                             std::span<const Index> wedge_of, std::vector<Index> vertex_of) {
-  AttributeSums result{attributes.n_components, attributes.farthest, {}, std::move(vertex_of)};
-  result.sums.resize(result.vertex_of.size() * result.stride());
-  std::vector<double> share(result.stride());
-  for (std::size_t f = 0; f < input.faces.size(); ++f) {
-    const Corners corners = corners_in_frame(input, frame, f);
-    const double area = area_of(corners);
-    if (!(area > 0)) continue;
-    const FaceFunctions functions(corners);
-    std::fill(share.begin(), share.end(), 0);
-    share[0] = area;
-    std::array<const double*, 3> values{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      values[k] = attributes.values.data() + input.wedge(f, k) * attributes.n_components;
-    }
-    for (std::size_t j = 0; j < attributes.n_components; ++j) {
-      add_function(functions.through(values[0][j], values[1][j], values[2][j]), area, j, share);
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index w = wedge_of[input.wedge(f, k)];
-      if (w == invalid_index) continue;
-      double* const sum = result.sums.data() + w * result.stride();
-      for (std::size_t i = 0; i < share.size(); ++i) sum[i] += share[i];
-    }
-  }
-  return result;
+  return columns.rows(most_error * diagonal);
 }
 
 }  // namespace whittle

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "complex/triangle_complex.hh"
+#include "cost/attributes/surface_attributes.hh"
+
+namespace whittle {
+
+/// What a pair's attributes cost.
+struct PairAttributes {
+  Quadric quadric;  ///< about the first vertex
+  double most = 0;  ///< they cost no more than that
+  /// Whether the minimum, together with the planes, never falls as vertices merge: wedges that may join others may find
+  /// better ones then.
+  bool never_falls = true;
+};
+
+/// The attributes of a complex's vertices, a quadric for each wedge.
+class AttributeQuadrics {
+ public:
+  /// None.
+  AttributeQuadrics() = default;
+  AttributeQuadrics(const TriangleComplex& complex, SurfaceAttributes attributes);
+
+  bool any() const { return wedges_.any(); }
+
+  /// Each wedge of the end that has fewer joins that of the other end to which its values are nearest in the middle of
+  /// the pair. Wedges of threshold pairs stay apart.
+  PairAttributes of(const Pair& pair, bool is_edge) const;
+  /// What `of` looks at, where there is no seam.
+  void prefetch(const Pair& pair) const {
+    for (const Index v : {pair.a, pair.b}) {
+      if (first_[v] != invalid_index) wedges_.prefetch(first_[v]);
+    }
+  }
+  void merge(const Change& change, bool is_edge);
+
+  /// Those of some vertices, which get their places as numbers. None if there are none.
+  SurfaceAttributes at(std::span<const Index> vertices) const;
+
+ private:
+  Index best_match(Index wedge, const Vec3& to_middle, Index many, std::uint64_t used) const;
+  /// Calls `joined` with the wedges at a and at b that become one, `alone` with a vertex and a wedge there that joins
+  /// none.
+  template <class Joined, class Alone>
+  void match(const Pair& pair, bool is_edge, const Vec3& a_to_b, const Joined& joined, const Alone& alone) const;
+  std::size_t n_wedges_at(Index v) const;
+  bool has_one(Index v) const { return first_[v] != invalid_index && next_[first_[v]] == invalid_index; }
+
+  const TriangleComplex* complex_ = nullptr;
+  WedgeQuadrics wedges_;
+  double farthest_ = 0;
+  std::vector<Index> first_;                     ///< of the wedges at each vertex
+  std::vector<Index> next_;                      ///< of those at the same vertex, after each wedge
+  std::vector<Index> kept_;                      ///< scratch
+  std::vector<std::pair<Index, Index>> joined_;  ///< scratch
+};
+
+}  // namespace whittle
