@@ -82,18 +82,18 @@ TEST(TextureFolds, GoWhereOneVertexIsOff) {
   EXPECT_EQ(grid.n_folded(), 0);
 }
 
-/// Random errors of up to 0.75 edges each way.
+/// Random errors of up to an edge each way. No single vertex could unfold many of these faces.
 TEST(TextureFolds, GoFromRandomTextures) {
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> error(-0.75, 0.75);
+  std::uniform_real_distribution<double> error(-1, 1);
   for (int round = 0; round < 50; ++round) {
     MirroredGrid grid;
     for (double& x : grid.texcoords) x += error(random);
     const std::size_t n_before = grid.n_folded();
     const std::size_t n_left = polishing::unfold(grid.mesh.faces, grid.turns, grid.texcoords, 2);
     EXPECT_GT(n_before, 10);
-    EXPECT_LE(n_left, n_before / 10);
-    EXPECT_EQ(grid.n_folded(), n_left);
+    EXPECT_EQ(n_left, 0);
+    EXPECT_EQ(grid.n_folded(), 0);
   }
 }
 

@@ -19,6 +19,9 @@ constexpr double least_majority = 0.8;  ///< of the votes for a way round
 /// Of an unfolded face, over the edge that stays: what a sweep tries first, and what it is content with in the end.
 constexpr std::array least_heights{0.01, 0.0};
 constexpr int sweeps_a_height = 15;
+/// For the faces that are left: of all vertices around, each to where its worst face is folded least.
+/// \cite freitag_2000_untangling
+constexpr int relaxing_sweeps = 50;
 constexpr double flat = 1e-6;  ///< the height below which a face counts as flat, over its longest edge
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -93,6 +96,10 @@ class Unfolder {
         folded = folded_faces();
       }
     }
+    for (int sweep = 0; sweep < relaxing_sweeps && !folded.empty(); ++sweep) {
+      for (const Index w : around(folded)) relax(w);
+      folded = folded_faces();
+    }
     return folded.size();
   }
 
@@ -155,6 +162,47 @@ class Unfolder {
       best = {w, *to};
     }
     if (best) move(best->first, best->second);
+  }
+
+  /// The corners of faces and of their neighbours, ascending.
+  std::vector<Index> around(std::span<const Index> faces) const {
+    std::vector<Index> wedges;
+    for (const Index f : faces) {
+      for (const Index w : faces_[f]) {
+        for (const Index neighbour : faces_at_.of(w))
+          wedges.insert(wedges.end(), faces_[neighbour].begin(), faces_[neighbour].end());
+      }
+    }
+    std::sort(wedges.begin(), wedges.end());
+    wedges.erase(std::unique(wedges.begin(), wedges.end()), wedges.end());
+    return wedges;
+  }
+
+  /// The least height of the faces at w, over the edges that stay; negative if one is folded.
+  double least_height_at(Index w) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Index f : faces_at_.of(w)) {
+      const auto [x, y] = others(f, w);
+      const double length_sq = (at(y) - at(x)).squaredNorm();
+      if (turns_[f] == 0 || !(length_sq > 0)) continue;
+      least = std::min(least, turns_[f] * area_on_image(at(x), at(y), at(w)) / length_sq);
+    }
+    return least;
+  }
+
+  /// Where no place unfolds all faces at w: moves it where the worst is folded least.
+  void relax(Index w) {
+    double low = least_height_at(w);
+    if (!(low < 0)) return;
+    std::optional<Vec2> best;
+    double high = least_heights[0];
+    for (int step = 0; step < 20; ++step) {
+      const double middle = 0.5 * (low + high);
+      const std::optional<Vec2> to = place(w, middle);
+      (to ? low : high) = middle;
+      if (to) best = to;
+    }
+    if (best) move(w, *best);
   }
 
   std::span<const Triangle> faces_;
