@@ -242,6 +242,26 @@ TEST(AttributeWeights, PutVerticesWhereATextureBends) {
   EXPECT_GT(share_in_half_that_bends(true), 0.6);
 }
 
+/// What the first number of a mesh' attributes counts as, in model units.
+double first_length(const IndexedMesh& mesh) {
+  const Frame frame = Frame::of_points(mesh.positions);
+  return scaled_attributes(mesh, frame, {}).values.at(0) / frame.scale;
+}
+
+TEST(AttributeWeights, DontDependOnPartsThatLieFarOff) {
+  std::mt19937 random(7);
+  IndexedMesh mesh = wavy_sheet(8, random);
+  mesh.attributes.clear();
+  mesh.normals.assign(mesh.positions.size(), {1, 0, 0});
+  const double length = first_length(mesh);
+  EXPECT_GT(length, 0);
+  const auto v = static_cast<Index>(mesh.positions.size());
+  for (const double x : {0.0, 0.01, 0.02}) mesh.positions.emplace_back(1e5 + x, x * x, 0);
+  mesh.faces.push_back({v, v + 1, v + 2});
+  mesh.normals.resize(mesh.positions.size(), {1, 0, 0});
+  EXPECT_NEAR(first_length(mesh), length, 1e-4 * length);
+}
+
 TEST(AttributeWeights, AreRefusedWhereNegative) {
   std::mt19937 random(6);
   DecimateOptions options;

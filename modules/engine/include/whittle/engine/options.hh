@@ -67,8 +67,8 @@ struct Progress {
 /// times this, and counts as if the surface were so far off. [0, inf); 0 = not at all. Other kinds don't count.
 struct AttributeWeights {
   double texcoord = 0.03;      ///< Of the way over which a texture changes by so much, in the mean.
-  double normal = 1;           ///< Of 0.05 % of the diagonal of the bounding box for a radian.
-  double color = 1;            ///< Of 0.3 % of the diagonal for the range of a component.
+  double normal = 1;           ///< Of 0.05 % of the root of the surface's area for a radian.
+  double color = 1;            ///< Of 0.3 % of that root for the range of a component.
   double displacement = 0.3;   ///< Of what a morph target moves.
   double joint_weights = 0.1;  ///< Of the way between the centres of what joints move.
   double seam = 0.03;  ///< Of planes through seams (`seam_edges`), as `QuadricOptions::boundary_weight` is of borders.

@@ -8,10 +8,10 @@
 namespace whittle {
 namespace {
 
-/// Of the diagonal: what an error of 1 counts as, in normals (radians) and colours.
+/// Of the length of the surface: what an error of 1 counts as, in normals (radians) and colours.
 constexpr double length_of_radian = 5e-4;
 constexpr double length_of_color = 3e-3;
-/// Of the diagonal: no error of attributes counts as more.
+/// Likewise: no error of attributes counts as more.
 constexpr double most_error = 0.02;
 
 using Corners = std::array<Vec3, 3>;
@@ -29,6 +29,14 @@ double double_area_in_texture(const IndexedMesh& mesh, const Attribute& texcoord
   const auto at = [&](std::size_t k) { return texcoord.value(mesh.wedge(face, k)); };
   const auto [a, b, c] = std::array{at(0), at(1), at(2)};
   return std::abs((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
+}
+
+/// The length that others are shares of: of a square as large as the surface. Parts that lie far off make the box
+/// around a mesh large, but not this.
+double length_of_surface(const IndexedMesh& mesh, const Frame& frame) {
+  double area = 0;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) area += area_of(corners_in_frame(mesh, frame, f));
+  return std::sqrt(area);
 }
 
 /// How long a texture's unit is on the surface, in the frame: the root of the ratio of areas. 0 without a texture.
@@ -126,7 +134,7 @@ std::vector<Vec3> positions_of_wedges(const IndexedMesh& mesh, const Frame& fram
   return positions;
 }
 
-void add_attribute(const IndexedMesh& mesh, const Frame& frame, double diagonal, const AttributeWeights& weights,
+void add_attribute(const IndexedMesh& mesh, const Frame& frame, double size, const AttributeWeights& weights,
                    const Attribute& attribute, Columns& columns) {
   const auto value = [&](Index w, std::size_t i) { return attribute.value(w)[i]; };
   switch (attribute.kind) {
@@ -136,10 +144,10 @@ void add_attribute(const IndexedMesh& mesh, const Frame& frame, double diagonal,
       }
       break;
     case AttributeKind::normal:
-      columns.add(attribute.n_components, weights.normal * length_of_radian * diagonal, value);
+      columns.add(attribute.n_components, weights.normal * length_of_radian * size, value);
       break;
     case AttributeKind::color:
-      columns.add(attribute.n_components, weights.color * length_of_color * diagonal, value);
+      columns.add(attribute.n_components, weights.color * length_of_color * size, value);
       break;
     case AttributeKind::displacement:
       columns.add(attribute.n_components, weights.displacement * frame.scale, value);
@@ -168,20 +176,19 @@ bool looks_at_attributes(const DecimateOptions& options, const IndexedMesh& mesh
 }
 
 ScaledAttributes scaled_attributes(const IndexedMesh& input, const Frame& frame, const AttributeWeights& weights) {
-  const double diagonal = bounds_of(input.positions).diagonal() * frame.scale;
+  const double size = length_of_surface(input, frame);
   Columns columns(n_wedges(input));
   if (!input.normals.empty()) {
-    columns.add(3, weights.normal * length_of_radian * diagonal,
+    columns.add(3, weights.normal * length_of_radian * size,
                 [&](Index w, std::size_t i) { return input.normals[w][i]; });
   }
   if (!input.colors.empty()) {
-    columns.add(3, weights.color * length_of_color * diagonal,
-                [&](Index w, std::size_t i) { return input.colors[w][i]; });
+    columns.add(3, weights.color * length_of_color * size, [&](Index w, std::size_t i) { return input.colors[w][i]; });
   }
   for (const Attribute& attribute : input.attributes) {
-    add_attribute(input, frame, diagonal, weights, attribute, columns);
+    add_attribute(input, frame, size, weights, attribute, columns);
   }
-  return columns.rows(most_error * diagonal);
+  return columns.rows(most_error * size);
 }
 
 }  // namespace whittle
