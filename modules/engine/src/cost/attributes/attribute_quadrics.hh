@@ -13,8 +13,8 @@ namespace whittle {
 struct PairAttributes {
   Quadric quadric;  ///< about the first vertex
   double most = 0;  ///< they cost no more than that
-  /// Whether the minimum, together with the planes, never falls as vertices merge: wedges that may join others may find
-  /// better ones then.
+  /// Whether the minimum, together with the planes, never falls as vertices merge. Where an end has several wedges, one
+  /// may find a better match then.
   bool never_falls = true;
 };
 

@@ -61,6 +61,7 @@ class WedgeQuadrics {
   void add_face(Index w, double weight, const FaceGradient& face, const Vec3& from_center,
                 const std::array<const double*, 3>& values);
   void move_origin(Index w, const Vec3& by);
+  /// A table of some of them.
   WedgeQuadrics gathered(std::span<const Index> wedges) const;
   /// \pre both have one origin
   void join(Index into, Index other);
