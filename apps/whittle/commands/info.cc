@@ -55,7 +55,8 @@ Findings look_at(const InfoOptions& options, const Talk& talk) {
   findings.format_title = format_title(findings.read, file);
   findings.weld_tolerance = weld_gaps(findings.read, options.files.weld_tolerance, options.common.threads);
   findings.repaired = view(findings.read.mesh, options.common.threads, talk);
-  findings.kind = kind_of(findings.read.mesh, findings.repaired.topology, options.common.threads);
+  findings.kind =
+      kind_of(findings.read.mesh, findings.repaired.topology, file.gltf() != nullptr, options.common.threads);
   findings.bounds = metrics::bounds(findings.read.mesh);
   if (findings.read.repairs.welded_vertices > 0)
     findings.unwelded = view(file.read(false, options.common.threads).mesh, options.common.threads, talk);

@@ -84,8 +84,8 @@ std::size_t count_small_parts(const IndexedMesh& mesh, const Parts& parts) {
       std::count_if(diagonals.begin(), diagonals.end(), [size](double diagonal) { return diagonal < size; }));
 }
 
-void suggest_for_borders(const IndexedMesh& mesh, MeshKind& kind) {
-  const io::BorderGaps gaps = io::find_border_gaps(mesh);
+void suggest_for_borders(const IndexedMesh& mesh, bool is_gltf, MeshKind& kind) {
+  const io::BorderGaps gaps = is_gltf ? io::BorderGaps{} : io::find_border_gaps(mesh);
   if (gaps.n_vertices > 0) {
     kind.suggestions.push_back({"--weld auto", std::to_string(gaps.n_vertices) +
                                                    " vertices lie at gaps between borders, at most " +
@@ -98,7 +98,7 @@ void suggest_for_borders(const IndexedMesh& mesh, MeshKind& kind) {
       {"--boundary locked", "if it has neighbours: the border lies on the bounding box, and they are to fit on"});
 }
 
-void suggest_for_parts(const IndexedMesh& mesh, unsigned threads, MeshKind& kind) {
+void suggest_for_parts(const IndexedMesh& mesh, bool is_gltf, unsigned threads, MeshKind& kind) {
   const Parts parts = find_parts(mesh.positions.size(), mesh.faces);
   if (parts.count < 2) return;
   kind.words.emplace_back("parts");
@@ -107,14 +107,16 @@ void suggest_for_parts(const IndexedMesh& mesh, unsigned threads, MeshKind& kind
                                                   " parts are smaller than 1 % of the diagonal"});
   }
   if (automatic_threshold(mesh, threads) > 0) {
-    kind.suggestions.push_back({"--threshold auto", "if parts may join: some lie near one another"});
-    kind.suggestions.push_back({"--self-intersections refuse", "if they are to stay apart"});
+    if (!is_gltf) {
+      kind.suggestions.push_back({"--threshold auto", "if parts may join: some lie near one another"});
+    }
+    kind.suggestions.push_back({"--self-intersections refuse", "if parts that lie near one another are to stay apart"});
   }
 }
 
 }  // namespace
 
-MeshKind kind_of(const IndexedMesh& mesh, const metrics::Topology& topology, unsigned threads) {
+MeshKind kind_of(const IndexedMesh& mesh, const metrics::Topology& topology, bool is_gltf, unsigned threads) {
   MeshKind kind;
   kind.words.emplace_back(topology.closed ? "closed" : "open");
   const bool is_soup = static_cast<double>(topology.boundary_edges) > soup_share * static_cast<double>(topology.edges);
@@ -126,8 +128,8 @@ MeshKind kind_of(const IndexedMesh& mesh, const metrics::Topology& topology, uns
   if (is_cad && angles.n_sharp > 0) {
     kind.suggestions.push_back({"--feature-angle 40", "if sharp edges are to stay exactly where they are"});
   }
-  if (!topology.closed) suggest_for_borders(mesh, kind);
-  suggest_for_parts(mesh, threads, kind);
+  if (!topology.closed) suggest_for_borders(mesh, is_gltf, kind);
+  suggest_for_parts(mesh, is_gltf, threads, kind);
   if (topology.nonmanifold_edges > 0) {
     kind.suggestions.push_back({"--topology free", "if the result may get smaller than its topology allows"});
   }

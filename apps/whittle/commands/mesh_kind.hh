@@ -24,7 +24,8 @@ struct MeshKind {
   std::vector<Suggestion> suggestions;
 };
 
-/// \param topology that of `mesh` \pre the mesh has faces
-MeshKind kind_of(const IndexedMesh& mesh, const metrics::Topology& topology, unsigned threads);
+/// \param topology that of `mesh` \param is_gltf its file: then --weld and --threshold aren't taken
+/// \pre the mesh has faces
+MeshKind kind_of(const IndexedMesh& mesh, const metrics::Topology& topology, bool is_gltf, unsigned threads);
 
 }  // namespace whittle::app

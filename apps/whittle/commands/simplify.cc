@@ -190,7 +190,8 @@ std::string obstacle(const SimplifyCommand& options, const SimplifyRecord& recor
   if (left.empty()) return refused + "nothing is left that may be contracted";
   if (options.is_per_mesh) return refused + "the pairs left: " + left;
   return refused + "the pairs left: " + left + "; " +
-         advice(record.input.read.mesh, record.simplified, record.target, resolved(options, record).decimate);
+         advice(record.input.read.mesh, record.simplified, record.target, resolved(options, record).decimate,
+                record.input.gltf != nullptr);
 }
 
 std::string shortfall(const SimplifyCommand& options, const SimplifyRecord& record) {

@@ -161,6 +161,20 @@ TEST(Gltf, HasTheTargetMeshByMeshIfAsked) {
   expect_usage_error(whittle({"simplify", blob, "-o", folder / "o.ply", "--per-mesh", "--faces", "9"}), {"--per-mesh"});
 }
 
+/// Parts that lie near one another could be joined in other formats.
+TEST(Gltf, IsAdvisedWhatItTakes) {
+  const TemporaryFolder folder;
+  const std::string cubes = folder / "cubes.glb";
+  ASSERT_EQ(whittle({"convert", data_file("cubes.obj"), cubes}).exit_code, 0);
+  const Outcome missed = whittle({"simplify", cubes, "-o", folder / "out.glb", "--faces", "10"});
+  EXPECT_THAT(missed.err, testing::HasSubstr("target not met: 10 faces asked")) << missed;
+  EXPECT_THAT(missed.err, testing::HasSubstr("'--topology free' reaches it")) << missed;
+  EXPECT_THAT(missed.err, testing::Not(testing::HasSubstr("--threshold"))) << missed;
+  const Outcome info = whittle({"info", cubes});
+  EXPECT_THAT(info.out, testing::HasSubstr("--self-intersections refuse")) << info;
+  EXPECT_THAT(info.out, testing::Not(testing::HasSubstr("--threshold"))) << info;
+}
+
 TEST(Gltf, KeepsATriangleOfAMeshThatVanishes) {
   const TemporaryFolder folder;
   const std::string in = folder / "cubes.gltf";
@@ -244,7 +258,7 @@ TEST(Gltf, WeighsAttributesAsAsked) {
   const Outcome outcome = simplify("uv=0.5,joints=0");
   ASSERT_EQ(outcome.exit_code, 0) << outcome;
   EXPECT_EQ(parse_json(outcome.out)["options"]["attribute_weights"],
-            "uv=0.5,normal=1,color=1,morph=0.3,joints=0,seam=0.03");
+            "uv=0.5,normal=1,color=1,morph=0.3,joints=0,seam=0.05");
   for (const std::string weights : {"uv", "uv=-1", "texture=1", "uv=1,", "uv=x", ""}) {
     expect_usage_error(simplify(weights), {"--attribute-weight"});
   }

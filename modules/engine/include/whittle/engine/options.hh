@@ -71,7 +71,7 @@ struct AttributeWeights {
   double color = 1;            ///< Of 0.3 % of that root for the range of a component.
   double displacement = 0.3;   ///< Of what a morph target moves.
   double joint_weights = 0.1;  ///< Of the way between the centres of what joints move.
-  double seam = 0.03;  ///< Of planes through seams (`seam_edges`), as `QuadricOptions::boundary_weight` is of borders.
+  double seam = 0.05;  ///< Of planes through seams (`seam_edges`), as `QuadricOptions::boundary_weight` is of borders.
 };
 
 struct Decimation;
