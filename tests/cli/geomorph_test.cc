@@ -68,7 +68,7 @@ TEST(GeomorphCommand, SaysWhatIsWrong) {
   expect_usage_error(geomorph({"-o", glb, "--frames", "1"}), {"--frames"});
   expect_usage_error(geomorph({"-o", glb, "--from", "500", "--to", "1000"}), {"--to", "more faces"});
   expect_usage_error(geomorph({"-o", rec + ".glb", "--from", "0"}), {"--from"});
-  expect_failure(geomorph({"-o", glb, "--to", "10"}), 1, {"more than 10 faces", "299 faces"});
+  expect_failure(geomorph({"-o", glb, "--to", "10"}), 1, {"more than 10 faces", " faces and "});
   expect_failure(geomorph({"-o", glb}), 1, {"flips edges", "--effort best"});
   EXPECT_FALSE(std::filesystem::exists(glb));
   EXPECT_EQ(geomorph({"-o", glb, "--to", "600"}).exit_code, 0);
