@@ -56,6 +56,7 @@ TEST(GeomorphCommand, WritesGltf) {
 TEST(GeomorphCommand, SaysWhatIsWrong) {
   const TemporaryFolder folder;
   const std::string rec = recording_of(folder, "terrain.ply", {"--faces", "300", "--effort", "best"});
+  const std::string n_faces = std::to_string(io::read_mesh(folder / "last.ply").mesh.faces.size());
   const auto geomorph = [&](std::vector<std::string> more) {
     more.insert(more.begin(), {"geomorph", rec});
     return whittle(more);
@@ -68,7 +69,7 @@ TEST(GeomorphCommand, SaysWhatIsWrong) {
   expect_usage_error(geomorph({"-o", glb, "--frames", "1"}), {"--frames"});
   expect_usage_error(geomorph({"-o", glb, "--from", "500", "--to", "1000"}), {"--to", "more faces"});
   expect_usage_error(geomorph({"-o", rec + ".glb", "--from", "0"}), {"--from"});
-  expect_failure(geomorph({"-o", glb, "--to", "10"}), 1, {"more than 10 faces", " faces and "});
+  expect_failure(geomorph({"-o", glb, "--to", "10"}), 1, {"more than 10 faces", n_faces + " faces"});
   expect_failure(geomorph({"-o", glb}), 1, {"flips edges", "--effort best"});
   EXPECT_FALSE(std::filesystem::exists(glb));
   EXPECT_EQ(geomorph({"-o", glb, "--to", "600"}).exit_code, 0);

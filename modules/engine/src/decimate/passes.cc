@@ -228,7 +228,7 @@ void Passes::begin_with_remainder(PassStart& start) const {
   start.input.locked = start.locked;
 }
 
-/// What the pass before knows of attributes, or the first that looks at them gathers from the input.
+/// Wedges are as the pass before left them. The first pass that looks at attributes sums them from the input.
 void Passes::begin_with_attributes(PassStart& start) {
   if (done_.left && done_.left->memory.attributes.wedges.any()) {
     start.input.attributes = &done_.left->memory.attributes;

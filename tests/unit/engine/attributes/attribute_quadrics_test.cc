@@ -136,7 +136,7 @@ TEST(AttributeQuadrics, EqualTheVarianceOfTheFacesFunctionsWhileVerticesMerge) {
     std::vector<std::size_t> both = faces[a];
     both.insert(both.end(), faces[b].begin(), faces[b].end());
     const double expected = brute_error(mesh, setup.frame, setup.attributes, both, x);
-    ASSERT_NEAR(setup.error(a, b, x), expected, 1e-4 * expected + 1e-15);
+    ASSERT_NEAR(setup.error(a, b, x), expected, 1e-6 * expected + 1e-15);
     setup.merge(a, b, x);
     faces[a] = both;
     live.erase(live.begin() + 1);
@@ -153,7 +153,7 @@ TEST(AttributeQuadrics, CostNothingWhereATextureIsLinearOnAPlane) {
   }
   QuadricsOf setup(mesh);
   for (const Index v : {6U, 7U, 12U}) {
-    EXPECT_NEAR(setup.error(v, v + 1, setup.position(v) + Vec3(0.01, 0.02, 0)), 0, 1e-15);
+    EXPECT_NEAR(setup.error(v, v + 1, Vec3(0.1, 0.2, 0)), 0, 1e-15);
   }
 }
 
@@ -202,7 +202,7 @@ TEST(AttributeQuadrics, KeepTheChartsOfASeamApart) {
     }
     expected += brute_error(mesh, setup.frame, setup.attributes, faces, x);
   }
-  EXPECT_NEAR(setup.error(a, b, x), expected, 1e-4 * expected);
+  EXPECT_NEAR(setup.error(a, b, x), expected, 1e-5 * expected);
 }
 
 TEST(AttributeQuadrics, AreBoundedByTheAreaTheyCover) {
@@ -216,7 +216,7 @@ TEST(AttributeQuadrics, AreBoundedByTheAreaTheyCover) {
       area += 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
     }
   }
-  EXPECT_NEAR(setup.quadrics.of(setup.pair(24, 25), true).most, 1e-8 * area, 1e-6 * 1e-8 * area);
+  EXPECT_NEAR(setup.quadrics.of(setup.pair(24, 25), true).most, 1e-8 * area, 1e-7 * 1e-8 * area);
 }
 
 /// Of the vertices of a flat square whose texture bends in one half, the share that lies there once most are gone.

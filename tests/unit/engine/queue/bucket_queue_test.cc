@@ -27,7 +27,7 @@ TEST(BucketQueue, SaysFromWhichCostOnNoBucketIsPast) {
     ASSERT_TRUE(queue.open_next(members));
     EXPECT_EQ(members, std::vector<Index>{0});
     const double end = queue.end_of_past();
-    EXPECT_LT(std::nextafter(end, 0.0), end);
+    EXPECT_GT(end, 0);
     EXPECT_TRUE(queue.is_past(BucketQueue::bucket_of(std::nextafter(end, 0.0))));
     const bool is_last = BucketQueue::bucket_of(opened) == BucketQueue::bucket_of(1e300);
     EXPECT_EQ(queue.is_past(BucketQueue::bucket_of(end)), is_last);

@@ -28,15 +28,16 @@ AttributeQuadrics::AttributeQuadrics(const TriangleComplex& complex, SurfaceAttr
 
 /// The wedge at the vertex `many`, of those not used, that `wedge`, which is at the other end, should join.
 /// \pre there is one
-Index AttributeQuadrics::best_match(Index wedge, const Vec3& to_middle, Index many, std::uint64_t used) const {
-  Index best = invalid_index;
+AttributeQuadrics::Match AttributeQuadrics::best_match(Index wedge, const Vec3& to_middle, Index many,
+                                                       std::uint64_t used) const {
+  Match best{invalid_index, 0};
   double least = 0;
   std::size_t place = 0;
   for (Index w = first_[many]; w != invalid_index && place < most_matched; w = next_[w], ++place) {
     if ((used >> place & 1U) != 0) continue;
     const double error = wedges_.error_between(wedge, w, to_middle, -to_middle);
-    if (best != invalid_index && !(error < least)) continue;
-    best = w;
+    if (best.wedge != invalid_index && !(error < least)) continue;
+    best = {w, place};
     least = error;
   }
   return best;
@@ -64,9 +65,7 @@ void AttributeQuadrics::match(const Pair& pair, bool is_edge, const Vec3& a_to_b
       continue;
     }
     --n_left;
-    const Index best = best_match(w, to_middle, many, used);
-    std::size_t place = 0;
-    for (Index other = first_[many]; other != best; other = next_[other]) ++place;
+    const auto [best, place] = best_match(w, to_middle, many, used);
     used |= std::uint64_t{1} << place;
     if (few == pair.a) {
       joined(w, best);

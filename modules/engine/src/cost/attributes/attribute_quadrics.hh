@@ -42,7 +42,11 @@ class AttributeQuadrics {
   SurfaceAttributes at(std::span<const Index> vertices) const;
 
  private:
-  Index best_match(Index wedge, const Vec3& to_middle, Index many, std::uint64_t used) const;
+  struct Match {
+    Index wedge;
+    std::size_t place;  ///< among those at its vertex
+  };
+  Match best_match(Index wedge, const Vec3& to_middle, Index many, std::uint64_t used) const;
   /// Calls `joined` with the wedges at a and at b that become one, `alone` with a vertex and a wedge there that joins
   /// none.
   template <class Joined, class Alone>

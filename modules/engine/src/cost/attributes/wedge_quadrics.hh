@@ -28,7 +28,7 @@ namespace whittle {
 
 /// How a face makes linear functions of values at its corners.
 struct FaceGradient {
-  /// \pre the face has an area
+  /// Without area, the slopes of the face are of no meaning.
   explicit FaceGradient(const std::array<Vec3, 3>& corners);
 
   double area;
