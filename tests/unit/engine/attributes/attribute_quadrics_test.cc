@@ -18,7 +18,8 @@ IndexedMesh wavy_sheet(Index n, std::mt19937& random) {
   Attribute uv{"uv", AttributeKind::texcoord, 2};
   for (Index y = 0; y <= n; ++y) {
     for (Index x = 0; x <= n; ++x) {
-      mesh.positions.emplace_back(x + noise(random), y + noise(random), noise(random));
+      // In braces, so that every compiler draws the numbers in the same order.
+      mesh.positions.push_back(Vec3{x + noise(random), y + noise(random), noise(random)});
       uv.values.push_back(0.1 * x + 0.1 * noise(random));
       uv.values.push_back(0.1 * y + 0.1 * noise(random));
     }
@@ -202,7 +203,8 @@ TEST(AttributeQuadrics, KeepTheChartsOfASeamApart) {
     }
     expected += brute_error(mesh, setup.frame, setup.attributes, faces, x);
   }
-  EXPECT_NEAR(setup.error(a, b, x), expected, 1e-5 * expected);
+  // Single precision holds values of 10 to 6e-7. They vary by 0.02, so a square is right to 6e-5 of itself.
+  EXPECT_NEAR(setup.error(a, b, x), expected, 1e-4 * expected);
 }
 
 TEST(AttributeQuadrics, AreBoundedByTheAreaTheyCover) {
