@@ -55,8 +55,9 @@ void check(const CLI::App& app, const ConvertCommand& options) {
 }
 
 ExitCode run_convert(const CLI::App& app, ConvertCommand options) {
-  check(app, options);
   options.files.takes_no_triangles = is_gltf_output(options.output, options.files);
+  options.files.reads_scene = !options.files.takes_no_triangles;
+  check(app, options);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   Conversion run;

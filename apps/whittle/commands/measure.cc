@@ -332,7 +332,7 @@ void add_posed(CLI::App& app, std::optional<std::size_t>& n_poses) {
 
 void setup_measure(CLI::App& app, Command& command) {
   const auto options = std::make_shared<MeasureOptions>();
-  options->files.reads_gltf = true;
+  options->files.reads_gltf = options->files.reads_scene = true;
   CLI::App* sub = app.add_subcommand("measure", "Say how far TEST is from REF, and how well TEST is made.");
   add_file(*sub, "REF", options->reference, "the reference mesh, or '-' for standard input");
   add_file(*sub, "TEST", options->test, "the mesh to judge, or '-' for standard input");

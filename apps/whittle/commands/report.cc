@@ -108,7 +108,7 @@ ExitCode run_report(const CLI::App& app, const ReportCommand& options) {
 
 void setup_report(CLI::App& app, Command& command) {
   const auto options = std::make_shared<ReportCommand>();
-  options->files_options.reads_gltf = true;
+  options->files_options.reads_gltf = options->files_options.reads_scene = true;
   CLI::App* sub = app.add_subcommand("report", "Write a page to look at meshes, their error and a recording.");
   add_mesh_files(*sub, options->files);
   const auto text = [](std::string_view word) { return std::optional(std::string(word)); };

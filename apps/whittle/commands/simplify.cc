@@ -133,7 +133,7 @@ void simplify_within_error(const SimplifyCommand& options, const Talk& talk, Sim
     Simplification result =
         simplify_to(record.target.or_max_error(share * limit, share * border_limit), with_share, talk, record);
     const Stopwatch certifying;
-    record.distances = distances_as_written(record.input.read.mesh, result, options, record.target, talk);
+    record.distances = distances_as_written(record.input, result, options, record.target, talk);
     const bool is_kept =
         record.distances && are_within(record.target, *record.distances) &&
         keeps_tolerances(record.input.read.mesh, *record.distances, options, record.target, record.tolerances);
@@ -154,7 +154,7 @@ void simplify_without_limit(const SimplifyCommand& options, const Talk& talk, Si
   record.seconds.polish = record.simplified.polish_seconds;
   if (!options.certify && !options.certificate) return;
   const Stopwatch certifying;
-  record.distances = distances_as_written(record.input.read.mesh, record.simplified, options, record.target, talk);
+  record.distances = distances_as_written(record.input, record.simplified, options, record.target, talk);
   record.seconds.certify = certifying.seconds();
 }
 
@@ -191,7 +191,7 @@ std::string obstacle(const SimplifyCommand& options, const SimplifyRecord& recor
   if (options.is_per_mesh) return refused + "the pairs left: " + left;
   return refused + "the pairs left: " + left + "; " +
          advice(record.input.read.mesh, record.simplified, record.target, resolved(options, record).decimate,
-                record.input.gltf != nullptr);
+                keeps_meshes(record.input));
 }
 
 std::string shortfall(const SimplifyCommand& options, const SimplifyRecord& record) {
@@ -237,7 +237,7 @@ void warn_of_valence_three(const SimplifyCommand& options, const Talk& talk, Sim
 
 /// Narrow gaps between borders keep a mesh from getting small: what rounding has taken apart can't merge.
 void warn_of_gaps(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
-  if (record.input.gltf) return;  // its meshes are not welded to each other
+  if (keeps_meshes(record.input)) return;  // they are not welded to each other
   const bool is_welded_exactly = options.files.weld && record.input.weld_tolerance == 0;
   if (!is_welded_exactly || !has_much_border(record.simplified.mesh)) return;
   IndexedMesh mesh = record.input.read.mesh;
@@ -251,10 +251,8 @@ void warn_of_gaps(const SimplifyCommand& options, const Talk& talk, SimplifyReco
   talk.warning(record.warnings.back());
 }
 
-/// Meshes of a glTF file don't lie where the scene puts them.
 void warn_of_meeting_parts(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
-  const bool has_several_meshes = record.input.gltf && record.input.gltf->n_meshes() > 1;
-  if (record.simplified.mesh.faces.empty() || has_several_meshes) return;
+  if (record.simplified.mesh.faces.empty()) return;
   const std::size_t n = metrics::newly_meeting_parts(record.input.read.mesh, record.simplified.mesh,
                                                      record.simplified.vertex_map, options.common.threads)
                             .size();
@@ -349,7 +347,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   SimplifyRecord record;
-  options.files.takes_no_triangles = is_gltf_output(options.output, options.files);
+  options.files.takes_no_triangles = !options.files.reads_scene;
   record.input = read_input(options.input, options.files, options.common.threads, talk, attributes_to_read(options));
   if (!options.keeps_attributes) drop_attributes(record.input.read.mesh);
   record.seconds.read = record.input.seconds;

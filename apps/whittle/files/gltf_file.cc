@@ -3,12 +3,14 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <ostream>
 #include <utility>
 
 #include "files/companions.hh"
 #include "whittle/core/pieces.hh"
+#include "whittle/core/transform.hh"
 #include "whittle/io/repair.hh"
 
 namespace whittle::app {
@@ -27,6 +29,45 @@ IndexedMesh a_point_of(IndexedMesh mesh) {
   mesh.faces = {{v, v, v}};
   mesh.face_groups.resize(1);
   return mesh;
+}
+
+/// Whether a map leaves enough digits to be undone: it stretches no direction a million times as much as another.
+bool can_be_undone(const Eigen::Affine3d& map) {
+  if (!map.matrix().allFinite()) return false;
+  const Vec3 stretches = Eigen::JacobiSVD<Eigen::Matrix3d>(map.linear()).singularValues();
+  return stretches[0] < 1e100 && stretches[2] > 1e-100 && stretches[2] > 1e-6 * stretches[0];
+}
+
+/// The place where a mesh is largest, of those that can be undone. As the mesh is if there is none.
+Eigen::Affine3d largest_of(std::span<const Eigen::Affine3d> places) {
+  const Eigen::Affine3d* largest = nullptr;
+  const auto size = [](const Eigen::Affine3d& place) { return std::abs(place.linear().determinant()); };
+  for (const Eigen::Affine3d& place : places) {
+    if (can_be_undone(place) && (largest == nullptr || size(place) > size(*largest))) largest = &place;
+  }
+  return largest == nullptr ? Eigen::Affine3d::Identity() : *largest;
+}
+
+/// A mesh at several places, one copy after the other. All copies have the groups of the first one.
+/// \param n_file_vertices that it had in the file \param first_origin of the first copy
+IndexedMesh copies_at(std::span<const Eigen::Affine3d> places, IndexedMesh mesh, std::size_t n_file_vertices,
+                      std::size_t first_origin) {
+  const std::size_t n_groups = mesh.group_names.size();
+  IndexedMesh all;
+  for (const Eigen::Affine3d& place : places) {
+    IndexedMesh copy = &place == &places.back() ? std::move(mesh) : mesh;
+    if (copy.origins.empty()) {
+      copy.origins.resize(copy.positions.size());
+      std::iota(copy.origins.begin(), copy.origins.end(), Index{0});
+    }
+    for (Index& origin : copy.origins) origin += static_cast<Index>(first_origin);
+    first_origin += n_file_vertices;
+    transform_mesh(copy, place);
+    append_mesh(all, std::move(copy));
+  }
+  for (Index& group : all.face_groups) group %= static_cast<Index>(n_groups);
+  all.group_names.resize(n_groups);
+  return all;
 }
 
 }  // namespace
@@ -57,54 +98,67 @@ void write_asset(OutputFiles& files, const std::string& path, const gltf::Asset&
 
 GltfFile::GltfFile(const std::filesystem::path& path) : path_(path), asset_(gltf::Asset::read(path)) {}
 
-/// A power of two near the largest scale that the scene has for the mesh.
-double GltfFile::scale_of(std::size_t mesh) const {
-  double largest = 0;
-  for (const Eigen::Matrix4d& transform : asset_.world_transforms(mesh)) {
-    const double determinant = std::abs(transform.topLeftCorner<3, 3>().determinant());
-    largest = std::max(largest, std::cbrt(determinant));
+bool GltfFile::shows_meshes() const {
+  for (std::size_t m = 0; m < asset_.n_meshes(); ++m) {
+    if (asset_.n_triangles(m) > 0 && asset_.n_instances(m) > 0) return true;
   }
-  if (!(largest > 1e-100 && largest < 1e100)) return 1;
-  return std::exp2(std::round(std::log2(largest)));
+  return false;
 }
 
-void GltfFile::append(std::size_t number, IndexedMesh mesh, IndexedMesh& all) {
+std::vector<Eigen::Affine3d> GltfFile::places_of(std::size_t mesh, GltfScope scope) const {
+  std::vector<Eigen::Affine3d> places;
+  for (const Eigen::Matrix4d& matrix : asset_.world_transforms(mesh)) places.emplace_back(matrix);
+  if (scope == GltfScope::scene) {
+    if (places.empty() && !shows_meshes()) places.push_back(Eigen::Affine3d::Identity());
+    return places;
+  }
+  return {largest_of(places)};
+}
+
+GltfFile::Part GltfFile::part_of(std::size_t number, const Eigen::Affine3d& place, const IndexedMesh& mesh,
+                                 const IndexedMesh& all) const {
   Part part{number,
-            scale_of(number),
+            place,
             static_cast<Index>(all.group_names.size()),
             static_cast<Index>(mesh.group_names.size()),
             !mesh.normals.empty(),
             !mesh.colors.empty(),
             {}};
   for (const Attribute& attribute : mesh.attributes) part.attributes.push_back(attribute.without_values());
-  for (Vec3& p : mesh.positions) p *= part.scale;
-  const std::string prefix = asset_.mesh_name(number) + ": ";
-  for (std::string& group : mesh.group_names) group.insert(0, prefix);
-  append_mesh(all, std::move(mesh));
-  parts_.push_back(std::move(part));
+  return part;
 }
 
-io::ReadResult GltfFile::read(const io::ReadOptions& options) {
+void GltfFile::read_mesh(std::size_t number, std::span<const Eigen::Affine3d> places, const io::ReadOptions& options,
+                         io::ReadResult& all) {
+  IndexedMesh mesh = asset_.triangles(number);
+  const std::size_t n_file_vertices = mesh.positions.size();
+  const auto n_file_faces = mesh.faces.size();
+  std::vector<Index> joined_to;
+  all.repairs += io::repair(mesh, options.weld, &joined_to, options.threads);
+  const std::vector<Index> vertex_map = io::vertex_map_of(mesh, n_file_vertices, joined_to);
+  auto first = static_cast<Index>(all.mesh.positions.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (const Index v : vertex_map) all.vertex_map.push_back(v == invalid_index ? v : first + v);
+    first += static_cast<Index>(mesh.positions.size());
+  }
+  if (!mesh.faces.empty()) {
+    const std::string prefix = asset_.mesh_name(number) + ": ";
+    for (std::string& group : mesh.group_names) group.insert(0, prefix);
+    parts_.push_back(part_of(number, places.front(), mesh, all.mesh));
+    append_mesh(all.mesh, copies_at(places, std::move(mesh), n_file_vertices, all.file_vertices));
+  }
+  all.file_vertices += places.size() * n_file_vertices;
+  all.file_faces += places.size() * n_file_faces;
+}
+
+io::ReadResult GltfFile::read(const io::ReadOptions& options, GltfScope scope) {
   io::ReadResult result;
+  scope_ = scope;
   parts_.clear();
   for (std::size_t m = 0; m < asset_.n_meshes(); ++m) {
     if (asset_.n_triangles(m) == 0) continue;
-    IndexedMesh mesh = asset_.triangles(m);
-    const std::size_t n_before = mesh.positions.size();
-    std::vector<Index> joined_to;
-    result.file_faces += mesh.faces.size();
-    result.repairs += io::repair(mesh, options.weld, &joined_to, options.threads);
-    const auto first = static_cast<Index>(result.mesh.positions.size());
-    for (const Index v : io::vertex_map_of(mesh, n_before, joined_to)) {
-      result.vertex_map.push_back(v == invalid_index ? v : first + v);
-    }
-    if (mesh.origins.empty()) {
-      mesh.origins.resize(mesh.positions.size());
-      std::iota(mesh.origins.begin(), mesh.origins.end(), Index{0});
-    }
-    for (Index& origin : mesh.origins) origin += static_cast<Index>(result.file_vertices);
-    result.file_vertices += n_before;
-    if (!mesh.faces.empty()) append(m, std::move(mesh), result.mesh);
+    const std::vector<Eigen::Affine3d> places = places_of(m, scope);
+    if (!places.empty()) read_mesh(m, places, options, result);
   }
   return result;
 }
@@ -112,7 +166,7 @@ io::ReadResult GltfFile::read(const io::ReadOptions& options) {
 std::vector<GltfFile::Group> GltfFile::groups() const {
   std::vector<Group> groups;
   for (const Part& part : parts_) {
-    for (Index i = 0; i < part.n_groups; ++i) groups.push_back({part.mesh, i, part.scale});
+    for (Index i = 0; i < part.n_groups; ++i) groups.push_back({part.mesh, i});
   }
   return groups;
 }
@@ -132,7 +186,7 @@ std::vector<IndexedMesh> GltfFile::split(const IndexedMesh& mesh) const {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const Part& part = parts_[i];
     IndexedMesh& own = split.emplace_back(std::move(pieces[i].mesh));
-    for (Vec3& p : own.positions) p /= part.scale;
+    transform_mesh(own, part.place.inverse());
     for (Index& group : own.face_groups) group -= part.first_group;
     if (!part.has_normals) own.normals.clear();
     if (!part.has_colors) own.colors.clear();
@@ -144,6 +198,21 @@ std::vector<IndexedMesh> GltfFile::split(const IndexedMesh& mesh) const {
     own.attributes = std::move(attributes);
   }
   return split;
+}
+
+IndexedMesh GltfFile::as_written(IndexedMesh mesh) const {
+  const std::vector<Index> part_of_face = meshes_of_faces(mesh);
+  std::vector<std::uint8_t> is_rounded(mesh.positions.size());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const Eigen::Affine3d& place = parts_[part_of_face[f]].place;
+    const Eigen::Affine3d back = place.inverse();
+    for (const Index v : mesh.faces[f]) {
+      if (std::exchange(is_rounded[v], std::uint8_t{1}) != 0) continue;
+      Vec3& p = mesh.positions[v];
+      p = place * (back * p).cast<float>().cast<double>();
+    }
+  }
+  return mesh;
 }
 
 std::vector<std::string> GltfFile::write(OutputFiles& files, const std::string& path, const IndexedMesh& mesh,

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,11 +14,14 @@
 
 namespace whittle::app {
 
-/// A glTF file as one mesh, and back. Each of its meshes is a part of that mesh, or several; no two have a vertex in
-/// common. So one run simplifies all of them, and each gets the faces that its shape needs.
-///
-/// A part is as large as in the scene, up to a power of two, which changes no digits; where a mesh is used several
-/// times, as large as at most. It lies where the mesh has it, not where the scene puts it.
+/// What of a glTF file becomes a mesh.
+enum class GltfScope {
+  meshes,  ///< Each mesh once, where the scene shows it largest. Those that it doesn't show are as the file has them.
+  scene    ///< What the scene shows: a mesh as often as nodes use it. All meshes if no node uses any.
+};
+
+/// A glTF file as one mesh, in the scene's coordinates, and back. No two of its meshes have a vertex in common. So one
+/// run simplifies all of them, and each gets the faces that its shape needs.
 class GltfFile {
  public:
   /// \throw io::ReadError
@@ -24,11 +29,13 @@ class GltfFile {
 
   /// Reads all meshes that have triangles. There may be none: then the whole has no faces, `why_no_faces` says why, and
   /// `write` writes the file as it was.
-  io::ReadResult read(const io::ReadOptions& options);
+  io::ReadResult read(const io::ReadOptions& options, GltfScope scope);
 
   const gltf::Asset& asset() const { return asset_; }
+  /// What was read. \pre `read`
+  GltfScope scope() const { return scope_; }
 
-  /// Those with triangles. \pre `read`
+  /// Those that were read. \pre `read`
   std::size_t n_meshes() const { return parts_.size(); }
   /// \param mesh below `n_meshes`
   std::string mesh_name(std::size_t mesh) const { return asset_.mesh_name(parts_[mesh].mesh); }
@@ -39,32 +46,39 @@ class GltfFile {
   /// For each group of faces of what was read: the number of its mesh in the file, and of its primitive. \pre `read`
   struct Group {
     std::size_t mesh, primitive;
-    double scale;  ///< from the mesh's coordinates to those of the whole
   };
   std::vector<Group> groups() const;
 
   /// Writes the file with its meshes replaced, and the files that lie beside it (`gltf::Asset::files`).
   /// \param mesh what `read` gave, simplified \param compress as `gltf::WriteOptions` has it
   /// \return a line for each thing that isn't as it was
+  /// \pre `GltfScope::meshes` was read
   std::vector<std::string> write(OutputFiles& files, const std::string& path, const IndexedMesh& mesh, bool compress);
+
+  /// A mesh with the positions that it has after `write`, not compressed, and `read`. \pre as `write`
+  IndexedMesh as_written(IndexedMesh mesh) const;
 
  private:
   /// A mesh of the file that has triangles.
   struct Part {
-    std::size_t mesh;   ///< its number in the file
-    double scale;       ///< from its coordinates to those of the whole
-    Index first_group;  ///< in the whole
+    std::size_t mesh;       ///< its number in the file
+    Eigen::Affine3d place;  ///< from its coordinates to the scene's, the first if it has several
+    Index first_group;      ///< in the whole
     Index n_groups;
     bool has_normals, has_colors;
     std::vector<Attribute> attributes;  ///< without values
   };
 
-  double scale_of(std::size_t mesh) const;
-  void append(std::size_t number, IndexedMesh mesh, IndexedMesh& all);
+  std::vector<Eigen::Affine3d> places_of(std::size_t mesh, GltfScope scope) const;
+  bool shows_meshes() const;
+  Part part_of(std::size_t number, const Eigen::Affine3d& place, const IndexedMesh& mesh, const IndexedMesh& all) const;
+  void read_mesh(std::size_t number, std::span<const Eigen::Affine3d> places, const io::ReadOptions& options,
+                 io::ReadResult& all);
   std::vector<IndexedMesh> split(const IndexedMesh& mesh) const;
 
   std::filesystem::path path_;
   gltf::Asset asset_;
+  GltfScope scope_ = GltfScope::meshes;
   std::vector<Part> parts_;
 };
 

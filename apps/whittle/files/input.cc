@@ -90,8 +90,8 @@ void check_formats(const std::vector<std::string>& inputs, const std::vector<std
   }
   const bool welds_gaps = options.weld_tolerance.is_automatic || options.weld_tolerance.length.value > 0;
   const auto is_read_as_gltf = [&options](const std::string& path) { return reads_gltf(path, options); };
-  if (welds_gaps && std::any_of(inputs.begin(), inputs.end(), is_read_as_gltf)) {
-    throw UsageError("--weld doesn't take glTF: its meshes are welded at equal positions alone");
+  if (welds_gaps && !options.reads_scene && std::any_of(inputs.begin(), inputs.end(), is_read_as_gltf)) {
+    throw UsageError("--weld doesn't take glTF that stays glTF: its meshes are welded at equal positions alone");
   }
   for (const std::string& output : outputs) {
     if (!writes_gltf(output, options)) format_for_output(output, options);
@@ -99,7 +99,7 @@ void check_formats(const std::vector<std::string>& inputs, const std::vector<std
 }
 
 MeshFile::MeshFile(std::string path, const FileOptions& options)
-    : path_(std::move(path)), takes_no_triangles_(options.takes_no_triangles) {
+    : path_(std::move(path)), takes_no_triangles_(options.takes_no_triangles), reads_scene_(options.reads_scene) {
   format_ = options.input_format;
   if (!format_ && !format_by_name(path_)) format_ = options.format;
   if (path_ == standard_stream) standard_input_ = io::read_all(STDIN_FILENO, standard_input_name);
@@ -108,7 +108,8 @@ MeshFile::MeshFile(std::string path, const FileOptions& options)
 
 io::ReadResult MeshFile::read(bool weld, unsigned threads, io::AttributeScope attributes) const {
   const io::ReadOptions options{.weld = weld, .format = format_, .threads = threads, .attributes = attributes};
-  io::ReadResult result = gltf_                      ? gltf_->read(options)
+  const GltfScope scope = reads_scene_ ? GltfScope::scene : GltfScope::meshes;
+  io::ReadResult result = gltf_                      ? gltf_->read(options, scope)
                           : path_ == standard_stream ? io::read_mesh(standard_input_, standard_input_name, options)
                                                      : io::read_mesh(path_, options);
   if (result.mesh.faces.empty() && !takes_no_triangles_) throw io::ReadError(name(), why_no_faces(result));
@@ -137,6 +138,8 @@ double weld_gaps(io::ReadResult& read, const AutomaticLength& tolerance, unsigne
   for (Index& v : read.vertex_map) v = v == invalid_index ? v : welded[v];
   return length;
 }
+
+bool keeps_meshes(const Input& input) { return input.gltf && input.gltf->scope() == GltfScope::meshes; }
 
 std::string about(const std::string& name, const std::string& text) { return name + ": " + text; }
 

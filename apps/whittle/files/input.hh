@@ -51,6 +51,7 @@ class MeshFile {
   std::string path_;
   std::optional<io::Format> format_;
   bool takes_no_triangles_;
+  bool reads_scene_;
   std::vector<char> standard_input_;
   std::shared_ptr<GltfFile> gltf_;
 };
@@ -74,6 +75,9 @@ struct Input {
   std::string format{};               ///< `format_name`
   std::shared_ptr<GltfFile> gltf{};   ///< as `MeshFile::gltf`
 };
+
+/// Whether an input is a glTF file that keeps its meshes, each by itself.
+bool keeps_meshes(const Input& input);
 
 /// "NAME: TEXT": a line about a file.
 std::string about(const std::string& name, const std::string& text);

@@ -12,7 +12,8 @@ namespace {
 
 void write_to_gltf(OutputFiles& files, const MeshOutput& output, Input& input, const IndexedMesh& mesh,
                    const Talk& talk, std::vector<std::string>& warnings) {
-  if (!input.gltf) return write_new_gltf(files, output.path, input, mesh, output.compresses_gltf, talk, warnings);
+  if (!keeps_meshes(input))
+    return write_new_gltf(files, output.path, input, mesh, output.compresses_gltf, talk, warnings);
   for (const std::string& warning : input.gltf->write(files, output.path, mesh, output.compresses_gltf)) {
     warnings.push_back(about(output.path, warning));
     talk.warning(warnings.back());
@@ -35,6 +36,14 @@ bool is_gltf_output(const std::string& path, const FileOptions& options) {
 std::string output_format_name(const std::string& path, const FileOptions& options) {
   if (is_gltf_output(path, options)) return "gltf";
   return std::string(io::name_of(format_for_output(path, options)));
+}
+
+IndexedMesh as_written(const MeshOutput& output, const Input& input, const IndexedMesh& mesh, unsigned threads) {
+  if (!is_gltf_output(output.path, output.options)) return as_written(mesh, output.path, output.options, threads);
+  if (keeps_meshes(input)) return input.gltf->as_written(mesh);
+  IndexedMesh rounded = mesh;
+  for (Vec3& p : rounded.positions) p = p.cast<float>().cast<double>();
+  return rounded;
 }
 
 void write_result(OutputFiles& files, const MeshOutput& output, Input& input, const IndexedMesh& mesh, const Talk& talk,

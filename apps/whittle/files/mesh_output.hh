@@ -27,4 +27,7 @@ std::string output_format_name(const std::string& path, const FileOptions& optio
 void write_result(OutputFiles& files, const MeshOutput& output, Input& input, const IndexedMesh& mesh, const Talk& talk,
                   std::vector<std::string>& warnings);
 
+/// The mesh as it is read again from what `write_result` writes without compression.
+IndexedMesh as_written(const MeshOutput& output, const Input& input, const IndexedMesh& mesh, unsigned threads);
+
 }  // namespace whittle::app

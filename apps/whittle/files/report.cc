@@ -145,11 +145,6 @@ void say_effort(const Talk& talk, double seconds) {
 std::string shown_output(const std::string& path) { return path == standard_stream ? standard_output_name : path; }
 
 IndexedMesh as_written(const IndexedMesh& mesh, const std::string& path, const FileOptions& options, unsigned threads) {
-  if (is_gltf_output(path, options)) {
-    IndexedMesh rounded = mesh;
-    for (Vec3& p : rounded.positions) p = p.cast<float>().cast<double>();
-    return rounded;
-  }
   const io::Format format = format_for_output(path, options);
   std::ostringstream out;
   io::write_mesh(out, format, mesh, {.ascii = options.ascii});

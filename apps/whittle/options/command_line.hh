@@ -54,6 +54,7 @@ struct FileOptions {
   bool reads_gltf = false;                    ///< whether the command takes glTF files
   bool writes_gltf = false;                   ///< whether it writes them
   bool takes_no_triangles = false;            ///< whether glTF without triangles is read, as a mesh without faces
+  bool reads_scene = false;                   ///< whether glTF is read as `GltfScope::scene`, else as `meshes`
 };
 // Each takes the group of the help, by default that of options without one.
 

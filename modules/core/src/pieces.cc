@@ -117,6 +117,10 @@ std::vector<MeshPiece> split_mesh(const IndexedMesh& mesh, std::span<const Index
 }
 
 void append_mesh(IndexedMesh& all, IndexedMesh more) {
+  if (all.positions.empty() && all.attributes.empty() && all.face_attributes.empty() && all.group_names.empty()) {
+    all = std::move(more);
+    return;
+  }
   const std::size_t n_before = n_wedges(all);
   const std::size_t n_more = n_wedges(more);
   if (!more.wedges.empty() || !all.wedges.empty()) {

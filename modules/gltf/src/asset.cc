@@ -52,7 +52,6 @@ bool is_in_document(const Model& model) {
   return first != model.buffers.end() && first->is_in_document;
 }
 
-/// Copies the image files of an asset into another folder, unless they are there.
 /// Copies of images, but for those that are there.
 std::vector<AssetFile> copies_of(const std::vector<std::filesystem::path>& images, const std::filesystem::path& from,
                                  const std::filesystem::path& to) {
@@ -122,6 +121,7 @@ Asset Asset::read(std::string bytes, const std::string& name, const std::filesys
   if (is_glb(content->bytes)) parts = split_glb(content->bytes, name);
   content->document = parse_json(parts.json, name);
   content->model = read_model(content->document, {name, parts.buffer, folder});
+  content->rest = read_rest(content->model, Part(content->document, "", name));
   return Asset(std::move(content));
 }
 
@@ -144,7 +144,7 @@ std::size_t Asset::n_triangles(std::size_t mesh) const {
 std::size_t Asset::n_instances(std::size_t mesh) const { return gltf::n_instances(content_->model, mesh); }
 
 std::vector<Eigen::Matrix4d> Asset::world_transforms(std::size_t mesh) const {
-  return gltf::world_transforms(content_->model, mesh);
+  return gltf::world_transforms(content_->model, content_->rest, mesh);
 }
 
 IndexedMesh Asset::triangles(std::size_t mesh) const {

@@ -6,6 +6,7 @@
 
 #include "document/json.hh"
 #include "model/model.hh"
+#include "pose/world_transforms.hh"
 #include "whittle/gltf/asset.hh"
 #include "write/output.hh"
 
@@ -17,6 +18,7 @@ struct Asset::Content {
   std::filesystem::path folder;
   Json document;
   Model model;
+  Rest rest;
   Replacements replacements;
 
   const Mesh& mesh(std::size_t number) const { return model.meshes.at(number); }

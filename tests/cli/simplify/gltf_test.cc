@@ -79,6 +79,87 @@ TEST(Gltf, IsReadByOtherCommands) {
   EXPECT_LT(parse_json(measured.out)["max_rel"], 1e-9);
 }
 
+/// The cube in three nodes: one turns and moves it, one mirrors it, and one makes it flat.
+void write_three_places(const std::string& path) {
+  write_gltf_cube(path, 4);
+  Json document = Json::parse(std::ifstream(path));
+  document["nodes"] = {
+      {{"mesh", 0}, {"translation", {10, 0, 0}}, {"rotation", {0, 0, 0.6, 0.8}}, {"scale", {1.4, 1.4, 1.4}}},
+      {{"mesh", 0}, {"translation", {0, 10, 0}}, {"scale", {-1, 1, 1}}},
+      {{"mesh", 0}, {"scale", {1, 0, 1}}}};
+  document["scenes"][0]["nodes"] = {0, 1, 2};
+  std::ofstream(path) << document;
+}
+
+TEST(Gltf, BecomesOtherFormatsAsTheSceneShowsIt) {
+  const TemporaryFolder folder;
+  const std::string in = folder / "places.gltf";
+  write_three_places(in);
+  const std::string out = folder / "out.obj";
+  const Outcome converted = whittle({"convert", in, out, "--json", "-"});
+  ASSERT_EQ(converted.exit_code, 0) << converted;
+  EXPECT_EQ(parse_json(converted.out)["output"]["faces"], 3 * 192);
+  const IndexedMesh mesh = io::read_mesh(out).mesh;
+  EXPECT_EQ(mesh.group_names.size(), 2U) << "all copies have the same groups";
+  std::size_t n_first = 0;
+  std::size_t n_second = 0;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto& [a, b, c] = mesh.faces[f];
+    const Vec3& p = mesh.positions[a];
+    const Vec3 normal = (mesh.positions[b] - p).cross(mesh.positions[c] - p);
+    const Vec3 center = p.x() > 5 ? Vec3(10, 0, 0) : p.y() > 5 ? Vec3(0, 10, 0) : Vec3(0, 0, 0);
+    if (center.norm() == 0) continue;
+    (center.x() > 0 ? n_first : n_second) += 1;
+    EXPECT_GT(normal.dot(p - center), 0) << "fronts stay outside";
+  }
+  EXPECT_EQ(n_first, 192U);
+  EXPECT_EQ(n_second, 192U);
+  const Outcome measured = whittle({"measure", in, out, "--samples", "1000", "--json", "-"});
+  ASSERT_EQ(measured.exit_code, 0) << measured;
+  EXPECT_LT(parse_json(measured.out)["max_rel"], 1e-6);
+}
+
+TEST(Gltf, KeepsTheErrorThatIsAskedForWhereTheSceneShowsItLargest) {
+  const TemporaryFolder folder;
+  const std::string in = folder / "places.gltf";
+  for (const double scale : {1.4, 0.7, 20.0}) {
+    write_gltf_cube(in, 8);
+    Json document = Json::parse(std::ifstream(in));
+    document["nodes"][0]["scale"] = {scale, scale, scale};
+    std::ofstream(in) << document;
+    // So much that corners go.
+    const std::string limit = std::to_string(0.9 * scale);
+    const Outcome outcome =
+        whittle({"simplify", in, "-o", folder / "out.glb", "--max-error", limit, "--seams", "weighted", "--json", "-"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome;
+    EXPECT_LT(parse_json(outcome.out)["output"]["faces"], 12);
+    const Outcome measured = whittle({"measure", in, folder / "out.glb", "--exact", "0.001", "--json", "-"});
+    ASSERT_EQ(measured.exit_code, 0) << measured;
+    const Json exact = parse_json(measured.out)["exact"];
+    for (const char* way : {"forward", "backward"}) {
+      EXPECT_LE(exact[way]["at_least"], 0.9 * scale);
+      EXPECT_GT(exact["forward"]["at_most"], 0.05 * scale) << "there is an error";
+    }
+  }
+}
+
+TEST(Gltf, OfPositionsAloneIsANewFileOfTheScene) {
+  const TemporaryFolder folder;
+  const std::string in = folder / "places.gltf";
+  write_three_places(in);
+  const Outcome outcome = whittle({"simplify", in, "-o", folder / "out.glb", "--face-ratio", "50%", "--attributes",
+                                   "position-only", "--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_EQ(parse_json(outcome.out)["output"]["faces"], 288);
+  const gltf::Asset asset = gltf::Asset::read(folder / "out.glb");
+  ASSERT_EQ(asset.n_meshes(), 1U);
+  const IndexedMesh mesh = asset.triangles(0);
+  EXPECT_TRUE(mesh.normals.empty() && mesh.attributes.empty());
+  const Outcome measured = whittle({"measure", in, folder / "out.glb", "--samples", "10000", "--json", "-"});
+  ASSERT_EQ(measured.exit_code, 0) << measured;
+  EXPECT_LT(parse_json(measured.out)["mean_rel"], 0.01);
+}
+
 TEST(Gltf, OfPositionsAloneBecomesAnotherFormat) {
   const TemporaryFolder folder;
   write_gltf_cube(folder / "cube.glb", 6);
@@ -356,7 +437,6 @@ TEST(Gltf, RefusesWhatItCannotDo) {
                                                   {"--engine", "openmesh"},
                                                   {"--weld", "1%"},
                                                   {"--threshold", "auto"},
-                                                  {"--attributes", "position-only"},
                                                   {"--compress", "--certify"}}) {
     std::vector<std::string> all{"simplify", in, "-o", out, "--faces", "9"};
     all.insert(all.end(), options.begin(), options.end());

@@ -229,6 +229,15 @@ TEST(Pose, AtRestIsWhereNodesPlaceMeshes) {
   EXPECT_GT(n_compared, 20U);
 }
 
+TEST(WorldTransforms, AreThoseOfTheFirstJointWhereASkinMovesTheMesh) {
+  SceneBuilder scene = bar();
+  EXPECT_EQ(scene.asset().world_transforms(0).at(0), Eigen::Matrix4d::Identity()) << "the node's place doesn't count";
+  scene.json["nodes"][1]["translation"] = {0, 7, 0};
+  EXPECT_EQ(scene.asset().world_transforms(0).at(0)(1, 3), 7);
+  scene.json["skins"][0]["joints"] = {1, 99};
+  EXPECT_EQ(scene.asset().world_transforms(0).at(0)(0, 3), 100) << "a skin that is wrong doesn't count";
+}
+
 TEST(Pose, OfAssetsWithoutNodesHasAllMeshes) {
   SceneBuilder scene = morphing_triangle();
   scene.json.erase("nodes");

@@ -104,9 +104,7 @@ PageLook PageMaker::look_of(const Input& input) {
   return look;
 }
 
-/// Where the scene shows it.
 report::PageSurface PageMaker::surface_of(std::string name, IndexedMesh mesh, const PageLook& look) {
-  look.put_in_scene(mesh);
   report::PageSurface surface{std::move(name), std::move(mesh), {}, {}, {}, std::nullopt};
   look.dress(surface);
   return surface;
@@ -296,10 +294,8 @@ void PageMaker::take(const RunForPage& run) {
   page_.title = name + ", " + short_name(run.output);
   page_.advice = run.advice;
   page_.original = surface_of(name, run.input.read.mesh, look);
-  RunSteps steps = run.simplified.steps;
-  look.put_in_scene(run.input.read.mesh, steps);
   page_.recording.emplace(report::PageRecording{
-      progressive::Replay(without_attributes(page_.original.mesh), std::move(steps), Normals::drop), {}, {}});
+      progressive::Replay(without_attributes(page_.original.mesh), run.simplified.steps, Normals::drop), {}, {}});
   page_.recording->order = report::put_in_page_order(page_.original.mesh);
   add_result(run.output, surface_of(short_name(run.output), run.simplified.mesh, look));
   if (!page_.results.empty()) {

@@ -28,10 +28,11 @@ struct Lift {
 };
 
 /// Options that change the input so that fewer contractions change its topology.
-void add_lifts_of_input(const IndexedMesh& mesh, const DecimateOptions& options, bool is_gltf, std::vector<Lift>& all) {
+void add_lifts_of_input(const IndexedMesh& mesh, const DecimateOptions& options, bool keeps_meshes,
+                        std::vector<Lift>& all) {
   constexpr double small = 0.01;        // of the diagonal
   constexpr double most_dropped = 0.1;  // of the faces
-  if (const double tolerance = is_gltf ? 0 : io::find_border_gaps(mesh).tolerance(); tolerance > 0) {
+  if (const double tolerance = keeps_meshes ? 0 : io::find_border_gaps(mesh).tolerance(); tolerance > 0) {
     all.push_back({&Rejections::link, "--weld auto", options, [tolerance](IndexedMesh changed) {
                      io::weld_gaps(changed, tolerance);
                      return changed;
@@ -49,17 +50,17 @@ void add_lifts_of_input(const IndexedMesh& mesh, const DecimateOptions& options,
 
 /// Those that are not given already, the most frequent reason first. \param mesh what they are to be tried on
 std::vector<Lift> lifts(const IndexedMesh& mesh, const Decimation& result, const DecimateOptions& options,
-                        bool is_gltf) {
+                        bool keeps_meshes) {
   std::vector<Lift> all;
   const auto add = [&](bool helps, std::uint64_t Rejections::*reason, const char* option, const auto& change) {
     if (!helps || result.result.refused_at_end.*reason == 0) return;
     all.push_back({reason, option, options});
     change(all.back().options);
   };
-  if (result.result.refused_at_end.link > 0) add_lifts_of_input(mesh, options, is_gltf, all);
+  if (result.result.refused_at_end.link > 0) add_lifts_of_input(mesh, options, keeps_meshes, all);
   add(options.topology == Topology::keep, &Rejections::link, "--topology free",
       [](DecimateOptions& o) { o.topology = Topology::free; });
-  const bool may_have_pairs = !is_gltf && !(options.pairs.threshold > 0);
+  const bool may_have_pairs = !keeps_meshes && !(options.pairs.threshold > 0);
   const double threshold = may_have_pairs ? automatic_threshold(result.mesh, options.threads) : 0;
   add(threshold > 0 && options.isotropy == 0 && options.valence_weight == 0, &Rejections::link, "--threshold auto",
       [threshold](DecimateOptions& o) {
@@ -114,9 +115,9 @@ std::string reasons_at_end(const Rejections& refused) {
 }
 
 std::string advice(const IndexedMesh& input, const Decimation& result, const DecimateTarget& target,
-                   const DecimateOptions& options, bool is_gltf) {
+                   const DecimateOptions& options, bool keeps_meshes) {
   const IndexedMesh& mesh = input.faces.size() <= most_faces_tried ? input : result.mesh;
-  const std::vector<Lift> all = lifts(mesh, result, options, is_gltf);
+  const std::vector<Lift> all = lifts(mesh, result, options, keeps_meshes);
   if (all.empty()) return "no option lifts that";
   if (mesh.faces.size() > most_faces_tried) return "'" + all.front().option + "' may get further";
   std::string reaching;

@@ -12,8 +12,8 @@ std::string reasons_at_end(const Rejections& refused);
 
 /// Which option gets nearer to a target that was missed. Each option that lifts a reason is tried, so what is said of
 /// it is true: on the input, or from the result on if the input is large. \param options those of the run
-/// \param is_gltf the input: then --weld and --threshold aren't taken
+/// \param keeps_meshes of a glTF file: then --weld and --threshold aren't taken
 std::string advice(const IndexedMesh& input, const Decimation& result, const DecimateTarget& target,
-                   const DecimateOptions& options, bool is_gltf);
+                   const DecimateOptions& options, bool keeps_meshes);
 
 }  // namespace whittle::app

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "files/mesh_output.hh"
 #include "files/report.hh"
 #include "terminal/interruption.hh"
 #include "terminal/progress_bar.hh"
@@ -18,7 +19,7 @@ constexpr double accuracy = 1e-3;
 
 }  // namespace
 
-std::optional<DistancesAsWritten> distances_as_written(const IndexedMesh& input, const Decimation& result,
+std::optional<DistancesAsWritten> distances_as_written(const Input& input, const Decimation& result,
                                                        const SimplifyCommand& options, const DecimateTarget& target,
                                                        const Talk& talk) {
   constexpr double no_limit = std::numeric_limits<double>::infinity();
@@ -27,12 +28,13 @@ std::optional<DistancesAsWritten> distances_as_written(const IndexedMesh& input,
   const SignalsWait signals_wait;
   const unsigned threads = options.common.threads;
   DistancesAsWritten distances;
-  distances.written = as_written(result.mesh, options.output, options.files, threads);
+  distances.written = as_written({options.output, options.files}, input, result.mesh, threads);
   if (distances.written.positions.size() == result.mesh.positions.size()) distances.vertex_map = result.vertex_map;
-  distances.surface = metrics::largest_distances(
-      input, distances.written, accuracy, {threads, part_of(bar, 0, 0.9), target.error_limit().value_or(no_limit)});
+  distances.surface =
+      metrics::largest_distances(input.read.mesh, distances.written, accuracy,
+                                 {threads, part_of(bar, 0, 0.9), target.error_limit().value_or(no_limit)});
   distances.borders = metrics::largest_border_distances(
-      input, distances.written, accuracy,
+      input.read.mesh, distances.written, accuracy,
       {threads, part_of(bar, 0.9, 1), target.border_error_limit().value_or(no_limit)});
   return distances;
 }

@@ -23,7 +23,7 @@ struct DistancesAsWritten {
 
 /// \param target where it limits the error, distances below are proven to be so
 /// \return nothing if no face is left in the file
-std::optional<DistancesAsWritten> distances_as_written(const IndexedMesh& input, const Decimation& result,
+std::optional<DistancesAsWritten> distances_as_written(const Input& input, const Decimation& result,
                                                        const SimplifyCommand& options, const DecimateTarget& target,
                                                        const Talk& talk);
 

@@ -318,6 +318,7 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
 }
 
 SimplifyCommand settled(SimplifyCommand command) {
+  command.files.reads_scene = !is_gltf_output(command.output, command.files) || !command.keeps_attributes;
   SimplifyOptions probe = command.simplify;
   command.has_cost_by_effort = !probe.decimate.cost && command.engine == Engine::flat;
   if (command.engine == Engine::openmesh) probe.decimate.cost = probe.decimate.cost.value_or(Cost::quadric);
@@ -353,12 +354,10 @@ void check_gltf(const SimplifyCommand& options) {
   }
   if ((is_read || is_written) && options.certificate)
     throw UsageError("--certificate doesn't take glTF, as 'verify' doesn't read it");
-  if (is_read && (options.threshold.is_automatic || options.threshold.length.value > 0)) {
-    throw UsageError("--threshold doesn't take glTF: its meshes don't lie where the scene puts them");
+  if (is_read && !options.files.reads_scene && (options.threshold.is_automatic || options.threshold.length.value > 0)) {
+    throw UsageError("--threshold doesn't take glTF that stays glTF: a mesh may lie at several places");
   }
   if (is_read && options.engine == Engine::openmesh) throw UsageError("--engine openmesh doesn't take glTF");
-  if (is_read && is_written && !options.keeps_attributes)
-    throw UsageError("--attributes position-only doesn't go with glTF");
 }
 
 void check_options(const CLI::App& app, const SimplifyCommand& options) {

@@ -72,17 +72,4 @@ std::size_t n_instances(const Model& model, std::size_t mesh) {
   return n;
 }
 
-std::vector<Eigen::Matrix4d> world_transforms(const Model& model, std::size_t mesh) {
-  std::vector<Eigen::Matrix4d> transforms;
-  const std::vector<Eigen::Matrix4d> matrices = world_matrices(model, local_matrices(model));
-  for (std::size_t number = 0; number < model.nodes.size(); ++number) {
-    const Node& node = model.nodes[number];
-    if (node.mesh != mesh) continue;
-    for (const Eigen::Matrix4d& instance : instance_matrices(model, node)) {
-      transforms.push_back(matrices[number] * instance);
-    }
-  }
-  return transforms;
-}
-
 }  // namespace whittle::gltf

@@ -19,7 +19,5 @@ std::vector<Eigen::Matrix4d> instance_matrices(const Model& model, const Node& n
 
 /// `Asset::n_instances`.
 std::size_t n_instances(const Model& model, std::size_t mesh);
-/// `Asset::world_transforms`.
-std::vector<Eigen::Matrix4d> world_transforms(const Model& model, std::size_t mesh);
 
 }  // namespace whittle::gltf

@@ -61,7 +61,8 @@ class Asset {
   std::size_t n_triangles(std::size_t mesh) const;
   /// How often nodes use the mesh. With EXT_mesh_gpu_instancing a node uses it once an instance.
   std::size_t n_instances(std::size_t mesh) const;
-  /// The matrix from the mesh's coordinates into the scene's, for each instance.
+  /// The matrix from the mesh's coordinates into the scene's, for each instance. Where a skin moves the mesh, that of
+  /// its first joint, which is that of all joints as long as nothing is bent; skins don't count if one is wrong.
   std::vector<Eigen::Matrix4d> world_transforms(std::size_t mesh) const;
 
   /// All triangles of a mesh, from all its primitives that are triangles, strips or fans and have positions.
