@@ -89,6 +89,30 @@ bool meet_beyond_edge(const Corners& s, const Corners& t) {
   return orient2d(t[0], s[1], s[2], plane.x, plane.y) == plane.turn;
 }
 
+/// \param is_common (i, j): whether corner i of one face is corner j of the other
+template <class IsCommon>
+bool meet_beyond_common(const Corners& s, const Corners& t, const IsCommon& is_common) {
+  std::size_t n_common = 0, s_sum = 0, t_sum = 0, s_corner = 0, t_corner = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (!is_common(i, j)) continue;
+      ++n_common;
+      s_corner = i, t_corner = j;
+      s_sum += i, t_sum += j;
+    }
+  }
+  switch (n_common) {
+    case 0:
+      return meet_apart(s, t);
+    case 1:
+      return meet_beyond_corner(turned(s, s_corner), turned(t, t_corner));
+    case 2:  // 0 + 1 + 2 minus the sum is the corner that is not common
+      return meet_beyond_edge(turned(s, 3 - s_sum), turned(t, 3 - t_sum));
+    default:
+      return true;
+  }
+}
+
 /// For each vertex the lowest vertex number with the same position.
 std::vector<Index> merge_by_position(const IndexedMesh& mesh) {
   std::vector<Index> order;
@@ -126,26 +150,9 @@ class PairTest {
   }
 
   bool operator()(Index left, Index right) const {
-    const Corners s = corners(left), t = corners(right);
-    std::size_t n_common = 0, s_sum = 0, t_sum = 0, s_corner = 0, t_corner = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        if (merged_[mesh_.faces[left][i]] != merged_[mesh_.faces[right][j]]) continue;
-        ++n_common;
-        s_corner = i, t_corner = j;
-        s_sum += i, t_sum += j;
-      }
-    }
-    switch (n_common) {
-      case 0:
-        return meet_apart(s, t);
-      case 1:
-        return meet_beyond_corner(turned(s, s_corner), turned(t, t_corner));
-      case 2:  // 0 + 1 + 2 minus the sum is the corner that is not common
-        return meet_beyond_edge(turned(s, 3 - s_sum), turned(t, 3 - t_sum));
-      default:
-        return true;
-    }
+    return meet_beyond_common(corners(left), corners(right), [&](std::size_t i, std::size_t j) {
+      return merged_[mesh_.faces[left][i]] == merged_[mesh_.faces[right][j]];
+    });
   }
 
  private:
@@ -154,6 +161,12 @@ class PairTest {
 };
 
 }  // namespace
+
+bool has_area(const Corners& face) { return Projection(face).turn != 0; }
+
+bool do_intersect(const Corners& face, const Corners& other) {
+  return meet_beyond_common(face, other, [&](std::size_t i, std::size_t j) { return face[i] == other[j]; });
+}
 
 std::vector<std::array<Index, 2>> face_intersections(const IndexedMesh& mesh,
                                                      const std::function<bool(Index, Index)>& is_wanted,
@@ -172,22 +185,22 @@ std::vector<std::array<Index, 2>> face_intersections(const IndexedMesh& mesh,
   const std::size_t n_blocks = (n + faces_per_block - 1) / faces_per_block;
 
   meter.start("comparing faces", 1);
-  std::vector<char> has_area(n);
+  std::vector<char> is_extended(n);
   for_each_block(n_blocks, threads, [&](std::size_t block) {
     for (std::size_t f = block * faces_per_block; f < std::min(n, (block + 1) * faces_per_block); ++f) {
-      has_area[f] = Projection(meets.corners(static_cast<Index>(f))).turn != 0;
+      is_extended[f] = has_area(meets.corners(static_cast<Index>(f)));
     }
   });
 
   std::vector<std::vector<std::array<Index, 2>>> found(n_blocks);
   for_each_block(n_blocks, workers, [&](std::size_t block) {
     for (std::size_t f = block * faces_per_block; f < std::min(n, (block + 1) * faces_per_block); ++f) {
-      if (!has_area[f]) continue;
+      if (!is_extended[f]) continue;
       const auto face = static_cast<Index>(f);
       const auto [a, b, c] = meets.corners(face);
       const Vec3 min = a.cwiseMin(b).cwiseMin(c) - tree.origin(), max = a.cwiseMax(b).cwiseMax(c) - tree.origin();
       tree.visit_boxes({min, max}, [&](Index other) {
-        if (other <= face || !has_area[other] || (is_wanted && !is_wanted(face, other))) return;
+        if (other <= face || !is_extended[other] || (is_wanted && !is_wanted(face, other))) return;
         if (meets(face, other)) found[block].push_back({face, other});
       });
     }

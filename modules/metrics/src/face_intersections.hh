@@ -15,4 +15,11 @@ std::vector<std::array<Index, 2>> face_intersections(const IndexedMesh& mesh,
                                                      const std::function<bool(Index, Index)>& is_wanted,
                                                      unsigned threads, const ProgressCallback& progress);
 
+/// Whether a face has an area. Those that don't intersect nothing.
+bool has_area(const std::array<Vec3, 3>& face);
+
+/// Whether two faces with areas intersect, decided as there. Corners at equal positions are common ones.
+/// \pre working_scale.hh has scaled the mesh
+bool do_intersect(const std::array<Vec3, 3>& face, const std::array<Vec3, 3>& other);
+
 }  // namespace whittle::metrics

@@ -4,12 +4,18 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "face_intersections.hh"
 #include "whittle/core/detail/drop.hh"
+#include "whittle/core/detail/parallel.hh"
 #include "whittle/core/parts.hh"
+#include "whittle/core/pieces.hh"
 #include "whittle/metrics/bounds.hh"
+#include "whittle/metrics/closest_point.hh"
+#include "working_scale.hh"
 
 namespace whittle::metrics {
 namespace {
@@ -89,6 +95,70 @@ PartPairs meeting_parts(const IndexedMesh& mesh, std::vector<Index> part_of, std
   return pairs;
 }
 
+/// A part of a mesh, to be compared with others.
+struct ComparedPart {
+  IndexedMesh mesh;  ///< positions and faces
+  std::optional<TriangleTree> tree;
+
+  std::array<Vec3, 3> corners(Index f) const {
+    const auto [a, b, c] = mesh.faces[f];
+    return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
+  }
+};
+
+/// Stops at the first intersection: most parts that are asked for have many.
+bool do_meet(const ComparedPart& part, const ComparedPart& other) {
+  const bool is_smaller = part.mesh.faces.size() <= other.mesh.faces.size();
+  const ComparedPart& few = is_smaller ? part : other;
+  const ComparedPart& many = is_smaller ? other : part;
+  const Vec3& origin = many.tree->origin();
+  bool is_found = false;
+  for (Index f = 0; f < few.mesh.faces.size() && !is_found; ++f) {
+    const std::array<Vec3, 3> face = few.corners(f);
+    if (!has_area(face)) continue;
+    const Vec3 min = face[0].cwiseMin(face[1]).cwiseMin(face[2]) - origin;
+    const Vec3 max = face[0].cwiseMax(face[1]).cwiseMax(face[2]) - origin;
+    many.tree->visit_boxes({min, max}, [&](Index g) {
+      const std::array<Vec3, 3> near = many.corners(g);
+      is_found = is_found || (has_area(near) && do_intersect(face, near));
+    });
+  }
+  return is_found;
+}
+
+/// Those of some pairs of parts that intersect. \param part_of per face, `invalid_index` for none
+PartPairs meeting_ones(const PartPairs& pairs, const IndexedMesh& mesh, const std::vector<Index>& part_of,
+                       std::size_t n_parts, unsigned threads) {
+  const Bounds box = bounds(mesh);
+  if (const double scale = working_scale({box}); scale != 1.0) {
+    return meeting_ones(pairs, metrics::scaled(mesh, scale), part_of, n_parts, threads);
+  }
+  IndexedMesh shape;
+  shape.positions = mesh.positions;
+  std::vector<Index> part_of_kept;
+  for (std::size_t f = 0; f < part_of.size(); ++f) {
+    if (part_of[f] == invalid_index) continue;
+    shape.faces.push_back(mesh.faces[f]);
+    part_of_kept.push_back(part_of[f]);
+  }
+  std::vector<MeshPiece> pieces = split_mesh(shape, part_of_kept, n_parts);
+  std::vector<ComparedPart> parts(n_parts);
+  for_each_block(n_parts, threads, [&](std::size_t p) {
+    parts[p].mesh = std::move(pieces[p].mesh);
+    if (!parts[p].mesh.faces.empty()) parts[p].tree.emplace(parts[p].mesh, box.center());
+  });
+  std::vector<char> meets(pairs.size());
+  for_each_block(pairs.size(), threads, [&](std::size_t i) {
+    const auto& [p, q] = pairs[i];
+    meets[i] = parts[p].tree && parts[q].tree && do_meet(parts[p], parts[q]);
+  });
+  PartPairs meeting;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (meets[i]) meeting.push_back(pairs[i]);
+  }
+  return meeting;
+}
+
 /// The part that each face of the mesh before became one of; of parts in `pairs` alone.
 std::vector<Index> parts_before(const IndexedMesh& before, std::span<const Index> vertex_map, const Parts& parts,
                                 const PartPairs& pairs) {
@@ -128,7 +198,8 @@ PartPairs newly_meeting_parts(const IndexedMesh& before, const IndexedMesh& afte
   const PartPairs now = meeting_parts(after, std::move(part_of), parts.count, threads);
   if (now.empty()) return {};
   bounds(before);
-  const PartPairs earlier = meeting_parts(before, parts_before(before, vertex_map, parts, now), parts.count, threads);
+  const PartPairs earlier =
+      meeting_ones(now, before, parts_before(before, vertex_map, parts, now), parts.count, threads);
   PartPairs newly;
   std::set_difference(now.begin(), now.end(), earlier.begin(), earlier.end(), std::back_inserter(newly));
   return newly;
