@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 
 #include "error/marked_vertices.hh"
 #include "whittle/core/detail/parallel.hh"
@@ -21,7 +22,8 @@ IndexedMesh surface_of(const Remainder& left) {
 
 /// Contracts as far as the error may be, in three steps: what moves the surface by next to nothing, which leaves a
 /// coarse copy of a large input; what hardly moves it; and what keeps near to the coarse copy, or to the input. What is
-/// left is proven to be near to the input. Where it isn't, the next try is less bold.
+/// left is proven to be near to the input. Where it isn't, the next try is less bold. If none succeeds, what the second
+/// step left stays.
 std::unique_ptr<ErrorBounds> ErrorLimitedRun::contract(const BlockPlan& plan) {
   constexpr double bold_share = 0.3;
   constexpr int most_bold_tries = 3;
@@ -31,6 +33,7 @@ std::unique_ptr<ErrorBounds> ErrorLimitedRun::contract(const BlockPlan& plan) {
   const Done start = passes_.done();
   if (start.left) start_origins_ = start.left->origins;
   std::vector<double> shares(passes_.n_vertices_left(), bold_share);
+  std::optional<Done> hardly_moved;
   for (int i = 0; i < most_bold_tries; ++i) {
     passes_.done() = start;
     contract_to_shares_of_limit(shares);
@@ -39,10 +42,14 @@ std::unique_ptr<ErrorBounds> ErrorLimitedRun::contract(const BlockPlan& plan) {
       make_coarse_bound(start);
     }
     const ErrorBound::Violations violations = find_violations_before_guarding();
-    if (violations.empty() && contract_guarded()) return end();
+    if (violations.empty()) {
+      if (contract_guarded()) return end();
+      if (!hardly_moved) hardly_moved = passes_.done();
+    }
     lower_shares_at(violations.vertices, shares);
   }
-  if (!contract_guarded_from_input()) contract_nothing();
+  if (contract_guarded_from_input() || (hardly_moved && end_with(*hardly_moved))) return end();
+  contract_nothing();
   return end();
 }
 
@@ -117,10 +124,23 @@ bool ErrorLimitedRun::contract_guarded_from_input() {
   return find_violations_before_guarding().empty() && contract_guarded();
 }
 
+/// \return whether it is proven to be near to the input
+bool ErrorLimitedRun::end_with(const Done& done) {
+  passes_.done() = done;
+  const IndexedMesh surface = surface_of(left());
+  if (!error_bounds_->check({surface, Frame{}, left().vertex_map}).empty()) return false;
+  contract_no_more();
+  return true;
+}
+
 void ErrorLimitedRun::contract_nothing() {
   passes_.forget_all();
+  contract_no_more();
+}
+
+void ErrorLimitedRun::contract_no_more() {
   passes_.set_limits({});
-  passes_.contract_to(DecimateTarget::faces(passes_.mesh().faces.size()), true);
+  passes_.contract_to(DecimateTarget::faces(passes_.n_faces_left()), true);
   passes_.done().result.stop = StopReason::error;
 }
 
@@ -151,9 +171,9 @@ void ErrorLimitedRun::make_coarse_bound(const Done& start) {
 /// Contracts what keeps the bounds. Points of the input that are found to be too far in the end are then looked at,
 /// too. A coarse bound is made smaller if the surface is too far from the input.
 /// \pre find_violations_before_guarding().empty()
-/// \return whether what is left is proven to be near to the input, or the run is cancelled
+/// \return whether what is left is proven to be near to the input, or the run is cancelled; otherwise all is as before
 bool ErrorLimitedRun::contract_guarded() {
-  constexpr int most_tries = 3;
+  constexpr int most_tries = 12;
   const Done before = passes_.done();
   PassLimits limits;
   limits.error_bound = &guarding_bound();
@@ -172,11 +192,11 @@ bool ErrorLimitedRun::contract_guarded() {
     const ErrorBound::Violations violations = exact.check(checked, exact.limit());
     const ErrorBound::Violations of_borders = error_bounds_->check_borders(checked);
     if (violations.empty() && of_borders.empty()) return true;
+    passes_.done() = before;
     if (of_borders.is_surface_far || (violations.is_surface_far && !coarse_bound_)) return false;
     if (violations.is_surface_far) coarse_bound_->tighten();
     guarding_bound().add_points(violations.points);
     if (error_bounds_->borders() != nullptr) error_bounds_->borders()->add_points(of_borders.points);
-    passes_.done() = before;
   }
   return false;
 }

@@ -36,7 +36,9 @@ class ErrorLimitedRun {
   ErrorBound::Violations find_violations_before_guarding();
   bool contract_guarded();
   bool contract_guarded_from_input();
+  bool end_with(const Done& done);
   void contract_nothing();
+  void contract_no_more();
   std::unique_ptr<ErrorBounds> end();
 
   Passes& passes_;
