@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <ostream>
+#include <set>
 #include <system_error>
 
 #include "files/input.hh"
@@ -58,8 +59,9 @@ void copy_companions(OutputFiles& files, const std::string& input, const std::st
   if (input == standard_stream || output == standard_stream || fs::equivalent(from, to, error)) return;
   std::vector<std::string> new_files;
   std::string missing;
+  std::set<fs::path> seen;
   for (const fs::path& name : names) {
-    if (name.is_absolute() || to / name == output) continue;
+    if (name.is_absolute() || to / name == output || !seen.insert(name.lexically_normal()).second) continue;
     bool is_new = false;
     const std::string problem = copied(files, from, to, name, is_new);
     if (is_new) new_files.push_back(name.generic_string());

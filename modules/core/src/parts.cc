@@ -9,6 +9,7 @@
 #include "whittle/core/detail/disjoint_sets.hh"
 #include "whittle/core/detail/drop.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/wedges.hh"
 
 namespace whittle {
 
@@ -54,6 +55,7 @@ PrunedMesh without_small_parts(IndexedMesh mesh, double size) {
   const auto is_dropped = [&](std::size_t v) {
     return parts.part_of[v] != invalid_index && diagonals[parts.part_of[v]] < size;
   };
+  const bool has_wedges = !mesh.wedges.empty();
   PrunedMesh result;
   result.mesh = std::move(mesh);
   const auto is_small = [&](double diagonal) { return diagonal < size; };
@@ -64,6 +66,8 @@ PrunedMesh without_small_parts(IndexedMesh mesh, double size) {
     return std::any_of(face.begin(), face.end(), is_dropped);
   });
   result.vertex_map = drop_vertices(result.mesh, is_dropped);
+  if (has_wedges && result.mesh.faces.empty()) gather_wedges(result.mesh, {});
+  join_equal_wedges(result.mesh);  // drops those of the faces that are gone
   return result;
 }
 

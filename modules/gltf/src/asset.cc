@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <system_error>
@@ -188,10 +189,12 @@ std::vector<std::string> Asset::warnings() const {
 
 std::vector<std::filesystem::path> Asset::image_files() const {
   std::vector<std::filesystem::path> files;
+  std::set<std::filesystem::path> seen;
   for (const Json& image : elements_of(content_->document, "images")) {
     const Json* const uri = member(image, "uri");
     if (!uri || !uri->is_string() || is_data_uri(uri->get_ref<const std::string&>())) continue;
-    if (auto file = file_of_uri(uri->get_ref<const std::string&>())) files.push_back(*std::move(file));
+    auto file = file_of_uri(uri->get_ref<const std::string&>());
+    if (file && seen.insert(file->lexically_normal()).second) files.push_back(*std::move(file));
   }
   return files;
 }

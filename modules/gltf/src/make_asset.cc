@@ -168,7 +168,9 @@ Asset make_asset(NewAsset asset) {
   fill_in_normals(asset.mesh);
   Json document = document_of(asset);
   const std::string buffer = add_buffer(asset.images, document);
-  Asset made = Asset::read(join_glb(document.dump(), buffer), asset.name);
+  // Names may come from files that know no UTF-8: what is none becomes U+FFFD.
+  const std::string json = document.dump(-1, ' ', false, Json::error_handler_t::replace);
+  Asset made = Asset::read(join_glb(json, buffer), asset.name);
   made.set_triangles(0, std::move(asset.mesh));
   return made;
 }

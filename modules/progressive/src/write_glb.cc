@@ -195,7 +195,7 @@ void write_glb(std::ostream& out, const Geomorph& geomorph) {
   json["accessors"] = buffer.accessors();
   json["bufferViews"] = buffer.views();
   json["buffers"] = Json::array({{{"byteLength", buffer.bytes().size()}}});
-  const std::string file = container(json.dump(), buffer.bytes());
+  const std::string file = container(json.dump(-1, ' ', false, Json::error_handler_t::replace), buffer.bytes());
   out.write(file.data(), static_cast<std::streamsize>(file.size()));
 }
 

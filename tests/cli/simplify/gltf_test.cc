@@ -191,7 +191,7 @@ TEST(Gltf, TakesImagesAlongButNoneFromOutside) {
   const std::string in = folder / "in/a cube.gltf";
   write_gltf_cube(in, 3);
   Json document = Json::parse(std::ifstream(in));
-  document["images"] = {{{"uri", "tex/wall.png"}}, {{"uri", "../outside.png"}}};
+  document["images"] = {{{"uri", "tex/wall.png"}}, {{"uri", "../outside.png"}}, {{"uri", "tex/./wall.png"}}};
   std::ofstream(in) << document;
   for (const char* name : {"in/tex/wall.png", "outside.png"}) std::ofstream(folder / name) << "an image";
   const std::string out = folder / "sub/out/small 1.gltf";

@@ -128,5 +128,14 @@ TEST_F(Materials, AreKeptWhereOnlyTheContainerOfGltfChanges) {
   EXPECT_EQ(Json::parse(asset.document())["materials"].size(), 2U);
 }
 
+TEST_F(Materials, MayHaveNamesThatAreNoText) {
+  const std::string in = folder_ / "in/latin.obj";
+  write_text(in, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl b\xf6se\nf 1 2 3\nusemtl gut\nf 1 3 4\n");
+  const Outcome outcome = whittle({"simplify", in, "-o", folder_ / "latin.glb", "--faces", "2"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  const Json document = Json::parse(gltf::Asset::read(folder_ / "latin.glb").document());
+  EXPECT_EQ(document["materials"][0]["name"], "b\uFFFDse");
+}
+
 }  // namespace
 }  // namespace whittle::test

@@ -14,6 +14,8 @@
 #include "support/suites.hh"
 #include "support/topology.hh"
 #include "support/transforms.hh"
+#include "whittle/core/pieces.hh"
+#include "whittle/core/wedges.hh"
 #include "whittle/engine/automatic_threshold.hh"
 #include "whittle/io/read.hh"
 
@@ -272,6 +274,29 @@ TEST(WithoutSmallParts, CarriesWhatBelongsToTheOthers) {
     EXPECT_EQ(out.face_groups[f], mesh.face_groups[old]);
   }
   EXPECT_EQ(out.group_names, mesh.group_names);
+}
+
+/// Each corner has the values that it had.
+TEST(WithoutSmallParts, CarriesWedges) {
+  IndexedMesh mesh = charted_cube(2);
+  const IndexedMesh small = scaled(mesh, 0.1);
+  IndexedMesh all = small;
+  append_mesh(all, mesh);
+  join_equal_wedges(all);
+  const PrunedMesh pruned = without_small_parts(all, 1);
+  join_equal_wedges(mesh);
+  ASSERT_EQ(pruned.mesh.faces.size(), mesh.faces.size());
+  EXPECT_EQ(n_wedges(pruned.mesh), n_wedges(mesh));
+  EXPECT_EQ(pruned.mesh.attributes[0].size(), n_wedges(mesh));
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_EQ(pruned.mesh.normals[pruned.mesh.wedge(f, c)], mesh.normals[mesh.wedge(f, c)]);
+      EXPECT_TRUE(std::ranges::equal(pruned.mesh.attributes[0].value(pruned.mesh.wedge(f, c)),
+                                     mesh.attributes[0].value(mesh.wedge(f, c))));
+    }
+  }
+  const IndexedMesh nothing = without_small_parts(all, no_limit).mesh;
+  EXPECT_TRUE(nothing.normals.empty() && nothing.attributes[0].values.empty() && nothing.wedges.empty());
 }
 
 TEST(WithoutSmallParts, LeavesSoundMeshesAsTheyAre) {

@@ -98,7 +98,7 @@ class Asset {
   /// What isn't kept as it was, a line each: extensions of meshes that say something of single vertices.
   std::vector<std::string> warnings() const;
 
-  /// Image files that the asset names, relative to its folder.
+  /// Image files that the asset names, each once, relative to its folder.
   std::vector<std::filesystem::path> image_files() const;
 
   /// The document as it was read.
