@@ -54,6 +54,7 @@ class BruteForceDecimater {
   std::vector<Choice> choices() const;
   Choice choice(Index a, Index b, bool is_edge, const SurfaceNow& surface) const;
   void sum_planes(const QuadricOptions& options);
+  std::set<std::pair<Index, Index>> rims() const;
   PairEvaluation evaluate(Index a, Index b, bool is_edge, const SurfaceNow& surface) const;
   std::optional<Choice> next_choice() const;
   std::optional<Choice> settle(Choice choice) const;
@@ -76,7 +77,7 @@ class BruteForceDecimater {
   std::vector<Vec3> positions_;
   std::vector<Index> stands_for_;  ///< per vertex, the input vertex that results name
   std::vector<Quadric> quadrics_;
-  std::vector<Quadric> seams_;  ///< the planes of seams, of vertices that forget all other planes
+  std::vector<Quadric> seams_;  ///< the planes of seams and rims, of vertices that forget all other planes
   std::vector<PointQuadric> points_;
   std::set<std::pair<Index, Index>> threshold_pairs_;  ///< lower vertex first; some may share a face
   bool had_threshold_pairs_ = false;                   ///< at the start

@@ -294,6 +294,25 @@ TEST(WeldBorders, DecidesAlikeAllAlongALineWherePartsTouch) {
   }
 }
 
+/// A cube of squares that are apart, each with a front and a back, becomes a cube and another one inside out.
+TEST(WeldBorders, JoinsFrontsToFrontsAndBacksToBacks) {
+  const IndexedMesh cube = whittle::test::cube();
+  IndexedMesh inside_out = cube;
+  for (Triangle& face : inside_out.faces) std::swap(face[1], face[2]);
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    IndexedMesh mesh = whittle::test::joined(cube, inside_out);
+    Random random(seed);
+    for (std::size_t f = mesh.faces.size(); f > 1; --f) std::swap(mesh.faces[f - 1], mesh.faces[random.below(f)]);
+    mesh = soup(mesh);
+    repair(mesh);
+    const Topology t = topology(mesh);
+    EXPECT_TRUE(t.closed() && t.manifold()) << t;
+    EXPECT_EQ(t.components, 2) << t;
+    EXPECT_EQ(t.euler(), 4) << t;
+    EXPECT_EQ(mesh.positions.size(), 16U);
+  }
+}
+
 TEST(WeldBorders, JoinsPartsThatTouchAtAVertex) {
   IndexedMesh mesh = soup(whittle::test::bow_tie());
   repair(mesh);

@@ -3,14 +3,23 @@
 #include <algorithm>
 #include <array>
 
+#include "cost/rim_edges.hh"
 #include "whittle/engine/formula/quadric_term.hh"
 
 namespace whittle {
 namespace {
 
-std::vector<Index> ends_of(std::span<const VertexPair> edges) {
+/// Edges that are held by planes of a weight.
+struct HeldEdges {
+  std::span<const VertexPair> edges;  ///< ascending
+  QuadricOptions options;
+};
+
+std::vector<Index> ends_of(std::span<const HeldEdges> all) {
   std::vector<Index> vertices;
-  for (const auto& [a, b] : edges) vertices.insert(vertices.end(), {a, b});
+  for (const HeldEdges& held : all) {
+    for (const auto& [a, b] : held.edges) vertices.insert(vertices.end(), {a, b});
+  }
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
@@ -20,30 +29,33 @@ std::vector<Index> ends_of(std::span<const VertexPair> edges) {
 
 std::vector<Memory::Remembered> seam_planes(const IndexedMesh& mesh, const Frame& frame,
                                             std::span<const VertexPair> seams, const DecimateOptions& options) {
-  if (seams.empty()) return {};
+  const bool holds_rims = options.quadric.boundary_weight > 0 && options.boundary != Boundary::free;
+  const std::vector<VertexPair> rims = holds_rims ? rim_edges(mesh, frame, options.threads) : std::vector<VertexPair>{};
+  std::array<HeldEdges, 2> all{HeldEdges{seams, options.quadric}, HeldEdges{rims, options.quadric}};
+  all[0].options.boundary_weight = options.attribute_weights.seam;
+  if (seams.empty() && rims.empty()) return {};
   std::vector<Memory::Remembered> planes;
   std::vector<Index> place_of(mesh.positions.size(), invalid_index);
-  for (const Index v : ends_of(seams)) {
+  for (const Index v : ends_of(all)) {
     place_of[v] = static_cast<Index>(planes.size());
     planes.push_back({v, {}});
   }
-  QuadricOptions of_seams = options.quadric;
-  of_seams.boundary_weight = options.attribute_weights.seam;
-  const auto is_seam = [&](Index v, Index w) {
-    if (place_of[v] == invalid_index || place_of[w] == invalid_index) return false;
-    const auto [low, high] = std::minmax(v, w);
-    return std::binary_search(seams.begin(), seams.end(), VertexPair{low, high});
+  const auto at = [&](Index v) { return frame.to_frame(mesh.positions[v]); };
+  const auto add = [&](Index v, Index from, Index to, Index opposite) {
+    const auto [low, high] = std::minmax(from, to);
+    for (const HeldEdges& held : all) {
+      if (!std::binary_search(held.edges.begin(), held.edges.end(), VertexPair{low, high})) continue;
+      planes[place_of[v]].quadric.a += border_quadric(at(from), at(to), at(opposite), held.options);
+    }
   };
   for (const Triangle& face : mesh.faces) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Index v = face[k];
-      if (place_of[v] == invalid_index) continue;
       const Index next = face[(k + 1) % 3];
       const Index previous = face[(k + 2) % 3];
-      const auto at = [&](Index w) { return frame.to_frame(mesh.positions[w]); };
-      SymmetricMatrix& sum = planes[place_of[v]].quadric.a;
-      if (is_seam(v, next)) sum += border_quadric(at(v), at(next), at(previous), of_seams);
-      if (is_seam(previous, v)) sum += border_quadric(at(previous), at(v), at(next), of_seams);
+      if (place_of[v] == invalid_index) continue;
+      if (place_of[next] != invalid_index) add(v, v, next, previous);
+      if (place_of[previous] != invalid_index) add(v, previous, v, next);
     }
   }
   return planes;

@@ -1,6 +1,7 @@
 // Welding takes two steps. The first takes all candidates at a position for one vertex, and finds the faces at each
 // edge. An edge that gets a third face by this is *doubtful*, and so are the positions at its ends. Elsewhere welding
-// is done. The second step starts with separate vertices at doubtful positions, and `WeldResolver` joins them.
+// is done. The second step starts with separate vertices at doubtful positions, and `WeldResolver` joins them: first
+// faces that go on from one another, then a front and a back that lie on each other.
 #include <algorithm>
 #include <atomic>
 #include <bit>
@@ -153,12 +154,21 @@ void join_ends_without_length(WeldResolver& resolver, const Flags& is_doubtful_g
   }
 }
 
-void add_doubtful_edges(WeldResolver& resolver, const GroupedEdges& edges, const std::vector<Triangle>& grouped) {
+// Of unit length, or zero.
+Vec3 normal_of(const IndexedMesh& mesh, Index face) {
+  const auto& [a, b, c] = mesh.faces[face];
+  const Vec3 edge = mesh.positions[b] - mesh.positions[a];
+  return edge.cross(mesh.positions[c] - mesh.positions[a]).stableNormalized();
+}
+
+void add_doubtful_edges(WeldResolver& resolver, const IndexedMesh& mesh, const GroupedEdges& edges,
+                        const std::vector<Triangle>& grouped) {
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (!edges.is_doubtful(e)) continue;
     resolver.begin_edge();
     for (const Index side : edges.sides(e)) {
-      resolver.add_face(edges.stored(e, side), whittle::detail::start_of(side, grouped) == edges[e].a);
+      resolver.add_face(edges.stored(e, side), whittle::detail::start_of(side, grouped) == edges[e].a,
+                        normal_of(mesh, whittle::detail::face_of(side)));
     }
   }
 }
@@ -185,13 +195,13 @@ void resolve_doubtful(const IndexedMesh& mesh, const std::vector<Triangle>& grou
   for (std::size_t v = 0; v < n_vertices; ++v) {
     if (is_doubtful_group[group[v]]) resolver.add_vertex(static_cast<Index>(v));
   }
-  add_doubtful_edges(resolver, edges, grouped);
+  add_doubtful_edges(resolver, mesh, edges, grouped);
   join_along_plain_edges(resolver, edges, is_doubtful_group);
   for (std::size_t f = 0; f < grouped.size(); ++f) {
     if (!has_three_corners(grouped[f]))
       join_ends_without_length(resolver, is_doubtful_group, mesh.faces[f], grouped[f]);
   }
-  resolver.join_open_edges();
+  for (const bool folds : {false, true}) resolver.join_open_edges(folds);
   for (std::size_t v = 0; v < n_vertices; ++v) {
     if (is_doubtful_group[group[v]]) group[v] = resolver.lowest_joined(static_cast<Index>(v));
   }

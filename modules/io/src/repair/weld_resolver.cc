@@ -13,10 +13,10 @@ void WeldResolver::add_vertex(Index vertex) {
   uses_.emplace_back();
 }
 
-void WeldResolver::add_face(const std::array<Index, 2>& ends, bool forward) {
+void WeldResolver::add_face(const std::array<Index, 2>& ends, bool forward, const Vec3& normal) {
   const auto edge = static_cast<std::uint32_t>(edges_.size() - 1);
   const auto face = static_cast<std::uint32_t>(edges_.back().size());
-  edges_.back().push_back({{set_of_.at(ends[0]), set_of_.at(ends[1])}, forward});
+  edges_.back().push_back({{set_of_.at(ends[0]), set_of_.at(ends[1])}, forward, normal});
   for (std::uint8_t end = 0; end < 2; ++end) uses_[set_of_.at(ends[end])].push_back({edge, face, end});
   ++faces_at_[actual_edge(edge, face)];
 }
@@ -75,6 +75,13 @@ bool WeldResolver::join_sets(Set a, Set b) {
 
 bool WeldResolver::join(Index a, Index b) { return join_sets(find(set_of_.at(a)), find(set_of_.at(b))); }
 
+bool WeldResolver::lie_on_each_other(std::uint32_t edge, std::uint32_t f, std::uint32_t g) const {
+  const Face& face = edges_[edge][f];
+  const Face& other = edges_[edge][g];
+  const double cosine = face.normal.dot(other.normal);
+  return (face.forward == other.forward ? cosine : -cosine) > 1 - 1e-6;
+}
+
 // Joins both ends of two faces, or neither if one end can't be joined. Joining the first end may rule out the second:
 // it is checked again.
 bool WeldResolver::try_pair(std::uint32_t edge, std::uint32_t f, std::uint32_t g) {
@@ -97,6 +104,7 @@ void WeldResolver::pair_faces(std::uint32_t edge, bool need_common_end) {
     for (std::uint32_t f = 0; f < count; ++f) {
       for (std::uint32_t g = f + 1; g < count && is_open(edge, f); ++g) {
         if ((edges_[edge][f].forward == edges_[edge][g].forward) != same_way || !is_open(edge, g)) continue;
+        if (!folds_ && lie_on_each_other(edge, f, g)) continue;
         const ActualEdge at_f = actual_edge(edge, f);
         const ActualEdge at_g = actual_edge(edge, g);
         if (!need_common_end || at_f.low == at_g.low || at_f.high == at_g.high) try_pair(edge, f, g);
@@ -114,7 +122,8 @@ void WeldResolver::follow() {
   }
 }
 
-void WeldResolver::join_open_edges() {
+void WeldResolver::join_open_edges(bool folds) {
+  folds_ = folds;
   const auto count = static_cast<std::uint32_t>(edges_.size());
   to_follow_.clear();
   for (std::uint32_t edge = 0; edge < count; ++edge) pair_faces(edge, true);

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "whittle/core/frame.hh"
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/core/vertex_pair.hh"
+
+namespace whittle {
+
+/// The rims of two-sided sheets: edges whose two faces lie on each other, front and back, as around a leaf. The planes
+/// of the faces hold nothing there. Lower vertex first, ascending. Takes O(F) time where there is none.
+std::vector<VertexPair> rim_edges(const IndexedMesh& mesh, const Frame& frame, unsigned threads);
+
+}  // namespace whittle

@@ -1,0 +1,87 @@
+#include "cost/rim_edges.hh"
+
+#include <gtest/gtest.h>
+
+#include "support/meshes.hh"
+#include "support/shapes/shapes.hh"
+#include "support/suites.hh"
+#include "support/transforms.hh"
+#include "whittle/engine/decimate.hh"
+#include "whittle/metrics/distance.hh"
+
+namespace whittle::test {
+namespace {
+
+/// A wavy sheet of n by n squares with a front and a back, which have the vertices around in common.
+IndexedMesh two_sided_leaf(Index n) {
+  IndexedMesh mesh;
+  const Index row = n + 1;
+  for (const bool is_back : {false, true}) {
+    std::vector<Index> number(std::size_t{row} * row);
+    for (Index y = 0; y <= n; ++y) {
+      for (Index x = 0; x <= n; ++x) {
+        const bool is_rim = x == 0 || y == 0 || x == n || y == n;
+        Index& v = number[y * row + x];
+        v = static_cast<Index>(mesh.positions.size());
+        const Vec3 p(x, y, 0.3 * std::sin(0.7 * x) * std::cos(0.5 * y));
+        if (is_back && is_rim) {
+          const auto same = std::find(mesh.positions.begin(), mesh.positions.end(), p);
+          v = static_cast<Index>(same - mesh.positions.begin());
+        } else {
+          mesh.positions.push_back(p);
+        }
+      }
+    }
+    for (Index y = 0; y < n; ++y) {
+      for (Index x = 0; x < n; ++x) {
+        const Index a = number[y * row + x];
+        const Index b = number[y * row + x + 1];
+        const Index c = number[(y + 1) * row + x + 1];
+        const Index d = number[(y + 1) * row + x];
+        if (is_back) {
+          mesh.faces.insert(mesh.faces.end(), {{a, c, b}, {a, d, c}});
+        } else {
+          mesh.faces.insert(mesh.faces.end(), {{a, b, c}, {a, c, d}});
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+std::vector<VertexPair> rims_of(const IndexedMesh& mesh) { return rim_edges(mesh, Frame::of_points(mesh.positions), 3); }
+
+TEST(RimEdges, AreThoseAroundASheetWithTwoSides) {
+  for (const double size : {1e-100, 1.0, 1e100}) {
+    const IndexedMesh leaf = scaled(two_sided_leaf(6), size);
+    const std::vector<VertexPair> rims = rims_of(leaf);
+    EXPECT_EQ(rims.size(), 24U);
+    EXPECT_TRUE(std::is_sorted(rims.begin(), rims.end()));
+    for (const auto& [a, b] : rims) {
+      EXPECT_LT(a, b);
+      EXPECT_NEAR((leaf.positions[a] - leaf.positions[b]).head<2>().norm(), size, 1e-6 * size);
+    }
+  }
+}
+
+/// Not even where neighbours are oriented the other way round, as those of a Möbius strip.
+TEST(RimEdges, AreNotThereElsewhere) {
+  for (const auto& [name, mesh] : all_meshes()) EXPECT_TRUE(rims_of(mesh).empty()) << name;
+}
+
+TEST(RimEdges, HoldSheetsWithTwoSides) {
+  const IndexedMesh leaf = two_sided_leaf(12);
+  for (const Cost cost : {Cost::quadric, Cost::memoryless}) {
+    DecimateOptions options;
+    options.cost = cost;
+    const Decimation held = decimate(leaf, DecimateTarget::faces(80), options);
+    options.boundary = Boundary::free;
+    const Decimation let_go = decimate(leaf, DecimateTarget::faces(80), options);
+    const auto distance = [&](const Decimation& d) { return metrics::surface_distance(leaf, d.mesh, {}).max; };
+    EXPECT_LT(distance(held), 0.3);
+    EXPECT_GT(distance(let_go), 2 * distance(held));
+  }
+}
+
+}  // namespace
+}  // namespace whittle::test
