@@ -103,6 +103,22 @@ TEST_F(ReportCommand, ShowsGltfWhereTheSceneHasIt) {
   }
 }
 
+/// The recording is of each mesh once, or of the scene as it is shown.
+TEST_F(ReportCommand, TakesARecordingOfGltfAsItsResult) {
+  write_gltf_cube(folder / "cube.glb", 6);
+  for (const char* const out : {"small.glb", "small.ply"}) {
+    const Outcome run = whittle({"simplify", folder / "cube.glb", "-o", folder / out, "--face-ratio", "20%", "--record",
+                                 folder / "cube.rec", "--quiet"});
+    ASSERT_EQ(run.exit_code, 0) << run;
+    const Outcome outcome =
+        whittle({"report", folder / "cube.glb", folder / "cube.rec", "-o", folder / "page.html", "--quiet"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome;
+  }
+  write_gltf_cube(folder / "cube.glb", 5);
+  const Outcome other = whittle({"report", folder / "cube.glb", folder / "cube.rec", "-o", folder / "page.html"});
+  EXPECT_EQ(other.exit_code, 4) << other;
+}
+
 TEST_F(ReportCommand, ShowsColoursAndTextures) {
   const std::string image = "\x89PNG and so on";
   const auto write = [&](const std::string& name, const std::string& text) { std::ofstream(folder / name) << text; };

@@ -260,7 +260,7 @@ ExitCode run_compare(const CLI::App& app, const CompareOptions& options) {
 void setup_compare(CLI::App& app, Command& command) {
   const auto options = std::make_shared<CompareOptions>();
   CLI::App* sub = app.add_subcommand("compare", "Simplify with whittle and with OpenMesh's ModQuadric, side by side.");
-  add_mesh_file(*sub, options->input);
+  add_mesh_file(*sub, options->input, options->files);
   add_target_options(*sub, options->targets, "its unit is length^4 in model units: squared distance times area");
   add_value(
       *sub, "--effort", words_of<Effort>(efforts), options->effort,

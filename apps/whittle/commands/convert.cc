@@ -86,7 +86,7 @@ void setup_convert(CLI::App& app, Command& command) {
   const auto options = std::make_shared<ConvertCommand>();
   options->files.reads_gltf = options->files.writes_gltf = true;
   CLI::App* sub = app.add_subcommand("convert", "Write a mesh in another format, and simplify nothing.");
-  add_mesh_file(*sub, options->input);
+  add_mesh_file(*sub, options->input, options->files);
   add_file(*sub, "OUT", options->output, "the result: a file, replaced if it exists, or '-' for standard output");
   add_file_options(*sub, options->files);
   add_common_options(*sub, options->common);

@@ -200,7 +200,7 @@ void setup_info(CLI::App& app, Command& command) {
   const auto options = std::make_shared<InfoOptions>();
   options->files.reads_gltf = true;
   CLI::App* sub = app.add_subcommand("info", "Say what is in a mesh file and what is wrong with it.");
-  add_mesh_file(*sub, options->input);
+  add_mesh_file(*sub, options->input, options->files);
   add_input_formats(*sub, options->files);
   add_weld(*sub, options->files);
   add_common_options(*sub, options->common);

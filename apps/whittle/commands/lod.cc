@@ -250,7 +250,7 @@ void add_level_options(CLI::App& app, LodCommand& options) {
 void setup_lod(CLI::App& app, Command& command) {
   const auto options = std::make_shared<LodCommand>();
   CLI::App* sub = app.add_subcommand("lod", "Write several levels of detail out of one run.");
-  add_mesh_file(*sub, options->input);
+  add_mesh_file(*sub, options->input, options->files);
   add_level_options(*sub, *options);
   add_value(
       *sub, "-o,--output", "OUT", options->output, [](std::string_view text) { return std::string(text); },

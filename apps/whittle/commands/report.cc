@@ -110,7 +110,7 @@ void setup_report(CLI::App& app, Command& command) {
   const auto options = std::make_shared<ReportCommand>();
   options->files_options.reads_gltf = options->files_options.reads_scene = true;
   CLI::App* sub = app.add_subcommand("report", "Write a page to look at meshes, their error and a recording.");
-  add_mesh_files(*sub, options->files);
+  add_mesh_files(*sub, options->files, options->files_options);
   const auto text = [](std::string_view word) { return std::optional(std::string(word)); };
   add_value(*sub, "-o,--output", "OUT", options->output, text,
             "the page: an .html file, replaced if it exists, or '-' for standard output")

@@ -14,6 +14,7 @@
 #include "whittle/core/detail/checks.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/io/border_gaps.hh"
+#include "whittle/io/errors.hh"
 
 namespace whittle::app {
 namespace {
@@ -75,8 +76,35 @@ io::Format format_for_output(const std::string& path, const FileOptions& options
   return format;
 }
 
+namespace {
+
+/// \throw UsageError for an output, io::ReadError for an input that is glTF where that isn't taken
+void refuse_gltf(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
+                 const FileOptions& options) {
+  const auto is_packed = [](const std::string& path) {
+    return io::has_gzip_extension(path) && is_gltf(path.substr(0, path.rfind('.')));
+  };
+  for (const std::string& input : inputs) {
+    if (options.input_format) break;
+    if (is_packed(input)) throw io::ReadError(input, "is glTF packed with gzip: unpack it first");
+    if (options.reads_gltf || !is_gltf(input)) continue;
+    throw io::ReadError(
+        input, "is glTF, which this command doesn't read; 'whittle convert' makes " + io::format_titles() + " of it");
+  }
+  for (const std::string& output : outputs) {
+    if (options.output_format) break;
+    if (is_packed(output)) throw UsageError(output + ": glTF isn't packed with gzip: leave out the extension .gz");
+    if (options.writes_gltf || !is_gltf(output)) continue;
+    throw UsageError(output + ": this command doesn't write glTF; write " + io::format_titles() +
+                     ", and 'whittle convert' makes glTF of it");
+  }
+}
+
+}  // namespace
+
 void check_formats(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
                    const FileOptions& options) {
+  refuse_gltf(inputs, outputs, options);
   const auto n_standard = std::count(inputs.begin(), inputs.end(), standard_stream);
   if (n_standard > 1) throw UsageError("only one of the inputs can be standard input ('-')");
   if (n_standard == 1 && !options.format && !options.input_format) throw UsageError(needs_format("--input-format"));

@@ -28,7 +28,9 @@ std::optional<io::Format> format_by_name(const std::string& path);
 /// \throw UsageError if there is neither, or if --ascii is given and the format has no choice of text.
 io::Format format_for_output(const std::string& path, const FileOptions& options);
 
-/// \throw UsageError if two inputs are standard input, if one is and nothing tells its format, or if --format is
+/// \throw io::ReadError if an input is glTF, and the command doesn't read it
+/// \throw UsageError if an output is glTF, and the command doesn't write it; if two inputs are standard input, if one
+/// is and nothing tells its format, or if --format is
 ///        given although names and other options tell every format; as `format_for_output` for each output.
 void check_formats(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
                    const FileOptions& options);

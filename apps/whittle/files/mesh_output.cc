@@ -1,5 +1,6 @@
 #include "files/mesh_output.hh"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "files/companions.hh"
@@ -20,8 +21,20 @@ void write_to_gltf(OutputFiles& files, const MeshOutput& output, Input& input, c
   }
 }
 
-void write_from_gltf(OutputFiles& files, const MeshOutput& output, const IndexedMesh& mesh, const Talk& talk,
-                     std::vector<std::string>& warnings) {
+/// Whether a glTF input has a material that shows on the mesh.
+bool has_materials(const Input& input, const IndexedMesh& mesh) {
+  const std::vector<GltfFile::Group> groups = input.gltf->groups();
+  return std::any_of(mesh.face_groups.begin(), mesh.face_groups.end(), [&](Index group) {
+    return input.gltf->asset().has_material(groups[group].mesh, groups[group].primitive);
+  });
+}
+
+void write_from_gltf(OutputFiles& files, const MeshOutput& output, const Input& input, const IndexedMesh& mesh,
+                     const Talk& talk, std::vector<std::string>& warnings) {
+  if (has_materials(input, mesh)) {
+    warnings.push_back(about(shown_output(output.path), "left out: the materials, with their colours and images"));
+    talk.warning(warnings.back());
+  }
   IndexedMesh flipped = mesh;
   flip_texcoords(flipped);
   write_mesh(files, output.path, output.options, flipped, talk, warnings);
@@ -51,7 +64,7 @@ void write_result(OutputFiles& files, const MeshOutput& output, Input& input, co
   if (is_gltf_output(output.path, output.options)) {
     return write_to_gltf(files, output, input, mesh, talk, warnings);
   }
-  if (input.gltf) return write_from_gltf(files, output, mesh, talk, warnings);
+  if (input.gltf) return write_from_gltf(files, output, input, mesh, talk, warnings);
   write_mesh(files, output.path, output.options, mesh, talk, warnings, input.read.notes);
   const io::FileNotes notes = io::notes_in(format_for_output(output.path, output.options), input.read.notes);
   copy_companions(files, input.path, output.path, io::referenced_files(notes, folder_of(input.path)), talk, warnings);

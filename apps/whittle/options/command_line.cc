@@ -25,7 +25,10 @@ CLI::Option* add_argument(CLI::App& app, const std::string& name, Paths& paths, 
   return app.add_option(name, paths, description)->required()->type_name("")->group("Arguments");
 }
 
-std::string mesh_file() { return "the mesh: an " + io::format_titles() + " file, or '-' for standard input"; }
+std::string mesh_file(const FileOptions& options) {
+  const std::string gltf = options.reads_gltf ? ", glTF" : "";
+  return "the mesh: an " + io::format_titles() + " file" + gltf + ", or '-' for standard input";
+}
 
 CLI::Option* add_format_option(CLI::App& app, const std::string& name, std::optional<io::Format>& format,
                                const std::string& description) {
@@ -139,10 +142,12 @@ CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& path,
   return add_argument(app, name, path, description);
 }
 
-void add_mesh_file(CLI::App& app, std::string& path) { add_argument(app, "IN", path, mesh_file()); }
+void add_mesh_file(CLI::App& app, std::string& path, const FileOptions& options) {
+  add_argument(app, "IN", path, mesh_file(options));
+}
 
-void add_mesh_files(CLI::App& app, std::vector<std::string>& paths) {
-  add_argument(app, "IN", paths, mesh_file() + "; several if OUT has '{stem}'");
+void add_mesh_files(CLI::App& app, std::vector<std::string>& paths, const FileOptions& options) {
+  add_argument(app, "IN", paths, mesh_file(options) + "; several if OUT has '{stem}'");
 }
 
 void check_conflicts(const CLI::App& app, std::span<const Conflict> conflicts) {

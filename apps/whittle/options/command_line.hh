@@ -69,10 +69,10 @@ void add_file_options(CLI::App& app, FileOptions& options, const std::string& gr
 
 /// Adds a positional argument that names a file: a mesh, unless it is given the type name FILE.
 CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description);
-/// Adds the argument IN: the mesh file to work on. Its help lists the formats.
-void add_mesh_file(CLI::App& app, std::string& path);
+/// Adds the argument IN: the mesh file to work on. Its help lists the formats. \param options whether glTF is read
+void add_mesh_file(CLI::App& app, std::string& path, const FileOptions& options);
 /// Likewise for one file or several.
-void add_mesh_files(CLI::App& app, std::vector<std::string>& paths);
+void add_mesh_files(CLI::App& app, std::vector<std::string>& paths, const FileOptions& options);
 
 /// Adds an option with one value.
 /// \param names as CLI11 takes them: "-r,--ratio"; "SHELL" for an argument without a name

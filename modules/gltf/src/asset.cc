@@ -69,6 +69,14 @@ std::vector<AssetFile> copies_of(const std::vector<std::filesystem::path>& image
   return copies;
 }
 
+/// Whether an object of JSON may begin there: after white space and a mark of UTF-8.
+bool may_be_json(std::string_view text) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  if (text.starts_with(mark)) text.remove_prefix(mark.size());
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && text[first] == '{';
+}
+
 bool are_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
   std::error_code error;
   return std::filesystem::equivalent(a, b, error);
@@ -119,7 +127,11 @@ Asset Asset::read(std::string bytes, const std::string& name, const std::filesys
   content->folder = folder;
   if (content->bytes.empty()) throw io::ReadError(name, "the file is empty");
   GlbParts parts{content->bytes, {}};
-  if (is_glb(content->bytes)) parts = split_glb(content->bytes, name);
+  if (is_glb(content->bytes)) {
+    parts = split_glb(content->bytes, name);
+  } else if (!may_be_json(content->bytes)) {
+    throw io::ReadError(name, "is no glTF: it begins neither with \"glTF\", as a GLB does, nor with \"{\"");
+  }
   content->document = parse_json(parts.json, name);
   content->model = read_model(content->document, {name, parts.buffer, folder});
   content->rest = read_rest(content->model, Part(content->document, "", name));
@@ -159,6 +171,10 @@ void Asset::set_triangles(std::size_t mesh, IndexedMesh triangles) {
   if (mesh >= n_meshes()) throw std::out_of_range("there is no mesh " + std::to_string(mesh));
   check_replacement(content_->model, mesh, triangles);
   content_->replacements.insert_or_assign(mesh, std::move(triangles));
+}
+
+bool Asset::has_material(std::size_t mesh, std::size_t primitive) const {
+  return content_->mesh(mesh).primitives.at(primitive).material.has_value();
 }
 
 std::vector<Material> Asset::materials(std::size_t mesh) const {

@@ -70,8 +70,9 @@ TEST(Gltf, IsReadByOtherCommands) {
   ASSERT_EQ(info.exit_code, 0) << info;
   EXPECT_EQ(parse_json(info.out)["format"], "gltf");
   EXPECT_EQ(parse_json(info.out)["closed"], true) << "it is welded at its seams";
-  const Outcome converted = whittle({"convert", in, folder / "cube.obj"});
+  const Outcome converted = whittle({"convert", in, folder / "cube.obj", "--json", "-"});
   ASSERT_EQ(converted.exit_code, 0) << converted;
+  EXPECT_THAT(parse_json(converted.out)["warnings"].dump(), testing::HasSubstr("left out: the materials"));
   EXPECT_EQ(io::read_mesh(folder / "cube.obj").mesh.group_names,
             (std::vector<std::string>{"cube: brick", "cube: glass"}));
   const Outcome measured = whittle({"measure", in, folder / "cube.obj", "--samples", "1000", "--json", "-"});
@@ -442,6 +443,10 @@ TEST(Gltf, RefusesWhatItCannotDo) {
     all.insert(all.end(), options.begin(), options.end());
     expect_usage_error(whittle(all), {options.front()});
   }
+  const Outcome unread = whittle({"lod", in, "-o", folder / "{i}.ply", "--faces", "9"});
+  EXPECT_EQ(unread.exit_code, 4) << unread;
+  EXPECT_THAT(unread.err, testing::HasSubstr("'whittle convert' makes OBJ, OFF, PLY or STL of it"));
+  expect_usage_error(whittle({"simplify", in, "-o", folder / "o.glb.gz", "--faces", "9"}), {".gz"});
   std::ofstream(folder / "cut.glb") << "glTF";
   const Outcome outcome = whittle({"simplify", folder / "cut.glb", "-o", out, "--faces", "9"});
   EXPECT_EQ(outcome.exit_code, 4) << outcome;

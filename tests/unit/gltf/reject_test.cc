@@ -47,6 +47,15 @@ TEST(GltfReject, SaysInOneLineWhatIsWrong) {
   }
 }
 
+TEST(GltfReject, SaysWhatIsNoGltfAtAll) {
+  for (const std::string bytes : {"glTX is no GLB", "\xEF\xBB\xBF [1]", "  ", "\x01"}) {
+    EXPECT_THAT(problem_in(bytes), HasSubstr("is no glTF: it begins neither with \"glTF\"")) << bytes;
+  }
+  EXPECT_THAT(problem_in("\xEF\xBB\xBF {}"), HasSubstr("no \"asset\""));
+  EXPECT_THAT(problem_in(R"({"asset": {"version": 1}})"), HasSubstr("glTF version 1; only 2.0"));
+  EXPECT_THAT(problem_in(R"({"asset": {"version": "1.0"}})"), HasSubstr("glTF version 1.0; only 2.0"));
+}
+
 TEST(GltfReject, SaysWhereItIs) {
   const auto files = asset_files({"gltf-reject"});
   WHITTLE_NEEDS_ASSETS(files);

@@ -20,6 +20,9 @@ struct RecordingInput {
   std::optional<std::string> input;  ///< the mesh of the run, if it is not in the recording
 };
 
+/// A mesh as recordings have it: one normal and one colour a vertex, and no other attributes.
+IndexedMesh as_recorded(IndexedMesh mesh);
+
 /// Adds the argument REC.
 void add_recording(CLI::App& app, RecordingInput& options);
 /// Adds --input.

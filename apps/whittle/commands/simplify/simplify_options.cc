@@ -259,7 +259,7 @@ void add_attribute_options(CLI::App& app, SimplifyCommand& options) {
 
 void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
   options.files.reads_gltf = options.files.writes_gltf = true;
-  add_mesh_files(app, options.inputs);
+  add_mesh_files(app, options.inputs, options.files);
   add_target_options(app, options.targets, unit_by_cost());
   add_max_error(app, options.targets);
   app.add_flag("--per-mesh", options.is_per_mesh,

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "commands/recording/curve.hh"
+#include "commands/recording/recording_input.hh"
 #include "commands/simplify/as_written.hh"
 #include "files/input.hh"
-#include "whittle/core/wedges.hh"
 #include "whittle/engine/simplify.hh"
 
 namespace whittle::app {
@@ -45,14 +45,6 @@ struct SimplifyRecord {
 };
 
 /// The input as recordings have it: with one normal and one colour a vertex.
-inline IndexedMesh recorded_input(const SimplifyRecord& record) {
-  IndexedMesh mesh = record.input.read.mesh;
-  drop_seams(mesh);
-  mesh.attributes.clear();
-  mesh.face_attributes.clear();
-  mesh.face_groups.clear();
-  mesh.group_names.clear();
-  return mesh;
-}
+inline IndexedMesh recorded_input(const SimplifyRecord& record) { return as_recorded(record.input.read.mesh); }
 
 }  // namespace whittle::app

@@ -71,7 +71,9 @@ bool is_known_extension(std::string_view name) {
 void check_version_and_extensions(const Part& root) {
   const std::optional<Part> asset = root.object("asset");
   if (!asset) root.fail("the document has no \"asset\", so it is no glTF 2.0");
-  const std::string version = asset->required_text("version");
+  const Json* const json = member(asset->json(), "version");
+  // glTF 1.0 may have a number there.
+  const std::string version = json && json->is_number() ? json->dump() : asset->required_text("version");
   const auto number = parsed_version(version);
   if (!number || number->first != 2) root.fail("glTF version " + printable(version) + "; only 2.0 is supported");
   if (const auto least = asset->text("minVersion")) {

@@ -78,6 +78,8 @@ class Asset {
   /// \throw io::ReadError if an index is above the vertices, a position isn't finite, or compressed data are damaged
   IndexedMesh triangles(std::size_t mesh) const;
 
+  /// Whether a primitive of a mesh names a material; otherwise it has the default one.
+  bool has_material(std::size_t mesh, std::size_t primitive) const;
   /// How each primitive of a mesh looks, by its number: one without a material has the default one.
   /// \throw io::ReadError if a material isn't there, or is wrong
   std::vector<Material> materials(std::size_t mesh) const;
