@@ -16,6 +16,12 @@ largest_of_data() {
 }
 
 install_packages "$work/packages.log" "${build_packages[@]}"
+# Before configuring, as building `whittle report` takes npm; it gets the dragon, too. Whatever npm is there is taken:
+# Debian's conflicts with the one that comes with a newer Node.js.
+if ! command -v npm >/dev/null; then
+  (install_packages "$work/npm-packages.log" npm ca-certificates) ||
+    say "There is no npm (log in $work): the program is built without 'whittle report'"
+fi
 
 say "Building the program (preset release; a few minutes the first time)"
 quietly "$work/configure.log" cmake --preset release

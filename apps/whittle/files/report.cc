@@ -121,7 +121,7 @@ Json polish_json(const PolishResult& polish) {
 std::string polish_text(const PolishResult& polish) {
   if (polish.n_passes == 0) return "left as it was, nothing brought the surfaces nearer";
   return std::to_string(polish.n_passes) + (polish.n_passes == 1 ? " pass, " : " passes, ") +
-         std::to_string(polish.n_moved) + " vertices moved, rms distance " + significant(polish.rms_before) + " -> " +
+         vertices_text(polish.n_moved) + " moved, rms distance " + significant(polish.rms_before) + " -> " +
          significant(polish.rms_after);
 }
 
