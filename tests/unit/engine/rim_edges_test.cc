@@ -49,7 +49,9 @@ IndexedMesh two_sided_leaf(Index n) {
   return mesh;
 }
 
-std::vector<VertexPair> rims_of(const IndexedMesh& mesh) { return rim_edges(mesh, Frame::of_points(mesh.positions), 3); }
+std::vector<VertexPair> rims_of(const IndexedMesh& mesh) {
+  return rim_edges(mesh, Frame::of_points(mesh.positions), 3);
+}
 
 TEST(RimEdges, AreThoseAroundASheetWithTwoSides) {
   for (const double size : {1e-100, 1.0, 1e100}) {
