@@ -11,6 +11,7 @@
 #include "files/companions.hh"
 #include "whittle/core/pieces.hh"
 #include "whittle/core/transform.hh"
+#include "whittle/io/errors.hh"
 #include "whittle/io/repair.hh"
 
 namespace whittle::app {
@@ -47,6 +48,9 @@ Eigen::Affine3d largest_of(std::span<const Eigen::Affine3d> places) {
   }
   return largest == nullptr ? Eigen::Affine3d::Identity() : *largest;
 }
+
+/// Nodes and instances can repeat a mesh without end. A scene of this size takes 5 GB.
+constexpr std::size_t largest_scene = std::size_t{1} << 27;
 
 /// A mesh at several places, one copy after the other. All copies have the groups of the first one.
 /// \param n_file_vertices that it had in the file \param first_origin of the first copy
@@ -158,6 +162,9 @@ io::ReadResult GltfFile::read(const io::ReadOptions& options, GltfScope scope) {
   for (std::size_t m = 0; m < asset_.n_meshes(); ++m) {
     if (asset_.n_triangles(m) == 0) continue;
     const std::vector<Eigen::Affine3d> places = places_of(m, scope);
+    if (places.size() * asset_.n_triangles(m) > largest_scene - std::min(largest_scene, result.file_faces)) {
+      throw io::ReadError(path_.string(), "the scene has more than 2^27 triangles");
+    }
     if (!places.empty()) read_mesh(m, places, options, result);
   }
   return result;

@@ -29,6 +29,7 @@ class GltfFile {
 
   /// Reads all meshes that have triangles. There may be none: then the whole has no faces, `why_no_faces` says why, and
   /// `write` writes the file as it was.
+  /// \throw io::ReadError also for a scene of more than 2^27 triangles
   io::ReadResult read(const io::ReadOptions& options, GltfScope scope);
 
   const gltf::Asset& asset() const { return asset_; }

@@ -120,6 +120,22 @@ TEST(Gltf, BecomesOtherFormatsAsTheSceneShowsIt) {
   EXPECT_LT(parse_json(measured.out)["max_rel"], 1e-6);
 }
 
+TEST(Gltf, MayShowNoMoreThanAnyoneCanRead) {
+  const TemporaryFolder folder;
+  const std::string in = folder / "many.gltf";
+  write_gltf_cube(in, 16);
+  Json document = Json::parse(std::ifstream(in));
+  const std::size_t n_nodes = (std::size_t{1} << 27) / 3072 + 1;
+  document["nodes"] = std::vector<Json>(n_nodes, {{"mesh", 0}});
+  document["scenes"] = Json::array();
+  document.erase("scene");
+  std::ofstream(in) << document;
+  const Outcome outcome = whittle({"convert", in, folder / "out.ply"});
+  EXPECT_EQ(outcome.exit_code, 4) << outcome;
+  EXPECT_THAT(outcome.err, testing::HasSubstr("the scene has more than 2^27 triangles"));
+  EXPECT_EQ(whittle({"simplify", in, "-o", folder / "out.glb", "--faces", "99"}).exit_code, 0) << "each mesh once";
+}
+
 TEST(Gltf, KeepsTheErrorThatIsAskedForWhereTheSceneShowsItLargest) {
   const TemporaryFolder folder;
   const std::string in = folder / "places.gltf";

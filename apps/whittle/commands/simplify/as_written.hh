@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "commands/simplify/simplify_options.hh"
+#include "files/input.hh"
 #include "whittle/engine/decimate.hh"
 #include "whittle/engine/decimate_target.hh"
 #include "whittle/metrics/certify.hh"
