@@ -53,13 +53,12 @@ Eigen::Affine3d largest_of(std::span<const Eigen::Affine3d> places) {
 constexpr std::size_t largest_scene = std::size_t{1} << 27;
 
 /// A mesh at several places, one copy after the other. All copies have the groups of the first one.
-/// \param n_file_vertices that it had in the file \param first_origin of the first copy
+/// \param places one or more \param n_file_vertices that it had in the file \param first_origin of the first copy
 IndexedMesh copies_at(std::span<const Eigen::Affine3d> places, IndexedMesh mesh, std::size_t n_file_vertices,
                       std::size_t first_origin) {
   const std::size_t n_groups = mesh.group_names.size();
   IndexedMesh all;
-  for (const Eigen::Affine3d& place : places) {
-    IndexedMesh copy = &place == &places.back() ? std::move(mesh) : mesh;
+  const auto append_at = [&](const Eigen::Affine3d& place, IndexedMesh copy) {
     if (copy.origins.empty()) {
       copy.origins.resize(copy.positions.size());
       std::iota(copy.origins.begin(), copy.origins.end(), Index{0});
@@ -68,7 +67,9 @@ IndexedMesh copies_at(std::span<const Eigen::Affine3d> places, IndexedMesh mesh,
     first_origin += n_file_vertices;
     transform_mesh(copy, place);
     append_mesh(all, std::move(copy));
-  }
+  };
+  for (const Eigen::Affine3d& place : places.first(places.size() - 1)) append_at(place, mesh);
+  append_at(places.back(), std::move(mesh));
   for (Index& group : all.face_groups) group %= static_cast<Index>(n_groups);
   all.group_names.resize(n_groups);
   return all;
