@@ -106,9 +106,10 @@ TEST_F(ReportCommand, ShowsGltfWhereTheSceneHasIt) {
 /// The recording is of each mesh once, or of the scene as it is shown.
 TEST_F(ReportCommand, TakesARecordingOfGltfAsItsResult) {
   write_gltf_cube(folder / "cube.glb", 6);
-  for (const char* const out : {"small.glb", "small.ply"}) {
+  for (const auto& [out, attributes] :
+       {std::pair("small.glb", "keep"), std::pair("small.ply", "keep"), std::pair("small.ply", "position-only")}) {
     const Outcome run = whittle({"simplify", folder / "cube.glb", "-o", folder / out, "--face-ratio", "20%", "--record",
-                                 folder / "cube.rec", "--quiet"});
+                                 folder / "cube.rec", "--quiet", "--attributes", attributes});
     ASSERT_EQ(run.exit_code, 0) << run;
     const Outcome outcome =
         whittle({"report", folder / "cube.glb", folder / "cube.rec", "-o", folder / "page.html", "--quiet"});

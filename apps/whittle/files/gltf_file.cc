@@ -65,6 +65,7 @@ IndexedMesh copies_at(std::span<const Eigen::Affine3d> places, IndexedMesh mesh,
     }
     for (Index& origin : copy.origins) origin += static_cast<Index>(first_origin);
     first_origin += n_file_vertices;
+    if (!all.group_names.empty()) copy.group_names.clear();  // else each copy would have its own
     transform_mesh(copy, place);
     append_mesh(all, std::move(copy));
   };
@@ -73,6 +74,15 @@ IndexedMesh copies_at(std::span<const Eigen::Affine3d> places, IndexedMesh mesh,
   for (Index& group : all.face_groups) group %= static_cast<Index>(n_groups);
   all.group_names.resize(n_groups);
   return all;
+}
+
+/// The place of a mesh, without its way there if that is so long that it would take digits from the mesh: 2^22 times as
+/// long as the mesh leaves 30 bits.
+Eigen::Affine3d near_origin(Eigen::Affine3d place, const IndexedMesh& mesh) {
+  double farthest = 0;
+  for (const Vec3& p : mesh.positions) farthest = std::max(farthest, (place.linear() * p).cwiseAbs().maxCoeff());
+  if (!(place.translation().cwiseAbs().maxCoeff() <= 0x1p22 * farthest)) place.translation().setZero();
+  return place;
 }
 
 }  // namespace
@@ -110,14 +120,10 @@ bool GltfFile::shows_meshes() const {
   return false;
 }
 
-std::vector<Eigen::Affine3d> GltfFile::places_of(std::size_t mesh, GltfScope scope) const {
+std::vector<Eigen::Affine3d> GltfFile::places_of(std::size_t mesh) const {
   std::vector<Eigen::Affine3d> places;
   for (const Eigen::Matrix4d& matrix : asset_.world_transforms(mesh)) places.emplace_back(matrix);
-  if (scope == GltfScope::scene) {
-    if (places.empty() && !shows_meshes()) places.push_back(Eigen::Affine3d::Identity());
-    return places;
-  }
-  return {largest_of(places)};
+  return places;
 }
 
 GltfFile::Part GltfFile::part_of(std::size_t number, const Eigen::Affine3d& place, const IndexedMesh& mesh,
@@ -128,14 +134,19 @@ GltfFile::Part GltfFile::part_of(std::size_t number, const Eigen::Affine3d& plac
             static_cast<Index>(mesh.group_names.size()),
             !mesh.normals.empty(),
             !mesh.colors.empty(),
+            {},
+            0,
             {}};
   for (const Attribute& attribute : mesh.attributes) part.attributes.push_back(attribute.without_values());
   return part;
 }
 
-void GltfFile::read_mesh(std::size_t number, std::span<const Eigen::Affine3d> places, const io::ReadOptions& options,
+void GltfFile::read_mesh(std::size_t number, std::vector<Eigen::Affine3d> places, const io::ReadOptions& options,
                          io::ReadResult& all) {
   IndexedMesh mesh = asset_.triangles(number);
+  if (scope_ == GltfScope::meshes) places = {near_origin(largest_of(places), mesh)};
+  const bool is_moved = scope_ == GltfScope::meshes && !places.front().matrix().isIdentity(0);
+  std::vector<Vec3> file_positions = is_moved ? mesh.positions : std::vector<Vec3>{};
   const std::size_t n_file_vertices = mesh.positions.size();
   const auto n_file_faces = mesh.faces.size();
   std::vector<Index> joined_to;
@@ -150,6 +161,8 @@ void GltfFile::read_mesh(std::size_t number, std::span<const Eigen::Affine3d> pl
     const std::string prefix = asset_.mesh_name(number) + ": ";
     for (std::string& group : mesh.group_names) group.insert(0, prefix);
     parts_.push_back(part_of(number, places.front(), mesh, all.mesh));
+    parts_.back().first_origin = all.file_vertices;
+    parts_.back().file_positions = std::move(file_positions);
     append_mesh(all.mesh, copies_at(places, std::move(mesh), n_file_vertices, all.file_vertices));
   }
   all.file_vertices += places.size() * n_file_vertices;
@@ -160,15 +173,24 @@ io::ReadResult GltfFile::read(const io::ReadOptions& options, GltfScope scope) {
   io::ReadResult result;
   scope_ = scope;
   parts_.clear();
+  const bool has_all = scope == GltfScope::meshes || !shows_meshes();
   for (std::size_t m = 0; m < asset_.n_meshes(); ++m) {
     if (asset_.n_triangles(m) == 0) continue;
-    const std::vector<Eigen::Affine3d> places = places_of(m, scope);
-    if (places.size() * asset_.n_triangles(m) > largest_scene - std::min(largest_scene, result.file_faces)) {
+    std::vector<Eigen::Affine3d> places = places_of(m);
+    if (places.empty() && has_all) places.push_back(Eigen::Affine3d::Identity());
+    if (scope == GltfScope::scene &&
+        places.size() * asset_.n_triangles(m) > largest_scene - std::min(largest_scene, result.file_faces)) {
       throw io::ReadError(path_.string(), "the scene has more than 2^27 triangles");
     }
-    if (!places.empty()) read_mesh(m, places, options, result);
+    if (!places.empty()) read_mesh(m, std::move(places), options, result);
   }
   return result;
+}
+
+const Vec3* GltfFile::Part::unmoved(Index origin, const Vec3& position) const {
+  if (file_positions.empty()) return nullptr;
+  const Vec3& before = file_positions[origin - first_origin];
+  return place * before == position ? &before : nullptr;
 }
 
 std::vector<GltfFile::Group> GltfFile::groups() const {
@@ -194,7 +216,11 @@ std::vector<IndexedMesh> GltfFile::split(const IndexedMesh& mesh) const {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const Part& part = parts_[i];
     IndexedMesh& own = split.emplace_back(std::move(pieces[i].mesh));
+    const std::vector<Vec3> placed = own.positions;
     transform_mesh(own, part.place.inverse());
+    for (Index v = 0; v < placed.size(); ++v) {
+      if (const Vec3* const as_it_was = part.unmoved(own.origins[v], placed[v])) own.positions[v] = *as_it_was;
+    }
     for (Index& group : own.face_groups) group -= part.first_group;
     if (!part.has_normals) own.normals.clear();
     if (!part.has_colors) own.colors.clear();
@@ -217,7 +243,8 @@ IndexedMesh GltfFile::as_written(IndexedMesh mesh) const {
     for (const Index v : mesh.faces[f]) {
       if (std::exchange(is_rounded[v], std::uint8_t{1}) != 0) continue;
       Vec3& p = mesh.positions[v];
-      p = place * (back * p).cast<float>().cast<double>();
+      const Vec3* const as_it_was = parts_[part_of_face[f]].unmoved(mesh.origins[v], p);
+      p = place * (as_it_was != nullptr ? *as_it_was : back * p).cast<float>().cast<double>();
     }
   }
   return mesh;

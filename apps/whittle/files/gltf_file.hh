@@ -68,12 +68,17 @@ class GltfFile {
     Index n_groups;
     bool has_normals, has_colors;
     std::vector<Attribute> attributes;  ///< without values
+    std::size_t first_origin;           ///< of its vertices
+    std::vector<Vec3> file_positions;   ///< of the file's vertices, in its coordinates; empty if the part isn't moved
+
+    /// The position that a vertex has in the file, if it still lies there and the part lies elsewhere; or null.
+    const Vec3* unmoved(Index origin, const Vec3& position) const;
   };
 
-  std::vector<Eigen::Affine3d> places_of(std::size_t mesh, GltfScope scope) const;
+  std::vector<Eigen::Affine3d> places_of(std::size_t mesh) const;
   bool shows_meshes() const;
   Part part_of(std::size_t number, const Eigen::Affine3d& place, const IndexedMesh& mesh, const IndexedMesh& all) const;
-  void read_mesh(std::size_t number, std::span<const Eigen::Affine3d> places, const io::ReadOptions& options,
+  void read_mesh(std::size_t number, std::vector<Eigen::Affine3d> places, const io::ReadOptions& options,
                  io::ReadResult& all);
   std::vector<IndexedMesh> split(const IndexedMesh& mesh) const;
 

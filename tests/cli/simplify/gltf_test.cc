@@ -120,6 +120,26 @@ TEST(Gltf, BecomesOtherFormatsAsTheSceneShowsIt) {
   EXPECT_LT(parse_json(measured.out)["max_rel"], 1e-6);
 }
 
+TEST(Gltf, KeepsTheNumbersOfWhatDoesNotMove) {
+  const TemporaryFolder folder;
+  const std::string in = folder / "places.gltf";
+  for (const double x : {10.0, 1e17, 1e160}) {  // where a node is so far off that nothing would be left of the cube
+    write_three_places(in);
+    Json document = Json::parse(std::ifstream(in));
+    document["nodes"][0]["translation"] = {x, 0, 0};
+    std::ofstream(in) << document;
+    ASSERT_EQ(whittle({"convert", in, folder / "out.glb"}).exit_code, 0);
+    const auto sorted = [&](const std::string& path) {
+      std::vector<std::vector<double>> positions;
+      for (const Vec3& p : gltf::Asset::read(path).triangles(0).positions) positions.emplace_back(p.begin(), p.end());
+      std::sort(positions.begin(), positions.end());
+      positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+      return positions;
+    };
+    EXPECT_EQ(sorted(folder / "out.glb"), sorted(in)) << x;
+  }
+}
+
 TEST(Gltf, MayShowNoMoreThanAnyoneCanRead) {
   const TemporaryFolder folder;
   const std::string in = folder / "many.gltf";

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "blocks/decimate_in_blocks.hh"
 #include "support/meshes.hh"
 #include "support/shapes/shapes.hh"
 #include "support/suites.hh"
@@ -83,6 +84,22 @@ TEST(RimEdges, HoldSheetsWithTwoSides) {
     EXPECT_LT(distance(held), 0.3);
     EXPECT_GT(distance(let_go), 2 * distance(held));
   }
+}
+
+/// In exact order blocks would know nothing of rims.
+TEST(RimEdges, KeepMeshesOutOfBlocksInExactOrder) {
+  BlockPlan plan;
+  plan.fewest_faces_in_exact_order = 1;
+  DecimateOptions options;
+  options.cost = Cost::quadric;
+  options.threads = 2;
+  const auto why_not = [&](const IndexedMesh& mesh) {
+    return why_not_in_blocks(mesh, DecimateTarget::faces(80), options, nullptr, plan);
+  };
+  EXPECT_EQ(why_not(two_sided_leaf(12)), "rims are held");
+  EXPECT_EQ(why_not(sphere(3)), "");
+  options.boundary = Boundary::free;
+  EXPECT_EQ(why_not(two_sided_leaf(12)), "");
 }
 
 }  // namespace

@@ -37,10 +37,14 @@ IndexedMesh input_of(const RecordingInput& options, const FileOptions& files, un
   FileOptions as_then = files;
   const bool has_scene = reads_gltf(*options.input, files);
   for (const bool reads_scene : {false, true}) {  // what a run reads of glTF depends on its output
+    if (reads_scene && !has_scene) break;
     as_then.reads_scene = reads_scene;
-    IndexedMesh mesh = as_recorded(read_input(*options.input, as_then, threads, talk).read.mesh);
+    const Talk once = reads_scene ? Talk(Volume::quiet) : talk;
+    IndexedMesh mesh = as_recorded(read_input(*options.input, as_then, threads, once).read.mesh);
     if (progressive::content_hash(mesh) == recording.hash) return mesh;
-    if (!has_scene) break;
+    mesh.normals.clear();  // as with --attributes position-only
+    mesh.colors.clear();
+    if (progressive::content_hash(mesh) == recording.hash) return mesh;
   }
   throw io::ReadError(*options.input, "is not the mesh of " + options.path +
                                           ", or is read otherwise: --weld and --no-weld have to be as they were");

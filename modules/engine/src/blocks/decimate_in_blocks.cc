@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "cost/attributes/scaled_attributes.hh"
+#include "cost/rim_edges.hh"
 #include "cost/seam_planes.hh"
 #include "whittle/core/detail/parallel.hh"
 #include "whittle/core/wedges.hh"
@@ -113,6 +114,9 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
   if (is_exact && looks_at_attributes(options, mesh)) return "attributes count";
   if (options.refuse_intersections) return "intersections are refused";
   if (is_exact && is_far_flung(mesh)) return "rounding may decide the order";
+  if (is_exact && holds_rims(options)) {
+    if (!rim_edges(mesh, Frame::of_points(mesh.positions), options.threads).empty()) return "rims are held";
+  }
   return {};
 }
 

@@ -19,7 +19,7 @@ struct Memory {
 
   MeanFaceArea face_area;
   std::vector<Remembered> quadrics;  ///< by vertex, ascending
-  std::vector<Remembered> seams{};   ///< likewise, of vertices that remember nothing but planes of seams
+  std::vector<Remembered> seams{};   ///< likewise, of vertices that remember nothing but planes of seams and rims
   SurfaceAttributes attributes{};    ///< none where costs don't look at attributes, or haven't seen them yet
 };
 

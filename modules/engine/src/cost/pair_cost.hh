@@ -40,7 +40,7 @@ class PairCost {
   virtual ~PairCost() = default;
 
   virtual void see_faces(unsigned /*threads*/) {}
-  /// \param planes of seams (`seam_planes`), by number in the input
+  /// \param planes of seams and rims (`seam_planes`), by number in the input
   virtual void see_seams(std::span<const Memory::Remembered> /*planes*/) {}
   virtual void see_attributes(SurfaceAttributes&& /*attributes*/) {}
   virtual void start(unsigned /*threads*/) {}

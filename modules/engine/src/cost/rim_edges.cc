@@ -9,10 +9,14 @@
 namespace whittle {
 namespace {
 
+/// Of 1 - the cosine between the ways into two faces that lie on each other. Their normals are opposite to within the
+/// root of twice that, and so are their octants, which are wider.
+constexpr double most_apart = 1e-6;
+
 /// The octants that a vector lies in, or nearly: bit 4 z + 2 y + x, where a coordinate counts 1 if it isn't negative.
 /// Those of a vector and its opposite are each other's mirror images.
 std::uint8_t octants_of(const Vec3& vector) {
-  const double nearly_zero = 1e-3 * vector.cwiseAbs().maxCoeff();
+  const double nearly_zero = 2e-3 * vector.cwiseAbs().maxCoeff();
   // Without branches, as no processor foresees signs.
   const auto half = [&](double x, unsigned not_negative) {
     const unsigned is_positive = x > nearly_zero ? 1 : 0;
@@ -89,7 +93,7 @@ bool lie_on_each_other(const IndexedMesh& mesh, const Frame& frame, const Side& 
   const Vec3 way = inward(mesh, frame, side);
   const Vec3 other_way = inward(mesh, frame, other);
   const double lengths = way.norm() * other_way.norm();
-  return lengths > 0 && way.dot(other_way) > (1 - 1e-6) * lengths;
+  return lengths > 0 && way.dot(other_way) > (1 - most_apart) * lengths;
 }
 
 }  // namespace

@@ -5,11 +5,18 @@
 #include "whittle/core/frame.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/core/vertex_pair.hh"
+#include "whittle/engine/options.hh"
 
 namespace whittle {
 
 /// The rims of two-sided sheets: edges whose two faces lie on each other, front and back, as around a leaf. The planes
-/// of the faces hold nothing there. Lower vertex first, ascending. Takes O(F) time where there is none.
+/// of the faces hold nothing there. Lower vertex first, ascending. Takes O(F) time where no vertex has faces with
+/// opposite normals.
 std::vector<VertexPair> rim_edges(const IndexedMesh& mesh, const Frame& frame, unsigned threads);
+
+/// Whether planes hold rims, with the weight of those of borders.
+inline bool holds_rims(const DecimateOptions& options) {
+  return options.quadric.boundary_weight > 0 && options.boundary != Boundary::free;
+}
 
 }  // namespace whittle

@@ -29,8 +29,8 @@ std::vector<Index> ends_of(std::span<const HeldEdges> all) {
 
 std::vector<Memory::Remembered> seam_planes(const IndexedMesh& mesh, const Frame& frame,
                                             std::span<const VertexPair> seams, const DecimateOptions& options) {
-  const bool holds_rims = options.quadric.boundary_weight > 0 && options.boundary != Boundary::free;
-  const std::vector<VertexPair> rims = holds_rims ? rim_edges(mesh, frame, options.threads) : std::vector<VertexPair>{};
+  const std::vector<VertexPair> rims =
+      holds_rims(options) ? rim_edges(mesh, frame, options.threads) : std::vector<VertexPair>{};
   std::array<HeldEdges, 2> all{HeldEdges{seams, options.quadric}, HeldEdges{rims, options.quadric}};
   all[0].options.boundary_weight = options.attribute_weights.seam;
   if (seams.empty() && rims.empty()) return {};

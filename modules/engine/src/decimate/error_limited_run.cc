@@ -33,7 +33,7 @@ std::unique_ptr<ErrorBounds> ErrorLimitedRun::contract(const BlockPlan& plan) {
   const Done start = passes_.done();
   if (start.left) start_origins_ = start.left->origins;
   std::vector<double> shares(passes_.n_vertices_left(), bold_share);
-  std::optional<Done> hardly_moved;
+  std::optional<Done> hardly_moved;  // what the second step left, the first that may be proven
   for (int i = 0; i < most_bold_tries; ++i) {
     passes_.done() = start;
     contract_to_shares_of_limit(shares);
@@ -171,7 +171,7 @@ void ErrorLimitedRun::make_coarse_bound(const Done& start) {
 /// Contracts what keeps the bounds. Points of the input that are found to be too far in the end are then looked at,
 /// too. A coarse bound is made smaller if the surface is too far from the input.
 /// \pre find_violations_before_guarding().empty()
-/// \return whether what is left is proven to be near to the input, or the run is cancelled; otherwise all is as before
+/// \return whether what is left is proven to be near to the input, or the run is cancelled; otherwise it is as it was
 bool ErrorLimitedRun::contract_guarded() {
   constexpr int most_tries = 12;
   const Done before = passes_.done();

@@ -11,8 +11,8 @@ namespace whittle {
 /// Memoryless quadrics (memoryless_term.hh). A contraction changes those of the merged vertex and of its neighbours.
 ///
 /// At borders and where the surface isn't manifold vertices remember, as with Garland–Heckbert, and so do the
-/// neighbours of vertices that are joined. Thin parts are not looked at there. Vertices on seams remember the planes of
-/// seams, besides those of their faces.
+/// neighbours of vertices that are joined. Thin parts are not looked at there. Vertices on seams and rims remember the
+/// planes of these, besides those of their faces.
 class MemorylessCost final : public PairCost {
  public:
   MemorylessCost(TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options,

@@ -5,7 +5,8 @@
 
 namespace whittle {
 
-/// A cost of quadrics: those of the faces, seams and borders at first, and a merged vertex has the sum of its two.
+/// A cost of quadrics: those of the faces, seams, rims and borders at first, and a merged vertex has the sum of its
+/// two.
 class SummedQuadricsCost : public PairCost {
  public:
   SummedQuadricsCost(const TriangleComplex& complex, const QuadricOptions& options, bool has_threshold_pairs)
