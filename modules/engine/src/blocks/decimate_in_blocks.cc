@@ -114,9 +114,7 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
   if (is_exact && looks_at_attributes(options, mesh)) return "attributes count";
   if (options.refuse_intersections) return "intersections are refused";
   if (is_exact && is_far_flung(mesh)) return "rounding may decide the order";
-  if (is_exact && holds_rims(options)) {
-    if (!rim_edges(mesh, Frame::of_points(mesh.positions), options.threads).empty()) return "rims are held";
-  }
+  if (is_exact && !held_rims(mesh, Frame::of_points(mesh.positions), options).empty()) return "rims are held";
   return {};
 }
 
@@ -126,8 +124,9 @@ LevelRemainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, c
                                 target.share_of(mesh.faces.size(), mesh.positions.size()));
   SharedProgress progress(options, mesh.positions.size(), mesh.faces.size(), share);
   const LevelContext context{options, mesh, frame, share, extras.displacement_limit, extras.steps, progress};
-  const Memory memory{
-      mean_face_area(mesh, frame, options.threads), {}, seam_planes(mesh, frame, seam_edges(mesh), options)};
+  const Memory memory{mean_face_area(mesh, frame, options.threads),
+                      {},
+                      seam_planes(mesh, frame, seam_edges(mesh), held_rims(mesh, frame, options), options)};
   LevelRemainder remainder =
       is_exact_in_blocks(options) ? run_exact_levels(context, plan, memory) : run_levels(context, plan, memory);
   remainder.progress = progress.now().fraction;

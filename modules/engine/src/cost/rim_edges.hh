@@ -14,9 +14,10 @@ namespace whittle {
 /// opposite normals.
 std::vector<VertexPair> rim_edges(const IndexedMesh& mesh, const Frame& frame, unsigned threads);
 
-/// Whether planes hold rims, with the weight of those of borders.
-inline bool holds_rims(const DecimateOptions& options) {
-  return options.quadric.boundary_weight > 0 && options.boundary != Boundary::free;
+/// Those that planes hold, with the weight of borders: none where borders have no weight.
+inline std::vector<VertexPair> held_rims(const IndexedMesh& mesh, const Frame& frame, const DecimateOptions& options) {
+  if (options.quadric.boundary_weight == 0 || options.boundary == Boundary::free) return {};
+  return rim_edges(mesh, frame, options.threads);
 }
 
 }  // namespace whittle

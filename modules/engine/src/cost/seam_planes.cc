@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "cost/rim_edges.hh"
 #include "whittle/engine/formula/quadric_term.hh"
 
 namespace whittle {
@@ -28,9 +27,8 @@ std::vector<Index> ends_of(std::span<const HeldEdges> all) {
 }  // namespace
 
 std::vector<Memory::Remembered> seam_planes(const IndexedMesh& mesh, const Frame& frame,
-                                            std::span<const VertexPair> seams, const DecimateOptions& options) {
-  const std::vector<VertexPair> rims =
-      holds_rims(options) ? rim_edges(mesh, frame, options.threads) : std::vector<VertexPair>{};
+                                            std::span<const VertexPair> seams, std::span<const VertexPair> rims,
+                                            const DecimateOptions& options) {
   std::array<HeldEdges, 2> all{HeldEdges{seams, options.quadric}, HeldEdges{rims, options.quadric}};
   all[0].options.boundary_weight = options.attribute_weights.seam;
   if (seams.empty() && rims.empty()) return {};

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "attributes/wedge_map.hh"
+#include "cost/rim_edges.hh"
 #include "cost/seam_planes.hh"
 #include "decimate/changes.hh"
 #include "decimate/checks.hh"
@@ -211,7 +212,9 @@ void Passes::begin_with_input(PassStart& start, const DecimateOptions& options, 
   start.input.surface = {mesh_.positions, frame_, mesh_.faces};
   start.input.threshold_pairs = start.found_pairs.pairs;
   start.input.lines = &start.found_lines.held;
-  start.seam_planes = seam_planes(mesh_, frame_, start.found_lines.seams, options_);
+  std::vector<VertexPair> rims;  // a host's own costs know of none, and are to give the same
+  if (host_ == nullptr) rims = held_rims(mesh_, frame_, options_);
+  start.seam_planes = seam_planes(mesh_, frame_, start.found_lines.seams, rims, options_);
   start.input.seam_planes = start.seam_planes;
   start.input.locked = options_.locked;
 }
