@@ -80,7 +80,7 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
 /// Edges of two faces that run along them in opposite ways, with both third corners in the same direction from the
 /// edge.
 std::set<Edge> BruteForceDecimater::rims() const {
-  if (options_.quadric.boundary_weight == 0) return {};
+  if (!options_.hold_rims.value_or(false) || options_.quadric.boundary_weight == 0) return {};
   std::map<Edge, std::vector<std::pair<bool, Vec3>>> sides;
   for (const Triangle& f : faces_) {
     for (std::size_t k = 0; k < 3; ++k) {

@@ -77,9 +77,9 @@ TEST(RimEdges, HoldSheetsWithTwoSides) {
   for (const Cost cost : {Cost::quadric, Cost::memoryless}) {
     DecimateOptions options;
     options.cost = cost;
-    const Decimation held = decimate(leaf, DecimateTarget::faces(80), options);
-    options.boundary = Boundary::free;
     const Decimation let_go = decimate(leaf, DecimateTarget::faces(80), options);
+    options.hold_rims = true;
+    const Decimation held = decimate(leaf, DecimateTarget::faces(80), options);
     const auto distance = [&](const Decimation& d) { return metrics::surface_distance(leaf, d.mesh, {}).max; };
     EXPECT_LT(distance(held), 0.3);
     EXPECT_GT(distance(let_go), 2 * distance(held));
@@ -92,6 +92,7 @@ TEST(RimEdges, KeepMeshesOutOfBlocksInExactOrder) {
   plan.fewest_faces_in_exact_order = 1;
   DecimateOptions options;
   options.cost = Cost::quadric;
+  options.hold_rims = true;
   options.threads = 2;
   const auto why_not = [&](const IndexedMesh& mesh) {
     return why_not_in_blocks(mesh, DecimateTarget::faces(80), options, nullptr, plan);

@@ -14,9 +14,10 @@ namespace whittle {
 /// opposite normals.
 std::vector<VertexPair> rim_edges(const IndexedMesh& mesh, const Frame& frame, unsigned threads);
 
-/// Those that planes hold, with the weight of borders: none where borders have no weight.
+/// Those that planes hold, with the weight of borders: none if the options don't ask for it, or borders have no weight.
 inline std::vector<VertexPair> held_rims(const IndexedMesh& mesh, const Frame& frame, const DecimateOptions& options) {
-  if (options.quadric.boundary_weight == 0 || options.boundary == Boundary::free) return {};
+  if (!options.hold_rims.value_or(false) || options.quadric.boundary_weight == 0 || options.boundary == Boundary::free)
+    return {};
   return rim_edges(mesh, frame, options.threads);
 }
 

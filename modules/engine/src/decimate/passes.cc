@@ -212,8 +212,7 @@ void Passes::begin_with_input(PassStart& start, const DecimateOptions& options, 
   start.input.surface = {mesh_.positions, frame_, mesh_.faces};
   start.input.threshold_pairs = start.found_pairs.pairs;
   start.input.lines = &start.found_lines.held;
-  std::vector<VertexPair> rims;  // a host's own costs know of none, and are to give the same
-  if (host_ == nullptr) rims = held_rims(mesh_, frame_, options_);
+  const std::vector<VertexPair> rims = held_rims(mesh_, frame_, options_);
   start.seam_planes = seam_planes(mesh_, frame_, start.found_lines.seams, rims, options_);
   start.input.seam_planes = start.seam_planes;
   start.input.locked = options_.locked;
