@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "oracle/brute_force_rims.hh"
 #include "support/face_list.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 #include "whittle/core/wedges.hh"
@@ -17,26 +18,6 @@ namespace {
 template <class T>
 bool meet(const std::set<T>& a, const std::set<T>& b) {
   return std::ranges::any_of(a, [&](const T& x) { return b.contains(x); });
-}
-
-/// Properties of a cost besides its formula.
-struct CostFacts {
-  double dimension;  ///< the unit of the cost is a length to this power
-  double max_normal_flip_deg;
-};
-
-CostFacts facts_of(const DecimateOptions& options) {
-  switch (options.cost.value_or(Cost::quadric)) {
-    case Cost::lindstrom_turk:
-      return {6, 110};
-    case Cost::memoryless:
-      return {5, 60};
-    case Cost::midpoint:
-      return {1, 75};
-    case Cost::quadric:
-      break;
-  }
-  return {isotropic_dimension(options.quadric.weights == Weights::uniform ? 2 : 4, options.isotropy), 75};
 }
 
 }  // namespace
@@ -70,32 +51,11 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
   sum_planes(options.quadric);
   std::vector<bool> is_on_seam(positions_.size());
   for (const auto& [v, w] : restraints_.seams()) is_on_seam[v] = is_on_seam[w] = true;
-  for (const auto& [v, w] : rims()) is_on_seam[v] = is_on_seam[w] = true;
+  for (const auto& [v, w] : brute_force_rims(positions_, faces_, options_)) is_on_seam[v] = is_on_seam[w] = true;
   if (options_.cost == Cost::memoryless) memory_.emplace(positions_, faces_, is_on_seam);
   attributes_ = BruteForceAttributes(mesh, frame_, positions_, options_);
   if (options.pairs.threshold > 0) find_threshold_pairs(options.pairs);
   had_threshold_pairs_ = !threshold_pairs_.empty();
-}
-
-/// Edges of two faces that run along them in opposite ways, with both third corners in the same direction from the
-/// edge.
-std::set<Edge> BruteForceDecimater::rims() const {
-  if (!options_.hold_rims.value_or(false) || options_.quadric.boundary_weight == 0) return {};
-  std::map<Edge, std::vector<std::pair<bool, Vec3>>> sides;
-  for (const Triangle& f : faces_) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [a, b] = edge(f[k], f[(k + 1) % 3]);
-      const auto line = Eigen::ParametrizedLine<double, 3>::Through(positions_[a], positions_[b]);
-      const Vec3& third = positions_[f[(k + 2) % 3]];
-      sides[{a, b}].push_back({f[k] == a, (third - line.projection(third)).stableNormalized()});
-    }
-  }
-  std::set<Edge> rims;
-  for (const auto& [ends, of_faces] : sides) {
-    if (of_faces.size() != 2 || of_faces[0].first == of_faces[1].first) continue;
-    if (of_faces[0].second.dot(of_faces[1].second) > 1 - 1e-6) rims.insert(ends);
-  }
-  return rims;
 }
 
 /// Those of faces, seams, rims and borders. \param options whatever becomes of borders
@@ -104,7 +64,7 @@ void BruteForceDecimater::sum_planes(const QuadricOptions& options) {
   seams_.resize(positions_.size());
   points_.resize(positions_.size());
   const std::map<Edge, int> n_faces = count_edge_faces(faces_);
-  const std::set<Edge> all_rims = rims();
+  const std::set<Edge> rims = brute_force_rims(positions_, faces_, options_);
   QuadricOptions of_seams = options_.quadric;
   of_seams.boundary_weight = options_.attribute_weights.seam;
   for (Index v = 0; v < positions_.size(); ++v) {
@@ -128,7 +88,7 @@ void BruteForceDecimater::sum_planes(const QuadricOptions& options) {
       }
     };
     add_lines([&](Index a, Index b) { return restraints_.is_seam(a, b); }, of_seams, seams_[v].a);
-    add_lines([&](Index a, Index b) { return all_rims.contains(edge(a, b)); }, options_.quadric, seams_[v].a);
+    add_lines([&](Index a, Index b) { return rims.contains(edge(a, b)); }, options_.quadric, seams_[v].a);
     sum += seams_[v].a;
     add_lines([&](Index a, Index b) { return n_faces.at(edge(a, b)) == 1; }, options_.quadric, sum);
   }

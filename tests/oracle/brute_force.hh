@@ -54,7 +54,6 @@ class BruteForceDecimater {
   std::vector<Choice> choices() const;
   Choice choice(Index a, Index b, bool is_edge, const SurfaceNow& surface) const;
   void sum_planes(const QuadricOptions& options);
-  std::set<std::pair<Index, Index>> rims() const;
   PairEvaluation evaluate(Index a, Index b, bool is_edge, const SurfaceNow& surface) const;
   std::optional<Choice> next_choice() const;
   std::optional<Choice> settle(Choice choice) const;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "support/face_list.hh"
+#include "whittle/engine/formula/edge_length_term.hh"
 
 namespace whittle::test {
 namespace {
@@ -24,6 +25,20 @@ Corners as_ring(const Corners& sorted) {
 }
 
 }  // namespace
+
+CostFacts facts_of(const DecimateOptions& options) {
+  switch (options.cost.value_or(Cost::quadric)) {
+    case Cost::lindstrom_turk:
+      return {6, 110};
+    case Cost::memoryless:
+      return {5, 60};
+    case Cost::midpoint:
+      return {1, 75};
+    case Cost::quadric:
+      break;
+  }
+  return {isotropic_dimension(options.quadric.weights == Weights::uniform ? 2 : 4, options.isotropy), 75};
+}
 
 SurfaceNow::SurfaceNow(std::span<const Vec3> positions, std::span<const Triangle> faces)
     : positions_(positions), vertices_(positions.size()) {

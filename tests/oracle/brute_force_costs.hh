@@ -12,6 +12,13 @@
 
 namespace whittle::test {
 
+/// Properties of a cost besides its formula.
+struct CostFacts {
+  double dimension;  ///< the unit of the cost is a length to this power
+  double max_normal_flip_deg;
+};
+CostFacts facts_of(const DecimateOptions& options);
+
 /// What costs need to know about the current surface, computed anew from its faces. Sums have the order that the engine
 /// promises, by vertex numbers, so they agree to the bit. The arithmetic of one pair is the engine's.
 class SurfaceNow {

@@ -87,6 +87,13 @@ Eigen::Affine3d near_origin(Eigen::Affine3d place, const IndexedMesh& mesh) {
 
 }  // namespace
 
+bool shows_meshes(const gltf::Asset& asset) {
+  for (std::size_t m = 0; m < asset.n_meshes(); ++m) {
+    if (asset.n_triangles(m) > 0 && asset.n_instances(m) > 0) return true;
+  }
+  return false;
+}
+
 bool is_gltf(const std::string& path) { return gltf::has_gltf_extension(path); }
 
 void flip_texcoords(IndexedMesh& mesh) {
@@ -112,13 +119,6 @@ void write_asset(OutputFiles& files, const std::string& path, const gltf::Asset&
 }
 
 GltfFile::GltfFile(const std::filesystem::path& path) : path_(path), asset_(gltf::Asset::read(path)) {}
-
-bool GltfFile::shows_meshes() const {
-  for (std::size_t m = 0; m < asset_.n_meshes(); ++m) {
-    if (asset_.n_triangles(m) > 0 && asset_.n_instances(m) > 0) return true;
-  }
-  return false;
-}
 
 std::vector<Eigen::Affine3d> GltfFile::places_of(std::size_t mesh) const {
   std::vector<Eigen::Affine3d> places;
@@ -173,7 +173,7 @@ io::ReadResult GltfFile::read(const io::ReadOptions& options, GltfScope scope) {
   io::ReadResult result;
   scope_ = scope;
   parts_.clear();
-  const bool has_all = scope == GltfScope::meshes || !shows_meshes();
+  const bool has_all = scope == GltfScope::meshes || !shows_meshes(asset_);
   for (std::size_t m = 0; m < asset_.n_meshes(); ++m) {
     if (asset_.n_triangles(m) == 0) continue;
     std::vector<Eigen::Affine3d> places = places_of(m);

@@ -76,7 +76,6 @@ class GltfFile {
   };
 
   std::vector<Eigen::Affine3d> places_of(std::size_t mesh) const;
-  bool shows_meshes() const;
   Part part_of(std::size_t number, const Eigen::Affine3d& place, const IndexedMesh& mesh, const IndexedMesh& all) const;
   void read_mesh(std::size_t number, std::vector<Eigen::Affine3d> places, const io::ReadOptions& options,
                  io::ReadResult& all);
@@ -87,6 +86,9 @@ class GltfFile {
   GltfScope scope_ = GltfScope::meshes;
   std::vector<Part> parts_;
 };
+
+/// Whether a node of an asset has a mesh with triangles. Where none has, programs show all meshes.
+bool shows_meshes(const gltf::Asset& asset);
 
 /// Why nothing is left of what was read from a glTF file: "there are no triangles in it". \pre it has no faces
 std::string why_no_faces(const io::ReadResult& read);

@@ -66,16 +66,9 @@ render::Material drawn(const FileMaterial& material, Textures& textures) {
   return to;
 }
 
-bool has_instances(const gltf::Asset& asset) {
-  for (std::size_t m = 0; m < asset.n_meshes(); ++m) {
-    if (asset.n_triangles(m) > 0 && asset.n_instances(m) > 0) return true;
-  }
-  return false;
-}
-
 /// Adds all nodes of an asset that have meshes.
 void add_parts(const gltf::Asset& asset, const FileMaterials& materials, Textures& textures, ReadScene& read) {
-  const bool has_nodes = has_instances(asset);
+  const bool has_nodes = shows_meshes(asset);
   for (std::size_t m = 0; m < asset.n_meshes(); ++m) {
     if (asset.n_triangles(m) == 0) continue;
     std::vector<Eigen::Matrix4d> transforms = asset.world_transforms(m);
