@@ -186,16 +186,47 @@ TEST(ObjReader, RejectsWhatIsNoNumber) {
   expect_error("v 0 0 0 1 1 1 1 1\n", "a.obj", "a.obj:1: a vertex has at most seven numbers");
 }
 
-TEST(ObjReader, RejectsFacesOfFewerThanThreeCorners) {
-  expect_error(tetrahedron + "f 1 2\nf 1 2 3\n", "a.obj", "a.obj:5: a face needs three corners, this has 2");
-  expect_error(tetrahedron + "f 1 2", "a.obj",
-               "a.obj:5: a face needs three corners, this has 2; the file may be truncated");
+TEST(ObjReader, DropsAndCountsFacesOfFewerThanThreeCorners) {
+  const ReadResult expected = read(tetrahedron + tetrahedron_faces, "a.obj");
+  for (const std::string face :
+       {"f 1 2", "f 1", "f", "f 1/1/1 2/1/1", "f 1//1", "f 3 # a point", "f -1 -2", "fo 1 2"}) {
+    const std::string start = tetrahedron + "vt 0 0\nvn 0 0 1\n";
+    for (const std::string& text :
+         {cat(start, face, "\n", tetrahedron_faces), cat(start, tetrahedron_faces, face, "\n")}) {
+      const ReadResult result = read(text, "a.obj");
+      EXPECT_EQ(result.mesh.faces, expected.mesh.faces) << face;
+      EXPECT_EQ(result.repairs.degenerate_faces, 1U) << face;
+      EXPECT_EQ(result.file_faces, 5U) << face;
+      EXPECT_TRUE(result.warnings.empty()) << face;
+    }
+  }
+}
+
+TEST(ObjReader, KeepsTheTagsOfTheFacesBesideDroppedOnes) {
+  const ReadResult result = read(tetrahedron + "usemtl a\nf 1 3 2\nf 1 2\nusemtl b\nf 1\nf 1 2 4\n", "a.obj");
+  EXPECT_EQ(result.mesh.group_names, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(result.mesh.face_groups, (std::vector<Index>{0, 1}));
+}
+
+TEST(ObjReader, WarnsOfAFaceThatTheEndOfTheFileCutsOff) {
+  const ReadResult result = read(tetrahedron + tetrahedron_faces + "f 1 2", "a.obj");
+  EXPECT_EQ(result.repairs.degenerate_faces, 1U);
+  EXPECT_EQ(result.warnings, (std::vector<std::string>{"the file ends in line 9 within a face: it may be truncated"}));
+}
+
+TEST(ObjReader, RejectsWrongNumbersInFacesOfFewerThanThreeCorners) {
+  expect_error(tetrahedron + tetrahedron_faces + "f 0 1\n", "a.obj", "a.obj:9: vertex number 0; OBJ counts from 1");
+  expect_error(tetrahedron + tetrahedron_faces + "f 1 9\n", "a.obj",
+               "a.obj:9: vertex number 9, but the file has 4 vertices; it may be truncated");
+  expect_error(tetrahedron + tetrahedron_faces + "f 1 x\n", "a.obj", "a.obj:9: a vertex number expected, found \"x\"");
 }
 
 TEST(ObjReader, RejectsFilesWithoutFaces) {
   expect_error(tetrahedron, "a.obj", "a.obj: the file has 4 vertices but no faces; point clouds are not supported");
   expect_error("# nothing\n", "a.obj", "a.obj: the file has no faces");
   expect_error(tetrahedron + "f 1 1 2\n", "a.obj",
+               "a.obj: no face is left of 1: all are degenerate (dropped 1 degenerate face, 4 isolated vertices)");
+  expect_error(tetrahedron + "f 1 2\n", "a.obj",
                "a.obj: no face is left of 1: all are degenerate (dropped 1 degenerate face, 4 isolated vertices)");
 }
 

@@ -13,6 +13,7 @@ ObjOthers& ObjOthers::operator+=(const ObjOthers& more) {
   free_form += more.free_form;
   unknown += more.unknown;
   if (first_unknown == nullptr) first_unknown = more.first_unknown;
+  if (more.cut_face != nullptr) cut_face = more.cut_face;
   return *this;
 }
 
@@ -165,10 +166,8 @@ void ObjChunk::read_face() {
     corners_.push_back(read_corner_vertex());
     if (!cursor_.at_token_end()) read_corner_rest();
   }
-  if (corners_.size() < 3) {
-    cursor_.fail(start, "a face needs three corners, this has " + std::to_string(corners_.size()) +
-                            (cursor_.at_end() ? "; the file may be truncated" : ""));
-  }
+  // Points and lines written as faces: the builder drops and counts them. The end of the file may have cut one off.
+  if (corners_.size() < 3 && cursor_.at_end()) others_.cut_face = start;
   if (!items_.empty()) items_.resize(corners_.size());
   builder_.add_polygon(corners_, items_);
 }

@@ -36,6 +36,7 @@ struct ObjOthers {
   std::size_t free_form = 0;
   std::size_t unknown = 0;
   const char* first_unknown = nullptr;
+  const char* cut_face = nullptr;  ///< of fewer than three corners, and the file ends with it, without a line end
 
   ObjOthers& operator+=(const ObjOthers& more);
 };

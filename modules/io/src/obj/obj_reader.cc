@@ -224,6 +224,10 @@ void ObjReader::warn_of_what_is_not_carried() {
   }
   if (others_.lines_and_points > 0) builder_.warn("lines and points (l, p) are not carried");
   if (others_.free_form > 0) builder_.warn("free-form curves and surfaces (curv, surf) are not read");
+  if (others_.cut_face != nullptr) {
+    builder_.warn("the file ends in line " + std::to_string(whole_.line_of(others_.cut_face)) +
+                  " within a face: it may be truncated");
+  }
   if (others_.unknown > 0) {
     builder_.warn(std::to_string(others_.unknown) + " unknown statements ignored, the first in line " +
                   std::to_string(whole_.line_of(others_.first_unknown)) + ": \"" +

@@ -15,7 +15,7 @@ namespace whittle::io {
 struct Repairs {
   std::size_t welded_vertices = 0;        ///< Vertices joined to an exact duplicate.
   std::size_t triangulated_polygons = 0;  ///< Faces with more than three corners.
-  std::size_t degenerate_faces = 0;       ///< Faces dropped because two corners are one vertex.
+  std::size_t degenerate_faces = 0;       ///< Faces dropped because fewer than three corners are different vertices.
   std::size_t duplicate_faces = 0;        ///< Faces dropped because an earlier one is the same.
   std::size_t isolated_vertices = 0;      ///< Vertices dropped because no face has them.
 
