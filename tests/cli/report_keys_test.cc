@@ -351,7 +351,8 @@ TEST(ReportKeys, OfLodAreDocumented) {
               {terrain, "-o", out, "--output-format", "obj", "--ratios", "0.5,10%", "--quiet", "--threads", "1"},
               {terrain, "--output", out, "--format", "ply", "--face-ratios", "10%", "--no-weld", "--fit", "max"},
               {terrain, "-o", out, "--output-format", "ply", "--input-format", "ply", "--errors", "1%", "--weld", "0",
-               "--force", "--color", "never"}});
+               "--force", "--color", "never"},
+              {terrain, "-o", folder / "out.glb", "--faces", "600,300", "--compress"}});
 }
 
 TEST(ReportKeys, OfVerifyAreDocumented) {

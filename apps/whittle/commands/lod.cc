@@ -7,9 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "commands/simplify/advice.hh"
 #include "commands/stage_bars.hh"
 #include "commands/subcommands.hh"
+#include "files/gltf_file.hh"
 #include "files/input.hh"
+#include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
 #include "options/efforts.hh"
@@ -35,6 +38,7 @@ struct LodCommand {
   Effort effort = Effort::normal;
   Fit fit = Fit::balanced;
   FileOptions files;
+  bool compresses_gltf = false;
   CommonOptions common;
 };
 
@@ -100,6 +104,18 @@ std::vector<double> errors_of(const LodCommand& options, const LodRun& run) {
   return errors;
 }
 
+/// The path of level i: words in braces are replaced.
+std::string path_of(std::string path, std::size_t i, std::uint64_t n_faces, std::uint64_t n_vertices) {
+  path = replaced(std::move(path), "{i}", std::to_string(i));
+  path = replaced(std::move(path), "{faces}", std::to_string(n_faces));
+  return replaced(std::move(path), "{vertices}", std::to_string(n_vertices));
+}
+
+/// Whether all levels go into one glTF file.
+bool is_one_file(const LodCommand& options) {
+  return path_of(options.output, 0, 1, 2) == options.output && is_gltf_output(options.output, options.files);
+}
+
 std::vector<LodLevel> make_levels(const LodCommand& options, const LodRun& run, const SimplifyOptions& simplify) {
   const IndexedMesh& mesh = run.input.read.mesh;
   std::vector<LodLevel> levels;
@@ -108,8 +124,9 @@ std::vector<LodLevel> make_levels(const LodCommand& options, const LodRun& run, 
       levels.push_back({std::move(level), std::nullopt, {}});
     }
   } else {
-    const auto to_file = [&options](const IndexedMesh& level) {
-      return as_written(level, options.output, options.files, options.common.threads);
+    const MeshOutput output{path_of(options.output, 0, 1, 2), options.files};
+    const auto to_file = [&](const IndexedMesh& level) {
+      return as_written(output, run.input, level, options.common.threads);
     };
     for (progressive::ProvenLevel& level :
          progressive::levels_within(mesh, errors_of(options, run), options.effort, simplify, to_file)) {
@@ -120,20 +137,13 @@ std::vector<LodLevel> make_levels(const LodCommand& options, const LodRun& run, 
   return levels;
 }
 
-/// The path of level i: words in braces are replaced.
-std::string path_of(std::string path, std::size_t i, std::uint64_t n_faces, std::uint64_t n_vertices) {
-  path = replaced(std::move(path), "{i}", std::to_string(i));
-  path = replaced(std::move(path), "{faces}", std::to_string(n_faces));
-  return replaced(std::move(path), "{vertices}", std::to_string(n_vertices));
-}
-
 /// \throw UsageError if two levels would be written to the same file
 void name_levels(const LodCommand& options, LodRun& run) {
   for (std::size_t i = 0; i < run.levels.size(); ++i) {
     LodLevel& level = run.levels[i];
     const IndexedMesh& mesh = level.simplified.mesh;
     level.path = path_of(options.output, i, mesh.faces.size(), mesh.positions.size());
-    if (i > 0 && level.path == run.levels[i - 1].path) {
+    if (!is_one_file(options) && i > 0 && level.path == run.levels[i - 1].path) {
       throw UsageError("two levels would be written to " + level.path + "; use '{i}' in --output");
     }
   }
@@ -145,6 +155,7 @@ Json lod_json(const LodCommand& options, const LodRun& run, double total_seconds
   json["options"] = {{"weld", options.files.weld},
                      {"weld_tolerance", to_string(options.files.weld_tolerance)},
                      {"ascii", options.files.ascii},
+                     {"compress", options.compresses_gltf},
                      {"effort", word_of<Effort>(efforts, options.effort)},
                      {"fit", word_of<Fit>(fits, options.fit)}};
   json["levels"] = Json::array();
@@ -170,8 +181,9 @@ void check(const CLI::App& app, const LodCommand& options) {
   const int n_given = int{!options.ratios.empty()} + int{!options.face_ratios.empty()} + int{!options.faces.empty()} +
                       int{!options.errors.empty()};
   if (n_given != 1) throw UsageError("one of --ratios, --face-ratios, --faces and --errors is needed, and only one");
-  if (path_of(options.output, 0, 1, 2) == options.output) {
-    throw UsageError("--output needs '{faces}', '{vertices}' or '{i}' in it, such as 'out_{faces}.ply'");
+  if (path_of(options.output, 0, 1, 2) == options.output && !is_one_file(options)) {
+    throw UsageError(
+        "--output needs '{faces}', '{vertices}' or '{i}' in it, such as 'out_{faces}.ply', or has to be one glTF file");
   }
   check_formats({options.input}, {options.output}, options.files);
   std::vector<Output> outputs{{"--output", options.output}};
@@ -187,24 +199,63 @@ SimplifyOptions library_options(const LodCommand& options, StageBars& bars) {
   return simplify;
 }
 
-void write_levels(const LodCommand& options, const Talk& talk, const Stopwatch& since_start, LodRun& run) {
+void write_into_one_file(const LodCommand& options, const Talk& talk, OutputFiles& files, LodRun& run) {
+  std::vector<const IndexedMesh*> levels;
+  for (const LodLevel& level : run.levels) levels.push_back(&level.simplified.mesh);
+  write_levels(files, {options.output, options.files, options.compresses_gltf}, run.input, levels, talk, run.warnings);
+}
+
+void write_files(const LodCommand& options, const Talk& talk, const Stopwatch& since_start, LodRun& run) {
   const Stopwatch writing;
   OutputFiles files;
-  for (const LodLevel& level : run.levels) {
-    check_outputs({{"--output", level.path}}, {options.input}, options.common.force);
-    write_mesh(files, level.path, options.files, level.simplified.mesh, talk, run.warnings);
+  if (is_one_file(options)) {
+    write_into_one_file(options, talk, files, run);
+  } else {
+    for (const LodLevel& level : run.levels) {
+      check_outputs({{"--output", level.path}}, {options.input}, options.common.force);
+      write_result(files, {level.path, options.files, options.compresses_gltf}, run.input, level.simplified.mesh, talk,
+                   run.warnings);
+    }
   }
   run.write_seconds = writing.seconds();
   commit_with_report(files, options.common,
                      options.common.json ? to_text(lod_json(options, run, since_start.seconds())) : std::string());
 }
 
-ExitCode run_lod(const CLI::App& app, const LodCommand& options) {
+/// \throw UsageError for one file of levels, if its nodes have levels already
+void check_input(const LodCommand& options, const Input& input) {
+  if (!is_one_file(options) || !keeps_meshes(input)) return;
+  const std::string mesh = input.gltf->mesh_with_levels();
+  if (mesh.empty()) return;
+  throw UsageError(input.name + ": " + mesh +
+                   " has levels of detail already (MSFT_lod); use '{i}' in --output to write a file a level");
+}
+
+/// A run that can't go on leaves levels out.
+void warn_of_missing_levels(const LodCommand& options, const Talk& talk, LodRun& run) {
+  if (!options.errors.empty()) return;
+  const std::size_t n_asked = targets_of(options, run).size();
+  const Decimation& last = run.levels.back().simplified;
+  const bool is_last_met = last.result.stop == StopReason::target;
+  if (run.levels.size() == n_asked && is_last_met) return;
+  const std::size_t n_met = run.levels.size() - (is_last_met ? 0 : 1);
+  const std::string reasons = reasons_at_end(last.result.refused_at_end);
+  run.warnings.push_back(
+      about(run.input.name,
+            counted(n_asked - n_met, "level", "levels") + " not reached: the last one has " +
+                faces_text(last.mesh.faces.size()) + ", and " +
+                (reasons.empty() ? "nothing is left that may be contracted" : "the pairs left are " + reasons)));
+  talk.warning(run.warnings.back());
+}
+
+ExitCode run_lod(const CLI::App& app, LodCommand options) {
+  options.files.reads_scene = !is_gltf_output(path_of(options.output, 0, 1, 2), options.files);
   check(app, options);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   LodRun run;
-  run.input = read_input(options.input, options.files, options.common.threads, talk);
+  run.input = read_input(options.input, options.files, options.common.threads, talk, io::AttributeScope::all);
+  check_input(options, run.input);
   run.warnings = run.input.warnings;
   run.diagonal = metrics::bounds(run.input.read.mesh).diagonal();
   const Stopwatch working;
@@ -215,12 +266,16 @@ ExitCode run_lod(const CLI::App& app, const LodCommand& options) {
     SignalsWait::throw_if_pending();
   }
   run.levels_seconds = working.seconds();
+  warn_of_missing_levels(options, talk, run);
   name_levels(options, run);
-  write_levels(options, talk, watch, run);
-  for (const LodLevel& level : run.levels) {
+  write_files(options, talk, watch, run);
+  for (std::size_t i = 0; i < run.levels.size(); ++i) {
+    const LodLevel& level = run.levels[i];
     const IndexedMesh& mesh = level.simplified.mesh;
+    const std::string number = is_one_file(options) ? ": level " + std::to_string(i + 1) : "";
     const std::string error = level.error ? ", within " + length_text_rounded_up(*level.error, run.diagonal) : "";
-    talk.say(level.path + ": " + faces_text(mesh.faces.size()) + ", " + vertices_text(mesh.positions.size()) + error);
+    talk.say(level.path + number + ": " + faces_text(mesh.faces.size()) + ", " + vertices_text(mesh.positions.size()) +
+             error);
   }
   say_effort(talk, watch.seconds());
   return ExitCode::done;
@@ -249,22 +304,25 @@ void add_level_options(CLI::App& app, LodCommand& options) {
 
 void setup_lod(CLI::App& app, Command& command) {
   const auto options = std::make_shared<LodCommand>();
+  options->files.reads_gltf = options->files.writes_gltf = true;
   CLI::App* sub = app.add_subcommand("lod", "Write several levels of detail out of one run.");
   add_mesh_file(*sub, options->input, options->files);
   add_level_options(*sub, *options);
   add_value(
       *sub, "-o,--output", "OUT", options->output, [](std::string_view text) { return std::string(text); },
       "the levels: files, replaced if they exist; '{faces}' and '{vertices}' in it stand for the counts of each, '{i}' "
-      "for its number, from 0")
+      "for its number, from 0. Without any of these one glTF file: IN, with the levels as levels of detail (MSFT_lod)")
       ->required();
   add_choice<Effort>(*sub, "--effort", options->effort, efforts, effort_meaning);
   add_choice<Fit>(*sub, "--fit", options->fit, fits, fit_meaning);
   add_file_options(*sub, options->files);
+  add_compress(*sub, options->compresses_gltf);
   add_common_options(*sub, options->common);
   set_usage(*sub, "IN -o OUT LEVELS [OPTION]...");
   sub->footer(
       "Examples:\n"
       "  whittle lod dragon.ply --ratios 50%,25%,10% -o 'dragon_{faces}.ply'\n"
+      "  whittle lod helmet.glb --ratios 50%,10% -o helmet_levels.glb\n"
       "  whittle lod part.stl --errors 0.1%,0.5%,1% -o 'part_{i}.obj'");
   sub->callback([sub, options, &command] { command = [sub, options] { return run_lod(*sub, *options); }; });
 }

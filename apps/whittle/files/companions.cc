@@ -22,6 +22,7 @@ std::string copied(OutputFiles& files, const fs::path& from, const fs::path& to,
   if (!fs::exists(from / name, error)) return "not there";
   const std::optional<std::string> content = content_of(from / name);
   if (!content) return "can't be read";
+  if (files.has((to / name).string())) return "";  // levels of one input have the same companions
   is_new = !fs::exists(to / name, error);
   if (!is_new) return content_of(to / name) == content ? "" : "there is another one";
   write_with_folders(files, to / name, *content);
@@ -46,6 +47,7 @@ std::optional<std::string> content_of(const fs::path& path) {
 }
 
 void write_with_folders(OutputFiles& files, const fs::path& path, const std::string& bytes) {
+  if (files.has(path.string())) return;
   std::error_code error;  // that of writing says more
   fs::create_directories(folder_of(path), error);
   files.write(path.string(), [&](std::ostream& out) { out << bytes; });

@@ -22,7 +22,7 @@ bool is_inside(const std::filesystem::path& name);
 /// Empty if it can't be read, or is a folder or a device: files name others that may be anything.
 std::optional<std::string> content_of(const std::filesystem::path& path);
 
-/// Writes a file of any name, with the folders that it needs.
+/// Writes a file of any name, with the folders that it needs, unless it is among the files already.
 void write_with_folders(OutputFiles& files, const std::filesystem::path& path, const std::string& bytes);
 
 /// Copies files beside an output, as they lie beside the input; none that is there is overwritten. Says in a line what

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "files/companions.hh"
+#include "files/screen_coverage.hh"
 #include "whittle/core/pieces.hh"
 #include "whittle/core/transform.hh"
 #include "whittle/io/errors.hh"
@@ -250,18 +251,46 @@ IndexedMesh GltfFile::as_written(IndexedMesh mesh) const {
   return mesh;
 }
 
-std::vector<std::string> GltfFile::write(OutputFiles& files, const std::string& path, const IndexedMesh& mesh,
-                                         bool compress) {
-  std::vector<std::string> warnings;
+/// The meshes as a file can have them: those that have vanished are a point. \param level what warnings begin with
+std::vector<IndexedMesh> GltfFile::split_for_file(const IndexedMesh& mesh, const std::string& level,
+                                                  std::vector<std::string>& warnings) const {
   std::vector<IndexedMesh> meshes = split(mesh);
   for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (!meshes[i].faces.empty()) continue;
     const std::size_t number = parts_[i].mesh;
-    if (meshes[i].faces.empty()) {
-      warnings.push_back(asset_.mesh_name(number) +
-                         " has vanished; a triangle without area stands for it, as glTF has no empty meshes");
-      meshes[i] = a_point_of(asset_.triangles(number));
-    }
-    asset_.set_triangles(number, std::move(meshes[i]));
+    warnings.push_back(level + asset_.mesh_name(number) +
+                       " has vanished; a triangle without area stands for it, as glTF has no empty meshes");
+    meshes[i] = a_point_of(asset_.triangles(number));
+  }
+  return meshes;
+}
+
+std::string GltfFile::mesh_with_levels() const {
+  const auto found =
+      std::find_if(parts_.begin(), parts_.end(), [this](const Part& part) { return asset_.has_levels(part.mesh); });
+  return found == parts_.end() ? std::string() : asset_.mesh_name(found->mesh);
+}
+
+void GltfFile::add_levels(CoarserLevels levels, std::vector<std::string>& warnings) {
+  std::vector<gltf::MeshLevels> coarser(parts_.size());
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    std::vector<IndexedMesh> meshes = split_for_file(*levels[k], "level " + std::to_string(k + 1) + ": ", warnings);
+    for (std::size_t i = 0; i < parts_.size(); ++i) coarser[i].coarser.push_back(std::move(meshes[i]));
+  }
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    coarser[i].mesh = parts_[i].mesh;
+    coarser[i].screen_coverage = screen_coverages(asset_.triangles(parts_[i].mesh), coarser[i].coarser);
+  }
+  asset_.add_levels(std::move(coarser));
+}
+
+std::vector<std::string> GltfFile::write(OutputFiles& files, const std::string& path, const IndexedMesh* mesh,
+                                         CoarserLevels levels, bool compress) {
+  std::vector<std::string> warnings;
+  if (!levels.empty()) add_levels(levels, warnings);
+  if (mesh != nullptr) {
+    std::vector<IndexedMesh> meshes = split_for_file(*mesh, "", warnings);
+    for (std::size_t i = 0; i < parts_.size(); ++i) asset_.set_triangles(parts_[i].mesh, std::move(meshes[i]));
   }
   write_asset(files, path, asset_, compress);
   const std::vector<std::string> lost = asset_.warnings();

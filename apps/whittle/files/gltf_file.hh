@@ -20,6 +20,9 @@ enum class GltfScope {
   scene    ///< What the scene shows: a mesh as often as nodes use it. All meshes if no node uses any.
 };
 
+/// Coarser levels of detail of a mesh, the finer ones first.
+using CoarserLevels = std::span<const IndexedMesh* const>;
+
 /// A glTF file as one mesh, in the scene's coordinates, and back. No two of its meshes have a vertex in common. So one
 /// run simplifies all of them, and each gets the faces that its shape needs.
 class GltfFile {
@@ -50,11 +53,17 @@ class GltfFile {
   };
   std::vector<Group> groups() const;
 
-  /// Writes the file with its meshes replaced, and the files that lie beside it (`gltf::Asset::files`).
-  /// \param mesh what `read` gave, simplified \param compress as `gltf::WriteOptions` has it
+  /// Writes the file with its meshes replaced, and the files that lie beside it (`gltf::Asset::files`). If there are
+  /// coarser levels, nodes get them as levels of detail (`gltf::Asset::add_levels`).
+  /// \param mesh what `read` gave, simplified; null: the meshes stay as they are \param levels of what `read` gave
+  /// \param compress as `gltf::WriteOptions` has it
   /// \return a line for each thing that isn't as it was
-  /// \pre `GltfScope::meshes` was read
-  std::vector<std::string> write(OutputFiles& files, const std::string& path, const IndexedMesh& mesh, bool compress);
+  /// \pre `GltfScope::meshes` was read. With levels: there is no `mesh_with_levels`, and nothing was written before
+  std::vector<std::string> write(OutputFiles& files, const std::string& path, const IndexedMesh* mesh,
+                                 CoarserLevels levels, bool compress);
+
+  /// The name of a mesh that has levels of detail already. Empty if none has. \pre `read`
+  std::string mesh_with_levels() const;
 
   /// A mesh with the positions that it has after `write`, not compressed, and `read`. \pre as `write`
   IndexedMesh as_written(IndexedMesh mesh) const;
@@ -80,6 +89,9 @@ class GltfFile {
   void read_mesh(std::size_t number, std::vector<Eigen::Affine3d> places, const io::ReadOptions& options,
                  io::ReadResult& all);
   std::vector<IndexedMesh> split(const IndexedMesh& mesh) const;
+  void add_levels(CoarserLevels levels, std::vector<std::string>& warnings);
+  std::vector<IndexedMesh> split_for_file(const IndexedMesh& mesh, const std::string& level,
+                                          std::vector<std::string>& warnings) const;
 
   std::filesystem::path path_;
   gltf::Asset asset_;

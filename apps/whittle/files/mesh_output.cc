@@ -11,11 +11,14 @@
 namespace whittle::app {
 namespace {
 
-void write_to_gltf(OutputFiles& files, const MeshOutput& output, Input& input, const IndexedMesh& mesh,
-                   const Talk& talk, std::vector<std::string>& warnings) {
-  if (!keeps_meshes(input))
-    return write_new_gltf(files, output.path, input, mesh, output.compresses_gltf, talk, warnings);
-  for (const std::string& warning : input.gltf->write(files, output.path, mesh, output.compresses_gltf)) {
+/// \param mesh null: that of the input, as the file has it
+void write_to_gltf(OutputFiles& files, const MeshOutput& output, Input& input, const IndexedMesh* mesh,
+                   CoarserLevels levels, const Talk& talk, std::vector<std::string>& warnings) {
+  if (!keeps_meshes(input)) {
+    const IndexedMesh& finest = mesh == nullptr ? input.read.mesh : *mesh;
+    return write_new_gltf(files, output.path, input, finest, levels, output.compresses_gltf, talk, warnings);
+  }
+  for (const std::string& warning : input.gltf->write(files, output.path, mesh, levels, output.compresses_gltf)) {
     warnings.push_back(about(output.path, warning));
     talk.warning(warnings.back());
   }
@@ -62,12 +65,18 @@ IndexedMesh as_written(const MeshOutput& output, const Input& input, const Index
 void write_result(OutputFiles& files, const MeshOutput& output, Input& input, const IndexedMesh& mesh, const Talk& talk,
                   std::vector<std::string>& warnings) {
   if (is_gltf_output(output.path, output.options)) {
-    return write_to_gltf(files, output, input, mesh, talk, warnings);
+    return write_to_gltf(files, output, input, &mesh, {}, talk, warnings);
   }
   if (input.gltf) return write_from_gltf(files, output, input, mesh, talk, warnings);
   write_mesh(files, output.path, output.options, mesh, talk, warnings, input.read.notes);
   const io::FileNotes notes = io::notes_in(format_for_output(output.path, output.options), input.read.notes);
   copy_companions(files, input.path, output.path, io::referenced_files(notes, folder_of(input.path)), talk, warnings);
+}
+
+void write_levels(OutputFiles& files, const MeshOutput& output, Input& input, CoarserLevels levels, const Talk& talk,
+                  std::vector<std::string>& warnings) {
+  // What is compressed is replaced geometry.
+  write_to_gltf(files, output, input, output.compresses_gltf ? &input.read.mesh : nullptr, levels, talk, warnings);
 }
 
 }  // namespace whittle::app

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "files/gltf_file.hh"
 #include "files/input.hh"
 #include "files/output.hh"
 
@@ -25,6 +26,11 @@ std::string output_format_name(const std::string& path, const FileOptions& optio
 /// needs beside it. A glTF input stays what it is in all but its meshes.
 /// \param mesh that of the input, simplified or as it is \param warnings gets a line for each thing that is lost
 void write_result(OutputFiles& files, const MeshOutput& output, Input& input, const IndexedMesh& mesh, const Talk& talk,
+                  std::vector<std::string>& warnings);
+
+/// Writes an input with coarser levels of detail beside it, as the extension MSFT_lod has them.
+/// \param levels of the input, the finer ones first \pre the output is glTF, and is written once
+void write_levels(OutputFiles& files, const MeshOutput& output, Input& input, CoarserLevels levels, const Talk& talk,
                   std::vector<std::string>& warnings);
 
 /// The mesh as it is read again from what `write_result` writes without compression.

@@ -10,6 +10,7 @@
 
 #include "files/companions.hh"
 #include "files/gltf_file.hh"
+#include "files/screen_coverage.hh"
 #include "whittle/gltf/make_asset.hh"
 #include "whittle/io/file_notes.hh"
 #include "whittle/io/materials.hh"
@@ -115,28 +116,41 @@ std::vector<std::string> problems_of(const Looks& looks, const IndexedMesh& mesh
   return problems;
 }
 
+/// As glTF has it.
+IndexedMesh turned(IndexedMesh mesh) {
+  if (mesh.face_groups.empty()) mesh.group_names = {""};
+  flip_texcoords(mesh);
+  return mesh;
+}
+
+/// The meshes of an asset, without names and materials.
+gltf::NewAsset new_asset_of(const IndexedMesh& mesh, CoarserLevels levels) {
+  gltf::NewAsset asset;
+  asset.mesh = turned(mesh);
+  for (const IndexedMesh* const level : levels) asset.coarser.push_back(turned(*level));
+  if (!levels.empty()) asset.screen_coverage = screen_coverages(asset.mesh, asset.coarser);
+  return asset;
+}
+
 }  // namespace
 
-void write_new_gltf(OutputFiles& files, const std::string& path, const Input& input, IndexedMesh mesh, bool compress,
-                    const Talk& talk, std::vector<std::string>& warnings) {
+void write_new_gltf(OutputFiles& files, const std::string& path, const Input& input, const IndexedMesh& mesh,
+                    CoarserLevels levels, bool compress, const Talk& talk, std::vector<std::string>& warnings) {
   const bool is_binary = fs::path(path).extension() != ".gltf";
   Looks looks(input, is_binary);
-  const auto is_texcoord = [](const Attribute& attribute) { return attribute.kind == AttributeKind::texcoord; };
-  const bool has_texcoords = std::any_of(mesh.attributes.begin(), mesh.attributes.end(), is_texcoord);
-  gltf::NewAsset asset;
+  gltf::NewAsset asset = new_asset_of(mesh, levels);
   asset.name = fs::path(input.path).filename().stem().string();
-  if (mesh.face_groups.empty()) mesh.group_names = {""};
-  for (const std::size_t group : used_groups(mesh)) {
+  const auto is_texcoord = [](const Attribute& attribute) { return attribute.kind == AttributeKind::texcoord; };
+  const bool has_texcoords = std::any_of(asset.mesh.attributes.begin(), asset.mesh.attributes.end(), is_texcoord);
+  for (const std::size_t group : used_groups(asset.mesh)) {
     asset.materials.resize(group + 1);
-    asset.materials[group] = looks.material(mesh.group_names[group], has_texcoords);
+    asset.materials[group] = looks.material(asset.mesh.group_names[group], has_texcoords);
   }
   asset.images = looks.images();
-  for (const std::string& problem : problems_of(looks, mesh)) {
+  for (const std::string& problem : problems_of(looks, asset.mesh)) {
     warnings.push_back(about(path, problem));
     talk.warning(warnings.back());
   }
-  flip_texcoords(mesh);
-  asset.mesh = std::move(mesh);
   try {
     write_asset(files, path, gltf::make_asset(std::move(asset)), compress);
   } catch (const std::range_error& error) {

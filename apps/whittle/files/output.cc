@@ -128,6 +128,7 @@ void OutputFiles::write(const std::string& path, const std::function<void(std::o
   if (path == standard_stream) return fill_checked(std::cout, standard_output_name, fill);
   if (!signals_wait_) signals_wait_.emplace();
   files_.push_back(std::make_unique<io::OutputFile>(path));
+  paths_.insert(path);
   fill_checked(files_.back()->stream(), path, fill);
 }
 

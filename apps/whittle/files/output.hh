@@ -4,6 +4,7 @@
 #include <iosfwd>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,9 @@ class OutputFiles {
   /// \throw io::WriteError that names the file.
   void write(const std::string& path, const std::function<void(std::ostream&)>& fill);
 
+  /// Whether a file of this name is among them.
+  bool has(const std::string& path) const { return paths_.contains(path); }
+
   /// Renames all files to their final names. \throw io::WriteError; Interrupted if a signal is pending.
   void commit();
 
@@ -52,6 +56,7 @@ class OutputFiles {
   // Declared before `files_`: temporary files are removed before signals act again.
   std::optional<SignalsWait> signals_wait_;
   std::vector<std::unique_ptr<io::OutputFile>> files_;
+  std::set<std::string> paths_;
 };
 
 /// Writes text to standard output. \throw io::WriteError when it fails, as on a full disk or a closed pipe.

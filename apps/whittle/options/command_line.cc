@@ -138,6 +138,13 @@ void add_file_options(CLI::App& app, FileOptions& options, const std::string& gr
   add_weld_options(app, options, group);
 }
 
+void add_compress(CLI::App& app, bool& compresses_gltf, const std::string& group) {
+  app.add_flag("--compress", compresses_gltf,
+               "compress the geometry of a glTF file: rounded, and by EXT_meshopt_compression")
+      ->default_str("off")
+      ->group(group);
+}
+
 CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description) {
   return add_argument(app, name, path, description);
 }

@@ -67,6 +67,9 @@ void add_input_options(CLI::App& app, FileOptions& options);
 /// Adds those and --output-format and --ascii: how meshes are read and written.
 void add_file_options(CLI::App& app, FileOptions& options, const std::string& group = "Options");
 
+/// Adds --compress.
+void add_compress(CLI::App& app, bool& compresses_gltf, const std::string& group = "Options");
+
 /// Adds a positional argument that names a file: a mesh, unless it is given the type name FILE.
 CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description);
 /// Adds the argument IN: the mesh file to work on. Its help lists the formats. \param options whether glTF is read

@@ -23,6 +23,7 @@
 #include "model/read_materials.hh"
 #include "model/read_model.hh"
 #include "whittle/io/output_file.hh"
+#include "write/level_nodes.hh"
 #include "write/output.hh"
 #include "write/references.hh"
 
@@ -133,9 +134,14 @@ Asset Asset::read(std::string bytes, const std::string& name, const std::filesys
     throw io::ReadError(name, "is no glTF: it begins neither with \"glTF\", as a GLB does, nor with \"{\"");
   }
   content->document = parse_json(parts.json, name);
-  content->model = read_model(content->document, {name, parts.buffer, folder});
-  content->rest = read_rest(content->model, Part(content->document, "", name));
+  content->read_document(name);
   return Asset(std::move(content));
+}
+
+void Asset::Content::read_document(const std::string& name) {
+  const auto chunk = is_glb(bytes) ? split_glb(bytes, name).buffer : std::nullopt;
+  model = read_model(document, {name, chunk, folder});
+  rest = read_rest(model, Part(document, "", name));
 }
 
 std::size_t Asset::n_meshes() const { return content_->model.meshes.size(); }
@@ -171,6 +177,43 @@ void Asset::set_triangles(std::size_t mesh, IndexedMesh triangles) {
   if (mesh >= n_meshes()) throw std::out_of_range("there is no mesh " + std::to_string(mesh));
   check_replacement(content_->model, mesh, triangles);
   content_->replacements.insert_or_assign(mesh, std::move(triangles));
+}
+
+bool Asset::has_levels(std::size_t mesh) const { return gltf::has_levels(content_->document, mesh); }
+
+namespace {
+
+void check_levels(const Asset& asset, const Model& model, const MeshLevels& levels) {
+  if (levels.mesh >= asset.n_meshes()) throw std::out_of_range("there is no mesh " + std::to_string(levels.mesh));
+  if (asset.has_levels(levels.mesh)) {
+    throw std::invalid_argument(asset.mesh_name(levels.mesh) + " has levels of detail already");
+  }
+  if (levels.screen_coverage.size() != levels.coarser.size() + 1) {
+    throw std::invalid_argument("levels of detail: there have to be as many shares of the screen as levels");
+  }
+  for (const IndexedMesh& level : levels.coarser) check_replacement(model, levels.mesh, level);
+}
+
+}  // namespace
+
+void Asset::add_levels(std::vector<MeshLevels> levels) {
+  std::set<std::size_t> meshes;
+  for (const MeshLevels& mesh : levels) {
+    check_levels(*this, content_->model, mesh);
+    if (!meshes.insert(mesh.mesh).second) throw std::invalid_argument("levels of detail: a mesh stands there twice");
+  }
+  std::vector<std::vector<std::size_t>> copies;
+  for (const MeshLevels& mesh : levels) {
+    std::vector<std::size_t>& of_mesh = copies.emplace_back();
+    for (std::size_t level = 1; level <= mesh.coarser.size(); ++level) {
+      of_mesh.push_back(add_mesh_copy(content_->document, mesh.mesh, level));
+    }
+    add_level_nodes(content_->document, mesh.mesh, of_mesh, mesh.screen_coverage);
+  }
+  content_->read_document(std::string(content_->model.file));
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    for (std::size_t k = 0; k < copies[i].size(); ++k) set_triangles(copies[i][k], std::move(levels[i].coarser[k]));
+  }
 }
 
 bool Asset::has_material(std::size_t mesh, std::size_t primitive) const {

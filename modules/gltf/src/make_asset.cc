@@ -87,19 +87,29 @@ Json material_json(const NewMaterial& material, bool is_transparent) {
   return json;
 }
 
+/// Calls `function` with the mesh, and with each coarser level of it.
+template <class Function>
+void for_each_level(NewAsset& asset, const Function& function) {
+  function(asset.mesh);
+  for (IndexedMesh& level : asset.coarser) function(level);
+}
+
 /// Leaves out materials of groups without faces, and numbers the groups anew.
 void drop_unused(NewAsset& asset) {
-  IndexedMesh& mesh = asset.mesh;
-  if (mesh.face_groups.empty()) mesh.face_groups.assign(mesh.faces.size(), 0);
   std::vector<Index> numbers(asset.materials.size(), invalid_index);
-  for (const Index group : mesh.face_groups) numbers.at(group) = 0;
+  for_each_level(asset, [&](IndexedMesh& mesh) {
+    if (mesh.face_groups.empty()) mesh.face_groups.assign(mesh.faces.size(), 0);
+    for (const Index group : mesh.face_groups) numbers.at(group) = 0;
+  });
   std::vector<NewMaterial> used;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (numbers[i] == invalid_index) continue;
     numbers[i] = static_cast<Index>(used.size());
     used.push_back(std::move(asset.materials[i]));
   }
-  for (Index& group : mesh.face_groups) group = numbers[group];
+  for_each_level(asset, [&](IndexedMesh& mesh) {
+    for (Index& group : mesh.face_groups) group = numbers[group];
+  });
   asset.materials = std::move(used);
 }
 
@@ -162,15 +172,20 @@ Json document_of(const NewAsset& asset) {
 bool is_image(std::string_view bytes) { return bytes.starts_with(png_magic) || bytes.starts_with(jpeg_magic); }
 
 Asset make_asset(NewAsset asset) {
-  refuse_large(asset.mesh.positions);
   drop_unused(asset);
-  keep_texcoords(asset.mesh);
-  fill_in_normals(asset.mesh);
+  for_each_level(asset, [](IndexedMesh& mesh) {
+    refuse_large(mesh.positions);
+    keep_texcoords(mesh);
+    fill_in_normals(mesh);
+  });
   Json document = document_of(asset);
   const std::string buffer = add_buffer(asset.images, document);
   // Names may come from files that know no UTF-8: what is none becomes U+FFFD.
   const std::string json = document.dump(-1, ' ', false, Json::error_handler_t::replace);
   Asset made = Asset::read(join_glb(json, buffer), asset.name);
+  if (!asset.coarser.empty()) {
+    made.add_levels({{0, std::move(asset.coarser), std::move(asset.screen_coverage)}});
+  }
   made.set_triangles(0, std::move(asset.mesh));
   return made;
 }

@@ -7,7 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "whittle/engine/attributes.hh"
 #include "whittle/metrics/certify.hh"
+#include "whittle/polish/fit_attributes.hh"
 #include "whittle/progressive/replay.hh"
 
 namespace whittle::progressive {
@@ -30,6 +32,7 @@ class LevelSearch {
 
  private:
   bool is_within(double error, const Decimation& level) const;
+  void fit_attributes_of(ProvenLevel& level) const;
   Decimation level_after(std::size_t n_contractions) {
     replay_.go_to(replay_.level_after(n_contractions));
     return replay_.decimation();
@@ -74,10 +77,19 @@ ProvenLevel LevelSearch::find(double error) {
   ProvenLevel level{{std::move(found), *options_.decimate.cost, {}, 0, 0}, error};
   Decimation polished = level;
   const PolishResult polish = polish_decimation(mesh_, options_, polished);
-  if (polish.n_passes == 0 || !is_within(error, polished)) return level;
-  static_cast<Decimation&>(level) = std::move(polished);
-  level.polish = polish;
+  if (polish.n_passes > 0 && is_within(error, polished)) {
+    static_cast<Decimation&>(level) = std::move(polished);
+    level.polish = polish;
+  }
+  if (options_.polish_passes > 0U) fit_attributes_of(level);
   return level;
+}
+
+void LevelSearch::fit_attributes_of(ProvenLevel& level) const {
+  const AttributeFitReport report =
+      fit_attributes(mesh_, wedge_map(mesh_, level.vertex_map, level.face_origins), level.mesh,
+                     {options_.decimate.normals == Normals::keep, options_.decimate.threads});
+  level.n_folded_texture_faces = report.n_folded_faces;
 }
 
 }  // namespace

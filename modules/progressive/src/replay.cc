@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "rehearsal.hh"
+#include "whittle/core/detail/checks.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/engine/attributes.hh"
 #include "whittle/polish/fit_attributes.hh"
@@ -24,9 +25,8 @@ void check(const IndexedMesh& mesh) {
   require(std::all_of(mesh.faces.begin(), mesh.faces.end(), has_vertices), "has a face with a vertex that isn't there");
   require(std::all_of(mesh.positions.begin(), mesh.positions.end(), is_position),
           "has a coordinate that isn't finite, or is above 3e150");
-  for (const std::size_t size : {mesh.normals.size(), mesh.colors.size(), mesh.origins.size()}) {
-    require(size == 0 || size == n, "has an attribute of a wrong length");
-  }
+  check_attributes(mesh, "replay");
+  require(mesh.origins.empty() || mesh.origins.size() == n, "has origins of a wrong length");
 }
 
 }  // namespace

@@ -239,10 +239,7 @@ bool has_threshold(const SimplifyCommand& options) {
 }
 
 void add_attribute_options(CLI::App& app, SimplifyCommand& options) {
-  app.add_flag("--compress", options.compresses_gltf,
-               "compress the geometry of a glTF file: rounded, and by EXT_meshopt_compression")
-      ->default_str("off")
-      ->group(file_group);
+  add_compress(app, options.compresses_gltf, file_group);
   add_choice<bool>(app, "--attributes", options.keeps_attributes, attribute_words,
                    "texture coordinates, colours, materials and all else but positions: keep them, with their seams, "
                    "or drop them")

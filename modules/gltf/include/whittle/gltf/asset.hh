@@ -18,6 +18,15 @@ namespace whittle::gltf {
 
 class Poser;
 
+/// Coarser levels of detail of a mesh.
+struct MeshLevels {
+  std::size_t mesh = 0;                ///< its number
+  std::vector<IndexedMesh> coarser{};  ///< as for `Asset::set_triangles`, the finer ones first
+  /// The least share of the screen's area, [0, 1], that each level is shown at: that of the mesh itself first, then
+  /// one a coarser level. Descending.
+  std::vector<double> screen_coverage{};
+};
+
 struct WriteOptions {
   /// Whether replaced geometry is compressed by EXT_meshopt_compression and KHR_mesh_quantization, which readers of the
   /// file then need. Positions get a step of at most 1/65536 of the mesh's longest side; normals 8 bits; weights, and
@@ -96,6 +105,15 @@ class Asset {
   /// \throw std::invalid_argument if the mesh would have nothing left, which glTF can't say, or if a group, an index or
   ///        the size of an attribute is wrong
   void set_triangles(std::size_t mesh, IndexedMesh triangles);
+
+  /// Whether nodes that use a mesh have levels of detail (MSFT_lod), or are levels themselves.
+  bool has_levels(std::size_t mesh) const;
+  /// Gives the nodes of meshes coarser levels of detail, as the extension MSFT_lod has them: a mesh a level, and for
+  /// each of the nodes one a level, which looks as it does in all else, and is moved by the same animations. Readers
+  /// that don't know the extension show the mesh itself. Numbers of meshes and nodes stay; new ones come after them.
+  /// \throw std::invalid_argument as `set_triangles`; if a mesh `has_levels` or stands there twice, or if there aren't
+  ///        as many shares as levels with the mesh itself
+  void add_levels(std::vector<MeshLevels> levels);
 
   /// What isn't kept as it was, a line each: extensions of meshes that say something of single vertices.
   std::vector<std::string> warnings() const;

@@ -30,12 +30,15 @@ struct NewAsset {
   /// A primitive each group. Normals without a direction get that of the faces. Of `attributes` only texture
   /// coordinates are written, as TEXCOORD_0, TEXCOORD_1 and so on, their first two components as they are.
   IndexedMesh mesh{};
+  /// Coarser levels of it, with the same groups and attributes, and the shares of the screen, as `MeshLevels` has them.
+  std::vector<IndexedMesh> coarser{};
+  std::vector<double> screen_coverage{};
   std::vector<NewMaterial> materials{};  ///< one a group, or one if the mesh has no groups
   std::vector<NewImage> images{};
 };
 
 /// Makes an asset of a mesh: a scene with one node. Colours have 16 bits, all else is float32.
-/// \throw std::range_error for a position that float32 can't hold
+/// \throw std::range_error for a position that float32 can't hold; std::invalid_argument as `Asset::add_levels`
 Asset make_asset(NewAsset asset);
 
 /// Whether bytes begin as a PNG or JPEG file does: glTF takes no other images.
