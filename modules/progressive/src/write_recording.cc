@@ -23,14 +23,12 @@ struct ChunkToWrite {
   std::function<void(ByteWriter&)> write_payload;
 };
 
-bool is_float(const Vec3& p) {
-  const Eigen::Vector3f single = p.cast<float>();
-  const Vec3 back = single.cast<double>();
-  for (int i = 0; i < 3; ++i) {
-    if (std::bit_cast<std::uint64_t>(back[i]) != std::bit_cast<std::uint64_t>(p[i])) return false;
-  }
-  return true;
+bool is_float(double x) {
+  return std::bit_cast<std::uint64_t>(static_cast<double>(static_cast<float>(x))) == std::bit_cast<std::uint64_t>(x);
 }
+
+/// A number at a time: GCC 12 compiles the comparison of two vectors, a coordinate after the other, wrongly with -O2.
+bool has_float_coordinates(const Vec3& p) { return is_float(p.x()) && is_float(p.y()) && is_float(p.z()); }
 
 void write_position(ByteWriter& writer, const Vec3& p) {
   for (int i = 0; i < 3; ++i) writer.number(p[i]);
@@ -38,7 +36,7 @@ void write_position(ByteWriter& writer, const Vec3& p) {
 
 /// In single precision where that keeps every bit.
 void write_positions(ByteWriter& writer, std::span<const Vec3> positions) {
-  const bool are_single = std::all_of(positions.begin(), positions.end(), is_float);
+  const bool are_single = std::all_of(positions.begin(), positions.end(), has_float_coordinates);
   writer.number(static_cast<std::uint8_t>(are_single ? 1 : 0));
   for (const Vec3& p : positions) {
     if (!are_single) write_position(writer, p);
