@@ -128,7 +128,8 @@ TEST(Lod, WritesLevelsIntoOneGltfFile) {
     EXPECT_EQ(coverage[2], 0);
     EXPECT_LE(coverage[0], 1);
   }
-  expect_usage_error(whittle({"lod", out, "--faces", "50", "-o", folder / "again.glb", "--quiet"}), {"MSFT_lod", "{i}"});
+  expect_usage_error(whittle({"lod", out, "--faces", "50", "-o", folder / "again.glb", "--quiet"}),
+                     {"MSFT_lod", "{i}"});
 }
 
 TEST(Lod, MakesOneGltfFileOfOtherFormats) {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "files/companions.hh"
-#include "files/screen_coverage.hh"
+#include "files/gltf/screen_coverage.hh"
 #include "whittle/core/pieces.hh"
 #include "whittle/core/transform.hh"
 #include "whittle/io/errors.hh"

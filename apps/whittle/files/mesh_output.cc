@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "files/companions.hh"
+#include "files/gltf/new_gltf.hh"
 #include "files/gltf_file.hh"
-#include "files/new_gltf.hh"
 #include "files/report.hh"
 
 namespace whittle::app {

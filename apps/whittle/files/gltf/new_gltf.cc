@@ -1,4 +1,4 @@
-#include "files/new_gltf.hh"
+#include "files/gltf/new_gltf.hh"
 
 #include <algorithm>
 #include <filesystem>
@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "files/companions.hh"
+#include "files/gltf/screen_coverage.hh"
 #include "files/gltf_file.hh"
-#include "files/screen_coverage.hh"
 #include "whittle/gltf/make_asset.hh"
 #include "whittle/io/file_notes.hh"
 #include "whittle/io/materials.hh"

@@ -1,4 +1,4 @@
-#include "files/screen_coverage.hh"
+#include "files/gltf/screen_coverage.hh"
 
 #include <algorithm>
 #include <numbers>
