@@ -251,7 +251,8 @@ TEST(ReportKeys, OfPolishAreDocumented) {
                  {blob, blob, "-o", out, "--format", "obj", "--passes", "0", "--quiet", "--color", "never", "--force",
                   "--threads", "1"},
                  {blob, blob, "-o", out, "--input-format", "obj", "--output-format", "ply", "--ascii", "--passes", "0",
-                  "--weld", "0"}});
+                  "--weld", "0"},
+                 {blob, blob, "-o", folder / "out.glb", "--passes", "0", "--compress"}});
 }
 
 TEST(ReportKeys, OfCompareAreDocumented) {

@@ -6,6 +6,7 @@
 
 #include "commands/subcommands.hh"
 #include "files/input.hh"
+#include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
 #include "options/fits.hh"
@@ -14,6 +15,7 @@
 #include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
+#include "whittle/core/wedges.hh"
 #include "whittle/metrics/nearest_vertices.hh"
 
 namespace whittle::app {
@@ -24,6 +26,7 @@ struct PolishCommand {
   std::string input;
   std::string output;
   FileOptions files;
+  bool compresses_gltf = false;
   unsigned passes = 3;
   Fit fit = Fit::balanced;
   CommonOptions common;
@@ -44,9 +47,10 @@ Json polish_report(const PolishCommand& options, const PolishRun& run, double to
   Json json = new_report();
   json["reference"] = input_json(run.reference, diagonal);
   json["input"] = input_json(run.input, metrics::bounds(run.input.read.mesh).diagonal());
-  json["options"] = {{"passes", options.passes},     {"fit", word_of<Fit>(fits, options.fit)},
-                     {"weld", options.files.weld},   {"weld_tolerance", to_string(options.files.weld_tolerance)},
-                     {"ascii", options.files.ascii}, {"threads", options.common.threads}};
+  json["options"] = {{"passes", options.passes},         {"fit", word_of<Fit>(fits, options.fit)},
+                     {"weld", options.files.weld},       {"weld_tolerance", to_string(options.files.weld_tolerance)},
+                     {"ascii", options.files.ascii},     {"compress", options.compresses_gltf},
+                     {"threads", options.common.threads}};
   json["output"] = {{"path", options.output}};
   json["polish"] = polish_json(run.result);
   json["seconds"] = {{"read", run.reference.seconds + run.input.seconds},
@@ -62,7 +66,8 @@ Json polish_report(const PolishCommand& options, const PolishRun& run, double to
 void write_files(const PolishCommand& options, const Talk& talk, const Stopwatch& since_start, PolishRun& run) {
   const Stopwatch watch;
   OutputFiles files;
-  write_mesh(files, options.output, options.files, run.mesh, talk, run.warnings);
+  write_result(files, {options.output, options.files, options.compresses_gltf}, run.input, run.mesh, talk,
+               run.warnings);
   run.write_seconds = watch.seconds();
   const std::string json =
       options.common.json ? to_text(polish_report(options, run, since_start.seconds())) : std::string();
@@ -77,6 +82,15 @@ void check(const CLI::App& app, const PolishCommand& options) {
   check_outputs(outputs, {options.reference, options.input}, options.common.force);
 }
 
+/// Seams keep to those of the reference. Normals that differ along them stay: they show creases.
+PolishOptions polish_options_of(const PolishCommand& options, const IndexedMesh& reference, const IndexedMesh& mesh) {
+  PolishOptions polish{.passes = options.passes, .fit = options.fit, .threads = options.common.threads};
+  polish.features = seam_edges(mesh);
+  polish.original_features = seam_edges(reference);
+  polish.recompute_normals = mesh.wedges.empty();
+  return polish;
+}
+
 /// \throw Interrupted
 void polish_input(const PolishCommand& options, const Talk& talk, PolishRun& run) {
   const IndexedMesh& reference = run.reference.read.mesh;
@@ -88,7 +102,7 @@ void polish_input(const PolishCommand& options, const Talk& talk, PolishRun& run
   try {
     const std::vector<Index> nearest =
         metrics::nearest_vertices(reference, run.mesh, options.common.threads, part_of(bar, 0, search));
-    PolishOptions polish_options{.passes = options.passes, .fit = options.fit, .threads = options.common.threads};
+    PolishOptions polish_options = polish_options_of(options, reference, run.mesh);
     polish_options.progress = part_of(bar, search, 1);
     run.result = polish(reference, nearest, run.mesh, polish_options);
   } catch (const Cancelled&) {
@@ -97,13 +111,15 @@ void polish_input(const PolishCommand& options, const Talk& talk, PolishRun& run
   SignalsWait::throw_if_pending();
 }
 
-ExitCode run_polish(const CLI::App& app, const PolishCommand& options) {
+ExitCode run_polish(const CLI::App& app, PolishCommand options) {
+  options.files.reads_scene = !is_gltf_output(options.output, options.files);
   check(app, options);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   PolishRun run;
-  run.reference = read_input(options.reference, options.files, options.common.threads, talk);
-  run.input = read_input(options.input, options.files, options.common.threads, talk);
+  const auto all = io::AttributeScope::all;
+  run.reference = read_input(options.reference, options.files, options.common.threads, talk, all);
+  run.input = read_input(options.input, options.files, options.common.threads, talk, all);
   run.warnings = run.reference.warnings;
   run.warnings.insert(run.warnings.end(), run.input.warnings.begin(), run.input.warnings.end());
   const Stopwatch polishing;
@@ -120,6 +136,7 @@ ExitCode run_polish(const CLI::App& app, const PolishCommand& options) {
 
 void setup_polish(CLI::App& app, Command& command) {
   const auto options = std::make_shared<PolishCommand>();
+  options->files.reads_gltf = options->files.writes_gltf = true;
   CLI::App* sub = app.add_subcommand("polish", "Fit a simplified mesh, anyone's, to the mesh it was made from.");
   add_file(*sub, "REF", options->reference, "the mesh it was made from, or '-' for standard input");
   add_file(*sub, "IN", options->input, "the simplified mesh, or '-' for standard input");
@@ -134,6 +151,7 @@ void setup_polish(CLI::App& app, Command& command) {
       ->default_str(std::to_string(options->passes));
   add_choice<Fit>(*sub, "--fit", options->fit, fits, fit_meaning);
   add_file_options(*sub, options->files);
+  add_compress(*sub, options->compresses_gltf);
   add_common_options(*sub, options->common);
   set_usage(*sub, "REF IN -o OUT [OPTION]...");
   sub->footer(
