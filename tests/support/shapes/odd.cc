@@ -87,6 +87,42 @@ IndexedMesh two_cubes_on_an_edge(int n) {
   return glued(mesh);
 }
 
+IndexedMesh two_sided_leaf(Index n) {
+  IndexedMesh mesh;
+  const Index row = n + 1;
+  for (const bool is_back : {false, true}) {
+    std::vector<Index> number(std::size_t{row} * row);
+    for (Index y = 0; y <= n; ++y) {
+      for (Index x = 0; x <= n; ++x) {
+        const bool is_rim = x == 0 || y == 0 || x == n || y == n;
+        Index& v = number[y * row + x];
+        v = static_cast<Index>(mesh.positions.size());
+        const Vec3 p(x, y, 0.3 * std::sin(0.7 * x) * std::cos(0.5 * y));
+        if (is_back && is_rim) {
+          const auto same = std::find(mesh.positions.begin(), mesh.positions.end(), p);
+          v = static_cast<Index>(same - mesh.positions.begin());
+        } else {
+          mesh.positions.push_back(p);
+        }
+      }
+    }
+    for (Index y = 0; y < n; ++y) {
+      for (Index x = 0; x < n; ++x) {
+        const Index a = number[y * row + x];
+        const Index b = number[y * row + x + 1];
+        const Index c = number[(y + 1) * row + x + 1];
+        const Index d = number[(y + 1) * row + x];
+        if (is_back) {
+          mesh.faces.insert(mesh.faces.end(), {{a, c, b}, {a, d, c}});
+        } else {
+          mesh.faces.insert(mesh.faces.end(), {{a, b, c}, {a, c, d}});
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
 IndexedMesh pillow() {
   IndexedMesh mesh = single_triangle();
   mesh.faces.push_back({0, 2, 1});

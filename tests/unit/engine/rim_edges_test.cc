@@ -13,43 +13,6 @@
 namespace whittle::test {
 namespace {
 
-/// A wavy sheet of n by n squares with a front and a back, which have the vertices around in common.
-IndexedMesh two_sided_leaf(Index n) {
-  IndexedMesh mesh;
-  const Index row = n + 1;
-  for (const bool is_back : {false, true}) {
-    std::vector<Index> number(std::size_t{row} * row);
-    for (Index y = 0; y <= n; ++y) {
-      for (Index x = 0; x <= n; ++x) {
-        const bool is_rim = x == 0 || y == 0 || x == n || y == n;
-        Index& v = number[y * row + x];
-        v = static_cast<Index>(mesh.positions.size());
-        const Vec3 p(x, y, 0.3 * std::sin(0.7 * x) * std::cos(0.5 * y));
-        if (is_back && is_rim) {
-          const auto same = std::find(mesh.positions.begin(), mesh.positions.end(), p);
-          v = static_cast<Index>(same - mesh.positions.begin());
-        } else {
-          mesh.positions.push_back(p);
-        }
-      }
-    }
-    for (Index y = 0; y < n; ++y) {
-      for (Index x = 0; x < n; ++x) {
-        const Index a = number[y * row + x];
-        const Index b = number[y * row + x + 1];
-        const Index c = number[(y + 1) * row + x + 1];
-        const Index d = number[(y + 1) * row + x];
-        if (is_back) {
-          mesh.faces.insert(mesh.faces.end(), {{a, c, b}, {a, d, c}});
-        } else {
-          mesh.faces.insert(mesh.faces.end(), {{a, b, c}, {a, c, d}});
-        }
-      }
-    }
-  }
-  return mesh;
-}
-
 std::vector<VertexPair> rims_of(const IndexedMesh& mesh) {
   return rim_edges(mesh, Frame::of_points(mesh.positions), 3);
 }

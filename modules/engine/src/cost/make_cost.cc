@@ -5,7 +5,6 @@
 #include "cost/lindstrom_turk/lindstrom_turk_cost.hh"
 #include "cost/memoryless/memoryless_cost.hh"
 #include "cost/quadric/quadric_cost.hh"
-#include "cost/valence/valence_cost.hh"
 #include "whittle/engine/formula/edge_length_term.hh"
 
 namespace whittle {
@@ -17,8 +16,10 @@ QuadricOptions quadric_options(const DecimateOptions& options) {
   return quadric;
 }
 
-std::unique_ptr<PairCost> make_plain_cost(TriangleComplex& complex, const Restraints& restraints,
-                                          const DecimateOptions& options, bool has_threshold_pairs) {
+}  // namespace
+
+std::unique_ptr<PairCost> make_cost(TriangleComplex& complex, const Restraints& restraints,
+                                    const DecimateOptions& options, bool has_threshold_pairs) {
   const QuadricOptions quadric = quadric_options(options);
   switch (options.effective_cost()) {
     case Cost::lindstrom_turk:
@@ -34,15 +35,6 @@ std::unique_ptr<PairCost> make_plain_cost(TriangleComplex& complex, const Restra
     return std::make_unique<IsotropicCost>(complex, restraints, quadric, options.isotropy);
   }
   return std::make_unique<QuadricCost>(complex, restraints, quadric, has_threshold_pairs);
-}
-
-}  // namespace
-
-std::unique_ptr<PairCost> make_cost(TriangleComplex& complex, const Restraints& restraints,
-                                    const DecimateOptions& options, bool has_threshold_pairs) {
-  std::unique_ptr<PairCost> cost = make_plain_cost(complex, restraints, options, has_threshold_pairs);
-  if (options.valence_weight == 0) return cost;
-  return std::make_unique<ValenceCost>(complex, std::move(cost), options.valence_weight);
 }
 
 double cost_dimension(const DecimateOptions& options) {

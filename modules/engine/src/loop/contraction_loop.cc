@@ -18,17 +18,17 @@ constexpr std::uint64_t progress_interval = 2048;
 constexpr RefusedPairs::Refuser refused_by_cost = 0xfe;
 
 /// Whether pairs stay where they were queued until their turn comes.
-bool is_lazy(const PairCost& cost, const DecimateOptions& options) {
-  return cost.reach() == Reach::none || options.effective_order() == Order::approximate;
+bool is_lazy(const PairRanks& ranks, const DecimateOptions& options) {
+  return ranks.reach() == Reach::none || options.effective_order() == Order::approximate;
 }
 
-std::unique_ptr<PairQueue> make_queue(TriangleComplex& complex, const PairCost& cost, ThresholdPairSieve& sieve,
+std::unique_ptr<PairQueue> make_queue(TriangleComplex& complex, const PairRanks& ranks, ThresholdPairSieve& sieve,
                                       const RefusedPairs& refused, const UncertainVertices* uncertain,
                                       const DecimateOptions& options) {
-  if (is_lazy(cost, options)) {
-    return std::make_unique<LazyQueue>(complex, cost, sieve, refused, uncertain, options.threads);
+  if (is_lazy(ranks, options)) {
+    return std::make_unique<LazyQueue>(complex, ranks, sieve, refused, uncertain, options.threads);
   }
-  return std::make_unique<EagerQueue>(complex, cost, options.threads);
+  return std::make_unique<EagerQueue>(complex, ranks, options.threads);
 }
 
 std::optional<UncertainVertices> find_uncertain(const TriangleComplex& complex, Role role) {
@@ -37,8 +37,8 @@ std::optional<UncertainVertices> find_uncertain(const TriangleComplex& complex, 
 }
 
 /// An eager queue ranks anew all pairs within the cost's reach.
-Reach reach_of_touched(const PairCost& cost, const DecimateOptions& options) {
-  return is_lazy(cost, options) ? cost.sight() : std::max(cost.reach(), cost.sight());
+Reach reach_of_touched(const PairRanks& ranks, const DecimateOptions& options) {
+  return is_lazy(ranks, options) ? ranks.sight() : std::max(ranks.reach(), ranks.sight());
 }
 
 }  // namespace
@@ -61,14 +61,15 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraint
       sieve_(complex),
       guards_(make_guards(complex, restraints, sieve_, options, host, context)),
       uncertain_(find_uncertain(complex, context.role)),
-      touched_(reach_of_touched(cost, options)),
+      ranks_(complex, cost, host && host->cost() ? 0 : options.valence_weight),
+      touched_(reach_of_touched(ranks_, options)),
       refused_(complex) {
   for (const auto& guard : guards_) {
     n_rings_ = std::max(n_rings_, guard->n_rings());
     if (guard->follows()) followers_.push_back(guard.get());
   }
   recall(context.refusals);
-  queue_ = make_queue(complex, cost, sieve_, refused_, uncertain_ ? &*uncertain_ : nullptr, options);
+  queue_ = make_queue(complex, ranks_, sieve_, refused_, uncertain_ ? &*uncertain_ : nullptr, options);
   if (const auto limit = target.cost_limit()) cost_limit_ = frame.cost_to_frame(*limit, cost_dimension_);
 }
 

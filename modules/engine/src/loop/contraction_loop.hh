@@ -83,6 +83,7 @@ class ContractionLoop {
   std::vector<Guard*> followers_;               ///< the guards that are told of each contraction
   int n_rings_ = 1;                             ///< how far the guards look
   std::optional<UncertainVertices> uncertain_;  ///< of a block in exact order
+  PairRanks ranks_;
   std::unique_ptr<PairQueue> queue_;
   Reach touched_;  ///< which vertices `Change::touched` lists
   RefusedPairs refused_;

@@ -4,8 +4,8 @@
 
 namespace whittle {
 
-EagerQueue::EagerQueue(TriangleComplex& complex, const PairCost& cost, unsigned threads)
-    : complex_(complex), cost_(cost), last_looked_at_(complex.n_pair_slots()) {
+EagerQueue::EagerQueue(TriangleComplex& complex, const PairRanks& ranks, unsigned threads)
+    : complex_(complex), ranks_(ranks), last_looked_at_(complex.n_pair_slots()) {
   costs_.resize(complex.n_pair_slots());
   fill_queue(threads);
 }
@@ -19,7 +19,7 @@ void EagerQueue::fill_queue(unsigned threads) {
       pairs.push_back(in_order(complex_, {id, a, b}));
     }
     std::vector<PairEvaluation> evaluations(pairs.size());
-    cost_.rank(pairs, evaluations);
+    ranks_.rank(pairs, evaluations);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       costs_[begin + i] = evaluations[i].cost;
       buckets[begin + i] = BucketQueue::bucket_of(evaluations[i].cost);
@@ -33,7 +33,7 @@ std::optional<RankedPair> EagerQueue::next() {
     costs_[candidate->pair.id] = out;
     cost_now_ = candidate->cost;
     const Pair pair = pair_now(complex_, candidate->pair.id);
-    const PairEvaluation rank = cost_.rank(pair);
+    const PairEvaluation rank = ranks_.rank(pair);
     if (!(rank.cost > candidate->cost)) return RankedPair{pair, rank};
     set_cost(pair, rank.cost);  // a host's cost may have risen without being told
   }
@@ -68,7 +68,7 @@ bool EagerQueue::open_bucket() {
   return true;
 }
 
-void EagerQueue::add(const Pair& pair) { set_cost(pair, cost_.rank(pair).cost); }
+void EagerQueue::add(const Pair& pair) { set_cost(pair, ranks_.rank(pair).cost); }
 
 bool EagerQueue::postpone(const Pair& pair, double cost) {
   if (!(cost > cost_now_)) return false;
@@ -92,7 +92,7 @@ void EagerQueue::note(const Change& change) {
   pairs_.clear();
   for (const Index v : change.touched) collect_pairs_at(v);
   evaluations_.resize(pairs_.size());
-  cost_.rank(pairs_, evaluations_);
+  ranks_.rank(pairs_, evaluations_);
   for (std::size_t i = 0; i < pairs_.size(); ++i) set_cost(pairs_[i], evaluations_[i].cost);
 }
 

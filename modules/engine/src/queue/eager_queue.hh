@@ -16,7 +16,7 @@ namespace whittle {
 /// candidates instead. Entries under older costs are skipped. Edges only.
 class EagerQueue final : public PairQueue {
  public:
-  EagerQueue(TriangleComplex& complex, const PairCost& cost, unsigned threads);
+  EagerQueue(TriangleComplex& complex, const PairRanks& ranks, unsigned threads);
 
   std::optional<RankedPair> next() override;
   void add(const Pair& pair) override;
@@ -35,7 +35,7 @@ class EagerQueue final : public PairQueue {
   void set_cost(const Pair& pair, double cost);
 
   TriangleComplex& complex_;
-  const PairCost& cost_;
+  const PairRanks& ranks_;
   LargeArray<double> costs_;  ///< per pair
   double cost_now_ = 0;       ///< of the pair taken out last
   BucketQueue queue_;

@@ -29,7 +29,7 @@ class LazyQueue final : public PairQueue {
   /// \param refused pairs that are not queued at first
   /// \param uncertain if not null: of a pair with such an end no more is known than that it costs at least its bound.
   /// Then pairs with one frozen end are queued, too
-  LazyQueue(TriangleComplex& complex, const PairCost& cost, ThresholdPairSieve& sieve, const RefusedPairs& refused,
+  LazyQueue(TriangleComplex& complex, const PairRanks& ranks, ThresholdPairSieve& sieve, const RefusedPairs& refused,
             const UncertainVertices* uncertain, unsigned threads);
 
   std::optional<RankedPair> next() override;
@@ -80,7 +80,7 @@ class LazyQueue final : public PairQueue {
   void add_raised(const Pair& pair, double cost);
 
   TriangleComplex& complex_;
-  const PairCost& cost_;
+  const PairRanks& ranks_;
   ThresholdPairSieve& sieve_;
   const UncertainVertices* uncertain_;
   ThreadPool thread_pool_;

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "cost/pair_cost.hh"
+#include "queue/pair_ranks.hh"
 
 namespace whittle {
 

@@ -12,6 +12,8 @@ class IsotropicCost final : public SummedQuadricsCost {
                 double isotropy)
       : SummedQuadricsCost(complex, options, false), restraints_(restraints), isotropy_(isotropy) {}
 
+  void see_attributes(SurfaceAttributes&& /*attributes*/) override {}  // it looks at positions alone
+  SurfaceAttributes attributes_at(std::span<const Index> /*vertices*/) const override { return {}; }
   using PairCost::rank;
   void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;
   void merge(ContractionProfile& profile, const PairEvaluation& ranked, const Change& change) override;

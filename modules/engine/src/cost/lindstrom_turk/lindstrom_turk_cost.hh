@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "complex/restraints.hh"
-#include "cost/pair_cost.hh"
+#include "cost/stateless_cost.hh"
 #include "whittle/core/detail/lanes.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/engine/formula/lindstrom_turk_pair.hh"
@@ -15,17 +15,16 @@ namespace whittle {
 /// pair are the sums of its two vertices without the faces that both have: so a pair takes constant time.
 ///
 /// Every sum has one order, by original vertex numbers.
-class LindstromTurkCost final : public PairCost {
+class LindstromTurkCost final : public StatelessCost {
  public:
   LindstromTurkCost(const TriangleComplex& complex, const Restraints& restraints)
-      : complex_(complex), restraints_(restraints) {}
+      : StatelessCost(complex), restraints_(restraints) {}
 
   void start(unsigned threads) override;
 
   using PairCost::rank;
   void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;
   void merge(ContractionProfile& profile, const PairEvaluation& ranked, const Change& change) override;
-  PlacedQuadric quadric(Index v) const override { return {complex_.position(v), {}}; }
   VertexState vertex_state() const override {
     return {reinterpret_cast<const std::byte*>(stars_.data()), sizeof(StarSums)};
   }
@@ -50,7 +49,6 @@ class LindstromTurkCost final : public PairCost {
   void sum_around_ring(Index v);
   void sum_around_irregular(Index v);
 
-  const TriangleComplex& complex_;
   const Restraints& restraints_;
   LargeArray<StarSums> stars_;  ///< per vertex
 };

@@ -20,8 +20,11 @@ class SummedQuadricsCost : public PairCost {
   void resume(const DecimationState& state) final { quadrics_.resume(state); }
   void recall(const Memory& memory) final { quadrics_.recall(memory); }
   bool remembers(Index /*v*/) const final { return true; }
+  const Quadric* remembered_seams(Index /*v*/) const final { return nullptr; }  // they are among all that v remembers
+  MeanFaceArea face_area() const final { return {}; }
   PlacedQuadric quadric(Index v) const final { return quadrics_.placed(v); }
   VertexState vertex_state() const final { return quadrics_.state(); }
+  bool changes_neighbours() const final { return false; }
 
  protected:
   const TriangleComplex& complex_;
