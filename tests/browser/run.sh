@@ -30,6 +30,8 @@ done
 rm "$folder"/level_*.off
 "$whittle" simplify "$data/knot.ply" -o "$folder/knot.ply" --ratio 2% --quiet
 "$whittle" report "$data/knot.ply" "$folder/knot.ply" -o "$folder/errors.html" --quiet
+"$whittle" simplify "$data/nonmanifold.obj" -o "$folder/nonmanifold.ply" --face-ratio 70% --quiet
+"$whittle" report "$data/nonmanifold.obj" "$folder/nonmanifold.ply" -o "$folder/nonmanifold.html" --quiet
 "$whittle" simplify "$data/cubes.obj" -o "$folder/least.ply" --faces 20 --page "$folder/why.html" --quiet 2>/dev/null
 # A name with markup, in both of its contexts.
 cp "$data/cubes.obj" "$folder/<img src=x onerror=alert(1)><script>alert(2)<script>.obj"

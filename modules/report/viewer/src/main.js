@@ -62,7 +62,8 @@ class App {
       for (const id of ['layout', 'ghost']) $(id).closest('label').hidden = true;
       $('layout').value = 'original';
     }
-    const hasErrors = [this.original, ...this.results].some((model) => model.surface.distances);
+    const surfaces = [this.original, ...this.results].map(({surface}) => surface);
+    const hasErrors = surfaces.some(({distances}) => distances);
     $('colour').querySelector('[value=error]').disabled = !hasErrors;
     this.addColours();
   }
@@ -89,7 +90,7 @@ class App {
       this.draw();
     });
     this.player.goTo(1);
-    this.lastMoment = null;
+    this.isPlaying = false;
   }
 
   /** Sets the controls as the address says: "#colour=error&edges=on". "picture" leaves the meshes alone, "plain"
@@ -100,6 +101,7 @@ class App {
     const number = (key, otherwise) => Number.isFinite(Number(settings.get(key))) ? Number(settings.get(key)) : otherwise;
     for (const key of ['picture', 'plain']) if (settings.has(key)) document.body.classList.add(key);
     for (const [key, value] of settings) this.setControl(key, value);
+    if (this.player) this.setUpMovement();
     if (settings.has('level') && this.player) this.player.goTo(number('level', 1));
     this.result = this.results[Number($('result').value)] ?? this.result;
     this.view.setPanes(this.layout() === 'beside' ? 2 : 1);
@@ -124,11 +126,15 @@ class App {
     return this.result ? layout : 'original';
   }
 
-  /** Where the scale of errors ends, in their unit. */
+  /** \param key 'max', or 'usual': that of 99 % of the surface. In the unit of what is shown */
+  greatestError(key) {
+    return Math.max(...[this.original, this.result].map((model) => model?.range()?.[key] ?? 0));
+  }
+
+  /** Where the scale of errors ends. */
   greatestShown() {
-    const greatest = (key) => Math.max(...[this.original, this.result].map((model) => model?.range()?.[key] ?? 0));
     const chosen = $('top').value;
-    return chosen === 'usual' ? greatest('usual') : greatest('max') * Number(chosen);
+    return chosen === 'usual' ? this.greatestError('usual') : this.greatestError('max') * Number(chosen);
   }
 
   apply() {
@@ -138,6 +144,8 @@ class App {
     for (const model of models) model.setScale(scales.error, top);
     this.exact.setScale(scales.error, top / this.json.step);
     $('ghost').closest('label').hidden = this.layout() !== 'over';
+    const shown = this.layout() === 'over' ? models : this.modelsOfPanes();
+    for (const lines of ['borders', 'nonmanifold']) $(lines).disabled = shown.every(({surface}) => surface[lines].length === 0);
     this.showLegend($('colour').value, top);
     this.showReasons();
     this.showLabels();
@@ -146,7 +154,7 @@ class App {
 
   showLegend(colour, top) {
     const map = [this.original, this.result].map((model) => model?.surface.look?.mapOf(colour)).find((one) => one);
-    $('top').closest('label').hidden = colour !== 'error' && !map;
+    $('top').closest('label').hidden = this.greatestError('max') === 0;
     $('legend').hidden = ['none', 'material', 'colours'].includes(colour);
     if (map) showLegend($('legend'), map.title, scales.error, top);
     if (colour === 'normals') showNote($('legend'), 'normals: x, y, z from −1 to 1 as red, green, blue');
@@ -184,6 +192,10 @@ class App {
     $('speed').textContent = `speed ${player.speed >= 1 ? player.speed : `1/${1 / player.speed}`}`;
     $('play').textContent = player.direction > 0 ? 'Pause' : 'Play';
     $('back').textContent = player.direction < 0 ? 'Pause' : 'Backwards';
+    $('previous').disabled = player.isAtEnd(-1);
+    $('next').disabled = player.isAtEnd(1);
+    $('slower').disabled = player.isSlowest();
+    $('faster').disabled = player.isFastest();
     if (this.result?.surface === recording) this.showLabels();
   }
 
@@ -291,22 +303,27 @@ class App {
     return 'drawn';
   }
 
-  /** \param place in the recording, 0 … 1 */
+  /** Stands still at a place in the recording. \param place 0 … 1 */
   showPlace(place) {
-    this.player?.goTo(place);
+    if (!this.player) return;
+    this.player.direction = 0;
+    this.player.goTo(place);
   }
 
   play(direction) {
     this.player.play(direction);
-    this.lastMoment = null;
     this.showLevel();
+    if (this.isPlaying || this.player.direction === 0) return;
+    this.isPlaying = true;
+    this.lastMoment = null;
     requestAnimationFrame((moment) => this.advance(moment));
   }
 
   advance(moment) {
     const seconds = this.lastMoment === null ? 0 : (moment - this.lastMoment) / 1000;
     this.lastMoment = moment;
-    if (this.player.advance(seconds)) requestAnimationFrame((next) => this.advance(next)); else this.showLevel();
+    this.isPlaying = this.player.advance(seconds);
+    if (this.isPlaying) requestAnimationFrame((next) => this.advance(next)); else this.showLevel();
   }
 
   // Events -----------------------------------------------------------------------------------------------------------
@@ -336,24 +353,21 @@ class App {
   setUpPlayerEvents() {
     const {player} = this;
     const on = (id, event, act) => $(id).addEventListener(event, act);
-    on('slider', 'input', () => {
-      player.direction = 0;
-      player.goTo(Number($('slider').value) / 1000);
-    });
+    on('slider', 'input', () => this.showPlace(Number($('slider').value) / 1000));
     on('play', 'click', () => this.play(1));
     on('back', 'click', () => this.play(-1));
     on('next', 'click', () => player.stepBy(1));
     on('previous', 'click', () => player.stepBy(-1));
     on('faster', 'click', () => this.changeSpeed(2));
     on('slower', 'click', () => this.changeSpeed(0.5));
-    on('movement', 'change', () => {
-      player.isContinuous = $('movement').value === 'continuous';
-      player.goTo(player.place);
-    });
-    on('spacing', 'change', () => {
-      player.isByFaces = $('spacing').value === 'faces';
-      player.goTo(player.place);
-    });
+    for (const id of ['movement', 'spacing']) on(id, 'change', () => this.setUpMovement());
+  }
+
+  /** As the controls say. */
+  setUpMovement() {
+    this.player.isContinuous = $('movement').value === 'continuous';
+    this.player.isByFaces = $('spacing').value === 'faces';
+    this.player.goTo(this.player.place);
   }
 
   changeSpeed(factor) {
@@ -375,26 +389,28 @@ class App {
     const angle = Math.PI / 24;
     const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[key];
     if (arrows) return isShifted ? () => view.move(-0.05 * arrows[0], -0.05 * arrows[1]) : () => view.rotate(angle * arrows[0], -angle * arrows[1]);
-    const choose = (id, value) => () => {
-      $(id).value = value;
-      this.apply();
+    const isThere = (id) => !$(id).disabled && !$(id).closest('[hidden]');
+    const change = (id, key, value) => {
+      $(id)[key] = value;
+      $(id).dispatchEvent(new Event('change'));
     };
-    const toggle = (id) => () => {
-      $(id).checked = !$(id).checked;
-      this.apply();
-    };
+    const choose = (id, value) => () => change(id, 'value', value);
+    const toggle = (id) => () => isThere(id) && change(id, 'checked', !$(id).checked);
     const next = (id) => () => {
+      if (!isThere(id)) return;
       const options = [...$(id).options].filter((option) => !option.disabled);
       const i = options.findIndex((option) => option.value === $(id).value);
-      $(id).value = options[(i + 1) % options.length].value;
-      this.apply();
+      change(id, 'value', options[(i + 1) % options.length].value);
     };
     const actions = {
       '+': () => view.zoom(0.85), '=': () => view.zoom(0.85), '-': () => view.zoom(1 / 0.85), '0': () => view.fit(),
-      'c': next('colour'), 's': next('shading'), 'e': toggle('edges'),
+      'c': next('colour'), 't': next('top'), 's': next('shading'), 'u': next('up'),
+      'e': toggle('edges'), 'o': toggle('borders'), 'n': toggle('nonmanifold'), 'p': toggle('refused'), 'Enter': () => this.describeMiddle(),
+      ...this.result && {'r': next('result'), 'g': next('ghost')},
       ...this.result && {'1': choose('layout', 'beside'), '2': choose('layout', 'over'), '3': choose('layout', 'original'), '4': choose('layout', 'result')},
       ...player && {' ': () => this.play(1), 'b': () => this.play(-1), '<': () => this.changeSpeed(0.5), '>': () => this.changeSpeed(2),
-        ',': () => player.stepBy(-1), '.': () => player.stepBy(1)},
+        ',': () => player.stepBy(-1), '.': () => player.stepBy(1),
+        'm': next('movement'), 'l': next('spacing')},
     };
     return actions[key];
   }
@@ -406,6 +422,12 @@ class App {
     $('canvas').addEventListener('pointerup', (event) => {
       if (down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 4) this.describe(event);
     });
+  }
+
+  /** Says what is in the middle of the first pane. */
+  describeMiddle() {
+    const {left, top, width, height} = $('canvas').getBoundingClientRect();
+    return this.describe({clientX: left + width / this.view.panes / 2, clientY: top + height / 2});
   }
 
   async describe(event) {

@@ -1,5 +1,7 @@
 // Goes through a recording.
 
+const fastest = 64;
+
 /** Where the slider is, 0 … 1, is the place in the recording. */
 export class Player {
   /** \param show is called with the recording and the positions of this moment */
@@ -67,27 +69,40 @@ export class Player {
     this.show(this.positions);
   }
 
-  /** One stop on or back. */
+  /** One stop on or back, and stands still there. */
   stepBy(n) {
+    this.direction = 0;
     this.goTo((Math.round(this.place * this.nStops) + n) / this.nStops);
   }
 
   setSpeed(speed) {
-    this.speed = Math.min(64, Math.max(1 / 64, speed));
+    this.speed = Math.min(fastest, Math.max(1 / fastest, speed));
+  }
+
+  isFastest() {
+    return this.speed >= fastest;
+  }
+
+  isSlowest() {
+    return this.speed <= 1 / fastest;
+  }
+
+  /** Whether it has come to where it can't go on in a direction. */
+  isAtEnd(direction) {
+    return direction > 0 ? this.place >= 1 : this.place <= 0;
   }
 
   /** \param seconds since the last moment \return whether it goes on */
   advance(seconds) {
     if (this.direction === 0) return false;
-    const place = this.place + this.direction * this.speed * seconds / 10;
-    this.goTo(place);
-    if (place <= 0 || place >= 1) this.direction = 0;
+    this.goTo(this.place + this.direction * this.speed * seconds / 10);
+    if (this.isAtEnd(this.direction)) this.direction = 0;
     return this.direction !== 0;
   }
 
+  /** Plays, or stands still if it plays in this direction. From the end it starts over. */
   play(direction) {
     this.direction = this.direction === direction ? 0 : direction;
-    if (this.direction > 0 && this.place >= 1) this.place = 0;
-    if (this.direction < 0 && this.place <= 0) this.place = 1;
+    if (this.direction !== 0 && this.isAtEnd(direction)) this.place = direction > 0 ? 0 : 1;
   }
 }
