@@ -1,11 +1,10 @@
-// Problems that users of the modules had: derived modules, chains of levels, attributes, calls through the base.
+// Problems that users of the modules had: chains of levels, attributes, calls through the base.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
-#include <whittle/engine/formula/edge_length_term.hh>
 #include <whittle/openmesh/detail/attributes/blend_attributes.hh>
 
 #include "common/meshes.hh"
@@ -16,85 +15,6 @@ namespace {
 
 using Mesh = DoubleMesh;
 using OpenMesh::VertexHandle;
-
-/// Garland–Heckbert reversed: the greatest cost comes first.
-template <class MeshT>
-class ModReversedT : public ModGarlandHeckbertT<MeshT> {
- public:
-  explicit ModReversedT(MeshT& mesh) : ModGarlandHeckbertT<MeshT>(mesh) {}
-  using Handle = OpenMesh::Decimater::ModHandleT<ModReversedT>;
-  using ModGarlandHeckbertT<MeshT>::evaluate;
-
-  PairEvaluation evaluate(VertexHandle first, VertexHandle second, Pinned pinned) const override {
-    PairEvaluation evaluation = ModGarlandHeckbertT<MeshT>::evaluate(first, second, pinned);
-    evaluation.cost = evaluation.bound = 1 / (1 + evaluation.cost);
-    return evaluation;
-  }
-};
-
-/// A user's own cost: the length of the edge, placed at its middle, like ModMidpointT.
-template <class MeshT>
-class ModLengthT : public PlacingModuleT<MeshT> {
- public:
-  DECIMATING_MODULE(ModLengthT, MeshT, Length);
-  explicit ModLengthT(MeshT& mesh) : PlacingModuleT<MeshT>(mesh) {}
-  double cost_dimension() const override { return 1; }
-
- private:
-  PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const override {
-    return evaluate_midpoint(this->position(first), this->position(second), pinned);
-  }
-  Reach plain_reach() const override { return Reach::ends; }
-};
-
-/// A flip guard that refuses everything.
-template <class MeshT>
-class ModRefuseT : public ModFlipGuardT<MeshT> {
- public:
-  using Handle = OpenMesh::Decimater::ModHandleT<ModRefuseT>;
-  explicit ModRefuseT(MeshT& mesh) : ModFlipGuardT<MeshT>(mesh) {}
-  float collapse_priority(const OpenMesh::Decimater::CollapseInfoT<MeshT>&) override { return -1; }
-};
-
-template <class ModuleT>
-std::vector<Contraction> contractions_by(Mesh mesh, const DecimateTarget& target, Driver* driver = nullptr) {
-  PairDecimaterT<Mesh> decimater(mesh);
-  add_module<ModuleT>(decimater);
-  std::vector<Contraction> result;
-  decimater.set_listener([&](const Contraction& made) { result.push_back(made); });
-  EXPECT_TRUE(decimater.initialize());
-  decimater.decimate(target);
-  if (driver != nullptr) *driver = decimater.last_driver();
-  return result;
-}
-
-TEST(DerivedModules, WhatTheyOverrideCounts) {
-  const Mesh mesh = open_mesh<Mesh>(noisy_torus(24, 12, 1, 0.4, 0.03, 3));
-  Driver driver{};
-  const auto reversed = contractions_by<ModReversedT<Mesh>>(mesh, to_faces(500), &driver);
-  EXPECT_EQ(driver, Driver::mesh);
-  ASSERT_FALSE(reversed.empty());
-  const auto plain = contractions_by<ModGarlandHeckbertT<Mesh>>(mesh, to_faces(500));
-  EXPECT_FALSE(same_bits(reversed.front(), plain.front()));
-}
-
-TEST(DerivedModules, ACostOfOnesOwnIsAskedAndNotTakenForQuadrics) {
-  const Mesh mesh = open_mesh<Mesh>(noisy_torus(24, 12, 1, 0.4, 0.03, 3));
-  Driver driver{};
-  const auto own = contractions_by<ModLengthT<Mesh>>(mesh, to_faces(200), &driver);
-  EXPECT_EQ(driver, Driver::mesh);
-  expect_same_contractions(contractions_by<ModMidpointT<Mesh>>(mesh, to_faces(200)), own, "torus");
-}
-
-TEST(DerivedModules, AGuardDerivedFromOursIsAsked) {
-  Mesh mesh = open_mesh<Mesh>(torus(14, 8));
-  PairDecimaterT<Mesh> decimater(mesh);
-  add_module<ModGarlandHeckbertT<Mesh>>(decimater);
-  add_module<ModRefuseT<Mesh>>(decimater);
-  ASSERT_TRUE(decimater.initialize());
-  EXPECT_THAT(decimater.engine_obstacle(), testing::HasSubstr("FlipGuard"));
-  EXPECT_EQ(decimater.decimate(), 0U);
-}
 
 TEST(BaseReference, ModulesAddedThroughItAreRefused) {
   Mesh mesh = open_mesh<Mesh>(torus(14, 8));

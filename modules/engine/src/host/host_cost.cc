@@ -1,6 +1,8 @@
 #include "host/host_cost.hh"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace whittle {
 
@@ -18,8 +20,11 @@ HostedContraction hosted(const TriangleComplex& complex, const ContractionProfil
 
 void HostCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
   std::transform(pairs.begin(), pairs.end(), ranks.begin(), [this](const Pair& pair) {
-    return cost_.rank(complex_.identity(pair.a), complex_.identity(pair.b),
-                      restraints_.pinned(pair).value_or(Pinned::first));
+    PairEvaluation rank = cost_.rank(complex_.identity(pair.a), complex_.identity(pair.b),
+                                     restraints_.pinned(pair).value_or(Pinned::first));
+    if (!(rank.cost >= 0)) rank.cost = std::numeric_limits<double>::infinity();
+    rank.cost = std::abs(rank.cost);  // queues sort by bits, in which -0 is not 0
+    return rank;
   });
 }
 

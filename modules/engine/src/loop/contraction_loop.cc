@@ -1,6 +1,7 @@
 #include "loop/contraction_loop.hh"
 
 #include <algorithm>
+#include <limits>
 
 #include "cost/make_cost.hh"
 #include "host/host_cost.hh"
@@ -13,6 +14,9 @@ namespace {
 
 /// Turns between two calls of the progress callback: about a millisecond.
 constexpr std::uint64_t progress_interval = 2048;
+
+/// What a host's cost says of pairs that it refuses.
+constexpr double never = std::numeric_limits<double>::infinity();
 
 /// In the place of a guard's number.
 constexpr RefusedPairs::Refuser refused_by_cost = 0xfe;
@@ -154,10 +158,11 @@ void ContractionLoop::take(const RankedPair& ranked) {
   profile_.ranked = ranked.rank;
   const std::optional<Vec3> position = settle(ranked);
   if (!position) return;
-  const double cost = cost_.final_cost(profile_, ranked.rank, *position);
+  const double cost = std::max(rank, cost_.final_cost(profile_, ranked.rank, *position));
+  if (cost == never) return refused_.add(ranked.pair, refused_by_cost);
   if (cost > rank && queue_->postpone(ranked.pair, cost)) return;
   if (stop_at_cost(ranked.pair, cost)) return;
-  contract(ranked, *position, std::max(cost, rank));
+  contract(ranked, *position, cost);
 }
 
 /// \return whether all that decides about the pair is known: it is no joint, and nothing around it is uncertain
@@ -196,9 +201,9 @@ void ContractionLoop::list_affected(Index v) {
   }
 }
 
-/// Whether the pair costs more than may be. Then it is queued again, to go on from.
+/// Whether the pair costs more than may be. Then it is queued again, to go on from. One that is refused stops nothing.
 bool ContractionLoop::stop_at_cost(const Pair& pair, double cost) {
-  if (!cost_limit_ || !(cost > *cost_limit_)) return false;
+  if (!cost_limit_ || !(cost > *cost_limit_) || cost == never) return false;
   stop_ = StopReason::cost;
   queue_->add(pair);
   return true;

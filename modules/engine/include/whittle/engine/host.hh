@@ -43,11 +43,12 @@ class HostedCost {
  public:
   virtual ~HostedCost() = default;
 
-  /// What merging two vertices would cost. Infinite if they may not be merged as things are.
+  /// What merging two vertices would cost. Infinite if they may not be merged as things are; negative and not a number
+  /// count as that.
   virtual PairEvaluation rank(Index first, Index second, Pinned pinned) = 0;
   /// Where the merged vertex goes. None means that the pair is refused.
   virtual Settlement settle(Index first, Index second, Pinned pinned, const PairEvaluation& rank) = 0;
-  /// What going there costs: the rank, or more.
+  /// What going there costs: the rank, or more. Infinite refuses the pair; the host counts that.
   virtual double final_cost(const HostedContraction& contraction) = 0;
   /// Which pairs a contraction may make cheaper, or allow.
   virtual Reach reach() const = 0;

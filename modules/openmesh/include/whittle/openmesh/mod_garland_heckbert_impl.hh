@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cfloat>
+
 #include "whittle/engine/formula/edge_length_term.hh"
 #include "whittle/openmesh/mod_garland_heckbert.hh"
 

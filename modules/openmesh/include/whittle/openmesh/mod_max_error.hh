@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "whittle/metrics/certify.hh"
 #include "whittle/openmesh/detail/face_guard.hh"
@@ -87,9 +89,11 @@ class ModMaxErrorT : public FaceGuardT<MeshT> {
   }
   float collapse_priority(const CollapseInfo& collapse) override {
     const bool is_legal = !max_error_ || proof().allows(collapse, this->merged_point(collapse));
+    if (!is_legal) ++n_refused_;
     return static_cast<float>(is_legal ? Base::LEGAL_COLLAPSE : Base::ILLEGAL_COLLAPSE);
   }
   void preprocess_collapse(const CollapseInfo& collapse) override {
+    is_told_before_ = true;
     if (max_error_) {
       proof().note_before(collapse);
     } else {
@@ -98,10 +102,15 @@ class ModMaxErrorT : public FaceGuardT<MeshT> {
   }
   void postprocess_collapse(const CollapseInfo& collapse) override {
     if (proof_) proof_->note_after(collapse);
+    n_followed_ += std::exchange(is_told_before_, false) ? 1 : 0;
   }
 
   /// Tells it that the mesh was changed without it. Called by `PairDecimaterT`.
   void note_new_surface() { proof_.reset(); }
+  /// Of how many collapses it was told before and after, since it was made. Asked by `PairDecimaterT`.
+  std::uint64_t n_followed() const { return n_followed_; }
+  /// How many questions it has answered by no because of a limit. Asked by `PairDecimaterT`.
+  std::uint64_t n_refused() const { return n_refused_; }
 
  private:
   static std::optional<double> checked(std::optional<double> distance) {
@@ -128,6 +137,9 @@ class ModMaxErrorT : public FaceGuardT<MeshT> {
   std::optional<double> max_error_;
   std::optional<double> max_border_error_;
   bool is_initialized_ = false;
+  bool is_told_before_ = false;  ///< of a collapse under way
+  std::uint64_t n_followed_ = 0;
+  std::uint64_t n_refused_ = 0;
   IndexedMesh input_;
   std::unique_ptr<MeshProofT<MeshT>> proof_;  ///< of the mesh as it is; null before the first question
 };

@@ -2,6 +2,9 @@
 
 #include <OpenMesh/Core/Mesh/Handles.hh>
 #include <OpenMesh/Tools/Decimater/CollapseInfoT.hh>
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -26,6 +29,21 @@ inline bool takes_threshold_pairs(const CostOptions& options) {
   const CostConflicts& why_not = cost_traits(options.cost).why_not;
   return why_not.threshold.empty() && why_not.threshold_in_exact_order.empty() && options.isotropy == 0 &&
          options.valence_weight == 0;
+}
+
+/// Whether it is a cost, and doesn't refuse the pair.
+inline bool is_cost(double cost) { return cost >= 0 && std::isfinite(cost); }
+
+/// The float by which OpenMesh's decimaters rank a cost in the frame. Costs in length⁵ or length⁶ would be 0 as floats
+/// on a fine mesh, so it is their cube root. \param dimension the cost's unit is a length to this power
+inline float priority_of_cost(double cost, double dimension) {
+  const double priority = dimension > 4 ? std::cbrt(cost) : cost;
+  return static_cast<float>(std::min(priority, 0.5 * double{FLT_MAX}));  // DecimaterT needs less than FLT_MAX
+}
+/// The cost that ranks like this float.
+inline double cost_of_priority(float priority, double dimension) {
+  const double p = priority;
+  return dimension > 4 ? p * p * p : p;
 }
 
 /// Whether a type is exactly one of our cost modules, which the engine knows.
@@ -61,10 +79,12 @@ class PairCostModuleT {
   virtual MeanFaceArea face_area() const { return {}; }
   /// Whether options were set since `initialize()`, so that they have no effect yet.
   virtual bool has_new_options() const = 0;
-  /// Cost and placement of merging two vertices that share an edge. \pre first < second
+  /// Cost and placement of merging two vertices that share an edge. A cost that is infinite, negative or not a number
+  /// refuses the pair. \pre first < second
   virtual PairEvaluation evaluate(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second, Pinned pinned) const = 0;
-  /// The same for a collapse in one of OpenMesh's decimaters. v1 keeps its position if it is locked or a feature, or if
-  /// v0 is a feature. The position is that of `place`, the cost that of `final_cost`.
+  /// The same for a collapse in one of OpenMesh's decimaters, by the functions of this interface. v1 keeps its position
+  /// if it is locked or a feature, or if v0 is a feature. The position is that of `place`, the cost that of
+  /// `final_cost`.
   virtual PairEvaluation evaluate(const OpenMesh::Decimater::CollapseInfoT<MeshT>& collapse) const = 0;
 
   /// The best position of the merged vertex. If it is refused, the position of the evaluation is tried.
@@ -78,6 +98,10 @@ class PairCostModuleT {
                             const PairEvaluation& evaluation, const Vec3& /*position*/) const {
     return evaluation.cost;
   }
+  /// What `collapse_priority` of the class itself has returned, which a derived class may have overridden; empty if it
+  /// wasn't called since this was asked last. By it `PairDecimaterT` knows which values are the class's own.
+  virtual std::optional<float> take_own_priority() { return std::nullopt; }
+
   /// The next collapse uses this evaluation and `position` instead of those of `evaluate(collapse)`.
   /// \param first the vertex that the evaluation took as first
   virtual void place_next(const PairEvaluation& evaluation, const Vec3& position, OpenMesh::VertexHandle first) = 0;

@@ -33,7 +33,7 @@ enum class Driver {
   automatic,  ///< the engine driver where it can run, else the mesh driver
   engine,     ///< many times faster; takes only our cost modules, `ModFlipGuardT`, `ModRadiusRatioT` and
               ///< `ModMaxErrorT`, and no types derived from them
-  mesh        ///< takes any modules, and calls what derived ones override
+  mesh        ///< takes any modules, and calls what derived ones override, their `collapse_priority` too
 };
 
 /// How often a module refused a contraction.
@@ -53,8 +53,10 @@ class MeshRunT;
 ///     any non-binary module of OpenMesh's. With the latter v1 keeps its position, both directions of an edge are
 ///     candidates, and OpenMesh's own legality rules hold.
 ///   - A flip guard over both stars is always on. Its angle is the default of the cost (`CostTraits`: 75°, with
-///     `ModMemorylessT` 60°, with `ModLindstromTurkT` 110°), or that of a `ModFlipGuardT`. Other binary modules get v̄
-///     as `p1`. If v1 moves, they are asked about both stars.
+///     `ModMemorylessT` 60°, with `ModLindstromTurkT` 110°), or that of a `ModFlipGuardT`. A class derived from that
+///     takes its place. Other binary modules get v̄ as `p1`. If v1 moves, they are asked about both stars.
+///   - A `collapse_priority` that overrides ours is asked about both directions of a pair. `ILLEGAL_COLLAPSE` refuses a
+///     direction, another value ranks. The vertex goes where the module places it, and limits of the cost hold.
 ///   - Of a pair with one locked vertex the other one vanishes. With `only_selected`, vertices that aren't selected
 ///     count as locked.
 ///   - A vertex with two feature edges moves along them only, from vertex to vertex. A vertex with one, three or more
@@ -162,14 +164,29 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   using VertexHandle = OpenMesh::VertexHandle;
   using HalfedgeHandle = OpenMesh::HalfedgeHandle;
 
-  /// A module, and those of our interfaces that it implements.
+  /// A module, and those of our classes that it is, or is derived from.
   struct Attached {
-    Module* module;
-    PairCostModuleT<MeshT>* cost;
-    bool is_engine_cost;  ///< exactly one of our cost modules
-    ModFlipGuardT<MeshT>* flip_guard;
-    ModRadiusRatioT<MeshT>* radius_guard;
-    ModMaxErrorT<MeshT>* error_guard;
+    Module* module = nullptr;
+    bool is_of_engine = false;      ///< whether the engine knows its type
+    bool has_own_priority = false;  ///< of a cost module
+    PairCostModuleT<MeshT>* cost = nullptr;
+    FaceGuardT<MeshT>* face_guard = nullptr;
+    ModFlipGuardT<MeshT>* flip_guard = nullptr;
+    ModRadiusRatioT<MeshT>* radius_guard = nullptr;
+    ModMaxErrorT<MeshT>* error_guard = nullptr;
+  };
+  /// Who does what, said by `initialize()`.
+  struct Roles {
+    Module* cost_module = nullptr;                   ///< the one that ranks
+    PairCostModuleT<MeshT>* cost = nullptr;          ///< the same, if it places vertices
+    bool is_engine_cost = false;                     ///< whether the engine knows its type
+    bool has_own_priority = false;                   ///< whether a `collapse_priority` of its own ranks
+    bool has_own_flip_guard = false;                 ///< whether a class derived from `ModFlipGuardT` takes part
+    ModFlipGuardT<MeshT>* flip_guard = nullptr;      ///< exactly of this type
+    ModRadiusRatioT<MeshT>* radius_guard = nullptr;  ///< exactly of this type
+    ModMaxErrorT<MeshT>* error_guard = nullptr;      ///< or derived
+    Module* foreign_guard = nullptr;                 ///< the first that the engine doesn't know
+    std::vector<Module*> asked_guards;               ///< by the mesh driver
   };
   struct Counts {
     std::uint64_t vertices = 0;
@@ -178,17 +195,18 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
 
   void require_known_modules();
   void assign_roles();
+  void assign_guard(const Attached& guard);
   DecimateOptions engine_options_but_cost() const;
   void require_initialized() const;
   Driver choose_driver(const DecimateTarget& target) const;
-  bool has_error_limit() const { return error_guard_ && error_guard_->max_error(); }
+  bool has_error_limit() const { return roles_.error_guard && roles_.error_guard->max_error(); }
   DecimateTarget with_error_limits(const DecimateTarget& target) const;
   DecimateResult run_engine(const DecimateTarget& target, bool only_selected);
   DecimateResult run_on_mesh(const DecimateTarget& target, bool only_selected);
   DecimateTarget checked(const DecimateTarget& target) const;
   Counts count_elements() const;
   double max_normal_flip_deg() const;
-  double min_radius_ratio() const { return radius_guard_ ? radius_guard_->min_radius_ratio() : 0; }
+  double min_radius_ratio() const { return roles_.radius_guard ? roles_.radius_guard->min_radius_ratio() : 0; }
   bool is_fixed(VertexHandle v, bool only_selected) const;
 
   void count_rejection(const Module& module);
@@ -198,15 +216,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   bool is_ready_ = false;  ///< since `initialize()`; the base has its own `is_initialized()`
   bool is_fresh_ = false;  ///< nothing contracted since `initialize()`
 
-  // Roles of the modules, set by `initialize()`. One of `cost_` and `foreign_cost_` is null.
-  PairCostModuleT<MeshT>* cost_ = nullptr;
-  bool is_engine_cost_ = false;
-  Module* foreign_cost_ = nullptr;
-  ModFlipGuardT<MeshT>* flip_guard_ = nullptr;
-  ModRadiusRatioT<MeshT>* radius_guard_ = nullptr;
-  ModMaxErrorT<MeshT>* error_guard_ = nullptr;
-  std::vector<Module*> foreign_guards_;
-  std::vector<Module*> asked_guards_;  ///< by the mesh driver: the foreign ones and `error_guard_`
+  Roles roles_;
 
   Driver driver_ = Driver::automatic;
   Driver last_driver_ = Driver::automatic;

@@ -3,7 +3,6 @@
 #include <OpenMesh/Core/Utils/PropertyManager.hh>
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -64,6 +63,9 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
 
   /// \throw std::invalid_argument for a coordinate that is not finite
   void initialize() override;
+  /// A derived class may override it, to refuse collapses (`ILLEGAL_COLLAPSE`) or to rank them by other values.
+  /// `PairDecimaterT` then asks about both directions of a pair. Where the value is the one that this class returns, it
+  /// goes by the cost in double.
   float collapse_priority(const CollapseInfo& collapse) override;
   void preprocess_collapse(const CollapseInfo& collapse) override;
   void postprocess_collapse(const CollapseInfo& collapse) override;
@@ -81,7 +83,8 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   PlacedQuadric quadric(OpenMesh::VertexHandle v) const override { return placed(v); }
   bool has_new_options() const override { return has_new_options_; }
   PairEvaluation evaluate(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second, Pinned pinned) const override;
-  PairEvaluation evaluate(const CollapseInfo& collapse) const override;
+  PairEvaluation evaluate(const CollapseInfo& collapse) const final;
+  std::optional<float> take_own_priority() override { return std::exchange(own_priority_, std::nullopt); }
   void place_next(const PairEvaluation& evaluation, const Vec3& position, OpenMesh::VertexHandle first) override {
     pending_ = Pending{evaluation, position, first};
   }
@@ -144,8 +147,9 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   mutable bool has_quadrics_ = false;
   mutable std::vector<PlacedQuadric> quadrics_;
   mutable OpenMesh::VProp<Index> numbers_;  ///< index in `quadrics_`; garbage collection moves it along
-  std::optional<Pending> pending_;          ///< the collapse under way
-  PlacedQuadric merged_;                    ///< the merged vertex of that collapse
+  std::optional<float> own_priority_;
+  std::optional<Pending> pending_;  ///< the collapse under way
+  PlacedQuadric merged_;            ///< the merged vertex of that collapse
   std::optional<VertexBlendT<MeshT>> blend_;
 };
 

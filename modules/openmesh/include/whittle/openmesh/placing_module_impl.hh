@@ -122,6 +122,7 @@ template <class MeshT>
 PairEvaluation PlacingModuleT<MeshT>::evaluate(const CollapseInfo& collapse) const {
   const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
   PairEvaluation evaluation = evaluate_cheapest(collapse);
+  if (!is_cost(evaluation.cost)) return evaluation;
   const Vec3 position = this->place(first, second, evaluation);
   evaluation.cost = this->final_cost(first, second, evaluation, position);
   evaluation.position = position;
@@ -144,15 +145,14 @@ PairEvaluation PlacingModuleT<MeshT>::evaluate_cheapest(const CollapseInfo& coll
 
 // Collapses in OpenMesh's decimaters ----------------------------------------------------------------------------------
 
-/// The cube root of costs in length⁵ or length⁶: as floats these would round to 0 on a fine mesh.
 template <class MeshT>
 float PlacingModuleT<MeshT>::collapse_priority(const CollapseInfo& collapse) {
   const double cost = evaluate(collapse).cost;
-  if (const auto limit = max_cost(); limit && cost > frame_.cost_to_frame(*limit, this->cost_dimension())) {
-    return static_cast<float>(ModBase::ILLEGAL_COLLAPSE);
-  }
-  const double priority = this->cost_dimension() > 4 ? std::cbrt(cost) : cost;
-  return static_cast<float>(std::min(priority, 0.5 * double{FLT_MAX}));  // DecimaterT needs less than FLT_MAX
+  const double dimension = this->cost_dimension();
+  const auto limit = max_cost();
+  const bool is_legal = is_cost(cost) && !(limit && cost > frame_.cost_to_frame(*limit, dimension));
+  own_priority_ = is_legal ? priority_of_cost(cost, dimension) : static_cast<float>(ModBase::ILLEGAL_COLLAPSE);
+  return *own_priority_;
 }
 
 /// Moves v1 before the collapse, but after `preprocess_collapse` of the other modules. Until our `postprocess_collapse`

@@ -4,8 +4,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "whittle/openmesh/detail/engine_run.hh"
-#include "whittle/openmesh/detail/mesh_run.hh"
+#include "whittle/openmesh/detail/drivers/engine_run.hh"
+#include "whittle/openmesh/detail/drivers/mesh_run.hh"
+#include "whittle/openmesh/detail/overrides.hh"
 
 namespace whittle {
 
@@ -16,11 +17,18 @@ template <class ModuleT>
 bool PairDecimaterT<MeshT>::add(OpenMesh::Decimater::ModHandleT<ModuleT>& handle) {
   if (!Base::add(handle)) return false;
   ModuleT& module = Base::module(handle);
-  Attached attached{&module, nullptr, is_engine_cost<ModuleT>, nullptr, nullptr, nullptr};
+  constexpr bool is_engine_guard = std::is_same_v<ModFlipGuardT<MeshT>, ModuleT> ||
+                                   std::is_same_v<ModRadiusRatioT<MeshT>, ModuleT> ||
+                                   std::is_same_v<ModMaxErrorT<MeshT>, ModuleT>;
+  Attached attached;
+  attached.module = &module;
+  attached.is_of_engine = is_engine_cost<ModuleT> || is_engine_guard;
+  attached.has_own_priority = detail::has_own_priority<ModuleT, MeshT>;
   if constexpr (std::is_base_of_v<PairCostModuleT<MeshT>, ModuleT>) attached.cost = &module;
-  if constexpr (std::is_same_v<ModFlipGuardT<MeshT>, ModuleT>) attached.flip_guard = &module;
-  if constexpr (std::is_same_v<ModRadiusRatioT<MeshT>, ModuleT>) attached.radius_guard = &module;
-  if constexpr (std::is_same_v<ModMaxErrorT<MeshT>, ModuleT>) attached.error_guard = &module;
+  if constexpr (std::is_base_of_v<FaceGuardT<MeshT>, ModuleT>) attached.face_guard = &module;
+  if constexpr (std::is_base_of_v<ModFlipGuardT<MeshT>, ModuleT>) attached.flip_guard = &module;
+  if constexpr (std::is_base_of_v<ModRadiusRatioT<MeshT>, ModuleT>) attached.radius_guard = &module;
+  if constexpr (std::is_base_of_v<ModMaxErrorT<MeshT>, ModuleT>) attached.error_guard = &module;
   attached_.push_back(attached);
   is_ready_ = false;
   return true;
@@ -63,13 +71,7 @@ void PairDecimaterT<MeshT>::require_known_modules() {
 
 template <class MeshT>
 void PairDecimaterT<MeshT>::assign_roles() {
-  cost_ = nullptr;
-  is_engine_cost_ = false;
-  foreign_cost_ = nullptr;
-  flip_guard_ = nullptr;
-  radius_guard_ = nullptr;
-  error_guard_ = nullptr;
-  foreign_guards_.clear();
+  roles_ = {};
   // The base's rule: the module that isn't binary, or else the one called "Quadric".
   auto ranking =
       std::find_if(attached_.begin(), attached_.end(), [](const Attached& a) { return !a.module->is_binary(); });
@@ -77,35 +79,45 @@ void PairDecimaterT<MeshT>::assign_roles() {
     const auto is_quadric = [](const Attached& a) { return a.module->name() == "Quadric"; };
     ranking = std::find_if(attached_.begin(), attached_.end(), is_quadric);
   }
-  for (auto it = attached_.begin(); it != attached_.end(); ++it) {
-    if (it == ranking && it->cost && it->cost->has_placement()) {
-      cost_ = it->cost;
-      is_engine_cost_ = it->is_engine_cost;
-    } else if (it == ranking) {
-      foreign_cost_ = it->module;
-    } else if (it->flip_guard) {
-      flip_guard_ = it->flip_guard;
-    } else if (it->radius_guard) {
-      radius_guard_ = it->radius_guard;
-    } else if (it->error_guard) {
-      error_guard_ = it->error_guard;
-    } else {
-      foreign_guards_.push_back(it->module);
-    }
+  roles_.cost_module = ranking->module;
+  if (ranking->cost && ranking->cost->has_placement()) {
+    roles_.cost = ranking->cost;
+    roles_.is_engine_cost = ranking->is_of_engine;
+    roles_.has_own_priority = ranking->has_own_priority;
   }
-  asked_guards_ = foreign_guards_;
-  if (!error_guard_) return;
-  error_guard_->set_cost_module(nullptr);  // the mesh driver says where the merged vertex goes
-  asked_guards_.push_back(error_guard_);   // last, as it takes the most time
+  for (auto it = attached_.begin(); it != attached_.end(); ++it) {
+    if (it->flip_guard && !it->is_of_engine) roles_.has_own_flip_guard = true;
+    if (it != ranking) assign_guard(*it);
+  }
+  // Proofs take the most time: those that need them are asked last.
+  const auto needs_no_proof = [this](const Module* module) { return module != roles_.error_guard; };
+  std::stable_partition(roles_.asked_guards.begin(), roles_.asked_guards.end(), needs_no_proof);
+}
+
+template <class MeshT>
+void PairDecimaterT<MeshT>::assign_guard(const Attached& guard) {
+  if (guard.face_guard)
+    guard.face_guard->set_cost_module(nullptr);  // the mesh driver says where the merged vertex goes
+  const bool is_error_guard = guard.error_guard && !roles_.error_guard;
+  if (is_error_guard) roles_.error_guard = guard.error_guard;
+  if (guard.is_of_engine && guard.flip_guard && !roles_.flip_guard) {
+    roles_.flip_guard = guard.flip_guard;
+  } else if (guard.is_of_engine && guard.radius_guard && !roles_.radius_guard) {
+    roles_.radius_guard = guard.radius_guard;
+  } else {
+    roles_.asked_guards.push_back(guard.module);
+    const bool is_known = guard.is_of_engine && is_error_guard;
+    if (!is_known && !roles_.foreign_guard) roles_.foreign_guard = guard.module;
+  }
 }
 
 template <class MeshT>
 std::string PairDecimaterT<MeshT>::engine_obstacle() const {
   if (!is_ready_) return "not initialized";
-  if (foreign_cost_) return "the costs are those of module " + foreign_cost_->name();
-  if (!foreign_guards_.empty()) return "module " + foreign_guards_.front()->name() + " works on the mesh alone";
-  if (!is_engine_cost_) return "the cost module is not one of Whittle's own, but may be derived from one";
-  if (!cost_->engine_options()) return "the engine doesn't know these costs";
+  if (!roles_.cost) return "the costs are those of module " + roles_.cost_module->name();
+  if (roles_.foreign_guard) return "module " + roles_.foreign_guard->name() + " works on the mesh alone";
+  if (!roles_.is_engine_cost) return "the cost module is not one of Whittle's own, but may be derived from one";
+  if (!roles_.cost->engine_options()) return "the engine doesn't know these costs";
   if (has_error_limit() && !is_fresh_) {
     return "module MaxError measures from the mesh at initialize(), and contractions were made since";
   }
@@ -143,7 +155,7 @@ void PairDecimaterT<MeshT>::require_initialized() const {
     throw std::logic_error(
         "PairDecimaterT: not initialized; initialize() must have returned true since the last add()");
   }
-  if (cost_ && cost_->has_new_options()) {
+  if (roles_.cost && roles_.cost->has_new_options()) {
     throw std::logic_error(
         "PairDecimaterT: options of the cost module were set after initialize(); call initialize() again");
   }
@@ -155,11 +167,11 @@ DecimateTarget PairDecimaterT<MeshT>::checked(const DecimateTarget& target) cons
   if (asked && !(*asked >= 0)) {
     throw std::invalid_argument("PairDecimaterT: max_cost is negative or not a number");
   }
-  if (asked && !cost_) {
-    throw std::invalid_argument("PairDecimaterT: max_cost needs a cost module of ours; limit " + foreign_cost_->name() +
-                                " by its own settings");
+  if (asked && !roles_.cost) {
+    throw std::invalid_argument("PairDecimaterT: max_cost needs a cost module of ours; limit " +
+                                roles_.cost_module->name() + " by its own settings");
   }
-  const std::optional<double> limit = cost_ ? cost_->max_cost() : std::nullopt;
+  const std::optional<double> limit = roles_.cost ? roles_.cost->max_cost() : std::nullopt;
   return limit ? target.or_max_cost(std::min(*limit, asked.value_or(*limit))) : target;
 }
 
@@ -179,7 +191,7 @@ DecimateResult PairDecimaterT<MeshT>::run_engine(const DecimateTarget& target, b
   const DecimateTarget effective = with_error_limits(target);
   if (effective.error_limit() && !is_fresh_) initialize();
   DecimateResult result = EngineRunT<MeshT>(*this, effective, only_selected).run();
-  if (error_guard_) error_guard_->note_new_surface();
+  if (roles_.error_guard) roles_.error_guard->note_new_surface();
   return result;
 }
 
@@ -187,7 +199,7 @@ template <class MeshT>
 DecimateResult PairDecimaterT<MeshT>::run_on_mesh(const DecimateTarget& target, bool only_selected) {
   DecimateResult result = MeshRunT<MeshT>(*this, target, only_selected).run();
   if (!has_error_limit()) return result;
-  if (error_guard_->is_proven()) result.proven_error = error_guard_->max_error();
+  if (roles_.error_guard->is_proven()) result.proven_error = roles_.error_guard->max_error();
   if (result.stop == StopReason::exhausted && result.rejections.error > 0) result.stop = StopReason::error;
   return result;
 }
@@ -196,8 +208,8 @@ DecimateResult PairDecimaterT<MeshT>::run_on_mesh(const DecimateTarget& target, 
 template <class MeshT>
 DecimateTarget PairDecimaterT<MeshT>::with_error_limits(const DecimateTarget& target) const {
   if (!has_error_limit()) return target;
-  const double surface = *error_guard_->max_error();
-  const double border = *error_guard_->max_border_error();
+  const double surface = *roles_.error_guard->max_error();
+  const double border = *roles_.error_guard->max_border_error();
   return target.or_max_error(std::min(surface, target.error_limit().value_or(surface)),
                              std::min(border, target.border_error_limit().value_or(border)));
 }
@@ -205,7 +217,7 @@ DecimateTarget PairDecimaterT<MeshT>::with_error_limits(const DecimateTarget& ta
 template <class MeshT>
 Driver PairDecimaterT<MeshT>::choose_driver(const DecimateTarget& target) const {
   std::string obstacle = driver_ == Driver::mesh ? "the mesh driver was asked for" : engine_obstacle();
-  if (obstacle.empty() && pairs_.threshold > 0 && !takes_threshold_pairs(*cost_->engine_options())) {
+  if (obstacle.empty() && pairs_.threshold > 0 && !takes_threshold_pairs(*roles_.cost->engine_options())) {
     obstacle = "such pairs go with the plain quadric cost alone";
   }
   if (obstacle.empty()) return Driver::engine;
@@ -261,11 +273,13 @@ typename PairDecimaterT<MeshT>::Counts PairDecimaterT<MeshT>::count_elements() c
   return counts;
 }
 
-/// Without a `ModFlipGuardT` the cost's default. Costs that the engine doesn't know have the default of plain quadrics.
+/// Without a `ModFlipGuardT` the cost's default. A class derived from it says itself which angles it allows. Costs that
+/// the engine doesn't know have the default of plain quadrics.
 template <class MeshT>
 double PairDecimaterT<MeshT>::max_normal_flip_deg() const {
-  if (flip_guard_) return flip_guard_->max_normal_flip_deg();
-  const std::optional<CostOptions> known = cost_ ? cost_->engine_options() : std::nullopt;
+  if (roles_.flip_guard) return roles_.flip_guard->max_normal_flip_deg();
+  if (roles_.has_own_flip_guard) return 180;
+  const std::optional<CostOptions> known = roles_.cost ? roles_.cost->engine_options() : std::nullopt;
   return cost_traits(known ? known->cost : Cost::quadric).default_max_normal_flip_deg;
 }
 

@@ -8,8 +8,8 @@
 #include "whittle/engine/decimate.hh"
 #include "whittle/openmesh/detail/attributes/blend_attributes.hh"
 #include "whittle/openmesh/detail/bulk_collapse.hh"
+#include "whittle/openmesh/detail/drivers/run_input.hh"
 #include "whittle/openmesh/detail/face_relinker.hh"
-#include "whittle/openmesh/detail/run_input.hh"
 
 namespace whittle {
 
@@ -72,4 +72,4 @@ class EngineRunT final : private DecimationHost {
 
 }  // namespace whittle
 
-#include "whittle/openmesh/detail/engine_run_impl.hh"
+#include "whittle/openmesh/detail/drivers/engine_run_impl.hh"

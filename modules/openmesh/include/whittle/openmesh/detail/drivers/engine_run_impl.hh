@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "whittle/core/detail/edge_table.hh"
-#include "whittle/openmesh/detail/engine_run.hh"
+#include "whittle/openmesh/detail/drivers/engine_run.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
 
 namespace whittle {
@@ -39,10 +39,10 @@ template <class MeshT>
 std::optional<DecimationState> EngineRunT<MeshT>::state_of_module() const {
   if (decimater_.is_fresh_) return std::nullopt;
   DecimationState state;
-  state.frame = decimater_.cost_->frame();
-  state.face_area = decimater_.cost_->face_area();
+  state.frame = decimater_.roles_.cost->frame();
+  state.face_area = decimater_.roles_.cost->face_area();
   for (Index v = 0; v < input_.mesh.positions.size(); ++v) {
-    state.vertices.push_back(decimater_.cost_->quadric(input_.handle(v)));
+    state.vertices.push_back(decimater_.roles_.cost->quadric(input_.handle(v)));
   }
   return state;
 }
@@ -50,7 +50,7 @@ std::optional<DecimationState> EngineRunT<MeshT>::state_of_module() const {
 template <class MeshT>
 Decimation EngineRunT<MeshT>::contract() {
   DecimateOptions options = decimater_.engine_options_but_cost();
-  const CostOptions cost = *decimater_.cost_->engine_options();
+  const CostOptions cost = *decimater_.roles_.cost->engine_options();
   options.cost = cost.cost;
   options.quadric = cost.quadric;
   options.isotropy = cost.isotropy;
@@ -237,7 +237,7 @@ void EngineRunT<MeshT>::hand_over_quadrics(const std::vector<Copy>& vertices, st
     const PlacedQuadric quadric = quadrics[vertices[i].vertex];
     quadrics.push_back(quadric);
   }
-  decimater_.cost_->adopt(handles, std::move(quadrics), were_collapses);
+  decimater_.roles_.cost->adopt(handles, std::move(quadrics), were_collapses);
 }
 
 }  // namespace whittle
