@@ -98,7 +98,9 @@ bool has_valid_ranges(const DecimateCase& c) {
          is_finite_and_not_negative(options.valence_weight) && is_in(options.min_radius_ratio, 0, 1) &&
          is_in(options.pairs.threshold, 0, std::numeric_limits<double>::infinity()) && options.pairs.max_pairs != 0U &&
          is_finite_and_not_negative(c.target.cost_limit().value_or(0)) && is_valid_error_limit(c) &&
-         (options.locked.empty() || options.locked.size() == c.mesh.positions.size());
+         (options.locked.empty() || options.locked.size() == c.mesh.positions.size()) &&
+         std::all_of(options.feature_edges.begin(), options.feature_edges.end(),
+                     [&c](const VertexPair& edge) { return std::max(edge.a, edge.b) < c.mesh.positions.size(); });
 }
 
 /// Whether the options go with the cost and with each other, by the tables of docs/user/simplify.md.

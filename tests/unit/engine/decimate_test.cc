@@ -472,6 +472,12 @@ TEST(Decimate, RefusesWhatIsNoMeshOrNoOption) {
   DecimateOptions options;
   options.locked = locked;
   EXPECT_NE(refused(mesh, DecimateTarget::faces(2), options), "accepted");
+  for (const VertexPair& edge : {VertexPair{0, 4}, VertexPair{invalid_index, 1}}) {
+    options = {};
+    options.feature_edges = {{0, 1}, edge};
+    EXPECT_EQ(refused(mesh, DecimateTarget::faces(2), options),
+              "decimate: a feature edge names a vertex that isn't there");
+  }
 }
 
 }  // namespace

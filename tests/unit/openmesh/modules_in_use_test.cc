@@ -29,6 +29,17 @@ TEST(BaseReference, ModulesAddedThroughItAreRefused) {
 // `decimate(100)` and `decimate({100})` can only mean contractions: a number doesn't convert to a target.
 static_assert(!std::is_convertible_v<int, DecimateTarget>);
 
+// Nor does OpenMesh's share of collapses by `McDecimaterT` mean that only selected vertices take part.
+template <class Number>
+concept TakenForABool = requires(PairDecimaterT<Mesh> decimater, Number number) {
+  decimater.decimate_to(9, number);
+}
+|| requires(PairDecimaterT<Mesh> decimater, Number number) { decimater.decimate_to_faces(0, 9, number); }
+|| requires(PairDecimaterT<Mesh> decimater, Number number) { decimater.decimate(9, number); }
+|| requires(PairDecimaterT<Mesh> decimater, Number number) { decimater.decimate(to_faces(9), number); };
+static_assert(TakenForABool<bool>);
+static_assert(!TakenForABool<float> && !TakenForABool<double> && !TakenForABool<int>);
+
 TEST(StockCalls, ANumberMeansContractions) {
   Mesh mesh = open_mesh<Mesh>(noisy_torus(24, 12, 1, 0.4, 0.03, 3));
   PairDecimaterT<Mesh> decimater(mesh);

@@ -94,6 +94,9 @@ void check(const DecimateTarget& target, const DecimateOptions& options, std::si
   require(std::all_of(tolerances.begin(), tolerances.end(), [](double t) { return t > 0; }),
           "a tolerance is not positive");
   require(options.locked.empty() || options.locked.size() == n_vertices, "locked has another length than the vertices");
+  const auto is_there = [n_vertices](const VertexPair& edge) { return std::max(edge.a, edge.b) < n_vertices; };
+  require(std::all_of(options.feature_edges.begin(), options.feature_edges.end(), is_there),
+          "a feature edge names a vertex that isn't there");
 }
 
 void check(const IndexedMesh& mesh) {

@@ -38,9 +38,6 @@ class DecimateTarget {
         .with(&DecimateTarget::border_error_limit_, of_borders.value_or(distance));
   }
 
-  /// Without a limit of the cost.
-  DecimateTarget without_max_cost() const { return with(&DecimateTarget::cost_limit_, std::optional<double>()); }
-
   std::optional<std::uint64_t> n_faces() const { return n_faces_; }
   std::optional<std::uint64_t> n_vertices() const { return n_vertices_; }
   std::optional<double> cost_limit() const { return cost_limit_; }

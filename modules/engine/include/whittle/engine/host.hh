@@ -43,8 +43,7 @@ class HostedCost {
  public:
   virtual ~HostedCost() = default;
 
-  /// What merging two vertices would cost. Infinite if they may not be merged as things are; negative and not a number
-  /// count as that.
+  /// What merging two vertices would cost. Infinite, negative or not a number: they may not be merged as things are.
   virtual PairEvaluation rank(Index first, Index second, Pinned pinned) = 0;
   /// Where the merged vertex goes. None means that the pair is refused.
   virtual Settlement settle(Index first, Index second, Pinned pinned, const PairEvaluation& rank) = 0;

@@ -130,7 +130,7 @@ struct DecimateOptions {
   /// How far a feature line may come to lie from where it was, of the diagonal of the input's bounding box. [0, inf]
   double feature_tolerance = 5e-4;
 
-  /// Edges that are features whatever their angle. Pairs that are no edge of the mesh don't count.
+  /// Edges that are features whatever their angle. Other pairs of vertices of the mesh don't count.
   std::vector<VertexPair> feature_edges{};
 
   Seams seams = Seams::weighted;

@@ -3,6 +3,7 @@
 #include <algorithm>  // before OpenMesh's headers, which use std::find without it
 
 #include <OpenMesh/Tools/Decimater/BaseDecimaterT.hh>
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -34,6 +35,18 @@ enum class Driver {
   engine,     ///< many times faster; takes only our cost modules, `ModFlipGuardT`, `ModRadiusRatioT` and
               ///< `ModMaxErrorT`, and no types derived from them
   mesh        ///< takes any modules, and calls what derived ones override, their `collapse_priority` too
+};
+
+/// A bool, and nothing that converts to one: the 0.8 in `decimate_to_faces(0, 500, 0.8F)` is a share of the collapses
+/// in OpenMesh's `MixedDecimaterT`.
+class ExactlyBool {
+ public:
+  template <std::same_as<bool> Bool>
+  ExactlyBool(Bool value) : value_(value) {}
+  operator bool() const { return value_; }
+
+ private:
+  bool value_;
 };
 
 /// How often a module refused a contraction.
@@ -143,14 +156,14 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   /// \throw std::invalid_argument if the target's cost limit is negative or not a number, if the cost module isn't ours
   ///        and the target has a cost limit, or if an error limit isn't positive, finite, and above what rounding to
   ///        the scalar of the mesh may move a vertex
-  DecimateResult decimate(const DecimateTarget& target, bool only_selected = false);
+  DecimateResult decimate(const DecimateTarget& target, ExactlyBool only_selected = false);
 
   /// Makes at most `n_contractions`, 0 = as many as possible, as in the stock. \return how many were made
-  std::size_t decimate(std::size_t n_contractions = 0, bool only_selected = false);
+  std::size_t decimate(std::size_t n_contractions = 0, ExactlyBool only_selected = false);
   /// Contracts until at most `n_vertices` are left. \return the number of contractions
-  std::size_t decimate_to(std::size_t n_vertices, bool only_selected = false);
+  std::size_t decimate_to(std::size_t n_vertices, ExactlyBool only_selected = false);
   /// Contracts until at most `n_vertices` or at most `n_faces` are left. \return the number of contractions
-  std::size_t decimate_to_faces(std::size_t n_vertices = 0, std::size_t n_faces = 0, bool only_selected = false);
+  std::size_t decimate_to_faces(std::size_t n_vertices = 0, std::size_t n_faces = 0, ExactlyBool only_selected = false);
 
   /// The result of the last run.
   const DecimateResult& result() const { return result_; }

@@ -103,8 +103,14 @@ class MeshRunT<MeshT>::PriorityCost final : public PlacingCost {
     }
   }
 
-  /// What the engine knows as costs may be other values.
-  DecimateTarget target() const override { return this->run_.target_.without_max_cost(); }
+  /// Without a limit of the cost: what the engine knows as costs may be other values.
+  DecimateTarget target() const override {
+    const DecimateTarget& whole = this->run_.target_;
+    DecimateTarget target = DecimateTarget::as_far_as_possible();
+    if (const auto n = whole.n_faces()) target = target.or_faces(*n);
+    if (const auto n = whole.n_vertices()) target = target.or_vertices(*n);
+    return target;
+  }
 
   PairEvaluation rank(Index first, Index second, Pinned pinned) override {
     const Choice choice = choose(first, second, pinned);
