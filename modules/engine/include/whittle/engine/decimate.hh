@@ -130,12 +130,13 @@ struct Decimation {
 
 /// Decimates `mesh`, with all its attributes (`carry_attributes`). Seams (`seam_edges`) stay closed, and where
 /// `DecimateOptions::seams` says. Works on any triangle set. Results don't depend on the unit, on where the mesh lies,
-/// or on the number of threads. \throw std::invalid_argument for a face number out of range, a coordinate that isn't
-/// finite or is above 3e150, an attribute of a wrong length, an option out of its range, an option that the cost
-/// doesn't take (`CostTraits`), `locked` or `tolerances` of another length than the vertices, or a feature edge of
-/// vertices that aren't there. \throw std::length_error for more than 2³¹ faces or 2³² − 2 vertices, for more than 2³²
-/// − 2 edges and threshold pairs
-///        together, and with `feature_angle_deg` for 2³² / 3 faces or more.
+/// or on the number of threads.
+///
+/// \throw std::invalid_argument for a face number out of range, a coordinate that isn't finite or is above 3e150, an
+///        attribute of a wrong length, an option out of its range, an option that the cost doesn't take (`CostTraits`),
+///        `locked` or `tolerances` of another length than the vertices, or feature edges of vertices that aren't there.
+/// \throw std::length_error for more than 2³¹ faces or 2³² − 2 vertices, for more than 2³² − 2 edges and threshold
+///        pairs together, and with `feature_angle_deg` for 2³² / 3 faces or more.
 Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options = {});
 
 /// Whether `decimate` makes most contractions in blocks, on all threads: so it does with memoryless quadrics on meshes

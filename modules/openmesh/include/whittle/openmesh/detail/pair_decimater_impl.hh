@@ -5,7 +5,7 @@
 
 #include "whittle/openmesh/detail/drivers/engine_run.hh"
 #include "whittle/openmesh/detail/drivers/mesh_run.hh"
-#include "whittle/openmesh/detail/pair_decimater_modules.hh"
+#include "whittle/openmesh/detail/pair_decimater_modules_impl.hh"
 
 namespace whittle {
 

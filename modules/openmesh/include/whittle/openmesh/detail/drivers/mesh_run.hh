@@ -11,8 +11,8 @@ template <class MeshT>
 class PairDecimaterT;
 
 /// One call of `decimate` with the mesh driver: the engine's loop, in which OpenMesh's modules take part. The cost
-/// module ranks and places (mesh_run_costs.hh); binary modules are guards. Each contraction of the engine is made on
-/// the mesh at once, so that modules and observers see the mesh as it is.
+/// module ranks and places (mesh_run_costs_impl.hh); binary modules are guards. Each contraction of the engine is made
+/// on the mesh at once, so that modules and observers see the mesh as it is.
 template <class MeshT>
 class MeshRunT final : private DecimationHost {
  public:
@@ -70,5 +70,5 @@ class MeshRunT final : private DecimationHost {
 
 }  // namespace whittle
 
-#include "whittle/openmesh/detail/drivers/mesh_run_costs.hh"
+#include "whittle/openmesh/detail/drivers/mesh_run_costs_impl.hh"
 #include "whittle/openmesh/detail/drivers/mesh_run_impl.hh"
