@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "whittle/engine/decimate.hh"
+#include "whittle/openmesh/detail/attached_module.hh"
 #include "whittle/openmesh/detail/feature_bits.hh"
 #include "whittle/openmesh/mod_flip_guard.hh"
 #include "whittle/openmesh/mod_max_error.hh"
@@ -177,17 +178,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   using VertexHandle = OpenMesh::VertexHandle;
   using HalfedgeHandle = OpenMesh::HalfedgeHandle;
 
-  /// A module, and those of our classes that it is, or is derived from.
-  struct Attached {
-    Module* module = nullptr;
-    bool is_of_engine = false;      ///< whether the engine knows its type
-    bool has_own_priority = false;  ///< of a cost module
-    PairCostModuleT<MeshT>* cost = nullptr;
-    FaceGuardT<MeshT>* face_guard = nullptr;
-    ModFlipGuardT<MeshT>* flip_guard = nullptr;
-    ModRadiusRatioT<MeshT>* radius_guard = nullptr;
-    ModMaxErrorT<MeshT>* error_guard = nullptr;
-  };
+  using Attached = AttachedModuleT<MeshT>;
   /// Who does what, said by `initialize()`.
   struct Roles {
     Module* cost_module = nullptr;                   ///< the one that ranks

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "whittle/openmesh/detail/drivers/mesh_run_costs.hh"
 #include "whittle/openmesh/detail/drivers/run_input.hh"
 
 namespace whittle {
@@ -11,7 +12,7 @@ template <class MeshT>
 class PairDecimaterT;
 
 /// One call of `decimate` with the mesh driver: the engine's loop, in which OpenMesh's modules take part. The cost
-/// module ranks and places (mesh_run_costs_impl.hh); binary modules are guards. Each contraction of the engine is made
+/// module ranks and places (mesh_run_costs.hh); binary modules are guards. Each contraction of the engine is made
 /// on the mesh at once, so that modules and observers see the mesh as it is.
 template <class MeshT>
 class MeshRunT final : private DecimationHost {
@@ -22,15 +23,17 @@ class MeshRunT final : private DecimationHost {
   DecimateResult run();
 
  private:
+  using Mesh = MeshT;
   using VertexHandle = OpenMesh::VertexHandle;
   using HalfedgeHandle = OpenMesh::HalfedgeHandle;
   using Module = typename PairDecimaterT<MeshT>::Module;
   using CollapseInfo = typename PairDecimaterT<MeshT>::CollapseInfo;
 
-  class ModuleCost;    ///< what these have in common
-  class PlacingCost;   ///< of our cost modules
-  class PriorityCost;  ///< of a class derived from one, with a `collapse_priority` of its own
-  class ForeignCost;   ///< of OpenMesh's modules
+  friend class ModuleCostT<MeshRunT>;
+  friend class PlacingCostT<MeshRunT>;
+  friend class PriorityCostT<MeshRunT>;
+  friend class ForeignCostT<MeshRunT>;
+  using ModuleCost = ModuleCostT<MeshRunT>;
 
   // DecimationHost
   bool keeps_topology() const override { return true; }
@@ -40,6 +43,9 @@ class MeshRunT final : private DecimationHost {
   HostedCost* cost() override;
   const DecimationState* state() const override { return &state_; }
 
+  const auto& roles() const { return decimater_.roles_; }
+  void count_refusal_by_cost() { decimater_.count_rejection(*roles().cost_module); }
+  bool is_collapse_legal(const CollapseInfo& collapse) { return decimater_.is_collapse_legal(collapse); }
   bool is_refused_by(Module& module, const CollapseInfo& collapse);
   std::unique_ptr<ModuleCost> make_cost();
   DecimateOptions options() const;
@@ -70,5 +76,4 @@ class MeshRunT final : private DecimationHost {
 
 }  // namespace whittle
 
-#include "whittle/openmesh/detail/drivers/mesh_run_costs_impl.hh"
 #include "whittle/openmesh/detail/drivers/mesh_run_impl.hh"

@@ -49,6 +49,13 @@ DecimationState MeshRunT<MeshT>::initial_state() const {
 }
 
 template <class MeshT>
+std::unique_ptr<ModuleCostT<MeshRunT<MeshT>>> MeshRunT<MeshT>::make_cost() {
+  if (!roles().cost) return std::make_unique<ForeignCostT<MeshRunT>>(*this);
+  if (roles().has_own_priority) return std::make_unique<PriorityCostT<MeshRunT>>(*this);
+  return std::make_unique<PlacingCostT<MeshRunT>>(*this);
+}
+
+template <class MeshT>
 HostedCost* MeshRunT<MeshT>::cost() {
   return cost_.get();
 }

@@ -7,17 +7,17 @@
 #include <optional>
 #include <utility>
 
-#include "whittle/openmesh/detail/drivers/mesh_run.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
 
-// How the module that ranks takes part in a run of the mesh driver.
+// How the module that ranks takes part in a run of the mesh driver, a `MeshRunT`.
 
 namespace whittle {
 
-template <class MeshT>
-class MeshRunT<MeshT>::ModuleCost : public HostedCost {
+/// What the kinds of costs have in common.
+template <class RunT>
+class ModuleCostT : public HostedCost {
  public:
-  explicit ModuleCost(MeshRunT& run) : run_(run) {}
+  explicit ModuleCostT(RunT& run) : run_(run) {}
 
   /// What the engine shall stop at.
   virtual DecimateTarget target() const { return run_.target_; }
@@ -34,19 +34,19 @@ class MeshRunT<MeshT>::ModuleCost : public HostedCost {
  protected:
   static constexpr double never = std::numeric_limits<double>::infinity();
 
-  VertexHandle handle(Index v) const { return run_.input_.handle(v); }
-  CollapseInfo collapse(Index removed, Index survivor) const {
-    return CollapseInfo(run_.mesh_, run_.halfedge(removed, survivor));
+  OpenMesh::VertexHandle handle(Index v) const { return run_.input_.handle(v); }
+  auto collapse(Index removed, Index survivor) const {
+    return typename RunT::CollapseInfo(run_.mesh_, run_.halfedge(removed, survivor));
   }
 
-  MeshRunT& run_;
+  RunT& run_;
 };
 
 /// Our cost modules rank pairs in double, and place the merged vertex.
-template <class MeshT>
-class MeshRunT<MeshT>::PlacingCost : public ModuleCost {
+template <class RunT>
+class PlacingCostT : public ModuleCostT<RunT> {
  public:
-  explicit PlacingCost(MeshRunT& run) : ModuleCost(run), module_(*run.decimater_.roles_.cost) {}
+  explicit PlacingCostT(RunT& run) : ModuleCostT<RunT>(run), module_(*run.roles().cost) {}
 
   Frame frame() const override { return module_.frame(); }
   Vec3 position_at_start(Index v) const override { return module_.position(this->handle(v)); }
@@ -81,23 +81,23 @@ class MeshRunT<MeshT>::PlacingCost : public ModuleCost {
     const double cost = module_.final_cost(this->handle(contraction.first), this->handle(contraction.second),
                                            evaluation, contraction.position);
     if (evaluation.cost < this->never && cost < this->never) return cost;
-    this->run_.decimater_.count_rejection(*this->run_.decimater_.roles_.cost_module);
+    this->run_.count_refusal_by_cost();
     return this->never;
   }
   void announce(const HostedContraction& made, const PairEvaluation& evaluation) const {
     module_.place_next(evaluation, made.position, this->handle(made.first));
   }
 
-  PairCostModuleT<MeshT>& module_;
+  PairCostModuleT<typename RunT::Mesh>& module_;
 };
 
 /// A `collapse_priority` that overrides ours is asked about both directions of a pair, and says which are allowed and
 /// how they rank. Where it returns what ours returns, the pair ranks by its cost in double, as if nothing was
 /// overridden. The place of the merged vertex and the limits of the cost are the module's in any case.
-template <class MeshT>
-class MeshRunT<MeshT>::PriorityCost final : public PlacingCost {
+template <class RunT>
+class PriorityCostT final : public PlacingCostT<RunT> {
  public:
-  explicit PriorityCost(MeshRunT& run) : PlacingCost(run) {
+  explicit PriorityCostT(RunT& run) : Placing(run) {
     if (const auto limit = run.target_.cost_limit()) {
       limit_ = this->module_.frame().cost_to_frame(*limit, this->module_.cost_dimension());
     }
@@ -122,7 +122,7 @@ class MeshRunT<MeshT>::PriorityCost final : public PlacingCost {
     return this->settle_at(first, second, choice_.evaluation, choice_.survivor);
   }
   double final_cost(const HostedContraction& contraction) override {
-    cost_ = PlacingCost::final_cost(contraction, choice_.evaluation);
+    cost_ = Placing::final_cost(contraction, choice_.evaluation);
     if (limit_ && cost_ > *limit_) {
       if (cost_ < this->never) is_limited_ = true;
       return this->never;
@@ -133,7 +133,7 @@ class MeshRunT<MeshT>::PriorityCost final : public PlacingCost {
   Reach reach() const override { return Reach::opposite_rings; }
   /// Directions decide who survives.
   bool stays_at_vertices() const override { return false; }
-  void announce(const HostedContraction& made) const override { PlacingCost::announce(made, choice_.evaluation); }
+  void announce(const HostedContraction& made) const override { Placing::announce(made, choice_.evaluation); }
   double cost_of(const Contraction& /*told*/) override {
     const double cost = this->module_.frame().cost_to_model(cost_, this->module_.cost_dimension());
     max_cost_ = std::max(max_cost_, cost);
@@ -145,15 +145,16 @@ class MeshRunT<MeshT>::PriorityCost final : public PlacingCost {
   }
 
  private:
+  using Placing = PlacingCostT<RunT>;
   struct Choice {
-    double rank = PlacingCost::never;
+    double rank = Placing::never;
     bool is_by_cost = false;         ///< whether that is what the pair costs
     Index survivor = invalid_index;  ///< if it matters
     PairEvaluation evaluation{};
   };
 
   Choice choose(Index first, Index second, Pinned pinned) const {
-    const bool is_at_ends = PlacingCost::stays_at_vertices();
+    const bool is_at_ends = Placing::stays_at_vertices();
     const PairEvaluation best = this->module_.evaluate(this->handle(first), this->handle(second), pinned);
     const auto into = [&](Index survivor) -> Choice {
       const bool is_first = survivor == first;
@@ -171,13 +172,12 @@ class MeshRunT<MeshT>::PriorityCost final : public PlacingCost {
 
   Choice choose_direction(Index removed, Index survivor, const PairEvaluation& evaluation) const {
     this->module_.take_own_priority();
-    const float priority =
-        this->run_.decimater_.roles_.cost_module->collapse_priority(this->collapse(removed, survivor));
+    const float priority = this->run_.roles().cost_module->collapse_priority(this->collapse(removed, survivor));
     if (this->module_.take_own_priority() == priority) return {evaluation.cost, true, survivor, evaluation};
     if (priority >= 0 && priority < FLT_MAX) {  // as DecimaterT has it
       return {cost_of_priority(priority, this->module_.cost_dimension()), false, survivor, evaluation};
     }
-    this->run_.decimater_.count_rejection(*this->run_.decimater_.roles_.cost_module);
+    this->run_.count_refusal_by_cost();
     return {};
   }
 
@@ -190,10 +190,10 @@ class MeshRunT<MeshT>::PriorityCost final : public PlacingCost {
 };
 
 /// A cost module of OpenMesh's ranks collapses. v1 keeps its position.
-template <class MeshT>
-class MeshRunT<MeshT>::ForeignCost final : public ModuleCost {
+template <class RunT>
+class ForeignCostT final : public ModuleCostT<RunT> {
  public:
-  explicit ForeignCost(MeshRunT& run) : ModuleCost(run), frame_(Frame::of_points(run.input_.mesh.positions)) {}
+  explicit ForeignCostT(RunT& run) : ModuleCostT<RunT>(run), frame_(Frame::of_points(run.input_.mesh.positions)) {}
 
   Frame frame() const override { return frame_; }
   Vec3 position_at_start(Index v) const override { return frame_.to_frame(this->run_.input_.mesh.positions[v]); }
@@ -253,30 +253,22 @@ class MeshRunT<MeshT>::ForeignCost final : public ModuleCost {
   /// OpenMesh's modules are written for collapses that its decimaters call legal: v1 keeps its position, and a border
   /// vertex stays on the border. So they are asked about legal collapses only.
   std::optional<Collapse> legal_collapse(Index removed, Index survivor) {
-    const CollapseInfo info = this->collapse(removed, survivor);
+    const auto info = this->collapse(removed, survivor);
     if (this->run_.is_fixed(info.v0)) {
       ++this->run_.rejections_.locked;
       return std::nullopt;
     }
-    PairDecimaterT<MeshT>& decimater = this->run_.decimater_;
-    if (!decimater.is_collapse_legal(info)) {
+    if (!this->run_.is_collapse_legal(info)) {
       ++this->run_.rejections_.link;
       return std::nullopt;
     }
-    const float priority = decimater.roles_.cost_module->collapse_priority(info);
+    const float priority = this->run_.roles().cost_module->collapse_priority(info);
     if (priority >= 0) return Collapse{priority, survivor};
-    decimater.count_rejection(*decimater.roles_.cost_module);
+    this->run_.count_refusal_by_cost();
     return std::nullopt;
   }
 
   Frame frame_;
 };
-
-template <class MeshT>
-std::unique_ptr<typename MeshRunT<MeshT>::ModuleCost> MeshRunT<MeshT>::make_cost() {
-  if (!decimater_.roles_.cost) return std::make_unique<ForeignCost>(*this);
-  if (decimater_.roles_.has_own_priority) return std::make_unique<PriorityCost>(*this);
-  return std::make_unique<PlacingCost>(*this);
-}
 
 }  // namespace whittle
