@@ -1,315 +1,233 @@
-// Every control of a page, used with the mouse as a person uses it: each option of a list, each button, each box, the
-// slider, the keys and the drawing, in each state of the player. A control that isn't known here fails the test.
+// Uses every control that a page has, in each of its states, and looks at what changes. What has to change is in
+// control_rules.cjs; a control, or a listed key, that isn't there fails the test.
 'use strict';
 const assert = require('assert/strict');
-const {pixelsOfCanvas} = require('./canvas.cjs');
+const {lists, boxes, buttons, keys, standsStill, differ, stays} = require('./control_rules.cjs');
+const {Visitor} = require('./visitor.cjs');
 
-/** What a person sees of the page: the picture, and what the texts and controls say. */
-async function seen(page) {
-  await page.evaluate(() => window.whittle.drawn());
-  const pixels = await page.evaluate(({data}) => {
-    let hash = 0;
-    for (let i = 0; i < data.length; i += 4) hash = (Math.imul(hash, 31) + data[i] * 65536 + data[i + 1] * 256 + data[i + 2]) | 0;
-    return hash;
-  }, await pixelsOfCanvas(page));
-  return {pixels, ...await state(page)};
+/** Tries something, and says where if it fails. */
+async function trying(what, act) {
+  try {
+    await act();
+  } catch (error) {
+    throw new Error(`${what}: ${error.message}`, {cause: error});
+  }
 }
 
-/** Without the picture. */
-const state = (page) => page.evaluate(() => {
-  const text = (id) => document.getElementById(id).textContent;
-  const {player} = window.whittle;
-  return {
-    labels: text('left-label') + text('right-label'), legend: document.getElementById('legend').hidden ? '' : text('legend'),
-    level: text('level'), speed: text('speed'), play: text('play'), back: text('back'), status: text('status'),
-    place: player?.place, direction: player?.direction, camera: window.whittle.view.key(),
+/** Chooses each option of a list, and what was chosen at first again. */
+async function useList(visitor, name, by, about) {
+  const first = await visitor.value(name);
+  const others = (await visitor.options(name)).filter((value) => value !== first);
+  if (others.length === 0) return;
+  let before = await visitor.look();
+  for (const value of [...others, first]) {
+    await trying(value, async () => {
+      await visitor.choose(name, value, by);
+      const after = await visitor.look();
+      lists[name](before, after, about);
+      before = after;
+    });
+  }
+}
+
+async function useBox(visitor, name, by) {
+  const before = await visitor.look();
+  await visitor.press(name, by);
+  boxes[name](before, await visitor.look());
+  await visitor.press(name, by);
+  stays(before, await visitor.look(), 'picture');
+}
+
+async function useButton(visitor, name, by) {
+  if (name === 'fit') await visitor.page.evaluate(() => window.whittle.view.rotate(0.3, 0.2));
+  const before = await visitor.look();
+  if (!await visitor.isUsable(name)) return; // it has come to an end meanwhile
+  await visitor.press(name, by);
+  await buttons[name](visitor, before);
+}
+
+async function useSummary(visitor, by) {
+  const isOpen = async () => (await visitor.look()).isOpen;
+  const before = await isOpen();
+  for (const expected of [!before, before]) {
+    await visitor.press('summary', by);
+    assert.equal(await isOpen(), expected);
+  }
+}
+
+/** The slider goes where it is clicked or dragged, and the page stands still there. */
+async function useSlider(visitor, by) {
+  const goes = async (place, off) => {
+    const after = await standsStill(visitor, 'at the slider');
+    assert.ok(Math.abs(after.place - place) <= off, `it goes to ${after.place}, not ${place}`);
+    return after;
   };
+  if (by === 'keys') {
+    await (await visitor.place('slider')).focus();
+    for (const [key, place] of [['Home', 0], ['End', 1]]) {
+      await visitor.page.keyboard.press(key);
+      await goes(place, 0);
+    }
+    const end = await visitor.look();
+    for (let i = 0; i < 5; ++i) await visitor.page.keyboard.press('ArrowLeft');
+    assert.ok((await visitor.look()).place < end.place, 'arrow keys move the slider');
+    return;
+  }
+  const seen = [];
+  for (const place of [0.25, 0.75]) {
+    await visitor.click(await visitor.point('slider', place, 0.5), by);
+    seen.push(await goes(place, 0.06));
+  }
+  differ(...seen, 'level');
+  if (seen[0].isRecordingShown) differ(...seen, 'picture');
+  if (by === 'mouse') {
+    await visitor.drag(await visitor.point('slider', seen[1].place, 0.5), await visitor.point('slider', 0.5, 0.5));
+    await goes(0.5, 0.06);
+  }
+}
+
+/** Turns, moves and zooms, and asks what is where. */
+async function useCanvas(visitor, by) {
+  const {page} = visitor;
+  const panes = await page.evaluate(() => window.whittle.view.panes);
+  const at = (x, y) => visitor.point('canvas', x / panes, y);
+  const [middle, aside] = [await at(0.5, 0.5), await at(0.7, 0.6)];
+  const press = async (...pressed) => {
+    await page.focus('#canvas');
+    for (const key of pressed) await page.keyboard.press(key);
+  };
+  const ways = {
+    mouse: {'a drag': () => visitor.drag(middle, aside), 'the right button': () => visitor.drag(middle, aside, 'right'),
+      'the wheel': () => page.mouse.move(...middle).then(() => page.mouse.wheel(0, 240))},
+    touch: {'a finger': () => visitor.touch([[middle, aside]]),
+      'two fingers': () => visitor.touch([[middle, middle], [aside, [aside[0] + 40, aside[1] + 20]]])},
+    keys: {'an arrow key': () => press('ArrowRight'), 'an arrow key up': () => press('ArrowUp'), 'Shift and an arrow key': () => press('Shift+ArrowLeft'),
+      '+': () => press('+'), '-': () => press('-', '-')},
+  };
+  for (const [what, act] of Object.entries(ways[by])) {
+    await trying(what, async () => {
+      const before = await visitor.look();
+      await act();
+      differ(before, await visitor.look(), 'picture');
+    });
+  }
+  await visitor.press('fit', by);
+  await asksWhatIsThere(visitor, by, at);
+}
+
+/** A point of the surface, as shares of the first pane, or null. */
+const surfacePoint = (visitor) => visitor.page.evaluate(() => {
+  const app = window.whittle;
+  const {left, top, width, height} = app.view.canvas.getBoundingClientRect();
+  const faces = app.modelsOfPanes().map((model) => model.faces);
+  const n = 50;
+  for (let i = 0; i < n * n; ++i) {
+    const [x, y] = [(i % n + 0.5) / n, (Math.floor(i / n) + 0.5) / n];
+    if (app.view.pick({clientX: left + x * width / app.view.panes, clientY: top + y * height}, faces).hit) return [x, y];
+  }
+  return null;
 });
 
-const differ = (a, b, key) => assert.notDeepEqual(a[key], b[key], `${key} stays as it was`);
-
-/** What has to change where an option is chosen in a list. */
-const lists = {
-  layout: (a, b, {isFlat}) => differ(a, b, isFlat ? 'labels' : 'pixels'), // equal surfaces over each other look as one
-  result: (a, b) => differ(a, b, 'labels'),
-  ghost: (a, b, {isFlat}) => isFlat || differ(a, b, 'pixels'),
-  shading: (a, b, {isFlat}) => isFlat || differ(a, b, 'pixels'),
-  colour: (a, b) => a.pixels === b.pixels && differ(a, b, 'legend'), // where nothing is off, errors look alike
-  // 99 % of the surface may be as far off as all of it.
-  top: (a, b, about, value) => ['usual', '1'].includes(value) || differ(a, b, 'legend'),
-  up: (a, b) => differ(a, b, 'camera'), // a square may look the same
-  // Between two levels vertices may lie where they do at one of them; what is shown is looked at in movesContinuously.
-  movement: () => {},
-  spacing: (a, b) => a.place === 0 || a.place === 1 || differ(a, b, 'level'),
-};
-
-const boxes = {
-  edges: (a, b) => differ(a, b, 'pixels'),
-  borders: (a, b) => differ(a, b, 'pixels'),
-  nonmanifold: (a, b) => differ(a, b, 'pixels'),
-  refused: (a, b) => differ(a, b, 'pixels'),
-};
-
-/** It comes to the end, and stands still there. */
-async function ends(page, direction) {
-  await page.waitForFunction(() => window.whittle.player.direction === 0);
-  const after = await state(page);
-  assert.equal(after.place, direction > 0 ? 1 : 0, 'it comes to the end');
-  assert.deepEqual([after.play, after.back], ['Play', 'Backwards']);
-}
-
-/** The place goes this way while the page plays, and comes to an end. \param before the button was clicked */
-async function plays(page, before, direction) {
-  const isAtEnd = direction > 0 ? before.place >= 1 : before.place <= 0;
-  const begin = isAtEnd ? 1 - before.place : before.place;
-  if (!isAtEnd && (direction > 0 ? 1 - begin : begin) < 0.3) return ends(page, direction); // which may have come already
-  await page.waitForFunction(([from, way]) => way * (window.whittle.player.place - from) > 0.002, [begin, direction]);
-  const now = await state(page);
-  assert.equal(now.direction, direction);
-  assert.equal(direction > 0 ? now.play : now.back, 'Pause');
-  assert.equal(direction > 0 ? now.back : now.play, direction > 0 ? 'Backwards' : 'Play');
-  await page.evaluate((way) => window.whittle.player.goTo(way > 0 ? 0.999 : 0.001), direction);
-  await ends(page, direction);
-}
-
-async function standsStill(page) {
-  const before = await state(page);
-  assert.equal(before.direction, 0);
-  await page.waitForTimeout(100);
-  assert.equal((await state(page)).place, before.place);
-}
-
-/** What a click on a button does. \param before it was clicked */
-const buttons = {
-  play: (page, before) => before.direction > 0 ? standsStill(page) : plays(page, before, 1),
-  back: (page, before) => before.direction < 0 ? standsStill(page) : plays(page, before, -1),
-  next: async (page, before) => {
-    await standsStill(page);
-    assert.ok((await state(page)).place > before.place || before.direction < 0, 'a step on goes on');
-  },
-  previous: async (page, before) => {
-    await standsStill(page);
-    assert.ok((await state(page)).place < before.place || before.direction > 0, 'a step back goes back');
-  },
-  faster: async (page, before) => differ(before, await state(page), 'speed'),
-  slower: async (page, before) => differ(before, await state(page), 'speed'),
-  fit: async (page) => {
-    const fitted = await seen(page);
-    await page.evaluate(() => window.whittle.view.zoom(0.5));
-    assert.notEqual((await seen(page)).pixels, fitted.pixels);
-    await page.click('#fit');
-    assert.equal((await seen(page)).pixels, fitted.pixels, 'fit shows what it showed');
-  },
-};
-
-/** A point of the left pane, on the screen. \param share of the way from its left to its right */
-async function pointOfPane(page, share = 0.5) {
-  const canvas = await page.$('#canvas');
-  await canvas.scrollIntoViewIfNeeded();
-  const box = await canvas.boundingBox();
-  return [box.x + box.width * share / await page.evaluate(() => window.whittle.view.panes), box.y + box.height / 2];
-}
-
-/** Where there is a surface: a mesh may have a hole in the middle. */
-async function saysWhatIsClicked(page) {
-  for (const share of [0.5, 0.42, 0.58, 0.35, 0.65]) {
-    await page.mouse.click(...await pointOfPane(page, share));
-    await page.waitForTimeout(300);
-    if ((await state(page)).status.includes('(')) return;
+async function asksWhatIsThere(visitor, by, at) {
+  const says = (pattern, what) => visitor.wait(([source]) => new RegExp(source).test(document.getElementById('status').textContent), [pattern], what);
+  if (by === 'keys') {
+    await visitor.page.focus('#canvas');
+    await visitor.page.keyboard.press('Enter');
+    return says('\\(.*,.*,.*\\)|nothing', 'Enter says what is in the middle');
   }
-  assert.fail('a click says nothing');
+  await visitor.click(await at(...await surfacePoint(visitor)), by);
+  await says('\\(.*,.*,.*\\)', 'a click says what is there');
+  await visitor.click(await at(0.02, 0.03), by);
+  await says('^$', 'a click beside it says nothing');
 }
 
-/** A drag, the wheel, the other button, and a click. */
-async function drawingIsMoved(page) {
-  const drags = async (button) => {
-    const middle = await pointOfPane(page);
-    await page.mouse.move(...middle);
-    await page.mouse.down({button});
-    await page.mouse.move(middle[0] + 40, middle[1] + 25, {steps: 3});
-    await page.mouse.up({button});
-  };
-  let last = await seen(page);
-  const changes = async (what) => {
-    const now = await seen(page);
-    assert.notEqual(now.pixels, last.pixels, `${what} changes nothing`);
-    last = now;
-  };
-  await drags('left');
-  await changes('a drag');
-  await drags('right');
-  await changes('a drag with the right button');
-  await page.mouse.move(...await pointOfPane(page));
-  await page.mouse.wheel(0, 240);
-  await changes('the wheel');
-  await page.click('#fit');
-  await saysWhatIsClicked(page);
-  await page.click('#canvas', {position: {x: 2, y: 2}});
-  await page.waitForFunction(() => document.getElementById('status').textContent === '');
+/** \return the kind of control, for what this test does with it */
+function useOf(name) {
+  if (lists[name]) return useList;
+  if (boxes[name]) return useBox;
+  if (buttons[name]) return useButton;
+  const others = {slider: (visitor, _, by) => useSlider(visitor, by), canvas: (visitor, _, by) => useCanvas(visitor, by),
+    summary: (visitor, _, by) => useSummary(visitor, by)};
+  assert.ok(others[name], `this test doesn't know the control "${name}"`);
+  return others[name];
 }
 
-/** The slider goes to where it is clicked, with the keys to its ends; then the page stands still. */
-async function sliderIsMoved(page) {
-  const box = await (await page.$('#slider')).boundingBox();
-  for (const share of [0.25, 0.75]) {
-    await page.mouse.click(box.x + share * box.width, box.y + box.height / 2);
-    await standsStill(page);
-    assert.ok(Math.abs((await state(page)).place - share) < 0.05, `a click at ${share} of the slider goes to ${(await state(page)).place}`);
-  }
-  for (const [key, place] of [['Home', 0], ['End', 1]]) {
-    await page.press('#slider', key);
-    assert.equal((await state(page)).place, place, `${key} on the slider`);
-  }
-}
+const isOfPlayer = (visitor, name) => visitor.page.evaluate((id) => Boolean(document.getElementById(id)?.closest('#player')), name);
 
-const isUsable = (control) => control.isVisible().then(async (isVisible) => isVisible && control.isEnabled());
-
-/** \param about what is true of the page */
-async function useList(page, id, about) {
-  const options = await page.$$eval(`#${id} option`, (all) => all.filter((option) => !option.disabled).map(({value}) => value));
-  const first = await page.$eval(`#${id}`, ({value}) => value);
-  let before = await seen(page);
-  for (const value of [...options.filter((option) => option !== first), first]) {
-    await page.selectOption(`#${id}`, value);
-    const after = await seen(page);
-    try {
-      if (options.length > 1) lists[id](before, after, about, value);
-    } catch (error) {
-      throw new Error(`${id}: ${value}: ${error.message}`);
-    }
-    before = after;
-  }
-}
-
-async function useBox(page, id) {
-  const before = await seen(page);
-  await page.click(`#${id}`);
-  const after = await seen(page);
-  boxes[id](before, after);
-  await page.click(`#${id}`);
-  assert.equal((await seen(page)).pixels, before.pixels, `${id} can't be taken back`);
-}
-
-async function useDetails(page) {
-  const isOpen = () => page.$eval('details', ({open}) => open);
-  const before = await isOpen();
-  await page.click('summary');
-  assert.equal(await isOpen(), !before);
-  await page.click('summary');
-}
-
-/** Uses each control that is there and works in this state. \param use 'looks' those that choose what is drawn, 'player'
-    those of the recording \param reach brings the page into the state \return the names of those used */
-async function usesEachControl(page, use, reach, about = {}) {
-  const used = [];
-  for (const control of await page.$$('select, input, button, summary, canvas')) {
-    const {id, tag, isOfPlayer} = await control.evaluate((e) => ({id: e.id, tag: e.tagName, isOfPlayer: e.closest('#player') !== null}));
-    if (isOfPlayer !== (use === 'player')) continue;
+/** Uses each control of a part of the page, and adds its name to `used`. \param reach brings the page into the state */
+async function usesEach(visitor, {ofPlayer, reach, by, about, used}) {
+  await reach();
+  for (const name of await visitor.controls()) {
+    if (await isOfPlayer(visitor, name) !== ofPlayer) continue;
     await reach();
-    if (!await isUsable(control)) continue;
-    used.push(id || tag);
-    try {
-      if (tag === 'SUMMARY') await useDetails(page);
-      else if (tag === 'CANVAS') await drawingIsMoved(page);
-      else if (id === 'slider') await sliderIsMoved(page);
-      else if (lists[id]) await useList(page, id, about);
-      else if (boxes[id]) await useBox(page, id);
-      else if (buttons[id]) {
-        const before = await state(page);
-        await control.click();
-        await buttons[id](page, before);
-      } else assert.fail('this test does not know it');
-    } catch (error) {
-      throw new Error(`${id || tag}, ${use}, ${JSON.stringify(about)}: ${error.message}`);
-    }
-  }
-  return used;
-}
-
-/** Brings the player to a place, and lets it play in a direction. */
-const reachPlace = (page, place, direction) => async () => {
-  await page.evaluate(([at, way]) => {
-    const {player} = window.whittle;
-    player.setSpeed(1);
-    window.whittle.showPlace(at);
-    if (way !== 0) window.whittle.play(way);
-  }, [place, direction]);
-};
-
-/** The controls of a recording, at these places, standing still and playing. */
-async function playerWorks(page, {places = [0, 0.5, 1], directions = [0, 1, -1]} = {}) {
-  const used = new Set();
-  for (const place of places) {
-    for (const direction of directions) {
-      for (const id of await usesEachControl(page, 'player', reachPlace(page, place, direction), {place, direction})) used.add(id);
-    }
-  }
-  assert.deepEqual([...used].sort(), ['back', 'faster', 'movement', 'next', 'play', 'previous', 'slider', 'slower', 'spacing']);
-  for (const [speed, id] of [[64, 'faster'], [1 / 64, 'slower']]) {
-    await page.evaluate((value) => { window.whittle.player.setSpeed(value); window.whittle.showLevel(); }, speed);
-    assert.ok(await page.isDisabled(`#${id}`), `${id} has no more to give`);
+    if (!await visitor.isUsable(name)) continue; // not in this state any more
+    await trying(`${name} by ${by}`, () => useOf(name)(visitor, name, by, about));
+    used.add(name);
   }
 }
 
-/** The controls of what is drawn, in each layout that has other ones. */
-async function looksWork(page, about = {}) {
-  const reach = (layout, colour) => async () => {
-    if (await page.isVisible('#layout')) await page.selectOption('#layout', layout);
-    await page.selectOption('#colour', colour);
-    await page.click('#fit');
-  };
-  const colours = await page.$$eval('#colour option', (all) => all.filter((option) => !option.disabled).map(({value}) => value));
-  const used = new Set();
-  const note = (ids) => ids.forEach((id) => used.add(id));
-  note(await usesEachControl(page, 'looks', reach('beside', colours.includes('error') ? 'error' : 'none'), {...about, layout: 'beside'}));
-  if (await page.isVisible('#layout')) {
-    note(await usesEachControl(page, 'looks', reach('over', 'none'), {...about, layout: 'over'}));
+/** The player's controls. \param states of the player: places, and directions in which it plays or 0 */
+async function usesThePlayer(page, {by, about, states, used}) {
+  const visitor = new Visitor(page);
+  for (const [place, direction] of states) {
+    await trying(`at ${place}, direction ${direction}`, () =>
+      usesEach(visitor, {ofPlayer: true, reach: () => visitor.reach(place, direction), by, about, used}));
   }
-  return [...used].sort();
+  for (const [speed, name] of [[64, 'faster'], [1 / 64, 'slower']]) {
+    await visitor.reach(0.5, 0, speed);
+    assert.ok(!await visitor.isUsable(name), `${name} has no more to give`);
+  }
 }
 
-/** The keys that the page lists, each with what it changes. \param listed the text of the list */
-async function listsItsKeys(page) {
-  const listed = (await page.$$eval('details dt', (all) => all.map((e) => e.textContent))).join(' ');
-  for (const key of ['r', 'g', 'u', 'c', 't', 's', 'e', 'o', 'n', 'p', 'b', 'm', 'l']) {
-    assert.match(listed, new RegExp(`(^|[ ,])${key}([ ,]|$)`), `${key} is not in the list`);
-    const has = await page.evaluate((name) => Boolean(window.whittle.actionOf(name, false)), key);
-    assert.ok(has, `the key ${key} does nothing`);
+/** The other controls, in states that have each layout and each colouring. */
+async function usesTheView(page, {by, about, used}) {
+  const visitor = new Visitor(page);
+  const layouts = await visitor.isUsable('layout') ? await visitor.options('layout') : [null];
+  const colours = await visitor.options('colour');
+  for (let i = 0; i < Math.max(layouts.length, colours.length); ++i) {
+    const [layout, colour] = [layouts[i % layouts.length], colours[i % colours.length]];
+    const reach = async () => {
+      if (layout) await visitor.choose('layout', layout, 'mouse');
+      await visitor.choose('colour', colour, 'mouse');
+      await visitor.page.evaluate(() => window.whittle.view.fit());
+    };
+    await trying(`${layout}, ${colour}`, () => usesEach(visitor, {ofPlayer: false, reach, by, about, used}));
   }
-  const value = (id) => page.$eval(`#${id}`, (e) => e.type === 'checkbox' ? e.checked : e.value);
-  await page.selectOption('#layout', 'over');
-  await page.focus('#canvas');
-  const keys = {r: 'result', g: 'ghost', u: 'up', c: 'colour', s: 'shading', e: 'edges', o: 'borders', n: 'nonmanifold', m: 'movement', l: 'spacing'};
-  for (const [key, id] of Object.entries(keys)) {
-    const isUseful = await page.$eval(`#${id}`, (e) => !e.disabled && e.closest('[hidden]') === null);
-    const before = await value(id);
-    await page.keyboard.press(key);
-    assert.equal(await value(id) !== before, isUseful, `the key ${key}`);
-  }
-  await page.selectOption('#layout', 'original');
-  await page.click('#fit');
-  await page.focus('#canvas');
-  await page.keyboard.press('Enter');
-  await page.waitForFunction(() => document.getElementById('status').textContent.includes('('));
 }
 
-/** One finger rotates. */
-async function obeysAFinger(page) {
-  const before = await seen(page);
-  const session = await page.context().newCDPSession(page);
-  const touch = (type, points) => session.send('Input.dispatchTouchEvent', {type, touchPoints: points});
-  const [x, y] = await pointOfPane(page);
-  await touch('touchStart', [{x, y}]);
-  await touch('touchMove', [{x: x + 30, y: y + 10}]);
-  await touch('touchMove', [{x: x + 60, y: y + 20}]);
-  await touch('touchEnd', []);
-  const turned = await seen(page);
-  assert.notEqual(turned.pixels, before.pixels, 'a finger changes nothing');
-  await touch('touchStart', [{x, y}, {x: x + 40, y}]);
-  await touch('touchMove', [{x: x - 20, y}, {x: x + 60, y}]);
-  await touch('touchMove', [{x: x - 40, y}, {x: x + 80, y}]);
-  await touch('touchEnd', []);
-  assert.notEqual((await seen(page)).pixels, turned.pixels, 'two fingers change nothing');
+/** Each key of the list does what its control does, whatever has the focus but a list. */
+async function usesTheKeys(page, {about}) {
+  const visitor = new Visitor(page);
+  const listed = await page.$$eval('#keys dt', (all) => all.flatMap((term) => term.textContent.split(' ')));
+  for (const key of listed) {
+    assert.ok(keys[key], `this test doesn't know the key "${key}"`);
+    await trying(`the key ${key}`, () => usesTheKey(visitor, key, about));
+  }
+  for (const name of await visitor.controls()) {
+    if (['canvas', 'summary', 'slider'].includes(name)) continue; // Tab and the keys of browsers
+    assert.ok(listed.some((key) => keys[key] === name), `no key is listed for ${name}`);
+  }
 }
 
-module.exports = {playerWorks, looksWork, listsItsKeys, obeysAFinger};
+async function usesTheKey(visitor, key, about) {
+  const {page} = visitor;
+  const name = typeof keys[key] === 'string' ? keys[key] : null;
+  for (const focused of ['body', 'canvas', 'edges']) {
+    if (key === 'Esc' && focused !== 'edges') continue;
+    if (await visitor.isUsable('layout')) await visitor.choose('layout', name === 'ghost' ? 'over' : key === '1' ? 'result' : 'beside', 'mouse');
+    if (name === 'top' && (await visitor.options('colour')).includes('error')) await visitor.choose('colour', 'error', 'mouse');
+    if (await visitor.isUsable('play')) await visitor.reach(0.5037, 0);
+    if (name === 'fit') await page.evaluate(() => window.whittle.view.rotate(0.3, 0.2)); else await page.evaluate(() => window.whittle.view.fit());
+    await visitor.choose('shading', await visitor.value('shading'), 'mouse'); // forgets what was said
+    if (name && !await visitor.isUsable(name) || focused === 'edges' && ['Space'].includes(key)) continue;
+    if (lists[name] && (await visitor.options(name)).length < 2) continue;
+    await page.evaluate((id) => (document.getElementById(id) ?? document.activeElement)[id === 'body' ? 'blur' : 'focus'](), focused);
+    const before = await visitor.look();
+    await page.keyboard.press({Arrows: 'ArrowRight', '−': '-', Esc: 'Escape'}[key] ?? key);
+    if (key === 'Enter') await visitor.wait(() => document.getElementById('status').textContent !== '', [], 'what is in the middle');
+    if (buttons[name]) await buttons[name](visitor, before);
+    else (lists[name] ?? boxes[name] ?? keys[key])(before, await visitor.look(), about);
+  }
+}
+
+module.exports = {usesThePlayer, usesTheView, usesTheKeys, known: [...Object.keys({...lists, ...boxes, ...buttons}), 'slider', 'canvas', 'summary']};

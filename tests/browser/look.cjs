@@ -6,33 +6,14 @@ const fs = require('fs');
 const path = require('path');
 const {pixelsOfCanvas} = require('./canvas.cjs');
 const {stepsOff} = require('./colours.cjs');
-const controls = require('./controls.cjs');
+const {openBrowser} = require('./pages.cjs');
 const textured = require('./textured.cjs');
 
 const [nodeModules, chromium, folder] = process.argv.slice(2);
-const {chromium: driver} = require(path.join(path.resolve(nodeModules), 'playwright-core'));
 const file = (name) => path.resolve(folder, name);
 const readJson = (name) => JSON.parse(fs.readFileSync(file(name), 'utf8'));
 
-let browser;
-
-/** Opens a page, lets `use` try it, and checks that it was silent. */
-async function withPage(name, use, {hash = '', width = 1200, height = 900, colorScheme = 'light', hasTouch = false} = {}) {
-  const context = await browser.newContext({viewport: {width, height}, colorScheme, hasTouch});
-  const page = await context.newPage();
-  const messages = [];
-  page.on('console', (message) => messages.push(`console: ${message.text()}`));
-  page.on('pageerror', (error) => messages.push(`error: ${error.message}`));
-  page.on('dialog', (dialog) => messages.push(`dialog: ${dialog.message()}`) && dialog.dismiss());
-  const requests = [];
-  page.on('request', (request) => requests.push(request.url()));
-  await page.goto(`file://${file(name).split('/').map(encodeURIComponent).join('/')}${hash}`);
-  await page.waitForFunction(() => document.documentElement.dataset.ready);
-  await use(page);
-  assert.deepEqual(messages, [], `${name} is silent`);
-  assert.equal(requests.length, 1, `${name} asks for nothing: ${requests}`);
-  await context.close();
-}
+let withPage;
 
 /** Waits until what was asked for is drawn. */
 const drawn = (page) => page.evaluate(() => window.whittle.drawn());
@@ -238,25 +219,9 @@ async function saysWhatIsClicked(page) {
   assert.fail(`a click says: ${await text(page, 'status')}`);
 }
 
-/** In pages of each kind. */
-async function usesTheControls() {
-  const small = {width: 480, height: 640}; // pictures are drawn often
-  await withPage('recording.html', (page) => controls.playerWorks(page), small);
-  await withPage('gltf.html', (page) => controls.playerWorks(page, {places: [0.5], directions: [0]}), small);
-  const used = new Set();
-  for (const [name, about] of [['nonmanifold.html'], ['flipped.html'], ['errors.html'], ['why.html'], ['gltf.html', {isFlat: true}],
-    ['shifted.html', {isFlat: true}]]) {
-    await withPage(name, async (page) => (await controls.looksWork(page, about)).forEach((id) => used.add(id)), small);
-  }
-  const all = ['borders', 'canvas', 'colour', 'edges', 'fit', 'ghost', 'layout', 'nonmanifold', 'refused', 'result', 'shading', 'SUMMARY', 'top', 'up'];
-  assert.deepEqual([...used].sort(), all.sort(), 'some control is there on no page');
-  await withPage('recording.html', controls.listsItsKeys, small);
-  await withPage('recording.html', controls.obeysAFinger, {...small, hasTouch: true});
-}
-
 async function main() {
-  browser = await driver.launch({executablePath: chromium,
-    args: ['--no-sandbox', '--disable-dev-shm-usage', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
+  const browser = await openBrowser(nodeModules, chromium, folder);
+  withPage = browser.withPage;
   await withPage('recording.html', async (page) => {
     await showsBothMeshes(page);
     await showsEachLevel(page, readJson('levels.json').levels);
@@ -268,7 +233,6 @@ async function main() {
   await withPage('recording.html', hasEveryView, {hash: '#result=1'});
   await withPage('recording.html', obeysKeys);
   await withPage('recording.html', fitsANarrowWindow, {width: 360, height: 740});
-  await usesTheControls();
   await withPage('joined.html', (page) => showsEachLevel(page, readJson('cubes_levels.json').levels));
   await withPage('flipped.html', async (page) => {
     await showsEachLevel(page, readJson('terrain_levels.json').levels);

@@ -59,15 +59,15 @@ export function showRefusals(element, refusals) {
 /** Three digits that count. */
 export const short = (value) => value === 0 ? '0' : Number(value.toPrecision(3)).toString();
 
-/** Says in an element what colours mean that have no scale. */
+/** Adds a line to an element. */
 export function showNote(element, text) {
-  element.textContent = text;
-  element.setAttribute('aria-label', text);
+  const line = document.createElement('div');
+  line.textContent = text;
+  element.append(line);
 }
 
-/** Shows a scale in an element. \param top the value at its end, of scales without names */
+/** Adds a scale to an element. \param top the value at its end, of scales without names */
 export function showLegend(element, title, scale, top) {
-  element.replaceChildren();
   const heading = document.createElement('div');
   heading.textContent = title;
   const steps = document.createElement('div');
@@ -86,5 +86,4 @@ export function showLegend(element, title, scale, top) {
     ticks.append(tick);
   }
   element.append(heading, steps, ticks);
-  element.setAttribute('aria-label', `${title}: from ${labels[0]} to ${labels[labels.length - 1]}`);
 }

@@ -3,6 +3,7 @@ import {Vector3} from 'three';
 import {scales, short, showLegend, showNote, showRefusals} from './colours.js';
 import {readPage} from './data.js';
 import {ExactColours} from './exact.js';
+import {rowsOfKeys, setUpKeys} from './keys.js';
 import {loadImages} from './look.js';
 import {Model} from './model.js';
 import {Motion} from './motion.js';
@@ -11,6 +12,8 @@ import {Recording} from './recording.js';
 import {doInSlices} from './slices.js';
 import {Surface, unit} from './surface.js';
 import {View} from './view.js';
+
+const longestFrame = 0.25; // seconds that the player goes on by at once, also after the page was out of sight
 
 const $ = (id) => document.getElementById(id);
 const inWords = (n, one, many) => `${n.toLocaleString('en')} ${n === 1 ? one : many}`;
@@ -42,6 +45,7 @@ class App {
     this.result = this.results.find((model) => model.surface.refusals.length > 0) ??
       this.results.find((model) => model.surface.look) ?? this.results[0] ?? null;
     this.isDrawn = true;
+    this.nDescribed = 0;
     this.motion = new Motion((wasQuick) => this.onRest(wasQuick));
     this.view = new View($('canvas'), boxOf(original), () => this.onView());
     this.exact = new ExactColours(this.view, () => this.draw());
@@ -56,7 +60,6 @@ class App {
 
   setUpChoices() {
     this.results.forEach((model, i) => $('result').add(new Option(model.surface.name, i)));
-    $('result').closest('label').hidden = this.results.length < 2;
     if (this.result) $('result').value = this.results.indexOf(this.result);
     if (!this.result) {
       for (const id of ['layout', 'ghost']) $(id).closest('label').hidden = true;
@@ -94,16 +97,18 @@ class App {
   }
 
   /** Sets the controls as the address says: "#colour=error&edges=on". "picture" leaves the meshes alone, "plain"
-      without names, "level" is
-      the place in the recording, "turn" and "tilt" are degrees, "zoom" is how many times as near. */
+      without names, "level" is the place in the recording, "turn" and "tilt" are degrees, "zoom" is how many times as near. */
   followAddress() {
     const settings = new Map(location.hash.slice(1).split('&').map((part) => part.split('=')));
     const number = (key, otherwise) => Number.isFinite(Number(settings.get(key))) ? Number(settings.get(key)) : otherwise;
     for (const key of ['picture', 'plain']) if (settings.has(key)) document.body.classList.add(key);
     for (const [key, value] of settings) this.setControl(key, value);
     if (this.player) this.setUpMovement();
-    if (settings.has('level') && this.player) this.player.goTo(number('level', 1));
     this.result = this.results[Number($('result').value)] ?? this.result;
+    if (settings.has('level') && this.player) {
+      if (!settings.has('result')) this.showRecording();
+      this.player.stopAt(number('level', 1));
+    }
     this.view.setPanes(this.layout() === 'beside' ? 2 : 1);
     this.view.setUp($('up').value);
     this.view.fit();
@@ -113,7 +118,7 @@ class App {
 
   setControl(key, value) {
     const control = /^[a-z]+$/.test(key) && $(key);
-    if (control instanceof HTMLSelectElement && [...control.options].some((option) => option.value === value)) {
+    if (control instanceof HTMLSelectElement && [...control.options].some((option) => option.value === value && !option.disabled)) {
       control.value = value;
     }
     if (control instanceof HTMLInputElement && control.type === 'checkbox') control.checked = value === 'on';
@@ -126,15 +131,11 @@ class App {
     return this.result ? layout : 'original';
   }
 
-  /** \param key 'max', or 'usual': that of 99 % of the surface. In the unit of what is shown */
-  greatestError(key) {
-    return Math.max(...[this.original, this.result].map((model) => model?.range()?.[key] ?? 0));
-  }
-
-  /** Where the scale of errors ends. */
+  /** Where the scale of errors ends, in their unit. */
   greatestShown() {
+    const greatest = (key) => Math.max(...[this.original, this.result].map((model) => model?.range()?.[key] ?? 0));
     const chosen = $('top').value;
-    return chosen === 'usual' ? this.greatestError('usual') : this.greatestError('max') * Number(chosen);
+    return chosen === 'usual' ? greatest('usual') : greatest('max') * Number(chosen);
   }
 
   apply() {
@@ -144,30 +145,41 @@ class App {
     for (const model of models) model.setScale(scales.error, top);
     this.exact.setScale(scales.error, top / this.json.step);
     $('ghost').closest('label').hidden = this.layout() !== 'over';
-    const shown = this.layout() === 'over' ? models : this.modelsOfPanes();
-    for (const lines of ['borders', 'nonmanifold']) $(lines).disabled = shown.every(({surface}) => surface[lines].length === 0);
+    $('result').closest('label').hidden = this.results.length < 2 || this.layout() === 'original';
+    for (const lines of ['borders', 'nonmanifold']) $(lines).disabled = this.shownModels().every(({surface}) => surface[lines].length === 0);
+    this.forgetWhatWasDescribed();
     this.showLegend($('colour').value, top);
     this.showReasons();
     this.showLabels();
     this.view.setPanes(this.layout() === 'beside' ? 2 : 1);
   }
 
+  /** The models that are in the picture. */
+  shownModels() {
+    return this.layout() === 'over' ? [this.original, this.result] : this.modelsOfPanes();
+  }
+
   showLegend(colour, top) {
-    const map = [this.original, this.result].map((model) => model?.surface.look?.mapOf(colour)).find((one) => one);
-    $('top').closest('label').hidden = this.greatestError('max') === 0;
-    $('legend').hidden = ['none', 'material', 'colours'].includes(colour);
-    if (map) showLegend($('legend'), map.title, scales.error, top);
-    if (colour === 'normals') showNote($('legend'), 'normals: x, y, z from −1 to 1 as red, green, blue');
-    if (colour === 'error') showLegend($('legend'), 'distance, model units', scales.error, top);
-    if (colour === 'shape') showLegend($('legend'), 'radius ratio 2r/R, 1 is equilateral', scales.shape, 1);
-    if (colour === 'valence') showLegend($('legend'), 'edges at a vertex', scales.valence);
+    const shown = this.shownModels();
+    const legend = $('legend');
+    const map = shown.map(({surface}) => surface.look?.mapOf(colour)).find((one) => one);
+    $('top').closest('label').hidden = !shown.some((model) => model.range()?.max > 0);
+    legend.replaceChildren();
+    if (map) showLegend(legend, map.title, scales.error, top);
+    else if (shown.some((model) => model.range())) showLegend(legend, 'distance, model units', scales.error, top);
+    if (colour === 'normals') showNote(legend, 'normals: x, y, z from −1 to 1 as red, green, blue');
+    if (colour === 'shape') showLegend(legend, 'radius ratio 2r/R, 1 is equilateral', scales.shape, 1);
+    if (colour === 'valence') showLegend(legend, 'edges at a vertex', scales.valence);
+    for (const model of shown) if (!model.hasColour()) showNote(legend, `${model.surface.name} has no such colours`);
+    legend.hidden = legend.childElementCount === 0;
+    legend.setAttribute('aria-label', [...legend.querySelectorAll('div:not(:has(*)), .ticks span')].map((part) => part.textContent).join(' '));
   }
 
   /** Why there are not fewer faces. */
   showReasons() {
     const refusals = this.result?.surface.refusals ?? [];
     const isThere = refusals.length > 0 && this.layout() !== 'original';
-    $('refused').closest('label').hidden = refusals.length === 0;
+    $('refused').closest('label').hidden = !isThere;
     $('reasons').hidden = !isThere || !$('refused').checked;
     if (isThere) showRefusals($('reasons'), refusals);
     $('advice').hidden = !this.json.advice;
@@ -178,7 +190,9 @@ class App {
     const text = ({surface}) => `${surface.name}: ${inWords(surface.nFaces, 'face', 'faces')}${surface.note ? `. ${surface.note}` : ''}`;
     const layout = this.layout();
     const left = layout === 'result' ? this.result : this.original;
-    $('left-label').textContent = text(left) + (layout === 'over' ? `, over ${text(this.result)}` : '');
+    const compared = left === this.original && left.range() && layout !== 'original' ? this.comparedWithOriginal() : this.result;
+    $('left-label').textContent = text(left) + (compared !== this.result ? `, compared with ${compared.surface.name}` : '') +
+      (layout === 'over' ? `, over ${text(this.result)}` : '');
     $('right-label').textContent = layout === 'beside' ? text(this.result) : '';
   }
 
@@ -225,10 +239,15 @@ class App {
     return {beside: [this.original, this.result], original: [this.original]}[this.layout()] ?? [this.result];
   }
 
+  /** The model that errors of the original are differences to. */
+  comparedWithOriginal() {
+    return this.results.find(({surface}) => surface.distances) ?? this.result;
+  }
+
   /** The surface that distances of a model go to; null if it is not all in the page. */
   otherOf(model) {
-    const other = model === this.original ? this.results.find(({surface}) => surface.distances) : this.original;
-    return model.surface.distances && other && other.surface.note === '' ? other.surface : null;
+    const other = model === this.original ? this.comparedWithOriginal() : this.original;
+    return model.surface.distances && other?.surface.note === '' ? other.surface : null;
   }
 
   hasExactColours() {
@@ -303,14 +322,24 @@ class App {
     return 'drawn';
   }
 
-  /** Stands still at a place in the recording. \param place 0 … 1 */
+  /** Stands still at a place in the recording, and shows it. \param place 0 … 1 */
   showPlace(place) {
     if (!this.player) return;
-    this.player.direction = 0;
-    this.player.goTo(place);
+    this.showRecording();
+    this.player.stopAt(place);
+  }
+
+  /** What the player does is to be in the picture. */
+  showRecording() {
+    if (this.result.surface === this.recording && this.layout() !== 'original') return;
+    this.result = this.results.find(({surface}) => surface === this.recording);
+    $('result').value = this.results.indexOf(this.result);
+    if (this.layout() === 'original') $('layout').value = 'result';
+    this.apply();
   }
 
   play(direction) {
+    this.showRecording();
     this.player.play(direction);
     this.showLevel();
     if (this.isPlaying || this.player.direction === 0) return;
@@ -320,7 +349,7 @@ class App {
   }
 
   advance(moment) {
-    const seconds = this.lastMoment === null ? 0 : (moment - this.lastMoment) / 1000;
+    const seconds = this.lastMoment === null ? 0 : Math.min(longestFrame, (moment - this.lastMoment) / 1000);
     this.lastMoment = moment;
     this.isPlaying = this.player.advance(seconds);
     if (this.isPlaying) requestAnimationFrame((next) => this.advance(next)); else this.showLevel();
@@ -345,22 +374,34 @@ class App {
     for (const query of ['(prefers-color-scheme: dark)', 'print']) {
       window.matchMedia(query).addEventListener('change', () => this.applyTheme());
     }
-    document.addEventListener('keydown', (event) => this.onKey(event));
+    setUpKeys($('keys'), rowsOfKeys({...this, describeMiddles: () => this.describeMiddles()}));
+    window.addEventListener('hashchange', () => {
+      this.followAddress();
+      this.apply();
+    });
     this.setUpPicking();
     if (this.player) this.setUpPlayerEvents();
   }
 
   setUpPlayerEvents() {
-    const {player} = this;
     const on = (id, event, act) => $(id).addEventListener(event, act);
+    const stepBy = (n) => {
+      this.showRecording();
+      this.player.stepBy(n);
+    };
     on('slider', 'input', () => this.showPlace(Number($('slider').value) / 1000));
     on('play', 'click', () => this.play(1));
     on('back', 'click', () => this.play(-1));
-    on('next', 'click', () => player.stepBy(1));
-    on('previous', 'click', () => player.stepBy(-1));
+    on('next', 'click', () => stepBy(1));
+    on('previous', 'click', () => stepBy(-1));
     on('faster', 'click', () => this.changeSpeed(2));
     on('slower', 'click', () => this.changeSpeed(0.5));
-    for (const id of ['movement', 'spacing']) on(id, 'change', () => this.setUpMovement());
+    for (const id of ['movement', 'spacing']) {
+      on(id, 'change', () => {
+        this.showRecording();
+        this.setUpMovement();
+      });
+    }
   }
 
   /** As the controls say. */
@@ -375,73 +416,44 @@ class App {
     this.showLevel();
   }
 
-  onKey(event) {
-    if (event.ctrlKey || event.altKey || event.metaKey) return;
-    if (event.target instanceof Element && event.target.closest('select, input, button, summary')) return;
-    const act = this.actionOf(event.key, event.shiftKey);
-    if (!act) return;
-    event.preventDefault();
-    act();
-  }
-
-  actionOf(key, isShifted) {
-    const {view, player} = this;
-    const angle = Math.PI / 24;
-    const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[key];
-    if (arrows) return isShifted ? () => view.move(-0.05 * arrows[0], -0.05 * arrows[1]) : () => view.rotate(angle * arrows[0], -angle * arrows[1]);
-    const isThere = (id) => !$(id).disabled && !$(id).closest('[hidden]');
-    const change = (id, key, value) => {
-      $(id)[key] = value;
-      $(id).dispatchEvent(new Event('change'));
-    };
-    const choose = (id, value) => () => change(id, 'value', value);
-    const toggle = (id) => () => isThere(id) && change(id, 'checked', !$(id).checked);
-    const next = (id) => () => {
-      if (!isThere(id)) return;
-      const options = [...$(id).options].filter((option) => !option.disabled);
-      const i = options.findIndex((option) => option.value === $(id).value);
-      change(id, 'value', options[(i + 1) % options.length].value);
-    };
-    const actions = {
-      '+': () => view.zoom(0.85), '=': () => view.zoom(0.85), '-': () => view.zoom(1 / 0.85), '0': () => view.fit(),
-      'c': next('colour'), 't': next('top'), 's': next('shading'), 'u': next('up'),
-      'e': toggle('edges'), 'o': toggle('borders'), 'n': toggle('nonmanifold'), 'p': toggle('refused'), 'Enter': () => this.describeMiddle(),
-      ...this.result && {'r': next('result'), 'g': next('ghost')},
-      ...this.result && {'1': choose('layout', 'beside'), '2': choose('layout', 'over'), '3': choose('layout', 'original'), '4': choose('layout', 'result')},
-      ...player && {' ': () => this.play(1), 'b': () => this.play(-1), '<': () => this.changeSpeed(0.5), '>': () => this.changeSpeed(2),
-        ',': () => player.stepBy(-1), '.': () => player.stepBy(1),
-        'm': next('movement'), 'l': next('spacing')},
-    };
-    return actions[key];
-  }
-
   /** A click without a drag says what is there. */
   setUpPicking() {
     let down = null;
     $('canvas').addEventListener('pointerdown', (event) => { down = [event.clientX, event.clientY]; });
     $('canvas').addEventListener('pointerup', (event) => {
-      if (down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 4) this.describe(event);
+      if (down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 4) this.describe([event]);
     });
   }
 
-  /** Says what is in the middle of the first pane. */
-  describeMiddle() {
-    const {left, top, width, height} = $('canvas').getBoundingClientRect();
-    return this.describe({clientX: left + width / this.view.panes / 2, clientY: top + height / 2});
+  /** Says what is in the middle of each pane. */
+  describeMiddles() {
+    const {left, top, height} = $('canvas').getBoundingClientRect();
+    return this.describe(this.view.spansOfPanes().map((span) =>
+      ({clientX: left + span.left + span.width / 2, clientY: top + height / 2})), 'There is nothing in the middle.');
   }
 
-  async describe(event) {
+  /** Says what is at points of the window, unless it is asked for something else meanwhile. */
+  async describe(points, otherwise = '') {
+    const number = ++this.nDescribed;
+    const texts = [];
+    for (const point of points) texts.push(await this.textAt(point));
+    if (number === this.nDescribed) $('status').textContent = texts.filter((text) => text).join('; ') || otherwise;
+  }
+
+  forgetWhatWasDescribed() {
+    ++this.nDescribed;
+    $('status').textContent = '';
+  }
+
+  async textAt(point) {
     const models = this.modelsOfPanes();
-    const {pane, hit} = this.view.pick(event, models.map((model) => model.faces));
+    const {pane, hit} = this.view.pick(point, models.map((model) => model.faces));
+    if (!hit) return '';
     const model = models[pane];
-    if (!hit) {
-      $('status').textContent = '';
-      return;
-    }
     const place = this.toModel(hit.point).map(short).join(', ');
     const value = await this.valueAt(model, hit);
     const meaning = {error: 'distance', shape: 'radius ratio'}[model.colour] ?? model.range()?.value;
-    $('status').textContent = `${model.surface.name}: (${place})${meaning && value !== null ? `, ${meaning} ${short(value)}` : ''}`;
+    return `${model.surface.name}: (${place})${meaning && value !== null ? `, ${meaning} ${short(value)}` : ''}`;
   }
 
   toModel(point) {
@@ -451,26 +463,10 @@ class App {
   /** What the colour means at a point of a face. */
   async valueAt(model, hit) {
     const other = model.colour === 'error' && this.otherOf(model);
-    if (!other) return this.interpolatedAt(model, hit);
+    if (!other) return model.interpolatedAt(hit);
     const tree = this.exact.treeOf(other);
     await doInSlices(tree.finish());
     return tree.distance(hit.point.clone().multiplyScalar(unit)) * this.json.step;
-  }
-
-  interpolatedAt(model, {face, point}) {
-    const geometry = model.faces.geometry;
-    const value = geometry.getAttribute('value');
-    if (!value) return null;
-    const position = geometry.getAttribute('position');
-    const [a, b, c] = [face.a, face.b, face.c].map((v) => new Vector3().fromBufferAttribute(position, v));
-    const area = (p, q, r) => q.clone().sub(p).cross(r.clone().sub(p)).length();
-    const weights = [area(point, b, c), area(a, point, c), area(a, b, point)];
-    const sum = weights[0] + weights[1] + weights[2];
-    if (sum === 0) return null;
-    const interpolated = [face.a, face.b, face.c].reduce((so_far, v, i) => so_far + weights[i] / sum * value.getX(v), 0);
-    if (model.colour === 'shape') return interpolated;
-    const share = model.colour === 'error' ? Math.abs(interpolated * 65535 - 32768) / 32767 : interpolated;
-    return model.range() && share * model.range().max;
   }
 }
 

@@ -1,7 +1,7 @@
 // What is drawn of a mesh: its faces, in one of several colourings, its edges, its vertices, and lines along its borders.
 import {
   BufferAttribute, BufferGeometry, Color, ColorManagement, DoubleSide, GLSL3, Group, InterleavedBuffer, InterleavedBufferAttribute, LineBasicMaterial,
-  LineSegments, Mesh, Points, PointsMaterial, ShaderMaterial,
+  LineSegments, Mesh, Points, PointsMaterial, ShaderMaterial, Vector3,
 } from 'three';
 import {refusalColours, scales, textureOf, valenceClass} from './colours.js';
 import {useFaces} from './look.js';
@@ -53,6 +53,7 @@ export class Model {
       this.lines(pairs, new LineBasicMaterial({color: refusalColours[i % refusalColours.length], depthTest: false})));
     this.points = new Points(this.pointGeometry(), this.pointMaterial);
     this.valencePoints = null;
+    this.moment = 0; // of the positions: vertices move between two versions of a recording, too
     this.cached = {};
     this.shading = 'flat';
     this.setColour('none');
@@ -105,12 +106,17 @@ export class Model {
     return this.colour === 'error' ? this.surface.distances : this.surface.look?.mapOf(this.colour) ?? null;
   }
 
+  /** Whether there is something to see in the colouring. */
+  hasColour() {
+    return ['none', 'valence', 'shape'].includes(this.colour) || this.range() !== null || this.showsLook(this.colour);
+  }
+
   /** The geometry of a colouring, made when it is first asked for. */
   geometryOf(colour) {
     if (this.showsLook(colour)) return this.lookGeometry();
     const isPlain = colour !== 'shape' && !(colour === 'error' && this.surface.distances);
     if (isPlain) return this.plain;
-    const key = this.surface.version;
+    const key = this.moment;
     const cached = this.cached[colour];
     if (cached && cached.key === key) return cached.geometry;
     cached?.geometry.dispose();
@@ -201,25 +207,25 @@ export class Model {
   useNormals(geometry) {
     if (this.shading === 'flat') return;
     const isLook = geometry === this.wedged;
-    const {look, version} = this.surface;
-    const key = isLook && this.shading === 'file' && look.normals ? 'file' : version;
+    const {look, corners, nFaces} = this.surface;
+    const key = isLook && this.shading === 'file' && look.normals ? 'file' : this.moment;
     if (geometry.normalKey === key) return;
     geometry.normalKey = key;
     geometry.deleteAttribute('normal');
     if (key === 'file') geometry.setAttribute('normal', new BufferAttribute(look.normals, 3));
-    else if (isLook) geometry.setAttribute('normal', this.normalsOfWedges());
+    else if (isLook) geometry.setAttribute('normal', this.normalsOf(look.nWedges, (w) => look.vertexOf(w)));
+    else if (geometry === this.cached.shape?.geometry) geometry.setAttribute('normal', this.normalsOf(3 * nFaces, (c) => corners[c]));
     else geometry.computeVertexNormals();
   }
 
-  /** Those of their vertices. */
-  normalsOfWedges() {
+  /** The normals of vertices. \param vertexOf of each number below n */
+  normalsOf(n, vertexOf) {
     this.useNormals(this.plain);
-    const {look} = this.surface;
     const ofVertices = this.plain.getAttribute('normal').array;
-    const normals = new Float32Array(3 * look.nWedges);
-    for (let w = 0; w < look.nWedges; ++w) {
-      const v = 3 * look.vertexOf(w);
-      normals.set(ofVertices.subarray(v, v + 3), 3 * w);
+    const normals = new Float32Array(3 * n);
+    for (let i = 0; i < n; ++i) {
+      const v = 3 * vertexOf(i);
+      normals.set(ofVertices.subarray(v, v + 3), 3 * i);
     }
     return new BufferAttribute(normals, 3);
   }
@@ -231,6 +237,23 @@ export class Model {
       if (range) uniforms.scale.value = textureOf(scale);
       uniforms.top.value = range ? top / (range.max || 1) || 1 : 1;
     }
+  }
+
+  /** What the colour means at a point of a face, between its corners; or null. */
+  interpolatedAt({face, point}) {
+    const geometry = this.faces.geometry;
+    const value = geometry.getAttribute('value');
+    if (!value) return null;
+    const position = geometry.getAttribute('position');
+    const [a, b, c] = [face.a, face.b, face.c].map((v) => new Vector3().fromBufferAttribute(position, v));
+    const area = (p, q, r) => q.clone().sub(p).cross(r.clone().sub(p)).length();
+    const weights = [area(point, b, c), area(a, point, c), area(a, b, point)];
+    const sum = weights[0] + weights[1] + weights[2];
+    if (sum === 0) return null;
+    const interpolated = [face.a, face.b, face.c].reduce((so_far, v, i) => so_far + weights[i] / sum * value.getX(v), 0);
+    if (this.colour === 'shape') return interpolated;
+    const share = this.colour === 'error' ? Math.abs(interpolated * 65535 - 32768) / 32767 : interpolated;
+    return this.range() && share * this.range().max;
   }
 
   /** All faces as they are in the file. */
@@ -284,6 +307,7 @@ export class Model {
 
   /** Takes over what the recording has now. \param positions of this moment, of its vertices */
   update(positions) {
+    ++this.moment;
     this.position.array.set(positions);
     this.position.needsUpdate = true;
     const {plain} = this;

@@ -48,16 +48,30 @@ export class Player {
     this.show(recording.positions);
   }
 
+  /** The level at a place; between two levels, where vertices move from one to the other, a number between theirs. */
+  levelAt(place) {
+    if (!this.isContinuous) return this.stepOf(place);
+    const {from, to, share} = this.between(place);
+    return from + share * (to - from);
+  }
+
+  /** Two levels, and the share of the way between them that has been gone at a place. */
+  between(place) {
+    const stops = this.nStops / 10;
+    const stop = Math.min(stops - 1, Math.floor(place * stops));
+    const share = place * stops - stop;
+    const from = this.stepOf(stop / stops);
+    const to = this.stepOf((stop + 1) / stops);
+    const isThere = share >= 1 || from >= to;
+    return {from, to, share: isThere ? 1 : this.recording.isMovement(from, to) ? share : 0};
+  }
+
   /** Lets the vertices of a level move to where the next one has them. */
   goBetween() {
     const {recording} = this;
-    const stops = this.nStops / 10;
-    const stop = Math.min(stops - 1, Math.floor(this.place * stops));
-    const share = this.place * stops - stop;
-    const from = this.stepOf(stop / stops);
-    const to = this.stepOf((stop + 1) / stops);
-    if (share >= 1 || from >= to) return this.goToStep(to);
-    if (share <= 0 || !recording.isMovement(from, to)) return this.goToStep(from);
+    const {from, to, share} = this.between(this.place);
+    if (share >= 1) return this.goToStep(to);
+    if (share <= 0) return this.goToStep(from);
     if (this.movement?.from !== from || this.movement?.to !== to) {
       this.movement = recording.movement(from, to);
       recording.listFaces();
@@ -69,10 +83,18 @@ export class Player {
     this.show(this.positions);
   }
 
-  /** One stop on or back, and stands still there. */
-  stepBy(n) {
+  /** Stands still at a place. */
+  stopAt(place) {
     this.direction = 0;
-    this.goTo((Math.round(this.place * this.nStops) + n) / this.nStops);
+    this.goTo(place);
+  }
+
+  /** Stands still at the next stop on or back where there is something else to see. \param n 1 or −1 */
+  stepBy(n) {
+    const shown = this.levelAt(this.place);
+    let stop = Math.round(this.place * this.nStops) + n;
+    while (stop > 0 && stop < this.nStops && this.levelAt(stop / this.nStops) === shown) stop += n;
+    this.stopAt(stop / this.nStops);
   }
 
   setSpeed(speed) {

@@ -150,6 +150,7 @@ export class View {
     const pane = Math.max(0, spans.findLastIndex(({left}) => left <= x));
     const {left, width} = spans[pane];
     const at = new Vector2(2 * (x - left) / width - 1, 1 - 2 * y / this.height);
+    this.camera.updateMatrixWorld(); // it may have moved since the last picture
     const raycaster = new Raycaster();
     raycaster.setFromCamera(at, this.camera);
     return {pane, hit: raycaster.intersectObject(meshes[pane], false)[0]};

@@ -1,0 +1,82 @@
+// What keys do. The page lists them.
+
+const $ = (id) => document.getElementById(id);
+
+function change(id, property, value) {
+  const control = $(id);
+  if (control.disabled || control.closest('[hidden]')) return;
+  control[property] = value;
+  control.dispatchEvent(new Event('change'));
+}
+
+const choose = (id, value) => () => change(id, 'value', value);
+const toggle = (id) => () => change(id, 'checked', !$(id).checked);
+const press = (id) => () => $(id).click();
+
+const next = (id) => () => {
+  const options = [...$(id).options].filter(({disabled}) => !disabled);
+  const i = options.findIndex(({value}) => value === $(id).value);
+  change(id, 'value', options[(i + 1) % options.length].value);
+};
+
+/** What the arrow keys do in a direction. \param right, up the steps */
+const arrow = (view, right, up) => (isShifted) => {
+  const angle = Math.PI / 24;
+  if (isShifted) view.move(-0.05 * right, -0.05 * up); else view.rotate(angle * right, -angle * up);
+};
+
+/** Rows of the list: the keys as they are shown, what they do in words, and, by the name of each key, what is called
+    then with whether Shift is held. */
+export function rowsOfKeys({view, player, result, describeMiddles}) {
+  const rows = [
+    {shown: 'Arrows', says: 'rotate; with Shift, move', acts: {ArrowLeft: arrow(view, -1, 0), ArrowRight: arrow(view, 1, 0),
+      ArrowUp: arrow(view, 0, 1), ArrowDown: arrow(view, 0, -1)}},
+    {shown: '+ − 0', says: 'nearer, farther, fit', acts: {'+': () => view.zoom(0.85), '=': () => view.zoom(0.85),
+      '-': () => view.zoom(1 / 0.85), '0': press('fit')}},
+    {shown: 'c t s u', says: 'next colour, end of its scale, shading, axis upwards', acts: {c: next('colour'), t: next('top'), s: next('shading'), u: next('up')}},
+    {shown: 'e o n p', says: 'edges, open borders, non-manifold edges, refused pairs', acts: {e: toggle('edges'), o: toggle('borders'),
+      n: toggle('nonmanifold'), p: toggle('refused')}},
+    {shown: 'Enter', says: 'say what is in the middle, as a click there does', acts: {Enter: describeMiddles}},
+    {shown: 'Esc', says: 'go from a list or button to the picture, so that all keys act', acts: {Escape: () => $('canvas').focus({preventScroll: true})}},
+  ];
+  if (result) {
+    rows.push({shown: '1 2 3 4', says: 'side by side, laid over each other, original, result', acts: {1: choose('layout', 'beside'),
+      2: choose('layout', 'over'), 3: choose('layout', 'original'), 4: choose('layout', 'result')}});
+    rows.push({shown: 'r g', says: 'next result, how the original lies over it', acts: {r: next('result'), g: next('ghost')}});
+  }
+  if (player) {
+    rows.push({shown: 'Space b', says: 'play or pause, play backwards', acts: {' ': press('play'), b: press('back')}});
+    rows.push({shown: ', .', says: 'one step back, one on', acts: {',': press('previous'), '.': press('next')}});
+    rows.push({shown: '< >', says: 'slower, faster', acts: {'<': press('slower'), '>': press('faster')}});
+    rows.push({shown: 'm l', says: 'in steps or continuous, what the slider counts', acts: {m: next('movement'), l: next('spacing')}});
+  }
+  return rows;
+}
+
+/** Whether a control that has the focus does something of its own with a key. */
+function isKeyOf(control, key) {
+  if (control.matches('select')) return key !== 'Escape'; // letters choose, too
+  if (control.matches('[type=range]')) return /^(Arrow|Page|Home|End)/.test(key);
+  return key === ' ' || key === 'Enter' && !control.matches('[type=checkbox]');
+}
+
+/** Lists the keys in an element, and lets them act. */
+export function setUpKeys(list, rows) {
+  for (const {shown, says} of rows) {
+    const term = document.createElement('dt');
+    const meaning = document.createElement('dd');
+    term.textContent = shown;
+    meaning.textContent = says;
+    list.append(term, meaning);
+  }
+  const acts = new Map(rows.flatMap((row) => Object.entries(row.acts)));
+  document.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const act = acts.get(key);
+    const control = event.target instanceof Element && event.target.closest('select, input, button, summary');
+    if (!act || control && isKeyOf(control, key)) return;
+    event.preventDefault();
+    act(event.shiftKey);
+  });
+}

@@ -1,0 +1,135 @@
+// Somebody who looks at a page and uses it, by mouse, keyboard or touch.
+'use strict';
+const {pixelsOfCanvas} = require('./canvas.cjs');
+
+const patience = 20000; // milliseconds, on a busy machine
+
+class Visitor {
+  constructor(page) {
+    this.page = page;
+  }
+
+  /** What is seen. `picture` is a number that tells pictures apart. */
+  async look() {
+    const {page} = this;
+    await page.evaluate(() => window.whittle.drawn());
+    const picture = await page.evaluate(({data}) => {
+      let hash = 0;
+      for (let i = 0; i < data.length; i += 4) hash = (Math.imul(hash, 31) + data[i] * 65536 + data[i + 1] * 256 + data[i + 2]) | 0;
+      return hash;
+    }, await pixelsOfCanvas(page));
+    return {picture, ...await page.evaluate(() => {
+      const $ = (id) => document.getElementById(id);
+      const text = (id) => $(id).closest('[hidden]') ? '' : $(id).textContent;
+      const labels = `${text('left-label')} | ${text('right-label')}`;
+      return {
+        labels, legend: text('legend'), reasons: text('reasons'), status: text('status'), level: text('level'), speed: text('speed'),
+        play: text('play'), back: text('back'), place: $('slider').value / 1000, focus: document.activeElement.id,
+        direction: Number(text('play') === 'Pause') - Number(text('back') === 'Pause'), isOpen: document.querySelector('details').open,
+        isRecordingShown: labels.includes('level of the run'),
+      };
+    })};
+  }
+
+  async wait(condition, about, what) {
+    await this.page.waitForFunction(condition, about, {timeout: patience}).catch((error) => {
+      throw new Error(`not seen: ${what} (${error.message.split('\n')[0]})`);
+    });
+  }
+
+  /** Lets a few frames pass. */
+  frames() {
+    return this.page.evaluate(async () => {
+      for (let i = 0; i < 5; ++i) await new Promise(requestAnimationFrame);
+    });
+  }
+
+  /** Puts the player to a place, and lets it go on as it does. */
+  jumpTo(place) {
+    return this.page.evaluate((at) => window.whittle.player.goTo(at), place);
+  }
+
+  /** Brings the player into a state. \param direction −1, 0 or 1 */
+  reach(place, direction, speed = 1) {
+    return this.page.evaluate(([at, way, fast]) => {
+      const {player} = window.whittle;
+      player.setSpeed(fast);
+      window.whittle.showPlace(at);
+      if (way !== 0) window.whittle.play(way);
+    }, [place, direction, speed]);
+  }
+
+  /** The names of the controls that can be used now: their id, or their tag. */
+  controls() {
+    return this.page.$$eval('a[href], button, input, select, textarea, summary, [tabindex], [contenteditable]', (all) =>
+      all.filter((e) => e.offsetParent !== null && !e.disabled).map((e) => e.id || e.tagName.toLowerCase()));
+  }
+
+  async isUsable(name) {
+    return (await this.controls()).includes(name);
+  }
+
+  /** \param name id or tag of a control */
+  async place(name) {
+    const element = await this.page.$(`#${name}`) ?? await this.page.$(name);
+    await element.scrollIntoViewIfNeeded();
+    return element;
+  }
+
+  /** Presses a button or a box. */
+  async press(name, by) {
+    const element = await this.place(name);
+    if (by === 'mouse') return element.click();
+    if (by === 'touch') return element.tap();
+    await element.focus();
+    return this.page.keyboard.press(name === 'summary' ? 'Enter' : 'Space');
+  }
+
+  /** The values that a list offers. */
+  options(name) {
+    return this.page.$eval(`#${name}`, ({options}) => [...options].filter(({disabled}) => !disabled).map(({value}) => value));
+  }
+
+  value(name) {
+    return this.page.$eval(`#${name}`, ({value}) => value);
+  }
+
+  /** Chooses in a list. A browser without a window has no list to click into. */
+  async choose(name, value, by) {
+    if (by !== 'keys') return this.page.selectOption(`#${name}`, value);
+    await (await this.place(name)).focus();
+    const options = await this.options(name);
+    const steps = options.indexOf(value) - options.indexOf(await this.value(name));
+    for (let i = 0; i < Math.abs(steps); ++i) await this.page.keyboard.press(steps > 0 ? 'ArrowDown' : 'ArrowUp');
+    if (await this.value(name) !== value) throw new Error(`the arrow keys don't choose ${value}`);
+  }
+
+  /** A point of the window. \param x, y shares of the control's width and height */
+  async point(name, x, y) {
+    const box = await (await this.place(name)).boundingBox();
+    return [box.x + x * box.width, box.y + y * box.height];
+  }
+
+  async click(point, by) {
+    await (by === 'touch' ? this.page.touchscreen : this.page.mouse)[by === 'touch' ? 'tap' : 'click'](...point);
+  }
+
+  async drag(from, to, button = 'left') {
+    await this.page.mouse.move(...from);
+    await this.page.mouse.down({button});
+    await this.page.mouse.move(...to, {steps: 3});
+    await this.page.mouse.up({button});
+  }
+
+  /** Moves fingers. \param fingers of each, from where to where */
+  async touch(fingers) {
+    this.session ??= await this.page.context().newCDPSession(this.page);
+    const send = (type, share) => this.session.send('Input.dispatchTouchEvent', {type, touchPoints: share === null ? []
+      : fingers.map(([from, to], id) => ({id, x: from[0] + share * (to[0] - from[0]), y: from[1] + share * (to[1] - from[1])}))});
+    await send('touchStart', 0);
+    for (const share of [0.3, 0.6, 1]) await send('touchMove', share);
+    await send('touchEnd', null);
+  }
+}
+
+module.exports = {Visitor};
