@@ -193,6 +193,7 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
         "--self-intersections", "count", "--normals", "drop", "--weld", "auto"},
        {blob, "-o", out, "--ratio", "0.1", "--cost", "quadric", "--weights", "uniform", "--placement", "midpoint",
         "--order", "exact", "--polish", "0", "--strict"},
+       {blob, "-o", out, "--faces", "20", "--max-error", "1%"},
        {terrain, "-o", out, "--max-error", "1%", "--max-error-borders", "0.5%", "--certificate", folder / "proof",
         "--record", folder / "rec", "--no-embed", "--zstd", "--tolerance-map", tolerances},
        {blob, "-o", out, "--faces", "500", "--certify", "--isotropic", "0.5", "--valence", "1", "--fit", "max",
@@ -338,7 +339,6 @@ TEST(ReportKeys, OfReplayAreDocumented) {
       "replay", {{rec, "-o", out, "--format", "ply", "--faces", "600", "--verbose", "--ascii"},
                  {rec, "-o", out, "--output-format", "obj", "--vertices", "600", "--quiet", "--threads", "1"},
                  {bare, "--output", out, "--format", "ply", "--input", terrain, "--cost", "1e-9", "--no-weld"},
-                 {rec, "-o", folder / "out.glb", "--at", "1", "--compress"},
                  {bare, "-o", out, "--output-format", "ply", "--input", terrain, "--input-format", "ply", "--at", "0.5",
                   "--weld", "0", "--force", "--color", "never"},
                  {rec, "-o", folder / "out{i}.ply", "--steps", "0:1:3"}});

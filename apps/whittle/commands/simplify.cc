@@ -122,7 +122,44 @@ Simplification simplify_to(const DecimateTarget& target, const SimplifyCommand& 
   return result;
 }
 
-/// Keeps to the largest error as the result is written: if rounding takes it over that, tries again with less.
+/// Takes over a result. \return whether it keeps the limits of the error as it is written, which is proven
+bool take_if_within(Simplification result, const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
+  const Stopwatch certifying;
+  record.distances = distances_as_written(record.input, result, options, record.target, talk);
+  const bool is_kept =
+      record.distances && are_within(record.target, *record.distances) &&
+      keeps_tolerances(record.input.read.mesh, *record.distances, options, record.target, record.tolerances);
+  record.seconds.certify += certifying.seconds();
+  record.seconds.decimate += result.decimate_seconds;
+  record.seconds.polish += result.polish_seconds;
+  record.simplified = std::move(result);
+  return is_kept;
+}
+
+/// The input as it is.
+Simplification uncontracted(const SimplifyCommand& options, const Talk& talk, const SimplifyRecord& record) {
+  SimplifyCommand as_it_is = options;
+  as_it_is.simplify.polish_passes = 0;
+  Simplification result =
+      simplify_to(DecimateTarget::faces(record.input.read.mesh.faces.size()), as_it_is, talk, record);
+  result.result.stop = StopReason::error;
+  return result;
+}
+
+std::string why_not_within(const SimplifyCommand& options, const SimplifyRecord& record) {
+  const double limit = *record.target.error_limit();
+  const double at_least = record.distances ? std::max(record.distances->surface.forward.at_least,
+                                                      record.distances->surface.backward.at_least)
+                                           : 0;
+  return record.input.name + ": an error of " + shortest(limit) + " at most can't be proven as " +
+         shown_output(options.output) + " would be written, not even of all faces of the input; " +
+         (at_least > limit ? "rounding moves them by " + significant(at_least) +
+                                 "; choose a larger --max-error, or a format that keeps every digit"
+                           : "choose a larger --max-error");
+}
+
+/// Keeps to the largest error as the result is written: if rounding takes it over that, tries again with less. The
+/// input itself is the last that is tried.
 void simplify_within_error(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
   const double limit = *record.target.error_limit();
   const double border_limit = *record.target.border_error_limit();
@@ -130,22 +167,11 @@ void simplify_within_error(const SimplifyCommand& options, const Talk& talk, Sim
     SimplifyCommand with_share = options;
     with_share.simplify.decimate.tolerances = record.tolerances;
     for (double& tolerance : with_share.simplify.decimate.tolerances) tolerance *= share;
-    Simplification result =
-        simplify_to(record.target.or_max_error(share * limit, share * border_limit), with_share, talk, record);
-    const Stopwatch certifying;
-    record.distances = distances_as_written(record.input, result, options, record.target, talk);
-    const bool is_kept =
-        record.distances && are_within(record.target, *record.distances) &&
-        keeps_tolerances(record.input.read.mesh, *record.distances, options, record.target, record.tolerances);
-    record.seconds.certify += certifying.seconds();
-    record.seconds.decimate += result.decimate_seconds;
-    record.seconds.polish += result.polish_seconds;
-    record.simplified = std::move(result);
-    if (is_kept) return;
+    const DecimateTarget target = record.target.or_max_error(share * limit, share * border_limit);
+    if (take_if_within(simplify_to(target, with_share, talk, record), options, talk, record)) return;
   }
-  throw std::runtime_error(record.input.name + ": an error of " + shortest(limit) + " at most can't be proven as " +
-                           shown_output(options.output) +
-                           " would be written; choose a larger --max-error, or a format that keeps every digit");
+  if (take_if_within(uncontracted(options, talk, record), options, talk, record)) return;
+  throw std::runtime_error(why_not_within(options, record));
 }
 
 void simplify_without_limit(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
@@ -184,6 +210,9 @@ void take_warnings(const Talk& talk, SimplifyRecord& record) {
 /// What stood in the way of the target, and what lifts it.
 std::string obstacle(const SimplifyCommand& options, const SimplifyRecord& record) {
   const DecimateResult& result = record.simplified.result;
+  if (const std::string_view limit = option_that_ended(result.stop); !limit.empty()) {
+    return '\'' + std::string(limit) + "' ended it";
+  }
   const std::string refused = refusals(options, result.rejections) + "; ";
   if (options.engine == Engine::openmesh) return refused + "'--engine flat' may get further";
   const std::string left = reasons_at_end(result.refused_at_end);
@@ -202,9 +231,20 @@ std::string shortfall(const SimplifyCommand& options, const SimplifyRecord& reco
     if (!above.empty())
       where = " by " + above.front() + (above.size() > 1 ? " and " + std::to_string(above.size() - 1) + " more" : "");
   }
-  return record.input.name + ": target not met" + where + ": " + to_string(record.target) + " asked, " +
+  return record.input.name + ": target not met" + where + ": " + to_string(counts_of(record.target)) + " asked, " +
          faces_text(result.n_faces) + " and " + vertices_text(result.n_vertices) + " reached; " +
          obstacle(options, record);
+}
+
+/// A limit of the error that allows nothing at all may surprise.
+void warn_of_nothing_contracted(const Talk& talk, SimplifyRecord& record) {
+  const DecimateResult& result = record.simplified.result;
+  if (result.stop != StopReason::error || result.n_contractions > 0) return;
+  const std::string left = reasons_at_end(result.refused_at_end);
+  record.warnings.push_back(
+      record.input.name + ": nothing is contracted, as no fewer faces are found that keep within " +
+      length_text(*record.target.error_limit(), record.diagonal) + (left.empty() ? "" : "; the pairs left: " + left));
+  talk.warning(record.warnings.back());
 }
 
 /// Whether a twentieth of the vertices and more lie on open borders.
@@ -296,9 +336,10 @@ std::vector<std::string> lost_in_openmesh(const SimplifyCommand& options, const 
   return warnings;
 }
 
-/// OpenMesh's engine takes one value of an attribute a vertex.
+/// Recordings, and OpenMesh's engine, take one value of an attribute a vertex.
 io::AttributeScope attributes_to_read(const SimplifyCommand& options) {
-  return options.engine == Engine::openmesh ? io::AttributeScope::per_vertex : io::AttributeScope::all;
+  return options.recording || options.engine == Engine::openmesh ? io::AttributeScope::per_vertex
+                                                                 : io::AttributeScope::all;
 }
 
 void drop_attributes(IndexedMesh& mesh) {
@@ -379,6 +420,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   take_warnings(talk, record);
   record.met = is_met(record.target, record.simplified.result.stop);
 
+  warn_of_nothing_contracted(talk, record);
   warn_of_folds(talk, record);
   warn_of_valence_three(options, talk, record);
   if (record.met) warn_of_gaps(options, talk, record);

@@ -91,8 +91,19 @@ DecimateTarget resolve(const TargetOptions& options, std::uint64_t n_vertices, s
 
 bool is_met(const DecimateTarget& target, StopReason stop) {
   const bool has_count = target.n_faces() || target.n_vertices();
-  const bool is_limited = stop == StopReason::cost || stop == StopReason::error;
-  return stop == StopReason::target || is_limited || (stop == StopReason::exhausted && !has_count);
+  return stop == StopReason::target || (stop != StopReason::cancelled && !has_count);
+}
+
+DecimateTarget counts_of(const DecimateTarget& target) {
+  DecimateTarget counts = DecimateTarget::as_far_as_possible();
+  if (target.n_faces()) counts = counts.or_faces(*target.n_faces());
+  if (target.n_vertices()) counts = counts.or_vertices(*target.n_vertices());
+  return counts;
+}
+
+std::string_view option_that_ended(StopReason stop) {
+  if (stop == StopReason::error) return "--max-error";
+  return stop == StopReason::cost ? "--max-cost" : "";
 }
 
 std::string to_string(const DecimateTarget& target) {

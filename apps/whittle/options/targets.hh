@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "options/values.hh"
 #include "whittle/engine/decimate.hh"
@@ -45,9 +46,15 @@ void check_targets(const TargetOptions& options, const std::string& all);
 /// \param diagonal of the mesh's bounding box
 DecimateTarget resolve(const TargetOptions& options, std::uint64_t n_vertices, std::uint64_t n_faces, double diagonal);
 
-/// Whether the target is met. A run that stopped at a limit of cost or error has met it. Without a limit of faces or
-/// vertices the target is met even if nothing was left to contract.
+/// Whether the target is met: a number of faces or vertices that was asked for is reached, whatever else ended the run.
+/// Without such a number a run has met it where it ended.
 bool is_met(const DecimateTarget& target, StopReason stop);
+
+/// The limits of faces and vertices alone.
+DecimateTarget counts_of(const DecimateTarget& target);
+
+/// The option whose limit ended a run; empty if none did.
+std::string_view option_that_ended(StopReason stop);
 
 /// "5120 faces or 2560 vertices or cost 0.001 or error 0.1"
 std::string to_string(const DecimateTarget& target);

@@ -113,6 +113,57 @@ TEST(MaxErrorOption, WritesNothingThatIsNotProven) {
   EXPECT_EQ(whittle({"simplify", input, "-o", output, "-e", "0.01", "--ascii"}).exit_code, 0);
 }
 
+/// What STL can hold it holds again: the input itself is within any error.
+TEST(MaxErrorOption, WritesTheInputIfNothingElseIsProven) {
+  const TemporaryFolder folder;
+  IndexedMesh far = blob(3, 1);
+  for (Vec3& p : far.positions) p += Vec3(1e6, 0, 0);
+  const std::string rounded = folder / "rounded.stl";
+  io::write_mesh(rounded, far);
+  const std::string output = folder / "out.stl";
+  const Outcome run = whittle({"simplify", rounded, "-o", output, "-e", "1e-5", "--json", "-"});
+  ASSERT_EQ(run.exit_code, 0) << run;
+  const auto report = parse_json(run.out);
+  EXPECT_LE(report["max_error"]["proven"], 1e-5);
+  EXPECT_EQ(io::read_mesh(output).mesh.faces.size(), report["output"]["faces"]);
+}
+
+TEST(MaxErrorOption, SaysWhyNothingIsContracted) {
+  const TemporaryFolder folder;
+  const std::string input = folder / "in.ply";
+  io::write_mesh(input, icosahedron());
+  const Outcome run = whittle({"simplify", input, "-o", folder / "out.ply", "-e", "1e-4"});
+  EXPECT_EQ(run.exit_code, 0) << run;
+  EXPECT_NE(run.err.find("nothing is contracted"), std::string::npos) << run;
+  EXPECT_NE(run.err.find("20 -> 20 faces"), std::string::npos) << run;
+}
+
+TEST(MaxErrorOption, MayEndBeforeANumberThatIsAsked) {
+  const TemporaryFolder folder;
+  const std::string output = folder / "out.ply";
+  const auto simplified = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"simplify", data_file("blob.obj"), "-o", output, "--json", "-"});
+    return whittle(more);
+  };
+  const std::vector<std::vector<std::string>> ends{{"--max-error", "0.5%"}, {"--max-cost", "1e-7"}};
+  for (const std::vector<std::string>& end : ends) {
+    SCOPED_TRACE(end[0]);
+    const Outcome run = simplified({"--faces", "20", end[0], end[1]});
+    EXPECT_EQ(run.exit_code, 0) << run;
+    const auto report = parse_json(run.out);
+    EXPECT_EQ(report["target"]["met"], false);
+    EXPECT_EQ(report["target"]["ended_by"], end[0]);
+    EXPECT_NE(run.err.find("target not met: 20 faces asked"), std::string::npos) << run;
+    EXPECT_NE(run.err.find("'" + end[0] + "' ended it"), std::string::npos) << run;
+    EXPECT_NE(run.err.find(", ended by '" + end[0] + "', in "), std::string::npos) << run;
+    EXPECT_EQ(simplified({"--faces", "20", end[0], end[1], "--strict"}).exit_code, 3);
+    EXPECT_EQ(simplified({"--strict", end[0], end[1]}).exit_code, 0) << "no number is asked";
+    const auto reached = parse_json(simplified({"--strict", "--faces", "5000", end[0], end[1]}).out);
+    EXPECT_EQ(reached["target"]["met"], true);
+    EXPECT_FALSE(reached["target"].contains("ended_by"));
+  }
+}
+
 TEST(MaxErrorOption, IsLessInPlaces) {
   const TemporaryFolder folder;
   const std::string input = data_file("blob.obj");

@@ -165,6 +165,69 @@ IndexedMesh frustum(int n_around, double height_of_top) {
   return mesh;
 }
 
+namespace {
+
+void add_circle(IndexedMesh& mesh, int n, double radius, double z) {
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n;
+    mesh.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+  }
+}
+
+/// Faces between two circles of n vertices, the numbers of their first ones.
+void add_band(IndexedMesh& mesh, Index n, Index from, Index to) {
+  for (Index i = 0; i < n; ++i) {
+    const Index next = (i + 1) % n;
+    mesh.faces.push_back({from + i, from + next, to + next});
+    mesh.faces.push_back({from + i, to + next, to + i});
+  }
+}
+
+/// Counter-clockwise inside of a circle of n vertices.
+std::vector<Triangle> faces_of_cap(Index n, Caps caps, Index middle) {
+  std::vector<Triangle> faces;
+  if (caps == Caps::fan) {
+    for (Index i = 1; i + 1 < n; ++i) faces.push_back({0, i, i + 1});
+  } else if (caps == Caps::center) {
+    for (Index i = 0; i < n; ++i) faces.push_back({middle, i, (i + 1) % n});
+  } else {
+    for (Index low = 0, high = n - 1; high - low > 1;) {
+      faces.push_back({low, low + 1, high});
+      if (++low; high - low > 1) faces.push_back({low, high - 1, high});
+      --high;
+    }
+  }
+  return faces;
+}
+
+}  // namespace
+
+IndexedMesh capped_cylinder(int n_around, Caps caps) {
+  require_shape(n_around >= 3, "test shape: a cylinder needs three vertices around");
+  const auto n = static_cast<Index>(n_around);
+  IndexedMesh mesh;
+  add_circle(mesh, n_around, 1, 0);
+  add_circle(mesh, n_around, 1, 1);
+  if (caps == Caps::center) mesh.positions.insert(mesh.positions.end(), {Vec3(0, 0, 0), Vec3(0, 0, 1)});
+  add_band(mesh, n, 0, n);
+  for (const auto& [a, b, c] : faces_of_cap(n, caps, 2 * n)) mesh.faces.push_back({a, c, b});
+  for (const auto& [a, b, c] : faces_of_cap(n, caps, n + 1)) mesh.faces.push_back({a + n, b + n, c + n});
+  return mesh;
+}
+
+IndexedMesh washer(int n_around) {
+  require_shape(n_around >= 3, "test shape: a washer needs three vertices around");
+  const auto n = static_cast<Index>(n_around);
+  constexpr double height = 0.2;
+  IndexedMesh mesh;
+  add_circle(mesh, n_around, 1, 0);
+  add_circle(mesh, n_around, 1, height);
+  add_circle(mesh, n_around, 0.5, height);
+  add_circle(mesh, n_around, 0.5, 0);
+  for (Index circle = 0; circle < 4; ++circle) add_band(mesh, n, circle * n, (circle + 1) % 4 * n);
+  return mesh;
+}
+
 IndexedMesh bracket(int n_side) {
   require_shape(n_side >= 2, "test shape: a bracket has at least two squares a side");
   PatchBuilder builder;

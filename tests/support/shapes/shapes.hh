@@ -71,6 +71,14 @@ IndexedMesh two_triangles();
 IndexedMesh cone(int n_around, double height = 2.0);
 /// A truncated cone: radii 1 and 0.5, each side one long thin pair of faces. V 2n + 2, F 4n, g 0.
 IndexedMesh frustum(int n_around, double height = 20.0);
+/// How the flat ends of a shape are divided: into triangles from one vertex, into a strip from one side to the other,
+/// or into triangles around the middle.
+enum class Caps { fan, strip, center };
+/// A cylinder of radius and height 1, a long thin pair of faces a side. V 2n, F 4n - 4; around the middle V 2n + 2, F
+/// 4n.
+IndexedMesh capped_cylinder(int n_around, Caps caps);
+/// A ring of radii 0.5 and 1 and height 0.2, a pair of faces a side all around. V 4n, F 8n, g 1.
+IndexedMesh washer(int n_around);
 /// An angle bracket: a plate with a round hole through it and a wall standing on its edge; flat sides, sharp edges.
 /// With n = `n_side` (at least 2) squares along a side: V 10n² + 12n + 2, F 20n² + 24n + 4, g 1.
 IndexedMesh bracket(int n_side);

@@ -17,6 +17,7 @@
 #include "support/shapes/shapes.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/engine/simplify.hh"
+#include "whittle/metrics/detail/linked_faces.hh"
 
 namespace whittle::test {
 
@@ -136,6 +137,35 @@ TEST(Certify, IsLessAccurateWhereItTakesTooManyPieces) {
 }
 
 /// A face is missing in a plane: what lies over the hole is not covered, though all around it is.
+/// Needles are left where faces are contracted along a line. Rounding must not take the nearest place to another side.
+TEST(Certify, MeasuresTheDistanceFromNeedles) {
+  for (const double width : {1e-4, 1e-7, 2e-9, 1e-12, 0.0}) {
+    const Corners needle{Vec3(1 + width, 0, 1), Vec3(1 + width, 0.425793006, 1), Vec3(1, 0.299808709, 1)};
+    for (int i = 0; i <= 1000; ++i) {
+      const double height = i % 2 == 0 ? 0 : 0.01;
+      const Vec3 point(1, 0.000425793 * i, 1 - height);
+      EXPECT_LE(distance_to(needle, point), height + width + 1e-12) << width << ' ' << i;
+    }
+  }
+}
+
+/// Each edge of the common side has four faces, so no patch goes beyond it, and small distances take many pieces there.
+TEST(Certify, EndsWhereSurfacesTouch) {
+  IndexedMesh right = tessellated_cube(3);
+  for (Vec3& p : right.positions) p.x() += 2;
+  const IndexedMesh coarse = glued(joined(tessellated_cube(3), right));
+  IndexedMesh other = coarse;
+  for (Vec3& p : other.positions) p += Vec3(0.3, 0.2, 0.1).cwiseProduct(1e-9 * p);
+  std::rotate(other.faces.begin(), other.faces.begin() + 5, other.faces.end());
+  for (const IndexedMesh& mesh : {coarse, other}) {
+    const LargestDistances largest = largest_distances(coarse, mesh, 1e-3, {.limit = 0.01});
+    EXPECT_LE(largest.forward.at_most, 0.01);
+    EXPECT_LE(largest.backward.at_most, 0.01);
+    EXPECT_LT(largest.forward.at_least, 1e-8);
+    EXPECT_LT(largest_distances(coarse, mesh, 1e-3).forward.at_most, 0.01);
+  }
+}
+
 TEST(Certify, SeesHoles) {
   const IndexedMesh whole = grid(8, 8);
   IndexedMesh pierced = whole;

@@ -64,6 +64,8 @@ Json simplify_json(const SimplifyCommand& options, const SimplifyRecord& record)
   json["output"] = output_json(options, record, metrics::topology(mesh));
   json["target"] = target_json(options.targets, record.target);
   json["target"]["met"] = record.met;
+  const std::string_view ended_by = option_that_ended(result.stop);
+  if (!record.met && !ended_by.empty()) json["target"]["ended_by"] = ended_by;
   json["stop"] = to_string(result.stop);
   json["max_error"] = max_error_json(record);
   json["curve"] = options.curve ? curve_json(record.curve) : Json(nullptr);

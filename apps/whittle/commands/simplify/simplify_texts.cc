@@ -13,6 +13,12 @@ std::string threshold_pairs(const ThresholdPairCounts& pairs) {
          (pairs.capped ? ", the nearest of each vertex" : "") + ", " + std::to_string(pairs.contracted) + " contracted";
 }
 
+/// ", ended by '--max-error',"
+std::string ended_by(StopReason stop) {
+  const std::string_view option = option_that_ended(stop);
+  return option.empty() ? "" : ", ended by '" + std::string(option) + "',";
+}
+
 }  // namespace
 
 std::string refusals(const SimplifyCommand& options, const Rejections& refused) {
@@ -64,7 +70,7 @@ std::string summary(const SimplifyCommand& options, const SimplifyRecord& record
               ? ", at most " + length_text_rounded_up(proven_distance(record.distances->surface), record.diagonal) +
                     " off"
               : "") +
-         " in " + seconds_text(record.seconds.total);
+         (record.met ? "" : ended_by(after.stop)) + " in " + seconds_text(record.seconds.total);
 }
 
 }  // namespace whittle::app

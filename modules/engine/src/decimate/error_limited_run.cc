@@ -20,11 +20,21 @@ IndexedMesh surface_of(const Remainder& left) {
 
 }  // namespace
 
+/// Contracts in two ways, and takes the one that leaves fewer faces.
+std::unique_ptr<ErrorBounds> ErrorLimitedRun::contract(const BlockPlan& plan) {
+  const bool is_done = contract_in_steps(plan);
+  if (!is_done && !passes_.is_cancelled() && passes_.done().result.stop != StopReason::target) {
+    contract_from_plain_level(plan);
+  }
+  return end();
+}
+
 /// Contracts as far as the error may be, in three steps: what moves the surface by next to nothing, which leaves a
 /// coarse copy of a large input; what hardly moves it; and what keeps near to the coarse copy, or to the input. What is
 /// left is proven to be near to the input. Where it isn't, the next try is less bold. If none succeeds, what the second
 /// step left stays.
-std::unique_ptr<ErrorBounds> ErrorLimitedRun::contract(const BlockPlan& plan) {
+/// \return true if a plain level was taken after the second step, as it has far fewer faces
+bool ErrorLimitedRun::contract_in_steps(const BlockPlan& plan) {
   constexpr double bold_share = 0.3;
   constexpr int most_bold_tries = 3;
   std::future<std::unique_ptr<ErrorBounds>> bounds = begin_bounds();
@@ -41,16 +51,45 @@ std::unique_ptr<ErrorBounds> ErrorLimitedRun::contract(const BlockPlan& plan) {
       error_bounds_ = bounds.get();
       make_coarse_bound(start);
     }
+    if (i == 0 && has_plain_level_far_below(plan) && contract_from_plain_level(plan)) return true;
     const ErrorBound::Violations violations = find_violations_before_guarding();
     if (violations.empty()) {
-      if (contract_guarded()) return end();
+      if (contract_guarded()) return false;
       if (!hardly_moved) hardly_moved = passes_.done();
     }
     lower_shares_at(violations.vertices, shares);
   }
-  if (contract_guarded_from_input() || (hardly_moved && end_with(*hardly_moved))) return end();
+  if (contract_guarded_from_input() || (hardly_moved && end_with(*hardly_moved))) return false;
   contract_nothing();
-  return end();
+  return false;
+}
+
+/// Whether a plain run is proven to leave far fewer faces than the second step. That step leaves two to six times as
+/// many as the third one; of long and thin triangles nearly all, and then the third step takes long.
+bool ErrorLimitedRun::has_plain_level_far_below(const BlockPlan& plan) {
+  constexpr std::size_t far = 4;
+  if (passes_.is_cancelled() || passes_.done().result.stop == StopReason::target) return false;
+  plain_run_.emplace(passes_, *error_bounds_, plan);
+  return !passes_.is_cancelled() && plain_run_->is_proven_with_vertices(passes_.n_vertices_left() / far);
+}
+
+/// Contracts as if there were no limit, as far as the result is proven to be near to the input, and from there what
+/// keeps near.
+/// \return whether that leaves fewer faces. Else all is as it was
+bool ErrorLimitedRun::contract_from_plain_level(const BlockPlan& plan) {
+  const Done before = passes_.done();
+  const std::size_t n_faces = passes_.n_faces_left();
+  std::unique_ptr<ErrorBound> coarse_bound = std::move(coarse_bound_);
+  if (!plain_run_) plain_run_.emplace(passes_, *error_bounds_, plan);
+  const bool has_level = !passes_.is_cancelled() && plain_run_->contract_to_coarsest_proven(n_faces, plan);
+  if (has_level && find_violations_before_guarding().empty()) {
+    if (!contract_guarded()) contract_no_more();
+    if (passes_.n_faces_left() < n_faces) return true;
+  }
+  if (passes_.is_cancelled()) return true;
+  passes_.done() = before;
+  coarse_bound_ = std::move(coarse_bound);
+  return false;
 }
 
 /// Makes the bounds on another thread, if there is one.

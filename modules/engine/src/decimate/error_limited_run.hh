@@ -2,9 +2,11 @@
 
 #include <future>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "decimate/passes.hh"
+#include "decimate/plain_run.hh"
 #include "error/error_bounds.hh"
 
 namespace whittle {
@@ -38,12 +40,16 @@ class ErrorLimitedRun {
   bool contract_guarded_from_input();
   bool end_with(const Done& done);
   void contract_nothing();
+  bool contract_in_steps(const BlockPlan& plan);
+  bool has_plain_level_far_below(const BlockPlan& plan);
+  bool contract_from_plain_level(const BlockPlan& plan);
   void contract_no_more();
   std::unique_ptr<ErrorBounds> end();
 
   Passes& passes_;
   double limit_;  ///< of the error, in the frame
   std::unique_ptr<ErrorBounds> error_bounds_;
+  std::optional<PlainRun> plain_run_;
   std::unique_ptr<ErrorBound> coarse_bound_;  ///< of the surface, to a coarse copy of the input; or null
   std::vector<Index>
       start_origins_;  ///< vertices that the second step begins with → those of the input; empty if these

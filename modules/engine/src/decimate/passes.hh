@@ -55,6 +55,8 @@ class Passes {
   std::size_t n_vertices_left() const { return done_.left ? done_.left->positions.size() : mesh_.positions.size(); }
   /// Of blocks and passes from now on.
   void set_limits(PassLimits limits) { limits_ = std::move(limits); }
+  /// Whether blocks and passes from now on keep their steps, whatever the options say.
+  void keep_steps_of_all(bool keeps) { keeps_steps_of_all_ = keeps; }
 
   /// \return why it was done otherwise; empty if blocks have contracted
   std::string_view contract_in_blocks(const DecimateTarget& target, const BlockPlan& plan);
@@ -78,7 +80,7 @@ class Passes {
   void count_before(Pass& pass);
   NonmanifoldCounts count_nonmanifold(const Surface& surface) const;
   bool is_listener_told_at_end() const { return options_.listener && target_.error_limit(); }
-  bool keeps_steps() const { return options_.keep_steps || is_listener_told_at_end(); }
+  bool keeps_steps() const { return options_.keep_steps || is_listener_told_at_end() || keeps_steps_of_all_; }
   DecimateOptions options_of_pass(double end);
   void keep_steps_of_pass(std::span<Contraction> log);
   void keep_refused_pairs(Pass& pass);
@@ -89,6 +91,7 @@ class Passes {
   DecimationHost* host_;
   Frame frame_;
   PassLimits limits_;
+  bool keeps_steps_of_all_ = false;
   Done done_;
   std::optional<NonmanifoldCounts> nonmanifold_before_;  ///< of the input
   ThresholdPairCounts pairs_;                            ///< of the input

@@ -1,6 +1,7 @@
 #include "error/error_bound.hh"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "whittle/core/detail/edge_table.hh"
@@ -13,6 +14,9 @@ namespace {
 
 /// Faces that a thread takes at a time. What is found for them depends on no others.
 constexpr std::size_t faces_per_block = 1024;
+
+/// Pieces of a face that are looked at before it counts as far.
+constexpr int most_pieces = 1 << 12;
 
 /// Calls `use(a, b)` with the ends of each edge, once: edges of triangles, and segments.
 template <class Use>
@@ -60,14 +64,19 @@ std::vector<double> limits_at_vertices(const IndexedMesh& mesh, std::span<const 
 }
 
 /// Calls `use(face, prover, violations)` for each face below `n`, on all threads. Violations are added in order.
+/// \param ends_at_first whether other faces needn't be looked at once there is a violation
 template <class Use>
-void for_each_face(std::size_t n, const metrics::ProofTarget& target, unsigned threads, const Use& use,
-                   ErrorBound::Violations& violations) {
+void for_each_face(std::size_t n, const metrics::ProofTarget& target, unsigned threads, bool ends_at_first,
+                   const Use& use, ErrorBound::Violations& violations) {
   std::vector<ErrorBound::Violations> of_blocks((n + faces_per_block - 1) / faces_per_block);
+  std::atomic<bool> has_ended = false;
   for_each_block(of_blocks.size(), threads, [&](std::size_t block) {
-    metrics::Prover prover(target);
+    metrics::Prover prover(target, most_pieces);
     const std::size_t end = std::min(n, (block + 1) * faces_per_block);
-    for (auto f = static_cast<Index>(block * faces_per_block); f < end; ++f) use(f, prover, of_blocks[block]);
+    for (auto f = static_cast<Index>(block * faces_per_block); f < end && !has_ended; ++f) {
+      use(f, prover, of_blocks[block]);
+      if (ends_at_first && !of_blocks[block].empty()) has_ended = true;
+    }
   });
   for (const ErrorBound::Violations& found : of_blocks) violations.add(found);
 }
@@ -103,7 +112,7 @@ void ErrorBound::add_points(std::span<const FarPoint> points) {
   }
 }
 
-ErrorBound::Violations ErrorBound::check(const CheckedSurface& checked, double limit) {
+ErrorBound::Violations ErrorBound::check(const CheckedSurface& checked, double limit, Search search) {
   const IndexedMesh& surface = checked.mesh;
   Violations violations;
   if (surface.faces.empty()) {
@@ -111,13 +120,15 @@ ErrorBound::Violations ErrorBound::check(const CheckedSurface& checked, double l
     return violations;
   }
   const metrics::TargetSurface target(surface, checked.frame);
-  check_surface(target, checked.is_proven, limit, violations);
-  check_input(target, find_supports(target, checked.vertex_map, limit, violations), limit, violations);
+  const auto has_ended = [&] { return search == Search::first && !violations.empty(); };
+  const std::vector<Index> supports = find_supports(target, checked.vertex_map, limit, search, violations);
+  if (!has_ended()) check_surface(target, checked.is_proven, limit, search, violations);
+  if (!has_ended()) check_input(target, supports, limit, search, violations);
   return violations;
 }
 
 void ErrorBound::check_surface(const metrics::TargetSurface& surface, std::span<const std::uint8_t> is_proven,
-                               double limit, Violations& violations) const {
+                               double limit, Search search, Violations& violations) const {
   const metrics::LinkedFaces faces = surface.faces();
   const auto check = [&](Index face, metrics::Prover& prover, Violations& found) {
     if (!is_proven.empty() && is_proven[face] != 0) return;
@@ -127,20 +138,22 @@ void ErrorBound::check_surface(const metrics::TargetSurface& surface, std::span<
     found.is_surface_far = true;
     add_corners(faces.faces[face], found);
   };
-  for_each_face(faces.faces.size(), input_, threads_, check, violations);
+  for_each_face(faces.faces.size(), input_, threads_, search == Search::first, check, violations);
 }
 
 /// Finds the nearest face, or any that is near.
-/// \return of each point, a face of the surface; `invalid_index` for vertices that are in no face
+/// \return of each point, a face of the surface; `invalid_index` for vertices that are in no face. Once any violation
+///         will do and there is one, for other points, too
 std::vector<Index> ErrorBound::find_supports(const metrics::TargetSurface& surface, std::span<const Index> vertex_map,
-                                             double limit, Violations& violations) {
+                                             double limit, Search search, Violations& violations) {
   const metrics::LinkedFaces faces = surface.faces();
   const detail::IndexLists<Index> at_vertices = faces_at_vertices(faces);
   std::vector<Index> supports(points_.size(), invalid_index);
   std::vector<std::uint8_t> is_far(points_.size());
   const auto limit_of = [&](std::size_t p) { return std::min(limit, limit_at(static_cast<Index>(p))); };
+  std::atomic<bool> has_ended = false;
   for_each_range(points_.size(), threads_, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p) {
+    for (std::size_t p = begin; p < end && !has_ended; ++p) {
       std::span<const Index> at_merged;  // faces at the vertex that the point was merged into
       if (p < vertex_map.size()) {
         if (vertex_map[p] == invalid_index) continue;
@@ -155,6 +168,7 @@ std::vector<Index> ErrorBound::find_supports(const metrics::TargetSurface& surfa
       const metrics::NearFace near = surface.nearest(points_[p], at_merged.empty() ? invalid_index : at_merged[0]);
       supports[p] = near.face;
       is_far[p] = static_cast<std::uint8_t>(near.distance > limit_of(p));
+      if (search == Search::first && is_far[p] != 0) has_ended = true;
     }
   });
   supports_.clear();
@@ -170,7 +184,7 @@ std::vector<Index> ErrorBound::find_supports(const metrics::TargetSurface& surfa
 
 /// Faces whose corners have one support are near: the distance from a face is convex.
 void ErrorBound::check_input(const metrics::TargetSurface& surface, std::span<const Index> supports, double limit,
-                             Violations& violations) const {
+                             Search search, Violations& violations) const {
   const metrics::LinkedFaces faces = input_.faces();
   const auto check = [&](Index face, metrics::Prover& prover, Violations& found) {
     const auto& [a, b, c] = faces.faces[face];
@@ -181,7 +195,7 @@ void ErrorBound::check_input(const metrics::TargetSurface& surface, std::span<co
     found.points.push_back({farthest.point, limit_of(face, limit)});
     add_corners(surface.faces().faces[surface.nearest(farthest.point, supports[a]).face], found);
   };
-  for_each_face(faces.faces.size(), surface, threads_, check, violations);
+  for_each_face(faces.faces.size(), surface, threads_, search == Search::first, check, violations);
 }
 
 }  // namespace whittle

@@ -67,17 +67,23 @@ class ErrorBound {
   }
 
   /// Tries to prove that a surface keeps the bound. \param limit in place of that of the bound
-  Violations check(const CheckedSurface& checked, double limit);
+  Violations check(const CheckedSurface& checked, double limit) { return check(checked, limit, Search::all); }
+  /// Whether that is proven: takes less time where it isn't.
+  bool is_kept_by(const CheckedSurface& checked) { return check(checked, limit_, Search::first).empty(); }
   /// Of the surface checked last, each point once.
   const std::vector<Support>& supports() const { return supports_; }
 
  private:
+  /// Which violations are looked for: all, or any.
+  enum class Search { all, first };
+
+  Violations check(const CheckedSurface& checked, double limit, Search search);
   std::vector<Index> find_supports(const metrics::TargetSurface& surface, std::span<const Index> vertex_map,
-                                   double limit, Violations& violations);
-  void check_input(const metrics::TargetSurface& surface, std::span<const Index> supports, double limit,
+                                   double limit, Search search, Violations& violations);
+  void check_input(const metrics::TargetSurface& surface, std::span<const Index> supports, double limit, Search search,
                    Violations& violations) const;
   void check_surface(const metrics::TargetSurface& surface, std::span<const std::uint8_t> is_proven, double limit,
-                     Violations& violations) const;
+                     Search search, Violations& violations) const;
 
   double limit_of(Index face, double limit) const { return limits_.empty() ? limit : std::min(limit, limits_[face]); }
 

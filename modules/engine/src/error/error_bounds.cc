@@ -41,6 +41,10 @@ ErrorBound::Violations ErrorBounds::check(const CheckedSurface& surface) {
   return violations;
 }
 
+bool ErrorBounds::are_kept_by(const CheckedSurface& surface) {
+  return check_borders(surface).empty() && surface_->is_kept_by(surface);
+}
+
 ErrorBound::Violations ErrorBounds::check_borders(const CheckedSurface& surface) {
   const IndexedMesh edges = metrics::border_edges_of(surface.mesh).mesh;
   if (borders_) {

@@ -8,6 +8,10 @@ namespace {
 /// Pieces of a face that are looked at before the contraction is refused.
 constexpr int most_pieces = 256;
 
+/// Faces that are looked at for points that lose their support, before the contraction is refused. Around vertices of
+/// hundreds of edges, as fans have, an edge of the input may lie across all faces; elsewhere it takes some hundred.
+constexpr std::size_t most_looks = 1 << 15;
+
 /// Calls `use` with each vertex that is named once: an edge with one face leads to it.
 template <class Use>
 void for_each_border_end(std::vector<Index>& ends, const Use& use) {
@@ -35,6 +39,7 @@ ErrorGuard::ErrorGuard(TriangleComplex& complex, const ErrorBound& bound)
 
 /// What takes little time is looked at first.
 bool ErrorGuard::refuses_at(ContractionProfile& profile, const Vec3& position) {
+  n_looks_left_ = most_looks;
   pair_ = profile.pair;
   position_ = position;
   faces_.clear();
@@ -134,12 +139,13 @@ bool ErrorGuard::are_edges_near(Index point, Index support) {
 
 /// The distance from a face is convex along the segment. So all of it is near if one point is near to both faces.
 bool ErrorGuard::is_near(const Segment& segment, int depth) {
-  constexpr int most_halvings = 8;
+  constexpr int most_halvings = 20;  // a millionth is left: E may be a small share of the edge
   const auto& [ends, faces, reach] = segment;
   const Vec3 middle = 0.5 * (ends[0] + ends[1]);
   const bool is_near_first = is_within(faces[0], middle, reach);
   const bool is_near_second = is_within(faces[1], middle, reach);
   if (is_near_first && is_near_second) return true;
+  if (is_within(faces[1], ends[0], reach) || is_within(faces[0], ends[1], reach)) return true;
   if (depth == most_halvings) return false;
   if (is_near_first) return is_near({{middle, ends[1]}, faces, reach}, depth + 1);
   if (is_near_second) return is_near({{ends[0], middle}, faces, reach}, depth + 1);
@@ -158,10 +164,14 @@ bool ErrorGuard::find_support(const Vec3& point, double reach, Index& hint) {
   return find_support_in_list(point, reach, hint);
 }
 
-bool ErrorGuard::find_support_in_list(const Vec3& point, double reach, Index& hint) const {
+bool ErrorGuard::find_support_in_list(const Vec3& point, double reach, Index& hint) {
   if (hint < faces_.size() && is_within(faces_[hint].corners, point, reach)) return true;
-  for (Index face = 0; face < faces_.size(); ++face) {
-    if (!is_within(faces_[face].corners, point, reach)) continue;
+  const std::size_t n_looks = std::min(n_looks_left_, faces_.size());
+  for (Index face = 0; face < n_looks; ++face) {
+    --n_looks_left_;
+    const auto& [vertices, corners, low, high] = faces_[face];
+    const bool is_beside = ((point - high).array() > reach).any() || ((low - point).array() > reach).any();
+    if (is_beside || !is_within(corners, point, reach)) continue;
     hint = face;
     return true;
   }

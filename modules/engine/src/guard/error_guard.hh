@@ -32,10 +32,10 @@ class ErrorGuard : public Guard {
 
   /// A face at the merged vertex by its other corners.
   void add_new(Index x, Index y) {
-    faces_.push_back({{invalid_index, x, y}, {position_, complex_.position(x), complex_.position(y)}});
+    add({invalid_index, x, y}, {position_, complex_.position(x), complex_.position(y)});
   }
   void add_around(const Triangle& face) {
-    if (!is_at_pair(face)) faces_.push_back({face, corners(face)});
+    if (!is_at_pair(face)) add(face, corners(face));
   }
   TriangleComplex& complex() { return complex_; }
   std::span<const Index> around() const { return around_; }
@@ -45,6 +45,7 @@ class ErrorGuard : public Guard {
   struct FaceAfter {
     Triangle vertices;
     metrics::Corners corners;
+    Vec3 low, high;  ///< of its bounding box
   };
   /// A part of an edge of the input, and a face near to each of its ends.
   struct Segment {
@@ -58,6 +59,10 @@ class ErrorGuard : public Guard {
     Index place = 0;
   };
 
+  void add(const Triangle& vertices, const metrics::Corners& corners) {
+    const auto& [a, b, c] = corners;
+    faces_.push_back({vertices, corners, a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)});
+  }
   void list_around(const ContractionProfile& profile);
   void list_affected();
   bool are_new_faces_near();
@@ -65,7 +70,7 @@ class ErrorGuard : public Guard {
   bool are_edges_near(Index point, Index support);
   bool is_near(const Segment& segment, int depth);
   bool find_support(const Vec3& point, double reach, Index& hint);
-  bool find_support_in_list(const Vec3& point, double reach, Index& hint) const;
+  bool find_support_in_list(const Vec3& point, double reach, Index& hint);
   bool is_at_pair(const Triangle& face) const;
   static bool is_within(const metrics::Corners& face, const Vec3& point, double reach) {
     return metrics::distance_to(face, point) <= reach;
@@ -85,6 +90,7 @@ class ErrorGuard : public Guard {
   // Of the contraction looked at last.
   Pair pair_;
   Vec3 position_ = Vec3::Zero();  ///< of the merged vertex
+  std::size_t n_looks_left_ = 0;
   std::vector<FaceAfter> faces_;  ///< the new ones, and then, once they are asked for, those around them
   std::size_t n_new_ = 0;
   std::vector<Index> around_;              ///< the merged vertex' neighbours

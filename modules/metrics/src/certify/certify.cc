@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -23,6 +24,10 @@ namespace {
 
 /// Faces that a thread takes at a time, and a chunk of a certificate has. What is found for them depends on no others.
 constexpr std::size_t faces_per_block = 1024;
+
+/// Pieces of a triangle that are looked at, once one of the block is undecided: then a point that is farther is all
+/// that counts, and it is found among the first.
+constexpr int most_pieces_after_undecided = 64;
 
 /// A surface whose points may be far from another one.
 struct OneWay {
@@ -127,19 +132,22 @@ Certification certify_one_way(const OneWay& one_way, double distance, const whit
   for_each_block(of_blocks.size(), workers, [&](std::size_t block) {
     Certification& found = of_blocks[block];
     found.verdict = Verdict::proven;
-    Prover prover(one_way.target);
+    auto prover = std::make_unique<Prover>(one_way.target);
     one_way.for_each_face_of(block, [&](Index face) {
       if (first_refuted < block) return false;
       FarthestPoint farthest;
       const double limit = one_way.limits.empty() ? distance : one_way.limits[face];
       const Index hint = one_way.hints.empty() ? invalid_index : one_way.hints[face];
-      const Verdict verdict = prover.prove(one_way.corners(face), limit, hint, farthest);
+      const Verdict verdict = prover->prove(one_way.corners(face), limit, hint, farthest);
       if (verdict == Verdict::proven) {
-        if (section != nullptr) texts[block].add(prover.steps());
+        if (section != nullptr) texts[block].add(prover->steps());
         return true;
       }
       found.verdict = verdict;
-      if (verdict == Verdict::undecided) return true;
+      if (verdict == Verdict::undecided) {
+        prover = std::make_unique<Prover>(one_way.target, most_pieces_after_undecided);
+        return true;
+      }
       found.farther = one_way.far_point(face, farthest);
       std::size_t before = first_refuted;
       while (block < before && !first_refuted.compare_exchange_weak(before, block)) {

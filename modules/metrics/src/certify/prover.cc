@@ -9,8 +9,8 @@ namespace {
 /// Distances are found to this accuracy where they are smaller: lengths are about 1.
 constexpr double least_accuracy = 1e-9;
 
-/// How much less accurately they are found where it takes too many pieces: a thousandth gets about 1.
-constexpr double most_coarseness = 1024;
+/// Where it takes too many pieces, distances are found so many times less accurately, again and again.
+constexpr double coarsening = 4;
 
 }  // namespace
 
@@ -29,19 +29,17 @@ double Prover::find_farthest(const Corners& triangle, double from, double accura
   double coarseness = 1;
   const auto limit = [&](const FarthestPoint& point) {
     const double found = std::max(from, point.distance);
-    const double sought = found + coarseness * (accuracy * found + least_accuracy);
-    return found < most - 4 * slack ? std::min(sought, most) : sought;
+    const double sought = std::max(coarse_, found + coarseness * (accuracy * found + least_accuracy));
+    return found < most - 4 * slack ? std::min(sought, std::max(coarse_, most)) : sought;
   };
   const auto decide = [](const FarthestPoint&) { return Verdict::proven; };
   begin(triangle, hint, limit(farthest));
-  // Where it takes too many pieces, those that are left are to be within more.
-  while (search(limit, decide, farthest) == Verdict::undecided && coarseness < most_coarseness) {
+  while (search(limit, decide, farthest) == Verdict::undecided) {
     if (limit(farthest) == most) most = std::numeric_limits<double>::infinity();
-    coarseness *= 4;
+    coarseness *= coarsening;
   }
-  double proven = limit(farthest);
-  for (const Piece& left : pieces_) proven = std::max(proven, distance_from_one(left.corners, left.hint) + slack);
-  return proven;
+  if (coarseness > 1) coarse_ = limit(farthest);
+  return limit(farthest);
 }
 
 /// Without a hint it begins at the face found last, if that is near.
@@ -163,14 +161,6 @@ Vec3 Prover::suspect(const Corners& corners) const {
   for (const Vec3& corner : corners) consider(corner);
   if (patch_.obstacle()) consider(patch_.obstacle()->below);
   return farthest.point;
-}
-
-/// The largest distance of a piece's points from one face. It is convex, so it is greatest at a corner.
-double Prover::distance_from_one(const Corners& corners, Index face) const {
-  const Corners other = surface_.corners(face);
-  double most = 0;
-  for (const Vec3& p : corners) most = std::max(most, distance_to(other, p));
-  return most + surface_.offset(face);
 }
 
 /// Halves the longest edge.

@@ -68,18 +68,51 @@ NearFace TargetSurface::nearest(const Vec3& point, Index hint) const {
   return {closest.face, std::sqrt(closest.distance_sq)};
 }
 
-/// Any point of the triangle gives an upper bound. So weights out of range, as thin triangles may give, are no harm
-/// once they are clamped.
+namespace {
+
+/// In triangles that are thinner than this, height over length, rounding may take the nearest place to another side.
+constexpr double thin = 1e-3;
+
+bool is_thin(const Corners& triangle) {
+  const auto& [a, b, c] = triangle;
+  const double longest_sq = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return !((b - a).cross(c - a).squaredNorm() > thin * thin * longest_sq * longest_sq);
+}
+
+/// Distance of a point from a place inside of a thin triangle; infinite if the nearest one isn't inside. Along its
+/// longest side and across it one after the other, as rounding errors along it are as large as the triangle is thin.
+double distance_across(const Corners& triangle, const Vec3& point) {
+  std::size_t longest = 0;
+  double length_sq = -1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double square = (triangle[(i + 1) % 3] - triangle[i]).squaredNorm();
+    if (square > length_sq) longest = i, length_sq = square;
+  }
+  const Vec3& from = triangle[longest];
+  const Vec3 side = triangle[(longest + 1) % 3] - from;
+  const Vec3 apex = triangle[(longest + 2) % 3] - from;
+  const Vec3 to_point = point - from;
+  const double apex_along = apex.dot(side) / length_sq;
+  const double point_along = to_point.dot(side) / length_sq;
+  const Vec3 height = apex - apex_along * side;
+  const double across = (to_point - point_along * side).dot(height) / height.squaredNorm();
+  const double along = point_along - across * apex_along;
+  const bool is_inside = across >= 0 && along >= 0 && across + along <= 1;
+  return is_inside ? (along * side + across * apex - to_point).norm() : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
 double distance_to(const Corners& triangle, const Vec3& point) {
   const auto& [a, b, c] = triangle;
-  const auto [second, third] = nearest_on_triangle(a - point, b - point, c - point);
-  if (second >= 0 && third >= 0 && second + third <= 1) {
+  if (!is_thin(triangle)) {
+    const auto [second, third] = nearest_on_triangle(a - point, b - point, c - point);
     return (a + second * (b - a) + third * (c - a) - point).norm();
   }
   const auto to_side = [&point](const Vec3& from, const Vec3& to) {
     return (nearest_on_segment(point, from, to) - point).norm();
   };
-  return std::min({to_side(a, b), to_side(b, c), to_side(c, a)});
+  return std::min({distance_across(triangle, point), to_side(a, b), to_side(b, c), to_side(c, a)});
 }
 
 }  // namespace whittle::metrics

@@ -42,7 +42,8 @@ class Prover {
   /// Finds the farthest point of a triangle, as far as it is farther than `from`.
   /// \param most unless a point is farther, all are to be proven to be within this
   /// \return a distance that all points are proven to be within: `1 + accuracy` times that of the point found, or of
-  ///         `from`, and a 10⁻⁹th, or `most`; if that takes too many pieces, as little more as doesn't
+  ///         `from`, and a 10⁻⁹th, or `most`. If that takes too many pieces, more; then no less is sought of triangles
+  ///         after this one, as the largest distance of all is what counts
   double find_farthest(const Corners& triangle, double from, double accuracy, double most, Index hint,
                        FarthestPoint& farthest);
 
@@ -62,12 +63,12 @@ class Prover {
   NearFace nearest_known(const Vec3& point) const;
   NearFace search_near(const Vec3& point, NearFace from, double distance);
   Vec3 suspect(const Corners& corners) const;
-  double distance_from_one(const Corners& corners, Index face) const;
   void split(const Piece& piece);
 
   const ProofTarget& target_;
   LinkedFaces surface_;  ///< that of the target
   int most_pieces_;
+  double coarse_ = 0;  ///< what `find_farthest` has proven of a triangle that took too many pieces
   Patch patch_;
   Index last_ = invalid_index;       ///< the face over the center of the piece looked at last, or its hint
   std::vector<Index> known_;         ///< faces that may be near to the piece looked at last

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "decimate/passes.hh"
+#include "error/error_bounds.hh"
+
+namespace whittle {
+
+/// A run without a limit of the error, down to the last face, and its levels: the first k of its contractions make one.
+/// Of each it can be asked whether it is proven to be near to the input.
+class PlainRun {
+ public:
+  /// Runs. Afterwards the passes are as they were. Both must outlive it.
+  /// \param passes of a run with a limit of the error
+  PlainRun(Passes& passes, ErrorBounds& bounds, const BlockPlan& plan);
+
+  /// \pre the run was not cancelled
+  bool is_proven_with_vertices(std::size_t n_vertices);
+
+  /// Looks for a level of few faces that is proven, as `levels_within` does: by bisection, to 1 % of its faces. Levels
+  /// of more than `most_faces` are of no use: they count as proven, as do those before one that is. \return whether
+  /// there is one. Then the passes are contracted to it, or cancelled
+  bool contract_to_coarsest_proven(std::size_t most_faces, const BlockPlan& plan);
+
+ private:
+  struct Level {
+    IndexedMesh mesh;               ///< over the input's vertices
+    std::vector<Index> vertex_map;  ///< the input's vertices → those that they have become
+  };
+  Level level_after(std::size_t n_contractions) const;
+  bool is_proven(const Level& level) const;
+  void contract(const DecimateTarget& stop, const BlockPlan& plan);
+
+  Passes& passes_;
+  ErrorBounds& bounds_;
+  std::vector<Contraction> contractions_;
+  std::size_t n_vertices_left_ = 0;  ///< at the end
+  std::size_t proven_ = 0;           ///< contractions of a level that was asked for and is proven; 0 for none
+};
+
+}  // namespace whittle
