@@ -149,14 +149,16 @@ TEST(Simplify, PolishesFeatureLinesThatTheCallerNames) {
   }
 }
 
-TEST(Simplify, TakesFeaturesThatAreNoEdges) {
+TEST(Simplify, TakesFeaturesThatAreNoEdgesAndRefusesThoseOfNoVertices) {
   const IndexedMesh mesh = bracket(3);
   SimplifyOptions options;
   options.decimate.feature_edges = feature_edges(mesh, 40);
   const DecimateTarget target = DecimateTarget::faces(mesh.faces.size() / 3);
   const Simplification expected = simplify(mesh, target, Effort::normal, options);
-  options.decimate.feature_edges.push_back({3, 1'000'000});
+  options.decimate.feature_edges.push_back({0, static_cast<Index>(mesh.positions.size() - 1)});
   EXPECT_EQ(simplify(mesh, target, Effort::normal, options).mesh.positions, expected.mesh.positions);
+  options.decimate.feature_edges.push_back({3, 1'000'000});
+  EXPECT_THROW(simplify(mesh, target, Effort::normal, options), std::invalid_argument);
 }
 
 TEST(Simplify, CanBeCancelledWhileContracting) {

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "whittle/engine/decimate.hh"
+#include "whittle/engine/host.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
 
 // How the module that ranks takes part in a run of the mesh driver, a `MeshRunT`.
