@@ -202,7 +202,7 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
        {cubes, "-o", out, "--faces", "100", "--frames", folder / "f{i}.png", "--every", "50%", "--animate",
         folder / "a.webp", "--page", folder / "a.html"},
        {blob, "-o", out, "--faces", "500", "--engine", "openmesh"},
-       {blob, "-o", out, "--faces", "500", "--attributes", "position-only", "--seams", "keep"},
+       {blob, "-o", out, "--faces", "500", "--attributes", "position-only", "--seams", "keep", "--regions", "none"},
        {cube, "-o", folder / "weighed.glb", "--faces", "100", "--attribute-weight", "uv=1"},
        {cube, "-o", folder / "small.glb", "--faces", "100", "--compress", "--per-mesh"},
        {bare, "missing.ply", "-o", folder / "{stem}.txt", "--input-format", "obj", "--output-format", "ply", "--ascii",

@@ -47,13 +47,15 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
                 (options.boundary == Boundary::locked && link_of(v, faces_).vertices.contains(invalid_index));
   }
   const double tolerance = options.feature_tolerance * bounds_of(mesh.positions).diagonal() * frame_.scale;
-  restraints_ = BruteForceRestraints(positions_, faces_, locked, options_, tolerance, seam_edges(mesh));
+  restraints_ = BruteForceRestraints(positions_, faces_, locked, options_, tolerance,
+                                     seam_edges(mesh, face_regions(mesh, options_.regions)));
   sum_planes(options.quadric);
   std::vector<bool> is_on_seam(positions_.size());
   for (const auto& [v, w] : restraints_.seams()) is_on_seam[v] = is_on_seam[w] = true;
   for (const auto& [v, w] : brute_force_rims(positions_, faces_, options_)) is_on_seam[v] = is_on_seam[w] = true;
   if (options_.cost == Cost::memoryless) memory_.emplace(positions_, faces_, is_on_seam);
   attributes_ = BruteForceAttributes(mesh, frame_, positions_, options_);
+  areas_ = BruteForceAreas(mesh, options_);
   if (options.pairs.threshold > 0) find_threshold_pairs(options.pairs);
   had_threshold_pairs_ = !threshold_pairs_.empty();
 }
@@ -233,6 +235,7 @@ bool BruteForceDecimater::forgets(const Choice& choice) const {
 bool BruteForceDecimater::is_allowed(const Choice& choice) const {
   const auto& [cost, a, b, is_edge, cheapest, is_minimum, position] = choice;
   if (!restraints_.pinned(a, b) || !restraints_.keeps_lines(positions_, faces_, a, b, position)) return false;
+  if (!areas_.keep_faces_without(a, b)) return false;
   if (is_edge && options_.topology == Topology::keep && !keeps_topology(a, b)) {
     const bool is_manifold = !link_of(a, faces_).is_singular && !link_of(b, faces_).is_singular;
     if (is_manifold || !is_no_less_manifold(a, b)) return false;
@@ -400,6 +403,7 @@ bool BruteForceDecimater::keeps_shape(const Triangle& face, Index v, const Vec3&
 
 void BruteForceDecimater::contract(const Choice& choice, Index survivor, Index removed) {
   std::vector<Triangle> faces = faces_after(survivor, removed);
+  areas_.contract(survivor, removed);
   restraints_.contract(positions_, faces, survivor, removed, choice.position);
   quadrics_[survivor] = merge_quadrics(choice);
   if (attributes_.any()) {
@@ -467,6 +471,7 @@ std::vector<Contraction> BruteForceDecimater::run(const DecimateTarget& target) 
   std::vector<Contraction> done;
   while (n_faces() > target.n_faces().value_or(0) && n_vertices() > target.n_vertices().value_or(0)) {
     const std::optional<Choice> choice = next_choice();
+    if (!choice && areas_.give_up()) continue;
     if (!choice) break;
     const double cost = frame_.cost_to_model(choice->cost, dimension);
     if (target.cost_limit() && cost > *target.cost_limit()) break;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "oracle/areas/brute_force_areas.hh"
 #include "oracle/brute_force_attributes.hh"
 #include "oracle/brute_force_costs.hh"
 #include "oracle/brute_force_memoryless.hh"
@@ -83,6 +84,7 @@ class BruteForceDecimater {
   BruteForceRestraints restraints_;
   std::optional<BruteForceMemory> memory_;  ///< of memoryless quadrics
   BruteForceAttributes attributes_;
+  BruteForceAreas areas_;
   std::vector<Triangle> faces_;  ///< of the current mesh, in the input's order
 };
 

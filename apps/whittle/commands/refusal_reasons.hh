@@ -12,10 +12,13 @@ struct RefusalReason {
   const char* text;
 };
 
-inline constexpr RefusalReason refusal_reasons[] = {
-    {&Rejections::link, "by topology"}, {&Rejections::flip, "by turning a face"},
-    {&Rejections::shape, "by shape"},   {&Rejections::feature, "by features or seams"},
-    {&Rejections::locked, "locked"},    {&Rejections::intersection, "by intersecting"},
-    {&Rejections::error, "by error"}};
+inline constexpr RefusalReason refusal_reasons[] = {{&Rejections::link, "by topology"},
+                                                    {&Rejections::flip, "by turning a face"},
+                                                    {&Rejections::shape, "by shape"},
+                                                    {&Rejections::feature, "by features or seams"},
+                                                    {&Rejections::area, "by the last face of a chart or region"},
+                                                    {&Rejections::locked, "locked"},
+                                                    {&Rejections::intersection, "by intersecting"},
+                                                    {&Rejections::error, "by error"}};
 
 }  // namespace whittle::app

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "commands/regions/regions.hh"
 #include "commands/simplify/advice.hh"
 #include "commands/simplify/per_mesh.hh"
 #include "commands/simplify/simplify_files.hh"
@@ -253,6 +254,14 @@ bool has_much_border(const IndexedMesh& mesh) {
   return 20 * static_cast<std::size_t>(std::count(is_border.begin(), is_border.end(), 1)) >= mesh.positions.size();
 }
 
+void warn_of_vanished(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
+  record.vanished = find_vanished(record.input, record.simplified, options.simplify.decimate.regions);
+  for (const std::string& text : texts_of(record.vanished)) {
+    record.warnings.push_back(record.input.name + ": " + text);
+    talk.warning(record.warnings.back());
+  }
+}
+
 void warn_of_folds(const Talk& talk, SimplifyRecord& record) {
   const std::size_t n = record.simplified.n_folded_texture_faces;
   if (n == 0) return;
@@ -303,6 +312,15 @@ void warn_of_meeting_parts(const SimplifyCommand& options, const Talk& talk, Sim
                             " that didn't before" +
                             (is_refused ? "" : "; '--self-intersections refuse' keeps parts apart"));
   talk.warning(record.warnings.back());
+}
+
+void warn_of_result(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
+  warn_of_nothing_contracted(talk, record);
+  warn_of_vanished(options, talk, record);
+  warn_of_folds(talk, record);
+  warn_of_valence_three(options, talk, record);
+  if (record.met) warn_of_gaps(options, talk, record);
+  warn_of_meeting_parts(options, talk, record);
 }
 
 void measure_curve(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
@@ -403,6 +421,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   if (record.input.read.mesh.faces.empty()) return pass_through(options, talk, watch, record, report);
   record.diagonal = metrics::bounds(record.input.read.mesh).diagonal();
   set_target(options, record);
+  check_regions(options.simplify.decimate.regions, record.input);
   if (options.prune) prune(options, talk, record);
   if (record.target.error_limit()) record.tolerances = tolerances_of(options, talk, record);
 
@@ -420,11 +439,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   take_warnings(talk, record);
   record.met = is_met(record.target, record.simplified.result.stop);
 
-  warn_of_nothing_contracted(talk, record);
-  warn_of_folds(talk, record);
-  warn_of_valence_three(options, talk, record);
-  if (record.met) warn_of_gaps(options, talk, record);
-  warn_of_meeting_parts(options, talk, record);
+  warn_of_result(options, talk, record);
   count_intersections(options, talk, record);
   measure_curve(options, talk, record);
   const std::string missed = record.met ? std::string() : shortfall(options, record);

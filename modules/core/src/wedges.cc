@@ -6,6 +6,7 @@
 #include <span>
 
 #include "whittle/core/detail/edge_table.hh"
+#include "whittle/core/regions.hh"
 
 namespace whittle {
 namespace {
@@ -171,8 +172,8 @@ IndexedMesh without_attributes(const IndexedMesh& mesh) {
 namespace {
 
 /// The faces with a corner where its vertex differs between faces; a seam has no others.
-std::vector<std::uint8_t> faces_at_seams(const IndexedMesh& mesh) {
-  const auto group = [&](std::size_t f) { return mesh.face_groups.empty() ? 0 : mesh.face_groups[f]; };
+std::vector<std::uint8_t> faces_at_seams(const IndexedMesh& mesh, std::span<const Index> regions) {
+  const auto region = [&](std::size_t f) { return regions.empty() ? 0 : regions[f]; };
   std::vector<Index> first(mesh.positions.size(), invalid_index);  // corner at each vertex
   std::vector<std::uint8_t> has_several(mesh.positions.size(), 0);
   for (Index f = 0; f < mesh.faces.size(); ++f) {
@@ -180,8 +181,8 @@ std::vector<std::uint8_t> faces_at_seams(const IndexedMesh& mesh) {
       const Index v = mesh.faces[f][k];
       if (first[v] == invalid_index) first[v] = 3 * f + k;
       if (has_several[v] != 0) continue;
-      const bool differs =
-          group(f) != group(first[v] / 3) || are_apart(mesh, mesh.wedge(f, k), mesh.wedge(first[v] / 3, first[v] % 3));
+      const bool differs = region(f) != region(first[v] / 3) ||
+                           are_apart(mesh, mesh.wedge(f, k), mesh.wedge(first[v] / 3, first[v] % 3));
       has_several[v] = static_cast<std::uint8_t>(differs);
     }
   }
@@ -195,10 +196,10 @@ std::vector<std::uint8_t> faces_at_seams(const IndexedMesh& mesh) {
 
 }  // namespace
 
-std::vector<VertexPair> seam_edges(const IndexedMesh& mesh) {
+std::vector<VertexPair> seam_edges(const IndexedMesh& mesh, std::span<const Index> regions) {
   std::vector<VertexPair> seams;
-  if (mesh.wedges.empty() && mesh.face_groups.empty()) return seams;
-  const detail::EdgeTable edges(mesh.faces, mesh.positions.size(), faces_at_seams(mesh));
+  if (mesh.wedges.empty() && regions.empty()) return seams;
+  const detail::EdgeTable edges(mesh.faces, mesh.positions.size(), faces_at_seams(mesh, regions));
   const auto wedge_at = [&](Index side, Index vertex) {
     const Index f = detail::face_of(side);
     const Triangle& face = mesh.faces[f];
@@ -208,12 +209,14 @@ std::vector<VertexPair> seam_edges(const IndexedMesh& mesh) {
     const std::span<const Index> sides = edges.sides(e);
     if (sides.size() != 2) continue;
     const auto& [a, b] = edges[e];
-    const bool is_between_groups = !mesh.face_groups.empty() && mesh.face_groups[detail::face_of(sides[0])] !=
-                                                                    mesh.face_groups[detail::face_of(sides[1])];
+    const bool is_between_regions =
+        !regions.empty() && regions[detail::face_of(sides[0])] != regions[detail::face_of(sides[1])];
     const auto is_apart_at = [&](Index v) { return are_apart(mesh, wedge_at(sides[0], v), wedge_at(sides[1], v)); };
-    if (is_between_groups || is_apart_at(a) || is_apart_at(b)) seams.push_back(edges[e]);
+    if (is_between_regions || is_apart_at(a) || is_apart_at(b)) seams.push_back(edges[e]);
   }
   return seams;
 }
+
+std::vector<VertexPair> seam_edges(const IndexedMesh& mesh) { return seam_edges(mesh, face_regions(mesh)); }
 
 }  // namespace whittle

@@ -9,6 +9,7 @@
 #include "surface/ordered_mesh.hh"
 #include "whittle/core/detail/checks.hh"
 #include "whittle/core/geometry/vertex_normals.hh"
+#include "whittle/core/regions.hh"
 
 namespace whittle {
 namespace {
@@ -41,6 +42,9 @@ void check(std::size_t n_original_vertices, std::span<const Index> vertex_map, c
   }
   if (!options.locked.empty() && options.locked.size() != mesh.positions.size()) {
     throw std::invalid_argument("polish: locked has another length than the vertices");
+  }
+  if (!options.regions.empty() && options.regions.size() != mesh.faces.size()) {
+    throw std::invalid_argument("polish: regions has another length than the faces");
   }
   check_edges(options.features, mesh.positions.size());
   check_edges(options.original_features, n_original_vertices);
@@ -110,6 +114,9 @@ PolishResult polish(const PolishOriginal& original, std::span<const Index> verte
   ordered_options.locked = ordered.per_vertex(options.locked);
   ordered_options.features = ordered.map(options.features);
   ordered_options.flips = options.flips && mesh.wedges.empty();
+  if (ordered_options.flips) {
+    ordered_options.regions = ordered.per_face(options.regions.empty() ? face_regions(mesh) : options.regions);
+  }
   const PolishResult result = run(surface, ordered.map(vertex_map), ordered.mesh, ordered_options);
   if (result.n_passes == 0) return result;
   ordered.write_to(mesh);

@@ -115,7 +115,6 @@ Polisher::Polisher(const OriginalSurface& original, std::span<const Index> verte
       positions_(in_frame(mesh.positions, original.frame())),
       origins_(original, vertex_map, mesh.positions.size(), points_per_face(original, mesh), workers_),
       mesh_(std::make_unique<Connectivity>(mesh.faces, mesh.positions.size(), options, workers_)),
-      groups_(mesh.face_groups),
       lines_(lines_of(mesh, mesh_->neighbors, options.features, workers_)),
       line_samples_(original_lines(), original_.positions(), vertex_map),
       is_fixed_(fixed_vertices(mesh_->neighbors, lines_, mesh.positions.size(), options, workers_)),
@@ -186,7 +185,7 @@ std::unique_ptr<Connectivity> Polisher::flip() {
   if (!can_flip_) return nullptr;
   start("flipping edges", 0.25);
   std::vector<Triangle> faces =
-      flip_edges(mesh_->at(positions_), mesh_->neighbors, mesh_->limits, lines_, groups_, origins_, workers_);
+      flip_edges(mesh_->at(positions_), mesh_->neighbors, mesh_->limits, lines_, options_.regions, origins_, workers_);
   if (faces == mesh_->faces) return nullptr;
   return std::make_unique<Connectivity>(std::move(faces), positions_.size(), options_, workers_);
 }

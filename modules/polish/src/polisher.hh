@@ -44,7 +44,7 @@ double run_fraction(double n_passes, const PolishOptions& options);
 /// What one run of `polish` knows, in the frame of the original.
 class Polisher {
  public:
-  /// Keeps references to all but `mesh`, of which it keeps the groups.
+  /// Keeps references to all but `mesh`.
   /// \throw Cancelled
   Polisher(const OriginalSurface& original, std::span<const Index> vertex_map, const IndexedMesh& mesh,
            const PolishOptions& options, detail::ProgressMeter& meter);
@@ -73,7 +73,6 @@ class Polisher {
   std::vector<Vec3> positions_;
   Origins origins_;
   std::unique_ptr<Connectivity> mesh_;
-  std::span<const Index> groups_;
   MeshLines lines_;
   LineSamples line_samples_;
   std::vector<std::uint8_t> is_fixed_;

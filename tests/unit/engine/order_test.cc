@@ -29,6 +29,17 @@ IndexedMesh in_groups(IndexedMesh mesh) {
   return mesh;
 }
 
+/// With labels instead: the areas of a region of few faces are the ones that end first.
+IndexedMesh in_labels(IndexedMesh mesh) {
+  mesh = in_groups(std::move(mesh));
+  Attribute label{.name = "label", .kind = AttributeKind::category, .n_components = 1, .values = {}};
+  label.values.assign(mesh.face_groups.begin(), mesh.face_groups.end());
+  label.values.front() = 9;
+  mesh.face_groups.clear();
+  mesh.face_attributes.push_back(std::move(label));
+  return mesh;
+}
+
 std::vector<Case> all_shapes() {
   return {{"tetrahedron", tetrahedron()},
           {"octahedron", octahedron()},
@@ -72,6 +83,8 @@ std::vector<Case> all_shapes() {
           {"noisy_grid(9,8) in groups", in_groups(noisy_grid(9, 8, 0.3, 4))},
           {"bracket(2) in groups", in_groups(bracket(2))},
           {"two_cubes_on_an_edge(3) in groups", in_groups(two_cubes_on_an_edge(3))},
+          {"blob(2) in labels", in_labels(blob(2, 5))},
+          {"noisy_grid(8,8) in labels", in_labels(noisy_grid(8, 8, 0.3, 7))},
           {"moebius(14,3) in groups", in_groups(moebius(14, 3))},
           {"book(3,4) in groups", in_groups(book(3, 4))}};
 }

@@ -255,7 +255,6 @@ TEST(FootSums, HaveEachFootInItsFace) {
 /// Numbers of vertices and faces change inside of polish alone.
 TEST(OrderedMesh, IsTheSameMesh) {
   IndexedMesh mesh = permuted(noisy_torus(40, 20, 1, 0.4, 0.01, 3), 5).mesh;
-  for (Index f = 0; f < mesh.faces.size(); ++f) mesh.face_groups.push_back(f % 7);
   OrderedMesh ordered(mesh, Frame::of_points(mesh.positions), 1);
   std::vector<Index> all(mesh.positions.size());
   std::iota(all.begin(), all.end(), Index{0});
@@ -278,13 +277,15 @@ TEST(OrderedMesh, IsTheSameMesh) {
   EXPECT_EQ(ordered.per_vertex(values)[numbers[6]], 1);
   EXPECT_TRUE(ordered.per_vertex({}).empty());
 
-  std::map<Triangle, Index> groups;
+  std::map<Triangle, Index> regions;
+  std::vector<Index> of_faces;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     const auto& [a, b, c] = mesh.faces[f];
-    groups[{numbers[a], numbers[b], numbers[c]}] = mesh.face_groups[f];
+    of_faces.push_back(f % 7);
+    regions[{numbers[a], numbers[b], numbers[c]}] = f % 7;
   }
-  for (Index f = 0; f < mesh.faces.size(); ++f)
-    EXPECT_EQ(groups.at(ordered.mesh.faces[f]), ordered.mesh.face_groups[f]);
+  const std::vector<Index> ordered_regions = ordered.per_face(of_faces);
+  for (Index f = 0; f < mesh.faces.size(); ++f) EXPECT_EQ(regions.at(ordered.mesh.faces[f]), ordered_regions[f]);
   IndexedMesh written = mesh;
   for (Vec3& p : written.positions) p = Vec3::Zero();
   for (Triangle& face : written.faces) face = {0, 0, 0};

@@ -9,6 +9,7 @@
 
 #include "commands/page/frames.hh"
 #include "commands/page/make_page.hh"
+#include "commands/regions/regions.hh"
 #include "files/gltf_file.hh"
 #include "files/input.hh"
 #include "files/mesh_output.hh"
@@ -244,8 +245,16 @@ void add_attribute_options(CLI::App& app, SimplifyCommand& options) {
                    "texture coordinates, colours, materials and all else but positions: keep them, with their seams, "
                    "or drop them")
       ->group(file_group);
-  add_choice<Seams>(app, "--seams", options.simplify.decimate.seams, seams,
-                    "borders of charts and materials are held by a weight, or stay where they are, with their corners")
+  add_choice<Seams>(
+      app, "--seams", options.simplify.decimate.seams, seams,
+      "borders of charts, materials and regions are held by a weight, or stay where they are, with their corners")
+      ->group(file_group);
+  add_value(
+      app, "--regions", "auto|none|NAME,...", options.simplify.decimate.regions,
+      [](std::string_view text) { return parse_regions(text); },
+      "what of faces besides materials has borders that are seams: groups, objects, smoothing groups (g, o, s), face "
+      "properties and face colours of PLY, by name; auto: those that name things")
+      ->default_str("auto")
       ->group(file_group);
   add_choice<Normals>(app, "--normals", options.simplify.decimate.normals, normals,
                       "vertex normals: those of IN, those of the faces of the result, or none")
@@ -423,6 +432,7 @@ nlohmann::ordered_json options_json(const SimplifyCommand& options) {
       {"attributes", word_of<bool>(attribute_words, options.keeps_attributes)},
       {"attribute_weights", to_string(decimate.attribute_weights)},
       {"seams", word_of<Seams>(seams, decimate.seams)},
+      {"regions", to_string(decimate.regions)},
       {"normals", word_of<Normals>(normals, decimate.normals)},
       {"compress", options.compresses_gltf},
       {"per_mesh", options.is_per_mesh},

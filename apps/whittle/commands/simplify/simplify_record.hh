@@ -7,6 +7,7 @@
 
 #include "commands/recording/curve.hh"
 #include "commands/recording/recording_input.hh"
+#include "commands/regions/regions.hh"
 #include "commands/simplify/as_written.hh"
 #include "files/input.hh"
 #include "whittle/engine/simplify.hh"
@@ -33,6 +34,7 @@ struct SimplifyRecord {
   std::size_t n_pruned_parts = 0;
   double threshold = 0;  ///< of threshold pairs, model units; 0 = none
   Simplification simplified;
+  Vanished vanished;
   std::optional<DistancesAsWritten> distances;  ///< if they are to be proven
   std::string certificate;                      ///< if it is to be written
   bool met = false;

@@ -16,6 +16,8 @@ Json output_json(const SimplifyCommand& options, const SimplifyRecord& record, c
   Json json = {{"path", options.output}, {"vertices", topology.vertices}, {"faces", topology.faces}};
   add_topology(json, topology);
   json["vanished_components"] = record.simplified.result.n_vanished_components;
+  json["vanished_regions"] = record.vanished.regions;
+  json["vanished_charts"] = record.vanished.n_charts;
   json["folded_texture_faces"] = record.simplified.n_folded_texture_faces;
   json["pruned_components"] = record.n_pruned_parts;
   json["self_intersections"] = record.n_intersections_after ? Json(*record.n_intersections_after) : Json(nullptr);
@@ -33,11 +35,16 @@ Json threshold_pairs_json(const ThresholdPairCounts& pairs) {
 /// All are null with OpenMesh's decimater, which doesn't count refusals.
 Json rejections_json(const SimplifyCommand& options, const Rejections& refused) {
   if (options.engine == Engine::openmesh) {
-    return {{"flip", nullptr},   {"link", nullptr},         {"shape", nullptr}, {"feature", nullptr},
-            {"locked", nullptr}, {"intersection", nullptr}, {"error", nullptr}};
+    return {{"flip", nullptr}, {"link", nullptr},   {"shape", nullptr},        {"feature", nullptr},
+            {"area", nullptr}, {"locked", nullptr}, {"intersection", nullptr}, {"error", nullptr}};
   }
-  return {{"flip", refused.flip},       {"link", refused.link},     {"shape", refused.shape},
-          {"feature", refused.feature}, {"locked", refused.locked}, {"intersection", refused.intersection},
+  return {{"flip", refused.flip},
+          {"link", refused.link},
+          {"shape", refused.shape},
+          {"feature", refused.feature},
+          {"area", refused.area},
+          {"locked", refused.locked},
+          {"intersection", refused.intersection},
           {"error", refused.error}};
 }
 

@@ -22,6 +22,10 @@ Block::Block(const Surface& surface, const Partition& partition, std::size_t num
   gather_refusals(context.refusals);
   input.context = context;
   input.context.refusals = refusals_;
+  if (!context.areas.of.empty()) {
+    for (const Index f : own_faces_) areas_.push_back(context.areas.of[f]);
+    input.context.areas = {faces_, areas_};
+  }
   input.memory = &own_memory;
   pass_.emplace(input, options);
   positions_ = {};

@@ -72,6 +72,7 @@ class Block {
   std::vector<Survivor> survivors_;
   Memory memory_;
   bool keeps_order_;               ///< exactly
+  std::vector<Index> areas_;       ///< of the faces, or empty
   std::vector<Refusal> refusals_;  ///< at first by vertex of the block
 };
 

@@ -1,13 +1,13 @@
 #include "blocks/decimate_in_blocks.hh"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 
 #include "cost/attributes/scaled_attributes.hh"
 #include "cost/rim_edges.hh"
 #include "cost/seam_planes.hh"
 #include "whittle/core/detail/parallel.hh"
+#include "whittle/core/regions.hh"
 #include "whittle/core/wedges.hh"
 
 namespace whittle {
@@ -77,15 +77,6 @@ LevelRemainder run_exact_levels(const LevelContext& context, const BlockPlan& pl
 
 }  // namespace
 
-namespace {
-
-bool has_several_groups(const IndexedMesh& mesh) {
-  const std::vector<Index>& groups = mesh.face_groups;
-  return std::adjacent_find(groups.begin(), groups.end(), std::not_equal_to<>()) != groups.end();
-}
-
-}  // namespace
-
 std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget& target,
                                    const DecimateOptions& options, const DecimationHost* host, const BlockPlan& plan) {
   const bool is_exact = is_exact_in_blocks(options);
@@ -109,8 +100,8 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
   if (options.pairs.threshold > 0) return "threshold pairs join what lies apart";
   if (options.topology != Topology::keep) return "the topology may change";
   if (options.feature_angle_deg.value_or(180) < 180 || !options.feature_edges.empty()) return "feature lines are kept";
-  const bool may_have_seams = !mesh.wedges.empty() || has_several_groups(mesh);
-  if (may_have_seams && (is_exact || options.holds_seams())) return "seams are kept";
+  const bool seams_are_kept = is_exact || options.holds_seams();
+  if (seams_are_kept && (!mesh.wedges.empty() || !face_regions(mesh, options.regions).empty())) return "seams are kept";
   if (is_exact && looks_at_attributes(options, mesh)) return "attributes count";
   if (options.refuse_intersections) return "intersections are refused";
   if (is_exact && is_far_flung(mesh)) return "rounding may decide the order";
@@ -123,10 +114,12 @@ LevelRemainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, c
   const double share = std::max(plan.fewest_faces_left / static_cast<double>(plan.faces_per_block),
                                 target.share_of(mesh.faces.size(), mesh.positions.size()));
   SharedProgress progress(options, mesh.positions.size(), mesh.faces.size(), share);
-  const LevelContext context{options, mesh, frame, share, extras.displacement_limit, extras.steps, progress};
+  const LevelContext context{options,      mesh,     frame,       share, extras.displacement_limit,
+                             extras.steps, progress, extras.areas};
+  const std::vector<VertexPair> seams = seam_edges(mesh, face_regions(mesh, options.regions));
   const Memory memory{mean_face_area(mesh, frame, options.threads),
                       {},
-                      seam_planes(mesh, frame, seam_edges(mesh), held_rims(mesh, frame, options), options)};
+                      seam_planes(mesh, frame, seams, held_rims(mesh, frame, options), options)};
   LevelRemainder remainder =
       is_exact_in_blocks(options) ? run_exact_levels(context, plan, memory) : run_levels(context, plan, memory);
   remainder.progress = progress.now().fraction;

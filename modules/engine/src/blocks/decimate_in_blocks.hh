@@ -36,7 +36,8 @@ inline bool is_exact_in_blocks(const DecimateOptions& options) { return options.
 struct BlockExtras {
   /// Of the surface by one contraction, in the frame. With one, memoryless quadrics may cost anything.
   std::optional<double> displacement_limit{};
-  RunSteps* steps = nullptr;  ///< gets what is done; or null
+  RunSteps* steps = nullptr;       ///< gets what is done; or null
+  std::span<const Index> areas{};  ///< of the faces, as those of `AreasOfFaces`
 };
 
 /// Contracts most of what there is to contract in blocks that fit a cache, on all threads. The rest, down to the

@@ -32,6 +32,7 @@ class Level {
         surface_(before ? Surface{before->positions, Frame{}, before->faces}
                         : Surface{context.input.positions, context.frame, context.input.faces}),
         partition_(make_partition(surface_, plan.faces_per_block, plan.first_share, context.options.threads)),
+        areas_(areas()),
         jobs_(partition_.n_blocks()) {}
 
   LevelRemainder run(const LevelGoal& goal, Memory memory);
@@ -46,6 +47,7 @@ class Level {
   std::vector<std::size_t> choose_sample(std::size_t every) const;
   std::vector<std::size_t> largest_first_of_others() const;
   std::vector<std::uint8_t> locked() const;
+  std::vector<Index> areas() const;
   std::span<const Refusal> refusals() const {
     return before_ ? std::span(before_->refusals) : std::span<const Refusal>();
   }
@@ -65,6 +67,7 @@ class Level {
   Surface surface_;
   Partition partition_;
   std::vector<std::uint8_t> locked_;
+  std::vector<Index> areas_;                ///< of the surface's faces, or empty
   std::vector<std::unique_ptr<Job>> jobs_;  ///< a block each; null where it was not begun
   std::vector<NonmanifoldCounts> nonmanifold_;
   BlockResults results_;
@@ -89,6 +92,14 @@ std::vector<std::size_t> Level::largest_first_of_others() const {
   const auto size = [this](std::size_t number) { return partition_.faces.of(number).size(); };
   std::stable_sort(others.begin(), others.end(), [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
   return others;
+}
+
+std::vector<Index> Level::areas() const {
+  const std::span<const Index> of_input = context_.areas;
+  if (of_input.empty() || before_ == nullptr) return {of_input.begin(), of_input.end()};
+  std::vector<Index> here;
+  for (const Index f : before_->face_origins) here.push_back(of_input[f]);
+  return here;
 }
 
 std::vector<std::uint8_t> Level::locked() const {
@@ -121,6 +132,7 @@ void Level::begin(std::size_t number, const Memory& memory) {
   LoopContext context;
   context.role = plan_.role;
   context.refusals = refusals();
+  context.areas.of = areas_;
   context.displacement_limit = context_.displacement_limit;
   if (!log_.empty()) {
     job->log.end = log_.data() + first_in_log_[number];

@@ -28,6 +28,7 @@ struct LevelContext {
   std::optional<double> displacement_limit;  ///< as that of `LoopContext`
   RunSteps* steps;                           ///< gets what is done; or null
   SharedProgress& progress;
+  std::span<const Index> areas{};  ///< of the input's faces, as those of `AreasOfFaces`
 
   bool is_told() const { return steps != nullptr || options.listener; }
 };

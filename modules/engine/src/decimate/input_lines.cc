@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "whittle/core/feature_edges.hh"
+#include "whittle/core/regions.hh"
 #include "whittle/core/wedges.hh"
 
 namespace whittle {
@@ -26,7 +27,7 @@ InputLines input_lines(const IndexedMesh& mesh, const DecimateOptions& options, 
   InputLines lines;
   std::vector<VertexPair>& edges = lines.held.edges;
   edges = input_features(mesh, options);
-  const std::vector<VertexPair> seams = seam_edges(mesh);
+  const std::vector<VertexPair> seams = seam_edges(mesh, face_regions(mesh, options.regions));
   std::set_difference(seams.begin(), seams.end(), edges.begin(), edges.end(), std::back_inserter(lines.seams));
   if (seams.empty() || !keeps_seams) return lines;
   std::vector<VertexPair> all;

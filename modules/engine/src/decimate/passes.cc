@@ -140,6 +140,7 @@ struct PassStart {
   std::vector<Memory::Remembered> seam_planes;
   SurfaceAttributes attributes;
   std::vector<std::uint8_t> locked;
+  std::vector<Index> areas;
 };
 
 Passes::Passes(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options,
@@ -157,7 +158,7 @@ std::string_view Passes::contract_in_blocks(const DecimateTarget& target, const 
   if (is_listener_told_at_end()) options.listener = {};
   if (keeps_steps()) reserve_large(done_.steps.contractions, mesh_.positions.size());
   LevelRemainder levels = decimate_in_blocks(mesh_, frame_, target, options, plan,
-                                             {limits_.displacement, keeps_steps() ? &done_.steps : nullptr});
+                                             {limits_.displacement, keeps_steps() ? &done_.steps : nullptr, areas()});
   done_.progress = levels.progress;
   if (levels.is_futile) return "pairs wait for each other all over the mesh";
   done_.is_cancelled = levels.is_cancelled;
@@ -257,6 +258,26 @@ void Passes::begin_with_attributes(PassStart& start) {
   start.input.attributes = &start.attributes;
 }
 
+/// Empty where the error alone counts, and with a host, which has guards of its own.
+const std::vector<Index>& Passes::areas() {
+  if (areas_) return *areas_;
+  areas_.emplace();
+  const bool are_kept = !host_ && !target_.error_limit();
+  if (are_kept) areas_ = seam_areas(mesh_, seam_edges(mesh_, face_regions(mesh_, options_.regions)));
+  return *areas_;
+}
+
+void Passes::begin_with_areas(PassStart& start) {
+  const std::vector<Index>& of_input = areas();
+  if (of_input.empty()) return;
+  if (done_.left) {
+    for (const Index f : done_.left->face_origins) start.areas.push_back(of_input[f]);
+  } else {
+    start.areas = of_input;
+  }
+  start.input.context.areas = {start.input.surface.faces, start.areas, true};
+}
+
 DecimateResult Passes::run(Pass& pass, const DecimateTarget& stop, Preparation& preparation) const {
   TriangleComplex& complex = pass.complex();
   DecimateResult result;
@@ -318,6 +339,7 @@ void Passes::contract_to(const DecimateTarget& stop, bool is_last) {
     begin_with_input(start, options, preparation);
   }
   begin_with_attributes(start);
+  begin_with_areas(start);
   start.input.feature_tolerance = options_.feature_tolerance * bounds_of(mesh_.positions).diagonal() * frame_.scale;
   start.input.host = host_;
   start.input.context.displacement_limit = limits_.displacement;

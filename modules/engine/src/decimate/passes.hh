@@ -76,6 +76,8 @@ class Passes {
   void begin_with_input(PassStart& start, const DecimateOptions& options, Preparation& preparation);
   void begin_with_remainder(PassStart& start) const;
   void begin_with_attributes(PassStart& start);
+  void begin_with_areas(PassStart& start);
+  const std::vector<Index>& areas();
   DecimateResult run(Pass& pass, const DecimateTarget& stop, Preparation& preparation) const;
   void count_before(Pass& pass);
   NonmanifoldCounts count_nonmanifold(const Surface& surface) const;
@@ -94,6 +96,7 @@ class Passes {
   bool keeps_steps_of_all_ = false;
   Done done_;
   std::optional<NonmanifoldCounts> nonmanifold_before_;  ///< of the input
+  std::optional<std::vector<Index>> areas_;              ///< of the input's faces, once they are asked for
   ThresholdPairCounts pairs_;                            ///< of the input
 };
 

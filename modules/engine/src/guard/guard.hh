@@ -35,6 +35,8 @@ class Guard {
   virtual int n_rings() const { return 1; }
   /// Whether its refusals never change: such pairs don't wait.
   virtual bool is_final() const { return false; }
+  /// Asked where nothing else is left to contract. \return whether it may have refused pairs that it allows from now on
+  virtual bool gives_way() { return false; }
 };
 
 /// In the order in which they are asked. The first one that refuses counts.

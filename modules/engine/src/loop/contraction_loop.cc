@@ -120,7 +120,7 @@ DecimateResult ContractionLoop::run() {
       stop_ = StopReason::cancelled;
     } else if (const std::optional<RankedPair> ranked = queue_->next()) {
       take(*ranked);
-    } else {
+    } else if (!ask_guards_to_give_way()) {
       stop_ = StopReason::exhausted;
     }
   }
@@ -253,6 +253,21 @@ void ContractionLoop::refuse(std::size_t guard) {
 void ContractionLoop::note_refusal(const Pair& pair, std::size_t guard) {
   const auto refuser = static_cast<RefusedPairs::Refuser>(guard);
   guards_[guard]->is_final() ? refused_.add_for_good(pair, refuser) : refused_.add(pair, refuser);
+}
+
+/// \return whether pairs were queued again
+bool ContractionLoop::ask_guards_to_give_way() {
+  std::vector<bool> gives_way;
+  for (const auto& guard : guards_) gives_way.push_back(guard->gives_way());
+  bool any = false;
+  for (Index id = 0; id < complex_.n_pair_slots(); ++id) {
+    const RefusedPairs::Refuser refuser = refused_.refuser(id);
+    if (refuser >= guards_.size() || !gives_way[refuser] || !complex_.is_pair_alive(id)) continue;
+    refused_.take_back(id);
+    queue_->add(pair_now(complex_, id));
+    any = true;
+  }
+  return any;
 }
 
 /// Each pair that is left counts once, for the guard that refused it last.

@@ -25,6 +25,7 @@ namespace whittle {
 ///     the cost settles a position; if a guard refuses that, the one where the pair was ranked is tried
 ///     if the final cost is above the rank: queue the pair again
 ///     else contract, and tell the change to cost, restraints, queue, waiting pairs and listener
+///     if no pair is left: queue those again that were refused by guards that give way
 class ContractionLoop {
  public:
   ContractionLoop(TriangleComplex& complex, Restraints& restraints, PairCost& cost, const DecimateOptions& options,
@@ -49,6 +50,7 @@ class ContractionLoop {
   std::optional<Vec3> settle(const RankedPair& ranked);
   std::optional<std::size_t> find_refusal_at(const Vec3& position);
   void refuse(std::size_t guard);
+  bool ask_guards_to_give_way();
   void note_refusal(const Pair& pair, std::size_t guard);
   template <class Use>
   void for_each_refused(const Use& use) const;

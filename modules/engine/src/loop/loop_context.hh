@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 
+#include "complex/areas_of_faces.hh"
 #include "loop/contraction_log.hh"
 #include "whittle/core/vertex_pair.hh"
 #include "whittle/engine/decimate.hh"
@@ -32,6 +33,7 @@ struct LoopContext {
       displacement_limits{};                 ///< if there is one: of each vertex of the pass, in its place; or empty
   const ErrorBound* error_bound = nullptr;   ///< with supports among the faces that the pass begins with
   const ErrorBound* border_bound = nullptr;  ///< with supports among their border edges
+  AreasOfFaces areas{};
   ContractionLog* log = nullptr;  ///< gets each contraction, by the pass's vertices and in the frame; or null
 };
 

@@ -1,5 +1,6 @@
 #include "loop/make_guards.hh"
 
+#include "guard/areas/area_guard.hh"
 #include "guard/displacement_guard.hh"
 #include "guard/error_guard.hh"
 #include "guard/flip_guard.hh"
@@ -32,6 +33,7 @@ Guards make_guards(TriangleComplex& complex, const Restraints& restraints, Thres
     add(std::make_unique<DisplacementGuard>(complex, *context.displacement_limit, context.displacement_limits));
   if (context.border_bound) add(std::make_unique<BorderErrorGuard>(complex, *context.border_bound));
   if (context.error_bound) add(std::make_unique<ErrorGuard>(complex, *context.error_bound));
+  if (!context.areas.of.empty()) add(std::make_unique<AreaGuard>(complex, context.areas));
   return guards;
 }
 

@@ -30,6 +30,9 @@ class RefusedPairs {
   }
   void add_for_good(const Pair& pair, Refuser refuser) { refusers_[pair.id] = refuser; }
 
+  /// Takes a pair back that was refused for good.
+  void take_back(Index id) { refusers_[id] = none; }
+
   /// Calls `use(id)` for the pairs that wait at v.
   template <class Use>
   void for_each_at(Index v, const Use& use) const {

@@ -69,6 +69,7 @@ ProgressCallback polish_progress(const DecimateOptions& decimate, const Decimate
 struct PolishInput {
   PolishOriginal original;
   std::vector<VertexPair> lines;  ///< feature edges, and seams if they hold their vertices
+  std::vector<Index> regions;     ///< of its faces, or empty
 };
 
 /// \param held a vertex of the decimation, 1 if it is to stay where it is; or empty
@@ -88,6 +89,9 @@ PolishResult polish_decimation(const PolishInput& input, const SimplifyOptions& 
   polish_options.locked = locked_outputs(decimate.locked, decimation);
   polish_options.locked.resize(std::max(polish_options.locked.size(), held.size()));
   for (std::size_t v = 0; v < held.size(); ++v) polish_options.locked[v] |= held[v];
+  for (const Index f : input.regions.empty() ? std::vector<Index>{} : decimation.face_origins) {
+    polish_options.regions.push_back(input.regions[f]);
+  }
   polish_options.features = decimation.feature_edges;
   if (!decimation.feature_edges.empty()) polish_options.original_features = input.lines;
   return polish(input.original, decimation.vertex_map, decimation.mesh, polish_options);
@@ -106,7 +110,8 @@ class DecimationPolisher {
     try {
       if (!input_) {
         PolishOriginal original(mesh_, decimate.threads, polish_progress(decimate, decimation.result));
-        input_.emplace(PolishInput{std::move(original), held_edges(mesh_, decimate)});
+        input_.emplace(
+            PolishInput{std::move(original), held_edges(mesh_, decimate), face_regions(mesh_, decimate.regions)});
       }
       return polish_decimation(*input_, options, held, decimation);
     } catch (const Cancelled&) {

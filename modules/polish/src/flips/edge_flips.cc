@@ -33,12 +33,12 @@ struct Flip {
 class EdgeFlips {
  public:
   EdgeFlips(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits, const MeshLines& lines,
-            std::span<const Index> groups, const Origins& origins)
+            std::span<const Index> regions, const Origins& origins)
       : mesh_(mesh),
         neighbors_(neighbors),
         limits_(limits),
         lines_(lines),
-        groups_(groups),
+        regions_(regions),
         origins_(origins),
         faces_(mesh.faces.begin(), mesh.faces.end()),
         partner_(mesh.faces.size(), invalid_index),
@@ -206,7 +206,7 @@ class EdgeFlips {
     const auto [u, v, a, b] = corners_of(f, slot);
     const Index other = neighbors_.beyond(f, slot).face;
     if (neighbors_.is_twisted(f, slot) || is_on_line(u, v)) return false;
-    if (!groups_.empty() && groups_[f] != groups_[other]) return false;
+    if (!regions_.empty() && regions_[f] != regions_[other]) return false;
     return a != b && keeps_valences(u, v, a, b) && !is_edge(a, b);
   }
   bool is_on_line(Index u, Index v) const {
@@ -282,7 +282,7 @@ class EdgeFlips {
   const FaceNeighbors& neighbors_;
   const FaceLimits& limits_;
   const MeshLines& lines_;
-  std::span<const Index> groups_;
+  std::span<const Index> regions_;
   const Origins& origins_;
   std::vector<Triangle> faces_;
   std::vector<Index> partner_;  ///< per face, the face it was flipped with, or `invalid_index`
@@ -292,9 +292,9 @@ class EdgeFlips {
 }  // namespace
 
 std::vector<Triangle> flip_edges(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits,
-                                 const MeshLines& lines, std::span<const Index> groups, const Origins& origins,
+                                 const MeshLines& lines, std::span<const Index> regions, const Origins& origins,
                                  const detail::Workers& workers) {
-  EdgeFlips flips(mesh, neighbors, limits, lines, groups, origins);
+  EdgeFlips flips(mesh, neighbors, limits, lines, regions, origins);
   flips.make(flips.find(workers));
   flips.undo_intersecting(workers);
   return flips.take_faces();

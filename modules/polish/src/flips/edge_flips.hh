@@ -15,12 +15,12 @@ namespace whittle::polishing {
 /// is flipped where that lowers the sum of the squared distances of the points with feet in the two faces. It stays
 /// where the flip would turn a face over, turn neighbours in a forbidden way, make an edge that exists already, make a
 /// vertex with fewer than four or more than nine faces, or make faces intersect. Edges of lines stay, too.
-/// \param groups per face, or empty; edges between two groups stay
+/// \param regions per face, or empty; edges between two regions stay
 /// \param origins of the mesh, whose points the faces are to fit
 /// \return all faces, by the same numbers
 /// \throw Cancelled
 std::vector<Triangle> flip_edges(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits,
-                                 const MeshLines& lines, std::span<const Index> groups, const Origins& origins,
+                                 const MeshLines& lines, std::span<const Index> regions, const Origins& origins,
                                  const detail::Workers& workers);
 
 }  // namespace whittle::polishing

@@ -26,7 +26,6 @@ OrderedMesh::OrderedMesh(const IndexedMesh& from, const Frame& frame, unsigned t
       const auto& [a, b, c] = from.faces[f];
       faces_.push_back(f);
       mesh.faces.push_back({numbers_[a], numbers_[b], numbers_[c]});
-      if (!from.face_groups.empty()) mesh.face_groups.push_back(from.face_groups[f]);
     }
   }
 }
@@ -48,6 +47,13 @@ std::vector<std::uint8_t> OrderedMesh::per_vertex(std::span<const std::uint8_t> 
   std::vector<std::uint8_t> result;
   if (values.empty()) return result;
   for (const Index v : vertices_) result.push_back(values[v]);
+  return result;
+}
+
+std::vector<Index> OrderedMesh::per_face(std::span<const Index> values) const {
+  std::vector<Index> result;
+  if (values.empty()) return result;
+  for (const Index f : faces_) result.push_back(values[f]);
   return result;
 }
 

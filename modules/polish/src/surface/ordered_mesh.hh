@@ -16,12 +16,13 @@ class OrderedMesh {
   /// \param frame of the positions \param threads 0 = all cores
   OrderedMesh(const IndexedMesh& from, const Frame& frame, unsigned threads);
 
-  IndexedMesh mesh;  ///< positions, faces and face groups
+  IndexedMesh mesh;  ///< positions and faces
 
   // From the mesh that it was made from to this one.
   std::vector<Index> map(std::span<const Index> vertices) const;  ///< `invalid_index` stays
   std::vector<VertexPair> map(std::span<const VertexPair> edges) const;
   std::vector<std::uint8_t> per_vertex(std::span<const std::uint8_t> values) const;  ///< none stay none
+  std::vector<Index> per_face(std::span<const Index> values) const;                  ///< likewise
 
   /// Writes positions and faces. \param to the mesh that it was made from
   void write_to(IndexedMesh& to) const;

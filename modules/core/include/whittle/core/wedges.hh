@@ -34,9 +34,12 @@ IndexedMesh split_at_wedges(const IndexedMesh& mesh);
 /// Positions and faces alone.
 IndexedMesh without_attributes(const IndexedMesh& mesh);
 
-/// The edges that are borders of charts or materials: between two faces of different groups, or with different values
+/// The edges that are borders of charts or regions: between two faces of different regions, or with different values
 /// on both sides at either end. Normals and tangents don't count, but for a tangent's sign: shading may break anywhere.
+/// \param regions as `face_regions` has them: F or empty
 /// \return lower vertex first, ascending
+std::vector<VertexPair> seam_edges(const IndexedMesh& mesh, std::span<const Index> regions);
+/// With the regions that groups and face attributes name by themselves.
 std::vector<VertexPair> seam_edges(const IndexedMesh& mesh);
 
 }  // namespace whittle

@@ -42,6 +42,7 @@ struct Rejections {
   std::uint64_t flip = 0;          ///< it would turn a face over, or make one without area
   std::uint64_t shape = 0;         ///< it would make a face thinner than allowed
   std::uint64_t feature = 0;       ///< it would take a vertex off its feature line or seam, or a line away
+  std::uint64_t area = 0;          ///< it would take the last face of a chart, or of a piece of a region
   std::uint64_t locked = 0;        ///< both vertices are locked
   std::uint64_t intersection = 0;  ///< it would make faces intersect that didn't before
   std::uint64_t error = 0;         ///< it would take the surface farther from the input than `max_error`, or might
@@ -49,7 +50,7 @@ struct Rejections {
   Rejections& operator+=(const Rejections& other) {
     link += other.link, flip += other.flip, shape += other.shape;
     feature += other.feature, locked += other.locked, intersection += other.intersection;
-    error += other.error;
+    error += other.error, area += other.area;
     return *this;
   }
 };

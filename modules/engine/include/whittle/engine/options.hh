@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "whittle/core/indexed_mesh.hh"
+#include "whittle/core/regions.hh"
 #include "whittle/core/vertex_pair.hh"
 #include "whittle/engine/cost_traits.hh"
 #include "whittle/engine/formula/quadric_term.hh"
@@ -134,6 +135,9 @@ struct DecimateOptions {
   std::vector<VertexPair> feature_edges{};
 
   Seams seams = Seams::weighted;
+  /// Which face attributes name regions, whose borders are seams. Groups do in any case. A name that no attribute has
+  /// names none. Empty = those that name things by themselves (`names_regions`).
+  RegionNames regions{};
   Normals normals = Normals::keep;
 
   /// With weights by area alone (`QuadricOptions::weights`), and without `isotropy`; other costs look at positions.

@@ -65,9 +65,11 @@ struct PolishOptions {
   std::vector<std::uint8_t> locked{};  ///< V of the simplified mesh, or empty; vertices with a non-zero entry stay
   /// Whether each pass also flips edges, before it moves vertices. An edge is flipped where that lowers the sum of the
   /// squared distances of the points with feet in its two faces. A flip makes no folds, no intersections, and no vertex
-  /// with fewer than four or more than nine faces. Edges of lines stay, and edges between two face groups. Faces keep
-  /// their numbers. The edges of a mesh with a table of wedges stay.
+  /// with fewer than four or more than nine faces. Edges of lines stay, and edges between two regions. Faces keep their
+  /// numbers. The edges of a mesh with a table of wedges stay.
   bool flips = false;
+  /// F of the simplified mesh: numbers of its regions. Empty: those of `face_regions`.
+  std::vector<Index> regions{};
   bool fit_borders = true;  ///< whether border vertices move
 
   /// An edge is sharp where the normals of its two faces differ by more than this, degrees. (0, 180); none = no edge is
@@ -115,8 +117,8 @@ class PolishOriginal {
 /// \param original what `mesh` was made from; all positions finite
 /// \param vertex_map for each vertex of `original` a vertex of `mesh` near it on the surface, as
 ///        `Decimation::vertex_map` has them; vertices with `invalid_index` are ignored
-/// \throw std::invalid_argument if a face or feature names a vertex that isn't there, `vertex_map` or `locked` has a
-///        wrong length, or an option is out of range
+/// \throw std::invalid_argument if a face or feature names a vertex that isn't there, `vertex_map`, `locked` or
+///        `regions` has a wrong length, or an option is out of range
 PolishResult polish(const PolishOriginal& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
                     const PolishOptions& options = {});
 PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
