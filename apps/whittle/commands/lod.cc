@@ -274,8 +274,9 @@ ExitCode run_lod(const CLI::App& app, LodCommand options) {
     const IndexedMesh& mesh = level.simplified.mesh;
     const std::string number = is_one_file(options) ? ": level " + std::to_string(i + 1) : "";
     const std::string error = level.error ? ", within " + length_text_rounded_up(*level.error, run.diagonal) : "";
-    talk.say(level.path + number + ": " + faces_text(mesh.faces.size()) + ", " + vertices_text(mesh.positions.size()) +
-             error);
+    std::string line = level.path + number;
+    line += ": " + faces_text(mesh.faces.size()) + ", " + vertices_text(mesh.positions.size()) + error;
+    talk.say(line);
   }
   say_effort(talk, watch.seconds());
   return ExitCode::done;

@@ -121,6 +121,7 @@ void check_regions(const RegionNames& names, const Input& input) {
       continue;
     }
     std::vector<std::string> known;
+    known.reserve(attributes.size());
     for (const Attribute& attribute : attributes) known.push_back(attribute.name);
     throw UnsupportedMesh(input.name + ": faces have no property '" + name + "' for --regions" +
                           (known.empty() ? "; they have none" : "; they have " + joined(known)));
