@@ -16,7 +16,6 @@ namespace whittle::test {
 namespace {
 
 constexpr int n_cells = 24;
-constexpr std::size_t n_regions = 9;
 
 /// Three by three squares.
 double region_at(double x, double y) { return std::floor(3 * x / n_cells) + 3 * std::floor(3 * y / n_cells); }
