@@ -47,7 +47,7 @@ class PatchBuilder {
 double between(double a, double b, int i, int n) { return i == n ? b : a + (b - a) * i / n; }
 
 // The bracket: the plate [-1, 1]² × [0, thickness] and the wall [-1 - thickness, -1] × [-1, 1] × [0, height].
-constexpr double thickness = 0.25;
+constexpr double washer_height = 0.25;
 constexpr double height = 2.0;
 constexpr double hole_radius = 0.5;
 
@@ -218,11 +218,11 @@ IndexedMesh capped_cylinder(int n_around, Caps caps) {
 IndexedMesh washer(int n_around) {
   require_shape(n_around >= 3, "test shape: a washer needs three vertices around");
   const auto n = static_cast<Index>(n_around);
-  constexpr double thickness = 0.2;
+  constexpr double washer_height = 0.2;
   IndexedMesh mesh;
   add_circle(mesh, n_around, 1, 0);
-  add_circle(mesh, n_around, 1, thickness);
-  add_circle(mesh, n_around, 0.5, thickness);
+  add_circle(mesh, n_around, 1, washer_height);
+  add_circle(mesh, n_around, 0.5, washer_height);
   add_circle(mesh, n_around, 0.5, 0);
   for (Index circle = 0; circle < 4; ++circle) add_band(mesh, n, circle * n, (circle + 1) % 4 * n);
   return mesh;
