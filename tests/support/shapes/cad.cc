@@ -47,7 +47,7 @@ class PatchBuilder {
 double between(double a, double b, int i, int n) { return i == n ? b : a + (b - a) * i / n; }
 
 // The bracket: the plate [-1, 1]² × [0, thickness] and the wall [-1 - thickness, -1] × [-1, 1] × [0, height].
-constexpr double washer_height = 0.25;
+constexpr double thickness = 0.25;
 constexpr double height = 2.0;
 constexpr double hole_radius = 0.5;
 
