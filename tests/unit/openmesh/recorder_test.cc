@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/MixedDecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModProgMeshT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #include <fstream>
@@ -68,6 +69,32 @@ TEST(ModRecorder, FollowsOpenMeshesDecimater) {
 
 TEST(ModRecorder, FollowsPairDecimater) {
   for (const NamedMesh& shape : holdable_meshes()) expect_replays<PairDecimaterT, ModGarlandHeckbertT>(shape);
+}
+
+/// Collecting the garbage on the way gives vertices other handles.
+TEST(ModRecorder, FollowsADecimaterThatCollectsGarbage) {
+  DoubleMesh mesh = open_mesh<DoubleMesh>(sphere(3));
+  OpenMesh::Decimater::MixedDecimaterT<DoubleMesh> decimater(mesh);
+  ModGarlandHeckbertT<DoubleMesh>::Handle cost;
+  whittle::ModRecorderT<DoubleMesh>::Handle recorder;
+  decimater.add(recorder);
+  decimater.add(cost);
+  ASSERT_TRUE(decimater.initialize());
+  decimater.decimate_to_faces(0, 200);
+  whittle::ModRecorderT<DoubleMesh>& module = decimater.module(recorder);
+  const progressive::Replay replay(module.input(), module.steps());
+  const auto sorted = [](std::vector<Vec3> positions) {
+    std::sort(positions.begin(), positions.end(), [](const Vec3& a, const Vec3& b) {
+      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+    });
+    return positions;
+  };
+  const IndexedMesh replayed = replay.decimation().mesh;
+  const IndexedMesh left = geometry_of(mesh, Copies::apart);
+  EXPECT_EQ(sorted(replayed.positions), sorted(left.positions));
+  EXPECT_EQ(replayed.faces.size(), left.faces.size());
+  const TemporaryFolder folder;
+  EXPECT_THROW(module.write_pm(folder / "mixed.pm"), std::logic_error);
 }
 
 TEST(ModRecorder, WritesTheFileOfModProgMesh) {

@@ -27,7 +27,10 @@ class ModRecorderT : public OpenMesh::Decimater::ModBaseT<MeshT> {
  public:
   DECIMATING_MODULE(ModRecorderT, MeshT, Recorder);
 
-  explicit ModRecorderT(MeshT& mesh) : Base(mesh, true), mesh_(mesh) {}
+  explicit ModRecorderT(MeshT& mesh) : Base(mesh, true), mesh_(mesh) { mesh_.add_property(number_); }
+  ~ModRecorderT() override { mesh_.remove_property(number_); }
+  ModRecorderT(const ModRecorderT&) = delete;
+  ModRecorderT& operator=(const ModRecorderT&) = delete;
 
   /// The mesh at `initialize()`, in model units. Vertices and faces that were deleted then are left out.
   const IndexedMesh& input() const { return input_; }
@@ -39,14 +42,18 @@ class ModRecorderT : public OpenMesh::Decimater::ModBaseT<MeshT> {
 
   /// Writes the mesh as it is, and the vertex splits that lead back from it, as OpenMesh's `ModProgMeshT` does: 32-bit
   /// floats and numbers; its `ProgViewer` reads it. Call it before garbage collection.
-  /// \throw std::logic_error if a collapse has moved the vertex that was left: the format has no place for that
+  /// \throw std::logic_error if a collapse has moved the vertex that was left: the format has no place for that; or if
+  ///        the garbage was collected since `initialize()`, as MixedDecimaterT does between its two parts
   /// \throw std::runtime_error if the file can't be written
   void write_pm(const std::string& path);
 
   void initialize() override {
     const auto numbers = detail::number_vertices(mesh_, Copies::apart);
     input_ = detail::geometry_of(mesh_, numbers);
-    number_of_ = numbers.number_of;
+    for (std::size_t v = 0; v < mesh_.n_vertices(); ++v) {
+      mesh_.property(number_, VertexHandle(static_cast<int>(v))) = numbers.number_of[v];
+    }
+    n_vertices_ = mesh_.n_vertices();
     steps_ = {};
     splits_.clear();
     is_settled_ = true;
@@ -65,14 +72,24 @@ class ModRecorderT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   }
 
  private:
+  using VertexHandle = typename MeshT::VertexHandle;
   struct Split {
-    typename MeshT::VertexHandle removed, survivor, left, right;
+    VertexHandle removed, survivor, left, right;
   };
 
-  Index number(typename MeshT::VertexHandle v) const { return number_of_[static_cast<std::size_t>(v.idx())]; }
+  Index number(VertexHandle v) const { return mesh_.property(number_, v); }
+  /// The vertex of a number. \param v its handle, unless the garbage has been collected
+  VertexHandle vertex_of(Index number, VertexHandle v) const {
+    const auto n = static_cast<int>(mesh_.n_vertices());
+    if (v.idx() < n && this->number(v) == number) return v;
+    int i = 0;
+    while (i < n && this->number(VertexHandle(i)) != number) ++i;
+    return VertexHandle(i);
+  }
   void settle() {
     if (is_settled_) return;
-    const Vec3 position = to_vec3(mesh_.point(splits_.back().survivor));
+    const Index survivor = steps_.contractions.back().survivor;
+    const Vec3 position = to_vec3(mesh_.point(vertex_of(survivor, splits_.back().survivor)));
     has_moved_ = has_moved_ || position != before_;
     steps_.contractions.back().position = position;
     is_settled_ = true;
@@ -80,7 +97,8 @@ class ModRecorderT : public OpenMesh::Decimater::ModBaseT<MeshT> {
 
   MeshT& mesh_;
   IndexedMesh input_;
-  std::vector<Index> number_of_;  ///< by handle
+  OpenMesh::VPropHandleT<Index> number_;  ///< in `input_`. It goes with a vertex where handles change
+  std::size_t n_vertices_ = 0;            ///< of the mesh at `initialize()`, deleted ones, too
   RunSteps steps_;
   std::vector<Split> splits_;
   Vec3 before_ = Vec3::Zero();  ///< where the survivor of the last collapse was
@@ -119,6 +137,9 @@ template <class MeshT>
 void ModRecorderT<MeshT>::write_pm(const std::string& path) {
   settle();
   if (has_moved_) throw std::logic_error("ModRecorderT: a .pm file is for vertices that stay where they are");
+  if (mesh_.n_vertices() != n_vertices_) {
+    throw std::logic_error("ModRecorderT: a .pm file is written before the garbage is collected");
+  }
   const StatusBitsT<OpenMesh::FaceHandle, const MeshT> bits(mesh_);
   std::vector<std::uint32_t> numbers(
       mesh_.n_vertices());  // those that are left, then those removed, the last one first
