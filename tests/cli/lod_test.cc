@@ -75,7 +75,7 @@ void expect_charts(const IndexedMesh& mesh) {
   }
 }
 
-nlohmann::json document_of(const std::string& path) {
+nlohmann::json read_document(const std::string& path) {
   return nlohmann::json::parse(gltf::Asset::read(path).document());
 }
 
@@ -91,9 +91,9 @@ TEST(Lod, KeepsWhatGltfHasInFilesOfLevels) {
       ASSERT_EQ(outcome.exit_code, 0) << outcome;
       EXPECT_EQ(parse_json(outcome.out)["warnings"].size(), 0U) << outcome;
       for (const char* const level : {"0.gltf", "1.gltf"}) {
-        const nlohmann::json document = document_of(folder / level);
-        EXPECT_EQ(document["materials"], document_of(in)["materials"]);
-        EXPECT_EQ(document["nodes"], document_of(in)["nodes"]);
+        const nlohmann::json document = read_document(folder / level);
+        EXPECT_EQ(document["materials"], read_document(in)["materials"]);
+        EXPECT_EQ(document["nodes"], read_document(in)["nodes"]);
         expect_charts(gltf::Asset::read(folder / level).triangles(0));
       }
     }
@@ -109,7 +109,7 @@ TEST(Lod, WritesLevelsIntoOneGltfFile) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome;
   const gltf::Asset asset = gltf::Asset::read(out);
   const nlohmann::json document = nlohmann::json::parse(asset.document());
-  EXPECT_EQ(document["materials"], document_of(in)["materials"]);
+  EXPECT_EQ(document["materials"], read_document(in)["materials"]);
   const IndexedMesh finest = asset.triangles(0);
   EXPECT_EQ(finest.faces, gltf::Asset::read(in).triangles(0).faces) << "the input stays as it was";
   for (const nlohmann::json& node : document["nodes"]) {
