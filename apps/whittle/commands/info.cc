@@ -198,7 +198,7 @@ ExitCode run_info(const CLI::App& app, const InfoOptions& options) {
 
 void setup_info(CLI::App& app, Command& command) {
   const auto options = std::make_shared<InfoOptions>();
-  options->files.reads_gltf = true;
+  options->files.reads_gltf = options->files.reads_shown = true;
   CLI::App* sub = app.add_subcommand("info", "Say what is in a mesh file and what is wrong with it.");
   add_mesh_file(*sub, options->input, options->files);
   add_input_formats(*sub, options->files);

@@ -10,6 +10,7 @@
 
 #include "files/companions.hh"
 #include "files/gltf/screen_coverage.hh"
+#include "terminal/table.hh"
 #include "whittle/core/pieces.hh"
 #include "whittle/core/transform.hh"
 #include "whittle/io/errors.hh"
@@ -145,8 +146,8 @@ GltfFile::Part GltfFile::part_of(std::size_t number, const Eigen::Affine3d& plac
 void GltfFile::read_mesh(std::size_t number, std::vector<Eigen::Affine3d> places, const io::ReadOptions& options,
                          io::ReadResult& all) {
   IndexedMesh mesh = asset_.triangles(number);
-  if (scope_ == GltfScope::meshes) places = {near_origin(largest_of(places), mesh)};
-  const bool is_moved = scope_ == GltfScope::meshes && !places.front().matrix().isIdentity(0);
+  if (scope_ != GltfScope::scene) places = {near_origin(largest_of(places), mesh)};
+  const bool is_moved = scope_ != GltfScope::scene && !places.front().matrix().isIdentity(0);
   std::vector<Vec3> file_positions = is_moved ? mesh.positions : std::vector<Vec3>{};
   const std::size_t n_file_vertices = mesh.positions.size();
   const auto n_file_faces = mesh.faces.size();
@@ -170,21 +171,43 @@ void GltfFile::read_mesh(std::size_t number, std::vector<Eigen::Affine3d> places
   all.file_faces += places.size() * n_file_faces;
 }
 
+bool GltfFile::leaves_out(std::size_t mesh) const {
+  if (asset_.n_instances(mesh) > 0) return false;
+  return scope_ != GltfScope::meshes || asset_.is_level(mesh);
+}
+
+void GltfFile::warn_of_left_out(std::span<const std::size_t> meshes, io::ReadResult& result) const {
+  if (meshes.empty()) return;
+  const bool is_one = meshes.size() == 1;
+  const std::string names = asset_.mesh_name(meshes.front()) +
+                            (is_one ? "" : " and " + counted(meshes.size() - 1, "mesh", "meshes") + " more");
+  result.warnings.push_back(
+      scope_ == GltfScope::meshes
+          ? names + (is_one ? " stays as it is: a level" : " stay as they are: levels") + " of detail (MSFT_lod)"
+          : names + (is_one ? " is" : " are") + " left out: the scene doesn't show " + (is_one ? "it" : "them"));
+}
+
 io::ReadResult GltfFile::read(const io::ReadOptions& options, GltfScope scope) {
   io::ReadResult result;
   scope_ = scope;
   parts_.clear();
-  const bool has_all = scope == GltfScope::meshes || !shows_meshes(asset_);
+  const bool shows_any = shows_meshes(asset_);
+  std::vector<std::size_t> left_out;
   for (std::size_t m = 0; m < asset_.n_meshes(); ++m) {
     if (asset_.n_triangles(m) == 0) continue;
+    if (shows_any && leaves_out(m)) {
+      left_out.push_back(m);
+      continue;
+    }
     std::vector<Eigen::Affine3d> places = places_of(m);
-    if (places.empty() && has_all) places.push_back(Eigen::Affine3d::Identity());
+    if (places.empty()) places.push_back(Eigen::Affine3d::Identity());
     if (scope == GltfScope::scene &&
         places.size() * asset_.n_triangles(m) > largest_scene - std::min(largest_scene, result.file_faces)) {
       throw io::ReadError(path_.string(), "the scene has more than 2^27 triangles");
     }
-    if (!places.empty()) read_mesh(m, std::move(places), options, result);
+    read_mesh(m, std::move(places), options, result);
   }
+  warn_of_left_out(left_out, result);
   return result;
 }
 

@@ -14,10 +14,11 @@
 
 namespace whittle::app {
 
-/// What of a glTF file becomes a mesh.
+/// What of a glTF file becomes a mesh. If the scene shows none, all meshes do, as the file has them.
 enum class GltfScope {
-  meshes,  ///< Each mesh once, where the scene shows it largest. Those that it doesn't show are as the file has them.
-  scene    ///< What the scene shows: a mesh as often as nodes use it. All meshes if no node uses any.
+  meshes,  ///< Each mesh once, where the scene shows it largest, or as the file has it. Levels of detail are left out.
+  shown,   ///< Likewise, but for meshes that the scene doesn't show.
+  scene    ///< What the scene shows: a mesh as often as nodes use it.
 };
 
 /// Coarser levels of detail of a mesh, the finer ones first.
@@ -88,6 +89,9 @@ class GltfFile {
   Part part_of(std::size_t number, const Eigen::Affine3d& place, const IndexedMesh& mesh, const IndexedMesh& all) const;
   void read_mesh(std::size_t number, std::vector<Eigen::Affine3d> places, const io::ReadOptions& options,
                  io::ReadResult& all);
+  /// Whether what was asked for leaves out a mesh. \pre the scene shows another one
+  bool leaves_out(std::size_t mesh) const;
+  void warn_of_left_out(std::span<const std::size_t> meshes, io::ReadResult& result) const;
   std::vector<IndexedMesh> split(const IndexedMesh& mesh) const;
   void add_levels(CoarserLevels levels, std::vector<std::string>& warnings);
   std::vector<IndexedMesh> split_for_file(const IndexedMesh& mesh, const std::string& level,
@@ -99,7 +103,7 @@ class GltfFile {
   std::vector<Part> parts_;
 };
 
-/// Whether a node of an asset has a mesh with triangles. Where none has, programs show all meshes.
+/// Whether the scene of an asset shows a mesh with triangles. Where it shows none, programs show all meshes.
 bool shows_meshes(const gltf::Asset& asset);
 
 /// Why nothing is left of what was read from a glTF file: "there are no triangles in it". \pre it has no faces

@@ -19,6 +19,11 @@
 namespace whittle::app {
 namespace {
 
+GltfScope gltf_scope_of(const FileOptions& options) {
+  if (options.reads_shown) return GltfScope::shown;
+  return options.reads_scene ? GltfScope::scene : GltfScope::meshes;
+}
+
 /// \throw UnsupportedMesh naming a vertex that is too far from the origin to compute with
 void refuse_large_coordinates(const IndexedMesh& mesh, const std::string& name) {
   const auto bad = std::find_if_not(mesh.positions.begin(), mesh.positions.end(), is_in_range);
@@ -127,7 +132,7 @@ void check_formats(const std::vector<std::string>& inputs, const std::vector<std
 }
 
 MeshFile::MeshFile(std::string path, const FileOptions& options)
-    : path_(std::move(path)), takes_no_triangles_(options.takes_no_triangles), reads_scene_(options.reads_scene) {
+    : path_(std::move(path)), takes_no_triangles_(options.takes_no_triangles), scope_(gltf_scope_of(options)) {
   format_ = options.input_format;
   if (!format_ && !format_by_name(path_)) format_ = options.format;
   if (path_ == standard_stream) standard_input_ = io::read_all(STDIN_FILENO, standard_input_name);
@@ -136,8 +141,7 @@ MeshFile::MeshFile(std::string path, const FileOptions& options)
 
 io::ReadResult MeshFile::read(bool weld, unsigned threads, io::AttributeScope attributes) const {
   const io::ReadOptions options{.weld = weld, .format = format_, .threads = threads, .attributes = attributes};
-  const GltfScope scope = reads_scene_ ? GltfScope::scene : GltfScope::meshes;
-  io::ReadResult result = gltf_                      ? gltf_->read(options, scope)
+  io::ReadResult result = gltf_                      ? gltf_->read(options, scope_)
                           : path_ == standard_stream ? io::read_mesh(standard_input_, standard_input_name, options)
                                                      : io::read_mesh(path_, options);
   if (result.mesh.faces.empty() && !takes_no_triangles_) throw io::ReadError(name(), why_no_faces(result));

@@ -13,6 +13,7 @@
 namespace whittle::app {
 
 class GltfFile;
+enum class GltfScope;
 
 /// The name of the standard streams on the command line.
 inline constexpr std::string_view standard_stream = "-";
@@ -53,7 +54,7 @@ class MeshFile {
   std::string path_;
   std::optional<io::Format> format_;
   bool takes_no_triangles_;
-  bool reads_scene_;
+  GltfScope scope_;
   std::vector<char> standard_input_;
   std::shared_ptr<GltfFile> gltf_;
 };

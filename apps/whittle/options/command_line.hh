@@ -55,6 +55,7 @@ struct FileOptions {
   bool writes_gltf = false;                   ///< whether it writes them
   bool takes_no_triangles = false;            ///< whether glTF without triangles is read, as a mesh without faces
   bool reads_scene = false;                   ///< whether glTF is read as `GltfScope::scene`, else as `meshes`
+  bool reads_shown = false;                   ///< whether it is read as `GltfScope::shown`
 };
 // Each takes the group of the help, by default that of options without one.
 

@@ -162,6 +162,16 @@ std::size_t Asset::n_triangles(std::size_t mesh) const {
 
 std::size_t Asset::n_instances(std::size_t mesh) const { return gltf::n_instances(content_->model, mesh); }
 
+bool Asset::is_level(std::size_t mesh) const {
+  bool is_level = false;
+  for (const Node& node : content_->model.nodes) {
+    if (node.mesh != mesh) continue;
+    if (node.is_shown) return false;
+    is_level = is_level || node.is_level;
+  }
+  return is_level;
+}
+
 std::vector<Eigen::Matrix4d> Asset::world_transforms(std::size_t mesh) const {
   return gltf::world_transforms(content_->model, content_->rest, mesh);
 }

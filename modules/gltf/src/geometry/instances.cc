@@ -67,7 +67,7 @@ std::vector<Eigen::Matrix4d> instance_matrices(const Model& model, const Node& n
 std::size_t n_instances(const Model& model, std::size_t mesh) {
   std::size_t n = 0;
   for (const Node& node : model.nodes) {
-    if (node.mesh == mesh) n += n_instances(model, node);
+    if (node.mesh == mesh && node.is_shown) n += n_instances(model, node);
   }
   return n;
 }

@@ -48,6 +48,7 @@ Model read_model(const Json& document, const Source& source) {
   read_accessors(model, root);
   read_meshes(model, root);
   read_nodes(model, root);
+  read_scene(model, root);
   return model;
 }
 

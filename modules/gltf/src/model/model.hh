@@ -94,6 +94,8 @@ struct Node {
   std::optional<Transform> transform;                    ///< what `matrix` was made of; none if the document has that
   std::optional<std::size_t> parent;
   std::optional<std::size_t> mesh;
+  bool is_shown = false;   ///< part of the scene that viewers show first, not hidden, and no level
+  bool is_level = false;   ///< a level of detail of another node (MSFT_lod), or below one
   NamedNumbers instances;  ///< of EXT_mesh_gpu_instancing: names and accessors; empty: one
 };
 

@@ -31,5 +31,7 @@ void read_views(Model& model, const Part& root);
 void read_accessors(Model& model, const Part& root);
 void read_meshes(Model& model, const Part& root);
 void read_nodes(Model& model, const Part& root);
+/// Finds the nodes that are shown, and levels of detail.
+void read_scene(Model& model, const Part& root);
 
 }  // namespace whittle::gltf

@@ -73,7 +73,7 @@ struct Poser::Content {
   void place_nodes(const Asset& asset) {
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
       const Node& node = model.nodes[n];
-      if (!node.mesh || asset.n_triangles(*node.mesh) == 0) continue;
+      if (!node.mesh || !node.is_shown || asset.n_triangles(*node.mesh) == 0) continue;
       std::vector<Eigen::Matrix4d> instances = instance_matrices(model, node);
       if (!instances.empty()) scene.push_back({*node.mesh, n, rig.skin_of_node[n], std::move(instances)});
     }

@@ -34,7 +34,7 @@ std::vector<Eigen::Matrix4d> world_transforms(const Model& model, const Rest& re
   const bool has_joints = n_joint_sets(model.meshes[mesh]) > 0;
   for (std::size_t number = 0; number < model.nodes.size(); ++number) {
     const Node& node = model.nodes[number];
-    if (node.mesh != mesh) continue;
+    if (node.mesh != mesh || !node.is_shown) continue;
     if (const Skin* const skin = has_joints ? skin_of(rest, number) : nullptr) {
       transforms.push_back(rest.worlds[skin->joints.front()] * skin->inverse_bind.front());
       continue;

@@ -11,8 +11,6 @@
 
 namespace whittle::gltf {
 
-inline constexpr std::string_view lod_extension = "MSFT_lod";
-
 /// Whether a node that uses a mesh has levels of detail, or is one.
 bool has_levels(const Json& document, std::size_t mesh);
 

@@ -68,10 +68,15 @@ class Asset {
   std::string mesh_name(std::size_t mesh) const;
   /// Of all primitives that are triangles, strips or fans, as `triangles` would give them.
   std::size_t n_triangles(std::size_t mesh) const;
-  /// How often nodes use the mesh. With EXT_mesh_gpu_instancing a node uses it once an instance.
+  /// How often the scene shows the mesh. With EXT_mesh_gpu_instancing a node does so once an instance. The scene is
+  /// the document's `scene`, else its first one, else all nodes. Levels of detail (MSFT_lod) and nodes that
+  /// KHR_node_visibility hides aren't shown.
   std::size_t n_instances(std::size_t mesh) const;
-  /// The matrix from the mesh's coordinates into the scene's, for each instance. Where a skin moves the mesh, that of
-  /// its first joint, which is that of all joints as long as nothing is bent; skins don't count if one is wrong.
+  /// Whether the mesh is there for levels of detail alone: such nodes have it, and none that is shown.
+  bool is_level(std::size_t mesh) const;
+  /// The matrix from the mesh's coordinates into the scene's, for each instance shown. Where a skin moves the mesh,
+  /// that of its first joint, which is that of all joints as long as nothing is bent; skins don't count if one is
+  /// wrong.
   std::vector<Eigen::Matrix4d> world_transforms(std::size_t mesh) const;
 
   /// All triangles of a mesh, from all its primitives that are triangles, strips or fans and have positions.

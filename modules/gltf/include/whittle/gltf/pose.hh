@@ -31,9 +31,9 @@ struct AnimationTime {
 
 /// Poses the scene of an asset.
 ///
-/// The scene has all nodes with meshes that have triangles. At rest, those without skins and morph targets are where
-/// `Asset::world_transforms` places them. Where no node has one, it has each mesh once, where its own coordinates put
-/// it.
+/// The scene has all nodes that are shown (`Asset::n_instances`), with meshes that have triangles. At rest, those
+/// without skins and morph targets are where `Asset::world_transforms` places them. Where none is shown, it has each
+/// mesh once, where its own coordinates put it.
 class Poser {
  public:
   /// Reads geometry, skins and animations. \param asset must outlive the poser, and stay as it is
