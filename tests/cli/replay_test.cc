@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "program/failure.hh"
+#include "program/gltf_cube.hh"
 #include "program/program.hh"
 #include "support/temporary_folder.hh"
+#include "whittle/io/read.hh"
 
 namespace whittle::test {
 namespace {
@@ -63,6 +65,34 @@ TEST(ReplayCommand, EndsWithTheResultOfTheRun) {
     done({"replay", rec, "--at", "0", "-o", level, "--quiet"});
     done({"convert", data_file("terrain.ply"), plain, "--quiet"});
     EXPECT_TRUE(read_text(plain) == read_text(level)) << effort;
+  }
+}
+
+TEST(ReplayCommand, KeepsAttributes) {
+  const TemporaryFolder folder;
+  const std::string rec = folder / "rec";
+  write_gltf_cube(folder / "cube.glb", 8);
+  done({"convert", folder / "cube.glb", folder / "cube.obj", "--quiet"});
+  for (const std::string in : {"cube.glb", "cube.obj"}) {
+    const std::string extension = in.substr(in.size() - 4);
+    const std::string small = folder / ("small" + extension);
+    const std::string last = folder / ("last" + extension);
+    done({"simplify", folder / in, "-o", small, "--faces", "100", "--record", rec, "--quiet"});
+    done({"replay", rec, "--input", folder / in, "--at", "1", "-o", last, "--quiet"});
+    EXPECT_TRUE(read_text(small) == read_text(last)) << in;
+    done({"replay", rec, "--at", "1", "-o", folder / "embedded.obj", "--quiet"});
+    done({"convert", small, folder / "small.obj", "--force", "--quiet"});
+    const io::ReadOptions all{.attributes = io::AttributeScope::all};
+    const IndexedMesh embedded = io::read_mesh(folder / "embedded.obj", all).mesh;
+    const IndexedMesh direct = io::read_mesh(folder / "small.obj", all).mesh;
+    ASSERT_EQ(embedded.attributes.size(), 1U);
+    EXPECT_EQ(embedded.group_names, direct.group_names);
+    EXPECT_EQ(embedded.faces.size(), direct.faces.size());
+    double sum = 0;
+    for (std::size_t i = 0; i < embedded.attributes[0].values.size(); ++i) {
+      sum += embedded.attributes[0].values[i] - direct.attributes[0].values[i];
+    }
+    EXPECT_NEAR(sum, 0, 1e-3) << "the picture is not upside down";
   }
 }
 

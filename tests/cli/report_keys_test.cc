@@ -339,6 +339,7 @@ TEST(ReportKeys, OfReplayAreDocumented) {
       "replay", {{rec, "-o", out, "--format", "ply", "--faces", "600", "--verbose", "--ascii"},
                  {rec, "-o", out, "--output-format", "obj", "--vertices", "600", "--quiet", "--threads", "1"},
                  {bare, "--output", out, "--format", "ply", "--input", terrain, "--cost", "1e-9", "--no-weld"},
+                 {rec, "-o", folder / "out.glb", "--at", "1", "--compress"},
                  {bare, "-o", out, "--output-format", "ply", "--input", terrain, "--input-format", "ply", "--at", "0.5",
                   "--weld", "0", "--force", "--color", "never"},
                  {rec, "-o", folder / "out{i}.ply", "--steps", "0:1:3"}});

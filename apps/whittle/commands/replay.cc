@@ -10,6 +10,8 @@
 
 #include "commands/recording/recording_input.hh"
 #include "commands/subcommands.hh"
+#include "files/gltf_file.hh"
+#include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
 #include "options/values.hh"
@@ -36,6 +38,7 @@ struct ReplayCommand {
   std::optional<double> cost, at;
   std::optional<Series> series;
   FileOptions files;
+  bool compresses_gltf = false;
   CommonOptions common;
 };
 
@@ -125,16 +128,25 @@ void check(const CLI::App& app, const ReplayCommand& options) {
   check_recording_outputs(options.recording, meshes, outputs, options.files, options.common);
 }
 
-void write_levels(const ReplayCommand& options, Replay& replay, OutputFiles& files, const Talk& talk, ReplayRun& run) {
+/// Without the file that it comes from, a level of glTF has its texture coordinates turned over.
+void write_level(const ReplayCommand& options, const std::string& path, RecordedRun& recorded, IndexedMesh mesh,
+                 OutputFiles& files, const Talk& talk, ReplayRun& run) {
+  if (recorded.has_gltf_texcoords && !recorded.input.gltf) flip_texcoords(mesh);
+  write_result(files, {path, options.files, options.compresses_gltf}, recorded.input, mesh, talk, run.warnings);
+}
+
+void write_levels(const ReplayCommand& options, RecordedRun& recorded, OutputFiles& files, const Talk& talk,
+                  ReplayRun& run) {
+  Replay& replay = recorded.replay;
   const std::vector<std::size_t> levels = levels_of(options, replay);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const Stopwatch replaying;
     replay.go_to(levels[i]);
-    const Decimation level = replay.decimation();
+    Decimation level = replay.decimation();
     run.replay_seconds += replaying.seconds();
     const Stopwatch writing;
     const std::string path = numbered(options.output, i, levels.size());
-    write_mesh(files, path, options.files, level.mesh, talk, run.warnings);
+    write_level(options, path, recorded, std::move(level.mesh), files, talk, run);
     run.write_seconds += writing.seconds();
     run.levels.push_back(
         {path, level.result.n_contractions, level.result.n_vertices, level.result.n_faces, level.result.max_cost});
@@ -146,10 +158,11 @@ ExitCode run_replay(const CLI::App& app, const ReplayCommand& options) {
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   ReplayRun run;
-  Replay replay = read_replay(options.recording, options.files, options.common.threads, talk, run.recording);
+  RecordedRun recorded =
+      read_recorded_run(options.recording, options.files, options.common.threads, talk, run.recording);
   run.read_seconds = watch.seconds();
   OutputFiles files;
-  write_levels(options, replay, files, talk, run);
+  write_levels(options, recorded, files, talk, run);
   commit_with_report(files, options.common,
                      options.common.json ? to_text(replay_json(run, watch.seconds())) : std::string());
   const ReplayLevel& last = run.levels.back();
@@ -186,6 +199,7 @@ void add_level_options(CLI::App& app, ReplayCommand& options) {
 
 void setup_replay(CLI::App& app, Command& command) {
   const auto options = std::make_shared<ReplayCommand>();
+  options->files.reads_gltf = options->files.writes_gltf = true;
   CLI::App* sub = app.add_subcommand("replay", "Write any level of detail out of a recording of 'simplify'.");
   add_recording(*sub, options->recording);
   add_level_options(*sub, *options);
@@ -195,6 +209,7 @@ void setup_replay(CLI::App& app, Command& command) {
       ->required();
   add_recording_input(*sub, options->recording);
   add_file_options(*sub, options->files);
+  add_compress(*sub, options->compresses_gltf);
   add_common_options(*sub, options->common);
   set_usage(*sub, "REC -o OUT LEVEL [OPTION]...");
   sub->footer(

@@ -354,10 +354,9 @@ std::vector<std::string> lost_in_openmesh(const SimplifyCommand& options, const 
   return warnings;
 }
 
-/// Recordings, and OpenMesh's engine, take one value of an attribute a vertex.
+/// OpenMesh's engine takes one value of an attribute a vertex.
 io::AttributeScope attributes_to_read(const SimplifyCommand& options) {
-  return options.recording || options.engine == Engine::openmesh ? io::AttributeScope::per_vertex
-                                                                 : io::AttributeScope::all;
+  return options.engine == Engine::openmesh ? io::AttributeScope::per_vertex : io::AttributeScope::all;
 }
 
 void drop_attributes(IndexedMesh& mesh) {

@@ -1,7 +1,9 @@
 #include <xxhash.h>
 
+#include <array>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "bytes.hh"
@@ -32,6 +34,11 @@ class Hasher {
     add(&n, 1);
     if (n > 0) add(reinterpret_cast<const Number*>(items.data()), n * N);
   }
+  void add_text(const std::string& text) {
+    const std::uint64_t n = text.size();
+    add(&n, 1);
+    add(text.data(), text.size());
+  }
   ContentHash hash() const {
     const XXH128_hash_t hash = XXH3_128bits_digest(state_.get());
     return {hash.low64, hash.high64};
@@ -40,6 +47,19 @@ class Hasher {
  private:
   std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state_;
 };
+
+void add_attributes(Hasher& hasher, const std::vector<Attribute>& attributes) {
+  const std::uint64_t n = attributes.size();
+  hasher.add(&n, 1);
+  for (const Attribute& attribute : attributes) {
+    hasher.add_text(attribute.name);
+    const std::array<std::uint64_t, 4> kind = {static_cast<std::uint64_t>(attribute.kind), attribute.n_components,
+                                               static_cast<std::uint64_t>(attribute.type),
+                                               attribute.is_normalized ? 1U : 0U};
+    hasher.add(kind.data(), kind.size());
+    hasher.add_all<double, 1>(attribute.values);
+  }
+}
 
 }  // namespace
 
@@ -50,6 +70,15 @@ ContentHash content_hash(const IndexedMesh& mesh) {
   hasher.add_all<float, 3>(mesh.normals);
   hasher.add_all<float, 4>(mesh.colors);
   hasher.add_all<Index, 1>(mesh.origins);
+  // A mesh without these has the hash that it had before recordings had them.
+  if (mesh.wedges.empty() && mesh.attributes.empty() && mesh.face_attributes.empty() && mesh.face_groups.empty()) {
+    return hasher.hash();
+  }
+  hasher.add_all<Index, 1>(mesh.wedges);
+  add_attributes(hasher, mesh.attributes);
+  add_attributes(hasher, mesh.face_attributes);
+  hasher.add_all<Index, 1>(mesh.face_groups);
+  for (const std::string& name : mesh.group_names) hasher.add_text(name);
   return hasher.hash();
 }
 

@@ -1,10 +1,14 @@
+#include <algorithm>
 #include <cctype>
 #include <istream>
 #include <limits>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "bytes.hh"
 #include "chunks.hh"
+#include "whittle/core/detail/checks.hh"
 
 namespace whittle::progressive {
 namespace {
@@ -35,6 +39,12 @@ void read_floats(ByteReader& reader, std::uint64_t n, std::vector<std::array<flo
   }
 }
 
+/// \param end what they are below
+void read_indices(ByteReader& reader, std::uint64_t n, std::uint64_t end, std::vector<Index>& indices) {
+  Index last = 0;
+  for (std::uint64_t i = 0; i < n; ++i) indices.push_back(last = reader.index_after(last, end));
+}
+
 /// Takes chunks in their order.
 class RecordingReader {
  public:
@@ -46,7 +56,8 @@ class RecordingReader {
   void read_head(ByteReader& reader);
   void read_vertices(ByteReader& reader, std::uint64_t n);
   void read_faces(ByteReader& reader, std::uint64_t n);
-  void read_origins(ByteReader& reader, std::uint64_t n);
+  void read_attribute(ByteReader& reader);
+  void read_values(ByteReader& reader, std::uint64_t n);
   void read_contractions(ByteReader& reader, std::uint64_t n);
   void read_moved(ByteReader& reader, std::uint64_t n);
   void read_turned(ByteReader& reader, std::uint64_t n);
@@ -54,8 +65,11 @@ class RecordingReader {
   Triangle read_corners(ByteReader& reader, Index last) const;
   IndexedMesh& mesh();
   PassEnd& last_pass();
+  /// \throw RecordingError
+  void check_input(const IndexedMesh& mesh) const;
 
   Recording recording_;
+  std::vector<Attribute>* attributes_ = nullptr;  ///< where the last one is
   bool has_head_ = false;
   std::uint64_t n_contractions_ = 0;  ///< that there are to be
   std::uint64_t n_pass_ends_ = 0;     ///< likewise
@@ -110,7 +124,17 @@ void RecordingReader::read_elements(const std::string& type, ByteReader& reader,
   } else if (type == "COLR") {
     read_floats(reader, n, mesh().colors);
   } else if (type == "ORIG") {
-    read_origins(reader, n);
+    read_indices(reader, n, invalid_index, mesh().origins);
+  } else if (type == "WEDG") {
+    read_indices(reader, n, 3 * recording_.n_faces, mesh().wedges);
+  } else if (type == "GRUP") {
+    read_indices(reader, n, invalid_index, mesh().face_groups);
+  } else if (type == "NAME") {
+    for (std::uint64_t i = 0; i < n; ++i) mesh().group_names.emplace_back(reader.text(reader.count()));
+  } else if (type == "ATTR") {
+    for (std::uint64_t i = 0; i < n; ++i) read_attribute(reader);
+  } else if (type == "VALU") {
+    read_values(reader, n);
   } else if (type == "STEP") {
     read_contractions(reader, n);
   } else if (type == "MOVE") {
@@ -151,9 +175,32 @@ void RecordingReader::read_faces(ByteReader& reader, std::uint64_t n) {
   }
 }
 
-void RecordingReader::read_origins(ByteReader& reader, std::uint64_t n) {
-  Index last = 0;
-  for (std::uint64_t i = 0; i < n; ++i) mesh().origins.push_back(last = reader.index_after(last, invalid_index));
+void RecordingReader::read_attribute(ByteReader& reader) {
+  const auto flags = reader.number<std::uint8_t>();
+  const auto kind = reader.number<std::uint8_t>();
+  const auto type = reader.number<std::uint8_t>();
+  require(flags <= 3 && kind <= static_cast<std::uint8_t>(AttributeKind::category) &&
+              type <= static_cast<std::uint8_t>(ScalarType::float64),
+          "an unknown kind of attribute");
+  attributes_ = flags % 2 == 1 ? &mesh().face_attributes : &mesh().attributes;
+  Attribute& attribute = attributes_->emplace_back();
+  attribute.is_normalized = flags / 2 == 1;
+  attribute.kind = static_cast<AttributeKind>(kind);
+  attribute.type = static_cast<ScalarType>(type);
+  attribute.n_components = reader.count();
+  require(attribute.n_components > 0 && attribute.n_components < invalid_index, "an attribute without components");
+  attribute.name = reader.text(reader.count());
+}
+
+/// Of the last attribute.
+void RecordingReader::read_values(ByteReader& reader, std::uint64_t n) {
+  require(attributes_ != nullptr, "a part is not where it should be");
+  const auto is_single = reader.number<std::uint8_t>();
+  require(is_single <= 1, "an unknown flag");
+  std::vector<double>& values = attributes_->back().values;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    values.push_back(is_single == 1 ? static_cast<double>(reader.number<float>()) : reader.number<double>());
+  }
 }
 
 void RecordingReader::read_contractions(ByteReader& reader, std::uint64_t n) {
@@ -201,15 +248,22 @@ void RecordingReader::read_turned(ByteReader& reader, std::uint64_t n) {
 Recording RecordingReader::end() {
   require(recording_.steps.contractions.size() == n_contractions_ && recording_.steps.pass_ends.size() == n_pass_ends_,
           "it has more or fewer steps than it says");
-  if (recording_.input) {
-    const IndexedMesh& mesh = *recording_.input;
-    const auto is_complete = [&](std::size_t n) { return n == 0 || n == mesh.positions.size(); };
-    require(mesh.positions.size() == recording_.n_vertices && mesh.faces.size() == recording_.n_faces &&
-                is_complete(mesh.normals.size()) && is_complete(mesh.colors.size()) && is_complete(mesh.origins.size()),
-            "its mesh has more or fewer vertices or faces than it says");
-    require(content_hash(mesh) == recording_.hash, "its mesh is not the one that was written");
-  }
+  if (recording_.input) check_input(*recording_.input);
   return std::move(recording_);
+}
+
+void RecordingReader::check_input(const IndexedMesh& mesh) const {
+  require(mesh.positions.size() == recording_.n_vertices && mesh.faces.size() == recording_.n_faces &&
+              (mesh.origins.empty() || mesh.origins.size() == mesh.positions.size()),
+          "its mesh has more or fewer vertices or faces than it says");
+  const auto is_group = [&](Index group) { return group < mesh.group_names.size(); };
+  require(std::all_of(mesh.face_groups.begin(), mesh.face_groups.end(), is_group), "a group without a name");
+  try {
+    check_attributes(mesh, "recording");
+  } catch (const std::invalid_argument& error) {
+    throw RecordingError("it is damaged: " + std::string(error.what()));
+  }
+  require(content_hash(mesh) == recording_.hash, "its mesh is not the one that was written");
 }
 
 }  // namespace

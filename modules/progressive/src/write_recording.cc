@@ -67,12 +67,40 @@ void write_floats(ByteWriter& writer, std::span<const std::array<float, N>> valu
   }
 }
 
-void write_origins(ByteWriter& writer, std::span<const Index> origins) {
+void write_indices(ByteWriter& writer, std::span<const Index> indices) {
   Index last = 0;
-  for (const Index origin : origins) {
-    writer.difference(difference(origin, last));
-    last = origin;
+  for (const Index index : indices) {
+    writer.difference(difference(index, last));
+    last = index;
   }
+}
+
+void write_text(ByteWriter& writer, std::string_view text) {
+  writer.count(text.size());
+  writer.text(text);
+}
+
+/// In single precision where that keeps every bit.
+void write_values(ByteWriter& writer, std::span<const double> values) {
+  const bool are_single = std::all_of(values.begin(), values.end(), is_float);
+  writer.number(static_cast<std::uint8_t>(are_single ? 1 : 0));
+  for (const double x : values) {
+    if (are_single) {
+      writer.number(static_cast<float>(x));
+    } else {
+      writer.number(x);
+    }
+  }
+}
+
+/// All but the values. \param is_of_faces whether faces have them, not wedges
+void write_attribute(ByteWriter& writer, const Attribute& attribute, bool is_of_faces) {
+  writer.count(1);
+  writer.number(static_cast<std::uint8_t>((is_of_faces ? 1 : 0) + (attribute.is_normalized ? 2 : 0)));
+  writer.number(static_cast<std::uint8_t>(attribute.kind));
+  writer.number(static_cast<std::uint8_t>(attribute.type));
+  writer.count(attribute.n_components);
+  write_text(writer, attribute.name);
 }
 
 void write_contractions(ByteWriter& writer, std::span<const Contraction> contractions) {
@@ -141,12 +169,30 @@ void ChunkList::write(std::ostream& out, const RecordingOptions& options) const 
   }
 }
 
+void add_attributes(const std::vector<Attribute>& attributes, bool are_of_faces, ChunkList& chunks) {
+  for (const Attribute& attribute : attributes) {
+    chunks.add("ATTR",
+               [&attribute, are_of_faces](ByteWriter& writer) { write_attribute(writer, attribute, are_of_faces); });
+    chunks.add_elements("VALU", std::span(attribute.values), write_values);
+  }
+}
+
 void add_mesh(const IndexedMesh& mesh, ChunkList& chunks) {
   chunks.add_elements("VERT", std::span(mesh.positions), write_positions);
   chunks.add_elements("FACE", std::span(mesh.faces), write_faces);
   chunks.add_elements("NORM", std::span(mesh.normals), write_floats<3>);
   chunks.add_elements("COLR", std::span(mesh.colors), write_floats<4>);
-  chunks.add_elements("ORIG", std::span(mesh.origins), write_origins);
+  chunks.add_elements("ORIG", std::span(mesh.origins), write_indices);
+  chunks.add_elements("WEDG", std::span(mesh.wedges), write_indices);
+  add_attributes(mesh.attributes, false, chunks);
+  add_attributes(mesh.face_attributes, true, chunks);
+  chunks.add_elements("GRUP", std::span(mesh.face_groups), write_indices);
+  for (const std::string& name : mesh.group_names) {
+    chunks.add("NAME", [&name](ByteWriter& writer) {
+      writer.count(1);
+      write_text(writer, name);
+    });
+  }
 }
 
 void add_steps(const RunSteps& steps, ChunkList& chunks) {
@@ -175,11 +221,22 @@ void write_head(ByteWriter& writer, const IndexedMesh& input, const RunSteps& st
   writer.text(about);
 }
 
+/// \throw std::invalid_argument
+void check_names(const IndexedMesh& mesh) {
+  const auto require_short = [](const std::string& name) {
+    if (name.size() > most_about) throw std::invalid_argument("recording: a name of more than a million bytes");
+  };
+  for (const Attribute& attribute : mesh.attributes) require_short(attribute.name);
+  for (const Attribute& attribute : mesh.face_attributes) require_short(attribute.name);
+  for (const std::string& name : mesh.group_names) require_short(name);
+}
+
 }  // namespace
 
 void write_recording(std::ostream& out, const IndexedMesh& input, const RunSteps& steps, Normals normals,
                      std::string_view about, const RecordingOptions& options) {
   if (about.size() > most_about) throw std::invalid_argument("recording: more than a million bytes of text about it");
+  check_names(input);
   ChunkList chunks;
   chunks.add("HEAD", [&](ByteWriter& writer) { write_head(writer, input, steps, normals, about, options.embed); });
   if (options.embed) add_mesh(input, chunks);

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "terminal/errors.hh"
@@ -27,11 +28,25 @@ Recording read_recording_file(const std::string& path) {
   }
 }
 
-/// The mesh that the run began with.
-IndexedMesh input_of(const RecordingInput& options, const FileOptions& files, unsigned threads, const Talk& talk,
-                     Recording& recording) {
+/// The mesh of a file as the run took it: with all attributes, or with those that the run's options left.
+std::optional<IndexedMesh> mesh_of_run(const IndexedMesh& mesh, const Recording& recording) {
+  const auto is_it = [&](const IndexedMesh& candidate) {
+    return progressive::content_hash(candidate) == recording.hash;
+  };
+  if (is_it(mesh)) return mesh;
+  IndexedMesh less = with_vertex_attributes(mesh);
+  if (is_it(less)) return less;
+  less.normals.clear();
+  less.colors.clear();
+  if (is_it(less)) return less;
+  return std::nullopt;
+}
+
+/// The mesh that the run began with, and the file that it comes from.
+std::pair<IndexedMesh, Input> input_of(const RecordingInput& options, const FileOptions& files, unsigned threads,
+                                       const Talk& talk, Recording& recording) {
   if (!options.input) {
-    if (recording.input) return std::move(*recording.input);
+    if (recording.input) return {std::move(*recording.input), Input{options.path, options.path, {}, {}}};
     throw UsageError(options.path + " doesn't have the mesh that was simplified: name it with --input");
   }
   FileOptions as_then = files;
@@ -40,14 +55,19 @@ IndexedMesh input_of(const RecordingInput& options, const FileOptions& files, un
     if (reads_scene && !has_scene) break;
     as_then.reads_scene = reads_scene;
     const Talk once = reads_scene ? Talk(Volume::quiet) : talk;
-    IndexedMesh mesh = as_recorded(read_input(*options.input, as_then, threads, once).read.mesh);
-    if (progressive::content_hash(mesh) == recording.hash) return mesh;
-    mesh.normals.clear();  // as with --attributes position-only
-    mesh.colors.clear();
-    if (progressive::content_hash(mesh) == recording.hash) return mesh;
+    Input input = read_input(*options.input, as_then, threads, once, io::AttributeScope::all);
+    std::optional<IndexedMesh> mesh = mesh_of_run(input.read.mesh, recording);
+    input.read.mesh = {};
+    if (mesh) return {*std::move(mesh), std::move(input)};
   }
   throw io::ReadError(*options.input, "is not the mesh of " + options.path +
                                           ", or is read otherwise: --weld and --no-weld have to be as they were");
+}
+
+/// The format of the run's input, as the recording has it. Empty if it doesn't say.
+std::string input_format_of(const Recording& recording) {
+  const Json about = Json::parse(recording.about, nullptr, false);
+  return about.is_object() ? about.value(input_format_key, std::string()) : std::string();
 }
 
 [[noreturn]] void refuse_level(const RecordingInput& options, const progressive::Replay& replay,
@@ -58,7 +78,7 @@ IndexedMesh input_of(const RecordingInput& options, const FileOptions& files, un
 
 }  // namespace
 
-IndexedMesh as_recorded(IndexedMesh mesh) {
+IndexedMesh with_vertex_attributes(IndexedMesh mesh) {
   drop_seams(mesh);
   mesh.attributes.clear();
   mesh.face_attributes.clear();
@@ -74,7 +94,9 @@ void add_recording(CLI::App& app, RecordingInput& options) {
 void add_recording_input(CLI::App& app, RecordingInput& options) {
   add_value(
       app, "--input", "FILE", options.input, [](std::string_view text) { return std::string(text); },
-      "the mesh that was simplified, for a recording that was written with --no-embed")
+      "the mesh that was simplified: for a recording that was written with --no-embed, or for what the mesh in REC "
+      "lacks, "
+      "such as the materials of glTF")
       ->default_str("the one in REC");
 }
 
@@ -96,17 +118,38 @@ void check_recording_outputs(const RecordingInput& options, const std::vector<st
   check_outputs(outputs, inputs, common.force);
 }
 
-progressive::Replay read_replay(const RecordingInput& options, const FileOptions& files, unsigned threads,
-                                const Talk& talk, RecordingFacts& facts) {
-  Recording recording = read_recording_file(options.path);
-  facts = {options.path, recording.input.has_value(), recording.n_vertices, recording.n_faces,
-           recording.steps.contractions.size()};
-  IndexedMesh mesh = input_of(options, files, threads, talk, recording);
+namespace {
+
+progressive::Replay replay_of(const std::string& path, IndexedMesh mesh, Recording recording) {
   try {
     return {std::move(mesh), std::move(recording.steps), recording.normals};
   } catch (const std::invalid_argument& error) {
-    throw io::ReadError(options.path, error.what());
+    throw io::ReadError(path, error.what());
   }
+}
+
+RecordingFacts facts_of(const std::string& path, const Recording& recording) {
+  return {path, recording.input.has_value(), recording.n_vertices, recording.n_faces,
+          recording.steps.contractions.size()};
+}
+
+}  // namespace
+
+RecordedRun read_recorded_run(const RecordingInput& options, const FileOptions& files, unsigned threads,
+                              const Talk& talk, RecordingFacts& facts) {
+  Recording recording = read_recording_file(options.path);
+  facts = facts_of(options.path, recording);
+  auto [mesh, input] = input_of(options, files, threads, talk, recording);
+  const bool has_gltf_texcoords = input_format_of(recording) == "gltf";
+  return {replay_of(options.path, std::move(mesh), std::move(recording)), std::move(input), has_gltf_texcoords};
+}
+
+progressive::Replay read_replay(const RecordingInput& options, const FileOptions& files, unsigned threads,
+                                const Talk& talk, RecordingFacts& facts) {
+  Recording recording = read_recording_file(options.path);
+  facts = facts_of(options.path, recording);
+  IndexedMesh mesh = input_of(options, files, threads, talk, recording).first;
+  return replay_of(options.path, with_vertex_attributes(std::move(mesh)), std::move(recording));
 }
 
 std::size_t level_of_faces(const RecordingInput& options, const progressive::Replay& replay, std::uint64_t n_faces) {

@@ -20,8 +20,11 @@ struct RecordingInput {
   std::optional<std::string> input;  ///< the mesh of the run, if it is not in the recording
 };
 
-/// A mesh as recordings have it: one normal and one colour a vertex, and no other attributes.
-IndexedMesh as_recorded(IndexedMesh mesh);
+/// Of what 'simplify --record' writes about a run: the format of its input, "gltf".
+inline constexpr char input_format_key[] = "input_format";
+
+/// A mesh with one normal and one colour a vertex, and no other attributes.
+IndexedMesh with_vertex_attributes(IndexedMesh mesh);
 
 /// Adds the argument REC.
 void add_recording(CLI::App& app, RecordingInput& options);
@@ -43,6 +46,18 @@ Json recording_json(const RecordingFacts& facts);
 void check_recording_outputs(const RecordingInput& options, const std::vector<std::string>& meshes,
                              const std::vector<Output>& outputs, const FileOptions& files, const CommonOptions& common);
 
+/// A recording whose levels have all attributes.
+struct RecordedRun {
+  progressive::Replay replay;
+  /// The file that --input names, without its mesh; else the recording.
+  Input input;
+  bool has_gltf_texcoords = false;  ///< whether the second texture coordinate grows downwards, as in glTF
+};
+
+/// \throw as `read_replay`
+RecordedRun read_recorded_run(const RecordingInput& options, const FileOptions& files, unsigned threads,
+                              const Talk& talk, RecordingFacts& facts);
+/// Levels with one normal and one colour a vertex.
 /// \throw UsageError if there is no mesh to begin with; io::ReadError if a file can't be read, is damaged, or if the
 ///        mesh is another one
 progressive::Replay read_replay(const RecordingInput& options, const FileOptions& files, unsigned threads,

@@ -6,6 +6,7 @@
 #include "commands/page/frames.hh"
 #include "commands/page/make_page.hh"
 #include "commands/recording/curve.hh"
+#include "commands/recording/recording_input.hh"
 #include "commands/simplify/simplify_report.hh"
 #include "files/mesh_output.hh"
 #include "whittle/progressive/recording.hh"
@@ -45,9 +46,10 @@ void write_map_back(std::ostream& out, const SimplifyRecord& record) {
 }
 
 void write_recording_file(std::ostream& out, const SimplifyCommand& options, const SimplifyRecord& record) {
-  const Json about = {{"program", program_and_version()}, {"options", options_json(options)}};
+  const Json about = {
+      {"program", program_and_version()}, {input_format_key, record.input.format}, {"options", options_json(options)}};
   const progressive::RecordingOptions how{options.embeds_input, options.compresses_recording, options.common.threads};
-  progressive::write_recording(out, recorded_input(record), record.simplified.steps, options.simplify.decimate.normals,
+  progressive::write_recording(out, record.input.read.mesh, record.simplified.steps, options.simplify.decimate.normals,
                                to_text(about), how);
 }
 

@@ -47,6 +47,8 @@ struct SimplifyRecord {
 };
 
 /// The input as recordings have it: with one normal and one colour a vertex.
-inline IndexedMesh recorded_input(const SimplifyRecord& record) { return as_recorded(record.input.read.mesh); }
+inline IndexedMesh recorded_input(const SimplifyRecord& record) {
+  return with_vertex_attributes(record.input.read.mesh);
+}
 
 }  // namespace whittle::app

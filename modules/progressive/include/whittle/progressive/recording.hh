@@ -18,13 +18,13 @@ namespace whittle::progressive {
 /// What every recording begins with.
 inline constexpr std::string_view recording_signature{"\x89WHR\r\n\x1a\n", 8};
 
-/// Of 128 bits: equal for meshes of the same positions, faces, normals, colours and origins, to the bit.
+/// Of 128 bits: equal for meshes that are the same in all, to the bit.
 using ContentHash = std::array<std::uint64_t, 2>;
 ContentHash content_hash(const IndexedMesh& mesh);
 
 /// A run that was written down.
 struct Recording {
-  std::optional<IndexedMesh> input;  ///< without texture coordinates and groups; none where it was not embedded
+  std::optional<IndexedMesh> input;  ///< with all its attributes; none where it was not embedded
   ContentHash hash{};                ///< of the input
   std::uint64_t n_vertices = 0;      ///< of the input
   std::uint64_t n_faces = 0;         ///< of the input
@@ -47,7 +47,7 @@ class RecordingError : public std::runtime_error {
 };
 
 /// \param out gets the bytes in order; its state says whether all could be written
-/// \param about at most a million bytes; \throw std::invalid_argument for more
+/// \param about at most a million bytes, as each name of the mesh; \throw std::invalid_argument for more
 void write_recording(std::ostream& out, const IndexedMesh& input, const RunSteps& steps, Normals normals,
                      std::string_view about = {}, const RecordingOptions& options = {});
 
