@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "certificate.hh"
@@ -14,6 +15,7 @@
 #include "support/random.hh"
 #include "support/shapes/shapes.hh"
 #include "support/suites.hh"
+#include "support/transforms.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/engine/simplify.hh"
 #include "whittle/metrics/certificate.hh"
@@ -60,6 +62,50 @@ TEST(RealCertificates, Hold) {
       }
     }
   }
+}
+
+/// Columns of rectangles at these places, each cut into two faces, over a square.
+IndexedMesh columns(const std::vector<double>& places, std::size_t n_rows) {
+  IndexedMesh mesh;
+  for (std::size_t row = 0; row <= n_rows; ++row) {
+    for (const double x : places)
+      mesh.positions.emplace_back(x, static_cast<double>(row) / static_cast<double>(n_rows), 0);
+  }
+  for (std::size_t row = 0; row < n_rows; ++row) {
+    for (std::size_t column = 0; column + 1 < places.size(); ++column) {
+      const auto a = static_cast<Index>(row * places.size() + column);
+      const auto above = static_cast<Index>(a + places.size());
+      mesh.faces.push_back({a, a + 1, above + 1});
+      mesh.faces.push_back({a, above + 1, above});
+    }
+  }
+  return mesh;
+}
+
+/// The sides of a needle are as good as opposite to each other: what is made of their normals cancels out.
+TEST(RealCertificates, HoldForNeedles) {
+  Random random(6);
+  int n_proven = 0;
+  for (int i = 0; i < 300; ++i) {
+    SCOPED_TRACE(i);
+    const double width = std::pow(10, random.uniform(-11, -4));
+    const double height = std::pow(10, random.uniform(-5, -1));
+    IndexedMesh a = columns({0, 0.25, 0.5, 1}, 1 + random.below(6));
+    IndexedMesh b = columns({0, 0.25, 0.25 + width, 0.5, 1}, 1 + random.below(6));
+    for (Vec3& p : b.positions) p += Vec3(0, 0, height) + 0.1 * width * random.uniform_vector(-1, 1);
+    const auto seed = static_cast<std::uint64_t>(i);
+    a = rotated(a, seed);
+    b = rotated(b, seed);
+    const double at_most = random.uniform(1.01, 3) * height + width;
+    for (const auto& [first, second] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+      const auto bytes = metrics::make_certificate(*first, *second, {at_most});
+      if (!bytes) continue;  // it would take too many steps
+      ++n_proven;
+      const verify::Verification verification = verified(*first, *second, *bytes);
+      EXPECT_TRUE(verification.holds) << verification.why_not << ", width " << width << ", limit " << at_most;
+    }
+  }
+  EXPECT_GT(n_proven, 400);
 }
 
 /// In any order of vertices and faces, and with any faces: other certificates are found, which hold, too.

@@ -161,15 +161,20 @@ bool Patch::set_view(const Corners& triangle) {
   return true;
 }
 
-/// Moves the sides inward a little, so that faces that share a side with the triangle are apart from it. Each point of
-/// the triangle as it was is within `margin_` of what is left.
+/// Moves the corners towards the center of the inscribed circle, and so the sides inward a little: faces that share a
+/// side with the triangle are apart from it then. Each point of the triangle as it was is within `margin_` of what is
+/// left. (Not along the sides' normals: those of a needle cancel out.)
 void Patch::shrink() {
   constexpr double inset = 4 * slack;
+  const std::array<double, 3> opposite{(triangle_[2] - triangle_[1]).norm(), (triangle_[0] - triangle_[2]).norm(),
+                                       (triangle_[1] - triangle_[0]).norm()};
+  const double perimeter = opposite[0] + opposite[1] + opposite[2];
+  const double twice_area = cross(triangle_[1] - triangle_[0], triangle_[2] - triangle_[0]);
+  const Seen center =
+      (opposite[0] * triangle_[0] + opposite[1] * triangle_[1] + opposite[2] * triangle_[2]) / perimeter;
   margin_ = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Seen& one = sides_[i].outward;
-    const Seen& other = sides_[(i + 2) % 3].outward;
-    const Seen move = inset / (1 + one.dot(other)) * (one + other);
+    const Seen move = inset * perimeter / twice_area * (triangle_[i] - center);
     triangle_[i] -= move;
     margin_ = std::max(margin_, move.norm());
   }
