@@ -17,6 +17,7 @@
 #include "whittle/core/detail/checks.hh"
 #include "whittle/core/parts.hh"
 #include "whittle/metrics/closest_point.hh"
+#include "whittle/metrics/crossing_walls.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/line_distance.hh"
 #include "whittle/metrics/meeting_parts.hh"
@@ -204,18 +205,24 @@ void check_nearest_vertices(const IndexedMesh& a, const IndexedMesh& b) {
   }
 }
 
-/// A mesh and itself, with one vertex moved: parts that meet are parts, and none meet in what didn't change.
-void check_meeting_parts(const IndexedMesh& mesh, const IndexedMesh& moved) {
+/// A mesh and itself, with one vertex moved: parts that meet are parts, and none meet in what didn't change. The same
+/// of faces that cross.
+void check_new_intersections(const IndexedMesh& mesh, const IndexedMesh& moved) {
   std::vector<Index> same(mesh.positions.size());
   std::iota(same.begin(), same.end(), Index{0});
   const auto none = measured(is_surface(mesh), [&] { return metrics::newly_meeting_parts(mesh, mesh, same, 1); });
   const bool is_exact = has_ordinary_sizes(mesh);
   require(!none || none->empty() || !is_exact, "no parts newly meet in the same mesh");
+  const auto no_faces = measured(is_surface(mesh), [&] { return metrics::newly_crossing_faces(mesh, mesh, same, 1); });
+  require(!no_faces || no_faces->empty(), "no faces newly cross in the same mesh");
   if (moved.faces != mesh.faces || moved.positions.size() != mesh.positions.size()) return;
   if (!is_surface(mesh) || !is_surface(moved)) return;
   const std::size_t n_parts = find_parts(moved.positions.size(), moved.faces).count;
   for (const auto& [low, high] : metrics::newly_meeting_parts(mesh, moved, same, 1)) {
     require(low < high && high < n_parts, "parts that meet are parts");
+  }
+  for (const auto& [low, high] : metrics::newly_crossing_faces(mesh, moved, same, 1)) {
+    require(low < high && high < moved.faces.size(), "faces that cross are faces");
   }
 }
 
@@ -238,7 +245,7 @@ void check(const IndexedMesh& a, const IndexedMesh& b, std::uint64_t hash) {
   check_lines(a, b, metrics::border_lines);
   check_lines(a, b, [](const IndexedMesh& mesh) { return metrics::feature_lines(mesh, 40); });
   check_nearest_vertices(a, b);
-  check_meeting_parts(a, b);
+  check_new_intersections(a, b);
 }
 
 }  // namespace

@@ -33,6 +33,7 @@
 #include "whittle/core/wedges.hh"
 #include "whittle/engine/automatic_threshold.hh"
 #include "whittle/io/border_gaps.hh"
+#include "whittle/metrics/crossing_walls.hh"
 #include "whittle/metrics/meeting_parts.hh"
 #include "whittle/metrics/self_intersections.hh"
 #include "whittle/metrics/shape.hh"
@@ -300,18 +301,23 @@ void warn_of_gaps(const SimplifyCommand& options, const Talk& talk, SimplifyReco
   talk.warning(record.warnings.back());
 }
 
-void warn_of_meeting_parts(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
+void warn_of_new_intersections(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
   if (record.simplified.mesh.faces.empty()) return;
-  const std::size_t n = metrics::newly_meeting_parts(record.input.read.mesh, record.simplified.mesh,
-                                                     record.simplified.vertex_map, options.common.threads)
-                            .size();
-  if (n == 0) return;
   const bool is_refused = options.self_intersections == SelfIntersections::refuse;
-  record.warnings.push_back(record.input.name + ": " + std::to_string(n) +
-                            (n == 1 ? " pair of parts intersects" : " pairs of parts intersect") +
-                            " that didn't before" +
-                            (is_refused ? "" : "; '--self-intersections refuse' keeps parts apart"));
-  talk.warning(record.warnings.back());
+  const auto warn = [&](std::size_t n, const std::string& one, const std::string& many, const std::string& advice) {
+    if (n == 0) return;
+    record.warnings.push_back(record.input.name + ": " + std::to_string(n) + " " + (n == 1 ? one : many) +
+                              " that didn't before" + (is_refused ? "" : advice));
+    talk.warning(record.warnings.back());
+  };
+  const IndexedMesh& before = record.input.read.mesh;
+  const Decimation& result = record.simplified;
+  const unsigned threads = options.common.threads;
+  warn(metrics::newly_meeting_parts(before, result.mesh, result.vertex_map, threads).size(), "pair of parts intersects",
+       "pairs of parts intersect", "; '--self-intersections refuse' keeps parts apart");
+  warn(metrics::newly_crossing_faces(before, result.mesh, result.vertex_map, threads).size(),
+       "pair of faces of one part crosses", "pairs of faces of one part cross",
+       "; '--self-intersections refuse' prevents it");
 }
 
 void warn_of_result(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
@@ -320,7 +326,7 @@ void warn_of_result(const SimplifyCommand& options, const Talk& talk, SimplifyRe
   warn_of_folds(talk, record);
   warn_of_valence_three(options, talk, record);
   if (record.met) warn_of_gaps(options, talk, record);
-  warn_of_meeting_parts(options, talk, record);
+  warn_of_new_intersections(options, talk, record);
 }
 
 void measure_curve(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {

@@ -131,5 +131,23 @@ TEST(CloseParts, AreWarnedOfIfTheyMeet) {
   EXPECT_EQ(refused.err.find("of parts intersect"), std::string::npos) << refused;
 }
 
+TEST(ThinWalls, AreWarnedOfIfTheyCross) {
+  const TemporaryFolder folder;
+  const std::string mesh = folder / "wall.ply";
+  io::write_mesh(mesh, thin_wall(60));
+  const std::vector<std::string> run{"simplify", mesh, "-o", folder / "out.ply", "--face-ratio", "4%", "--json", "-"};
+  const Outcome crossing = whittle(run);
+  const std::string warning = "pairs of faces of one part cross that didn't before; '--self-intersections refuse'";
+  EXPECT_NE(crossing.err.find(warning), std::string::npos) << crossing;
+  EXPECT_NE(parse_json(crossing.out)["warnings"].dump().find(warning), std::string::npos) << crossing;
+
+  std::vector<std::string> refusing = run;
+  refusing.insert(refusing.end(), {"--self-intersections", "refuse"});
+  const Outcome refused = whittle(refusing);
+  const auto json = parse_json(refused.out);
+  EXPECT_LE(json["output"]["self_intersections"], json["input"]["self_intersections"]) << refused;
+  EXPECT_EQ(refused.err.find(" cross"), std::string::npos) << refused;
+}
+
 }  // namespace
 }  // namespace whittle::test

@@ -123,6 +123,13 @@ IndexedMesh two_sided_leaf(Index n) {
   return mesh;
 }
 
+IndexedMesh thin_wall(Index n) {
+  IndexedMesh mesh = two_sided_leaf(n);
+  const std::size_t n_front = std::size_t{n + 1} * (n + 1);
+  for (std::size_t v = n_front; v < mesh.positions.size(); ++v) mesh.positions[v].z() -= 0.05;
+  return mesh;
+}
+
 IndexedMesh pillow() {
   IndexedMesh mesh = single_triangle();
   mesh.faces.push_back({0, 2, 1});

@@ -124,6 +124,8 @@ IndexedMesh two_cubes_on_an_edge(int n = 1);
 /// A wavy sheet of n by n squares with a front and a back, which have the vertices around in common, and no others.
 /// V 2 (n − 1)² + 4n, F 4n², closed.
 IndexedMesh two_sided_leaf(Index n);
+/// The same with a wall of 0.05 between front and back, so thin that coarse results of it cross.
+IndexedMesh thin_wall(Index n);
 /// Two faces on the same three vertices, back to back: closed, without volume. V 3, F 2, Euler number 2.
 IndexedMesh pillow();
 /// Every face with three vertices of its own (as in STL). V 3F.

@@ -1,4 +1,4 @@
-#include "predicates.hh"
+#include "intersections/predicates.hh"
 
 #include <gtest/gtest.h>
 

@@ -208,9 +208,9 @@ void add_guard_options(CLI::App& app, SimplifyCommand& options) {
 
 void add_self_intersections(CLI::App& app, SelfIntersections& target) {
   add_choice<SelfIntersections>(app, "--self-intersections", target, self_intersections,
-                                "allow: warn if parts come to intersect that didn't; count: also count all "
-                                "intersecting faces, before and after; refuse: also refuse contractions that would "
-                                "make faces intersect")
+                                "allow: warn if parts come to intersect, or walls to cross, that didn't; count: also "
+                                "count all intersecting faces, before and after; refuse: also refuse contractions that "
+                                "would make faces intersect")
       ->group(guard_group);
 }
 

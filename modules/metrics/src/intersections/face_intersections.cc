@@ -1,4 +1,4 @@
-// The hierarchy finds candidates: pairs of faces with overlapping boxes. A candidate is decided by the signs of
+// `BoxPairs` finds candidates: pairs of faces with overlapping boxes. A candidate is decided by the signs of
 // orientation determinants alone, so the result is exact. Two faces intersect if they have
 //
 //   no common corner:     and an edge of one meets the other; two triangles have no other way to meet
@@ -6,16 +6,15 @@
 //                         and contains the corner
 //   two common corners:   and both are in one plane, on the same side of the common edge
 //   three common corners
-#include "face_intersections.hh"
+#include "intersections/face_intersections.hh"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
-#include "predicates.hh"
+#include "intersections/box_pairs.hh"
+#include "intersections/predicates.hh"
 #include "whittle/core/detail/progress_meter.hh"
 #include "whittle/metrics/bounds.hh"
-#include "whittle/metrics/closest_point.hh"
 #include "working_scale.hh"
 
 namespace whittle::metrics {
@@ -24,7 +23,6 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-constexpr std::size_t faces_per_block = 512;
 constexpr std::array<std::pair<int, int>, 3> coordinate_planes{{{0, 1}, {1, 2}, {2, 0}}};
 
 /// How the corners turn in the first coordinate plane in which they are not on a line. `turn` is 0 if there is none.
@@ -113,52 +111,23 @@ bool meet_beyond_common(const Corners& s, const Corners& t, const IsCommon& is_c
   }
 }
 
-/// For each vertex the lowest vertex number with the same position.
-std::vector<Index> merge_by_position(const IndexedMesh& mesh) {
-  std::vector<Index> order;
-  {
-    std::vector<bool> used(mesh.positions.size(), false);
-    for (const Triangle& face : mesh.faces) {
-      for (const Index v : face) used[v] = true;
-    }
-    for (std::size_t v = 0; v < used.size(); ++v) {
-      if (used[v]) order.push_back(static_cast<Index>(v));
-    }
-  }
-  const auto& positions = mesh.positions;
-  std::sort(order.begin(), order.end(), [&](Index left, Index right) {
-    const Vec3 &l = positions[left], &r = positions[right];
-    if (l.x() != r.x()) return l.x() < r.x();
-    if (l.y() != r.y()) return l.y() < r.y();
-    return l.z() != r.z() ? l.z() < r.z() : left < right;
-  });
-  std::vector<Index> merged(positions.size(), invalid_index);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && positions[order[i]] == positions[order[i - 1]];
-    merged[order[i]] = same ? merged[order[i - 1]] : order[i];
-  }
-  return merged;
+Corners corners_of(const IndexedMesh& mesh, Index face) {
+  const auto [a, b, c] = mesh.faces[face];
+  return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
 }
 
-class PairTest {
- public:
-  explicit PairTest(const IndexedMesh& mesh) : mesh_(mesh), merged_(merge_by_position(mesh)) {}
-
-  Corners corners(Index face) const {
-    const auto [a, b, c] = mesh_.faces[face];
-    return {mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]};
+/// Of the faces that have an area.
+std::vector<FaceBox> face_boxes(const IndexedMesh& mesh) {
+  std::vector<FaceBox> boxes;
+  boxes.reserve(mesh.faces.size());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const Corners corners = corners_of(mesh, static_cast<Index>(f));
+    if (!has_area(corners)) continue;
+    const auto& [a, b, c] = corners;
+    boxes.push_back({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c), static_cast<Index>(f)});
   }
-
-  bool operator()(Index left, Index right) const {
-    return meet_beyond_common(corners(left), corners(right), [&](std::size_t i, std::size_t j) {
-      return merged_[mesh_.faces[left][i]] == merged_[mesh_.faces[right][j]];
-    });
-  }
-
- private:
-  const IndexedMesh& mesh_;
-  std::vector<Index> merged_;
-};
+  return boxes;
+}
 
 }  // namespace
 
@@ -178,37 +147,20 @@ std::vector<std::array<Index, 2>> face_intersections(const IndexedMesh& mesh,
   detail::ProgressMeter meter(progress);
   const detail::Workers workers(threads, &meter);
   meter.start("building the search tree", 0.3);
-  const TriangleTree tree(mesh, box.center(), &meter);
-  meter.start("merging corners", 0.4);
-  const PairTest meets(mesh);
-  const std::size_t n = mesh.faces.size();
-  const std::size_t n_blocks = (n + faces_per_block - 1) / faces_per_block;
-
+  const BoxPairs boxes(face_boxes(mesh));
   meter.start("comparing faces", 1);
-  std::vector<char> is_extended(n);
-  for_each_block(n_blocks, threads, [&](std::size_t block) {
-    for (std::size_t f = block * faces_per_block; f < std::min(n, (block + 1) * faces_per_block); ++f) {
-      is_extended[f] = has_area(meets.corners(static_cast<Index>(f)));
-    }
-  });
-
-  std::vector<std::vector<std::array<Index, 2>>> found(n_blocks);
-  for_each_block(n_blocks, workers, [&](std::size_t block) {
-    for (std::size_t f = block * faces_per_block; f < std::min(n, (block + 1) * faces_per_block); ++f) {
-      if (!is_extended[f]) continue;
-      const auto face = static_cast<Index>(f);
-      const auto [a, b, c] = meets.corners(face);
-      const Vec3 min = a.cwiseMin(b).cwiseMin(c) - tree.origin(), max = a.cwiseMax(b).cwiseMax(c) - tree.origin();
-      tree.visit_boxes({min, max}, [&](Index other) {
-        if (other <= face || !is_extended[other] || (is_wanted && !is_wanted(face, other))) return;
-        if (meets(face, other)) found[block].push_back({face, other});
-      });
-    }
-    std::sort(found[block].begin(), found[block].end());
+  std::vector<std::vector<std::array<Index, 2>>> found(boxes.n_tasks());
+  for_each_block(found.size(), workers, [&](std::size_t task) {
+    boxes.visit(task, [&](Index f, Index g) {
+      const auto [low, high] = std::minmax(f, g);
+      if (is_wanted && !is_wanted(low, high)) return;
+      if (do_intersect(corners_of(mesh, low), corners_of(mesh, high))) found[task].push_back({low, high});
+    });
   });
 
   std::vector<std::array<Index, 2>> pairs;
   for (const auto& part : found) pairs.insert(pairs.end(), part.begin(), part.end());
+  std::sort(pairs.begin(), pairs.end());
   meter.finish();
   return pairs;
 }

@@ -2,7 +2,7 @@
 // computed exactly, as an expansion: a sum of doubles that don't overlap, smallest first. Bounds and algorithms:
 // Shewchuk: Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates (1997). There is no stage
 // between filter and exact value. Expansions leave out zeros, so coordinates with few digits make short ones.
-#include "predicates.hh"
+#include "intersections/predicates.hh"
 
 #include <array>
 #include <cmath>

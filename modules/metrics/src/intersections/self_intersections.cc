@@ -1,6 +1,6 @@
 #include "whittle/metrics/self_intersections.hh"
 
-#include "face_intersections.hh"
+#include "intersections/face_intersections.hh"
 
 namespace whittle::metrics {
 

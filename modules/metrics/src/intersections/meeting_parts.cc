@@ -5,10 +5,10 @@
 #include <iterator>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
-#include "face_intersections.hh"
+#include "intersections/face_intersections.hh"
+#include "intersections/vertex_map.hh"
 #include "whittle/core/detail/drop.hh"
 #include "whittle/core/detail/parallel.hh"
 #include "whittle/core/parts.hh"
@@ -175,21 +175,11 @@ std::vector<Index> parts_before(const IndexedMesh& before, std::span<const Index
   return part_of;
 }
 
-void check_map(const IndexedMesh& before, const IndexedMesh& after, std::span<const Index> vertex_map) {
-  if (vertex_map.size() != before.positions.size()) {
-    throw std::invalid_argument("the vertex map has another length than the vertices");
-  }
-  const auto is_valid = [&](Index v) { return v == invalid_index || v < after.positions.size(); };
-  if (!std::all_of(vertex_map.begin(), vertex_map.end(), is_valid)) {
-    throw std::invalid_argument("the vertex map has a vertex number out of range");
-  }
-}
-
 }  // namespace
 
 PartPairs newly_meeting_parts(const IndexedMesh& before, const IndexedMesh& after, std::span<const Index> vertex_map,
                               unsigned threads) {
-  check_map(before, after, vertex_map);
+  check_vertex_map(vertex_map, before, after);
   bounds(after);  // refuses what is no surface
   const Parts parts = find_parts(after.positions.size(), after.faces);
   if (parts.count < 2) return {};
