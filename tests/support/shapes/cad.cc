@@ -228,6 +228,41 @@ IndexedMesh washer(int n_around) {
   return mesh;
 }
 
+IndexedMesh drilled_plate(int n_around, Caps caps) {
+  require_shape(n_around >= 8 && n_around % 4 == 0, "test shape: a hole has a multiple of four vertices around");
+  require_shape(caps != Caps::center, "test shape: a plate with a hole has no middle");
+  const auto n = static_cast<Index>(n_around);
+  const Index n_outside = caps == Caps::strip ? n : 4;
+  constexpr double plate_height = 0.1;
+  IndexedMesh mesh;
+  for (const double z : {0.0, plate_height}) {
+    for (Index i = 0; i < n_outside; ++i) {
+      const double angle = 2 * std::numbers::pi * (i + (caps == Caps::strip ? 0 : 0.5)) / n_outside;
+      const double to_side = std::max(std::abs(std::cos(angle)), std::abs(std::sin(angle)));
+      mesh.positions.emplace_back(std::cos(angle) / to_side, std::sin(angle) / to_side, z);
+    }
+    add_circle(mesh, n_around, 0.6, z);
+  }
+  const Index top = n_outside + n;
+  add_band(mesh, n_outside, 0, top);
+  add_band(mesh, n, top + n_outside, n_outside);
+  if (caps == Caps::strip) {
+    add_band(mesh, n, n, 0);
+    add_band(mesh, n, top, top + n);
+    return mesh;
+  }
+  const auto add_on_both_sides = [&](Index a, Index b, Index c) {
+    mesh.faces.push_back({c, b, a});
+    mesh.faces.push_back({top + a, top + b, top + c});
+  };
+  for (Index corner = 0; corner < 4; ++corner) {
+    const Index begin = corner * n / 4;  // of the quarter of the hole that the corner sees
+    for (Index i = begin; i < begin + n / 4; ++i) add_on_both_sides(corner, 4 + (i + 1) % n, 4 + i);
+    add_on_both_sides(corner, (corner + 1) % 4, 4 + (begin + n / 4) % n);
+  }
+  return mesh;
+}
+
 IndexedMesh bracket(int n_side) {
   require_shape(n_side >= 2, "test shape: a bracket has at least two squares a side");
   PatchBuilder builder;

@@ -79,6 +79,9 @@ enum class Caps { fan, strip, center };
 IndexedMesh capped_cylinder(int n_around, Caps caps);
 /// A ring of radii 0.5 and 1 and height 0.2, a pair of faces a side all around. V 4n, F 8n, g 1.
 IndexedMesh washer(int n_around);
+/// A square plate of side 2 and height 0.1 with a round hole of radius 0.6. Long thin faces go from the hole to the
+/// sides: all around (strip), or from the four corners (fan). V 4n and F 8n, or V 2n + 8 and F 4n + 16; g 1.
+IndexedMesh drilled_plate(int n_around, Caps caps);
 /// An angle bracket: a plate with a round hole through it and a wall standing on its edge; flat sides, sharp edges.
 /// With n = `n_side` (at least 2) squares along a side: V 10n² + 12n + 2, F 20n² + 24n + 4, g 1.
 IndexedMesh bracket(int n_side);
