@@ -82,8 +82,8 @@ bool ErrorLimitedRun::contract_from_plain_level(const BlockPlan& plan) {
   std::unique_ptr<ErrorBound> coarse_bound = std::move(coarse_bound_);
   if (!plain_run_) plain_run_.emplace(passes_, *error_bounds_, plan);
   const bool has_level = !passes_.is_cancelled() && plain_run_->contract_to_coarsest_proven(n_faces, plan);
-  if (has_level && find_violations_before_guarding().empty()) {
-    if (!contract_guarded()) contract_no_more();
+  if (has_level) {
+    if (!find_violations_before_guarding().empty() || !contract_guarded()) contract_no_more();
     if (passes_.n_faces_left() < n_faces) return true;
   }
   if (passes_.is_cancelled()) return true;

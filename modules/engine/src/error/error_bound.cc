@@ -15,8 +15,8 @@ namespace {
 /// Faces that a thread takes at a time. What is found for them depends on no others.
 constexpr std::size_t faces_per_block = 1024;
 
-/// Pieces of a face that are looked at before it counts as far.
-constexpr int most_pieces = 1 << 12;
+/// Pieces of a face that are looked at before it counts as far: long thin faces take as many as their length has E.
+constexpr int most_pieces = 1 << 16;
 
 /// Calls `use(a, b)` with the ends of each edge, once: edges of triangles, and segments.
 template <class Use>
