@@ -85,8 +85,8 @@ void check(const CLI::App& app, const PolishCommand& options) {
 /// Seams keep to those of the reference. Normals that differ along them stay: they show creases.
 PolishOptions polish_options_of(const PolishCommand& options, const IndexedMesh& reference, const IndexedMesh& mesh) {
   PolishOptions polish{.passes = options.passes, .fit = options.fit, .threads = options.common.threads};
-  polish.features = seam_edges(mesh);
-  polish.original_features = seam_edges(reference);
+  polish.seams = seam_edges(mesh);
+  polish.original_seams = seam_edges(reference);
   polish.recompute_normals = mesh.wedges.empty();
   return polish;
 }

@@ -1,6 +1,7 @@
 #include "whittle/polish/polish.hh"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -17,7 +18,7 @@ namespace {
 void check_edges(std::span<const VertexPair> edges, std::size_t n_vertices) {
   const auto is_known = [n_vertices](const VertexPair& edge) { return std::max(edge.a, edge.b) < n_vertices; };
   if (!std::all_of(edges.begin(), edges.end(), is_known)) {
-    throw std::invalid_argument("polish: a feature edge names a vertex that isn't there");
+    throw std::invalid_argument("polish: a feature edge or seam names a vertex that isn't there");
   }
 }
 
@@ -48,6 +49,17 @@ void check(std::size_t n_original_vertices, std::span<const Index> vertex_map, c
   }
   check_edges(options.features, mesh.positions.size());
   check_edges(options.original_features, n_original_vertices);
+  check_edges(options.seams, mesh.positions.size());
+  check_edges(options.original_seams, n_original_vertices);
+  if (const auto weight = options.seam_weight; weight && !(*weight > 0 && std::isfinite(*weight))) {
+    throw std::invalid_argument("polish: seam_weight is not in (0, inf)");
+  }
+  if (!(options.shape_weight >= 0 && std::isfinite(options.shape_weight))) {
+    throw std::invalid_argument("polish: shape_weight is not in [0, inf)");
+  }
+  if (!(options.feature_tolerance >= 0)) {
+    throw std::invalid_argument("polish: feature_tolerance is negative or not a number");
+  }
   if (const auto angle = options.feature_angle_deg; angle && !(*angle > 0 && *angle < 180)) {
     throw std::invalid_argument("polish: feature_angle_deg is not in (0, 180)");
   }
@@ -113,6 +125,7 @@ PolishResult polish(const PolishOriginal& original, std::span<const Index> verte
   PolishOptions ordered_options = options;
   ordered_options.locked = ordered.per_vertex(options.locked);
   ordered_options.features = ordered.map(options.features);
+  ordered_options.seams = ordered.map(options.seams);
   ordered_options.flips = options.flips && mesh.wedges.empty();
   if (ordered_options.flips) {
     ordered_options.regions = ordered.per_face(options.regions.empty() ? face_regions(mesh) : options.regions);

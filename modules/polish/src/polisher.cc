@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -13,13 +14,22 @@
 #include "original/backward_offsets.hh"
 #include "original/foot_finder.hh"
 #include "whittle/core/detail/edge_table.hh"
+#include "whittle/core/geometry/radius_ratio.hh"
 
 namespace whittle::polishing {
 namespace {
 
-/// As a face moves, its points get other feet, which they pull to, too. So the step to where the present feet fit best
-/// is too short. Where the longer step goes too far, the shorter one is tried.
-constexpr std::array relaxations{1.5, 1.0};
+/// How far a pass goes.
+struct Step {
+  /// As a face moves, its points get other feet, which they pull to, too. So the step to where the present feet fit
+  /// best is too short. Where the longer step goes too far, the shorter one is tried.
+  double relaxation;
+  /// By which the weight for shape is multiplied. Where a pass makes triangles less round, more is tried: on a rough
+  /// surface points pull much harder than on a smooth one.
+  double shape_factor = 1;
+};
+constexpr std::array steps{Step{1.5}, Step{1.0}};
+constexpr std::array shape_steps{Step{1.5}, Step{1.5, 10}, Step{1.5, 100}, Step{1.0, 100}};
 
 /// What is held down, in root mean square distances.
 struct Limits {
@@ -51,20 +61,54 @@ constexpr double dense = 0.3;
 /// of both meshes, which is about 1 in their frame.
 constexpr double rounding = 1e-14;
 
+/// A shape weight of 1, as a share of the weight of the points around a vertex. Contraction by a blend with the length
+/// of edges draws vertices to their middle by as much (edge_length_term.hh).
+constexpr double shape_unit = 1e-3;
+
 /// Time for the preparations, as a share of a pass.
 constexpr double preparation = 0.25;
 
-/// The border, and those features that have two faces.
-MeshLines lines_of(const IndexedMesh& mesh, const FaceNeighbors& neighbors, std::span<const VertexPair> features,
+/// The lines of a mesh. An edge counts once; what is a feature and a seam is a feature.
+MeshLines lines_of(std::span<const VertexPair> borders, std::span<const VertexPair> features,
+                   std::span<const VertexPair> seams, std::size_t n_vertices) {
+  const auto ascending = [](std::span<const VertexPair> edges) {
+    std::vector<VertexPair> sorted;
+    for (const auto& [a, b] : edges) sorted.push_back({std::min(a, b), std::max(a, b)});
+    std::sort(sorted.begin(), sorted.end());
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    return sorted;
+  };
+  const std::vector<VertexPair> all_features = ascending(features);
+  const std::vector<VertexPair> all_seams = ascending(seams);
+  std::vector<VertexPair> only_seams;
+  std::set_difference(all_seams.begin(), all_seams.end(), all_features.begin(), all_features.end(),
+                      std::back_inserter(only_seams));
+  return MeshLines(borders, all_features, only_seams, n_vertices);
+}
+
+/// The border, and those features and seams that have two faces.
+MeshLines lines_of(const IndexedMesh& mesh, const FaceNeighbors& neighbors, const PolishOptions& options,
                    const detail::Workers& workers) {
   workers.update(0);
-  std::vector<VertexPair> inner;
-  for (const auto& [a, b] : features) {
-    if (neighbors.inner_side(a, b).face != invalid_index) inner.push_back({std::min(a, b), std::max(a, b)});
-  }
-  std::sort(inner.begin(), inner.end());
-  inner.erase(std::unique(inner.begin(), inner.end()), inner.end());
-  return MeshLines(detail::border_edges(mesh.faces, mesh.positions.size()), inner, mesh.positions.size());
+  const auto inner = [&neighbors](const std::vector<VertexPair>& edges) {
+    std::vector<VertexPair> kept;
+    for (const auto& [a, b] : edges) {
+      if (neighbors.inner_side(a, b).face != invalid_index) kept.push_back({a, b});
+    }
+    return kept;
+  };
+  return lines_of(detail::border_edges(mesh.faces, mesh.positions.size()), inner(options.features),
+                  inner(options.seams), mesh.positions.size());
+}
+
+/// Whether lines end or meet at a vertex that must stay therefore. Where seams meet, or lead to a border or feature,
+/// that is if they hold their vertices.
+bool is_end_of_lines(const MeshLines& lines, Index v, bool seams_hold) {
+  const std::span<const Index> edges = lines.at(v);
+  const auto n_seams = static_cast<std::size_t>(
+      std::count_if(edges.begin(), edges.end(), [&](Index e) { return lines.edges()[e].kind == LineKind::seam; }));
+  const std::size_t n_lines = seams_hold || edges.size() == 1 ? edges.size() : edges.size() - n_seams;
+  return n_lines != 0 && n_lines != 2;
 }
 
 /// Locked vertices are fixed, and those where the mesh is not manifold, and where lines end or meet.
@@ -74,9 +118,9 @@ std::vector<std::uint8_t> fixed_vertices(const FaceNeighbors& neighbors, const M
   for_each_range(n_vertices, workers, [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<Index>(begin); v < end; ++v) {
       const Fan fan = neighbors.fan(v);
-      const std::size_t n_lines = lines.empty() ? 0 : lines.at(v).size();
       is_fixed[v] = (!options.locked.empty() && options.locked[v] != 0) || fan == Fan::none ||
-                    (fan == Fan::open && !options.fit_borders) || (n_lines != 0 && n_lines != 2);
+                    (fan == Fan::open && !options.fit_borders) ||
+                    (!lines.empty() && is_end_of_lines(lines, v, !options.seam_weight));
     }
   });
   return is_fixed;
@@ -87,6 +131,13 @@ std::vector<Vec3> in_frame(std::span<const Vec3> positions, const Frame& frame) 
   result.reserve(positions.size());
   for (const Vec3& p : positions) result.push_back(frame.to_frame(p));
   return result;
+}
+
+/// Mean radius ratio.
+double roundness(const Surface& mesh) {
+  double sum = 0;
+  for (const auto& [a, b, c] : mesh.faces) sum += radius_ratio(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+  return sum / static_cast<double>(mesh.faces.size());
 }
 
 std::size_t points_per_face(const OriginalSurface& original, const IndexedMesh& mesh) {
@@ -115,7 +166,7 @@ Polisher::Polisher(const OriginalSurface& original, std::span<const Index> verte
       positions_(in_frame(mesh.positions, original.frame())),
       origins_(original, vertex_map, mesh.positions.size(), points_per_face(original, mesh), workers_),
       mesh_(std::make_unique<Connectivity>(mesh.faces, mesh.positions.size(), options, workers_)),
-      lines_(lines_of(mesh, mesh_->neighbors, options.features, workers_)),
+      lines_(lines_of(mesh, mesh_->neighbors, options, workers_)),
       line_samples_(original_lines(), original_.positions(), vertex_map),
       is_fixed_(fixed_vertices(mesh_->neighbors, lines_, mesh.positions.size(), options, workers_)),
       can_flip_(options.flips) {
@@ -135,17 +186,25 @@ bool Polisher::pass() {
   start("fitting", 0.5);
   SurfaceFit fit(now, mesh.neighbors, mesh.limits, lines_, is_fixed_, workers_);
   line_samples_.find_feet(lines_, now, workers_);
-  line_samples_.for_each_foot([&fit](const LineFoot& foot, double weight) { fit.add(foot, weight); });
+  line_samples_.for_each_foot([&](const LineFoot& foot, double weight) {
+    const bool is_weighted = options_.seam_weight && lines_.edges()[foot.edge].kind == LineKind::seam;
+    fit.add(foot, is_weighted ? weight * *options_.seam_weight * weights.weight(foot.offset.norm()) : weight);
+  });
   fit.add(origins_, weights, workers_);
   const BackwardOffsets backward(origins_, now, limits.near * unit, workers_);
   fit.hold_back(backward.offsets(), limits.most * unit);
-  for (const double relaxation : relaxations) {
+  const bool keeps_shape = options_.shape_weight > 0;
+  const double least_roundness = keeps_shape ? roundness(mesh_->at(positions_)) : 0;
+  for (const auto& [relaxation, shape_factor] :
+       keeps_shape ? std::span<const Step>(shape_steps) : std::span<const Step>(steps)) {
     start("moving", 0.7);
+    fit.draw_to_middles(options_.shape_weight * shape_unit * shape_factor);
     std::vector<Vec3> moved = fit.moved(relaxation, workers_);
     take_back(mesh, backward, limits.most * unit, moved);
     start("measuring", 1);
     Distances distances = two_sided_distances(origins_, mesh.at(moved), workers_);
     if (!(weights.loss(distances) < weights.loss(distances_))) continue;
+    if (keeps_shape && roundness(mesh.at(moved)) < least_roundness) continue;
     distances_ = std::move(distances);
     positions_ = std::move(moved);
     if (flipped) mesh_ = std::move(flipped);
@@ -171,7 +230,7 @@ MeshLines Polisher::original_lines() const {
   workers_.update(0);
   std::vector<VertexPair> borders;
   if (!lines_.empty()) borders = detail::border_edges(original_.faces(), original_.positions().size());
-  return MeshLines(borders, options_.original_features, original_.positions().size());
+  return lines_of(borders, options_.original_features, options_.original_seams, original_.positions().size());
 }
 
 void Polisher::start(std::string_view stage, double until) {
@@ -184,8 +243,8 @@ void Polisher::start(std::string_view stage, double until) {
 std::unique_ptr<Connectivity> Polisher::flip() {
   if (!can_flip_) return nullptr;
   start("flipping edges", 0.25);
-  std::vector<Triangle> faces =
-      flip_edges(mesh_->at(positions_), mesh_->neighbors, mesh_->limits, lines_, options_.regions, origins_, workers_);
+  std::vector<Triangle> faces = flip_edges(mesh_->at(positions_), mesh_->neighbors, mesh_->limits, lines_,
+                                           {options_.regions, options_.shape_weight > 0}, origins_, workers_);
   if (faces == mesh_->faces) return nullptr;
   return std::make_unique<Connectivity>(std::move(faces), positions_.size(), options_, workers_);
 }
@@ -196,10 +255,15 @@ void Polisher::take_back(const Connectivity& mesh, const BackwardOffsets& backwa
                          std::vector<Vec3>& moved) {
   start("checking", 0.9);
   const Surface before = mesh.at(positions_);
-  std::vector<Index> taken_back = take_back_strayed_lines(before, lines_, line_samples_, moved, workers_);
+  StrayedLines strayed(before, lines_, line_samples_, options_.feature_tolerance * original_.frame().scale);
+  std::vector<Index> taken_back = strayed.take_back(moved, workers_);
   const std::vector<Index> outliers = take_back_outliers(backward, most, moved, workers_);
   taken_back.insert(taken_back.end(), outliers.begin(), outliers.end());
   take_back_intersections(before, mesh.limits, moved, taken_back, workers_);
+  // A vertex that is put back takes its lines along.
+  while (lines_.has_inner() && !(taken_back = strayed.take_back(moved, workers_)).empty()) {
+    take_back_intersections(before, mesh.limits, moved, taken_back, workers_);
+  }
 }
 
 }  // namespace whittle::polishing

@@ -57,12 +57,14 @@ metrics::LineDistance feature_distance(const IndexedMesh& a, const IndexedMesh& 
 TEST(MeshLines, KnowTheEdgesAtAVertex) {
   const std::vector<VertexPair> borders{{0, 1}, {1, 2}};
   const std::vector<VertexPair> features{{1, 3}};
-  const MeshLines lines(borders, features, 5);
+  const std::vector<VertexPair> seams{{3, 2}};
+  const MeshLines lines(borders, features, seams, 5);
   EXPECT_EQ(lines.at(0).size(), 1U);
   ASSERT_EQ(lines.at(1).size(), 3U);
   for (const Index e : lines.at(1)) EXPECT_TRUE(lines.edges()[e].from == 1 || lines.edges()[e].to == 1);
-  EXPECT_TRUE(lines.edges()[lines.at(2)[0]].is_border);
-  EXPECT_FALSE(lines.edges()[lines.at(3)[0]].is_border);
+  EXPECT_EQ(lines.edges()[lines.at(2)[0]].kind, LineKind::border);
+  EXPECT_EQ(lines.edges()[lines.at(2)[1]].kind, LineKind::seam);
+  EXPECT_EQ(lines.edges()[lines.at(3)[0]].kind, LineKind::feature);
   EXPECT_TRUE(lines.at(4).empty());
 }
 
@@ -74,9 +76,9 @@ TEST(LineSamples, WeighWhatTheLinesHaveOfLength) {
   straight.positions = {Vec3(-1, 0, 0), Vec3(5, 0, 0), Vec3(0, 5, 0)};
   straight.faces = {{0, 1, 2}};
   const std::vector<VertexPair> straight_edges{{0, 1}};
-  const MeshLines lines(straight_edges, {}, 3);
+  const MeshLines lines(straight_edges, {}, {}, 3);
   const std::vector<Index> map{0, 0, 1, 1};
-  LineSamples samples(MeshLines(bent_edges, {}, 4), bent, map);
+  LineSamples samples(MeshLines(bent_edges, {}, {}, 4), bent, map);
   const VertexCorners corners = corners_by_vertex(straight.faces, straight.positions.size());
   const Surface mesh{straight.faces, corners, straight.positions};
   samples.find_feet(lines, mesh, 2);
@@ -116,11 +118,14 @@ TEST(LineSamples, FindOnlyLinesOfTheirKindThatRunTheirWay) {
   const Vec3 a = mesh.positions[0];
   const Vec3 way = mesh.positions[1] - a;
   const Vec3 up = Vec3(0, 0, way.norm());
-  const MeshLines border(edge, {}, 4);
-  const MeshLines feature({}, edge, 4);
+  const MeshLines border(edge, {}, {}, 4);
+  const MeshLines feature({}, edge, {}, 4);
+  const MeshLines seam({}, {}, edge, 4);
   EXPECT_EQ(count(border, border, {a, a + way}), 2);
-  EXPECT_EQ(count(feature, feature, {a, a - way}), 2);
+  EXPECT_EQ(count(feature, feature, {a, a - way}), 4) << "two without weight";
+  EXPECT_EQ(count(seam, seam, {a, a - way}), 2);
   EXPECT_EQ(count(border, feature, {a, a + way}), 0);
+  EXPECT_EQ(count(seam, feature, {a, a + way}), 0);
   EXPECT_EQ(count(border, border, {a, a + up}), 0);
 }
 
@@ -170,6 +175,13 @@ TEST(PolishLines, MayBeNamedWrong) {
   EXPECT_THROW(polish(original, d.vertex_map, mesh, {.original_features = no_vertex}), std::invalid_argument);
   for (const double angle : {0.0, -1.0, 180.0, std::nan("")}) {
     EXPECT_THROW(polish(original, d.vertex_map, mesh, {.feature_angle_deg = angle}), std::invalid_argument);
+  }
+  EXPECT_THROW(polish(original, d.vertex_map, mesh, {.seams = no_vertex}), std::invalid_argument);
+  EXPECT_THROW(polish(original, d.vertex_map, mesh, {.original_seams = no_vertex}), std::invalid_argument);
+  for (const double wrong : {-1.0, std::nan("")}) {
+    EXPECT_THROW(polish(original, d.vertex_map, mesh, {.feature_tolerance = wrong}), std::invalid_argument);
+    EXPECT_THROW(polish(original, d.vertex_map, mesh, {.seam_weight = wrong}), std::invalid_argument);
+    EXPECT_THROW(polish(original, d.vertex_map, mesh, {.shape_weight = wrong}), std::invalid_argument);
   }
   EXPECT_EQ(mesh.positions, d.mesh.positions);
   const auto n = static_cast<Index>(mesh.positions.size());

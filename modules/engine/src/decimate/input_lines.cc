@@ -9,9 +9,6 @@
 #include "whittle/core/wedges.hh"
 
 namespace whittle {
-namespace {
-
-/// By angle, and those that the caller names. Ascending.
 std::vector<VertexPair> input_features(const IndexedMesh& mesh, const DecimateOptions& options) {
   std::vector<VertexPair> edges;
   const double angle_deg = options.feature_angle_deg.value_or(180);
@@ -21,28 +18,29 @@ std::vector<VertexPair> input_features(const IndexedMesh& mesh, const DecimateOp
   return edges;
 }
 
-}  // namespace
+InputEdges input_edges(const IndexedMesh& mesh, const DecimateOptions& options) {
+  InputEdges edges{input_features(mesh, options), {}};
+  const std::vector<VertexPair> seams = seam_edges(mesh, face_regions(mesh, options.regions));
+  std::set_difference(seams.begin(), seams.end(), edges.features.begin(), edges.features.end(),
+                      std::back_inserter(edges.seams));
+  return edges;
+}
 
 InputLines input_lines(const IndexedMesh& mesh, const DecimateOptions& options, bool keeps_seams) {
   InputLines lines;
+  InputEdges input = input_edges(mesh, options);
+  lines.seams = std::move(input.seams);
   std::vector<VertexPair>& edges = lines.held.edges;
-  edges = input_features(mesh, options);
-  const std::vector<VertexPair> seams = seam_edges(mesh, face_regions(mesh, options.regions));
-  std::set_difference(seams.begin(), seams.end(), edges.begin(), edges.end(), std::back_inserter(lines.seams));
-  if (seams.empty() || !keeps_seams) return lines;
+  edges = std::move(input.features);
+  if (lines.seams.empty() || !keeps_seams) return lines;
   std::vector<VertexPair> all;
-  std::set_union(edges.begin(), edges.end(), seams.begin(), seams.end(), std::back_inserter(all));
+  std::set_union(edges.begin(), edges.end(), lines.seams.begin(), lines.seams.end(), std::back_inserter(all));
   edges = std::move(all);
   for (const VertexPair& edge : edges) {
     const bool is_seam = std::binary_search(lines.seams.begin(), lines.seams.end(), edge);
     lines.held.is_seam.push_back(static_cast<std::uint8_t>(is_seam));
   }
   return lines;
-}
-
-std::vector<VertexPair> held_edges(const IndexedMesh& mesh, const DecimateOptions& options) {
-  if (!options.holds_seams()) return input_features(mesh, options);
-  return input_lines(mesh, options, true).held.edges;
 }
 
 }  // namespace whittle

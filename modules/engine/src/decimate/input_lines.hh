@@ -6,16 +6,20 @@
 
 namespace whittle {
 
+/// Ascending, lower vertex first.
+struct InputEdges {
+  std::vector<VertexPair> features;  ///< by angle, and those that the caller names, which may be no edges of the mesh
+  std::vector<VertexPair> seams;     ///< those that are no features
+};
+InputEdges input_edges(const IndexedMesh& mesh, const DecimateOptions& options);
+/// The features alone.
+std::vector<VertexPair> input_features(const IndexedMesh& mesh, const DecimateOptions& options);
+
 struct InputLines {
-  /// The feature edges by angle and those that the caller names, and the seams if they are kept. Some that the caller
-  /// names may be no edges of the mesh.
-  FeatureLines held;
+  FeatureLines held;              ///< the features (`InputEdges`), and the seams if they are kept
   std::vector<VertexPair> seams;  ///< those that are no features, whether they are kept or not; ascending
 };
 /// \param keeps_seams whether vertices on seams go along them only
 InputLines input_lines(const IndexedMesh& mesh, const DecimateOptions& options, bool keeps_seams);
-
-/// The edges of `InputLines::held`, without a host.
-std::vector<VertexPair> held_edges(const IndexedMesh& mesh, const DecimateOptions& options);
 
 }  // namespace whittle

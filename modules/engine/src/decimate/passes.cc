@@ -10,6 +10,7 @@
 #include "decimate/changes.hh"
 #include "decimate/checks.hh"
 #include "decimate/input_lines.hh"
+#include "decimate/line_courses.hh"
 #include "decimate/output.hh"
 #include "loop/contraction_log.hh"
 #include "whittle/core/detail/large_array.hh"
@@ -393,6 +394,7 @@ bool Passes::adjust() {
     if (keeps_steps()) changes.moved.push_back({origin, to_output(position, mesh_.positions[origin], frame_)});
   }
   move_origins(left.memory, positions_before, left.positions);
+  if (!left.lines.edges.empty()) find_courses(mesh_, frame_, input_features(mesh_, options_), left);
   if (keeps_steps()) {
     changes.n_contractions = done_.steps.contractions.size();
     done_.steps.pass_ends.back() = std::move(changes);

@@ -1,6 +1,8 @@
 #include "whittle/engine/simplify.hh"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -65,11 +67,35 @@ ProgressCallback polish_progress(const DecimateOptions& decimate, const Decimate
   };
 }
 
+/// How much polish has to care for shape, where contraction does. By isotropy W, vertices are drawn to the middle of
+/// their neighbours as much as contraction draws them to the middle of an edge (edge_length_term.hh). Valences say
+/// nothing of places; but polish makes triangles less round, and a tenth of what W = 0.5 means makes up for that.
+double shape_weight_of(const DecimateOptions& options) {
+  constexpr double most = 1000;  // at W = 1 the error doesn't count
+  constexpr double of_valences = 0.1;
+  const double isotropy = options.isotropy;
+  const double by_isotropy = isotropy < 1 ? std::min(most, isotropy / (1 - isotropy)) : most;
+  return by_isotropy + of_valences * std::min(1.0, 2 * options.valence_weight);
+}
+
+/// What edges of the input have become.
+std::vector<VertexPair> mapped(const std::vector<VertexPair>& edges, const std::vector<Index>& vertex_map) {
+  std::vector<VertexPair> result;
+  for (const auto& [a, b] : edges) {
+    const auto [low, high] = std::minmax(vertex_map[a], vertex_map[b]);
+    if (low != high && high != invalid_index) result.push_back({low, high});
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
 /// What polish looks up about the input.
 struct PolishInput {
   PolishOriginal original;
-  std::vector<VertexPair> lines;  ///< feature edges, and seams if they hold their vertices
-  std::vector<Index> regions;     ///< of its faces, or empty
+  InputEdges edges;
+  std::vector<Index> regions;  ///< of its faces, or empty
+  double diagonal;             ///< of its bounding box
 };
 
 /// \param held a vertex of the decimation, 1 if it is to stay where it is; or empty
@@ -83,6 +109,7 @@ PolishResult polish_decimation(const PolishInput& input, const SimplifyOptions& 
   polish_options.fit_borders = decimate.boundary != Boundary::locked;
   if (decimate.feature_angle_deg.value_or(180) < 180) polish_options.feature_angle_deg = *decimate.feature_angle_deg;
   if (decimate.min_radius_ratio) polish_options.min_radius_ratio = *decimate.min_radius_ratio;
+  polish_options.shape_weight = shape_weight_of(decimate);
   polish_options.recompute_normals = decimate.normals == Normals::recompute;
   polish_options.threads = decimate.threads;
   polish_options.progress = polish_progress(decimate, decimation.result);
@@ -92,8 +119,17 @@ PolishResult polish_decimation(const PolishInput& input, const SimplifyOptions& 
   for (const Index f : input.regions.empty() ? std::vector<Index>{} : decimation.face_origins) {
     polish_options.regions.push_back(input.regions[f]);
   }
-  polish_options.features = decimation.feature_edges;
-  if (!decimation.feature_edges.empty()) polish_options.original_features = input.lines;
+  polish_options.features = mapped(input.edges.features, decimation.vertex_map);
+  polish_options.original_features = input.edges.features;
+  if (std::isfinite(decimate.feature_tolerance)) {
+    polish_options.feature_tolerance = decimate.feature_tolerance * input.diagonal;
+  }
+  const double seam_weight = decimate.attribute_weights.seam;
+  if (!decimate.holds_seams() && seam_weight > 0) polish_options.seam_weight = seam_weight;
+  if (decimate.holds_seams() || seam_weight > 0) {
+    polish_options.seams = mapped(input.edges.seams, decimation.vertex_map);
+    polish_options.original_seams = input.edges.seams;
+  }
   return polish(input.original, decimation.vertex_map, decimation.mesh, polish_options);
 }
 
@@ -110,8 +146,8 @@ class DecimationPolisher {
     try {
       if (!input_) {
         PolishOriginal original(mesh_, decimate.threads, polish_progress(decimate, decimation.result));
-        input_.emplace(
-            PolishInput{std::move(original), held_edges(mesh_, decimate), face_regions(mesh_, decimate.regions)});
+        input_.emplace(PolishInput{std::move(original), input_edges(mesh_, decimate),
+                                   face_regions(mesh_, decimate.regions), bounds_of(mesh_.positions).diagonal()});
       }
       return polish_decimation(*input_, options, held, decimation);
     } catch (const Cancelled&) {

@@ -240,7 +240,35 @@ SurfaceFit::Pull SurfaceFit::pull_at(Index v) const {
   pull.along = 0.5 * std::max(0.0, pull.matrix.trace() - across);
   if (!offsets_.empty()) add_backward(v, pull);
   if (!lines_.empty()) add_lines(v, pull);
+  if (shape_weight_ > 0) add_shape(v, pull);
   return pull;
+}
+
+/// Along the surface alone, so the sum of distances stays what it is across.
+void SurfaceFit::add_shape(Index v, Pull& pull) const {
+  Vec3 normal = Vec3::Zero();
+  for (const Corner& corner : mesh_.corners.of(v)) normal += area_normal(mesh_.faces[corner.face], positions_);
+  const double length = normal.norm();
+  if (!(length > 0)) return;
+  normal /= length;
+  const double weight = shape_weight_ * pull.weight;
+  SymmetricMatrix along = SymmetricMatrix::identity(weight);
+  along -= SymmetricMatrix::outer(normal, weight);
+  pull.matrix += along;
+  pull.force += along * (middle_around(v) - positions_[v]);
+}
+
+/// Of the neighbours; of a vertex on lines, of those along the lines.
+Vec3 SurfaceFit::middle_around(Index v) const {
+  Vec3 sum = Vec3::Zero();
+  const std::span<const Index> edges = lines_.empty() ? std::span<const Index>{} : lines_.at(v);
+  for (const Index e : edges)
+    sum += positions_[lines_.edges()[e].from == v ? lines_.edges()[e].to : lines_.edges()[e].from];
+  if (!edges.empty()) return sum / static_cast<double>(edges.size());
+  for (const auto& [f, slot] : mesh_.corners.of(v)) {
+    sum += positions_[corner_after(mesh_.faces[f], slot, 1)] + positions_[corner_after(mesh_.faces[f], slot, 2)];
+  }
+  return sum / (2 * static_cast<double>(mesh_.corners.of(v).size()));
 }
 
 /// The cost w (h / most)⁸ of a distance h from the original, by its slope and curvature at the vertex' distance.
@@ -259,7 +287,7 @@ void SurfaceFit::add_backward(Index v, Pull& pull) const {
 void SurfaceFit::add_lines(Index v, Pull& pull) const {
   double weight = 0;
   for (const Index e : lines_.at(v)) {
-    const auto& [from, to, is_border] = lines_.edges()[e];
+    const auto& [from, to, kind] = lines_.edges()[e];
     const LineSums& sums = line_sums_[e];
     const std::size_t slot = v == from ? 0 : 1;
     const Vec3& way = ways_[e];

@@ -30,6 +30,8 @@ class SurfaceFit {
   /// \param offsets per vertex, from its foot on the original to itself; zero: it is near \param most distance that few
   ///        vertices should have
   void hold_back(std::span<const Vec3> offsets, double most);
+  /// Draws vertices along the surface to the middle of their neighbours. \param weight over that of distances; 0: not
+  void draw_to_middles(double weight) { shape_weight_ = weight; }
   /// Where the vertices go when they are moved in turn, twice: first those inside of blocks of successive vertices.
   /// \param relaxation how many times the errors of points in faces count: more than 1 makes the step longer
   /// \throw Cancelled
@@ -86,6 +88,8 @@ class SurfaceFit {
   Pull pull_at(Index v) const;
   void add_lines(Index v, Pull& pull) const;
   void add_backward(Index v, Pull& pull) const;
+  void add_shape(Index v, Pull& pull) const;
+  Vec3 middle_around(Index v) const;
   Vec3 wanted_move(Index v, const Pull& pull) const;
   bool is_too_far(Index v, const Vec3& moved, const Pull& pull) const;
   bool spoils_a_face(Index v, const Vec3& to) const;
@@ -103,6 +107,7 @@ class SurfaceFit {
   std::vector<LineSums> line_sums_;      ///< per edge of the lines
   std::vector<Vec3> ways_;               ///< per edge of the lines, from end to end, at the start
   double relaxation_ = 1;
+  double shape_weight_ = 0;
   std::vector<Vec3> positions_;    ///< per vertex, now
   std::vector<Vec3> moves_;        ///< per vertex, since the start
   std::span<const Vec3> offsets_;  ///< per vertex, from its foot on the original

@@ -33,17 +33,19 @@ struct Flip {
 class EdgeFlips {
  public:
   EdgeFlips(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits, const MeshLines& lines,
-            std::span<const Index> regions, const Origins& origins)
+            const FlipLimits& flip_limits, const Origins& origins)
       : mesh_(mesh),
         neighbors_(neighbors),
         limits_(limits),
         lines_(lines),
-        regions_(regions),
+        flip_limits_(flip_limits),
         origins_(origins),
         faces_(mesh.faces.begin(), mesh.faces.end()),
         partner_(mesh.faces.size(), invalid_index),
         valences_(mesh.corners.size()) {
     for (Index v = 0; v < valences_.size(); ++v) valences_[v] = mesh.corners.of(v).size();
+    if (!flip_limits.keeps_shape) return;
+    for (Index v = 0; v < valences_.size(); ++v) regular_.push_back(neighbors.fan(v) == Fan::open ? 3 : 6);
   }
 
   /// The flips that are worth it, the best first.
@@ -206,7 +208,8 @@ class EdgeFlips {
     const auto [u, v, a, b] = corners_of(f, slot);
     const Index other = neighbors_.beyond(f, slot).face;
     if (neighbors_.is_twisted(f, slot) || is_on_line(u, v)) return false;
-    if (!regions_.empty() && regions_[f] != regions_[other]) return false;
+    const std::span<const Index> regions = flip_limits_.regions;
+    if (!regions.empty() && regions[f] != regions[other]) return false;
     return a != b && keeps_valences(u, v, a, b) && !is_edge(a, b);
   }
   bool is_on_line(Index u, Index v) const {
@@ -223,19 +226,32 @@ class EdgeFlips {
     });
   }
   bool keeps_valences(Index u, Index v, Index a, Index b) const {
-    return std::min(valences_[u], valences_[v]) > least_valence && std::max(valences_[a], valences_[b]) < most_valence;
+    if (!(std::min(valences_[u], valences_[v]) > least_valence &&
+          std::max(valences_[a], valences_[b]) < most_valence)) {
+      return false;
+    }
+    if (!flip_limits_.keeps_shape) return true;
+    return change_at(u, -1) + change_at(v, -1) + change_at(a, 1) + change_at(b, 1) <= 0;
+  }
+  /// How much less regular a vertex gets with one face more or less. One that is one off is as good as a regular one.
+  int change_at(Index v, int more) const {
+    const auto irregularity = [this, v](int n_faces) { return std::max(0, std::abs(n_faces - regular_[v]) - 1); };
+    const auto now = static_cast<int>(valences_[v]);
+    return irregularity(now + more) - irregularity(now);
   }
 
   Vec3 normal(const Triangle& face) const { return area_normal(face, mesh_.positions); }
   bool makes_thin(Index f, Index slot) const {
-    const auto least = [this](const Faces& faces) {
+    const auto ratios = [this](const Faces& faces) {
       const auto ratio = [this](const Triangle& face) {
         return radius_ratio(mesh_.positions[face[0]], mesh_.positions[face[1]], mesh_.positions[face[2]]);
       };
-      return std::min(ratio(faces[0]), ratio(faces[1]));
+      return std::array{ratio(faces[0]), ratio(faces[1])};
     };
-    const Index other = neighbors_.beyond(f, slot).face;
-    return limits_.forbid_thinning(least({mesh_.faces[f], mesh_.faces[other]}), least(faces_after(f, slot)));
+    const auto before = ratios({mesh_.faces[f], mesh_.faces[neighbors_.beyond(f, slot).face]});
+    const auto after = ratios(faces_after(f, slot));
+    if (flip_limits_.keeps_shape && after[0] + after[1] < before[0] + before[1]) return true;
+    return limits_.forbid_thinning(std::min(before[0], before[1]), std::min(after[0], after[1]));
   }
   bool turns_little(Index f, Index slot) const {
     const Index other = neighbors_.beyond(f, slot).face;
@@ -282,19 +298,20 @@ class EdgeFlips {
   const FaceNeighbors& neighbors_;
   const FaceLimits& limits_;
   const MeshLines& lines_;
-  std::span<const Index> regions_;
+  FlipLimits flip_limits_;
   const Origins& origins_;
   std::vector<Triangle> faces_;
   std::vector<Index> partner_;  ///< per face, the face it was flipped with, or `invalid_index`
   std::vector<std::size_t> valences_;
+  std::vector<int> regular_;  ///< per vertex, how many faces are regular there; empty if shape isn't kept
 };
 
 }  // namespace
 
 std::vector<Triangle> flip_edges(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits,
-                                 const MeshLines& lines, std::span<const Index> regions, const Origins& origins,
+                                 const MeshLines& lines, const FlipLimits& flip_limits, const Origins& origins,
                                  const detail::Workers& workers) {
-  EdgeFlips flips(mesh, neighbors, limits, lines, regions, origins);
+  EdgeFlips flips(mesh, neighbors, limits, lines, flip_limits, origins);
   flips.make(flips.find(workers));
   flips.undo_intersecting(workers);
   return flips.take_faces();

@@ -11,16 +11,23 @@
 
 namespace whittle::polishing {
 
+/// What flips have to keep.
+struct FlipLimits {
+  std::span<const Index> regions;  ///< per face, or empty; edges between two regions stay
+  /// Whether no flip makes its two faces less round, or the valences of its four corners less regular: 5 to 7 edges, on
+  /// the border 3 to 5.
+  bool keeps_shape = false;
+};
+
 /// Flips edges of a mesh: the common side of two faces is replaced by the other diagonal of their four corners. An edge
 /// is flipped where that lowers the sum of the squared distances of the points with feet in the two faces. It stays
 /// where the flip would turn a face over, turn neighbours in a forbidden way, make an edge that exists already, make a
 /// vertex with fewer than four or more than nine faces, or make faces intersect. Edges of lines stay, too.
-/// \param regions per face, or empty; edges between two regions stay
 /// \param origins of the mesh, whose points the faces are to fit
 /// \return all faces, by the same numbers
 /// \throw Cancelled
 std::vector<Triangle> flip_edges(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits,
-                                 const MeshLines& lines, std::span<const Index> regions, const Origins& origins,
+                                 const MeshLines& lines, const FlipLimits& flip_limits, const Origins& origins,
                                  const detail::Workers& workers);
 
 }  // namespace whittle::polishing

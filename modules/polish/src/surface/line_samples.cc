@@ -16,20 +16,20 @@ constexpr double least_way_agreement = 0.5;  ///< cosine between the directions 
 /// Limit for a search; far fewer steps are enough from a start that is near.
 constexpr std::size_t most_steps = 16;
 
-bool has_lines(const MeshLines& lines, Index v, bool is_border) {
+bool has_lines(const MeshLines& lines, Index v, LineKind kind) {
   const std::span<const Index> edges = lines.at(v);
-  return std::any_of(edges.begin(), edges.end(), [&](Index e) { return lines.edges()[e].is_border == is_border; });
+  return std::any_of(edges.begin(), edges.end(), [&](Index e) { return lines.edges()[e].kind == kind; });
 }
 
 /// The vertex if it has lines of this kind, else the nearest of its neighbours that has some.
-Index nearest_start(Index v, const Vec3& point, bool is_border, const MeshLines& lines, const Surface& mesh) {
-  if (has_lines(lines, v, is_border)) return v;
+Index nearest_start(Index v, const Vec3& point, LineKind kind, const MeshLines& lines, const Surface& mesh) {
+  if (has_lines(lines, v, kind)) return v;
   Index nearest = invalid_index;
   double least = std::numeric_limits<double>::infinity();
   for (const Corner& corner : mesh.corners.of(v)) {
     for (const Index u : mesh.faces[corner.face]) {
       const double distance_sq = (mesh.positions[u] - point).squaredNorm();
-      if (!(distance_sq < least) || !has_lines(lines, u, is_border)) continue;
+      if (!(distance_sq < least) || !has_lines(lines, u, kind)) continue;
       least = distance_sq;
       nearest = u;
     }
@@ -51,7 +51,7 @@ EdgePoint nearest_on_edge(const Vec3& point, const Vec3& from, const Vec3& way) 
 }  // namespace
 
 LineSamples::LineSamples(const MeshLines& lines, std::span<const Vec3> positions, std::span<const Index> vertex_map) {
-  for (const auto& [from, to, is_border] : lines.edges()) {
+  for (const auto& [from, to, kind] : lines.edges()) {
     const Vec3 way = positions[to] - positions[from];
     const double length = way.norm();
     if (!(length > 0)) continue;
@@ -59,7 +59,9 @@ LineSamples::LineSamples(const MeshLines& lines, std::span<const Vec3> positions
     for (std::size_t i = 0; i < 2; ++i) {
       const Index start = vertex_map[ends[i]];
       if (start == invalid_index) continue;
-      samples_.push_back({positions[from], way, shares[i], start, is_border, 0.5 * length});
+      samples_.push_back({positions[from], way, shares[i], start, kind, 0.5 * length});
+      // No point of an edge is further from a straight line than its ends: so these show whether a tolerance is kept.
+      if (kind == LineKind::feature) samples_.push_back({positions[from], way, static_cast<double>(i), start, kind, 0});
     }
   }
   feet_.resize(samples_.size());
@@ -99,21 +101,21 @@ LineFoot LineSamples::find(const LineSample& sample, const MeshLines& lines, con
   const auto is_seen = [&](Index v) {
     return std::find(seen.begin(), seen.begin() + n_seen, v) != seen.begin() + n_seen;
   };
-  Index v = nearest_start(sample.start, sample.position(), sample.is_border, lines, mesh);
+  Index v = nearest_start(sample.start, sample.position(), sample.kind, lines, mesh);
   while (v != invalid_index && n_seen < most_steps) {
     seen[n_seen++] = v;
     for (const Index e : lines.at(v)) {
-      const auto& [from, to, is_border] = lines.edges()[e];
+      const auto& [from, to, kind] = lines.edges()[e];
       const Vec3 way = mesh.positions[to] - mesh.positions[from];
       const double least_along = least_way_agreement * way.norm() * sample.way.norm();
-      if (is_border != sample.is_border || !(std::abs(way.dot(sample.way)) > least_along)) continue;
+      if (kind != sample.kind || !(std::abs(way.dot(sample.way)) > least_along)) continue;
       const auto [share, offset] = nearest_on_edge(sample.position(), mesh.positions[from], way);
       if (!(offset.squaredNorm() < least)) continue;
       least = offset.squaredNorm();
       foot = {e, share, offset};
     }
     if (foot.edge == invalid_index) break;
-    const auto& [from, to, is_border] = lines.edges()[foot.edge];
+    const auto& [from, to, kind] = lines.edges()[foot.edge];
     v = !is_seen(from) ? from : !is_seen(to) ? to : invalid_index;
   }
   return foot;

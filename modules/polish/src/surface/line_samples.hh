@@ -17,7 +17,8 @@ struct LineFoot {
 };
 
 /// Points that represent the lines of a mesh, and their feet on the lines of another mesh. Each edge has two points.
-/// Where a function is linear on an edge, the weighted sum of its square over the points is the integral.
+/// Where a function is linear on an edge, the weighted sum of its square over the points is the integral. Features also
+/// have points without weight, at their vertices.
 class LineSamples {
  public:
   /// \param vertex_map as `polish` says
@@ -45,7 +46,7 @@ class LineSamples {
     Vec3 way;      ///< from there to the end of the edge
     double share;  ///< where on the edge, 0 … 1
     Index start;   ///< a vertex of the other mesh near it
-    bool is_border;
+    LineKind kind;
     double weight;
 
     Vec3 position() const { return from + share * way; }

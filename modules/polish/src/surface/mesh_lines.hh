@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -9,17 +10,23 @@
 
 namespace whittle::polishing {
 
-/// The edges that make up a mesh's lines: its border and its features.
+enum class LineKind : std::uint8_t { border, feature, seam };
+constexpr std::size_t n_line_kinds = 3;
+
+/// The edges that make up a mesh's lines: its border, its features and its seams.
 class MeshLines {
  public:
   struct Edge {
     Index from, to;
-    bool is_border;  ///< else it is a feature
+    LineKind kind;
   };
 
-  MeshLines(std::span<const VertexPair> borders, std::span<const VertexPair> features, std::size_t n_vertices);
+  MeshLines(std::span<const VertexPair> borders, std::span<const VertexPair> features,
+            std::span<const VertexPair> seams, std::size_t n_vertices);
 
   bool empty() const { return edges_.empty(); }
+  /// Whether there are lines besides the border.
+  bool has_inner() const { return !edges_.empty() && edges_.back().kind != LineKind::border; }
   const std::vector<Edge>& edges() const { return edges_; }
   /// Indices of the edges at a vertex.
   std::span<const Index> at(Index v) const { return edges_at_.of(v); }

@@ -76,7 +76,6 @@ TEST(Regions, KeepTheirBordersUnderAllCostsAndEfforts) {
       ASSERT_EQ(wrong_share(mesh), 0);
       for (const Cost cost : {Cost::quadric, Cost::memoryless, Cost::lindstrom_turk, Cost::midpoint}) {
         for (const Effort effort : {Effort::fast, Effort::normal, Effort::best}) {
-          if (height > 0 && effort != Effort::fast) continue;  // polish moves vertices on seams of bent surfaces
           SimplifyOptions options;
           options.decimate.cost = cost;
           const Simplification small = simplify(mesh, DecimateTarget::faces(64), effort, options);

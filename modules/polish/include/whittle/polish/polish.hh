@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -23,15 +24,17 @@
 //     surfaces. These are Fair's weights: near points count by their squared distance, far ones by their distance.
 //     \cite holland_1977_robust
 //   - μ is a hundredth of the curvature that the sum has along the surface
+//   - with a weight S for shape, S / 1000 Σ w |x − m|² is added, along the surface; m is the way to the middle of the
+//     vertex' neighbours: on a line, of those along it
 //   - h is the vertex' distance from the original, and W a hundredth of the weight of the points around
 //   - faces with few points are held in their planes
 //
 // The points are the original's vertices, which carry a quarter of the weight, and the centroids of its faces. Where
 // the simplified mesh has nearly as many faces as the original, each face has four points instead of its centroid.
 //
-// Borders and feature lines are fitted to those of the original in the same way. Points on the original's lines have
-// their feet on edges of the simplified mesh, and d is the vector from the foot, perpendicular to the edge. Their sum
-// of squares is added as if the line were a strip of surface.
+// Borders, feature lines and seams are fitted to those of the original in the same way. Points on the original's lines
+// have their feet on edges of the simplified mesh, and d is the vector from the foot, perpendicular to the edge. Their
+// sum of squares is added as if the line were a strip of surface.
 //
 // A vertex moves a shorter way, or not at all, where the full move would
 //   - turn a face over;
@@ -77,9 +80,24 @@ struct PolishOptions {
   std::optional<double> feature_angle_deg{};
   std::vector<VertexPair> features{};           ///< edges of the simplified mesh, as `Decimation::feature_edges`
   std::vector<VertexPair> original_features{};  ///< edges of the original, as `feature_edges` finds them
+  /// How far features may come to lie from those of the original, model units. [0, inf]. Those that are further off
+  /// don't get further off.
+  double feature_tolerance = std::numeric_limits<double>::infinity();
+  /// Borders of charts and regions, as `seam_edges` finds them. They stay near those of the original, whatever their
+  /// angle is or becomes. An edge that is a feature, too, counts as a feature.
+  std::vector<VertexPair> seams{};           ///< edges of the simplified mesh
+  std::vector<VertexPair> original_seams{};  ///< edges of the original
+  /// How much seams count in the fit, over what borders count, (0, inf). Then those that are far off count for less, by
+  /// Fair's weights, and vertices move where seams meet. None: seams count as borders do, and where they meet or end,
+  /// vertices stay.
+  std::optional<double> seam_weight{};
   /// No face gets a smaller radius ratio (radius_ratio.hh) than this, unless it had a smaller one before. [0, 1]; less
   /// than 0.001, or none, counts as 0.001.
   std::optional<double> min_radius_ratio{};
+  /// How much round triangles and even valences count against the distance. [0, inf); 0: not at all. With a weight, a
+  /// vertex is drawn along the surface to the middle of its neighbours, and no flip makes its two faces less round, or
+  /// valences less regular (as valence_term.hh of the engine has it).
+  double shape_weight = 0;
   bool recompute_normals = true;  ///< whether the normals of a mesh that has some are computed anew from its faces
   unsigned threads = 0;           ///< 0 = all cores; the result is the same for any number
   /// Cancelling leaves the mesh as the last pass that helped made it, or as it was.
@@ -117,7 +135,7 @@ class PolishOriginal {
 /// \param original what `mesh` was made from; all positions finite
 /// \param vertex_map for each vertex of `original` a vertex of `mesh` near it on the surface, as
 ///        `Decimation::vertex_map` has them; vertices with `invalid_index` are ignored
-/// \throw std::invalid_argument if a face or feature names a vertex that isn't there, `vertex_map`, `locked` or
+/// \throw std::invalid_argument if a face, feature or seam names a vertex that isn't there, `vertex_map`, `locked` or
 ///        `regions` has a wrong length, or an option is out of range
 PolishResult polish(const PolishOriginal& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
                     const PolishOptions& options = {});

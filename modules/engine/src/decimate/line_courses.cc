@@ -1,0 +1,52 @@
+#include "decimate/line_courses.hh"
+
+#include <algorithm>
+
+#include "whittle/core/detail/index_lists.hh"
+
+namespace whittle {
+namespace {
+
+double distance_sq(const Vec3& point, const Vec3& from, const Vec3& to) {
+  const Vec3 way = to - from;
+  const Vec3 offset = point - from;
+  const double share = way.squaredNorm() > 0 ? std::clamp(offset.dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
+  return (offset - share * way).squaredNorm();
+}
+
+/// Each once, ascending.
+std::vector<Index> vertices_of(std::span<const VertexPair> edges) {
+  std::vector<Index> vertices;
+  for (const auto& [a, b] : edges) vertices.insert(vertices.end(), {a, b});
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+}  // namespace
+
+void find_courses(const IndexedMesh& input, const Frame& frame, std::span<const VertexPair> features, Remainder& left) {
+  FeatureLines& lines = left.lines;
+  const detail::IndexLists<Index> edges_at(left.positions.size(), [&](const auto& add) {
+    for (Index e = 0; e < lines.edges.size(); ++e) {
+      if (!lines.is_seam.empty() && lines.is_seam[e] != 0) continue;
+      add(lines.edges[e].a, e);
+      add(lines.edges[e].b, e);
+    }
+  });
+  lines.courses.assign(lines.edges.size(), {});
+  for (const Index v : vertices_of(features)) {
+    const Index end = left.vertex_map[v];
+    if (end == invalid_index || edges_at.of(end).empty()) continue;
+    const Vec3 point = frame.to_frame(input.positions[v]);
+    const auto distance_to = [&](Index e) {
+      return distance_sq(point, left.positions[lines.edges[e].a], left.positions[lines.edges[e].b]);
+    };
+    const std::span<const Index> edges = edges_at.of(end);
+    const Index nearest = *std::min_element(edges.begin(), edges.end(),
+                                            [&](Index e, Index f) { return distance_to(e) < distance_to(f); });
+    lines.courses[nearest].push_back(point);
+  }
+}
+
+}  // namespace whittle
