@@ -51,15 +51,6 @@ bool are_apart(const IndexedMesh& mesh, Index a, Index b) {
   });
 }
 
-/// The vertex of each wedge; `invalid_index` if no corner has it.
-std::vector<Index> vertices_of_wedges(const IndexedMesh& mesh) {
-  std::vector<Index> vertices(n_wedges(mesh), invalid_index);
-  for (std::size_t corner = 0; corner < mesh.wedges.size(); ++corner) {
-    vertices[mesh.wedges[corner]] = mesh.faces[corner / 3][corner % 3];
-  }
-  return vertices;
-}
-
 }  // namespace
 
 std::size_t n_wedges(const IndexedMesh& mesh) {
@@ -68,6 +59,14 @@ std::size_t n_wedges(const IndexedMesh& mesh) {
   if (!mesh.colors.empty()) return mesh.colors.size();
   if (!mesh.attributes.empty()) return mesh.attributes.front().size();
   return std::size_t{*std::max_element(mesh.wedges.begin(), mesh.wedges.end())} + 1;
+}
+
+std::vector<Index> vertices_of_wedges(const IndexedMesh& mesh) {
+  std::vector<Index> vertices(mesh.wedges.empty() ? 0 : n_wedges(mesh), invalid_index);
+  for (std::size_t corner = 0; corner < mesh.wedges.size(); ++corner) {
+    vertices[mesh.wedges[corner]] = mesh.faces[corner / 3][corner % 3];
+  }
+  return vertices;
 }
 
 void make_wedge_table(IndexedMesh& mesh) {

@@ -1,12 +1,19 @@
 #include "whittle/engine/attributes.hh"
 
+#include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "attributes/wedge_map.hh"
 #include "whittle/core/attribute_blend.hh"
+#include "whittle/core/attribute_functions.hh"
 #include "whittle/core/detail/index_lists.hh"
+#include "whittle/core/detail/parallel.hh"
 #include "whittle/core/geometry/vertex_normals.hh"
+#include "whittle/core/local_functions.hh"
+#include "whittle/core/wedges.hh"
 
 namespace whittle {
 namespace {
@@ -14,11 +21,16 @@ namespace {
 /// Carries attributes along a map of wedges.
 class AttributeCarrier {
  public:
-  AttributeCarrier(const WedgeMap& map, const Frame& frame, IndexedMesh& mesh)
-      : map_(map),
+  AttributeCarrier(const IndexedMesh& input, const WedgeMap& map, const Frame& frame, const IndexedMesh& mesh,
+                   unsigned threads)
+      : input_(input),
+        map_(map),
         frame_(frame),
         mesh_(mesh),
-        n_(map.of_corners.empty() ? mesh.positions.size() : map.vertex_of.size()) {
+        threads_(threads),
+        n_(map.of_corners.empty() ? mesh.positions.size() : map.vertex_of.size()),
+        functions_(input, frame, map.of_input, n_, threads),
+        input_vertex_of_(vertices_of_wedges(input)) {
     merged_ = detail::IndexLists<Index>(n_, [&map](const auto& emit) {
       for (Index w = 0; w < map.of_input.size(); ++w) {
         if (map.of_input[w] != invalid_index) emit(map.of_input[w], w);
@@ -29,24 +41,18 @@ class AttributeCarrier {
   template <std::size_t N>
   std::vector<std::array<float, N>> carried(AttributeKind kind, const std::vector<std::array<float, N>>& from) {
     std::vector<std::array<float, N>> to(from.empty() ? 0 : n_);
-    std::array<double, N> value{};
-    blend(
-        kind, N, to.size(),
-        [&](Index w) {
-          return std::copy(from[w].begin(), from[w].end(), value.begin()), std::span<const double>(value);
-        },
-        [&](Index w, std::span<const double> result) {
-          for (std::size_t i = 0; i < N; ++i) to[w][i] = static_cast<float>(result[i]);
-        });
+    if (to.empty()) return to;
+    std::vector<double> values;
+    values.reserve(N * from.size());
+    for (const auto& value : from) values.insert(values.end(), value.begin(), value.end());
+    const std::vector<double> carried = carry(kind, N, values);
+    for (std::size_t i = 0; i < carried.size(); ++i) to[i / N][i % N] = static_cast<float>(carried[i]);
     return to;
   }
 
   Attribute carried(const Attribute& from) {
     Attribute to = from.without_values();
-    to.values.resize(n_ * from.n_components);
-    blend(
-        from.kind, from.n_components, n_, [&](Index w) { return from.value(w); },
-        [&](Index w, std::span<const double> result) { std::copy(result.begin(), result.end(), to.value(w).begin()); });
+    to.values = carry(from.kind, from.n_components, from.values);
     return to;
   }
 
@@ -59,18 +65,49 @@ class AttributeCarrier {
   }
 
  private:
-  /// \param value_of input wedge → its value \param store gets each wedge of the result with its value
-  template <class ValueOf, class Store>
-  void blend(AttributeKind kind, std::size_t n_components, std::size_t n, const ValueOf& value_of, const Store& store) {
-    AttributeBlend mean(kind, n_components);
-    std::vector<double> result(n_components);
-    for (Index w = 0; w < n; ++w) {
-      for (const Index merged : merged_.of(w)) mean.add(value_of(merged), 1);
-      if (!mean.result(result)) {
-        const std::array<float, 3>& normal = vertex_normals()[map_.of_corners.empty() ? w : map_.vertex_of[w]];
-        std::copy(normal.begin(), normal.end(), result.begin());
+  Index vertex_of(Index w) const { return map_.of_corners.empty() ? w : map_.vertex_of[w]; }
+  const Vec3& input_position(Index w) const {
+    return input_.positions[input_vertex_of_.empty() ? w : input_vertex_of_[w]];
+  }
+
+  /// The wedge merged into w that was nearest to where it is now; of several the first. \pre there is one
+  Index nearest_merged(Index w) const {
+    const Vec3& position = mesh_.positions[vertex_of(w)];
+    const auto distance = [&](Index merged) { return (input_position(merged) - position).squaredNorm(); };
+    const std::span<const Index> merged = merged_.of(w);
+    return *std::min_element(merged.begin(), merged.end(), [&](Index a, Index b) { return distance(a) < distance(b); });
+  }
+
+  std::vector<double> carry(AttributeKind kind, std::size_t n_components, std::span<const double> values) {
+    if (kind == AttributeKind::normal) vertex_normals();  // before threads ask for them
+    const AttributeFunctions functions(functions_, kind, n_components, values, threads_);
+    std::vector<double> carried(n_ * n_components);
+    for_each_range(n_, threads_, [&](std::size_t begin, std::size_t end) {
+      AttributeBlend mean(kind, n_components);
+      for (auto w = static_cast<Index>(begin); w < end; ++w) {
+        carry_to(w, kind, values, functions, mean, std::span(carried).subspan(w * n_components, n_components));
       }
-      store(w, result);
+    });
+    return carried;
+  }
+
+  /// A wedge that has gone to the place of one merged into it has its value, to the bit. A category is that of the
+  /// nearest. All others have what the input has around that place.
+  void carry_to(Index w, AttributeKind kind, std::span<const double> values, const AttributeFunctions& functions,
+                AttributeBlend& mean, std::span<double> to) {
+    const auto value_of = [&](Index merged) { return values.subspan(merged * to.size(), to.size()); };
+    const Index nearest = nearest_merged(w);
+    const Vec3& position = mesh_.positions[vertex_of(w)];
+    if (kind == AttributeKind::category || input_position(nearest) == position) {
+      std::copy_n(value_of(nearest).begin(), to.size(), to.begin());
+      return;
+    }
+    for (const Index merged : merged_.of(w)) mean.add(value_of(merged), 1);
+    if (mean.result(to)) {
+      functions.move(w, frame_.to_frame(position), to);
+    } else {
+      const std::array<float, 3>& normal = vertex_normals()[vertex_of(w)];
+      std::copy(normal.begin(), normal.end(), to.begin());
     }
   }
 
@@ -79,11 +116,15 @@ class AttributeCarrier {
     return vertex_normals_;
   }
 
+  const IndexedMesh& input_;
   const WedgeMap& map_;
   const Frame& frame_;
   const IndexedMesh& mesh_;
-  std::size_t n_;                                     ///< wedges of the result
-  detail::IndexLists<Index> merged_;                  ///< the input's wedges that became each
+  unsigned threads_;
+  std::size_t n_;  ///< wedges of the result
+  LocalFunctions functions_;
+  std::vector<Index> input_vertex_of_;  ///< wedges of the input → its vertices; empty if they are the same
+  detail::IndexLists<Index> merged_;    ///< the input's wedges that became each
   std::vector<std::array<float, 3>> vertex_normals_;  ///< of the result's faces, made when they are first asked for
 };
 
@@ -110,11 +151,11 @@ void carry_face_attributes(const IndexedMesh& input, std::span<const Index> face
 }  // namespace
 
 void carry_attributes(const IndexedMesh& input, const Frame& frame, Normals normals, std::span<const Index> vertex_map,
-                      std::span<const Index> face_origins, IndexedMesh& mesh) {
+                      std::span<const Index> face_origins, IndexedMesh& mesh, unsigned threads) {
   carry_face_attributes(input, face_origins, mesh);
   if (!has_attributes(input)) return;
   WedgeMap map = map_wedges(input, vertex_map, face_origins);
-  AttributeCarrier carrier(map, frame, mesh);
+  AttributeCarrier carrier(input, map, frame, mesh, threads);
   mesh.colors = carrier.carried(AttributeKind::color, input.colors);
   mesh.attributes.clear();
   for (const Attribute& attribute : input.attributes) mesh.attributes.push_back(carrier.carried(attribute));

@@ -413,7 +413,7 @@ Decimation Passes::output() {
   }
   Decimation out = geometry_of(mesh_, std::move(*done_.left), frame_);
   if (options_.keep_steps) out.steps = std::move(done_.steps);
-  carry_attributes(mesh_, frame_, options_.normals, out.vertex_map, out.face_origins, out.mesh);
+  carry_attributes(mesh_, frame_, options_.normals, out.vertex_map, out.face_origins, out.mesh, options_.threads);
   out.result = std::move(done_.result);
   for (const auto& [pair, reason] : done_.refused) {
     const auto [a, b] = std::minmax(out.vertex_map[pair.a], out.vertex_map[pair.b]);

@@ -358,7 +358,8 @@ std::vector<Simplification> simplify_to_levels(const IndexedMesh& mesh, const st
     polish_seconds += seconds_since(start);
     levels.push_back({paused, *settled.decimate.cost, polish, 0, 0, 0});
     Decimation& level = levels.back();
-    carry_attributes(mesh, frame, settled.decimate.normals, level.vertex_map, level.face_origins, level.mesh);
+    carry_attributes(mesh, frame, settled.decimate.normals, level.vertex_map, level.face_origins, level.mesh,
+                     settled.decimate.threads);
     fit_attributes_of(mesh, settled, levels.back());
     return !polish.cancelled;
   };

@@ -17,11 +17,11 @@ AttributeFeet find_attribute_feet(const Origins& origins, const Surface& mesh, c
       points.find(v);
       std::size_t i = 0;
       for (const Index origin : origins.of(v)) {
-        feet.of_vertices[origin] = {points.feet()[i], points.weights()[i]};
+        feet.of_vertices[origin] = {points.feet()[i], points.weights()[i], v};
         ++i;
       }
       for (const Corner& corner : origins.corners_of(v)) {
-        feet.of_faces[corner.face] = {points.feet()[i], points.weights()[i]};
+        feet.of_faces[corner.face] = {points.feet()[i], points.weights()[i], v};
         ++i;
       }
       const Index nearest = origins.nearest(v, mesh.positions[v]);

@@ -13,6 +13,7 @@ struct AttributeFeet {
   struct Sample {
     Foot foot = no_foot;
     double weight = 0;
+    Index wedge = invalid_index;  ///< of the mesh, that the point was merged into
   };
 
   std::vector<Sample> of_vertices;      ///< of the original

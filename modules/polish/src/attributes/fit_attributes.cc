@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -11,8 +12,11 @@
 #include "attributes/attribute_feet.hh"
 #include "attributes/texture_folds.hh"
 #include "whittle/core/attribute_blend.hh"
+#include "whittle/core/attribute_functions.hh"
 #include "whittle/core/detail/checks.hh"
 #include "whittle/core/detail/parallel.hh"
+#include "whittle/core/frame.hh"
+#include "whittle/core/local_functions.hh"
 #include "whittle/core/wedges.hh"
 
 namespace whittle {
@@ -27,13 +31,6 @@ constexpr int most_steps = 50;
 constexpr double least_residual = 1e-5;  ///< over the right side
 
 constexpr double guess_weight = 0.02;  ///< λ
-constexpr double least_length = 1e-3;  ///< of a sum of directions that is one
-
-/// How many of the first numbers of a value are blended by sums.
-std::size_t n_linear(AttributeKind kind, std::size_t n_components) {
-  if (kind == AttributeKind::category || kind == AttributeKind::joint_weights) return 0;
-  return kind == AttributeKind::tangent ? std::min<std::size_t>(n_components, 3) : n_components;
-}
 
 /// The corners of a mesh as wedges, and where these are: the surface, cut open at its seams.
 IndexedMesh cut_open(const IndexedMesh& mesh) {
@@ -55,6 +52,9 @@ struct Values {
   std::size_t n_components;
   std::vector<double> from, to;
 
+  /// Of the number i of each wedge of the mesh, n_linear(kind) a wedge; where it has none, it has no slope.
+  std::vector<LocalFunction> functions;
+
   std::span<const double> original(Index w) const { return {from.data() + w * n_components, n_components}; }
   std::span<double> fitted(Index w) { return {to.data() + w * n_components, n_components}; }
 };
@@ -65,6 +65,8 @@ double dot(const Vector& a, const Vector& b) {
   for (Eigen::Index i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
 }
+
+double dot(const Vec3& a, const Vec3& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); }
 
 Vector product(const Matrix& matrix, const Vector& x) {
   Vector y = Vector::Zero(x.size());
@@ -98,9 +100,9 @@ Vector solved(const Matrix& matrix, const Vector& b, Vector x) {
 
 class AttributeFit {
  public:
-  /// \param original, mesh cut open
-  AttributeFit(const IndexedMesh& original, std::span<const Index> wedge_map, const IndexedMesh& mesh,
-               unsigned threads);
+  /// \param whole the original \param original, mesh cut open
+  AttributeFit(const IndexedMesh& whole, const IndexedMesh& original, std::span<const Index> wedge_map,
+               const IndexedMesh& mesh, unsigned threads);
 
   void fit(Values& values) const;
   /// \return how many folded faces are left \pre texture coordinates, fitted
@@ -110,41 +112,49 @@ class AttributeFit {
   template <class Use>
   void for_each_sample(const Use& use) const;
   void assemble();
-  void guess(Values& values) const;
-  std::vector<double> right_sides(const Values& values, std::size_t n) const;
+  void find_functions(const AttributeFunctions& functions, Values& values) const;
+  void guess(const AttributeFunctions& functions, Values& values) const;
+  std::vector<double> right_sides(const Values& values) const;
+  void keep_in_range(Values& values) const;
+  std::vector<std::uint8_t> linear_wedges(Values& values) const;
 
   const IndexedMesh& original_;
   const IndexedMesh& mesh_;
   unsigned threads_;
+  Frame frame_;
+  std::vector<Vec3> positions_;  ///< of the mesh, in the frame
+  LocalFunctions functions_;
   AttributeFeet feet_;
   Matrix matrix_;
   Vector guess_weights_;  ///< λ M
 };
 
-AttributeFit::AttributeFit(const IndexedMesh& original, std::span<const Index> wedge_map, const IndexedMesh& mesh,
-                           unsigned threads)
-    : original_(original), mesh_(mesh), threads_(threads) {
+AttributeFit::AttributeFit(const IndexedMesh& whole, const IndexedMesh& original, std::span<const Index> wedge_map,
+                           const IndexedMesh& mesh, unsigned threads)
+    : original_(original),
+      mesh_(mesh),
+      threads_(threads),
+      frame_(Frame::of_points(original.positions)),
+      functions_(whole, frame_, wedge_map, mesh.positions.size(), threads) {
   const detail::Workers workers(threads);
   const polishing::OriginalSurface surface(original, workers);
   const polishing::Origins origins(surface, wedge_map, mesh.positions.size(), 1, workers);
-  std::vector<Vec3> positions;
-  positions.reserve(mesh.positions.size());
-  for (const Vec3& p : mesh.positions) positions.push_back(surface.frame().to_frame(p));
+  positions_.reserve(mesh.positions.size());
+  for (const Vec3& p : mesh.positions) positions_.push_back(frame_.to_frame(p));
   const polishing::VertexCorners corners = polishing::corners_by_vertex(mesh.faces, mesh.positions.size());
-  feet_ = find_attribute_feet(origins, {mesh.faces, corners, positions}, workers);
+  feet_ = find_attribute_feet(origins, {mesh.faces, corners, positions_}, workers);
   assemble();
 }
 
-/// Calls `use(wedges of the original, how many count, foot's face, weights at its corners, sample's weight)`. The value
-/// at a sample is the mean of those wedges.
+/// Calls `use(sample, wedges of the original, weights at the corners of the foot's face)`. The value at a sample is the
+/// mean of those wedges.
 template <class Use>
 void AttributeFit::for_each_sample(const Use& use) const {
   const auto tell = [&](const AttributeFeet::Sample& sample, std::span<const Index> wedges) {
-    const auto& [foot, weight] = sample;
-    if (foot.face == invalid_index || !(weight > 0)) return;
-    const double second = foot.second;
-    const double third = foot.third;
-    use(wedges, foot.face, std::array<double, 3>{1 - second - third, second, third}, weight);
+    if (sample.foot.face == invalid_index || !(sample.weight > 0)) return;
+    const double second = sample.foot.second;
+    const double third = sample.foot.third;
+    use(sample, wedges, std::array<double, 3>{1 - second - third, second, third});
   };
   for (Index w = 0; w < feet_.of_vertices.size(); ++w) tell(feet_.of_vertices[w], {&w, 1});
   for (std::size_t f = 0; f < feet_.of_faces.size(); ++f) tell(feet_.of_faces[f], original_.faces[f]);
@@ -154,7 +164,9 @@ void AttributeFit::assemble() {
   const auto n = static_cast<Eigen::Index>(mesh_.positions.size());
   std::vector<std::array<double, 9>> of_faces(mesh_.faces.size(), std::array<double, 9>{});
   Vector masses = Vector::Zero(n);
-  for_each_sample([&](std::span<const Index>, Index face, const std::array<double, 3>& at, double weight) {
+  for_each_sample([&](const AttributeFeet::Sample& sample, std::span<const Index>, const std::array<double, 3>& at) {
+    const auto& [foot, weight, wedge] = sample;
+    const Index face = foot.face;
     for (std::size_t i = 0; i < 3; ++i) {
       masses[mesh_.faces[face][i]] += weight * at[i];
       for (std::size_t k = 0; k < 3; ++k) of_faces[face][3 * i + k] += weight * at[i] * at[k];
@@ -177,46 +189,87 @@ void AttributeFit::assemble() {
   matrix_.setFromTriplets(entries.begin(), entries.end());
 }
 
-/// The original's value nearest to each wedge.
-void AttributeFit::guess(Values& values) const {
+void AttributeFit::find_functions(const AttributeFunctions& functions, Values& values) const {
+  const std::size_t n = n_linear(values.kind, values.n_components);
+  values.functions.resize(n * positions_.size());
+  for_each_range(positions_.size(), threads_, [&](std::size_t begin, std::size_t end) {
+    for (auto w = static_cast<Index>(begin); w < end; ++w) {
+      for (std::size_t i = 0; i < n && functions.any(w); ++i) {
+        LocalFunction& function = values.functions[w * n + i];
+        function = functions.of(w, i);
+        if (!function.is_linear) function.slope.setZero();
+      }
+    }
+  });
+}
+
+/// The original's value nearest to each wedge, taken on to the wedge.
+void AttributeFit::guess(const AttributeFunctions& functions, Values& values) const {
   AttributeBlend blend(values.kind, values.n_components);
+  const std::size_t n = n_linear(values.kind, values.n_components);
   for (Index w = 0; w < feet_.of_wedges.size(); ++w) {
     const polishing::NearestPoint& nearest = feet_.of_wedges[w];
     if (nearest.face == invalid_index) continue;
     const auto& [second, third] = nearest.at;
     const std::array<double, 3> at{1 - second - third, second, third};
+    Vec3 foot = Vec3::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
-      if (at[k] > 0) blend.add(values.original(original_.faces[nearest.face][k]), at[k]);
+      const Index from = original_.faces[nearest.face][k];
+      if (at[k] > 0) blend.add(values.original(from), at[k]);
+      foot += at[k] * frame_.to_frame(original_.positions[from]);
     }
     blend.result(values.fitted(w));
+    if (values.kind == AttributeKind::joint_weights) functions.move(w, positions_[w], values.fitted(w));
+    for (std::size_t i = 0; i < n; ++i) {
+      values.fitted(w)[i] += dot(values.functions[w * n + i].slope, positions_[w] - foot);
+    }
   }
 }
 
-/// Of the first n components, a row for each wedge.
-std::vector<double> AttributeFit::right_sides(const Values& values, std::size_t n) const {
+/// Of the first n_linear components, a row for each wedge. The value of a sample is taken on to its foot.
+std::vector<double> AttributeFit::right_sides(const Values& values) const {
+  const std::size_t n = n_linear(values.kind, values.n_components);
   std::vector<double> sums(n * mesh_.positions.size());
   std::vector<double> value(n);
-  for_each_sample([&](std::span<const Index> wedges, Index face, const std::array<double, 3>& at, double weight) {
-    std::fill(value.begin(), value.end(), 0.0);
-    for (const Index w : wedges) {
-      for (std::size_t i = 0; i < n; ++i) value[i] += values.original(w)[i];
-    }
-    const double share = weight / static_cast<double>(wedges.size());
-    for (std::size_t k = 0; k < 3; ++k) {
-      double* const sum = sums.data() + n * mesh_.faces[face][k];
-      for (std::size_t i = 0; i < n; ++i) sum[i] += at[k] * (share * value[i]);
-    }
-  });
+  for_each_sample(
+      [&](const AttributeFeet::Sample& sample, std::span<const Index> wedges, const std::array<double, 3>& at) {
+        const Triangle& face = mesh_.faces[sample.foot.face];
+        const double share = 1 / static_cast<double>(wedges.size());
+        Vec3 to_foot = Vec3::Zero();
+        for (std::size_t k = 0; k < 3; ++k) to_foot += at[k] * positions_[face[k]];
+        std::fill(value.begin(), value.end(), 0.0);
+        for (const Index w : wedges) {
+          to_foot -= share * frame_.to_frame(original_.positions[w]);
+          for (std::size_t i = 0; i < n; ++i) value[i] += share * values.original(w)[i];
+        }
+        for (std::size_t i = 0; i < n; ++i) value[i] += dot(values.functions[sample.wedge * n + i].slope, to_foot);
+        for (std::size_t k = 0; k < 3; ++k) {
+          double* const sum = sums.data() + n * face[k];
+          for (std::size_t i = 0; i < n; ++i) sum[i] += at[k] * (sample.weight * value[i]);
+        }
+      });
   return sums;
 }
 
-/// Of unit length again, or in [0, 1]. \param before what stays where a direction has no length
-void restore_range(AttributeKind kind, std::span<const double> before, std::span<double> value) {
-  if (kind == AttributeKind::color) {
-    for (double& x : value) x = std::clamp(x, 0.0, 1.0);
-  } else if (kind == AttributeKind::normal || kind == AttributeKind::tangent) {
-    const double length = std::sqrt(value[0] * value[0] + value[1] * value[1] + value[2] * value[2]);
-    for (std::size_t i = 0; i < 3; ++i) value[i] = length > least_length ? value[i] / length : before[i];
+/// No number is beyond those that the original has around the wedge and its neighbours. Those around the wedge alone
+/// would cut off what the best fit needs where values curve.
+void AttributeFit::keep_in_range(Values& values) const {
+  const std::size_t n = n_linear(values.kind, values.n_components);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto function = [&](Index w) -> const LocalFunction& { return values.functions[w * n + i]; };
+    std::vector<LocalFunction> wide;
+    for (Index w = 0; w < positions_.size(); ++w) wide.push_back(function(w));
+    for (const auto& [a, b, c] : mesh_.faces) {
+      if (!functions_.any(a) || !functions_.any(b) || !functions_.any(c)) continue;
+      const double low = std::min({function(a).low, function(b).low, function(c).low});
+      const double high = std::max({function(a).high, function(b).high, function(c).high});
+      for (const Index w : {a, b, c}) wide[w].low = std::min(wide[w].low, low);
+      for (const Index w : {a, b, c}) wide[w].high = std::max(wide[w].high, high);
+    }
+    for (Index w = 0; w < positions_.size(); ++w) {
+      double& number = values.fitted(w)[i];
+      if (functions_.any(w)) number = wide[w].in_range(number, positions_[w]);
+    }
   }
 }
 
@@ -228,35 +281,56 @@ auto column(std::vector<double>& table, std::size_t i, std::size_t n) {
 }
 
 void AttributeFit::fit(Values& values) const {
-  guess(values);
-  const std::vector<double> guessed = values.to;
-  const std::size_t n = values.n_components;
   const auto is_finite = [](double x) { return std::isfinite(x); };
   const bool is_fitted = std::all_of(values.from.begin(), values.from.end(), is_finite);  // or one spoils all
+  const AttributeFunctions functions(functions_, values.kind, values.n_components, values.from, threads_);
+  find_functions(functions, values);
+  guess(functions, values);
+  const std::vector<double> guessed = values.to;
+  const std::size_t n = values.n_components;
   const std::size_t n_fitted = is_fitted ? n_linear(values.kind, n) : 0;
   if (n_fitted > 0) {
-    std::vector<double> sides = right_sides(values, n_fitted);
+    std::vector<double> sides = right_sides(values);
     for_each_block(n_fitted, threads_, [&](std::size_t i) {
       const Vector start = column(values.to, i, n);
       const Vector side = column(sides, i, n_fitted) + guess_weights_.cwiseProduct(start);
-      column(values.to, i, n) = solved(matrix_, side, start);
+      // What is the same everywhere is taken away, so that it makes no residual look small.
+      const Vector level =
+          Vector::Constant(start.size(), dot(start, Vector::Ones(start.size())) / static_cast<double>(start.size()));
+      column(values.to, i, n) = level + solved(matrix_, side - product(matrix_, level), start - level);
     });
+    keep_in_range(values);
   }
   for (Index w = 0; w < mesh_.positions.size(); ++w) {
     restore_range(values.kind, {guessed.data() + w * n, n}, values.fitted(w));
   }
 }
 
+/// Wedges whose numbers are linear in the position, and so are here: where the image folds, the surface does.
+std::vector<std::uint8_t> AttributeFit::linear_wedges(Values& values) const {
+  constexpr double nearly = 1e-3;  // of how a number varies there: what files round to
+  const std::size_t n = n_linear(values.kind, values.n_components);
+  std::vector<std::uint8_t> is_linear(positions_.size(), 1);
+  for (Index w = 0; w < positions_.size(); ++w) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const LocalFunction& function = values.functions[w * n + i];
+      const double apart = std::abs(values.fitted(w)[i] - function.at(positions_[w]));
+      if (!function.is_linear || !(apart <= nearly * (function.high - function.low))) is_linear[w] = 0;
+    }
+  }
+  return is_linear;
+}
+
 std::size_t AttributeFit::unfold(Values& values) const {
   const auto turns =
       turns_on_image({original_.faces, values.from, values.n_components}, feet_.of_faces, mesh_.faces.size());
-  return polishing::unfold(mesh_.faces, turns, values.to, values.n_components);
+  return polishing::unfold(mesh_.faces, turns, values.to, values.n_components, linear_wedges(values));
 }
 
 template <std::size_t N>
 void fit_array(const AttributeFit& fit, AttributeKind kind, const std::vector<std::array<float, N>>& from,
                std::vector<std::array<float, N>>& to) {
-  Values values{kind, N, {}, {}};
+  Values values{kind, N, {}, {}, {}};
   for (const auto& value : from) values.from.insert(values.from.end(), value.begin(), value.end());
   for (const auto& value : to) values.to.insert(values.to.end(), value.begin(), value.end());
   fit.fit(values);
@@ -288,12 +362,13 @@ AttributeFitReport fit_attributes(const IndexedMesh& original, std::span<const I
   if (original.faces.empty() || mesh.faces.empty()) return report;
   const IndexedMesh cut_original = cut_open(original);
   const IndexedMesh cut_mesh = cut_open(mesh);
-  const AttributeFit fit(cut_original, wedge_map, cut_mesh, options.threads);
+  const AttributeFit fit(original, cut_original, wedge_map, cut_mesh, options.threads);
   if (fits_normals) fit_array(fit, AttributeKind::normal, original.normals, mesh.normals);
   if (fits_colors) fit_array(fit, AttributeKind::color, original.colors, mesh.colors);
   for (std::size_t i = 0; i < mesh.attributes.size(); ++i) {
     Attribute& attribute = mesh.attributes[i];
-    Values values{attribute.kind, attribute.n_components, original.attributes[i].values, std::move(attribute.values)};
+    Values values{
+        attribute.kind, attribute.n_components, original.attributes[i].values, std::move(attribute.values), {}};
     fit.fit(values);
     const bool is_texture = values.kind == AttributeKind::texcoord && values.n_components >= 2;
     if (is_texture) report.n_folded_faces += fit.unfold(values);

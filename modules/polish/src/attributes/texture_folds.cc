@@ -79,8 +79,8 @@ class Polygon {
 class Unfolder {
  public:
   Unfolder(std::span<const Triangle> faces, std::span<const std::int8_t> turns, std::span<double> texcoords,
-           std::size_t n_components)
-      : faces_(faces), turns_(turns), texcoords_(texcoords), n_components_(n_components) {
+           std::size_t n_components, std::span<const std::uint8_t> held)
+      : faces_(faces), turns_(turns), texcoords_(texcoords), n_components_(n_components), held_(held) {
     faces_at_ = detail::IndexLists<Index>(texcoords.size() / n_components, [&faces](const auto& emit) {
       for (Index f = 0; f < faces.size(); ++f) {
         for (const Index w : faces[f]) emit(w, f);
@@ -134,6 +134,7 @@ class Unfolder {
 
   /// Where w may go so that none of its faces is folded, as near as can be to where it is.
   std::optional<Vec2> place(Index w, double least_height) const {
+    if (!held_.empty() && held_[w] != 0) return std::nullopt;
     Eigen::AlignedBox2d box(at(w));
     for (const Index f : faces_at_.of(w)) {
       for (const Index other : others(f, w)) box.extend(at(other));
@@ -209,6 +210,7 @@ class Unfolder {
   std::span<const std::int8_t> turns_;
   std::span<double> texcoords_;
   std::size_t n_components_;
+  std::span<const std::uint8_t> held_;
   detail::IndexLists<Index> faces_at_;  ///< of each wedge
 };
 
@@ -220,7 +222,7 @@ std::vector<std::int8_t> turns_on_image(const TexturedFaces& original, std::span
   std::vector<double> votes(n_faces);
   std::vector<double> all(n_faces);
   for (std::size_t f = 0; f < original.faces.size(); ++f) {
-    const auto& [foot, weight] = feet[f];
+    const auto& [foot, weight, wedge] = feet[f];
     if (foot.face == invalid_index || !(weight > 0)) continue;
     const auto& [a, b, c] = original.faces[f];
     const double area = area_on_image(at(a), at(b), at(c));
@@ -235,8 +237,8 @@ std::vector<std::int8_t> turns_on_image(const TexturedFaces& original, std::span
 }
 
 std::size_t unfold(std::span<const Triangle> faces, std::span<const std::int8_t> turns, std::span<double> texcoords,
-                   std::size_t n_components) {
-  return Unfolder(faces, turns, texcoords, n_components).run();
+                   std::size_t n_components, std::span<const std::uint8_t> held) {
+  return Unfolder(faces, turns, texcoords, n_components, held).run();
 }
 
 }  // namespace whittle::polishing

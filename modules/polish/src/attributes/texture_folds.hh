@@ -27,8 +27,9 @@ std::vector<std::int8_t> turns_on_image(const TexturedFaces& original, std::span
                                         std::size_t n_faces);
 
 /// Moves texture coordinates so that faces lie the way round that they should, each as little as will do.
-/// \param turns as above, a face \return how many folded faces are left
+/// \param turns as above, a face \param held 1 for a wedge that keeps its coordinates; or empty
+/// \return how many folded faces are left
 std::size_t unfold(std::span<const Triangle> faces, std::span<const std::int8_t> turns, std::span<double> texcoords,
-                   std::size_t n_components);
+                   std::size_t n_components, std::span<const std::uint8_t> held = {});
 
 }  // namespace whittle::polishing

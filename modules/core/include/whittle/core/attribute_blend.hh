@@ -1,11 +1,19 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "whittle/core/attribute.hh"
 
 namespace whittle {
+
+/// How many of the first numbers of a value may be blended one by one, by sums.
+std::size_t n_linear(AttributeKind kind, std::size_t n_components);
+
+/// Gives a value that was summed up unit length again, or puts it into [0, 1], as its kind asks.
+/// \param before what stays where a direction has no length
+void restore_range(AttributeKind kind, std::span<const double> before, std::span<double> value);
 
 /// The weighted mean of some values of an attribute, as its kind asks. It can be used again after `result`.
 class AttributeBlend {

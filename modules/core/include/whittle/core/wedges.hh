@@ -13,6 +13,9 @@ namespace whittle {
 /// W.
 std::size_t n_wedges(const IndexedMesh& mesh);
 
+/// The vertex of each wedge; `invalid_index` if no corner has it. Empty without a table: then it has the same number.
+std::vector<Index> vertices_of_wedges(const IndexedMesh& mesh);
+
 /// Makes the table of wedges, if there is none: each vertex is a wedge.
 void make_wedge_table(IndexedMesh& mesh);
 

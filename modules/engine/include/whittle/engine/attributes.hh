@@ -8,12 +8,14 @@
 
 namespace whittle {
 
-/// Gives a decimated mesh the attributes of the input, as `decimate` does: each wedge has the mean of those merged into
-/// it, by kind of attribute; each face has what its origin has.
+/// Gives a decimated mesh the attributes of the input, as `decimate` does: each wedge has what the input has at the
+/// place where the wedge is, on the same side of every seam (local_functions.hh); each face has what its origin has.
+/// A wedge at the place of one merged into it has the value of that one, and a category is that of the nearest.
 /// \param frame of the input \param vertex_map, face_origins as those of `Decimation`
 /// \param mesh has positions and faces. If the input has wedges, the corners of each face are in their first order
+/// \param threads 0 = all cores; the result is the same for any number
 void carry_attributes(const IndexedMesh& input, const Frame& frame, Normals normals, std::span<const Index> vertex_map,
-                      std::span<const Index> face_origins, IndexedMesh& mesh);
+                      std::span<const Index> face_origins, IndexedMesh& mesh, unsigned threads = 0);
 
 /// What each wedge of the input has become, or `invalid_index`. Two of them become one where an edge of a face that has
 /// both was contracted, as in Hoppe's wedge meshes (\cite hoppe_1999_attributes): each side of a seam keeps its own.

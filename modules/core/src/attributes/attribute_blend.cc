@@ -10,7 +10,25 @@ constexpr double least_mean = 1e-3;  // below that the mean of unit vectors has 
 
 bool is_direction(AttributeKind kind) { return kind == AttributeKind::normal || kind == AttributeKind::tangent; }
 
+double length_of(std::span<const double> direction) {
+  return std::sqrt(direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2]);
+}
+
 }  // namespace
+
+std::size_t n_linear(AttributeKind kind, std::size_t n_components) {
+  if (kind == AttributeKind::category || kind == AttributeKind::joint_weights) return 0;
+  return kind == AttributeKind::tangent ? std::min<std::size_t>(n_components, 3) : n_components;
+}
+
+void restore_range(AttributeKind kind, std::span<const double> before, std::span<double> value) {
+  if (kind == AttributeKind::color) {
+    for (double& x : value) x = std::clamp(x, 0.0, 1.0);
+  } else if (is_direction(kind)) {
+    const double length = length_of(value);
+    for (std::size_t i = 0; i < 3; ++i) value[i] = length > least_mean ? value[i] / length : before[i];
+  }
+}
 
 AttributeBlend::AttributeBlend(AttributeKind kind, std::size_t n_components) : kind_(kind), sum_(n_components) {}
 
@@ -45,7 +63,7 @@ void AttributeBlend::add(std::span<const double> value, double weight) {
 
 /// Of a normal, or of a tangent with the sign that most have.
 bool AttributeBlend::direction(std::span<double> to) const {
-  const double length = std::sqrt(sum_[0] * sum_[0] + sum_[1] * sum_[1] + sum_[2] * sum_[2]);
+  const double length = length_of(sum_);
   if (!(length >= least_mean * total_)) return false;
   for (std::size_t i = 0; i < 3; ++i) to[i] = sum_[i] / length;
   if (to.size() == 4) to[3] = votes_.front().what;

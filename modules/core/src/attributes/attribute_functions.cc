@@ -1,0 +1,176 @@
+#include "whittle/core/attribute_functions.hh"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "whittle/core/attribute_blend.hh"
+#include "whittle/core/detail/disjoint_sets.hh"
+#include "whittle/core/detail/index_lists.hh"
+#include "whittle/core/detail/parallel.hh"
+#include "whittle/core/wedges.hh"
+
+namespace whittle {
+namespace {
+
+/// A linear function has four numbers; with twice as many points it is hardly linear by chance.
+constexpr std::size_t least_points = 8;
+/// How far a number of a linear chart may be from its function, over its range: what four digits leave.
+constexpr double most_apart = 1e-4;
+
+bool has_unit_length(AttributeKind kind) { return kind == AttributeKind::normal || kind == AttributeKind::tangent; }
+
+detail::IndexLists<Index> wedges_of_vertices(const IndexedMesh& mesh) {
+  const std::vector<Index> vertices = vertices_of_wedges(mesh);
+  return {mesh.positions.size(), [&](const auto& emit) {
+            for (Index w = 0; w < vertices.size(); ++w) {
+              if (vertices[w] != invalid_index) emit(vertices[w], w);
+            }
+          }};
+}
+
+}  // namespace
+
+AttributeFunctions::AttributeFunctions(const LocalFunctions& functions, AttributeKind kind, std::size_t n_components,
+                                       std::span<const double> values, unsigned threads)
+    : functions_(functions),
+      kind_(kind),
+      n_components_(n_components),
+      n_linear_(whittle::n_linear(kind, n_components)),
+      values_(values),
+      chart_of_(functions.n_wedges(), invalid_index) {
+  if (n_linear_ > 0 && !has_unit_length(kind)) find_linear_charts(find_charts(), threads);
+}
+
+/// Wedges of a vertex that have the same value are in one chart, so seams of other attributes are none of this one.
+/// \return the chart of each wedge of the input, by its first wedge; `invalid_index` if it has less than `least_points`
+std::vector<Index> AttributeFunctions::find_charts() const {
+  const IndexedMesh& input = functions_.input();
+  const std::size_t n = values_.size() / n_components_;
+  detail::DisjointSets<Index> sets(n);
+  std::vector<std::uint8_t> is_point(n, 1);
+  const auto value = [&](Index w) { return values_.subspan(w * n_components_, n_components_); };
+  const auto are_equal = [&](Index a, Index b) {
+    return std::equal(value(a).begin(), value(a).end(), value(b).begin());
+  };
+  const detail::IndexLists<Index> wedges = wedges_of_vertices(input);
+  for (Index v = 0; v < wedges.size(); ++v) {
+    const std::span<const Index> of = wedges.of(v);
+    for (std::size_t i = 1; i < of.size(); ++i) {
+      const auto first = std::find_if(of.begin(), of.end(), [&](Index w) { return are_equal(w, of[i]); });
+      if (first == of.end() || *first == of[i]) continue;
+      sets.join(*first, of[i]);
+      is_point[of[i]] = 0;
+    }
+  }
+  for (std::size_t f = 0; f < input.faces.size(); ++f) {
+    for (std::size_t k = 1; k < 3; ++k) sets.join(input.wedge(f, 0), input.wedge(f, k));
+  }
+  std::vector<std::size_t> n_points(n);
+  for (Index w = 0; w < n; ++w) n_points[sets.find(w)] += is_point[w];
+  std::vector<Index> charts(n);
+  for (Index w = 0; w < n; ++w) charts[w] = n_points[sets.find(w)] >= least_points ? sets.find(w) : invalid_index;
+  return charts;
+}
+
+/// \param charts as of `find_charts`
+void AttributeFunctions::find_linear_charts(const std::vector<Index>& charts, unsigned threads) {
+  std::vector<Index> numbers(charts.size(), invalid_index);
+  std::vector<Index> of_wedges(charts.size(), invalid_index);
+  Index n_charts = 0;
+  for (Index w = 0; w < charts.size(); ++w) {
+    if (charts[w] == invalid_index) continue;
+    if (numbers[charts[w]] == invalid_index) numbers[charts[w]] = n_charts++;
+    of_wedges[w] = numbers[charts[w]];
+  }
+  const LocalFunctions of_charts(functions_.input(), functions_.frame(), of_wedges, n_charts, threads);
+  charts_.resize(n_charts * n_linear_);
+  for_each_range(n_charts, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto chart = static_cast<Index>(begin); chart < end; ++chart) {
+      for (std::size_t i = 0; i < n_linear_ && of_charts.any(chart); ++i) {
+        charts_[chart * n_linear_ + i] = chart_of(of_charts, chart, i);
+      }
+    }
+  });
+  for (Index w = 0; w < of_wedges.size(); ++w) {
+    const Index become = functions_.wedge_map()[w];
+    if (become != invalid_index && of_wedges[w] != invalid_index) chart_of_[become] = of_wedges[w];
+  }
+}
+
+AttributeFunctions::Chart AttributeFunctions::chart_of(const LocalFunctions& charts, Index chart, std::size_t i) const {
+  const LocalFunction function = charts.around(chart, [&](Index wedge) { return number(wedge, i); });
+  if (!function.is_linear) return {};
+  const double most = most_apart * (function.high - function.low);
+  bool is_linear = true;
+  charts.for_each_corner(chart, [&](Index wedge, const Vec3& position) {
+    is_linear = is_linear && std::abs(function.at(position) - number(wedge, i)) <= most;
+  });
+  return {is_linear, function};
+}
+
+LocalFunction AttributeFunctions::of(Index w, std::size_t i) const {
+  LocalFunction local = functions_.around(w, [&](Index wedge) { return number(wedge, i); });
+  const Chart chart = chart_of_[w] == invalid_index ? Chart{} : charts_[chart_of_[w] * n_linear_ + i];
+  if (!chart.is_linear) {
+    local.stays = true;  // a step is linear, too, where few points are around
+    return local;
+  }
+  LocalFunction function = chart.function;
+  function.low = local.low;
+  function.high = local.high;
+  return function;
+}
+
+/// Each joint's weight is a number of its own. Those that are greatest are kept, as many as a value has room for.
+void AttributeFunctions::move_joint_weights(Index w, const Vec3& position, std::span<double> value) const {
+  const std::size_t k = value.size() / 2;
+  std::vector<double> joints;
+  const auto joint_at = [&](Index wedge, std::size_t i) { return number(wedge, i); };
+  const auto weight_at = [&](Index wedge, std::size_t i) { return number(wedge, k + i); };
+  functions_.for_each_corner(w, [&](Index wedge, const Vec3&) {
+    for (std::size_t i = 0; i < k; ++i) {
+      if (weight_at(wedge, i) > 0) joints.push_back(joint_at(wedge, i));
+    }
+  });
+  std::sort(joints.begin(), joints.end());
+  joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
+  std::vector<std::array<double, 2>> moved;  // weight, joint
+  for (const double joint : joints) {
+    const LocalFunction function = functions_.around(w, [&](Index wedge) {
+      double sum = 0;
+      for (std::size_t i = 0; i < k; ++i) sum += joint_at(wedge, i) == joint ? weight_at(wedge, i) : 0;
+      return sum;
+    });
+    moved.push_back({std::max(0.0, function.in_range(function.at(position), position)), joint});
+  }
+  std::stable_sort(moved.begin(), moved.end(), [](const auto& a, const auto& b) { return a[0] > b[0]; });
+  moved.resize(std::min(k, moved.size()));
+  double before = 0;
+  double after = 0;
+  for (std::size_t i = 0; i < k; ++i) before += value[k + i];
+  for (const auto& [weight, joint] : moved) after += weight;
+  if (!(after > 0)) return;
+  for (std::size_t i = 0; i < k; ++i) {
+    const bool is_there = i < moved.size() && moved[i][0] > 0;
+    value[i] = is_there ? moved[i][1] : 0;
+    value[k + i] = is_there ? moved[i][0] * (before / after) : 0;
+  }
+}
+
+void AttributeFunctions::move(Index w, const Vec3& position, std::span<double> value) const {
+  if (!any(w)) return;
+  if (kind_ == AttributeKind::joint_weights) return move_joint_weights(w, position, value);
+  const std::vector<double> before(value.begin(), value.end());
+  for (std::size_t i = 0; i < n_linear_; ++i) {
+    const LocalFunction function = of(w, i);
+    const double moved = function.in_range(function.at(position), position);
+    if (std::isfinite(moved)) value[i] = moved;
+  }
+  restore_range(kind_, before, value);
+}
+
+}  // namespace whittle
