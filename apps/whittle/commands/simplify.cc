@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "commands/regions/names.hh"
 #include "commands/regions/regions.hh"
 #include "commands/simplify/advice.hh"
 #include "commands/simplify/per_mesh.hh"
@@ -413,6 +414,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   options.files.takes_no_triangles = !options.files.reads_scene;
   record.input = read_input(options.input, options.files, options.common.threads, talk, attributes_to_read(options));
   if (!options.keeps_attributes) drop_attributes(record.input.read.mesh);
+  take_categories(options.categories, record.input);
   record.seconds.read = record.input.seconds;
   record.warnings = options.warnings;
   for (const std::string& warning : options.warnings) talk.warning(warning);

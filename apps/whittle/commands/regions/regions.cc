@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <stdexcept>
 
+#include "commands/regions/names.hh"
 #include "options/values.hh"
-#include "terminal/errors.hh"
 #include "whittle/core/wedges.hh"
 
 namespace whittle::app {
@@ -92,40 +91,8 @@ std::size_t n_vanished_charts(const IndexedMesh& mesh, std::span<const Index> fa
 
 }  // namespace
 
-RegionNames parse_regions(std::string_view text) {
-  if (text == "auto") return std::nullopt;
-  std::vector<std::string> names;
-  if (text == "none") return names;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    if (end == begin) throw std::invalid_argument("a name is empty");
-    names.emplace_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return names;
-}
-
-std::string to_string(const RegionNames& names) {
-  if (!names) return "auto";
-  if (names->empty()) return "none";
-  std::string text;
-  for (const std::string& name : *names) text += (text.empty() ? "" : ",") + name;
-  return text;
-}
-
 void check_regions(const RegionNames& names, const Input& input) {
-  if (!names) return;
-  const std::vector<Attribute>& attributes = input.read.mesh.face_attributes;
-  for (const std::string& name : *names) {
-    if (std::any_of(attributes.begin(), attributes.end(), [&](const Attribute& a) { return has_name(a, name); })) {
-      continue;
-    }
-    std::vector<std::string> known;
-    known.reserve(attributes.size());
-    for (const Attribute& attribute : attributes) known.push_back(attribute.name);
-    throw UnsupportedMesh(input.name + ": faces have no property '" + name + "' for --regions" +
-                          (known.empty() ? "; they have none" : "; they have " + joined(known)));
-  }
+  check_names(names, input, input.read.mesh.face_attributes, "faces have no property", "--regions");
 }
 
 Vanished find_vanished(const Input& input, const Decimation& result, const RegionNames& names) {

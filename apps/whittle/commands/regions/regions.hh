@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "files/input.hh"
@@ -10,10 +9,6 @@
 #include "whittle/engine/decimate.hh"
 
 namespace whittle::app {
-
-/// "auto", "none", or names with commas between. \throw std::invalid_argument for an empty name
-RegionNames parse_regions(std::string_view text);
-std::string to_string(const RegionNames& names);
 
 /// \throw UnsupportedMesh if no face attribute of the input has one of the names
 void check_regions(const RegionNames& names, const Input& input);

@@ -9,7 +9,7 @@
 
 #include "commands/page/frames.hh"
 #include "commands/page/make_page.hh"
-#include "commands/regions/regions.hh"
+#include "commands/regions/names.hh"
 #include "files/gltf_file.hh"
 #include "files/input.hh"
 #include "files/mesh_output.hh"
@@ -245,13 +245,20 @@ void add_attribute_options(CLI::App& app, SimplifyCommand& options) {
                    "texture coordinates, colours, materials and all else but positions: keep them, with their seams, "
                    "or drop them")
       ->group(file_group);
+  add_value(
+      app, "--categories", "auto|none|NAME,...", options.categories,
+      [](std::string_view text) { return parse_names(text); },
+      "which numbers of vertices name things, as ids and classes do, and are never blended, by name; auto: those whose "
+      "name or type says so, and reals that are all whole")
+      ->default_str("auto")
+      ->group(file_group);
   add_choice<Seams>(
       app, "--seams", options.simplify.decimate.seams, seams,
       "borders of charts, materials and regions are held by a weight, or stay where they are, with their corners")
       ->group(file_group);
   add_value(
       app, "--regions", "auto|none|NAME,...", options.simplify.decimate.regions,
-      [](std::string_view text) { return parse_regions(text); },
+      [](std::string_view text) { return parse_names(text); },
       "what of faces besides materials has borders that are seams: groups, objects, smoothing groups (g, o, s), face "
       "properties and face colours of PLY, by name; auto: those that name things")
       ->default_str("auto")
@@ -430,6 +437,7 @@ nlohmann::ordered_json options_json(const SimplifyCommand& options) {
       {"weld_tolerance", to_string(options.files.weld_tolerance)},
       {"ascii", options.files.ascii},
       {"attributes", word_of<bool>(attribute_words, options.keeps_attributes)},
+      {"categories", to_string(options.categories)},
       {"attribute_weights", to_string(decimate.attribute_weights)},
       {"seams", word_of<Seams>(seams, decimate.seams)},
       {"regions", to_string(decimate.regions)},

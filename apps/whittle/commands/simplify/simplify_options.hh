@@ -11,6 +11,7 @@
 #include "options/command_line.hh"
 #include "options/targets.hh"
 #include "options/values.hh"
+#include "whittle/core/attribute_kinds.hh"
 #include "whittle/engine/simplify.hh"
 
 namespace whittle::app {
@@ -57,6 +58,7 @@ struct SimplifyCommand {
   bool compresses_gltf = false;
   bool is_per_mesh = false;      ///< whether each mesh of a glTF file has the target on its own
   bool keeps_attributes = true;  ///< or positions alone
+  CategoryNames categories;      ///< numbers of vertices that are never blended
   bool strict = false;
   bool certify = false;               ///< whether the largest distance is found without a limit, too
   std::vector<std::string> warnings;  ///< of options that do nothing

@@ -1,7 +1,8 @@
 #include "geometry/layout.hh"
 
 #include <algorithm>
-#include <cctype>
+
+#include "whittle/core/attribute_kinds.hh"
 
 namespace whittle::gltf {
 namespace {
@@ -24,7 +25,7 @@ AttributeKind kind_of(std::string_view channel, const Accessor& accessor) {
   if (channel.starts_with("TEXCOORD_") && accessor.shape == ElementShape{2, 1}) return AttributeKind::texcoord;
   if (channel == "TANGENT" && accessor.shape == ElementShape{4, 1}) return AttributeKind::tangent;
   if (channel.starts_with("COLOR_")) return AttributeKind::color;
-  return is_integer(accessor.type) && !accessor.is_normalized ? AttributeKind::category : AttributeKind::scalar;
+  return kind_of_numbers(channel, accessor.type, accessor.is_normalized);
 }
 
 /// The n of "JOINTS_n" or "WEIGHTS_n" if it is below `n_sets`; otherwise `n_sets`.

@@ -10,6 +10,7 @@
 #include "geometry/layout.hh"
 #include "geometry/surface.hh"
 #include "model/read_model.hh"
+#include "whittle/core/attribute_kinds.hh"
 
 namespace whittle::gltf {
 namespace {
@@ -174,6 +175,7 @@ IndexedMesh read_triangles(const Model& model, const Json& document, std::size_t
   }
   Filler filler(model, mesh, n_vertices, triangles);
   for (const UsedSurface& surface : surfaces) filler.add(surface);
+  find_whole_categories(triangles);
   triangles.group_names = material_names(model, document, mesh);
   return triangles;
 }

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "repair/triangulate.hh"
+#include "whittle/core/attribute_kinds.hh"
 
 namespace whittle::io {
 
@@ -175,6 +176,7 @@ ReadResult MeshBuilder::finish(AttributeScope scope) {
   normalize(result_.mesh.normals);
   take_corner_values(scope);
   make_texcoords_finite();
+  find_whole_categories(result_.mesh);
   IndexedMesh& mesh = result_.mesh;
   for (Attribute& attribute : mesh.face_attributes) attribute.values.resize(face_count() * attribute.n_components, 0);
   result_.file_vertices = mesh.positions.size();

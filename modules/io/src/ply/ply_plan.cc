@@ -1,9 +1,10 @@
 #include "ply/ply_plan.hh"
 
 #include <algorithm>
-#include <cctype>
 #include <span>
 #include <string_view>
+
+#include "whittle/core/attribute_kinds.hh"
 
 namespace whittle::io {
 namespace {
@@ -41,22 +42,6 @@ double color_unit(PlyType type) {
   if (type == PlyType::uint8 || type == PlyType::int8) return 255;
   if (type == PlyType::uint16 || type == PlyType::int16) return 65535;
   return 1;
-}
-
-/// Integers number things, unless the name says that they measure something.
-AttributeKind kind_of(const PlyProperty& property) {
-  constexpr std::string_view measures[] = {
-      "quality",     "intensity", "confidence", "weight",      "density",    "height", "elevation", "depth",
-      "temperature", "curvature", "grey",       "gray",        "opacity",    "alpha",  "red",       "green",
-      "blue",        "occlusion", "roughness",  "metallic",    "distance",   "error",  "time",      "scalar",
-      "accuracy",    "reflect",   "amplitude",  "uncertainty", "probability"};
-  if (is_float(property.type)) return AttributeKind::scalar;
-  std::string name = property.name;
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const bool is_measure = std::any_of(std::begin(measures), std::end(measures),
-                                      [&](std::string_view measure) { return name.find(measure) != name.npos; });
-  return is_measure ? AttributeKind::scalar : AttributeKind::category;
 }
 
 /// A name without the number at its end: "texture_u", "1" of "texture_u1".
@@ -115,7 +100,7 @@ class AttributePlanner {
       if (const auto pair = find_texcoord(p, is_chosen)) {
         add(AttributeKind::texcoord, *pair);
       } else {
-        add(kind_of(properties_[p]), std::array{p});
+        add(kind_of_numbers(properties_[p].name, properties_[p].type), std::array{p});
       }
     }
   }

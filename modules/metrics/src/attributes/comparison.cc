@@ -17,8 +17,11 @@ Attribute copied(const char* name, AttributeKind kind, const std::vector<Value>&
   return attribute;
 }
 
+bool are_numbers(AttributeKind kind) { return kind == AttributeKind::scalar || kind == AttributeKind::category; }
+
+/// Numbers of one name are compared as the reference has them: categories that were blended are none any more.
 bool are_comparable(const Attribute& a, const Attribute& b) {
-  return a.name == b.name && a.kind == b.kind &&
+  return a.name == b.name && (a.kind == b.kind || (are_numbers(a.kind) && are_numbers(b.kind))) &&
          (a.n_components == b.n_components || a.kind == AttributeKind::joint_weights);
 }
 

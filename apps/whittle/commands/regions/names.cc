@@ -1,0 +1,67 @@
+#include "commands/regions/names.hh"
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+
+#include "terminal/errors.hh"
+#include "whittle/core/regions.hh"
+
+namespace whittle::app {
+namespace {
+
+/// The names of attributes, with commas between.
+std::string names_in(const std::vector<Attribute>& attributes) {
+  std::string text;
+  for (const Attribute& attribute : attributes) text += (text.empty() ? "" : ", ") + attribute.name;
+  return text;
+}
+
+}  // namespace
+
+Names parse_names(std::string_view text) {
+  if (text == "auto") return std::nullopt;
+  std::vector<std::string> names;
+  if (text == "none") return names;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    if (end == begin) throw std::invalid_argument("a name is empty");
+    names.emplace_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return names;
+}
+
+std::string to_string(const Names& names) {
+  if (!names) return "auto";
+  if (names->empty()) return "none";
+  std::string text;
+  for (const std::string& name : *names) text += (text.empty() ? "" : ",") + name;
+  return text;
+}
+
+void check_names(const Names& names, const Input& input, const std::vector<Attribute>& attributes,
+                 const std::string& what, const std::string& option) {
+  if (!names) return;
+  for (const std::string& name : *names) {
+    if (std::any_of(attributes.begin(), attributes.end(), [&](const Attribute& a) { return has_name(a, name); })) {
+      continue;
+    }
+    std::string problem = input.name;
+    problem.append(": ").append(what).append(" '").append(name).append("' for ").append(option);
+    problem.append("; they have ").append(attributes.empty() ? "none" : names_in(attributes));
+    throw UnsupportedMesh(problem);
+  }
+}
+
+void take_categories(const CategoryNames& names, Input& input) {
+  std::vector<Attribute> numbers;
+  for (const Attribute& attribute : input.read.mesh.attributes) {
+    const bool are_numbers = attribute.kind == AttributeKind::scalar || attribute.kind == AttributeKind::category;
+    if (are_numbers) numbers.push_back(attribute.without_values());
+  }
+  check_names(names, input, numbers, "vertices have no numbers", "--categories");
+  set_categories(input.read.mesh, names);
+}
+
+}  // namespace whittle::app

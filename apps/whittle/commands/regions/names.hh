@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/input.hh"
+#include "whittle/core/attribute.hh"
+#include "whittle/core/attribute_kinds.hh"
+
+namespace whittle::app {
+
+/// Of attributes; empty: those that are found.
+using Names = std::optional<std::vector<std::string>>;
+
+/// "auto", "none", or names with commas between. \throw std::invalid_argument for an empty name
+Names parse_names(std::string_view text);
+std::string to_string(const Names& names);
+
+/// \param attributes of the input \param what text for the message: "faces have no property"
+/// \throw UnsupportedMesh if none of the attributes has one of the names
+void check_names(const Names& names, const Input& input, const std::vector<Attribute>& attributes,
+                 const std::string& what, const std::string& option);
+
+/// Makes numbers of the input's vertices categories, or scalars, as the names say (`set_categories`).
+/// \throw UnsupportedMesh if no numbers of vertices have one of the names
+void take_categories(const CategoryNames& names, Input& input);
+
+}  // namespace whittle::app
