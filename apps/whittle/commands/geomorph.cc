@@ -83,7 +83,8 @@ void write_geomorph(const GeomorphCommand& options, const Geomorph& geomorph, Ou
   }
   for (std::size_t i = 0; i < run.paths.size(); ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(run.paths.size() - 1);
-    write_mesh(files, run.paths[i], options.files, geomorph.at(share, options.normal_blend), talk, run.warnings);
+    write_mesh(files, run.paths[i], options.files, geomorph.at(share, options.normal_blend), talk, run.warnings,
+               run.recording.notes);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "files/companions.hh"
 #include "files/gltf/screen_coverage.hh"
 #include "terminal/table.hh"
+#include "whittle/core/float32_positions.hh"
 #include "whittle/core/pieces.hh"
 #include "whittle/core/transform.hh"
 #include "whittle/io/errors.hh"
@@ -208,6 +209,7 @@ io::ReadResult GltfFile::read(const io::ReadOptions& options, GltfScope scope) {
     read_mesh(m, std::move(places), options, result);
   }
   warn_of_left_out(left_out, result);
+  result.notes.has_float32_positions = fit_float32(result.mesh.positions);
   return result;
 }
 

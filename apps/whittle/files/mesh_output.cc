@@ -7,6 +7,7 @@
 #include "files/gltf/new_gltf.hh"
 #include "files/gltf_file.hh"
 #include "files/report.hh"
+#include "whittle/core/float32_positions.hh"
 
 namespace whittle::app {
 namespace {
@@ -40,7 +41,7 @@ void write_from_gltf(OutputFiles& files, const MeshOutput& output, const Input& 
   }
   IndexedMesh flipped = mesh;
   flip_texcoords(flipped);
-  write_mesh(files, output.path, output.options, flipped, talk, warnings);
+  write_mesh(files, output.path, output.options, flipped, talk, warnings, input.read.notes);
 }
 
 }  // namespace
@@ -57,8 +58,9 @@ std::string output_format_name(const std::string& path, const FileOptions& optio
 IndexedMesh as_written(const MeshOutput& output, const Input& input, const IndexedMesh& mesh, unsigned threads) {
   if (!is_gltf_output(output.path, output.options)) return as_written(mesh, output.path, output.options, threads);
   if (keeps_meshes(input)) return input.gltf->as_written(mesh);
+  const Vec3 origin = float32_origin(input.read.mesh.positions);  // as `write_new_gltf` has it
   IndexedMesh rounded = mesh;
-  for (Vec3& p : rounded.positions) p = p.cast<float>().cast<double>();
+  for (Vec3& p : rounded.positions) p = rounded_to_float32(p, origin);
   return rounded;
 }
 

@@ -12,6 +12,7 @@
 #include "document/json.hh"
 #include "document/uri.hh"
 #include "model/scalars.hh"
+#include "whittle/core/float32_positions.hh"
 #include "whittle/core/geometry/vertex_normals.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/version.hh"
@@ -150,6 +151,7 @@ void refuse_large(const std::vector<Vec3>& positions) {
 
 bool is_transparent(const Color& color) { return color[3] < 1; }
 
+/// \pre the asset has a translation
 Json document_of(const NewAsset& asset) {
   Json document = {{"asset", {{"version", "2.0"}, {"generator", "whittle " WHITTLE_VERSION_STRING}}},
                    {"scene", 0},
@@ -163,6 +165,7 @@ Json document_of(const NewAsset& asset) {
     document["materials"].push_back(material_json(material, has_transparency || is_transparent(material.color)));
     primitives.push_back({{"attributes", attributes}, {"material", i}});
   }
+  if (const Vec3& t = *asset.translation; !t.isZero(0)) document["nodes"][0]["translation"] = {t.x(), t.y(), t.z()};
   document["meshes"].push_back({{"name", asset.name}, {"primitives", std::move(primitives)}});
   return document;
 }
@@ -173,7 +176,9 @@ bool is_image(std::string_view bytes) { return bytes.starts_with(png_magic) || b
 
 Asset make_asset(NewAsset asset) {
   drop_unused(asset);
-  for_each_level(asset, [](IndexedMesh& mesh) {
+  if (!asset.translation) asset.translation = float32_origin(asset.mesh.positions);
+  for_each_level(asset, [&](IndexedMesh& mesh) {
+    for (Vec3& p : mesh.positions) p -= *asset.translation;
     refuse_large(mesh.positions);
     keep_texcoords(mesh);
     fill_in_normals(mesh);

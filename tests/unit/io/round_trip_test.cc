@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -205,11 +206,24 @@ TEST(WriteMesh, SaysWhatTheFormatCannotHold) {
   std::ostringstream out;
   EXPECT_EQ(write_mesh(out, Format::stl, mesh).warnings,
             (std::vector<std::string>{"STL has no vertex normals: they are left out",
-                                      "STL has no vertex colours: they are left out",
-                                      "binary STL has 32 bits a coordinate: positions are rounded"}));
+                                      "STL has no vertex colours: they are left out"}));
   EXPECT_EQ(write_mesh(out, Format::obj, mesh).warnings,
             (std::vector<std::string>{"OBJ has no opacity: it is left out"}));
   EXPECT_TRUE(write_mesh(out, Format::ply, mesh).warnings.empty());
+}
+
+TEST(WriteMesh, SaysHowFarBinaryStlRounds) {
+  IndexedMesh mesh = random_mesh(1, [](Random& random) { return 1e6 + random.uniform(); });
+  const auto warnings = [&](const FileNotes& notes, bool ascii) {
+    std::ostringstream out;
+    return write_mesh(out, Format::stl, mesh, {.ascii = ascii, .notes = notes}).warnings;
+  };
+  ASSERT_EQ(warnings({}, false).size(), 1U);
+  EXPECT_THAT(warnings({}, false).front(), testing::HasSubstr("positions are rounded by up to 0.0"));
+  EXPECT_TRUE(warnings({}, true).empty());
+  const ReadResult of_stl = test::read(written(mesh, Format::stl), "a.stl");
+  EXPECT_TRUE(of_stl.notes.has_float32_positions);
+  EXPECT_TRUE(warnings(of_stl.notes, false).empty()) << "the file that was read had no more digits";
 }
 
 TEST(WriteMesh, RefusesCoordinatesBeyondBinaryStl) {

@@ -9,6 +9,7 @@
 
 #include "terminal/errors.hh"
 #include "terminal/table.hh"
+#include "whittle/core/float32_positions.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/io/errors.hh"
 #include "whittle/progressive/recording.hh"
@@ -129,8 +130,9 @@ progressive::Replay replay_of(const std::string& path, IndexedMesh mesh, Recordi
 }
 
 RecordingFacts facts_of(const std::string& path, const Recording& recording) {
-  return {path, recording.input.has_value(), recording.n_vertices, recording.n_faces,
-          recording.steps.contractions.size()};
+  return {
+      path, recording.input.has_value(), recording.n_vertices, recording.n_faces, recording.steps.contractions.size(),
+      {}};
 }
 
 }  // namespace
@@ -140,6 +142,7 @@ RecordedRun read_recorded_run(const RecordingInput& options, const FileOptions& 
   Recording recording = read_recording_file(options.path);
   facts = facts_of(options.path, recording);
   auto [mesh, input] = input_of(options, files, threads, talk, recording);
+  input.read.notes.has_float32_positions = fit_float32(mesh.positions);
   const bool has_gltf_texcoords = input_format_of(recording) == "gltf";
   return {replay_of(options.path, std::move(mesh), std::move(recording)), std::move(input), has_gltf_texcoords};
 }
@@ -149,6 +152,7 @@ progressive::Replay read_replay(const RecordingInput& options, const FileOptions
   Recording recording = read_recording_file(options.path);
   facts = facts_of(options.path, recording);
   IndexedMesh mesh = input_of(options, files, threads, talk, recording).first;
+  facts.notes.has_float32_positions = fit_float32(mesh.positions);
   return replay_of(options.path, with_vertex_attributes(std::move(mesh)), std::move(recording));
 }
 

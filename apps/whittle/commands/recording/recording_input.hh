@@ -8,6 +8,7 @@
 #include "files/input.hh"
 #include "files/output.hh"
 #include "files/report.hh"
+#include "whittle/io/file_notes.hh"
 #include "whittle/progressive/replay.hh"
 
 // The recordings that `simplify --record` writes, as inputs of other subcommands.
@@ -37,6 +38,7 @@ struct RecordingFacts {
   bool is_embedded = false;                   ///< the input mesh
   std::uint64_t n_vertices = 0, n_faces = 0;  ///< of the input
   std::uint64_t n_contractions = 0;
+  io::FileNotes notes;  ///< of the input: what a writer of positions may ask
 };
 
 /// {"path", "embedded", "vertices", "faces", "contractions"}

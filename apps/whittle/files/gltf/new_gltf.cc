@@ -11,6 +11,7 @@
 #include "files/companions.hh"
 #include "files/gltf/screen_coverage.hh"
 #include "files/gltf_file.hh"
+#include "whittle/core/float32_positions.hh"
 #include "whittle/gltf/make_asset.hh"
 #include "whittle/io/file_notes.hh"
 #include "whittle/io/materials.hh"
@@ -139,6 +140,8 @@ void write_new_gltf(OutputFiles& files, const std::string& path, const Input& in
   const bool is_binary = fs::path(path).extension() != ".gltf";
   Looks looks(input, is_binary);
   gltf::NewAsset asset = new_asset_of(mesh, levels);
+  // For all that is made of an input the same, if it is there.
+  if (!input.read.mesh.positions.empty()) asset.translation = float32_origin(input.read.mesh.positions);
   asset.name = fs::path(input.path).filename().stem().string();
   const auto is_texcoord = [](const Attribute& attribute) { return attribute.kind == AttributeKind::texcoord; };
   const bool has_texcoords = std::any_of(asset.mesh.attributes.begin(), asset.mesh.attributes.end(), is_texcoord);

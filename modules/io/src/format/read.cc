@@ -8,6 +8,7 @@
 #include "format/format_row.hh"
 #include "format/mesh_builder.hh"
 #include "whittle/core/detail/large_array.hh"
+#include "whittle/core/float32_positions.hh"
 #include "whittle/core/wedges.hh"
 
 namespace whittle::io {
@@ -47,6 +48,7 @@ void finish(ReadResult& result, std::string_view name, const ReadOptions& option
     throw ReadError(std::string(name),
                     "the polygons have more than the " + std::to_string(most_elements) + " triangles a mesh can have");
   }
+  result.notes.has_float32_positions = fit_float32(result.mesh.positions);
   std::vector<Index> joined_to;
   result.repairs += repair(result.mesh, options.weld, &joined_to, options.threads);
   if (result.mesh.faces.empty()) {

@@ -6,6 +6,7 @@
 
 #include "format/colors.hh"
 #include "ply/ply_plan.hh"
+#include "whittle/core/float32_positions.hh"
 
 namespace whittle::io {
 namespace {
@@ -37,17 +38,6 @@ Range range(ScalarType type) {
       break;
   }
   return {0, 0};
-}
-
-// Whether 32 bits a coordinate lose nothing.
-bool fits_float(const IndexedMesh& mesh) {
-  for (const Vec3& p : mesh.positions) {
-    for (const double x : p) {
-      if (std::abs(x) > static_cast<double>(std::numeric_limits<float>::max())) return false;
-      if (static_cast<double>(static_cast<float>(x)) != x) return false;
-    }
-  }
-  return true;
 }
 
 bool contains(const std::vector<std::string>& names, std::string_view name) {
@@ -109,7 +99,7 @@ double to_integer(double value, ScalarType type, bool is_normalized) {
 std::vector<PlyColumn> vertex_columns(const IndexedMesh& mesh, const WriteOptions& options) {
   std::vector<PlyColumn> columns;
   constexpr const char* axes[] = {"x", "y", "z"};
-  const ScalarType position_type = fits_float(mesh) ? ScalarType::float32 : ScalarType::float64;
+  const ScalarType position_type = fit_float32(mesh.positions) ? ScalarType::float32 : ScalarType::float64;
   for (std::size_t i = 0; i < 3; ++i) {
     columns.push_back(
         {.name = axes[i], .type = position_type, .doubles = mesh.positions.data()->data() + i, .stride = 3});

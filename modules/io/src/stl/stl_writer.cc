@@ -1,10 +1,15 @@
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <limits>
+#include <locale>
+#include <sstream>
 #include <stdexcept>
 
 #include "format/vertex_split.hh"
 #include "stl/stl.hh"
+#include "whittle/core/float32_positions.hh"
+#include "whittle/core/frame.hh"
 
 namespace whittle::io {
 
@@ -47,14 +52,12 @@ void write_ascii(ByteSink& sink, const IndexedMesh& mesh) {
   sink << "endsolid whittle\n";
 }
 
-// Returns whether a coordinate was rounded.
-bool write_binary(ByteSink& sink, const IndexedMesh& mesh) {
+void write_binary(ByteSink& sink, const IndexedMesh& mesh) {
   std::string header = "binary STL written by whittle";  // "solid" would begin a text file
   header.resize(stl_header_bytes, ' ');
   if (mesh.faces.size() > std::numeric_limits<std::uint32_t>::max()) {
     throw std::range_error("binary STL can't hold as many faces");
   }
-  bool rounded = false;
   sink << header;
   sink.little_endian(static_cast<std::uint32_t>(mesh.faces.size()));
   const auto put = [&](const Vec3& p) {
@@ -68,11 +71,21 @@ bool write_binary(ByteSink& sink, const IndexedMesh& mesh) {
         throw std::range_error("a coordinate is too large for the 32 bits of binary STL; write PLY, OBJ or ASCII STL");
       }
       put(corner);
-      rounded = rounded || corner.cast<float>().cast<double>() != corner;
     }
     sink.little_endian(std::uint16_t{0});
   }
-  return rounded;
+}
+
+// A mesh near the origin loses next to nothing: what is above a millionth of its size is told.
+void warn_of_rounding(const IndexedMesh& mesh, const FileNotes& notes, std::vector<std::string>& warnings) {
+  if (notes.has_float32_positions) return;
+  const double error = float32_error(mesh.positions);
+  if (error <= 1e-6 * bounds_of(mesh.positions).diagonal()) return;
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "binary STL has 32 bits a coordinate, too few so far from the origin: positions are rounded by up to "
+       << std::setprecision(2) << error << "; ASCII STL, PLY and OBJ keep all digits";
+  warnings.push_back(text.str());
 }
 
 }  // namespace
@@ -86,8 +99,9 @@ void write_stl(ByteSink& sink, const IndexedMesh& mesh, const WriteOptions& opti
   warn_of_lost_groups("STL", mesh, options.notes, warnings);
   if (options.ascii) {
     write_ascii(sink, mesh);
-  } else if (write_binary(sink, mesh)) {
-    warnings.emplace_back("binary STL has 32 bits a coordinate: positions are rounded");
+  } else {
+    write_binary(sink, mesh);
+    warn_of_rounding(mesh, options.notes, warnings);
   }
 }
 

@@ -30,6 +30,9 @@ struct NewAsset {
   /// A primitive each group. Normals without a direction get that of the faces. Of `attributes` only texture
   /// coordinates are written, as TEXCOORD_0, TEXCOORD_1 and so on, their first two components as they are.
   IndexedMesh mesh{};
+  /// Where the node stands. Positions count from there, so that 32 bits hold those far from the origin, too.
+  /// Default: `float32_origin` of the mesh.
+  std::optional<Vec3> translation{};
   /// Coarser levels of it, with the same groups and attributes, and the shares of the screen, as `MeshLevels` has them.
   std::vector<IndexedMesh> coarser{};
   std::vector<double> screen_coverage{};

@@ -26,6 +26,9 @@ struct FileNotes {
   /// PLY: the properties of vertices and faces, in the order of the file.
   std::vector<std::string> vertex_properties;
   std::vector<std::string> face_properties;
+  /// Whether 32-bit numbers hold all positions (`fit_float32`). Then rounding to 32 bits takes nothing that the file
+  /// has.
+  bool has_float32_positions = false;
   /// PLY: the type of vertex colours. Others than `uint8`, `uint16` and `float32` are not kept.
   ScalarType color_type = ScalarType::uint8;
 };

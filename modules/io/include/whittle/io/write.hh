@@ -34,9 +34,10 @@ struct WriteResult {
 
 /// Writes a mesh, with all attributes that the format has. Where it stores them at vertices, a vertex with several
 /// wedges is written several times, at the same position: reading welds it. Positions are exact, but for binary STL,
-/// which rounds them to 32 bits and warns. The file appears complete or not at all (`OutputFile`).
-/// \throw std::invalid_argument if the extension stands for no supported format (`format_of`).
-/// \throw WriteError if the file can't be written, or if the format can't hold a coordinate (binary STL).
+/// which rounds them to 32 bits, and warns where that takes more than a millionth of the diagonal from what the file
+/// that was read has. The file appears complete or not at all (`OutputFile`). \throw std::invalid_argument if the
+/// extension stands for no supported format (`format_of`). \throw WriteError if the file can't be written, or if the
+/// format can't hold a coordinate (binary STL).
 WriteResult write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, const WriteOptions& options = {});
 
 /// Likewise to a stream that was opened in binary mode. `options.format` is ignored.
