@@ -10,6 +10,7 @@
 #include "commands/simplify/advice.hh"
 #include "commands/stage_bars.hh"
 #include "commands/subcommands.hh"
+#include "files/gltf/common_borders.hh"
 #include "files/gltf_file.hh"
 #include "files/input.hh"
 #include "files/mesh_output.hh"
@@ -258,11 +259,14 @@ ExitCode run_lod(const CLI::App& app, LodCommand options) {
   check_input(options, run.input);
   run.warnings = run.input.warnings;
   run.diagonal = metrics::bounds(run.input.read.mesh).diagonal();
+  const std::vector<std::uint8_t> held = held_borders(run.input, options.common.threads, talk, run.warnings);
   const Stopwatch working;
   {
     StageBars bars(talk);
     const SignalsWait signals_wait;
-    run.levels = make_levels(options, run, library_options(options, bars));
+    SimplifyOptions simplify = library_options(options, bars);
+    simplify.decimate.locked = held;
+    run.levels = make_levels(options, run, simplify);
     SignalsWait::throw_if_pending();
   }
   run.levels_seconds = working.seconds();

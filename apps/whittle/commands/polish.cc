@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "commands/subcommands.hh"
+#include "files/gltf/common_borders.hh"
 #include "files/input.hh"
 #include "files/mesh_output.hh"
 #include "files/output.hh"
@@ -95,6 +96,7 @@ PolishOptions polish_options_of(const PolishCommand& options, const IndexedMesh&
 void polish_input(const PolishCommand& options, const Talk& talk, PolishRun& run) {
   const IndexedMesh& reference = run.reference.read.mesh;
   run.mesh = run.input.read.mesh;
+  const std::vector<std::uint8_t> held = held_borders(run.input, options.common.threads, talk, run.warnings);
   ProgressBar bar(talk, "polishing");
   // On large meshes the search takes about as long as one pass.
   const double search = 1.0 / (1 + options.passes);
@@ -103,6 +105,7 @@ void polish_input(const PolishCommand& options, const Talk& talk, PolishRun& run
     const std::vector<Index> nearest =
         metrics::nearest_vertices(reference, run.mesh, options.common.threads, part_of(bar, 0, search));
     PolishOptions polish_options = polish_options_of(options, reference, run.mesh);
+    polish_options.locked = held;
     polish_options.progress = part_of(bar, search, 1);
     run.result = polish(reference, nearest, run.mesh, polish_options);
   } catch (const Cancelled&) {

@@ -17,6 +17,7 @@
 #include "commands/simplify/simplify_texts.hh"
 #include "commands/stage_bars.hh"
 #include "commands/subcommands.hh"
+#include "files/gltf/common_borders.hh"
 #include "files/gltf_file.hh"
 #include "files/input.hh"
 #include "files/mesh_output.hh"
@@ -87,6 +88,7 @@ SimplifyOptions resolved(const SimplifyCommand& options, const SimplifyRecord& r
   if (record.diagonal > 0) {
     decimate.feature_tolerance = options.feature_tolerance.in_units(record.diagonal) / record.diagonal;
   }
+  decimate.locked = record.held;
   decimate.threads = options.common.threads;
   decimate.keep_steps = options.recording || options.curve || options.page || options.pictures.is_given();
   return result;
@@ -430,6 +432,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   set_target(options, record);
   check_regions(options.simplify.decimate.regions, record.input);
   if (options.prune) prune(options, talk, record);
+  record.held = held_borders(record.input, options.common.threads, talk, record.warnings);
   if (record.target.error_limit()) record.tolerances = tolerances_of(options, talk, record);
 
   const Stopwatch watch_threshold;

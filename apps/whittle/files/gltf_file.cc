@@ -47,7 +47,8 @@ Eigen::Affine3d largest_of(std::span<const Eigen::Affine3d> places) {
   const Eigen::Affine3d* largest = nullptr;
   const auto size = [](const Eigen::Affine3d& place) { return std::abs(place.linear().determinant()); };
   for (const Eigen::Affine3d& place : places) {
-    if (can_be_undone(place) && (largest == nullptr || size(place) > size(*largest))) largest = &place;
+    // Of those that rounding tells apart, the first one: so meshes below one node are taken below one node.
+    if (can_be_undone(place) && (largest == nullptr || size(place) > (1 + 1e-6) * size(*largest))) largest = &place;
   }
   return largest == nullptr ? Eigen::Affine3d::Identity() : *largest;
 }
@@ -79,13 +80,11 @@ IndexedMesh copies_at(std::span<const Eigen::Affine3d> places, IndexedMesh mesh,
   return all;
 }
 
-/// The place of a mesh, without its way there if that is so long that it would take digits from the mesh: 2^22 times as
-/// long as the mesh leaves 30 bits.
-Eigen::Affine3d near_origin(Eigen::Affine3d place, const IndexedMesh& mesh) {
+/// The largest coordinate of a mesh that a map turns and stretches, but doesn't move.
+double farthest_of(const IndexedMesh& mesh, const Eigen::Matrix3d& linear) {
   double farthest = 0;
-  for (const Vec3& p : mesh.positions) farthest = std::max(farthest, (place.linear() * p).cwiseAbs().maxCoeff());
-  if (!(place.translation().cwiseAbs().maxCoeff() <= 0x1p22 * farthest)) place.translation().setZero();
-  return place;
+  for (const Vec3& p : mesh.positions) farthest = std::max(farthest, (linear * p).cwiseAbs().maxCoeff());
+  return farthest;
 }
 
 }  // namespace
@@ -144,12 +143,26 @@ GltfFile::Part GltfFile::part_of(std::size_t number, const Eigen::Affine3d& plac
   return part;
 }
 
+/// The place of a mesh in the whole. A scene counts from its first mesh if it lies 2^22 times as far as that is long:
+/// this leaves 30 bits. A mesh that its way would still leave fewer than 25 bits stays where it is.
+Eigen::Affine3d GltfFile::place_of_one(std::span<const Eigen::Affine3d> places, const IndexedMesh& mesh) {
+  Eigen::Affine3d place = largest_of(places);
+  const double farthest = farthest_of(mesh, place.linear());
+  const auto is_farther = [&](double times) {
+    return !(place.translation().cwiseAbs().maxCoeff() <= times * farthest);
+  };
+  if (parts_.empty() && is_farther(0x1p22) && place.translation().allFinite()) scene_origin_ = place.translation();
+  place.translation() -= scene_origin_;
+  if (is_farther(0x1p28)) place.translation().setZero();
+  return place;
+}
+
 void GltfFile::read_mesh(std::size_t number, std::vector<Eigen::Affine3d> places, const io::ReadOptions& options,
                          io::ReadResult& all) {
   IndexedMesh mesh = asset_.triangles(number);
-  if (scope_ != GltfScope::scene) places = {near_origin(largest_of(places), mesh)};
-  const bool is_moved = scope_ != GltfScope::scene && !places.front().matrix().isIdentity(0);
-  std::vector<Vec3> file_positions = is_moved ? mesh.positions : std::vector<Vec3>{};
+  reach_ = std::max(reach_, farthest_of(mesh, largest_of(places).linear()));
+  if (scope_ != GltfScope::scene) places = {place_of_one(places, mesh)};
+  std::vector<Vec3> file_positions = scope_ == GltfScope::scene ? std::vector<Vec3>{} : mesh.positions;
   const std::size_t n_file_vertices = mesh.positions.size();
   const auto n_file_faces = mesh.faces.size();
   std::vector<Index> joined_to;
@@ -157,6 +170,7 @@ void GltfFile::read_mesh(std::size_t number, std::vector<Eigen::Affine3d> places
   const std::vector<Index> vertex_map = io::vertex_map_of(mesh, n_file_vertices, joined_to);
   auto first = static_cast<Index>(all.mesh.positions.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
+    copies_.push_back({first, !can_be_undone(places[i])});
     for (const Index v : vertex_map) all.vertex_map.push_back(v == invalid_index ? v : first + v);
     first += static_cast<Index>(mesh.positions.size());
   }
@@ -192,6 +206,9 @@ io::ReadResult GltfFile::read(const io::ReadOptions& options, GltfScope scope) {
   io::ReadResult result;
   scope_ = scope;
   parts_.clear();
+  scene_origin_.setZero();
+  copies_.clear();
+  reach_ = 0;
   const bool shows_any = shows_meshes(asset_);
   std::vector<std::size_t> left_out;
   for (std::size_t m = 0; m < asset_.n_meshes(); ++m) {
@@ -208,15 +225,26 @@ io::ReadResult GltfFile::read(const io::ReadOptions& options, GltfScope scope) {
     }
     read_mesh(m, std::move(places), options, result);
   }
+  weld_borders(options, result);
   warn_of_left_out(left_out, result);
   result.notes.has_float32_positions = fit_float32(result.mesh.positions);
   return result;
 }
 
 const Vec3* GltfFile::Part::unmoved(Index origin, const Vec3& position) const {
-  if (file_positions.empty()) return nullptr;
-  const Vec3& before = file_positions[origin - first_origin];
-  return place * before == position ? &before : nullptr;
+  if (origin >= first_origin && origin - first_origin < file_positions.size()) {
+    const Vec3& before = file_positions[origin - first_origin];
+    return place * before == position ? &before : nullptr;
+  }
+  const auto found = std::lower_bound(welded.begin(), welded.end(), origin,
+                                      [](const Welded& w, Index number) { return w.origin < number; });
+  if (found == welded.end() || found->origin != origin || found->position != position) return nullptr;
+  return &file_positions[found->file_vertex];
+}
+
+Vec3 GltfFile::Part::as_written(Index origin, const Vec3& position) const {
+  const Vec3* const as_it_was = unmoved(origin, position);
+  return place * rounded_to_float32(as_it_was != nullptr ? *as_it_was : place.inverse() * position);
 }
 
 std::vector<GltfFile::Group> GltfFile::groups() const {
@@ -264,16 +292,25 @@ IndexedMesh GltfFile::as_written(IndexedMesh mesh) const {
   const std::vector<Index> part_of_face = meshes_of_faces(mesh);
   std::vector<std::uint8_t> is_rounded(mesh.positions.size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const Eigen::Affine3d& place = parts_[part_of_face[f]].place;
-    const Eigen::Affine3d back = place.inverse();
     for (const Index v : mesh.faces[f]) {
       if (std::exchange(is_rounded[v], std::uint8_t{1}) != 0) continue;
-      Vec3& p = mesh.positions[v];
-      const Vec3* const as_it_was = parts_[part_of_face[f]].unmoved(mesh.origins[v], p);
-      p = place * (as_it_was != nullptr ? *as_it_was : back * p).cast<float>().cast<double>();
+      mesh.positions[v] = parts_[part_of_face[f]].as_written(mesh.origins[v], mesh.positions[v]);
     }
   }
   return mesh;
+}
+
+double GltfFile::widest_gap_as_written(const IndexedMesh& mesh) const {
+  const IndexedMesh written = as_written(mesh);
+  const std::vector<Index> part_of_face = meshes_of_faces(mesh);
+  double widest = 0;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (const Index v : mesh.faces[f]) {
+      const Vec3 here = parts_[part_of_face[f]].as_written(mesh.origins[v], mesh.positions[v]);
+      widest = std::max(widest, (here - written.positions[v]).norm());
+    }
+  }
+  return widest;
 }
 
 /// The meshes as a file can have them: those that have vanished are a point. \param level what warnings begin with

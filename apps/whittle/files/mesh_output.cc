@@ -64,6 +64,11 @@ IndexedMesh as_written(const MeshOutput& output, const Input& input, const Index
   return rounded;
 }
 
+double widest_gap_as_written(const MeshOutput& output, const Input& input, const IndexedMesh& mesh) {
+  const bool has_meshes = is_gltf_output(output.path, output.options) && keeps_meshes(input);
+  return has_meshes ? input.gltf->widest_gap_as_written(mesh) : 0;
+}
+
 void write_result(OutputFiles& files, const MeshOutput& output, Input& input, const IndexedMesh& mesh, const Talk& talk,
                   std::vector<std::string>& warnings) {
   if (is_gltf_output(output.path, output.options)) {

@@ -34,6 +34,9 @@ void write_levels(OutputFiles& files, const MeshOutput& output, Input& input, Co
                   std::vector<std::string>& warnings);
 
 /// The mesh as it is read again from what `write_result` writes without compression.
+/// A vertex that the file has several times has one place in it.
 IndexedMesh as_written(const MeshOutput& output, const Input& input, const IndexedMesh& mesh, unsigned threads);
+/// How far the places of such a vertex lie apart at most.
+double widest_gap_as_written(const MeshOutput& output, const Input& input, const IndexedMesh& mesh);
 
 }  // namespace whittle::app

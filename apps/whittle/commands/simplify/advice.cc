@@ -91,7 +91,9 @@ DecimateResult try_on(const IndexedMesh& mesh, const DecimateTarget& target, con
   options.listener = nullptr;
   options.progress = nullptr;
   options.keep_quadrics = false;
-  return decimate(lift.change_mesh ? lift.change_mesh(mesh) : mesh, target, options).result;
+  const IndexedMesh changed = lift.change_mesh ? lift.change_mesh(mesh) : mesh;
+  if (options.locked.size() != changed.positions.size()) options.locked.clear();
+  return decimate(changed, target, options).result;
 }
 
 /// The best of several trials so far.

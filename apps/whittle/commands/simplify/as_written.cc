@@ -17,6 +17,12 @@ namespace {
 /// Of the largest distances.
 constexpr double accuracy = 1e-3;
 
+/// Points of the file are at most this far from those of what was looked at.
+void add_gap(double gap, metrics::LargestDistances& distances) {
+  distances.forward.at_most += gap;
+  distances.backward.at_most += gap;
+}
+
 }  // namespace
 
 std::optional<DistancesAsWritten> distances_as_written(const Input& input, const Decimation& result,
@@ -28,14 +34,20 @@ std::optional<DistancesAsWritten> distances_as_written(const Input& input, const
   const SignalsWait signals_wait;
   const unsigned threads = options.common.threads;
   DistancesAsWritten distances;
-  distances.written = as_written({options.output, options.files}, input, result.mesh, threads);
+  const MeshOutput output{options.output, options.files};
+  distances.written = as_written(output, input, result.mesh, threads);
+  // The file may have a vertex several times, and not quite at one place.
+  const double gap = widest_gap_as_written(output, input, result.mesh);
+  const auto without_gap = [gap](double limit) { return gap > 0 ? std::max(0.0, limit * (1 - 1e-12) - gap) : limit; };
   if (distances.written.positions.size() == result.mesh.positions.size()) distances.vertex_map = result.vertex_map;
   distances.surface =
       metrics::largest_distances(input.read.mesh, distances.written, accuracy,
-                                 {threads, part_of(bar, 0, 0.9), target.error_limit().value_or(no_limit)});
+                                 {threads, part_of(bar, 0, 0.9), without_gap(target.error_limit().value_or(no_limit))});
   distances.borders = metrics::largest_border_distances(
       input.read.mesh, distances.written, accuracy,
-      {threads, part_of(bar, 0.9, 1), target.border_error_limit().value_or(no_limit)});
+      {threads, part_of(bar, 0.9, 1), without_gap(target.border_error_limit().value_or(no_limit))});
+  add_gap(gap, distances.surface);
+  if (distances.borders) add_gap(gap, *distances.borders);
   return distances;
 }
 

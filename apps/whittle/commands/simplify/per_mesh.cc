@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <numeric>
 #include <utility>
 
+#include "files/gltf/common_borders.hh"
 #include "files/gltf_file.hh"
 #include "whittle/core/pieces.hh"
 
@@ -107,16 +109,45 @@ CountsPerMesh counts_per_mesh(const GltfFile& file, const IndexedMesh& mesh) {
   CountsPerMesh counts;
   counts.n_faces.resize(file.n_meshes());
   counts.n_vertices.resize(file.n_meshes());
-  std::vector<bool> is_counted(mesh.positions.size());
+  std::vector<Index> counted_in(mesh.positions.size(), invalid_index);
   const std::vector<Index> meshes = file.meshes_of_faces(mesh);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     ++counts.n_faces[meshes[f]];
     for (const Index v : mesh.faces[f]) {
-      if (!is_counted[v]) ++counts.n_vertices[meshes[f]];
-      is_counted[v] = true;
+      if (std::exchange(counted_in[v], meshes[f]) != meshes[f]) ++counts.n_vertices[meshes[f]];
     }
   }
   return counts;
+}
+
+/// Which vertices several pieces have. V, or empty if there are none.
+std::vector<std::uint8_t> shared_vertices(const std::vector<MeshPiece>& pieces, std::size_t n_vertices) {
+  std::vector<std::uint8_t> n_pieces(n_vertices);
+  for (const MeshPiece& piece : pieces) {
+    for (const Index v : piece.vertices) n_pieces[v] = static_cast<std::uint8_t>(n_pieces[v] + (n_pieces[v] < 2));
+  }
+  if (std::find(n_pieces.begin(), n_pieces.end(), 2) == n_pieces.end()) return {};
+  for (std::uint8_t& n : n_pieces) n = std::uint8_t{n > 1};
+  return n_pieces;
+}
+
+/// Joins what several pieces have of one vertex of the input, which hasn't moved.
+void join_pieces(Simplification& all) {
+  IndexedMesh& mesh = all.mesh;
+  std::vector<Index> by_origin(mesh.positions.size());
+  std::iota(by_origin.begin(), by_origin.end(), Index{0});
+  std::stable_sort(by_origin.begin(), by_origin.end(),
+                   [&](Index a, Index b) { return mesh.origins[a] < mesh.origins[b]; });
+  std::vector<Index> joined(mesh.positions.size());
+  for (std::size_t i = 0; i < by_origin.size(); ++i) {
+    const bool is_first = i == 0 || mesh.origins[by_origin[i]] != mesh.origins[by_origin[i - 1]];
+    joined[by_origin[i]] = is_first ? by_origin[i] : joined[by_origin[i - 1]];
+  }
+  const std::vector<Index> map = join_vertices(mesh, joined);
+  for (Index& v : all.vertex_map) v = v == invalid_index ? v : map[v];
+  for (VertexPair& edge : all.feature_edges) edge = {map[edge.a], map[edge.b]};
+  for (auto& refused : all.refused_pairs) refused.pair = {map[refused.pair.a], map[refused.pair.b]};
+  all.result.n_vertices = mesh.positions.size();
 }
 
 }  // namespace
@@ -160,10 +191,17 @@ Simplification simplify_per_mesh(const Input& input, const std::vector<DecimateT
   std::size_t n_faces = 0;
   const auto share = [&](std::size_t n) { return static_cast<double>(n) / static_cast<double>(mesh.faces.size()); };
   const std::vector<MeshPiece> pieces = split_mesh(mesh, input.gltf->meshes_of_faces(mesh), targets.size());
+  const std::vector<std::uint8_t> shared = shared_vertices(pieces, mesh.positions.size());
+  const std::vector<std::uint8_t>& locked = options.decimate.locked;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const MeshPiece& piece = pieces[i];
     if (piece.faces.empty()) continue;  // by --prune
     SimplifyOptions own = options;
+    own.decimate.locked.clear();
+    for (const Index v : piece.vertices) {
+      const bool stays = (!shared.empty() && shared[v] != 0) || (!locked.empty() && locked[v] != 0);
+      own.decimate.locked.push_back(std::uint8_t{stays});
+    }
     if (options.decimate.progress) {
       own.decimate.progress = part_of_progress(options.decimate.progress, share(n_faces), share(piece.faces.size()));
     }
@@ -172,6 +210,7 @@ Simplification simplify_per_mesh(const Input& input, const std::vector<DecimateT
     n_faces += piece.faces.size();
   }
   all.mesh.group_names = mesh.group_names;
+  if (!shared.empty()) join_pieces(all);
   return all;
 }
 

@@ -31,6 +31,7 @@ struct SimplifyRecord {
   std::vector<DecimateTarget> targets_per_mesh;  ///< with --per-mesh; `target` is their sum then
   double diagonal = 0;                           ///< of the input's bounding box
   std::vector<double> tolerances;                ///< of the input's vertices, model units; or empty
+  std::vector<std::uint8_t> held;                ///< vertices that stay (`held_borders`); or empty
   std::size_t n_pruned_parts = 0;
   double threshold = 0;  ///< of threshold pairs, model units; 0 = none
   Simplification simplified;
