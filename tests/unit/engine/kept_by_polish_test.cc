@@ -12,6 +12,7 @@
 #include "whittle/core/frame.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/engine/simplify.hh"
+#include "whittle/metrics/certify.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/line_distance.hh"
 #include "whittle/metrics/lines.hh"
@@ -232,6 +233,23 @@ TEST(KeptByPolish, SeamsOnlyIfTheyCount) {
   options.decimate.feature_tolerance = std::numeric_limits<double>::infinity();
   const double free = seam_offset(simplify(mesh, target, Effort::normal, options).mesh);
   EXPECT_GT(free, 2 * seam_offset(simplify(mesh, target, Effort::normal).mesh));
+}
+
+/// Around a leaf no plane holds vertices in place: polish moved some along the sheet.
+TEST(KeptByPolish, RimsOfTwoSidedSheets) {
+  const IndexedMesh leaf = two_sided_leaf(40);
+  const auto largest = [&leaf](double valence, Effort effort) {
+    SimplifyOptions options;
+    options.decimate.valence_weight = valence;
+    const Simplification s = simplify(leaf, DecimateTarget::faces(leaf.faces.size() / 8), effort, options);
+    return metrics::largest_distances(leaf, s.mesh, 1e-2).forward.at_most;
+  };
+  for (const double valence : {0.0, 1e-12, 0.1}) {
+    const double fast = largest(valence, Effort::fast);
+    for (const Effort effort : {Effort::normal, Effort::best}) {
+      EXPECT_LE(largest(valence, effort), 1.1 * fast) << valence << ", effort " << static_cast<int>(effort);
+    }
+  }
 }
 
 }  // namespace
