@@ -1,6 +1,7 @@
 // What `simplify` does with a mesh: targets, options, engines.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
@@ -275,7 +276,11 @@ TEST(Simplify, WorksInOpenMeshToo) {
   const Simplified locked =
       simplify(data_file("terrain.ply"), {"--faces", "1000", "--boundary", "locked", "--engine", "openmesh"});
   EXPECT_EQ(border_error(data_file("terrain.ply"), locked.mesh), 0);
-  EXPECT_EQ(locked.report["warnings"].size(), 1U) << "colours are not carried there";
+  const auto& warnings = locked.report["warnings"];
+  const auto is_of_colors = [](const auto& warning) {
+    return warning.template get<std::string>().find("colours are not carried") != std::string::npos;
+  };
+  EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(), is_of_colors), 1) << warnings;
 }
 
 }  // namespace
