@@ -452,6 +452,20 @@ TEST(Decimate, RefusesWhatIsNoMeshOrNoOption) {
   }
   mesh = tetrahedron();
   const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const AttributeKind kind : {AttributeKind::texcoord, AttributeKind::normal, AttributeKind::tangent,
+                                   AttributeKind::color, AttributeKind::displacement, AttributeKind::direction}) {
+    mesh.attributes = {{"a", kind, 2, {0, 0, 0, 0, 0, nan, 0, 0}}};
+    EXPECT_EQ(refused(mesh, DecimateTarget::faces(2), {}), "decimate: value 2 of attribute a is not finite");
+  }
+  for (const AttributeKind kind : {AttributeKind::scalar, AttributeKind::category}) {
+    mesh.attributes = {{"a", kind, 1, {0, nan, 0, 0}}};
+    EXPECT_EQ(refused(mesh, DecimateTarget::faces(2), {}), "accepted") << "what was not measured";
+  }
+  mesh = tetrahedron();
+  mesh.normals.assign(4, {0, 0, 1});
+  mesh.normals[3][1] = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(refused(mesh, DecimateTarget::faces(2), {}), "decimate: normal 3 is not finite");
+  mesh = tetrahedron();
   EXPECT_NE(refused(mesh, DecimateTarget::max_cost(-1), {}), "accepted");
   EXPECT_NE(refused(mesh, DecimateTarget::max_cost(nan), {}), "accepted");
   EXPECT_NE(refused(mesh, DecimateTarget::max_cost(std::numeric_limits<double>::infinity()), {}), "accepted");

@@ -134,8 +134,9 @@ struct Decimation {
 /// or on the number of threads.
 ///
 /// \throw std::invalid_argument for a face number out of range, a coordinate that isn't finite or is above 3e150, an
-///        attribute of a wrong length, an option out of its range, an option that the cost doesn't take (`CostTraits`),
-///        `locked` or `tolerances` of another length than the vertices, or feature edges of vertices that aren't there.
+///        attribute of a wrong length, one that is not finite (scalars and categories may be NaN), an option out of its
+///        range, an option that the cost doesn't take (`CostTraits`), `locked` or `tolerances` of another length than
+///        the vertices, or feature edges of vertices that aren't there.
 /// \throw std::length_error for more than 2³¹ faces or 2³² − 2 vertices, for more than 2³² − 2 edges and threshold
 ///        pairs together, and with `feature_angle_deg` for 2³² / 3 faces or more.
 Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options = {});

@@ -39,8 +39,9 @@ inline void check_positions(std::span<const Vec3> positions, const char* caller)
 }
 
 /// \param caller whose name begins the message
-/// \throw std::invalid_argument if an attribute is there and has another length than `IndexedMesh` says, or if a
-/// wedge is at two vertices. \pre no face names a vertex that isn't there
+/// \throw std::invalid_argument if an attribute is there and has another length than `IndexedMesh` says, if one that is
+/// neither a scalar nor a category is not finite, or if a wedge is at two vertices. \pre no face names a vertex that
+/// isn't there
 void check_attributes(const IndexedMesh& mesh, const char* caller);
 
 }  // namespace whittle
