@@ -432,26 +432,19 @@ TEST(Decimate, GivesTheQuadricsOfWhatIsLeftIfAsked) {
   }
 }
 
-TEST(Decimate, RefusesWhatIsNoMeshOrNoOption) {
-  const auto refused = [](const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options) {
-    try {
-      decimate(mesh, target, options);
-    } catch (const std::invalid_argument& error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted");
-  };
-  IndexedMesh mesh = tetrahedron();
-  mesh.faces[2][1] = 4;
-  EXPECT_EQ(refused(mesh, DecimateTarget::faces(2), {}), "decimate: face 2 names vertex 4 of 4");
-  for (const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 0x1p501}) {
-    mesh = tetrahedron();
-    mesh.positions[1].y() = x;
-    EXPECT_EQ(refused(mesh, DecimateTarget::faces(2), {}),
-              "decimate: vertex 1 has a coordinate that is not finite, or above 3e150");
+/// Why `decimate` refuses that; "accepted" if it doesn't.
+std::string refused(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options) {
+  try {
+    decimate(mesh, target, options);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
   }
-  mesh = tetrahedron();
+  return "accepted";
+}
+
+TEST(Decimate, RefusesAttributesThatAreNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
+  IndexedMesh mesh = tetrahedron();
   for (const AttributeKind kind : {AttributeKind::texcoord, AttributeKind::normal, AttributeKind::tangent,
                                    AttributeKind::color, AttributeKind::displacement, AttributeKind::direction}) {
     mesh.attributes = {{"a", kind, 2, {0, 0, 0, 0, 0, nan, 0, 0}}};
@@ -465,7 +458,20 @@ TEST(Decimate, RefusesWhatIsNoMeshOrNoOption) {
   mesh.normals.assign(4, {0, 0, 1});
   mesh.normals[3][1] = std::numeric_limits<float>::infinity();
   EXPECT_EQ(refused(mesh, DecimateTarget::faces(2), {}), "decimate: normal 3 is not finite");
+}
+
+TEST(Decimate, RefusesWhatIsNoMeshOrNoOption) {
+  IndexedMesh mesh = tetrahedron();
+  mesh.faces[2][1] = 4;
+  EXPECT_EQ(refused(mesh, DecimateTarget::faces(2), {}), "decimate: face 2 names vertex 4 of 4");
+  for (const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 0x1p501}) {
+    mesh = tetrahedron();
+    mesh.positions[1].y() = x;
+    EXPECT_EQ(refused(mesh, DecimateTarget::faces(2), {}),
+              "decimate: vertex 1 has a coordinate that is not finite, or above 3e150");
+  }
   mesh = tetrahedron();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(refused(mesh, DecimateTarget::max_cost(-1), {}), "accepted");
   EXPECT_NE(refused(mesh, DecimateTarget::max_cost(nan), {}), "accepted");
   EXPECT_NE(refused(mesh, DecimateTarget::max_cost(std::numeric_limits<double>::infinity()), {}), "accepted");

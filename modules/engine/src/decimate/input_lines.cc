@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "cost/rim_edges.hh"
 #include "whittle/core/feature_edges.hh"
 #include "whittle/core/regions.hh"
 #include "whittle/core/wedges.hh"
@@ -24,6 +25,17 @@ InputEdges input_edges(const IndexedMesh& mesh, const DecimateOptions& options) 
   std::set_difference(seams.begin(), seams.end(), edges.features.begin(), edges.features.end(),
                       std::back_inserter(edges.seams));
   return edges;
+}
+
+InputEdges input_edges_with_rims(const IndexedMesh& mesh, const DecimateOptions& options) {
+  InputEdges edges = input_edges(mesh, options);
+  const std::vector<VertexPair> rims = held_rims(mesh, Frame::of_points(mesh.positions), options);
+  if (rims.empty()) return edges;
+  InputEdges all;
+  std::set_union(edges.features.begin(), edges.features.end(), rims.begin(), rims.end(),
+                 std::back_inserter(all.features));
+  std::set_difference(edges.seams.begin(), edges.seams.end(), rims.begin(), rims.end(), std::back_inserter(all.seams));
+  return all;
 }
 
 InputLines input_lines(const IndexedMesh& mesh, const DecimateOptions& options, bool keeps_seams) {

@@ -12,6 +12,9 @@ struct InputEdges {
   std::vector<VertexPair> seams;     ///< those that are no features
 };
 InputEdges input_edges(const IndexedMesh& mesh, const DecimateOptions& options);
+/// The same with rims of two-sided sheets (`held_rims`) among the features: along the sheet the surface holds no vertex
+/// of them in place.
+InputEdges input_edges_with_rims(const IndexedMesh& mesh, const DecimateOptions& options);
 /// The features alone.
 std::vector<VertexPair> input_features(const IndexedMesh& mesh, const DecimateOptions& options);
 

@@ -158,8 +158,9 @@ std::string_view Passes::contract_in_blocks(const DecimateTarget& target, const 
   DecimateOptions options = options_;
   if (is_listener_told_at_end()) options.listener = {};
   if (keeps_steps()) reserve_large(done_.steps.contractions, mesh_.positions.size());
-  LevelRemainder levels = decimate_in_blocks(mesh_, frame_, target, options, plan,
-                                             {limits_.displacement, keeps_steps() ? &done_.steps : nullptr, areas()});
+  const std::vector<Index> kept_areas = areas().of(target);
+  LevelRemainder levels = decimate_in_blocks(
+      mesh_, frame_, target, options, plan, {limits_.displacement, keeps_steps() ? &done_.steps : nullptr, kept_areas});
   done_.progress = levels.progress;
   if (levels.is_futile) return "pairs wait for each other all over the mesh";
   done_.is_cancelled = levels.is_cancelled;
@@ -260,21 +261,21 @@ void Passes::begin_with_attributes(PassStart& start) {
 }
 
 /// Empty where the error alone counts, and with a host, which has guards of its own.
-const std::vector<Index>& Passes::areas() {
+const KeptAreas& Passes::areas() {
   if (areas_) return *areas_;
   areas_.emplace();
   const bool are_kept = !host_ && !target_.error_limit();
-  if (are_kept) areas_ = seam_areas(mesh_, seam_edges(mesh_, face_regions(mesh_, options_.regions)));
+  if (are_kept) areas_.emplace(mesh_, seam_areas(mesh_, seam_edges(mesh_, face_regions(mesh_, options_.regions))));
   return *areas_;
 }
 
-void Passes::begin_with_areas(PassStart& start) {
-  const std::vector<Index>& of_input = areas();
+void Passes::begin_with_areas(PassStart& start, const DecimateTarget& stop) {
+  std::vector<Index> of_input = areas().of(stop);
   if (of_input.empty()) return;
   if (done_.left) {
     for (const Index f : done_.left->face_origins) start.areas.push_back(of_input[f]);
   } else {
-    start.areas = of_input;
+    start.areas = std::move(of_input);
   }
   start.input.context.areas = {start.input.surface.faces, start.areas, true};
 }
@@ -340,7 +341,7 @@ void Passes::contract_to(const DecimateTarget& stop, bool is_last) {
     begin_with_input(start, options, preparation);
   }
   begin_with_attributes(start);
-  begin_with_areas(start);
+  begin_with_areas(start, stop);
   start.input.feature_tolerance = options_.feature_tolerance * bounds_of(mesh_.positions).diagonal() * frame_.scale;
   start.input.host = host_;
   start.input.context.displacement_limit = limits_.displacement;

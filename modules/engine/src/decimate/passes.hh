@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "attributes/kept_areas.hh"
 #include "blocks/decimate_in_blocks.hh"
 #include "loop/pass.hh"
 #include "loop/remainder.hh"
@@ -76,8 +77,8 @@ class Passes {
   void begin_with_input(PassStart& start, const DecimateOptions& options, Preparation& preparation);
   void begin_with_remainder(PassStart& start) const;
   void begin_with_attributes(PassStart& start);
-  void begin_with_areas(PassStart& start);
-  const std::vector<Index>& areas();
+  void begin_with_areas(PassStart& start, const DecimateTarget& stop);
+  const KeptAreas& areas();
   DecimateResult run(Pass& pass, const DecimateTarget& stop, Preparation& preparation) const;
   void count_before(Pass& pass);
   NonmanifoldCounts count_nonmanifold(const Surface& surface) const;
@@ -96,7 +97,7 @@ class Passes {
   bool keeps_steps_of_all_ = false;
   Done done_;
   std::optional<NonmanifoldCounts> nonmanifold_before_;  ///< of the input
-  std::optional<std::vector<Index>> areas_;              ///< of the input's faces, once they are asked for
+  std::optional<KeptAreas> areas_;                       ///< of the input, once they are asked for
   ThresholdPairCounts pairs_;                            ///< of the input
 };
 

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "cost/rim_edges.hh"
 #include "decimate/changes.hh"
 #include "decimate/input_lines.hh"
 #include "decimate/run.hh"
@@ -92,18 +90,6 @@ std::vector<VertexPair> mapped(const std::vector<VertexPair>& edges, const std::
   return result;
 }
 
-/// The rims of two-sided sheets are features for polish: around a leaf the surface holds no vertex in place.
-InputEdges polished_edges(const IndexedMesh& mesh, const DecimateOptions& options) {
-  InputEdges edges = input_edges(mesh, options);
-  const std::vector<VertexPair> rims = held_rims(mesh, Frame::of_points(mesh.positions), options);
-  if (rims.empty()) return edges;
-  std::vector<VertexPair> features;
-  std::set_union(edges.features.begin(), edges.features.end(), rims.begin(), rims.end(), std::back_inserter(features));
-  std::vector<VertexPair> seams;
-  std::set_difference(edges.seams.begin(), edges.seams.end(), rims.begin(), rims.end(), std::back_inserter(seams));
-  return {std::move(features), std::move(seams)};
-}
-
 /// What polish looks up about the input.
 struct PolishInput {
   PolishOriginal original;
@@ -160,7 +146,7 @@ class DecimationPolisher {
     try {
       if (!input_) {
         PolishOriginal original(mesh_, decimate.threads, polish_progress(decimate, decimation.result));
-        input_.emplace(PolishInput{std::move(original), polished_edges(mesh_, decimate),
+        input_.emplace(PolishInput{std::move(original), input_edges_with_rims(mesh_, decimate),
                                    face_regions(mesh_, decimate.regions), bounds_of(mesh_.positions).diagonal()});
       }
       return polish_decimation(*input_, options, held, decimation);
