@@ -193,7 +193,7 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
         "--self-intersections", "count", "--normals", "drop", "--weld", "auto"},
        {blob, "-o", out, "--ratio", "0.1", "--cost", "quadric", "--weights", "uniform", "--placement", "midpoint",
         "--order", "exact", "--polish", "0", "--strict"},
-       {blob, "-o", out, "--faces", "20", "--max-error", "1%"},
+       {blob, "-o", out, "--faces", "20", "--max-error", "1%", "--normals", "recompute", "--crease-angle", "30"},
        {terrain, "-o", out, "--max-error", "1%", "--max-error-borders", "0.5%", "--certificate", folder / "proof",
         "--record", folder / "rec", "--no-embed", "--zstd", "--tolerance-map", tolerances},
        {blob, "-o", out, "--faces", "500", "--certify", "--isotropic", "0.5", "--valence", "1", "--fit", "max",

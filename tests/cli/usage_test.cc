@@ -127,6 +127,7 @@ std::vector<BadValue> bad_values() {
       {"--isotropic", "1.1", "0 <= W <= 1"},
       {"--feature-angle", "0", "0 < DEG <= 180"},
       {"--feature-tolerance", "-1%", "T >= 0"},
+      {"--crease-angle", "0", "0 < DEG <= 180"},
       {"--min-radius-ratio", "2", "0 <= X <= 1"},
       {"--threshold", "-1", "T >= 0"},
       {"--threshold", "1 %", "percentage"},
@@ -242,6 +243,7 @@ TEST(Usage, WarnsOfOptionsThatDoNothing) {
   EXPECT_TRUE(is_said({"--max-pairs", "8"}, "'--max-pairs' does nothing without '--threshold'"));
   EXPECT_TRUE(is_said({"--across-walls"}, "'--across-walls' does nothing without '--threshold'"));
   EXPECT_TRUE(is_said({"--feature-tolerance", "1%"}, "'--feature-tolerance' does nothing without '--feature-angle'"));
+  EXPECT_TRUE(is_said({"--crease-angle", "30"}, "'--crease-angle' does nothing without '--normals recompute'"));
   EXPECT_TRUE(is_said({"--boundary", "free", "--cost", "lindstrom-turk"},
                       "'--boundary free' does nothing with '--cost lindstrom-turk'"));
   EXPECT_TRUE(
@@ -251,7 +253,8 @@ TEST(Usage, WarnsOfOptionsThatDoNothing) {
   for (const Arguments& used :
        {Arguments{"--max-pairs", "8", "-t", "1%"}, Arguments{"--boundary", "free"}, Arguments{"--fit", "max"},
         Arguments{"--fit", "max", "--effort", "fast", "--polish", "1"},
-        Arguments{"--feature-tolerance", "1%", "--feature-angle", "40"}}) {
+        Arguments{"--feature-tolerance", "1%", "--feature-angle", "40"},
+        Arguments{"--crease-angle", "30", "--normals", "recompute"}}) {
     EXPECT_EQ(said_of(used).find("does nothing"), std::string::npos);
   }
 }

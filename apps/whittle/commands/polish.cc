@@ -88,7 +88,9 @@ PolishOptions polish_options_of(const PolishCommand& options, const IndexedMesh&
   PolishOptions polish{.passes = options.passes, .fit = options.fit, .threads = options.common.threads};
   polish.seams = seam_edges(mesh);
   polish.original_seams = seam_edges(reference);
+  // A vertex keeps as many normals as it has.
   polish.recompute_normals = mesh.wedges.empty();
+  polish.crease_angle_deg = 180;
   return polish;
 }
 

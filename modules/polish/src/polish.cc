@@ -63,15 +63,11 @@ void check(std::size_t n_original_vertices, std::span<const Index> vertex_map, c
   if (const auto angle = options.feature_angle_deg; angle && !(*angle > 0 && *angle < 180)) {
     throw std::invalid_argument("polish: feature_angle_deg is not in (0, 180)");
   }
+  if (!(options.crease_angle_deg > 0 && options.crease_angle_deg <= 180)) {
+    throw std::invalid_argument("polish: crease_angle_deg is not in (0, 180]");
+  }
   if (const auto ratio = options.min_radius_ratio; ratio && !(*ratio >= 0 && *ratio <= 1)) {
     throw std::invalid_argument("polish: min_radius_ratio is not in [0, 1]");
-  }
-}
-
-void recompute_normals(IndexedMesh& mesh, const Frame& frame) {
-  const std::vector<std::array<float, 3>> normals = vertex_normals(mesh, frame);
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) mesh.normals[mesh.wedge(f, k)] = normals[mesh.faces[f][k]];
   }
 }
 
@@ -133,7 +129,9 @@ PolishResult polish(const PolishOriginal& original, std::span<const Index> verte
   const PolishResult result = run(surface, ordered.map(vertex_map), ordered.mesh, ordered_options);
   if (result.n_passes == 0) return result;
   ordered.write_to(mesh);
-  if (options.recompute_normals && !mesh.normals.empty()) recompute_normals(mesh, frame);
+  if (options.recompute_normals && !mesh.normals.empty()) {
+    recompute_normals(mesh, frame, options.crease_angle_deg);
+  }
   return result;
 }
 

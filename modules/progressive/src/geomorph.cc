@@ -11,6 +11,7 @@
 #include "whittle/core/detail/portable_math.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/vertex_normals.hh"
+#include "whittle/core/wedges.hh"
 
 namespace whittle::progressive {
 namespace {
@@ -27,7 +28,11 @@ MorphEnd end_at(Replay& replay, std::size_t level) {
   replay.go_to(level);
   MorphEnd end{replay.decimation(), {}};
   IndexedMesh& mesh = end.level.mesh;
-  if (mesh.normals.empty()) mesh.normals = vertex_normals(mesh, Frame::of_points(replay.input().positions));
+  // A vertex that moves has one normal: creases are smoothed.
+  if (mesh.normals.empty() || !mesh.wedges.empty()) {
+    drop_seams(mesh);
+    mesh.normals = vertex_normals(mesh, Frame::of_points(replay.input().positions));
+  }
   end.vertices.resize(mesh.positions.size());
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     for (std::size_t c = 0; c < 3; ++c) end.vertices[mesh.faces[i][c]] = replay.corners(end.level.face_origins[i])[c];

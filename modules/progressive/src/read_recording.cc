@@ -85,6 +85,10 @@ bool RecordingReader::take(const Chunk& chunk) {
   require(has_head_ != (chunk.type == "HEAD"), "a part is not where it should be");
   if (chunk.type == "HEAD") {
     read_head(reader);
+  } else if (chunk.type == "CREA") {
+    const auto angle_deg = reader.number<double>();
+    require(angle_deg > 0 && angle_deg <= 180, "an angle of creases that can't be one");
+    recording_.steps.crease_angle_deg = angle_deg;
   } else if (chunk.type == "PASS") {
     recording_.steps.pass_ends.push_back({recording_.steps.contractions.size(), {}, {}});
   } else {

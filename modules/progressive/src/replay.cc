@@ -164,9 +164,11 @@ std::vector<Index> Replay::faces_left() const {
 /// they may be fitted.
 void Replay::add_attributes(const std::vector<Index>& numbers, Decimation& out) const {
   carry_attributes_to(numbers, out);
-  if (!steps_.fits_attributes || level() != n_steps()) return;
-  fit_attributes(input_, wedge_map(input_, out.vertex_map, out.face_origins), out.mesh,
-                 {.fit_normals = normals_ == Normals::keep});
+  if (steps_.fits_attributes && level() == n_steps()) {
+    fit_attributes(input_, wedge_map(input_, out.vertex_map, out.face_origins), out.mesh,
+                   {.fit_normals = normals_ == Normals::keep});
+  }
+  break_normals(Frame::of_points(input_.positions), normals_, steps_.crease_angle_deg, out.mesh);
 }
 
 void Replay::carry_attributes_to(const std::vector<Index>& numbers, Decimation& out) const {

@@ -240,6 +240,9 @@ void write_recording(std::ostream& out, const IndexedMesh& input, const RunSteps
   ChunkList chunks;
   chunks.add("HEAD", [&](ByteWriter& writer) { write_head(writer, input, steps, normals, about, options.embed); });
   if (options.embed) add_mesh(input, chunks);
+  if (steps.crease_angle_deg < 180) {
+    chunks.add("CREA", [&](ByteWriter& writer) { writer.number(steps.crease_angle_deg); });
+  }
   add_steps(steps, chunks);
   chunks.add("END ", [](ByteWriter&) {});
   write_signature(out);

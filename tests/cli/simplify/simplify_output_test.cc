@@ -3,14 +3,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <map>
+#include <numbers>
 #include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "program/program.hh"
+#include "support/shapes/shapes.hh"
+#include "whittle/core/geometry/vertex_normals.hh"
+#include "whittle/gltf/asset.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
 
@@ -200,6 +205,55 @@ TEST(Normals, AreKeptRecomputedOrDropped) {
   const Outcome openmesh = whittle({"simplify", folder / "in.ply", "-o", folder / "out.ply", "--faces", "500",
                                     "--engine", "openmesh", "--normals", "drop"});
   EXPECT_EQ(openmesh.err.find("not carried"), std::string::npos) << openmesh;
+}
+
+/// Largest angle between the normal of a corner and that of the side of the cube on which its face lies, degrees. Faces
+/// that lie along an edge, as thin as it is rounded, are left out.
+double farthest_from_sides(const IndexedMesh& mesh) {
+  double largest = 0;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto [a, b, c] = mesh.faces[f];
+    const Vec3 of_face = (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]);
+    Eigen::Index axis = 0;
+    of_face.cwiseAbs().maxCoeff(&axis);
+    if (of_face.norm() < 1e-3) continue;
+    const Vec3 of_side = of_face[axis] * Vec3::Unit(axis);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& n = mesh.normals[mesh.wedge(f, k)];
+      const Vec3 of_corner(n[0], n[1], n[2]);
+      largest = std::max(largest, std::atan2(of_side.cross(of_corner).norm(), of_side.dot(of_corner)));
+    }
+  }
+  return largest * 180 / std::numbers::pi;
+}
+
+TEST(Normals, BreakAtCreasesInEveryFormat) {
+  const TemporaryFolder folder;
+  IndexedMesh cube = tessellated_cube(6);
+  cube.normals = vertex_normals(cube, Frame{});
+  io::write_mesh(folder / "in.obj", cube);
+  for (const char* name : {"out.obj", "out.ply", "out.off", "out.glb"}) {
+    const std::string out = folder / name;
+    for (const bool is_recorded : {false, true}) {
+      std::vector<std::string> arguments{"simplify", folder / "in.obj", "-o",        out,      "--faces",
+                                         "60",       "--normals",       "recompute", "--force"};
+      if (is_recorded) arguments.insert(arguments.end(), {"--record", folder / "rec"});
+      const Outcome outcome = whittle(arguments);
+      ASSERT_EQ(outcome.exit_code, 0) << outcome;
+      const bool is_gltf = out.ends_with(".glb");
+      const IndexedMesh mesh = is_gltf ? gltf::Asset::read(out).triangles(0) : io::read_mesh(out).mesh;
+      EXPECT_LT(farthest_from_sides(mesh), 0.1) << name;
+    }
+  }
+  ASSERT_EQ(whittle({"replay", folder / "rec", "--faces", "60", "-o", folder / "level.obj"}).exit_code, 0);
+  EXPECT_EQ(read_text(folder / "level.obj"), read_text(folder / "out.obj"));
+  EXPECT_GT(farthest_from_sides([&] {
+              const Outcome outcome = whittle({"simplify", folder / "in.obj", "-o", folder / "round.obj", "--faces",
+                                               "60", "--normals", "recompute", "--crease-angle", "180"});
+              EXPECT_EQ(outcome.exit_code, 0) << outcome;
+              return io::read_mesh(folder / "round.obj").mesh;
+            }()),
+            30);
 }
 
 TEST(Talk, IsOneLineOfSummary) {

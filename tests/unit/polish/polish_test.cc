@@ -426,6 +426,8 @@ TEST(Polish, ComputesNormalsAnew) {
   ASSERT_EQ(after.normals.size(), after.positions.size());
   EXPECT_NE(after.normals, d.mesh.normals);
   EXPECT_EQ(polished(original, d, {.recompute_normals = false}).normals, d.mesh.normals);
+  EXPECT_GT(polished(original, d, {.crease_angle_deg = 1}).normals.size(), after.normals.size()) << "they break";
+  EXPECT_THROW(polished(original, d, {.crease_angle_deg = 0}), std::invalid_argument);
 }
 
 TEST(Polish, SaysWhatIsWrong) {

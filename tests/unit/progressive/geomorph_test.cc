@@ -170,6 +170,22 @@ TEST(Geomorph, BlendsNormalsLinearlyOnRequest) {
   }
 }
 
+TEST(Geomorph, SmoothsNormalsThatBreakAtCreases) {
+  IndexedMesh mesh = test::tessellated_cube(4);
+  mesh.normals.assign(mesh.positions.size(), {0, 0, 1});
+  SimplifyOptions options;
+  options.decimate.keep_steps = true;
+  options.decimate.normals = Normals::recompute;
+  const Simplification run = simplify(mesh, DecimateTarget::faces(40), Effort::fast, options);
+  ASSERT_FALSE(run.mesh.wedges.empty());
+  Replay replay(mesh, run.steps, Normals::recompute);
+  const Geomorph geomorph(replay, 0, replay.n_steps());
+  for (const IndexedMesh& end : {geomorph.at(0), geomorph.at(0.5), geomorph.at(1)}) {
+    EXPECT_TRUE(end.wedges.empty());
+    EXPECT_EQ(end.normals.size(), end.positions.size());
+  }
+}
+
 TEST(Geomorph, RefusesLevelsThatNoMovementConnects) {
   const IndexedMesh mesh = test::sphere(2);
   RunSteps steps;

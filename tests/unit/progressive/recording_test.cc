@@ -41,6 +41,8 @@ RecordedRun run_of(IndexedMesh mesh, bool has_polish) {
   }
   SimplifyOptions options;
   options.decimate.keep_steps = true;
+  options.decimate.normals = Normals::recompute;
+  options.decimate.crease_angle_deg = 33.5;
   if (!has_polish) options.decimate.pairs.threshold = std::numeric_limits<double>::infinity();
   const auto target = DecimateTarget::faces(mesh.faces.size() / 5 + 1);
   RunSteps steps = simplify(mesh, target, has_polish ? Effort::best : Effort::fast, options).steps;
@@ -65,6 +67,7 @@ void expect_same_bytes(const std::vector<Item>& a, const std::vector<Item>& b) {
 }
 
 void expect_same(const RunSteps& a, const RunSteps& b) {
+  EXPECT_EQ(a.crease_angle_deg, b.crease_angle_deg);
   ASSERT_EQ(a.contractions.size(), b.contractions.size());
   for (std::size_t i = 0; i < a.contractions.size(); ++i) {
     const Contraction& x = a.contractions[i];

@@ -35,6 +35,7 @@ void expect_same(const Decimation& level, const Decimation& direct, const std::s
   EXPECT_TRUE(has_same_bytes(level.mesh.positions, direct.mesh.positions)) << what;
   EXPECT_EQ(level.mesh.faces, direct.mesh.faces) << what;
   EXPECT_TRUE(has_same_bytes(level.mesh.normals, direct.mesh.normals)) << what;
+  EXPECT_EQ(level.mesh.wedges, direct.mesh.wedges) << what;
   EXPECT_TRUE(has_same_bytes(level.mesh.colors, direct.mesh.colors)) << what;
   EXPECT_EQ(level.mesh.origins, direct.mesh.origins) << what;
   EXPECT_EQ(level.face_origins, direct.face_origins) << what;

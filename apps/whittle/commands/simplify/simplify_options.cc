@@ -266,6 +266,13 @@ void add_attribute_options(CLI::App& app, SimplifyCommand& options) {
   add_choice<Normals>(app, "--normals", options.simplify.decimate.normals, normals,
                       "vertex normals: those of IN, those of the faces of the result, or none")
       ->group(file_group);
+  add_value(
+      app, "--crease-angle", "DEG", options.simplify.decimate.crease_angle_deg,
+      [](std::string_view text) { return parse_number(text, angle_range, "DEG"); },
+      "normals that are computed anew break at edges whose faces turn by DEG degrees or more (180: none), " +
+          to_string(angle_range, "DEG"))
+      ->default_str(shortest(options.simplify.decimate.crease_angle_deg))
+      ->group(file_group);
 }
 
 }  // namespace
@@ -354,9 +361,9 @@ void check_gltf(const SimplifyCommand& options) {
   if (options.compresses_gltf && (options.targets.max_error || options.certify || options.certificate)) {
     throw UsageError("--compress rounds positions, so nothing can be proven of them: leave one out");
   }
-  const bool is_read = std::any_of(options.inputs.begin(), options.inputs.end(), is_gltf);
-  const bool is_all_gltf = std::all_of(options.inputs.begin(), options.inputs.end(), is_gltf);
-  if (options.is_per_mesh && (!is_all_gltf || options.files.input_format)) {
+  const auto is_read_as_gltf = [&](const std::string& path) { return reads_gltf(path, options.files); };
+  const bool is_read = std::any_of(options.inputs.begin(), options.inputs.end(), is_read_as_gltf);
+  if (options.is_per_mesh && !std::all_of(options.inputs.begin(), options.inputs.end(), is_read_as_gltf)) {
     throw UsageError("--per-mesh is for inputs in glTF, which may have several meshes");
   }
   if (is_read && options.recording && !options.embeds_input) {
@@ -392,7 +399,7 @@ void check_options(const CLI::App& app, const SimplifyCommand& options) {
 }
 
 std::vector<std::string> idle_options(const CLI::App& app, const SimplifyCommand& options) {
-  static const std::array<IdleOption, 10> all{{{"--every", options.pictures.animation ? "--animate" : "--frames", ""},
+  static const std::array<IdleOption, 11> all{{{"--every", options.pictures.animation ? "--animate" : "--frames", ""},
                                                {"--max-pairs", "--threshold", ""},
                                                {"--no-embed", "--record", ""},
                                                {"--zstd", "--record", ""},
@@ -400,6 +407,7 @@ std::vector<std::string> idle_options(const CLI::App& app, const SimplifyCommand
                                                {"--tolerance-map", "--max-error", ""},
                                                {"--across-walls", "--threshold", ""},
                                                {"--feature-tolerance", "--feature-angle", ""},
+                                               {"--crease-angle", "--normals recompute", ""},
                                                {"--boundary free", "", "--cost lindstrom-turk"},
                                                {"--boundary free", "", "--cost midpoint"}}};
   std::vector<std::string> warnings = find_idle_options(app, all);
@@ -442,6 +450,7 @@ nlohmann::ordered_json options_json(const SimplifyCommand& options) {
       {"seams", word_of<Seams>(seams, decimate.seams)},
       {"regions", to_string(decimate.regions)},
       {"normals", word_of<Normals>(normals, decimate.normals)},
+      {"crease_angle_deg", decimate.crease_angle_deg},
       {"compress", options.compresses_gltf},
       {"per_mesh", options.is_per_mesh},
       {"effort", word_of<Effort>(efforts, options.effort)},

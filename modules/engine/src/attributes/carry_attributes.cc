@@ -168,4 +168,8 @@ void carry_attributes(const IndexedMesh& input, const Frame& frame, Normals norm
   mesh.wedges = std::move(map.of_corners);
 }
 
+void break_normals(const Frame& frame, Normals normals, double crease_angle_deg, IndexedMesh& mesh) {
+  if (normals == Normals::recompute && !mesh.normals.empty()) recompute_normals(mesh, frame, crease_angle_deg);
+}
+
 }  // namespace whittle

@@ -26,6 +26,7 @@ void check_ranges(const DecimateOptions& options) {
   };
   require(is_angle(options.max_normal_flip_deg), "max_normal_flip_deg is not in (0, 180]");
   require(is_angle(options.feature_angle_deg), "feature_angle_deg is not in (0, 180]");
+  require(is_angle(options.crease_angle_deg), "crease_angle_deg is not in (0, 180]");
   require(options.feature_tolerance >= 0, "feature_tolerance is negative or not a number");
   require(options.isotropy >= 0 && options.isotropy <= 1, "isotropy is not in [0, 1]");
   const AttributeWeights& weights = options.attribute_weights;

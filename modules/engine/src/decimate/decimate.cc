@@ -1,6 +1,8 @@
 #include "whittle/engine/decimate.hh"
 
 #include "decimate/run.hh"
+#include "whittle/core/frame.hh"
+#include "whittle/engine/attributes.hh"
 
 namespace whittle {
 
@@ -21,7 +23,9 @@ std::string_view to_string(StopReason reason) {
 }
 
 Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options) {
-  return run(mesh, target, options, nullptr, {});
+  Decimation decimation = run(mesh, target, options, nullptr, {});
+  break_normals(Frame::of_points(mesh.positions), options.normals, options.crease_angle_deg, decimation.mesh);
+  return decimation;
 }
 
 Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options,

@@ -413,7 +413,10 @@ Decimation Passes::output() {
     done_.nonmanifold = count_nonmanifold({done_.left->positions, Frame{}, done_.left->faces});
   }
   Decimation out = geometry_of(mesh_, std::move(*done_.left), frame_);
-  if (options_.keep_steps) out.steps = std::move(done_.steps);
+  if (options_.keep_steps) {
+    out.steps = std::move(done_.steps);
+    if (options_.normals == Normals::recompute) out.steps.crease_angle_deg = options_.crease_angle_deg;
+  }
   carry_attributes(mesh_, frame_, options_.normals, out.vertex_map, out.face_origins, out.mesh, options_.threads);
   out.result = std::move(done_.result);
   for (const auto& [pair, reason] : done_.refused) {

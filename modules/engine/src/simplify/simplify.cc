@@ -90,6 +90,11 @@ std::vector<VertexPair> mapped(const std::vector<VertexPair>& edges, const std::
   return result;
 }
 
+void break_normals_of(const IndexedMesh& input, const SimplifyOptions& options, Decimation& decimation) {
+  const DecimateOptions& decimate = options.decimate;
+  break_normals(Frame::of_points(input.positions), decimate.normals, decimate.crease_angle_deg, decimation.mesh);
+}
+
 /// What polish looks up about the input.
 struct PolishInput {
   PolishOriginal original;
@@ -110,7 +115,7 @@ PolishResult polish_decimation(const PolishInput& input, const SimplifyOptions& 
   if (decimate.feature_angle_deg.value_or(180) < 180) polish_options.feature_angle_deg = *decimate.feature_angle_deg;
   if (decimate.min_radius_ratio) polish_options.min_radius_ratio = *decimate.min_radius_ratio;
   polish_options.shape_weight = shape_weight_of(decimate);
-  polish_options.recompute_normals = decimate.normals == Normals::recompute;
+  polish_options.recompute_normals = false;  // in the end, after attributes are fitted
   polish_options.threads = decimate.threads;
   polish_options.progress = polish_progress(decimate, decimation.result);
   polish_options.locked = locked_outputs(decimate.locked, decimation);
@@ -190,7 +195,9 @@ PolishResult polish_and_note(Decimation& decimation, const Polish& polish) {
 }  // namespace
 
 PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOptions& options, Decimation& decimation) {
-  return DecimationPolisher(original).polish(options, decimation);
+  const PolishResult result = DecimationPolisher(original).polish(options, decimation);
+  break_normals_of(original, options, decimation);
+  return result;
 }
 
 SimplifyOptions with_effort(Effort effort, SimplifyOptions options) {
@@ -276,6 +283,11 @@ void fit_attributes_of(const IndexedMesh& input, const SimplifyOptions& settled,
   result.polish_seconds += seconds_since(start);
 }
 
+void finish_attributes_of(const IndexedMesh& input, const SimplifyOptions& settled, Simplification& result) {
+  fit_attributes_of(input, settled, result);
+  break_normals_of(input, settled, result);
+}
+
 /// With plain quadrics and without, where both are tried.
 Simplification better_of_both(const IndexedMesh& mesh, const DecimateTarget& target, const SimplifyOptions& settled,
                               DecimationPolisher& polisher) {
@@ -301,7 +313,7 @@ Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, E
   const SimplifyOptions settled = with_effort(effort, options, mesh, target);
   DecimationPolisher polisher(mesh);
   Simplification result = better_of_both(mesh, target, settled, polisher);
-  fit_attributes_of(mesh, settled, result);
+  finish_attributes_of(mesh, settled, result);
   return result;
 }
 
@@ -360,12 +372,12 @@ std::vector<Simplification> simplify_to_levels(const IndexedMesh& mesh, const st
     Decimation& level = levels.back();
     carry_attributes(mesh, frame, settled.decimate.normals, level.vertex_map, level.face_origins, level.mesh,
                      settled.decimate.threads);
-    fit_attributes_of(mesh, settled, levels.back());
+    finish_attributes_of(mesh, settled, levels.back());
     return !polish.cancelled;
   };
   settled.decimate.pauses = {pauses_at(targets), add_level};
   levels.push_back(simplify_as_settled(mesh, targets.back(), settled, polisher));
-  fit_attributes_of(mesh, settled, levels.back());
+  finish_attributes_of(mesh, settled, levels.back());
   levels.back().decimate_seconds -= polish_seconds;
   levels.back().polish_seconds += polish_seconds;
   return levels;

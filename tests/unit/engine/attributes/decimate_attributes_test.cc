@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -12,7 +15,9 @@
 #include "support/suites.hh"
 #include "support/topology.hh"
 #include "support/transforms.hh"
+#include "whittle/core/geometry/vertex_normals.hh"
 #include "whittle/engine/decimate.hh"
+#include "whittle/engine/simplify.hh"
 
 namespace whittle::test {
 namespace {
@@ -65,6 +70,60 @@ TEST(Decimate, RecomputesOrDropsNormalsIfAsked) {
   EXPECT_TRUE(decimate(mesh, DecimateTarget::faces(20), {.normals = Normals::drop}).mesh.normals.empty());
   for (const Normals normals : {Normals::keep, Normals::recompute}) {
     EXPECT_TRUE(decimate(grid(10, 10), DecimateTarget::faces(20), {.normals = normals}).mesh.normals.empty());
+  }
+}
+
+/// The largest angle between the normal of a corner and that of its face, degrees.
+double farthest_from_faces(const IndexedMesh& mesh) {
+  double largest = 0;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto [a, b, c] = mesh.faces[f];
+    const Vec3 of_face = (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& n = mesh.normals[mesh.wedge(f, k)];
+      const Vec3 of_corner(n[0], n[1], n[2]);
+      largest = std::max(largest, std::atan2(of_face.cross(of_corner).norm(), of_face.dot(of_corner)));
+    }
+  }
+  return largest * 180 / std::numbers::pi;
+}
+
+TEST(Simplify, BreaksNormalsThatAreComputedAnewAtCreases) {
+  IndexedMesh plain = test::tessellated_cube(6);
+  plain.normals = vertex_normals(plain, Frame{});
+  for (const IndexedMesh& cube : {plain, test::charted_cube(6)}) {
+    for (const Effort effort : {Effort::fast, Effort::normal, Effort::best}) {
+      for (const Cost cost : {Cost::quadric, Cost::memoryless, Cost::lindstrom_turk, Cost::midpoint}) {
+        SimplifyOptions options;
+        options.decimate.normals = Normals::recompute;
+        options.decimate.cost = cost;
+        options.decimate.feature_angle_deg = 40;
+        const auto target = DecimateTarget::faces(100);
+        const IndexedMesh mesh = simplify(cube, target, effort, options).mesh;
+        EXPECT_LT(farthest_from_faces(mesh), 0.1) << static_cast<int>(effort) << " " << to_string(cost);
+        EXPECT_EQ(mesh.attributes.size(), cube.attributes.size());
+        EXPECT_LT(farthest_from_faces(decimate(cube, target, options.decimate).mesh), 0.1) << to_string(cost);
+        options.decimate.crease_angle_deg = 180;
+        EXPECT_GT(farthest_from_faces(simplify(cube, target, effort, options).mesh), 30);
+      }
+    }
+  }
+}
+
+TEST(SimplifyToLevels, BreaksNormalsThatAreComputedAnewAtCreases) {
+  IndexedMesh cube = test::charted_cube(6);
+  SimplifyOptions options;
+  options.decimate.normals = Normals::recompute;
+  options.decimate.feature_angle_deg = 40;
+  const std::vector<DecimateTarget> targets{DecimateTarget::faces(200), DecimateTarget::faces(60)};
+  for (const Simplification& level : simplify_to_levels(cube, targets, Effort::normal, options)) {
+    EXPECT_LT(farthest_from_faces(level.mesh), 0.1);
+  }
+}
+
+TEST(Decimate, RefusesAnAngleOfCreasesThatIsNone) {
+  for (const double angle : {0.0, -1.0, 181.0, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(decimate(grid(3, 3), DecimateTarget::faces(4), {.crease_angle_deg = angle}), std::invalid_argument);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "whittle/core/geometry/vertex_normals.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/core/regions.hh"
 #include "whittle/core/vertex_pair.hh"
@@ -38,7 +39,7 @@ enum class Seams {
 /// What becomes of the vertex normals of a mesh that has some.
 enum class Normals {
   keep,       ///< The mean of those of the vertices merged into one; a vertex that nothing merged into keeps its own.
-  recompute,  ///< Those of the faces of the result, weighted by area.
+  recompute,  ///< Those of the faces of the result, weighted by area. They break at creases (`recompute_normals`).
   drop        ///< The result has none.
 };
 
@@ -139,6 +140,10 @@ struct DecimateOptions {
   /// names none. Empty = those that name things by themselves (`names_regions`).
   RegionNames regions{};
   Normals normals = Normals::keep;
+
+  /// With `Normals::recompute`: edges whose faces turn by this angle or more are creases, where normals break, degrees.
+  /// (0, 180]; 180: each vertex has one normal.
+  double crease_angle_deg = default_crease_angle_deg;
 
   /// With weights by area alone (`QuadricOptions::weights`), and without `isotropy`; other costs look at positions.
   AttributeWeights attribute_weights{};

@@ -39,7 +39,8 @@ struct RunSteps {
   std::vector<Contraction> contractions;
   /// Of those faces that coincide, the first is left, from then on.
   std::vector<PassEnd> pass_ends;
-  bool fits_attributes = false;  ///< whether attributes are fitted to the input's in the end (`fit_attributes`)
+  bool fits_attributes = false;   ///< whether attributes are fitted to the input's in the end (`fit_attributes`)
+  double crease_angle_deg = 180;  ///< where normals break that are computed anew (`DecimateOptions::crease_angle_deg`)
 };
 
 }  // namespace whittle

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "whittle/core/geometry/vertex_normals.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/core/progress.hh"
 #include "whittle/core/vertex_pair.hh"
@@ -99,7 +100,8 @@ struct PolishOptions {
   /// valences less regular (as valence_term.hh of the engine has it).
   double shape_weight = 0;
   bool recompute_normals = true;  ///< whether the normals of a mesh that has some are computed anew from its faces
-  unsigned threads = 0;           ///< 0 = all cores; the result is the same for any number
+  double crease_angle_deg = default_crease_angle_deg;  ///< where these break (`recompute_normals`), degrees. (0, 180]
+  unsigned threads = 0;                                ///< 0 = all cores; the result is the same for any number
   /// Cancelling leaves the mesh as the last pass that helped made it, or as it was.
   ProgressCallback progress{};
 };
