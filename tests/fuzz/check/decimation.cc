@@ -316,8 +316,8 @@ void check_sound(const IndexedMesh& mesh) {
   }
   const std::vector<bool> is_used = used_vertices(mesh);
   require(std::all_of(is_used.begin(), is_used.end(), [](bool x) { return x; }), "every vertex has a face");
-  require(mesh.normals.empty() || mesh.normals.size() == n, "there is a normal a vertex");
-  require(mesh.colors.empty() || mesh.colors.size() == n, "there is a colour a vertex");
+  require(mesh.normals.empty() || mesh.normals.size() == n_wedges(mesh), "there is a normal a wedge");
+  require(mesh.colors.empty() || mesh.colors.size() == n_wedges(mesh), "there is a colour a wedge");
   for (const auto& [x, y, z] : mesh.normals) {
     const float length = std::sqrt(x * x + y * y + z * z);
     require(std::abs(length - 1) < 1e-5F || length == 0, "normals have unit length, or none");
