@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "whittle/engine/attributes.hh"
+#include "whittle/engine/detail/bisect.hh"
 #include "whittle/metrics/certify.hh"
 #include "whittle/polish/fit_attributes.hh"
 #include "whittle/progressive/replay.hh"
@@ -57,18 +58,16 @@ bool LevelSearch::is_within(double error, const Decimation& level) const {
 
 /// The last of the levels that bisection finds to be within the error.
 ProvenLevel LevelSearch::find(double error) {
-  std::size_t most = replay_.steps().contractions.size() + 1;
+  constexpr std::size_t accuracy = 200;  // of the faces, two a contraction
   Decimation found = level_after(least_);
-  while (most - least_ > std::max<std::size_t>(1, found.mesh.faces.size() / 200)) {  // two faces a contraction
-    const std::size_t middle = least_ + (most - least_) / 2;
-    Decimation level = level_after(middle);
-    if (is_within(error, level)) {
-      least_ = middle;
-      found = std::move(level);
-    } else {
-      most = middle;
-    }
-  }
+  const auto gap = [&found] { return std::max<std::size_t>(1, found.mesh.faces.size() / accuracy); };
+  const auto holds = [&](std::size_t n_contractions) {
+    Decimation level = level_after(n_contractions);
+    if (!is_within(error, level)) return false;
+    found = std::move(level);
+    return true;
+  };
+  least_ = whittle::detail::bisect(least_, replay_.steps().contractions.size() + 1, gap, holds);
   if (least_ == 0 && !is_within(error, found)) {
     std::ostringstream text;
     text << "not even all faces of the input, as they are written, are proven to be within " << error;

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "whittle/engine/detail/bisect.hh"
+
 namespace whittle {
 
 PlainRun::PlainRun(Passes& passes, ErrorBounds& bounds, const BlockPlan& plan) : passes_(passes), bounds_(bounds) {
@@ -20,26 +22,32 @@ PlainRun::PlainRun(Passes& passes, ErrorBounds& bounds, const BlockPlan& plan) :
 
 bool PlainRun::contract_to_coarsest_proven(std::size_t most_faces, const BlockPlan& plan) {
   constexpr std::size_t accuracy = 200;  // of the faces, two a contraction
-  std::size_t least = 0;
-  std::size_t most = contractions_.size() + 1;
   std::size_t n_faces = passes_.mesh().faces.size();
-  bool is_found = proven_ > 0;
-  while (most - least > std::max<std::size_t>(1, n_faces / accuracy)) {
-    const std::size_t middle = least + (most - least) / 2;
-    const Level level = level_after(middle);
-    const bool is_of_use = middle > proven_ && level.mesh.faces.size() <= most_faces;
-    if (is_of_use && !is_proven(level)) {
-      most = middle;
-      continue;
-    }
-    is_found |= is_of_use;
-    least = middle;
+  const auto gap = [&] { return std::max<std::size_t>(1, n_faces / accuracy); };
+  std::size_t found = proven_;
+  const auto holds = [&](std::size_t n_contractions, const auto& predicate) {
+    const Level level = level_after(n_contractions);
+    const bool is_of_use = n_contractions > proven_ && level.mesh.faces.size() <= most_faces;
+    if (is_of_use && !predicate(level)) return false;
     n_faces = level.mesh.faces.size();
-  }
-  if (!is_found) return false;
-  least = std::max(least, proven_);
+    return true;
+  };
+  // A point that is far is found in no time, and a proof takes long.
+  const auto seems_near = [&](std::size_t n_contractions) {
+    return holds(n_contractions, [this](const Level& level) { return !bounds_.have_far_point(checked(level)); });
+  };
+  const auto is_near = [&](std::size_t n_contractions) {
+    return holds(n_contractions, [&](const Level& level) {
+      if (!bounds_.are_kept_by(checked(level))) return false;
+      found = std::max(found, n_contractions);
+      return true;
+    });
+  };
+  const std::size_t first = detail::bisect(0, contractions_.size() + 1, gap, seems_near);
+  detail::bisect_from_end(first + 1, gap, is_near);
+  if (found == 0) return false;
   const DecimateTarget& target = passes_.target();
-  const std::uint64_t n_vertices = n_vertices_left_ + contractions_.size() - least;
+  const std::uint64_t n_vertices = n_vertices_left_ + contractions_.size() - found;
   contract(target.or_vertices(std::max(n_vertices, target.n_vertices().value_or(0))), plan);
   return true;
 }
@@ -79,13 +87,11 @@ PlainRun::Level PlainRun::level_after(std::size_t n_contractions) const {
 bool PlainRun::is_proven_with_vertices(std::size_t n_vertices) {
   const std::size_t n_before = n_vertices_left_ + contractions_.size();
   const std::size_t n_contractions = std::min(n_before - std::min(n_before, n_vertices), contractions_.size());
-  const bool is_so = is_proven(level_after(n_contractions));
+  const bool is_so = bounds_.are_kept_by(checked(level_after(n_contractions)));
   if (is_so) proven_ = n_contractions;
   return is_so;
 }
 
-bool PlainRun::is_proven(const Level& level) const {
-  return bounds_.are_kept_by({level.mesh, passes_.frame(), level.vertex_map});
-}
+CheckedSurface PlainRun::checked(const Level& level) const { return {level.mesh, passes_.frame(), level.vertex_map}; }
 
 }  // namespace whittle

@@ -18,9 +18,9 @@ class PlainRun {
   /// \pre the run was not cancelled
   bool is_proven_with_vertices(std::size_t n_vertices);
 
-  /// Looks for a level of few faces that is proven, as `levels_within` does: by bisection, to 1 % of its faces. Levels
-  /// of more than `most_faces` are of no use: they count as proven, as do those before one that is. \return whether
-  /// there is one. Then the passes are contracted to it, or cancelled
+  /// Looks for a level of few faces that is proven, by bisection, to 1 % of its faces. Levels of more than `most_faces`
+  /// are of no use: they count as proven, as do those before one that is. \return whether there is one. Then the passes
+  /// are contracted to it, or cancelled
   bool contract_to_coarsest_proven(std::size_t most_faces, const BlockPlan& plan);
 
  private:
@@ -29,7 +29,7 @@ class PlainRun {
     std::vector<Index> vertex_map;  ///< the input's vertices → those that they have become
   };
   Level level_after(std::size_t n_contractions) const;
-  bool is_proven(const Level& level) const;
+  CheckedSurface checked(const Level& level) const;
   void contract(const DecimateTarget& stop, const BlockPlan& plan);
 
   Passes& passes_;

@@ -12,8 +12,12 @@
 namespace whittle {
 namespace {
 
-/// Faces that a thread takes at a time. What is found for them depends on no others.
-constexpr std::size_t faces_per_block = 1024;
+/// Faces that a thread takes at a time, of `n`: a few long ones may take as long as a thousand others. What is found
+/// for them depends on no others.
+std::size_t faces_per_block(std::size_t n) {
+  constexpr std::size_t n_blocks = 64;
+  return std::clamp<std::size_t>(n / n_blocks, 16, 1024);
+}
 
 /// Pieces of a face that are looked at before it counts as far: long thin faces take as many as their length has E.
 constexpr int most_pieces = 1 << 16;
@@ -68,12 +72,13 @@ std::vector<double> limits_at_vertices(const IndexedMesh& mesh, std::span<const 
 template <class Use>
 void for_each_face(std::size_t n, const metrics::ProofTarget& target, unsigned threads, bool ends_at_first,
                    const Use& use, ErrorBound::Violations& violations) {
-  std::vector<ErrorBound::Violations> of_blocks((n + faces_per_block - 1) / faces_per_block);
+  const std::size_t size = faces_per_block(n);
+  std::vector<ErrorBound::Violations> of_blocks((n + size - 1) / size);
   std::atomic<bool> has_ended = false;
   for_each_block(of_blocks.size(), threads, [&](std::size_t block) {
     metrics::Prover prover(target, most_pieces);
-    const std::size_t end = std::min(n, (block + 1) * faces_per_block);
-    for (auto f = static_cast<Index>(block * faces_per_block); f < end && !has_ended; ++f) {
+    const std::size_t end = std::min(n, (block + 1) * size);
+    for (auto f = static_cast<Index>(block * size); f < end && !has_ended; ++f) {
       use(f, prover, of_blocks[block]);
       if (ends_at_first && !of_blocks[block].empty()) has_ended = true;
     }
@@ -125,6 +130,34 @@ ErrorBound::Violations ErrorBound::check(const CheckedSurface& checked, double l
   if (!has_ended()) check_surface(target, checked.is_proven, limit, search, violations);
   if (!has_ended()) check_input(target, supports, limit, search, violations);
   return violations;
+}
+
+bool ErrorBound::has_far_point(const CheckedSurface& checked) {
+  if (checked.mesh.faces.empty()) return !points_.empty();
+  const metrics::TargetSurface surface(checked.mesh, checked.frame);
+  Violations violations;
+  find_supports(surface, checked.vertex_map, limit_, Search::first, violations);
+  return !violations.empty() || has_far_point_on(surface);
+}
+
+bool ErrorBound::has_far_point_on(const metrics::TargetSurface& surface) const {
+  const metrics::LinkedFaces faces = surface.faces();
+  std::atomic<bool> is_found = false;
+  for_each_range(faces.faces.size(), threads_, [&](std::size_t begin, std::size_t end) {
+    Index hint = invalid_index;
+    const auto is_far = [&](const Vec3& point) {
+      const metrics::NearFace near = input_.nearest(point, hint);
+      hint = near.face;
+      return near.distance > limit_;
+    };
+    for (std::size_t f = begin; f < end && !is_found; ++f) {
+      const metrics::Corners corners = faces.corners(static_cast<Index>(f));
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (is_far(corners[i]) || is_far(0.5 * (corners[i] + corners[(i + 1) % 3]))) is_found = true;
+      }
+    }
+  });
+  return is_found;
 }
 
 void ErrorBound::check_surface(const metrics::TargetSurface& surface, std::span<const std::uint8_t> is_proven,

@@ -70,6 +70,8 @@ class ErrorBound {
   Violations check(const CheckedSurface& checked, double limit) { return check(checked, limit, Search::all); }
   /// Whether that is proven: takes less time where it isn't.
   bool is_kept_by(const CheckedSurface& checked) { return check(checked, limit_, Search::first).empty(); }
+  /// Whether a point is far: one of the input from the surface, or a corner or the middle of an edge from the input.
+  bool has_far_point(const CheckedSurface& checked);
   /// Of the surface checked last, each point once.
   const std::vector<Support>& supports() const { return supports_; }
 
@@ -80,6 +82,7 @@ class ErrorBound {
   Violations check(const CheckedSurface& checked, double limit, Search search);
   std::vector<Index> find_supports(const metrics::TargetSurface& surface, std::span<const Index> vertex_map,
                                    double limit, Search search, Violations& violations);
+  bool has_far_point_on(const metrics::TargetSurface& surface) const;
   void check_input(const metrics::TargetSurface& surface, std::span<const Index> supports, double limit, Search search,
                    Violations& violations) const;
   void check_surface(const metrics::TargetSurface& surface, std::span<const std::uint8_t> is_proven, double limit,

@@ -45,6 +45,10 @@ bool ErrorBounds::are_kept_by(const CheckedSurface& surface) {
   return check_borders(surface).empty() && surface_->is_kept_by(surface);
 }
 
+bool ErrorBounds::have_far_point(const CheckedSurface& surface) {
+  return surface_->has_far_point(surface) || !check_borders(surface).empty();
+}
+
 ErrorBound::Violations ErrorBounds::check_borders(const CheckedSurface& surface) {
   const IndexedMesh edges = metrics::border_edges_of(surface.mesh).mesh;
   if (borders_) {

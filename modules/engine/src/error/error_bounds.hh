@@ -24,6 +24,8 @@ class ErrorBounds {
   ErrorBound::Violations check_borders(const CheckedSurface& surface);
   /// Whether that is proven: takes less time where it isn't.
   bool are_kept_by(const CheckedSurface& surface);
+  /// Whether a look at some points is enough to tell that it isn't so: takes little time.
+  bool have_far_point(const CheckedSurface& surface);
 
  private:
   IndexedMesh proper_;        ///< the input without faces of which two corners are one, if it has some

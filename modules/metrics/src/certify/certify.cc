@@ -22,8 +22,14 @@
 namespace whittle::metrics {
 namespace {
 
-/// Faces that a thread takes at a time, and a chunk of a certificate has. What is found for them depends on no others.
-constexpr std::size_t faces_per_block = 1024;
+/// Faces that a thread takes at a time, and a chunk of a certificate has. What is proven of them depends on no others.
+constexpr std::size_t most_faces_per_block = 1024;
+
+/// The same of `n` faces where no certificate is written: a few long ones may take as long as a thousand others.
+std::size_t faces_per_block(std::size_t n) {
+  constexpr std::size_t n_blocks = 64;
+  return std::clamp<std::size_t>(n / n_blocks, 16, most_faces_per_block);
+}
 
 /// Pieces of a triangle that are looked at, once one of the block is undecided: then a point that is farther is all
 /// that counts, and it is found among the first.
@@ -37,8 +43,9 @@ struct OneWay {
   bool is_first;
   std::span<const double> limits{};  ///< of each face, in the frame; or empty
   std::span<const Index> hints{};    ///< a face of the target that may be near to each face; or empty
+  std::size_t block_size = faces_per_block(mesh.faces.size());
 
-  std::size_t n_blocks() const { return (mesh.faces.size() + faces_per_block - 1) / faces_per_block; }
+  std::size_t n_blocks() const { return (mesh.faces.size() + block_size - 1) / block_size; }
   Corners corners(Index face) const {
     Corners corners;
     for (std::size_t i = 0; i < 3; ++i) corners[i] = frame.to_frame(mesh.positions[mesh.faces[face][i]]);
@@ -49,8 +56,8 @@ struct OneWay {
   }
   template <class Use>
   void for_each_face_of(std::size_t block, const Use& use) const {
-    const std::size_t end = std::min(mesh.faces.size(), (block + 1) * faces_per_block);
-    for (auto f = static_cast<Index>(block * faces_per_block); f < end && use(f); ++f) {
+    const std::size_t end = std::min(mesh.faces.size(), (block + 1) * block_size);
+    for (auto f = static_cast<Index>(block * block_size); f < end && use(f); ++f) {
     }
   }
 };
@@ -266,6 +273,7 @@ Certification certify(const IndexedMesh& first, const IndexedMesh& second, doubl
   const double distance = max_distance * surfaces.frame().scale;
   OneWay forward_way = surfaces.forward();
   OneWay backward_way = surfaces.backward();
+  if (sections != nullptr) forward_way.block_size = backward_way.block_size = most_faces_per_block;
   std::vector<Index> forward_hints;
   std::vector<Index> backward_hints;
   if (options.vertex_map.empty()) {
