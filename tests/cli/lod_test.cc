@@ -13,6 +13,7 @@
 #include "support/temporary_folder.hh"
 #include "whittle/gltf/asset.hh"
 #include "whittle/io/read.hh"
+#include "whittle/io/write.hh"
 #include "whittle/metrics/certify.hh"
 
 namespace whittle::test {
@@ -47,6 +48,18 @@ TEST(Lod, WritesLevelsThatAreProven) {
     EXPECT_EQ(metrics::certify(input, written, level["max_error"]).verdict, metrics::Verdict::proven);
     EXPECT_LT(written.faces.size(), input.faces.size() / 2);
   }
+}
+
+TEST(Lod, WarnsOfLevelsWhoseWallsCross) {
+  const TemporaryFolder folder;
+  const std::string mesh = folder / "wall.ply";
+  io::write_mesh(mesh, thin_wall(60));
+  const Outcome outcome = whittle({"lod", mesh, "--ratios", "90%,4%", "-o", folder / "{i}.ply", "--json", "-"});
+  const auto report = nlohmann::json::parse(outcome.out);
+  const std::string coarse = "at " + report["levels"][1]["faces"].dump() + " faces, ";
+  EXPECT_THAT(outcome.err, testing::ContainsRegex(coarse + "[0-9]+ pairs of faces of one part cross"));
+  EXPECT_THAT(report["warnings"].dump(), testing::HasSubstr(coarse));
+  EXPECT_THAT(outcome.err, testing::Not(testing::HasSubstr("at " + report["levels"][0]["faces"].dump())));
 }
 
 TEST(Lod, SaysThatAFileCantHoldALevelSoNear) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "commands/new_intersections.hh"
 #include "commands/simplify/advice.hh"
 #include "commands/stage_bars.hh"
 #include "commands/subcommands.hh"
@@ -232,6 +233,19 @@ void check_input(const LodCommand& options, const Input& input) {
                    " has levels of detail already (MSFT_lod); use '{i}' in --output to write a file a level");
 }
 
+void warn_of_new_intersections(const LodCommand& options, const Talk& talk, LodRun& run) {
+  for (const LodLevel& level : run.levels) {
+    const NewIntersections found =
+        find_new_intersections(run.input.read.mesh, level.simplified, options.common.threads);
+    for (const std::string& text : {found.of_parts, found.of_walls}) {
+      if (text.empty()) continue;
+      run.warnings.push_back(run.input.name + ": at " + std::to_string(level.simplified.mesh.faces.size()) +
+                             " faces, " + text);
+      talk.warning(run.warnings.back());
+    }
+  }
+}
+
 /// A run that can't go on leaves levels out.
 void warn_of_missing_levels(const LodCommand& options, const Talk& talk, LodRun& run) {
   if (!options.errors.empty()) return;
@@ -271,6 +285,7 @@ ExitCode run_lod(const CLI::App& app, LodCommand options) {
   }
   run.levels_seconds = working.seconds();
   warn_of_missing_levels(options, talk, run);
+  warn_of_new_intersections(options, talk, run);
   name_levels(options, run);
   write_files(options, talk, watch, run);
   for (std::size_t i = 0; i < run.levels.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "commands/new_intersections.hh"
 #include "commands/regions/names.hh"
 #include "commands/regions/regions.hh"
 #include "commands/simplify/advice.hh"
@@ -35,8 +36,6 @@
 #include "whittle/core/wedges.hh"
 #include "whittle/engine/automatic_threshold.hh"
 #include "whittle/io/border_gaps.hh"
-#include "whittle/metrics/crossing_walls.hh"
-#include "whittle/metrics/meeting_parts.hh"
 #include "whittle/metrics/self_intersections.hh"
 #include "whittle/metrics/shape.hh"
 
@@ -305,22 +304,16 @@ void warn_of_gaps(const SimplifyCommand& options, const Talk& talk, SimplifyReco
 }
 
 void warn_of_new_intersections(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
-  if (record.simplified.mesh.faces.empty()) return;
   const bool is_refused = options.self_intersections == SelfIntersections::refuse;
-  const auto warn = [&](std::size_t n, const std::string& one, const std::string& many, const std::string& advice) {
-    if (n == 0) return;
-    record.warnings.push_back(record.input.name + ": " + std::to_string(n) + " " + (n == 1 ? one : many) +
-                              " that didn't before" + (is_refused ? "" : advice));
+  const auto warn = [&](const std::string& text, const std::string& advice) {
+    if (text.empty()) return;
+    record.warnings.push_back(record.input.name + ": " + text + (is_refused ? "" : advice));
     talk.warning(record.warnings.back());
   };
-  const IndexedMesh& before = record.input.read.mesh;
-  const Decimation& result = record.simplified;
-  const unsigned threads = options.common.threads;
-  warn(metrics::newly_meeting_parts(before, result.mesh, result.vertex_map, threads).size(), "pair of parts intersects",
-       "pairs of parts intersect", "; '--self-intersections refuse' keeps parts apart");
-  warn(metrics::newly_crossing_faces(before, result.mesh, result.vertex_map, threads).size(),
-       "pair of faces of one part crosses", "pairs of faces of one part cross",
-       "; '--self-intersections refuse' prevents it");
+  const NewIntersections found =
+      find_new_intersections(record.input.read.mesh, record.simplified, options.common.threads);
+  warn(found.of_parts, "; '--self-intersections refuse' keeps parts apart");
+  warn(found.of_walls, "; '--self-intersections refuse' prevents it");
 }
 
 void warn_of_result(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
