@@ -7,6 +7,7 @@
 #include <set>
 
 #include "oracle/brute_force_rims.hh"
+#include "oracle/sides/brute_force_sides.hh"
 #include "support/face_list.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 #include "whittle/core/wedges.hh"
@@ -22,7 +23,8 @@ bool meet(const std::set<T>& a, const std::set<T>& b) {
 
 }  // namespace
 
-BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const DecimateOptions& options) : options_(options) {
+BruteForceDecimater::BruteForceDecimater(const IndexedMesh& input, const DecimateOptions& options) : options_(options) {
+  const auto [mesh, n_sides] = brute_force_without_backs(input);
   options_.cost = options.cost.value_or(Cost::quadric);
   options_.max_normal_flip_deg = options.max_normal_flip_deg.value_or(facts_of(options).max_normal_flip_deg);
   Vec3 low = mesh.positions.at(0);
@@ -36,8 +38,11 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& mesh, const Decimate
     stands_for_.push_back(static_cast<Index>(positions_.size()));
     positions_.push_back(frame_.to_frame(p));
   }
-  for (const Triangle& f : mesh.faces) {
-    if (f[0] != f[1] && f[1] != f[2] && f[2] != f[0]) faces_.push_back(f);
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    const Triangle& f = mesh.faces[i];
+    if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0]) continue;
+    faces_.push_back(f);
+    n_sides_.push_back(n_sides[i]);
   }
   if (options.boundary == Boundary::free) options_.quadric.boundary_weight = 0;
 
@@ -143,7 +148,10 @@ std::uint64_t BruteForceDecimater::n_vertices() const {
 
 std::vector<Triangle> BruteForceDecimater::faces() const {
   std::vector<Triangle> faces;
-  for (const auto& [a, b, c] : faces_) faces.push_back({stands_for_[a], stands_for_[b], stands_for_[c]});
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    for (Triangle& corners = faces.emplace_back(faces_[i]); Index & v : corners) v = stands_for_[v];
+    if (n_sides_[i] == 2) faces.push_back({faces.back()[1], faces.back()[0], faces.back()[2]});
+  }
   return faces;
 }
 
@@ -402,6 +410,8 @@ bool BruteForceDecimater::keeps_shape(const Triangle& face, Index v, const Vec3&
 }
 
 void BruteForceDecimater::contract(const Choice& choice, Index survivor, Index removed) {
+  const std::vector<bool> is_left = faces_left(std::min(survivor, removed), std::max(survivor, removed));
+  std::erase_if(n_sides_, [&, i = std::size_t{0}](int) mutable { return !is_left[i++]; });
   std::vector<Triangle> faces = faces_after(survivor, removed);
   areas_.contract(survivor, removed);
   restraints_.contract(positions_, faces, survivor, removed, choice.position);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numeric>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -32,8 +33,11 @@ class BruteForceDecimater {
   /// Contracts until `target`, or until no pair is allowed. \return the contractions, positions in model units
   std::vector<Contraction> run(const DecimateTarget& target);
 
-  std::uint64_t n_faces() const { return faces_.size(); }
-  std::vector<Triangle> faces() const;  ///< of the current mesh, in the input's numbers
+  /// With both sides of sheets.
+  std::uint64_t n_faces() const {
+    return static_cast<std::uint64_t>(std::accumulate(n_sides_.begin(), n_sides_.end(), 0));
+  }
+  std::vector<Triangle> faces() const;  ///< of the current mesh, with both sides, in the input's numbers
   std::size_t n_threshold_pairs() const { return threshold_pairs_.size(); }
   std::uint64_t n_vertices() const;
   /// Of the current mesh, in the input's numbers, ascending.
@@ -85,7 +89,8 @@ class BruteForceDecimater {
   std::optional<BruteForceMemory> memory_;  ///< of memoryless quadrics
   BruteForceAttributes attributes_;
   BruteForceAreas areas_;
-  std::vector<Triangle> faces_;  ///< of the current mesh, in the input's order
+  std::vector<Triangle> faces_;  ///< of the current mesh, in the input's order; those of sheets once
+  std::vector<int> n_sides_;     ///< of each
 };
 
 }  // namespace whittle::test

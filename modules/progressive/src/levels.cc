@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 
 #include "whittle/engine/attributes.hh"
 #include "whittle/engine/detail/bisect.hh"
+#include "whittle/engine/two_sided_sheets.hh"
 #include "whittle/metrics/certify.hh"
 #include "whittle/polish/fit_attributes.hh"
 #include "whittle/progressive/replay.hh"
@@ -24,9 +26,12 @@ void check(const std::vector<double>& errors) {
   }
 }
 
+/// As `MeshMapping`, of a level.
+using LevelMapping = std::function<IndexedMesh(const Decimation&)>;
+
 class LevelSearch {
  public:
-  LevelSearch(const IndexedMesh& mesh, Replay& replay, const SimplifyOptions& options, const MeshMapping& as_written)
+  LevelSearch(const IndexedMesh& mesh, Replay& replay, const SimplifyOptions& options, const LevelMapping& as_written)
       : mesh_(mesh), replay_(replay), options_(options), as_written_(as_written) {}
 
   ProvenLevel find(double error);
@@ -42,13 +47,13 @@ class LevelSearch {
   const IndexedMesh& mesh_;
   Replay& replay_;
   const SimplifyOptions& options_;
-  const MeshMapping& as_written_;
+  const LevelMapping& as_written_;
   std::size_t least_ = 0;  ///< contractions that keep within the error before
 };
 
 bool LevelSearch::is_within(double error, const Decimation& level) const {
   std::optional<IndexedMesh> written;
-  if (as_written_) written = as_written_(level.mesh);
+  if (as_written_) written = as_written_(level);
   const IndexedMesh& mesh = written ? *written : level.mesh;
   if (mesh.faces.empty()) return false;
   metrics::CertifyOptions options{.threads = options_.decimate.threads};
@@ -91,11 +96,9 @@ void LevelSearch::fit_attributes_of(ProvenLevel& level) const {
   level.n_folded_texture_faces = report.n_folded_faces;
 }
 
-}  // namespace
-
-std::vector<ProvenLevel> levels_within(const IndexedMesh& mesh, const std::vector<double>& errors, Effort effort,
-                                       const SimplifyOptions& options, const MeshMapping& as_written) {
-  check(errors);
+/// \pre `mesh` has no two-sided sheets
+std::vector<ProvenLevel> levels_of_surface(const IndexedMesh& mesh, const std::vector<double>& errors, Effort effort,
+                                           const SimplifyOptions& options, const LevelMapping& as_written) {
   const auto last = DecimateTarget::faces(1);
   SimplifyOptions settled = with_effort(effort, options, mesh, last);
   settled.decimate.keep_steps = true;
@@ -106,6 +109,40 @@ std::vector<ProvenLevel> levels_within(const IndexedMesh& mesh, const std::vecto
   LevelSearch search(mesh, replay, settled, as_written);
   for (const double error : errors) levels.push_back(search.find(error));
   return levels;
+}
+
+std::vector<ProvenLevel> levels_of_sheets(const TwoSidedSheets& sheets, const std::vector<double>& errors,
+                                          Effort effort, const SimplifyOptions& options,
+                                          const MeshMapping& as_written) {
+  const auto add_backs = [&](Decimation& level) {
+    sheets.add_backs(options.decimate.normals, options.decimate.threads, level);
+  };
+  LevelMapping of_level;
+  if (as_written) {
+    of_level = [&](const Decimation& level) {
+      Decimation both = level;
+      add_backs(both);
+      return as_written(both.mesh);
+    };
+  }
+  SimplifyOptions own = options;
+  own.decimate = sheets.options_without_backs(options.decimate);
+  std::vector<ProvenLevel> levels = levels_of_surface(sheets.without_backs(), errors, effort, own, of_level);
+  for (ProvenLevel& level : levels) add_backs(level);
+  return levels;
+}
+
+}  // namespace
+
+std::vector<ProvenLevel> levels_within(const IndexedMesh& mesh, const std::vector<double>& errors, Effort effort,
+                                       const SimplifyOptions& options, const MeshMapping& as_written) {
+  check(errors);
+  if (const TwoSidedSheets sheets(mesh); sheets.any()) {
+    return levels_of_sheets(sheets, errors, effort, options, as_written);
+  }
+  LevelMapping of_level;
+  if (as_written) of_level = [&](const Decimation& level) { return as_written(level.mesh); };
+  return levels_of_surface(mesh, errors, effort, options, of_level);
 }
 
 }  // namespace whittle::progressive

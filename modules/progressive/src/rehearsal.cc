@@ -8,6 +8,8 @@
 #include <string>
 #include <tuple>
 
+#include "without_backs.hh"
+
 namespace whittle::progressive {
 namespace {
 
@@ -126,7 +128,11 @@ void Rehearsal::contract(const Contraction& contraction) {
   Vec3& position = replay_.positions_[contraction.survivor];
   replay_.before_.push_back(std::exchange(position, contraction.position));
   rename_corners(contraction);
-  if (contraction.joins_faces) hide_coincident(contraction.survivor);
+  if (replay_.without_backs_) {
+    hide_as_without_backs();
+  } else if (contraction.joins_faces) {
+    hide_coincident(contraction.survivor);
+  }
   is_removed_[contraction.removed] = true;
   const double cost = std::max(replay_.counts_.back().cost, contraction.cost);
   replay_.counts_.push_back({cost, static_cast<Index>(n_vertices_), static_cast<Index>(n_faces_)});
@@ -189,10 +195,26 @@ void Rehearsal::hide(Index face) {
   count_face(replay_.corners_[face], -1);
 }
 
+/// Fronts are hidden, and are there again, as they are without backs. Backs follow them.
+void Rehearsal::hide_as_without_backs() {
+  const auto& [input, sheets, without_backs] = *replay_.without_backs_;
+  for (; n_followed_ < without_backs.hidings().size(); ++n_followed_) {
+    const auto& [step, of_fronts, is_hidden] = without_backs.hidings()[n_followed_];
+    if (step != replay_.level()) break;
+    for (const Index face : {sheets->front_of(of_fronts), sheets->back_of(of_fronts)}) {
+      if (face == invalid_index) continue;
+      replay_.is_hidden_[face] = is_hidden ? 1 : 0;
+      replay_.hidings_.push_back({step, face, is_hidden});
+      ++replay_.n_hidings_;
+      count_face(replay_.corners_[face], is_hidden ? -1 : 1);
+    }
+  }
+}
+
 // Ends of passes ------------------------------------------------------------------------------------------------------
 
 void Rehearsal::end_pass(const PassEnd& end) {
-  settle();
+  replay_.without_backs_ ? hide_as_without_backs() : settle();
   replay_.passes_before_.emplace_back();
   move(end);
   turn(end);

@@ -34,6 +34,7 @@ class Rehearsal {
   void rename_corners(const Contraction& contraction);
   void hide_coincident(Index survivor);
   void hide(Index face);
+  void hide_as_without_backs();
   void end_pass(const PassEnd& end);
   void settle();
   void move(const PassEnd& end);
@@ -49,7 +50,8 @@ class Rehearsal {
   LargeArray<Index> n_faces_at_;    ///< that are there, per vertex
   std::uint64_t n_vertices_ = 0;    ///< with faces
   std::uint64_t n_faces_ = 0;
-  std::vector<Index> hidden_;  ///< faces since the last pass end
+  std::vector<Index> hidden_;   ///< faces since the last pass end
+  std::size_t n_followed_ = 0;  ///< hidings of the replay without backs
 };
 
 }  // namespace whittle::progressive

@@ -9,8 +9,10 @@
 #include "rehearsal.hh"
 #include "whittle/core/detail/checks.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/two_sided.hh"
 #include "whittle/engine/attributes.hh"
 #include "whittle/polish/fit_attributes.hh"
+#include "without_backs.hh"
 
 namespace whittle::progressive {
 namespace {
@@ -39,7 +41,17 @@ Replay::Replay(IndexedMesh input, RunSteps steps, Normals normals)
       corners_(input_.faces.begin(), input_.faces.end()),
       is_hidden_(input_.faces.size()) {
   check(input_);
+  without_backs_ = make_without_backs(input_, steps_, normals_);
   Rehearsal(*this).run();
+}
+
+std::shared_ptr<Replay::WithoutBacks> Replay::make_without_backs(const IndexedMesh& input, const RunSteps& steps,
+                                                                 Normals normals) {
+  if (fronts_of_backs(input.faces).empty()) return nullptr;
+  auto owned = std::make_unique<IndexedMesh>(input);
+  auto sheets = std::make_unique<TwoSidedSheets>(*owned);
+  Replay replay(sheets->without_backs(), sheets->steps_without_backs(steps), normals);
+  return std::make_shared<WithoutBacks>(WithoutBacks{std::move(owned), std::move(sheets), std::move(replay)});
 }
 
 // Which level ---------------------------------------------------------------------------------------------------------
@@ -196,7 +208,18 @@ void Replay::carry_attributes_to(const std::vector<Index>& numbers, Decimation& 
   out.mesh = std::move(mesh);
 }
 
+Decimation Replay::decimation_with_backs() const {
+  Replay& replay = without_backs_->replay;
+  replay.go_to(level());
+  Decimation out = replay.decimation();
+  without_backs_->sheets->add_backs(normals_, 0, out);
+  out.steps = {};
+  out.result.before = out.result.after = {};
+  return out;
+}
+
 Decimation Replay::decimation() const {
+  if (without_backs_) return decimation_with_backs();
   Decimation out;
   out.face_origins = faces_left();
   std::vector<Index> numbers(positions_.size(), invalid_index);

@@ -5,6 +5,7 @@
 
 #include "oracle/brute_force.hh"
 #include "support/shapes/shapes.hh"
+#include "support/shapes/two_sided.hh"
 #include "support/transforms.hh"
 #include "whittle/core/wedges.hh"
 
@@ -56,6 +57,8 @@ std::vector<Case> all_shapes() {
           {"knot(40,6)", knot(40, 6)},
           {"grid(8,6)", grid(8, 6)},
           {"noisy_grid(9,8)", noisy_grid(9, 8, 0.3, 4)},
+          {"two-sided noisy_grid(7,6)", with_backs(noisy_grid(7, 6, 0.3, 4))},
+          {"half two-sided noisy_grid(7,6)", with_backs(noisy_grid(7, 6, 0.3, 4), 40)},
           {"terrain(11)", terrain(11, 5)},
           {"open_cylinder(12,5)", open_cylinder(12, 5)},
           {"moebius(14,3)", moebius(14, 3)},

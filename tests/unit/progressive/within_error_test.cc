@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/shapes/shapes.hh"
+#include "support/shapes/two_sided.hh"
 #include "whittle/engine/simplify.hh"
 #include "whittle/metrics/certify.hh"
 #include "whittle/progressive/levels.hh"
@@ -44,6 +45,18 @@ TEST(WithinError, LeavesFewFacesOfFans) {
     const IndexedMesh mesh = capped_cylinder(200, caps);
     const Simplification result = simplify(mesh, DecimateTarget::max_error(0.001));
     EXPECT_LT(result.mesh.faces.size(), mesh.faces.size() / 2) << static_cast<int>(caps);
+  }
+}
+
+TEST(WithinError, LevelsOfSheetsHaveBothSides) {
+  const IndexedMesh mesh = with_backs(noisy_grid(12, 12, 0.1, 3));
+  const std::vector<progressive::ProvenLevel> levels = progressive::levels_within(mesh, {0.1, 0.3});
+  ASSERT_EQ(levels.size(), 2U);
+  EXPECT_LT(levels[0].mesh.faces.size(), mesh.faces.size());
+  EXPECT_LT(levels[1].mesh.faces.size(), levels[0].mesh.faces.size());
+  for (const progressive::ProvenLevel& level : levels) {
+    EXPECT_EQ(level.mesh.faces.size() % 2, 0U);
+    EXPECT_EQ(metrics::certify(mesh, level.mesh, level.error).verdict, metrics::Verdict::proven);
   }
 }
 

@@ -14,6 +14,7 @@
 #include "simplify/nearer_result.hh"
 #include "simplify/plain_trial.hh"
 #include "simplify/polish_within.hh"
+#include "simplify/simplify_sheets.hh"
 #include "whittle/engine/attributes.hh"
 #include "whittle/polish/fit_attributes.hh"
 
@@ -310,6 +311,7 @@ Simplification better_of_both(const IndexedMesh& mesh, const DecimateTarget& tar
 
 Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, Effort effort,
                         const SimplifyOptions& options) {
+  if (const TwoSidedSheets sheets(mesh); sheets.any()) return simplify_sheets(sheets, target, effort, options);
   const SimplifyOptions settled = with_effort(effort, options, mesh, target);
   DecimationPolisher polisher(mesh);
   Simplification result = better_of_both(mesh, target, settled, polisher);
@@ -356,6 +358,8 @@ std::vector<double> pauses_at(const std::vector<DecimateTarget>& targets) {
 std::vector<Simplification> simplify_to_levels(const IndexedMesh& mesh, const std::vector<DecimateTarget>& targets,
                                                Effort effort, const SimplifyOptions& options) {
   check_levels(mesh, targets, options);
+  if (const TwoSidedSheets sheets(mesh); sheets.any())
+    return simplify_sheets_to_levels(sheets, targets, effort, options);
   SimplifyOptions settled = with_effort(effort, options, mesh, targets.front());
   settled.pauses->clear();
   SimplifyOptions without_flips = settled;

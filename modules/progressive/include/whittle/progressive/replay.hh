@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -112,9 +113,16 @@ class Replay {
   void add_attributes(const std::vector<Index>& numbers, Decimation& out) const;
   void carry_attributes_to(const std::vector<Index>& numbers, Decimation& out) const;
 
+  /// The same without the backs of two-sided sheets.
+  struct WithoutBacks;
+  static std::shared_ptr<WithoutBacks> make_without_backs(const IndexedMesh& input, const RunSteps& steps,
+                                                          Normals normals);
+  Decimation decimation_with_backs() const;
+
   IndexedMesh input_;
   RunSteps steps_;
   Normals normals_;
+  std::shared_ptr<WithoutBacks> without_backs_;  ///< none if there are no sheets
 
   // What the rehearsal has found out.
   LargeArray<Counts> counts_;              ///< by number of contractions done

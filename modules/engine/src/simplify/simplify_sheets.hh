@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "whittle/engine/simplify.hh"
+#include "whittle/engine/two_sided_sheets.hh"
+
+namespace whittle {
+
+/// `simplify` for a mesh with two-sided sheets. \pre there are any
+Simplification simplify_sheets(const TwoSidedSheets& sheets, const DecimateTarget& target, Effort effort,
+                               const SimplifyOptions& options);
+
+/// `simplify_to_levels` for a mesh with two-sided sheets. \pre there are any; the targets are possible
+std::vector<Simplification> simplify_sheets_to_levels(const TwoSidedSheets& sheets,
+                                                      const std::vector<DecimateTarget>& targets, Effort effort,
+                                                      const SimplifyOptions& options);
+
+}  // namespace whittle
