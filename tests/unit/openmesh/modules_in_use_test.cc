@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
-#include <whittle/openmesh/detail/attributes/blend_attributes.hh>
+#include <whittle/openmesh/detail/attributes/vertex_attributes.hh>
 
 #include "common/meshes.hh"
 #include "common/modules.hh"
@@ -189,7 +189,10 @@ Mesh::Color blended(const Mesh::Color& first, const Mesh::Color& second, double 
   mesh.request_vertex_colors();
   mesh.set_color(VertexHandle(0), first);
   mesh.set_color(VertexHandle(1), second);
-  VertexBlendT<Mesh>(mesh).blend(mesh, VertexHandle(0), VertexHandle(1), share);
+  mesh.set_color(VertexHandle(2), first);
+  const Vec3 from = to_vec3(mesh.point(VertexHandle(0)));
+  const Vec3 to = to_vec3(mesh.point(VertexHandle(1)));
+  VertexAttributesT<Mesh>(mesh).merge(mesh, VertexHandle(0), VertexHandle(1), from + share * (to - from));
   return mesh.color(VertexHandle(0));
 }
 

@@ -5,6 +5,7 @@
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -174,13 +175,54 @@ TEST_P(VertexProperties, OfRealNumbersAreBlended) {
   }
 }
 
-TEST(VertexBlend, NoticesNewProperties) {
+/// The largest error of a property that is linear in the position, on a curved surface, over its range.
+double linear_error(const DoubleMesh& mesh, const OpenMesh::VProp<double>& height) {
+  double largest = 0;
+  for (const VertexHandle v : mesh.vertices()) {
+    const Vec3 p = to_vec3(mesh.point(v));
+    largest = std::max(largest, std::abs(height[v] - (2 * p.x() - p.y() + p.z())));
+  }
+  return largest;
+}
+
+void set_linear(const DoubleMesh& mesh, OpenMesh::VProp<double>& height) {
+  for (const VertexHandle v : mesh.vertices()) {
+    const Vec3 p = to_vec3(mesh.point(v));
+    height[v] = 2 * p.x() - p.y() + p.z();
+  }
+}
+
+/// Places of least cost are beside the edges, and beside the surface.
+TEST_P(VertexProperties, StayLinearInThePosition) {
+  DoubleMesh mesh = open_mesh<DoubleMesh>(blob(4, 1));
+  OpenMesh::VProp<double> height(mesh, "height");
+  set_linear(mesh, height);
+  PairDecimaterT<DoubleMesh> decimater(mesh);
+  add_module<ModMemorylessT<DoubleMesh>>(decimater);
+  decimater.set_driver(GetParam());
+  ASSERT_TRUE(decimater.initialize());
+  EXPECT_GT(decimater.decimate_to_faces(0, 500), 1000U);
+  EXPECT_LT(linear_error(mesh, height), 0.01);
+}
+
+TEST(VertexPropertiesInOpenMesh, StayLinearInThePosition) {
+  DoubleMesh mesh = open_mesh<DoubleMesh>(blob(4, 1));
+  OpenMesh::VProp<double> height(mesh, "height");
+  set_linear(mesh, height);
+  OpenMesh::Decimater::DecimaterT<DoubleMesh> decimater(mesh);
+  add_module<ModMemorylessT<DoubleMesh>>(decimater);
+  ASSERT_TRUE(decimater.initialize());
+  EXPECT_GT(decimater.decimate_to_faces(0, 500), 1000U);
+  EXPECT_LT(linear_error(mesh, height), 0.01);
+}
+
+TEST(VertexAttributesOfAMesh, NoticeNewProperties) {
   DoubleMesh mesh = open_mesh<DoubleMesh>(single_triangle());
-  const VertexBlendT<DoubleMesh> blend(mesh);
-  EXPECT_TRUE(blend.empty() && blend.fits(mesh));
+  const VertexAttributesT<DoubleMesh> attributes(mesh);
+  EXPECT_TRUE(attributes.empty() && attributes.fits(mesh));
   const OpenMesh::VProp<float> height(mesh, "height");
-  EXPECT_FALSE(blend.fits(mesh));
-  EXPECT_FALSE(VertexBlendT<DoubleMesh>(mesh).empty());
+  EXPECT_FALSE(attributes.fits(mesh));
+  EXPECT_FALSE(VertexAttributesT<DoubleMesh>(mesh).empty());
 }
 
 }  // namespace

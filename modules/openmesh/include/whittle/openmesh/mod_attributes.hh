@@ -9,8 +9,8 @@
 
 #include "whittle/core/attribute_blend.hh"
 #include "whittle/openmesh/conversions.hh"
-#include "whittle/openmesh/detail/attributes/blend_attributes.hh"
 #include "whittle/openmesh/detail/attributes/corner_attributes.hh"
+#include "whittle/openmesh/detail/attributes/vertex_attributes.hh"
 
 // Keeps what halfedges carry through OpenMesh's own decimaters, as a binary module. `PairDecimaterT` does it by itself.
 //

@@ -12,7 +12,7 @@
 
 #include "whittle/engine/formula/valence_term.hh"
 #include "whittle/openmesh/conversions.hh"
-#include "whittle/openmesh/detail/attributes/blend_attributes.hh"
+#include "whittle/openmesh/detail/attributes/vertex_attributes.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
 
 namespace whittle {
@@ -150,7 +150,7 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   std::optional<float> own_priority_;
   std::optional<Pending> pending_;  ///< the collapse under way
   PlacedQuadric merged_;            ///< the merged vertex of that collapse
-  std::optional<VertexBlendT<MeshT>> blend_;
+  std::optional<VertexAttributesT<MeshT>> attributes_;
 };
 
 }  // namespace whittle

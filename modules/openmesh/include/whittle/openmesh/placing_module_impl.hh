@@ -164,13 +164,13 @@ void PlacingModuleT<MeshT>::preprocess_collapse(const CollapseInfo& collapse) {
     const PairEvaluation evaluation = evaluate_cheapest(collapse);
     place_next(evaluation, this->place(first, second, evaluation), first);
   }
-  if (!blend_ || !blend_->fits(mesh_)) blend_.emplace(mesh_);
-  blend_->blend(mesh_, collapse.v1, collapse.v0,
-                share_along(position(collapse.v1), position(collapse.v0), pending_->position));
+  const bool stays = pending_->position == position(collapse.v1);
+  if (!attributes_ || !attributes_->fits(mesh_)) attributes_.emplace(mesh_);
+  if (!stays) attributes_->merge(mesh_, collapse.v1, collapse.v0, frame_.to_model(pending_->position));
   const bool is_v0_first = pending_->first == collapse.v0;
   merged_ = merge(pending_->first, is_v0_first ? collapse.v1 : collapse.v0, pending_->evaluation, pending_->position);
   carry_feature_bits(mesh_, collapse);
-  if (pending_->position == position(collapse.v1)) return;  // don't round a vertex that doesn't move
+  if (stays) return;  // don't round a vertex that doesn't move
   mesh_.set_point(collapse.v1, to_point<typename MeshT::Point>(frame_.to_model(pending_->position)));
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "whittle/engine/decimate.hh"
-#include "whittle/openmesh/detail/attributes/blend_attributes.hh"
+#include "whittle/openmesh/detail/attributes/vertex_attributes.hh"
 #include "whittle/openmesh/detail/bulk_collapse.hh"
 #include "whittle/openmesh/detail/drivers/run_input.hh"
 #include "whittle/openmesh/detail/face_relinker.hh"
@@ -46,7 +46,7 @@ class EngineRunT final : private DecimationHost {
   Decimation contract_within_error(DecimateOptions options);
   DecimateTarget target_before_rounding() const;
   bool notify_observer(std::uint64_t n_contractions);
-  void note(const Contraction& contraction, double share);
+  void note(const Contraction& contraction);
   static std::uint64_t count_vertices(const IndexedMesh& mesh);
 
   void write_back(Decimation& small);
@@ -57,7 +57,7 @@ class EngineRunT final : private DecimationHost {
   void update_face_normals(const std::vector<Copy>& vertices, const std::vector<Index>& origins);
   void hand_over_quadrics(const std::vector<Copy>& vertices, std::vector<PlacedQuadric> quadrics, bool were_collapses);
 
-  void blend();
+  IndexedMesh vertex_attributes_of(const Decimation& small) const;
 
   PairDecimaterT<MeshT>& decimater_;
   MeshT& mesh_;
@@ -66,8 +66,7 @@ class EngineRunT final : private DecimationHost {
   std::optional<DecimationState> state_;
   std::vector<VertexMerge> merges_;  ///< by first copies
   std::uint64_t n_notified_ = 0;     ///< contractions that the observer was told of last, if the error is limited
-  VertexBlendT<MeshT> blend_;
-  std::vector<float> shares_;  ///< of the removed vertices in the merged ones, if vertices carry something
+  VertexAttributesT<MeshT> attributes_;
 };
 
 }  // namespace whittle

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "whittle/core/detail/edge_table.hh"
+#include "whittle/engine/attributes.hh"
 #include "whittle/openmesh/detail/drivers/engine_run.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
 
@@ -22,7 +23,7 @@ EngineRunT<MeshT>::EngineRunT(PairDecimaterT<MeshT>& decimater, const DecimateTa
       input_(mesh_, Copies::joined,
              [&decimater, only_selected](VertexHandle v) { return decimater.is_fixed(v, only_selected); }),
       state_(state_of_module()),
-      blend_(mesh_) {}
+      attributes_(mesh_) {}
 
 template <class MeshT>
 DecimateResult EngineRunT<MeshT>::run() {
@@ -65,11 +66,7 @@ Decimation EngineRunT<MeshT>::contract() {
 /// The engine tells its listener at the end, in order.
 template <class MeshT>
 Decimation EngineRunT<MeshT>::contract_within_error(DecimateOptions options) {
-  std::vector<Vec3> positions = input_.mesh.positions;
-  options.listener = [&](const Contraction& made) {
-    note(made, share_along(positions[made.survivor], positions[made.removed], made.position));
-    positions[made.survivor] = made.position;
-  };
+  options.listener = [this](const Contraction& made) { note(made); };
   options.progress = [this, n_vertices = count_vertices(input_.mesh)](const Progress& progress) {
     return notify_observer(n_vertices - std::min(n_vertices, progress.n_vertices));
   };
@@ -108,18 +105,14 @@ bool EngineRunT<MeshT>::notify_observer(std::uint64_t n_contractions) {
 }
 
 template <class MeshT>
-bool EngineRunT<MeshT>::follow(const HostedContraction& made, const Contraction& contraction) {
-  const bool first_survives = made.survivor == made.first;
-  note(contraction,
-       share_along(made.before[first_survives ? 0 : 1], made.before[first_survives ? 1 : 0], made.position));
+bool EngineRunT<MeshT>::follow(const HostedContraction&, const Contraction& contraction) {
+  note(contraction);
   return decimater_.notify_observer(merges_.size());
 }
 
-/// \param share of the removed vertex in the merged one
 template <class MeshT>
-void EngineRunT<MeshT>::note(const Contraction& contraction, double share) {
+void EngineRunT<MeshT>::note(const Contraction& contraction) {
   merges_.push_back({input_.handle(contraction.removed), input_.handle(contraction.survivor)});
-  if (!blend_.empty()) shares_.push_back(static_cast<float>(share));
   if (!decimater_.listener_) return;
   Contraction by_handles = contraction;
   by_handles.survivor = input_.numbers.handles[contraction.survivor];
@@ -142,9 +135,10 @@ std::uint64_t EngineRunT<MeshT>::count_vertices(const IndexedMesh& mesh) {
 template <class MeshT>
 void EngineRunT<MeshT>::write_back(Decimation& small) {
   const bool were_collapses = are_collapses(small);
-  blend();
+  const IndexedMesh attributes = vertex_attributes_of(small);
   const std::vector<Copy> vertices = were_collapses ? collapse(small) : relink(small);
   for (const auto& [vertex, handle] : vertices) {
+    attributes_.set(attributes, vertex, mesh_, handle);
     const Vec3& position = small.mesh.positions[vertex];
     if (position == to_vec3(mesh_.point(handle))) continue;  // don't round a vertex that hasn't moved
     mesh_.set_point(handle, to_point<typename MeshT::Point>(position));
@@ -156,12 +150,20 @@ void EngineRunT<MeshT>::write_back(Decimation& small) {
   hand_over_quadrics(vertices, std::move(small.quadrics), were_collapses);
 }
 
-/// Interpolates attributes in the order of the contractions, as if each had been made on the mesh.
+/// What vertices carry, at the places where they are now. Without anything, an empty mesh.
 template <class MeshT>
-void EngineRunT<MeshT>::blend() {
-  for (std::size_t i = 0; i < shares_.size(); ++i) {
-    blend_.blend(mesh_, merges_[i].survivor, merges_[i].removed, shares_[i]);
-  }
+IndexedMesh EngineRunT<MeshT>::vertex_attributes_of(const Decimation& small) const {
+  IndexedMesh before;
+  IndexedMesh after;
+  if (attributes_.empty()) return after;
+  before.positions = input_.mesh.positions;
+  before.faces = input_.mesh.faces;
+  attributes_.add_to(before, mesh_, input_.numbers.handles);
+  after.positions = small.mesh.positions;
+  after.faces = small.mesh.faces;
+  carry_attributes(before, Frame::of_points(before.positions), Normals::keep, small.vertex_map, small.face_origins,
+                   after, decimater_.threads_);
+  return after;
 }
 
 /// Whether the contractions are legal collapses on the mesh as it is. Without threshold pairs and copies they are, with
