@@ -128,6 +128,27 @@ TEST(InputFormat, OverrulesTheName) {
   EXPECT_TRUE(read_text(folder / "out.obj").starts_with("ply\n"));
 }
 
+TEST(InputFormat, MayBeGltf) {
+  const TemporaryFolder folder;
+  const std::string cube = data_file("cubes.obj");
+  ASSERT_EQ(whittle({"convert", cube, folder / "a.glb"}).exit_code, 0);
+  write_text(folder / "a.ply", read_text(folder / "a.glb"));
+  write_text(folder / "a.b3dm_content", read_text(folder / "a.glb"));
+  const Outcome named = whittle({"info", folder / "a.ply"});
+  EXPECT_EQ(named.exit_code, 4) << named;
+  EXPECT_NE(named.err.find("the content is binary glTF; rename it to .glb, or give --input-format glb"),
+            std::string::npos)
+      << named;
+  for (const char* format : {"glb", "gltf"}) {
+    for (const char* file : {"a.ply", "a.b3dm_content"}) {
+      const Outcome read = whittle({"convert", folder / file, folder / "b.obj", "--input-format", format});
+      EXPECT_EQ(read.exit_code, 0) << read;
+      EXPECT_EQ(io::read_mesh(folder / "b.obj").mesh.faces.size(), io::read_mesh(cube).mesh.faces.size());
+    }
+  }
+  expect_usage_error(whittle({"info", "-", "--input-format", "glb"}), {"glTF isn't read from standard input"});
+}
+
 TEST(InputFormat, IsAdvisedWhereAnotherWasGivenAgainstTheName) {
   const Outcome wrong = whittle({"info", data_file("knot.ply"), "--input-format", "off"});
   EXPECT_EQ(wrong.exit_code, 4) << wrong;

@@ -61,7 +61,8 @@ io::Format output_format(const std::string& path, const FileOptions& options) {
 }  // namespace
 
 bool reads_gltf(const std::string& path, const FileOptions& options) {
-  return options.reads_gltf && !options.input_format && is_gltf(path);
+  if (!options.reads_gltf) return false;
+  return options.has_input_format() ? options.input_is_gltf : is_gltf(path);
 }
 
 std::optional<io::Format> format_by_name(const std::string& path) {
@@ -90,7 +91,7 @@ void refuse_gltf(const std::vector<std::string>& inputs, const std::vector<std::
     return io::has_gzip_extension(path) && is_gltf(path.substr(0, path.rfind('.')));
   };
   for (const std::string& input : inputs) {
-    if (options.input_format) break;
+    if (options.has_input_format()) break;
     if (is_packed(input)) throw io::ReadError(input, "is glTF packed with gzip: unpack it first");
     if (options.reads_gltf || !is_gltf(input)) continue;
     throw io::ReadError(
@@ -112,11 +113,12 @@ void check_formats(const std::vector<std::string>& inputs, const std::vector<std
   refuse_gltf(inputs, outputs, options);
   const auto n_standard = std::count(inputs.begin(), inputs.end(), standard_stream);
   if (n_standard > 1) throw UsageError("only one of the inputs can be standard input ('-')");
+  if (n_standard == 1 && options.input_is_gltf) throw UsageError("glTF isn't read from standard input ('-')");
   if (n_standard == 1 && !options.format && !options.input_format) throw UsageError(needs_format("--input-format"));
   const auto is_told = [&options](const std::string& path) {
     return format_by_name(path).has_value() || (options.reads_gltf && is_gltf(path));
   };
-  if (options.format && (options.input_format || std::all_of(inputs.begin(), inputs.end(), is_told)) &&
+  if (options.format && (options.has_input_format() || std::all_of(inputs.begin(), inputs.end(), is_told)) &&
       (options.output_format || std::all_of(outputs.begin(), outputs.end(), is_told))) {
     throw UsageError(
         "--format is for '-' and for names that don't tell the format; here every name does, or another option");

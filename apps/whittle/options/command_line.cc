@@ -1,5 +1,6 @@
 #include "options/command_line.hh"
 
+#include <algorithm>
 #include <array>
 
 #include "options/help.hh"
@@ -18,6 +19,22 @@ io::Format parse_format(std::string_view text) {
     if (io::name_of(format) == text) return format;
   }
   throw std::invalid_argument("'" + std::string(text) + "' is none of " + io::format_names("|"));
+}
+
+constexpr std::array<std::string_view, 2> gltf_names{"glb", "gltf"};
+
+/// Nothing for glTF, which is remembered in `options`.
+std::optional<io::Format> parse_input_format(std::string_view text, FileOptions& options) {
+  const bool names_gltf = std::find(gltf_names.begin(), gltf_names.end(), text) != gltf_names.end();
+  options.input_is_gltf = options.reads_gltf && names_gltf;
+  if (options.input_is_gltf) return std::nullopt;
+  try {
+    return parse_format(text);
+  } catch (const std::invalid_argument& error) {
+    if (options.reads_gltf) throw std::invalid_argument(error.what() + std::string("|glb|gltf"));
+    if (!names_gltf) throw;
+    throw std::invalid_argument(error.what() + std::string("; this command doesn't read glTF, 'whittle convert' does"));
+  }
 }
 
 template <class Paths>
@@ -109,7 +126,11 @@ void add_input_formats(CLI::App& app, FileOptions& options, const std::string& g
   add_format_option(app, "--format", options.format,
                     "the format, such as ply, of '-' and of files whose name doesn't tell it")
       ->group(group);
-  add_format_option(app, "--input-format", options.input_format, "the format to read, whatever a file's name says")
+  add_value(
+      app, "--input-format", "EXT", options.input_format,
+      [&options](std::string_view text) { return parse_input_format(text, options); },
+      "the format to read, whatever a file's name says")
+      ->default_str("by name")
       ->group(group);
 }
 

@@ -49,6 +49,7 @@ struct FileOptions {
   AutomaticLength weld_tolerance{};    ///< also vertices on open borders that are so near; 0 = exact duplicates alone
   std::optional<io::Format> format{};  ///< of files whose name doesn't tell the format
   std::optional<io::Format> input_format{};   ///< of what is read, whatever its name
+  bool input_is_gltf = false;                 ///< what is read is glTF, whatever its name
   std::optional<io::Format> output_format{};  ///< of what is written, whatever its name
   bool ascii = false;                         ///< text, in formats that are written as text or as binary data
   bool reads_gltf = false;                    ///< whether the command takes glTF files
@@ -56,10 +57,13 @@ struct FileOptions {
   bool takes_no_triangles = false;            ///< whether glTF without triangles is read, as a mesh without faces
   bool reads_scene = false;                   ///< whether glTF is read as `GltfScope::scene`, else as `meshes`
   bool reads_shown = false;                   ///< whether it is read as `GltfScope::shown`
+
+  /// Whether an option tells the format of what is read, whatever its name.
+  bool has_input_format() const { return input_format || input_is_gltf; }
 };
 // Each takes the group of the help, by default that of options without one.
 
-/// Adds --format and --input-format.
+/// Adds --format and --input-format, which takes glTF where the command does (`FileOptions::reads_gltf`).
 void add_input_formats(CLI::App& app, FileOptions& options, const std::string& group = "Options");
 /// Adds --weld.
 void add_weld(CLI::App& app, FileOptions& options, const std::string& group = "Options");

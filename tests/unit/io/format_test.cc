@@ -1,5 +1,7 @@
 #include "whittle/io/format.hh"
 
+#include "format/foreign.hh"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -100,10 +102,40 @@ TEST(Format, NamesWhatIsKnownButNotSupported) {
   EXPECT_EQ(refusal("Duck.glb.gz"), refusal("Duck.glb"));
 }
 
+TEST(Format, NamesWhatConvertsOthers) {
+  const std::pair<const char*, const char*> tools[] = {
+      {"a.fbx", "FBX (.fbx), a format that is not supported; convert it with assimp ('assimp export IN OUT.obj')"},
+      {"a.dae", "assimp"},
+      {"a.3ds", "assimp"},
+      {"a.3mf", "assimp"},
+      {"a.dxf", "assimp"},
+      {"a.step", "'gmsh IN -2"},
+      {"a.stp", "FreeCAD"},
+      {"a.iges", "FreeCAD"},
+      {"a.igs", "FreeCAD"},
+      {"a.usd", "Blender"},
+      {"a.usda", "Blender"},
+      {"a.usdc", "Blender"},
+      {"a.usdz", "Blender"},
+      {"a.blend", "Blender"},
+      {"a.ifc", "IfcConvert"},
+      {"a.vrml", "MeshLab"},
+      {"a.wrl", "MeshLab"},
+      {"a.x3d", "MeshLab"},
+      {"a.skp", "the program that made it"},
+      {"a.max", "the program that made it"},
+      {"a.vtu", "ParaView"},
+      {"a.om", "mconvert"},
+      {"a.drc", "draco_decoder"},
+      {"a.e57", "has no faces"},
+  };
+  for (const auto& [name, tool] : tools) EXPECT_NE(refusal(name).find(tool), std::string::npos) << refusal(name);
+}
+
 TEST(Format, AsksForAnExtensionWhereThereIsNone) {
-  EXPECT_EQ(refusal("mesh"), "has no extension that tells its format; name one of " + format_names());
+  EXPECT_EQ(refusal("mesh"), "has no extension that tells its format; name one of " + format_names() + ", glb, gltf");
   EXPECT_EQ(refusal(".obj"), refusal("mesh"));  // A hidden file without an extension.
-  EXPECT_EQ(refusal("notes.txt"), "has the unknown extension \".txt\"; use " + format_titles());
+  EXPECT_EQ(refusal("notes.txt"), "has the unknown extension \".txt\"; use " + mesh_titles());
 }
 
 }  // namespace

@@ -86,9 +86,10 @@ TEST(WrongContent, MayBeginWithAUtf8Mark) {
 
 TEST(WrongContent, OfOtherFormatsAndArchivesIsNamed) {
   using namespace std::string_literals;
-  const std::array<std::pair<std::string, std::string>, 5> foreign = {{
+  const std::array<std::pair<std::string, std::string>, 6> foreign = {{
+      {"Kaydara FBX Binary  "s, "FBX; which is not supported; convert it with assimp"},
       {"PK\x03\x04\x14\x00\x00"s, "a zip archive"},
-      {"glTF\x02\x00\x00\x00"s, "binary glTF"},
+      {"glTF\x02\x00\x00\x00"s, "binary glTF; rename it to .glb, or give --input-format glb"},
       {"<!DOCTYPE html>\n<html>\n", "a web page"},
       {"version https://git-lfs.github.com/spec/v1\n", "a Git LFS pointer"},
       {"<?xml version=\"1.0\"?>\n<COLLADA>", "XML"},

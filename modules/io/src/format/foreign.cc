@@ -1,6 +1,8 @@
 #include "format/foreign.hh"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "whittle/io/format.hh"
 
@@ -15,51 +17,73 @@ struct Extension {
   std::string_view what;
 };
 
-constexpr Extension mesh_extensions[] = {
-    {"glb", "glTF"},
-    {"gltf", "glTF"},
-    {"om", "OpenMesh's own format"},
-    {"pm", "a progressive mesh"},
-    {"3ds", "3D Studio"},
-    {"max", "3ds Max"},
-    {"fbx", "FBX"},
-    {"dae", "Collada"},
-    {"vtk", "VTK"},
-    {"vtp", "VTK"},
-    {"vtu", "VTK"},
-    {"ctm", "OpenCTM"},
-    {"3mf", "3MF"},
-    {"amf", "AMF"},
-    {"wrl", "VRML"},
-    {"vrml", "VRML"},
-    {"x3d", "X3D"},
-    {"x3dv", "X3D"},
-    {"blend", "a Blender scene"},
-    {"ma", "Maya"},
-    {"mb", "Maya"},
-    {"lwo", "LightWave"},
-    {"c4d", "Cinema 4D"},
-    {"dxf", "DXF"},
-    {"step", "STEP"},
-    {"stp", "STEP"},
-    {"iges", "IGES"},
-    {"igs", "IGES"},
-    {"usd", "USD"},
-    {"usda", "USD"},
-    {"usdc", "USD"},
-    {"usdz", "USD"},
-    {"mesh", "Medit"},
-    {"msh", "Gmsh"},
-    {"ifc", "IFC"},
-    {"drc", "Draco"},
-    {"smf", "SMF"},
-    {"m", "Hoppe's format"},
-    {"xyz", "a point cloud"},
-    {"pts", "a point cloud"},
-    {"pcd", "a point cloud"},
-    {"las", "a point cloud"},
-    {"laz", "a point cloud"},
-    {"e57", "a point cloud"},
+/// Another format, and what makes a mesh of it that is read here.
+struct ForeignFormat {
+  std::string_view extension;
+  std::string_view what;
+  std::string_view remedy;  ///< an imperative; empty = use one of the formats that are read
+};
+
+constexpr auto by_assimp = "convert it with assimp ('assimp export IN OUT.obj') or with Blender"sv;
+constexpr auto by_blender = "open it in Blender and export glTF or PLY"sv;
+constexpr auto by_meshlab = "import it in MeshLab and export PLY"sv;
+constexpr auto by_paraview = "open it in ParaView and save its surface as PLY"sv;
+constexpr auto by_gmsh = "convert it with Gmsh ('gmsh IN -save -o OUT.stl')"sv;
+constexpr auto by_cad = "mesh it with FreeCAD, or with Gmsh ('gmsh IN -2 -o OUT.stl')"sv;
+constexpr auto by_its_program = "export OBJ or glTF from the program that made it"sv;
+constexpr auto by_surface = "it has no faces; make a surface of the points first, with MeshLab or CloudCompare"sv;
+
+constexpr ForeignFormat foreign_formats[] = {
+    {"glb", "glTF", ""},
+    {"gltf", "glTF", ""},
+    {"om", "OpenMesh's own format", "convert it with OpenMesh ('mconvert IN OUT.off')"},
+    {"pm", "a progressive mesh", "write one of its levels as PLY or OFF with the program that made it"},
+    {"3ds", "3D Studio", "convert it with assimp ('assimp export IN OUT.obj')"},
+    {"max", "3ds Max", by_its_program},
+    {"fbx", "FBX", by_assimp},
+    {"dae", "Collada", by_assimp},
+    {"vtk", "VTK", by_paraview},
+    {"vtp", "VTK", by_paraview},
+    {"vtu", "VTK", by_paraview},
+    {"ctm", "OpenCTM", by_meshlab},
+    {"3mf", "3MF", "convert it with assimp ('assimp export IN OUT.obj'), or export STL from a slicer"},
+    {"amf", "AMF", "convert it with assimp ('assimp export IN OUT.obj'), or export STL from a slicer"},
+    {"wrl", "VRML", by_meshlab},
+    {"vrml", "VRML", by_meshlab},
+    {"x3d", "X3D", by_meshlab},
+    {"x3dv", "X3D", by_meshlab},
+    {"blend", "a Blender scene", by_blender},
+    {"ma", "Maya", by_its_program},
+    {"mb", "Maya", by_its_program},
+    {"lwo", "LightWave", "convert it with assimp ('assimp export IN OUT.obj')"},
+    {"c4d", "Cinema 4D", by_its_program},
+    {"skp", "SketchUp", by_its_program},
+    {"dxf", "DXF", "convert it with assimp ('assimp export IN OUT.obj'), or export OBJ from FreeCAD"},
+    {"dwg", "DWG", by_its_program},
+    {"step", "STEP", by_cad},
+    {"stp", "STEP", by_cad},
+    {"iges", "IGES", by_cad},
+    {"igs", "IGES", by_cad},
+    {"brep", "BREP", by_cad},
+    {"usd", "USD", by_blender},
+    {"usda", "USD", by_blender},
+    {"usdc", "USD", by_blender},
+    {"usdz", "USD", by_blender},
+    {"abc", "Alembic", by_blender},
+    {"mesh", "Medit", by_gmsh},
+    {"msh", "Gmsh", by_gmsh},
+    {"ifc", "IFC", "convert it with IfcConvert ('IfcConvert IN OUT.obj')"},
+    {"drc", "Draco", "unpack it with Draco ('draco_decoder -i IN -o OUT.ply')"},
+    {"smf", "SMF", ""},
+    {"m", "Hoppe's format", ""},
+    {"xyz", "a point cloud", by_surface},
+    {"pts", "a point cloud", by_surface},
+    {"pcd", "a point cloud", by_surface},
+    {"las", "a point cloud", by_surface},
+    {"laz", "a point cloud", by_surface},
+    {"e57", "a point cloud", by_surface},
+    {"splat", "a cloud of splats", by_surface},
+    {"spz", "a cloud of splats", by_surface},
 };
 
 // With the program that unpacks them.
@@ -67,7 +91,7 @@ constexpr Extension archive_extensions[] = {{"gz", "gunzip"},   {"tgz", "tar"}, 
                                             {"zst", "unzstd"},  {"zip", "unzip"}, {"7z", "7z"},       {"tar", "tar"},
                                             {"lzma", "unlzma"}, {"rar", "unrar"}};
 
-enum class Advice { convert, unpack, download_again, fetch };
+enum class Advice { convert, name_format, unpack, download_again, fetch };
 
 struct Signature {
   std::string_view start;
@@ -76,7 +100,7 @@ struct Signature {
 };
 
 constexpr Signature signatures[] = {
-    {"glTF"sv, "binary glTF", Advice::convert},
+    {"glTF"sv, "binary glTF", Advice::name_format},
     {"Kaydara FBX"sv, "FBX", Advice::convert},
     {"OCTM"sv, "OpenCTM", Advice::convert},
     {"# vtk DataFile"sv, "VTK", Advice::convert},
@@ -101,10 +125,21 @@ constexpr Signature signatures[] = {
 
 constexpr std::string_view utf16_marks[] = {"\xFF\xFE"sv, "\xFE\xFF"sv};
 
-std::string text_of(Advice advice) {
+/// What to do with a file of a foreign format. \param what as the table of formats has it; others have no remedy
+std::string remedy_of(std::string_view what) {
+  const auto* const row = std::find_if(std::begin(foreign_formats), std::end(foreign_formats),
+                                       [what](const ForeignFormat& f) { return f.what == what; });
+  if (row == std::end(foreign_formats) || row->remedy.empty()) return "use " + mesh_titles();
+  return std::string(row->remedy);
+}
+
+// Names options of the program.
+std::string text_of(Advice advice, std::string_view what) {
   switch (advice) {
     case Advice::convert:
-      return "which is not supported; use " + format_titles();
+      return "which is not supported; " + remedy_of(what);
+    case Advice::name_format:
+      return "rename it to .glb, or give --input-format glb";
     case Advice::unpack:
       return "which is not supported; unpack it first";
     case Advice::download_again:
@@ -123,16 +158,17 @@ std::optional<std::string> problem_of_foreign_extension(std::string_view extensi
     if (extension != known) continue;
     return "is compressed " + shown + ", which is not supported; unpack it first (" + std::string(tool) + ")";
   }
-  for (const auto& [known, what] : mesh_extensions) {
+  for (const auto& [known, what, remedy] : foreign_formats) {
     if (extension != known) continue;
-    return "is " + std::string(what) + ' ' + shown + ", a format that is not supported; use " + format_titles();
+    return "is " + std::string(what) + ' ' + shown + ", a format that is not supported; " +
+           (what == "glTF" ? "use " + format_titles() : remedy_of(what));
   }
   return std::nullopt;
 }
 
 std::optional<std::string> problem_of_foreign_content(std::string_view bytes) {
   for (const auto& [start, what, advice] : signatures) {
-    if (bytes.starts_with(start)) return "the content is " + std::string(what) + "; " + text_of(advice);
+    if (bytes.starts_with(start)) return "the content is " + std::string(what) + "; " + text_of(advice, what);
   }
   for (const std::string_view mark : utf16_marks) {
     if (bytes.starts_with(mark)) return std::string(problem_of_utf16);

@@ -16,6 +16,9 @@ std::optional<std::string> problem_of_foreign_extension(std::string_view extensi
 /// What is wrong with a file that begins so, and what to do. Nothing if the content is not known.
 std::optional<std::string> problem_of_foreign_content(std::string_view bytes);
 
+/// "OBJ, OFF, PLY, STL or glTF": what sentences advise. whittle/gltf reads and writes the last one.
+std::string mesh_titles();
+
 /// UTF-16 without the mark that files of it should begin with.
 bool looks_like_utf16(std::string_view bytes);
 inline constexpr std::string_view problem_of_utf16 = "the content is UTF-16 text; save it as UTF-8 or plain ASCII";

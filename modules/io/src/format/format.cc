@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <initializer_list>
 #include <stdexcept>
 #include <vector>
 
@@ -12,13 +13,14 @@ namespace whittle::io {
 
 namespace {
 
-/// "PLY, STL or OFF": the titles of the formats that `holds` is true of.
+/// "PLY, STL or OFF": the titles of the formats that `holds` is true of, and others.
 template <class Holds>
-std::string titles_of(const Holds& holds) {
+std::string titles_of(const Holds& holds, std::initializer_list<std::string_view> others = {}) {
   std::vector<std::string_view> titles;
   for (const detail::FormatRow* row : detail::format_table) {
     if (holds(*row)) titles.push_back(row->title);
   }
+  titles.insert(titles.end(), others);
   std::string text;
   for (std::size_t i = 0; i < titles.size(); ++i) {
     if (i > 0) text += i + 1 == titles.size() ? " or " : ", ";
@@ -68,6 +70,10 @@ std::string format_titles() {
   return titles_of([](const detail::FormatRow&) { return true; });
 }
 
+std::string mesh_titles() {
+  return titles_of([](const detail::FormatRow&) { return true; }, {"glTF"});
+}
+
 std::string titles_with_text_and_binary() {
   return titles_of([](const detail::FormatRow& row) { return row.has_text_and_binary; });
 }
@@ -80,12 +86,13 @@ Format format_from_extension(std::string_view extension) {
     if (std::find(known.begin(), known.end(), lower) != known.end()) return row->format;
   }
   if (lower.empty()) {
-    throw std::invalid_argument("has no extension that tells its format; name one of " + format_names());
+    throw std::invalid_argument("has no extension that tells its format; name one of " + format_names() +
+                                ", glb, gltf");
   }
   if (const std::optional<std::string> problem = problem_of_foreign_extension(lower)) {
     throw std::invalid_argument(*problem);
   }
-  throw std::invalid_argument("has the unknown extension \"." + std::string(extension) + "\"; use " + format_titles());
+  throw std::invalid_argument("has the unknown extension \"." + std::string(extension) + "\"; use " + mesh_titles());
 }
 
 bool has_gzip_extension(const std::filesystem::path& path) { return lower_case(path.extension().string()) == ".gz"; }
