@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <utility>
 
 #include "files/companions.hh"
 #include "files/gltf/new_gltf.hh"
 #include "files/gltf_file.hh"
 #include "files/report.hh"
 #include "whittle/core/float32_positions.hh"
+#include "whittle/io/materials.hh"
 
 namespace whittle::app {
 namespace {
@@ -44,6 +47,38 @@ void write_from_gltf(OutputFiles& files, const MeshOutput& output, const Input& 
   write_mesh(files, output.path, output.options, flipped, talk, warnings, input.read.notes);
 }
 
+/// The textures of the materials that faces of the input have.
+std::set<std::filesystem::path> textures_of(const Input& input) {
+  const io::SurfaceMaterials surface = io::read_materials(input.read.notes, folder_of(input.path));
+  const IndexedMesh& mesh = input.read.mesh;
+  const auto is_used = [&](const io::SurfaceMaterial& material) {
+    return std::any_of(mesh.face_groups.begin(), mesh.face_groups.end(),
+                       [&](Index group) { return mesh.group_names[group] == material.name; });
+  };
+  std::set<std::filesystem::path> textures;
+  for (const io::SurfaceMaterial& material : surface.materials) {
+    if (!material.texture.empty() && is_used(material)) textures.insert(material.texture);
+  }
+  return textures;
+}
+
+/// Lets a PLY file name the texture of an OBJ file as MeshLab and others read it. They take one texture: where there
+/// are several, each face's group and the comment with the material libraries say which it has.
+void name_texture(const MeshOutput& output, const Input& input, io::FileNotes& notes, const Talk& talk,
+                  std::vector<std::string>& warnings) {
+  if (format_for_output(output.path, output.options) != io::Format::ply) return;
+  if (notes.material_libraries.empty() || !notes.header_lines.empty() || input.path == standard_stream) return;
+  const std::set<std::filesystem::path> textures = textures_of(input);
+  if (textures.size() == 1) {
+    notes.header_lines.push_back("comment TextureFile " + textures.begin()->generic_string());
+  } else if (textures.size() > 1) {
+    warnings.push_back(about(shown_output(output.path),
+                             "has " + std::to_string(textures.size()) +
+                                 " textures, which other programs don't read from PLY: write OBJ or glTF for them"));
+    talk.warning(warnings.back());
+  }
+}
+
 }  // namespace
 
 bool is_gltf_output(const std::string& path, const FileOptions& options) {
@@ -75,8 +110,10 @@ void write_result(OutputFiles& files, const MeshOutput& output, Input& input, co
     return write_to_gltf(files, output, input, &mesh, {}, talk, warnings);
   }
   if (input.gltf) return write_from_gltf(files, output, input, mesh, talk, warnings);
-  write_mesh(files, output.path, output.options, mesh, talk, warnings, input.read.notes);
-  const io::FileNotes notes = io::notes_in(format_for_output(output.path, output.options), input.read.notes);
+  io::FileNotes notes = input.read.notes;
+  name_texture(output, input, notes, talk, warnings);
+  write_mesh(files, output.path, output.options, mesh, talk, warnings, notes);
+  notes = io::notes_in(format_for_output(output.path, output.options), std::move(notes));
   copy_companions(files, input.path, output.path, io::referenced_files(notes, folder_of(input.path)), talk, warnings);
 }
 

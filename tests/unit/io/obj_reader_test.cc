@@ -27,6 +27,30 @@ TEST(ObjReader, ReadsPositionsAndFaces) {
   EXPECT_TRUE(result.warnings.empty());
 }
 
+TEST(ObjReader, ReadsColorsInCommentsOfZBrush) {
+  const std::string colors = "#MRGB ff8040ffff000000\n#MRGB 00ffffff000000ff\n";
+  const ReadResult result = read(cat("#Mask\n", tetrahedron, colors, tetrahedron_faces), "a.obj");
+  ASSERT_EQ(result.mesh.colors.size(), 4U);
+  EXPECT_EQ(result.mesh.colors[0], (Color{128 / 255.0F, 64 / 255.0F, 1, 1}));
+  EXPECT_EQ(result.mesh.colors[1], (Color{0, 0, 0, 1}));
+  EXPECT_EQ(result.mesh.colors[3], (Color{0, 0, 1, 1}));
+  EXPECT_TRUE(result.warnings.empty());
+
+  const ReadResult own =
+      read("v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\n#MRGB ff00ff00ff00ff00ff00ff00\nf 1 2 3\n", "a.obj");
+  EXPECT_EQ(own.mesh.colors[0], (Color{1, 0, 0, 1})) << "the colours behind positions go first";
+
+  for (const std::string bad :
+       {"#MRGB ff8040ff\n", "#MRGB ff8040f\n", "#MRGB nothing!\n", "#MRGB\n", "#MRGBff8040ff\n"}) {
+    const ReadResult without = read(cat(tetrahedron, bad, tetrahedron_faces), "a.obj");
+    EXPECT_TRUE(without.mesh.colors.empty()) << bad;
+    const bool has_colors = bad == "#MRGB ff8040ff\n";
+    EXPECT_EQ(without.warnings.size(), has_colors ? 1U : 0U) << bad;
+    if (!has_colors) continue;
+    EXPECT_NE(without.warnings.at(0).find("there are 1 for 4 vertices"), std::string::npos);
+  }
+}
+
 TEST(ObjReader, SaysWhereEachVertexOfTheFileWent) {
   const ReadResult result = read("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 8 8 8\nv 0 1 0\nf 2 3 5\n", "a.obj");
   EXPECT_EQ(result.vertex_map, (std::vector<Index>{invalid_index, 0, 1, invalid_index, 2}));

@@ -29,6 +29,24 @@ TEST(PlyReader, ReadsText) {
   EXPECT_TRUE(result.warnings.empty());
 }
 
+TEST(PlyReader, TakesNamesInUpperCaseWhereNoOtherPropertyHasThem) {
+  const std::string names =
+      "property float X\nproperty float Y\nproperty float Z\nproperty uchar Red\n"
+      "property uchar Green\nproperty uchar Blue\n";
+  const std::string rows = "0 0 0.5 255 0 0\n1 0 0 255 0 0\n0 1 0 255 0 0\n3 0 1 2\n";
+  const ReadResult result = read(cat(ascii, "element vertex 3\n", names, one_face, end, rows), "a.ply");
+  EXPECT_EQ(result.mesh.positions[0], Vec3(0, 0, 0.5));
+  ASSERT_EQ(result.mesh.colors.size(), 3U);
+  EXPECT_EQ(result.mesh.colors[0], (Color{1, 0, 0, 1}));
+  EXPECT_TRUE(result.mesh.attributes.empty());
+
+  const std::string both = cat(three_vertices, "property float X\n");
+  const ReadResult apart = read(cat(ascii, both, one_face, end, "0 0 0.5 7\n1 0 0 8\n0 1 0 9\n3 0 1 2\n"), "a.ply");
+  EXPECT_EQ(apart.mesh.positions[1], Vec3(1, 0, 0));
+  ASSERT_EQ(apart.mesh.attributes.size(), 1U);
+  EXPECT_EQ(apart.mesh.attributes[0].name, "X");
+}
+
 TEST(PlyReader, TakesEveryKindOfLineEnd) {
   for (const std::string line_end : {"\r\n", "\r"}) {
     std::string text;

@@ -1,6 +1,7 @@
 #include "obj/obj_chunk.hh"
 
 #include <algorithm>
+#include <charconv>
 #include <string>
 
 namespace whittle::io {
@@ -48,7 +49,10 @@ void ObjChunk::read() {
 
 void ObjChunk::read_statement() {
   const char* const start = cursor_.position();
-  if (cursor_.peek() == '#') return;
+  if (cursor_.peek() == '#') {
+    if (cursor_.token() == "#MRGB") read_painted_colors();
+    return;
+  }
   const std::string_view keyword = cursor_.token();
   if (keyword == "v") {
     read_vertex();
@@ -133,6 +137,23 @@ void ObjChunk::read_color(std::size_t vertex) {
   auto& colors = builder_.colors();
   colors.resize(vertex, Color{opaque, opaque, opaque, opaque});
   colors.push_back(values);
+}
+
+// "#MRGB MMRRGGBBMMRRGGBB...": the mask, which is not a colour, and the colour of some vertices. What is no such thing
+// is a comment.
+void ObjChunk::read_painted_colors() {
+  cursor_.skip_blanks();
+  const std::string_view digits = cursor_.token();
+  constexpr std::size_t n_digits = 8;
+  if (digits.size() % n_digits != 0) return;
+  for (std::size_t at = 0; at < digits.size(); at += n_digits) {
+    std::uint32_t number = 0;
+    const char* const end = digits.data() + at + n_digits;
+    const auto [stop, error] = std::from_chars(digits.data() + at, end, number, 16);
+    if (error != std::errc{} || stop != end) return;
+    const auto part = [number](unsigned shift) { return static_cast<float>((number >> shift) & 255U) / 255.0F; };
+    painted_colors_.push_back({part(16), part(8), part(0), 1});
+  }
 }
 
 // "vt u [v [w]]"

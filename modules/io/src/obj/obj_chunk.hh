@@ -78,6 +78,8 @@ class ObjChunk {
   const std::vector<std::array<float, 3>>& normals() const { return normals_; }
   /// Three numbers each; empty if only vertices have attributes.
   const std::vector<float>& texcoords() const { return texcoords_; }
+  /// As comments of ZBrush have them, vertex by vertex: `#MRGB`.
+  const std::vector<Color>& painted_colors() const { return painted_colors_; }
   bool has_third_texcoord() const { return has_third_texcoord_; }  ///< that isn't zero
   bool has_bad_normals() const { return has_bad_normals_; }
   /// The largest number that a face names. It may come later in the file.
@@ -94,6 +96,7 @@ class ObjChunk {
   void read_statement();
   void read_vertex();
   void read_color(std::size_t vertex);
+  void read_painted_colors();
   void read_texcoord();
   void read_normal();
   void read_face();
@@ -118,6 +121,7 @@ class ObjChunk {
   ObjNumber bad_texcoord_;
   std::vector<std::array<float, 3>> normals_;
   std::vector<float> texcoords_;
+  std::vector<Color> painted_colors_;
   std::size_t n_texcoords_ = 0;
   bool has_third_texcoord_ = false;
   bool has_bad_normals_ = false;

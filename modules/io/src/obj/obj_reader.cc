@@ -33,6 +33,7 @@ class ObjReader {
     check_largest_vertex();
     check_counts();
     check_normals();
+    set_painted_colors();
     set_texcoords();
     if (scope_ == AttributeScope::all) tags_.give_to(builder_);
     warn_of_what_is_not_carried();
@@ -48,6 +49,7 @@ class ObjReader {
   void check_largest_vertex() const;
   void check_counts() const;
   void check_normals();
+  void set_painted_colors();
   void set_texcoords();
   void warn_of_what_is_not_carried();
 
@@ -65,6 +67,7 @@ class ObjReader {
   ObjNumber bad_texcoord_;
   ObjRows rows_;
   std::vector<float> texcoords_;
+  std::vector<Color> painted_colors_;
   bool has_third_texcoord_ = false;
   bool has_bad_normals_ = false;
   ObjTags tags_;
@@ -128,6 +131,7 @@ void ObjReader::join_chunks() {
     if (bad_texcoord_.at == nullptr) bad_texcoord_ = chunk.bad_texcoord();
     builder_.corner_normals().insert(builder_.corner_normals().end(), chunk.normals().begin(), chunk.normals().end());
     texcoords_.insert(texcoords_.end(), chunk.texcoords().begin(), chunk.texcoords().end());
+    painted_colors_.insert(painted_colors_.end(), chunk.painted_colors().begin(), chunk.painted_colors().end());
     others_ += chunk.others();
     rows_ += chunk.rows();
     keep_larger(largest_vertex_, chunk.largest_vertex());
@@ -184,6 +188,17 @@ void ObjReader::check_normals() {
   if (!has_bad_normals_ && largest_normal_.number < count) return;
   builder_.warn("normals are ignored: faces use numbers of normals that the file doesn't have");
   builder_.forget_normals();
+}
+
+// Colours behind positions are what most programs write and read: they go before those of comments.
+void ObjReader::set_painted_colors() {
+  if (painted_colors_.empty() || !builder_.colors().empty()) return;
+  if (painted_colors_.size() != builder_.vertex_count()) {
+    return builder_.warn("colours in comments (#MRGB) are ignored: there are " +
+                         std::to_string(painted_colors_.size()) + " for " + std::to_string(builder_.vertex_count()) +
+                         " vertices");
+  }
+  builder_.colors() = std::move(painted_colors_);
 }
 
 // Numbers of texture coordinates are left in files from which the coordinates were taken out. Other wrong numbers are

@@ -228,7 +228,7 @@ void write_obj(ByteSink& sink, const IndexedMesh& mesh, const WriteOptions& opti
   };
   warn("vertex attribute", mesh.attributes);
   warn("face attribute", mesh.face_attributes);
-  if (!options.notes.header_lines.empty()) {
+  if (!options.notes.header_lines.empty() && options.notes.material_libraries.empty()) {
     warnings.emplace_back("OBJ names textures in a material library: those of the file are left out");
   }
   writer.write();

@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "bytes/words.hh"
 #include "whittle/core/attribute_kinds.hh"
 
 namespace whittle::io {
@@ -143,6 +144,14 @@ PlyRole role_of(const PlyProperty& property) {
     if (property.name == name) return role;
   }
   return other;
+}
+
+void lower_known_names(std::vector<PlyProperty>& properties) {
+  for (const auto& [name, role] : named_roles) {
+    const auto has_name = [known = name](const PlyProperty& p) { return is_same_word(p.name, known); };
+    if (std::count_if(properties.begin(), properties.end(), has_name) != 1) continue;
+    std::find_if(properties.begin(), properties.end(), has_name)->name = name;
+  }
 }
 
 std::string written_name(const PlyProperty& property) {

@@ -23,6 +23,10 @@ PlyRole role_of(const PlyProperty& property);
 /// The name that a property of this role is written with; its own for others.
 std::string written_name(const PlyProperty& property);
 
+/// Gives properties of vertices the names that have a role in lower case: "X" becomes "x", "Red" "red". Names that two
+/// properties would have stay.
+void lower_known_names(std::vector<PlyProperty>& properties);
+
 /// Where the numbers of a property go.
 struct PlyPlace {
   std::size_t attribute = 0;

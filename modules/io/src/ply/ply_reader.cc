@@ -432,7 +432,10 @@ class BodyReader {
 
 ReadResult read_ply(std::string_view bytes, std::string_view name, const ReadOptions& options) {
   const std::string_view text = without_byte_order_mark(bytes);
-  const PlyHeader header = read_ply_header(text, name);
+  PlyHeader header = read_ply_header(text, name);
+  for (PlyElement& element : header.elements) {
+    if (element.name == "vertex") lower_known_names(element.properties);
+  }
   if (header.encoding == PlyEncoding::ascii) {
     TextCursor cursor(text, name);
     cursor.skip_to(header.data_start);
