@@ -206,6 +206,7 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
         "--categories", "none"},
        {cube, "-o", folder / "weighed.glb", "--faces", "100", "--attribute-weight", "uv=1"},
        {cube, "-o", folder / "small.glb", "--faces", "100", "--compress", "--per-mesh"},
+       {blob, cubes, "--join", "-o", out, "--faces", "500"},
        {bare, "missing.ply", "-o", folder / "{stem}.txt", "--input-format", "obj", "--output-format", "ply", "--ascii",
         "--faces", "200"}});
 }

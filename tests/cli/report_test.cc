@@ -242,6 +242,15 @@ TEST_F(ReportCommand, SaysWhatIsWrong) {
   expect_usage_error(report({folder / "run.rec", "--frames", folder / "f{i}.jpg"}), {"--frames", ".png"});
   expect_usage_error(report({folder / "run.rec", "--animate", folder / "f.gif"}), {"--animate", ".webp"});
   expect_usage_error(report({mesh, "--png", folder / "p.png", "--view", "colour='x'"}), {"--view", "KEY=VALUE"});
+  const std::pair<const char*, const char*> wrong_views[] = {{"colour=bogus", "'bogus' is none of none|error|valence"},
+                                                             {"color=error", "'color' is none of layout, result"},
+                                                             {"level=2", "0 <= level <= 1"},
+                                                             {"turn=left", "turn"},
+                                                             {"plain=on", "plain takes no value"},
+                                                             {"edges", "edges needs a value"}};
+  for (const auto& [view, said] : wrong_views) {
+    expect_usage_error(report({mesh, "--png", folder / "p.png", "--view", view}), {"--view", said});
+  }
   expect_usage_error(report({mesh, "--png", folder / "p.png", "--open"}), {"--open"});
   expect_usage_error(report({mesh, "-o", mesh}), {"--force"});
   EXPECT_EQ(report({data_file("cubes.obj"), folder / "run.rec", "-o", out}).exit_code, 4);

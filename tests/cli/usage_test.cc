@@ -139,7 +139,7 @@ std::vector<BadValue> bad_values() {
       {"--normals", "smooth", "keep|recompute|drop"},
       {"--prune", "-2%", "S >= 0"},
       {"--format", "glb", io::format_names("|")},
-      {"--input-format", "glb", io::format_names("|")},
+      {"--input-format", "fbx", io::format_names("|") + "|glb|gltf"},
       {"--output-format", "glb", io::format_names("|")},
       {"--threads", "-1", "at most 1024"},
       {"--threads", "1025", "at most 1024"},
@@ -160,7 +160,26 @@ TEST(Usage, NamesTheOptionAndTheRange) {
     expect_usage_error(whittle({"measure", mesh, mesh, "--feature-angle", angle}),
                        {"--feature-angle", "0 < DEG < 180"});
   }
+  expect_usage_error(whittle({"compare", mesh, "--faces", "9", "--input-format", "glb"}),
+                     {"--input-format", "this command doesn't read glTF"});
   EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(Usage, NamesWhatOptionsOfOlderProgramsAreHere) {
+  const TemporaryFolder folder;
+  const std::string mesh = data_file("cubes.obj");
+  const std::string out = folder / "out.obj";
+  const auto refuse = [&](const Arguments& arguments, const std::string& said) {
+    expect_usage_error(whittle(arguments), {said});
+  };
+  refuse({"simplify", "-i", mesh, "-o", out, "--faces", "9"},
+         "IN is an argument without an option: 'simplify IN -o OUT'");
+  refuse({"simplify", mesh, "-o", out, "-p", "0.5"}, "-p is not an option of 'simplify': the share");
+  refuse({"simplify", mesh, "-o", out, "-r", "0.5", "-isotropic"}, "'--isotropic W'");
+  refuse({"simplify", mesh, "-o", out, "-v", "147"}, "'147'; -v takes no value and says more, '--vertices 147'");
+  // What the messages advise.
+  EXPECT_EQ(whittle({"simplify", mesh, "-o", out, "--ratio", "0.9"}).exit_code, 0);
+  EXPECT_EQ(whittle({"simplify", mesh, "-o", out, "--vertices", "147"}).exit_code, 0);
 }
 
 /// Everything that the parser of the command line can object to, in words of our own.

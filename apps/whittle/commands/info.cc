@@ -124,9 +124,9 @@ std::vector<std::pair<std::string, std::string>> rows(const View& view) {
           {"faces", count(topology.faces)},
           {"edges", count(topology.edges)},
           {"components", count(topology.components)},
-          {"closed", yes_no(topology.closed)},
+          {"closed (watertight)", yes_no(topology.closed)},
           {"border edges", count(topology.boundary_edges)},
-          {"border loops", count(topology.boundary_loops)},
+          {"border loops (holes)", count(topology.boundary_loops)},
           {"manifold", yes_no(topology.manifold)},
           {"non-manifold edges", count(topology.nonmanifold_edges)},
           {"non-manifold vertices", count(topology.nonmanifold_vertices)},
@@ -141,10 +141,6 @@ std::vector<std::pair<std::string, std::string>> rows(const View& view) {
           {"self-intersections", count(view.self_intersections)}};
 }
 
-std::string point_text(const Vec3& p) {
-  return significant(p.x()) + ' ' + significant(p.y()) + ' ' + significant(p.z());
-}
-
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -157,8 +153,9 @@ std::string summary_of(const Findings& findings) {
   std::string text = findings.name + ": " + findings.format_title + ", " + vertices_text(read.file_vertices) + ", " +
                      faces_text(read.file_faces) + " in the file\n";
   text += "repairs: " + (repairs.empty() ? "none" : repairs) + '\n';
-  text += "box: " + point_text(findings.bounds.min) + " to " + point_text(findings.bounds.max) + ", diagonal " +
-          significant(findings.bounds.diagonal()) + '\n';
+  const double diagonal = findings.bounds.diagonal();
+  text += "box: " + point_text(findings.bounds.min, diagonal) + " to " + point_text(findings.bounds.max, diagonal) +
+          ", diagonal " + significant(diagonal) + '\n';
   text += "attributes: " + joined(attributes_of(read.mesh)) + '\n';
   text +=
       "kind: " + joined(findings.kind.words) + "; " + percent(findings.kind.flat_edges) + " of the edges are flat\n\n";

@@ -172,12 +172,11 @@ void add_largest(Table& table, const metrics::LargestDistances& largest, double 
 }
 
 /// "farthest: 1 2 3 in face 7 of TEST"
-std::string farthest_line(const metrics::LargestDistances& largest) {
+std::string farthest_line(const metrics::LargestDistances& largest, double diagonal) {
   const bool is_forward = largest.forward.at_least >= largest.backward.at_least;
   const metrics::FarPoint& far = (is_forward ? largest.forward : largest.backward).where;
-  return "farthest: " + significant(far.point.x()) + ' ' + significant(far.point.y()) + ' ' +
-         significant(far.point.z()) + ", in face " + std::to_string(far.face) + (is_forward ? " of REF" : " of TEST") +
-         '\n';
+  return "farthest: " + point_text(far.point, diagonal) + ", in face " + std::to_string(far.face) +
+         (is_forward ? " of REF" : " of TEST") + '\n';
 }
 
 std::string distance_table(const Measurement& measured) {
@@ -201,7 +200,7 @@ std::string distance_table(const Measurement& measured) {
   if (measured.features) add_lines(table, "feature lines", *measured.features, d.diagonal);
   std::string text =
       table.text() + "Garland-Heckbert 1997, mean squared distance: " + significant(d.garland_heckbert) + '\n';
-  if (measured.largest) text += farthest_line(*measured.largest);
+  if (measured.largest) text += farthest_line(*measured.largest, d.diagonal);
   // If both meshes are closed, missing borders are not worth a line.
   if (measured.borders.in_reference || measured.borders.in_test) text += lines_missing("borders", measured.borders);
   if (measured.features) text += lines_missing("feature lines", *measured.features);

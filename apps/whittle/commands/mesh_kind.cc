@@ -116,6 +116,8 @@ void suggest_for_parts(const IndexedMesh& mesh, bool is_gltf, unsigned threads, 
 
 }  // namespace
 
+bool is_mostly_flat(const IndexedMesh& mesh) { return edge_angles(mesh).flat_share >= cad_share; }
+
 MeshKind kind_of(const IndexedMesh& mesh, const metrics::Topology& topology, bool is_gltf, unsigned threads) {
   MeshKind kind;
   kind.words.emplace_back(topology.closed ? "closed" : "open");

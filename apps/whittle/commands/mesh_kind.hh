@@ -24,6 +24,9 @@ struct MeshKind {
   std::vector<Suggestion> suggestions;
 };
 
+/// Whether many edges are flat, as those of CAD are. \pre the mesh has faces
+bool is_mostly_flat(const IndexedMesh& mesh);
+
 /// \param topology that of `mesh` \param is_gltf its file: then --weld and --threshold aren't taken
 /// \pre the mesh has faces
 MeshKind kind_of(const IndexedMesh& mesh, const metrics::Topology& topology, bool is_gltf, unsigned threads);

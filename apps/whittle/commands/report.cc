@@ -8,6 +8,7 @@
 #include "commands/page/browser.hh"
 #include "commands/page/frames.hh"
 #include "commands/page/make_page.hh"
+#include "commands/page/page_settings.hh"
 #include "commands/subcommands.hh"
 #include "files/output.hh"
 #include "options/values.hh"
@@ -25,20 +26,6 @@ PictureSize parse_picture_size(std::string_view text) {
     throw std::invalid_argument("'" + std::string(text) + "' is not of the form WxH, such as 1280x720");
   }
   return {parse_count(text.substr(0, x), least, most), parse_count(text.substr(x + 1), least, most)};
-}
-
-/// Settings of the page: they become a part of its address.
-std::string parse_view(std::string_view text) {
-  for (const char c : text) {
-    const bool is_plain =
-        (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '=' || c == ',' || c == '.' || c == '-';
-    if (!is_plain) throw std::invalid_argument("'" + std::string(text) + "' is not of the form KEY=VALUE,...");
-  }
-  std::string view(text);
-  for (char& c : view) {
-    if (c == ',') c = '&';
-  }
-  return view;
 }
 
 void check(const CLI::App& app, const ReportCommand& options) {
@@ -119,7 +106,7 @@ void setup_report(CLI::App& app, Command& command) {
       ->default_str("off");
   add_value(*sub, "--png-size", "WxH", options->png_size, parse_picture_size, "of pictures, pixels")
       ->default_str("1280x720");
-  add_value(*sub, "--view", "KEY=VALUE,...", options->view, parse_view,
+  add_value(*sub, "--view", "KEY=VALUE,...", options->view, parse_page_settings,
             "how pictures are set up, such as layout=over,colour=error: the names of the page's controls")
       ->default_str("as the page opens");
   add_value(*sub, "--run", "FILE", options->run, text,

@@ -10,6 +10,7 @@
 #include "commands/regions/names.hh"
 #include "commands/regions/regions.hh"
 #include "commands/simplify/advice.hh"
+#include "commands/simplify/input_warnings.hh"
 #include "commands/simplify/per_mesh.hh"
 #include "commands/simplify/simplify_files.hh"
 #include "commands/simplify/simplify_record.hh"
@@ -21,6 +22,7 @@
 #include "files/gltf/common_borders.hh"
 #include "files/gltf_file.hh"
 #include "files/input.hh"
+#include "files/joined_input.hh"
 #include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
@@ -346,16 +348,6 @@ void count_intersections(const SimplifyCommand& options, const Talk& talk, Simpl
   record.n_intersections_after = count(record.simplified.mesh, 0.8, 1, bar);
 }
 
-std::vector<std::string> lost_in_openmesh(const SimplifyCommand& options, const Input& input) {
-  std::vector<std::string> warnings;
-  const auto add = [&](const char* what) {
-    warnings.push_back(input.name + ": " + what + " are not carried by --engine openmesh");
-  };
-  if (!input.read.mesh.normals.empty() && options.simplify.decimate.normals != Normals::drop) add("vertex normals");
-  if (!input.read.mesh.colors.empty()) add("vertex colours");
-  return warnings;
-}
-
 /// OpenMesh's engine takes one value of an attribute a vertex.
 io::AttributeScope attributes_to_read(const SimplifyCommand& options) {
   return options.engine == Engine::openmesh ? io::AttributeScope::per_vertex : io::AttributeScope::all;
@@ -407,18 +399,18 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   const Stopwatch watch;
   SimplifyRecord record;
   options.files.takes_no_triangles = !options.files.reads_scene;
-  record.input = read_input(options.input, options.files, options.common.threads, talk, attributes_to_read(options));
+  const unsigned threads = options.common.threads;
+  record.input = options.joins ? read_joined(options.inputs, options.files, threads, talk, attributes_to_read(options))
+                               : read_input(options.input, options.files, threads, talk, attributes_to_read(options));
   if (!options.keeps_attributes) drop_attributes(record.input.read.mesh);
   take_categories(options.categories, record.input);
   record.seconds.read = record.input.seconds;
   record.warnings = options.warnings;
   for (const std::string& warning : options.warnings) talk.warning(warning);
   record.warnings.insert(record.warnings.end(), record.input.warnings.begin(), record.input.warnings.end());
-  if (options.engine == Engine::openmesh) {
-    for (const std::string& lost : lost_in_openmesh(options, record.input)) {
-      record.warnings.push_back(lost);
-      talk.warning(lost);
-    }
+  for (const std::string& warning : input_warnings(options, record.input)) {
+    record.warnings.push_back(warning);
+    talk.warning(warning);
   }
   if (record.input.read.mesh.faces.empty()) return pass_through(options, talk, watch, record, report);
   record.diagonal = metrics::bounds(record.input.read.mesh).diagonal();
@@ -462,6 +454,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
 }
 
 ExitCode run_simplify(const CLI::App& app, const SimplifyCommand& command) {
+  refuse_count_of_verbose(command);
   check_options(app, command);
   std::vector<SimplifyCommand> runs = runs_of(command);
   check_files(runs);
@@ -483,6 +476,7 @@ void setup_simplify(CLI::App& app, Command& command) {
       "  whittle simplify dragon.ply -o small.ply --ratio 10%\n"
       "  whittle simplify part.stl -o part.obj --faces 5000 --strict --json report.json\n"
       "  whittle simplify *.stl -o 'out/{stem}.ply' --face-ratio 10%\n"
+      "  whittle simplify bone_*.stl --join -o hand.ply --face-ratio 10%\n"
       "  whittle simplify - -o - --format ply --faces 5000 < in.ply > out.ply");
   sub->callback(
       [sub, options, &command] { command = [sub, options] { return run_simplify(*sub, settled(*options)); }; });

@@ -126,9 +126,11 @@ std::string polish_text(const PolishResult& polish) {
 }
 
 Json input_json(const Input& input, double diagonal) {
-  return {
+  Json json = {
       {"path", input.path},   {"vertices", input.read.mesh.positions.size()}, {"faces", input.read.mesh.faces.size()},
       {"diagonal", diagonal}, {"repairs", repairs_json(input.read.repairs)},  {"weld_tolerance", input.weld_tolerance}};
+  if (!input.joined.empty()) json["joined"] = input.joined;
+  return json;
 }
 
 std::uint64_t peak_memory_bytes() {

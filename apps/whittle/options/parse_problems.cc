@@ -1,7 +1,9 @@
 #include "options/parse_problems.hh"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <string_view>
 
 namespace whittle::app {
 namespace {
@@ -38,6 +40,29 @@ std::vector<std::string> left_over(const CLI::App& sub) {
   return arguments;
 }
 
+/// Options that older programs for the same work have, and what they are here.
+struct OlderOption {
+  std::string_view name;
+  std::string_view needs;  ///< the argument or option that does the same
+  std::string_view advice;
+};
+constexpr std::array<OlderOption, 3> older_options{{
+    {"-i", "IN", "IN is an argument without an option: 'simplify IN -o OUT'"},
+    {"-p", "--ratio", "the share of the vertices to keep is '--ratio'"},
+    {"-isotropic", "--isotropic", "edges of even length are '--isotropic W', with 0 <= W <= 1"},
+}};
+
+/// ": what it is here", if the subcommand has that. Older programs have no subcommands, but all of them simplify.
+std::string advice_on_older(const CLI::App& sub, const std::string& argument) {
+  for (const OlderOption& older : older_options) {
+    if (argument != older.name || sub.get_option_no_throw(std::string(older.needs)) == nullptr) continue;
+    std::string advice = ": " + std::string(older.advice);
+    const std::size_t place = advice.find("simplify");
+    return place == std::string::npos ? advice : advice.replace(place, 8, sub.get_name());
+  }
+  return {};
+}
+
 /// What is wrong with the first argument that looks like an option and that nothing takes; empty if there is none.
 std::string unknown_option(const CLI::App& sub) {
   const std::vector<std::string> arguments = left_over(sub);
@@ -51,7 +76,9 @@ std::string unknown_option(const CLI::App& sub) {
     return name + " is not an option of '" + sub.get_name() + "': OUT is its second argument, '" + sub.get_name() +
            " IN OUT'";
   }
-  return name + " is not an option of '" + sub.get_name() + "'" + did_you_mean(name, long_names(sub));
+  const std::string older = advice_on_older(sub, name);
+  return name + " is not an option of '" + sub.get_name() + "'" +
+         (older.empty() ? did_you_mean(name, long_names(sub)) : older);
 }
 
 std::string unexpected(const CLI::App& sub) {

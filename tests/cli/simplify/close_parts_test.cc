@@ -131,6 +131,19 @@ TEST(CloseParts, AreWarnedOfIfTheyMeet) {
   EXPECT_EQ(refused.err.find("of parts intersect"), std::string::npos) << refused;
 }
 
+TEST(CloseParts, ThatAreLeftAreCounted) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> run{"simplify", data_file("cubes.obj"), "-o", folder / "out.obj", "--faces", "60"};
+  std::vector<std::string> joining = run;
+  joining.insert(joining.end(), {"--threshold", "auto", "--json", "-"});
+  const Outcome joined = whittle(joining);
+  const std::size_t n_left = parse_json(joined.out)["output"]["components"];
+  EXPECT_NE(joined.err.find(", 25 -> " + std::to_string(n_left) + (n_left == 1 ? " part in" : " parts in")),
+            std::string::npos)
+      << joined;
+  EXPECT_EQ(whittle(run).err.find("25 -> "), std::string::npos);
+}
+
 TEST(ThinWalls, AreWarnedOfIfTheyCross) {
   const TemporaryFolder folder;
   const std::string mesh = folder / "wall.ply";

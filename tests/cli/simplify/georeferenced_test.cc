@@ -61,6 +61,15 @@ TEST_F(Georeferenced, KeepsItsShapeInGltf) {
   }
 }
 
+TEST_F(Georeferenced, IsPrintedWithTheDigitsItNeeds) {
+  const Outcome info = whittle({"info", in_});
+  EXPECT_THAT(info.out, testing::ContainsRegex("box: 49999[0-9][.][0-9]+ 539999[0-9][.][0-9]+ 32[0-9][.][0-9]+ to "));
+  EXPECT_THAT(info.out, Not(HasSubstr("e+0")));
+  const Outcome proven = whittle({"simplify", in_, "-o", folder_ / "out.ply", "--max-error", "1%", "-v"});
+  EXPECT_THAT(proven.err, testing::ContainsRegex("at (49999[0-9]|50000[0-9])[.][0-9]+ 5[34][09]+[0-9][.][0-9]+ "));
+  EXPECT_THAT(proven.err, Not(HasSubstr("e+0")));
+}
+
 TEST_F(Georeferenced, IsProvenInGltf) {
   const std::string out = folder_ / "out.glb";
   const Outcome run = whittle({"simplify", in_, "-o", out, "--max-error", "1e-3", "--json", "-"});

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,49 @@ TEST_F(Materials, ReplaceNoFile) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome;
   EXPECT_EQ(read_text(folder_ / "out/two.mtl"), "newmtl mine\n");
   EXPECT_THAT(warnings(outcome), testing::Contains(HasSubstr("two.mtl (there is another one)")));
+}
+
+TEST_F(Materials, OfOneTextureNameItInPly) {
+  const Outcome outcome = whittle({"convert", in_, folder_ / "out/two.ply"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_THAT(read_text(folder_ / "out/two.ply"), HasSubstr("\ncomment TextureFile tex/wall 1.png\n"));
+  EXPECT_EQ(read_text(folder_ / "out/tex/wall 1.png"), "\x89PNG an image");
+  // The way back says nothing of what is left out: the library names the texture.
+  EXPECT_THAT(whittle({"convert", folder_ / "out/two.ply", folder_ / "out/back.obj"}).err,
+              testing::Not(HasSubstr("OBJ names textures")));
+
+  write_text(folder_ / "in/two.mtl", "newmtl wall\nmap_Kd tex\\wall 1.png\nnewmtl red\nmap_Kd b.png\n");
+  const Outcome several = whittle({"convert", in_, folder_ / "in/several.ply"});
+  EXPECT_THAT(several.err, HasSubstr("has 2 textures, which other programs don't read from PLY: write OBJ or glTF"));
+  EXPECT_THAT(read_text(folder_ / "in/several.ply"), testing::Not(HasSubstr("TextureFile")));
+}
+
+/// Each triangle has a corner of the texture to itself.
+TEST(Charts, OfOneTriangleEachAreSaid) {
+  const TemporaryFolder folder;
+  const IndexedMesh shape = io::read_mesh(data_file("blob.obj")).mesh;
+  std::ostringstream obj;
+  for (const Vec3& p : shape.positions) obj << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+    const double u = static_cast<double>(f) / static_cast<double>(shape.faces.size());
+    obj << "vt " << u << " 0\nvt " << u << " 0.5\nvt " << u << " 1\n";
+    obj << 'f';
+    for (std::size_t c = 0; c < 3; ++c) obj << ' ' << shape.faces[f][c] + 1 << '/' << 3 * f + c + 1;
+    obj << '\n';
+  }
+  const std::string in = folder / "in.obj";
+  write_text(in, obj.str());
+  const auto mean_error = [&](std::vector<std::string> more, bool is_said) {
+    std::vector<std::string> run{"simplify", in, "-o", folder / "out.obj", "--faces", "500"};
+    run.insert(run.end(), more.begin(), more.end());
+    const Outcome outcome = whittle(run);
+    EXPECT_EQ(outcome.err.find("each triangle is a chart of its own") != std::string::npos, is_said) << outcome;
+    return parse_json(whittle({"measure", in, folder / "out.obj", "--json", "-"}).out)["mean"].get<double>();
+  };
+  const double with_texture = mean_error({}, true);
+  EXPECT_LT(mean_error({"--attributes", "position-only"}, false), with_texture) << "as the warning advises";
+  EXPECT_EQ(whittle({"simplify", data_file("blob.obj"), "-o", folder / "o.obj", "--faces", "500"}).err.find("chart"),
+            std::string::npos);
 }
 
 TEST_F(Materials, StayWhereTheOutputDoesNotNameThem) {

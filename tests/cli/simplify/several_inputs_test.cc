@@ -56,6 +56,77 @@ TEST_F(SeveralInputs, AreRunsOfTheirOwn) {
   }
 }
 
+TEST_F(SeveralInputs, BecomeOneMesh) {
+  const Arguments inputs{"cubes.obj", "blob.obj", "bracket.stl"};
+  const Outcome outcome =
+      simplify(inputs, {"--join", "-o", "all.obj", "--face-ratio", "60%", "--json", "-", "--map", "map"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  std::size_t n_faces = 0;
+  std::size_t n_file_vertices = 0;
+  for (const std::string& name : inputs) {
+    const io::ReadResult one = io::read_mesh(folder_ / name);
+    n_faces += one.mesh.faces.size();
+    n_file_vertices += one.file_vertices;
+  }
+  const auto json = parse_json(outcome.out);
+  EXPECT_EQ(json["input"]["faces"], n_faces);
+  EXPECT_EQ(json["input"]["joined"], inputs);
+  EXPECT_EQ(json["options"]["join"], true);
+  EXPECT_EQ(json["output"]["components"], 25 + 1 + 1);
+  const std::string written = read_text(folder_ / "all.obj");
+  for (const char* stem : {"o cubes", "o blob\n", "o bracket\n"}) {
+    EXPECT_NE(written.find(stem), std::string::npos) << stem;
+  }
+  const std::string map = read_text(folder_ / "map");
+  EXPECT_EQ(static_cast<std::size_t>(std::count(map.begin(), map.end(), '\n')), n_file_vertices);
+}
+
+TEST_F(SeveralInputs, JoinedStayAsTheyAreWithoutATarget) {
+  const Outcome outcome =
+      simplify({"bracket.stl", "blob.obj"}, {"--join", "-o", "all.ply", "--face-ratio", "99.99%", "--polish", "0"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  const IndexedMesh bracket = io::read_mesh(folder_ / "bracket.stl").mesh;
+  const IndexedMesh blob = io::read_mesh(folder_ / "blob.obj").mesh;
+  const IndexedMesh all = io::read_mesh(folder_ / "all.ply").mesh;
+  ASSERT_GE(all.positions.size() + 2, bracket.positions.size() + blob.positions.size());
+  EXPECT_EQ(all.positions.back(), blob.positions.back());
+}
+
+TEST_F(SeveralInputs, JoinedKeepWhatAllHave) {
+  const auto triangle = [&](const char* name, const std::string& header, const std::string& faces) {
+    write_text(folder_ / name, header + "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nvt 0 0\nvt 1 0\nvt 0 1\n" + faces);
+  };
+  const std::string faces = "f 1/1 2/2 3/3\nf 2/2 4/1 3/3\n";
+  triangle("a.obj", "mtllib a.mtl\n", "usemtl red\n" + faces);
+  triangle("b.obj", "mtllib b.mtl\n", "usemtl blue\n" + faces);
+  triangle("c.obj", "mtllib b.mtl\n", "usemtl red\n" + faces);
+  const Arguments rest{"--join", "-o", "all.obj", "--faces", "4", "--json", "-"};
+  const Outcome both = simplify({"a.obj", "b.obj"}, rest);
+  ASSERT_EQ(both.exit_code, 0) << both;
+  const io::ReadResult read = io::read_mesh(folder_ / "all.obj");
+  EXPECT_EQ(read.mesh.group_names, (Arguments{"red", "blue"}));
+  EXPECT_EQ(read.notes.material_libraries, (Arguments{"a.mtl", "b.mtl"}));
+  EXPECT_EQ(read.mesh.attributes.size(), 1U);
+  EXPECT_EQ(read.notes.face_names.at("o"), (Arguments{"a", "b"}));
+
+  const Outcome mixed = simplify({"a.obj", "cubes.obj"}, rest);
+  EXPECT_EQ(mixed.exit_code, 0) << mixed;
+  EXPECT_NE(mixed.err.find("left out, as not all files have it: vt"), std::string::npos) << mixed;
+
+  const Outcome conflict = simplify({"a.obj", "c.obj"}, rest);
+  EXPECT_EQ(conflict.exit_code, 4) << conflict;
+  EXPECT_NE(conflict.err.find("a material 'red' as a file before has, in another library"), std::string::npos)
+      << conflict;
+}
+
+TEST_F(SeveralInputs, AreNotJoinedIntoSeveralOrOfGltf) {
+  expect_refused(simplify({"cubes.obj", "blob.obj"}, {"--join", "-o", "out/{stem}.ply", "--faces", "9"}),
+                 "--join makes one mesh of all IN");
+  ASSERT_EQ(whittle({"convert", folder_ / "blob.obj", folder_ / "blob.glb"}).exit_code, 0);
+  expect_refused(simplify({"cubes.obj", "blob.glb"}, {"--join", "-o", "out/a.ply", "--faces", "9"}),
+                 "--join doesn't take glTF");
+}
+
 TEST_F(SeveralInputs, MayFollowTheOptions) {
   const Outcome outcome =
       whittle({"simplify", "-o", "out/{stem}.ply", "--faces", "150", "cubes.obj", "blob.obj"}, options_);

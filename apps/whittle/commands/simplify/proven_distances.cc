@@ -21,10 +21,8 @@ std::string asked_line(const DistancesAsWritten& distances, const DecimateTarget
 }
 
 /// "at 1 2 3, in face 7; 12 faces have corners nearly as far"
-std::string place_text(const metrics::LargestDistance& largest, const char* one, const char* several) {
-  const Vec3& point = largest.where.point;
-  return "at " + significant(point.x()) + ' ' + significant(point.y()) + ' ' + significant(point.z()) + ", in face " +
-         std::to_string(largest.where.face) + "; " +
+std::string place_text(const metrics::LargestDistance& largest, double diagonal, const char* one, const char* several) {
+  return "at " + point_text(largest.where.point, diagonal) + ", in face " + std::to_string(largest.where.face) + "; " +
          (largest.n_far_faces == 1 ? "1 " + std::string(one) : std::to_string(largest.n_far_faces) + ' ' + several) +
          " nearly as far";
 }
@@ -38,14 +36,15 @@ std::string distance_text(const std::string& from, const std::string& to, const 
 
 std::string surface_line(const std::string& from, const std::string& to, const metrics::LargestDistance& largest,
                          double diagonal) {
-  return distance_text(from, to, largest, diagonal) + place_text(largest, "face has corners", "faces have corners");
+  return distance_text(from, to, largest, diagonal) +
+         place_text(largest, diagonal, "face has corners", "faces have corners");
 }
 
 std::string border_line(const std::string& from, const std::string& to, const metrics::LargestDistance& largest,
                         double diagonal) {
   if (!std::isfinite(largest.at_most)) return from + " has a border, " + to + " has none";
   return distance_text("the border of " + from, "that of " + to, largest, diagonal) +
-         place_text(largest, "border edge has ends", "border edges have ends");
+         place_text(largest, diagonal, "border edge has ends", "border edges have ends");
 }
 
 }  // namespace

@@ -40,6 +40,8 @@ std::vector<Conflict> simplify_conflicts() {
       {"--order exact", "--engine openmesh", own_order},
       {"--order approximate", "--engine openmesh", own_order},
       {"--max-cost", "--engine openmesh", "OpenMesh looks at a cost when it is queued, not when its turn comes"},
+      {"--certificate", "--join", "'verify' reads one IN"},
+      {"--no-embed", "--join", "'replay' reads one IN"},
       {"--certificate", "--prune", "the proof is about all of IN"},
       {"--no-embed", "--prune", "the recording is of IN without its small parts"},
       {"--tolerance-map", "--prune", "the lengths are of all vertices of IN"},

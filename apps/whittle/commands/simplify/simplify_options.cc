@@ -299,6 +299,9 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
       "without folder and extension")
       ->required()
       ->group(file_group);
+  app.add_flag("--join", options.joins, "make one mesh of all IN: each stays a part of its own")
+      ->default_str("off")
+      ->group(file_group);
   add_file_options(app, options.files, file_group);
   const auto add_side_file = [&app](const std::string& option, std::optional<std::string>& path,
                                     const std::string& description) {
@@ -366,6 +369,9 @@ void check_gltf(const SimplifyCommand& options) {
   if (options.is_per_mesh && !std::all_of(options.inputs.begin(), options.inputs.end(), is_read_as_gltf)) {
     throw UsageError("--per-mesh is for inputs in glTF, which may have several meshes");
   }
+  if (is_read && options.joins) {
+    throw UsageError("--join doesn't take glTF, which may have several meshes: 'whittle convert' makes OBJ of it");
+  }
   if (is_read && options.recording && !options.embeds_input) {
     throw UsageError("--no-embed doesn't take glTF, as 'replay' doesn't read it");
   }
@@ -422,7 +428,11 @@ void check_files(std::vector<SimplifyCommand> runs) {
   std::vector<std::string> meshes;
   std::vector<Output> outputs;
   for (SimplifyCommand& run : runs) {
-    inputs.push_back(run.input);
+    if (run.joins) {
+      inputs = run.inputs;
+    } else {
+      inputs.push_back(run.input);
+    }
     meshes.push_back(run.output);
     outputs.push_back({"--output", run.output});
     const std::vector<Output> frames = frame_outputs(std::exchange(run.pictures, {}));
@@ -452,6 +462,7 @@ nlohmann::ordered_json options_json(const SimplifyCommand& options) {
       {"normals", word_of<Normals>(normals, decimate.normals)},
       {"crease_angle_deg", decimate.crease_angle_deg},
       {"compress", options.compresses_gltf},
+      {"join", options.joins},
       {"per_mesh", options.is_per_mesh},
       {"effort", word_of<Effort>(efforts, options.effort)},
       {"cost", to_string(decimate.effective_cost())},

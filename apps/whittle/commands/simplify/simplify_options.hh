@@ -56,6 +56,7 @@ struct SimplifyCommand {
   bool embeds_input = true;                ///< whether the recording has the input in it
   bool compresses_recording = false;
   bool compresses_gltf = false;
+  bool joins = false;            ///< whether all inputs are one mesh (`read_joined`)
   bool is_per_mesh = false;      ///< whether each mesh of a glTF file has the target on its own
   bool keeps_attributes = true;  ///< or positions alone
   CategoryNames categories;      ///< numbers of vertices that are never blended

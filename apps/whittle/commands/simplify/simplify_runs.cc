@@ -26,10 +26,13 @@ std::string with_stem(std::string path, const std::string& stem) {
 }
 
 void check_stems(SimplifyCommand command) {
-  if (command.inputs.size() == 1) return;
+  if (command.joins && is_named_by_stem(command)) {
+    throw UsageError("--join makes one mesh of all IN: '{stem}' in --output is for several");
+  }
+  if (command.inputs.size() == 1 || command.joins) return;
   if (!is_named_by_stem(command)) {
     throw UsageError("one argument too many: '" + command.inputs[1] +
-                     "'; several inputs need '{stem}' in --output, such as 'out/{stem}.ply'");
+                     "'; several inputs need '{stem}' in --output, such as 'out/{stem}.ply', or --join");
   }
   for (const SideFile& file : side_files(command)) {
     if (!*file.path || has_stem(**file.path)) continue;
@@ -67,11 +70,21 @@ ExitCode attempt(const SimplifyCommand& run, const SimplifyRun& simplify, Json* 
 
 }  // namespace
 
+void refuse_count_of_verbose(const SimplifyCommand& command) {
+  const bool may_be_file = command.files.format || command.files.has_input_format();
+  if (!command.common.verbose || may_be_file) return;
+  for (const std::string& input : command.inputs) {
+    if (input.empty() || input.find_first_not_of("0123456789") != std::string::npos) continue;
+    throw UsageError("one argument too many: '" + input + "'; -v takes no value and says more, '--vertices " + input +
+                     "' is a number of vertices to keep");
+  }
+}
+
 bool is_named_by_stem(const SimplifyCommand& command) { return has_stem(command.output); }
 
 std::vector<SimplifyCommand> runs_of(const SimplifyCommand& command) {
   check_stems(command);
-  std::vector<SimplifyCommand> runs(command.inputs.size(), command);
+  std::vector<SimplifyCommand> runs(command.joins ? 1 : command.inputs.size(), command);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     SimplifyCommand& run = runs[i];
     run.input = command.inputs[i];

@@ -15,6 +15,9 @@ namespace whittle::app {
 /// What stands for the input's name, without folder and extensions, in OUT and in --map.
 inline constexpr std::string_view stem_word = "{stem}";
 
+/// \throw UsageError where an input looks like the value of -v: older programs have -v N, a number of vertices.
+void refuse_count_of_verbose(const SimplifyCommand& command);
+
 /// Whether OUT has `{stem}`.
 bool is_named_by_stem(const SimplifyCommand& command);
 

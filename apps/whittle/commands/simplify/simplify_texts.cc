@@ -1,9 +1,11 @@
 #include "commands/simplify/simplify_texts.hh"
 
+#include "commands/mesh_kind.hh"
 #include "commands/simplify/proven_distances.hh"
 #include "files/input.hh"
 #include "files/report.hh"
 #include "terminal/table.hh"
+#include "whittle/core/parts.hh"
 
 namespace whittle::app {
 namespace {
@@ -11,6 +13,15 @@ namespace {
 std::string threshold_pairs(const ThresholdPairCounts& pairs) {
   return "threshold " + significant(pairs.threshold) + ": " + std::to_string(pairs.considered) + " pairs" +
          (pairs.capped ? ", the nearest of each vertex" : "") + ", " + std::to_string(pairs.contracted) + " contracted";
+}
+
+std::size_t count_parts(const IndexedMesh& mesh) { return find_parts(mesh.positions.size(), mesh.faces).count; }
+
+/// ", 25 -> 3 parts": with a threshold, parts may join.
+std::string parts_text(const SimplifyRecord& record) {
+  if (record.threshold == 0) return "";
+  return ", " + std::to_string(count_parts(record.input.read.mesh)) + " -> " +
+         counted(count_parts(record.simplified.mesh), "part", "parts");
 }
 
 /// ", ended by '--max-error',"
@@ -41,7 +52,8 @@ void say_details(const SimplifyCommand& options, const Talk& talk, const Simplif
   if (!result.why_in_one_pass.empty())
     talk.detail("in one pass, not in blocks: " + std::string(result.why_in_one_pass));
   if (options.has_cost_by_effort && *options.simplify.tries_plain_quadrics && record.simplified.cost == Cost::quadric)
-    talk.detail("by plain quadrics, which came nearer: much of the mesh is flat");
+    talk.detail(std::string("by plain quadrics, which came nearer") +
+                (is_mostly_flat(record.input.read.mesh) ? ": much of the mesh is flat" : ""));
   talk.detail(refusals(options, result.rejections));
   if (record.threshold > 0) talk.detail(threshold_pairs(result.threshold_pairs));
   const bool is_polished = *options.simplify.polish_passes > 0;
@@ -62,7 +74,7 @@ std::string summary(const SimplifyCommand& options, const SimplifyRecord& record
   const DecimateResult& after = record.simplified.result;
   return shown_output(options.output) + ": " + std::to_string(before.faces.size()) + " -> " +
          faces_text(after.n_faces) + ", " + std::to_string(before.positions.size()) + " -> " +
-         vertices_text(after.n_vertices) +
+         vertices_text(after.n_vertices) + parts_text(record) +
          (record.n_intersections_after ? ", " + std::to_string(*record.n_intersections_before) + " -> " +
                                              std::to_string(*record.n_intersections_after) + " self-intersections"
                                        : "") +
