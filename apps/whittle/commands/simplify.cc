@@ -10,7 +10,6 @@
 #include "commands/regions/names.hh"
 #include "commands/regions/regions.hh"
 #include "commands/simplify/advice.hh"
-#include "commands/simplify/input_warnings.hh"
 #include "commands/simplify/per_mesh.hh"
 #include "commands/simplify/simplify_files.hh"
 #include "commands/simplify/simplify_record.hh"

@@ -275,6 +275,18 @@ void add_attribute_options(CLI::App& app, SimplifyCommand& options) {
       ->group(file_group);
 }
 
+void add_output(CLI::App& app, SimplifyCommand& options) {
+  add_value(
+      app, "-o,--output", "OUT", options.output, [](std::string_view text) { return std::string(text); },
+      "the result: a file, replaced if it exists, or '-' for standard output; '{stem}' in it stands for the name of IN "
+      "without folder and extension")
+      ->required()
+      ->group(file_group);
+  app.add_flag("--join", options.joins, "make one mesh of all IN: each stays a part of its own")
+      ->default_str("off")
+      ->group(file_group);
+}
+
 }  // namespace
 
 void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
@@ -293,15 +305,7 @@ void add_simplify_options(CLI::App& app, SimplifyCommand& options) {
                "say how far OUT is from IN at most, all points, as it is with --max-error")
       ->default_str("off")
       ->group(target_group);
-  add_value(
-      app, "-o,--output", "OUT", options.output, [](std::string_view text) { return std::string(text); },
-      "the result: a file, replaced if it exists, or '-' for standard output; '{stem}' in it stands for the name of IN "
-      "without folder and extension")
-      ->required()
-      ->group(file_group);
-  app.add_flag("--join", options.joins, "make one mesh of all IN: each stays a part of its own")
-      ->default_str("off")
-      ->group(file_group);
+  add_output(app, options);
   add_file_options(app, options.files, file_group);
   const auto add_side_file = [&app](const std::string& option, std::optional<std::string>& path,
                                     const std::string& description) {
@@ -428,11 +432,8 @@ void check_files(std::vector<SimplifyCommand> runs) {
   std::vector<std::string> meshes;
   std::vector<Output> outputs;
   for (SimplifyCommand& run : runs) {
-    if (run.joins) {
-      inputs = run.inputs;
-    } else {
-      inputs.push_back(run.input);
-    }
+    if (run.joins) inputs = run.inputs;
+    if (!run.joins) inputs.push_back(run.input);
     meshes.push_back(run.output);
     outputs.push_back({"--output", run.output});
     const std::vector<Output> frames = frame_outputs(std::exchange(run.pictures, {}));

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "commands/simplify/simplify_options.hh"
 #include "commands/simplify/simplify_record.hh"
+#include "files/input.hh"
 #include "terminal/talk.hh"
 
 // What a run of `whittle simplify` says in words.
@@ -18,5 +20,8 @@ void say_details(const SimplifyCommand& options, const Talk& talk, const Simplif
 
 /// "out.ply: 1000 -> 100 faces, 502 -> 52 vertices in 0.1 s"
 std::string summary(const SimplifyCommand& options, const SimplifyRecord& record);
+
+/// Lines about a mesh that was read: what of it the run won't keep, or can't keep well.
+std::vector<std::string> input_warnings(const SimplifyCommand& options, const Input& input);
 
 }  // namespace whittle::app

@@ -1,4 +1,4 @@
-#include "commands/page/page_settings.hh"
+#include "options/page_settings.hh"
 
 #include <algorithm>
 #include <array>
