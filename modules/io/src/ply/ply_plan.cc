@@ -150,7 +150,7 @@ void lower_known_names(std::vector<PlyProperty>& properties) {
   for (const auto& [name, role] : named_roles) {
     const auto has_name = [known = name](const PlyProperty& p) { return is_same_word(p.name, known); };
     if (std::count_if(properties.begin(), properties.end(), has_name) != 1) continue;
-    std::find_if(properties.begin(), properties.end(), has_name)->name = name;
+    std::find_if(properties.begin(), properties.end(), has_name)->name = std::string(name);
   }
 }
 
