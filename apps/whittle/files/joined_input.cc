@@ -48,7 +48,7 @@ void name_by_file(io::ReadResult& read, const std::string& path) {
     spell_out(read, object_attribute);
     return;
   }
-  for (std::string& object : names) object = stem + (object.empty() ? "" : " " + object);
+  for (std::string& object : names) object.insert(0, object.empty() ? stem : stem + ' ');
 }
 
 /// Numbers the names of both files through.

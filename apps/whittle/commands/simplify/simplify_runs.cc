@@ -68,15 +68,18 @@ ExitCode attempt(const SimplifyCommand& run, const SimplifyRun& simplify, Json* 
   }
 }
 
+[[noreturn]] void refuse_count(const std::string& count) {
+  throw UsageError("one argument too many: '" + count + "'; -v takes no value and says more, '--vertices " + count +
+                   "' is a number of vertices to keep");
+}
+
 }  // namespace
 
 void refuse_count_of_verbose(const SimplifyCommand& command) {
   const bool may_be_file = command.files.format || command.files.has_input_format();
   if (!command.common.verbose || may_be_file) return;
   for (const std::string& input : command.inputs) {
-    if (input.empty() || input.find_first_not_of("0123456789") != std::string::npos) continue;
-    throw UsageError("one argument too many: '" + input + "'; -v takes no value and says more, '--vertices " + input +
-                     "' is a number of vertices to keep");
+    if (!input.empty() && input.find_first_not_of("0123456789") == std::string::npos) refuse_count(input);
   }
 }
 
