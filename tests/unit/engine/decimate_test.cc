@@ -10,7 +10,6 @@
 #include <set>
 #include <tuple>
 #include <utility>
-#include <whittle/core/frame.hh>
 #include <whittle/metrics/shape.hh>
 
 #include "support/random.hh"
@@ -401,34 +400,6 @@ TEST(Decimate, CanBeCancelledWhileThresholdPairsAreSearched) {
     EXPECT_EQ(d.result.stop, StopReason::cancelled);
     EXPECT_EQ(n_calls, n_allowed + 1) << "not asked again";
     EXPECT_EQ(d.mesh.faces, mesh.faces);
-  }
-}
-
-TEST(Decimate, GivesTheQuadricsOfWhatIsLeftIfAsked) {
-  const IndexedMesh mesh = moved(terrain(20, 3), Vec3(30, -7, 900));
-  DecimateOptions options;
-  EXPECT_TRUE(decimate(mesh, DecimateTarget::faces(200), options).quadrics.empty());
-  options.keep_quadrics = true;
-  const Decimation all = decimate(mesh, DecimateTarget::faces(mesh.faces.size()), options);
-  const Decimation few = decimate(mesh, DecimateTarget::faces(200), options);
-  const auto sum_of_traces = [](const Decimation& decimation) {
-    double sum = 0;
-    for (const PlacedQuadric& vertex : decimation.quadrics) sum += vertex.quadric.a.trace();
-    return sum;
-  };
-  EXPECT_GT(sum_of_traces(all), 0);
-  EXPECT_NEAR(sum_of_traces(few), sum_of_traces(all), 1e-12 * sum_of_traces(all)) << "merged vertices add theirs";
-
-  Vec3 low = mesh.positions[0];
-  Vec3 high = low;
-  for (const Vec3& p : mesh.positions) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const Frame frame = Frame::of_box(low, high);
-  ASSERT_EQ(few.quadrics.size(), few.mesh.positions.size());
-  for (std::size_t v = 0; v < few.quadrics.size(); ++v) {
-    EXPECT_EQ(frame.to_model(few.quadrics[v].position), few.mesh.positions[v]) << v;
   }
 }
 

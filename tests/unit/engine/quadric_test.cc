@@ -4,6 +4,9 @@
 
 #include "support/random.hh"
 #include "support/shapes/shapes.hh"
+#include "support/transforms.hh"
+#include "whittle/core/frame.hh"
+#include "whittle/engine/decimate.hh"
 #include "whittle/engine/formula/pair_evaluation.hh"
 
 namespace whittle::test {
@@ -207,6 +210,34 @@ TEST(EvaluatePair, MakesNoSpikeTowardsADistantMinimum) {
   const PairEvaluation e = evaluate_pair({Vec3(1, 0, 0), q}, {Vec3(1, 0, 1), q}, Placement::optimal);
   EXPECT_LE((e.position - Vec3(1, 0, 0.5)).norm(), max_placement_reach);
   EXPECT_GE(e.cost, e.bound);
+}
+
+TEST(Decimate, GivesTheQuadricsOfWhatIsLeftIfAsked) {
+  const IndexedMesh mesh = moved(terrain(20, 3), Vec3(30, -7, 900));
+  DecimateOptions options;
+  EXPECT_TRUE(decimate(mesh, DecimateTarget::faces(200), options).quadrics.empty());
+  options.keep_quadrics = true;
+  const Decimation all = decimate(mesh, DecimateTarget::faces(mesh.faces.size()), options);
+  const Decimation few = decimate(mesh, DecimateTarget::faces(200), options);
+  const auto sum_of_traces = [](const Decimation& decimation) {
+    double sum = 0;
+    for (const PlacedQuadric& vertex : decimation.quadrics) sum += vertex.quadric.a.trace();
+    return sum;
+  };
+  EXPECT_GT(sum_of_traces(all), 0);
+  EXPECT_NEAR(sum_of_traces(few), sum_of_traces(all), 1e-12 * sum_of_traces(all)) << "merged vertices add theirs";
+
+  Vec3 low = mesh.positions[0];
+  Vec3 high = low;
+  for (const Vec3& p : mesh.positions) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Frame frame = Frame::of_box(low, high);
+  ASSERT_EQ(few.quadrics.size(), few.mesh.positions.size());
+  for (std::size_t v = 0; v < few.quadrics.size(); ++v) {
+    EXPECT_EQ(frame.to_model(few.quadrics[v].position), few.mesh.positions[v]) << v;
+  }
 }
 
 }  // namespace
