@@ -7,6 +7,7 @@
 #include "files/input.hh"
 #include "files/output.hh"
 #include "files/report.hh"
+#include "terminal/point_text.hh"
 #include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"

@@ -16,6 +16,7 @@
 #include "options/sampling.hh"
 #include "options/values.hh"
 #include "pictures/compare_pictures.hh"
+#include "terminal/point_text.hh"
 #include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"

@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "whittle/core/indexed_mesh.hh"
-
 namespace whittle::app {
 
 /// Rows of cells in columns with two spaces between them. The first column is left-aligned, the others are
@@ -21,9 +19,6 @@ class Table {
 
 /// Four significant digits: "0.01234", "1.234e-05".
 std::string significant(double x);
-/// A point of a mesh: "500099.123 5600000.5 119". \param extent the diagonal of the mesh's box: digits go down to a
-/// thousandth of its first one, however far the mesh lies from the origin
-std::string point_text(const Vec3& point, double extent);
 /// A share in [0, 1] with four significant digits: "1.234 %".
 std::string percent(double share);
 /// A length and its share of the diagonal: "1.234 (0.5 %)".

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "terminal/point_text.hh"
 #include "terminal/table.hh"
 
 namespace whittle::app {
