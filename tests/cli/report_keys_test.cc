@@ -164,6 +164,14 @@ std::string point_mesh(const TemporaryFolder& folder) {
   return folder / "point.obj";
 }
 
+/// A closed surface with an edge without length: welding changes it, though it has no border.
+std::string closed_mesh(const TemporaryFolder& folder) {
+  write_text(folder.path() / "closed.obj",
+             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 1\n"
+             "f 1 3 2\nf 1 2 4\nf 2 5 4\nf 2 3 5\nf 3 4 5\nf 3 1 4\n");
+  return folder / "closed.obj";
+}
+
 TEST(ReportKeys, OfSimplifyAreDocumented) {
   const TemporaryFolder folder;
   if (!has_page(folder) || !has_chromium()) GTEST_SKIP() << "no page, or no Chromium";
@@ -241,6 +249,7 @@ TEST(ReportKeys, OfInfoAreDocumented) {
   std::filesystem::copy_file(data_file("terrain.ply"), bare);
   expect_documented("info", {{data_file("knot.ply"), "--verbose", "--color", "never", "--weld", "auto"},
                              {data_file("bracket.stl"), "--threads", "1", "--quiet"},
+                             {closed_mesh(folder)},
                              {bare, "--format", "ply", "--force"},
                              {bare, "--input-format", "ply"}});
 }
