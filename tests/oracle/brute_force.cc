@@ -7,7 +7,6 @@
 #include <set>
 
 #include "oracle/brute_force_rims.hh"
-#include "oracle/sides/brute_force_sides.hh"
 #include "support/face_list.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 #include "whittle/core/wedges.hh"
@@ -42,7 +41,7 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& input, const Decimat
     const Triangle& f = mesh.faces[i];
     if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0]) continue;
     faces_.push_back(f);
-    n_sides_.push_back(n_sides[i]);
+    sides_.add(f, n_sides[i]);
   }
   if (options.boundary == Boundary::free) options_.quadric.boundary_weight = 0;
 
@@ -146,11 +145,12 @@ std::uint64_t BruteForceDecimater::n_vertices() const {
   return used.size();
 }
 
+std::uint64_t BruteForceDecimater::n_faces() const { return sides_.faces_left(faces_).size(); }
+
 std::vector<Triangle> BruteForceDecimater::faces() const {
-  std::vector<Triangle> faces;
-  for (std::size_t i = 0; i < faces_.size(); ++i) {
-    for (Triangle& corners = faces.emplace_back(faces_[i]); Index & v : corners) v = stands_for_[v];
-    if (n_sides_[i] == 2) faces.push_back({faces.back()[1], faces.back()[0], faces.back()[2]});
+  std::vector<Triangle> faces = sides_.faces_left(faces_);
+  for (Triangle& corners : faces) {
+    for (Index& v : corners) v = stands_for_[v];
   }
   return faces;
 }
@@ -410,8 +410,7 @@ bool BruteForceDecimater::keeps_shape(const Triangle& face, Index v, const Vec3&
 }
 
 void BruteForceDecimater::contract(const Choice& choice, Index survivor, Index removed) {
-  const std::vector<bool> is_left = faces_left(std::min(survivor, removed), std::max(survivor, removed));
-  std::erase_if(n_sides_, [&, i = std::size_t{0}](int) mutable { return !is_left[i++]; });
+  sides_.contract(survivor, removed);
   std::vector<Triangle> faces = faces_after(survivor, removed);
   areas_.contract(survivor, removed);
   restraints_.contract(positions_, faces, survivor, removed, choice.position);

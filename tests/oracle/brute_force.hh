@@ -1,6 +1,5 @@
 #pragma once
 
-#include <numeric>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -12,6 +11,7 @@
 #include "oracle/brute_force_costs.hh"
 #include "oracle/brute_force_memoryless.hh"
 #include "oracle/brute_force_restraints.hh"
+#include "oracle/sides/brute_force_sides.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/engine/decimate.hh"
 #include "whittle/engine/formula/pair_evaluation.hh"
@@ -34,9 +34,7 @@ class BruteForceDecimater {
   std::vector<Contraction> run(const DecimateTarget& target);
 
   /// With both sides of sheets.
-  std::uint64_t n_faces() const {
-    return static_cast<std::uint64_t>(std::accumulate(n_sides_.begin(), n_sides_.end(), 0));
-  }
+  std::uint64_t n_faces() const;
   std::vector<Triangle> faces() const;  ///< of the current mesh, with both sides, in the input's numbers
   std::size_t n_threshold_pairs() const { return threshold_pairs_.size(); }
   std::uint64_t n_vertices() const;
@@ -89,8 +87,8 @@ class BruteForceDecimater {
   std::optional<BruteForceMemory> memory_;  ///< of memoryless quadrics
   BruteForceAttributes attributes_;
   BruteForceAreas areas_;
-  std::vector<Triangle> faces_;  ///< of the current mesh, in the input's order; those of sheets once
-  std::vector<int> n_sides_;     ///< of each
+  std::vector<Triangle> faces_;  ///< of the current mesh; those of sheets once
+  BruteForceSides sides_;
 };
 
 }  // namespace whittle::test

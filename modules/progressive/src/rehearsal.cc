@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "without_backs.hh"
 
@@ -34,33 +34,6 @@ struct StarFace {
 
 }  // namespace
 
-std::vector<std::pair<Index, Index>> faces_to_exchange(const Replay& replay, std::span<const Index> hidden) {
-  std::map<Triangle, std::vector<Index>> alike;  // hidden faces, then those that are there
-  for (const Index f : hidden) {
-    if (has_three_corners(replay.corners(f))) alike[from_lowest(replay.corners(f))].push_back(f);
-  }
-  std::vector<std::pair<Index, Index>> exchanged;
-  if (alike.empty()) return exchanged;
-  std::map<Triangle, std::vector<Index>> there;
-  for (Index f = 0; f < replay.input().faces.size(); ++f) {
-    if (!replay.has_face(f)) continue;
-    const auto found = alike.find(from_lowest(replay.corners(f)));
-    if (found != alike.end()) there[found->first].push_back(f);
-  }
-  for (const auto& [triangle, faces] : there) {
-    std::vector<Index> all = alike[triangle];
-    all.insert(all.end(), faces.begin(), faces.end());
-    std::sort(all.begin(), all.end());
-    all.resize(faces.size());  // the first ones are to be there
-    std::vector<Index> coming;
-    std::vector<Index> going;
-    std::set_difference(all.begin(), all.end(), faces.begin(), faces.end(), std::back_inserter(coming));
-    std::set_difference(faces.begin(), faces.end(), all.begin(), all.end(), std::back_inserter(going));
-    for (std::size_t i = 0; i < coming.size(); ++i) exchanged.emplace_back(coming[i], going[i]);
-  }
-  return exchanged;
-}
-
 Rehearsal::Rehearsal(Replay& replay)
     : replay_(replay), is_removed_(replay.input().positions.size()), n_faces_at_(replay.input().positions.size(), 0) {
   for (const Triangle& face : replay_.corners_) {
@@ -77,7 +50,6 @@ void Rehearsal::run() {
   replay_.first_renamed_.reserve(steps.contractions.size() + 1);
   replay_.counts_.push_back({0, static_cast<Index>(n_vertices_), static_cast<Index>(n_faces_)});
   replay_.first_renamed_.push_back(0);
-  replay_.n_settled_.push_back(0);
   for (const PassEnd& end : steps.pass_ends) {
     require(end.n_contractions >= replay_.n_contractions_ && end.n_contractions <= steps.contractions.size(),
             "passes end in order, after contractions that are there");
@@ -92,11 +64,12 @@ void Rehearsal::require(bool is_so, const char* what) const {
   throw std::invalid_argument("step " + std::to_string(replay_.level()) + " can't be made: " + what);
 }
 
+/// Of the faces that are there. The others are gone for good.
 void Rehearsal::list_corners() {
   first_.assign(replay_.positions_.size(), invalid_index);
   next_.assign(3 * replay_.corners_.size(), invalid_index);
   for (Index c = 0; c < next_.size(); ++c) {
-    if (has_three_corners(replay_.corners_[c / 3])) list_corner(c);
+    if (replay_.has_face(c / 3)) list_corner(c);
   }
 }
 
@@ -130,8 +103,9 @@ void Rehearsal::contract(const Contraction& contraction) {
   rename_corners(contraction);
   if (replay_.without_backs_) {
     hide_as_without_backs();
-  } else if (contraction.joins_faces) {
-    hide_coincident(contraction.survivor);
+  } else {
+    if (contraction.joins_faces) hide_coincident(contraction.survivor);
+    show_first_ones(contraction.survivor);
   }
   is_removed_[contraction.removed] = true;
   const double cost = std::max(replay_.counts_.back().cost, contraction.cost);
@@ -182,17 +156,38 @@ void Rehearsal::hide_coincident(Index survivor) {
     const auto surplus = (end - turned) - (turned - begin);
     const auto left = surplus == 0 ? end : surplus > 0 ? turned : begin;
     for (auto face = begin; face != end; ++face) {
-      if (face != left) hide(face->face);
+      if (face != left) set_hidden(face->face, true);
     }
   }
 }
 
-void Rehearsal::hide(Index face) {
-  replay_.is_hidden_[face] = 1;
-  replay_.hidings_.push_back({replay_.level(), face, true});
+/// Of faces at the survivor that coincide, the first are there, as a run leaves them.
+void Rehearsal::show_first_ones(Index survivor) {
+  if (!is_any_hidden_) return;
+  bool is_any_here = false;
+  for (Index c = first_[survivor]; c != invalid_index; c = next_[c]) is_any_here |= replay_.is_hidden_[c / 3] != 0;
+  if (!is_any_here) return;
+  std::map<Triangle, std::vector<Index>> alike;
+  for (Index c = first_[survivor]; c != invalid_index; c = next_[c]) {
+    const Triangle& corners = replay_.corners_[c / 3];
+    if (has_three_corners(corners)) alike[from_lowest(corners)].push_back(c / 3);
+  }
+  for (auto& [corners, faces] : alike) {
+    const auto n_there = std::count_if(faces.begin(), faces.end(), [this](Index f) { return replay_.has_face(f); });
+    std::sort(faces.begin(), faces.end());
+    const auto first_hidden = faces.begin() + n_there;
+    std::for_each(faces.begin(), first_hidden, [this](Index f) { set_hidden(f, false); });
+    std::for_each(first_hidden, faces.end(), [this](Index f) { set_hidden(f, true); });
+  }
+}
+
+void Rehearsal::set_hidden(Index face, bool is_hidden) {
+  if ((replay_.is_hidden_[face] != 0) == is_hidden) return;
+  replay_.is_hidden_[face] = is_hidden ? 1 : 0;
+  replay_.hidings_.push_back({replay_.level(), face, is_hidden});
   ++replay_.n_hidings_;
-  hidden_.push_back(face);
-  count_face(replay_.corners_[face], -1);
+  is_any_hidden_ |= is_hidden;
+  count_face(replay_.corners_[face], is_hidden ? -1 : 1);
 }
 
 /// Fronts are hidden, and are there again, as they are without backs. Backs follow them.
@@ -202,11 +197,7 @@ void Rehearsal::hide_as_without_backs() {
     const auto& [step, of_fronts, is_hidden] = without_backs.hidings()[n_followed_];
     if (step != replay_.level()) break;
     for (const Index face : {sheets->front_of(of_fronts), sheets->back_of(of_fronts)}) {
-      if (face == invalid_index) continue;
-      replay_.is_hidden_[face] = is_hidden ? 1 : 0;
-      replay_.hidings_.push_back({step, face, is_hidden});
-      ++replay_.n_hidings_;
-      count_face(replay_.corners_[face], is_hidden ? -1 : 1);
+      if (face != invalid_index) set_hidden(face, is_hidden);
     }
   }
 }
@@ -214,24 +205,11 @@ void Rehearsal::hide_as_without_backs() {
 // Ends of passes ------------------------------------------------------------------------------------------------------
 
 void Rehearsal::end_pass(const PassEnd& end) {
-  replay_.without_backs_ ? hide_as_without_backs() : settle();
   replay_.passes_before_.emplace_back();
   move(end);
   turn(end);
-  replay_.n_settled_.push_back(replay_.hidings_.size());
+  if (is_any_hidden_ || !end.turned.empty()) list_corners();
   ++replay_.n_pass_ends_;
-}
-
-/// Of faces that coincide, the first is there from now on.
-void Rehearsal::settle() {
-  for (const auto& [coming, going] : faces_to_exchange(replay_, hidden_)) {
-    for (const auto& [face, is_hidden] : {std::pair(coming, false), std::pair(going, true)}) {
-      replay_.is_hidden_[face] = is_hidden ? 1 : 0;
-      replay_.hidings_.push_back({replay_.level(), face, is_hidden});
-      ++replay_.n_hidings_;
-    }
-  }
-  hidden_.clear();
 }
 
 void Rehearsal::move(const PassEnd& end) {
@@ -263,7 +241,6 @@ void Rehearsal::turn(const PassEnd& end) {
   };
   require(counts.n_vertices == n_vertices_ && std::all_of(before.begin(), before.end(), keep_faces),
           "faces that get other corners leave a vertex without a face");
-  list_corners();
 }
 
 }  // namespace whittle::progressive

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "whittle/core/detail/large_array.hh"
@@ -13,10 +12,6 @@ inline bool is_position(const Vec3& p) {
   constexpr double most = 3e150;
   return (p.array().abs() <= most).all();
 }
-
-/// Of faces that coincide, the first is to be there. \param faces that are hidden and may be the first
-/// \return pairs of a face that is to be there, and the one that is there instead
-std::vector<std::pair<Index, Index>> faces_to_exchange(const Replay& replay, std::span<const Index> hidden);
 
 /// Does the steps of a replay for the first time, from the input on, and notes what undoes them.
 class Rehearsal {
@@ -33,10 +28,10 @@ class Rehearsal {
   void contract(const Contraction& contraction);
   void rename_corners(const Contraction& contraction);
   void hide_coincident(Index survivor);
-  void hide(Index face);
+  void show_first_ones(Index survivor);
+  void set_hidden(Index face, bool is_hidden);
   void hide_as_without_backs();
   void end_pass(const PassEnd& end);
-  void settle();
   void move(const PassEnd& end);
   void turn(const PassEnd& end);
   void count_face(const Triangle& face, int change);
@@ -50,7 +45,7 @@ class Rehearsal {
   LargeArray<Index> n_faces_at_;    ///< that are there, per vertex
   std::uint64_t n_vertices_ = 0;    ///< with faces
   std::uint64_t n_faces_ = 0;
-  std::vector<Index> hidden_;   ///< faces since the last pass end
+  bool is_any_hidden_ = false;
   std::size_t n_followed_ = 0;  ///< hidings of the replay without backs
 };
 

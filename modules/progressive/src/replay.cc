@@ -153,21 +153,11 @@ std::vector<Index> Replay::survivors() const {
   return survivors;
 }
 
-/// Of faces that coincide, the first is there.
 std::vector<Index> Replay::faces_left() const {
-  std::vector<Index> hidden;
-  for (std::size_t i = n_settled_[n_pass_ends_]; i < n_hidings_; ++i) hidden.push_back(hidings_[i].face);
-  std::vector<std::uint8_t> is_hidden;
-  for (const auto& [coming, going] : faces_to_exchange(*this, hidden)) {
-    is_hidden.resize(is_hidden_.size(), 2);
-    is_hidden[coming] = 0;
-    is_hidden[going] = 1;
-  }
   std::vector<Index> faces;
   faces.reserve(n_faces());
   for (Index f = 0; f < corners_.size(); ++f) {
-    const bool is_there = is_hidden.empty() || is_hidden[f] == 2 ? is_hidden_[f] == 0 : is_hidden[f] == 0;
-    if (is_there && has_three_corners(corners_[f])) faces.push_back(f);
+    if (has_face(f)) faces.push_back(f);
   }
   return faces;
 }

@@ -69,7 +69,30 @@ bool is_sheet(const std::vector<std::size_t>& set, const std::vector<Triangle>& 
   return ends_elsewhere || !ends_at_bodies;
 }
 
+Triangle from_its_least(Triangle face) {
+  std::ranges::rotate(face, std::ranges::min_element(face));
+  return face;
+}
+
 }  // namespace
+
+void BruteForceSides::contract(Index survivor, Index removed) {
+  for (Face& face : faces_) std::ranges::replace(face.corners, removed, survivor);
+}
+
+std::vector<Triangle> BruteForceSides::faces_left(const std::vector<Triangle>& there) const {
+  std::map<Triangle, int> n_there;
+  for (const Triangle& f : there) ++n_there[from_its_least(f)];
+  std::vector<Triangle> left;
+  for (const auto& [corners, n_sides] : faces_) {
+    const auto same = n_there.find(from_its_least(corners));
+    if (same == n_there.end() || same->second == 0) continue;
+    --same->second;
+    left.push_back(corners);
+    if (n_sides == 2) left.push_back({corners[1], corners[0], corners[2]});
+  }
+  return left;
+}
 
 OneSided brute_force_without_backs(const IndexedMesh& mesh) {
   OneSided result{mesh, std::vector<int>(mesh.faces.size(), 1)};

@@ -15,4 +15,22 @@ struct OneSided {
 /// As it is if there are no sheets: then with all attributes. Takes O(F²).
 OneSided brute_force_without_backs(const IndexedMesh& mesh);
 
+/// Which faces of a mesh without backs are left, and with how many sides.
+class BruteForceSides {
+ public:
+  void add(const Triangle& face, int n_sides) { faces_.push_back({face, n_sides}); }
+  void contract(Index survivor, Index removed);
+  /// Of faces that coincide, the first that were added are left.
+  /// \param there the surface: once for each face, whichever it is
+  /// \return both sides of those that are left
+  std::vector<Triangle> faces_left(const std::vector<Triangle>& there) const;
+
+ private:
+  struct Face {
+    Triangle corners;  ///< now
+    int n_sides;
+  };
+  std::vector<Face> faces_;
+};
+
 }  // namespace whittle::test

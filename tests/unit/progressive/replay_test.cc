@@ -18,7 +18,6 @@
 #include "support/shapes/two_sided.hh"
 #include "support/suites.hh"
 #include "whittle/engine/simplify.hh"
-#include "whittle/engine/two_sided_sheets.hh"
 #include "whittle/io/read.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/distance.hh"
@@ -168,11 +167,6 @@ TEST(Replay, LeavesTheFacesThatARunLeavesWhereTheyCoincide) {
     for (const Settings& settings : exact_settings()) {
       if (settings.name == "memoryless") continue;
       const std::string what = settings.name + ", seed " + std::to_string(seed);
-      if (TwoSidedSheets(mesh).any()) {  // of faces that coincide, some have backs, and no count says which are left
-        const Decimation whole = decimate(mesh, DecimateTarget::faces(1), settings.options);
-        expect_same(Replay(mesh, whole.steps).decimation(), whole, what);
-        continue;
-      }
       expect_replays(mesh, settings.options, what);
     }
   }

@@ -130,8 +130,7 @@ class Replay {
   LargeArray<std::size_t> first_renamed_;  ///< of each contraction, and the end
   LargeArray<Vec3> before_;                ///< where the survivor of each contraction was
   std::vector<PassBefore> passes_before_;
-  std::vector<Hiding> hidings_;         ///< by step, ascending
-  std::vector<std::size_t> n_settled_;  ///< hidings of which no face comes back, by number of pass ends done
+  std::vector<Hiding> hidings_;  ///< by step, ascending
 
   // The current level.
   LargeArray<Vec3> positions_;
