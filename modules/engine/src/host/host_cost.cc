@@ -42,7 +42,8 @@ Settlement HostCost::settle(ContractionProfile& profile, const PairEvaluation& r
 
 double HostCost::final_cost(const ContractionProfile& profile, const PairEvaluation& ranked,
                             const Vec3& position) const {
-  return cost_.final_cost(hosted(complex_, profile, ranked, position));
+  const double cost = cost_.final_cost(hosted(complex_, profile, ranked, position));
+  return cost >= 0 ? cost : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace whittle

@@ -47,7 +47,8 @@ class HostedCost {
   virtual PairEvaluation rank(Index first, Index second, Pinned pinned) = 0;
   /// Where the merged vertex goes. None means that the pair is refused.
   virtual Settlement settle(Index first, Index second, Pinned pinned, const PairEvaluation& rank) = 0;
-  /// What going there costs: the rank, or more. Infinite refuses the pair; the host counts that.
+  /// What going there costs: the rank, or more. Infinite, negative or not a number refuses the pair; the host counts
+  /// that.
   virtual double final_cost(const HostedContraction& contraction) = 0;
   /// Which pairs a contraction may make cheaper, or allow.
   virtual Reach reach() const = 0;

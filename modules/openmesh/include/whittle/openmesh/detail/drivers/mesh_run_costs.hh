@@ -78,11 +78,11 @@ class PlacingCostT : public ModuleCostT<RunT> {
     settlement.add(evaluation.position, survivor);
     return settlement;
   }
-  /// A cost that is not finite refuses the pair.
+  /// A cost that is infinite, negative or not a number refuses the pair.
   double final_cost(const HostedContraction& contraction, const PairEvaluation& evaluation) const {
     const double cost = module_.final_cost(this->handle(contraction.first), this->handle(contraction.second),
                                            evaluation, contraction.position);
-    if (evaluation.cost < this->never && cost < this->never) return cost;
+    if (is_cost(evaluation.cost) && is_cost(cost)) return cost;
     this->run_.count_refusal_by_cost();
     return this->never;
   }
