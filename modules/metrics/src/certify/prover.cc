@@ -1,6 +1,7 @@
 #include "whittle/metrics/detail/prover.hh"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace whittle::metrics {
@@ -27,9 +28,11 @@ Verdict Prover::prove(const Corners& triangle, double distance, Index hint, Fart
 double Prover::find_farthest(const Corners& triangle, double from, double accuracy, double most, Index hint,
                              FarthestPoint& farthest) {
   double coarseness = 1;
+  const double of_interest = std::isfinite(most) ? most : 0;
   const auto limit = [&](const FarthestPoint& point) {
     const double found = std::max(from, point.distance);
-    const double sought = std::max(coarse_, found + coarseness * (accuracy * found + least_accuracy));
+    const double gap = accuracy * std::max(found, of_interest) + least_accuracy;
+    const double sought = std::max(coarse_, found + coarseness * gap);
     return found < most - 4 * slack ? std::min(sought, std::max(coarse_, most)) : sought;
   };
   const auto decide = [](const FarthestPoint&) { return Verdict::proven; };

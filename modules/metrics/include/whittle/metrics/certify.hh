@@ -28,7 +28,8 @@ struct CertifyOptions {
 struct LargestDistanceOptions {
   unsigned threads = 0;         ///< as above
   ProgressCallback progress{};  ///< as above
-  /// If no point is farther than this, model units, what is proven is no more than this either.
+  /// If no point is farther than this, model units, what is proven is no more than this either. The accuracy is then a
+  /// share of this: what is much nearer needn't be known as well.
   double limit = std::numeric_limits<double>::infinity();
 };
 
@@ -83,7 +84,8 @@ struct LargestDistances {
 
 /// Finds the largest distances by the tests of `certify`.
 /// \param relative_accuracy of each, [1e-6, 1]: at_most is (1 + accuracy) at_least and a 10⁻⁹th of the size of both, or
-///        less. If that takes more than 65,536 pieces of a triangle, it is 4, 16, … times as inaccurate.
+///        less; with a limit, at_least and accuracy times the limit, if that is more. If that takes more than 65,536
+///        pieces of a triangle, it is 4, 16, … times as inaccurate.
 /// \throw as `certify`; std::invalid_argument if the accuracy is out of range
 LargestDistances largest_distances(const IndexedMesh& first, const IndexedMesh& second, double relative_accuracy,
                                    const LargestDistanceOptions& options = {});

@@ -41,9 +41,10 @@ class Prover {
 
   /// Finds the farthest point of a triangle, as far as it is farther than `from`.
   /// \param most unless a point is farther, all are to be proven to be within this
-  /// \return a distance that all points are proven to be within: `1 + accuracy` times that of the point found, or of
-  ///         `from`, and a 10⁻⁹th, or `most`. If that takes too many pieces, more; then no less is sought of triangles
-  ///         after this one, as the largest distance of all is what counts
+  /// \return a distance that all points are proven to be within: that of the point found, or `from`; and `accuracy`
+  ///         times the greater of this and of `most`, if that is finite; and a 10⁻⁹th; or `most`. If that takes too
+  ///         many pieces, more; then no less is sought of triangles after this one, as the largest distance of all is
+  ///         what counts
   double find_farthest(const Corners& triangle, double from, double accuracy, double most, Index hint,
                        FarthestPoint& farthest);
 
