@@ -257,7 +257,8 @@ bool BruteForceDecimater::is_allowed(const Choice& choice) const {
       if (!keeps_normals(faces_[f], v, position) || !keeps_shape(faces_[f], v, position)) return false;
     }
   }
-  return restraints_.keeps_sharpness(positions_, faces_, faces_after(a, b), a, b, position);
+  const std::vector<Triangle> after = faces_after(a, b);
+  return restraints_.keeps_edges(after, a, b) && restraints_.keeps_sharpness(positions_, faces_, after, a, b, position);
 }
 
 /// Which faces remain if a and b become one vertex. Faces with both a and b vanish. Faces of a and faces of b may then

@@ -141,6 +141,14 @@ bool BruteForceRestraints::keeps_lines(std::span<const Vec3> positions, std::spa
       passed, [&](const Vec3& point) { return distance_to_segment(point, position, end) > tolerance_; });
 }
 
+bool BruteForceRestraints::keeps_edges(std::span<const Triangle> after, Index survivor, Index removed) const {
+  return std::ranges::all_of(features_, [&](const auto& feature) {
+    const auto [x, y] = feature.first;
+    const auto now = [&](Index v) { return v == removed ? survivor : v; };
+    return now(x) == now(y) || !faces_at(after, now(x), now(y)).empty();
+  });
+}
+
 bool BruteForceRestraints::is_sharp(std::span<const Vec3> positions, std::span<const Triangle> faces, Index x,
                                     Index y) const {
   const std::vector<Triangle> at = faces_at(faces, x, y);

@@ -35,6 +35,8 @@ class BruteForceRestraints {
   /// Whether contracting (a, b) to `position` keeps all feature lines, and keeps them within the tolerance.
   bool keeps_lines(std::span<const Vec3> positions, std::span<const Triangle> faces, Index a, Index b,
                    const Vec3& position) const;
+  /// Whether each feature edge has a face after a contraction.
+  bool keeps_edges(std::span<const Triangle> after, Index survivor, Index removed) const;
   /// Whether no edge becomes sharp unless it is a feature, and no sharp feature edge becomes blunt.
   /// \param after the faces after the contraction, a being the merged vertex
   bool keeps_sharpness(std::span<const Vec3> positions, std::span<const Triangle> faces,

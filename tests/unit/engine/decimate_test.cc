@@ -205,6 +205,30 @@ TEST(Decimate, FeatureEdgesDoNotBecomeBorders) {
   }
 }
 
+/// Where free topology lets a vertex of three faces vanish with them, say.
+TEST(Decimate, FeatureLinesDoNotVanishUnderFreeTopology) {
+  for (const Cost cost : {Cost::quadric, Cost::memoryless}) {
+    DecimateOptions options;
+    options.cost = cost;
+    options.feature_angle_deg = 30;
+    options.topology = whittle::Topology::free;
+    for (const IndexedMesh& mesh : {noisy_grid(24, 24, 0.4, 1), noisy_grid(24, 24, 0.5, 2), terrain(24, 3)}) {
+      const Decimation d = decimate(mesh, DecimateTarget::faces(mesh.faces.size() / 10), options);
+      std::vector<int> n_edges(mesh.positions.size());
+      for (const auto& [a, b] : feature_edges(mesh, 30)) {
+        ++n_edges[a];
+        ++n_edges[b];
+      }
+      std::set<Index> on_lines;
+      for (const auto& [a, b] : d.feature_edges) on_lines.insert({d.mesh.origins[a], d.mesh.origins[b]});
+      ASSERT_GT(std::ranges::count(n_edges, 1), 2);
+      for (Index v = 0; v < n_edges.size(); ++v) {
+        EXPECT_TRUE(n_edges[v] != 1 || on_lines.contains(v)) << "end of a line";
+      }
+    }
+  }
+}
+
 TEST(Decimate, UnmovedVerticesKeepEveryBit) {
   IndexedMesh mesh = tessellated_cube(3);
   mesh.positions[0].x() = 1e140;

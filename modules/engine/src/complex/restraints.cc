@@ -79,7 +79,20 @@ std::optional<Index> Restraints::other_feature_edge(TriangleComplex& complex, In
   return std::nullopt;
 }
 
-bool Restraints::bends_a_line(TriangleComplex& complex, const ContractionProfile& profile, const Vec3& position) const {
+/// Whether a joint takes all faces of a feature edge away.
+bool Restraints::takes_a_line_away(TriangleComplex& complex, const ContractionProfile& profile) const {
+  if (!profile.is_joint) return false;
+  const auto is_live_line = [&](Index edge) { return is_feature_[complex.live_edge(edge)]; };
+  const std::vector<Index>& lost = profile.joint.lost_edges;
+  if (std::any_of(lost.begin(), lost.end(), is_live_line)) return true;
+  // Of two edges that become one, the first is listed.
+  const std::vector<ContractionProfile::Common>& common = profile.joint.common;
+  return std::any_of(common.begin(), common.end(), [&](const ContractionProfile::Common& neighbour) {
+    return is_live_line(neighbour.edges[1]) && std::find(lost.begin(), lost.end(), neighbour.edges[0]) != lost.end();
+  });
+}
+
+bool Restraints::harms_a_line(TriangleComplex& complex, const ContractionProfile& profile, const Vec3& position) const {
   if (!has_features()) return false;
   const Pair& pair = profile.pair;
   const auto is_live_line = [&](Index edge) { return is_feature_[complex.live_edge(edge)]; };
@@ -87,7 +100,7 @@ bool Restraints::bends_a_line(TriangleComplex& complex, const ContractionProfile
   const bool closes_loop = std::any_of(common.begin(), common.end(), [&](const ContractionProfile::Common& neighbour) {
     return is_live_line(neighbour.edges[0]) && is_live_line(neighbour.edges[1]);
   });
-  if (closes_loop) return true;
+  if (closes_loop || takes_a_line_away(complex, profile)) return true;
   if (!is_feature_[pair.id] || is_seam(pair.id)) return false;
   // The vertex that moves takes its line's next edge along.
   const Index moved = moved_end(pair, complex.position(pair.a), position) == 0 ? pair.a : pair.b;

@@ -62,9 +62,9 @@ class Restraints {
   bool is_feature(Index edge) const { return has_features() && is_feature_[edge]; }
   bool are_both_locked(const Pair& pair) const { return is_locked(pair.a) && is_locked(pair.b); }
 
-  /// Whether contracting the pair would lay two feature edges on one another, so that a line lost its loop, or take a
-  /// line farther off than it may be.
-  bool bends_a_line(TriangleComplex& complex, const ContractionProfile& profile, const Vec3& position) const;
+  /// Whether contracting the pair would lay two feature edges on one another, so that a line lost its loop, take all
+  /// faces of a feature edge away, or take a line farther off than it may be.
+  bool harms_a_line(TriangleComplex& complex, const ContractionProfile& profile, const Vec3& position) const;
 
   /// The feature lines that there are now. \param numbers vertices of the complex → vertices of the result
   FeatureLines lines(TriangleComplex& complex, const std::vector<Index>& numbers) const;
@@ -80,6 +80,7 @@ class Restraints {
     locked   ///< none
   };
 
+  bool takes_a_line_away(TriangleComplex& complex, const ContractionProfile& profile) const;
   bool has_features() const { return !is_feature_.empty(); }
   bool may_move(Index v, bool along_line) const {
     return freedoms_[v] == Freedom::full || (freedoms_[v] == Freedom::line && along_line);

@@ -18,7 +18,7 @@ class LockedGuard final : public Guard {
   const Restraints& restraints_;
 };
 
-/// Keeps vertices on their feature lines, and lines where they were.
+/// Keeps vertices on their feature lines, and lines whole and where they were.
 class FeatureLineGuard final : public Guard {
  public:
   FeatureLineGuard(TriangleComplex& complex, const Restraints& restraints)
@@ -27,7 +27,7 @@ class FeatureLineGuard final : public Guard {
   std::uint64_t Rejections::*reason() const override { return &Rejections::feature; }
   bool refuses(ContractionProfile& profile) override { return !restraints_.pinned(profile.pair); }
   bool refuses_at(ContractionProfile& profile, const Vec3& position) override {
-    return restraints_.bends_a_line(complex_, profile, position);
+    return restraints_.harms_a_line(complex_, profile, position);
   }
 
  private:

@@ -226,8 +226,7 @@ struct RandomCase {
     options.pairs.threshold.reset();
   }
 
-  /// Triangles on a coarse lattice with straight feature lines, and nothing that keeps joints from taking edges of them
-  /// away.
+  /// Triangles on a coarse lattice with straight feature lines, of which joints would take edges away.
   void make_lines() {
     for (Vec3& p : mesh.positions) p = Vec3(whole(0, 3), whole(0, 3), whole(0, 2));
     options = {};
@@ -367,7 +366,7 @@ class RandomTriangles : public testing::Test {
 TEST_F(RandomTriangles, AreContractedAsByBruteForce) {
   expect_all_as_by_brute_force(0, 500, [](RandomCase&) {});
   EXPECT_GT(n_joined_, 1000U);  // make sure that the test meets joints
-  EXPECT_GT(n_coincident_, 1000U);
+  EXPECT_GT(n_coincident_, 900U);
   EXPECT_GT(n_features_, 1000U);
 }
 
@@ -377,7 +376,7 @@ TEST_F(RandomTriangles, AreContractedAsByBruteForceWithoutMemory) {
   EXPECT_GT(n_features_, 1000U);
 }
 
-TEST_F(RandomTriangles, WithLinesThatLoseEdgesAreContractedAsByBruteForce) {
+TEST_F(RandomTriangles, WithStraightLinesAreContractedAsByBruteForce) {
   expect_all_as_by_brute_force(1000, 1200, [](RandomCase& c) {
     c.mesh = c.random_triangles();
     c.make_lines();
