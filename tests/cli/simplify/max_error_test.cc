@@ -32,6 +32,7 @@ TEST(MaxErrorOption, IsKeptByTheFile) {
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const auto report = nlohmann::json::parse(run.out);
     EXPECT_EQ(report["stop"], "error");
+    EXPECT_EQ(report["options"]["pauses"], nlohmann::json::array());
     EXPECT_EQ(report["target"]["met"], true);
     EXPECT_NEAR(report["target"]["max_error"].get<double>(), limit, 1e-12 * limit);
     EXPECT_EQ(report["max_error"]["asked"], report["target"]["max_error"]);

@@ -356,7 +356,10 @@ SimplifyCommand settled(SimplifyCommand command) {
   command.simplify.polish_passes = probe.polish_passes;
   command.simplify.flips = probe.flips;
   command.simplify.tries_plain_quadrics = probe.tries_plain_quadrics;
-  command.simplify.pauses = command.engine == Engine::flat ? probe.pauses : std::vector<double>{};
+  const TargetOptions& targets = command.targets;
+  const bool has_count = targets.faces || targets.vertices || targets.ratio || targets.face_ratio;
+  const bool pauses = command.engine == Engine::flat && has_count && !targets.max_error;
+  command.simplify.pauses = pauses ? probe.pauses : std::vector<double>{};
   command.simplify.decimate.refuse_intersections = command.self_intersections == SelfIntersections::refuse;
   return command;
 }

@@ -9,6 +9,7 @@
 #include "terminal/table.hh"
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/parts.hh"
+#include "whittle/core/two_sided.hh"
 #include "whittle/core/wedges.hh"
 
 namespace whittle::app {
@@ -44,19 +45,32 @@ std::vector<std::string> lost_in_openmesh(const SimplifyCommand& options, const 
   return warnings;
 }
 
+/// The faces of one side of two-sided sheets, and all others.
+std::vector<Index> faces_of_one_side(const IndexedMesh& mesh) {
+  const std::vector<Index> fronts = fronts_of_backs(mesh.faces);
+  std::vector<Index> faces;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    if (fronts.empty() || fronts[f] == invalid_index) faces.push_back(f);
+  }
+  return faces;
+}
+
 /// Whether texture coordinates differ between the two faces of each inner edge, at one of its ends at least.
 /// \pre the mesh has a table of wedges
 bool has_chart_per_face(const IndexedMesh& mesh, const Attribute& texcoords) {
-  const detail::EdgeTable edges(mesh.faces, mesh.positions.size());
+  const std::vector<Index> numbers = faces_of_one_side(mesh);
+  std::vector<Triangle> faces;
+  for (const Index f : numbers) faces.push_back(mesh.faces[f]);
+  const detail::EdgeTable edges(faces, mesh.positions.size());
   const auto differ = [&](Index side, Index other) {
-    const auto of_corner = [&](Index corner) { return texcoords.value(mesh.wedge(corner / 3, corner % 3)); };
+    const auto of_corner = [&](Index corner) { return texcoords.value(mesh.wedge(numbers[corner / 3], corner % 3)); };
     const auto a = of_corner(side);
     const auto b = of_corner(other);
     return !std::equal(a.begin(), a.end(), b.begin());
   };
   std::size_t n_inner = 0;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (!edges.is_regular(e, mesh.faces)) continue;
+    if (!edges.is_regular(e, faces)) continue;
     ++n_inner;
     const Index first = edges.sides(e)[0];
     const Index second = edges.sides(e)[1];
