@@ -6,7 +6,7 @@ namespace whittle {
 namespace {
 
 /// Pieces of a face that are looked at before the contraction is refused.
-constexpr int most_pieces = 256;
+constexpr int most_pieces_of_new_face = 256;
 
 /// Faces that are looked at for points that lose their support, before the contraction is refused. Around vertices of
 /// hundreds of edges, as fans have, an edge of the input may lie across all faces; elsewhere it takes some hundred.
@@ -28,7 +28,7 @@ ErrorGuard::ErrorGuard(TriangleComplex& complex, const ErrorBound& bound)
     : complex_(complex),
       bound_(bound),
       supports_(bound.points().size(), complex.n_vertex_slots()),
-      prover_(bound.input(), most_pieces),
+      prover_(bound.input(), most_pieces_of_new_face),
       places_(bound.points().size()),
       has_refused_(bound.points().size()) {
   const std::vector<Index> vertices = complex.vertices_by_origin();
