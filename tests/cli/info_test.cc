@@ -4,6 +4,9 @@
 #include <vector>
 
 #include "program/program.hh"
+#include "support/shapes/shapes.hh"
+#include "support/shapes/two_sided.hh"
+#include "whittle/io/write.hh"
 
 namespace whittle::test {
 namespace {
@@ -66,6 +69,16 @@ TEST(Info, SaysWhatSuitsTheKindOfMesh) {
       EXPECT_NE(text.out.find("  " + option + ": "), std::string::npos) << text;
     }
   }
+}
+
+/// Its edges have four faces, but that hinders nothing.
+TEST(Info, SaysOfATwoSidedSheetWhatSuitsASide) {
+  const TemporaryFolder folder;
+  io::write_mesh(folder / "sheet.ply", with_backs(noisy_grid(8, 8, 0.2, 1)));
+  const auto json = info(folder / "sheet.ply");
+  EXPECT_EQ(json["kind"], (std::vector<std::string>{"open", "tile", "two-sided"}));
+  ASSERT_EQ(json["suggestions"].size(), 1U);
+  EXPECT_EQ(json["suggestions"][0]["option"], "--boundary locked");
 }
 
 TEST(Info, ShowsTheFileBesideWhatBecomesOfIt) {

@@ -8,6 +8,7 @@
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/parts.hh"
+#include "whittle/core/two_sided.hh"
 #include "whittle/engine/automatic_threshold.hh"
 #include "whittle/io/border_gaps.hh"
 
@@ -114,11 +115,15 @@ void suggest_for_parts(const IndexedMesh& mesh, bool is_gltf, unsigned threads, 
   }
 }
 
-}  // namespace
+/// Positions and faces alone.
+IndexedMesh without_backs(const IndexedMesh& mesh) {
+  IndexedMesh one_side;
+  one_side.positions = mesh.positions;
+  for (const Index f : faces_without_backs(mesh.faces)) one_side.faces.push_back(mesh.faces[f]);
+  return one_side;
+}
 
-bool is_mostly_flat(const IndexedMesh& mesh) { return edge_angles(mesh).flat_share >= cad_share; }
-
-MeshKind kind_of(const IndexedMesh& mesh, const metrics::Topology& topology, bool is_gltf, unsigned threads) {
+MeshKind kind_of_one_side(const IndexedMesh& mesh, const metrics::Topology& topology, bool is_gltf, unsigned threads) {
   MeshKind kind;
   kind.words.emplace_back(topology.closed ? "closed" : "open");
   const bool is_soup = static_cast<double>(topology.boundary_edges) > soup_share * static_cast<double>(topology.edges);
@@ -135,6 +140,18 @@ MeshKind kind_of(const IndexedMesh& mesh, const metrics::Topology& topology, boo
   if (topology.nonmanifold_edges > 0) {
     kind.suggestions.push_back({"--topology free", "if the result may get smaller than its topology allows"});
   }
+  return kind;
+}
+
+}  // namespace
+
+bool is_mostly_flat(const IndexedMesh& mesh) { return edge_angles(without_backs(mesh)).flat_share >= cad_share; }
+
+MeshKind kind_of(const IndexedMesh& mesh, const metrics::Topology& topology, bool is_gltf, unsigned threads) {
+  const IndexedMesh one_side = without_backs(mesh);
+  if (one_side.faces.size() == mesh.faces.size()) return kind_of_one_side(mesh, topology, is_gltf, threads);
+  MeshKind kind = kind_of_one_side(one_side, metrics::topology(one_side), is_gltf, threads);
+  kind.words.emplace_back("two-sided");
   return kind;
 }
 

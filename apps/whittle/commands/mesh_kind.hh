@@ -18,7 +18,8 @@ struct Suggestion {
 /// What sort of mesh it is, and what suits it.
 struct MeshKind {
   /// "closed" or "open"; "soup" where faces hardly hang together, "CAD" where most edges are flat, "tile" where the
-  /// border lies on the bounding box, "parts" where there are several.
+  /// border lies on the bounding box, "parts" where there are several, "two-sided" where faces have backs: then the
+  /// other words, the share and the suggestions are those of the mesh without backs, as `simplify` sees it.
   std::vector<std::string> words;
   double flat_edges = 0;  ///< share of the edges of two faces that lie in one plane, [0, 1]
   std::vector<Suggestion> suggestions;

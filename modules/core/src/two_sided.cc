@@ -161,4 +161,13 @@ std::vector<Index> fronts_of_backs(std::span<const Triangle> faces) {
   return fronts;
 }
 
+std::vector<Index> faces_without_backs(std::span<const Triangle> faces) {
+  const std::vector<Index> fronts = fronts_of_backs(faces);
+  std::vector<Index> numbers;
+  for (Index f = 0; f < faces.size(); ++f) {
+    if (fronts.empty() || fronts[f] == invalid_index) numbers.push_back(f);
+  }
+  return numbers;
+}
+
 }  // namespace whittle

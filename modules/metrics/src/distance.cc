@@ -14,6 +14,7 @@
 #include "sampling/tree_pair.hh"
 #include "triangle_math.hh"
 #include "whittle/core/detail/progress_meter.hh"
+#include "whittle/core/two_sided.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/closest_point.hh"
 #include "working_scale.hh"
@@ -47,12 +48,19 @@ struct Direction {
   const IndexedMesh& from;
   const IndexedMesh& to;
   const TriangleTree& tree;
+  const std::vector<bool>& is_two_sided;  ///< of the faces of `to`; or empty
   double noise_sq;
 
   double distance_sq(const Vec3& point, Index& hint) const {
     const ClosestPoint nearest = tree.nearest_local(point, hint);
     hint = nearest.face;
     return nearest.distance_sq > noise_sq ? nearest.distance_sq : 0.0;
+  }
+
+  /// The normal of the nearest face, or of its other side where that is more alike.
+  Vec3 normal_there(Index face, const Vec3& here) const {
+    const Vec3 normal = unit_normal(to, face);
+    return !is_two_sided.empty() && is_two_sided[face] && here.dot(normal) < 0 ? Vec3(-normal) : normal;
   }
 
   Vec3 unit_normal(const IndexedMesh& mesh, std::size_t face) const {
@@ -69,7 +77,7 @@ struct Direction {
       sums.distance += std::sqrt(d_sq);
       sums.sample_sq += d_sq;
       sums.max_sq = std::max(sums.max_sq, d_sq);
-      const Vec3 here = unit_normal(from, face), there = unit_normal(to, hint);
+      const Vec3 here = unit_normal(from, face), there = normal_there(hint, here);
       if (here.isZero(0.0) || there.isZero(0.0)) return;
       const double cosine = here.dot(there);
       ++sums.normals;
@@ -102,6 +110,16 @@ std::vector<Index> used_vertices(const IndexedMesh& mesh) {
     if (used[v]) vertices.push_back(static_cast<Index>(v));
   }
   return vertices;
+}
+
+/// Which faces have another side. Empty if none has.
+std::vector<bool> two_sided_faces(const IndexedMesh& mesh) {
+  const std::vector<Index> fronts = fronts_of_backs(mesh.faces);
+  std::vector<bool> is_two_sided(fronts.size());
+  for (std::size_t back = 0; back < fronts.size(); ++back) {
+    if (fronts[back] != invalid_index) is_two_sided[back] = is_two_sided[fronts[back]] = true;
+  }
+  return is_two_sided;
 }
 
 Sums measure(const Direction& direction, const DistanceOptions& options, std::uint64_t stream,
@@ -177,10 +195,13 @@ SurfaceDistance surface_distance(const IndexedMesh& reference, const IndexedMesh
   const detail::Workers workers(options.threads, &meter);
   meter.start("building the search trees", 0.2);
   const TreePair trees(reference, test, origin, workers, meter);
+  const std::vector<bool> sides_of_test = two_sided_faces(test), sides_of_reference = two_sided_faces(reference);
+  const double noise_sq = noise * noise;
   meter.start("measuring", 0.6);
-  const Sums forward = measure({reference, test, trees.test(), noise * noise}, options, 0, workers);
+  const Sums forward = measure({reference, test, trees.test(), sides_of_test, noise_sq}, options, 0, workers);
   meter.start("measuring", 1);
-  const Sums backward = measure({test, reference, trees.reference(), noise * noise}, options, 1, workers);
+  const Sums backward =
+      measure({test, reference, trees.reference(), sides_of_reference, noise_sq}, options, 1, workers);
   meter.finish();
 
   SurfaceDistance result;

@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "support/shapes/shapes.hh"
+#include "support/shapes/two_sided.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
 #include "whittle/metrics/bounds.hh"
@@ -244,6 +245,17 @@ TEST(SurfaceDistance, FacesTurnedOverAreFlipped) {
   EXPECT_NEAR(d.normal_deviation_deg, 180.0, 1e-10);
   EXPECT_LE(d.normal_deviation_deg, 180.0);
   EXPECT_EQ(d.flipped_percent, 100.0);
+}
+
+TEST(SurfaceDistance, SidesOfSheetsAreComparedWithThoseThatFaceAlike) {
+  const IndexedMesh sheet = with_backs(noisy_grid(6, 6, 0.2, 1));
+  IndexedMesh backs_first = sheet;
+  std::ranges::reverse(backs_first.faces);
+  for (const IndexedMesh& other : {sheet, backs_first}) {
+    const SurfaceDistance distance = surface_distance(sheet, other, {});
+    EXPECT_LT(distance.normal_deviation_deg, 1e-5);
+    EXPECT_EQ(distance.flipped_percent, 0);
+  }
 }
 
 TEST(SurfaceDistance, FacesWithoutNormalDontCountForAngles) {

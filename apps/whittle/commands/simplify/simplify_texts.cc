@@ -45,20 +45,10 @@ std::vector<std::string> lost_in_openmesh(const SimplifyCommand& options, const 
   return warnings;
 }
 
-/// The faces of one side of two-sided sheets, and all others.
-std::vector<Index> faces_of_one_side(const IndexedMesh& mesh) {
-  const std::vector<Index> fronts = fronts_of_backs(mesh.faces);
-  std::vector<Index> faces;
-  for (Index f = 0; f < mesh.faces.size(); ++f) {
-    if (fronts.empty() || fronts[f] == invalid_index) faces.push_back(f);
-  }
-  return faces;
-}
-
 /// Whether texture coordinates differ between the two faces of each inner edge, at one of its ends at least.
 /// \pre the mesh has a table of wedges
 bool has_chart_per_face(const IndexedMesh& mesh, const Attribute& texcoords) {
-  const std::vector<Index> numbers = faces_of_one_side(mesh);
+  const std::vector<Index> numbers = faces_without_backs(mesh.faces);
   std::vector<Triangle> faces;
   for (const Index f : numbers) faces.push_back(mesh.faces[f]);
   const detail::EdgeTable edges(faces, mesh.positions.size());

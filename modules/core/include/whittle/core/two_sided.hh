@@ -19,4 +19,7 @@ namespace whittle {
 ///         others `invalid_index`. Empty if there is no sheet. Nearly linear time; little where no faces coincide
 std::vector<Index> fronts_of_backs(std::span<const Triangle> faces);
 
+/// The numbers of all faces but the backs of two-sided sheets, ascending. Nearly linear time.
+std::vector<Index> faces_without_backs(std::span<const Triangle> faces);
+
 }  // namespace whittle
