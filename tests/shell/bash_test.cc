@@ -39,13 +39,16 @@ Words sorted(Words words) {
 
 Words all_subcommands() { return subcommands_of_help(whittle({"--help"}).out); }
 
-/// "fast", "normal" and "best" of "--effort fast|normal|best".
+const Words formats{"obj", "off", "ply", "stl"};
+
+/// "fast", "normal" and "best" of "--effort fast|normal|best"; the formats of "EXT".
 Words values_in(const OptionText& option) {
   Words values;
   std::string value = words_of(option.name).back();
   if (value.starts_with('-')) return {};
   std::replace(value.begin(), value.end(), '|', ' ');
   for (const std::string& word : words_of(value)) {
+    if (word == "EXT") values.insert(values.end(), formats.begin(), formats.end());
     if (word.front() >= 'a' && word.front() <= 'z') values.push_back(word);
   }
   return values;
@@ -91,7 +94,9 @@ TEST(Bash, OffersTheWordsThatAnOptionTakes) {
   }
   EXPECT_GE(n_options, 9U);
   EXPECT_EQ(offered({"simplify", "--cost", "m"}), (Words{"memoryless", "midpoint"}));
-  EXPECT_EQ(offered({"info", "--format", ""}), (Words{"obj", "off", "ply", "stl"}));
+  EXPECT_EQ(offered({"info", "--format", ""}), formats);
+  EXPECT_EQ(offered({"info", "--input-format", "g"}), (Words{"glb", "gltf"}));
+  EXPECT_EQ(offered({"verify", "--input-format", "g"}), Words()) << "reads no glTF";
   EXPECT_EQ(offered({"simplify", "-t", ""}), Words{"auto"});
   EXPECT_EQ(offered({"completion", ""}), (Words{"bash", "fish", "zsh"}));
   EXPECT_EQ(offered({"simplify", "--faces", ""}), Words());
@@ -107,10 +112,11 @@ TEST(Bash, OffersValuesAfterAnEqualsSign) {
 TEST(Bash, OffersMeshFilesAndFolders) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "parts");
-  for (const char* name : {"a.obj", "B.PLY", "two words.off", "s.stl", "z.Obj.gz", "notes.txt", "z.gz"}) {
+  for (const char* name :
+       {"a.obj", "B.PLY", "two words.off", "s.stl", "t.gltf", "u.GLB", "z.Obj.gz", "notes.txt", "z.gz", "z.glb.gz"}) {
     write_text(folder.path() / name, "");
   }
-  const Words meshes{"B.PLY", "a.obj", "parts", "s.stl", "two words.off", "z.Obj.gz"};
+  const Words meshes{"B.PLY", "a.obj", "parts", "s.stl", "t.gltf", "two words.off", "u.GLB", "z.Obj.gz"};
   EXPECT_EQ(offered({"info", ""}, folder.path()), meshes);
   EXPECT_EQ(offered({"measure", "a.obj", ""}, folder.path()), meshes);
   EXPECT_EQ(offered({"simplify", "a.obj", "--strict", ""}, folder.path()), meshes);

@@ -104,8 +104,9 @@ TEST(Completion, OffersMeshFilesInFish) {
   if (!is_installed("fish")) GTEST_SKIP() << "fish is not installed";
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "parts");
-  for (const char* name : {"a.obj", "B.PLY", "c.ply.gz", "notes.txt", "c.gz"}) write_text(folder.path() / name, "");
-  const std::set<std::string> meshes{"B.PLY", "a.obj", "c.ply.gz", "parts/"};
+  for (const char* name : {"a.obj", "B.PLY", "c.ply.gz", "d.glb", "notes.txt", "c.gz"})
+    write_text(folder.path() / name, "");
+  const std::set<std::string> meshes{"B.PLY", "a.obj", "c.ply.gz", "d.glb", "parts/"};
   EXPECT_EQ(offered_by_fish("whittle info ", folder), meshes);
   EXPECT_EQ(offered_by_fish("whittle simplify a.obj --output ", folder), meshes);
 }

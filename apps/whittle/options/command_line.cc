@@ -21,8 +21,6 @@ io::Format parse_format(std::string_view text) {
   throw std::invalid_argument("'" + std::string(text) + "' is none of " + io::format_names("|"));
 }
 
-constexpr std::array<std::string_view, 2> gltf_names{"glb", "gltf"};
-
 /// Nothing for glTF, which is remembered in `options`.
 std::optional<io::Format> parse_input_format(std::string_view text, FileOptions& options) {
   const bool names_gltf = std::find(gltf_names.begin(), gltf_names.end(), text) != gltf_names.end();
@@ -40,6 +38,14 @@ std::optional<io::Format> parse_input_format(std::string_view text, FileOptions&
 template <class Paths>
 CLI::Option* add_argument(CLI::App& app, const std::string& name, Paths& paths, const std::string& description) {
   return app.add_option(name, paths, description)->required()->type_name("")->group("Arguments");
+}
+
+/// "EXT", or "EXT|glb|gltf" where the command takes glTF
+std::string input_format_type(const FileOptions& options) {
+  std::string type = "EXT";
+  if (!options.reads_gltf) return type;
+  for (const std::string_view name : gltf_names) type += '|' + std::string(name);
+  return type;
 }
 
 std::string mesh_file(const FileOptions& options) {
@@ -127,7 +133,7 @@ void add_input_formats(CLI::App& app, FileOptions& options, const std::string& g
                     "the format, such as ply, of '-' and of files whose name doesn't tell it")
       ->group(group);
   add_value(
-      app, "--input-format", "EXT", options.input_format,
+      app, "--input-format", input_format_type(options), options.input_format,
       [&options](std::string_view text) { return parse_input_format(text, options); },
       "the format to read, whatever a file's name says")
       ->default_str("by name")

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -43,6 +44,9 @@ void refuse_values_of_flags(CLI::App& app);
 /// \pre `add_common_options` was called.
 void set_usage(CLI::App& app, const std::string& usage);
 
+/// What --input-format calls glTF. Also the extensions of its files.
+inline constexpr std::array<std::string_view, 2> gltf_names{"glb", "gltf"};
+
 /// How mesh files are read and written.
 struct FileOptions {
   bool weld = true;                    ///< exact duplicates of vertices on open borders
@@ -63,7 +67,8 @@ struct FileOptions {
 };
 // Each takes the group of the help, by default that of options without one.
 
-/// Adds --format and --input-format, which takes glTF where the command does (`FileOptions::reads_gltf`).
+/// Adds --format and --input-format, which takes glTF where the command does.
+/// \pre `FileOptions::reads_gltf` is set
 void add_input_formats(CLI::App& app, FileOptions& options, const std::string& group = "Options");
 /// Adds --weld.
 void add_weld(CLI::App& app, FileOptions& options, const std::string& group = "Options");

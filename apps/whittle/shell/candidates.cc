@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "options/command_line.hh"
 #include "whittle/io/format.hh"
 
 namespace whittle::app {
@@ -35,6 +36,7 @@ std::vector<std::string> mesh_extensions() {
   for (const char* packed : {"", ".gz"}) {
     for (const io::Format format : io::all_formats) extensions.push_back(std::string(io::name_of(format)) + packed);
   }
+  extensions.insert(extensions.end(), gltf_names.begin(), gltf_names.end());
   return extensions;
 }
 

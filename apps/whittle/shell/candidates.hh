@@ -15,11 +15,11 @@ struct Candidates {
   FileCandidates files = FileCandidates::none;
 };
 
-/// By the name that the help has for the value: "fast|normal|best", "T|auto", "EXT", "FILE|-", "OUT". Arguments are
-/// mesh files, unless they have such a name.
+/// By the name that the help has for the value: "fast|normal|best", "T|auto", "EXT", "EXT|glb", "FILE|-", "OUT".
+/// Arguments are mesh files, unless they have such a name.
 Candidates candidates_of(const CLI::Option& option);
 
-/// "obj", "ply", "obj.gz", …: how names of mesh files end, in lower case.
+/// "obj", "ply", "obj.gz", "glb", …: how names of mesh files end, in lower case.
 std::vector<std::string> mesh_extensions();
 
 /// "-r", "--ratio"
