@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "program/failure.hh"
+#include "program/gltf_cube.hh"
 #include "program/program.hh"
 #include "support/temporary_folder.hh"
 #include "whittle/io/read.hh"
@@ -51,6 +52,51 @@ TEST(GeomorphCommand, WritesGltf) {
   EXPECT_EQ(file.substr(0, 4), "glTF");
   const Outcome printed = whittle({"geomorph", rec, "--from", "1000", "-o", "-", "--quiet"});
   EXPECT_TRUE(printed.out == file);
+}
+
+TEST(GeomorphCommand, NamesWhatIsLeftOut) {
+  const TemporaryFolder folder;
+  const std::string rec = folder / "rec";
+  const auto left_out_of = [&](const std::vector<std::string>& simplify, std::vector<std::string> geomorph) {
+    std::vector<std::string> words = simplify;
+    words.insert(words.begin(), "simplify");
+    words.insert(words.end(), {"-o", folder / "last.ply", "--face-ratio", "20%", "--record", rec, "--quiet"});
+    EXPECT_EQ(whittle(words).exit_code, 0);
+    geomorph.insert(geomorph.begin(), {"geomorph", rec, "--json", folder / "json"});
+    const Outcome outcome = whittle(geomorph);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome;
+    const auto warnings = parse_json(read_text(folder / "json"))["warnings"];
+    EXPECT_LE(warnings.size(), 1U) << outcome;
+    return warnings.empty() ? std::string() : std::string(warnings[0]);
+  };
+  const std::string cube = folder / "cube.glb";
+  const std::string out = folder / "out.glb";
+  write_gltf_cube(cube, 8);
+  const std::string all = "left out: TEXCOORD_0, materials, all but one normal and colour of a vertex";
+  EXPECT_EQ(left_out_of({cube}, {"-o", out}), out + ": " + all);
+  const std::string frames = folder / "f{i}.obj";
+  EXPECT_EQ(left_out_of({cube}, {"-o", frames, "--frames", "3"}), frames + ": " + all);
+  EXPECT_EQ(left_out_of({cube, "--attributes", "position-only"}, {"-o", out}), "");
+  EXPECT_EQ(left_out_of({data_file("blob.obj")}, {"-o", out}), "");
+}
+
+TEST(GeomorphCommand, TakesTheGltfThatWasSimplified) {
+  const TemporaryFolder folder;
+  const std::string cube = folder / "cube.glb";
+  write_gltf_cube(cube, 8);
+  const std::string rec = folder / "rec";
+  const Outcome run =
+      whittle({"simplify", cube, "-o", folder / "last.glb", "--face-ratio", "20%", "--record", rec, "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run;
+  const auto morph = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"geomorph", rec, "-o", folder / "out.glb", "--quiet"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = whittle(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome;
+    return read_text(folder / "out.glb");
+  };
+  const std::string embedded = morph({});
+  EXPECT_TRUE(morph({"--input", cube}) == embedded);
 }
 
 TEST(GeomorphCommand, SaysWhatIsWrong) {

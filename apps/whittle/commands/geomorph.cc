@@ -88,6 +88,12 @@ void write_geomorph(const GeomorphCommand& options, const Geomorph& geomorph, Ou
   }
 }
 
+void warn_of_left_out(const GeomorphCommand& options, const Talk& talk, GeomorphRun& run) {
+  if (run.recording.left_out.empty()) return;
+  run.warnings.push_back(about(shown_output(options.output), "left out: " + listed(run.recording.left_out)));
+  talk.warning(run.warnings.back());
+}
+
 Json geomorph_json(const GeomorphRun& run, double total_seconds) {
   Json json = new_report();
   json["recording"] = recording_json(run.recording);
@@ -115,6 +121,7 @@ ExitCode run_geomorph(const CLI::App& app, const GeomorphCommand& options) {
   const Stopwatch watch;
   Replay replay = read_replay(options.recording, options.files, options.common.threads, talk, run.recording);
   run.read_seconds = watch.seconds();
+  warn_of_left_out(options, talk, run);
   const Stopwatch morphing;
   const Geomorph geomorph = geomorph_of(options, replay);
   run.n_vertices = geomorph.fine().positions.size();
@@ -138,6 +145,7 @@ ExitCode run_geomorph(const CLI::App& app, const GeomorphCommand& options) {
 
 void setup_geomorph(CLI::App& app, Command& command) {
   const auto options = std::make_shared<GeomorphCommand>();
+  options->files.reads_gltf = true;
   CLI::App* sub = app.add_subcommand("geomorph", "Write a continuous way between two levels of a recording, as glTF.");
   add_recording(*sub, options->recording);
   add_value(

@@ -207,7 +207,7 @@ void setup_replay(CLI::App& app, Command& command) {
       *sub, "-o,--output", "OUT", options->output, [](std::string_view text) { return std::string(text); },
       "the level: a file, replaced if it exists, or '-' for standard output")
       ->required();
-  add_recording_input(*sub, options->recording);
+  add_recording_input(*sub, options->recording, ", or for what the mesh in REC lacks, such as the materials of glTF");
   add_file_options(*sub, options->files);
   add_compress(*sub, options->compresses_gltf);
   add_common_options(*sub, options->common);

@@ -177,6 +177,12 @@ bool keeps_meshes(const Input& input) { return input.gltf && input.gltf->scope()
 
 std::string about(const std::string& name, const std::string& text) { return name + ": " + text; }
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
 Input read_input(const std::string& path, const FileOptions& options, unsigned threads, const Talk& talk,
                  io::AttributeScope attributes) {
   const Stopwatch watch;

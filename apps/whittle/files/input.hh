@@ -85,6 +85,8 @@ bool keeps_meshes(const Input& input);
 
 /// "NAME: TEXT": a line about a file.
 std::string about(const std::string& name, const std::string& text);
+/// "a, b, c"
+std::string listed(const std::vector<std::string>& names);
 
 /// Reads a mesh. Prints what was repaired and what is not carried.
 /// \param attributes all, for what can take wedges and groups \throw io::ReadError as `io::read_mesh`.

@@ -1,5 +1,6 @@
 #include "commands/recording/recording_input.hh"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -48,7 +49,7 @@ std::pair<IndexedMesh, Input> input_of(const RecordingInput& options, const File
                                        const Talk& talk, Recording& recording) {
   if (!options.input) {
     if (recording.input) return {std::move(*recording.input), Input{options.path, options.path, {}, {}}};
-    throw UsageError(options.path + " doesn't have the mesh that was simplified: name it with --input");
+    throw UsageError(options.path + " doesn't have the mesh that was simplified: " + options.how_to_name_input);
   }
   FileOptions as_then = files;
   const bool has_scene = reads_gltf(*options.input, files);
@@ -92,12 +93,10 @@ void add_recording(CLI::App& app, RecordingInput& options) {
   add_file(app, "REC", options.path, "what 'simplify --record' has written")->type_name("FILE");
 }
 
-void add_recording_input(CLI::App& app, RecordingInput& options) {
+void add_recording_input(CLI::App& app, RecordingInput& options, const std::string& more) {
   add_value(
       app, "--input", "FILE", options.input, [](std::string_view text) { return std::string(text); },
-      "the mesh that was simplified: for a recording that was written with --no-embed, or for what the mesh in REC "
-      "lacks, "
-      "such as the materials of glTF")
+      "the mesh that was simplified: for a recording that was written with --no-embed" + more)
       ->default_str("the one in REC");
 }
 
@@ -130,9 +129,26 @@ progressive::Replay replay_of(const std::string& path, IndexedMesh mesh, Recordi
 }
 
 RecordingFacts facts_of(const std::string& path, const Recording& recording) {
-  return {
-      path, recording.input.has_value(), recording.n_vertices, recording.n_faces, recording.steps.contractions.size(),
-      {}};
+  return {path,
+          recording.input.has_value(),
+          recording.n_vertices,
+          recording.n_faces,
+          recording.steps.contractions.size(),
+          {},
+          {}};
+}
+
+/// What `with_vertex_attributes` takes from a mesh.
+std::vector<std::string> names_of_left_out(IndexedMesh mesh) {
+  std::vector<std::string> names;
+  for (const Attribute& attribute : mesh.attributes) names.push_back(attribute.name);
+  for (const Attribute& attribute : mesh.face_attributes) names.push_back(attribute.name);
+  const auto is_named = [](const std::string& group) { return !group.empty(); };
+  if (std::any_of(mesh.group_names.begin(), mesh.group_names.end(), is_named)) names.emplace_back("materials");
+  mesh.attributes.clear();
+  join_equal_wedges(mesh);
+  if (!mesh.wedges.empty()) names.emplace_back("all but one normal and colour of a vertex");
+  return names;
 }
 
 }  // namespace
@@ -153,6 +169,7 @@ progressive::Replay read_replay(const RecordingInput& options, const FileOptions
   facts = facts_of(options.path, recording);
   IndexedMesh mesh = input_of(options, files, threads, talk, recording).first;
   facts.notes.has_float32_positions = fit_float32(mesh.positions);
+  facts.left_out = names_of_left_out(mesh);
   return replay_of(options.path, with_vertex_attributes(std::move(mesh)), std::move(recording));
 }
 

@@ -18,7 +18,8 @@ namespace whittle::app {
 /// What the command line says of a recording.
 struct RecordingInput {
   std::string path;
-  std::optional<std::string> input;  ///< the mesh of the run, if it is not in the recording
+  std::optional<std::string> input;                        ///< the mesh of the run, if it is not in the recording
+  std::string how_to_name_input = "name it with --input";  ///< what the error says where it is needed
 };
 
 /// Of what 'simplify --record' writes about a run: the format of its input, "gltf".
@@ -29,8 +30,8 @@ IndexedMesh with_vertex_attributes(IndexedMesh mesh);
 
 /// Adds the argument REC.
 void add_recording(CLI::App& app, RecordingInput& options);
-/// Adds --input.
-void add_recording_input(CLI::App& app, RecordingInput& options);
+/// Adds --input. \param more the end of its help: what else than a missing mesh it is for
+void add_recording_input(CLI::App& app, RecordingInput& options, const std::string& more = {});
 
 /// What the report says of a recording.
 struct RecordingFacts {
@@ -38,7 +39,8 @@ struct RecordingFacts {
   bool is_embedded = false;                   ///< the input mesh
   std::uint64_t n_vertices = 0, n_faces = 0;  ///< of the input
   std::uint64_t n_contractions = 0;
-  io::FileNotes notes;  ///< of the input: what a writer of positions may ask
+  io::FileNotes notes;                ///< of the input: what a writer of positions may ask
+  std::vector<std::string> left_out;  ///< by `read_replay`, of what the input has: "vt", "materials"
 };
 
 /// {"path", "embedded", "vertices", "faces", "contractions"}

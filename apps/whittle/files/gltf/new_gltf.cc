@@ -79,13 +79,7 @@ class Looks {
   std::vector<fs::path> foreign_;
 };
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
-std::string listed(const std::vector<fs::path>& paths) {
+std::string listed_paths(const std::vector<fs::path>& paths) {
   std::vector<std::string> names;
   names.reserve(paths.size());
   for (const fs::path& path : paths) names.push_back(path.generic_string());
@@ -110,9 +104,10 @@ std::vector<std::string> names_of_lost(const IndexedMesh& mesh) {
 std::vector<std::string> problems_of(const Looks& looks, const IndexedMesh& mesh) {
   std::vector<std::string> problems;
   if (const auto lost = names_of_lost(mesh); !lost.empty()) problems.push_back("left out: " + listed(lost));
-  if (!looks.missing().empty()) problems.push_back("files of the input that aren't there: " + listed(looks.missing()));
+  if (!looks.missing().empty())
+    problems.push_back("files of the input that aren't there: " + listed_paths(looks.missing()));
   if (!looks.foreign().empty()) {
-    problems.push_back("images that are neither PNG nor JPEG are left out: " + listed(looks.foreign()));
+    problems.push_back("images that are neither PNG nor JPEG are left out: " + listed_paths(looks.foreign()));
   }
   return problems;
 }
