@@ -73,6 +73,92 @@ TEST_F(ReportCommand, TakesRecordingsAsOriginalAndAsResult) {
   }
 }
 
+/// The error says what to give.
+TEST_F(ReportCommand, TakesTheMeshOfARecordingWithoutIt) {
+  const std::string rec = folder / "bare.rec";
+  const std::string page = folder / "page.html";
+  ASSERT_EQ(whittle({"simplify", mesh, "-o", folder / "small.ply", "--faces", "400", "--record", rec, "--no-embed",
+                     "--quiet"})
+                .exit_code,
+            0);
+  const Outcome alone = whittle({"report", rec, "-o", page});
+  expect_usage_error(alone, {"give the mesh before it, as in 'whittle report MESH " + rec + " -o PAGE'"});
+  EXPECT_EQ(alone.err.find("--input"), std::string::npos) << alone;
+  const Outcome both = whittle({"report", mesh, rec, "-o", page, "--quiet"});
+  ASSERT_EQ(both.exit_code, 0) << both;
+  EXPECT_EQ(data_of(read_text(page))["results"][0]["faces"], 400);
+}
+
+TEST_F(ReportCommand, RefusesReportsThatAreNotOfARun) {
+  const std::string other = folder / "other.json";
+  const std::string page = folder / "page.html";
+  const std::vector<std::vector<std::string>> others = {
+      {"measure", mesh, folder / "small.ply", "--samples", "10"},
+      {"polish", mesh, folder / "small.ply", "-o", folder / "polished.ply"},
+      {"lod", mesh, "-o", folder / "lod_{i}.ply", "--faces", "500"},
+      {"replay", folder / "run.rec", "--at", "1", "-o", folder / "level.ply"}};
+  for (std::vector<std::string> words : others) {
+    words.insert(words.end(), {"--json", other, "--quiet"});
+    ASSERT_EQ(whittle(words).exit_code, 0) << words.front();
+    expect_failure(whittle({"report", mesh, folder / "small.ply", "-o", page, "--run", other}), 4,
+                   {"other.json: is no report of a run"});
+  }
+  write_text(other, R"({"input": [], "output": {"faces": "many"}, "contractions": 1, "runs": [7]})");
+  expect_failure(whittle({"report", mesh, "-o", page, "--run", other}), 4, {"is no report of a run"});
+  EXPECT_FALSE(std::filesystem::exists(page));
+}
+
+TEST_F(ReportCommand, WarnsOfARunOfOtherMeshes) {
+  const auto warned = [&](const std::vector<std::string>& files, const std::string& run) {
+    std::vector<std::string> words{"report", "-o", folder / "page.html", "--run", run, "--json", folder / "page.json"};
+    words.insert(words.begin() + 1, files.begin(), files.end());
+    const Outcome outcome = whittle(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome;
+    const auto warnings = parse_json(read_text(folder / "page.json"))["warnings"];
+    return warnings.empty() ? std::string() : std::string(warnings[0]);
+  };
+  const std::string run = folder / "run.json";
+  const std::string small = folder / "small.ply";
+  const std::string terrain = data_file("terrain.ply");
+  EXPECT_EQ(warned({mesh, small}, run), "");
+  EXPECT_EQ(warned({mesh, mesh, small}, run), "") << "one result is enough";
+  EXPECT_EQ(warned({mesh}, run), "");
+  EXPECT_THAT(warned({small, mesh}, run), HasSubstr("run.json: may be of other meshes: has no run that read 400 faces "
+                                                    "and wrote 5120 faces"));
+  EXPECT_THAT(warned({terrain}, run), HasSubstr("has no run that read "));
+
+  const std::string runs = folder / "runs.json";
+  ASSERT_EQ(
+      whittle({"simplify", mesh, terrain, "-o", folder / "{stem}_500.ply", "--faces", "500", "--json", runs, "--quiet"})
+          .exit_code,
+      0);
+  EXPECT_EQ(warned({terrain, folder / "terrain_500.ply"}, runs), "");
+  EXPECT_THAT(warned({mesh, small}, runs), HasSubstr("wrote 400 faces"));
+
+  const std::string speck = folder / "speck.obj";
+  write_text(speck, read_text(mesh) + "v 3 3 3\nv 3.01 3 3\nv 3 3.01 3\nf -3 -2 -1\n");
+  ASSERT_EQ(
+      whittle({"simplify", speck, "-o", small, "--faces", "400", "--prune", "1%", "--json", run, "--quiet"}).exit_code,
+      0);
+  ASSERT_EQ(parse_json(read_text(run))["output"]["pruned_components"], 1);
+  EXPECT_EQ(warned({speck, small}, run), "") << "the run says how many faces are left without the speck";
+}
+
+/// The scene has more faces than the meshes of the run, which are counted once.
+TEST_F(ReportCommand, DoesNotCompareTheRunOfGltf) {
+  write_gltf_cube(folder / "cube.glb", 8);
+  ASSERT_EQ(whittle({"simplify", folder / "cube.glb", "-o", folder / "small.glb", "--face-ratio", "20%", "--json",
+                     folder / "run.json", "--quiet"})
+                .exit_code,
+            0);
+  const Outcome outcome = whittle({"report", data_file("cubes.obj"), folder / "cube.glb", "-o", folder / "page.html",
+                                   "--run", folder / "run.json"});
+  EXPECT_THAT(outcome.err, HasSubstr("has no run that read"));
+  const Outcome scene = whittle(
+      {"report", folder / "cube.glb", folder / "small.glb", "-o", folder / "page.html", "--run", folder / "run.json"});
+  EXPECT_EQ(scene.err.find("other meshes"), std::string::npos) << scene;
+}
+
 TEST_F(ReportCommand, ShowsACoarserLevelOfALargeMesh) {
   const Outcome outcome =
       whittle({"report", mesh, folder / "small.ply", "-o", folder / "page.html", "--max-faces", "1000", "--json", "-"});

@@ -1,8 +1,6 @@
 #include "commands/page/make_page.hh"
 
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <limits>
 #include <optional>
@@ -13,6 +11,7 @@
 #include "commands/page/page_charts.hh"
 #include "commands/page/page_look.hh"
 #include "commands/page/page_tables.hh"
+#include "commands/page/run_report.hh"
 #include "commands/recording/curve.hh"
 #include "commands/recording/recording_input.hh"
 #include "commands/refusal_reasons.hh"
@@ -36,14 +35,6 @@ bool is_recording(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   file.read(begin.data(), begin.size());
   return file && std::string_view(begin.data(), begin.size()) == progressive::recording_signature;
-}
-
-Json read_json(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw io::ReadError(path, std::string("cannot be opened: ") + std::strerror(errno));
-  Json json = Json::parse(file, nullptr, false);
-  if (!json.is_object()) throw io::ReadError(path, "is no report: its text is no JSON object");
-  return json;
 }
 
 /// The mean one; of a mesh without lengths, so long that nothing depends on it.
@@ -77,6 +68,7 @@ class PageMaker {
   void measure_attributes();
   void measure_recording();
   void add_tables();
+  void add_run(const Json& run);
   void add_charts();
   void limit_size(report::PageSurface& surface);
   void fill_facts(std::size_t i, const report::PageSurface& surface);
@@ -122,7 +114,7 @@ void PageMaker::add_result(const std::string& path, report::PageSurface surface)
 /// \pre it comes first, or after the original
 void PageMaker::use_recording(const std::string& path) {
   if (page_.recording) throw UsageError("two recordings: " + path + " is one too many");
-  RecordingInput input{path, std::nullopt};
+  RecordingInput input{path, std::nullopt, "give the mesh before it, as in 'whittle report MESH " + path + " -o PAGE'"};
   const bool is_first = path == options_.files.front();
   if (!is_first) input.input = options_.files.front();
   RecordingFacts facts;
@@ -264,6 +256,18 @@ void PageMaker::add_tables() {
   }
 }
 
+/// \pre the meshes are in `facts_`
+void PageMaker::add_run(const Json& run) {
+  std::vector<std::optional<std::uint64_t>> faces;
+  for (std::size_t i = 0; i < paths_.size(); ++i) {
+    // A scene may show a mesh several times, and a run of glTF counts it once.
+    const bool is_scene = reads_gltf(paths_[i], options_.files_options);
+    faces.push_back(is_scene ? std::nullopt : std::optional(facts_.meshes[i]["faces"].get<std::uint64_t>()));
+  }
+  if (const std::string doubt = doubt_about_run(run, faces); !doubt.empty()) warn(about(*options_.run, doubt));
+  page_.tables.push_back(table_of(short_name(*options_.run), run));
+}
+
 void PageMaker::add_charts() {
   std::vector<PageMesh> meshes;
   const auto add = [&](const report::PageSurface& surface) {
@@ -306,10 +310,11 @@ void PageMaker::take(const RunForPage& run) {
 }
 
 std::string PageMaker::make() {
+  const Json run = options_.run ? read_report_of_simplify(*options_.run) : Json();
   read_files();
   for (const std::string& path : options_.files) page_.title += (page_.title.empty() ? "" : ", ") + short_name(path);
   add_tables();
-  if (options_.run) page_.tables.push_back(table_of(short_name(*options_.run), read_json(*options_.run)));
+  if (options_.run) add_run(run);
   return compose();
 }
 
