@@ -48,8 +48,8 @@ int main() {
   decimater.decimate(whittle::DecimateTarget::faces(500));
   whittle::collect_garbage(mesh);  // removes elements that are marked as deleted
 
-  // A surviving vertex keeps its properties. OpenMesh's texture coordinates, colours and normals are interpolated along
-  // each edge that is contracted, so that they fit the new position.
+  // A surviving vertex keeps properties of whole numbers. Texture coordinates, colours, normals and properties of real
+  // numbers have the value of the place where it went: what is linear in the position stays so.
   std::set<int> survivors;
   float worst = 0;
   for (const Mesh::VertexHandle v : mesh.vertices()) {
