@@ -38,7 +38,7 @@ enum class Seams {
 
 /// What becomes of the vertex normals of a mesh that has some.
 enum class Normals {
-  keep,       ///< The mean of those of the vertices merged into one; a vertex that nothing merged into keeps its own.
+  keep,       ///< Those of the input around where each vertex goes (`carry_attributes`); `simplify` then fits them.
   recompute,  ///< Those of the faces of the result, weighted by area. They break at creases (`recompute_normals`).
   drop        ///< The result has none.
 };
