@@ -466,8 +466,7 @@ TEST(Gltf, RefusesWhatItCannotDo) {
   write_gltf_cube(in, 3);
   const std::string out = folder / "out.glb";
   expect_usage_error(whittle({"simplify", in, "-o", folder / "o.ply", "--faces", "9", "--compress"}), {"--compress"});
-  for (const std::vector<std::string>& options : {std::vector<std::string>{"--no-embed", "--record", folder / "r"},
-                                                  {"--per-mesh", "--curve", folder / "c.svg"},
+  for (const std::vector<std::string>& options : {std::vector<std::string>{"--per-mesh", "--curve", folder / "c.svg"},
                                                   {"--per-mesh", "--page", folder / "p.html"},
                                                   {"--map", folder / "m"},
                                                   {"--certificate", folder / "c"},

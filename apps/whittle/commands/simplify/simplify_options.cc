@@ -379,9 +379,6 @@ void check_gltf(const SimplifyCommand& options) {
   if (is_read && options.joins) {
     throw UsageError("--join doesn't take glTF, which may have several meshes: 'whittle convert' makes OBJ of it");
   }
-  if (is_read && options.recording && !options.embeds_input) {
-    throw UsageError("--no-embed doesn't take glTF, as 'replay' doesn't read it");
-  }
   if (is_written && (options.map || options.map_back)) {
     throw UsageError("--map and --map-back don't take glTF: its vertices are those of primitives");
   }
