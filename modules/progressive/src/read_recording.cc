@@ -56,6 +56,7 @@ class RecordingReader {
   void read_head(ByteReader& reader);
   void read_vertices(ByteReader& reader, std::uint64_t n);
   void read_faces(ByteReader& reader, std::uint64_t n);
+  void read_note(ByteReader& reader, std::uint64_t n);
   void read_attribute(ByteReader& reader);
   void read_values(ByteReader& reader, std::uint64_t n);
   void read_contractions(ByteReader& reader, std::uint64_t n);
@@ -81,7 +82,8 @@ bool RecordingReader::take(const Chunk& chunk) {
     require(has_head_ && chunk.payload.empty(), "a part is not where it should be");
     return false;
   }
-  if (std::islower(static_cast<unsigned char>(chunk.type[0])) != 0) return true;
+  const bool is_optional = std::islower(static_cast<unsigned char>(chunk.type[0])) != 0;
+  if (is_optional && chunk.type != "note") return true;
   require(has_head_ != (chunk.type == "HEAD"), "a part is not where it should be");
   if (chunk.type == "HEAD") {
     read_head(reader);
@@ -135,6 +137,8 @@ void RecordingReader::read_elements(const std::string& type, ByteReader& reader,
     read_indices(reader, n, invalid_index, mesh().face_groups);
   } else if (type == "NAME") {
     for (std::uint64_t i = 0; i < n; ++i) mesh().group_names.emplace_back(reader.text(reader.count()));
+  } else if (type == "note") {
+    read_note(reader, n);
   } else if (type == "ATTR") {
     for (std::uint64_t i = 0; i < n; ++i) read_attribute(reader);
   } else if (type == "VALU") {
@@ -177,6 +181,13 @@ void RecordingReader::read_faces(ByteReader& reader, std::uint64_t n) {
     mesh().faces.push_back(read_corners(reader, last));
     last = mesh().faces.back()[0];
   }
+}
+
+/// More texts of a name.
+void RecordingReader::read_note(ByteReader& reader, std::uint64_t n) {
+  require(n > 0, "a note without texts");
+  std::vector<std::string>& texts = recording_.notes[std::string(reader.text(reader.count()))];
+  for (std::uint64_t i = 0; i < n; ++i) texts.emplace_back(reader.text(reader.count()));
 }
 
 void RecordingReader::read_attribute(ByteReader& reader) {

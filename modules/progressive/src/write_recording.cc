@@ -15,7 +15,7 @@ namespace {
 
 /// Elements of a chunk.
 constexpr std::size_t most_elements = 65536;
-constexpr std::size_t most_about = 1'000'000;
+constexpr std::size_t most_about = 1'000'000;  ///< bytes of a text
 
 /// A chunk to be written.
 struct ChunkToWrite {
@@ -195,6 +195,30 @@ void add_mesh(const IndexedMesh& mesh, ChunkList& chunks) {
   }
 }
 
+/// As many texts as fit in one chunk, from the first on; at least one. \pre none has more than `most_about` bytes
+std::span<const std::string> texts_of_chunk(std::span<const std::string> texts) {
+  std::size_t n = 0;
+  for (std::size_t bytes = 0; n < std::min(most_elements, texts.size()) && bytes < most_about; ++n) {
+    bytes += texts[n].size();
+  }
+  return texts.first(n);
+}
+
+void add_notes(const RecordingNotes& notes, ChunkList& chunks) {
+  for (const auto& note : notes) {
+    const std::string& name = note.first;
+    for (std::span<const std::string> rest(note.second); !rest.empty();) {
+      const auto part = texts_of_chunk(rest);
+      rest = rest.subspan(part.size());
+      chunks.add("note", [&name, part](ByteWriter& writer) {
+        writer.count(part.size());
+        write_text(writer, name);
+        for (const std::string& text : part) write_text(writer, text);
+      });
+    }
+  }
+}
+
 void add_steps(const RunSteps& steps, ChunkList& chunks) {
   const std::span contractions(steps.contractions);
   std::size_t n_done = 0;
@@ -222,13 +246,17 @@ void write_head(ByteWriter& writer, const IndexedMesh& input, const RunSteps& st
 }
 
 /// \throw std::invalid_argument
-void check_names(const IndexedMesh& mesh) {
-  const auto require_short = [](const std::string& name) {
-    if (name.size() > most_about) throw std::invalid_argument("recording: a name of more than a million bytes");
+void check_texts(const IndexedMesh& mesh, const RecordingNotes& notes) {
+  const auto require_short = [](const std::string& text) {
+    if (text.size() > most_about) throw std::invalid_argument("recording: a text of more than a million bytes");
   };
   for (const Attribute& attribute : mesh.attributes) require_short(attribute.name);
   for (const Attribute& attribute : mesh.face_attributes) require_short(attribute.name);
   for (const std::string& name : mesh.group_names) require_short(name);
+  for (const auto& [name, texts] : notes) {
+    require_short(name);
+    for (const std::string& text : texts) require_short(text);
+  }
 }
 
 }  // namespace
@@ -236,10 +264,11 @@ void check_names(const IndexedMesh& mesh) {
 void write_recording(std::ostream& out, const IndexedMesh& input, const RunSteps& steps, Normals normals,
                      std::string_view about, const RecordingOptions& options) {
   if (about.size() > most_about) throw std::invalid_argument("recording: more than a million bytes of text about it");
-  check_names(input);
+  check_texts(input, options.notes);
   ChunkList chunks;
   chunks.add("HEAD", [&](ByteWriter& writer) { write_head(writer, input, steps, normals, about, options.embed); });
   if (options.embed) add_mesh(input, chunks);
+  add_notes(options.notes, chunks);
   if (steps.crease_angle_deg < 180) {
     chunks.add("CREA", [&](ByteWriter& writer) { writer.number(steps.crease_angle_deg); });
   }

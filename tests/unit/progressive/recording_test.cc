@@ -157,6 +157,20 @@ TEST(Recording, KeepsAttributes) {
   }
 }
 
+TEST(Recording, KeepsNotes) {
+  const RecordedRun run = run_of(test::octahedron(), false);
+  RecordingNotes notes{{"", {""}}, {"names", {"roof", "", std::string("\0\n", 2)}}};
+  for (int i = 0; i < 70000; ++i) notes["many"].push_back(std::to_string(i));
+  notes["long"] = {std::string(1'000'000, 'a'), "b", std::string(1'000'000, 'c'), std::string(999'999, 'd'), "e"};
+  for (const bool embed : {false, true}) {
+    EXPECT_EQ(read(written(run, {embed, embed, 2, notes})).notes, notes);
+  }
+  EXPECT_TRUE(read(written(run)).notes.empty());
+  EXPECT_EQ(written(run, {.notes = {{"none", {}}}}), written(run));
+  notes["long"].push_back(std::string(1'000'001, 'f'));
+  EXPECT_THROW(written(run, {.notes = notes}), std::invalid_argument);
+}
+
 TEST(Recording, KeepsEachBitOfCoordinates) {
   RecordedRun run{test::tetrahedron(), {}};
   run.mesh.positions = {{-0.0, 1e-310, 3e150}, {1, 0.1F, -1e30}, {0.1, 0, 0}, {1e-45, 0, 0}};
@@ -217,6 +231,41 @@ TEST(Recording, SaysThatItIsDamaged) {
     }
     return {};
   };
+  const std::string whole = written(run);
+  const std::string end = framed("END ", "", false);
+  const auto message_of_note = [&](const std::string& payload) {
+    return message_of(whole.substr(0, whole.size() - end.size()) + framed("note", payload, false) + end);
+  };
+  EXPECT_EQ(message_of_note("\x01\x01"
+                            "a"
+                            "\x01"
+                            "b"),
+            "");
+  EXPECT_EQ(message_of_note(std::string("\0\x01"
+                                        "a",
+                                        3)),
+            "it is damaged: a note without texts");
+  EXPECT_EQ(message_of_note("\x02\x01"
+                            "a"
+                            "\x01"
+                            "b"),
+            "a part of it ends too soon");
+  EXPECT_EQ(message_of_note("\x01\x01"
+                            "a"
+                            "\x7f"
+                            "b"),
+            "a part of it ends too soon");
+  EXPECT_EQ(message_of_note("\x01\x7f"
+                            "a"),
+            "a part of it ends too soon");
+  EXPECT_EQ(message_of_note("\x7f\x01"
+                            "a"),
+            "it is damaged: a part has too few bytes");
+  EXPECT_EQ(message_of_note("\x01\x01"
+                            "a"
+                            "\x01"
+                            "bc"),
+            "it is damaged: a part has too many bytes");
   EXPECT_EQ(message_of("ply\nformat ascii 1.0\n"), "it is no recording of whittle");
   EXPECT_EQ(message_of(""), "it is no recording of whittle");
 }
@@ -226,7 +275,8 @@ TEST(Recording, IsReadOrRefusedHoweverItsContentIsChanged) {
   std::size_t n_read = 0;
   Random random(9);
   for (const bool has_polish : {false, true}) {
-    const std::string bytes = written(run_of(test::torus(8, 6), has_polish));
+    const RecordedRun run = run_of(test::torus(8, 6), has_polish);
+    const std::string bytes = written(run, {.notes = {{"names", {"roof", "", "wall"}}, {"other", {"1"}}}});
     std::vector<Chunk> chunks;
     std::istringstream in(bytes);
     read_signature(in);
