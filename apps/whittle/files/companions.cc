@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 std::string copied(OutputFiles& files, const fs::path& from, const fs::path& to, const fs::path& name, bool& is_new) {
   std::error_code error;
   if (!is_inside(name)) return "outside of the folder";
-  if (!fs::exists(from / name, error)) return "not there";
+  if (!fs::exists(from / name, error)) return fs::exists(to / name, error) ? "" : "not there";
   const std::optional<std::string> content = content_of(from / name);
   if (!content) return "can't be read";
   if (files.has((to / name).string())) return "";  // levels of one input have the same companions

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "files/gltf_file.hh"
@@ -191,6 +192,7 @@ Input read_input(const std::string& path, const FileOptions& options, unsigned t
   Input input{path, name, file.read(options.weld, threads, attributes), {}};
   input.format = format_name(input.read, file);
   input.gltf = file.gltf();
+  input.mesh_name = std::filesystem::path(path).filename().stem().string();
   input.weld_tolerance = weld_gaps(input.read, options.weld_tolerance, threads);
   input.seconds = watch.seconds();
   if (input.read.repairs.any() && !input.read.mesh.faces.empty())

@@ -77,6 +77,7 @@ struct Input {
   double weld_tolerance = 0;          ///< to which vertices were welded, model units; 0 = exact duplicates alone
   std::string format{};               ///< `format_name`
   std::shared_ptr<GltfFile> gltf{};   ///< as `MeshFile::gltf`
+  std::string mesh_name{};            ///< what new glTF files call the mesh
   std::vector<std::string> joined{};  ///< the files that it was joined of (`read_joined`), `path` first; or empty
 };
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "commands/recording/recorded_notes.hh"
 #include "terminal/errors.hh"
 #include "terminal/table.hh"
 #include "whittle/core/float32_positions.hh"
@@ -44,11 +46,25 @@ std::optional<IndexedMesh> mesh_of_run(const IndexedMesh& mesh, const Recording&
   return std::nullopt;
 }
 
+/// What the recording says of the file that its mesh comes from.
+Input input_in_recording(const std::string& path, const Recording& recording) {
+  Input input{path, path, {}, {}};
+  try {
+    input.read.notes = file_notes_of(recording.notes);
+  } catch (const progressive::RecordingError& error) {
+    throw io::ReadError(path, error.what());
+  }
+  const auto name = recording.notes.find(mesh_name_note);
+  input.mesh_name =
+      name == recording.notes.end() ? std::filesystem::path(path).filename().stem().string() : name->second.front();
+  return input;
+}
+
 /// The mesh that the run began with, and the file that it comes from.
 std::pair<IndexedMesh, Input> input_of(const RecordingInput& options, const FileOptions& files, unsigned threads,
                                        const Talk& talk, Recording& recording) {
   if (!options.input) {
-    if (recording.input) return {std::move(*recording.input), Input{options.path, options.path, {}, {}}};
+    if (recording.input) return {std::move(*recording.input), input_in_recording(options.path, recording)};
     throw UsageError(options.path + " doesn't have the mesh that was simplified: " + options.how_to_name_input);
   }
   FileOptions as_then = files;
@@ -128,6 +144,15 @@ progressive::Replay replay_of(const std::string& path, IndexedMesh mesh, Recordi
   }
 }
 
+/// What writers of levels ask of the input's mesh.
+IndexedMesh frame_of(const IndexedMesh& mesh) {
+  IndexedMesh frame;
+  frame.positions = mesh.positions;
+  frame.face_groups = mesh.face_groups;
+  frame.group_names = mesh.group_names;
+  return frame;
+}
+
 RecordingFacts facts_of(const std::string& path, const Recording& recording) {
   return {path,
           recording.input.has_value(),
@@ -159,6 +184,7 @@ RecordedRun read_recorded_run(const RecordingInput& options, const FileOptions& 
   facts = facts_of(options.path, recording);
   auto [mesh, input] = input_of(options, files, threads, talk, recording);
   input.read.notes.has_float32_positions = fit_float32(mesh.positions);
+  if (!input.gltf) input.read.mesh = frame_of(mesh);
   const bool has_gltf_texcoords = input_format_of(recording) == "gltf";
   return {replay_of(options.path, std::move(mesh), std::move(recording)), std::move(input), has_gltf_texcoords};
 }

@@ -53,7 +53,7 @@ void check_recording_outputs(const RecordingInput& options, const std::vector<st
 /// A recording whose levels have all attributes.
 struct RecordedRun {
   progressive::Replay replay;
-  /// The file that --input names, without its mesh; else the recording.
+  /// The file that --input names; else the recording. Of its mesh, positions and groups alone.
   Input input;
   bool has_gltf_texcoords = false;  ///< whether the second texture coordinate grows downwards, as in glTF
 };

@@ -6,6 +6,7 @@
 #include "commands/page/frames.hh"
 #include "commands/page/make_page.hh"
 #include "commands/recording/curve.hh"
+#include "commands/recording/recorded_notes.hh"
 #include "commands/recording/recording_input.hh"
 #include "commands/simplify/simplify_report.hh"
 #include "files/mesh_output.hh"
@@ -45,10 +46,18 @@ void write_map_back(std::ostream& out, const SimplifyRecord& record) {
   }
 }
 
+progressive::RecordingNotes notes_of(const SimplifyCommand& options, const Input& input) {
+  if (!options.embeds_input) return {};
+  progressive::RecordingNotes notes = recorded_notes(input.read.notes);
+  if (is_gltf_output(options.output, options.files) && !keeps_meshes(input)) notes[mesh_name_note] = {input.mesh_name};
+  return notes;
+}
+
 void write_recording_file(std::ostream& out, const SimplifyCommand& options, const SimplifyRecord& record) {
   const Json about = {
       {"program", program_and_version()}, {input_format_key, record.input.format}, {"options", options_json(options)}};
-  const progressive::RecordingOptions how{options.embeds_input, options.compresses_recording, options.common.threads};
+  const progressive::RecordingOptions how{options.embeds_input, options.compresses_recording, options.common.threads,
+                                          notes_of(options, record.input)};
   progressive::write_recording(out, record.input.read.mesh, record.simplified.steps, options.simplify.decimate.normals,
                                to_text(about), how);
 }

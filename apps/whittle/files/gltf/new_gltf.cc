@@ -137,7 +137,7 @@ void write_new_gltf(OutputFiles& files, const std::string& path, const Input& in
   gltf::NewAsset asset = new_asset_of(mesh, levels);
   // For all that is made of an input the same, if it is there.
   if (!input.read.mesh.positions.empty()) asset.translation = float32_origin(input.read.mesh.positions);
-  asset.name = fs::path(input.path).filename().stem().string();
+  asset.name = input.mesh_name;
   const auto is_texcoord = [](const Attribute& attribute) { return attribute.kind == AttributeKind::texcoord; };
   const bool has_texcoords = std::any_of(asset.mesh.attributes.begin(), asset.mesh.attributes.end(), is_texcoord);
   for (const std::size_t group : used_groups(asset.mesh)) {
