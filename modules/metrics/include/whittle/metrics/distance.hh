@@ -27,8 +27,8 @@ struct DirectedDistance {
   double max = 0.0;      ///< Over samples and vertices: a lower bound of the one-sided Hausdorff distance, model units.
 
   /// Mean angle between the normal of the sample's face and that of the nearest face, degrees, in [0, 180]. Where the
-  /// nearest face belongs to a two-sided sheet (two_sided.hh), that of the side which is more alike. Samples where either
-  /// face has no normal don't count; 0 if none do.
+  /// nearest face belongs to a two-sided sheet (two_sided.hh), that of the side which is more alike. Samples where
+  /// either face has no normal don't count; 0 if none do.
   double normal_deviation_deg = 0.0;
   /// Share of those samples where that angle is above 90 degrees, in [0, 100].
   double flipped_percent = 0.0;
