@@ -19,14 +19,14 @@ namespace {
 namespace fs = std::filesystem;
 using Arguments = std::vector<std::string>;
 
-constexpr int n_cells = 12;
+constexpr int n_squares = 12;
 
 /// Waves over a square. \param numbers_of x, y, z → the numbers of a vertex
 template <class NumbersOf>
 std::string vertex_rows(const NumbersOf& numbers_of) {
   std::string text;
-  for (int j = 0; j <= n_cells; ++j) {
-    for (int i = 0; i <= n_cells; ++i) text += numbers_of(i, j, 3 * std::sin(i) * std::cos(2 * j)) + '\n';
+  for (int j = 0; j <= n_squares; ++j) {
+    for (int i = 0; i <= n_squares; ++i) text += numbers_of(i, j, 3 * std::sin(i) * std::cos(2 * j)) + '\n';
   }
   return text;
 }
@@ -36,11 +36,11 @@ template <class RowOf>
 std::string face_rows(const RowOf& row_of) {
   std::string text;
   int face = 0;
-  for (int j = 0; j < n_cells; ++j) {
-    for (int i = 0; i < n_cells; ++i) {
-      const int corner = j * (n_cells + 1) + i;
-      text += row_of(face++, corner, corner + 1, corner + n_cells + 2);
-      text += row_of(face++, corner, corner + n_cells + 2, corner + n_cells + 1);
+  for (int j = 0; j < n_squares; ++j) {
+    for (int i = 0; i < n_squares; ++i) {
+      const int corner = j * (n_squares + 1) + i;
+      text += row_of(face++, corner, corner + 1, corner + n_squares + 2);
+      text += row_of(face++, corner, corner + n_squares + 2, corner + n_squares + 1);
     }
   }
   return text;
@@ -57,7 +57,7 @@ std::string obj_of(const std::string& head, const Arguments& tags, int x = 0, in
            std::to_string(i) + ' ' + std::to_string(j);
   };
   const auto face = [&tags](int number, int a, int b, int c) {
-    constexpr int n_faces = 2 * n_cells * n_cells;
+    constexpr int n_faces = 2 * n_squares * n_squares;
     const bool is_first = number % (n_faces / 3) == 0;
     const auto corner = [](int v) { return ' ' + std::to_string(v + 1) + '/' + std::to_string(v + 1); };
     return (is_first ? tags[static_cast<std::size_t>(3 * number / n_faces)] : "") + 'f' + corner(a) + corner(b) +
@@ -77,10 +77,10 @@ std::string labelled_ply() {
   };
   return "ply\nformat ascii 1.0\ncomment TextureFile wall.png\ncomment name label 0 roof\ncomment name label 1 wall\n"
          "comment name label 2 floor\nelement vertex " +
-         std::to_string((n_cells + 1) * (n_cells + 1)) +
+         std::to_string((n_squares + 1) * (n_squares + 1)) +
          "\nproperty float quality\nproperty ushort red\nproperty ushort green\nproperty ushort blue\n"
          "property ushort alpha\nproperty float x\nproperty float y\nproperty float z\nelement face " +
-         std::to_string(2 * n_cells * n_cells) +
+         std::to_string(2 * n_squares * n_squares) +
          "\nproperty int label\nproperty list uchar int vertex_index\nend_header\n" + vertex_rows(vertex) +
          face_rows(face);
 }

@@ -248,7 +248,7 @@ TEST(SurfaceDistance, FacesTurnedOverAreFlipped) {
 }
 
 TEST(SurfaceDistance, SidesOfSheetsAreComparedWithThoseThatFaceAlike) {
-  const IndexedMesh sheet = with_backs(noisy_grid(6, 6, 0.2, 1));
+  const IndexedMesh sheet = test::with_backs(test::noisy_grid(6, 6, 0.2, 1));
   IndexedMesh backs_first = sheet;
   std::ranges::reverse(backs_first.faces);
   for (const IndexedMesh& other : {sheet, backs_first}) {

@@ -11,7 +11,7 @@
 #include "commands/page/page_charts.hh"
 #include "commands/page/page_look.hh"
 #include "commands/page/page_tables.hh"
-#include "commands/page/run_report.hh"
+#include "commands/page/run/run_report.hh"
 #include "commands/recording/curve.hh"
 #include "commands/recording/recording_input.hh"
 #include "commands/refusal_reasons.hh"

@@ -1,4 +1,4 @@
-#include "commands/page/run_report.hh"
+#include "commands/page/run/run_report.hh"
 
 #include <algorithm>
 #include <cerrno>
