@@ -26,6 +26,8 @@ void write_to_gltf(OutputFiles& files, const MeshOutput& output, Input& input, c
     warnings.push_back(about(output.path, warning));
     talk.warning(warnings.back());
   }
+  // It has written the images that can be beside it. This says which aren't.
+  copy_companions(files, input.path, output.path, input.gltf->asset().image_files(), talk, warnings);
 }
 
 /// Whether a glTF input has a material that shows on the mesh.

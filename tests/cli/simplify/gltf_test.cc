@@ -236,6 +236,10 @@ TEST(Gltf, TakesImagesAlongButNoneFromOutside) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome;
   EXPECT_TRUE(fs::exists(folder.path() / "sub" / "out" / "tex" / "wall.png"));
   EXPECT_FALSE(fs::exists(folder.path() / "sub" / "outside.png"));
+  EXPECT_THAT(outcome.err, testing::HasSubstr("files that were not copied: ../outside.png (outside of the folder)\n"));
+  std::ofstream(folder / "in/tex/wall.png") << "a newer one";
+  EXPECT_THAT(whittle({"simplify", in, "-o", out, "--faces", "30", "--force"}).err,
+              testing::HasSubstr("tex/wall.png (there is another one)"));
   EXPECT_EQ(gltf::Asset::read(out).triangles(0).faces.size(), 30U) << "its buffer is found";
 }
 

@@ -50,6 +50,7 @@ std::vector<std::string> lost_in_openmesh(const SimplifyCommand& options, const 
 bool has_chart_per_face(const IndexedMesh& mesh, const Attribute& texcoords) {
   const std::vector<Index> numbers = faces_without_backs(mesh.faces);
   std::vector<Triangle> faces;
+  faces.reserve(numbers.size());
   for (const Index f : numbers) faces.push_back(mesh.faces[f]);
   const detail::EdgeTable edges(faces, mesh.positions.size());
   const auto differ = [&](Index side, Index other) {
