@@ -70,7 +70,7 @@ bool is_sheet(const std::vector<std::size_t>& set, const std::vector<Triangle>& 
 }
 
 Triangle from_its_least(Triangle face) {
-  std::ranges::rotate(face, std::ranges::min_element(face));
+  std::rotate(face.begin(), std::ranges::min_element(face), face.end());
   return face;
 }
 
