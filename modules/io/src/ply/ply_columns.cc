@@ -67,14 +67,25 @@ std::string free_name(std::string name, const std::vector<PlyColumn>& columns) {
   }
 }
 
+/// The type of an attribute's properties. In PLY, integers are plain numbers, but for those of colours. What they stand
+/// for in glTF (a share of their range, or a value that a map moves) is real.
+ScalarType type_in_ply(const Attribute& attribute, const std::string& first_name) {
+  const bool is_plain = attribute.kind == AttributeKind::scalar || attribute.kind == AttributeKind::category;
+  const bool is_color = attribute.kind == AttributeKind::color && first_name == "red";
+  const bool is_real = attribute.type == ScalarType::float32 || attribute.type == ScalarType::float64;
+  const bool stays = is_real || is_color || (is_plain && !attribute.is_normalized);
+  return stays ? attribute.type : ScalarType::float32;
+}
+
 void add_attributes(const std::vector<Attribute>& attributes, std::vector<PlyColumn>& columns) {
   std::size_t n_texcoords = 0;
   for (const Attribute& attribute : attributes) {
     const std::vector<std::string> names = property_names(attribute, n_texcoords);
     n_texcoords += attribute.kind == AttributeKind::texcoord;
+    const ScalarType type = type_in_ply(attribute, names.front());
     for (std::size_t i = 0; i < attribute.n_components; ++i) {
       columns.push_back({.name = free_name(names[i], columns),
-                         .type = attribute.type,
+                         .type = type,
                          .doubles = attribute.values.data() + i,
                          .stride = attribute.n_components,
                          .is_normalized = attribute.is_normalized});

@@ -141,11 +141,41 @@ TEST(PlyAttributes, WritesIntegersRoundedAndClamped) {
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.faces = {{0, 1, 2}};
   mesh.attributes.push_back({.name = "a", .values = {2.5, -9e9, std::nan("")}, .type = ScalarType::int16});
-  mesh.attributes.push_back({.name = "b", .values = {0.5, 2, -1}, .type = ScalarType::uint8, .is_normalized = true});
+  mesh.colors = {{0.5F, 2, -1, 1}, {0, 0, 0, 1}, {1, 1, 1, 1}};
   mesh.attributes.push_back({.name = "c c", .values = {4294967295.0, -1, 0.4}, .type = ScalarType::uint32});
   const std::string ply = written(mesh, Format::ply, {.ascii = true});
   EXPECT_NE(ply.find("property uint c_c\n"), std::string::npos);
-  EXPECT_NE(ply.find("0 0 0 3 128 4294967295\n1 0 0 -32768 255 0\n0 1 0 0 0 0\n"), std::string::npos) << ply;
+  EXPECT_NE(ply.find("0 0 0 128 255 0 3 4294967295\n1 0 0 0 0 0 -32768 0\n0 1 0 255 255 255 0 0\n"), std::string::npos)
+      << ply;
+}
+
+// A reader takes integers for plain numbers: what they stand for in glTF would be lost.
+TEST(PlyAttributes, WritesRealsForIntegersThatStandForThem) {
+  IndexedMesh mesh = read(header("", "") + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "a.ply").mesh;
+  const auto add = [&mesh](const std::string& name, AttributeKind kind, std::vector<double> values, ScalarType type,
+                           bool is_normalized) {
+    const std::size_t n = values.size() / 3;
+    mesh.attributes.push_back({name, kind, n, std::move(values), type, is_normalized});
+  };
+  add("TEXCOORD_0", AttributeKind::texcoord, {0, 1, 0.25, 0.5, 0.75, 1}, ScalarType::uint16, true);
+  add("TEXCOORD_1", AttributeKind::texcoord, {0, 255, 64, 128, 200.5, 1}, ScalarType::uint8, false);
+  add("TANGENT", AttributeKind::tangent, {0, 0, 1, 1, 0, 0, 1, -1, 0.5, 0, 0.5, 1}, ScalarType::int8, true);
+  add("COLOR_1", AttributeKind::color, {0, 0.5, 1, 1, 1, 1, 0, 0, 0}, ScalarType::uint8, true);
+  add("_WET", AttributeKind::scalar, {0, 0.5, 1}, ScalarType::uint16, true);
+  add("JOINTS_WEIGHTS", AttributeKind::joint_weights, {7, 0.25, 8, 0.5, 9, 1}, ScalarType::uint8, false);
+  add("target 0 POSITION", AttributeKind::displacement, {0.5, 0, 0, 0, -1.5, 0, 0, 0, 300}, ScalarType::int8, false);
+  add("_PART", AttributeKind::category, {1, 2, 3}, ScalarType::uint8, false);
+  const ReadResult back = read(written(mesh, Format::ply), "a.ply");
+  EXPECT_EQ(attribute(back.mesh, "s,t").values, mesh.attributes[0].values);
+  EXPECT_EQ(attribute(back.mesh, "s,t").kind, AttributeKind::texcoord);
+  EXPECT_EQ(attribute(back.mesh, "s1,t1").values, mesh.attributes[1].values);
+  EXPECT_EQ(attribute(back.mesh, "TANGENT_3").values, (std::vector<double>{1, -1, 1}));
+  EXPECT_EQ(attribute(back.mesh, "TANGENT_2").values, (std::vector<double>{1, 1, 0.5}));
+  EXPECT_EQ(attribute(back.mesh, "COLOR_1_1").values, (std::vector<double>{0.5, 1, 0}));
+  EXPECT_EQ(attribute(back.mesh, "_WET").values, mesh.attributes[4].values);
+  EXPECT_EQ(attribute(back.mesh, "JOINTS_WEIGHTS_1").values, (std::vector<double>{0.25, 0.5, 1}));
+  EXPECT_EQ(attribute(back.mesh, "target_0_POSITION_2").values, (std::vector<double>{0, 0, 300}));
+  EXPECT_EQ(attribute(back.mesh, "_PART").type, ScalarType::uint8);
 }
 
 TEST(PlyAttributes, NamesNumbersThatHaveNoNamesOfTheirOwn) {
