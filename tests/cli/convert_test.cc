@@ -2,17 +2,21 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
 
+#include "program/failure.hh"
 #include "program/program.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
 
 namespace whittle::test {
 namespace {
+
+namespace fs = std::filesystem;
 
 TEST(Convert, ReadsAndWritesEveryPairOfFormats) {
   const TemporaryFolder folder;
@@ -111,6 +115,25 @@ TEST(Convert, WritesNothingWhereSomethingIsWrong) {
   EXPECT_EQ(whittle({"convert", mesh, folder / "x", "--output-format", "ply", "--json", folder / "x"}).exit_code, 2);
   EXPECT_EQ(folder.files(), std::vector<std::string>{"mesh.obj"});
   EXPECT_EQ(read_text(mesh), cubes);
+}
+
+TEST(Convert, ReplacesNoFileThatBelongsToAGltfFile) {
+  const TemporaryFolder folder;
+  const std::string cubes = data_file("cubes.obj");
+  const std::string in = folder / "a.gltf";
+  const std::string buffer = folder / "a.bin";
+  ASSERT_EQ(whittle({"convert", cubes, in}).exit_code, 0);
+  const std::string before = read_text(buffer);
+  EXPECT_EQ(whittle({"convert", cubes, in}).exit_code, 0) << "an earlier output is replaced, with its buffer";
+  expect_usage_error(whittle({"convert", in, buffer, "--output-format", "stl", "--quiet"}),
+                     {"a.bin: an input needs this file"});
+
+  fs::permissions(buffer, fs::perms::owner_read);
+  expect_failure(whittle({"convert", cubes, in, "--quiet"}), 1, {"a.bin", "write-protected", "--force"});
+  EXPECT_EQ(read_text(buffer), before);
+  EXPECT_EQ(whittle({"convert", cubes, in, "--force"}).exit_code, 0);
+  EXPECT_EQ(whittle({"convert", in, buffer, "--output-format", "stl", "--force"}).exit_code, 0);
+  EXPECT_NE(read_text(buffer), before);
 }
 
 }  // namespace

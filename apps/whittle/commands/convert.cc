@@ -69,7 +69,8 @@ ExitCode run_convert(const CLI::App& app, ConvertCommand options) {
     talk.warning(run.warnings.back());
   }
   const Stopwatch writing;
-  OutputFiles files;
+  OutputFiles files(options.common.force);
+  files.protect(run.input.needed_files);
   write_result(files, {options.output, options.files}, run.input, mesh, talk, run.warnings);
   run.write_seconds = writing.seconds();
   commit_with_report(files, options.common,

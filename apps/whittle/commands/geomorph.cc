@@ -129,7 +129,7 @@ ExitCode run_geomorph(const CLI::App& app, const GeomorphCommand& options) {
   run.n_coarse_faces = geomorph.n_coarse_faces();
   run.geomorph_seconds = morphing.seconds();
   const Stopwatch writing;
-  OutputFiles files;
+  OutputFiles files(options.common.force);
   write_geomorph(options, geomorph, files, talk, run);
   run.write_seconds = writing.seconds();
   commit_with_report(files, options.common,

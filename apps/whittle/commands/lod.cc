@@ -209,7 +209,8 @@ void write_into_one_file(const LodCommand& options, const Talk& talk, OutputFile
 
 void write_files(const LodCommand& options, const Talk& talk, const Stopwatch& since_start, LodRun& run) {
   const Stopwatch writing;
-  OutputFiles files;
+  OutputFiles files(options.common.force);
+  files.protect(run.input.needed_files);
   if (is_one_file(options)) {
     write_into_one_file(options, talk, files, run);
   } else {

@@ -275,7 +275,9 @@ ExitCode run_measure(const CLI::App& app, const MeasureOptions& options) {
   if (measured.pictures) {
     for (const std::string& warning : measured.pictures->warnings) talk.warning(warning);
   }
-  OutputFiles files;
+  OutputFiles files(options.common.force);
+  files.protect(reference.needed_files);
+  files.protect(test.needed_files);
   if (options.worst_image) {
     files.write(*options.worst_image, [&](std::ostream& out) { out << measured.pictures->worst_png; });
   }

@@ -66,7 +66,9 @@ Json polish_report(const PolishCommand& options, const PolishRun& run, double to
 /// The result and the report appear together, or neither does.
 void write_files(const PolishCommand& options, const Talk& talk, const Stopwatch& since_start, PolishRun& run) {
   const Stopwatch watch;
-  OutputFiles files;
+  OutputFiles files(options.common.force);
+  files.protect(run.reference.needed_files);
+  files.protect(run.input.needed_files);
   write_result(files, {options.output, options.files, options.compresses_gltf}, run.input, run.mesh, talk,
                run.warnings);
   run.write_seconds = watch.seconds();

@@ -161,7 +161,8 @@ ExitCode run_replay(const CLI::App& app, const ReplayCommand& options) {
   RecordedRun recorded =
       read_recorded_run(options.recording, options.files, options.common.threads, talk, run.recording);
   run.read_seconds = watch.seconds();
-  OutputFiles files;
+  OutputFiles files(options.common.force);
+  files.protect(recorded.input.needed_files);
   write_levels(options, recorded, files, talk, run);
   commit_with_report(files, options.common,
                      options.common.json ? to_text(replay_json(run, watch.seconds())) : std::string());

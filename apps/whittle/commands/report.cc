@@ -66,7 +66,7 @@ ExitCode run_report(const CLI::App& app, const ReportCommand& options) {
   if (options.frames.is_given() && facts.recording.is_null()) {
     throw UsageError("--frames and --animate need a recording, and one whose input has at most --max-faces");
   }
-  OutputFiles files;
+  OutputFiles files(options.common.force);
   const auto write = [&files](const std::string& path, const std::string& bytes) {
     files.write(path, [&bytes](std::ostream& out) { out << bytes; });
   };

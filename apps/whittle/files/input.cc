@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "files/companions.hh"
 #include "files/gltf_file.hh"
 #include "files/mesh_output.hh"
 #include "options/values.hh"
@@ -16,9 +17,12 @@
 #include "whittle/core/frame.hh"
 #include "whittle/io/border_gaps.hh"
 #include "whittle/io/errors.hh"
+#include "whittle/io/file_notes.hh"
 
 namespace whittle::app {
 namespace {
+
+namespace fs = std::filesystem;
 
 GltfScope gltf_scope_of(const FileOptions& options) {
   if (options.reads_shown) return GltfScope::shown;
@@ -184,6 +188,22 @@ std::string listed(const std::vector<std::string>& names) {
   return list;
 }
 
+namespace {
+
+/// The files that an input needs beside it, which have not to be there.
+std::vector<fs::path> files_needed_by(const Input& input) {
+  if (input.path == standard_stream) return {};
+  const fs::path folder = folder_of(input.path);
+  std::vector<fs::path> files = input.gltf ? input.gltf->asset().buffer_files() : std::vector<fs::path>{};
+  const std::vector<fs::path> images =
+      input.gltf ? input.gltf->asset().image_files() : io::referenced_files(input.read.notes, folder);
+  files.insert(files.end(), images.begin(), images.end());
+  for (fs::path& file : files) file = folder / file;
+  return files;
+}
+
+}  // namespace
+
 Input read_input(const std::string& path, const FileOptions& options, unsigned threads, const Talk& talk,
                  io::AttributeScope attributes) {
   const Stopwatch watch;
@@ -192,7 +212,8 @@ Input read_input(const std::string& path, const FileOptions& options, unsigned t
   Input input{path, name, file.read(options.weld, threads, attributes), {}};
   input.format = format_name(input.read, file);
   input.gltf = file.gltf();
-  input.mesh_name = std::filesystem::path(path).filename().stem().string();
+  input.needed_files = files_needed_by(input);
+  input.mesh_name = fs::path(path).filename().stem().string();
   input.weld_tolerance = weld_gaps(input.read, options.weld_tolerance, threads);
   input.seconds = watch.seconds();
   if (input.read.repairs.any() && !input.read.mesh.faces.empty())

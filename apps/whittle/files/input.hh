@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -78,6 +79,7 @@ struct Input {
   std::string format{};               ///< `format_name`
   std::shared_ptr<GltfFile> gltf{};   ///< as `MeshFile::gltf`
   std::string mesh_name{};            ///< what new glTF files call the mesh
+  std::vector<std::filesystem::path> needed_files{};  ///< beside it: buffers, material libraries, textures
   std::vector<std::string> joined{};  ///< the files that it was joined of (`read_joined`), `path` first; or empty
 };
 

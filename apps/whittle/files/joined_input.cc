@@ -171,6 +171,7 @@ void join(Input& all, Input more, JoinedFiles& seen) {
     throw UnsupportedMesh(more.name + ": too many vertices or faces for one mesh with those before");
   }
   refuse_conflicts(all, more, seen);
+  all.needed_files.insert(all.needed_files.end(), more.needed_files.begin(), more.needed_files.end());
   keep_common(a.mesh.normals, b.mesh.normals, "normals", dropped);
   keep_common(a.mesh.colors, b.mesh.colors, "colours", dropped);
   keep_common(a.tolerances, b.tolerances, "tolerances", dropped);

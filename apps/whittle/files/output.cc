@@ -44,15 +44,14 @@ void check_folder(const std::string& path) {
 }
 
 /// Renaming the result would replace such a file all the same.
-void refuse_write_protected(const Output& output) {
+void refuse_write_protected(const std::string& path) {
   std::error_code error;
-  const fs::file_status status = fs::status(output.path, error);
+  const fs::file_status status = fs::status(path, error);
   constexpr auto write = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
-  if (output.path == standard_stream || !fs::is_regular_file(status) ||
-      (status.permissions() & write) != fs::perms::none) {
+  if (path == standard_stream || !fs::is_regular_file(status) || (status.permissions() & write) != fs::perms::none) {
     return;
   }
-  throw io::WriteError(output.path, "is write-protected; --force lets it be replaced");
+  throw io::WriteError(path, "is write-protected; --force lets it be replaced");
 }
 
 void refuse_same_places(const std::vector<Output>& outputs) {
@@ -119,13 +118,23 @@ void check_outputs(const std::vector<Output>& outputs, const std::vector<std::st
   refuse_same_places(outputs);
   if (!force) refuse_inputs(outputs, inputs);
   for (const Output& output : outputs) {
-    if (!force) refuse_write_protected(output);
+    if (!force) refuse_write_protected(output.path);
     check_folder(output.path);
   }
 }
 
+void OutputFiles::protect(const std::vector<fs::path>& files) {
+  for (const fs::path& file : files) needed_.insert(identity_of(file.string()));
+}
+
 void OutputFiles::write(const std::string& path, const std::function<void(std::ostream&)>& fill) {
   if (path == standard_stream) return fill_checked(std::cout, standard_output_name, fill);
+  if (!force_) {
+    refuse_write_protected(path);
+    if (needed_.contains(identity_of(path))) {
+      throw UsageError(path + ": an input needs this file; --force lets it be replaced");
+    }
+  }
   if (!signals_wait_) signals_wait_.emplace();
   files_.push_back(std::make_unique<io::OutputFile>(path));
   paths_.insert(path);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <iosfwd>
 #include <memory>
@@ -41,9 +42,15 @@ void check_outputs(const std::vector<Output>& outputs, const std::vector<std::st
 /// stay pending (`SignalsWait`).
 class OutputFiles {
  public:
+  /// \param force whether files that are write-protected, or that inputs need, may be replaced
+  explicit OutputFiles(bool force) : force_(force) {}
+
+  /// Names files that inputs need beside them, such as buffers and textures.
+  void protect(const std::vector<std::filesystem::path>& files);
+
   /// Calls `fill` with a stream for the file. For "-" it is standard output, where everything is written at once and
   /// can't be undone.
-  /// \throw io::WriteError that names the file.
+  /// \throw io::WriteError that names the file, also if it is write-protected. UsageError if an input needs it.
   void write(const std::string& path, const std::function<void(std::ostream&)>& fill);
 
   /// Whether a file of this name is among them.
@@ -55,6 +62,8 @@ class OutputFiles {
  private:
   // Declared before `files_`: temporary files are removed before signals act again.
   std::optional<SignalsWait> signals_wait_;
+  bool force_;
+  std::set<std::string> needed_;  ///< by inputs; identities
   std::vector<std::unique_ptr<io::OutputFile>> files_;
   std::set<std::string> paths_;
 };

@@ -174,7 +174,7 @@ void commit_with_report(OutputFiles& files, const CommonOptions& options, const 
 }
 
 void write_report(const CommonOptions& options, const Json& json, const std::string& text) {
-  OutputFiles files;
+  OutputFiles files(options.force);
   write_report(files, options, json, text);
 }
 

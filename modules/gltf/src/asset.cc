@@ -54,6 +54,19 @@ bool is_in_document(const Model& model) {
   return first != model.buffers.end() && first->is_in_document;
 }
 
+/// The files that the elements of a list name, each once.
+std::vector<std::filesystem::path> files_of(const Json& document, const char* list) {
+  std::vector<std::filesystem::path> files;
+  std::set<std::filesystem::path> seen;
+  for (const Json& element : elements_of(document, list)) {
+    const Json* const uri = member(element, "uri");
+    if (!uri || !uri->is_string() || is_data_uri(uri->get_ref<const std::string&>())) continue;
+    auto file = file_of_uri(uri->get_ref<const std::string&>());
+    if (file && seen.insert(file->lexically_normal()).second) files.push_back(*std::move(file));
+  }
+  return files;
+}
+
 /// Copies of images, but for those that are there.
 std::vector<AssetFile> copies_of(const std::vector<std::filesystem::path>& images, const std::filesystem::path& from,
                                  const std::filesystem::path& to) {
@@ -256,17 +269,9 @@ std::vector<std::string> Asset::warnings() const {
   return warnings;
 }
 
-std::vector<std::filesystem::path> Asset::image_files() const {
-  std::vector<std::filesystem::path> files;
-  std::set<std::filesystem::path> seen;
-  for (const Json& image : elements_of(content_->document, "images")) {
-    const Json* const uri = member(image, "uri");
-    if (!uri || !uri->is_string() || is_data_uri(uri->get_ref<const std::string&>())) continue;
-    auto file = file_of_uri(uri->get_ref<const std::string&>());
-    if (file && seen.insert(file->lexically_normal()).second) files.push_back(*std::move(file));
-  }
-  return files;
-}
+std::vector<std::filesystem::path> Asset::image_files() const { return files_of(content_->document, "images"); }
+
+std::vector<std::filesystem::path> Asset::buffer_files() const { return files_of(content_->document, "buffers"); }
 
 std::string Asset::document() const { return content_->document.dump(); }
 

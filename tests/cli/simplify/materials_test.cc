@@ -61,6 +61,18 @@ TEST_F(Materials, ReplaceNoFile) {
   EXPECT_THAT(warnings(outcome), testing::Contains(HasSubstr("two.mtl (there is another one)")));
 }
 
+TEST_F(Materials, AreNotReplacedWithoutForce) {
+  for (const char* file : {"in/tex/wall 1.png", "in/two.mtl"}) {
+    const std::string before = read_text(folder_ / file);
+    std::vector<std::string> arguments{"convert", in_, folder_ / file, "--output-format", "ply", "--quiet"};
+    expect_usage_error(whittle(arguments), {"an input needs this file", "--force"});
+    EXPECT_EQ(read_text(folder_ / file), before);
+    arguments.insert(arguments.end(), {"--json", folder_ / "report.json", "--force"});
+    EXPECT_EQ(whittle(arguments).exit_code, 0);
+    EXPECT_TRUE(read_text(folder_ / file).starts_with("ply\n"));
+  }
+}
+
 TEST_F(Materials, OfOneTextureNameItInPly) {
   const Outcome outcome = whittle({"convert", in_, folder_ / "out/two.ply"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome;

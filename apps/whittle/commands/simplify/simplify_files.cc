@@ -71,7 +71,8 @@ void write_curve(std::ostream& out, const SimplifyCommand& options, const Simpli
 void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwatch& since_start, SimplifyRecord& record,
                  Json* report) {
   const Stopwatch watch;
-  OutputFiles files;
+  OutputFiles files(options.common.force);
+  files.protect(record.input.needed_files);
   write_result(files, {options.output, options.files, options.compresses_gltf}, record.input, record.simplified.mesh,
                talk, record.warnings);
   const auto write = [&files](const std::optional<std::string>& path, const auto& fill) {

@@ -125,6 +125,8 @@ class Asset {
 
   /// Image files that the asset names, each once, relative to its folder.
   std::vector<std::filesystem::path> image_files() const;
+  /// Likewise files with its numbers.
+  std::vector<std::filesystem::path> buffer_files() const;
 
   /// The document as it was read.
   std::string document() const;
