@@ -352,7 +352,9 @@ io::AttributeScope attributes_to_read(const SimplifyCommand& options) {
   return options.engine == Engine::openmesh ? io::AttributeScope::per_vertex : io::AttributeScope::all;
 }
 
-void drop_attributes(IndexedMesh& mesh) {
+/// Leaves positions, faces, and what the file says of these.
+void drop_attributes(io::ReadResult& read) {
+  IndexedMesh& mesh = read.mesh;
   mesh.wedges.clear();
   mesh.normals.clear();
   mesh.colors.clear();
@@ -360,6 +362,9 @@ void drop_attributes(IndexedMesh& mesh) {
   mesh.face_attributes.clear();
   mesh.face_groups.clear();
   mesh.group_names.clear();
+  const bool has_float32_positions = read.notes.has_float32_positions;
+  read.notes = {};
+  read.notes.has_float32_positions = has_float32_positions;
 }
 
 /// \pre what was read has not been pruned
@@ -401,7 +406,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   const unsigned threads = options.common.threads;
   record.input = options.joins ? read_joined(options.inputs, options.files, threads, talk, attributes_to_read(options))
                                : read_input(options.input, options.files, threads, talk, attributes_to_read(options));
-  if (!options.keeps_attributes) drop_attributes(record.input.read.mesh);
+  if (!options.keeps_attributes) drop_attributes(record.input.read);
   take_categories(options.categories, record.input);
   record.seconds.read = record.input.seconds;
   record.warnings = options.warnings;

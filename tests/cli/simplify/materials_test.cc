@@ -73,6 +73,21 @@ TEST_F(Materials, AreNotReplacedWithoutForce) {
   }
 }
 
+TEST_F(Materials, GoWithThePositionsAlone) {
+  for (const char* extension : {"obj", "ply", "glb"}) {
+    const std::string out = folder_ / (std::string("out/bare.") + extension);
+    const Outcome outcome =
+        whittle({"simplify", in_, "-o", out, "--faces", "4", "--attributes", "position-only", "--json", "-"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome;
+    EXPECT_EQ(warnings(outcome).size(), 0U) << outcome;
+    for (const char* word : {"mtllib", "usemtl", "TextureFile", "wall"}) {
+      EXPECT_THAT(read_text(out), testing::Not(HasSubstr(word))) << extension;
+    }
+    fs::remove(out);
+  }
+  EXPECT_TRUE(fs::is_empty(folder_.path() / "out"));
+}
+
 TEST_F(Materials, OfOneTextureNameItInPly) {
   const Outcome outcome = whittle({"convert", in_, folder_ / "out/two.ply"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome;
