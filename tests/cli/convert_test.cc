@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "program/failure.hh"
+#include "program/gltf_cube.hh"
+#include "program/gltf_sheet.hh"
 #include "program/program.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
@@ -17,6 +19,7 @@ namespace whittle::test {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::HasSubstr;
 
 TEST(Convert, ReadsAndWritesEveryPairOfFormats) {
   const TemporaryFolder folder;
@@ -134,6 +137,23 @@ TEST(Convert, ReplacesNoFileThatBelongsToAGltfFile) {
   EXPECT_EQ(whittle({"convert", cubes, in, "--force"}).exit_code, 0);
   EXPECT_EQ(whittle({"convert", in, buffer, "--output-format", "stl", "--force"}).exit_code, 0);
   EXPECT_NE(read_text(buffer), before);
+}
+
+TEST(Convert, SaysWhatOfAGltfFileIsNoSurface) {
+  const TemporaryFolder folder;
+  const auto warnings_of = [&folder](const std::string& in) {
+    const Outcome outcome = whittle({"convert", in, folder / "out.ply", "--json", "-"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome;
+    return parse_json(outcome.out)["warnings"].dump();
+  };
+  const std::string in = folder / "in.gltf";
+  write_gltf_cube(in, 2);
+  EXPECT_THAT(warnings_of(in),
+              HasSubstr("left out: the materials, with their colours and images; points, animations, cameras\""));
+  write_gltf_sheet(in, {.has_skin = true, .is_animated = true}, 2);
+  EXPECT_THAT(warnings_of(in), HasSubstr("out.ply: left out: animations, skins\""));
+  ASSERT_EQ(whittle({"convert", data_file("cubes.obj"), folder / "plain.glb"}).exit_code, 0);
+  EXPECT_EQ(warnings_of(folder / "plain.glb"), "[]") << "it has no materials of its own";
 }
 
 }  // namespace

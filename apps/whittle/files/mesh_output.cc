@@ -30,18 +30,26 @@ void write_to_gltf(OutputFiles& files, const MeshOutput& output, Input& input, c
   copy_companions(files, input.path, output.path, input.gltf->asset().image_files(), talk, warnings);
 }
 
-/// Whether a glTF input has a material that shows on the mesh.
-bool has_materials(const Input& input, const IndexedMesh& mesh) {
+/// Whether a glTF input has a material that shows on the mesh, with more than a name.
+bool has_looks(const Input& input, const IndexedMesh& mesh) {
   const std::vector<GltfFile::Group> groups = input.gltf->groups();
   return std::any_of(mesh.face_groups.begin(), mesh.face_groups.end(), [&](Index group) {
-    return input.gltf->asset().has_material(groups[group].mesh, groups[group].primitive);
+    return input.gltf->asset().has_look(groups[group].mesh, groups[group].primitive);
   });
+}
+
+/// What a glTF input has that files of other formats can't hold. \pre the mesh has its groups
+std::string left_out_of(const Input& input, const IndexedMesh& mesh) {
+  const std::string others = listed(input.gltf->asset().other_content());
+  if (!has_looks(input, mesh)) return others;
+  return "the materials, with their colours and images" + (others.empty() ? "" : "; " + others);
 }
 
 void write_from_gltf(OutputFiles& files, const MeshOutput& output, const Input& input, const IndexedMesh& mesh,
                      const Talk& talk, std::vector<std::string>& warnings) {
-  if (has_materials(input, mesh)) {
-    warnings.push_back(about(shown_output(output.path), "left out: the materials, with their colours and images"));
+  const bool is_positions_only = mesh.face_groups.empty();  // all else was dropped as asked
+  if (const std::string lost = is_positions_only ? "" : left_out_of(input, mesh); !lost.empty()) {
+    warnings.push_back(about(shown_output(output.path), "left out: " + lost));
     talk.warning(warnings.back());
   }
   IndexedMesh flipped = mesh;

@@ -54,6 +54,15 @@ bool is_in_document(const Model& model) {
   return first != model.buffers.end() && first->is_in_document;
 }
 
+/// Whether it is the material of a surface that `make_asset` knows nothing of.
+bool is_plain(Json material) {
+  if (!material.is_object()) return false;
+  material.erase("name");
+  material.erase("alphaMode");
+  const Json white = {{"baseColorFactor", {1, 1, 1, 1}}, {"metallicFactor", 0}, {"roughnessFactor", 1}};
+  return material == Json{{"pbrMetallicRoughness", white}};
+}
+
 /// The files that the elements of a list name, each once.
 std::vector<std::filesystem::path> files_of(const Json& document, const char* list) {
   std::vector<std::filesystem::path> files;
@@ -239,8 +248,29 @@ void Asset::add_levels(std::vector<MeshLevels> levels) {
   }
 }
 
-bool Asset::has_material(std::size_t mesh, std::size_t primitive) const {
-  return content_->mesh(mesh).primitives.at(primitive).material.has_value();
+bool Asset::has_look(std::size_t mesh, std::size_t primitive) const {
+  const std::optional<std::size_t> material = content_->mesh(mesh).primitives.at(primitive).material;
+  const Json& materials = elements_of(content_->document, "materials");
+  return material && *material < materials.size() && !is_plain(materials[*material]);
+}
+
+std::vector<std::string> Asset::other_content() const {
+  std::vector<std::string> content;
+  const auto has_mode = [this](PrimitiveMode first, PrimitiveMode last) {
+    return std::any_of(content_->model.meshes.begin(), content_->model.meshes.end(), [&](const Mesh& mesh) {
+      return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
+                         [&](const Primitive& one) { return one.mode >= first && one.mode <= last; });
+    });
+  };
+  if (has_mode(PrimitiveMode::lines, PrimitiveMode::line_strip)) content.emplace_back("lines");
+  if (has_mode(PrimitiveMode::points, PrimitiveMode::points)) content.emplace_back("points");
+  for (const char* const list : {"animations", "skins", "cameras"}) {
+    if (!elements_of(content_->document, list).empty()) content.emplace_back(list);
+  }
+  const Json* const extensions = member(content_->document, "extensions");
+  const Json* const lights = extensions ? member(*extensions, "KHR_lights_punctual") : nullptr;
+  if (lights && !elements_of(*lights, "lights").empty()) content.emplace_back("lights");
+  return content;
 }
 
 std::vector<Material> Asset::materials(std::size_t mesh) const {

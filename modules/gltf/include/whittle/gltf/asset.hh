@@ -92,8 +92,9 @@ class Asset {
   /// \throw io::ReadError if an index is above the vertices, a position isn't finite, or compressed data are damaged
   IndexedMesh triangles(std::size_t mesh) const;
 
-  /// Whether a primitive of a mesh names a material; otherwise it has the default one.
-  bool has_material(std::size_t mesh, std::size_t primitive) const;
+  /// Whether the material of a primitive says how it looks. What `make_asset` says of a surface that it knows nothing
+  /// of doesn't count: white, without metal.
+  bool has_look(std::size_t mesh, std::size_t primitive) const;
   /// How each primitive of a mesh looks, by its number: one without a material has the default one.
   /// \throw io::ReadError if a material isn't there, or is wrong
   std::vector<Material> materials(std::size_t mesh) const;
@@ -119,6 +120,10 @@ class Asset {
   /// \throw std::invalid_argument as `set_triangles`; if a mesh `has_levels` or stands there twice, or if there aren't
   ///        as many shares as levels with the mesh itself
   void add_levels(std::vector<MeshLevels> levels);
+
+  /// What it has beside nodes, materials and triangles, in words: some of "lines", "points", "animations", "skins",
+  /// "cameras" and "lights".
+  std::vector<std::string> other_content() const;
 
   /// What isn't kept as it was, a line each: extensions of meshes that say something of single vertices.
   std::vector<std::string> warnings() const;
