@@ -121,5 +121,15 @@ TEST(GeomorphCommand, SaysWhatIsWrong) {
   EXPECT_EQ(geomorph({"-o", glb, "--to", "600"}).exit_code, 0);
 }
 
+// Faces that have become one keep the corners that they had when polish began.
+TEST(GeomorphCommand, GoesAcrossPausesWhereFacesHaveBecomeOne) {
+  const TemporaryFolder folder;
+  const std::string rec = recording_of(folder, "cubes.obj", {"--faces", "60", "--threshold", "auto"});
+  const Outcome outcome = whittle({"geomorph", rec, "--frames", "2", "-o", folder / "f_{i}.ply"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  const auto measured = whittle({"measure", folder / "last.ply", folder / "f_1.ply", "--json", "-"});
+  EXPECT_LT(nlohmann::json::parse(measured.out)["forward"]["max_rel"], 1e-6) << measured;
+}
+
 }  // namespace
 }  // namespace whittle::test

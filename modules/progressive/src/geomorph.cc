@@ -59,10 +59,12 @@ std::vector<Triangle> faces_that_come_back(Replay& replay, const MorphEnd& fine,
 bool is_turned(const Replay& replay, const MorphEnd& fine, const std::vector<Index>& survivors) {
   const IndexedMesh& mesh = fine.level.mesh;
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    const Index face = fine.level.face_origins[i];
     Triangle corners = mesh.faces[i];
     for (Index& v : corners) v = survivors[fine.vertices[v]];
-    const Index face = fine.level.face_origins[i];
-    if ((has_three_corners(corners) || replay.has_face(face)) && corners != replay.corners(face)) return true;
+    Triangle at_coarse = replay.corners(face);  // of a face that is hidden, as it was when a pass ended
+    for (Index& v : at_coarse) v = survivors[v];
+    if ((has_three_corners(corners) || replay.has_face(face)) && corners != at_coarse) return true;
   }
   return false;
 }
