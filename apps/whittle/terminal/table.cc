@@ -50,11 +50,12 @@ std::string significant(double x) { return formatted("%.4g", x); }
 std::string percent(double share) { return significant(100 * share) + " %"; }
 
 std::string length_text(double length, double diagonal) {
-  return significant(length) + " (" + percent(length / diagonal) + ")";
+  return significant(length) + (diagonal > 0 ? " (" + percent(length / diagonal) + ")" : "");
 }
 
 std::string length_text_rounded_up(double length, double diagonal) {
-  return significant(rounded_up(length)) + " (" + significant(rounded_up(100 * length / diagonal)) + " %)";
+  const std::string share = diagonal > 0 ? " (" + significant(rounded_up(100 * length / diagonal)) + " %)" : "";
+  return significant(rounded_up(length)) + share;
 }
 
 std::string seconds_text(double seconds) { return formatted("%.3f s", seconds); }

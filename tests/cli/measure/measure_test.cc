@@ -21,6 +21,16 @@ nlohmann::json measured(const std::string& reference, const std::string& test, s
   return parse_json(outcome.out);
 }
 
+TEST(Measure, NamesNoShareOfADiagonalOfZero) {
+  const TemporaryFolder folder;
+  write_text(folder / "point.obj", "v 0 0 0\nv 1e-200 0 0\nv 0 1e-200 0\nf 1 2 3\n");
+  const Outcome outcome = whittle({"measure", folder / "point.obj", data_file("cubes.obj")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_NE(outcome.out.find("\nlargest distance"), std::string::npos) << outcome;
+  EXPECT_EQ(outcome.out.find("inf %"), std::string::npos) << outcome;
+  EXPECT_EQ(outcome.out.find("nan %"), std::string::npos) << outcome;
+}
+
 TEST(Measure, HasEveryKeyOfItsSchema) {
   const auto json = measured(data_file("blob.obj"), data_file("blob.obj"), {"--samples", "1000"});
   for (const char* key : {"schema",
