@@ -204,6 +204,17 @@ TEST_F(SeveralInputs, NeedTheirStem) {
                  "'-' has no name");
 }
 
+// It was part of the file's name where OUT has none.
+TEST_F(SeveralInputs, OrOneGiveTheirNamesToFilesBesideOut) {
+  expect_refused(
+      simplify({"cubes.obj", "blob.obj"}, {"--join", "-o", "out/a.ply", "--faces", "9", "--map", "out/{stem}.map"}),
+      "'{stem}' in --map is for several");
+  ASSERT_EQ(simplify({"cubes.obj"}, {"-o", "out/a.ply", "--faces", "150", "--record", "out/{stem}_q.rec"}).exit_code,
+            0);
+  EXPECT_TRUE(fs::exists(folder_ / "out/cubes_q.rec"));
+  EXPECT_FALSE(fs::exists(folder_ / "out/{stem}_q.rec"));
+}
+
 TEST_F(SeveralInputs, AreReplacedUnderForceOnly) {
   const std::string before = read_text(folder_ / "blob.obj");
   expect_refused(simplify({"cubes.obj", "blob.obj"}, {"-o", "{stem}.obj", "--faces", "150"}), "is an input too");

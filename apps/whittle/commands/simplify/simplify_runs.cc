@@ -16,19 +16,35 @@ bool has_stem(const std::string& path) { return path.find(stem_word) != std::str
 
 /// "mesh" of "folder/mesh.ply.gz"
 std::string stem_of(const std::string& input) {
-  if (input == standard_stream) throw UsageError("'-' has no name to put for '{stem}' in --output");
+  if (input == standard_stream) throw UsageError("'-' has no name to put for '{stem}' in the name of a file");
   const std::filesystem::path name = std::filesystem::path(input).filename();
   return (io::has_gzip_extension(name) ? name.stem() : name).stem().string();
 }
 
-std::string with_stem(std::string path, const std::string& stem) {
-  return replaced(std::move(path), std::string(stem_word), stem);
+/// Puts the name of IN for '{stem}' in OUT and in the files beside it.
+void name_by_stem(SimplifyCommand& run) {
+  const auto name = [&run](std::string& path) {
+    if (has_stem(path)) path = replaced(std::move(path), std::string(stem_word), stem_of(run.input));
+  };
+  name(run.output);
+  for (const SideFile& file : side_files(run)) {
+    if (*file.path) name(**file.path);
+  }
+}
+
+/// \throw UsageError
+void refuse_stems_of_joined(SimplifyCommand& command) {
+  const auto refuse = [](const std::string& option) {
+    throw UsageError("--join makes one mesh of all IN: '{stem}' in " + option + " is for several");
+  };
+  if (is_named_by_stem(command)) refuse("--output");
+  for (const SideFile& file : side_files(command)) {
+    if (*file.path && has_stem(**file.path)) refuse(file.option);
+  }
 }
 
 void check_stems(SimplifyCommand command) {
-  if (command.joins && is_named_by_stem(command)) {
-    throw UsageError("--join makes one mesh of all IN: '{stem}' in --output is for several");
-  }
+  if (command.joins) refuse_stems_of_joined(command);
   if (command.inputs.size() == 1 || command.joins) return;
   if (!is_named_by_stem(command)) {
     throw UsageError("one argument too many: '" + command.inputs[1] +
@@ -91,11 +107,7 @@ std::vector<SimplifyCommand> runs_of(const SimplifyCommand& command) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     SimplifyCommand& run = runs[i];
     run.input = command.inputs[i];
-    if (!is_named_by_stem(command)) continue;
-    run.output = with_stem(run.output, stem_of(run.input));
-    for (const SideFile& file : side_files(run)) {
-      if (*file.path) *file.path = with_stem(**file.path, stem_of(run.input));
-    }
+    name_by_stem(run);
   }
   refuse_same_outputs(runs);
   return runs;

@@ -12,7 +12,7 @@
 
 namespace whittle::app {
 
-/// What stands for the input's name, without folder and extensions, in OUT and in --map.
+/// What stands for the input's name, without folder and extensions, in OUT and in files such as that of --map.
 inline constexpr std::string_view stem_word = "{stem}";
 
 /// \throw UsageError where an input looks like the value of -v: older programs have -v N, a number of vertices.
