@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "whittle/core/attribute_blend.hh"
@@ -32,7 +32,36 @@ detail::IndexLists<Index> wedges_of_vertices(const IndexedMesh& mesh) {
           }};
 }
 
+/// Of each wedge, the first wedge of its vertex that has the same value.
+std::vector<Index> first_equal_wedges(const IndexedMesh& mesh, std::span<const double> values,
+                                      std::size_t n_components) {
+  const auto value = [&](Index w) { return values.subspan(w * n_components, n_components); };
+  std::vector<Index> firsts(values.size() / n_components);
+  std::iota(firsts.begin(), firsts.end(), Index{0});
+  const detail::IndexLists<Index> wedges = wedges_of_vertices(mesh);
+  for (Index v = 0; v < wedges.size(); ++v) {
+    const std::span<const Index> of = wedges.of(v);
+    for (const Index w : of) {
+      const auto is_equal = [&](Index a) { return std::equal(value(a).begin(), value(a).end(), value(w).begin()); };
+      const auto first = std::find_if(of.begin(), of.end(), is_equal);
+      if (first != of.end()) firsts[w] = *first;  // a NaN equals nothing
+    }
+  }
+  return firsts;
+}
+
 }  // namespace
+
+std::vector<Index> attribute_charts(const IndexedMesh& mesh, std::span<const double> values, std::size_t n_components) {
+  std::vector<Index> charts = first_equal_wedges(mesh, values, n_components);
+  detail::DisjointSets<Index> sets(charts.size());
+  for (Index w = 0; w < charts.size(); ++w) sets.join(w, charts[w]);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (std::size_t k = 1; k < 3; ++k) sets.join(mesh.wedge(f, 0), mesh.wedge(f, k));
+  }
+  for (Index w = 0; w < charts.size(); ++w) charts[w] = sets.find(w);
+  return charts;
+}
 
 AttributeFunctions::AttributeFunctions(const LocalFunctions& functions, AttributeKind kind, std::size_t n_components,
                                        std::span<const double> values, unsigned threads)
@@ -45,34 +74,15 @@ AttributeFunctions::AttributeFunctions(const LocalFunctions& functions, Attribut
   if (n_linear_ > 0 && !has_unit_length(kind)) find_linear_charts(find_charts(), threads);
 }
 
-/// Wedges of a vertex that have the same value are in one chart, so seams of other attributes are none of this one.
-/// \return the chart of each wedge of the input, by its first wedge; `invalid_index` if it has less than `least_points`
+/// \return the chart of each wedge of the input; `invalid_index` if it has less than `least_points`
 std::vector<Index> AttributeFunctions::find_charts() const {
-  const IndexedMesh& input = functions_.input();
-  const std::size_t n = values_.size() / n_components_;
-  detail::DisjointSets<Index> sets(n);
-  std::vector<std::uint8_t> is_point(n, 1);
-  const auto value = [&](Index w) { return values_.subspan(w * n_components_, n_components_); };
-  const auto are_equal = [&](Index a, Index b) {
-    return std::equal(value(a).begin(), value(a).end(), value(b).begin());
-  };
-  const detail::IndexLists<Index> wedges = wedges_of_vertices(input);
-  for (Index v = 0; v < wedges.size(); ++v) {
-    const std::span<const Index> of = wedges.of(v);
-    for (std::size_t i = 1; i < of.size(); ++i) {
-      const auto first = std::find_if(of.begin(), of.end(), [&](Index w) { return are_equal(w, of[i]); });
-      if (first == of.end() || *first == of[i]) continue;
-      sets.join(*first, of[i]);
-      is_point[of[i]] = 0;
-    }
+  std::vector<Index> charts = attribute_charts(functions_.input(), values_, n_components_);
+  const std::vector<Index> firsts = first_equal_wedges(functions_.input(), values_, n_components_);
+  std::vector<std::size_t> n_points(charts.size());
+  for (Index w = 0; w < charts.size(); ++w) n_points[charts[w]] += firsts[w] == w ? 1 : 0;
+  for (Index& chart : charts) {
+    if (n_points[chart] < least_points) chart = invalid_index;
   }
-  for (std::size_t f = 0; f < input.faces.size(); ++f) {
-    for (std::size_t k = 1; k < 3; ++k) sets.join(input.wedge(f, 0), input.wedge(f, k));
-  }
-  std::vector<std::size_t> n_points(n);
-  for (Index w = 0; w < n; ++w) n_points[sets.find(w)] += is_point[w];
-  std::vector<Index> charts(n);
-  for (Index w = 0; w < n; ++w) charts[w] = n_points[sets.find(w)] >= least_points ? sets.find(w) : invalid_index;
   return charts;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "whittle/core/geometry/vertex_normals.hh"
 #include "whittle/core/local_functions.hh"
 #include "whittle/core/wedges.hh"
+#include "whittle/polish/keep_in_charts.hh"
 
 namespace whittle {
 namespace {
@@ -89,7 +91,26 @@ class AttributeCarrier {
         carry_to(w, kind, values, functions, mean, std::span(carried).subspan(w * n_components, n_components));
       }
     });
+    if (kind == AttributeKind::texcoord && n_components >= 2) keep_texture_in_charts(n_components, values, carried);
     return carried;
+  }
+
+  /// Where all vertices are the input's, as in an index buffer, so are all values.
+  void keep_texture_in_charts(std::size_t n_components, std::span<const double> values,
+                              std::span<double> carried) const {
+    std::vector<Index> wedges(n_);
+    std::iota(wedges.begin(), wedges.end(), Index{0});
+    const bool is_subset = std::all_of(wedges.begin(), wedges.end(), [&](Index w) {
+      return input_position(nearest_merged(w)) == mesh_.positions[vertex_of(w)];
+    });
+    if (is_subset) return;
+    std::vector<Triangle> faces(mesh_.faces.size());
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        faces[f][k] = map_.of_corners.empty() ? mesh_.faces[f][k] : map_.of_corners[3 * f + k];
+      }
+    }
+    keep_in_charts({input_, values, map_.of_input, n_components, faces, threads_}, carried);
   }
 
   /// A wedge that has gone to the place of one merged into it has its value, to the bit. A category is that of the

@@ -18,6 +18,7 @@
 #include "whittle/core/frame.hh"
 #include "whittle/core/local_functions.hh"
 #include "whittle/core/wedges.hh"
+#include "whittle/polish/keep_in_charts.hh"
 
 namespace whittle {
 namespace {
@@ -105,8 +106,9 @@ class AttributeFit {
                const IndexedMesh& mesh, unsigned threads);
 
   void fit(Values& values) const;
-  /// \return how many folded faces are left \pre texture coordinates, fitted
-  std::size_t unfold(Values& values) const;
+  /// Takes away what folds, and what lies over other charts. \return how many folded faces are left \pre texture
+  /// coordinates, fitted
+  std::size_t lay_on_image(Values& values) const;
 
  private:
   template <class Use>
@@ -321,10 +323,14 @@ std::vector<std::uint8_t> AttributeFit::linear_wedges(Values& values) const {
   return is_linear;
 }
 
-std::size_t AttributeFit::unfold(Values& values) const {
+std::size_t AttributeFit::lay_on_image(Values& values) const {
   const auto turns =
       turns_on_image({original_.faces, values.from, values.n_components}, feet_.of_faces, mesh_.faces.size());
-  return polishing::unfold(mesh_.faces, turns, values.to, values.n_components, linear_wedges(values));
+  const std::size_t n_folded =
+      polishing::unfold(mesh_.faces, turns, values.to, values.n_components, linear_wedges(values));
+  keep_in_charts({functions_.input(), values.from, functions_.wedge_map(), values.n_components, mesh_.faces, threads_},
+                 values.to);
+  return n_folded;
 }
 
 template <std::size_t N>
@@ -371,7 +377,7 @@ AttributeFitReport fit_attributes(const IndexedMesh& original, std::span<const I
         attribute.kind, attribute.n_components, original.attributes[i].values, std::move(attribute.values), {}};
     fit.fit(values);
     const bool is_texture = values.kind == AttributeKind::texcoord && values.n_components >= 2;
-    if (is_texture) report.n_folded_faces += fit.unfold(values);
+    if (is_texture) report.n_folded_faces += fit.lay_on_image(values);
     attribute.values = std::move(values.to);
   }
   return report;

@@ -10,10 +10,15 @@
 
 namespace whittle {
 
+/// A chart is a part of a mesh in which an attribute is continuous: seams of other attributes are none of this one.
+/// \param values those of the mesh's wedges, one after the other
+/// \return the chart of each wedge, by the least of its wedges
+std::vector<Index> attribute_charts(const IndexedMesh& mesh, std::span<const double> values, std::size_t n_components);
+
 /// How an attribute of an input goes around each wedge of a mesh that was made from it.
 ///
-/// A chart is a part of the input in which the attribute is continuous. Where a number is linear in the position
-/// throughout its chart, as in planar maps of textures, it has that function everywhere. Elsewhere it has the local one
+/// Where a number is linear in the position throughout its chart (`attribute_charts`), as in planar maps of textures,
+/// it has that function everywhere. Elsewhere it has the local one
 /// (`LocalFunctions`), and goes no further than the values around it: neither a step nor a texture at a seam may
 /// overshoot.
 class AttributeFunctions {

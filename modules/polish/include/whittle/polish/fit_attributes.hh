@@ -14,7 +14,7 @@
 //   - x⁰_w is the value that the original has nearest to wedge w, M_w = Σ m_s b_sk, and λ is 0.02
 //
 // Texture coordinates are moved, where the fit leaves a fold, as little as takes it away: a fold is a face that lies on
-// the image the other way round than the original does there.
+// the image the other way round than the original does there. Then they are kept in their charts (keep_in_charts.hh).
 //
 // Feet are found on the same side of every seam: both surfaces are cut open there. The normal equations are solved by
 // conjugate gradients, for each number of a value by itself.

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+// Triangles on the image of a texture.
+
+namespace whittle::polishing {
+
+using Vec2 = Eigen::Vector2d;
+using ImageTriangle = std::array<Vec2, 3>;
+
+inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Twice the area on the image; negative where a face lies clockwise.
+inline double area_on_image(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
+
+}  // namespace whittle::polishing

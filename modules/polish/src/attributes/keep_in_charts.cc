@@ -1,0 +1,240 @@
+#include "whittle/polish/keep_in_charts.hh"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "attributes/image_triangle.hh"
+#include "attributes/texture_atlas.hh"
+#include "whittle/core/detail/index_lists.hh"
+#include "whittle/core/detail/parallel.hh"
+
+namespace whittle {
+namespace {
+
+using polishing::ImageTriangle;
+using polishing::TextureAtlas;
+using polishing::Vec2;
+
+constexpr int most_tries = 12;                ///< of a face
+constexpr std::array steps{0.01, 0.05, 0.2};  ///< of the way to the middle of the neighbours
+
+/// Points of a face, on the sides of a triangle around its centroid.
+struct Ring {
+  double size;  ///< over the face's
+  int points_a_side;
+  bool is_inner;  ///< shows what lies in a hole of a chart; else only sides at borders count, where a face sticks out
+};
+constexpr std::array rings{Ring{0.99, 16, false}, Ring{0.9, 8, false}, Ring{0.7, 4, true}, Ring{0.4, 2, true}};
+
+class ChartKeeper {
+ public:
+  ChartKeeper(const MovedTexture& texture, const TextureAtlas& atlas, std::span<double> values)
+      : texture_(texture), atlas_(atlas), values_(values) {
+    const std::size_t n_wedges = values.size() / texture.n_components;
+    find_charts(n_wedges);
+    faces_at_ = detail::IndexLists<Index>(n_wedges, [&](const auto& emit) {
+      for (Index f = 0; f < texture.faces.size(); ++f) {
+        for (const Index w : texture.faces[f]) emit(w, f);
+      }
+    });
+    border_sides_.resize(texture.faces.size());
+    for (Index f = 0; f < texture.faces.size(); ++f) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        border_sides_[f][k] = is_border(texture.faces[f][k], texture.faces[f][(k + 1) % 3]);
+      }
+      const auto& [first, second, third] = border_sides_[f];
+      if (first || second || third) at_border_.push_back(f);
+    }
+    border_faces_at_ = detail::IndexLists<Index>(n_wedges, [&](const auto& emit) {
+      for (const Index f : at_border_) {
+        for (const Index w : texture.faces[f]) emit(w, f);
+      }
+    });
+  }
+
+  std::size_t run() {
+    std::vector<Index> faces = those_over_others(at_border_);
+    for (int i = 0; i < most_tries && !faces.empty(); ++i) {
+      bool is_any_moved = false;
+      for (const Index f : faces) is_any_moved = draw_back(f) || is_any_moved;
+      if (!is_any_moved) break;
+      faces = those_over_others(with_neighbours(faces));
+    }
+    return faces.size();
+  }
+
+ private:
+  struct Move {
+    Index wedge;
+    Vec2 to;
+    double length;
+    double gain;     ///< of area over others, for its length
+    bool is_enough;  ///< no face at the wedge lies over others then
+
+    bool is_better_than(const Move& other) const {
+      if (is_enough != other.is_enough) return is_enough;
+      return is_enough ? length < other.length : gain > other.gain;
+    }
+  };
+
+  /// A wedge comes from the chart of the first that became it, a face from that of two of its wedges.
+  void find_charts(std::size_t n_wedges) {
+    std::vector<Index> of_wedges(n_wedges, invalid_index);
+    for (Index w = 0; w < texture_.wedge_map.size(); ++w) {
+      const Index become = texture_.wedge_map[w];
+      if (become != invalid_index && of_wedges[become] == invalid_index) of_wedges[become] = atlas_.chart_of(w);
+    }
+    for (const auto& [a, b, c] : texture_.faces) {
+      charts_.push_back(of_wedges[b] == of_wedges[c] ? of_wedges[b] : of_wedges[a]);
+    }
+  }
+
+  Vec2 at(Index w) const { return Vec2(&values_[w * texture_.n_components]); }
+  void move(Index w, const Vec2& to) {
+    values_[w * texture_.n_components] = to.x();
+    values_[w * texture_.n_components + 1] = to.y();
+  }
+
+  ImageTriangle triangle(Index f) const {
+    const auto& [a, b, c] = texture_.faces[f];
+    return {at(a), at(b), at(c)};
+  }
+  double area(Index f) const {
+    const auto& [a, b, c] = triangle(f);
+    return polishing::area_on_image(a, b, c);
+  }
+  /// The share of a face's points that lie over others.
+  double share_over_others(Index f) const {
+    const ImageTriangle corners = triangle(f);
+    const Vec2 centroid = (corners[0] + corners[1] + corners[2]) / 3;
+    int n_points = 0;
+    int n_over_others = 0;
+    for (const auto& [size, points_a_side, is_inner] : rings) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (!is_inner && !border_sides_[f][k]) continue;
+        const Vec2 from = centroid + size * (corners[k] - centroid);
+        const Vec2 side = size * (corners[(k + 1) % 3] - corners[k]);
+        for (int i = 0; i < points_a_side; ++i) {
+          n_over_others += atlas_.is_on_another(from + (i + 0.5) / points_a_side * side, charts_[f]) ? 1 : 0;
+        }
+        n_points += points_a_side;
+      }
+    }
+    return static_cast<double>(n_over_others) / n_points;
+  }
+
+  std::vector<Index> those_over_others(std::span<const Index> faces) const {
+    std::vector<std::uint8_t> is_over(faces.size());
+    for_each_range(faces.size(), texture_.threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) is_over[i] = share_over_others(faces[i]) > 0 ? 1 : 0;
+    });
+    std::vector<Index> result;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      if (is_over[i] != 0) result.push_back(faces[i]);
+    }
+    return result;
+  }
+
+  bool is_border(Index a, Index b) const {
+    const auto has_b = [&](Index f) {
+      const Triangle& face = texture_.faces[f];
+      return face[0] == b || face[1] == b || face[2] == b;
+    };
+    const std::span<const Index> faces = faces_at_.of(a);
+    return std::count_if(faces.begin(), faces.end(), has_b) == 1;
+  }
+
+  /// Ascending.
+  std::vector<Index> with_neighbours(std::span<const Index> faces) const {
+    std::vector<Index> result;
+    for (const Index f : faces) {
+      for (const Index w : texture_.faces[f]) {
+        const std::span<const Index> around = border_faces_at_.of(w);
+        result.insert(result.end(), around.begin(), around.end());
+      }
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  Vec2 middle_of_neighbours(Index w) const {
+    Vec2 sum = Vec2::Zero();
+    for (const Index f : faces_at_.of(w)) {
+      for (const Index corner : texture_.faces[f]) sum += at(corner);
+    }
+    return sum / (3.0 * static_cast<double>(faces_at_.of(w).size()));
+  }
+
+  /// The area over others of the faces at w; 0 if there is none.
+  double area_over_others(Index w) const {
+    double sum = 0;
+    for (const Index f : border_faces_at_.of(w)) sum += share_over_others(f) * std::abs(area(f));
+    return sum;
+  }
+
+  /// The shortest move of a wedge after which none of its faces lies over others; or else the one that gains most for
+  /// its length. None turns a face over.
+  std::optional<Move> best_move(Index w) {
+    std::optional<Move> best;
+    const Vec2 from = at(w);
+    const Vec2 way = middle_of_neighbours(w) - from;
+    const double before = area_over_others(w);
+    std::vector<double> areas;
+    for (const Index f : faces_at_.of(w)) areas.push_back(area(f));
+    for (const double step : steps) {
+      move(w, from + step * way);
+      bool is_any_turned = false;
+      for (std::size_t i = 0; i < areas.size(); ++i) is_any_turned |= area(faces_at_.of(w)[i]) * areas[i] < 0;
+      if (is_any_turned) continue;
+      const double length = step * way.norm();
+      const double after = area_over_others(w);
+      const Move found{w, at(w), length, (before - after) / length, after == 0};
+      if (found.gain > 0 && (!best || found.is_better_than(*best))) best = found;
+      if (found.is_enough) break;
+    }
+    move(w, from);
+    return best;
+  }
+
+  /// \return whether a corner of the face has moved
+  bool draw_back(Index f) {
+    if (share_over_others(f) == 0 || std::abs(area(f)) > atlas_.area(charts_[f])) return false;
+    std::optional<Move> best;
+    for (const Index w : texture_.faces[f]) {
+      const std::optional<Move> found = best_move(w);
+      if (found && (!best || found->is_better_than(*best))) best = found;
+    }
+    if (best) move(best->wedge, best->to);
+    return best.has_value();
+  }
+
+  const MovedTexture& texture_;
+  const TextureAtlas& atlas_;
+  std::span<double> values_;
+  std::vector<Index> charts_;           ///< of each face
+  detail::IndexLists<Index> faces_at_;  ///< of each wedge
+  /// Of each face, which of its sides no other face has. Faces without one are amid their charts.
+  std::vector<std::array<bool, 3>> border_sides_;
+  std::vector<Index> at_border_;               ///< faces with such a side
+  detail::IndexLists<Index> border_faces_at_;  ///< those at each wedge
+};
+
+bool are_finite(std::span<const double> values) {
+  return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+}
+
+}  // namespace
+
+std::size_t keep_in_charts(const MovedTexture& texture, std::span<double> values) {
+  if (texture.original.faces.empty() || !are_finite(texture.original_values) || !are_finite(values)) return 0;
+  const TextureAtlas atlas(texture.original, texture.original_values, texture.n_components);
+  if (!atlas.has_several_charts()) return 0;
+  return ChartKeeper(texture, atlas, values).run();
+}
+
+}  // namespace whittle
