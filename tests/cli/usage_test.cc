@@ -292,6 +292,9 @@ TEST(Usage, RefusesToWriteAFormatItDoesNotKnow) {
   const TemporaryFolder folder;
   const std::string mesh = data_file("cubes.obj");
   expect_usage_error(whittle({"simplify", mesh, "-o", folder / "out.fbx", "--faces", "150"}), {"out.fbx", "FBX"});
+  // What makes a mesh of such a file is no advice for who writes one.
+  expect_usage_error(whittle({"simplify", mesh, "-o", folder / "out.xyz", "--faces", "150"}),
+                     {"out.xyz: is a point cloud (.xyz), a format that is not supported; use " + io::format_titles()});
   expect_usage_error(whittle({"simplify", mesh, "-o", folder / "out", "--faces", "150"}), {"out", io::format_names()});
   EXPECT_TRUE(folder.files().empty());
 }

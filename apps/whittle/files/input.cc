@@ -59,7 +59,10 @@ io::Format output_format(const std::string& path, const FileOptions& options) {
   try {
     return io::format_of(path);
   } catch (const std::invalid_argument& error) {
-    throw UsageError(path + ": " + error.what());
+    std::string problem = error.what();
+    const std::size_t remedy = problem.find("not supported; ");  // helps who reads such a file
+    if (remedy != std::string::npos) problem = problem.substr(0, remedy) + "not supported; use " + io::format_titles();
+    throw UsageError(path + ": " + problem);
   }
 }
 

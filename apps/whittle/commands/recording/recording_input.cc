@@ -78,8 +78,9 @@ std::pair<IndexedMesh, Input> input_of(const RecordingInput& options, const File
     input.read.mesh = {};
     if (mesh) return {*std::move(mesh), std::move(input)};
   }
-  throw io::ReadError(*options.input, "is not the mesh of " + options.path +
-                                          ", or is read otherwise: --weld and --no-weld have to be as they were");
+  throw io::ReadError(*options.input,
+                      "is not the mesh of " + options.path +
+                          ", or is read otherwise (--weld, --no-weld), or the run took parts away (--prune)");
 }
 
 /// The format of the run's input, as the recording has it. Empty if it doesn't say.
