@@ -25,12 +25,13 @@ namespace {
 class AttributeCarrier {
  public:
   AttributeCarrier(const IndexedMesh& input, const WedgeMap& map, const Frame& frame, const IndexedMesh& mesh,
-                   unsigned threads)
+                   unsigned threads, bool keeps_in_charts)
       : input_(input),
         map_(map),
         frame_(frame),
         mesh_(mesh),
         threads_(threads),
+        keeps_in_charts_(keeps_in_charts),
         n_(map.of_corners.empty() ? mesh.positions.size() : map.vertex_of.size()),
         functions_(input, frame, map.of_input, n_, threads),
         input_vertex_of_(vertices_of_wedges(input)) {
@@ -91,7 +92,8 @@ class AttributeCarrier {
         carry_to(w, kind, values, functions, mean, std::span(carried).subspan(w * n_components, n_components));
       }
     });
-    if (kind == AttributeKind::texcoord && n_components >= 2) keep_texture_in_charts(n_components, values, carried);
+    if (keeps_in_charts_ && kind == AttributeKind::texcoord && n_components >= 2)
+      keep_texture_in_charts(n_components, values, carried);
     return carried;
   }
 
@@ -143,6 +145,7 @@ class AttributeCarrier {
   const Frame& frame_;
   const IndexedMesh& mesh_;
   unsigned threads_;
+  bool keeps_in_charts_;
   std::size_t n_;  ///< wedges of the result
   LocalFunctions functions_;
   std::vector<Index> input_vertex_of_;  ///< wedges of the input → its vertices; empty if they are the same
@@ -157,11 +160,11 @@ bool has_attributes(const IndexedMesh& mesh) {
 }  // namespace
 
 void carry_attributes(const IndexedMesh& input, const Frame& frame, Normals normals, std::span<const Index> vertex_map,
-                      std::span<const Index> face_origins, IndexedMesh& mesh, unsigned threads) {
+                      std::span<const Index> face_origins, IndexedMesh& mesh, unsigned threads, bool keeps_in_charts) {
   carry_face_attributes(input, face_origins, mesh);
   if (!has_attributes(input)) return;
   WedgeMap map = map_wedges(input, vertex_map, face_origins);
-  AttributeCarrier carrier(input, map, frame, mesh, threads);
+  AttributeCarrier carrier(input, map, frame, mesh, threads, keeps_in_charts);
   mesh.colors = carrier.carried(AttributeKind::color, input.colors);
   mesh.attributes.clear();
   for (const Attribute& attribute : input.attributes) mesh.attributes.push_back(carrier.carried(attribute));

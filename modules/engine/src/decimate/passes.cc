@@ -408,7 +408,7 @@ void Passes::forget_all() {
   done_.progress = 1;
 }
 
-Decimation Passes::output() {
+Decimation Passes::output(bool keeps_in_charts) {
   if (!done_.nonmanifold) {
     done_.nonmanifold = count_nonmanifold({done_.left->positions, Frame{}, done_.left->faces});
   }
@@ -417,7 +417,8 @@ Decimation Passes::output() {
     out.steps = std::move(done_.steps);
     if (options_.normals == Normals::recompute) out.steps.crease_angle_deg = options_.crease_angle_deg;
   }
-  carry_attributes(mesh_, frame_, options_.normals, out.vertex_map, out.face_origins, out.mesh, options_.threads);
+  carry_attributes(mesh_, frame_, options_.normals, out.vertex_map, out.face_origins, out.mesh, options_.threads,
+                   keeps_in_charts);
   out.result = std::move(done_.result);
   for (const auto& [pair, reason] : done_.refused) {
     const auto [a, b] = std::minmax(out.vertex_map[pair.a], out.vertex_map[pair.b]);

@@ -70,7 +70,7 @@ class Passes {
   /// Whether blocks may have made contractions in exact order that come after the last one.
   bool is_beyond_target() const;
   void forget_all();
-  Decimation output();
+  Decimation output(bool keeps_in_charts);
 
  private:
   double way_to(const DecimateTarget& stop) const;

@@ -43,7 +43,8 @@ void contract_to_stops(Passes& passes, const BlockPlan& plan) {
 }  // namespace
 
 Decimation run(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options,
-               DecimationHost* host, const BlockPlan& plan, std::unique_ptr<ErrorBounds>* error_bounds) {
+               DecimationHost* host, const BlockPlan& plan, std::unique_ptr<ErrorBounds>* error_bounds,
+               bool keeps_in_charts) {
   check(target, options, mesh.positions.size());
   check(mesh);
   if (host != nullptr && !options.pauses.at.empty()) {
@@ -61,7 +62,7 @@ Decimation run(const IndexedMesh& mesh, const DecimateTarget& target, const Deci
   } else {
     contract_to_stops(passes, plan);
   }
-  return passes.output();
+  return passes.output(keeps_in_charts);
 }
 
 }  // namespace whittle

@@ -246,7 +246,11 @@ Simplification simplify_as_settled(const IndexedMesh& mesh, const DecimateTarget
                                [&](Decimation& paused) { return !polish_now(paused, without_flips).cancelled; }};
   }
   std::unique_ptr<ErrorBounds> bounds;
-  Simplification result{run(mesh, target, settled.decimate, nullptr, {}, &bounds), *settled.decimate.cost, {}, 0, 0};
+  Simplification result{run(mesh, target, settled.decimate, nullptr, {}, &bounds, settled.polish_passes == 0U),
+                        *settled.decimate.cost,
+                        {},
+                        0,
+                        0};
   if (result.result.stop != StopReason::cancelled && !bounds) {
     result.polish = polish_and_note(result, [&] { return polish_now(result, settled); });
   }
@@ -375,7 +379,7 @@ std::vector<Simplification> simplify_to_levels(const IndexedMesh& mesh, const st
     levels.push_back({paused, *settled.decimate.cost, polish, 0, 0, 0});
     Decimation& level = levels.back();
     carry_attributes(mesh, frame, settled.decimate.normals, level.vertex_map, level.face_origins, level.mesh,
-                     settled.decimate.threads);
+                     settled.decimate.threads, settled.polish_passes == 0U);
     finish_attributes_of(mesh, settled, levels.back());
     return !polish.cancelled;
   };

@@ -14,9 +14,12 @@ namespace whittle {
 /// Normals that are computed anew are those of `vertex_normals`; `break_normals` lets them break at creases.
 /// \param frame of the input \param vertex_map, face_origins as those of `Decimation`
 /// \param mesh has positions and faces. If the input has wedges, the corners of each face are in their first order
-/// \param threads 0 = all cores; the result is the same for any number
+/// Faces are drawn back that lie over another chart on a texture (keep_in_charts.hh), but not where all vertices are
+/// the input's, as in an index buffer. \param threads 0 = all cores; the result is the same for any number \param
+/// keeps_in_charts whether faces are drawn back; `fit_attributes` does so, too
 void carry_attributes(const IndexedMesh& input, const Frame& frame, Normals normals, std::span<const Index> vertex_map,
-                      std::span<const Index> face_origins, IndexedMesh& mesh, unsigned threads = 0);
+                      std::span<const Index> face_origins, IndexedMesh& mesh, unsigned threads = 0,
+                      bool keeps_in_charts = true);
 
 /// The last step of a run with `Normals::recompute`: `recompute_normals`, where the mesh has normals. Nothing with
 /// other `normals`. Wedges are other ones afterwards. \param frame of the input
