@@ -40,7 +40,7 @@ bool has_looks(const Input& input, const IndexedMesh& mesh) {
 
 /// What a glTF input has that files of other formats can't hold. \pre the mesh has its groups
 std::string left_out_of(const Input& input, const IndexedMesh& mesh) {
-  const std::string others = listed(input.gltf->asset().other_content());
+  std::string others = listed(input.gltf->asset().other_content());
   if (!has_looks(input, mesh)) return others;
   return "the materials, with their colours and images" + (others.empty() ? "" : "; " + others);
 }
