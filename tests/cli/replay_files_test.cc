@@ -134,6 +134,7 @@ TEST_F(ReplayFiles, EndWithTheFileOfTheRun) {
       expect_same_end({in}, extension, {"--zstd", "--attributes", "position-only"});
       expect_same_end({in}, extension, {}, {"--input", in});
       expect_same_end({in}, extension, {"--no-embed"}, {"--input", in});
+      expect_same_end({in}, extension, {"--no-embed", "--attributes", "position-only"}, {"--input", in});
     }
   }
 }
@@ -160,6 +161,7 @@ TEST_F(ReplayFiles, EndWithTheFileOfGltf) {
   for (const std::string extension : {".obj", ".ply", ".glb"}) {
     expect_same_end({"cube.glb"}, extension, {}, {"--input", "cube.glb"});
     expect_same_end({"cube.glb"}, extension, {"--no-embed"}, {"--input", "cube.glb"});
+    expect_same_end({"cube.glb"}, extension, {"--attributes", "position-only"}, {"--input", "cube.glb"});
   }
 }
 

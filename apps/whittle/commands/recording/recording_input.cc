@@ -32,28 +32,33 @@ Recording read_recording_file(const std::string& path) {
   }
 }
 
-/// The mesh of a file as the run took it: with all attributes, or with those that the run's options left.
-std::optional<IndexedMesh> mesh_of_run(const IndexedMesh& mesh, const Recording& recording) {
-  const auto is_it = [&](const IndexedMesh& candidate) {
-    return progressive::content_hash(candidate) == recording.hash;
-  };
-  if (is_it(mesh)) return mesh;
-  IndexedMesh less = with_vertex_attributes(mesh);
-  if (is_it(less)) return less;
-  less.normals.clear();
-  less.colors.clear();
-  if (is_it(less)) return less;
+bool is_mesh_of(const Recording& recording, const IndexedMesh& mesh) {
+  return progressive::content_hash(mesh) == recording.hash;
+}
+
+/// The mesh of a file with those attributes that the run's options left, if the run began with one of these.
+std::optional<IndexedMesh> reduced_mesh_of(const Recording& recording, const IndexedMesh& mesh) {
+  IndexedMesh reduced = with_vertex_attributes(mesh);
+  if (is_mesh_of(recording, reduced)) return reduced;
+  reduced.normals.clear();
+  reduced.colors.clear();
+  if (is_mesh_of(recording, reduced)) return reduced;
   return std::nullopt;
+}
+
+/// What the run knew of its file.
+io::FileNotes notes_in(const std::string& path, const Recording& recording) {
+  try {
+    return file_notes_of(recording.notes);
+  } catch (const progressive::RecordingError& error) {
+    throw io::ReadError(path, error.what());
+  }
 }
 
 /// What the recording says of the file that its mesh comes from.
 Input input_in_recording(const std::string& path, const Recording& recording) {
   Input input{path, path, {}, {}};
-  try {
-    input.read.notes = file_notes_of(recording.notes);
-  } catch (const progressive::RecordingError& error) {
-    throw io::ReadError(path, error.what());
-  }
+  input.read.notes = notes_in(path, recording);
   const auto name = recording.notes.find(mesh_name_note);
   input.mesh_name =
       name == recording.notes.end() ? std::filesystem::path(path).filename().stem().string() : name->second.front();
@@ -74,9 +79,13 @@ std::pair<IndexedMesh, Input> input_of(const RecordingInput& options, const File
     as_then.reads_scene = reads_scene;
     const Talk once = reads_scene ? Talk(Volume::quiet) : talk;
     Input input = read_input(*options.input, as_then, threads, once, io::AttributeScope::all);
-    std::optional<IndexedMesh> mesh = mesh_of_run(input.read.mesh, recording);
-    input.read.mesh = {};
-    if (mesh) return {*std::move(mesh), std::move(input)};
+    IndexedMesh mesh = std::exchange(input.read.mesh, {});
+    if (is_mesh_of(recording, mesh)) return {std::move(mesh), std::move(input)};
+    if (has_scene && !reads_scene) continue;  // from glTF to glTF a run takes all, or reads the scene
+    if (std::optional<IndexedMesh> reduced = reduced_mesh_of(recording, mesh)) {
+      input.read.notes = notes_in(options.path, recording);
+      return {*std::move(reduced), std::move(input)};
+    }
   }
   throw io::ReadError(*options.input,
                       "is not the mesh of " + options.path +
