@@ -322,7 +322,8 @@ void warn_of_result(const SimplifyCommand& options, const Talk& talk, SimplifyRe
   warn_of_vanished(options, talk, record);
   warn_of_folds(talk, record);
   warn_of_valence_three(options, talk, record);
-  if (record.met) warn_of_gaps(options, talk, record);
+  const bool is_weld_named = record.shortfall.find("--weld auto") != std::string::npos;
+  if (!is_weld_named) warn_of_gaps(options, talk, record);
   warn_of_new_intersections(options, talk, record);
 }
 
@@ -438,22 +439,21 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   take_warnings(talk, record);
   record.met = is_met(record.target, record.simplified.result.stop);
 
+  if (!record.met) record.shortfall = shortfall(options, record);
   warn_of_result(options, talk, record);
   count_intersections(options, talk, record);
   measure_curve(options, talk, record);
-  const std::string missed = record.met ? std::string() : shortfall(options, record);
-  if (!record.met) record.warnings.push_back(missed);
-  record.shortfall = missed;
+  if (!record.met) record.warnings.push_back(record.shortfall);
   write_files(options, talk, watch, record, report);
 
   say_details(options, talk, record);
   talk.say(summary(options, record));
   if (record.met) return ExitCode::done;
   if (!options.strict) {
-    talk.warning(missed);
+    talk.warning(record.shortfall);
     return ExitCode::done;
   }
-  talk.error(missed);
+  talk.error(record.shortfall);
   return ExitCode::target_not_met;
 }
 

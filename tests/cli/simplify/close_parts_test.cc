@@ -78,6 +78,15 @@ TEST(Weld, IsAdvisedWhereTheTargetIsMetToo) {
   EXPECT_EQ(refused.err.find("--weld auto"), std::string::npos) << refused;
 }
 
+/// So many parts can't get to 4 faces, with or without gaps.
+TEST(Weld, IsAdvisedWhereItDoesNotReachTheTarget) {
+  const TemporaryFolder folder;
+  const std::string mesh = write_rounded_soup(folder);
+  const Outcome outcome = whittle({"simplify", mesh, "-o", folder / "out.ply", "--faces", "4"});
+  EXPECT_NE(outcome.err.find("target not met"), std::string::npos) << outcome;
+  EXPECT_NE(outcome.err.find("gaps between borders; '--weld auto' welds 4000 vertices"), std::string::npos) << outcome;
+}
+
 TEST(Weld, SaysIfThereAreNoGaps) {
   const TemporaryFolder folder;
   const Outcome outcome =

@@ -89,7 +89,7 @@ void PlacingModuleT<MeshT>::add_vertex(VertexHandle v) const {
 template <class MeshT>
 PairEvaluation PlacingModuleT<MeshT>::evaluate(VertexHandle first, VertexHandle second, Pinned pinned) const {
   PairEvaluation evaluation = evaluate_plain(first, second, pinned);
-  if (active_valence_weight_ > 0) {
+  if (active_valence_weight_ > 0 && evaluation.cost >= 0) {  // others are refused
     evaluation.cost = valence_change(first, second).penalize(evaluation.cost, active_valence_weight_);
   }
   return evaluation;
