@@ -16,7 +16,7 @@
 #include "whittle/core/geometry/vertex_normals.hh"
 #include "whittle/core/local_functions.hh"
 #include "whittle/core/wedges.hh"
-#include "whittle/polish/keep_in_charts.hh"
+#include "whittle/core/keep_in_charts.hh"
 
 namespace whittle {
 namespace {

@@ -8,11 +8,12 @@
 #include <limits>
 #include <optional>
 
-#include "attributes/image_triangle.hh"
 #include "whittle/core/detail/index_lists.hh"
 
 namespace whittle::polishing {
 namespace {
+
+using Vec2 = Eigen::Vector2d;
 
 constexpr double least_majority = 0.8;  ///< of the votes for a way round
 /// Of an unfolded face, over the edge that stays: what a sweep tries first, and what it is content with in the end.
@@ -22,6 +23,11 @@ constexpr int sweeps_a_height = 15;
 /// \cite freitag_2000_untangling
 constexpr int relaxing_sweeps = 50;
 constexpr double flat = 1e-6;  ///< the height below which a face counts as flat, over its longest edge
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Twice the area on the image; negative where a face lies clockwise.
+double area_on_image(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
 
 /// The points x where normal · x ≥ least.
 struct HalfPlane {

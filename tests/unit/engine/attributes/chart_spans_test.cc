@@ -12,11 +12,11 @@
 namespace whittle::test {
 namespace {
 
-constexpr int n_squares = 48;
-constexpr double middle = n_squares / 2.0;
-constexpr double radius = 0.6 * middle;
+constexpr int n_sheet_squares = 48;
+constexpr double disc_middle = n_sheet_squares / 2.0;
+constexpr double disc_radius = 0.6 * disc_middle;
 
-bool is_in_disc(double x, double y) { return std::hypot(x - middle, y - middle) < radius; }
+bool is_in_disc(double x, double y) { return std::hypot(x - disc_middle, y - disc_middle) < disc_radius; }
 
 /// Whether a face is in the chart of the disc. \param f of `disc_in_sheet`
 bool is_of_disc(const IndexedMesh& mesh, std::size_t f) {
@@ -28,7 +28,7 @@ bool is_of_disc(const IndexedMesh& mesh, std::size_t f) {
 /// A bent sheet. A disc in it is a chart of its own, which lies in the hole of the other on the image, turned by a
 /// right angle. So where a side of a face cuts off an arc of the seam, the face lies over the other chart.
 IndexedMesh disc_in_sheet() {
-  IndexedMesh mesh = grid(n_squares, n_squares);
+  IndexedMesh mesh = grid(n_sheet_squares, n_sheet_squares);
   make_wedge_table(mesh);
   Attribute texcoord{"texcoord", AttributeKind::texcoord, 2, {}};
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -36,7 +36,7 @@ IndexedMesh disc_in_sheet() {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3& p = mesh.positions[mesh.faces[f][k]];
       mesh.wedges[3 * f + k] = static_cast<Index>(3 * f + k);
-      texcoord.values.push_back(is_turned ? middle - (p.y() - middle) : p.x());
+      texcoord.values.push_back(is_turned ? disc_middle - (p.y() - disc_middle) : p.x());
       texcoord.values.push_back(is_turned ? p.x() : p.y());
     }
   }
@@ -57,7 +57,7 @@ int n_over_other(const IndexedMesh& mesh, std::size_t f, bool is_of_disc) {
   for (int i = 1; i < 40; ++i) {
     for (int k = 1; i + k < 40; ++k) {
       const Eigen::Vector2d p = (i * corners[0] + k * corners[1] + (40 - i - k) * corners[2]) / 40;
-      const double beyond = std::hypot(p.x() - middle, p.y() - middle) - radius;
+      const double beyond = std::hypot(p.x() - disc_middle, p.y() - disc_middle) - disc_radius;
       n += (is_of_disc ? beyond : -beyond) > seam ? 1 : 0;
     }
   }

@@ -310,17 +310,18 @@ class ModLengthT : public PlacingModuleT<MeshT> {
 };
 
 /// The same, but a cost that is none to all pairs in the region, which stays none when valences are weighed.
-class LengthElsewhere : public PlacingModuleT<Mesh> {
+template <class MeshT>
+class ModLengthElsewhereT : public PlacingModuleT<MeshT> {
  public:
-  DECIMATING_MODULE(LengthElsewhere, Mesh, LengthElsewhere);
-  explicit LengthElsewhere(Mesh& mesh) : PlacingModuleT<Mesh>(mesh) { set_valence_weight(1); }
+  DECIMATING_MODULE(ModLengthElsewhereT, MeshT, LengthElsewhere);
+  explicit ModLengthElsewhereT(MeshT& mesh) : PlacingModuleT<MeshT>(mesh) { this->set_valence_weight(1); }
   double cost_dimension() const override { return 1; }
   IndexedMesh region = shape();
   double no_cost = 0;
 
  private:
   PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const override {
-    PairEvaluation evaluation = evaluate_midpoint(position(first), position(second), pinned);
+    PairEvaluation evaluation = evaluate_midpoint(this->position(first), this->position(second), pinned);
     if (is_in_region(region, first) || is_in_region(region, second)) evaluation.cost = no_cost;
     return evaluation;
   }
@@ -331,8 +332,9 @@ TEST(DerivedModules, WithoutACostRefuseWhenValencesAreWeighed) {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double no_cost : {infinity, std::numeric_limits<double>::quiet_NaN(), -1.0, -1e-300}) {
     const std::string context = std::to_string(no_cost);
-    expect_kept_without_cost<OpenMesh::Decimater::DecimaterT<Mesh>, LengthElsewhere>(no_cost, "stock, " + context);
-    expect_kept_without_cost<PairDecimaterT<Mesh>, LengthElsewhere>(no_cost, "pairs, " + context);
+    using Module = ModLengthElsewhereT<Mesh>;
+    expect_kept_without_cost<OpenMesh::Decimater::DecimaterT<Mesh>, Module>(no_cost, "stock, " + context);
+    expect_kept_without_cost<PairDecimaterT<Mesh>, Module>(no_cost, "pairs, " + context);
   }
 }
 

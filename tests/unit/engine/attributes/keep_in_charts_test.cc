@@ -1,5 +1,5 @@
 // Faces that lie over another chart on a texture are drawn back into theirs.
-#include "whittle/polish/keep_in_charts.hh"
+#include "whittle/core/keep_in_charts.hh"
 
 #include <gtest/gtest.h>
 
@@ -14,18 +14,18 @@
 namespace whittle::test {
 namespace {
 
-constexpr int n_squares = 16;
-constexpr double gap = 0.1;
+constexpr int n_chart_squares = 16;
+constexpr double chart_gap = 0.1;
 
 /// Two grids of one size, side by side on the image with a gap between.
 struct TwoCharts {
-  IndexedMesh original = joined(grid(n_squares, n_squares), grid(n_squares, n_squares));
+  IndexedMesh original = joined(grid(n_chart_squares, n_chart_squares), grid(n_chart_squares, n_chart_squares));
   std::vector<double> values;  ///< of the original
   std::vector<Index> wedge_map;
 
   TwoCharts() {
     for (Index v = 0; v < original.positions.size(); ++v) {
-      values.push_back(original.positions[v].x() + (is_left(v) ? 0 : n_squares + gap));
+      values.push_back(original.positions[v].x() + (is_left(v) ? 0 : n_chart_squares + chart_gap));
       values.push_back(original.positions[v].y());
     }
     wedge_map.resize(original.positions.size());
@@ -39,7 +39,7 @@ struct TwoCharts {
   std::vector<Index> border() const {
     std::vector<Index> wedges;
     for (Index v = 0; is_left(v); ++v) {
-      if (original.positions[v].x() == n_squares) wedges.push_back(v);
+      if (original.positions[v].x() == n_chart_squares) wedges.push_back(v);
     }
     return wedges;
   }
@@ -56,9 +56,10 @@ TEST(KeepInCharts, DrawsBackWhatSticksOut) {
   std::vector<double> moved = charts.sticking_out(0.4);
   const std::vector<double> before = moved;
   EXPECT_EQ(keep_in_charts(charts.texture(), moved), 0U);
-  for (const Index w : charts.border()) EXPECT_LE(moved[2 * w], n_squares + gap + 0.02) << "but for a hundredth";
+  for (const Index w : charts.border())
+    EXPECT_LE(moved[2 * w], n_chart_squares + chart_gap + 0.02) << "but for a hundredth";
   for (Index w = 0; w < charts.original.positions.size(); ++w) {
-    if (charts.is_left(w) && charts.original.positions[w].x() > n_squares - 2) continue;
+    if (charts.is_left(w) && charts.original.positions[w].x() > n_chart_squares - 2) continue;
     EXPECT_EQ(moved[2 * w], before[2 * w]) << "what lies elsewhere stays";
     EXPECT_EQ(moved[2 * w + 1], before[2 * w + 1]);
   }
@@ -76,7 +77,7 @@ TEST(KeepInCharts, LeavesChartsThatShareTheirImage) {
   TwoCharts charts;
   for (Index v = 0; v < charts.original.positions.size(); ++v) {
     if (!charts.is_left(v))
-      charts.values[2 * v] = n_squares - charts.original.positions[v].x();  // mirrored, on the first
+      charts.values[2 * v] = n_chart_squares - charts.original.positions[v].x();  // mirrored, on the first
   }
   std::vector<double> moved = charts.values;
   EXPECT_EQ(keep_in_charts(charts.texture(), moved), 0U);
@@ -98,13 +99,13 @@ TEST(KeepInCharts, LeavesOtherImagesAlone) {
 
 /// A chart for each face, of which a face of the result has many under it.
 TEST(KeepInCharts, LeavesFacesThatAreLargerThanTheirCharts) {
-  const IndexedMesh original = soup(grid(n_squares, n_squares));
+  const IndexedMesh original = soup(grid(n_chart_squares, n_chart_squares));
   std::vector<double> values;
   for (const Vec3& p : original.positions) values.insert(values.end(), {p.x(), p.y()});
   std::vector<Index> wedge_map(original.positions.size(), invalid_index);
   const std::vector<Triangle> faces{{0, 1, 2}};
   for (Index w = 0; w < 3; ++w) wedge_map[w] = w;
-  std::vector<double> large{0, 0, n_squares, 0, 0, n_squares};
+  std::vector<double> large{0, 0, n_chart_squares, 0, 0, n_chart_squares};
   const std::vector<double> before = large;
   EXPECT_EQ(keep_in_charts({original, values, wedge_map, 2, faces}, large), 1U);
   EXPECT_EQ(large, before);

@@ -10,7 +10,7 @@
 #include "whittle/core/detail/index_lists.hh"
 #include "whittle/core/indexed_mesh.hh"
 
-namespace whittle::polishing {
+namespace whittle::detail {
 
 /// The charts of an original on a texture's image: which of them are where.
 class TextureAtlas {
@@ -48,7 +48,7 @@ class TextureAtlas {
   std::vector<Face> faces_;  ///< that have an area on the image
   Box box_;
   std::array<std::size_t, 2> n_cells_{1, 1};
-  detail::IndexLists<Index, std::size_t> cells_;  ///< the faces whose boxes touch each
+  IndexLists<Index, std::size_t> cells_;  ///< the faces whose boxes touch each
 };
 
-}  // namespace whittle::polishing
+}  // namespace whittle::detail

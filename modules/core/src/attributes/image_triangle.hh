@@ -5,7 +5,7 @@
 
 // Triangles on the image of a texture.
 
-namespace whittle::polishing {
+namespace whittle::detail {
 
 using Vec2 = Eigen::Vector2d;
 using ImageTriangle = std::array<Vec2, 3>;
@@ -15,4 +15,4 @@ inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y()
 /// Twice the area on the image; negative where a face lies clockwise.
 inline double area_on_image(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
 
-}  // namespace whittle::polishing
+}  // namespace whittle::detail

@@ -6,7 +6,7 @@
 
 #include "whittle/core/attribute_functions.hh"
 
-namespace whittle::polishing {
+namespace whittle::detail {
 namespace {
 
 Eigen::AlignedBox2d box_of(const ImageTriangle& triangle) {
@@ -78,7 +78,7 @@ void TextureAtlas::make_grid() {
     for (const Face& face : faces_) for_each_cell(box_of(face.corners), [&](Index) { ++n_entries; });
     if (n_entries <= most_cells_a_face * faces_.size() || n_cells_[0] == 1) break;
   }
-  cells_ = detail::IndexLists<Index, std::size_t>(n_cells_[0] * n_cells_[1], [&](const auto& emit) {
+  cells_ = IndexLists<Index, std::size_t>(n_cells_[0] * n_cells_[1], [&](const auto& emit) {
     for (Index f = 0; f < faces_.size(); ++f) {
       for_each_cell(box_of(faces_[f].corners), [&](Index cell) { emit(cell, f); });
     }
@@ -99,4 +99,4 @@ bool TextureAtlas::is_on_another(const Vec2& point, Index own) const {
   return is_on_another;
 }
 
-}  // namespace whittle::polishing
+}  // namespace whittle::detail

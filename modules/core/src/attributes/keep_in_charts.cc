@@ -1,4 +1,4 @@
-#include "whittle/polish/keep_in_charts.hh"
+#include "whittle/core/keep_in_charts.hh"
 
 #include <algorithm>
 #include <array>
@@ -15,9 +15,9 @@
 namespace whittle {
 namespace {
 
-using polishing::ImageTriangle;
-using polishing::TextureAtlas;
-using polishing::Vec2;
+using detail::ImageTriangle;
+using detail::TextureAtlas;
+using detail::Vec2;
 
 constexpr int most_tries = 12;                ///< of a face
 constexpr std::array steps{0.01, 0.05, 0.2};  ///< of the way to the middle of the neighbours
@@ -105,7 +105,7 @@ class ChartKeeper {
   }
   double area(Index f) const {
     const auto& [a, b, c] = triangle(f);
-    return polishing::area_on_image(a, b, c);
+    return detail::area_on_image(a, b, c);
   }
   /// The share of a face's points that lie over others.
   double share_over_others(Index f) const {
