@@ -14,9 +14,9 @@
 #include "whittle/core/detail/index_lists.hh"
 #include "whittle/core/detail/parallel.hh"
 #include "whittle/core/geometry/vertex_normals.hh"
+#include "whittle/core/keep_in_charts.hh"
 #include "whittle/core/local_functions.hh"
 #include "whittle/core/wedges.hh"
-#include "whittle/core/keep_in_charts.hh"
 
 namespace whittle {
 namespace {

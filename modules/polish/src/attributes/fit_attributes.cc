@@ -16,9 +16,9 @@
 #include "whittle/core/detail/checks.hh"
 #include "whittle/core/detail/parallel.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/keep_in_charts.hh"
 #include "whittle/core/local_functions.hh"
 #include "whittle/core/wedges.hh"
-#include "whittle/core/keep_in_charts.hh"
 
 namespace whittle {
 namespace {
