@@ -50,17 +50,22 @@ std::vector<Index> first_equal_wedges(const IndexedMesh& mesh, std::span<const d
   return firsts;
 }
 
-}  // namespace
-
-std::vector<Index> attribute_charts(const IndexedMesh& mesh, std::span<const double> values, std::size_t n_components) {
-  std::vector<Index> charts = first_equal_wedges(mesh, values, n_components);
+/// \param firsts as `first_equal_wedges` has them
+std::vector<Index> charts_of(const IndexedMesh& mesh, const std::vector<Index>& firsts) {
+  std::vector<Index> charts(firsts.size());
   detail::DisjointSets<Index> sets(charts.size());
-  for (Index w = 0; w < charts.size(); ++w) sets.join(w, charts[w]);
+  for (Index w = 0; w < charts.size(); ++w) sets.join(w, firsts[w]);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     for (std::size_t k = 1; k < 3; ++k) sets.join(mesh.wedge(f, 0), mesh.wedge(f, k));
   }
   for (Index w = 0; w < charts.size(); ++w) charts[w] = sets.find(w);
   return charts;
+}
+
+}  // namespace
+
+std::vector<Index> attribute_charts(const IndexedMesh& mesh, std::span<const double> values, std::size_t n_components) {
+  return charts_of(mesh, first_equal_wedges(mesh, values, n_components));
 }
 
 AttributeFunctions::AttributeFunctions(const LocalFunctions& functions, AttributeKind kind, std::size_t n_components,
@@ -76,8 +81,8 @@ AttributeFunctions::AttributeFunctions(const LocalFunctions& functions, Attribut
 
 /// \return the chart of each wedge of the input; `invalid_index` if it has less than `least_points`
 std::vector<Index> AttributeFunctions::find_charts() const {
-  std::vector<Index> charts = attribute_charts(functions_.input(), values_, n_components_);
   const std::vector<Index> firsts = first_equal_wedges(functions_.input(), values_, n_components_);
+  std::vector<Index> charts = charts_of(functions_.input(), firsts);
   std::vector<std::size_t> n_points(charts.size());
   for (Index w = 0; w < charts.size(); ++w) n_points[charts[w]] += firsts[w] == w ? 1 : 0;
   for (Index& chart : charts) {
