@@ -12,8 +12,8 @@ namespace whittle {
 /// place where the wedge is, on the same side of every seam (local_functions.hh); each face has what its origin has.
 /// A wedge at the place of one merged into it has the value of that one, and a category is that of the nearest.
 /// Normals that are computed anew are those of `vertex_normals`; `break_normals` lets them break at creases.
-/// Faces that lie over another chart on a texture are drawn back (keep_in_charts.hh), but not where all vertices are the
-/// input's, as in an index buffer.
+/// Faces that lie over another chart on a texture are drawn back (keep_in_charts.hh), but not where all vertices are
+/// the input's, as in an index buffer.
 /// \param frame of the input \param vertex_map, face_origins as those of `Decimation`
 /// \param mesh has positions and faces. If the input has wedges, the corners of each face are in their first order
 /// \param threads 0 = all cores; the result is the same for any number
