@@ -35,18 +35,6 @@ montage "$work"/{a,b,c}.png -tile 3x1 -geometry +0+0 "$docs/knot.png"
 
 "$whittle" report "$knot" "$work/knot_2.ply" --png "$docs/error.png" --png-size 1260x520 --view colour=error --quiet
 
-# 10 by 10 cubes, with gaps of a tenth of their size.
-awk 'BEGIN {
-  for (i = 0; i < 100; ++i) {
-    for (k = 0; k < 8; ++k) print "v", 1.1 * (i % 10) + k % 2, 1.1 * int(i / 10) + int(k / 2) % 2, int(k / 4)
-    split("1 3 4 2  5 6 8 7  1 2 6 5  3 7 8 4  1 5 7 3  2 4 8 6", c, " +")
-    for (f = 0; f < 6; ++f) print "f", 8*i + c[4*f+1], 8*i + c[4*f+2], 8*i + c[4*f+3], 8*i + c[4*f+4]
-  }
-}' >"$work/cubes.obj"
-simplified cubes_400 "$work/cubes.obj" --faces 400 --effort fast
-simplified cubes_60 "$work/cubes.obj" --faces 60 --threshold auto --effort fast
-row cubes 420x400 edges=on,turn=20 "$work/cubes.obj" "$work/cubes_400.ply" "$work/cubes_60.ply"
-
 [ -n "$meshes" ] || exit 0
 
 foot=$meshes/bones.off
