@@ -41,7 +41,7 @@ struct QuadricOptions {
   /// ε, times the weight of a vertex's planes, times squared distance to the vertex: keeps the minimum unique and near
   /// on flat and straight neighbourhoods. [0, inf). Measured: 1e-9 … 1e-7 best for the error; 0 lets rounding decide on
   /// flat ground. Greater ones make rounder triangles and cost error, 4e-3 some 10 % on scans, but 90 % on CAD, where
-  /// flat sides don't stay flat (docs/dev/regularization.md).
+  /// flat sides don't stay flat (docs/dev/decisions.md).
   double regularization = 1e-9;
 
   /// Weight of the planes through border edges, times the squared edge length (times 1 with uniform weights).

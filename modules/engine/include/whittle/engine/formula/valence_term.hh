@@ -12,7 +12,7 @@
 // 4; so 5 to 7 are as good as 6. A contraction that leaves a vertex inside the surface with three edges comes after all
 // others: cost → (cost + 1) · 2²⁰.
 //
-// The usual penalty, 1 + W |n − 6|, looks at the valences afterwards alone. docs/dev/costs.md compares both.
+// The usual penalty, 1 + W |n − 6|, looks at the valences afterwards alone. docs/dev/decisions.md compares both.
 
 namespace whittle {
 
