@@ -218,7 +218,7 @@ std::string obstacle(const SimplifyCommand& options, const SimplifyRecord& recor
   if (const std::string_view limit = option_that_ended(result.stop); !limit.empty()) {
     return '\'' + std::string(limit) + "' ended it";
   }
-  const std::string refused = refusals(options, result.rejections) + "; ";
+  const std::string refused = refusals(options, result.refusals) + "; ";
   if (options.engine == Engine::openmesh) return refused + "'--engine flat' may get further";
   const std::string left = reasons_at_end(result.refused_at_end);
   if (left.empty()) return refused + "nothing is left that may be contracted";

@@ -10,7 +10,7 @@ namespace whittle::app {
 /// Differences:
 ///   - It ranks by costs that may be out of date. The result differs a little, and a cost limit would not hold.
 ///   - It asks the guard when a collapse is queued, not in its turn. A few faces still turn over.
-///   - It doesn't count refusals: `rejections` stays 0.
+///   - It doesn't count refusals: `refusals` stays 0.
 ///   - Normals and colours are not carried.
 /// Of the options it follows `cost`, `quadric`, `isotropy`, `valence_weight`, `boundary`, `max_normal_flip_deg` and
 /// `progress`. It ignores `order`, `pairs`, `topology`, `min_radius_ratio`, `refuse_intersections`, `locked`,

@@ -93,9 +93,8 @@ void check_counts(const Decimation& d, const metrics::Topology& before, const me
 /// The target is met, or something stands in the way.
 void check_stop(const DecimateCase& c, const Decimation& d) {
   const DecimateResult& result = d.result;
-  const Rejections& left = result.refused_at_end;
-  const std::uint64_t n_left =
-      left.link + left.flip + left.shape + left.feature + left.locked + left.intersection + left.error;
+  const RefusalCounts& left = result.refused_at_end;
+  const std::uint64_t n_left = left.total();
   const bool is_reached = c.target.is_reached_at(result.n_faces, result.n_vertices);
   require((result.stop == StopReason::target) == is_reached || result.stop == StopReason::cancelled,
           "the run stops at the target");
@@ -104,13 +103,14 @@ void check_stop(const DecimateCase& c, const Decimation& d) {
   require(result.stop != StopReason::exhausted || d.mesh.faces.empty() || n_left > 0, "a missed target has a reason");
   require(result.stop == StopReason::exhausted || result.stop == StopReason::error || n_left == 0,
           "a target reached has no reason against it");
-  require((result.stop != StopReason::error && left.error == 0) || c.target.error_limit(),
+  require((result.stop != StopReason::error && left[Refusal::error] == 0) || c.target.error_limit(),
           "the error is a reason where it is limited");
-  require(left.shape == 0 || c.options.min_radius_ratio > 0, "shape is a reason where asked for");
-  require(left.intersection == 0 || c.options.refuse_intersections, "intersecting is a reason where asked for");
-  require(left.locked == 0 || !c.options.locked.empty() || c.options.boundary == Boundary::locked,
+  require(left[Refusal::shape] == 0 || c.options.min_radius_ratio > 0, "shape is a reason where asked for");
+  require(left[Refusal::intersection] == 0 || c.options.refuse_intersections,
+          "intersecting is a reason where asked for");
+  require(left[Refusal::locked] == 0 || !c.options.locked.empty() || c.options.boundary == Boundary::locked,
           "being locked is a reason where asked for");
-  require(left.feature == 0 || c.options.feature_angle_deg || !c.options.feature_edges.empty() ||
+  require(left[Refusal::feature] == 0 || c.options.feature_angle_deg || !c.options.feature_edges.empty() ||
               !c.options.locked.empty() || c.options.boundary == Boundary::locked || !seam_edges(c.mesh).empty(),
           "features are a reason where asked for");
 }

@@ -50,10 +50,7 @@ TEST(DecimateResult, SaysThatNothingHappenedBeforeARun) {
   EXPECT_EQ(result.n_contractions + result.n_vertices + result.n_faces, 0U);
   EXPECT_EQ(result.n_degenerate_faces + result.n_coincident_faces + result.n_vanished_components, 0U);
   EXPECT_EQ(result.max_cost, 0);
-  for (const Rejections& refused : {result.rejections, result.refused_at_end}) {
-    EXPECT_EQ(refused.link + refused.flip + refused.shape + refused.feature + refused.locked + refused.intersection,
-              0U);
-  }
+  EXPECT_EQ(result.refusals.total() + result.refused_at_end.total(), 0U);
   EXPECT_EQ(result.threshold_pairs.considered + result.threshold_pairs.contracted, 0U);
   EXPECT_EQ(result.threshold_pairs.threshold, 0);
   EXPECT_FALSE(result.threshold_pairs.capped);
@@ -94,7 +91,7 @@ TEST(Decimate, GoesAsFarAsTheGuardsAllowIfAsked) {
   const Decimation d = decimate(blob(3, 4), DecimateTarget::as_far_as_possible());
   EXPECT_EQ(d.result.stop, StopReason::exhausted);
   EXPECT_GE(d.result.n_faces, 4U);
-  EXPECT_GT(d.result.rejections.link + d.result.rejections.flip, 0U);
+  EXPECT_GT(d.result.refusals[Refusal::link] + d.result.refusals[Refusal::flip], 0U);
   EXPECT_TRUE(topology(d.mesh).closed());
 }
 

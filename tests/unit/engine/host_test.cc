@@ -105,8 +105,8 @@ TEST(Host, KeepsTheTopologyIfItMust) {
   const Decimation d = decimate(mesh, DecimateTarget::faces(12), options, host);
   EXPECT_EQ(topology(d.mesh).euler(), 0);
   EXPECT_EQ(d.result.stop, StopReason::exhausted);
-  EXPECT_GT(d.result.rejections.link, 0U);
-  EXPECT_GT(d.result.refused_at_end.link, 0U);
+  EXPECT_GT(d.result.refusals[Refusal::link], 0U);
+  EXPECT_GT(d.result.refused_at_end[Refusal::link], 0U);
 }
 
 TEST(HostedCost, ThatRisesUntoldIsAskedAgain) {

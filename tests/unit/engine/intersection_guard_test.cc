@@ -50,7 +50,7 @@ TEST(IntersectionGuard, KeepsPartsApart) {
         options.decimate.refuse_intersections = true;
         const Simplification kept = simplify(mesh, target, effort, options);
         EXPECT_EQ(n_intersections(kept.mesh), 0U);
-        n_refused += kept.result.rejections.intersection;
+        n_refused += kept.result.refusals[Refusal::intersection];
         EXPECT_LE(kept.mesh.faces.size(), mesh.faces.size() / 2);
       }
     }
@@ -85,7 +85,7 @@ TEST(IntersectionGuard, IsNotMisledByFacesWithoutArea) {
       const Decimation result = decimate(mesh, DecimateTarget::faces(mesh.faces.size() / 4), options);
       EXPECT_EQ(n_intersections(result.mesh), 0U) << "seed " << seed;
       EXPECT_LT(result.mesh.faces.size(), mesh.faces.size() * 3 / 4);
-      EXPECT_GT(result.result.rejections.intersection, 10U);
+      EXPECT_GT(result.result.refusals[Refusal::intersection], 10U);
     }
   }
 }

@@ -26,16 +26,16 @@ TEST(RefusedPairs, AreThoseLeftWhenARunCanDoNoMore) {
         for (std::size_t k = 0; k < 3; ++k)
           edges.insert({std::min(f[k], f[(k + 1) % 3]), std::max(f[k], f[(k + 1) % 3])});
       }
-      Rejections counted;
+      RefusalCounts counted;
       std::set<std::array<Index, 2>> named;
       for (const auto& [pair, reason] : d.refused_pairs) {
         ++(counted.*reason);
         EXPECT_TRUE(named.insert({pair.a, pair.b}).second);
         EXPECT_TRUE(edges.contains({pair.a, pair.b})) << pair.a << ' ' << pair.b;
       }
-      EXPECT_EQ(counted.link, d.result.refused_at_end.link);
-      EXPECT_EQ(counted.flip, d.result.refused_at_end.flip);
-      EXPECT_EQ(counted.link + counted.flip, d.refused_pairs.size());
+      EXPECT_EQ(counted[Refusal::link], d.result.refused_at_end[Refusal::link]);
+      EXPECT_EQ(counted[Refusal::flip], d.result.refused_at_end[Refusal::flip]);
+      EXPECT_EQ(counted[Refusal::link] + counted[Refusal::flip], d.refused_pairs.size());
     }
   }
 }

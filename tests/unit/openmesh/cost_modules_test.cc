@@ -252,7 +252,7 @@ TEST(ModMemoryless, WhereTheBestPlaceIsRefusedTheMinimumIsTried) {
     decimater.set_driver(Driver::mesh);
     EXPECT_TRUE(decimater.initialize());
     EXPECT_EQ(decimater.decimate_to_faces(0, 200), 540U);
-    EXPECT_TRUE(decimater.module_rejections().empty()) << "no contraction was refused";
+    EXPECT_TRUE(decimater.module_refusals().empty()) << "no contraction was refused";
     return signed_volume(geometry_of(mesh));
   };
   const double volume = signed_volume(shape);

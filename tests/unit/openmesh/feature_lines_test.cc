@@ -128,7 +128,7 @@ TEST_P(FeatureLines, EndsAndMeetingsStay) {
   for (const auto& [x, y] : {std::pair(2, 6), std::pair(10, 6), std::pair(5, 6), std::pair(5, 2)}) {
     EXPECT_TRUE(unmoved(set.mesh, shape, VertexHandle(static_cast<int>(number(x, y))))) << x << ", " << y;
   }
-  EXPECT_GT(set.decimater.result().rejections.feature, 0U);
+  EXPECT_GT(set.decimater.result().refusals[Refusal::feature], 0U);
   const std::size_t n_left = marked_edges(set.mesh).size();
   EXPECT_GE(n_left, 3U);
   EXPECT_LT(n_left, lines.size());
@@ -203,7 +203,7 @@ TEST(FeatureLines, HoldForCostsOfOpenMeshToo) {
     if (p.cwiseAbs().minCoeff() < 1) continue;
     EXPECT_TRUE(unmoved(mesh, shape, VertexHandle(v))) << p.transpose();
   }
-  EXPECT_GT(decimater.result().rejections.feature, 0U);
+  EXPECT_GT(decimater.result().refusals[Refusal::feature], 0U);
   EXPECT_LT(marked_edges(mesh).size(), 72U);
   for (const auto& [a, b] : marked_edges(mesh)) {
     const Vec3 edge = shape.positions[b] - shape.positions[a];

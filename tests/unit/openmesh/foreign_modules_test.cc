@@ -211,9 +211,9 @@ TEST(ForeignGuards, AreAskedAboutBothStarsAndCounted) {
   EXPECT_EQ(decimater.decimate(500), 500U);
   EXPECT_GE(worst_cosine, std::cos(20.0001 * std::numbers::pi / 180));
   EXPECT_LT(worst_cosine, std::cos(19.0 * std::numbers::pi / 180)) << "nothing came near the limit";
-  ASSERT_EQ(decimater.module_rejections().size(), 1U);
-  EXPECT_EQ(decimater.module_rejections()[0].module, "NormalFlipping");
-  EXPECT_GT(decimater.module_rejections()[0].count, 10U);
+  ASSERT_EQ(decimater.module_refusals().size(), 1U);
+  EXPECT_EQ(decimater.module_refusals()[0].module, "NormalFlipping");
+  EXPECT_GT(decimater.module_refusals()[0].count, 10U);
 }
 
 TEST(ForeignGuards, EveryBinaryModuleOfOpenMeshRunsBesideOurCost) {
@@ -298,7 +298,7 @@ TEST(ForeignCosts, OnlySelectedAndLockedLookAtTheRemovedVertex) {
   }
   ASSERT_TRUE(decimater.initialize());
   EXPECT_GT(decimater.decimate(0, true), 50U);
-  EXPECT_GT(decimater.result().rejections.locked, 0U);
+  EXPECT_GT(decimater.result().refusals[Refusal::locked], 0U);
   for (int v = 0; v < static_cast<int>(mesh.n_vertices()); ++v) {
     const bool may_vanish = v % 2 == 0 && v % 8 != 0;
     EXPECT_TRUE(may_vanish || !mesh.status(VertexHandle(v)).deleted()) << v;

@@ -165,7 +165,7 @@ TYPED_TEST(ModMaxError, WithoutALimitNothingIsRefused) {
   Limited<TypeParam> run(blob(2, 3), 1);
   run.module.set_max_error(std::nullopt);
   EXPECT_EQ(run.decimater.decimate(DecimateTarget::faces(20)).n_faces, 20U);
-  EXPECT_EQ(run.decimater.result().rejections.error, 0U);
+  EXPECT_EQ(run.decimater.result().refusals[Refusal::error], 0U);
   EXPECT_FALSE(run.decimater.result().proven_error);
   EXPECT_THROW((void)run.module.certify(), std::logic_error);
   EXPECT_THROW((void)run.module.is_proven(), std::logic_error);

@@ -142,7 +142,7 @@ TEST_P(PairDecimaterKeeps, LockedVerticesKeepEveryBitAndOthersMergeIntoThem) {
   const auto into_locked = [](const Contraction& made) { return made.survivor % 4 == 1; };
   EXPECT_GT(std::count_if(set.contractions.begin(), set.contractions.end(), into_locked), 100);
   EXPECT_GT(result.n_contractions, 350U);
-  EXPECT_GT(result.rejections.locked, 0U);
+  EXPECT_GT(result.refusals[Refusal::locked], 0U);
   expect_sound(set.mesh, "after the run");
 }
 

@@ -56,7 +56,7 @@ TEST_P(PairDecimater, StockCallsReachTheirTargets) {
     Decimation<DoubleMesh> set(shape, GetParam());
     EXPECT_GT(set.decimater.decimate(), 600U) << "0 means as many as possible";
     EXPECT_EQ(set.decimater.result().stop, StopReason::exhausted);
-    EXPECT_GT(set.decimater.result().rejections.link + set.decimater.result().rejections.flip, 0U);
+    EXPECT_GT(set.decimater.result().refusals[Refusal::link] + set.decimater.result().refusals[Refusal::flip], 0U);
   }
 }
 
@@ -287,7 +287,7 @@ TEST(PairDecimaterTraps, NoContractionFlipsAFace) {
   decimater.decimate_to(90);
   EXPECT_GT(decimater.module(watch).n_faces, 8000);
   EXPECT_EQ(decimater.module(watch).n_flipped, 0);
-  EXPECT_GT(decimater.result().rejections.flip, 0U) << "nothing to guard against";
+  EXPECT_GT(decimater.result().refusals[Refusal::flip], 0U) << "nothing to guard against";
 }
 
 TEST_P(PairDecimater, UnitAndPlaceChangeNoContraction) {

@@ -65,8 +65,8 @@ TEST(ModValence, NoVertexOfAClosedSphereLeavesTheRange) {
     EXPECT_EQ(worst_excess(mesh), 0) << cost.name;
     expect_sound(mesh, cost.name);
     if (cost.name != "quadric") continue;
-    ASSERT_EQ(decimater.module_rejections().size(), 1U) << "it would have stayed within without the module";
-    EXPECT_EQ(decimater.module_rejections()[0].module, "Valence");
+    ASSERT_EQ(decimater.module_refusals().size(), 1U) << "it would have stayed within without the module";
+    EXPECT_EQ(decimater.module_refusals()[0].module, "Valence");
   }
 }
 
@@ -191,9 +191,9 @@ TEST_P(ModRadiusRatio, NoFaceGetsThinnerThanTheLimit) {
     const DecimateResult result = decimater.decimate(to_faces(150));
     EXPECT_EQ(result.n_faces, 150U) << cost.name;
     EXPECT_GE(least_radius_ratio(mesh), 0.4 * (1 - 1e-9)) << cost.name;
-    EXPECT_TRUE(decimater.module_rejections().empty());
+    EXPECT_TRUE(decimater.module_refusals().empty());
     if (cost.name != "quadric") continue;
-    EXPECT_GT(result.rejections.shape, 10U);
+    EXPECT_GT(result.refusals[Refusal::shape], 10U);
   }
 }
 

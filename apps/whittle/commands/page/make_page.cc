@@ -14,7 +14,6 @@
 #include "commands/page/run/run_report.hh"
 #include "commands/recording/curve.hh"
 #include "commands/recording/recording_input.hh"
-#include "commands/refusal_reasons.hh"
 #include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
@@ -281,10 +280,10 @@ void PageMaker::add_charts() {
 /// The refused pairs of each reason, by the numbers that the page gives vertices.
 std::vector<report::PageRefusals> refusals_of(const Simplification& simplified, const report::PageOrder& order) {
   std::vector<report::PageRefusals> refusals;
-  for (const auto& [count, words] : refusal_reasons) {
-    report::PageRefusals one{words, {}};
+  for (const RefusalRow& row : all_refusals) {
+    report::PageRefusals one{std::string(row.words), {}};
     for (const auto& [pair, reason] : simplified.refused_pairs) {
-      if (reason == count) one.pairs.push_back({order.of_vertex[pair.a], order.of_vertex[pair.b]});
+      if (reason == row.refusal) one.pairs.push_back({order.of_vertex[pair.a], order.of_vertex[pair.b]});
     }
     if (!one.pairs.empty()) refusals.push_back(std::move(one));
   }

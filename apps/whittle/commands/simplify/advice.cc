@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "commands/refusal_reasons.hh"
 #include "terminal/table.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/parts.hh"
@@ -21,7 +20,7 @@ constexpr std::size_t most_faces_tried = 200'000;
 
 /// An option that lifts a reason.
 struct Lift {
-  std::uint64_t Rejections::*reason;
+  Refusal reason;
   std::string option;
   DecimateOptions options;                                ///< those of the run, with it
   std::function<IndexedMesh(IndexedMesh)> change_mesh{};  ///< what it does to the input, if anything
@@ -33,7 +32,7 @@ void add_lifts_of_input(const IndexedMesh& mesh, const DecimateOptions& options,
   constexpr double small = 0.01;        // of the diagonal
   constexpr double most_dropped = 0.1;  // of the faces
   if (const double tolerance = keeps_meshes ? 0 : io::find_border_gaps(mesh).tolerance(); tolerance > 0) {
-    all.push_back({&Rejections::link, "--weld auto", options, [tolerance](IndexedMesh changed) {
+    all.push_back({Refusal::link, "--weld auto", options, [tolerance](IndexedMesh changed) {
                      io::weld_gaps(changed, tolerance);
                      return changed;
                    }});
@@ -43,7 +42,7 @@ void add_lifts_of_input(const IndexedMesh& mesh, const DecimateOptions& options,
   };
   const std::size_t n_dropped = prune(mesh).n_dropped_faces;
   if (n_dropped > 0 && static_cast<double>(n_dropped) < most_dropped * static_cast<double>(mesh.faces.size())) {
-    all.push_back({&Rejections::link, "--prune 1%", options,
+    all.push_back({Refusal::link, "--prune 1%", options,
                    [prune](IndexedMesh changed) { return prune(std::move(changed)).mesh; }});
   }
 }
@@ -52,36 +51,36 @@ void add_lifts_of_input(const IndexedMesh& mesh, const DecimateOptions& options,
 std::vector<Lift> lifts(const IndexedMesh& mesh, const Decimation& result, const DecimateOptions& options,
                         bool keeps_meshes) {
   std::vector<Lift> all;
-  const auto add = [&](bool helps, std::uint64_t Rejections::*reason, const char* option, const auto& change) {
-    if (!helps || result.result.refused_at_end.*reason == 0) return;
+  const auto add = [&](bool helps, Refusal reason, const char* option, const auto& change) {
+    if (!helps || result.result.refused_at_end[reason] == 0) return;
     all.push_back({reason, option, options});
     change(all.back().options);
   };
-  if (result.result.refused_at_end.link > 0) add_lifts_of_input(mesh, options, keeps_meshes, all);
-  add(options.topology == Topology::keep, &Rejections::link, "--topology free",
+  if (result.result.refused_at_end[Refusal::link] > 0) add_lifts_of_input(mesh, options, keeps_meshes, all);
+  add(options.topology == Topology::keep, Refusal::link, "--topology free",
       [](DecimateOptions& o) { o.topology = Topology::free; });
   const bool may_have_pairs = !keeps_meshes && !(options.pairs.threshold > 0);
   const double threshold = may_have_pairs ? automatic_threshold(result.mesh, options.threads) : 0;
-  add(threshold > 0 && options.isotropy == 0 && options.valence_weight == 0, &Rejections::link, "--threshold auto",
+  add(threshold > 0 && options.isotropy == 0 && options.valence_weight == 0, Refusal::link, "--threshold auto",
       [threshold](DecimateOptions& o) {
         o.pairs.threshold = threshold;
         o.cost = Cost::quadric;
         o.order = Order::automatic;
       });
-  add(options.effective_max_normal_flip_deg() < 180, &Rejections::flip, "--max-normal-flip 180",
+  add(options.effective_max_normal_flip_deg() < 180, Refusal::flip, "--max-normal-flip 180",
       [](DecimateOptions& o) { o.max_normal_flip_deg = 180; });
-  add(options.min_radius_ratio > 0, &Rejections::shape, "--min-radius-ratio 0",
+  add(options.min_radius_ratio > 0, Refusal::shape, "--min-radius-ratio 0",
       [](DecimateOptions& o) { o.min_radius_ratio.reset(); });
-  add(options.seams == Seams::keep, &Rejections::feature, "--seams weighted",
+  add(options.seams == Seams::keep, Refusal::feature, "--seams weighted",
       [](DecimateOptions& o) { o.seams = Seams::weighted; });
-  add(options.feature_angle_deg.has_value(), &Rejections::feature, "--feature-angle 180",
+  add(options.feature_angle_deg.has_value(), Refusal::feature, "--feature-angle 180",
       [](DecimateOptions& o) { o.feature_angle_deg.reset(); });
-  add(options.boundary == Boundary::locked, &Rejections::locked, "--boundary weighted",
+  add(options.boundary == Boundary::locked, Refusal::locked, "--boundary weighted",
       [](DecimateOptions& o) { o.boundary = Boundary::weighted; });
-  add(options.refuse_intersections, &Rejections::intersection, "--self-intersections allow",
+  add(options.refuse_intersections, Refusal::intersection, "--self-intersections allow",
       [](DecimateOptions& o) { o.refuse_intersections = false; });
   std::stable_sort(all.begin(), all.end(), [&](const Lift& x, const Lift& y) {
-    return result.result.refused_at_end.*x.reason > result.result.refused_at_end.*y.reason;
+    return result.result.refused_at_end[x.reason] > result.result.refused_at_end[y.reason];
   });
   return all;
 }
@@ -104,14 +103,14 @@ struct Best {
 
 }  // namespace
 
-std::string reasons_at_end(const Rejections& refused) {
-  std::vector<RefusalReason> sorted(std::begin(refusal_reasons), std::end(refusal_reasons));
+std::string reasons_at_end(const RefusalCounts& refused) {
+  auto sorted = all_refusals;
   std::stable_sort(sorted.begin(), sorted.end(),
-                   [&](const RefusalReason& x, const RefusalReason& y) { return refused.*x.count > refused.*y.count; });
+                   [&](const RefusalRow& x, const RefusalRow& y) { return refused[x.refusal] > refused[y.refusal]; });
   std::string text;
-  for (const auto& [count, words] : sorted) {
-    if (refused.*count == 0) break;
-    text += (text.empty() ? "" : ", ") + std::to_string(refused.*count) + ' ' + words;
+  for (const RefusalRow& row : sorted) {
+    if (refused[row.refusal] == 0) break;
+    text += (text.empty() ? "" : ", ") + std::to_string(refused[row.refusal]) + ' ' + std::string(row.words);
   }
   return text;
 }

@@ -8,7 +8,7 @@ namespace whittle::app {
 
 /// What stands in the way of the pairs that are left, the most frequent reason first: "12 by topology, 3 by turning a
 /// face". Empty if no pair is left.
-std::string reasons_at_end(const Rejections& refused);
+std::string reasons_at_end(const RefusalCounts& refused);
 
 /// Which option gets nearer to a target that was missed. Each option that lifts a reason is tried, so what is said of
 /// it is true: on the input, or from the result on if the input is large. \param options those of the run

@@ -42,7 +42,7 @@ void add_result(const DecimateResult& more, DecimateResult& all) {
   all.max_cost = std::max(all.max_cost, more.max_cost);
   all.stop = std::max(all.stop, more.stop);  // `target` is the least
   if (all.why_in_one_pass.empty()) all.why_in_one_pass = more.why_in_one_pass;
-  all.rejections += more.rejections;
+  all.refusals += more.refusals;
   all.refused_at_end += more.refused_at_end;
   all.n_degenerate_faces += more.n_degenerate_faces;
   all.n_coincident_faces += more.n_coincident_faces;

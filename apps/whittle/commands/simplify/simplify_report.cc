@@ -33,19 +33,12 @@ Json threshold_pairs_json(const ThresholdPairCounts& pairs) {
 }
 
 /// All are null with OpenMesh's decimater, which doesn't count refusals.
-Json rejections_json(const SimplifyCommand& options, const Rejections& refused) {
-  if (options.engine == Engine::openmesh) {
-    return {{"flip", nullptr}, {"link", nullptr},   {"shape", nullptr},        {"feature", nullptr},
-            {"area", nullptr}, {"locked", nullptr}, {"intersection", nullptr}, {"error", nullptr}};
+Json refusals_json(const SimplifyCommand& options, const RefusalCounts& refused) {
+  Json json;
+  for (const RefusalRow& row : all_refusals) {
+    json[std::string(row.key)] = options.engine == Engine::openmesh ? Json(nullptr) : Json(refused[row.refusal]);
   }
-  return {{"flip", refused.flip},
-          {"link", refused.link},
-          {"shape", refused.shape},
-          {"feature", refused.feature},
-          {"area", refused.area},
-          {"locked", refused.locked},
-          {"intersection", refused.intersection},
-          {"error", refused.error}};
+  return json;
 }
 
 /// Null if nothing was proven.
@@ -80,8 +73,8 @@ Json simplify_json(const SimplifyCommand& options, const SimplifyRecord& record)
   json["threshold_pairs"] = threshold_pairs_json(result.threshold_pairs);
   json["max_cost"] = result.max_cost;
   json["why_in_one_pass"] = result.why_in_one_pass.empty() ? Json(nullptr) : Json(result.why_in_one_pass);
-  json["rejections"] = rejections_json(options, result.rejections);
-  json["refused_at_end"] = rejections_json(options, result.refused_at_end);
+  json["rejections"] = refusals_json(options, result.refusals);
+  json["refused_at_end"] = refusals_json(options, result.refused_at_end);
   json["polish"] = *options.simplify.polish_passes > 0 ? polish_json(record.simplified.polish) : Json(nullptr);
   json["seconds"] = {{"read", record.seconds.read},     {"decimate", record.seconds.decimate},
                      {"polish", record.seconds.polish}, {"certify", record.seconds.certify},

@@ -80,16 +80,14 @@ bool has_chart_per_face(const IndexedMesh& mesh) {
 
 }  // namespace
 
-std::string refusals(const SimplifyCommand& options, const Rejections& refused) {
+std::string refusals(const SimplifyCommand& options, const RefusalCounts& refused) {
   if (options.engine == Engine::openmesh) return "OpenMesh doesn't say what it refused";
-  std::string text = "refused: " + std::to_string(refused.link) + " by topology, " + std::to_string(refused.flip) +
-                     " by turning a face, ";
-  if (options.simplify.decimate.min_radius_ratio) text += std::to_string(refused.shape) + " by shape, ";
-  if (options.simplify.decimate.feature_angle_deg) text += std::to_string(refused.feature) + " by features, ";
-  if (options.targets.max_error) text += std::to_string(refused.error) + " by error, ";
-  if (options.self_intersections == SelfIntersections::refuse)
-    text += std::to_string(refused.intersection) + " by intersecting, ";
-  return text + std::to_string(refused.locked) + " locked";
+  std::string text;
+  for (const RefusalRow& row : all_refusals) {
+    if (refused[row.refusal] == 0 && !row.option.empty()) continue;
+    text += (text.empty() ? "refused: " : ", ") + std::to_string(refused[row.refusal]) + ' ' + std::string(row.words);
+  }
+  return text;
 }
 
 void say_details(const SimplifyCommand& options, const Talk& talk, const SimplifyRecord& record) {
@@ -102,7 +100,7 @@ void say_details(const SimplifyCommand& options, const Talk& talk, const Simplif
   if (options.has_cost_by_effort && *options.simplify.tries_plain_quadrics && record.simplified.cost == Cost::quadric)
     talk.detail(std::string("by plain quadrics, which came nearer") +
                 (is_mostly_flat(record.input.read.mesh) ? ": much of the mesh is flat" : ""));
-  talk.detail(refusals(options, result.rejections));
+  talk.detail(refusals(options, result.refusals));
   if (record.threshold > 0) talk.detail(threshold_pairs(result.threshold_pairs));
   const bool is_polished = *options.simplify.polish_passes > 0;
   if (is_polished) talk.detail("polish: " + polish_text(record.simplified.polish));

@@ -13,7 +13,7 @@
 namespace whittle::app {
 
 /// "refused: 12 by topology, 3 by turning a face, 0 locked"
-std::string refusals(const SimplifyCommand& options, const Rejections& refused);
+std::string refusals(const SimplifyCommand& options, const RefusalCounts& refused);
 
 /// The lines of --verbose.
 void say_details(const SimplifyCommand& options, const Talk& talk, const SimplifyRecord& record);

@@ -72,7 +72,7 @@ void Block::gather(const Surface& surface, const Partition& partition, std::size
 }
 
 /// Those of pairs with an end that isn't frozen here.
-void Block::gather_refusals(std::span<const Refusal> all) {
+void Block::gather_refusals(std::span<const GuardedPair> all) {
   const auto number_here = [this](Index v) {
     const auto at = std::lower_bound(vertices_.begin(), vertices_.end(), v);
     return at != vertices_.end() && *at == v ? static_cast<Index>(at - vertices_.begin()) : invalid_index;

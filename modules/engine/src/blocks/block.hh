@@ -50,10 +50,10 @@ class Block {
   /// What they remember, by vertex of the surface; without what the surface remembers as a whole.
   const Memory& memory() const { return memory_; }
   /// In exact order: of pairs with an end that isn't frozen, by vertices of the surface.
-  const std::vector<Refusal>& refusals() const { return refusals_; }
+  const std::vector<GuardedPair>& refusals() const { return refusals_; }
 
  private:
-  void gather_refusals(std::span<const Refusal> all);
+  void gather_refusals(std::span<const GuardedPair> all);
   void gather(const Surface& surface, const Partition& partition, std::size_t number);
   std::vector<Memory::Remembered> remembered_here(std::span<const Memory::Remembered> of_surface) const;
   Memory memory_of_block(const Surface& surface, const Memory& memory) const;
@@ -71,9 +71,9 @@ class Block {
   DecimateResult result_;
   std::vector<Survivor> survivors_;
   Memory memory_;
-  bool keeps_order_;               ///< exactly
-  std::vector<Index> areas_;       ///< of the faces, or empty
-  std::vector<Refusal> refusals_;  ///< at first by vertex of the block
+  bool keeps_order_;                   ///< exactly
+  std::vector<Index> areas_;           ///< of the faces, or empty
+  std::vector<GuardedPair> refusals_;  ///< at first by vertex of the block
 };
 
 }  // namespace whittle

@@ -48,8 +48,8 @@ class Level {
   std::vector<std::size_t> largest_first_of_others() const;
   std::vector<std::uint8_t> locked() const;
   std::vector<Index> areas() const;
-  std::span<const Refusal> refusals() const {
-    return before_ ? std::span(before_->refusals) : std::span<const Refusal>();
+  std::span<const GuardedPair> refusals() const {
+    return before_ ? std::span(before_->refusals) : std::span<const GuardedPair>();
   }
   DecimateTarget least_left(const Block& block, std::size_t number) const;
   void begin(std::size_t number, const Memory& memory);
@@ -214,7 +214,7 @@ void Level::sum_up(LevelRemainder& remainder) {
     total.max_cost = std::max(total.max_cost, one.max_cost);
     total.n_degenerate_faces += one.n_degenerate_faces;
     total.n_coincident_faces += one.n_coincident_faces;
-    total.rejections += one.rejections;
+    total.refusals += one.refusals;
   }
   for (const NonmanifoldCounts& counts : nonmanifold_) {
     remainder.nonmanifold.edges += counts.edges;

@@ -147,16 +147,16 @@ void Stitching::write_memory(const Memory& before, std::vector<Memory::Remembere
 
 /// No block knows pairs of two frozen vertices.
 void Stitching::write_refusals(LevelRemainder& remainder) const {
-  const auto carry = [&](const Refusal& r) {
+  const auto carry = [&](const GuardedPair& r) {
     remainder.refusals.push_back({{vertex_number_[r.pair.a], vertex_number_[r.pair.b]}, r.reason});
   };
   if (before_) {
-    for (const Refusal& r : before_->refusals) {
+    for (const GuardedPair& r : before_->refusals) {
       if ((partition_.is_shared[r.pair.a] & partition_.is_shared[r.pair.b]) != 0) carry(r);
     }
   }
   for (const Block* block : blocks_) {
-    for (const Refusal& r : block->refusals()) carry(r);
+    for (const GuardedPair& r : block->refusals()) carry(r);
   }
 }
 

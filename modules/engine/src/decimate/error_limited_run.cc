@@ -259,7 +259,8 @@ std::unique_ptr<ErrorBounds> ErrorLimitedRun::end() {
     for (const Contraction& contraction : passes_.done().steps.contractions) passes_.options().listener(contraction);
   }
   if (!passes_.is_cancelled()) result.proven_error = target().error_limit();
-  if (result.stop == StopReason::exhausted && result.refused_at_end.error > 0) result.stop = StopReason::error;
+  if (result.stop == StopReason::exhausted && result.refused_at_end[Refusal::error] > 0)
+    result.stop = StopReason::error;
   return std::move(error_bounds_);
 }
 

@@ -127,7 +127,7 @@ void add_earlier(const DecimateResult& earlier, DecimateResult& result) {
   result.max_cost = std::max(result.max_cost, earlier.max_cost);
   result.n_degenerate_faces += earlier.n_degenerate_faces;
   result.n_coincident_faces += earlier.n_coincident_faces;
-  result.rejections += earlier.rejections;
+  result.refusals += earlier.refusals;
   result.threshold_pairs.contracted += earlier.threshold_pairs.contracted;
 }
 
@@ -182,7 +182,7 @@ void Passes::keep_steps_of_pass(std::span<Contraction> log) {
 void Passes::keep_refused_pairs(Pass& pass) {
   const auto input_vertex = [this](Index v) { return done_.left ? done_.left->origins[v] : v; };
   for (const auto& [pair, reason] : pass.refusals()) {
-    if (reason != nullptr) done_.refused.push_back({{input_vertex(pair.a), input_vertex(pair.b)}, reason});
+    if (reason) done_.refused.push_back({{input_vertex(pair.a), input_vertex(pair.b)}, *reason});
   }
 }
 

@@ -17,7 +17,7 @@ class DisplacementGuard final : public Guard {
   DisplacementGuard(const TriangleComplex& complex, double limit, std::span<const double> limits);
 
   /// Nowhere: what is refused now may be contracted later.
-  std::uint64_t Rejections::*reason() const override { return nullptr; }
+  std::optional<Refusal> reason() const override { return std::nullopt; }
   bool refuses_at(ContractionProfile& profile, const Vec3& position) override;
   bool follows() const override { return !limits_.empty(); }
   void note(const Change& change) override;

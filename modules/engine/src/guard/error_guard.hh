@@ -19,7 +19,7 @@ class ErrorGuard : public Guard {
   /// \param bound with supports among the faces of the complex, by original vertices
   ErrorGuard(TriangleComplex& complex, const ErrorBound& bound);
 
-  std::uint64_t Rejections::*reason() const override { return &Rejections::error; }
+  std::optional<Refusal> reason() const override { return Refusal::error; }
   bool refuses_at(ContractionProfile& profile, const Vec3& position) override;
   bool follows() const override { return true; }
   void note(const Change& change) override;

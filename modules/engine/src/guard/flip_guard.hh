@@ -13,7 +13,7 @@ class FlipGuard final : public Guard {
   FlipGuard(const TriangleComplex& complex, double max_angle_deg, const QuadricOptions& quadric)
       : complex_(complex), limit_(max_angle_deg), quadric_(quadric) {}
 
-  std::uint64_t Rejections::*reason() const override { return &Rejections::flip; }
+  std::optional<Refusal> reason() const override { return Refusal::flip; }
   bool refuses_at(ContractionProfile& profile, const Vec3& position) override;
 
  private:

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "complex/contraction_profile.hh"
-#include "whittle/engine/decimate.hh"
+#include "whittle/engine/refusals.hh"
 
 namespace whittle {
 
@@ -13,12 +14,12 @@ class Guard {
  public:
   virtual ~Guard() = default;
 
-  /// Where its refusals are counted; null for nowhere.
-  virtual std::uint64_t Rejections::*reason() const = 0;
+  /// Where its refusals are counted; empty for nowhere.
+  virtual std::optional<Refusal> reason() const = 0;
 
   /// Counts a pair that it refused: at every position that was tried.
-  virtual void count(Rejections& rejections) {
-    if (reason() != nullptr) ++(rejections.*reason());
+  virtual void count(RefusalCounts& refusals) {
+    if (const auto why = reason()) ++refusals[*why];
   }
 
   /// Whether it refuses the pair wherever the merged vertex goes. Asked once a turn, before the cost settles a

@@ -11,7 +11,7 @@ class HiddenPairGuard final : public Guard {
  public:
   HiddenPairGuard(const TriangleComplex& complex, ThresholdPairSieve& sieve) : complex_(complex), sieve_(sieve) {}
 
-  std::uint64_t Rejections::*reason() const override { return nullptr; }
+  std::optional<Refusal> reason() const override { return std::nullopt; }
   bool refuses(ContractionProfile& profile) override {
     return complex_.is_threshold_pair(profile.pair.id) && sieve_.hides(profile.pair);
   }

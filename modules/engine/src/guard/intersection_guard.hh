@@ -17,7 +17,7 @@ class IntersectionGuard final : public Guard {
  public:
   explicit IntersectionGuard(TriangleComplex& complex) : complex_(complex), boxes_(complex) {}
 
-  std::uint64_t Rejections::*reason() const override { return &Rejections::intersection; }
+  std::optional<Refusal> reason() const override { return Refusal::intersection; }
   bool refuses_at(ContractionProfile& profile, const Vec3& position) override;
   bool follows() const override { return true; }
   void note(const Change& change) override;

@@ -12,7 +12,7 @@ class RadiusRatioGuard final : public Guard {
   RadiusRatioGuard(const TriangleComplex& complex, double min_radius_ratio)
       : complex_(complex), min_radius_ratio_(min_radius_ratio) {}
 
-  std::uint64_t Rejections::*reason() const override { return &Rejections::shape; }
+  std::optional<Refusal> reason() const override { return Refusal::shape; }
   bool refuses_at(ContractionProfile& profile, const Vec3& position) override;
 
  private:

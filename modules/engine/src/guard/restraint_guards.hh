@@ -10,7 +10,7 @@ class LockedGuard final : public Guard {
  public:
   explicit LockedGuard(const Restraints& restraints) : restraints_(restraints) {}
 
-  std::uint64_t Rejections::*reason() const override { return &Rejections::locked; }
+  std::optional<Refusal> reason() const override { return Refusal::locked; }
   bool refuses(ContractionProfile& profile) override { return restraints_.are_both_locked(profile.pair); }
   bool is_final() const override { return true; }
 
@@ -24,7 +24,7 @@ class FeatureLineGuard final : public Guard {
   FeatureLineGuard(TriangleComplex& complex, const Restraints& restraints)
       : complex_(complex), restraints_(restraints) {}
 
-  std::uint64_t Rejections::*reason() const override { return &Rejections::feature; }
+  std::optional<Refusal> reason() const override { return Refusal::feature; }
   bool refuses(ContractionProfile& profile) override { return !restraints_.pinned(profile.pair); }
   bool refuses_at(ContractionProfile& profile, const Vec3& position) override {
     return restraints_.harms_a_line(complex_, profile, position);

@@ -15,7 +15,7 @@ class SharpEdgeGuard final : public Guard {
   /// \param angle_deg (0, 180)
   SharpEdgeGuard(TriangleComplex& complex, const Restraints& restraints, double angle_deg);
 
-  std::uint64_t Rejections::*reason() const override { return &Rejections::feature; }
+  std::optional<Refusal> reason() const override { return Refusal::feature; }
   /// Whether the contraction would make an edge sharp that is no feature, or blunt a feature edge that is sharp.
   bool refuses_at(ContractionProfile& profile, const Vec3& position) override;
   int n_rings() const override { return 2; }

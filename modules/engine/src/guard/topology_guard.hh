@@ -2,6 +2,7 @@
 
 #include "complex/triangle_complex.hh"
 #include "guard/guard.hh"
+#include "whittle/engine/options.hh"
 
 namespace whittle {
 
@@ -11,7 +12,7 @@ class TopologyGuard final : public Guard {
  public:
   TopologyGuard(TriangleComplex& complex, Topology topology) : complex_(complex), topology_(topology) {}
 
-  std::uint64_t Rejections::*reason() const override { return &Rejections::link; }
+  std::optional<Refusal> reason() const override { return Refusal::link; }
   bool refuses(ContractionProfile& profile) override;
 
  private:

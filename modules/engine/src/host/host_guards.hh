@@ -8,7 +8,7 @@ namespace whittle {
 /// Refuses what a half-edge mesh can't follow.
 class JointGuard final : public Guard {
  public:
-  std::uint64_t Rejections::*reason() const override { return &Rejections::link; }
+  std::optional<Refusal> reason() const override { return Refusal::link; }
   bool refuses(ContractionProfile& profile) override { return profile.is_joint; }
 };
 
@@ -17,8 +17,8 @@ class HostGuard final : public Guard {
  public:
   HostGuard(const TriangleComplex& complex, DecimationHost& host) : complex_(complex), host_(host) {}
 
-  std::uint64_t Rejections::*reason() const override { return nullptr; }
-  void count(Rejections& /*rejections*/) override { host_.count_refusal(); }
+  std::optional<Refusal> reason() const override { return std::nullopt; }
+  void count(RefusalCounts& /*refusals*/) override { host_.count_refusal(); }
   bool refuses_at(ContractionProfile& profile, const Vec3& position) override {
     return host_.refuses(hosted(complex_, profile, profile.ranked, position));
   }

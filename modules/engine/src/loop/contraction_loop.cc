@@ -77,10 +77,10 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraint
   if (const auto limit = target.cost_limit()) cost_limit_ = frame.cost_to_frame(*limit, cost_dimension_);
 }
 
-void ContractionLoop::recall(std::span<const Refusal> refusals) {
+void ContractionLoop::recall(std::span<const GuardedPair> refusals) {
   if (refusals.empty()) return;
   const std::vector<Index> vertices = complex_.vertices_by_origin();
-  for (const Refusal& refusal : refusals) {
+  for (const GuardedPair& refusal : refusals) {
     const Index a = vertices[refusal.pair.a];
     const Index b = vertices[refusal.pair.b];
     const auto neighbours = complex_.neighbours(a);
@@ -102,8 +102,8 @@ void ContractionLoop::for_each_refused(const Use& use) const {
   }
 }
 
-std::vector<Refusal> ContractionLoop::refusals() {
-  std::vector<Refusal> refusals;
+std::vector<GuardedPair> ContractionLoop::refusals() {
+  std::vector<GuardedPair> refusals;
   for_each_refused([&](Index id, const Guard& guard) {
     const auto [a, b] = complex_.ends(id);
     refusals.push_back({{complex_.origin(a), complex_.origin(b)}, guard.reason()});
@@ -246,7 +246,7 @@ std::optional<std::size_t> ContractionLoop::find_refusal_at(const Vec3& position
 /// Notes that the guard of this number refused the pair.
 void ContractionLoop::refuse(std::size_t guard) {
   const bool is_known = refused_.refuser(profile_.pair.id) != RefusedPairs::none;  // it was queued twice
-  if (!is_known) guards_[guard]->count(result_.rejections);
+  if (!is_known) guards_[guard]->count(result_.refusals);
   note_refusal(profile_.pair, guard);
 }
 
@@ -271,10 +271,10 @@ bool ContractionLoop::ask_guards_to_give_way() {
 }
 
 /// Each pair that is left counts once, for the guard that refused it last.
-Rejections ContractionLoop::count_refused_pairs() const {
-  Rejections counts;
+RefusalCounts ContractionLoop::count_refused_pairs() const {
+  RefusalCounts counts;
   for_each_refused([&counts](Index, const Guard& guard) {
-    if (const auto reason = guard.reason()) ++(counts.*reason);
+    if (const auto reason = guard.reason()) ++counts[*reason];
   });
   return counts;
 }

@@ -36,10 +36,10 @@ class ContractionLoop {
   /// Replaces the target's. \param cost in the frame
   void set_cost_limit(double cost) { cost_limit_ = cost; }
   /// The refusals that hold now.
-  std::vector<Refusal> refusals();
+  std::vector<GuardedPair> refusals();
 
  private:
-  void recall(std::span<const Refusal> refusals);
+  void recall(std::span<const GuardedPair> refusals);
   bool target_reached() const;
   bool report_progress() const;
   void take(const RankedPair& ranked);
@@ -54,7 +54,7 @@ class ContractionLoop {
   void note_refusal(const Pair& pair, std::size_t guard);
   template <class Use>
   void for_each_refused(const Use& use) const;
-  Rejections count_refused_pairs() const;
+  RefusalCounts count_refused_pairs() const;
   bool is_told() const { return host_ != nullptr || options_.listener != nullptr || log_ != nullptr; }
   void tell_others(const HostedContraction& made, double cost);
   void contract(const RankedPair& ranked, const Vec3& position, double cost);

@@ -13,9 +13,9 @@ namespace whittle {
 class ErrorBound;
 
 /// A pair that a guard refused.
-struct Refusal {
-  VertexPair pair;  ///< by number in the input of the pass that is told
-  std::uint64_t Rejections::*reason;
+struct GuardedPair {
+  VertexPair pair;                ///< by number in the input of the pass that is told
+  std::optional<Refusal> reason;  ///< that of the guard
 };
 
 /// Which contractions a loop makes, if it has a part of the mesh.
@@ -27,7 +27,7 @@ enum class Role {
 /// What a loop knows of those before and beside it.
 struct LoopContext {
   Role role = Role::alone;
-  std::span<const Refusal> refusals;           ///< that still hold, of passes before
+  std::span<const GuardedPair> refusals;       ///< that still hold, of passes before
   std::optional<double> displacement_limit{};  ///< of the surface by one contraction, in the frame
   std::span<const double>
       displacement_limits{};                 ///< if there is one: of each vertex of the pass, in its place; or empty

@@ -48,7 +48,7 @@ class Pass {
   void set_cost_limit(double cost) { loop_->set_cost_limit(cost); }
 
   /// \pre start
-  std::vector<Refusal> refusals() { return loop_->refusals(); }
+  std::vector<GuardedPair> refusals() { return loop_->refusals(); }
 
   TriangleComplex& complex() { return complex_; }
   const TriangleComplex& complex() const { return complex_; }

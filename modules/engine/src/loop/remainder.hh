@@ -21,7 +21,7 @@ struct Remainder {
   // For another pass.
   Memory memory;
   std::vector<VertexPair> threshold_pairs;  ///< that may still be contracted
-  std::vector<Refusal> refusals;            ///< that still hold, if the order is exact
+  std::vector<GuardedPair> refusals;        ///< that still hold, if the order is exact
 
   /// A copy without what is for another pass.
   Remainder geometry() const;

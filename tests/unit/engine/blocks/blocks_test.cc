@@ -56,8 +56,8 @@ void expect_equal(const Decimation& a, const Decimation& b) {
   EXPECT_EQ(a.face_origins, b.face_origins);
   EXPECT_EQ(a.result.max_cost, b.result.max_cost);
   EXPECT_EQ(a.result.n_contractions, b.result.n_contractions);
-  EXPECT_EQ(a.result.rejections.flip, b.result.rejections.flip);
-  EXPECT_EQ(a.result.rejections.link, b.result.rejections.link);
+  EXPECT_EQ(a.result.refusals[Refusal::flip], b.result.refusals[Refusal::flip]);
+  EXPECT_EQ(a.result.refusals[Refusal::link], b.result.refusals[Refusal::link]);
 }
 
 // The promises of decimate -------------------------------------------------------------------------------------------
@@ -221,10 +221,10 @@ bool keeps_exact_order(const IndexedMesh& mesh, const DecimateTarget& target, co
   const Decimation blocks = run(mesh, target, options, nullptr, plan);
   expect_equal(blocks, one);
   EXPECT_EQ(blocks.mesh.colors, one.mesh.colors);
-  EXPECT_EQ(blocks.result.rejections.locked, one.result.rejections.locked);
-  EXPECT_EQ(blocks.result.rejections.shape, one.result.rejections.shape);
-  EXPECT_EQ(blocks.result.refused_at_end.link, one.result.refused_at_end.link);
-  EXPECT_EQ(blocks.result.refused_at_end.flip, one.result.refused_at_end.flip);
+  EXPECT_EQ(blocks.result.refusals[Refusal::locked], one.result.refusals[Refusal::locked]);
+  EXPECT_EQ(blocks.result.refusals[Refusal::shape], one.result.refusals[Refusal::shape]);
+  EXPECT_EQ(blocks.result.refused_at_end[Refusal::link], one.result.refused_at_end[Refusal::link]);
+  EXPECT_EQ(blocks.result.refused_at_end[Refusal::flip], one.result.refused_at_end[Refusal::flip]);
   EXPECT_EQ(blocks.result.stop, one.result.stop);
   return blocks.result.why_in_one_pass.empty();
 }

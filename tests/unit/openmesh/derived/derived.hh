@@ -78,7 +78,7 @@ void expect_region_kept_by_each_decimater(bool ranks) {
 struct Outcome {
   std::vector<Contraction> contractions;
   DecimateResult result;
-  std::vector<ModuleRejections> rejections;
+  std::vector<ModuleRefusals> refusals;
 };
 template <class ModuleT>
 Outcome run(Mesh mesh, const DecimateTarget& target, const std::function<void(ModuleT&)>& set_up = nullptr,
@@ -92,7 +92,7 @@ Outcome run(Mesh mesh, const DecimateTarget& target, const std::function<void(Mo
   decimater.set_listener([&](const Contraction& made) { outcome.contractions.push_back(made); });
   EXPECT_TRUE(decimater.initialize());
   outcome.result = decimater.decimate(target);
-  outcome.rejections = decimater.module_rejections();
+  outcome.refusals = decimater.module_refusals();
   expect_sound(mesh, "after the run");
   return outcome;
 }

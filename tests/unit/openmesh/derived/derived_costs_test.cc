@@ -149,7 +149,7 @@ TYPED_TEST(DerivedCosts, MayAllowOneDirectionOnly) {
     const Outcome run = run_by<TypeParam>(mesh, to_vertices(150), into_lower);
     EXPECT_GT(run.contractions.size(), 20U) << mesh.n_vertices();
     for (const Contraction& made : run.contractions) EXPECT_GT(made.removed, made.survivor);
-    ASSERT_EQ(run.rejections.size(), 1U);
+    ASSERT_EQ(run.refusals.size(), 1U);
   }
 }
 
@@ -256,7 +256,7 @@ void expect_kept_without_cost(double no_cost, const std::string& context) {
   }
   if constexpr (requires { decimater.result(); }) {
     EXPECT_EQ(decimater.result().stop, StopReason::exhausted) << context;
-    EXPECT_EQ(decimater.module_rejections().size(), 1U) << context;
+    EXPECT_EQ(decimater.module_refusals().size(), 1U) << context;
   }
 }
 

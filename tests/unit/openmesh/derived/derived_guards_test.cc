@@ -112,7 +112,7 @@ TEST(DerivedMaxError, HasProofAndStopReason) {
   EXPECT_GT(own.contractions.size(), 20U);
   EXPECT_EQ(own.result.proven_error, 0.02);
   EXPECT_EQ(own.result.stop, StopReason::error);
-  EXPECT_GT(own.result.rejections.error, 0U);
+  EXPECT_GT(own.result.refusals[Refusal::error], 0U);
 
   const Outcome loose = limit_by([](const Info&, const std::function<float()>&) { return 0.F; });
   EXPECT_FALSE(loose.result.proven_error) << "all was allowed";
@@ -120,9 +120,9 @@ TEST(DerivedMaxError, HasProofAndStopReason) {
   const Outcome strict = limit_by([](const Info&, const std::function<float()>&) { return illegal; });
   EXPECT_EQ(strict.result.proven_error, 0.02) << "nothing was changed";
   EXPECT_EQ(strict.result.stop, StopReason::exhausted);
-  EXPECT_EQ(strict.result.rejections.error, 0U);
-  ASSERT_EQ(strict.rejections.size(), 1U);
-  EXPECT_EQ(strict.rejections[0].module, "MaxError");
+  EXPECT_EQ(strict.result.refusals[Refusal::error], 0U);
+  ASSERT_EQ(strict.refusals.size(), 1U);
+  EXPECT_EQ(strict.refusals[0].module, "MaxError");
 }
 
 TEST(DerivedModules, NeedTheMeshDriver) {

@@ -10,6 +10,7 @@
 #include "whittle/engine/decimate_target.hh"
 #include "whittle/engine/formula/quadric.hh"
 #include "whittle/engine/options.hh"
+#include "whittle/engine/refusals.hh"
 
 // Decimation of an indexed triangle mesh by contracting vertex pairs in order of cost:
 //
@@ -35,25 +36,6 @@ enum class StopReason {
 };
 /// "target", "cost", "error", "exhausted", "cancelled".
 std::string_view to_string(StopReason reason);
-
-/// Why guards refused contractions. A pair refused, woken and refused again counts twice.
-struct Rejections {
-  std::uint64_t link = 0;          ///< it would change the topology (link condition)
-  std::uint64_t flip = 0;          ///< it would turn a face over, or make one without area
-  std::uint64_t shape = 0;         ///< it would make a face thinner than allowed
-  std::uint64_t feature = 0;       ///< it would take a vertex off its feature line or seam, or a line away
-  std::uint64_t area = 0;          ///< it would take the last face of a chart, or of a piece of a region
-  std::uint64_t locked = 0;        ///< both vertices are locked
-  std::uint64_t intersection = 0;  ///< it would make faces intersect that didn't before
-  std::uint64_t error = 0;         ///< it would take the surface farther from the input than `max_error`, or might
-
-  Rejections& operator+=(const Rejections& other) {
-    link += other.link, flip += other.flip, shape += other.shape;
-    feature += other.feature, locked += other.locked, intersection += other.intersection;
-    error += other.error, area += other.area;
-    return *this;
-  }
-};
 
 /// Pairs beside the edges.
 struct ThresholdPairCounts {
@@ -93,9 +75,9 @@ struct DecimateResult {
   /// depends on the number of threads: with one, plain quadrics take one pass. So may a count of refusals, where costs
   /// are equal up to rounding. The mesh doesn't.
   std::string_view why_in_one_pass;
-  Rejections rejections;
+  RefusalCounts refusals;  ///< of guards; a pair refused, woken and refused again counts twice
   /// What stands in the way of going on, if `stop` is `exhausted`: the pairs that are left, each once.
-  Rejections refused_at_end;
+  RefusalCounts refused_at_end;
   std::uint64_t n_degenerate_faces = 0;  ///< faces of the input with two equal corners, left out from the start
   std::uint64_t n_coincident_faces = 0;  ///< vanished where joining vertices laid them on others
   ThresholdPairCounts threshold_pairs;
@@ -103,12 +85,6 @@ struct DecimateResult {
   SurfaceCounts after;
   std::uint64_t n_vanished_components = 0;  ///< of the input, those of which nothing is left
   std::vector<Warning> warnings;            ///< a kind at most once
-};
-
-/// A pair that may not be contracted.
-struct RefusedPair {
-  VertexPair pair;                    ///< of the decimated mesh
-  std::uint64_t Rejections::*reason;  ///< where it is counted
 };
 
 /// The decimated mesh and where the input's vertices went.
@@ -125,7 +101,8 @@ struct Decimation {
   std::vector<VertexPair> feature_edges;
   std::vector<Index> vertex_map;  ///< input vertices → vertices of `mesh`; `invalid_index` where it was in no face
   RunSteps steps;                 ///< if asked for
-  /// What stands in the way of going on, if `result.stop` is `exhausted` or `error`: those of `result.refused_at_end`.
+  /// What stands in the way of going on, if `result.stop` is `exhausted` or `error`: the pairs of
+  /// `result.refused_at_end`, by vertex of `mesh`.
   std::vector<RefusedPair> refused_pairs;
 };
 

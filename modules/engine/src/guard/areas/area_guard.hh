@@ -20,7 +20,7 @@ class AreaGuard final : public Guard {
   /// \param areas must outlive the guard
   AreaGuard(TriangleComplex& complex, const AreasOfFaces& areas);
 
-  std::uint64_t Rejections::*reason() const override { return &Rejections::area; }
+  std::optional<Refusal> reason() const override { return Refusal::area; }
   bool refuses(ContractionProfile& profile) override;
   bool follows() const override { return true; }
   void note(const Change& change) override;

@@ -13,7 +13,7 @@ namespace whittle {
 /// v0 and v1, with both vertices at v̄. In a stock decimater tell it the cost module (`FaceGuardT::set_cost_module`).
 ///
 /// In `PairDecimaterT` both drivers make this test. So the least ratio of a mesh doesn't fall below the limit, or below
-/// what it was. Refusals are counted in `Rejections::shape`.
+/// what it was. Refusals are counted in `Refusal::shape`.
 template <class MeshT>
 class ModRadiusRatioT : public FaceGuardT<MeshT> {
  public:

@@ -51,7 +51,7 @@ class ExactlyBool {
 };
 
 /// How often a module refused a contraction.
-struct ModuleRejections {
+struct ModuleRefusals {
   std::string module;  ///< its name
   std::uint64_t count = 0;
 };
@@ -170,7 +170,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   const DecimateResult& result() const { return result_; }
   /// Refusals in the last run by modules other than `ModFlipGuardT`, `ModRadiusRatioT` and `ModMaxErrorT`, for those
   /// that refused.
-  const std::vector<ModuleRejections>& module_rejections() const { return module_rejections_; }
+  const std::vector<ModuleRefusals>& module_refusals() const { return module_refusals_; }
 
  private:
   friend class EngineRunT<MeshT>;
@@ -213,7 +213,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   double min_radius_ratio() const { return roles_.radius_guard ? roles_.radius_guard->min_radius_ratio() : 0; }
   bool is_fixed(VertexHandle v, bool only_selected) const;
 
-  void count_rejection(const Module& module);
+  void count_refusal(const Module& module);
 
   MeshT& mesh_;
   std::vector<Attached> attached_;
@@ -229,7 +229,7 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   unsigned threads_ = 0;
   std::function<void(const Contraction&)> listener_;
   DecimateResult result_;
-  std::vector<ModuleRejections> module_rejections_;
+  std::vector<ModuleRefusals> module_refusals_;
 };
 
 }  // namespace whittle

@@ -166,7 +166,7 @@ DecimateResult PairDecimaterT<MeshT>::decimate(const DecimateTarget& target, Exa
   require_initialized();
   const DecimateTarget effective = checked(target);
   last_driver_ = choose_driver(effective);
-  module_rejections_.clear();
+  module_refusals_.clear();
   result_ =
       last_driver_ == Driver::engine ? run_engine(effective, only_selected) : run_on_mesh(effective, only_selected);
   return result_;
@@ -186,7 +186,7 @@ DecimateResult PairDecimaterT<MeshT>::run_on_mesh(const DecimateTarget& target, 
   DecimateResult result = MeshRunT<MeshT>(*this, target, only_selected).run();
   if (!has_error_limit()) return result;
   if (roles_.error_guard->is_proven()) result.proven_error = roles_.error_guard->max_error();
-  if (result.stop == StopReason::exhausted && result.rejections.error > 0) result.stop = StopReason::error;
+  if (result.stop == StopReason::exhausted && result.refusals[Refusal::error] > 0) result.stop = StopReason::error;
   return result;
 }
 
@@ -290,10 +290,10 @@ DecimateOptions PairDecimaterT<MeshT>::engine_options_but_cost() const {
 }
 
 template <class MeshT>
-void PairDecimaterT<MeshT>::count_rejection(const Module& module) {
-  const auto has_name = [&module](const ModuleRejections& entry) { return entry.module == module.name(); };
-  auto entry = std::find_if(module_rejections_.begin(), module_rejections_.end(), has_name);
-  if (entry == module_rejections_.end()) entry = module_rejections_.insert(entry, {module.name(), 0});
+void PairDecimaterT<MeshT>::count_refusal(const Module& module) {
+  const auto has_name = [&module](const ModuleRefusals& entry) { return entry.module == module.name(); };
+  auto entry = std::find_if(module_refusals_.begin(), module_refusals_.end(), has_name);
+  if (entry == module_refusals_.end()) entry = module_refusals_.insert(entry, {module.name(), 0});
   ++entry->count;
 }
 

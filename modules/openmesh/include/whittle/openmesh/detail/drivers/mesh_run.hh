@@ -44,7 +44,7 @@ class MeshRunT final : private DecimationHost {
   const DecimationState* state() const override { return &state_; }
 
   const auto& roles() const { return decimater_.roles_; }
-  void count_refusal_by_cost() { decimater_.count_rejection(*roles().cost_module); }
+  void count_refusal_by_cost() { decimater_.count_refusal(*roles().cost_module); }
   bool is_collapse_legal(const CollapseInfo& collapse) { return decimater_.is_collapse_legal(collapse); }
   bool is_refused_by(Module& module, const CollapseInfo& collapse);
   std::unique_ptr<ModuleCost> make_cost();
@@ -71,7 +71,7 @@ class MeshRunT final : private DecimationHost {
   std::uint64_t n_followed_before_ = 0;  ///< collapses that the error guard had been told of before the run
   Module* refusing_module_ = nullptr;    ///< the one that refused last; null if a vertex was locked
   bool is_refused_for_error_ = false;    ///< whether it did because of a limit of the error
-  Rejections rejections_;                ///< that the engine doesn't count
+  RefusalCounts refusals_;               ///< that the engine doesn't count
 };
 
 }  // namespace whittle

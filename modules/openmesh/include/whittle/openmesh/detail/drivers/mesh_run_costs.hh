@@ -241,8 +241,8 @@ class ForeignCostT final : public ModuleCostT<RunT> {
         result.legal[result.n++] = *collapse;
     };
     const auto count_pinned = [this](Index removed) {
-      Rejections& rejections = this->run_.rejections_;
-      ++(this->run_.is_fixed(this->handle(removed)) ? rejections.locked : rejections.feature);
+      RefusalCounts& refusals = this->run_.refusals_;
+      ++(this->run_.is_fixed(this->handle(removed)) ? refusals[Refusal::locked] : refusals[Refusal::feature]);
     };
     pinned != Pinned::second ? add(second, first) : count_pinned(second);
     pinned != Pinned::first ? add(first, second) : count_pinned(first);
@@ -257,11 +257,11 @@ class ForeignCostT final : public ModuleCostT<RunT> {
   std::optional<Collapse> legal_collapse(Index removed, Index survivor) {
     const auto info = this->collapse(removed, survivor);
     if (this->run_.is_fixed(info.v0)) {
-      ++this->run_.rejections_.locked;
+      ++this->run_.refusals_[Refusal::locked];
       return std::nullopt;
     }
     if (!this->run_.is_collapse_legal(info)) {
-      ++this->run_.rejections_.link;
+      ++this->run_.refusals_[Refusal::link];
       return std::nullopt;
     }
     const float priority = this->run_.roles().cost_module->collapse_priority(info);

@@ -76,10 +76,7 @@ DecimateResult MeshRunT<MeshT>::run() {
   input_.write_corners(small, vertex_of, decimater_.threads_, mesh_);
   DecimateResult result = small.result;
   result.n_vertices = decimater_.count_elements().vertices;
-  result.rejections.locked += rejections_.locked;
-  result.rejections.link += rejections_.link;
-  result.rejections.feature += rejections_.feature;
-  result.rejections.error += rejections_.error;
+  result.refusals += refusals_;
   cost_->complete(result);
   return result;
 }
@@ -121,11 +118,11 @@ bool MeshRunT<MeshT>::is_refused_by(Module& module, const CollapseInfo& collapse
 template <class MeshT>
 void MeshRunT<MeshT>::count_refusal() {
   if (refusing_module_ == nullptr) {
-    ++rejections_.locked;
+    ++refusals_[Refusal::locked];
   } else if (refusing_module_ == decimater_.roles_.error_guard && is_refused_for_error_) {
-    ++rejections_.error;
+    ++refusals_[Refusal::error];
   } else {
-    decimater_.count_rejection(*refusing_module_);
+    decimater_.count_refusal(*refusing_module_);
   }
 }
 
