@@ -29,7 +29,7 @@ TEST(RefusedPairs, AreThoseLeftWhenARunCanDoNoMore) {
       RefusalCounts counted;
       std::set<std::array<Index, 2>> named;
       for (const auto& [pair, reason] : d.refused_pairs) {
-        ++(counted.*reason);
+        ++counted[reason];
         EXPECT_TRUE(named.insert({pair.a, pair.b}).second);
         EXPECT_TRUE(edges.contains({pair.a, pair.b})) << pair.a << ' ' << pair.b;
       }
