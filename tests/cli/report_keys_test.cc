@@ -34,8 +34,32 @@ struct DocumentedKey {
 };
 using DocumentedKeys = std::map<std::string, DocumentedKey>;
 
+std::string user_page(const std::string& name) {
+  return read_text(std::filesystem::path(WHITTLE_DOCS_DIR) / "user" / (name + ".md"));
+}
+
+/// Adds the keys of a type that the index describes: a row there for "mesh.path" is one of each object of type "mesh".
+/// \return whether the index describes that type
+bool add_keys_of_type(const std::string& name, const DocumentedKey& object, const std::vector<KeyText>& index,
+                      DocumentedKeys& keys) {
+  const std::string prefix = object.type + '.';
+  bool is_described = false;
+  for (const KeyText& row : index) {
+    for (const std::string& key : row.keys) {
+      if (!key.starts_with(prefix)) continue;
+      is_described = true;
+      const std::string full = name + '.' + key.substr(prefix.size());
+      const DocumentedKey member{.type = row.type, .is_always_there = object.is_always_there && !object.can_be_null};
+      EXPECT_TRUE(keys.emplace(full, member).second) << full << " is there twice";
+    }
+  }
+  return is_described;
+}
+
+/// Keys of a page, and those of all reports, which are in the index, if the page leaves them to it.
 DocumentedKeys documented_keys(const std::string& page) {
   const std::string or_null = " or null";
+  const std::vector<KeyText> index = keys_of_page(user_page("README"));
   DocumentedKeys keys;
   for (const KeyText& row : keys_of_page(page)) {
     DocumentedKey key{.type = row.type, .is_always_there = row.when == "always"};
@@ -44,7 +68,18 @@ DocumentedKeys documented_keys(const std::string& page) {
       key.can_be_null = true;
       key.type.erase(key.type.size() - or_null.size());
     }
-    for (const std::string& name : row.keys) EXPECT_TRUE(keys.emplace(name, key).second) << name << " is there twice";
+    for (const std::string& name : row.keys) {
+      const bool has_known_type = add_keys_of_type(name, key, index, keys);
+      if (has_known_type && !key.can_be_null) continue;
+      DocumentedKey own = key;
+      if (has_known_type) own.type = "object";
+      EXPECT_TRUE(keys.emplace(name, own).second) << name << " is there twice";
+    }
+  }
+  for (const KeyText& row : index) {
+    for (const std::string& name : row.keys) {
+      if (name.find('.') == std::string::npos) keys.emplace(name, DocumentedKey{row.type, false, true});
+    }
   }
   return keys;
 }
@@ -143,8 +178,7 @@ void expect_all_options_in(const std::vector<Arguments>& runs, const std::string
 
 /// \param runs everything after the subcommand's name; the report goes to standard output, if not to another place
 void expect_documented(const std::string& subcommand, std::vector<Arguments> runs) {
-  DocumentedKeys keys =
-      documented_keys(read_text(std::filesystem::path(WHITTLE_DOCS_DIR) / "user" / (subcommand + ".md")));
+  DocumentedKeys keys = documented_keys(user_page(subcommand));
   EXPECT_GE(keys.size(), 15U) << "docs/user/" << subcommand << ".md has no table of keys";
   std::size_t n_reports = 0;
   for (Arguments& run : runs) {
