@@ -21,14 +21,9 @@ std::string page(const std::string& subcommand) {
   return read_text(std::filesystem::path(WHITTLE_DOCS_DIR) / "user" / (subcommand + ".md"));
 }
 
-/// Options of the page, and those of all subcommands, which are in the index, if the page leaves them to it.
+/// Options of the page, then those of all subcommands, which are in the index.
 std::vector<OptionText> documented_options(const std::string& subcommand) {
-  std::vector<OptionText> options = options_of_page(page(subcommand));
-  for (const OptionText& common : options_of_page(page("README"))) {
-    const auto is_the_same = [&](const OptionText& option) { return option.name == common.name; };
-    if (std::none_of(options.begin(), options.end(), is_the_same)) options.push_back(common);
-  }
-  return options;
+  return options_of_page(page(subcommand) + page("README"));
 }
 
 /// Conflicts of the page, and those of the index between options that the subcommand has.

@@ -56,7 +56,7 @@ bool add_keys_of_type(const std::string& name, const DocumentedKey& object, cons
   return is_described;
 }
 
-/// Keys of a page, and those of all reports, which are in the index, if the page leaves them to it.
+/// Keys of a page, and those of all reports, which are in the index.
 DocumentedKeys documented_keys(const std::string& page) {
   const std::string or_null = " or null";
   const std::vector<KeyText> index = keys_of_page(user_page("README"));
@@ -78,7 +78,9 @@ DocumentedKeys documented_keys(const std::string& page) {
   }
   for (const KeyText& row : index) {
     for (const std::string& name : row.keys) {
-      if (name.find('.') == std::string::npos) keys.emplace(name, DocumentedKey{row.type, false, true});
+      if (name.find('.') != std::string::npos) continue;
+      const DocumentedKey key{.type = row.type, .is_always_there = row.when == "always"};
+      EXPECT_TRUE(keys.emplace(name, key).second) << name << " is there twice";
     }
   }
   return keys;
