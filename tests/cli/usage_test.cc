@@ -248,6 +248,56 @@ TEST(Usage, NamesBothOptionsThatDoNotGoTogether) {
   EXPECT_EQ(whittle(simplify_with(folder, {"--boundary", "weighted", "--boundary-weight", "3"})).exit_code, 0);
 }
 
+/// An option of `simplify` with its value, if it takes one.
+void expect_conflict(const Arguments& option, const Arguments& other, std::string_view why) {
+  const TemporaryFolder folder;
+  Arguments arguments = option;
+  arguments.insert(arguments.end(), other.begin(), other.end());
+  expect_usage_error(whittle(simplify_with(folder, arguments)),
+                     {option.front(), other.front() + ' ' + other.back(), "doesn't go with", std::string(why)});
+}
+
+TEST(Usage, RefusesWhatACostDoesNotTake) {
+  std::size_t n_conflicts = 0;
+  for (const CostTraits& traits : all_cost_traits) {
+    const CostConflicts& why = traits.why_not;
+    const auto check = [&](const Arguments& option, std::string_view reason) {
+      if (reason.empty()) return;
+      expect_conflict(option, {"--cost", std::string(traits.name)}, reason);
+      ++n_conflicts;
+    };
+    check({"--weights", "uniform"}, why.weights);
+    check({"--weights", "area-angle"}, why.weights);
+    check({"--placement", "midpoint"}, why.placement);
+    check({"--placement", "endpoint"}, why.placement);
+    check({"--boundary-weight", "1"}, why.boundary_weight);
+    check({"--isotropic", "1"}, why.isotropy);
+    check({"--valence", "1"}, why.valence_weight);
+    check({"--threshold", "1"}, why.threshold);
+  }
+  EXPECT_EQ(n_conflicts, 17U);
+}
+
+TEST(Usage, RefusesWhatOpenMeshsDecimaterDoesNotDo) {
+  const Arguments openmesh{"--engine", "openmesh"};
+  for (const Arguments& option :
+       {Arguments{"--feature-angle", "1"}, Arguments{"--feature-tolerance", "1"}, Arguments{"--min-radius-ratio", "1"},
+        Arguments{"--max-error", "1"}, Arguments{"--record", "r"}, Arguments{"--curve", "c.csv"},
+        Arguments{"--page", "p.html"}, Arguments{"--frames", "f_{i}.png"}, Arguments{"--animate", "a.webp"},
+        Arguments{"--self-intersections", "refuse"}}) {
+    expect_conflict(option, openmesh, "only Whittle's own loop does that");
+  }
+  for (const char* order : {"exact", "approximate"}) {
+    expect_conflict({"--order", order}, openmesh, "OpenMesh's decimater has an order of its own");
+  }
+  for (const Arguments& option :
+       {Arguments{"--threshold", "1"}, Arguments{"--max-pairs", "1"}, Arguments{"--across-walls"}}) {
+    expect_conflict(option, openmesh, "OpenMesh's decimater contracts edges alone");
+  }
+  expect_conflict({"--max-cost", "1"}, openmesh, "OpenMesh looks at a cost when it is queued");
+  expect_conflict({"--topology", "free"}, openmesh, "a half-edge mesh keeps its topology");
+}
+
 TEST(Usage, WarnsOfOptionsThatDoNothing) {
   const TemporaryFolder folder;
   const auto said_of = [&](Arguments more) {

@@ -85,6 +85,17 @@ TEST_F(RegionsOfFaces, OfObjStayAndAreMissedByName) {
   }
 }
 
+TEST_F(RegionsOfFaces, AreNamedWhereTheirLastFacesAreRefused) {
+  const auto of_four_cells = [](int x, int y) {
+    return "g part" + std::to_string(x / 2) + "_" + std::to_string(y / 2) + "\n";
+  };
+  write_text(in_, square_as_obj(of_four_cells));
+  const Outcome few = simplify("out.obj", {"--faces", "40", "--verbose"});
+  const std::uint64_t n_refused = parse_json(few.out)["rejections"]["area"];
+  EXPECT_GT(n_refused, 0U);
+  EXPECT_THAT(few.err, HasSubstr(std::to_string(n_refused) + " by the last face of a chart or region"));
+}
+
 TEST_F(RegionsOfFaces, AreChosenByName) {
   write_text(in_, square_as_obj([&](int x, int y) {
                return "o " + std::string(2 * y < n_cells ? "low" : "high") + "\ng " + name_of(x, y) + "\n";

@@ -84,7 +84,7 @@ std::string refusals(const SimplifyCommand& options, const RefusalCounts& refuse
   if (options.engine == Engine::openmesh) return "OpenMesh doesn't say what it refused";
   std::string text;
   for (const RefusalRow& row : all_refusals) {
-    if (refused[row.refusal] == 0 && !row.option.empty()) continue;
+    if (refused[row.refusal] == 0 && !row.is_always_told) continue;
     text += (text.empty() ? "refused: " : ", ") + std::to_string(refused[row.refusal]) + ' ' + std::string(row.words);
   }
   return text;

@@ -7,7 +7,7 @@
 
 #include "whittle/core/vertex_pair.hh"
 
-// Why pairs are refused: one row a reason. Counts, reports, messages and advice are loops over the rows.
+// Why pairs are refused: one row a reason. Counts, reports and messages are loops over the rows.
 
 namespace whittle {
 
@@ -26,21 +26,21 @@ enum class Refusal : std::uint8_t {
 /// One row of the table of reasons.
 struct RefusalRow {
   Refusal refusal;
-  std::string_view key;     ///< in reports
-  std::string_view words;   ///< follow a number of pairs
-  std::string_view option;  ///< of the program, without which it refuses nothing; empty if there is no such option
+  std::string_view key;    ///< in reports
+  std::string_view words;  ///< follow a number of pairs
+  bool is_always_told;     ///< in messages; others only where pairs were refused for them
 };
 
 /// The table: a row a reason, in the order of the enumeration.
 inline constexpr std::array<RefusalRow, 8> all_refusals{
-    {{Refusal::link, "link", "by topology", ""},
-     {Refusal::flip, "flip", "by turning a face", ""},
-     {Refusal::shape, "shape", "by shape", "--min-radius-ratio"},
-     {Refusal::feature, "feature", "by features or seams", "--feature-angle"},
-     {Refusal::area, "area", "by the last face of a chart or region", "--regions"},
-     {Refusal::locked, "locked", "locked", ""},
-     {Refusal::intersection, "intersection", "by intersecting", "--self-intersections"},
-     {Refusal::error, "error", "by error", "--max-error"}}};
+    {{Refusal::link, "link", "by topology", true},
+     {Refusal::flip, "flip", "by turning a face", true},
+     {Refusal::shape, "shape", "by shape", false},
+     {Refusal::feature, "feature", "by features or seams", false},
+     {Refusal::area, "area", "by the last face of a chart or region", false},
+     {Refusal::locked, "locked", "locked", true},
+     {Refusal::intersection, "intersection", "by intersecting", false},
+     {Refusal::error, "error", "by error", false}}};
 
 /// How often pairs were refused, by reason.
 class RefusalCounts {

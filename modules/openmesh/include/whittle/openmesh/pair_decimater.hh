@@ -61,8 +61,8 @@ class EngineRunT;
 template <class MeshT>
 class MeshRunT;
 
-/// Has the calls of OpenMesh's `DecimaterT` and takes the same modules. The main differences (docs/dev/openmesh.md has
-/// all of them):
+/// Has the calls of OpenMesh's `DecimaterT` and takes the same modules. The main differences
+/// (docs/dev/openmesh.md and docs/user/from-openmesh.md have more):
 ///   - The cost module is one of ours (`ModGarlandHeckbertT`, `ModMemorylessT`, `ModLindstromTurkT`, `ModMidpointT`) or
 ///     any non-binary module of OpenMesh's. With the latter v1 keeps its position, both directions of an edge are
 ///     candidates, and OpenMesh's own legality rules hold.
