@@ -10,6 +10,7 @@
 #include "files/failure.hh"
 #include "files/output.hh"
 #include "files/report.hh"
+#include "options/command_line.hh"
 #include "options/help.hh"
 #include "options/parse_problems.hh"
 #include "terminal/errors.hh"
@@ -101,19 +102,7 @@ int main(int argc, char** argv) {
     app.set_version_flag("-V,--version", program_and_version(), "print the version");
     app.require_subcommand(1);
     Command command;
-    setup_simplify(app, command);
-    setup_measure(app, command);
-    setup_info(app, command);
-    setup_polish(app, command);
-    setup_compare(app, command);
-    setup_convert(app, command);
-    setup_verify(app, command);
-    setup_lod(app, command);
-    setup_replay(app, command);
-    setup_geomorph(app, command);
-    setup_report(app, command);
-    setup_completion(app, command);
-    setup_man(app, command);
+    for (const auto setup : all_subcommands) setup(app, command);
     refuse_values_of_flags(app);
     app.footer(
         "'whittle SUBCOMMAND --help' tells the options of each, and so does 'whittle help SUBCOMMAND'.\n"

@@ -1,5 +1,6 @@
 #include "program/help_text.hh"
 
+#include <algorithm>
 #include <sstream>
 
 namespace whittle::test {
@@ -139,6 +140,17 @@ std::vector<OptionText> options_of_help(const std::string& help) {
   return options;
 }
 
+std::vector<OptionText> options_of_group(const std::string& help, const std::string& group) {
+  std::string part;
+  bool is_inside = false;
+  for (const std::string& line : lines_of(help)) {
+    const bool is_title = !line.empty() && line.front() != ' ' && line.back() == ':';
+    if (is_title) is_inside = line.substr(0, std::min(line.find(" ("), line.size() - 1)) == group;
+    if (is_inside) part += line + '\n';
+  }
+  return options_of_help(part);
+}
+
 std::vector<OptionText> options_of_page(const std::string& page) {
   std::vector<OptionText> options;
   for (const auto& cells : rows_under(page, "| option | default | meaning |")) {
@@ -173,6 +185,17 @@ std::string table_of(const std::vector<OptionText>& options) {
   for (const OptionText& option : options) {
     for (const std::string& cell : {'`' + option.name + '`', option.standard, option.meaning}) {
       table += "| " + escaped(cell) + ' ';
+    }
+    table += "|\n";
+  }
+  return table;
+}
+
+std::string short_table_of(const std::vector<OptionText>& options) {
+  std::string table = "| option | default | meaning |\n|-|-|-|\n";
+  for (const OptionText& option : options) {
+    for (const std::string& cell : {'`' + option.name + '`', option.standard, option.meaning}) {
+      table += '|' + escaped(cell);
     }
     table += "|\n";
   }

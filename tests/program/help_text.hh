@@ -31,6 +31,8 @@ std::vector<std::string> subcommands_of_help(const std::string& help);
 std::vector<std::string> names_of(const OptionText& option);
 /// The options in a help text; positional arguments are left out.
 std::vector<OptionText> options_of_help(const std::string& help);
+/// Those of one group: "Targets" of "Targets (at least one):".
+std::vector<OptionText> options_of_group(const std::string& help, const std::string& group);
 /// The rows of a page's tables under the heading "| option | default | meaning |".
 std::vector<OptionText> options_of_page(const std::string& page);
 /// The first two cells of a page's table under the heading "| option | does not go with | why |".
@@ -38,7 +40,9 @@ std::vector<std::pair<std::string, std::string>> conflicts_of_page(const std::st
 /// The rows of a page's tables under the heading "| key | type | what it is | when |".
 std::vector<KeyText> keys_of_page(const std::string& page);
 
-/// The options as a table in that form, for comparing and for copying.
+/// The options as a table in that form, for comparing.
 std::string table_of(const std::vector<OptionText>& options);
+/// The same as pages have it, without blanks around cells.
+std::string short_table_of(const std::vector<OptionText>& options);
 
 }  // namespace whittle::test

@@ -1,5 +1,4 @@
 #include <array>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,20 +10,20 @@
 #include "files/output.hh"
 #include "files/report.hh"
 #include "openmesh/stock_decimater.hh"
-#include "options/efforts.hh"
 #include "options/sampling.hh"
 #include "options/targets.hh"
 #include "terminal/interruption.hh"
 #include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
+#include "whittle/simplify/request.hh"
 
 namespace whittle::app {
 namespace {
 
 struct CompareOptions {
   std::string input;
-  TargetOptions targets;
+  Targets targets;
   FileOptions files;
   std::optional<Effort> effort;  ///< if not given: normal, or fast with a cost limit
   metrics::DistanceOptions distance;
@@ -59,11 +58,10 @@ Effort effective_effort(const CompareOptions& options) {
   return options.effort.value_or(options.targets.max_cost ? Effort::fast : Effort::normal);
 }
 
-std::span<const Conflict> compare_conflicts() {
-  static const char why[] = "OpenMesh's limit has the unit of '--effort fast'";
-  static const std::array<Conflict, 2> all{
-      {{"--max-cost", "--effort normal", why}, {"--max-cost", "--effort best", why}}};
-  return all;
+/// Other efforts than fast, whose cost has another unit than OpenMesh's limit.
+std::vector<OptionConflict> conflicts_of_effort() {
+  const std::string why = "OpenMesh's limit has the unit of '--effort fast'";
+  return {{"normal", "--max-cost", why}, {"best", "--max-cost", why}};
 }
 
 /// A contender without its times.
@@ -134,7 +132,7 @@ Json compare_options_json(const CompareOptions& options, const Comparison& compa
   const DecimateOptions& decimate = comparison.settled.decimate;
   return {{"weld", options.files.weld},
           {"weld_tolerance", to_string(options.files.weld_tolerance)},
-          {"effort", word_of<Effort>(efforts, comparison.effort)},
+          {"effort", word_of(std::span<const Choice<Effort>>(efforts), comparison.effort)},
           {"cost", to_string(decimate.effective_cost())},
           {"polish", *comparison.settled.polish_passes},
           {"flips", *comparison.settled.flips},
@@ -162,7 +160,7 @@ std::string ratio(double ours, double theirs) { return theirs > 0 ? significant(
 
 /// "--effort normal"
 std::string effort_text(const Comparison& comparison) {
-  return "--effort " + std::string(word_of<Effort>(efforts, comparison.effort));
+  return "--effort " + std::string(word_of(std::span<const Choice<Effort>>(efforts), comparison.effort));
 }
 
 /// "--effort normal (--cost memoryless --polish 1)"
@@ -233,11 +231,9 @@ void warn_if_missed(const Contender& contender, const std::string& who, const In
                faces_text(contender.n_faces) + " and " + vertices_text(contender.n_vertices) + " reached");
 }
 
-ExitCode run_compare(const CLI::App& app, const CompareOptions& options) {
+ExitCode run_compare(const Given& /*given*/, CompareOptions options) {
   check_targets(options.targets, "--faces, --vertices, --ratio, --face-ratio and --max-cost");
-  check_conflicts(app, common_conflicts());
   check_formats({options.input}, {}, options.files);
-  check_conflicts(app, compare_conflicts());
   if (options.common.json) check_outputs({{"--json", *options.common.json}}, {options.input}, options.common.force);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
@@ -255,26 +251,29 @@ ExitCode run_compare(const CLI::App& app, const CompareOptions& options) {
   return ExitCode::done;
 }
 
+OptionRows compare_rows(CompareOptions& options) {
+  OptionRows rows{mesh_argument(options.input, options.files)};
+  append(rows, target_rows(options.targets, "its unit is length^4 in model units: squared distance times area"));
+  rows.push_back({.names = "--effort",
+                  .access = choice(options.effort, efforts),
+                  .help = effort_meaning,
+                  .standard = "normal; fast with --max-cost",
+                  .conflicts = conflicts_of_effort()});
+  append(rows, sampling_rows(options.distance));
+  append(rows, input_rows(options.files));
+  append(rows, common_rows(options.common));
+  return rows;
+}
+
 }  // namespace
 
 void setup_compare(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<CompareOptions>();
-  CLI::App* sub = app.add_subcommand("compare", "Simplify with whittle and with OpenMesh's ModQuadric, side by side.");
-  add_mesh_file(*sub, options->input, options->files);
-  add_target_options(*sub, options->targets, "its unit is length^4 in model units: squared distance times area");
-  add_value(
-      *sub, "--effort", words_of<Effort>(efforts), options->effort,
-      [](std::string_view text) { return parse_choice<Effort>(text, efforts); }, effort_meaning)
-      ->default_str("normal; fast with --max-cost");
-  add_sampling_options(*sub, options->distance);
-  add_input_options(*sub, options->files);
-  add_common_options(*sub, options->common);
-  set_usage(*sub, "IN TARGET... [OPTION]...");
-  sub->footer(
-      "Examples:\n"
-      "  whittle compare dragon.ply --ratio 10%\n"
-      "  whittle compare dragon.ply --faces 5000 --json - | jq '.whittle.mean / .openmesh.mean'");
-  sub->callback([sub, options, &command] { command = [sub, options] { return run_compare(*sub, *options); }; });
+  const SubcommandText text{"compare", "Simplify with whittle and with OpenMesh's ModQuadric, side by side.",
+                            "IN TARGET... [OPTION]...",
+                            "Examples:\n"
+                            "  whittle compare dragon.ply --ratio 10%\n"
+                            "  whittle compare dragon.ply --faces 5000 --json - | jq '.whittle.mean / .openmesh.mean'"};
+  add_subcommand(app, text, CompareOptions{}, compare_rows, run_compare, command);
 }
 
 }  // namespace whittle::app

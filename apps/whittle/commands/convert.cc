@@ -1,4 +1,3 @@
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,7 +7,6 @@
 #include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
-#include "options/values.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
 
@@ -28,14 +26,12 @@ struct Conversion {
   std::vector<std::string> warnings;
 };
 
-Json convert_json(const ConvertCommand& options, const Conversion& run, double total_seconds) {
+Json convert_json(ConvertCommand& options, const Conversion& run, double total_seconds) {
   const IndexedMesh& mesh = run.input.read.mesh;
   Json json = new_report();
   json["input"] = input_json(run.input, mesh.faces.empty() ? 0 : metrics::bounds(mesh).diagonal());
   json["input"]["format"] = run.input.format;
-  json["options"] = {{"weld", options.files.weld},
-                     {"weld_tolerance", to_string(options.files.weld_tolerance)},
-                     {"ascii", options.files.ascii}};
+  json["options"] = options_json(file_rows(options.files));
   json["output"] = {{"path", options.output},
                     {"format", output_format_name(options.output, options.files)},
                     {"vertices", mesh.positions.size()},
@@ -46,18 +42,17 @@ Json convert_json(const ConvertCommand& options, const Conversion& run, double t
   return json;
 }
 
-void check(const CLI::App& app, const ConvertCommand& options) {
-  check_conflicts(app, common_conflicts());
+void check(const ConvertCommand& options) {
   check_formats({options.input}, {options.output}, options.files);
   std::vector<Output> outputs{{"OUT", options.output}};
   if (options.common.json) outputs.push_back({"--json", *options.common.json});
   check_outputs(outputs, {options.input}, options.common.force);
 }
 
-ExitCode run_convert(const CLI::App& app, ConvertCommand options) {
+ExitCode run_convert(const Given& /*given*/, ConvertCommand options) {
   options.files.takes_no_triangles = is_gltf_output(options.output, options.files);
   options.files.reads_scene = !options.files.takes_no_triangles;
-  check(app, options);
+  check(options);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   Conversion run;
@@ -81,23 +76,26 @@ ExitCode run_convert(const CLI::App& app, ConvertCommand options) {
   return ExitCode::done;
 }
 
+OptionRows convert_rows(ConvertCommand& options) {
+  OptionRows rows{
+      mesh_argument(options.input, options.files),
+      file_argument("OUT", options.output, "the result: a file, replaced if it exists, or '-' for standard output")};
+  append(rows, file_rows(options.files));
+  append(rows, common_rows(options.common));
+  return rows;
+}
+
 }  // namespace
 
 void setup_convert(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<ConvertCommand>();
-  options->files.reads_gltf = options->files.writes_gltf = true;
-  CLI::App* sub = app.add_subcommand("convert", "Write a mesh in another format, and simplify nothing.");
-  add_mesh_file(*sub, options->input, options->files);
-  add_file(*sub, "OUT", options->output, "the result: a file, replaced if it exists, or '-' for standard output");
-  add_file_options(*sub, options->files);
-  add_common_options(*sub, options->common);
-  set_usage(*sub, "IN OUT [OPTION]...");
-  sub->footer(
-      "Examples:\n"
-      "  whittle convert part.stl part.ply\n"
-      "  whittle convert scan.ply scan.obj.gz\n"
-      "  whittle convert - - --input-format obj --output-format stl < in.obj > out.stl");
-  sub->callback([sub, options, &command] { command = [sub, options] { return run_convert(*sub, *options); }; });
+  const SubcommandText text{"convert", "Write a mesh in another format, and simplify nothing.", "IN OUT [OPTION]...",
+                            "Examples:\n"
+                            "  whittle convert part.stl part.ply\n"
+                            "  whittle convert scan.ply scan.obj.gz\n"
+                            "  whittle convert - - --input-format obj --output-format stl < in.obj > out.stl"};
+  ConvertCommand defaults;
+  defaults.files.reads_gltf = defaults.files.writes_gltf = true;
+  add_subcommand(app, text, defaults, convert_rows, run_convert, command);
 }
 
 }  // namespace whittle::app

@@ -1,7 +1,6 @@
 #include "whittle/progressive/geomorph.hh"
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -12,7 +11,6 @@
 #include "commands/subcommands.hh"
 #include "files/output.hh"
 #include "files/report.hh"
-#include "options/values.hh"
 #include "terminal/errors.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
@@ -45,8 +43,7 @@ struct GeomorphRun {
   std::vector<std::string> warnings;
 };
 
-void check(const CLI::App& app, const GeomorphCommand& options, GeomorphRun& run) {
-  check_conflicts(app, common_conflicts());
+void check(const GeomorphCommand& options, GeomorphRun& run) {
   check_number(options.output, "--frames", options.n_frames.has_value());
   if (!options.n_frames && options.output != standard_stream && !options.output.ends_with(".glb")) {
     throw UsageError(
@@ -110,13 +107,11 @@ Json geomorph_json(const GeomorphRun& run, double total_seconds) {
   return json;
 }
 
-ExitCode run_geomorph(const CLI::App& app, const GeomorphCommand& options) {
+ExitCode run_geomorph(const Given& given, GeomorphCommand options) {
   GeomorphRun run;
-  check(app, options, run);
+  check(options, run);
   const Talk talk = options.common.talk();
-  static const std::array<IdleOption, 3> idle{
-      {{"--normal-blend", "--frames", ""}, {"--ascii", "--frames", ""}, {"--output-format", "--frames", ""}}};
-  run.warnings = find_idle_options(app, idle);
+  run.warnings = given.idle;
   for (const std::string& warning : run.warnings) talk.warning(warning);
   const Stopwatch watch;
   Replay replay = read_replay(options.recording, options.files, options.common.threads, talk, run.recording);
@@ -141,41 +136,51 @@ ExitCode run_geomorph(const CLI::App& app, const GeomorphCommand& options) {
   return ExitCode::done;
 }
 
+OptionRows geomorph_rows(GeomorphCommand& options) {
+  constexpr std::uint64_t fewest = 2;
+  constexpr std::uint64_t most = 1'000'000;
+  OptionRows rows{
+      recording_argument(options.recording),
+      output_row(options.output,
+                 "a .glb file with a morph target, replaced if it exists, or '-' for standard output; with --frames, "
+                 "meshes"),
+      {.names = "--from",
+       .access = count(options.from),
+       .help = "begin at the first level of at most N faces",
+       .standard = "the input"},
+      {.names = "--to",
+       .access = count(options.to),
+       .help = "end at the first level of at most N faces",
+       .standard = "the last level"},
+      {.names = "--frames",
+       .access = count(options.n_frames, fewest, most),
+       .help = "write N meshes on the way, both ends among them; '{i}' in OUT stands for the number of each"},
+      {.names = "--normal-blend",
+       .access = choice(options.normal_blend, normal_blends),
+       .help = "how normals turn in --frames: at a constant speed, or as glTF does",
+       .idle = {{.without = {"--frames"}}}},
+      recording_input_row(options.recording)};
+  append(rows, file_rows(options.files));
+  for (OptionRow& row : rows) {
+    const std::string name = long_name(row);
+    if (name == "--ascii" || name == "--output-format") row.idle.push_back({.without = {"--frames"}});
+  }
+  append(rows, common_rows(options.common));
+  return rows;
+}
+
 }  // namespace
 
 void setup_geomorph(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<GeomorphCommand>();
-  options->files.reads_gltf = true;
-  CLI::App* sub = app.add_subcommand("geomorph", "Write a continuous way between two levels of a recording, as glTF.");
-  add_recording(*sub, options->recording);
-  add_value(
-      *sub, "-o,--output", "OUT", options->output, [](std::string_view text) { return std::string(text); },
-      "a .glb file with a morph target, replaced if it exists, or '-' for standard output; with --frames, meshes")
-      ->required();
-  const auto count = [](std::string_view text) { return std::optional(parse_count(text)); };
-  add_value(*sub, "--from", "N", options->from, count, "begin at the first level of at most N faces")
-      ->default_str("the input");
-  add_value(*sub, "--to", "N", options->to, count, "end at the first level of at most N faces")
-      ->default_str("the last level");
-  constexpr std::uint64_t fewest = 2;
-  constexpr std::uint64_t most = 1'000'000;
-  add_value(
-      *sub, "--frames", "N", options->n_frames,
-      [](std::string_view text) { return std::optional(parse_count(text, fewest, most)); },
-      "write N meshes on the way, both ends among them; '{i}' in OUT stands for the number of each")
-      ->default_str("off");
-  add_choice(*sub, "--normal-blend", options->normal_blend, normal_blends,
-             "how normals turn in --frames: at a constant speed, or as glTF does");
-  add_recording_input(*sub, options->recording);
-  add_file_options(*sub, options->files);
-  add_common_options(*sub, options->common);
-  set_usage(*sub, "REC -o OUT [OPTION]...");
-  sub->footer(
-      "Examples:\n"
-      "  whittle simplify dragon.ply -o small.ply --ratio 1% --record dragon.rec\n"
-      "  whittle geomorph dragon.rec --from 50000 --to 10000 -o morph.glb\n"
-      "  whittle geomorph dragon.rec --from 50000 --frames 48 -o 'frame_{i}.ply'");
-  sub->callback([sub, options, &command] { command = [sub, options] { return run_geomorph(*sub, *options); }; });
+  const SubcommandText text{"geomorph", "Write a continuous way between two levels of a recording, as glTF.",
+                            "REC -o OUT [OPTION]...",
+                            "Examples:\n"
+                            "  whittle simplify dragon.ply -o small.ply --ratio 1% --record dragon.rec\n"
+                            "  whittle geomorph dragon.rec --from 50000 --to 10000 -o morph.glb\n"
+                            "  whittle geomorph dragon.rec --from 50000 --frames 48 -o 'frame_{i}.ply'"};
+  GeomorphCommand defaults;
+  defaults.files.reads_gltf = true;
+  add_subcommand(app, text, defaults, geomorph_rows, run_geomorph, command);
 }
 
 }  // namespace whittle::app

@@ -1,4 +1,3 @@
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -179,8 +178,7 @@ std::string summary_of(const Findings& findings) {
   return text;
 }
 
-ExitCode run_info(const CLI::App& app, const InfoOptions& options) {
-  check_conflicts(app, common_conflicts());
+ExitCode run_info(const Given& /*given*/, InfoOptions options) {
   check_formats({options.input}, {}, options.files);
   if (options.common.json) check_outputs({{"--json", *options.common.json}}, {options.input}, options.common.force);
   const Talk talk = options.common.talk();
@@ -192,22 +190,26 @@ ExitCode run_info(const CLI::App& app, const InfoOptions& options) {
   return ExitCode::done;
 }
 
+OptionRows info_rows(InfoOptions& options) {
+  OptionRows rows{mesh_argument(options.input, options.files)};
+  append(rows, input_format_rows(options.files));
+  OptionRow weld = weld_row(options.files);
+  weld.conflicts.clear();
+  rows.push_back(std::move(weld));
+  append(rows, common_rows(options.common));
+  return rows;
+}
+
 }  // namespace
 
 void setup_info(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<InfoOptions>();
-  options->files.reads_gltf = options->files.reads_shown = true;
-  CLI::App* sub = app.add_subcommand("info", "Say what is in a mesh file and what is wrong with it.");
-  add_mesh_file(*sub, options->input, options->files);
-  add_input_formats(*sub, options->files);
-  add_weld(*sub, options->files);
-  add_common_options(*sub, options->common);
-  set_usage(*sub, "IN [OPTION]...");
-  sub->footer(
-      "Examples:\n"
-      "  whittle info part.stl\n"
-      "  whittle info part.stl --json - | jq .closed");
-  sub->callback([sub, options, &command] { command = [sub, options] { return run_info(*sub, *options); }; });
+  const SubcommandText text{"info", "Say what is in a mesh file and what is wrong with it.", "IN [OPTION]...",
+                            "Examples:\n"
+                            "  whittle info part.stl\n"
+                            "  whittle info part.stl --json - | jq .closed"};
+  InfoOptions defaults;
+  defaults.files.reads_gltf = defaults.files.reads_shown = true;
+  add_subcommand(app, text, defaults, info_rows, run_info, command);
 }
 
 }  // namespace whittle::app

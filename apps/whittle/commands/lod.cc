@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -17,18 +16,14 @@
 #include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
-#include "options/efforts.hh"
-#include "options/fits.hh"
-#include "options/values.hh"
 #include "terminal/interruption.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
 #include "whittle/progressive/levels.hh"
+#include "whittle/simplify/request.hh"
 
 namespace whittle::app {
 namespace {
-
-constexpr char lod_level_group[] = "Levels (one of these)";
 
 struct LodCommand {
   std::string input;
@@ -59,22 +54,59 @@ struct LodRun {
   std::vector<std::string> warnings;
 };
 
-/// The parts of a list with commas.
-template <class Parse>
-auto parse_list(std::string_view text, const Parse& parse) {
-  std::vector<decltype(parse(text))> values;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    values.push_back(parse(text.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return values;
+/// A list with commas. \param parse turns one of its texts into a value, or throws std::invalid_argument
+template <class T, class Parse>
+OptionAccess list(std::vector<T>& values, const std::string& meta, Parse parse) {
+  const auto set = [&values, parse](std::string_view text) {
+    values.clear();
+    for (const std::string_view part : parts_of(text)) values.push_back(parse(part));
+  };
+  return {meta, set, [] { return OptionValue{}; }};
 }
 
 Length parse_error(std::string_view text) {
   const Length length = parse_length(text, "E");
   if (!(length.value > 0)) throw std::invalid_argument("a length has to be above 0");
   return length;
+}
+
+OptionRows level_rows(LodCommand& options) {
+  return in_group(
+      {{.names = "--ratios",
+        .access = list(options.ratios, "R,...", parse_ratio),
+        .help = "levels with these shares of the vertices: 0.5,0.25 or 50%,25%"},
+       {.names = "--face-ratios",
+        .access = list(options.face_ratios, "R,...", parse_ratio),
+        .help = "levels with these shares of the faces"},
+       {.names = "--faces",
+        .access = list(options.faces, "N,...", [](std::string_view text) { return parse_count(text); }),
+        .help = "levels with these numbers of faces"},
+       {.names = "--errors",
+        .access = list(options.errors, "E,...", parse_error),
+        .help = "levels of few faces that are proven to be within these distances of IN, and IN of them: model units, "
+                "or percentages of the diagonal such as 0.1%,0.5%"}},
+      "Levels (one of these)");
+}
+
+/// How levels are made and written.
+OptionRows setting_rows(LodCommand& options) {
+  OptionRows rows{effort_row(options.effort), fit_row(options.fit)};
+  append(rows, file_rows(options.files));
+  rows.push_back(compress_row(options.compresses_gltf));
+  return rows;
+}
+
+OptionRows lod_rows(LodCommand& options) {
+  OptionRows rows{mesh_argument(options.input, options.files)};
+  append(rows, level_rows(options));
+  rows.push_back(output_row(
+      options.output,
+      "the levels: files, replaced if they exist; '{faces}' and '{vertices}' in it stand for the counts of each, '{i}' "
+      "for its number, from 0. Without any of these one glTF file: IN, with the levels as levels of detail "
+      "(MSFT_lod)"));
+  append(rows, setting_rows(options));
+  append(rows, common_rows(options.common));
+  return rows;
 }
 
 /// Counts in descending order, each once. \throw UsageError if the mesh doesn't have more
@@ -151,15 +183,10 @@ void name_levels(const LodCommand& options, LodRun& run) {
   }
 }
 
-Json lod_json(const LodCommand& options, const LodRun& run, double total_seconds) {
+Json lod_json(LodCommand& options, const LodRun& run, double total_seconds) {
   Json json = new_report();
   json["input"] = input_json(run.input, run.diagonal);
-  json["options"] = {{"weld", options.files.weld},
-                     {"weld_tolerance", to_string(options.files.weld_tolerance)},
-                     {"ascii", options.files.ascii},
-                     {"compress", options.compresses_gltf},
-                     {"effort", word_of<Effort>(efforts, options.effort)},
-                     {"fit", word_of<Fit>(fits, options.fit)}};
+  json["options"] = options_json(setting_rows(options));
   json["levels"] = Json::array();
   for (const LodLevel& level : run.levels) {
     Json one = {{"path", level.path},
@@ -178,8 +205,7 @@ Json lod_json(const LodCommand& options, const LodRun& run, double total_seconds
   return json;
 }
 
-void check(const CLI::App& app, const LodCommand& options) {
-  check_conflicts(app, common_conflicts());
+void check(const LodCommand& options) {
   const int n_given = int{!options.ratios.empty()} + int{!options.face_ratios.empty()} + int{!options.faces.empty()} +
                       int{!options.errors.empty()};
   if (n_given != 1) throw UsageError("one of --ratios, --face-ratios, --faces and --errors is needed, and only one");
@@ -207,7 +233,7 @@ void write_into_one_file(const LodCommand& options, const Talk& talk, OutputFile
   write_levels(files, {options.output, options.files, options.compresses_gltf}, run.input, levels, talk, run.warnings);
 }
 
-void write_files(const LodCommand& options, const Talk& talk, const Stopwatch& since_start, LodRun& run) {
+void write_files(LodCommand& options, const Talk& talk, const Stopwatch& since_start, LodRun& run) {
   const Stopwatch writing;
   OutputFiles files(options.common.force);
   files.protect(run.input.needed_files);
@@ -264,9 +290,9 @@ void warn_of_missing_levels(const LodCommand& options, const Talk& talk, LodRun&
   talk.warning(run.warnings.back());
 }
 
-ExitCode run_lod(const CLI::App& app, LodCommand options) {
+ExitCode run_lod(const Given& /*given*/, LodCommand options) {
   options.files.reads_scene = !is_gltf_output(path_of(options.output, 0, 1, 2), options.files);
-  check(app, options);
+  check(options);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   LodRun run;
@@ -302,50 +328,17 @@ ExitCode run_lod(const CLI::App& app, LodCommand options) {
   return ExitCode::done;
 }
 
-void add_level_options(CLI::App& app, LodCommand& options) {
-  const auto add = [&app](const std::string& name, const std::string& value_name, auto& target, auto parse,
-                          const std::string& description) {
-    add_value(
-        app, name, value_name, target, [parse](std::string_view text) { return parse_list(text, parse); }, description)
-        ->default_str("off")
-        ->group(lod_level_group);
-  };
-  add("--ratios", "R,...", options.ratios, parse_ratio,
-      "levels with these shares of the vertices: 0.5,0.25 or 50%,25%");
-  add("--face-ratios", "R,...", options.face_ratios, parse_ratio, "levels with these shares of the faces");
-  add(
-      "--faces", "N,...", options.faces, [](std::string_view text) { return parse_count(text); },
-      "levels with these numbers of faces");
-  add("--errors", "E,...", options.errors, parse_error,
-      "levels of few faces that are proven to be within these distances of IN, and IN of them: model units, or "
-      "percentages of the diagonal such as 0.1%,0.5%");
-}
-
 }  // namespace
 
 void setup_lod(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<LodCommand>();
-  options->files.reads_gltf = options->files.writes_gltf = true;
-  CLI::App* sub = app.add_subcommand("lod", "Write several levels of detail out of one run.");
-  add_mesh_file(*sub, options->input, options->files);
-  add_level_options(*sub, *options);
-  add_value(
-      *sub, "-o,--output", "OUT", options->output, [](std::string_view text) { return std::string(text); },
-      "the levels: files, replaced if they exist; '{faces}' and '{vertices}' in it stand for the counts of each, '{i}' "
-      "for its number, from 0. Without any of these one glTF file: IN, with the levels as levels of detail (MSFT_lod)")
-      ->required();
-  add_choice<Effort>(*sub, "--effort", options->effort, efforts, effort_meaning);
-  add_choice<Fit>(*sub, "--fit", options->fit, fits, fit_meaning);
-  add_file_options(*sub, options->files);
-  add_compress(*sub, options->compresses_gltf);
-  add_common_options(*sub, options->common);
-  set_usage(*sub, "IN -o OUT LEVELS [OPTION]...");
-  sub->footer(
-      "Examples:\n"
-      "  whittle lod dragon.ply --ratios 50%,25%,10% -o 'dragon_{faces}.ply'\n"
-      "  whittle lod helmet.glb --ratios 50%,10% -o helmet_levels.glb\n"
-      "  whittle lod part.stl --errors 0.1%,0.5%,1% -o 'part_{i}.obj'");
-  sub->callback([sub, options, &command] { command = [sub, options] { return run_lod(*sub, *options); }; });
+  const SubcommandText text{"lod", "Write several levels of detail out of one run.", "IN -o OUT LEVELS [OPTION]...",
+                            "Examples:\n"
+                            "  whittle lod dragon.ply --ratios 50%,25%,10% -o 'dragon_{faces}.ply'\n"
+                            "  whittle lod helmet.glb --ratios 50%,10% -o helmet_levels.glb\n"
+                            "  whittle lod part.stl --errors 0.1%,0.5%,1% -o 'part_{i}.obj'"};
+  LodCommand defaults;
+  defaults.files.reads_gltf = defaults.files.writes_gltf = true;
+  add_subcommand(app, text, defaults, lod_rows, run_lod, command);
 }
 
 }  // namespace whittle::app

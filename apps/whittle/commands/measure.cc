@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -14,7 +13,6 @@
 #include "files/output.hh"
 #include "files/report.hh"
 #include "options/sampling.hh"
-#include "options/values.hh"
 #include "pictures/compare_pictures.hh"
 #include "terminal/point_text.hh"
 #include "terminal/progress_bar.hh"
@@ -243,8 +241,7 @@ std::string summary_of(const Input& reference, const Input& test, const Measurem
 }
 
 /// \throw what `run_measure` throws before it reads
-void check_command(const CLI::App& app, const MeasureOptions& options) {
-  check_conflicts(app, common_conflicts());
+void check_command(const MeasureOptions& options) {
   check_formats({options.reference, options.test}, {}, options.files);
   std::vector<Output> outputs;
   if (options.common.json) outputs.push_back({"--json", *options.common.json});
@@ -258,8 +255,8 @@ void check_command(const CLI::App& app, const MeasureOptions& options) {
   }
 }
 
-ExitCode run_measure(const CLI::App& app, const MeasureOptions& options) {
-  check_command(app, options);
+ExitCode run_measure(const Given& /*given*/, MeasureOptions options) {
+  check_command(options);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   const auto read = [&](const std::string& path) {
@@ -287,74 +284,56 @@ ExitCode run_measure(const CLI::App& app, const MeasureOptions& options) {
   return ExitCode::done;
 }
 
-void add_feature_angle(CLI::App& app, std::optional<double>& angle_deg) {
-  constexpr Range range{0, 180, false, false};
-  add_value(
-      app, "--feature-angle", "DEG", angle_deg,
-      [range](std::string_view text) { return parse_number(text, range, "DEG"); },
-      "also measure the feature lines, the edges whose two faces turn by more than DEG degrees, " +
-          to_string(range, "DEG"))
-      ->default_str("off");
+OptionRows picture_rows(MeasureOptions& options) {
+  constexpr std::uint64_t most = 10'000;
+  return {{.names = "--render",
+           .access = count(options.n_views, 1, most),
+           .help = "also draw both meshes with their textures from N directions, and say how different the pictures "
+                   "are: PSNR and FLIP, 1 <= N <= 10000"},
+          side_file_row("--render-image", options.worst_image,
+                        "write the two pictures with the least PSNR, and their FLIP, as one PNG file"),
+          {.names = "--posed",
+           .access = count(options.n_poses, 1, most),
+           .help = "also measure the scenes of two glTF files in N poses, of their animations or, without these, with "
+                   "turned joints and blended morph targets, 1 <= N <= 10000"}};
 }
 
-void add_exact(CLI::App& app, std::optional<double>& accuracy) {
-  constexpr Range range{1e-6, 1, true, true};
-  add_value(
-      app, "--exact", "A", accuracy, [range](std::string_view text) { return parse_number(text, range, "A"); },
-      "also find the largest distance of all points of both surfaces, not of samples, to a relative accuracy of A, " +
-          to_string(range, "A"))
-      ->default_str("off");
-}
-
-void add_render(CLI::App& app, MeasureOptions& options) {
-  constexpr std::uint64_t most_views = 10'000;
-  add_value(
-      app, "--render", "N", options.n_views,
-      [](std::string_view text) { return static_cast<std::size_t>(parse_count(text, 1, most_views)); },
-      "also draw both meshes with their textures from N directions, and say how different the pictures are: PSNR and "
-      "FLIP, 1 <= N <= 10000")
-      ->default_str("off");
-  add_value(
-      app, "--render-image", "FILE", options.worst_image, [](std::string_view text) { return std::string(text); },
-      "write the two pictures with the least PSNR, and their FLIP, as one PNG file")
-      ->default_str("off");
-}
-
-void add_posed(CLI::App& app, std::optional<std::size_t>& n_poses) {
-  constexpr std::uint64_t most_poses = 10'000;
-  add_value(
-      app, "--posed", "N", n_poses,
-      [](std::string_view text) { return static_cast<std::size_t>(parse_count(text, 1, most_poses)); },
-      "also measure the scenes of two glTF files in N poses, of their animations or, without these, with turned joints "
-      "and blended morph targets, 1 <= N <= 10000")
-      ->default_str("off");
+OptionRows measure_rows(MeasureOptions& options) {
+  constexpr Range accuracies{1e-6, 1};
+  constexpr Range angles{0, 180, false, false};
+  OptionRows rows{file_argument("REF", options.reference, "the reference mesh, or '-' for standard input"),
+                  file_argument("TEST", options.test, "the mesh to judge, or '-' for standard input")};
+  append(rows, sampling_rows(options.distance));
+  append(rows, {{.names = "--exact",
+                 .access = number(options.exact, accuracies, "A"),
+                 .help = "also find the largest distance of all points of both surfaces, not of samples, to a relative "
+                         "accuracy of A, " +
+                         to_string(accuracies, "A")},
+                {.names = "--feature-angle",
+                 .access = number(options.feature_angle_deg, angles, "DEG"),
+                 .help = "also measure the feature lines, the edges whose two faces turn by more than DEG degrees, " +
+                         to_string(angles, "DEG")}});
+  append(rows, picture_rows(options));
+  append(rows, input_rows(options.files));
+  append(rows, common_rows(options.common));
+  return rows;
 }
 
 }  // namespace
 
 void setup_measure(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<MeasureOptions>();
-  options->files.reads_gltf = options->files.reads_scene = true;
-  CLI::App* sub = app.add_subcommand("measure", "Say how far TEST is from REF, and how well TEST is made.");
-  add_file(*sub, "REF", options->reference, "the reference mesh, or '-' for standard input");
-  add_file(*sub, "TEST", options->test, "the mesh to judge, or '-' for standard input");
-  add_sampling_options(*sub, options->distance);
-  add_exact(*sub, options->exact);
-  add_feature_angle(*sub, options->feature_angle_deg);
-  add_render(*sub, *options);
-  add_posed(*sub, options->n_poses);
-  add_input_options(*sub, options->files);
-  add_common_options(*sub, options->common);
-  set_usage(*sub, "REF TEST [OPTION]...");
-  sub->footer(
-      "Examples:\n"
-      "  whittle measure dragon.ply small.ply\n"
-      "  whittle measure dragon.ply small.ply --json - | jq .mean_rel\n"
-      "  whittle measure fandisk.off small.off --feature-angle 40\n"
-      "  whittle measure fandisk.off small.off --exact 1e-3\n"
-      "  whittle measure helmet.glb small.glb --render 24 --render-image worst.png\n"
-      "  whittle measure knight.glb small.glb --posed 16");
-  sub->callback([sub, options, &command] { command = [sub, options] { return run_measure(*sub, *options); }; });
+  const SubcommandText text{"measure", "Say how far TEST is from REF, and how well TEST is made.",
+                            "REF TEST [OPTION]...",
+                            "Examples:\n"
+                            "  whittle measure dragon.ply small.ply\n"
+                            "  whittle measure dragon.ply small.ply --json - | jq .mean_rel\n"
+                            "  whittle measure fandisk.off small.off --feature-angle 40\n"
+                            "  whittle measure fandisk.off small.off --exact 1e-3\n"
+                            "  whittle measure helmet.glb small.glb --render 24 --render-image worst.png\n"
+                            "  whittle measure knight.glb small.glb --posed 16"};
+  MeasureOptions defaults;
+  defaults.files.reads_gltf = defaults.files.reads_scene = true;
+  add_subcommand(app, text, defaults, measure_rows, run_measure, command);
 }
 
 }  // namespace whittle::app

@@ -1,6 +1,5 @@
 #include "whittle/polish/polish.hh"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,14 +9,13 @@
 #include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
-#include "options/fits.hh"
-#include "options/values.hh"
 #include "terminal/interruption.hh"
 #include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/metrics/nearest_vertices.hh"
+#include "whittle/simplify/request.hh"
 
 namespace whittle::app {
 namespace {
@@ -43,15 +41,27 @@ struct PolishRun {
   std::vector<std::string> warnings;
 };
 
-Json polish_report(const PolishCommand& options, const PolishRun& run, double total_seconds) {
+OptionRows polish_rows(PolishCommand& options) {
+  OptionRows rows{file_argument("REF", options.reference, "the mesh it was made from, or '-' for standard input"),
+                  file_argument("IN", options.input, "the simplified mesh, or '-' for standard input"),
+                  output_row(options.output, "the result: a file, replaced if it exists, or '-' for standard output"),
+                  {.names = "--passes",
+                   .access = count(options.passes, 0, 1000),
+                   .help = "number of fitting passes; they stop when one no longer reduces the error",
+                   .key = "passes"},
+                  fit_row(options.fit)};
+  append(rows, file_rows(options.files));
+  rows.push_back(compress_row(options.compresses_gltf));
+  append(rows, common_rows(options.common));
+  return rows;
+}
+
+Json polish_report(PolishCommand& options, const PolishRun& run, double total_seconds) {
   const double diagonal = metrics::bounds(run.reference.read.mesh).diagonal();
   Json json = new_report();
   json["reference"] = input_json(run.reference, diagonal);
   json["input"] = input_json(run.input, metrics::bounds(run.input.read.mesh).diagonal());
-  json["options"] = {{"passes", options.passes},         {"fit", word_of<Fit>(fits, options.fit)},
-                     {"weld", options.files.weld},       {"weld_tolerance", to_string(options.files.weld_tolerance)},
-                     {"ascii", options.files.ascii},     {"compress", options.compresses_gltf},
-                     {"threads", options.common.threads}};
+  json["options"] = options_json(polish_rows(options));
   json["output"] = {{"path", options.output}};
   json["polish"] = polish_json(run.result);
   json["seconds"] = {{"read", run.reference.seconds + run.input.seconds},
@@ -64,7 +74,7 @@ Json polish_report(const PolishCommand& options, const PolishRun& run, double to
 }
 
 /// The result and the report appear together, or neither does.
-void write_files(const PolishCommand& options, const Talk& talk, const Stopwatch& since_start, PolishRun& run) {
+void write_files(PolishCommand& options, const Talk& talk, const Stopwatch& since_start, PolishRun& run) {
   const Stopwatch watch;
   OutputFiles files(options.common.force);
   files.protect(run.reference.needed_files);
@@ -77,8 +87,7 @@ void write_files(const PolishCommand& options, const Talk& talk, const Stopwatch
   commit_with_report(files, options.common, json);
 }
 
-void check(const CLI::App& app, const PolishCommand& options) {
-  check_conflicts(app, common_conflicts());
+void check(const PolishCommand& options) {
   check_formats({options.reference, options.input}, {options.output}, options.files);
   std::vector<Output> outputs{{"--output", options.output}};
   if (options.common.json) outputs.push_back({"--json", *options.common.json});
@@ -118,9 +127,9 @@ void polish_input(const PolishCommand& options, const Talk& talk, PolishRun& run
   SignalsWait::throw_if_pending();
 }
 
-ExitCode run_polish(const CLI::App& app, PolishCommand options) {
+ExitCode run_polish(const Given& /*given*/, PolishCommand options) {
   options.files.reads_scene = !is_gltf_output(options.output, options.files);
-  check(app, options);
+  check(options);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   PolishRun run;
@@ -142,30 +151,14 @@ ExitCode run_polish(const CLI::App& app, PolishCommand options) {
 }  // namespace
 
 void setup_polish(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<PolishCommand>();
-  options->files.reads_gltf = options->files.writes_gltf = true;
-  CLI::App* sub = app.add_subcommand("polish", "Fit a simplified mesh, anyone's, to the mesh it was made from.");
-  add_file(*sub, "REF", options->reference, "the mesh it was made from, or '-' for standard input");
-  add_file(*sub, "IN", options->input, "the simplified mesh, or '-' for standard input");
-  add_value(
-      *sub, "-o,--output", "OUT", options->output, [](std::string_view text) { return std::string(text); },
-      "the result: a file, replaced if it exists, or '-' for standard output")
-      ->required();
-  add_value(
-      *sub, "--passes", "N", options->passes,
-      [](std::string_view text) { return static_cast<unsigned>(parse_count(text, 0, 1000)); },
-      "how often to find what lies where and move vertices; a pass that doesn't help is taken back, and ends it")
-      ->default_str(std::to_string(options->passes));
-  add_choice<Fit>(*sub, "--fit", options->fit, fits, fit_meaning);
-  add_file_options(*sub, options->files);
-  add_compress(*sub, options->compresses_gltf);
-  add_common_options(*sub, options->common);
-  set_usage(*sub, "REF IN -o OUT [OPTION]...");
-  sub->footer(
-      "Examples:\n"
-      "  whittle polish dragon.ply small.ply -o better.ply\n"
-      "  whittle polish part.stl part_of_another_program.obj -o part.obj --passes 1 --json -");
-  sub->callback([sub, options, &command] { command = [sub, options] { return run_polish(*sub, *options); }; });
+  const SubcommandText text{"polish", "Fit a simplified mesh, anyone's, to the mesh it was made from.",
+                            "REF IN -o OUT [OPTION]...",
+                            "Examples:\n"
+                            "  whittle polish dragon.ply small.ply -o better.ply\n"
+                            "  whittle polish part.stl part_of_another_program.obj -o part.obj --passes 1 --json -"};
+  PolishCommand defaults;
+  defaults.files.reads_gltf = defaults.files.writes_gltf = true;
+  add_subcommand(app, text, defaults, polish_rows, run_polish, command);
 }
 
 }  // namespace whittle::app

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,7 +13,6 @@
 #include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
-#include "options/values.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
 
@@ -22,8 +20,6 @@ namespace whittle::app {
 namespace {
 
 using progressive::Replay;
-
-constexpr char replay_level_group[] = "Levels (one of these)";
 
 /// Levels at even distances.
 struct Series {
@@ -111,8 +107,7 @@ Json replay_json(const ReplayRun& run, double total_seconds) {
   return json;
 }
 
-void check(const CLI::App& app, const ReplayCommand& options) {
-  check_conflicts(app, common_conflicts());
+void check(const ReplayCommand& options) {
   const int n_given = int{options.faces.has_value()} + int{options.vertices.has_value()} +
                       int{options.cost.has_value()} + int{options.at.has_value()} + int{options.series.has_value()};
   if (n_given != 1) throw UsageError("one of --faces, --vertices, --cost, --at and --steps is needed, and only one");
@@ -153,8 +148,8 @@ void write_levels(const ReplayCommand& options, RecordedRun& recorded, OutputFil
   }
 }
 
-ExitCode run_replay(const CLI::App& app, const ReplayCommand& options) {
-  check(app, options);
+ExitCode run_replay(const Given& /*given*/, ReplayCommand options) {
+  check(options);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   ReplayRun run;
@@ -175,50 +170,47 @@ ExitCode run_replay(const CLI::App& app, const ReplayCommand& options) {
   return ExitCode::done;
 }
 
-void add_level_options(CLI::App& app, ReplayCommand& options) {
-  const auto count = [](std::string_view text) { return std::optional(parse_count(text)); };
-  const auto add = [&app](const std::string& name, const std::string& value_name, auto& target, auto parse,
-                          const std::string& description) {
-    add_value(app, name, value_name, target, parse, description)->default_str("off")->group(replay_level_group);
-  };
-  add("--faces", "N", options.faces, count, "the first level of at most N faces");
-  add("--vertices", "N", options.vertices, count, "the first level of at most N vertices");
-  add(
-      "--cost", "C", options.cost,
-      [](std::string_view text) { return std::optional(parse_number(text, Range{0}, "C")); },
-      "the last level to which no contraction costs more than C, in the unit of the run's cost");
-  add(
-      "--at", "T", options.at,
-      [](std::string_view text) { return std::optional(parse_number(text, share_range, "T")); },
-      "the level after this share of the contractions: 0 is the input, 1 the result of the run");
-  add(
-      "--steps", "A:B:N", options.series, [](std::string_view text) { return std::optional(parse_series(text)); },
-      "N levels at even distances, from --at A to --at B; '{i}' in --output stands for the number of each");
+OptionRows level_rows(ReplayCommand& options) {
+  const auto set_series = [&options](std::string_view text) { options.series = parse_series(text); };
+  return in_group(
+      {{.names = "--faces", .access = count(options.faces), .help = "the first level of at most N faces"},
+       {.names = "--vertices", .access = count(options.vertices), .help = "the first level of at most N vertices"},
+       {.names = "--cost",
+        .access = number(options.cost, {0}, "C"),
+        .help = "the last level to which no contraction costs more than C, in the unit of the run's cost"},
+       {.names = "--at",
+        .access = number(options.at, share_range, "T"),
+        .help = "the level after this share of the contractions: 0 is the input, 1 the result of the run"},
+       {.names = "--steps",
+        .access = {"A:B:N", set_series, [] { return OptionValue{}; }},
+        .help = "N levels at even distances, from --at A to --at B; '{i}' in --output stands for the number of each"}},
+      "Levels (one of these)");
+}
+
+OptionRows replay_rows(ReplayCommand& options) {
+  OptionRows rows{recording_argument(options.recording)};
+  append(rows, level_rows(options));
+  append(rows, {output_row(options.output, "the level: a file, replaced if it exists, or '-' for standard output"),
+                recording_input_row(options.recording,
+                                    ", or for what the mesh in REC lacks, such as the materials of glTF")});
+  append(rows, file_rows(options.files));
+  rows.push_back(compress_row(options.compresses_gltf));
+  append(rows, common_rows(options.common));
+  return rows;
 }
 
 }  // namespace
 
 void setup_replay(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<ReplayCommand>();
-  options->files.reads_gltf = options->files.writes_gltf = true;
-  CLI::App* sub = app.add_subcommand("replay", "Write any level of detail out of a recording of 'simplify'.");
-  add_recording(*sub, options->recording);
-  add_level_options(*sub, *options);
-  add_value(
-      *sub, "-o,--output", "OUT", options->output, [](std::string_view text) { return std::string(text); },
-      "the level: a file, replaced if it exists, or '-' for standard output")
-      ->required();
-  add_recording_input(*sub, options->recording, ", or for what the mesh in REC lacks, such as the materials of glTF");
-  add_file_options(*sub, options->files);
-  add_compress(*sub, options->compresses_gltf);
-  add_common_options(*sub, options->common);
-  set_usage(*sub, "REC -o OUT LEVEL [OPTION]...");
-  sub->footer(
-      "Examples:\n"
-      "  whittle simplify dragon.ply -o small.ply --ratio 1% --record dragon.rec\n"
-      "  whittle replay dragon.rec --faces 20000 -o medium.ply\n"
-      "  whittle replay dragon.rec --steps 0:1:50 -o 'frame_{i}.ply'");
-  sub->callback([sub, options, &command] { command = [sub, options] { return run_replay(*sub, *options); }; });
+  const SubcommandText text{"replay", "Write any level of detail out of a recording of 'simplify'.",
+                            "REC -o OUT LEVEL [OPTION]...",
+                            "Examples:\n"
+                            "  whittle simplify dragon.ply -o small.ply --ratio 1% --record dragon.rec\n"
+                            "  whittle replay dragon.rec --faces 20000 -o medium.ply\n"
+                            "  whittle replay dragon.rec --steps 0:1:50 -o 'frame_{i}.ply'"};
+  ReplayCommand defaults;
+  defaults.files.reads_gltf = defaults.files.writes_gltf = true;
+  add_subcommand(app, text, defaults, replay_rows, run_replay, command);
 }
 
 }  // namespace whittle::app

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,7 +10,6 @@
 #include "commands/subcommands.hh"
 #include "files/output.hh"
 #include "options/page_settings.hh"
-#include "options/values.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
 
@@ -28,8 +26,7 @@ PictureSize parse_picture_size(std::string_view text) {
   return {parse_count(text.substr(0, x), least, most), parse_count(text.substr(x + 1), least, most)};
 }
 
-void check(const CLI::App& app, const ReportCommand& options) {
-  check_conflicts(app, common_conflicts());
+void check(const ReportCommand& options) {
   if (!options.output && !options.png && !options.frames.is_given()) {
     throw UsageError("one of --output, --png, --frames and --animate is needed");
   }
@@ -57,8 +54,8 @@ Json report_json(const ReportCommand& options, const PageFacts& facts, std::size
   return json;
 }
 
-ExitCode run_report(const CLI::App& app, const ReportCommand& options) {
-  check(app, options);
+ExitCode run_report(const Given& /*given*/, ReportCommand options) {
+  check(options);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   PageFacts facts;
@@ -91,43 +88,46 @@ ExitCode run_report(const CLI::App& app, const ReportCommand& options) {
   return ExitCode::done;
 }
 
+OptionRows report_rows(ReportCommand& options) {
+  const auto set_size = [&options](std::string_view text) { options.png_size = parse_picture_size(text); };
+  const auto set_view = [&options](std::string_view text) { options.view = parse_page_settings(text); };
+  const auto none = [] { return OptionValue{}; };
+  OptionRows rows{
+      meshes_argument(options.files, options.files_options),
+      {.names = "-o,--output",
+       .access = text(options.output, "OUT"),
+       .help = "the page: an .html file, replaced if it exists, or '-' for standard output"},
+      side_file_row("--png", options.png, "draw a picture of the page, with an installed Chromium"),
+      {.names = "--png-size", .access = {"WxH", set_size, none}, .help = "of pictures, pixels", .standard = "1280x720"},
+      {.names = "--view",
+       .access = {"KEY=VALUE,...", set_view, none},
+       .help = "how pictures are set up, such as layout=over,colour=error: the names of the page's controls",
+       .standard = "as the page opens"},
+      side_file_row("--run", options.run,
+                    "show what 'simplify --json' has written: what was asked, reached and refused"),
+      {.names = "--max-faces",
+       .access = count(options.most_faces),
+       .help = "show a coarser level of meshes with more faces"}};
+  append(rows, frame_rows(options.frames));
+  rows.push_back({.names = "--open", .access = flag(options.open), .help = "open the page on the desktop"});
+  append(rows, input_rows(options.files_options));
+  append(rows, common_rows(options.common));
+  return rows;
+}
+
 }  // namespace
 
 void setup_report(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<ReportCommand>();
-  options->files_options.reads_gltf = options->files_options.reads_scene = true;
-  CLI::App* sub = app.add_subcommand("report", "Write a page to look at meshes, their error and a recording.");
-  add_mesh_files(*sub, options->files, options->files_options);
-  const auto text = [](std::string_view word) { return std::optional(std::string(word)); };
-  add_value(*sub, "-o,--output", "OUT", options->output, text,
-            "the page: an .html file, replaced if it exists, or '-' for standard output")
-      ->default_str("off");
-  add_value(*sub, "--png", "FILE", options->png, text, "draw a picture of the page, with an installed Chromium")
-      ->default_str("off");
-  add_value(*sub, "--png-size", "WxH", options->png_size, parse_picture_size, "of pictures, pixels")
-      ->default_str("1280x720");
-  add_value(*sub, "--view", "KEY=VALUE,...", options->view, parse_page_settings,
-            "how pictures are set up, such as layout=over,colour=error: the names of the page's controls")
-      ->default_str("as the page opens");
-  add_value(*sub, "--run", "FILE", options->run, text,
-            "show what 'simplify --json' has written: what was asked, reached and refused")
-      ->default_str("off");
-  add_value(
-      *sub, "--max-faces", "N", options->most_faces, [](std::string_view word) { return parse_count(word); },
-      "show a coarser level of meshes with more faces")
-      ->default_str(std::to_string(options->most_faces));
-  add_frame_options(*sub, options->frames);
-  sub->add_flag("--open", options->open, "open the page on the desktop")->default_str("off");
-  add_input_options(*sub, options->files_options);
-  add_common_options(*sub, options->common);
-  set_usage(*sub, "IN [OUT...] -o PAGE [OPTION]...");
-  sub->footer(
-      "Examples:\n"
-      "  whittle report dragon.ply small.ply -o page.html\n"
-      "  whittle report dragon.ply dragon.rec -o page.html --run dragon.json\n"
-      "  whittle report dragon.ply small.ply --png error.png --view colour=error\n"
-      "  whittle report dragon.rec --animate dragon.webp --every 2%");
-  sub->callback([sub, options, &command] { command = [sub, options] { return run_report(*sub, *options); }; });
+  const SubcommandText text{"report", "Write a page to look at meshes, their error and a recording.",
+                            "IN [OUT...] -o PAGE [OPTION]...",
+                            "Examples:\n"
+                            "  whittle report dragon.ply small.ply -o page.html\n"
+                            "  whittle report dragon.ply dragon.rec -o page.html --run dragon.json\n"
+                            "  whittle report dragon.ply small.ply --png error.png --view colour=error\n"
+                            "  whittle report dragon.rec --animate dragon.webp --every 2%"};
+  ReportCommand defaults;
+  defaults.files_options.reads_gltf = defaults.files_options.reads_scene = true;
+  add_subcommand(app, text, defaults, report_rows, run_report, command);
 }
 
 }  // namespace whittle::app

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -27,7 +26,6 @@
 #include "files/report.hh"
 #include "files/tolerance_map.hh"
 #include "openmesh/openmesh_engine.hh"
-#include "options/values.hh"
 #include "terminal/errors.hh"
 #include "terminal/interruption.hh"
 #include "terminal/stopwatch.hh"
@@ -46,10 +44,10 @@ namespace {
 /// Drops small parts from the input.
 void prune(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
   io::ReadResult& read = record.input.read;
-  PrunedMesh pruned = without_small_parts(std::move(read.mesh), options.prune->in_units(record.diagonal));
+  PrunedMesh pruned = without_small_parts(std::move(read.mesh), options.request.prune->in_units(record.diagonal));
   if (pruned.mesh.faces.empty()) {
     throw UnsupportedMesh(record.input.name + ": nothing is left without the parts smaller than " +
-                          to_string(*options.prune) + "; choose a smaller --prune");
+                          to_string(*options.request.prune) + "; choose a smaller --prune");
   }
   for (Index& v : read.vertex_map) v = v == invalid_index ? v : pruned.vertex_map[v];
   read.mesh = std::move(pruned.mesh);
@@ -62,7 +60,7 @@ void prune(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& rec
 /// Those of --tolerance-map, else those that the file has.
 std::vector<double> tolerances_of(const SimplifyCommand& options, const Talk& talk, const SimplifyRecord& record) {
   const io::ReadResult& read = record.input.read;
-  if (options.targets.tolerances) return read_tolerance_map(*options.targets.tolerances, read, record.diagonal);
+  if (options.tolerances) return read_tolerance_map(*options.tolerances, read, record.diagonal);
   std::vector<double> tolerances = tolerances_of_file(read, record.input.name);
   if (!tolerances.empty()) talk.say(record.input.name + ": keeps to its vertices' property 'tolerance'");
   return tolerances;
@@ -70,7 +68,7 @@ std::vector<double> tolerances_of(const SimplifyCommand& options, const Talk& ta
 
 /// The threshold in model units. Warns if it is automatic and no parts lie near one another.
 double resolve_threshold(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
-  if (!options.threshold.is_automatic) return options.threshold.length.in_units(record.diagonal);
+  if (!options.request.threshold.is_automatic) return options.request.threshold.length.in_units(record.diagonal);
   const double threshold = automatic_threshold(record.input.read.mesh, options.common.threads);
   if (threshold == 0) {
     record.warnings.push_back(record.input.name +
@@ -82,11 +80,11 @@ double resolve_threshold(const SimplifyCommand& options, const Talk& talk, Simpl
 
 /// The options for the library, with the fields that depend on the mesh.
 SimplifyOptions resolved(const SimplifyCommand& options, const SimplifyRecord& record) {
-  SimplifyOptions result = options.simplify;
+  SimplifyOptions result = options.request.simplify;
   DecimateOptions& decimate = result.decimate;
   if (record.threshold > 0) decimate.pairs.threshold = record.threshold;
   if (record.diagonal > 0) {
-    decimate.feature_tolerance = options.feature_tolerance.in_units(record.diagonal) / record.diagonal;
+    decimate.feature_tolerance = options.request.feature_tolerance.in_units(record.diagonal) / record.diagonal;
   }
   decimate.locked = record.held;
   decimate.threads = options.common.threads;
@@ -121,8 +119,9 @@ Simplification simplify_to(const DecimateTarget& target, const SimplifyCommand& 
   if (options.engine == Engine::openmesh) return simplify_in_openmesh(library_options, record);
   const SignalsWait signals_wait;
   Simplification result =
-      options.is_per_mesh ? simplify_per_mesh(record.input, record.targets_per_mesh, options.effort, library_options)
-                          : simplify(record.input.read.mesh, target, options.effort, library_options);
+      options.request.is_per_mesh
+          ? simplify_per_mesh(record.input, record.targets_per_mesh, options.request.effort, library_options)
+          : simplify(record.input.read.mesh, target, options.request.effort, library_options);
   SignalsWait::throw_if_pending();
   return result;
 }
@@ -144,7 +143,7 @@ bool take_if_within(Simplification result, const SimplifyCommand& options, const
 /// The input as it is.
 Simplification uncontracted(const SimplifyCommand& options, const Talk& talk, const SimplifyRecord& record) {
   SimplifyCommand as_it_is = options;
-  as_it_is.simplify.polish_passes = 0;
+  as_it_is.request.simplify.polish_passes = 0;
   Simplification result =
       simplify_to(DecimateTarget::faces(record.input.read.mesh.faces.size()), as_it_is, talk, record);
   result.result.stop = StopReason::error;
@@ -170,8 +169,8 @@ void simplify_within_error(const SimplifyCommand& options, const Talk& talk, Sim
   const double border_limit = *record.target.border_error_limit();
   for (const double share : {1 - 1e-6, 0.99, 0.9, 0.5}) {
     SimplifyCommand with_share = options;
-    with_share.simplify.decimate.tolerances = record.tolerances;
-    for (double& tolerance : with_share.simplify.decimate.tolerances) tolerance *= share;
+    with_share.request.simplify.decimate.tolerances = record.tolerances;
+    for (double& tolerance : with_share.request.simplify.decimate.tolerances) tolerance *= share;
     const DecimateTarget target = record.target.or_max_error(share * limit, share * border_limit);
     if (take_if_within(simplify_to(target, with_share, talk, record), options, talk, record)) return;
   }
@@ -183,7 +182,7 @@ void simplify_without_limit(const SimplifyCommand& options, const Talk& talk, Si
   record.simplified = simplify_to(record.target, options, talk, record);
   record.seconds.decimate += record.simplified.decimate_seconds;
   record.seconds.polish = record.simplified.polish_seconds;
-  if (!options.certify && !options.certificate) return;
+  if (!options.request.certify && !options.certificate) return;
   const Stopwatch certifying;
   record.distances = distances_as_written(record.input, record.simplified, options, record.target, talk);
   record.seconds.certify = certifying.seconds();
@@ -222,7 +221,7 @@ std::string obstacle(const SimplifyCommand& options, const SimplifyRecord& recor
   if (options.engine == Engine::openmesh) return refused + "'--engine flat' may get further";
   const std::string left = reasons_at_end(result.refused_at_end);
   if (left.empty()) return refused + "nothing is left that may be contracted";
-  if (options.is_per_mesh) return refused + "the pairs left: " + left;
+  if (options.request.is_per_mesh) return refused + "the pairs left: " + left;
   return refused + "the pairs left: " + left + "; " +
          advice(record.input.read.mesh, record.simplified, record.target, resolved(options, record).decimate,
                 keeps_meshes(record.input));
@@ -231,7 +230,7 @@ std::string obstacle(const SimplifyCommand& options, const SimplifyRecord& recor
 std::string shortfall(const SimplifyCommand& options, const SimplifyRecord& record) {
   const DecimateResult& result = record.simplified.result;
   std::string where;
-  if (options.is_per_mesh) {
+  if (options.request.is_per_mesh) {
     const auto above = meshes_above(record.targets_per_mesh, *record.input.gltf, record.simplified.mesh);
     if (!above.empty())
       where = " by " + above.front() + (above.size() > 1 ? " and " + std::to_string(above.size() - 1) + " more" : "");
@@ -259,7 +258,7 @@ bool has_much_border(const IndexedMesh& mesh) {
 }
 
 void warn_of_vanished(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
-  record.vanished = find_vanished(record.input, record.simplified, options.simplify.decimate.regions);
+  record.vanished = find_vanished(record.input, record.simplified, options.request.simplify.decimate.regions);
   for (const std::string& text : texts_of(record.vanished)) {
     record.warnings.push_back(record.input.name + ": " + text);
     talk.warning(record.warnings.back());
@@ -276,7 +275,7 @@ void warn_of_folds(const Talk& talk, SimplifyRecord& record) {
 
 /// The penalty for valences makes vertices with three edges rare, but refuses none.
 void warn_of_valence_three(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
-  if (options.simplify.decimate.valence_weight == 0 || record.simplified.mesh.faces.empty()) return;
+  if (options.request.simplify.decimate.valence_weight == 0 || record.simplified.mesh.faces.empty()) return;
   std::size_t n_vertices = 0;
   for (const auto& [valence, count] : metrics::shape(record.simplified.mesh).valence.histogram) {
     if (valence <= 3) n_vertices += count;
@@ -305,7 +304,7 @@ void warn_of_gaps(const SimplifyCommand& options, const Talk& talk, SimplifyReco
 }
 
 void warn_of_new_intersections(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
-  const bool is_refused = options.self_intersections == SelfIntersections::refuse;
+  const bool is_refused = options.request.self_intersections == SelfIntersections::refuse;
   const auto warn = [&](const std::string& text, const std::string& advice) {
     if (text.empty()) return;
     record.warnings.push_back(record.input.name + ": " + text + (is_refused ? "" : advice));
@@ -338,7 +337,7 @@ void measure_curve(const SimplifyCommand& options, const Talk& talk, SimplifyRec
 }
 
 void count_intersections(const SimplifyCommand& options, const Talk& talk, SimplifyRecord& record) {
-  if (options.self_intersections == SelfIntersections::allow) return;
+  if (options.request.self_intersections == SelfIntersections::allow) return;
   const auto count = [&](const IndexedMesh& mesh, double from, double to, ProgressBar& bar) {
     if (mesh.faces.empty()) return std::size_t{0};
     return metrics::self_intersections(mesh, options.common.threads, part_of(bar, from, to)).size();
@@ -371,9 +370,9 @@ void drop_attributes(io::ReadResult& read) {
 /// \pre what was read has not been pruned
 void set_target(const SimplifyCommand& options, SimplifyRecord& record) {
   const IndexedMesh& mesh = record.input.read.mesh;
-  record.target = resolve(options.targets, mesh.positions.size(), mesh.faces.size(), record.diagonal);
-  if (!options.is_per_mesh) return;
-  record.targets_per_mesh = targets_per_mesh(options.targets, record.input, record.diagonal);
+  record.target = resolve(options.request.targets, mesh.positions.size(), mesh.faces.size(), record.diagonal);
+  if (!options.request.is_per_mesh) return;
+  record.targets_per_mesh = targets_per_mesh(options.request.targets, record.input, record.diagonal);
   record.target = sum_of(record.targets_per_mesh);
 }
 
@@ -385,9 +384,9 @@ ExitCode pass_through(SimplifyCommand& options, const Talk& talk, const Stopwatc
   for (const SideFile& file : side_files(options)) {
     if (*file.path) throw UnsupportedMesh(why + "; there is nothing to write for " + file.option);
   }
-  record.target = resolve(options.targets, 0, 0, record.diagonal);
-  record.simplified.cost = options.simplify.decimate.effective_cost();
-  options.simplify.decimate.cost = record.simplified.cost;
+  record.target = resolve(options.request.targets, 0, 0, record.diagonal);
+  record.simplified.cost = options.request.simplify.decimate.effective_cost();
+  options.request.simplify.decimate.cost = record.simplified.cost;
   record.simplified.result.stop = record.target.is_reached_at(0, 0) ? StopReason::target : StopReason::exhausted;
   record.met = is_met(record.target, record.simplified.result.stop);
   record.warnings.push_back(why + "; there is nothing to simplify, and all of it is written as it was");
@@ -407,8 +406,8 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   const unsigned threads = options.common.threads;
   record.input = options.joins ? read_joined(options.inputs, options.files, threads, talk, attributes_to_read(options))
                                : read_input(options.input, options.files, threads, talk, attributes_to_read(options));
-  if (!options.keeps_attributes) drop_attributes(record.input.read);
-  take_categories(options.categories, record.input);
+  if (!options.request.keeps_attributes) drop_attributes(record.input.read);
+  take_categories(options.request.categories, record.input);
   record.seconds.read = record.input.seconds;
   record.warnings = options.warnings;
   for (const std::string& warning : options.warnings) talk.warning(warning);
@@ -420,8 +419,8 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   if (record.input.read.mesh.faces.empty()) return pass_through(options, talk, watch, record, report);
   record.diagonal = metrics::bounds(record.input.read.mesh).diagonal();
   set_target(options, record);
-  check_regions(options.simplify.decimate.regions, record.input);
-  if (options.prune) prune(options, talk, record);
+  check_regions(options.request.simplify.decimate.regions, record.input);
+  if (options.request.prune) prune(options, talk, record);
   record.held = held_borders(record.input, options.common.threads, talk, record.warnings);
   if (record.target.error_limit()) record.tolerances = tolerances_of(options, talk, record);
 
@@ -431,11 +430,11 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   if (options.has_cost_by_effort) {
     SimplifyOptions open = resolved(options, record);
     open.decimate.cost.reset();
-    options.simplify.decimate.cost =
-        with_effort(options.effort, std::move(open), record.input.read.mesh, record.target).decimate.cost;
+    options.request.simplify.decimate.cost =
+        with_effort(options.request.effort, std::move(open), record.input.read.mesh, record.target).decimate.cost;
   }
   simplify_input(options, talk, record);
-  options.simplify.decimate.cost = record.simplified.cost;
+  options.request.simplify.decimate.cost = record.simplified.cost;
   take_warnings(talk, record);
   record.met = is_met(record.target, record.simplified.result.stop);
 
@@ -457,12 +456,13 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   return ExitCode::target_not_met;
 }
 
-ExitCode run_simplify(const CLI::App& app, const SimplifyCommand& command) {
+ExitCode run_simplify(const Given& given, SimplifyCommand command) {
+  command = settled(std::move(command));
   refuse_count_of_verbose(command);
-  check_options(app, command);
+  check_options(command);
   std::vector<SimplifyCommand> runs = runs_of(command);
   check_files(runs);
-  for (SimplifyCommand& run : runs) run.warnings = idle_options(app, run);
+  for (SimplifyCommand& run : runs) run.warnings = idle_options(given, run);
   if (!is_named_by_stem(command)) return simplify_one(runs.front(), nullptr);
   for (SimplifyCommand& run : runs) run.common.json.reset();  // there is one report of all
   return run_each(command, runs, simplify_one);
@@ -471,19 +471,16 @@ ExitCode run_simplify(const CLI::App& app, const SimplifyCommand& command) {
 }  // namespace
 
 void setup_simplify(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<SimplifyCommand>();
-  CLI::App* sub = app.add_subcommand("simplify", "Make a mesh smaller and keep its shape.");
-  add_simplify_options(*sub, *options);
-  set_usage(*sub, "IN... -o OUT TARGET... [OPTION]...");
-  sub->footer(
-      "Examples:\n"
-      "  whittle simplify dragon.ply -o small.ply --ratio 10%\n"
-      "  whittle simplify part.stl -o part.obj --faces 5000 --strict --json report.json\n"
-      "  whittle simplify *.stl -o 'out/{stem}.ply' --face-ratio 10%\n"
-      "  whittle simplify bone_*.stl --join -o hand.ply --face-ratio 10%\n"
-      "  whittle simplify - -o - --format ply --faces 5000 < in.ply > out.ply");
-  sub->callback(
-      [sub, options, &command] { command = [sub, options] { return run_simplify(*sub, settled(*options)); }; });
+  const SubcommandText text{"simplify", "Make a mesh smaller and keep its shape.", "IN... -o OUT TARGET... [OPTION]...",
+                            "Examples:\n"
+                            "  whittle simplify dragon.ply -o small.ply --ratio 10%\n"
+                            "  whittle simplify part.stl -o part.obj --faces 5000 --strict --json report.json\n"
+                            "  whittle simplify *.stl -o 'out/{stem}.ply' --face-ratio 10%\n"
+                            "  whittle simplify bone_*.stl --join -o hand.ply --face-ratio 10%\n"
+                            "  whittle simplify - -o - --format ply --faces 5000 < in.ply > out.ply"};
+  SimplifyCommand defaults;
+  defaults.files.reads_gltf = defaults.files.writes_gltf = true;
+  add_subcommand(app, text, defaults, simplify_rows, run_simplify, command);
 }
 
 }  // namespace whittle::app

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -164,16 +163,15 @@ std::string proven_text(const VerifyRun& run) {
          ", and each point of " + out + " within that of some face of " + in + '\n';
 }
 
-void check(const CLI::App& app, const VerifyCommand& options) {
-  check_conflicts(app, common_conflicts());
+void check(const VerifyCommand& options) {
   check_formats({options.input, options.output}, {}, options.files);
   if (!options.common.json) return;
   check_outputs({{"--json", *options.common.json}}, {options.input, options.output, options.certificate},
                 options.common.force);
 }
 
-ExitCode run_verify(const CLI::App& app, const VerifyCommand& options) {
-  check(app, options);
+ExitCode run_verify(const Given& /*given*/, VerifyCommand options) {
+  check(options);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   const VerifyRun run = verify_files(options, talk);
@@ -188,27 +186,32 @@ ExitCode run_verify(const CLI::App& app, const VerifyCommand& options) {
   return run.verification.is_malformed ? ExitCode::unreadable : ExitCode::failure;
 }
 
+OptionRows verify_rows(VerifyCommand& options) {
+  OptionRows rows{file_argument("IN", options.input, "the mesh that was simplified, or '-' for standard input"),
+                  file_argument("OUT", options.output, "the result, or '-' for standard input"),
+                  file_argument("CERT", options.certificate, "what 'simplify --certificate' has written")};
+  rows.back().access.meta = "FILE";
+  append(rows, {{.names = "-e,--max-error",
+                 .access = length_above_zero(options.max_error),
+                 .help = "fail if a larger distance than E is all that is proven: model units, or a percentage of the "
+                         "diagonal such as 0.1%"},
+                {.names = "--max-error-borders",
+                 .access = length_above_zero(options.max_border_error),
+                 .help = "likewise for the distance between the open borders"}});
+  append(rows, input_rows(options.files));
+  append(rows, common_rows(options.common));
+  return rows;
+}
+
 }  // namespace
 
 void setup_verify(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<VerifyCommand>();
-  CLI::App* sub = app.add_subcommand("verify", "Check a certificate of 'simplify': how far OUT is from IN at most.");
-  add_file(*sub, "IN", options->input, "the mesh that was simplified, or '-' for standard input");
-  add_file(*sub, "OUT", options->output, "the result, or '-' for standard input");
-  add_file(*sub, "CERT", options->certificate, "what 'simplify --certificate' has written")->type_name("FILE");
-  add_length_above_zero(*sub, "-e,--max-error", options->max_error,
-                        "fail if a larger distance than E is all that is proven: model units, or a percentage of the "
-                        "diagonal such as 0.1%");
-  add_length_above_zero(*sub, "--max-error-borders", options->max_border_error,
-                        "likewise for the distance between the open borders");
-  add_input_options(*sub, options->files);
-  add_common_options(*sub, options->common);
-  set_usage(*sub, "IN OUT CERT [OPTION]...");
-  sub->footer(
-      "Examples:\n"
-      "  whittle simplify dragon.ply -o small.ply --max-error 0.1% --certificate small.proof\n"
-      "  whittle verify dragon.ply small.ply small.proof --max-error 0.1%");
-  sub->callback([sub, options, &command] { command = [sub, options] { return run_verify(*sub, *options); }; });
+  const SubcommandText text{"verify", "Check a certificate of 'simplify': how far OUT is from IN at most.",
+                            "IN OUT CERT [OPTION]...",
+                            "Examples:\n"
+                            "  whittle simplify dragon.ply -o small.ply --max-error 0.1% --certificate small.proof\n"
+                            "  whittle verify dragon.ply small.ply small.proof --max-error 0.1%"};
+  add_subcommand(app, text, VerifyCommand{}, verify_rows, run_verify, command);
 }
 
 }  // namespace whittle::app

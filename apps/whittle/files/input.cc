@@ -9,7 +9,6 @@
 #include "files/companions.hh"
 #include "files/gltf_file.hh"
 #include "files/mesh_output.hh"
-#include "options/values.hh"
 #include "terminal/errors.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
@@ -18,6 +17,7 @@
 #include "whittle/io/border_gaps.hh"
 #include "whittle/io/errors.hh"
 #include "whittle/io/file_notes.hh"
+#include "whittle/simplify/values.hh"
 
 namespace whittle::app {
 namespace {

@@ -8,9 +8,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "options/values.hh"
 #include "terminal/errors.hh"
 #include "whittle/io/errors.hh"
+#include "whittle/simplify/values.hh"
 
 namespace whittle::app {
 namespace {

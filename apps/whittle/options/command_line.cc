@@ -1,15 +1,13 @@
 #include "options/command_line.hh"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "options/help.hh"
-#include "options/values.hh"
 
 namespace whittle::app {
 namespace {
-
-constexpr char default_group[] = "Options";  // CLI11's name of the group of options without one
 
 constexpr std::array<Choice<ColorMode>, 3> color_modes{
     {{"auto", ColorMode::automatic}, {"always", ColorMode::always}, {"never", ColorMode::never}}};
@@ -21,31 +19,39 @@ io::Format parse_format(std::string_view text) {
   throw std::invalid_argument("'" + std::string(text) + "' is none of " + io::format_names("|"));
 }
 
+bool names_gltf(std::string_view text) {
+  return std::find(gltf_names.begin(), gltf_names.end(), text) != gltf_names.end();
+}
+
 /// Nothing for glTF, which is remembered in `options`.
 std::optional<io::Format> parse_input_format(std::string_view text, FileOptions& options) {
-  const bool names_gltf = std::find(gltf_names.begin(), gltf_names.end(), text) != gltf_names.end();
-  options.input_is_gltf = options.reads_gltf && names_gltf;
+  options.input_is_gltf = options.reads_gltf && names_gltf(text);
   if (options.input_is_gltf) return std::nullopt;
   try {
     return parse_format(text);
   } catch (const std::invalid_argument& error) {
     if (options.reads_gltf) throw std::invalid_argument(error.what() + std::string("|glb|gltf"));
-    if (!names_gltf) throw;
+    if (!names_gltf(text)) throw;
     throw std::invalid_argument(error.what() + std::string("; this command doesn't read glTF, 'whittle convert' does"));
   }
 }
 
-template <class Paths>
-CLI::Option* add_argument(CLI::App& app, const std::string& name, Paths& paths, const std::string& description) {
-  return app.add_option(name, paths, description)->required()->type_name("")->group("Arguments");
+OptionValue told(const std::optional<io::Format>& format) {
+  return format ? OptionValue(std::string(io::name_of(*format))) : OptionValue{};
 }
 
-/// "EXT", or "EXT|glb|gltf" where the command takes glTF
-std::string input_format_type(const FileOptions& options) {
-  std::string type = "EXT";
-  if (!options.reads_gltf) return type;
-  for (const std::string_view name : gltf_names) type += '|' + std::string(name);
-  return type;
+OptionAccess format_access(std::optional<io::Format>& format) {
+  return {"EXT", [&format](std::string_view text) { format = parse_format(text); },
+          [&format] { return app::told(format); }};
+}
+
+OptionAccess input_format_access(FileOptions& options) {
+  std::string meta = "EXT";
+  if (options.reads_gltf) {
+    for (const std::string_view name : gltf_names) meta += '|' + std::string(name);
+  }
+  return {meta, [&options](std::string_view text) { options.input_format = parse_input_format(text, options); },
+          [&options] { return app::told(options.input_format); }};
 }
 
 std::string mesh_file(const FileOptions& options) {
@@ -53,58 +59,29 @@ std::string mesh_file(const FileOptions& options) {
   return "the mesh: an " + io::format_titles() + " file" + gltf + ", or '-' for standard input";
 }
 
-CLI::Option* add_format_option(CLI::App& app, const std::string& name, std::optional<io::Format>& format,
-                               const std::string& description) {
-  return add_value(
-             app, name, "EXT", format, [](std::string_view text) { return parse_format(text); }, description)
-      ->default_str("by name");
-}
-
-/// Adds --weld and --no-weld.
-void add_weld_options(CLI::App& app, FileOptions& options, const std::string& group) {
-  add_weld(app, options, group);
-  app.add_flag_callback(
-         "--no-weld", [&options] { options.weld = false; },
-         "keep exact duplicates of vertices apart instead of making them one")
-      ->default_str("off")
-      ->group(group);
-}
-
 }  // namespace
 
-bool is_given(const CLI::App& app, std::string_view side) {
-  const std::size_t space = side.find(' ');
-  const CLI::Option* option = app.get_option_no_throw(std::string(side.substr(0, space)));
-  if (option == nullptr || option->count() == 0) return false;
-  return space == std::string_view::npos || option->results().front() == side.substr(space + 1);
-}
-
-void add_common_options(CLI::App& app, CommonOptions& options) {
-  add_value(
-      app, "--json", "FILE|-", options.json, [](std::string_view text) { return std::string(text); },
-      "write the report as JSON to FILE, or to standard output")
-      ->default_str("off")
-      ->group(common_group);
-  app.add_flag("-q,--quiet", options.quiet, "say nothing but errors on standard error")
-      ->default_str("off")
-      ->group(common_group);
-  app.add_flag("-v,--verbose", options.verbose, "say more on standard error")->default_str("off")->group(common_group);
-  app.add_flag("--force", options.force, "let an output file replace an input file, or one that is write-protected")
-      ->default_str("off")
-      ->group(common_group);
-  add_value(
-      app, "--threads", "N", options.threads,
-      [](std::string_view text) { return static_cast<unsigned>(parse_count(text, 0, 1024)); },
-      "threads to work with, 0 <= N <= 1024; 0 takes all cores; no result depends on it")
-      ->default_str(std::to_string(options.threads))
-      ->group(common_group);
-  add_value(
-      app, "--color", words_of<ColorMode>(color_modes), options.color,
-      [](std::string_view text) { return parse_choice<ColorMode>(text, color_modes); },
-      "colour on standard error: on a terminal, unless NO_COLOR is set (auto), always, or never")
-      ->default_str("auto")
-      ->group(common_group);
-  app.set_help_flag("-h,--help", "print this help")->group(common_group);
+OptionRows common_rows(CommonOptions& options) {
+  return in_group(
+      {{.names = "--json",
+        .access = text(options.json, "FILE|-"),
+        .help = "write the report as JSON to FILE, or to standard output"},
+       {.names = "-q,--quiet",
+        .access = flag(options.quiet),
+        .help = "say nothing but errors on standard error",
+        .conflicts = {{"", "--verbose", "say less or say more"}}},
+       {.names = "-v,--verbose", .access = flag(options.verbose), .help = "say more on standard error"},
+       {.names = "--force",
+        .access = flag(options.force),
+        .help = "let an output file replace an input file, or one that is write-protected"},
+       {.names = "--threads",
+        .access = count(options.threads, 0, 1024),
+        .help = "threads to work with, 0 <= N <= 1024; 0 takes all cores; no result depends on it",
+        .key = "threads"},
+       {.names = "--color",
+        .access = choice(options.color, color_modes),
+        .help = "colour on standard error: on a terminal, unless NO_COLOR is set (auto), always, or never"}},
+      common_group);
 }
 
 ColorMode color_of(const CLI::App& app) {
@@ -119,97 +96,85 @@ ColorMode color_of(const CLI::App& app) {
   return mode;
 }
 
-void refuse_values_of_flags(CLI::App& app) {
-  for (CLI::Option* option : app.get_options()) {
-    if (!takes_value(*option)) option->disable_flag_override();
-  }
-  for (CLI::App* sub : app.get_subcommands({})) refuse_values_of_flags(*sub);
+OptionRows input_format_rows(FileOptions& options) {
+  return {{.names = "--format",
+           .access = format_access(options.format),
+           .help = "the format, such as ply, of '-' and of files whose name doesn't tell it",
+           .standard = "by name"},
+          {.names = "--input-format",
+           .access = input_format_access(options),
+           .help = "the format to read, whatever a file's name says",
+           .standard = "by name"}};
 }
 
-void set_usage(CLI::App& app, const std::string& usage) { app.get_option("--help")->option_text(usage); }
-
-void add_input_formats(CLI::App& app, FileOptions& options, const std::string& group) {
-  add_format_option(app, "--format", options.format,
-                    "the format, such as ply, of '-' and of files whose name doesn't tell it")
-      ->group(group);
-  add_value(
-      app, "--input-format", input_format_type(options), options.input_format,
-      [&options](std::string_view text) { return parse_input_format(text, options); },
-      "the format to read, whatever a file's name says")
-      ->default_str("by name")
-      ->group(group);
+OptionRow weld_row(FileOptions& options) {
+  return {.names = "--weld",
+          .access = automatic_length(options.weld_tolerance),
+          .help =
+              "weld vertices on open borders that lie within T of each other: model units, a percentage of the "
+              "diagonal, or 'auto' to choose T from the gaps between borders (0: exact duplicates alone)",
+          .key = "weld_tolerance",
+          .conflicts = {{"", "--no-weld", "vertices are welded or they are not"}}};
 }
 
-void add_weld(CLI::App& app, FileOptions& options, const std::string& group) {
-  add_value(
-      app, "--weld", "T|auto", options.weld_tolerance,
-      [](std::string_view text) { return parse_automatic_length(text, "T"); },
-      "weld vertices on open borders that lie within T of each other: model units, a percentage of the diagonal, or "
-      "'auto' to choose T from the gaps between borders (0: exact duplicates alone)")
-      ->default_str("0")
-      ->group(group);
+OptionRows input_rows(FileOptions& options) {
+  OptionRows rows = input_format_rows(options);
+  rows.push_back(weld_row(options));
+  rows.push_back({.names = "--no-weld",
+                  .access = flag(options.weld, false),
+                  .help = "keep exact duplicates of vertices apart instead of making them one",
+                  .key = "weld",
+                  .reported = [&options] { return OptionValue(options.weld); }});
+  return rows;
 }
 
-void add_input_options(CLI::App& app, FileOptions& options) {
-  add_input_formats(app, options, default_group);
-  add_weld_options(app, options, default_group);
+OptionRows file_rows(FileOptions& options) {
+  OptionRows rows = input_rows(options);
+  append(rows, {{.names = "--output-format",
+                 .access = format_access(options.output_format),
+                 .help = "the format to write, whatever the name of OUT says",
+                 .standard = "by name"},
+                {.names = "--ascii",
+                 .access = flag(options.ascii),
+                 .help = "write text instead of binary data: " + io::titles_with_text_and_binary(),
+                 .key = "ascii"}});
+  return rows;
 }
 
-void add_file_options(CLI::App& app, FileOptions& options, const std::string& group) {
-  add_input_formats(app, options, group);
-  add_format_option(app, "--output-format", options.output_format, "the format to write, whatever the name of OUT says")
-      ->group(group);
-  app.add_flag("--ascii", options.ascii, "write text instead of binary data: " + io::titles_with_text_and_binary())
-      ->default_str("off")
-      ->group(group);
-  add_weld_options(app, options, group);
+OptionRow compress_row(bool& compresses_gltf) {
+  return {.names = "--compress",
+          .access = flag(compresses_gltf),
+          .help = "compress the geometry of a glTF file: rounded, and by EXT_meshopt_compression",
+          .key = "compress"};
 }
 
-void add_compress(CLI::App& app, bool& compresses_gltf, const std::string& group) {
-  app.add_flag("--compress", compresses_gltf,
-               "compress the geometry of a glTF file: rounded, and by EXT_meshopt_compression")
-      ->default_str("off")
-      ->group(group);
+OptionRow side_file_row(const std::string& name, std::optional<std::string>& path, const std::string& what) {
+  return {.names = name, .access = text(path, "FILE"), .help = what};
 }
 
-CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& path, const std::string& description) {
-  return add_argument(app, name, path, description);
+OptionRow output_row(std::string& path, const std::string& meaning) {
+  return {.names = "-o,--output", .access = text(path, "OUT"), .help = meaning, .is_required = true};
 }
 
-void add_mesh_file(CLI::App& app, std::string& path, const FileOptions& options) {
-  add_argument(app, "IN", path, mesh_file(options));
+OptionRow file_argument(const std::string& name, std::string& path, const std::string& meaning) {
+  return {.names = name, .access = text(path, ""), .help = meaning, .is_required = true};
 }
 
-void add_mesh_files(CLI::App& app, std::vector<std::string>& paths, const FileOptions& options) {
-  add_argument(app, "IN", paths, mesh_file(options) + "; several if OUT has '{stem}'");
+OptionRow mesh_argument(std::string& path, const FileOptions& options) {
+  return file_argument("IN", path, mesh_file(options));
 }
 
-void check_conflicts(const CLI::App& app, std::span<const Conflict> conflicts) {
-  for (const Conflict& conflict : conflicts) {
-    if (!is_given(app, conflict.first) || !is_given(app, conflict.second)) continue;
-    throw UsageError(conflict.first + " doesn't go with " + conflict.second + ": " + conflict.why);
-  }
+OptionRow meshes_argument(std::vector<std::string>& paths, const FileOptions& options) {
+  return {.names = "IN",
+          .access = texts(paths),
+          .help = mesh_file(options) + "; several if OUT has '{stem}'",
+          .is_required = true,
+          .takes_several = true};
 }
 
-std::vector<std::string> find_idle_options(const CLI::App& app, std::span<const IdleOption> options) {
-  std::vector<std::string> warnings;
-  for (const auto& [option, without, with] : options) {
-    if (!is_given(app, option)) continue;
-    const auto warn = [&warnings, &name = option](const char* how, const std::string& other) {
-      std::string warning = "'";
-      warning.append(name).append("' does nothing ").append(how).append(" '").append(other).append("'");
-      warnings.push_back(warning);
-    };
-    if (!without.empty() && !is_given(app, without)) warn("without", without);
-    if (!with.empty() && is_given(app, with)) warn("with", with);
-  }
-  return warnings;
-}
-
-std::span<const Conflict> common_conflicts() {
-  static const std::array<Conflict, 2> conflicts{{{"--quiet", "--verbose", "say less or say more"},
-                                                  {"--weld", "--no-weld", "vertices are welded or they are not"}}};
-  return conflicts;
+OptionRows in_group(OptionRows rows, const std::string& group) {
+  for (OptionRow& row : rows) row.group = group;
+  return rows;
 }
 
 }  // namespace whittle::app

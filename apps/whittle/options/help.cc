@@ -74,6 +74,8 @@ std::string shown_description(const CLI::Option& option) {
   return option.get_description() + (standard.empty() ? "" : " (default: " + standard + ")");
 }
 
+void set_usage(CLI::App& subcommand, const std::string& usage) { subcommand.get_option("--help")->option_text(usage); }
+
 std::string usage_of(const CLI::App& subcommand) { return subcommand.get_option("--help")->get_option_text(); }
 
 std::string HelpFormatter::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode /*mode*/) const {

@@ -31,6 +31,9 @@ std::string shown_name(const CLI::Option& option);
 /// The description, and "(default: …)" or "(required)".
 std::string shown_description(const CLI::Option& option);
 
+/// Sets the text that follows "Usage: whittle NAME" in the help. It is stored at the option --help, because in CLI11
+/// only options can hold such a text.
+void set_usage(CLI::App& subcommand, const std::string& usage);
 /// What follows "whittle simplify " in a call: "IN -o OUT TARGET... [OPTION]...".
 std::string usage_of(const CLI::App& subcommand);
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "options/values.hh"
+#include "whittle/simplify/values.hh"
 
 namespace whittle::app {
 namespace {

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "whittle/metrics/distance.hh"
+#include "whittle/simplify/option.hh"
 
 namespace whittle::app {
 
-/// Adds --samples and --seed.
-void add_sampling_options(CLI::App& app, metrics::DistanceOptions& options);
+/// --samples and --seed.
+OptionRows sampling_rows(metrics::DistanceOptions& options);
 
 }  // namespace whittle::app

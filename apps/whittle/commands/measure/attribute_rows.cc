@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "options/values.hh"
 #include "terminal/table.hh"
+#include "whittle/simplify/values.hh"
 
 namespace whittle::app {
 namespace {

@@ -4,7 +4,6 @@
 
 #include "commands/page/animation.hh"
 #include "commands/page/browser.hh"
-#include "options/values.hh"
 #include "terminal/errors.hh"
 #include "terminal/progress_bar.hh"
 
@@ -19,19 +18,16 @@ double place_of(const FrameOptions& options, std::size_t i) {
 
 }  // namespace
 
-void add_frame_options(CLI::App& app, FrameOptions& options, const std::string& group) {
-  const auto text = [](std::string_view word) { return std::optional(std::string(word)); };
-  add_value(app, "--frames", "FILE", options.frames, text,
-            "draw the original and the levels of the run over each other, with Chromium: .png files; '{i}' stands for "
-            "the number of each")
-      ->default_str("off")
-      ->group(group);
-  add_value(app, "--every", "R", options.every, parse_ratio, "a picture after each such share of the contractions")
-      ->default_str("5%")
-      ->group(group);
-  add_value(app, "--animate", "FILE", options.animation, text, "make one moving picture of them: a .webp file")
-      ->default_str("off")
-      ->group(group);
+OptionRows frame_rows(FrameOptions& options) {
+  return {side_file_row("--frames", options.frames,
+                        "draw the original and the levels of the run over each other, with Chromium: .png files; '{i}' "
+                        "stands for the number of each"),
+          {.names = "--every",
+           .access = ratio(options.every),
+           .help = "a picture after each such share of the contractions",
+           .standard = "5%",
+           .idle = {{.without = {"--frames", "--animate"}}}},
+          side_file_row("--animate", options.animation, "make one moving picture of them: a .webp file")};
 }
 
 std::vector<Output> frame_outputs(const FrameOptions& options) {

@@ -12,8 +12,8 @@
 
 namespace whittle::app {
 
-/// Adds --frames, --every and --animate. \param group of the help
-void add_frame_options(CLI::App& app, FrameOptions& options, const std::string& group = "Options");
+/// --frames, --every and --animate.
+OptionRows frame_rows(FrameOptions& options);
 
 /// The files that are asked for. \throw UsageError for names that can't be
 std::vector<Output> frame_outputs(const FrameOptions& options);

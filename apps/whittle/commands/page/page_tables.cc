@@ -1,7 +1,7 @@
 #include "commands/page/page_tables.hh"
 
-#include "options/values.hh"
 #include "terminal/table.hh"
+#include "whittle/simplify/values.hh"
 
 namespace whittle::app {
 namespace {

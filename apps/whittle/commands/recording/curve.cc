@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "charts/svg_chart.hh"
-#include "options/values.hh"
 #include "terminal/progress_bar.hh"
 #include "terminal/table.hh"
 #include "whittle/metrics/distance.hh"
+#include "whittle/simplify/values.hh"
 
 namespace whittle::app {
 namespace {

@@ -115,15 +115,18 @@ IndexedMesh with_vertex_attributes(IndexedMesh mesh) {
   return mesh;
 }
 
-void add_recording(CLI::App& app, RecordingInput& options) {
-  add_file(app, "REC", options.path, "what 'simplify --record' has written")->type_name("FILE");
+OptionRow recording_argument(RecordingInput& options) {
+  OptionRow row = file_argument("REC", options.path, "what 'simplify --record' has written");
+  row.access.meta = "FILE";
+  return row;
 }
 
-void add_recording_input(CLI::App& app, RecordingInput& options, const std::string& more) {
-  add_value(
-      app, "--input", "FILE", options.input, [](std::string_view text) { return std::string(text); },
-      "the mesh that was simplified: for a recording that was written with --no-embed" + more)
-      ->default_str("the one in REC");
+OptionRow recording_input_row(RecordingInput& options, const std::string& more) {
+  OptionRow row =
+      side_file_row("--input", options.input,
+                    "the mesh that was simplified: for a recording that was written with --no-embed" + more);
+  row.standard = "the one in REC";
+  return row;
 }
 
 Json recording_json(const RecordingFacts& facts) {

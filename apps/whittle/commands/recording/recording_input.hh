@@ -28,10 +28,10 @@ inline constexpr char input_format_key[] = "input_format";
 /// A mesh with one normal and one colour a vertex, and no other attributes.
 IndexedMesh with_vertex_attributes(IndexedMesh mesh);
 
-/// Adds the argument REC.
-void add_recording(CLI::App& app, RecordingInput& options);
-/// Adds --input. \param more the end of its help: what else than a missing mesh it is for
-void add_recording_input(CLI::App& app, RecordingInput& options, const std::string& more = {});
+/// The argument REC.
+OptionRow recording_argument(RecordingInput& options);
+/// --input. \param more the end of its help: what else than a missing mesh it is for
+OptionRow recording_input_row(RecordingInput& options, const std::string& more = {});
 
 /// What the report says of a recording.
 struct RecordingFacts {

@@ -1,8 +1,6 @@
 #include "commands/regions/names.hh"
 
 #include <algorithm>
-#include <cstddef>
-#include <stdexcept>
 
 #include "terminal/errors.hh"
 #include "whittle/core/regions.hh"
@@ -18,27 +16,6 @@ std::string names_in(const std::vector<Attribute>& attributes) {
 }
 
 }  // namespace
-
-Names parse_names(std::string_view text) {
-  if (text == "auto") return std::nullopt;
-  std::vector<std::string> names;
-  if (text == "none") return names;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    if (end == begin) throw std::invalid_argument("a name is empty");
-    names.emplace_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return names;
-}
-
-std::string to_string(const Names& names) {
-  if (!names) return "auto";
-  if (names->empty()) return "none";
-  std::string text;
-  for (const std::string& name : *names) text += (text.empty() ? "" : ",") + name;
-  return text;
-}
 
 void check_names(const Names& names, const Input& input, const std::vector<Attribute>& attributes,
                  const std::string& what, const std::string& option) {

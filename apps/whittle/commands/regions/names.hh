@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "files/input.hh"
@@ -13,10 +12,6 @@ namespace whittle::app {
 
 /// Of attributes; empty: those that are found.
 using Names = std::optional<std::vector<std::string>>;
-
-/// "auto", "none", or names with commas between. \throw std::invalid_argument for an empty name
-Names parse_names(std::string_view text);
-std::string to_string(const Names& names);
 
 /// \param attributes of the input \param what text for the message: "faces have no property"
 /// \throw UnsupportedMesh if none of the attributes has one of the names

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "commands/regions/names.hh"
-#include "options/values.hh"
 #include "whittle/core/wedges.hh"
+#include "whittle/simplify/values.hh"
 
 namespace whittle::app {
 namespace {

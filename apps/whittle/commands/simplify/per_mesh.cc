@@ -152,7 +152,7 @@ void join_pieces(Simplification& all) {
 
 }  // namespace
 
-std::vector<DecimateTarget> targets_per_mesh(const TargetOptions& options, const Input& input, double diagonal) {
+std::vector<DecimateTarget> targets_per_mesh(const Targets& options, const Input& input, double diagonal) {
   const auto [n_faces, n_vertices] = counts_per_mesh(*input.gltf, input.read.mesh);
   std::vector<DecimateTarget> targets;
   for (std::size_t i = 0; i < n_faces.size(); ++i) {

@@ -13,7 +13,7 @@ namespace whittle::app {
 
 /// The target of each mesh (`GltfFile::meshes_of_faces`), by its own counts. No count is above those of the mesh.
 /// \param input before --prune \param diagonal of all
-std::vector<DecimateTarget> targets_per_mesh(const TargetOptions& options, const Input& input, double diagonal);
+std::vector<DecimateTarget> targets_per_mesh(const Targets& options, const Input& input, double diagonal);
 
 /// What the meshes may have together.
 DecimateTarget sum_of(const std::vector<DecimateTarget>& targets);

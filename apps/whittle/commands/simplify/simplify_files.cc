@@ -54,12 +54,13 @@ progressive::RecordingNotes notes_of(const SimplifyCommand& options, const Input
 }
 
 void write_recording_file(std::ostream& out, const SimplifyCommand& options, const SimplifyRecord& record) {
-  const Json about = {
-      {"program", program_and_version()}, {input_format_key, record.input.format}, {"options", options_json(options)}};
+  const Json about = {{"program", program_and_version()},
+                      {input_format_key, record.input.format},
+                      {"options", simplify_options_json(options)}};
   const progressive::RecordingOptions how{options.embeds_input, options.compresses_recording, options.common.threads,
                                           notes_of(options, record.input)};
-  progressive::write_recording(out, record.input.read.mesh, record.simplified.steps, options.simplify.decimate.normals,
-                               to_text(about), how);
+  progressive::write_recording(out, record.input.read.mesh, record.simplified.steps,
+                               options.request.simplify.decimate.normals, to_text(about), how);
 }
 
 void write_curve(std::ostream& out, const SimplifyCommand& options, const SimplifyRecord& record) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,9 +9,7 @@
 #include "commands/page/report_options.hh"
 #include "options/command_line.hh"
 #include "options/targets.hh"
-#include "options/values.hh"
-#include "whittle/core/attribute_kinds.hh"
-#include "whittle/engine/simplify.hh"
+#include "whittle/simplify/request.hh"
 
 namespace whittle::app {
 
@@ -22,29 +19,16 @@ enum class Engine {
   openmesh  ///< in OpenMesh's stock decimater, with the module of the same cost
 };
 
-/// What happens where faces come to intersect that didn't before.
-enum class SelfIntersections {
-  allow,  ///< a warning if parts are concerned
-  count,  ///< also, all are counted before and after
-  refuse  ///< also, contractions that would make them are refused
-};
-
-/// The options of `whittle simplify`. Fields of `simplify` that depend on the mesh are set after it has been read.
+/// The options of `whittle simplify`.
 struct SimplifyCommand {
   std::vector<std::string> inputs;  ///< as on the command line
   std::string input;                ///< of one run
   std::string output;               ///< of one run; on the command line it may have `{stem}`
-  TargetOptions targets;
+  Request request;
+  std::optional<std::string> tolerances;  ///< file with the tolerance of each vertex
   FileOptions files;
-  Effort effort = Effort::normal;
-  SimplifyOptions simplify;
   bool has_cost_by_effort = false;  ///< `--cost` isn't given: large meshes may get another one
-  AutomaticLength threshold;  ///< below which two vertices without an edge are a pair; automatic: from the distances
-                              ///< between the parts of the mesh
-  Length feature_tolerance{5e-4, true};  ///< how far a feature line may come to lie from where it was
-  std::optional<Length> prune;           ///< parts smaller than this are dropped
   Engine engine = Engine::flat;
-  SelfIntersections self_intersections = SelfIntersections::allow;
   // More files to write, each with `{stem}` as in `output`.
   std::optional<std::string> map;          ///< the vertex map
   std::optional<std::string> map_back;     ///< the vertex map from OUT to IN
@@ -56,12 +40,8 @@ struct SimplifyCommand {
   bool embeds_input = true;                ///< whether the recording has the input in it
   bool compresses_recording = false;
   bool compresses_gltf = false;
-  bool joins = false;            ///< whether all inputs are one mesh (`read_joined`)
-  bool is_per_mesh = false;      ///< whether each mesh of a glTF file has the target on its own
-  bool keeps_attributes = true;  ///< or positions alone
-  CategoryNames categories;      ///< numbers of vertices that are never blended
+  bool joins = false;  ///< whether all inputs are one mesh (`read_joined`)
   bool strict = false;
-  bool certify = false;               ///< whether the largest distance is found without a limit, too
   std::vector<std::string> warnings;  ///< of options that do nothing
   CommonOptions common;
 };
@@ -69,10 +49,7 @@ struct SimplifyCommand {
 /// `command` with the cost, the polish passes and the flips that the effort stands for, where they are not given.
 SimplifyCommand settled(SimplifyCommand command);
 
-void add_simplify_options(CLI::App& app, SimplifyCommand& options);
-
-/// The options that don't go together, those that a cost doesn't take first (simplify_conflicts.cc).
-std::vector<Conflict> simplify_conflicts();
+OptionRows simplify_rows(SimplifyCommand& options);
 
 /// A file that a run can write besides the result.
 struct SideFile {
@@ -92,16 +69,16 @@ inline std::array<SideFile, 8> side_files(SimplifyCommand& options) {
 }
 
 /// \throw UsageError for options that are missing or contradictory.
-void check_options(const CLI::App& app, const SimplifyCommand& options);
+void check_options(const SimplifyCommand& options);
 
 /// Warnings of options that do nothing as the others are.
-std::vector<std::string> idle_options(const CLI::App& app, const SimplifyCommand& options);
+std::vector<std::string> idle_options(const Given& given, const SimplifyCommand& options);
 
 /// \throw UsageError if a format isn't told, if an output would overwrite an input or another output
 /// \throw io::WriteError as `check_outputs`
 void check_files(std::vector<SimplifyCommand> runs);
 
 /// Key `options` of the report: every option except the targets and those that control what is printed.
-nlohmann::ordered_json options_json(const SimplifyCommand& options);
+nlohmann::ordered_json simplify_options_json(SimplifyCommand options);
 
 }  // namespace whittle::app

@@ -60,9 +60,10 @@ Json simplify_json(const SimplifyCommand& options, const SimplifyRecord& record)
   json["input"]["self_intersections"] =
       record.n_intersections_before ? Json(*record.n_intersections_before) : Json(nullptr);
   if (options.engine == Engine::flat) json["input"].update(surface_json(result.before));
-  json["options"] = options_json(options);
+  json["options"] = simplify_options_json(options);
   json["output"] = output_json(options, record, metrics::topology(mesh));
-  json["target"] = target_json(options.targets, record.target);
+  json["target"] = target_json(options.request.targets, record.target);
+  if (options.tolerances) json["target"]["tolerance_map"] = *options.tolerances;
   json["target"]["met"] = record.met;
   const std::string_view ended_by = option_that_ended(result.stop);
   if (!record.met && !ended_by.empty()) json["target"]["ended_by"] = ended_by;
@@ -75,7 +76,7 @@ Json simplify_json(const SimplifyCommand& options, const SimplifyRecord& record)
   json["why_in_one_pass"] = result.why_in_one_pass.empty() ? Json(nullptr) : Json(result.why_in_one_pass);
   json["rejections"] = refusals_json(options, result.refusals);
   json["refused_at_end"] = refusals_json(options, result.refused_at_end);
-  json["polish"] = *options.simplify.polish_passes > 0 ? polish_json(record.simplified.polish) : Json(nullptr);
+  json["polish"] = *options.request.simplify.polish_passes > 0 ? polish_json(record.simplified.polish) : Json(nullptr);
   json["seconds"] = {{"read", record.seconds.read},     {"decimate", record.seconds.decimate},
                      {"polish", record.seconds.polish}, {"certify", record.seconds.certify},
                      {"curve", record.seconds.curve},   {"write", record.seconds.write},

@@ -40,7 +40,8 @@ std::vector<std::string> lost_in_openmesh(const SimplifyCommand& options, const 
   const auto add = [&](const char* what) {
     warnings.push_back(input.name + ": " + what + " are not carried by --engine openmesh");
   };
-  if (!input.read.mesh.normals.empty() && options.simplify.decimate.normals != Normals::drop) add("vertex normals");
+  if (!input.read.mesh.normals.empty() && options.request.simplify.decimate.normals != Normals::drop)
+    add("vertex normals");
   if (!input.read.mesh.colors.empty()) add("vertex colours");
   return warnings;
 }
@@ -97,12 +98,13 @@ void say_details(const SimplifyCommand& options, const Talk& talk, const Simplif
               significant(result.max_cost) + ", stopped by: " + std::string(to_string(result.stop)));
   if (!result.why_in_one_pass.empty())
     talk.detail("in one pass, not in blocks: " + std::string(result.why_in_one_pass));
-  if (options.has_cost_by_effort && *options.simplify.tries_plain_quadrics && record.simplified.cost == Cost::quadric)
+  if (options.has_cost_by_effort && *options.request.simplify.tries_plain_quadrics &&
+      record.simplified.cost == Cost::quadric)
     talk.detail(std::string("by plain quadrics, which came nearer") +
                 (is_mostly_flat(record.input.read.mesh) ? ": much of the mesh is flat" : ""));
   talk.detail(refusals(options, result.refusals));
   if (record.threshold > 0) talk.detail(threshold_pairs(result.threshold_pairs));
-  const bool is_polished = *options.simplify.polish_passes > 0;
+  const bool is_polished = *options.request.simplify.polish_passes > 0;
   if (is_polished) talk.detail("polish: " + polish_text(record.simplified.polish));
   if (record.distances) {
     const NamesOfRun names{record.input.name, shown_output(options.output), record.diagonal};

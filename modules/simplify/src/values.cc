@@ -1,12 +1,13 @@
-#include "options/values.hh"
+#include "whittle/simplify/values.hh"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
 #include <system_error>
 
-namespace whittle::app {
+namespace whittle {
 namespace {
 
 constexpr std::string_view automatic = "auto";
@@ -95,10 +96,20 @@ std::uint64_t share_of(double ratio, std::uint64_t n) {
   return static_cast<std::uint64_t>(std::floor(product * (1 + 4 * std::numeric_limits<double>::epsilon())));
 }
 
+std::vector<std::string_view> parts_of(std::string_view list) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    parts.push_back(list.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
 std::string shortest(double x) {
   std::array<char, 32> text;
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), x);
   return error == std::errc() ? std::string(text.data(), end) : std::string();
 }
 
-}  // namespace whittle::app
+}  // namespace whittle

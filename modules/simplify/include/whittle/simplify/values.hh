@@ -6,11 +6,12 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // Parsers for the values of options. Each parses the whole text or throws std::invalid_argument. The message says what
 // is wrong and what is valid, but doesn't name the option.
 
-namespace whittle::app {
+namespace whittle {
 
 /// An interval of finite numbers.
 struct Range {
@@ -66,6 +67,9 @@ double parse_ratio(std::string_view text);
 /// floor(ratio · n). A product that is a whole number except for rounding (0.29 · 100) counts as that number.
 std::uint64_t share_of(double ratio, std::uint64_t n);
 
+/// The parts of a list with commas; one, empty, of an empty text.
+std::vector<std::string_view> parts_of(std::string_view list);
+
 /// The shortest decimal text that reads back as x: "75", "0.3", "1e-09".
 std::string shortest(double x);
 
@@ -103,4 +107,4 @@ E parse_choice(std::string_view text, std::span<const Choice<E>> choices) {
   throw std::invalid_argument("'" + std::string(text) + "' is none of " + words_of(choices));
 }
 
-}  // namespace whittle::app
+}  // namespace whittle
