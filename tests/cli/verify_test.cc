@@ -10,6 +10,7 @@
 #include "program/program.hh"
 #include "support/shapes/shapes.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
 
@@ -23,7 +24,7 @@ Arguments joined(Arguments first, const Arguments& second) {
   return first;
 }
 
-double diagonal_of(const std::string& path) { return bounds_of(io::read_mesh(path).mesh.positions).diagonal(); }
+double diagonal_of(const std::string& path) { return diagonal_of(io::read_mesh(path).mesh.positions); }
 
 /// A mesh, its result and the certificate of both.
 class VerifyCommand : public ::testing::Test {

@@ -72,7 +72,7 @@ void measure(const IndexedMesh& mesh) {
   const metrics::Topology topology = metrics::topology(mesh);
   require(topology.collapsed_faces == 0, "no face is degenerate");
   if (mesh.faces.size() > 64 || !std::all_of(mesh.positions.begin(), mesh.positions.end(), is_in_range)) return;
-  require(std::isfinite(metrics::bounds(mesh).diagonal()), "meshes have a size");
+  require(std::isfinite(diagonal_of(metrics::bounds(mesh))), "meshes have a size");
   require(std::isfinite(metrics::shape(mesh).radius_ratio_mean), "meshes have a shape");
   metrics::self_intersections(mesh, 1);
 }

@@ -8,6 +8,7 @@
 
 #include "oracle/brute_force_rims.hh"
 #include "support/face_list.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/engine/formula/edge_length_term.hh"
@@ -32,7 +33,7 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& input, const Decimat
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  frame_ = Frame::of_box(low, high);
+  frame_ = Frame::of_box({low, high});
   for (const Vec3& p : mesh.positions) {
     stands_for_.push_back(static_cast<Index>(positions_.size()));
     positions_.push_back(frame_.to_frame(p));
@@ -50,7 +51,7 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& input, const Decimat
     locked[v] = (!options.locked.empty() && options.locked[v] != 0) ||
                 (options.boundary == Boundary::locked && link_of(v, faces_).vertices.contains(invalid_index));
   }
-  const double tolerance = options.feature_tolerance * bounds_of(mesh.positions).diagonal() * frame_.scale;
+  const double tolerance = options.feature_tolerance * diagonal_of(mesh.positions) * frame_.scale;
   restraints_ = BruteForceRestraints(positions_, faces_, locked, options_, tolerance,
                                      seam_edges(mesh, face_regions(mesh, options_.regions)));
   sum_planes(options.quadric);

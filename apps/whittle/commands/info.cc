@@ -10,6 +10,7 @@
 #include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/metrics/self_intersections.hh"
 
 namespace whittle::app {
@@ -37,7 +38,7 @@ struct Findings {
   std::optional<View> unwelded;  ///< set if welding changed something
   View repaired;
   MeshKind kind;
-  metrics::Bounds bounds;
+  Box bounds;
 };
 
 View view(const IndexedMesh& mesh, unsigned threads, const Talk& talk) {
@@ -104,8 +105,8 @@ Json info_json(const InfoOptions& options, const Findings& findings) {
   json["file"] = {{"vertices", read.file_vertices}, {"faces", read.file_faces}};
   json["repairs"] = repairs_json(read.repairs);
   json["weld_tolerance"] = findings.weld_tolerance;
-  json["diagonal"] = findings.bounds.diagonal();
-  json["bounds"] = {{"min", point_json(findings.bounds.min)}, {"max", point_json(findings.bounds.max)}};
+  json["diagonal"] = diagonal_of(findings.bounds);
+  json["bounds"] = {{"min", point_json(findings.bounds.min())}, {"max", point_json(findings.bounds.max())}};
   json.update(view_json(findings.repaired));
   json["kind"] = findings.kind.words;
   json["flat_edges"] = findings.kind.flat_edges;
@@ -153,8 +154,8 @@ std::string summary_of(const Findings& findings) {
   std::string text = findings.name + ": " + findings.format_title + ", " + vertices_text(read.file_vertices) + ", " +
                      faces_text(read.file_faces) + " in the file\n";
   text += "repairs: " + (repairs.empty() ? "none" : repairs) + '\n';
-  const double diagonal = findings.bounds.diagonal();
-  text += "box: " + point_text(findings.bounds.min, diagonal) + " to " + point_text(findings.bounds.max, diagonal) +
+  const double diagonal = diagonal_of(findings.bounds);
+  text += "box: " + point_text(findings.bounds.min(), diagonal) + " to " + point_text(findings.bounds.max(), diagonal) +
           ", diagonal " + significant(diagonal) + '\n';
   text += "attributes: " + joined(attributes_of(read.mesh)) + '\n';
   text +=

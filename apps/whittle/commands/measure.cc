@@ -18,6 +18,7 @@
 #include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/metrics/attribute_deviation.hh"
 #include "whittle/metrics/certify.hh"
 #include "whittle/metrics/line_distance.hh"
@@ -112,7 +113,7 @@ Json measure_json(const Input& reference, const Input& test, const Measurement& 
                   const MeasureOptions& options) {
   Json json = new_report();
   json["reference"] = input_json(reference, measured.distance.diagonal);
-  json["test"] = input_json(test, metrics::bounds(test.read.mesh).diagonal());
+  json["test"] = input_json(test, diagonal_of(metrics::bounds(test.read.mesh)));
   json["diagonal"] = measured.distance.diagonal;
   add_distance(json, measured.distance);
   json["attributes"] = attributes_json(measured.attributes);

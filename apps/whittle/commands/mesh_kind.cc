@@ -7,6 +7,7 @@
 #include "terminal/table.hh"
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/core/parts.hh"
 #include "whittle/core/two_sided.hh"
 #include "whittle/engine/automatic_threshold.hh"
@@ -33,10 +34,8 @@ EdgeAngles edge_angles(const IndexedMesh& mesh) {
   const detail::EdgeTable edges(mesh.faces, mesh.positions.size());
   const Frame frame = Frame::of_points(mesh.positions);
   const auto normal = [&](Index side) {
-    const auto& [a, b, c] = mesh.faces[detail::face_of(side)];
-    const Vec3 p = frame.to_frame(mesh.positions[a]);
-    return Vec3(
-        (frame.to_frame(mesh.positions[b]) - p).cross(frame.to_frame(mesh.positions[c]) - p).stableNormalized());
+    const Corners corners = corners_of(mesh.positions, mesh.faces[detail::face_of(side)]);
+    return Vec3(area_normal(frame.to_frame(corners)).stableNormalized());
   };
   const double least_sine = std::sin(flat_deg * std::numbers::pi / 180);
   const double sharp_cosine = std::cos(sharp_deg * std::numbers::pi / 180);
@@ -57,8 +56,8 @@ EdgeAngles edge_angles(const IndexedMesh& mesh) {
 
 /// Whether all border vertices lie on the sides of the bounding box, seen along one axis: a piece that was cut out.
 bool is_tile(const IndexedMesh& mesh) {
-  const PointBounds box = bounds_of(mesh.positions);
-  const double tolerance = border_tolerance * box.diagonal();
+  const Box box = bounds_of(mesh.positions);
+  const double tolerance = border_tolerance * diagonal_of(box);
   const auto is_border = detail::border_vertices(mesh.faces, mesh.positions.size());
   for (int up = 0; up < 3; ++up) {
     bool is_cut = true;
@@ -67,8 +66,8 @@ bool is_tile(const IndexedMesh& mesh) {
       bool is_on_side = false;
       for (int axis = 0; axis < 3; ++axis) {
         const double x = mesh.positions[v][axis];
-        const double to_side = std::min(x - box.low[axis], box.high[axis] - x);
-        const bool is_side = axis != up && box.high[axis] - box.low[axis] > 2 * tolerance;
+        const double to_side = std::min(x - box.min()[axis], box.max()[axis] - x);
+        const bool is_side = axis != up && box.max()[axis] - box.min()[axis] > 2 * tolerance;
         is_on_side = is_on_side || (is_side && to_side <= tolerance);
       }
       is_cut = is_on_side;
@@ -79,7 +78,7 @@ bool is_tile(const IndexedMesh& mesh) {
 }
 
 std::size_t count_small_parts(const IndexedMesh& mesh, const Parts& parts) {
-  const double size = small_part * bounds_of(mesh.positions).diagonal();
+  const double size = small_part * diagonal_of(mesh.positions);
   const std::vector<double> diagonals = part_diagonals(mesh.positions, parts);
   return static_cast<std::size_t>(
       std::count_if(diagonals.begin(), diagonals.end(), [size](double diagonal) { return diagonal < size; }));

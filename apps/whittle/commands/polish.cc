@@ -13,6 +13,7 @@
 #include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/metrics/nearest_vertices.hh"
 #include "whittle/simplify/request.hh"
@@ -57,10 +58,10 @@ OptionRows polish_rows(PolishCommand& options) {
 }
 
 Json polish_report(PolishCommand& options, const PolishRun& run, double total_seconds) {
-  const double diagonal = metrics::bounds(run.reference.read.mesh).diagonal();
+  const double diagonal = diagonal_of(metrics::bounds(run.reference.read.mesh));
   Json json = new_report();
   json["reference"] = input_json(run.reference, diagonal);
-  json["input"] = input_json(run.input, metrics::bounds(run.input.read.mesh).diagonal());
+  json["input"] = input_json(run.input, diagonal_of(metrics::bounds(run.input.read.mesh)));
   json["options"] = options_json(polish_rows(options));
   json["output"] = {{"path", options.output}};
   json["polish"] = polish_json(run.result);

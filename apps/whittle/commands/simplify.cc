@@ -31,6 +31,7 @@
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
 #include "whittle/core/detail/edge_table.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/core/parts.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/engine/automatic_threshold.hh"
@@ -417,7 +418,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
     talk.warning(warning);
   }
   if (record.input.read.mesh.faces.empty()) return pass_through(options, talk, watch, record, report);
-  record.diagonal = metrics::bounds(record.input.read.mesh).diagonal();
+  record.diagonal = diagonal_of(metrics::bounds(record.input.read.mesh));
   set_target(options, record);
   check_regions(options.request.simplify.decimate.regions, record.input);
   if (options.request.prune) prune(options, talk, record);

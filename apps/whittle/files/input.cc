@@ -14,6 +14,7 @@
 #include "terminal/table.hh"
 #include "whittle/core/detail/checks.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/io/border_gaps.hh"
 #include "whittle/io/errors.hh"
 #include "whittle/io/file_notes.hh"
@@ -169,7 +170,7 @@ std::string format_title(const io::ReadResult& read, const MeshFile& file) {
 
 double weld_gaps(io::ReadResult& read, const AutomaticLength& tolerance, unsigned threads) {
   const double length = tolerance.is_automatic ? io::find_border_gaps(read.mesh).tolerance()
-                                               : tolerance.length.in_units(bounds_of(read.mesh.positions).diagonal());
+                                               : tolerance.length.in_units(diagonal_of(read.mesh.positions));
   if (length == 0) {
     if (tolerance.is_automatic)
       read.warnings.emplace_back("no gaps between borders, '--weld auto' welds exact duplicates alone");

@@ -6,7 +6,7 @@
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/detail/portable_math.hh"
 #include "whittle/core/frame.hh"
-#include "whittle/core/geometry/face_normal.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 namespace whittle {
 std::vector<VertexPair> feature_edges(const IndexedMesh& mesh, double angle_deg) {

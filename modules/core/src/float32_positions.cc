@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 
 namespace whittle {
 namespace {
@@ -35,10 +36,10 @@ double float32_error(std::span<const Vec3> points) {
 
 Vec3 float32_origin(std::span<const Vec3> points) {
   constexpr double near = 16;
-  const PointBounds box = bounds_of(points);
-  const double farthest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
-  if (farthest <= near * box.diagonal()) return Vec3::Zero();
-  return rounded_to_float32(Frame::of_box(box.low, box.high).center);
+  const Box box = bounds_of(points);
+  const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  if (farthest <= near * diagonal_of(box)) return Vec3::Zero();
+  return rounded_to_float32(Frame::of_box(box).center);
 }
 
 }  // namespace whittle

@@ -1,14 +1,13 @@
 #include "whittle/core/parts.hh"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "whittle/core/detail/checks.hh"
 #include "whittle/core/detail/disjoint_sets.hh"
 #include "whittle/core/detail/drop.hh"
-#include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/core/wedges.hh"
 
 namespace whittle {
@@ -32,18 +31,12 @@ Parts find_parts(std::size_t n_vertices, std::span<const Triangle> faces) {
 }
 
 std::vector<double> part_diagonals(std::span<const Vec3> positions, const Parts& parts) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::vector<Vec3> low(parts.count, Vec3::Constant(infinity));
-  std::vector<Vec3> high(parts.count, Vec3::Constant(-infinity));
+  std::vector<Box> boxes(parts.count);
   for (std::size_t v = 0; v < positions.size(); ++v) {
-    const Index part = parts.part_of[v];
-    if (part == invalid_index) continue;
-    low[part] = low[part].cwiseMin(positions[v]);
-    high[part] = high[part].cwiseMax(positions[v]);
+    if (parts.part_of[v] != invalid_index) boxes[parts.part_of[v]].extend(positions[v]);
   }
-  std::vector<double> diagonals(parts.count);
-  for (std::size_t part = 0; part < parts.count; ++part)
-    diagonals[part] = PointBounds{low[part], high[part]}.diagonal();
+  std::vector<double> diagonals;
+  for (const Box& box : boxes) diagonals.push_back(diagonal_of(box));
   return diagonals;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "whittle/core/detail/parallel.hh"
+#include "whittle/core/geometry/box.hh"
 
 namespace whittle {
 namespace {
@@ -32,14 +33,9 @@ void radix_sort(std::vector<CurvePoint>& points) {
 
 std::vector<CurvePoint> along_morton_curve(std::span<const Vec3> positions, const Frame& frame, unsigned threads) {
   if (positions.empty()) return {};
-  Vec3 low = frame.to_frame(positions[0]);
-  Vec3 high = low;
-  for (const Vec3& position : positions) {
-    const Vec3 p = frame.to_frame(position);
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const double extent = (high - low).maxCoeff();
+  const Box box = bounds_of(positions);  // rounding keeps the order, so its corners become those in the frame
+  const Vec3 low = frame.to_frame(box.min());
+  const double extent = (frame.to_frame(box.max()) - low).maxCoeff();
   const double cells_per_unit = extent > 0 ? 1023.0 / extent : 0;
   std::vector<CurvePoint> points(positions.size());
   for_each_range(positions.size(), threads, [&](std::size_t begin, std::size_t end) {

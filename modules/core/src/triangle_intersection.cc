@@ -5,8 +5,6 @@
 namespace whittle::detail {
 namespace {
 
-using Corners = std::array<Vec3, 3>;
-
 /// Limits for projections of two triangles onto an axis, relative to the sizes of axis and triangles.
 constexpr double most_overlap = 1e-12;  ///< with this overlap or less they only touch
 constexpr double least_extent = 1e-9;   ///< a smaller projection is rounding error

@@ -7,7 +7,7 @@
 #include "whittle/core/detail/disjoint_sets.hh"
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/detail/portable_math.hh"
-#include "whittle/core/geometry/face_normal.hh"
+#include "whittle/core/geometry/triangle.hh"
 #include "whittle/core/wedges.hh"
 
 namespace whittle {
@@ -24,12 +24,9 @@ Normal unit(Vec3 sum) {
   return {static_cast<float>(sum.x()), static_cast<float>(sum.y()), static_cast<float>(sum.z())};
 }
 
-std::array<Vec3, 3> corners_of(const IndexedMesh& mesh, const Frame& frame, const Triangle& face) {
-  return {frame.to_frame(mesh.positions[face[0]]), frame.to_frame(mesh.positions[face[1]]),
-          frame.to_frame(mesh.positions[face[2]])};
+Corners corners_in(const Frame& frame, const IndexedMesh& mesh, const Triangle& face) {
+  return frame.to_frame(corners_of(mesh.positions, face));
 }
-
-Vec3 area_vector(const std::array<Vec3, 3>& p) { return (p[1] - p[0]).cross(p[2] - p[0]); }
 
 /// Finds the corners, by the number 3f + c, that have one normal.
 class SmoothCorners {
@@ -85,13 +82,13 @@ std::vector<Normal> corner_normals(const IndexedMesh& mesh, const Frame& frame, 
   std::vector<Vec3> directions;
   directions.reserve(mesh.faces.size());
   for (const Triangle& face : mesh.faces) {
-    const auto [a, b, c] = corners_of(mesh, frame, face);
+    const auto [a, b, c] = corners_in(frame, mesh, face);
     directions.push_back(reliable_normal(a, b, c));
   }
   SmoothCorners smooth(mesh.faces, mesh.positions.size(), directions, crease_angle_deg);
   std::vector<Vec3> sums(3 * mesh.faces.size(), Vec3::Zero());
   for (std::size_t corner = 0; corner < sums.size(); ++corner) {
-    sums[smooth.first_of(corner)] += area_vector(corners_of(mesh, frame, mesh.faces[corner / 3]));
+    sums[smooth.first_of(corner)] += area_normal(corners_in(frame, mesh, mesh.faces[corner / 3]));
   }
   std::vector<Normal> normals(sums.size());
   for (std::size_t corner = 0; corner < sums.size(); ++corner) {
@@ -115,7 +112,7 @@ void give_corners_wedges(IndexedMesh& mesh) {
 std::vector<Normal> vertex_normals(const IndexedMesh& mesh, const Frame& frame) {
   std::vector<Vec3> sums(mesh.positions.size(), Vec3::Zero());
   for (const Triangle& face : mesh.faces) {
-    const Vec3 normal = area_vector(corners_of(mesh, frame, face));
+    const Vec3 normal = area_normal(corners_in(frame, mesh, face));
     for (const Index v : face) sums[v] += normal;
   }
   std::vector<Normal> normals;

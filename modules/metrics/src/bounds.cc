@@ -1,6 +1,5 @@
 #include "whittle/metrics/bounds.hh"
 
-#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -8,19 +7,17 @@
 
 namespace whittle::metrics {
 
-Bounds bounds(const IndexedMesh& mesh) {
+Box bounds(const IndexedMesh& mesh) {
   if (mesh.faces.empty()) throw std::invalid_argument("mesh has no faces");
   check_corners(mesh.positions.size(), mesh.faces);
-  Bounds box{Vec3::Constant(std::numeric_limits<double>::infinity()),
-             Vec3::Constant(-std::numeric_limits<double>::infinity())};
+  Box box;
   for (const Triangle& face : mesh.faces) {
     for (const Index v : face) {
       const Vec3& position = mesh.positions[v];
       if (!is_in_range(position)) {
         throw std::invalid_argument("position of vertex " + std::to_string(v) + " is not finite, or above 3e150");
       }
-      box.min = box.min.cwiseMin(position);
-      box.max = box.max.cwiseMax(position);
+      box.extend(position);
     }
   }
   return box;

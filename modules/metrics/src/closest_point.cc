@@ -11,8 +11,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "triangle_math.hh"
 #include "whittle/core/detail/progress_meter.hh"
+#include "whittle/core/geometry/box.hh"
+#include "whittle/core/geometry/segment.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 namespace whittle::metrics {
 
@@ -22,47 +24,36 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int n_bins = 16;
 constexpr double most_extent = 1e70;
 
-const Bounds empty_box{Vec3::Constant(infinity), Vec3::Constant(-infinity)};
-
-void extend(Bounds& box, const Bounds& other) {
-  box.min = box.min.cwiseMin(other.min);
-  box.max = box.max.cwiseMax(other.max);
-}
-
-double half_surface(const Bounds& box) {
-  const Vec3 side = box.max - box.min;
+double half_surface(const Box& box) {
+  const Vec3 side = box.max() - box.min();
   return side.x() * side.y() + side.y() * side.z() + side.z() * side.x();
 }
 
-Bounds box_of(const IndexedMesh& mesh, Index face) {
-  const auto& [a, b, c] = mesh.faces[face];
-  const Vec3& pa = mesh.positions[a];
-  const Vec3& pb = mesh.positions[b];
-  const Vec3& pc = mesh.positions[c];
-  return {pa.cwiseMin(pb).cwiseMin(pc), pa.cwiseMax(pb).cwiseMax(pc)};
+Box box_of_face(const IndexedMesh& mesh, std::size_t face) {
+  return box_of(corners_of(mesh.positions, mesh.faces[face]));
 }
 
 }  // namespace
 
 struct TriangleTree::Reference {
-  Bounds box;
+  Box box;
   Index face;
 
-  double twice_center(Eigen::Index axis) const { return box.min[axis] + box.max[axis]; }
+  double twice_center(Eigen::Index axis) const { return box.min()[axis] + box.max()[axis]; }
 };
 
-TriangleTree::TriangleTree(const IndexedMesh& mesh) : TriangleTree(mesh, bounds(mesh).center()) {}
+TriangleTree::TriangleTree(const IndexedMesh& mesh) : TriangleTree(mesh, center_of(bounds(mesh))) {}
 
 TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin, detail::ProgressMeter* meter)
     : origin_(origin) {
-  const Bounds box = bounds(mesh);
-  if ((box.max - box.min).maxCoeff() > most_extent) throw std::invalid_argument("mesh is larger than 1e70; scale it");
+  const Box box = bounds(mesh);
+  if (box.sizes().maxCoeff() > most_extent) throw std::invalid_argument("mesh is larger than 1e70; scale it");
   if (!origin.allFinite()) throw std::invalid_argument("origin of the hierarchy is not finite");
   const std::size_t n = mesh.faces.size();
   std::vector<Reference> references(n);
   for (std::size_t f = 0; f < n; ++f) {
-    const Bounds of_face = box_of(mesh, static_cast<Index>(f));
-    references[f] = {{of_face.min - origin, of_face.max - origin}, static_cast<Index>(f)};
+    const Box of_face = box_of_face(mesh, f);
+    references[f] = {{of_face.min() - origin, of_face.max() - origin}, static_cast<Index>(f)};
   }
   const auto check = [meter] {
     if (meter != nullptr) meter->update(0);
@@ -83,8 +74,8 @@ TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin, detail::
 
 double TriangleTree::length_sq(const Vec3& v) { return (v.x() * v.x() + v.y() * v.y()) + v.z() * v.z(); }
 
-double TriangleTree::distance_sq_to_box(const Vec3& point, const Bounds& box) {
-  return length_sq((box.min - point).cwiseMax(point - box.max).cwiseMax(0.0));
+double TriangleTree::distance_sq_to_box(const Vec3& point, const Box& box) {
+  return length_sq((box.min() - point).cwiseMax(point - box.max()).cwiseMax(0.0));
 }
 
 TriangleTree::Slot TriangleTree::slot_of(const IndexedMesh& mesh, Index face, const Vec3& origin) {
@@ -100,11 +91,10 @@ void TriangleTree::build(std::uint32_t node, std::vector<Reference>& references,
                          std::size_t depth, detail::ProgressMeter* meter) {
   constexpr std::uint32_t large = 4096;  // takes about a millisecond
   if (meter != nullptr && end - begin >= large) meter->update(begin / static_cast<double>(references.size()));
-  Bounds box = empty_box, centers = empty_box;
+  Box box, centers;
   for (std::uint32_t i = begin; i < end; ++i) {
-    extend(box, references[i].box);
-    const Vec3 center = references[i].box.min + references[i].box.max;
-    extend(centers, {center, center});
+    box.extend(references[i].box);
+    centers.extend(references[i].box.min() + references[i].box.max());
   }
   nodes_[node].box = box;
   if (end - begin <= max_leaf) {
@@ -121,9 +111,9 @@ void TriangleTree::build(std::uint32_t node, std::vector<Reference>& references,
 }
 
 std::uint32_t TriangleTree::split(std::vector<Reference>& references, std::uint32_t begin, std::uint32_t end,
-                                  const Bounds& centers, std::size_t depth) {
+                                  const Box& centers, std::size_t depth) {
   Eigen::Index axis = 0;
-  const double width = (centers.max - centers.min).maxCoeff(&axis);
+  const double width = (centers.max() - centers.min()).maxCoeff(&axis);
   const auto at = [&](std::uint32_t i) { return references.begin() + i; };
   const auto halve = [&] {
     const std::uint32_t middle = begin + (end - begin) / 2;
@@ -137,16 +127,17 @@ std::uint32_t TriangleTree::split(std::vector<Reference>& references, std::uint3
   if (depth >= max_heuristic_depth || !(per_width < infinity)) return halve();
 
   struct Bin {
-    Bounds box = empty_box;
+    Box box;
     std::uint32_t count = 0;
     void add(const Bin& other) {
-      extend(box, other.box);
+      box.extend(other.box);
       count += other.count;
     }
     double cost() const { return count > 0 ? count * half_surface(box) : 0.0; }
   };
   const auto bin_of = [&](const Reference& reference) {
-    return std::clamp(static_cast<int>((reference.twice_center(axis) - centers.min[axis]) * per_width), 0, n_bins - 1);
+    return std::clamp(static_cast<int>((reference.twice_center(axis) - centers.min()[axis]) * per_width), 0,
+                      n_bins - 1);
   };
   std::array<Bin, n_bins> bins;
   for (std::uint32_t i = begin; i < end; ++i)
@@ -247,7 +238,7 @@ ClosestPoint TriangleTree::nearest_without_tree(const IndexedMesh& mesh, const V
   ClosestPoint best;
   best.distance_sq = infinity;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
-    if (distance_sq_to_box(point, box_of(mesh, f)) > best.distance_sq) continue;
+    if (distance_sq_to_box(point, box_of_face(mesh, f)) > best.distance_sq) continue;
     const Vec3 candidate = nearest_in(slot_of(mesh, f, Vec3::Zero()), point);
     const double distance_sq = length_sq(point - candidate);
     if (distance_sq < best.distance_sq) best = {f, candidate, distance_sq};
@@ -259,7 +250,7 @@ TriangleTree::OffsetFace TriangleTree::nearest_without_tree(const IndexedMesh& m
                                                             const Vec3& point) {
   OffsetFace best{invalid_index, infinity};
   for (Index f = 0; f < mesh.faces.size(); ++f) {
-    if (std::sqrt(distance_sq_to_box(point, box_of(mesh, f))) + offsets[f] > best.distance) continue;
+    if (std::sqrt(distance_sq_to_box(point, box_of_face(mesh, f))) + offsets[f] > best.distance) continue;
     const Vec3 candidate = nearest_in(slot_of(mesh, f, Vec3::Zero()), point);
     const double distance = std::sqrt(length_sq(point - candidate)) + offsets[f];
     if (distance < best.distance) best = {f, distance};

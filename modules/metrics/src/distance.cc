@@ -12,8 +12,8 @@
 #include "noise.hh"
 #include "sampling/surface_sampler.hh"
 #include "sampling/tree_pair.hh"
-#include "triangle_math.hh"
 #include "whittle/core/detail/progress_meter.hh"
+#include "whittle/core/geometry/triangle.hh"
 #include "whittle/core/two_sided.hh"
 #include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/closest_point.hh"
@@ -185,12 +185,12 @@ SurfaceDistance scaled(SurfaceDistance distance, double scale) {
 SurfaceDistance surface_distance(const IndexedMesh& reference, const IndexedMesh& test,
                                  const DistanceOptions& options) {
   check_samples(options.samples);
-  const Bounds reference_box = bounds(reference), test_box = bounds(test);
+  const Box reference_box = bounds(reference), test_box = bounds(test);
   if (const double scale = working_scale({reference_box, test_box}); scale != 1.0) {
     return scaled(surface_distance(scaled(reference, scale), scaled(test, scale), options), 1.0 / scale);
   }
-  const Vec3 origin = reference_box.center();
-  const double noise = noise_rel * std::max(reference_box.diagonal(), test_box.diagonal());
+  const Vec3 origin = center_of(reference_box);
+  const double noise = noise_rel * std::max(diagonal_of(reference_box), diagonal_of(test_box));
   detail::ProgressMeter meter(options.progress);
   const detail::Workers workers(options.threads, &meter);
   meter.start("building the search trees", 0.2);
@@ -205,7 +205,7 @@ SurfaceDistance surface_distance(const IndexedMesh& reference, const IndexedMesh
   meter.finish();
 
   SurfaceDistance result;
-  result.diagonal = reference_box.diagonal();
+  result.diagonal = diagonal_of(reference_box);
   result.forward = summarize(forward);
   result.backward = summarize(backward);
   result.mean = 0.5 * (result.forward.mean + result.backward.mean);

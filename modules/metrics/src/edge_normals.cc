@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "triangle_math.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 namespace whittle::metrics {
 

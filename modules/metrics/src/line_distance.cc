@@ -122,17 +122,17 @@ std::optional<LineDistance> line_distance(std::span<const Segment> reference, st
   }
   if (reference.empty() || test.empty()) return std::nullopt;
   const IndexedMesh reference_mesh = as_mesh(reference), test_mesh = as_mesh(test);
-  const Bounds reference_box = bounds(reference_mesh), test_box = bounds(test_mesh);
+  const Box reference_box = bounds(reference_mesh), test_box = bounds(test_mesh);
   if (const double scale = working_scale({reference_box, test_box}); scale != 1.0) {
     return scaled(*line_distance(scaled(reference, scale), scaled(test, scale), options), 1.0 / scale);
   }
-  const double diagonal = std::max(reference_box.diagonal(), test_box.diagonal());
+  const double diagonal = std::max(diagonal_of(reference_box), diagonal_of(test_box));
   const double spacing = options.spacing_rel * diagonal, noise = noise_rel * diagonal;
   detail::ProgressMeter meter(options.progress);
   const detail::Workers workers(options.threads, &meter);
   meter.start("building the search trees", 0.2);
-  const TriangleTree reference_tree(reference_mesh, reference_box.center(), &meter);
-  const TriangleTree test_tree(test_mesh, reference_box.center(), &meter);
+  const TriangleTree reference_tree(reference_mesh, center_of(reference_box), &meter);
+  const TriangleTree test_tree(test_mesh, center_of(reference_box), &meter);
   meter.start("measuring lines", 1);
 
   LineDistance result;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "whittle/core/detail/progress_meter.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/metrics/closest_point.hh"
 #include "working_scale.hh"
 
@@ -10,14 +11,14 @@ namespace whittle::metrics {
 
 std::vector<Index> nearest_vertices(const IndexedMesh& from, const IndexedMesh& to, unsigned threads,
                                     const ProgressCallback& progress) {
-  const Bounds from_box = bounds(from), to_box = bounds(to);
+  const Box from_box = bounds(from), to_box = bounds(to);
   if (const double scale = working_scale({from_box, to_box}); scale != 1.0) {
     return nearest_vertices(scaled(from, scale), scaled(to, scale), threads, progress);
   }
   detail::ProgressMeter meter(progress);
   const detail::Workers workers(threads, &meter);
   meter.start("building the search tree", 0.3);
-  const TriangleTree tree(to, to_box.center(), &meter);
+  const TriangleTree tree(to, center_of(to_box), &meter);
   meter.start("searching", 1);
   std::vector<Index> nearest(from.positions.size(), invalid_index);
   std::vector<std::uint8_t> has_face(from.positions.size());

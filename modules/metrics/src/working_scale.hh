@@ -11,15 +11,15 @@ namespace whittle::metrics {
 /// The power of two to multiply coordinates by before products of several lengths are taken, so that these neither
 /// over- nor underflow. 1 for meshes of ordinary size. Multiplying by it loses nothing. A tiny mesh far from the origin
 /// is not enlarged more than its place allows.
-inline double working_scale(std::initializer_list<Bounds> boxes) {
+inline double working_scale(std::initializer_list<Box> boxes) {
   constexpr int largest_exponent = 200;
   constexpr int farthest_exponent = 400;
   constexpr int most_exponent = 1000;  // its power of two and the inverse are numbers
   double extent = 0.0;
   double farthest = 0.0;
-  for (const Bounds& box : boxes) {
-    extent = std::max(extent, (box.max - box.min).maxCoeff());
-    farthest = std::max({farthest, box.max.maxCoeff(), -box.min.minCoeff()});
+  for (const Box& box : boxes) {
+    extent = std::max(extent, box.sizes().maxCoeff());
+    farthest = std::max({farthest, box.max().maxCoeff(), -box.min().minCoeff()});
   }
   if (!(extent > 0.0)) return 1.0;
   const int exponent = std::ilogb(extent);

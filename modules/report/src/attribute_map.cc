@@ -1,24 +1,21 @@
 #include "whittle/report/attribute_map.hh"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <numeric>
 #include <utility>
 
+#include "whittle/core/geometry/triangle.hh"
 #include "whittle/metrics/attribute_deviation.hh"
 
 namespace whittle::report {
 namespace {
 
-/// Of the faces of each wedge, times 2.
+/// Of the faces of each wedge.
 std::vector<double> areas_of_wedges(const IndexedMesh& mesh, std::size_t n_wedges) {
   std::vector<double> areas(n_wedges);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const auto& [a, b, c] = mesh.faces[f];
-    const Vec3& p = mesh.positions[a];
-    const double area = (mesh.positions[b] - p).cross(mesh.positions[c] - p).norm();
-    for (std::size_t k = 0; k < 3; ++k) areas[mesh.wedge(f, k)] += area;
+    for (std::size_t k = 0; k < 3; ++k) areas[mesh.wedge(f, k)] += area_of(mesh.positions, mesh.faces[f]);
   }
   return areas;
 }

@@ -10,6 +10,7 @@
 
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/detail/parallel.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 namespace whittle::report {
 namespace {
@@ -44,8 +45,7 @@ std::vector<OpenFace> parts_of(const OpenFace& face, const std::array<Index, 3>&
 template <class Visit>
 void for_each_third(const IndexedMesh& mesh, const Visit& visit) {
   for (const Triangle& face : mesh.faces) {
-    const Vec3& a = mesh.positions[face[0]];
-    const double third = (mesh.positions[face[1]] - a).cross(mesh.positions[face[2]] - a).norm() / 6;
+    const double third = area_of(mesh.positions, face) / 3;
     for (const Index v : face) visit(v, third);
   }
 }
@@ -67,8 +67,7 @@ double usual_distance(const DistanceMap& map) {
 std::vector<Vec3> vertex_normals(const IndexedMesh& mesh) {
   std::vector<Vec3> normals(mesh.positions.size(), Vec3::Zero());
   for (const Triangle& face : mesh.faces) {
-    const Vec3& a = mesh.positions[face[0]];
-    const Vec3 normal = (mesh.positions[face[1]] - a).cross(mesh.positions[face[2]] - a);
+    const Vec3 normal = area_normal(mesh.positions, face);
     for (const Index v : face) normals[v] += normal;
   }
   return normals;
@@ -278,7 +277,7 @@ double DistanceMapper::usual_deviation() const {
     const auto& [p, q, r] = std::tie(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
     points.add((p + q + r) / 3, normals_[a] + normals_[b] + normals_[c]);
     found.emplace_back((map_.signed_distances[a] + map_.signed_distances[b] + map_.signed_distances[c]) / 3,
-                       (q - p).cross(r - p).norm());
+                       area_of(mesh.positions, mesh.faces[f]));
     total += found.back().second;
   }
   const std::vector<double> distances = signed_distances_of(points);

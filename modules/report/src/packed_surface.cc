@@ -7,6 +7,7 @@
 
 #include "packed_values.hh"
 #include "whittle/core/detail/edge_table.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/core/wedges.hh"
 
 namespace whittle::report {
@@ -47,9 +48,9 @@ std::vector<Triangle> packed_corners(std::vector<Triangle> faces, const std::vec
 
 }  // namespace
 
-Grid Grid::around(const metrics::Bounds& bounds) {
-  const double longest = (bounds.max - bounds.min).maxCoeff();
-  return {bounds.min, longest > 0 ? longest / most_steps : 1.0};
+Grid Grid::around(const Box& bounds) {
+  const double longest = bounds.sizes().maxCoeff();
+  return {bounds.min(), longest > 0 ? longest / most_steps : 1.0};
 }
 
 std::array<std::uint16_t, 3> Grid::at(const Vec3& position) const {

@@ -15,7 +15,7 @@ struct Grid {
   Vec3 origin;
   double step;
 
-  static Grid around(const metrics::Bounds& bounds);
+  static Grid around(const Box& bounds);
   std::array<std::uint16_t, 3> at(const Vec3& position) const;
 };
 

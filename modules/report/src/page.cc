@@ -10,6 +10,7 @@
 #include "packed_surface.hh"
 #include "page_bytes.hh"
 #include "page_template.hh"
+#include "whittle/core/geometry/box.hh"
 
 namespace whittle::report {
 namespace {
@@ -74,20 +75,13 @@ std::string tables_html(const std::vector<PageTable>& tables) {
   return html;
 }
 
-metrics::Bounds bounds_of_all(const Page& page) {
-  metrics::Bounds all = metrics::bounds(page.original.mesh);
-  const auto add = [&all](const Vec3& low, const Vec3& high) {
-    all.min = all.min.cwiseMin(low);
-    all.max = all.max.cwiseMax(high);
-  };
-  for (const PageSurface& result : page.results) {
-    const metrics::Bounds bounds = metrics::bounds(result.mesh);
-    add(bounds.min, bounds.max);
-  }
+Box bounds_of_all(const Page& page) {
+  Box all = metrics::bounds(page.original.mesh);
+  for (const PageSurface& result : page.results) all.extend(metrics::bounds(result.mesh));
   if (page.recording) {
-    for (const Contraction& c : page.recording->replay.steps().contractions) add(c.position, c.position);
+    for (const Contraction& c : page.recording->replay.steps().contractions) all.extend(c.position);
     for (const PassEnd& end : page.recording->replay.steps().pass_ends) {
-      for (const auto& [vertex, position] : end.moved) add(position, position);
+      for (const auto& [vertex, position] : end.moved) all.extend(position);
     }
   }
   return all;

@@ -16,6 +16,7 @@
 #include "bench/processes/forked.hh"
 #include "bench/results/csv.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/engine/simplify.hh"
 #include "whittle/io/format.hh"
 #include "whittle/io/read.hh"
@@ -119,7 +120,7 @@ Row row_at(const Input& input, double percent, const Options& options) {
   row.mesh = input.name;
   row.n_input = input.mesh.faces.size();
   row.error_rel = percent / 100;
-  const double max_error = row.error_rel * bounds_of(input.mesh.positions).diagonal();
+  const double max_error = row.error_rel * diagonal_of(input.mesh.positions);
   std::cerr << "   " << percent << " %" << std::endl;
   guarded(row, [&] {
     const DecimateTarget target = DecimateTarget::max_error(max_error);

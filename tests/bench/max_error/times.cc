@@ -10,6 +10,7 @@
 #include "bench/results/statistics.hh"
 #include "whittle/core/flat_arrays.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/engine/simplify.hh"
 #include "whittle/metrics/certificate.hh"
 #include "whittle/verify/verify.hh"
@@ -77,7 +78,7 @@ Row time_pair(const IndexedMesh& input, const TimeOptions& options) {
       options);
   Row row;
   row.n_input = input.faces.size();
-  row.error_rel = max_error / bounds_of(input.positions).diagonal();
+  row.error_rel = max_error / diagonal_of(input.positions);
   row.n_faces = result.faces.size();
   const auto median = [&seconds](std::size_t i) { return spread_of(seconds[i]).median; };
   row.pair = {median(0), median(1), median(2), median(3), median(4)};

@@ -9,6 +9,7 @@
 #include "program/simplified.hh"
 #include "support/shapes/shapes.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
 #include "whittle/metrics/certify.hh"
@@ -24,7 +25,7 @@ TEST(MaxErrorOption, IsKeptByTheFile) {
   const TemporaryFolder folder;
   const std::string input = data_file("blob.obj");
   const IndexedMesh mesh = io::read_mesh(input).mesh;
-  const double limit = 0.005 * bounds_of(mesh.positions).diagonal();
+  const double limit = 0.005 * diagonal_of(mesh.positions);
   for (const char* const name : {"out.ply", "out.obj", "out.stl", "out.off"}) {
     SCOPED_TRACE(name);
     const std::string output = folder / name;
@@ -51,7 +52,7 @@ TEST(MaxErrorOption, GoesForBorders) {
   const std::string output = folder / "out.ply";
   const std::string input = data_file("terrain.ply");
   const IndexedMesh mesh = io::read_mesh(input).mesh;
-  const double diagonal = bounds_of(mesh.positions).diagonal();
+  const double diagonal = diagonal_of(mesh.positions);
   for (const double limit : {0.01, 0.001}) {
     SCOPED_TRACE(limit);
     const Outcome run = whittle({"simplify", input, "-o", output, "--max-error", "1%", "--max-error-borders",
@@ -169,7 +170,7 @@ TEST(MaxErrorOption, IsLessInPlaces) {
   const TemporaryFolder folder;
   const std::string input = data_file("blob.obj");
   const io::ReadResult read = io::read_mesh(input);
-  const double diagonal = bounds_of(read.mesh.positions).diagonal();
+  const double diagonal = diagonal_of(read.mesh.positions);
   std::string lines;
   std::vector<double> tolerances;
   for (const Vec3& p : read.mesh.positions) {
@@ -202,7 +203,7 @@ TEST(MaxErrorOption, IsLessInPlaces) {
 TEST(MaxErrorOption, IsLessWhereAPlyFileSaysSo) {
   const TemporaryFolder folder;
   const IndexedMesh mesh = blob(4, 1);
-  const double tight = 0.002 * bounds_of(mesh.positions).diagonal();
+  const double tight = 0.002 * diagonal_of(mesh.positions);
   const auto text_of = [&mesh](const std::string& type, double left) {
     std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(mesh.positions.size()) +
                        "\nproperty double x\nproperty double y\nproperty double z\nproperty " + type +

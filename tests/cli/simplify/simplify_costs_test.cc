@@ -9,6 +9,7 @@
 
 #include "program/simplified.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/engine/simplify.hh"
 #include "whittle/io/read.hh"
 #include "whittle/metrics/distance.hh"
@@ -112,7 +113,7 @@ TEST(SimplifyCosts, PolishLeavesFeatureLinesWhereTheyAre) {
   const auto lines = [](const IndexedMesh& mesh) { return metrics::feature_lines(mesh, 40); };
   const auto distance = metrics::line_distance(lines(plain.mesh), lines(polished.mesh), {});
   ASSERT_TRUE(distance.has_value());
-  EXPECT_LT(distance->max, 1e-6 * bounds_of(plain.mesh.positions).diagonal());
+  EXPECT_LT(distance->max, 1e-6 * diagonal_of(plain.mesh.positions));
 }
 
 TEST(SimplifyCosts, ValencePenaltyMakesValencesRegular) {

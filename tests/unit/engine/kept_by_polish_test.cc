@@ -10,6 +10,7 @@
 #include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/engine/simplify.hh"
 #include "whittle/metrics/certify.hh"
@@ -43,7 +44,7 @@ std::vector<NamedMesh> cad_shapes() {
           {"cone(120)", cone(120)}};
 }
 
-double diagonal_of(const IndexedMesh& mesh) { return bounds_of(mesh.positions).diagonal(); }
+double diagonal_of(const IndexedMesh& mesh) { return diagonal_of(mesh.positions); }
 
 /// How far the sharp edges of two meshes are apart, both ways, over the diagonal.
 double feature_distance_rel(const IndexedMesh& mesh, const IndexedMesh& small) {

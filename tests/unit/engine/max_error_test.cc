@@ -14,6 +14,7 @@
 #include "support/suites.hh"
 #include "support/transforms.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/engine/simplify.hh"
 #include "whittle/io/read.hh"
 #include "whittle/metrics/certify.hh"
@@ -22,7 +23,7 @@
 namespace whittle::test {
 namespace {
 
-double diagonal(const IndexedMesh& mesh) { return bounds_of(mesh.positions).diagonal(); }
+double diagonal(const IndexedMesh& mesh) { return diagonal_of(mesh.positions); }
 
 /// Of all points, both ways; proven to a thousandth.
 double largest_distance(const IndexedMesh& a, const IndexedMesh& b) {
@@ -257,10 +258,10 @@ TEST(MaxError, RefusesWhatHasNoMeaning) {
 
 /// Tight where x is small, loose elsewhere.
 std::vector<double> tight_on_one_side(const IndexedMesh& mesh, double tight, double loose) {
-  const PointBounds box = bounds_of(mesh.positions);
+  const Box box = bounds_of(mesh.positions);
   std::vector<double> tolerances;
   for (const Vec3& p : mesh.positions) {
-    tolerances.push_back(p.x() < 0.5 * (box.low.x() + box.high.x()) ? tight : loose);
+    tolerances.push_back(p.x() < 0.5 * (box.min().x() + box.max().x()) ? tight : loose);
   }
   return tolerances;
 }

@@ -6,6 +6,7 @@
 #include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/engine/decimate.hh"
 #include "whittle/engine/formula/pair_evaluation.hh"
 

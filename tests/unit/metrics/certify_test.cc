@@ -16,6 +16,7 @@
 #include "support/random.hh"
 #include "support/shapes/shapes.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/engine/simplify.hh"
 #include "whittle/metrics/detail/linked_faces.hh"
 
@@ -65,7 +66,7 @@ double brute_largest(const IndexedMesh& from, const IndexedMesh& to, double accu
 /// \param tolerance of the search that it is compared with, over the size
 void expect_right(const IndexedMesh& a, const IndexedMesh& b, double accuracy, double tolerance) {
   const LargestDistances found = largest_distances(a, b, accuracy, {.threads = 1});
-  const double size = bounds_of(a.positions).diagonal() + bounds_of(b.positions).diagonal();
+  const double size = diagonal_of(a.positions) + diagonal_of(b.positions);
   for (const bool is_forward : {true, false}) {
     const LargestDistance& one_way = is_forward ? found.forward : found.backward;
     const IndexedMesh& from = is_forward ? a : b;
@@ -171,11 +172,12 @@ TEST(Certify, SeesHoles) {
   IndexedMesh pierced = whole;
   pierced.faces.erase(pierced.faces.begin() + 57);
   IndexedMesh large;
-  const PointBounds box = bounds_of(whole.positions);
-  large.positions = {box.low, Vec3(box.high.x(), box.low.y(), 0), box.high, Vec3(box.low.x(), box.high.y(), 0)};
+  const Box box = bounds_of(whole.positions);
+  large.positions = {box.min(), Vec3(box.max().x(), box.min().y(), 0), box.max(),
+                     Vec3(box.min().x(), box.max().y(), 0)};
   for (Vec3& p : large.positions) p.z() = whole.positions[0].z();
   large.faces = {{0, 1, 2}, {0, 2, 3}};
-  const double size = box.diagonal();
+  const double size = diagonal_of(box);
   EXPECT_EQ(certify(whole, large, 1e-9 * size).verdict, Verdict::proven);
   EXPECT_EQ(certify(pierced, large, 1e-9 * size).verdict, Verdict::refuted);
   const Corners hole = corners_of(whole, 57);

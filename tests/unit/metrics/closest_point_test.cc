@@ -16,6 +16,7 @@
 #include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
+#include "whittle/core/geometry/box.hh"
 
 namespace whittle::metrics {
 namespace {
@@ -72,24 +73,24 @@ IndexedMesh random_thin_triangles(std::size_t n, double thickness, std::uint64_t
 /// by a few such units. In all 32 units of the extent of mesh and query. `extra` is relative to the same extent.
 void expect_agrees_with_brute_force(const IndexedMesh& mesh, const std::string& what, std::uint64_t seed,
                                     double extra = 0.0) {
-  const Bounds box = bounds(mesh);
+  const Box box = bounds(mesh);
   const TriangleTree tree(mesh);
   Random random(seed);
   for (int i = 0; i < 400; ++i) {
     // Near, around and far outside the mesh.
     const double reach = i % 4 == 3 ? 10.0 : 0.6;
-    const Vec3 point = box.center() + reach * (box.max - box.min).cwiseProduct(random_point(random, -1.0, 1.0));
+    const Vec3 point = center_of(box) + reach * (box.max() - box.min()).cwiseProduct(random_point(random, -1.0, 1.0));
     const ClosestPoint found = tree.nearest(point);
     const double distance = std::sqrt(found.distance_sq);
     const auto expected = static_cast<double>(distance_by_features(mesh, point));
-    const double tolerance = (32 * 0x1p-53 + extra) * (box.diagonal() + expected + box.center().norm() * 0.25);
+    const double tolerance = (32 * 0x1p-53 + extra) * (diagonal_of(box) + expected + center_of(box).norm() * 0.25);
     ASSERT_NEAR(distance, expected, tolerance) << what << ", seed " << seed << ", query " << i;
     // The point lies on the face, at the reported distance.
     const auto [a, b, c] = mesh.faces[found.face];
     ASSERT_LE(static_cast<double>(
                   distance_by_features(found.point.cast<long double>(), mesh.positions[a].cast<long double>(),
                                        mesh.positions[b].cast<long double>(), mesh.positions[c].cast<long double>())),
-              1e-10 * box.diagonal() + tolerance)
+              1e-10 * diagonal_of(box) + tolerance)
         << what << ", seed " << seed << ", query " << i;
     ASSERT_NEAR((found.point - point).norm(), distance, tolerance) << what << ", seed " << seed << ", query " << i;
   }
@@ -107,7 +108,7 @@ TEST(TriangleTree, AgreesWithBruteForceOnThinAndDegenerateTriangles) {
     expect_agrees_with_brute_force(random_thin_triangles(200, thickness, 5), "thin, case " + std::to_string(thickness),
                                    5);
   }
-  // A face that is almost a line is replaced by its sides: error at most half of 1e-11, see triangle_math.hh.
+  // A face that is almost a line is replaced by its sides: error at most half of 1e-11, see `trusted_normal`.
   for (int exponent = 8; exponent <= 16; ++exponent) {
     expect_agrees_with_brute_force(random_thin_triangles(200, std::pow(10.0, -exponent), 5),
                                    "thickness 1e-" + std::to_string(exponent), 5, 5e-12);
@@ -132,7 +133,7 @@ TEST(TriangleTree, IsAccurateRightAboveThinTriangles) {
       alone.faces = {mesh.faces[f]};
       const double found = std::sqrt(TriangleTree(alone, Vec3::Zero()).nearest(point).distance_sq);
       const auto expected = static_cast<double>(distance_by_features(point.cast<long double>(), a, b, c));
-      ASSERT_NEAR(found, expected, 5e-12 * (bounds(alone).diagonal() + reach))
+      ASSERT_NEAR(found, expected, 5e-12 * (diagonal_of(bounds(alone)) + reach))
           << "thickness 1e-" << exponent << ", face " << f;
     }
   }
@@ -174,7 +175,7 @@ TEST(TriangleTree, FindsVerticesAtDistanceZero) {
     for (const Triangle& face : mesh.faces) {
       for (const Index v : face) {
         // The foot on the plane of a face may be off by some units in the last place.
-        ASSERT_LE(std::sqrt(tree.nearest(mesh.positions[v]).distance_sq), 4 * 0x1p-52 * bounds(mesh).diagonal())
+        ASSERT_LE(std::sqrt(tree.nearest(mesh.positions[v]).distance_sq), 4 * 0x1p-52 * diagonal_of(bounds(mesh)))
             << name << ", vertex " << v;
       }
     }
@@ -357,14 +358,14 @@ TEST(TriangleTree, VisitsExactlyTheFacesWhoseBoxesMeet) {
   Random random(13);
   for (int i = 0; i < 200; ++i) {
     const Vec3 p = random_point(random, -0.5, 1.5), q = random_point(random, -0.5, 1.5);
-    const Bounds box{p.cwiseMin(q), p.cwiseMax(q)};
+    const Box box{p.cwiseMin(q), p.cwiseMax(q)};
     std::vector<Index> visited, expected;
     tree.visit_boxes(box, [&](Index face) { visited.push_back(face); });
     std::sort(visited.begin(), visited.end());
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
       const Vec3 &a = mesh.positions[3 * f], &b = mesh.positions[3 * f + 1], &c = mesh.positions[3 * f + 2];
       const Vec3 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
-      if ((low.array() <= box.max.array()).all() && (high.array() >= box.min.array()).all()) {
+      if ((low.array() <= box.max().array()).all() && (high.array() >= box.min().array()).all()) {
         expected.push_back(static_cast<Index>(f));
       }
     }
@@ -424,11 +425,11 @@ TEST(Bounds, LookAtUsedVerticesOnly) {
   IndexedMesh mesh = test::cube();
   mesh.positions.emplace_back(100.0, 0.0, 0.0);
   mesh.positions.emplace_back(std::numeric_limits<double>::infinity(), 0.0, 0.0);
-  const Bounds box = bounds(mesh);
-  EXPECT_EQ(box.min, Vec3(-1.0, -1.0, -1.0));
-  EXPECT_EQ(box.max, Vec3(1.0, 1.0, 1.0));
-  EXPECT_EQ(box.center(), Vec3(0.0, 0.0, 0.0));
-  EXPECT_DOUBLE_EQ(box.diagonal(), std::sqrt(12.0));
+  const Box box = bounds(mesh);
+  EXPECT_EQ(box.min(), Vec3(-1.0, -1.0, -1.0));
+  EXPECT_EQ(box.max(), Vec3(1.0, 1.0, 1.0));
+  EXPECT_EQ(center_of(box), Vec3(0.0, 0.0, 0.0));
+  EXPECT_DOUBLE_EQ(diagonal_of(box), std::sqrt(12.0));
 }
 
 TEST(Bounds, RejectMissingAndInfiniteVertices) {

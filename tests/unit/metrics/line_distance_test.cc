@@ -16,6 +16,7 @@
 #include "support/random.hh"
 #include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
+#include "whittle/core/geometry/box.hh"
 
 namespace whittle::metrics {
 namespace {

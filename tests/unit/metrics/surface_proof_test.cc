@@ -11,6 +11,7 @@
 #include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
+#include "whittle/core/geometry/box.hh"
 
 namespace whittle::test {
 namespace {
@@ -64,7 +65,7 @@ Vec3 random_step(Random& random, double size) { return random.uniform_vector(-si
 TEST(SurfaceProof, WhatItAllowsIsRight) {
   int n_allowed = 0;
   for (const NamedMesh& shape : all_meshes()) {
-    const double limit = 0.05 * bounds_of(shape.mesh.positions).diagonal();
+    const double limit = 0.05 * diagonal_of(shape.mesh.positions);
     MovingSurface moving(shape.mesh, limit);
     EXPECT_TRUE(moving.proof().is_proven()) << shape.name;
     Random random(7);
@@ -83,7 +84,7 @@ TEST(SurfaceProof, WhatItAllowsIsRight) {
 
 TEST(SurfaceProof, KnowsWhatItCouldNotProve) {
   for (const NamedMesh& shape : all_meshes()) {
-    const double limit = 0.05 * bounds_of(shape.mesh.positions).diagonal();
+    const double limit = 0.05 * diagonal_of(shape.mesh.positions);
     MovingSurface moving(shape.mesh, limit);
     Random random(8);
     int n_proven = 0;
@@ -106,7 +107,7 @@ TEST(SurfaceProof, KnowsWhatItCouldNotProve) {
 
 TEST(SurfaceProof, AllowsWhatIsFarWithinTheLimit) {
   for (const NamedMesh& shape : all_meshes()) {
-    const double limit = 0.05 * bounds_of(shape.mesh.positions).diagonal();
+    const double limit = 0.05 * diagonal_of(shape.mesh.positions);
     MovingSurface moving(shape.mesh, limit);
     Random random(9);
     for (Index v = 0; v < shape.mesh.positions.size(); ++v) {
@@ -118,7 +119,7 @@ TEST(SurfaceProof, AllowsWhatIsFarWithinTheLimit) {
 
 TEST(SurfaceProof, StartsWithAnySurface) {
   for (const NamedMesh& shape : all_meshes()) {
-    const double diagonal = bounds_of(shape.mesh.positions).diagonal();
+    const double diagonal = diagonal_of(shape.mesh.positions);
     IndexedMesh surface = shape.mesh;
     Random random(10);
     for (Vec3& p : surface.positions) p += random_step(random, 0.02 * diagonal);
@@ -134,7 +135,7 @@ TEST(SurfaceProof, StartsWithAnySurface) {
 
 TEST(SurfaceProof, ProvesBordersAsSegments) {
   for (const NamedMesh& shape : open_meshes()) {
-    const double limit = 0.05 * bounds_of(shape.mesh.positions).diagonal();
+    const double limit = 0.05 * diagonal_of(shape.mesh.positions);
     const IndexedMesh border = metrics::border_edges_of(shape.mesh).mesh;
     MovingSurface moving(border, limit);
     EXPECT_TRUE(moving.proof().is_proven()) << shape.name;

@@ -10,6 +10,7 @@
 #include "common/decimation.hh"
 #include "common/modules.hh"
 #include "support/shapes/shapes.hh"
+#include "whittle/core/geometry/box.hh"
 
 namespace whittle::test {
 namespace {
@@ -89,7 +90,7 @@ TEST_P(FeatureLines, ALineStaysWithinTheTolerance) {
     for (const Vec3& p : ring.shape.positions) {
       if (std::abs(p.z() - 1) > 1e-9) continue;
       EXPECT_LE(distance_to_lines(ring.set.mesh, p),
-                tolerance * mesh_bounds(open_mesh<DoubleMesh>(ring.shape)).diagonal() + 1e-12);
+                tolerance * diagonal_of(mesh_bounds(open_mesh<DoubleMesh>(ring.shape))) + 1e-12);
     }
   }
 }

@@ -14,6 +14,7 @@
 #include "support/random.hh"
 #include "support/shapes/shapes.hh"
 #include "support/suites.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/io/read.hh"
 #include "whittle/metrics/closest_point.hh"
 #include "whittle/metrics/distance.hh"
@@ -70,7 +71,7 @@ struct Moved {
       positions[v] += 0.01 * size() * random.uniform_vector(-1, 1);
     }
   }
-  double size() const { return bounds_of(original.positions).diagonal(); }
+  double size() const { return diagonal_of(original.positions); }
   Surface before() const { return {decimation.mesh.faces, corners, decimation.mesh.positions}; }
   Surface after() const { return {decimation.mesh.faces, corners, positions}; }
 

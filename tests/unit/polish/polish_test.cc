@@ -18,6 +18,7 @@
 #include "support/suites.hh"
 #include "support/transforms.hh"
 #include "surface/ordered_mesh.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/shape.hh"
 
@@ -36,7 +37,7 @@ metrics::SurfaceDistance distance(const IndexedMesh& original, const IndexedMesh
   return metrics::surface_distance(original, mesh, {.samples = samples});
 }
 
-Vec3 area_normal(const IndexedMesh& mesh, const Triangle& face) {
+Vec3 normal_of(const IndexedMesh& mesh, const Triangle& face) {
   const Vec3& p = mesh.positions[face[0]];
   return (mesh.positions[face[1]] - p).cross(mesh.positions[face[2]] - p);
 }
@@ -65,7 +66,7 @@ BruteFoot nearest_of_all(const IndexedMesh& mesh, const Vec3& position, const Ve
   BruteFoot nearest;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     const auto& [a, b, c] = mesh.faces[f];
-    if (!(area_normal(mesh, mesh.faces[f]).normalized().dot(unit_normal) > 0.5)) continue;
+    if (!(normal_of(mesh, mesh.faces[f]).normalized().dot(unit_normal) > 0.5)) continue;
     const double d = triangle_distance(position, mesh.positions[a], mesh.positions[b], mesh.positions[c]);
     if (d < nearest.distance) nearest = {f, d};
   }
@@ -85,7 +86,7 @@ BruteFoot nearest_at(const IndexedMesh& mesh, Index v, const FootFinder::Point& 
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     const auto& [a, b, c] = mesh.faces[f];
     if (a != v && b != v && c != v) continue;
-    const Vec3 normal = area_normal(mesh, mesh.faces[f]);
+    const Vec3 normal = normal_of(mesh, mesh.faces[f]);
     const double cosine = normal.normalized().dot(point.normal.cast<double>().normalized());
     const Vec3 to = point.position - mesh.positions[a];
     const Vec3 ab = mesh.positions[b] - mesh.positions[a];
@@ -114,10 +115,10 @@ TEST(FootFinder, FindsWhatSearchesOfFacesFind) {
     const Decimation d = decimated_within_75_deg(original, 0.1);
     const VertexCorners corners = corners_by_vertex(d.mesh.faces, d.mesh.positions.size());
     FootFinder finder({d.mesh.faces, corners, d.mesh.positions});
-    const double size = bounds_of(original.positions).diagonal();
+    const double size = diagonal_of(original.positions);
     for (const Triangle& face : original.faces) {
       const Vec3 center = (original.positions[face[0]] + original.positions[face[1]] + original.positions[face[2]]) / 3;
-      const Vec3 normal = area_normal(original, face);
+      const Vec3 normal = normal_of(original, face);
       const FootFinder::Point point{center, normal.cast<float>()};
       const Index v = d.vertex_map[face[0]];
       const Foot found = find(finder, v, point);
@@ -135,7 +136,7 @@ TEST(FootFinder, FindsWhatSearchesOfFacesFind) {
       const Vec3 offset = center - position_of(d.mesh, found);
       n_farther += static_cast<std::size_t>(
           offset.norm() > 1.01 * nearest_of_all(d.mesh, center, normal.normalized()).distance + 1e-4 * size);
-      const Vec3 found_normal = area_normal(d.mesh, d.mesh.faces[found.face]).normalized();
+      const Vec3 found_normal = normal_of(d.mesh, d.mesh.faces[found.face]).normalized();
       EXPECT_NEAR(found.distance, found_normal.dot(center - d.mesh.positions[d.mesh.faces[found.face][0]]),
                   1e-6 * size);
       EXPECT_GE(std::min({found.second, found.third, 1 - found.second - found.third}), -1.1e-4F);
@@ -149,7 +150,7 @@ TEST(FootFinder, HasNoneForPointsThatFaceTheOtherWay) {
   const IndexedMesh mesh = grid(4, 4);
   const VertexCorners corners = corners_by_vertex(mesh.faces, mesh.positions.size());
   FootFinder finder({mesh.faces, corners, mesh.positions});
-  const Eigen::Vector3f up = area_normal(mesh, mesh.faces[0]).cast<float>();
+  const Eigen::Vector3f up = normal_of(mesh, mesh.faces[0]).cast<float>();
   const Vec3 above = mesh.positions[6] + 0.1 * up.cast<double>();
   EXPECT_NE(find(finder, 6, {above, up}).face, invalid_index);
   EXPECT_EQ(find(finder, 6, {above, -up}).face, invalid_index);
@@ -167,7 +168,7 @@ TEST(MergedPoints, WeighWhatTheSurfaceHasOfArea) {
   double integral = 0;
   double square = 0;
   for (const Triangle& face : original.faces) {
-    const double face_area = 0.5 * area_normal(original, face).norm();
+    const double face_area = 0.5 * normal_of(original, face).norm();
     double sum = 0;
     double sum_sq = 0;
     for (const Index v : face) {
@@ -329,7 +330,7 @@ TEST(Polish, FitsSmoothSurfaces) {
 
 TEST(Polish, LeavesCornersAndFlatSidesWhereTheyAre) {
   for (const IndexedMesh& original : {tessellated_cube(16), bracket(24), bracket(40)}) {
-    const double size = bounds_of(original.positions).diagonal();
+    const double size = diagonal_of(original.positions);
     const Decimation d = decimated_within_75_deg(original, 0.1);
     EXPECT_LT(distance(original, polished(original, d, {.passes = 3})).max,
               distance(original, d.mesh).max + 1e-6 * size);
@@ -344,14 +345,14 @@ TEST(Polish, DoesNoHarm) {
       if (d.mesh.faces.empty()) continue;
       const IndexedMesh after = polished(original, d);
       EXPECT_EQ(after.faces, d.mesh.faces);
-      const double size = bounds_of(original.positions).diagonal();
+      const double size = diagonal_of(original.positions);
       const auto is_as_near = [&, &whole = original](std::uint64_t samples) {
         return distance(whole, after, samples).rms <= 1.02 * distance(whole, d.mesh, samples).rms + 1e-6 * size;
       };
       EXPECT_TRUE(is_as_near(10'000) || is_as_near(100'000)) << "on boxes a few points have most of the sum";
       for (const Triangle& face : d.mesh.faces) {
-        const Vec3 was = area_normal(d.mesh, face);
-        EXPECT_GE(area_normal(after, face).dot(was), was.norm() > 1e-9 * size * size ? 0 : -1);
+        const Vec3 was = normal_of(d.mesh, face);
+        EXPECT_GE(normal_of(after, face).dot(was), was.norm() > 1e-9 * size * size ? 0 : -1);
       }
       EXPECT_LE(metrics::shape(after).folds, metrics::shape(d.mesh).folds);
     }

@@ -123,7 +123,7 @@ TEST(Replay, HasEachLevelThatARunInExactOrderHas) {
 void expect_each_level(const IndexedMesh& mesh, double threshold_rel, std::size_t stride) {
   DecimateOptions options;
   options.keep_steps = true;
-  if (threshold_rel > 0) options.pairs.threshold = threshold_rel * metrics::bounds(mesh).diagonal();
+  if (threshold_rel > 0) options.pairs.threshold = threshold_rel * diagonal_of(metrics::bounds(mesh));
   Replay replay(mesh, decimate(mesh, DecimateTarget::faces(1), options).steps);
   const std::size_t n = replay.n_steps();
   for (std::size_t i = 0; i <= n; i += stride) {

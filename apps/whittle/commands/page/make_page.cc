@@ -17,6 +17,7 @@
 #include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/engine/simplify.hh"
 #include "whittle/io/errors.hh"
@@ -149,7 +150,7 @@ void PageMaker::read_files() {
   report::PageOrder order = report::put_in_page_order(page_.original.mesh);
   if (page_.recording) page_.recording->order = std::move(order);
   for (report::PageSurface& result : page_.results) report::put_in_page_order(result.mesh);
-  diagonal_ = metrics::bounds(page_.original.mesh).diagonal();
+  diagonal_ = diagonal_of(metrics::bounds(page_.original.mesh));
   facts_.read_seconds = watch.seconds();
 }
 
@@ -305,7 +306,7 @@ void PageMaker::take(const RunForPage& run) {
     report::PageSurface& result = page_.results.front();
     result.refusals = refusals_of(run.simplified, report::put_in_page_order(result.mesh));
   }
-  diagonal_ = metrics::bounds(page_.original.mesh).diagonal();
+  diagonal_ = diagonal_of(metrics::bounds(page_.original.mesh));
 }
 
 std::string PageMaker::make() {

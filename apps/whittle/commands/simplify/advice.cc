@@ -8,6 +8,7 @@
 
 #include "terminal/table.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/core/parts.hh"
 #include "whittle/engine/automatic_threshold.hh"
 #include "whittle/io/border_gaps.hh"
@@ -37,7 +38,7 @@ void add_lifts_of_input(const IndexedMesh& mesh, const DecimateOptions& options,
                      return changed;
                    }});
   }
-  const auto prune = [size = small * bounds_of(mesh.positions).diagonal()](IndexedMesh changed) {
+  const auto prune = [size = small * diagonal_of(mesh.positions)](IndexedMesh changed) {
     return without_small_parts(std::move(changed), size);
   };
   const std::size_t n_dropped = prune(mesh).n_dropped_faces;

@@ -9,6 +9,7 @@
 #include "files/gltf_file.hh"
 #include "terminal/table.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/core/pieces.hh"
 #include "whittle/core/transform.hh"
 #include "whittle/core/wedges.hh"
@@ -64,7 +65,7 @@ std::vector<Index> join_vertices(IndexedMesh& mesh, std::span<const Index> joine
 
 /// Four times what rounding to 24 bits takes from a coordinate.
 double GltfFile::border_tolerance(const IndexedMesh& mesh) const {
-  return 0x1p-22 * std::max(reach_, bounds_of(mesh.positions).diagonal());
+  return 0x1p-22 * std::max(reach_, diagonal_of(mesh.positions));
 }
 
 /// A copy of a mesh in the whole that has a volume: others may lie folded on themselves.

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/metrics/distance.hh"
 
 namespace whittle::app {
@@ -12,7 +13,7 @@ namespace {
 /// Model units. That of a level that has vanished is the size of the mesh.
 double error_of(const IndexedMesh& level, const IndexedMesh& mesh, double diagonal) {
   constexpr std::size_t samples = 20'000;  // beside all vertices
-  const bool has_vanished = bounds_of(level.positions).diagonal() == 0;
+  const bool has_vanished = diagonal_of(level.positions) == 0;
   return has_vanished ? diagonal : metrics::surface_distance(mesh, level, {.samples = samples}).max;
 }
 
@@ -20,7 +21,7 @@ double error_of(const IndexedMesh& level, const IndexedMesh& mesh, double diagon
 
 std::vector<double> screen_coverages(const IndexedMesh& mesh, std::span<const IndexedMesh> coarser) {
   constexpr double screen = 1920.0 * 1080.0;  // pixels
-  const double diagonal = bounds_of(mesh.positions).diagonal();
+  const double diagonal = diagonal_of(mesh.positions);
   std::vector<double> coverages;
   double above = 1;
   for (const IndexedMesh& level : coarser) {

@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "attributes/image_triangle.hh"
 #include "attributes/texture_atlas.hh"
 #include "whittle/core/detail/index_lists.hh"
 #include "whittle/core/detail/parallel.hh"
+#include "whittle/core/geometry/image_triangle.hh"
 
 namespace whittle {
 namespace {

@@ -1,4 +1,5 @@
 #include "whittle/core/local_functions.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -23,18 +24,11 @@ constexpr double most_left = 0.01;
 /// In one order, which library functions with wide registers don't keep.
 double dot(const Vec3& a, const Vec3& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); }
 
-double area_of(const IndexedMesh& mesh, const Frame& frame, std::size_t f) {
-  const std::array corners{frame.to_frame(mesh.positions[mesh.faces[f][0]]),
-                           frame.to_frame(mesh.positions[mesh.faces[f][1]]),
-                           frame.to_frame(mesh.positions[mesh.faces[f][2]])};
-  const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  return 0.5 * std::sqrt(dot(normal, normal));
-}
-
 std::vector<double> areas_of(const IndexedMesh& mesh, const Frame& frame, unsigned threads) {
   std::vector<double> areas(mesh.faces.size());
   for_each_range(areas.size(), threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) areas[f] = area_of(mesh, frame, f);
+    for (std::size_t f = begin; f < end; ++f)
+      areas[f] = area_of(frame.to_frame(corners_of(mesh.positions, mesh.faces[f])));
   });
   double sum = 0;
   for (const double area : areas) sum += area;

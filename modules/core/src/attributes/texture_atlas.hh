@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "attributes/image_triangle.hh"
 #include "whittle/core/detail/index_lists.hh"
+#include "whittle/core/geometry/image_triangle.hh"
 #include "whittle/core/indexed_mesh.hh"
 
 namespace whittle::detail {

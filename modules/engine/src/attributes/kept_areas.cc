@@ -4,23 +4,20 @@
 #include <cstdint>
 #include <numeric>
 
+#include "whittle/core/geometry/triangle.hh"
+
 namespace whittle {
 namespace {
 
 /// Of the target, for each area that is kept.
 constexpr std::uint64_t faces_per_area = 8;
 
-double size_of(const IndexedMesh& mesh, const Triangle& face) {
-  const Vec3& a = mesh.positions[face[0]];
-  return (mesh.positions[face[1]] - a).cross(mesh.positions[face[2]] - a).norm();
-}
-
 }  // namespace
 
 KeptAreas::KeptAreas(const IndexedMesh& mesh, const std::vector<Index>& areas) : ranks_(areas) {
   std::vector<double> sizes(areas.size());  // by area; those are named by a face
   for (std::size_t f = 0; f < areas.size(); ++f) {
-    if (areas[f] != invalid_index) sizes[areas[f]] += size_of(mesh, mesh.faces[f]);
+    if (areas[f] != invalid_index) sizes[areas[f]] += area_of(mesh.positions, mesh.faces[f]);
   }
   std::vector<Index> order(areas.size());
   std::iota(order.begin(), order.end(), Index{0});

@@ -7,6 +7,8 @@
 #include "cost/rim_edges.hh"
 #include "cost/seam_planes.hh"
 #include "whittle/core/detail/parallel.hh"
+#include "whittle/core/geometry/box.hh"
+#include "whittle/core/geometry/triangle.hh"
 #include "whittle/core/regions.hh"
 #include "whittle/core/wedges.hh"
 
@@ -20,12 +22,7 @@ MeanFaceArea mean_face_area(const IndexedMesh& mesh, const Frame& frame, unsigne
   std::vector<double> areas((n + range_length - 1) / range_length);  // by range
   for_each_range(n, threads, [&](std::size_t begin, std::size_t end) {
     double& sum = areas[begin / range_length];
-    for (std::size_t f = begin; f < end; ++f) {
-      const auto& [a, b, c] = mesh.faces[f];
-      const Vec3 to_b = (mesh.positions[b] - mesh.positions[a]) * frame.scale;
-      const Vec3 to_c = (mesh.positions[c] - mesh.positions[a]) * frame.scale;
-      sum += 0.5 * to_b.cross(to_c).norm();
-    }
+    for (std::size_t f = begin; f < end; ++f) sum += area_of(frame.to_frame(corners_of(mesh.positions, mesh.faces[f])));
   });
   double area = 0;
   for (const double part : areas) area += part;
@@ -44,7 +41,7 @@ bool is_far_flung(const IndexedMesh& mesh) {
   }
   const auto median = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), median, lengths.end());
-  return !(bounds_of(mesh.positions).diagonal() <= most * *median);
+  return !(diagonal_of(mesh.positions) <= most * *median);
 }
 
 /// Blocks contract what costs least in each, or what moves the surface little.

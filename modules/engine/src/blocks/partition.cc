@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "whittle/core/detail/parallel.hh"
+#include "whittle/core/geometry/box.hh"
 
 namespace whittle {
 namespace {
@@ -37,9 +38,8 @@ class CutTree {
 
   void cut(std::span<Vec3> sample, std::size_t node, double share) {
     if (node >= cuts_.size() || sample.empty()) return;
-    const auto [low, high] = bounds_of(sample);
     int axis = 0;
-    (high - low).maxCoeff(&axis);
+    bounds_of(sample).sizes().maxCoeff(&axis);
     const auto n_below = static_cast<std::ptrdiff_t>(static_cast<double>(sample.size()) * share);
     std::nth_element(sample.begin(), sample.begin() + n_below, sample.end(),
                      [axis](const Vec3& p, const Vec3& q) { return p[axis] < q[axis]; });

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "whittle/core/detail/portable_math.hh"
+#include "whittle/core/geometry/segment.hh"
 
 namespace whittle {
 
@@ -108,12 +109,7 @@ bool Restraints::harms_a_line(TriangleComplex& complex, const ContractionProfile
   if (!next) return false;
   const auto [p, q] = complex.ends(*next);
   const Vec3& end = complex.position(p == moved ? q : p);
-  const Vec3 way = end - position;
-  const auto is_far = [&](const Vec3& point) {
-    const Vec3 offset = point - position;
-    const double share = way.squaredNorm() > 0 ? std::clamp(offset.dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
-    return (offset - share * way).squaredNorm() > tolerance_sq_;
-  };
+  const auto is_far = [&](const Vec3& point) { return distance_sq_to_segment(point, position, end) > tolerance_sq_; };
   if (is_far(complex.position(moved))) return true;
   for (const Index edge : {pair.id, *next}) {
     const auto course = courses_.find(edge);

@@ -3,16 +3,10 @@
 #include <algorithm>
 
 #include "whittle/core/detail/index_lists.hh"
+#include "whittle/core/geometry/segment.hh"
 
 namespace whittle {
 namespace {
-
-double distance_sq(const Vec3& point, const Vec3& from, const Vec3& to) {
-  const Vec3 way = to - from;
-  const Vec3 offset = point - from;
-  const double share = way.squaredNorm() > 0 ? std::clamp(offset.dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
-  return (offset - share * way).squaredNorm();
-}
 
 /// Each once, ascending.
 std::vector<Index> vertices_of(std::span<const VertexPair> edges) {
@@ -40,7 +34,7 @@ void find_courses(const IndexedMesh& input, const Frame& frame, std::span<const 
     if (end == invalid_index || edges_at.of(end).empty()) continue;
     const Vec3 point = frame.to_frame(input.positions[v]);
     const auto distance_to = [&](Index e) {
-      return distance_sq(point, left.positions[lines.edges[e].a], left.positions[lines.edges[e].b]);
+      return distance_sq_to_segment(point, left.positions[lines.edges[e].a], left.positions[lines.edges[e].b]);
     };
     const std::span<const Index> edges = edges_at.of(end);
     const Index nearest = *std::min_element(edges.begin(), edges.end(),

@@ -14,6 +14,7 @@
 #include "decimate/output.hh"
 #include "loop/contraction_log.hh"
 #include "whittle/core/detail/large_array.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/core/parts.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/engine/attributes.hh"
@@ -342,7 +343,7 @@ void Passes::contract_to(const DecimateTarget& stop, bool is_last) {
   }
   begin_with_attributes(start);
   begin_with_areas(start, stop);
-  start.input.feature_tolerance = options_.feature_tolerance * bounds_of(mesh_.positions).diagonal() * frame_.scale;
+  start.input.feature_tolerance = options_.feature_tolerance * diagonal_of(mesh_.positions) * frame_.scale;
   start.input.host = host_;
   start.input.context.displacement_limit = limits_.displacement;
   start.input.context.displacement_limits = limits_.displacements;

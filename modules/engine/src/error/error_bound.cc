@@ -151,7 +151,7 @@ bool ErrorBound::has_far_point_on(const metrics::TargetSurface& surface) const {
       return near.distance > limit_;
     };
     for (std::size_t f = begin; f < end && !is_found; ++f) {
-      const metrics::Corners corners = faces.corners(static_cast<Index>(f));
+      const Corners corners = faces.corners(static_cast<Index>(f));
       for (std::size_t i = 0; i < 3; ++i) {
         if (is_far(corners[i]) || is_far(0.5 * (corners[i] + corners[(i + 1) % 3]))) is_found = true;
       }

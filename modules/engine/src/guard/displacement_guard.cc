@@ -4,7 +4,7 @@
 #include <limits>
 #include <tuple>
 
-#include "whittle/core/geometry/face_normal.hh"
+#include "whittle/core/geometry/triangle.hh"
 #include "whittle/metrics/detail/linked_faces.hh"
 
 namespace whittle {

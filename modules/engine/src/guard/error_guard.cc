@@ -128,7 +128,7 @@ bool ErrorGuard::are_edges_near(Index point, Index support) {
     const Place& place = places_[other];
     const bool is_affected = place.look == n_looks_;
     if (is_affected && (other < point || after_[place.place] == support)) continue;
-    const metrics::Corners of_other =
+    const Corners of_other =
         is_affected ? faces_[after_[place.place]].corners : corners(supports_.support(other));
     // The faces at the edge may be farther than either end: so the greater limit will do.
     const double limit = std::max(bound_.limit_at(point), bound_.limit_at(other));
@@ -151,7 +151,7 @@ bool ErrorGuard::is_near(const Segment& segment, int depth) {
   if (is_near_second) return is_near({{ends[0], middle}, faces, reach}, depth + 1);
   Index support = 0;
   if (!find_support(middle, reach, support)) return false;
-  const metrics::Corners between = faces_[support].corners;
+  const Corners between = faces_[support].corners;
   return is_near({{ends[0], middle}, {faces[0], between}, reach}, depth + 1) &&
          is_near({{middle, ends[1]}, {between, faces[1]}, reach}, depth + 1);
 }

@@ -44,13 +44,13 @@ class ErrorGuard : public Guard {
   /// A face as a contraction would leave it. The merged vertex, which has no number yet, is `invalid_index`.
   struct FaceAfter {
     Triangle vertices;
-    metrics::Corners corners;
+    Corners corners;
     Vec3 low, high;  ///< of its bounding box
   };
   /// A part of an edge of the input, and a face near to each of its ends.
   struct Segment {
     std::array<Vec3, 2> ends;
-    std::array<metrics::Corners, 2> faces;
+    std::array<Corners, 2> faces;
     double reach;  ///< how far it may be from the surface
   };
   /// Where a point is in `affected_`, if it is.
@@ -59,7 +59,7 @@ class ErrorGuard : public Guard {
     Index place = 0;
   };
 
-  void add(const Triangle& vertices, const metrics::Corners& corners) {
+  void add(const Triangle& vertices, const Corners& corners) {
     const auto& [a, b, c] = corners;
     faces_.push_back({vertices, corners, a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)});
   }
@@ -72,12 +72,12 @@ class ErrorGuard : public Guard {
   bool find_support(const Vec3& point, double reach, Index& hint);
   bool find_support_in_list(const Vec3& point, double reach, Index& hint);
   bool is_at_pair(const Triangle& face) const;
-  static bool is_within(const metrics::Corners& face, const Vec3& point, double reach) {
+  static bool is_within(const Corners& face, const Vec3& point, double reach) {
     return metrics::distance_to(face, point) <= reach;
   }
   /// How far points and edges of the input may be: what is left of the limit is for points inside of faces.
   static double reach(double limit) { return 0.99 * limit; }
-  metrics::Corners corners(const Triangle& face) const {
+  Corners corners(const Triangle& face) const {
     return {complex_.position(face[0]), complex_.position(face[1]), complex_.position(face[2])};
   }
 

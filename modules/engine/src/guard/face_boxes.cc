@@ -17,14 +17,14 @@ void FaceBoxes::update(Index v) {
   std::size_t node = n_leaves_ + v;
   nodes_[node] = box_of_own_faces(v);
   for (node /= 2; node > 0; node /= 2) {
-    const FaceBox merged = nodes_[2 * node].merged(nodes_[2 * node + 1]);
+    const FloatBox merged = nodes_[2 * node].merged(nodes_[2 * node + 1]);
     if (merged.min() == nodes_[node].min() && merged.max() == nodes_[node].max()) return;
     nodes_[node] = merged;
   }
 }
 
-FaceBox FaceBoxes::box_of_own_faces(Index v) const {
-  FaceBox box;
+FloatBox FaceBoxes::box_of_own_faces(Index v) const {
+  FloatBox box;
   if (complex_.representative(v) != v) return box;
   const std::span<const Neighbour> pairs = complex_.live_pairs(v);
   for (std::size_t i = 0; i < pairs.size(); i += 2) {

@@ -1,16 +1,13 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <array>
 #include <cstddef>
 #include <vector>
 
 #include "complex/triangle_complex.hh"
+#include "whittle/core/geometry/box.hh"
 
 namespace whittle {
-
-/// Boxes in single precision are enough: rounding keeps overlapping boxes overlapping.
-using FaceBox = Eigen::AlignedBox3f;
 
 /// A binary tree of boxes around all faces. Each leaf has a vertex's *own* faces: those of which it is the lowest
 /// vertex. Vertices are numbered along a space-filling curve, so neighbouring leaves lie near each other. Merged
@@ -24,7 +21,7 @@ class FaceBoxes {
 
   /// Calls `visit` with each vertex whose own faces' box overlaps `box`, until it returns false.
   template <class Visit>
-  void visit(const FaceBox& box, const Visit& visit) const {
+  void visit(const FloatBox& box, const Visit& visit) const {
     std::array<std::size_t, 64> waiting;  // one a level, and the tree has fewer
     std::size_t n_waiting = 0;
     waiting[n_waiting++] = 1;
@@ -41,11 +38,11 @@ class FaceBoxes {
   }
 
  private:
-  FaceBox box_of_own_faces(Index v) const;
+  FloatBox box_of_own_faces(Index v) const;
 
   TriangleComplex& complex_;
-  std::size_t n_leaves_;        ///< a power of two
-  std::vector<FaceBox> nodes_;  ///< the root is 1, the children of i are 2i and 2i + 1, the leaf of v is n_leaves_ + v
+  std::size_t n_leaves_;         ///< a power of two
+  std::vector<FloatBox> nodes_;  ///< the root is 1, the children of i are 2i and 2i + 1, the leaf of v is n_leaves_ + v
 };
 
 }  // namespace whittle

@@ -2,33 +2,24 @@
 
 #include <algorithm>
 
-#include "whittle/core/geometry/face_normal.hh"
+#include "whittle/core/geometry/box.hh"
+#include "whittle/core/geometry/triangle.hh"
 #include "whittle/core/geometry/triangle_intersection.hh"
 
 namespace whittle {
 namespace {
 
-bool has_area(const std::array<Vec3, 3>& corners) {
-  return !reliable_normal(corners[0], corners[1], corners[2]).isZero(0);
-}
+bool has_area(const Corners& corners) { return !reliable_normal(corners[0], corners[1], corners[2]).isZero(0); }
 
 /// A face without area crosses nothing, wherever it lies.
-bool do_cross(const std::array<Vec3, 3>& f, const std::array<Vec3, 3>& g) {
-  return detail::intersect(f, g) && has_area(f) && has_area(g);
-}
-
-FaceBox box_of(const std::array<Vec3, 3>& corners) {
-  FaceBox box;
-  for (const Vec3& corner : corners) box.extend(corner.cast<float>());
-  return box;
-}
+bool do_cross(const Corners& f, const Corners& g) { return detail::intersect(f, g) && has_area(f) && has_area(g); }
 
 }  // namespace
 
 bool IntersectionGuard::refuses_at(ContractionProfile& profile, const Vec3& position) {
   list_faces(profile, position);
   if (do_cross_each_other()) return true;
-  FaceBox all;
+  FloatBox all;
   for (const Face& face : faces_) all.extend(face.box);
   bool is_refused = false;
   boxes_.visit(all, [&](Index v) {
@@ -54,7 +45,7 @@ void IntersectionGuard::list_faces(const ContractionProfile& profile, const Vec3
       const Vec3& p = complex_.position(x);
       const Vec3& q = complex_.position(y);
       faces_.push_back({x, y, {complex_.position(v), p, q}, {position, p, q}, {}});
-      faces_.back().box = box_of(faces_.back().then);
+      faces_.back().box = box_of(faces_.back().then).cast<float>();
     }
   };
   add(profile.first, profile.pair.a);
@@ -85,7 +76,7 @@ bool IntersectionGuard::cross_faces_at(Index v, const Pair& pair) {
     const bool is_in_star = p == pair.a || p == pair.b || q == pair.a || q == pair.b;
     if (is_in_star || p < v || q < v) continue;
     const Corners other{complex_.position(v), complex_.position(p), complex_.position(q)};
-    const FaceBox box = box_of(other);
+    const FloatBox box = box_of(other).cast<float>();
     const auto is_corner = [&](Index w) { return w == v || w == p || w == q; };
     const bool is_crossed = std::any_of(faces_.begin(), faces_.end(), [&](const Face& face) {
       return face.box.intersects(box) && !(is_corner(face.x) && is_corner(face.y)) && do_cross(face.then, other);

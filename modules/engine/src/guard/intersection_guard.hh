@@ -6,6 +6,8 @@
 #include "complex/triangle_complex.hh"
 #include "guard/face_boxes.hh"
 #include "guard/guard.hh"
+#include "whittle/core/geometry/box.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 namespace whittle {
 
@@ -23,13 +25,12 @@ class IntersectionGuard final : public Guard {
   void note(const Change& change) override;
 
  private:
-  using Corners = std::array<Vec3, 3>;
   /// A face at the merged vertex.
   struct Face {
     Index x, y;    ///< the other corners
     Corners now;   ///< with the vertex where it is now, a or b
     Corners then;  ///< with the merged vertex
-    FaceBox box;   ///< of `then`
+    FloatBox box;  ///< of `then`
   };
 
   struct Crossed {

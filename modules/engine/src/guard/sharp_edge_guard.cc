@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "whittle/core/detail/portable_math.hh"
-#include "whittle/core/geometry/face_normal.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 namespace whittle {
 

@@ -4,6 +4,7 @@
 
 #include "whittle/core/detail/checks.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/engine/part_gaps.hh"
 
 namespace whittle {
@@ -20,8 +21,7 @@ double automatic_threshold(const IndexedMesh& mesh, unsigned threads) {
   const Parts parts = find_parts(mesh.positions.size(), mesh.faces);
   if (parts.count < 2) return 0;
   const std::vector<double> diagonals = part_diagonals(mesh.positions, parts);
-  const std::vector<double> gaps =
-      gaps_between_parts(mesh, parts, {near_share * bounds_of(mesh.positions).diagonal(), threads});
+  const std::vector<double> gaps = gaps_between_parts(mesh, parts, {near_share * diagonal_of(mesh.positions), threads});
   double threshold = 0;
   for (std::size_t part = 0; part < parts.count; ++part) {
     if (gaps[part] > diagonals[part]) continue;

@@ -1,16 +1,14 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <array>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "whittle/core/detail/lanes.hh"
+#include "whittle/core/geometry/box.hh"
 
 namespace whittle {
-
-using Box = Eigen::AlignedBox3d;
 
 /// Writes those of begin and begin + 1 whose lane is set. \return the new end. The outcome is unpredictable, hence
 /// branch-free.

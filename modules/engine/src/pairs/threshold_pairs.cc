@@ -14,6 +14,8 @@
 #include "pairs/vertex_sites.hh"
 #include "whittle/core/detail/parallel.hh"
 #include "whittle/core/detail/progress_meter.hh"
+#include "whittle/core/geometry/box.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 // Each vertex lists its partners, block after block of vertices along the curve. A pair is written where the lower
 // vertex lists the higher one. If the lower one's list is full and lacks it, the higher one adds the pair.
@@ -76,7 +78,7 @@ std::vector<Vec3> make_normals(std::span<const Triangle> faces, const VertexSite
     std::array<Index, 3> corners;
     std::transform(face.begin(), face.end(), corners.begin(), [&](Index v) { return sites.members[v]; });
     const auto point = [&](std::size_t i) -> const Vec3& { return sites.points[sites.sites[corners[i]]]; };
-    const Vec3 normal = (point(1) - point(0)).cross(point(2) - point(0));
+    const Vec3 normal = area_normal(point(0), point(1), point(2));
     for (const Index corner : corners) normals[corner] += normal;
   }
   return normals;

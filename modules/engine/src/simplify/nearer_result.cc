@@ -3,8 +3,9 @@
 #include <cmath>
 #include <vector>
 
-#include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/core/geometry/spread_point.hh"
+#include "whittle/core/geometry/triangle.hh"
 #include "whittle/metrics/closest_point.hh"
 
 namespace whittle {
@@ -16,25 +17,18 @@ constexpr std::size_t n_points = 2000;
 constexpr double least_size = 1e-60;
 constexpr double most_size = 1e60;
 
-double area_of(const IndexedMesh& mesh, const Triangle& face) {
-  const Vec3& a = mesh.positions[face[0]];
-  return 0.5 * (mesh.positions[face[1]] - a).cross(mesh.positions[face[2]] - a).norm();
-}
-
 /// Points of the surface, each for an equal part of the area. None if there is no area.
 std::vector<Vec3> spread_points(const IndexedMesh& mesh) {
   double area = 0;
-  for (const Triangle& face : mesh.faces) area += area_of(mesh, face);
+  for (const Triangle& face : mesh.faces) area += area_of(mesh.positions, face);
   std::vector<Vec3> points;
   if (!(area > 0 && std::isfinite(area))) return points;
   const double step = area / static_cast<double>(n_points);
   double behind = 0;
   for (const Triangle& face : mesh.faces) {
-    behind += area_of(mesh, face);
+    behind += area_of(mesh.positions, face);
     while (points.size() < n_points && (static_cast<double>(points.size()) + 0.5) * step <= behind) {
-      const auto [u, v] = spread_point(points.size());
-      const Vec3& a = mesh.positions[face[0]];
-      points.push_back(a + u * (mesh.positions[face[1]] - a) + v * (mesh.positions[face[2]] - a));
+      points.push_back(point_at(corners_of(mesh.positions, face), spread_point(points.size())));
     }
   }
   return points;
@@ -54,7 +48,7 @@ double mean_distance(const std::vector<Vec3>& points, const metrics::TriangleTre
 }  // namespace
 
 bool is_nearer(const IndexedMesh& input, const IndexedMesh& a, const IndexedMesh& b) {
-  const double size = bounds_of(input.positions).diagonal();
+  const double size = diagonal_of(input.positions);
   if (!(size > least_size && size < most_size)) return false;
   const std::vector<Vec3> of_input = spread_points(input);
   const std::vector<Vec3> of_a = spread_points(a);

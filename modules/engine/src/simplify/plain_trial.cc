@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "whittle/core/geometry/symmetric_matrix.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 namespace whittle {
 namespace {
@@ -27,9 +28,7 @@ bool is_bent(const SymmetricMatrix& normals) {
 double bent_share(const IndexedMesh& mesh) {
   std::vector<SymmetricMatrix> normals(mesh.positions.size());
   for (const Triangle& face : mesh.faces) {
-    const Vec3 ab = mesh.positions[face[1]] - mesh.positions[face[0]];
-    const Vec3 ac = mesh.positions[face[2]] - mesh.positions[face[0]];
-    const Vec3 normal = ab.cross(ac).stableNormalized();
+    const Vec3 normal = area_normal(mesh.positions, face).stableNormalized();
     for (const Index v : face) normals[v] += SymmetricMatrix::outer(normal, 1);
   }
   const auto n_bent = std::count_if(normals.begin(), normals.end(), is_bent);

@@ -15,6 +15,7 @@
 #include "simplify/plain_trial.hh"
 #include "simplify/polish_within.hh"
 #include "simplify/simplify_sheets.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/engine/attributes.hh"
 #include "whittle/polish/fit_attributes.hh"
 
@@ -153,7 +154,7 @@ class DecimationPolisher {
       if (!input_) {
         PolishOriginal original(mesh_, decimate.threads, polish_progress(decimate, decimation.result));
         input_.emplace(PolishInput{std::move(original), input_edges_with_rims(mesh_, decimate),
-                                   face_regions(mesh_, decimate.regions), bounds_of(mesh_.positions).diagonal()});
+                                   face_regions(mesh_, decimate.regions), diagonal_of(mesh_.positions)});
       }
       return polish_decimation(*input_, options, held, decimation);
     } catch (const Cancelled&) {

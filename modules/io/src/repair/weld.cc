@@ -17,6 +17,7 @@
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/core/detail/parallel.hh"
+#include "whittle/core/geometry/triangle.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/io/repair.hh"
 
@@ -156,9 +157,7 @@ void join_ends_without_length(WeldResolver& resolver, const Flags& is_doubtful_g
 
 // Of unit length, or zero.
 Vec3 normal_of(const IndexedMesh& mesh, Index face) {
-  const auto& [a, b, c] = mesh.faces[face];
-  const Vec3 edge = mesh.positions[b] - mesh.positions[a];
-  return edge.cross(mesh.positions[c] - mesh.positions[a]).stableNormalized();
+  return area_normal(mesh.positions, mesh.faces[face]).stableNormalized();
 }
 
 void add_doubtful_edges(WeldResolver& resolver, const IndexedMesh& mesh, const GroupedEdges& edges,

@@ -10,13 +10,15 @@
 #include "stl/stl.hh"
 #include "whittle/core/float32_positions.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 namespace whittle::io {
 
 namespace {
 
 // Zero for a face without area. The corners are scaled first, so that products neither overflow nor vanish.
-Vec3 normal_of(const std::array<Vec3, 3>& corners) {
+Vec3 normal_of(const Corners& corners) {
   const Vec3 a = corners[1] - corners[0];
   const Vec3 b = corners[2] - corners[0];
   const double scale = std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
@@ -27,10 +29,6 @@ Vec3 normal_of(const std::array<Vec3, 3>& corners) {
   return normal / length;
 }
 
-std::array<Vec3, 3> corners_of(const IndexedMesh& mesh, const Triangle& face) {
-  return {mesh.positions[face[0]], mesh.positions[face[1]], mesh.positions[face[2]]};
-}
-
 void write_ascii(ByteSink& sink, const IndexedMesh& mesh) {
   const auto put = [&](const Vec3& p) {
     for (const double x : p) (sink << " ").number(x);
@@ -38,7 +36,7 @@ void write_ascii(ByteSink& sink, const IndexedMesh& mesh) {
   };
   sink << "solid whittle\n";
   for (const Triangle& face : mesh.faces) {
-    const auto corners = corners_of(mesh, face);
+    const auto corners = corners_of(mesh.positions, face);
     sink << "facet normal";
     for (const double x : normal_of(corners)) (sink << " ").number(static_cast<float>(x));
     sink << "\n";
@@ -64,7 +62,7 @@ void write_binary(ByteSink& sink, const IndexedMesh& mesh) {
     for (const double x : p) sink.little_endian(static_cast<float>(x));
   };
   for (const Triangle& face : mesh.faces) {
-    const auto corners = corners_of(mesh, face);
+    const auto corners = corners_of(mesh.positions, face);
     put(normal_of(corners));
     for (const Vec3& corner : corners) {
       if (corner.cwiseAbs().maxCoeff() > static_cast<double>(std::numeric_limits<float>::max())) {
@@ -80,7 +78,7 @@ void write_binary(ByteSink& sink, const IndexedMesh& mesh) {
 void warn_of_rounding(const IndexedMesh& mesh, const FileNotes& notes, std::vector<std::string>& warnings) {
   if (notes.has_float32_positions) return;
   const double error = float32_error(mesh.positions);
-  if (error <= 1e-6 * bounds_of(mesh.positions).diagonal()) return;
+  if (error <= 1e-6 * diagonal_of(mesh.positions)) return;
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << "binary STL has 32 bits a coordinate, too few so far from the origin: positions are rounded by up to "

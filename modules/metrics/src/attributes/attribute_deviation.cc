@@ -105,7 +105,7 @@ std::vector<AttributeDeviation> summarize(const std::vector<Shared>& shared, con
 std::vector<AttributeDeviation> attribute_deviations(const IndexedMesh& reference, const IndexedMesh& test,
                                                      const DistanceOptions& options) {
   check_samples(options.samples);
-  const Bounds reference_box = bounds(reference), test_box = bounds(test);
+  const Box reference_box = bounds(reference), test_box = bounds(test);
   if (const double scale = working_scale({reference_box, test_box}); scale != 1.0) {
     const auto rescaled = [scale](IndexedMesh mesh) {
       for (Vec3& p : mesh.positions) p *= scale;
@@ -116,8 +116,8 @@ std::vector<AttributeDeviation> attribute_deviations(const IndexedMesh& referenc
   std::deque<Attribute> copies;
   const std::vector<Shared> shared = shared_attributes(reference, test, copies);
   if (shared.empty()) return {};
-  const Vec3 origin = reference_box.center();
-  const double diagonal = std::max(reference_box.diagonal(), test_box.diagonal());
+  const Vec3 origin = center_of(reference_box);
+  const double diagonal = std::max(diagonal_of(reference_box), diagonal_of(test_box));
   detail::ProgressMeter meter(options.progress);
   const detail::Workers workers(options.threads, &meter);
   meter.start("building the search trees", 0.2);

@@ -3,7 +3,8 @@
 #include <Eigen/Geometry>
 #include <tuple>
 
-#include "triangle_math.hh"
+#include "whittle/core/geometry/segment.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 namespace whittle::metrics {
 
@@ -56,9 +57,7 @@ std::array<double, 3> barycentric(const std::array<Vec3, 3>& corners, const Vec3
         from = k;
       }
     }
-    const Vec3 side = corners[(from + 1) % 3] - corners[from];
-    const double length_sq = side.squaredNorm();
-    const double t = length_sq > 0.0 ? std::clamp((point - corners[from]).dot(side) / length_sq, 0.0, 1.0) : 0.0;
+    const double t = nearest_share(point, corners[from], corners[(from + 1) % 3]);
     weights[from] = 1.0 - t;
     weights[(from + 1) % 3] = t;
     return weights;

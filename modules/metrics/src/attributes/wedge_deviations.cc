@@ -71,7 +71,7 @@ void measure_wedges(const FromWedges& from, std::size_t begin, std::size_t end, 
 
 std::vector<WedgeDeviations> attribute_deviations_at_wedges(const IndexedMesh& mesh, const IndexedMesh& other,
                                                             std::span<const AttributeKind> kinds, unsigned threads) {
-  const Bounds box = bounds(mesh), other_box = bounds(other);
+  const Box box = bounds(mesh), other_box = bounds(other);
   if (const double scale = working_scale({box, other_box}); scale != 1.0) {
     const auto rescaled = [scale](IndexedMesh it) {
       for (Vec3& p : it.positions) p *= scale;
@@ -85,10 +85,10 @@ std::vector<WedgeDeviations> attribute_deviations_at_wedges(const IndexedMesh& m
     return std::find(kinds.begin(), kinds.end(), one.reference->kind) == kinds.end();
   });
   if (shared.empty()) return {};
-  const double diagonal = std::max(box.diagonal(), other_box.diagonal());
+  const double diagonal = std::max(diagonal_of(box), diagonal_of(other_box));
   const double noise = noise_rel * diagonal, tolerance = sheet_tolerance_rel * diagonal;
   const FromWedges from{
-      mesh, other, TriangleTree(other, box.center()), corners_of_wedges(mesh), noise * noise, tolerance * tolerance};
+      mesh, other, TriangleTree(other, center_of(box)), corners_of_wedges(mesh), noise * noise, tolerance * tolerance};
   std::deque<SurfaceAttribute> attributes;
   std::vector<Comparer> comparers;
   std::vector<WedgeDeviations> deviations;

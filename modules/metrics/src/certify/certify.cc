@@ -88,9 +88,7 @@ class Surfaces {
   OneWay backward() const { return {meshes_.second, *first_, frame_, false}; }
 
  private:
-  static Frame frame_of(const Bounds& a, const Bounds& b) {
-    return Frame::of_box(a.min.cwiseMin(b.min), a.max.cwiseMax(b.max));
-  }
+  static Frame frame_of(const Box& a, const Box& b) { return Frame::of_box(a.merged(b)); }
 
   std::pair<const IndexedMesh&, const IndexedMesh&> meshes_;
   Frame frame_;

@@ -12,15 +12,11 @@ namespace {
 /// Pieces of a face that are looked at before a change is refused.
 constexpr int most_pieces = 256;
 
-Bounds box_of(const Corners& corners) {
-  return {corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]), corners[0].cwiseMax(corners[1]).cwiseMax(corners[2])};
-}
-
 /// Whether points of both may be within a distance. The boxes are made a little larger than they are.
-bool may_be_near(const Bounds& a, const Bounds& b, double distance) {
+bool may_be_near(const Box& a, const Box& b, double distance) {
   constexpr double room = 1e-9;
   const Vec3 reach = Vec3::Constant(distance + room);
-  return ((a.min - reach).array() <= b.max.array()).all() && ((b.min - reach).array() <= a.max.array()).all();
+  return ((a.min() - reach).array() <= b.max().array()).all() && ((b.min() - reach).array() <= a.max().array()).all();
 }
 
 bool is_near(const Corners& face, const Vec3& point, double distance) {
@@ -43,7 +39,7 @@ Index first_face(const std::vector<ProofStep>& steps) {
 /// The faces of a surface that may be within a distance of a triangle, and are connected with those of a proof.
 std::vector<Index> connected_near(const LinkedFaces& surface, const std::vector<ProofStep>& steps,
                                   const Corners& triangle, double distance) {
-  const Bounds box = box_of(triangle);
+  const Box box = box_of(triangle);
   std::vector<Index> near;
   NumberSet known;
   const auto add = [&](Index face) {
@@ -321,7 +317,7 @@ bool SurfaceProof::is_near_part(Index original_face, Part& part) const {
 
 /// The faces that a proof with the part may have looked at near the face of the original: others are farther.
 std::vector<Index> SurfaceProof::near_in_part(Index original_face, const Part& part) const {
-  const Bounds box = box_of(corners_of_original(original_face));
+  const Box box = box_of(corners_of_original(original_face));
   std::vector<Index> near;
   for (std::size_t i = 0; i < part.numbers.size(); ++i) {
     const auto& [a, b, c] = part.mesh.faces[i];

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "triangle_math.hh"
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/geometry/nearest_on_triangle.hh"
+#include "whittle/core/geometry/segment.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 namespace whittle::metrics {
 namespace {
@@ -76,7 +77,7 @@ constexpr double thin = 1e-3;
 bool is_thin(const Corners& triangle) {
   const auto& [a, b, c] = triangle;
   const double longest_sq = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-  return !((b - a).cross(c - a).squaredNorm() > thin * thin * longest_sq * longest_sq);
+  return !(area_normal(a, b, c).squaredNorm() > thin * thin * longest_sq * longest_sq);
 }
 
 /// Distance of a point from a place inside of a thin triangle; infinite if the nearest one isn't inside. Along its

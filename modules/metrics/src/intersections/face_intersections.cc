@@ -21,8 +21,6 @@ namespace whittle::metrics {
 
 namespace {
 
-using Corners = std::array<Vec3, 3>;
-
 constexpr std::array<std::pair<int, int>, 3> coordinate_planes{{{0, 1}, {1, 2}, {2, 0}}};
 
 /// How the corners turn in the first coordinate plane in which they are not on a line. `turn` is 0 if there is none.
@@ -111,17 +109,12 @@ bool meet_beyond_common(const Corners& s, const Corners& t, const IsCommon& is_c
   }
 }
 
-Corners corners_of(const IndexedMesh& mesh, Index face) {
-  const auto [a, b, c] = mesh.faces[face];
-  return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
-}
-
 /// Of the faces that have an area.
 std::vector<FaceBox> face_boxes(const IndexedMesh& mesh) {
   std::vector<FaceBox> boxes;
   boxes.reserve(mesh.faces.size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const Corners corners = corners_of(mesh, static_cast<Index>(f));
+    const Corners corners = corners_of(mesh.positions, mesh.faces[f]);
     if (!has_area(corners)) continue;
     const auto& [a, b, c] = corners;
     boxes.push_back({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c), static_cast<Index>(f)});
@@ -140,7 +133,7 @@ bool do_intersect(const Corners& face, const Corners& other) {
 std::vector<std::array<Index, 2>> face_intersections(const IndexedMesh& mesh,
                                                      const std::function<bool(Index, Index)>& is_wanted,
                                                      unsigned threads, const ProgressCallback& progress) {
-  const Bounds box = bounds(mesh);
+  const Box box = bounds(mesh);
   if (const double scale = working_scale({box}); scale != 1.0) {
     return face_intersections(scaled(mesh, scale), is_wanted, threads, progress);
   }
@@ -154,7 +147,8 @@ std::vector<std::array<Index, 2>> face_intersections(const IndexedMesh& mesh,
     boxes.visit(task, [&](Index f, Index g) {
       const auto [low, high] = std::minmax(f, g);
       if (is_wanted && !is_wanted(low, high)) return;
-      if (do_intersect(corners_of(mesh, low), corners_of(mesh, high))) found[task].push_back({low, high});
+      if (do_intersect(corners_of(mesh.positions, mesh.faces[low]), corners_of(mesh.positions, mesh.faces[high])))
+        found[task].push_back({low, high});
     });
   });
 

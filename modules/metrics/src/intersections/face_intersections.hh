@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "whittle/core/geometry/triangle.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/core/progress.hh"
 
@@ -16,10 +17,10 @@ std::vector<std::array<Index, 2>> face_intersections(const IndexedMesh& mesh,
                                                      unsigned threads, const ProgressCallback& progress);
 
 /// Whether a face has an area. Those that don't intersect nothing.
-bool has_area(const std::array<Vec3, 3>& face);
+bool has_area(const Corners& face);
 
 /// Whether two faces with areas intersect, decided as there. Corners at equal positions are common ones.
 /// \pre working_scale.hh has scaled the mesh
-bool do_intersect(const std::array<Vec3, 3>& face, const std::array<Vec3, 3>& other);
+bool do_intersect(const Corners& face, const Corners& other);
 
 }  // namespace whittle::metrics

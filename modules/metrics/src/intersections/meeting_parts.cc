@@ -20,17 +20,10 @@
 namespace whittle::metrics {
 namespace {
 
-using Box = Eigen::AlignedBox3d;
 using PartPairs = std::vector<std::array<Index, 2>>;
 
 /// With more parts, all faces are compared: comparing all parts would take longer.
 constexpr std::size_t most_parts_compared = 2000;
-
-Box box_of(const IndexedMesh& mesh, const Triangle& face) {
-  Box box;
-  for (const Index v : face) box.extend(mesh.positions[v]);
-  return box;
-}
 
 /// For each part a box around where its own box overlaps that of another.
 std::vector<Box> overlaps(const std::vector<Box>& boxes) {
@@ -59,11 +52,11 @@ std::vector<char> faces_near_other_parts(const IndexedMesh& mesh, const std::vec
   if (n_parts > most_parts_compared) return is_near;
   std::vector<Box> boxes(n_parts);
   for (std::size_t f = 0; f < is_near.size(); ++f) {
-    if (is_near[f]) boxes[part_of[f]].extend(box_of(mesh, mesh.faces[f]));
+    if (is_near[f]) boxes[part_of[f]].extend(box_of(corners_of(mesh.positions, mesh.faces[f])));
   }
   const std::vector<Box> common = overlaps(boxes);
   for (std::size_t f = 0; f < is_near.size(); ++f) {
-    is_near[f] = is_near[f] && common[part_of[f]].intersects(box_of(mesh, mesh.faces[f]));
+    is_near[f] = is_near[f] && common[part_of[f]].intersects(box_of(corners_of(mesh.positions, mesh.faces[f])));
   }
   return is_near;
 }
@@ -100,10 +93,7 @@ struct ComparedPart {
   IndexedMesh mesh;  ///< positions and faces
   std::optional<TriangleTree> tree;
 
-  std::array<Vec3, 3> corners(Index f) const {
-    const auto [a, b, c] = mesh.faces[f];
-    return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
-  }
+  Corners corners(Index f) const { return corners_of(mesh.positions, mesh.faces[f]); }
 };
 
 /// Stops at the first intersection: most parts that are asked for have many.
@@ -114,12 +104,10 @@ bool do_meet(const ComparedPart& part, const ComparedPart& other) {
   const Vec3& origin = many.tree->origin();
   bool is_found = false;
   for (Index f = 0; f < few.mesh.faces.size() && !is_found; ++f) {
-    const std::array<Vec3, 3> face = few.corners(f);
+    const Corners face = few.corners(f);
     if (!has_area(face)) continue;
-    const Vec3 min = face[0].cwiseMin(face[1]).cwiseMin(face[2]) - origin;
-    const Vec3 max = face[0].cwiseMax(face[1]).cwiseMax(face[2]) - origin;
-    many.tree->visit_boxes({min, max}, [&](Index g) {
-      const std::array<Vec3, 3> near = many.corners(g);
+    many.tree->visit_boxes(box_of(face).translated(-origin), [&](Index g) {
+      const Corners near = many.corners(g);
       is_found = is_found || (has_area(near) && do_intersect(face, near));
     });
   }
@@ -129,7 +117,7 @@ bool do_meet(const ComparedPart& part, const ComparedPart& other) {
 /// Those of some pairs of parts that intersect. \param part_of per face, `invalid_index` for none
 PartPairs meeting_ones(const PartPairs& pairs, const IndexedMesh& mesh, const std::vector<Index>& part_of,
                        std::size_t n_parts, unsigned threads) {
-  const Bounds box = bounds(mesh);
+  const Box box = bounds(mesh);
   if (const double scale = working_scale({box}); scale != 1.0) {
     return meeting_ones(pairs, metrics::scaled(mesh, scale), part_of, n_parts, threads);
   }
@@ -145,7 +133,7 @@ PartPairs meeting_ones(const PartPairs& pairs, const IndexedMesh& mesh, const st
   std::vector<ComparedPart> parts(n_parts);
   for_each_block(n_parts, threads, [&](std::size_t p) {
     parts[p].mesh = std::move(pieces[p].mesh);
-    if (!parts[p].mesh.faces.empty()) parts[p].tree.emplace(parts[p].mesh, box.center());
+    if (!parts[p].mesh.faces.empty()) parts[p].tree.emplace(parts[p].mesh, center_of(box));
   });
   std::vector<char> meets(pairs.size());
   for_each_block(pairs.size(), threads, [&](std::size_t i) {

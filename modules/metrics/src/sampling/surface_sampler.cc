@@ -5,7 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "triangle_math.hh"
+#include "whittle/core/geometry/segment.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 namespace whittle::metrics {
 
@@ -19,8 +20,7 @@ SurfaceSampler::SurfaceSampler(const IndexedMesh& mesh, const Vec3& origin, std:
     : mesh_(mesh), origin_(origin), n_samples_(n_samples), random_(random), area_before_(mesh.faces.size() + 1, 0.0) {
   for (const bool by_area : {true, false}) {
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-      const auto [a, b, c] = corners(f);
-      area_before_[f + 1] = area_before_[f] + (by_area ? (b - a).cross(c - a).norm() : 1.0);
+      area_before_[f + 1] = area_before_[f] + (by_area ? area_of(corners(f)) : 1.0);
     }
     if (area_before_.back() > 0.0) break;
   }
@@ -35,9 +35,7 @@ Vec3 SurfaceSampler::in_tree(std::size_t face, const Vec3& point) const {
   for (const auto& [p, q] : {std::pair(b, c), std::pair(c, a)}) {
     if ((q - p).squaredNorm() > (to - from).squaredNorm()) from = p, to = q;
   }
-  const Vec3 side = to - from;
-  const double length_sq = side.squaredNorm();
-  return length_sq > 0.0 ? Vec3(from + std::clamp((point - from).dot(side) / length_sq, 0.0, 1.0) * side) : from;
+  return from + nearest_share(point, from, to) * (to - from);
 }
 
 }  // namespace whittle::metrics

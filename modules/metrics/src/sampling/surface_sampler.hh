@@ -81,7 +81,7 @@ class SurfaceSampler {
   Vec3 origin_;
   std::size_t n_samples_;
   CounterRandom random_;
-  std::vector<double> area_before_;  ///< F + 1; for each face twice the area of all faces before it.
+  std::vector<double> area_before_;  ///< F + 1; for each face the area of all faces before it.
 };
 
 }  // namespace whittle::metrics

@@ -9,11 +9,13 @@
 #include <optional>
 
 #include "whittle/core/detail/index_lists.hh"
+#include "whittle/core/geometry/image_triangle.hh"
+#include "whittle/core/geometry/segment.hh"
 
 namespace whittle::polishing {
 namespace {
 
-using Vec2 = Eigen::Vector2d;
+using detail::Vec2;
 
 constexpr double least_majority = 0.8;  ///< of the votes for a way round
 /// Of an unfolded face, over the edge that stays: what a sweep tries first, and what it is content with in the end.
@@ -23,11 +25,6 @@ constexpr int sweeps_a_height = 15;
 /// \cite freitag_2000_untangling
 constexpr int relaxing_sweeps = 50;
 constexpr double flat = 1e-6;  ///< the height below which a face counts as flat, over its longest edge
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/// Twice the area on the image; negative where a face lies clockwise.
-double area_on_image(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
 
 /// The points x where normal · x ≥ least.
 struct HalfPlane {
@@ -62,10 +59,8 @@ class Polygon {
     Vec2 best = corners_.front();
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       const Vec2& from = corners_[i];
-      const Vec2 way = corners_[(i + 1) % corners_.size()] - from;
-      const double length_sq = way.squaredNorm();
-      const double share = length_sq > 0 ? std::clamp((point - from).dot(way) / length_sq, 0.0, 1.0) : 0;
-      const Vec2 candidate = from + share * way;
+      const Vec2& to = corners_[(i + 1) % corners_.size()];
+      const Vec2 candidate = from + nearest_share(point, from, to) * (to - from);
       if ((candidate - point).squaredNorm() < (best - point).squaredNorm()) best = candidate;
     }
     return best;
@@ -114,7 +109,7 @@ class Unfolder {
     const auto& [a, b, c] = faces_[f];
     const double longest_sq =
         std::max({(at(a) - at(b)).squaredNorm(), (at(b) - at(c)).squaredNorm(), (at(c) - at(a)).squaredNorm()});
-    return turns_[f] * area_on_image(at(a), at(b), at(c)) < -flat * longest_sq;
+    return turns_[f] * detail::area_on_image(at(a), at(b), at(c)) < -flat * longest_sq;
   }
 
   std::vector<Index> folded_faces() const {
@@ -186,7 +181,7 @@ class Unfolder {
       const auto [x, y] = others(f, w);
       const double length_sq = (at(y) - at(x)).squaredNorm();
       if (turns_[f] == 0 || !(length_sq > 0)) continue;
-      least = std::min(least, turns_[f] * area_on_image(at(x), at(y), at(w)) / length_sq);
+      least = std::min(least, turns_[f] * detail::area_on_image(at(x), at(y), at(w)) / length_sq);
     }
     return least;
   }
@@ -225,7 +220,7 @@ std::vector<std::int8_t> turns_on_image(const TexturedFaces& original, std::span
     const auto& [foot, weight, wedge] = feet[f];
     if (foot.face == invalid_index || !(weight > 0)) continue;
     const auto& [a, b, c] = original.faces[f];
-    const double area = area_on_image(at(a), at(b), at(c));
+    const double area = detail::area_on_image(at(a), at(b), at(c));
     votes[foot.face] += area > 0 ? weight : area < 0 ? -weight : 0;
     all[foot.face] += weight;
   }

@@ -91,7 +91,7 @@ void SurfaceFit::measure_faces(const detail::Workers& workers) {
   fits_.resize(faces.size());
   for_each_range(faces.size(), workers, [this, faces](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
-      const Vec3 normal = area_normal(faces[f], mesh_.positions);
+      const Vec3 normal = area_normal(mesh_.positions, faces[f]);
       const double length = normal.norm();
       fits_[f] = {{}, length > 0 ? Vec3(normal / length) : Vec3(Vec3::Zero()), 0.5 * length, always_wary};
     }
@@ -247,7 +247,7 @@ SurfaceFit::Pull SurfaceFit::pull_at(Index v) const {
 /// Along the surface alone, so the sum of distances stays what it is across.
 void SurfaceFit::add_shape(Index v, Pull& pull) const {
   Vec3 normal = Vec3::Zero();
-  for (const Corner& corner : mesh_.corners.of(v)) normal += area_normal(mesh_.faces[corner.face], positions_);
+  for (const Corner& corner : mesh_.corners.of(v)) normal += area_normal(positions_, mesh_.faces[corner.face]);
   const double length = normal.norm();
   if (!(length > 0)) return;
   normal /= length;
@@ -331,7 +331,7 @@ bool SurfaceFit::spoils_a_face(Index v, const Vec3& to) const {
   for (const auto& [f, slot] : mesh_.corners.of(v)) {
     const Vec3& x = positions_[corner_after(mesh_.faces[f], slot, 1)];
     const Vec3& y = positions_[corner_after(mesh_.faces[f], slot, 2)];
-    const Vec3 normal = (x - to).cross(y - to);
+    const Vec3 normal = area_normal(to, x, y);
     const double square = normal.squaredNorm();
     const double along = normal.dot(fits_[f].normal);
     if (!(along > 0 && along * along > least_turn_cosine * least_turn_cosine * square)) return true;
@@ -353,7 +353,7 @@ bool SurfaceFit::turns_to_a_neighbor(Index face, Index v, const Vec3& to) const 
 Vec3 SurfaceFit::normal_with(Index face, Index v, const Vec3& to) const {
   const auto position = [&](Index u) -> const Vec3& { return u == v ? to : positions_[u]; };
   const auto& [a, b, c] = mesh_.faces[face];
-  return (position(b) - position(a)).cross(position(c) - position(a));
+  return area_normal(position(a), position(b), position(c));
 }
 
 }  // namespace whittle::polishing

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "whittle/core/geometry/spread_point.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 namespace whittle::polishing {
 namespace {
@@ -36,12 +37,8 @@ void add_one_way(std::span<const Triangle> faces, std::span<const Vec3> position
   for_each_block((points.n + length - 1) / length, workers, [&](std::size_t block) {
     for (std::size_t i = block * length; i < std::min(points.n, (block + 1) * length); ++i) {
       const Triangle& face = faces[points.face(i)];
-      const Vec3& a = positions[face[0]];
-      const Vec3 ab = positions[face[1]] - a;
-      const Vec3 ac = positions[face[2]] - a;
-      const auto [second, third] = spread_point(i);
-      const NearestPoint found = nearest(face, a + second * ab + third * ac);
-      if (found.face != invalid_index) one_way[i] = {found.distance_sq, ab.cross(ac).norm()};
+      const NearestPoint found = nearest(face, point_at(corners_of(positions, face), spread_point(i)));
+      if (found.face != invalid_index) one_way[i] = {found.distance_sq, area_of(positions, face)};
     }
   });
   double sum = 0;

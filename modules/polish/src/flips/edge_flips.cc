@@ -240,7 +240,7 @@ class EdgeFlips {
     return irregularity(now + more) - irregularity(now);
   }
 
-  Vec3 normal(const Triangle& face) const { return area_normal(face, mesh_.positions); }
+  Vec3 normal(const Triangle& face) const { return area_normal(mesh_.positions, face); }
   bool makes_thin(Index f, Index slot) const {
     const auto ratios = [this](const Faces& faces) {
       const auto ratio = [this](const Triangle& face) {

@@ -153,7 +153,7 @@ class MovedMesh {
     return !is_turned_over && n_along_way == 1 && sum == 0 && sum_of_squares == 0;
   }
 
-  Vec3 normal(Index face, std::span<const Vec3> positions) const { return area_normal(before_.faces[face], positions); }
+  Vec3 normal(Index face, std::span<const Vec3> positions) const { return area_normal(positions, before_.faces[face]); }
 
   bool is_turned(Index face) const {
     return cosine(normal(face, positions_), normal(face, before_.positions)) < least_turn_cosine;

@@ -6,6 +6,7 @@
 
 #include "surface/eight_floats.hh"
 #include "whittle/core/detail/lanes.hh"
+#include "whittle/core/geometry/box.hh"
 
 namespace whittle::polishing {
 namespace {

@@ -47,7 +47,7 @@ void MergedPoints::add(const Vec3& position, const Eigen::Vector3f& normal, doub
 void MergedPoints::add_points_of_face(const Corner& corner) {
   const Triangle& face = origins_.original().faces()[corner.face];
   const std::span<const Vec3> positions = origins_.original().positions();
-  const Eigen::Vector3f normal = area_normal(face, positions).cast<float>();
+  const Eigen::Vector3f normal = area_normal(positions, face).cast<float>();
   const double area = 0.5F * std::sqrt(length_sq(normal));
   const double weight = 0.75 * area / static_cast<double>(origins_.points_per_face());
   const Vec3 sum = positions[face[0]] + positions[face[1]] + positions[face[2]];

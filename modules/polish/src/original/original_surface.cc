@@ -35,7 +35,7 @@ void OriginalSurface::measure(const detail::Workers& workers) {
       if (f + n_ahead < faces_.size()) {
         for (const Index v : faces_[f + n_ahead]) prefetch(v);
       }
-      const Eigen::Vector3f normal = area_normal(faces_[f], positions_).cast<float>();
+      const Eigen::Vector3f normal = area_normal(positions_, faces_[f]).cast<float>();
       const float area = 0.5F * std::sqrt(length_sq(normal));
       const Eigen::Vector4f sum(normal.x(), normal.y(), normal.z(), area / 3);
       for (const Index v : faces_[f]) {

@@ -25,13 +25,13 @@ NearestPoint walk(std::span<const Triangle> faces, const Lists& at_vertex, std::
       const Vec3 a = positions[faces[f][0]] - point;
       const Vec3 b = positions[faces[f][1]] - point;
       const Vec3 c = positions[faces[f][2]] - point;
-      const Vec3 normal = (b - a).cross(c - a);
+      const Vec3 normal = area_normal(a, b, c);
       const double square = normal.squaredNorm();
       if (!(square > 0)) continue;
       const double above = normal.dot(a);
       if (above * above > nearest.distance_sq * square) continue;  // its plane is already too far
       const Barycentric at = nearest_on_triangle(a, b, c);
-      const double distance_sq = (a + at.second * (b - a) + at.third * (c - a)).squaredNorm();
+      const double distance_sq = point_at({a, b, c}, at).squaredNorm();
       if (distance_sq < nearest.distance_sq) nearest = {f, at, distance_sq};
     }
     v = invalid_index;

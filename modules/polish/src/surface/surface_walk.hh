@@ -5,6 +5,7 @@
 
 #include "surface/vertex_corners.hh"
 #include "whittle/core/geometry/nearest_on_triangle.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 namespace whittle::polishing {
 
@@ -14,12 +15,6 @@ struct Surface {
   const VertexCorners& corners;
   std::span<const Vec3> positions;
 };
-
-/// The normal of a face, as long as twice its area.
-inline Vec3 area_normal(const Triangle& face, std::span<const Vec3> positions) {
-  const Vec3& corner = positions[face[0]];
-  return (positions[face[1]] - corner).cross(positions[face[2]] - corner);
-}
 
 /// The point of a surface that is nearest to some point.
 struct NearestPoint {

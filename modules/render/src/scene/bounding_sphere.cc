@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "scene/scene_arrays.hh"
+#include "whittle/core/geometry/box.hh"
 
 namespace whittle::render {
 
@@ -23,10 +24,10 @@ void for_each_drawn_corner(const Scene& scene, const Use& use) {
 }  // namespace
 
 Sphere bounding_sphere(const Scene& scene) {
-  Eigen::AlignedBox3d box;
+  Box box;
   for_each_drawn_corner(scene, [&](const Vec3& corner) { box.extend(corner); });
   if (box.isEmpty()) return {};
-  Sphere sphere{box.min() + 0.5 * (box.max() - box.min()), 0};
+  Sphere sphere{center_of(box), 0};
   for_each_drawn_corner(
       scene, [&](const Vec3& corner) { sphere.radius = std::max(sphere.radius, (corner - sphere.center).norm()); });
   if (!(sphere.radius > 0)) sphere.radius = 1;

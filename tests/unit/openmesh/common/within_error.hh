@@ -9,13 +9,12 @@
 #include <whittle/openmesh/conversions.hh>
 
 #include "support/brute_distance.hh"
+#include "whittle/core/geometry/box.hh"
 
 namespace whittle::test {
 
 /// A length by its share of the diagonal of a mesh.
-inline double share_of_diagonal(const IndexedMesh& mesh, double share) {
-  return share * bounds_of(mesh.positions).diagonal();
-}
+inline double share_of_diagonal(const IndexedMesh& mesh, double share) { return share * diagonal_of(mesh.positions); }
 
 /// The largest distance of some points of each face from the other mesh, found face by face.
 inline double sampled_distance(const IndexedMesh& from, const IndexedMesh& to) {

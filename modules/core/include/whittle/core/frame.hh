@@ -5,31 +5,11 @@
 #include <span>
 
 #include "whittle/core/detail/portable_math.hh"
+#include "whittle/core/geometry/box.hh"
+#include "whittle/core/geometry/triangle.hh"
 #include "whittle/core/indexed_mesh.hh"
 
 namespace whittle {
-
-/// A box along the axes.
-struct PointBounds {
-  Vec3 low = Vec3::Zero();
-  Vec3 high = Vec3::Zero();
-
-  double diagonal() const {
-    const Vec3 size = high - low;
-    return detail::hypotenuse(size.x(), detail::hypotenuse(size.y(), size.z()));
-  }
-};
-
-/// The box around points. Without points, a box of no extent at the origin.
-inline PointBounds bounds_of(std::span<const Vec3> points) {
-  if (points.empty()) return {};
-  PointBounds bounds{points[0], points[0]};
-  for (const Vec3& p : points) {
-    bounds.low = bounds.low.cwiseMin(p);
-    bounds.high = bounds.high.cwiseMax(p);
-  }
-  return bounds;
-}
 
 /// Internal coordinates, so that neither the unit nor the position of a mesh changes a result. They are scaled by a
 /// power of two to a size between 1/2 and 1, and centred along those axes where the mesh is far from the origin.
@@ -41,6 +21,7 @@ struct Frame {
   double unscale = 1;  ///< 1 / scale
 
   Vec3 to_frame(const Vec3& p) const { return (p - center) * scale; }
+  Corners to_frame(const Corners& c) const { return {to_frame(c[0]), to_frame(c[1]), to_frame(c[2])}; }
   Vec3 to_model(const Vec3& x) const { return x * unscale + center; }
 
   /// Converts a cost from the frame to model units, and back. \param dimension the cost's unit is a length to this
@@ -60,18 +41,15 @@ struct Frame {
     double half_;
   };
 
-  static Frame of_points(std::span<const Vec3> points) {
-    const auto [low, high] = bounds_of(points);
-    return of_box(low, high);
-  }
+  static Frame of_points(std::span<const Vec3> points) { return of_box(bounds_of(points)); }
 
-  /// The frame of the box between `low` and `high`, both finite.
-  static Frame of_box(const Vec3& low, const Vec3& high) {
+  /// \param box finite, not empty
+  static Frame of_box(const Box& box) {
     Frame frame;
     double extent = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      const double a = low[axis];
-      const double b = high[axis];
+      const double a = box.min()[axis];
+      const double b = box.max()[axis];
       extent = std::max(extent, 0.5 * b - 0.5 * a);
       // Differences to the center are exact between half and twice the center (Sterbenz). Elsewhere the
       // mesh is near enough to the origin.

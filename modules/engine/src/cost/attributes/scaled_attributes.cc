@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "cost/attributes/scaled_attributes.hh"
+#include "whittle/core/geometry/triangle.hh"
 #include "whittle/core/wedges.hh"
 
 namespace whittle {
@@ -14,15 +15,9 @@ constexpr double length_of_color = 3e-3;
 /// Likewise: no error of attributes counts as more.
 constexpr double most_error = 0.02;
 
-using Corners = std::array<Vec3, 3>;
-
 Corners corners_in_frame(const IndexedMesh& mesh, const Frame& frame, std::size_t face) {
-  Corners corners;
-  for (std::size_t k = 0; k < 3; ++k) corners[k] = frame.to_frame(mesh.positions[mesh.faces[face][k]]);
-  return corners;
+  return frame.to_frame(corners_of(mesh.positions, mesh.faces[face]));
 }
-
-double area_of(const Corners& c) { return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm(); }
 
 /// Twice the area of a face in the texture, by the first two coordinates.
 double double_area_in_texture(const IndexedMesh& mesh, const Attribute& texcoord, std::size_t face) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "whittle/core/geometry/triangle.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/metrics/bounds.hh"
 
@@ -75,11 +76,11 @@ class TriangleTree {
   /// Calls `visit(face)` for each face whose own box meets the closed box `local` (relative to `origin()`), in no
   /// particular order.
   template <class Visitor>
-  void visit_boxes(const Bounds& local, Visitor&& visit) const;
+  void visit_boxes(const Box& local, Visitor&& visit) const;
 
  private:
   struct Node {
-    Bounds box;
+    Box box;
     std::uint32_t first = 0;  ///< Index of a leaf's first slot, or of a node's first child; the second child is next.
     std::uint32_t count = 0;  ///< A leaf's number of slots; 0 if not a leaf.
   };
@@ -100,12 +101,12 @@ class TriangleTree {
              std::size_t depth, detail::ProgressMeter* meter);
   /// Sorts the references into those of the first child and those of the second. Returns where the second's begin.
   static std::uint32_t split(std::vector<Reference>& references, std::uint32_t begin, std::uint32_t end,
-                             const Bounds& centers, std::size_t depth);
+                             const Box& centers, std::size_t depth);
   static Slot slot_of(const IndexedMesh& mesh, Index face, const Vec3& origin);
   static Vec3 nearest_in(const Slot& slot, const Vec3& point);
   /// Always summed in the same order: a vector that is smaller in each component never gets a greater length.
   static double length_sq(const Vec3& v);
-  static double distance_sq_to_box(const Vec3& point, const Bounds& box);
+  static double distance_sq_to_box(const Vec3& point, const Box& box);
 
   Vec3 origin_;
   std::vector<Node> nodes_;
@@ -138,23 +139,20 @@ void TriangleTree::visit_near(const Vec3& offset, double most_sq, Visitor&& visi
 }
 
 template <class Visitor>
-void TriangleTree::visit_boxes(const Bounds& local, Visitor&& visit) const {
-  const auto meet = [&](const Vec3& min, const Vec3& max) {
-    return (min.array() <= local.max.array()).all() && (max.array() >= local.min.array()).all();
-  };
+void TriangleTree::visit_boxes(const Box& local, Visitor&& visit) const {
   std::array<std::uint32_t, max_depth + 2> stack;
   std::size_t size = 0;
   stack[size++] = 0;
   while (size > 0) {
     const Node& node = nodes_[stack[--size]];
-    if (!meet(node.box.min, node.box.max)) continue;
+    if (!node.box.intersects(local)) continue;
     if (node.count == 0) {
       stack[size++] = node.first + 1;
       stack[size++] = node.first;
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
       const Slot& slot = slots_[i];
-      if (meet(slot.a.cwiseMin(slot.b).cwiseMin(slot.c), slot.a.cwiseMax(slot.b).cwiseMax(slot.c))) visit(slot.face);
+      if (box_of({slot.a, slot.b, slot.c}).intersects(local)) visit(slot.face);
     }
   }
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/box.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/core/manifold_cut.hh"
 #include "whittle/openmesh/detail/status_bits.hh"
@@ -44,16 +45,10 @@ std::array<OpenMesh::VertexHandle, 3> face_corners(const MeshT& mesh, OpenMesh::
 
 /// The bounding box of the vertices that aren't deleted.
 template <class MeshT>
-PointBounds mesh_bounds(const MeshT& mesh) {
-  PointBounds bounds;
-  bool is_first = true;
-  for (const OpenMesh::VertexHandle v : mesh.vertices()) {
-    const Vec3 p = to_vec3(mesh.point(v));
-    bounds.low = is_first ? p : bounds.low.cwiseMin(p);
-    bounds.high = is_first ? p : bounds.high.cwiseMax(p);
-    is_first = false;
-  }
-  return bounds;
+Box mesh_bounds(const MeshT& mesh) {
+  Box box;
+  for (const OpenMesh::VertexHandle v : mesh.vertices()) box.extend(to_vec3(mesh.point(v)));
+  return box.isEmpty() ? bounds_of({}) : box;
 }
 
 namespace detail {

@@ -170,7 +170,7 @@ typename ModAttributesT<MeshT>::Values ModAttributesT<MeshT>::merged(const Value
 template <class MeshT>
 void ModAttributesT<MeshT>::postprocess_collapse(const CollapseInfo& collapse) {
   if (corners_.empty()) return;
-  const double share = share_along(to_vec3(collapse.p1), to_vec3(collapse.p0), to_vec3(mesh_.point(collapse.v1)));
+  const double share = nearest_share(to_vec3(mesh_.point(collapse.v1)), to_vec3(collapse.p1), to_vec3(collapse.p0));
   for (const Corner& corner : around_) {
     const bool was_removed = corner.vertex == collapse.v0;
     const bool is_merged = was_removed || corner.vertex == collapse.v1;

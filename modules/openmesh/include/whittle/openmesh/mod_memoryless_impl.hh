@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "whittle/core/geometry/triangle.hh"
 #include "whittle/openmesh/mod_memoryless.hh"
 
 namespace whittle {
@@ -37,10 +38,9 @@ void ModMemorylessT<MeshT>::measure_area() {
   std::size_t n_corners = 0;
   for (const OpenMesh::FaceHandle f : mesh.faces()) {
     const auto corners = face_corners(mesh, f);
-    const Vec3 p = at(corners[0]);
     const auto n_inside = static_cast<std::size_t>(
         std::count_if(corners.begin(), corners.end(), [this](VertexHandle v) { return !remembers(v); }));
-    area += 0.5 * (at(corners[1]) - p).cross(at(corners[2]) - p).norm() * static_cast<double>(n_inside);
+    area += area_of({at(corners[0]), at(corners[1]), at(corners[2])}) * static_cast<double>(n_inside);
     n_corners += n_inside;
   }
   face_area_ = {area, n_corners, n_faces_};

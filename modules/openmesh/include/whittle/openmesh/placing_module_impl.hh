@@ -1,5 +1,6 @@
 #pragma once
 
+#include "whittle/core/geometry/box.hh"
 #include "whittle/openmesh/detail/feature_bits.hh"
 #include "whittle/openmesh/placing_module.hh"
 
@@ -64,8 +65,7 @@ Frame PlacingModuleT<MeshT>::frame_of_mesh() const {
     if (to_vec3(mesh_.point(v)).allFinite()) continue;
     require(false, "vertex " + std::to_string(v.idx()) + " has a coordinate that is not finite");
   }
-  const auto [low, high] = mesh_bounds(mesh_);
-  return Frame::of_box(low, high);
+  return Frame::of_box(mesh_bounds(mesh_));
 }
 
 template <class MeshT>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "whittle/core/indexed_mesh.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 namespace whittle {
 
@@ -8,6 +8,11 @@ namespace whittle {
 struct Barycentric {
   double second, third;
 };
+
+inline Vec3 point_at(const Corners& corners, const Barycentric& at) {
+  const auto& [a, b, c] = corners;
+  return a + at.second * (b - a) + at.third * (c - a);
+}
 
 /// The point of the triangle that is nearest to the origin. NaN if two corners coincide. \cite ericson_2005_collision
 /// (section 5.1.5)
@@ -38,8 +43,7 @@ inline Barycentric nearest_on_triangle(const Vec3& a, const Vec3& b, const Vec3&
 
 /// Squared distance from the origin. NaN if two corners coincide.
 inline double distance_sq_to_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto [second, third] = nearest_on_triangle(a, b, c);
-  return (a + second * (b - a) + third * (c - a)).squaredNorm();
+  return point_at({a, b, c}, nearest_on_triangle(a, b, c)).squaredNorm();
 }
 
 }  // namespace whittle

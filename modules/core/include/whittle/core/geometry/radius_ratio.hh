@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "whittle/core/indexed_mesh.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 namespace whittle {
 
@@ -14,7 +14,7 @@ inline double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double ca = (a - c).norm();
   const double product = ab * bc * ca;
   if (!(product > 0)) return 0;
-  return 4 * (b - a).cross(c - a).squaredNorm() / (product * (ab + bc + ca));
+  return 4 * area_normal(a, b, c).squaredNorm() / (product * (ab + bc + ca));
 }
 
 }  // namespace whittle

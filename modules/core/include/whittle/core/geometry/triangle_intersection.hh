@@ -1,17 +1,15 @@
 #pragma once
 
-#include <array>
 #include <span>
 
-#include "whittle/core/indexed_mesh.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 namespace whittle::detail {
 
 /// Whether two triangles intersect by more than rounding errors. Touching is not intersecting.
-bool intersect(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t);
+bool intersect(const Corners& s, const Corners& t);
 inline bool intersect(const Triangle& s, const Triangle& t, std::span<const Vec3> positions) {
-  return intersect({positions[s[0]], positions[s[1]], positions[s[2]]},
-                   {positions[t[0]], positions[t[1]], positions[t[2]]});
+  return intersect(corners_of(positions, s), corners_of(positions, t));
 }
 
 }  // namespace whittle::detail

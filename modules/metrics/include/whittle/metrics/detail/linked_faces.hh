@@ -3,15 +3,12 @@
 #include <array>
 #include <span>
 
-#include "whittle/core/indexed_mesh.hh"
+#include "whittle/core/geometry/triangle.hh"
 
 namespace whittle::metrics {
 
 /// What rounding may do to a distance, with room: lengths are about 1. Proofs hold with this to spare.
 inline constexpr double slack = 1e-14;
-
-/// A triangle by its corners.
-using Corners = std::array<Vec3, 3>;
 
 /// The face at the other side of each edge: from corner 0 to 1, from 1 to 2, from 2 to 0. `invalid_index` if the edge
 /// has other than two faces.
@@ -25,10 +22,7 @@ struct LinkedFaces {
   std::span<const double> offsets;      ///< how much farther each face counts as than it is; or empty
 
   double offset(Index face) const { return offsets.empty() ? 0 : offsets[face]; }
-  Corners corners(Index face) const {
-    const auto& [a, b, c] = faces[face];
-    return {positions[a], positions[b], positions[c]};
-  }
+  Corners corners(Index face) const { return corners_of(positions, faces[face]); }
 };
 
 /// A face that comes near to a point.

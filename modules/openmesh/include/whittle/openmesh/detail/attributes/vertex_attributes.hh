@@ -14,19 +14,13 @@
 #include "whittle/core/attribute_blend.hh"
 #include "whittle/core/attribute_functions.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/segment.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/core/local_functions.hh"
 #include "whittle/openmesh/conversions.hh"
 #include "whittle/openmesh/detail/attributes/property_column.hh"
 
 namespace whittle {
-
-/// How far along the edge from `from` to `to` a point lies, as a share in [0, 1].
-inline double share_along(const Vec3& from, const Vec3& to, const Vec3& point) {
-  const Vec3 way = to - from;
-  const double length_sq = way.squaredNorm();
-  return length_sq > 0 ? std::clamp((point - from).dot(way) / length_sq, 0.0, 1.0) : 0;
-}
 
 /// What vertices carry, when some become one: texture coordinates, colours, normals, and the user's properties of real
 /// numbers (float, double, OpenMesh's vectors of them) that have a name. A merged vertex gets what the surface has
@@ -67,7 +61,7 @@ class VertexAttributesT {
     std::vector<Index> map(ring.handles.size(), invalid_index);
     map[0] = map[1] = 0;
     const LocalFunctions functions(ring.mesh, frame, map, 1, 1);
-    const double share = share_along(ring.mesh.positions[0], ring.mesh.positions[1], position);
+    const double share = nearest_share(position, ring.mesh.positions[0], ring.mesh.positions[1]);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const Attribute& around = ring.mesh.attributes[i];
       AttributeBlend mean(around.kind, around.n_components);
