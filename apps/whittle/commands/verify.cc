@@ -1,10 +1,6 @@
 #include "whittle/verify/verify.hh"
 
-#include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,6 +17,7 @@
 #include "whittle/core/flat_arrays.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/io/errors.hh"
+#include "whittle/io/whole_file.hh"
 
 namespace whittle::app {
 namespace {
@@ -44,19 +41,6 @@ struct VerifyRun {
   double verify_seconds = 0;
 };
 
-/// The content of a file. \throw io::ReadError
-std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw io::ReadError(path, std::string("cannot be opened: ") + std::strerror(errno));
-  std::string content;
-  std::array<char, 1 << 16> part;
-  while (file.read(part.data(), part.size()), file.gcount() > 0) {
-    content.append(part.data(), static_cast<std::size_t>(file.gcount()));
-  }
-  if (file.bad()) throw io::ReadError(path, std::string("cannot be read: ") + std::strerror(errno));
-  return content;
-}
-
 /// OUT, as the run that wrote it has read it again: --weld is for IN.
 Input read_output(const VerifyCommand& options, const Talk& talk) {
   FileOptions files = options.files;
@@ -70,7 +54,7 @@ verify::Triangles triangles_of(const Input& input) {
 
 VerifyRun verify_files(const VerifyCommand& options, const Talk& talk) {
   VerifyRun run;
-  run.certificate = content_of(options.certificate);
+  run.certificate = io::read_file(options.certificate, options.certificate);
   run.input = read_input(options.input, options.files, options.common.threads, talk);
   run.output = read_output(options, talk);
   run.diagonal = diagonal_of(metrics::bounds(run.input.read.mesh));

@@ -1,14 +1,13 @@
 #include "files/companions.hh"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <ostream>
 #include <set>
 #include <system_error>
 
 #include "files/input.hh"
 #include "terminal/table.hh"
+#include "whittle/io/whole_file.hh"
 
 namespace whittle::app {
 namespace {
@@ -20,11 +19,11 @@ std::string copied(OutputFiles& files, const fs::path& from, const fs::path& to,
   std::error_code error;
   if (!is_inside(name)) return "outside of the folder";
   if (!fs::exists(from / name, error)) return fs::exists(to / name, error) ? "" : "not there";
-  const std::optional<std::string> content = content_of(from / name);
+  const std::optional<std::string> content = io::content_of(from / name);
   if (!content) return "can't be read";
   if (files.has((to / name).string())) return "";  // levels of one input have the same companions
   is_new = !fs::exists(to / name, error);
-  if (!is_new) return content_of(to / name) == content ? "" : "there is another one";
+  if (!is_new) return io::content_of(to / name) == content ? "" : "there is another one";
   write_with_folders(files, to / name, *content);
   return "";
 }
@@ -35,15 +34,6 @@ fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.
 
 bool is_inside(const fs::path& name) {
   return name.is_relative() && std::none_of(name.begin(), name.end(), [](const auto& part) { return part == ".."; });
-}
-
-std::optional<std::string> content_of(const fs::path& path) {
-  std::error_code error;
-  std::ifstream file(path, std::ios::binary);
-  if (!fs::is_regular_file(path, error) || !file) return std::nullopt;
-  std::string content{std::istreambuf_iterator<char>(file), {}};
-  if (file.bad()) return std::nullopt;
-  return content;
 }
 
 void write_with_folders(OutputFiles& files, const fs::path& path, const std::string& bytes) {

@@ -19,9 +19,6 @@ std::filesystem::path folder_of(const std::filesystem::path& file);
 /// Whether a path that a file in some folder names leads to that folder, or to one below it.
 bool is_inside(const std::filesystem::path& name);
 
-/// Empty if it can't be read, or is a folder or a device: files name others that may be anything.
-std::optional<std::string> content_of(const std::filesystem::path& path);
-
 /// Writes a file of any name, with the folders that it needs, unless it is among the files already.
 void write_with_folders(OutputFiles& files, const std::filesystem::path& path, const std::string& bytes);
 

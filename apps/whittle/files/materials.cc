@@ -8,6 +8,7 @@
 #include "files/companions.hh"
 #include "files/gltf_file.hh"
 #include "whittle/io/materials.hh"
+#include "whittle/io/whole_file.hh"
 
 namespace whittle::app {
 namespace {
@@ -76,7 +77,7 @@ FileMaterials materials_of(const gltf::Asset& asset) {
 
 MaterialImage image_at(const fs::path& folder, const fs::path& file) {
   MaterialImage image{"texture " + file.string()};
-  if (auto bytes = content_of(folder / file)) {
+  if (auto bytes = io::content_of(folder / file)) {
     image.bytes = std::make_shared<const std::string>(*std::move(bytes));
   } else {
     image.problem = "the file can't be read";

@@ -23,6 +23,7 @@
 #include "model/read_materials.hh"
 #include "model/read_model.hh"
 #include "whittle/io/output_file.hh"
+#include "whittle/io/whole_file.hh"
 #include "write/level_nodes.hh"
 #include "write/output.hh"
 #include "write/references.hh"
@@ -87,7 +88,7 @@ std::vector<AssetFile> copies_of(const std::vector<std::filesystem::path>& image
     const bool is_inside = std::none_of(image.begin(), image.end(), [](const auto& part) { return part == ".."; });
     if (!is_inside || std::filesystem::exists(copy, error)) continue;
     if (!std::filesystem::is_regular_file(from / image, error)) continue;
-    copies.push_back({copy, read_file(from / image, (from / image).string())});
+    copies.push_back({copy, io::read_file(from / image, (from / image).string())});
   }
   return copies;
 }
@@ -139,7 +140,7 @@ Asset& Asset::operator=(Asset&& other) noexcept = default;
 Asset::~Asset() = default;
 
 Asset Asset::read(const std::filesystem::path& path) {
-  Asset asset = read(read_file(path, path.string()), path.string(), folder_of(path));
+  Asset asset = read(io::read_file(path, path.string()), path.string(), folder_of(path));
   asset.content_->source = path;
   return asset;
 }

@@ -1,39 +1,20 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <string_view>
-#include <type_traits>
 
+#include "whittle/core/bytes/little_endian.hh"
 #include "whittle/progressive/recording.hh"
 
 namespace whittle::progressive {
 
 /// Numbers as bytes, the lowest byte first.
-template <class Number>
-Number in_file_order(Number number) {
-  static_assert(std::endian::native == std::endian::little || std::endian::native == std::endian::big);
-  if constexpr (std::endian::native == std::endian::big) {
-    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(number);
-    std::reverse(bytes.begin(), bytes.end());
-    return std::bit_cast<Number>(bytes);
-  }
-  return number;
-}
-
 class ByteWriter {
  public:
   template <class Number>
   void number(Number value) {
-    static_assert(std::is_arithmetic_v<Number>);
-    value = in_file_order(value);
-    const std::size_t at = bytes_.size();
-    bytes_.resize(at + sizeof(value));
-    std::memcpy(bytes_.data() + at, &value, sizeof(value));
+    append_little_endian(bytes_, value);
   }
   /// Seven bits a byte, the lowest first. A byte of 128 or more says that another follows.
   void count(std::uint64_t value) {
@@ -57,10 +38,7 @@ class ByteReader {
 
   template <class Number>
   Number number() {
-    Number value;
-    const std::string_view bytes = text(sizeof(value));
-    std::memcpy(&value, bytes.data(), sizeof(value));
-    return in_file_order(value);
+    return load_little_endian<Number>(text(sizeof(Number)).data());
   }
   std::uint64_t count() {
     std::uint64_t value = 0;

@@ -1,6 +1,7 @@
 #include <xxhash.h>
 
 #include <array>
+#include <bit>
 #include <memory>
 #include <span>
 #include <string>
@@ -21,8 +22,9 @@ class Hasher {
       XXH3_128bits_update(state_.get(), numbers, n * sizeof(Number));
     } else {
       for (std::size_t i = 0; i < n; ++i) {
-        const Number number = in_file_order(numbers[i]);
-        XXH3_128bits_update(state_.get(), &number, sizeof(number));
+        std::array<char, sizeof(Number)> bytes;
+        store_little_endian(numbers[i], bytes.data());
+        XXH3_128bits_update(state_.get(), bytes.data(), bytes.size());
       }
     }
   }

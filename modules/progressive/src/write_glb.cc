@@ -7,17 +7,17 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "bytes.hh"
+#include "whittle/core/bytes/glb.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/progressive/geomorph.hh"
 #include "whittle/version.hh"
 
-// glTF 2.0: https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html. Section 4.4 describes the binary container.
+// glTF 2.0: https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html.
 
 namespace whittle::progressive {
 namespace {
@@ -153,31 +153,6 @@ Json add_animation(GlbBuffer& buffer) {
   return {{"channels", Json::array({channel})}, {"samplers", Json::array({sampler})}};
 }
 
-void add_chunk(ByteWriter& file, std::string_view kind, std::string_view content) {
-  file.number(static_cast<std::uint32_t>(content.size()));
-  file.text(kind);
-  file.text(content);
-}
-
-/// The text and the buffer, as two chunks behind a header.
-std::string container(std::string text, std::string_view bytes) {
-  constexpr std::size_t header_size = 12;
-  constexpr std::size_t chunk_header_size = 8;
-  constexpr std::uint32_t gltf_version = 2;
-  text.resize((text.size() + 3) / 4 * 4, ' ');
-  const std::size_t size = header_size + chunk_header_size + text.size() + chunk_header_size + bytes.size();
-  if (size > std::numeric_limits<std::uint32_t>::max()) {
-    throw std::length_error("geomorph: too large for a .glb file, which has at most 4 GiB");
-  }
-  ByteWriter file;
-  file.text("glTF");
-  file.number(gltf_version);
-  file.number(static_cast<std::uint32_t>(size));
-  add_chunk(file, "JSON", text);
-  add_chunk(file, std::string_view("BIN\0", 4), bytes);
-  return std::move(file.bytes());
-}
-
 }  // namespace
 
 void write_glb(std::ostream& out, const Geomorph& geomorph) {
@@ -195,7 +170,7 @@ void write_glb(std::ostream& out, const Geomorph& geomorph) {
   json["accessors"] = buffer.accessors();
   json["bufferViews"] = buffer.views();
   json["buffers"] = Json::array({{{"byteLength", buffer.bytes().size()}}});
-  const std::string file = container(json.dump(-1, ' ', false, Json::error_handler_t::replace), buffer.bytes());
+  const std::string file = join_glb(json.dump(-1, ' ', false, Json::error_handler_t::replace), buffer.bytes());
   out.write(file.data(), static_cast<std::streamsize>(file.size()));
 }
 

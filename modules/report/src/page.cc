@@ -10,6 +10,7 @@
 #include "packed_surface.hh"
 #include "page_bytes.hh"
 #include "page_template.hh"
+#include "whittle/core/bytes/base64.hh"
 #include "whittle/core/geometry/box.hh"
 
 namespace whittle::report {

@@ -43,9 +43,6 @@ class PageBytes {
 };
 
 /// As zlib does it (RFC 1950). What meshoptimizer has compressed becomes a sixth smaller still.
-std::vector<unsigned char> deflated(const std::vector<unsigned char>& bytes);
-
-/// RFC 4648.
-std::string base64(std::span<const unsigned char> bytes);
+std::string deflated(const std::vector<unsigned char>& bytes);
 
 }  // namespace whittle::report

@@ -22,7 +22,7 @@ std::size_t SceneBuilder::add(const std::string& type, int component_type, std::
 
 std::size_t SceneBuilder::floats(const std::string& type, const std::vector<float>& numbers) {
   std::string packed;
-  for (const float x : numbers) append_scalar(packed, x);
+  for (const float x : numbers) append_little_endian(packed, x);
   return add(type, 5126, numbers.size(), packed);
 }
 
@@ -34,7 +34,7 @@ std::size_t SceneBuilder::bytes(const std::string& type, const std::vector<std::
 
 std::size_t SceneBuilder::fractions(const std::string& type, const std::vector<int>& numbers) {
   std::string packed;
-  for (const int x : numbers) append_scalar(packed, static_cast<std::int16_t>(x));
+  for (const int x : numbers) append_little_endian(packed, static_cast<std::int16_t>(x));
   const std::size_t number = add(type, 5122, numbers.size(), packed);
   json["accessors"][number]["normalized"] = true;
   return number;

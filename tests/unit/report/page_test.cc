@@ -111,17 +111,6 @@ TEST(Page, RefusesAMeshWithoutFaces) {
                std::invalid_argument);
 }
 
-TEST(Base64, IsThatOfRfc4648) {
-  const auto of = [](const std::string& text) {
-    return base64({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
-  };
-  EXPECT_EQ(of(""), "");
-  EXPECT_EQ(of("f"), "Zg==");
-  EXPECT_EQ(of("fo"), "Zm8=");
-  EXPECT_EQ(of("foo"), "Zm9v");
-  EXPECT_EQ(of("foobar"), "Zm9vYmFy");
-}
-
 TEST(CoarseFaces, AreNoneForAMeshOfFewFaces) {
   EXPECT_TRUE(coarse_faces(test::closed_meshes().front().mesh).faces.empty());
 }

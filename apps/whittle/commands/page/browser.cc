@@ -2,7 +2,6 @@
 
 #include <array>
 #include <chrono>
-#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "commands/page/child_process.hh"
+#include "whittle/core/bytes/base64.hh"
 
 // Chrome DevTools Protocol: https://chromedevtools.github.io/devtools-protocol. Messages are JSON, each ended by a zero
 // byte, through the two pipes of --remote-debugging-pipe.
@@ -45,23 +45,6 @@ std::unique_ptr<TalkingProcess> start_browser(const std::vector<std::string>& op
     if (std::unique_ptr<TalkingProcess> process = TalkingProcess::start(std::move(words))) return process;
   }
   throw std::runtime_error("pictures need Chromium, which is not installed (on Debian: apt install chromium)");
-}
-
-std::string decoded_base64(const std::string& text) {
-  std::string bytes;
-  unsigned group = 0;
-  int n_bits = 0;
-  for (const char c : text) {
-    const char* const digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const char* const digit = std::strchr(digits, c);
-    if (c == '\0' || digit == nullptr) break;
-    group = (group << 6U | static_cast<unsigned>(digit - digits)) & 0xffffffU;
-    n_bits += 6;
-    if (n_bits < 8) continue;
-    n_bits -= 8;
-    bytes += static_cast<char>(group >> n_bits & 255U);
-  }
-  return bytes;
 }
 
 }  // namespace
@@ -136,7 +119,7 @@ void PageView::go_to(double place) { session_->evaluate("window.whittle.showPlac
 std::string PageView::picture(const std::string& format) {
   session_->evaluate("window.whittle.drawn()");
   const nlohmann::json shot = session_->call("Page.captureScreenshot", {{"format", format}});
-  return decoded_base64(shot.at("data"));
+  return decode_base64(shot.at("data").get_ref<const std::string&>()).value();
 }
 
 bool open_on_desktop(const std::string& path) { return run_quietly({"xdg-open", path}).value_or(1) == 0; }

@@ -15,6 +15,7 @@
 #include "whittle/gltf/make_asset.hh"
 #include "whittle/io/file_notes.hh"
 #include "whittle/io/materials.hh"
+#include "whittle/io/whole_file.hh"
 
 namespace whittle::app {
 namespace {
@@ -60,7 +61,7 @@ class Looks {
     const auto known =
         std::find_if(images_.begin(), images_.end(), [&](const gltf::NewImage& image) { return image.file == file; });
     if (known != images_.end()) return static_cast<std::size_t>(known - images_.begin());
-    std::optional<std::string> bytes = content_of(folder_ / file);
+    std::optional<std::string> bytes = io::content_of(folder_ / file);
     if (!bytes) return std::nullopt;
     if (!gltf::is_image(*bytes)) {
       if (std::find(foreign_.begin(), foreign_.end(), file) == foreign_.end()) foreign_.push_back(file);

@@ -109,7 +109,7 @@ std::string encode_triangles(const MeshoptLayout& layout, std::string_view bytes
   unsigned n_vertices = 0;
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const char* const at = bytes.data() + i * layout.stride;
-    indices[i] = layout.stride == 2 ? load_scalar<std::uint16_t>(at) : load_scalar<std::uint32_t>(at);
+    indices[i] = layout.stride == 2 ? load_little_endian<std::uint16_t>(at) : load_little_endian<std::uint32_t>(at);
     n_vertices = std::max(n_vertices, indices[i] + 1);
   }
   std::string packed(meshopt_encodeIndexBufferBound(indices.size(), n_vertices), '\0');

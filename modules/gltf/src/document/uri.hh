@@ -19,7 +19,4 @@ std::optional<std::filesystem::path> file_of_uri(std::string_view uri);
 /// Escapes what can't stand in a URI. \param name with '/' between folders
 std::string uri_of_file(std::string_view name);
 
-/// A whole file. \param what names it in messages. \throw io::ReadError
-std::string read_file(const std::filesystem::path& path, const std::string& what);
-
 }  // namespace whittle::gltf

@@ -5,6 +5,7 @@
 #include "document/uri.hh"
 #include "model/extensions.hh"
 #include "model/read_model.hh"
+#include "whittle/io/whole_file.hh"
 
 namespace whittle::gltf {
 namespace {
@@ -189,7 +190,7 @@ std::string bytes_of_uri(const Part& part, const std::string& uri, const Source&
   if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error)) {
     part.fail("\"" + printable(uri) + "\" is not a file");  // a device may have no end
   }
-  return read_file(file, source.file + ": " + part.name() + ": " + printable(uri));
+  return io::read_file(file, source.file + ": " + part.name() + ": " + printable(uri));
 }
 
 void read_buffers(Model& model, const Part& root, const Source& source) {

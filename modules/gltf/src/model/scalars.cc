@@ -55,8 +55,8 @@ std::size_t component_type(ScalarType type) {
 }
 
 double load_real(const char* bytes, ScalarType type, bool is_normalized) {
-  const double value =
-      with_scalar_type(type, [&](auto scalar) { return static_cast<double>(load_scalar<decltype(scalar)>(bytes)); });
+  const double value = with_scalar_type(
+      type, [&](auto scalar) { return static_cast<double>(load_little_endian<decltype(scalar)>(bytes)); });
   if (!is_normalized || !is_integer(type)) return value;
   return std::max(value / largest_of(type), -1.0);
 }
@@ -64,11 +64,11 @@ double load_real(const char* bytes, ScalarType type, bool is_normalized) {
 std::size_t load_whole(const char* bytes, ScalarType type) {
   switch (type) {
     case ScalarType::uint8:
-      return load_scalar<std::uint8_t>(bytes);
+      return load_little_endian<std::uint8_t>(bytes);
     case ScalarType::uint16:
-      return load_scalar<std::uint16_t>(bytes);
+      return load_little_endian<std::uint16_t>(bytes);
     case ScalarType::uint32:
-      return load_scalar<std::uint32_t>(bytes);
+      return load_little_endian<std::uint32_t>(bytes);
     default:
       return static_cast<std::size_t>(static_cast<std::int64_t>(load_real(bytes, type, false)));
   }
@@ -78,16 +78,16 @@ void append_real(std::string& bytes, double value, ScalarType type, bool is_norm
   with_scalar_type(type, [&](auto scalar) {
     using Scalar = decltype(scalar);
     if constexpr (std::is_same_v<Scalar, float>) {
-      append_scalar(bytes, rounded_to_float(value));
+      append_little_endian(bytes, rounded_to_float(value));
     } else if constexpr (std::is_same_v<Scalar, double>) {
-      append_scalar(bytes, value);
+      append_little_endian(bytes, value);
     } else {
       using Limits = std::numeric_limits<Scalar>;
       const double scaled = is_normalized ? value * static_cast<double>(Limits::max()) : value;
       const double low =
           is_normalized && Limits::is_signed ? -static_cast<double>(Limits::max()) : static_cast<double>(Limits::min());
       const double rounded = std::isnan(scaled) ? 0 : std::round(scaled);
-      append_scalar(bytes, static_cast<Scalar>(std::clamp(rounded, low, static_cast<double>(Limits::max()))));
+      append_little_endian(bytes, static_cast<Scalar>(std::clamp(rounded, low, static_cast<double>(Limits::max()))));
     }
   });
 }

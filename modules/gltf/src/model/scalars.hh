@@ -1,34 +1,14 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <string>
 
 #include "whittle/core/attribute.hh"
-
-// Numbers as buffers hold them: the lowest byte first.
+#include "whittle/core/bytes/little_endian.hh"
 
 namespace whittle::gltf {
-
-template <class Scalar>
-Scalar load_scalar(const char* bytes) {
-  std::array<char, sizeof(Scalar)> raw;
-  std::memcpy(raw.data(), bytes, raw.size());
-  if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
-  return std::bit_cast<Scalar>(raw);
-}
-
-template <class Scalar>
-void append_scalar(std::string& bytes, Scalar value) {
-  auto raw = std::bit_cast<std::array<char, sizeof(Scalar)>>(value);
-  if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
-  bytes.append(raw.data(), raw.size());
-}
 
 /// Calls `function` with a value of the type.
 template <class Function>

@@ -92,7 +92,7 @@ bool append_on_grid(Encoded& to, std::vector<double>& values, int exponent) {
   for (double& value : values) {
     const auto number = static_cast<std::int32_t>(std::round(value / step));
     const auto bits = static_cast<std::uint32_t>(exponent) << 24U | (static_cast<std::uint32_t>(number) & 0xFFFFFFU);
-    append_scalar(to.bytes, bits);
+    append_little_endian(to.bytes, bits);
     value = number * step;
   }
   return true;

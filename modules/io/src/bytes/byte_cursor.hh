@@ -1,25 +1,14 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <cstddef>
-#include <cstring>
 #include <string>
 #include <string_view>
 
+#include "whittle/core/bytes/little_endian.hh"
 #include "whittle/io/errors.hh"
 
 namespace whittle::io {
-
-/// Decodes the number at `bytes`, which has this byte order.
-template <class Value>
-Value load(const char* bytes, std::endian order) {
-  std::array<char, sizeof(Value)> raw;
-  std::memcpy(raw.data(), bytes, raw.size());
-  if (order != std::endian::native) std::reverse(raw.begin(), raw.end());
-  return std::bit_cast<Value>(raw);
-}
 
 /// A position in binary data that is held in memory.
 class ByteCursor {

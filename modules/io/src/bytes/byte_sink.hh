@@ -1,8 +1,6 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
 #include <cstddef>
 #include <cstring>
@@ -10,15 +8,9 @@
 #include <ostream>
 #include <string_view>
 
-namespace whittle::io {
+#include "whittle/core/bytes/little_endian.hh"
 
-/// Writes the bytes of a number, lowest first. \param to `sizeof value` bytes
-template <class Number>
-void store_little_endian(Number value, char* to) {
-  auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(value);
-  if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
-  std::memcpy(to, bytes.data(), bytes.size());
-}
+namespace whittle::io {
 
 /// Formats numbers into a block of memory and writes full blocks to a stream. Errors show in the stream's state, once
 /// `flush` was called.

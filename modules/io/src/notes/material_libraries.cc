@@ -1,8 +1,6 @@
 #include "notes/material_libraries.hh"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 
 #include "bytes/words.hh"
@@ -42,14 +40,6 @@ std::vector<std::filesystem::path> material_libraries(const FileNotes& notes) {
     }
   }
   return libraries;
-}
-
-std::optional<std::string> text_of(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
 }  // namespace whittle::io

@@ -10,6 +10,7 @@
 #include "notes/mtl_textures.hh"
 #include "notes/texture_lines.hh"
 #include "whittle/io/materials.hh"
+#include "whittle/io/whole_file.hh"
 
 namespace whittle::io {
 namespace {
@@ -66,7 +67,7 @@ SurfaceMaterials read_materials(const FileNotes& notes, const fs::path& folder) 
     if (!name.empty()) all.textures.push_back(fs::path(with_slashes(name)).lexically_normal());
   }
   for (const fs::path& library : material_libraries(notes)) {
-    const std::optional<std::string> text = text_of(folder / library);
+    const std::optional<std::string> text = content_of(folder / library);
     if (text) {
       read_library(*text, library.parent_path(), all.materials);
     } else {

@@ -6,6 +6,7 @@
 #include "notes/mtl_textures.hh"
 #include "notes/texture_lines.hh"
 #include "whittle/io/file_notes.hh"
+#include "whittle/io/whole_file.hh"
 
 namespace whittle::io {
 
@@ -22,7 +23,7 @@ std::vector<fs::path> referenced_files(const FileNotes& notes, const fs::path& f
   }
   for (const fs::path& library : material_libraries(notes)) {
     add(library);
-    for (const std::string& texture : mtl_textures(text_of(folder / library).value_or(""))) {
+    for (const std::string& texture : mtl_textures(content_of(folder / library).value_or(""))) {
       add((library.parent_path() / with_slashes(texture)).lexically_normal());
     }
   }

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace whittle::io {
+
+/// The bytes of a file. \param what names it in messages. \throw ReadError
+std::string read_file(const std::filesystem::path& path, const std::string& what);
+
+/// The same; empty if there is no such file, or it can't be read.
+std::optional<std::string> content_of(const std::filesystem::path& path);
+
+}  // namespace whittle::io
