@@ -24,7 +24,7 @@ Arguments joined(Arguments first, const Arguments& second) {
   return first;
 }
 
-double diagonal_of(const std::string& path) { return diagonal_of(io::read_mesh(path).mesh.positions); }
+double diagonal_of_file(const std::string& path) { return diagonal_of(io::read_mesh(path).mesh.positions); }
 
 /// A mesh, its result and the certificate of both.
 class VerifyCommand : public ::testing::Test {
@@ -51,7 +51,7 @@ class VerifyCommand : public ::testing::Test {
 
 TEST_F(VerifyCommand, SaysWhatIsProven) {
   simplify(data_file("blob.obj"), {"--max-error", "0.5%"});
-  const double limit = 0.005 * diagonal_of(input_);
+  const double limit = 0.005 * diagonal_of_file(input_);
   const Outcome outcome = verify();
   EXPECT_EQ(outcome.exit_code, 0) << outcome;
   EXPECT_EQ(outcome.err, "") << outcome;
@@ -155,7 +155,7 @@ TEST_F(VerifyCommand, FailsIfLessIsProvenThanAsked) {
   const auto exit_code = [&](const Arguments& options) { return verify(options).exit_code; };
   EXPECT_EQ(exit_code({"--max-error", "0.99%"}), 1);
   EXPECT_EQ(exit_code({"--max-error-borders", "0.49%"}), 1);
-  EXPECT_EQ(exit_code({"--max-error", std::to_string(0.011 * diagonal_of(input_))}), 0);
+  EXPECT_EQ(exit_code({"--max-error", std::to_string(0.011 * diagonal_of_file(input_))}), 0);
   const Outcome outcome = verify({"-e", "0.5%"});
   EXPECT_NE(outcome.out.find("the certificate holds"), std::string::npos) << outcome;
   EXPECT_EQ(outcome.err.rfind("whittle: " + proof_ + ": ", 0), 0U) << outcome;
@@ -164,7 +164,7 @@ TEST_F(VerifyCommand, FailsIfLessIsProvenThanAsked) {
   const nlohmann::json json = report({"-e", "0.5%"});
   EXPECT_EQ(json["holds"], true);
   EXPECT_EQ(json["asked"]["met"], false);
-  EXPECT_NEAR(json["asked"]["max_error"].get<double>(), 0.005 * diagonal_of(input_), 1e-12);
+  EXPECT_NEAR(json["asked"]["max_error"].get<double>(), 0.005 * diagonal_of_file(input_), 1e-12);
   EXPECT_EQ(json["asked"]["max_error_borders"], nullptr);
 
   simplify(data_file("blob.obj"), {"--faces", "500"});

@@ -126,7 +126,7 @@ TEST(FaceBoxes, FindTheFacesThatABruteForceSearchFinds) {
   FaceBoxes boxes(complex);
   Random random(9);
   for (int i = 0; i < 200; ++i) {
-    FaceBox box(Vec3(random.uniform_vector(-1, 1)).cast<float>());
+    FloatBox box(Vec3(random.uniform_vector(-1, 1)).cast<float>());
     box.extend(Vec3(random.uniform_vector(-1, 1)).cast<float>());
     std::vector<Index> found;
     boxes.visit(box, [&](Index v) {
@@ -136,7 +136,7 @@ TEST(FaceBoxes, FindTheFacesThatABruteForceSearchFinds) {
     std::sort(found.begin(), found.end());
     std::vector<Index> expected;
     for (Index v = 0; v < complex.n_vertex_slots(); ++v) {
-      FaceBox own;
+      FloatBox own;
       const std::span<const Neighbour> pairs = complex.live_pairs(v);
       for (std::size_t k = 0; k < pairs.size(); k += 2) {
         if (std::min(pairs[k].vertex, pairs[k + 1].vertex) < v) continue;

@@ -44,13 +44,11 @@ std::vector<NamedMesh> cad_shapes() {
           {"cone(120)", cone(120)}};
 }
 
-double diagonal_of(const IndexedMesh& mesh) { return diagonal_of(mesh.positions); }
-
 /// How far the sharp edges of two meshes are apart, both ways, over the diagonal.
 double feature_distance_rel(const IndexedMesh& mesh, const IndexedMesh& small) {
   const auto distance =
       metrics::line_distance(metrics::feature_lines(mesh, sharp_deg), metrics::feature_lines(small, sharp_deg));
-  return distance ? distance->max / diagonal_of(mesh) : 0;
+  return distance ? distance->max / diagonal_of(mesh.positions) : 0;
 }
 
 SimplifyOptions with_features(double tolerance_rel) {
@@ -90,7 +88,7 @@ TEST(KeptByPolish, FeatureToleranceOfLevelsAndWithinAnError) {
       EXPECT_LE(feature_distance_rel(mesh, level.mesh), rounding * tolerance_rel);
     }
     const Simplification within =
-        simplify(mesh, DecimateTarget::max_error(0.02 * diagonal_of(mesh)), effort, with_features(tolerance_rel));
+        simplify(mesh, DecimateTarget::max_error(0.02 * diagonal_of(mesh.positions)), effort, with_features(tolerance_rel));
     EXPECT_LE(feature_distance_rel(mesh, within.mesh), rounding * tolerance_rel);
     EXPECT_LT(within.mesh.faces.size(), mesh.faces.size() / 4);
   }

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "guard/new_intersections.hh"
-#include "guard/overlapping_boxes.hh"
 #include "support/random.hh"
 #include "support/shapes/shapes.hh"
 #include "support/suites.hh"
@@ -91,39 +90,6 @@ TEST(PolishGuards, MakeNoThinFaces) {
 }
 
 using Pairs = std::vector<std::array<Index, 2>>;
-
-TEST(OverlappingBoxes, AreWhatComparingAllFinds) {
-  Random random(1);
-  for (const std::size_t n : {0U, 1U, 2U, 8U, 9U, 65U, 700U}) {
-    for (const double size : {0.001, 0.1, 3.0}) {
-      std::vector<Eigen::AlignedBox3f> boxes(n);
-      std::vector<Triangle> faces(n);
-      for (std::size_t i = 0; i < n; ++i) {
-        boxes[i].extend(random.uniform_vector(-1, 1).cast<float>());
-        boxes[i].extend(boxes[i].min() + random.uniform_vector(0, size).cast<float>());
-        for (Index& corner : faces[i]) corner = static_cast<Index>(random.uniform(0, 30));
-      }
-      Pairs expected;
-      Pairs expected_apart;
-      for (Index i = 0; i < n; ++i) {
-        for (Index j = i + 1; j < n; ++j) {
-          if (!boxes[i].intersects(boxes[j])) continue;
-          expected.push_back({i, j});
-          if (std::find_first_of(faces[i].begin(), faces[i].end(), faces[j].begin(), faces[j].end()) == faces[i].end())
-            expected_apart.push_back({i, j});
-        }
-      }
-      const auto check = [&boxes](std::span<const Triangle> given, const Pairs& pairs) {
-        Pairs found = overlapping_boxes(boxes, given, 1);
-        EXPECT_EQ(overlapping_boxes(boxes, given, 3), found);
-        std::sort(found.begin(), found.end());
-        EXPECT_EQ(found, pairs);
-      };
-      check({}, expected);
-      check(faces, expected_apart);
-    }
-  }
-}
 
 /// The faces of the second mesh that the first one doesn't have.
 Pairs added(const Pairs& before, const Pairs& after) {

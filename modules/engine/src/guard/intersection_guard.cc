@@ -3,18 +3,9 @@
 #include <algorithm>
 
 #include "whittle/core/geometry/box.hh"
-#include "whittle/core/geometry/triangle.hh"
 #include "whittle/core/geometry/triangle_intersection.hh"
 
 namespace whittle {
-namespace {
-
-bool has_area(const Corners& corners) { return !reliable_normal(corners[0], corners[1], corners[2]).isZero(0); }
-
-/// A face without area crosses nothing, wherever it lies.
-bool do_cross(const Corners& f, const Corners& g) { return detail::intersect(f, g) && has_area(f) && has_area(g); }
-
-}  // namespace
 
 bool IntersectionGuard::refuses_at(ContractionProfile& profile, const Vec3& position) {
   list_faces(profile, position);
@@ -59,7 +50,7 @@ bool IntersectionGuard::do_cross_each_other() const {
       const Face& f = faces_[i];
       const Face& g = faces_[j];
       if (f.x == g.x || f.x == g.y || f.y == g.x || f.y == g.y) continue;
-      if (do_cross(f.then, g.then) && !do_cross(f.now, g.now)) return true;
+      if (detail::intersect_newly({f.now, g.now}, {f.then, g.then})) return true;
     }
   }
   return false;
@@ -79,7 +70,8 @@ bool IntersectionGuard::cross_faces_at(Index v, const Pair& pair) {
     const FloatBox box = box_of(other).cast<float>();
     const auto is_corner = [&](Index w) { return w == v || w == p || w == q; };
     const bool is_crossed = std::any_of(faces_.begin(), faces_.end(), [&](const Face& face) {
-      return face.box.intersects(box) && !(is_corner(face.x) && is_corner(face.y)) && do_cross(face.then, other);
+      return face.box.intersects(box) && !(is_corner(face.x) && is_corner(face.y)) &&
+             detail::intersect(face.then, other);
     });
     if (is_crossed) crossed_.push_back({{v, p, q}, other});
   }
@@ -94,7 +86,8 @@ bool IntersectionGuard::is_crossed_already(const Pair& pair, const Crossed& face
     for (std::size_t i = 0; i < star.size(); i += 2) {
       const Triangle own{v, star[i].vertex, star[i + 1].vertex};
       if (n_common_corners(own, face.face) > 1) continue;
-      if (do_cross({complex_.position(own[0]), complex_.position(own[1]), complex_.position(own[2])}, face.corners))
+      if (detail::intersect({complex_.position(own[0]), complex_.position(own[1]), complex_.position(own[2])},
+                            face.corners))
         return true;
     }
   }

@@ -1,4 +1,4 @@
-// `BoxPairs` finds candidates: pairs of faces with overlapping boxes. A candidate is decided by the signs of
+// `overlapping_boxes` finds candidates: pairs of faces with overlapping boxes. A candidate is decided by the signs of
 // orientation determinants alone, so the result is exact. Two faces intersect if they have
 //
 //   no common corner:     and an edge of one meets the other; two triangles have no other way to meet
@@ -11,9 +11,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "intersections/box_pairs.hh"
 #include "intersections/predicates.hh"
 #include "whittle/core/detail/progress_meter.hh"
+#include "whittle/core/frame.hh"
+#include "whittle/core/geometry/overlapping_boxes.hh"
+#include "whittle/core/geometry/space_filling_curve.hh"
 #include "whittle/metrics/bounds.hh"
 #include "working_scale.hh"
 
@@ -109,18 +111,31 @@ bool meet_beyond_common(const Corners& s, const Corners& t, const IsCommon& is_c
   }
 }
 
-/// Of the faces that have an area.
-std::vector<FaceBox> face_boxes(const IndexedMesh& mesh) {
-  std::vector<FaceBox> boxes;
-  boxes.reserve(mesh.faces.size());
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const Corners corners = corners_of(mesh.positions, mesh.faces[f]);
-    if (!has_area(corners)) continue;
-    const auto& [a, b, c] = corners;
-    boxes.push_back({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c), static_cast<Index>(f)});
+/// Faces that have an area, along a curve, with their boxes in the frame: there all are small numbers, so that rounding
+/// makes no box much larger.
+struct Candidates {
+  std::vector<Index> faces;
+  std::vector<FloatBox> boxes;
+
+  Candidates(const IndexedMesh& mesh, const detail::Workers& workers) {
+    const Frame frame = Frame::of_points(mesh.positions);
+    std::vector<Vec3> centers;
+    std::vector<Index> found;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      const Corners corners = corners_of(mesh.positions, mesh.faces[f]);
+      if (!has_area(corners)) continue;
+      found.push_back(static_cast<Index>(f));
+      centers.push_back(center_of(box_of(corners)));
+    }
+    for (const Index i : morton_order(centers, frame, workers.threads)) faces.push_back(found[i]);
+    boxes.resize(faces.size());
+    for_each_range(boxes.size(), workers, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        boxes[i] = box_of(frame.to_frame(corners_of(mesh.positions, mesh.faces[faces[i]]))).cast<float>();
+      }
+    });
   }
-  return boxes;
-}
+};
 
 }  // namespace
 
@@ -140,20 +155,19 @@ std::vector<std::array<Index, 2>> face_intersections(const IndexedMesh& mesh,
   detail::ProgressMeter meter(progress);
   const detail::Workers workers(threads, &meter);
   meter.start("building the search tree", 0.3);
-  const BoxPairs boxes(face_boxes(mesh));
+  const Candidates candidates(mesh, workers);
   meter.start("comparing faces", 1);
-  std::vector<std::vector<std::array<Index, 2>>> found(boxes.n_tasks());
-  for_each_block(found.size(), workers, [&](std::size_t task) {
-    boxes.visit(task, [&](Index f, Index g) {
-      const auto [low, high] = std::minmax(f, g);
-      if (is_wanted && !is_wanted(low, high)) return;
-      if (do_intersect(corners_of(mesh.positions, mesh.faces[low]), corners_of(mesh.positions, mesh.faces[high])))
-        found[task].push_back({low, high});
-    });
-  });
-
-  std::vector<std::array<Index, 2>> pairs;
-  for (const auto& part : found) pairs.insert(pairs.end(), part.begin(), part.end());
+  const auto in_order = [&](Index i, Index j) { return std::minmax({candidates.faces[i], candidates.faces[j]}); };
+  const auto is_found = [&](Index i, Index j) {
+    const auto [low, high] = in_order(i, j);
+    return (!is_wanted || is_wanted(low, high)) &&
+           do_intersect(corners_of(mesh.positions, mesh.faces[low]), corners_of(mesh.positions, mesh.faces[high]));
+  };
+  IndexPairs pairs = overlapping_boxes(candidates.boxes, is_found, workers);
+  for (auto& pair : pairs) {
+    const auto [low, high] = in_order(pair[0], pair[1]);
+    pair = {low, high};
+  }
   std::sort(pairs.begin(), pairs.end());
   meter.finish();
   return pairs;

@@ -6,7 +6,7 @@
 #include <limits>
 #include <set>
 
-#include "guard/overlapping_boxes.hh"
+#include "whittle/core/geometry/overlapping_boxes.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 #include "whittle/core/geometry/triangle_intersection.hh"
 
@@ -95,12 +95,14 @@ class EdgeFlips {
 
   /// Undoes flips until no flipped face intersects another.
   void undo_intersecting(const detail::Workers& workers) {
-    std::vector<Eigen::AlignedBox3f> boxes(faces_.size());
+    std::vector<FloatBox> boxes;
+    boxes.reserve(faces_.size());
     for (Index f = 0; f < faces_.size(); ++f) {
-      extend(boxes[f], faces_[f], mesh_.positions);
-      extend(boxes[f], mesh_.faces[f], mesh_.positions);
+      const Box after = box_of(whittle::corners_of(mesh_.positions, faces_[f]));
+      boxes.push_back(after.merged(box_of(whittle::corners_of(mesh_.positions, mesh_.faces[f]))).cast<float>());
     }
-    const std::vector<std::array<Index, 2>> pairs = overlapping_boxes(boxes, {}, workers);
+    const IndexPairs pairs = overlapping_boxes(
+        boxes, [](Index, Index) { return true; }, workers);
     for (bool is_done = false; !is_done;) {
       is_done = true;
       for (const auto& [f, g] : pairs) {

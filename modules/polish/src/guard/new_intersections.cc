@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "guard/overlapping_boxes.hh"
+#include "whittle/core/geometry/overlapping_boxes.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 #include "whittle/core/geometry/triangle_intersection.hh"
 
@@ -85,22 +85,26 @@ class MovedMesh {
  private:
   /// Faces without a common corner that may intersect, wherever each corner is: where it was, or where it is now.
   void find_near_pairs(const detail::Workers& workers) {
-    std::vector<Eigen::AlignedBox3f> boxes(before_.faces.size());
+    std::vector<FloatBox> boxes(before_.faces.size());
     for_each_range(boxes.size(), workers, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
-        extend(boxes[f], before_.faces[f], before_.positions);
-        extend(boxes[f], before_.faces[f], positions_);
+        const Corners was = corners_of(before_.positions, before_.faces[f]);
+        boxes[f] = box_of(was).merged(box_of(corners_of(positions_, before_.faces[f]))).cast<float>();
       }
     });
-    pairs_ = overlapping_boxes(boxes, before_.faces, workers);
+    const auto are_apart = [this](Index f, Index g) {
+      return n_common_corners(before_.faces[f], before_.faces[g]) == 0;
+    };
+    pairs_ = overlapping_boxes(boxes, are_apart, workers);
   }
 
   bool is_moved(Index v) const { return positions_[v] != before_.positions[v]; }
 
   bool intersect_newly(Index f, Index g) const {
-    const Triangle& s = before_.faces[f];
-    const Triangle& t = before_.faces[g];
-    return detail::intersect(s, t, positions_) && !detail::intersect(s, t, before_.positions);
+    const auto both = [&](std::span<const Vec3> at) {
+      return std::array{corners_of(at, before_.faces[f]), corners_of(at, before_.faces[g])};
+    };
+    return detail::intersect_newly(both(before_.positions), both(positions_));
   }
 
   bool has_fresh_face(Index v) const {
@@ -172,7 +176,7 @@ class MovedMesh {
   const Surface& before_;
   const FaceLimits& limits_;
   std::vector<Vec3>& positions_;
-  std::vector<std::array<Index, 2>> pairs_;   ///< near each other, without a common corner
+  IndexPairs pairs_;                          ///< near each other, without a common corner
   std::vector<std::uint8_t> is_fresh_;        ///< per face, whether a corner has moved since the last check
   std::vector<std::uint8_t> does_intersect_;  ///< scratch: per pair
   std::vector<std::uint8_t> is_crossed_;      ///< scratch: per vertex

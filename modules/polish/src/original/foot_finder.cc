@@ -6,6 +6,10 @@
 #include "whittle/core/detail/lanes.hh"
 
 namespace whittle::polishing {
+
+using detail::EightFloats;
+using detail::Float8;
+using detail::Int8;
 namespace {
 
 constexpr float least_normal_agreement = 0.5;  ///< cosine between the normals of a point and of its face
@@ -13,7 +17,7 @@ constexpr float inside_slack = 1e-4F;          ///< how far outside a face is st
 constexpr std::int32_t nowhere = 0x7fffffff;
 
 WHITTLE_INLINE Float8 dot(const std::array<EightFloats, 3>& lanes, const Eigen::Vector3f& v) {
-  return load(lanes[0]) * v.x() + load(lanes[1]) * v.y() + load(lanes[2]) * v.z();
+  return detail::load(lanes[0]) * v.x() + detail::load(lanes[1]) * v.y() + detail::load(lanes[2]) * v.z();
 }
 
 /// The least of eight lanes.

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "surface/eight_floats.hh"
 #include "surface/surface_walk.hh"
+#include "whittle/core/detail/eight_floats.hh"
 
 namespace whittle::polishing {
 
@@ -40,7 +40,7 @@ class FootFinder {
   /// Up to eight faces at a vertex side by side, relative to the vertex: unit normals, and the gradients of the
   /// barycentric coordinates of the next corner and of the one after that. Zeros where there is no face.
   struct alignas(32) Octet {
-    std::array<EightFloats, 3> normal, next, last;
+    std::array<detail::EightFloats, 3> normal, next, last;
   };
   class Lanes;
 

@@ -19,10 +19,10 @@ bool are_apart(const Corners& s, const Corners& t) {
   return t_low >= s_high && t_high > 0;
 }
 
-}  // namespace
+bool has_area(const Corners& c) { return !reliable_normal(c[0], c[1], c[2]).isZero(0); }
 
 /// They intersect if no axis separates their projections. \cite ericson_2005_collision (section 5.2.1)
-bool intersect(const Corners& s, const Corners& t) {
+bool do_overlap(const Corners& s, const Corners& t) {
   if (are_apart(s, t)) return false;
   const Corners s_offsets{Vec3::Zero(), s[1] - s[0], s[2] - s[0]};
   const Corners t_offsets{t[0] - s[0], t[1] - s[0], t[2] - s[0]};
@@ -53,5 +53,9 @@ bool intersect(const Corners& s, const Corners& t) {
   return std::none_of(s_sides.begin(), s_sides.end(),
                       [&](const Vec3& side) { return separates_inside(side, t_sides); });
 }
+
+}  // namespace
+
+bool intersect(const Corners& s, const Corners& t) { return do_overlap(s, t) && has_area(s) && has_area(t); }
 
 }  // namespace whittle::detail

@@ -6,14 +6,14 @@
 #include "whittle/core/detail/lanes.hh"
 
 // Eight numbers side by side: one instruction where the processor has AVX2.
-namespace whittle::polishing {
+namespace whittle::detail {
 
-using Float8 = detail::Lanes<float, 8>;
-using Int8 = detail::Lanes<std::int32_t, 8>;
+using Float8 = Lanes<float, 8>;
+using Int8 = Lanes<std::int32_t, 8>;
 
 /// How they are stored.
 using EightFloats = std::array<float, 8>;
 
 WHITTLE_INLINE Float8 load(const EightFloats& from) { return load_lanes<Float8>(from.data()); }
 
-}  // namespace whittle::polishing
+}  // namespace whittle::detail
