@@ -228,13 +228,7 @@ TEST(Decimate, GivesTheQuadricsOfWhatIsLeftIfAsked) {
   EXPECT_GT(sum_of_traces(all), 0);
   EXPECT_NEAR(sum_of_traces(few), sum_of_traces(all), 1e-12 * sum_of_traces(all)) << "merged vertices add theirs";
 
-  Vec3 low = mesh.positions[0];
-  Vec3 high = low;
-  for (const Vec3& p : mesh.positions) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const Frame frame = Frame::of_box(low, high);
+  const Frame frame = Frame::of_points(mesh.positions);
   ASSERT_EQ(few.quadrics.size(), few.mesh.positions.size());
   for (std::size_t v = 0; v < few.quadrics.size(); ++v) {
     EXPECT_EQ(frame.to_model(few.quadrics[v].position), few.mesh.positions[v]) << v;

@@ -5,7 +5,7 @@
 namespace whittle {
 
 Block::Block(const Surface& surface, const Partition& partition, std::size_t number,
-             std::span<const std::uint8_t> locked, const Memory& memory, const DecimateOptions& options,
+             std::span<const std::uint8_t> locked, const CostState& cost_state, const DecimateOptions& options,
              const LoopContext& context)
     : own_(partition.vertices.of(number)),
       own_faces_(partition.faces.of(number)),
@@ -14,7 +14,6 @@ Block::Block(const Surface& surface, const Partition& partition, std::size_t num
   if (!locked.empty()) {
     for (Index v = 0; v < positions_.size(); ++v) locked_.push_back(locked[number_of(v)]);
   }
-  const Memory own_memory = memory_of_block(surface, memory);
   PassInput input;
   input.surface = {positions_, Frame{}, faces_};
   input.locked = locked_;
@@ -26,7 +25,7 @@ Block::Block(const Surface& surface, const Partition& partition, std::size_t num
     for (const Index f : own_faces_) areas_.push_back(context.areas.of[f]);
     input.context.areas = {faces_, areas_};
   }
-  input.memory = &own_memory;
+  input.cost_state = state_here(surface, cost_state);
   pass_.emplace(input, options);
   positions_ = {};
   const TriangleComplex& complex = pass_->complex();
@@ -85,24 +84,23 @@ void Block::gather_refusals(std::span<const GuardedPair> all) {
   }
 }
 
-/// \param of_surface what vertices of the surface remember
-std::vector<Memory::Remembered> Block::remembered_here(std::span<const Memory::Remembered> of_surface) const {
-  std::vector<Memory::Remembered> here;
+std::vector<VertexQuadric> Block::quadrics_here(std::span<const VertexQuadric> of_surface) const {
+  std::vector<VertexQuadric> here;
   auto next = of_surface.begin();
   for (Index v = 0; v < vertices_.size() && next != of_surface.end(); ++v) {
     next = std::lower_bound(next, of_surface.end(), vertices_[v],
-                            [](const Memory::Remembered& r, Index vertex) { return r.vertex < vertex; });
+                            [](const VertexQuadric& q, Index vertex) { return q.vertex < vertex; });
     if (next != of_surface.end() && next->vertex == vertices_[v]) here.push_back({v, next->quadric});
   }
   return here;
 }
 
-/// The block's share of the faces, and what its vertices remember.
-Memory Block::memory_of_block(const Surface& surface, const Memory& memory) const {
+/// The block's share of the faces, and what is known of its vertices. \pre the mean area is known
+CostState Block::state_here(const Surface& surface, const CostState& of_surface) const {
   const double share = static_cast<double>(own_faces_.size()) / static_cast<double>(surface.faces.size());
-  const double n_faces = share * static_cast<double>(memory.face_area.n_faces());
-  return {memory.face_area.of_part(static_cast<std::uint64_t>(std::max(1.0, n_faces))),
-          remembered_here(memory.quadrics), remembered_here(memory.seams)};
+  const double n_faces = share * static_cast<double>(of_surface.face_area->n_faces());
+  return {of_surface.face_area->of_part(static_cast<std::uint64_t>(std::max(1.0, n_faces))),
+          quadrics_here(of_surface.quadrics), quadrics_here(of_surface.seams)};
 }
 
 void Block::finish(BlockResults& results) {
@@ -110,14 +108,17 @@ void Block::finish(BlockResults& results) {
   const std::vector<Index> at = complex.vertices_by_origin();
   std::vector<Index> merged_into(at.size());
   for (Index v = 0; v < at.size(); ++v) merged_into[v] = complex.origin(complex.representative(at[v]));
+  std::vector<Index> left;
   for (Index v = 0; v < vertices_.size(); ++v) {
     if (frozen_[v] != 0) continue;
     results.merged_into[vertices_[v]] = vertices_[merged_into[v]];
     if (merged_into[v] != v) continue;
     survivors_.push_back({vertices_[v], complex.position(at[v])});
-    const PairCost& cost = pass_->cost();
-    if (cost.remembers(at[v])) memory_.quadrics.push_back({vertices_[v], cost.quadric(at[v]).quadric});
-    if (const Quadric* const seams = cost.remembered_seams(at[v])) memory_.seams.push_back({vertices_[v], *seams});
+    left.push_back(at[v]);
+  }
+  cost_state_ = pass_->cost().state(left);
+  for (std::vector<VertexQuadric>* const all : {&cost_state_.quadrics, &cost_state_.seams}) {
+    for (VertexQuadric& q : *all) q.vertex = survivors_[q.vertex].vertex;
   }
   if (keeps_order_) refusals_ = pass_->refusals();
   for (auto& [pair, reason] : refusals_) pair = {vertices_[pair.a], vertices_[pair.b]};

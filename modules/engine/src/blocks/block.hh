@@ -23,10 +23,10 @@ class Block {
     Vec3 position;  ///< in the frame
   };
 
-  /// \param locked per vertex of the surface, or empty \param memory of the surface \param context of the surface
+  /// \param locked per vertex of the surface, or empty \param cost_state of the surface \param context of the surface
   /// \param options must outlive the block
   Block(const Surface& surface, const Partition& partition, std::size_t number, std::span<const std::uint8_t> locked,
-        const Memory& memory, const DecimateOptions& options, const LoopContext& context);
+        const CostState& cost_state, const DecimateOptions& options, const LoopContext& context);
 
   /// Ranks all pairs. \param frame that the listener and costs are told in
   void start(const DecimateTarget& target, const Frame& frame) { pass_->start(target, frame); }
@@ -47,16 +47,16 @@ class Block {
   /// Writes down what is left, and frees the complex.
   void finish(BlockResults& results);
   const std::vector<Survivor>& survivors() const { return survivors_; }
-  /// What they remember, by vertex of the surface; without what the surface remembers as a whole.
-  const Memory& memory() const { return memory_; }
+  /// Theirs, by vertex of the surface.
+  const CostState& cost_state() const { return cost_state_; }
   /// In exact order: of pairs with an end that isn't frozen, by vertices of the surface.
   const std::vector<GuardedPair>& refusals() const { return refusals_; }
 
  private:
   void gather_refusals(std::span<const GuardedPair> all);
   void gather(const Surface& surface, const Partition& partition, std::size_t number);
-  std::vector<Memory::Remembered> remembered_here(std::span<const Memory::Remembered> of_surface) const;
-  Memory memory_of_block(const Surface& surface, const Memory& memory) const;
+  std::vector<VertexQuadric> quadrics_here(std::span<const VertexQuadric> of_surface) const;
+  CostState state_here(const Surface& surface, const CostState& of_surface) const;
 
   std::span<const Index> own_;        ///< vertices of the surface
   std::span<const Index> own_faces_;  ///< of the surface
@@ -70,7 +70,7 @@ class Block {
   std::optional<Pass> pass_;
   DecimateResult result_;
   std::vector<Survivor> survivors_;
-  Memory memory_;
+  CostState cost_state_;
   bool keeps_order_;                   ///< exactly
   std::vector<Index> areas_;           ///< of the faces, or empty
   std::vector<GuardedPair> refusals_;  ///< at first by vertex of the block

@@ -45,31 +45,31 @@ bool is_far_flung(const IndexedMesh& mesh) {
 }
 
 /// Blocks contract what costs least in each, or what moves the surface little.
-LevelRemainder run_levels(const LevelContext& context, const BlockPlan& plan, const Memory& memory) {
+LevelRemainder run_levels(const LevelContext& context, const BlockPlan& plan, const CostState& cost_state) {
   LevelPlan level{plan.faces_per_block, 0.5, Role::alone};
   LevelGoal goal;
   goal.surplus = plan.surplus;
   if (context.displacement_limit) goal.cost = std::numeric_limits<double>::infinity();
-  LevelRemainder remainder = run_level(context, level, goal, memory, nullptr);
+  LevelRemainder remainder = run_level(context, level, goal, cost_state, nullptr);
   if (remainder.faces.size() < plan.fewest_faces_again || context.progress.is_cancelled()) return remainder;
   level.first_share = 0.3;
-  return run_level(context, level, {.cost = remainder.cost_limit}, remainder.memory, &remainder);
+  return run_level(context, level, {.cost = remainder.cost_limit}, remainder.cost_state, &remainder);
 }
 
 /// Blocks contract what one queue for all would contract, too. Small blocks that don't keep the order find the cost.
-LevelRemainder run_exact_levels(const LevelContext& context, const BlockPlan& plan, const Memory& memory) {
+LevelRemainder run_exact_levels(const LevelContext& context, const BlockPlan& plan, const CostState& cost_state) {
   const LevelPlan trial{plan.faces_per_block / 2, 0.5, Role::alone, true};
   LevelGoal goal;
-  goal.cost = find_cost(context, trial, plan.surplus_in_exact_order, memory);
+  goal.cost = find_cost(context, trial, plan.surplus_in_exact_order, cost_state);
   goal.least_done = plan.least_done_in_exact_order;
   LevelPlan level{plan.faces_per_block_in_exact_order[0], 0.5, Role::in_exact_order};
-  LevelRemainder remainder = run_level(context, level, goal, memory, nullptr);
+  LevelRemainder remainder = run_level(context, level, goal, cost_state, nullptr);
   const bool is_enough = remainder.is_futile || remainder.faces.size() < plan.fewest_faces_again_in_exact_order;
   if (is_enough || context.progress.is_cancelled()) return remainder;
   level.faces_per_block = plan.faces_per_block_in_exact_order[1];
   level.first_share = 0.3;
   goal.least_done = 0;
-  return run_level(context, level, goal, remainder.memory, &remainder);
+  return run_level(context, level, goal, remainder.cost_state, &remainder);
 }
 
 }  // namespace
@@ -114,11 +114,11 @@ LevelRemainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, c
   const LevelContext context{options,      mesh,     frame,       share, extras.displacement_limit,
                              extras.steps, progress, extras.areas};
   const std::vector<VertexPair> seams = seam_edges(mesh, face_regions(mesh, options.regions));
-  const Memory memory{mean_face_area(mesh, frame, options.threads),
-                      {},
-                      seam_planes(mesh, frame, seams, held_rims(mesh, frame, options), options)};
+  const CostState cost_state{mean_face_area(mesh, frame, options.threads),
+                             {},
+                             seam_planes(mesh, frame, seams, held_rims(mesh, frame, options), options)};
   LevelRemainder remainder =
-      is_exact_in_blocks(options) ? run_exact_levels(context, plan, memory) : run_levels(context, plan, memory);
+      is_exact_in_blocks(options) ? run_exact_levels(context, plan, cost_state) : run_levels(context, plan, cost_state);
   remainder.progress = progress.now().fraction;
   remainder.is_cancelled = progress.is_cancelled();
   return remainder;

@@ -35,8 +35,8 @@ class Level {
         areas_(areas()),
         jobs_(partition_.n_blocks()) {}
 
-  LevelRemainder run(const LevelGoal& goal, Memory memory);
-  double find_cost(double surplus, const Memory& memory);
+  LevelRemainder run(const LevelGoal& goal, CostState cost_state);
+  double find_cost(double surplus, const CostState& cost_state);
 
  private:
   unsigned threads() const { return context_.options.threads; }
@@ -52,10 +52,10 @@ class Level {
     return before_ ? std::span(before_->refusals) : std::span<const GuardedPair>();
   }
   DecimateTarget least_left(const Block& block, std::size_t number) const;
-  void begin(std::size_t number, const Memory& memory);
+  void begin(std::size_t number, const CostState& cost_state);
   void finish(std::size_t number);
-  double climb(const std::vector<std::size_t>& sample, double surplus, const Memory& memory);
-  bool is_futile(const LevelGoal& goal, const Memory& memory);
+  double climb(const std::vector<std::size_t>& sample, double surplus, const CostState& cost_state);
+  bool is_futile(const LevelGoal& goal, const CostState& cost_state);
   void begin_log();
   std::span<Contraction> log_of(std::size_t number);
   void tell();
@@ -117,7 +117,7 @@ DecimateTarget Level::least_left(const Block& block, std::size_t number) const {
       .or_vertices(block.n_frozen_vertices() + part_of(block.n_inner_vertices()));
 }
 
-void Level::begin(std::size_t number, const Memory& memory) {
+void Level::begin(std::size_t number, const CostState& cost_state) {
   auto job = std::make_unique<Job>();
   job->options = context_.options;
   job->options.threads = 1;
@@ -138,7 +138,7 @@ void Level::begin(std::size_t number, const Memory& memory) {
     job->log.end = log_.data() + first_in_log_[number];
     context.log = &job->log;
   }
-  job->block.emplace(surface_, partition_, number, locked_, memory, job->options, context);
+  job->block.emplace(surface_, partition_, number, locked_, cost_state, job->options, context);
   if (!before_) nonmanifold_[number] = job->block->count_nonmanifold();
   job->block->start(least_left(*job->block, number), context_.frame);
   jobs_[number] = std::move(job);
@@ -184,15 +184,15 @@ void Level::tell() {
 }
 
 /// Finds the cost that leaves as many of the sample's inner vertices as wanted, and runs the sample up to it.
-double Level::climb(const std::vector<std::size_t>& sample, double surplus, const Memory& memory) {
-  for_each_block(sample.size(), threads(), [&](std::size_t i) { begin(sample[i], memory); });
+double Level::climb(const std::vector<std::size_t>& sample, double surplus, const CostState& cost_state) {
+  for_each_block(sample.size(), threads(), [&](std::size_t i) { begin(sample[i], cost_state); });
   const auto sum = [&](auto n_of) {
     return std::accumulate(sample.begin(), sample.end(), 0.0, [&](double so_far, std::size_t number) {
       return so_far + static_cast<double>(n_of(*jobs_[number]->block));
     });
   };
   const double goal = sum([](const Block& block) { return block.n_inner_vertices(); }) * share() * surplus;
-  CostLadder ladder(memory.face_area.first());
+  CostLadder ladder(cost_state.face_area->first());
   double n_left = 0;
   do {
     for_each_block(sample.size(), threads(), [&](std::size_t i) { jobs_[sample[i]]->block->run(ladder.cost()); });
@@ -224,10 +224,10 @@ void Level::sum_up(LevelRemainder& remainder) {
 
 /// Runs two blocks. \return whether their pairs wait for each other so that too little can be done: on some regular
 /// meshes the exact order goes from one end to the other.
-bool Level::is_futile(const LevelGoal& goal, const Memory& memory) {
+bool Level::is_futile(const LevelGoal& goal, const CostState& cost_state) {
   const std::array<std::size_t, 2> tried{jobs_.size() / 4, 3 * jobs_.size() / 4};
   for_each_block(tried.front() == tried.back() ? 1 : 2, threads(), [&](std::size_t i) {
-    begin(tried[i], memory);
+    begin(tried[i], cost_state);
     jobs_[tried[i]]->block->run(*goal.cost);
     finish(tried[i]);
   });
@@ -241,13 +241,13 @@ bool Level::is_futile(const LevelGoal& goal, const Memory& memory) {
   return done < goal.least_done * wanted;
 }
 
-double Level::find_cost(double surplus, const Memory& memory) {
+double Level::find_cost(double surplus, const CostState& cost_state) {
   locked_ = locked();
   nonmanifold_.resize(jobs_.size());
-  return climb(choose_sample(16), surplus, memory);
+  return climb(choose_sample(16), surplus, cost_state);
 }
 
-LevelRemainder Level::run(const LevelGoal& goal, Memory memory) {
+LevelRemainder Level::run(const LevelGoal& goal, CostState cost_state) {
   results_.merged_into.resize(surface_.positions.size());
   std::iota(results_.merged_into.begin(), results_.merged_into.end(), Index{0});
   results_.is_face_left.assign(surface_.faces.size(), 1);
@@ -258,19 +258,19 @@ LevelRemainder Level::run(const LevelGoal& goal, Memory memory) {
   std::optional<SharedStars> shared_stars;
   if (!before_ && plan_.role == Role::in_exact_order) {
     shared_stars.emplace(surface_, partition_);
-    memory.quadrics = shared_stars->quadrics(context_.options);
+    cost_state.quadrics = shared_stars->quadrics(context_.options);
   }
 
   LevelRemainder remainder;
-  remainder.memory.face_area = memory.face_area;
+  remainder.cost_state.face_area = cost_state.face_area;
   if (goal.cost) {
     remainder.cost_limit = *goal.cost;
   } else {
     const std::vector<std::size_t> sample = choose_sample(8);
-    remainder.cost_limit = climb(sample, goal.surplus, memory);
+    remainder.cost_limit = climb(sample, goal.surplus, cost_state);
     for_each_block(sample.size(), threads(), [&](std::size_t i) { finish(sample[i]); });
   }
-  if (goal.least_done > 0 && is_futile(goal, memory) && !context_.progress.is_cancelled()) {
+  if (goal.least_done > 0 && is_futile(goal, cost_state) && !context_.progress.is_cancelled()) {
     remainder.is_futile = true;
     return remainder;
   }
@@ -284,7 +284,7 @@ LevelRemainder Level::run(const LevelGoal& goal, Memory memory) {
       return;
     }
     const std::size_t number = others[i - 1];
-    begin(number, memory);
+    begin(number, cost_state);
     jobs_[number]->block->run(remainder.cost_limit);
     finish(number);
   });
@@ -292,7 +292,7 @@ LevelRemainder Level::run(const LevelGoal& goal, Memory memory) {
   for (const auto& job : jobs_) {
     if (job) blocks.push_back(&*job->block);
   }
-  stitch(surface_, partition_, blocks, results_, memory, before_, threads(), remainder);
+  stitch(surface_, partition_, blocks, results_, cost_state, before_, threads(), remainder);
   if (!log_.empty()) tell();
   sum_up(remainder);
   return remainder;
@@ -300,13 +300,13 @@ LevelRemainder Level::run(const LevelGoal& goal, Memory memory) {
 
 }  // namespace
 
-double find_cost(const LevelContext& context, const LevelPlan& plan, double surplus, const Memory& memory) {
-  return Level(context, plan, nullptr).find_cost(surplus, memory);
+double find_cost(const LevelContext& context, const LevelPlan& plan, double surplus, const CostState& cost_state) {
+  return Level(context, plan, nullptr).find_cost(surplus, cost_state);
 }
 
-LevelRemainder run_level(const LevelContext& context, const LevelPlan& plan, const LevelGoal& goal, Memory memory,
-                         const LevelRemainder* before) {
-  return Level(context, plan, before).run(goal, std::move(memory));
+LevelRemainder run_level(const LevelContext& context, const LevelPlan& plan, const LevelGoal& goal,
+                         CostState cost_state, const LevelRemainder* before) {
+  return Level(context, plan, before).run(goal, std::move(cost_state));
 }
 
 }  // namespace whittle

@@ -48,12 +48,12 @@ struct LevelGoal {
 };
 
 /// The cost that a sample of the blocks finds. \pre the plan is a trial
-double find_cost(const LevelContext& context, const LevelPlan& plan, double surplus, const Memory& memory);
+double find_cost(const LevelContext& context, const LevelPlan& plan, double surplus, const CostState& cost_state);
 
 /// Contracts what lies within blocks, all up to the same cost, and puts together what is left.
-/// \param memory of the input, if there were no levels before
+/// \param cost_state of the input, if there were no levels before
 /// \param before what levels before have left; null for none
-LevelRemainder run_level(const LevelContext& context, const LevelPlan& plan, const LevelGoal& goal, Memory memory,
-                         const LevelRemainder* before);
+LevelRemainder run_level(const LevelContext& context, const LevelPlan& plan, const LevelGoal& goal,
+                         CostState cost_state, const LevelRemainder* before);
 
 }  // namespace whittle

@@ -29,16 +29,16 @@ NonmanifoldCounts SharedStars::count_nonmanifold() const {
   return complex.count_nonmanifold(false);
 }
 
-std::vector<Memory::Remembered> SharedStars::quadrics(const DecimateOptions& options) const {
+std::vector<VertexQuadric> SharedStars::quadrics(const DecimateOptions& options) const {
   PassInput input;
   input.surface = {positions_, Frame{}, faces_};
   input.frozen = frozen_;
   Pass pass(input, options);
   const TriangleComplex& complex = pass.complex();
   const std::vector<Index> vertex_of = complex.vertices_by_origin();
-  std::vector<Memory::Remembered> quadrics;
+  std::vector<VertexQuadric> quadrics;
   for (Index v = 0; v < vertices_.size(); ++v) {
-    if (frozen_[v] == 0) quadrics.push_back({vertices_[v], pass.cost().quadric(vertex_of[v]).quadric});
+    if (frozen_[v] == 0) quadrics.push_back({vertices_[v], pass.cost().quadric(vertex_of[v])});
   }
   return quadrics;
 }

@@ -13,7 +13,7 @@ class SharedStars {
   /// Shared vertices that aren't manifold, and edges between two shared ones with three faces or more.
   NonmanifoldCounts count_nonmanifold() const;
   /// The quadrics of shared vertices, by vertex of the surface.
-  std::vector<Memory::Remembered> quadrics(const DecimateOptions& options) const;
+  std::vector<VertexQuadric> quadrics(const DecimateOptions& options) const;
 
  private:
   std::vector<Index> vertices_;       ///< of the surface, ascending: shared ones and their neighbours

@@ -36,8 +36,8 @@ class Stitching {
   void write_vertices(LevelRemainder& remainder) const;
   void write_faces(LevelRemainder& remainder) const;
   void write_vertex_map(LevelRemainder& remainder) const;
-  void write_memory(const Memory& before, std::vector<Memory::Remembered> Memory::*list,
-                    LevelRemainder& remainder) const;
+  void write_quadrics(const CostState& before, std::vector<VertexQuadric> CostState::*list,
+                      LevelRemainder& remainder) const;
   void write_refusals(LevelRemainder& remainder) const;
 
  private:
@@ -120,23 +120,23 @@ void Stitching::write_vertex_map(LevelRemainder& remainder) const {
   });
 }
 
-/// Vertices that were frozen here remember what they did before. \param list of a memory
-void Stitching::write_memory(const Memory& before, std::vector<Memory::Remembered> Memory::*list,
-                             LevelRemainder& remainder) const {
+/// Vertices that were frozen here have those from before.
+void Stitching::write_quadrics(const CostState& before, std::vector<VertexQuadric> CostState::*list,
+                               LevelRemainder& remainder) const {
   std::vector<const Quadric*> quadrics(n_vertices_);  // by vertex left, or null
-  const auto remember = [&](const Memory::Remembered& r) {
-    if (vertex_number_[r.vertex] != invalid_index) quadrics[vertex_number_[r.vertex]] = &r.quadric;
+  const auto keep = [&](const VertexQuadric& q) {
+    if (vertex_number_[q.vertex] != invalid_index) quadrics[vertex_number_[q.vertex]] = &q.quadric;
   };
-  for (const Memory::Remembered& r : before.*list) {
-    if (partition_.is_shared[r.vertex] != 0) remember(r);
+  for (const VertexQuadric& q : before.*list) {
+    if (partition_.is_shared[q.vertex] != 0) keep(q);
   }
   for_each_block(blocks_.size(), threads_, [&](std::size_t b) {
-    for (const Memory::Remembered& r : blocks_[b]->memory().*list) remember(r);
+    for (const VertexQuadric& q : blocks_[b]->cost_state().*list) keep(q);
   });
   std::size_t n = 0;
   const std::vector<Index> places =
       number_chosen(n_vertices_, threads_, n, [&](std::size_t v) { return quadrics[v] != nullptr; });
-  std::vector<Memory::Remembered>& after = remainder.memory.*list;
+  std::vector<VertexQuadric>& after = remainder.cost_state.*list;
   after.resize(n);
   for_each_range(n_vertices_, threads_, [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<Index>(begin); v < end; ++v) {
@@ -163,14 +163,14 @@ void Stitching::write_refusals(LevelRemainder& remainder) const {
 }  // namespace
 
 void stitch(const Surface& surface, const Partition& partition, std::span<const Block* const> blocks,
-            const BlockResults& results, const Memory& memory, const LevelRemainder* before, unsigned threads,
+            const BlockResults& results, const CostState& cost_state, const LevelRemainder* before, unsigned threads,
             LevelRemainder& remainder) {
   const Stitching stitching(surface, partition, blocks, results, before, threads);
   stitching.write_vertices(remainder);
   stitching.write_faces(remainder);
   stitching.write_vertex_map(remainder);
-  stitching.write_memory(memory, &Memory::quadrics, remainder);
-  stitching.write_memory(memory, &Memory::seams, remainder);
+  stitching.write_quadrics(cost_state, &CostState::quadrics, remainder);
+  stitching.write_quadrics(cost_state, &CostState::seams, remainder);
   stitching.write_refusals(remainder);
 }
 

@@ -8,9 +8,9 @@
 namespace whittle {
 
 /// Puts together what the blocks of a level have left, vertices and faces in the input's order.
-/// \param memory of the surface \param before as in `run_level`
+/// \param cost_state of the surface \param before as in `run_level`
 void stitch(const Surface& surface, const Partition& partition, std::span<const Block* const> blocks,
-            const BlockResults& results, const Memory& memory, const LevelRemainder* before, unsigned threads,
+            const BlockResults& results, const CostState& cost_state, const LevelRemainder* before, unsigned threads,
             LevelRemainder& remainder);
 
 }  // namespace whittle

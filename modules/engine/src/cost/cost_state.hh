@@ -1,57 +1,41 @@
 #pragma once
 
-#include <cstddef>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "complex/triangle_complex.hh"
-#include "cost/memory.hh"
-#include "whittle/core/detail/compiler.hh"
-#include "whittle/engine/formula/pair_evaluation.hh"
-#include "whittle/engine/host.hh"
+#include "cost/attributes/surface_attributes.hh"
+#include "whittle/core/indexed_mesh.hh"
+#include "whittle/engine/formula/memoryless_term.hh"
 
 namespace whittle {
 
-/// What a cost keeps about a vertex, as memory to be fetched before it is asked for.
-struct VertexState {
-  const std::byte* begin = nullptr;
-  std::size_t stride = 0;  ///< bytes a vertex; 0 = nothing is kept
-
-  void prefetch(Index v) const { prefetch_line(begin + stride * v); }
+/// A quadric about its vertex, in the frame.
+struct VertexQuadric {
+  Index vertex;  ///< of the surface that has the state
+  Quadric quadric;
 };
 
-/// What a cost knows of a surface, from pass to pass. No function has a default: a cost that forgets one does not
-/// compile. Costs that keep nothing derive from `StatelessCost`.
-class CostState {
- public:
-  virtual ~CostState() = default;
+/// What costs know of a surface that can't be told from its faces. A stage leaves it, and the next one starts from it.
+/// Vertices that are in no list have the planes of their faces and borders.
+struct CostState {
+  std::optional<MeanFaceArea> face_area{};  ///< at the start of the run; none: to be measured
+  std::vector<VertexQuadric> quadrics{};    ///< all that these vertices know; ascending
+  std::vector<VertexQuadric> seams{};       ///< planes of seams and rims, besides those of faces; ascending
+  std::vector<VertexQuadric> faces{};       ///< in the place of sums over the vertices' faces and borders; ascending
+  SurfaceAttributes attributes{};           ///< none where costs don't look at attributes, or haven't seen them yet
 
-  virtual void see_faces(unsigned threads) = 0;
-  /// \param planes of seams and rims (`seam_planes`), by number in the input
-  virtual void see_seams(std::span<const Memory::Remembered> planes) = 0;
-  virtual void see_attributes(SurfaceAttributes&& attributes) = 0;
-  virtual void start(unsigned threads) = 0;
-  /// Takes what was kept about vertices from an earlier run. Called after `start`. \param state by number in the input
-  virtual void resume(const DecimationState& state) = 0;
-  /// Takes what is known from passes over the same surface before. Called after `start`.
-  virtual void recall(const Memory& memory) = 0;
-  /// Updates what is kept about vertices. \param profile as it was before the contraction
-  virtual void merge(ContractionProfile& profile, const PairEvaluation& ranked, const Change& change) = 0;
-
-  /// What is kept about v as a quadric: nothing, unless the cost has quadrics.
-  virtual PlacedQuadric quadric(Index v) const = 0;
-  /// Whether what is kept about v can't be told from its faces.
-  virtual bool remembers(Index v) const = 0;
-  /// The planes of seams that v remembers, if these are all that it remembers; or null.
-  virtual const Quadric* remembered_seams(Index v) const = 0;
-  /// What is kept about the attributes of some vertices, which get their places as numbers.
-  virtual SurfaceAttributes attributes_at(std::span<const Index> vertices) const = 0;
-  /// What is remembered about the faces as they were at the start.
-  virtual MeanFaceArea face_area() const = 0;
-
-  /// What ranking looks at.
-  virtual VertexState vertex_state() const = 0;
-  /// Whether `merge` changes what is kept about the merged vertex' neighbours.
-  virtual bool changes_neighbours() const = 0;
+  /// For vertices that have moved.
+  void move_origins(std::span<const Vec3> before, std::span<const Vec3> after);
 };
+
+/// Calls `use(vertex of the complex, quadric)` for each.
+template <class Use>
+void for_each_quadric(std::span<const VertexQuadric> all, const TriangleComplex& complex, const Use& use) {
+  if (all.empty()) return;
+  const std::vector<Index> vertices = complex.vertices_by_origin();
+  for (const auto& [vertex, quadric] : all) use(vertices[vertex], quadric);
+}
 
 }  // namespace whittle

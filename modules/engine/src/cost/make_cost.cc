@@ -25,16 +25,16 @@ std::unique_ptr<PairCost> make_cost(TriangleComplex& complex, const Restraints& 
     case Cost::lindstrom_turk:
       return std::make_unique<LindstromTurkCost>(complex, restraints);
     case Cost::memoryless:
-      return std::make_unique<MemorylessCost>(complex, restraints, quadric, has_threshold_pairs);
+      return std::make_unique<MemorylessCost>(complex, restraints, quadric, has_threshold_pairs, options.threads);
     case Cost::midpoint:
       return std::make_unique<MidpointCost>(complex, restraints);
     case Cost::quadric:
       break;
   }
   if (options.isotropy > 0) {
-    return std::make_unique<IsotropicCost>(complex, restraints, quadric, options.isotropy);
+    return std::make_unique<IsotropicCost>(complex, restraints, quadric, options.isotropy, options.threads);
   }
-  return std::make_unique<QuadricCost>(complex, restraints, quadric, has_threshold_pairs);
+  return std::make_unique<QuadricCost>(complex, restraints, quadric, has_threshold_pairs, options.threads);
 }
 
 double cost_dimension(const DecimateOptions& options) {

@@ -9,7 +9,7 @@
 namespace whittle {
 
 /// The cost that the options ask for. A new cost gets a line in there.
-/// \param has_threshold_pairs whether there are pairs beside the edges
+/// \param has_threshold_pairs whether there are pairs beside the edges \pre the complex lists faces
 std::unique_ptr<PairCost> make_cost(TriangleComplex& complex, const Restraints& restraints,
                                     const DecimateOptions& options, bool has_threshold_pairs);
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "cost/memory.hh"
+#include "cost/cost_state.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/engine/options.hh"
@@ -14,8 +14,7 @@ namespace whittle {
 /// its faces the one through the edge, perpendicular to the face, as border edges have. Those of rims have the weight
 /// of borders. They belong to both ends of the edge. \param seams, rims lower vertex first, ascending \return their
 /// sums by vertex, ascending, in the frame
-std::vector<Memory::Remembered> seam_planes(const IndexedMesh& mesh, const Frame& frame,
-                                            std::span<const VertexPair> seams, std::span<const VertexPair> rims,
-                                            const DecimateOptions& options);
+std::vector<VertexQuadric> seam_planes(const IndexedMesh& mesh, const Frame& frame, std::span<const VertexPair> seams,
+                                       std::span<const VertexPair> rims, const DecimateOptions& options);
 
 }  // namespace whittle

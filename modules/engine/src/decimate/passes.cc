@@ -139,8 +139,6 @@ struct PassStart {
   PassInput input;
   ThresholdPairs found_pairs;
   InputLines found_lines;
-  std::vector<Memory::Remembered> seam_planes;
-  SurfaceAttributes attributes;
   std::vector<std::uint8_t> locked;
   std::vector<Index> areas;
 };
@@ -217,30 +215,26 @@ void Passes::begin_with_input(PassStart& start, const DecimateOptions& options, 
   start.input.threshold_pairs = start.found_pairs.pairs;
   start.input.lines = &start.found_lines.held;
   const std::vector<VertexPair> rims = held_rims(mesh_, frame_, options_);
-  start.seam_planes = seam_planes(mesh_, frame_, start.found_lines.seams, rims, options_);
-  start.input.seam_planes = start.seam_planes;
+  start.input.cost_state.seams = seam_planes(mesh_, frame_, start.found_lines.seams, rims, options_);
   start.input.locked = options_.locked;
 }
 
 /// \pre there is one
-void Passes::begin_with_remainder(PassStart& start) const {
-  const Remainder& left = *done_.left;
+void Passes::begin_with_remainder(PassStart& start) {
+  Remainder& left = *done_.left;
   start.locked = left.of_vertices(options_.locked);
   start.input.surface = {left.positions, Frame{}, left.faces};
   start.input.threshold_pairs = left.threshold_pairs;
   start.input.lines = &left.lines;
-  start.input.memory = &left.memory;
+  start.input.cost_state = std::move(left.cost_state);
   start.input.context.refusals = left.refusals;
   start.input.locked = start.locked;
 }
 
 /// Wedges are as the pass before left them. The first pass that looks at attributes sums them from the input.
 void Passes::begin_with_attributes(PassStart& start) {
-  if (done_.left && done_.left->memory.attributes.wedges.any()) {
-    start.input.attributes = &done_.left->memory.attributes;
-    return;
-  }
-  if (host_ || !looks_at_attributes(options_, mesh_)) return;
+  SurfaceAttributes& sums = start.input.cost_state.attributes;
+  if (sums.wedges.any() || host_ || !looks_at_attributes(options_, mesh_)) return;
   const ScaledAttributes attributes = scaled_attributes(mesh_, frame_, options_.attribute_weights);
   if (attributes.n_components == 0) return;
   WedgeMap map;
@@ -256,9 +250,7 @@ void Passes::begin_with_attributes(PassStart& start) {
   const auto& [surface_positions, surface_frame, faces] = start.input.surface;
   std::vector<Vec3> positions(surface_positions.begin(), surface_positions.end());
   for (Vec3& p : positions) p = surface_frame.to_frame(p);
-  start.attributes =
-      sum_attributes(mesh_, frame_, attributes, map.of_input, std::move(map.vertex_of), positions, options_.threads);
-  start.input.attributes = &start.attributes;
+  sums = sum_attributes(mesh_, frame_, attributes, map.of_input, std::move(map.vertex_of), positions, options_.threads);
 }
 
 /// Empty where the error alone counts, and with a host, which has guards of its own.
@@ -395,7 +387,7 @@ bool Passes::adjust() {
     const Index origin = left.origins[v];
     if (keeps_steps()) changes.moved.push_back({origin, to_output(position, mesh_.positions[origin], frame_)});
   }
-  move_origins(left.memory, positions_before, left.positions);
+  left.cost_state.move_origins(positions_before, left.positions);
   if (!left.lines.edges.empty()) find_courses(mesh_, frame_, input_features(mesh_, options_), left);
   if (keeps_steps()) {
     changes.n_contractions = done_.steps.contractions.size();

@@ -75,7 +75,7 @@ class Passes {
  private:
   double way_to(const DecimateTarget& stop) const;
   void begin_with_input(PassStart& start, const DecimateOptions& options, Preparation& preparation);
-  void begin_with_remainder(PassStart& start) const;
+  void begin_with_remainder(PassStart& start);
   void begin_with_attributes(PassStart& start);
   void begin_with_areas(PassStart& start, const DecimateTarget& stop);
   const KeptAreas& areas();

@@ -6,6 +6,14 @@
 
 namespace whittle {
 
+void begin_with(const DecimationState& state, TriangleComplex& complex, CostState& cost_state) {
+  cost_state.face_area = state.face_area;
+  for (Index v = 0; v < state.vertices.size(); ++v) cost_state.faces.push_back({v, state.vertices[v].quadric});
+  for (Index v = 0; v < complex.n_vertex_slots(); ++v) {
+    complex.set_position(v, state.vertices[complex.origin(v)].position);
+  }
+}
+
 HostedContraction hosted(const TriangleComplex& complex, const ContractionProfile& profile,
                          const PairEvaluation& ranked, const Vec3& position) {
   const auto [survivor, removed] = complex.identities_after(profile.pair, profile.survivor, position);
@@ -18,7 +26,7 @@ HostedContraction hosted(const TriangleComplex& complex, const ContractionProfil
           position};
 }
 
-void HostCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
+void HostCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks, double /*enough*/) const {
   std::transform(pairs.begin(), pairs.end(), ranks.begin(), [this](const Pair& pair) {
     PairEvaluation rank = cost_.rank(complex_.identity(pair.a), complex_.identity(pair.b),
                                      restraints_.pinned(pair).value_or(Pinned::first));
@@ -28,7 +36,7 @@ void HostCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks
   });
 }
 
-Settlement HostCost::settle(ContractionProfile& profile, const PairEvaluation& ranked) const {
+Settlement HostCost::place(ContractionProfile& profile, const PairEvaluation& ranked) const {
   const auto& [id, a, b] = profile.pair;
   const Index first = complex_.identity(a);
   Settlement settlement =

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "complex/restraints.hh"
-#include "cost/stateless_cost.hh"
+#include "cost/pair_cost.hh"
 #include "whittle/engine/host.hh"
 
 namespace whittle {
@@ -12,20 +12,23 @@ namespace whittle {
 class HostCost final : public StatelessCost {
  public:
   HostCost(const TriangleComplex& complex, const Restraints& restraints, HostedCost& cost)
-      : StatelessCost(complex), restraints_(restraints), cost_(cost) {}
+      : complex_(complex), restraints_(restraints), cost_(cost) {}
 
-  using PairCost::rank;
-  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;
-  Settlement settle(ContractionProfile& profile, const PairEvaluation& ranked) const override;
+  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks, double enough) const override;
+  Settlement place(ContractionProfile& profile, const PairEvaluation& ranked) const override;
   double final_cost(const ContractionProfile& profile, const PairEvaluation& ranked,
                     const Vec3& position) const override;
   /// At least the ends: nothing says that a host's ranks are lower bounds.
-  Reach reach() const override { return std::max(cost_.reach(), Reach::ends); }
+  Reach affects() const override { return std::max(cost_.reach(), Reach::ends); }
 
  private:
+  const TriangleComplex& complex_;
   const Restraints& restraints_;
   HostedCost& cost_;
 };
+
+/// Moves the vertices to where an earlier run left them, and takes their quadrics.
+void begin_with(const DecimationState& state, TriangleComplex& complex, CostState& cost_state);
 
 /// A profile's contraction in the words of hosts.
 HostedContraction hosted(const TriangleComplex& complex, const ContractionProfile& profile,

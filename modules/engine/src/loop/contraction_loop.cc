@@ -23,7 +23,7 @@ constexpr RefusedPairs::Refuser refused_by_cost = 0xfe;
 
 /// Whether pairs stay where they were queued until their turn comes.
 bool is_lazy(const PairRanks& ranks, const DecimateOptions& options) {
-  return ranks.reach() == Reach::none || options.effective_order() == Order::approximate;
+  return ranks.affects() == Reach::none || options.effective_order() == Order::approximate;
 }
 
 std::unique_ptr<PairQueue> make_queue(TriangleComplex& complex, const PairRanks& ranks, ThresholdPairSieve& sieve,
@@ -40,9 +40,9 @@ std::optional<UncertainVertices> find_uncertain(const TriangleComplex& complex, 
   return UncertainVertices(complex);
 }
 
-/// An eager queue ranks anew all pairs within the cost's reach.
+/// An eager queue ranks anew all pairs that a contraction affects.
 Reach reach_of_touched(const PairRanks& ranks, const DecimateOptions& options) {
-  return is_lazy(ranks, options) ? ranks.sight() : std::max(ranks.reach(), ranks.sight());
+  return is_lazy(ranks, options) ? ranks.reads() : std::max(ranks.affects(), ranks.reads());
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraint
                                  DecimationHost* host, const LoopContext& context)
     : complex_(complex),
       restraints_(restraints),
-      cost_(cost),
+      placer_(cost),
       options_(options),
       target_(target),
       frame_(frame),
@@ -156,9 +156,9 @@ void ContractionLoop::take(const RankedPair& ranked) {
   if (stop_at_cost(ranked.pair, rank)) return;
   if (!gather_if_certain(ranked.pair)) return leave_to_later(ranked.pair);
   profile_.ranked = ranked.rank;
-  const std::optional<Vec3> position = settle(ranked);
+  const std::optional<Vec3> position = place(ranked);
   if (!position) return;
-  const double cost = std::max(rank, cost_.final_cost(profile_, ranked.rank, *position));
+  const double cost = std::max(rank, placer_.final_cost(profile_, ranked.rank, *position));
   if (cost == never) return refused_.add(ranked.pair, refused_by_cost);
   if (cost > rank && queue_->postpone(ranked.pair, cost)) return;
   if (stop_at_cost(ranked.pair, cost)) return;
@@ -210,7 +210,7 @@ bool ContractionLoop::stop_at_cost(const Pair& pair, double cost) {
 }
 
 /// The first position that no guard refuses; nullopt, and the refusal noted, if there is none.
-std::optional<Vec3> ContractionLoop::settle(const RankedPair& ranked) {
+std::optional<Vec3> ContractionLoop::place(const RankedPair& ranked) {
   for (std::size_t i = 0; i < guards_.size(); ++i) {
     if (!guards_[i]->refuses(profile_)) continue;
     refuse(i);
@@ -219,7 +219,7 @@ std::optional<Vec3> ContractionLoop::settle(const RankedPair& ranked) {
   // The higher origin survives, so that no pair's rank among ties moves forward. But a vertex that may not move
   // survives in any case.
   const Index survivor = restraints_.pinned(ranked.pair) == Pinned::first ? ranked.pair.a : ranked.pair.b;
-  const Settlement settlement = cost_.settle(profile_, ranked.rank);
+  const Settlement settlement = placer_.place(profile_, ranked.rank);
   std::optional<std::size_t> refusal;
   for (std::size_t i = 0; i < settlement.n; ++i) {
     const Settlement::Option& option = settlement.options[i];
@@ -286,7 +286,7 @@ void ContractionLoop::contract(const RankedPair& ranked, const Vec3& position, d
   result_.max_cost = std::max(result_.max_cost, cost);
   if (is_told()) tell_others(*told_, cost);
   list_touched();
-  cost_.merge(profile_, ranked.rank, change_);
+  placer_.merge(profile_, ranked.rank, change_);
   restraints_.note(complex_, profile_, change_);
   for (Guard* guard : followers_) guard->note(change_);
   queue_->note(change_);

@@ -22,7 +22,7 @@ namespace whittle {
 ///     take the next pair from the queue, and gather its profile
 ///     if the order is exact, in a block that doesn't know all around the pair: leave it to a later pass
 ///     if a guard refuses the pair: count that; the pair waits until something that the guard looks at changes
-///     the cost settles a position; if a guard refuses that, the one where the pair was ranked is tried
+///     the cost places the merged vertex; if a guard refuses that, the one where the pair was ranked is tried
 ///     if the final cost is above the rank: queue the pair again
 ///     else contract, and tell the change to cost, restraints, queue, waiting pairs and listener
 ///     if no pair is left: queue those again that were refused by guards that give way
@@ -47,7 +47,7 @@ class ContractionLoop {
   void leave_to_later(const Pair& pair);
   void list_affected(Index v);
   bool stop_at_cost(const Pair& pair, double cost);
-  std::optional<Vec3> settle(const RankedPair& ranked);
+  std::optional<Vec3> place(const RankedPair& ranked);
   std::optional<std::size_t> find_refusal_at(const Vec3& position);
   void refuse(std::size_t guard);
   bool ask_guards_to_give_way();
@@ -68,7 +68,7 @@ class ContractionLoop {
 
   TriangleComplex& complex_;
   Restraints& restraints_;
-  PairCost& cost_;
+  Placer& placer_;
   const DecimateOptions& options_;
   DecimateTarget target_;
   std::optional<double> cost_limit_;  ///< that of the target, in the frame

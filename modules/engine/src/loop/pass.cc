@@ -1,6 +1,7 @@
 #include "loop/pass.hh"
 
 #include <algorithm>
+#include <utility>
 
 #include "cost/make_cost.hh"
 #include "host/host_cost.hh"
@@ -51,36 +52,27 @@ void leave_out_coincident(std::vector<Index>& faces, std::span<const Triangle> i
 
 }  // namespace
 
-Pass::Pass(const PassInput& input, const DecimateOptions& options)
+Pass::Pass(PassInput& input, const DecimateOptions& options)
     : options_(options),
       host_(input.host),
       context_(input.context),
       complex_(input.surface.positions, input.surface.faces, input.surface.frame, options.threads) {
   const DecimationState* const state = host_ ? host_->state() : nullptr;
-  if (state) {
-    for (Index v = 0; v < complex_.n_vertex_slots(); ++v) {
-      complex_.set_position(v, state->vertices[complex_.origin(v)].position);
-    }
-  }
+  if (state) begin_with(*state, complex_, input.cost_state);
   HostedCost* const hosted_cost = host_ ? host_->cost() : nullptr;
+  if (hosted_cost ? hosted_cost->stays_at_vertices() : stays_at_vertices(options)) complex_.follow_positions();
+  if (!input.frozen.empty()) complex_.freeze(input.frozen);
   if (hosted_cost) {
     cost_ = std::make_unique<HostCost>(complex_, restraints_, *hosted_cost);
   } else {
     cost_ = make_cost(complex_, restraints_, options, !input.threshold_pairs.empty());
   }
-  if (hosted_cost ? hosted_cost->stays_at_vertices() : stays_at_vertices(options)) complex_.follow_positions();
-  if (!input.frozen.empty()) complex_.freeze(input.frozen);
-  cost_->see_faces(options.threads);
-  if (!input.seam_planes.empty()) cost_->see_seams(input.seam_planes);
-  if (input.attributes) cost_->see_attributes(std::move(*input.attributes));
   complex_.connect(input.threshold_pairs, options.threads);
   const bool has_planes = !hosted_cost && has_quadrics(options);
   restraints_ = Restraints(complex_, locked_vertices(complex_, input.locked, options.boundary),
                            input.lines ? *input.lines : FeatureLines{}, options.feature_angle_deg.value_or(180),
                            input.feature_tolerance, has_planes ? SeamHold::along : SeamHold::at_ends);
-  cost_->start(options.threads);
-  if (state) cost_->resume(*state);
-  if (input.memory) cost_->recall(*input.memory);
+  cost_->start(std::move(input.cost_state), options.threads);
 }
 
 void Pass::start(const DecimateTarget& target, const Frame& frame) {

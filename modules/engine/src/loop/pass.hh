@@ -24,13 +24,11 @@ struct PassInput {
   Surface surface;
   std::span<const VertexPair> threshold_pairs;
   const FeatureLines* lines = nullptr;
-  std::span<const Memory::Remembered> seam_planes;  ///< unless `memory` has them
-  SurfaceAttributes* attributes = nullptr;          ///< moved from
-  double feature_tolerance = 0;                     ///< in the frame
-  std::span<const std::uint8_t> locked;             ///< per vertex, or empty
-  std::span<const std::uint8_t> frozen;             ///< per vertex, or empty: those that take part in no contraction
-  const Memory* memory = nullptr;                   ///< of passes before
-  LoopContext context;                              ///< its refusals must outlive the pass
+  CostState cost_state;                  ///< of stages before; moved from
+  double feature_tolerance = 0;          ///< in the frame
+  std::span<const std::uint8_t> locked;  ///< per vertex, or empty
+  std::span<const std::uint8_t> frozen;  ///< per vertex, or empty: those that take part in no contraction
+  LoopContext context;                   ///< its refusals must outlive the pass
   DecimationHost* host = nullptr;
 };
 
@@ -38,7 +36,7 @@ struct PassInput {
 class Pass {
  public:
   /// \param options must outlive the pass
-  Pass(const PassInput& input, const DecimateOptions& options);
+  Pass(PassInput& input, const DecimateOptions& options);
 
   /// Ranks all pairs. \param frame that the listener and the target's cost are told in
   void start(const DecimateTarget& target, const Frame& frame);

@@ -18,26 +18,6 @@ std::vector<Index> vertices_left(const TriangleComplex& complex, const std::vect
   return vertices;
 }
 
-std::vector<PlacedQuadric> quadrics_of(const PairCost& cost, const std::vector<Index>& vertices) {
-  std::vector<PlacedQuadric> quadrics;
-  reserve_large(quadrics, vertices.size());
-  for (const Index v : vertices) quadrics.push_back(cost.quadric(v));
-  return quadrics;
-}
-
-Memory memory_of(const PairCost& cost, const std::vector<Index>& vertices) {
-  Memory memory{cost.face_area(), {}};
-  const auto n = std::count_if(vertices.begin(), vertices.end(), [&](Index v) { return cost.remembers(v); });
-  reserve_large(memory.quadrics, static_cast<std::size_t>(n));
-  for (Index i = 0; i < vertices.size(); ++i) {
-    const Index v = vertices[i];
-    if (cost.remembers(v)) memory.quadrics.push_back({i, cost.quadric(v).quadric});
-    if (const Quadric* const seams = cost.remembered_seams(v)) memory.seams.push_back({i, *seams});
-  }
-  memory.attributes = cost.attributes_at(vertices);
-  return memory;
-}
-
 /// Those that an edge decides are left out: their vertices share a face.
 std::vector<VertexPair> threshold_pairs_left(TriangleComplex& complex, const std::vector<Index>& numbers) {
   std::vector<VertexPair> pairs;
@@ -97,9 +77,12 @@ Remainder remainder_of(Pass& pass, std::span<const Triangle> faces, const Remain
     left.vertex_map = std::move(went_to);
   }
   left.lines = pass.feature_lines(numbers);
-  if (gathering.quadrics) left.quadrics = quadrics_of(pass.cost(), vertices);
+  if (gathering.quadrics) {
+    reserve_large(left.quadrics, vertices.size());
+    for (const Index v : vertices) left.quadrics.push_back({complex.position(v), pass.cost().quadric(v)});
+  }
   if (!gathering.what_to_go_on_from) return left;
-  left.memory = memory_of(pass.cost(), vertices);
+  left.cost_state = pass.cost().state(vertices);
   left.threshold_pairs = threshold_pairs_left(complex, numbers);
   return left;
 }

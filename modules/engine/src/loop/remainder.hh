@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "complex/restraints.hh"
-#include "cost/memory.hh"
+#include "cost/cost_state.hh"
 #include "loop/pass.hh"
 
 namespace whittle {
@@ -19,7 +19,7 @@ struct Remainder {
   std::vector<PlacedQuadric> quadrics;  ///< a vertex, where they are asked for
 
   // For another pass.
-  Memory memory;
+  CostState cost_state;
   std::vector<VertexPair> threshold_pairs;  ///< that may still be contracted
   std::vector<GuardedPair> refusals;        ///< that still hold, if the order is exact
 

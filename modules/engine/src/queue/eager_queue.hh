@@ -9,7 +9,7 @@
 
 namespace whittle {
 
-/// The queue for costs that a contraction nearby may lower. After each contraction all pairs within the cost's reach
+/// The queue for costs that a contraction nearby may lower. After each contraction all pairs that it affects
 /// are ranked again, so every pair's cost is known at any time.
 ///
 /// A queued pair has an entry in the bucket of its cost. If that bucket has been opened, the entry is among the
@@ -42,7 +42,7 @@ class EagerQueue final : public PairQueue {
   std::vector<Index> members_;  ///< of the bucket being opened
   OpenBucket open_;
   std::vector<Index> last_looked_at_;  ///< per pair, the number of contractions when it was last collected
-  std::vector<Pair> pairs_;            ///< scratch: the pairs within reach
+  std::vector<Pair> pairs_;            ///< scratch: the pairs that a contraction affects
   std::vector<PairEvaluation> evaluations_;
 };
 

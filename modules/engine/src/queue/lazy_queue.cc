@@ -79,7 +79,7 @@ LazyQueue::Parcel& LazyQueue::evaluate(Parcel& parcel, double enough) const {
 }
 
 void LazyQueue::rank(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations, double enough) const {
-  ranks_.rank_up_to(enough, pairs, evaluations);
+  ranks_.rank(pairs, evaluations, enough);
   if (uncertain_ == nullptr) return;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (uncertain_->contains_any(pairs[i])) evaluations[i].cost = evaluations[i].bound;
@@ -180,10 +180,10 @@ void LazyQueue::evaluate_members_on_all_threads() {
 /// Looks up the ends of members begin … end that are still pairs. Prefetches what comes next: pairs, their ends, and
 /// the vertices that these have become.
 void LazyQueue::find_pairs(std::size_t begin, std::size_t end, Parcel& parcel) {
-  const VertexState state = ranks_.state().vertex_state();
+  const KeptOfVertices kept = ranks_.kept();
   const auto prefetch_end = [&](Index v) {
     complex_.prefetch_vertex(v);
-    state.prefetch(v);
+    kept.prefetch(v);
   };
   std::size_t n = 0;
   for (std::size_t i = begin; i < end; ++i) {
@@ -239,17 +239,17 @@ void LazyQueue::prefetch_turns() {
   candidate_ahead(
       4, [&](Index v) { complex_.for_each_likely_neighbour(v, [this](Index w) { complex_.prefetch_vertex(w); }); });
   candidate_ahead(3, [&](Index v) { raised_.prefetch(v); });
-  const VertexState state = ranks_.state().vertex_state();
-  if (ranks_.state().changes_neighbours()) {  // the ends are neighbours of each other
-    candidate_ahead(3, [&](Index v) { complex_.for_each_likely_neighbour(v, [&](Index w) { state.prefetch(w); }); });
+  const KeptOfVertices kept = ranks_.kept();
+  if (kept.changes_around_merged) {  // the ends are neighbours of each other
+    candidate_ahead(3, [&](Index v) { complex_.for_each_likely_neighbour(v, [&](Index w) { kept.prefetch(w); }); });
   } else {
-    candidate_ahead(3, [&](Index v) { state.prefetch(v); });
+    candidate_ahead(3, [&](Index v) { kept.prefetch(v); });
   }
 }
 
 /// Whether ranking the candidate now would give the cost and placement that it has.
 bool LazyQueue::is_unchanged(const Candidate& candidate) const {
-  return candidate.placement != invalid_index && ranks_.sight() == Reach::none &&
+  return candidate.placement != invalid_index && ranks_.reads() == Reach::none &&
          complex_.last_change(candidate.pair.a) <= n_done_at_opening_ &&
          complex_.last_change(candidate.pair.b) <= n_done_at_opening_;
 }
@@ -283,7 +283,7 @@ void LazyQueue::list_raised(Index v, std::vector<Index>& ids) const {
 void LazyQueue::note(const Change& change) {
   queue_cheaper(change);
   const bool moves_forward = complex_.origin(change.survivor) < complex_.origin(change.removed);
-  if (moves_forward && ranks_.reach() == Reach::none) queue_all_at(change.survivor);
+  if (moves_forward && ranks_.affects() == Reach::none) queue_all_at(change.survivor);
 }
 
 /// Queues again the raised pairs at the merged vertex that have become cheaper.

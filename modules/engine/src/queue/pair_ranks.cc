@@ -29,18 +29,10 @@ ValenceChange valence_change(const TriangleComplex& complex, const Pair& pair) {
 
 }  // namespace
 
-void PairRanks::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
-  cost_.rank(pairs, ranks);
-  penalize(pairs, ranks);
-}
-
 /// A penalty may make a rank less, so a rank that is only known to be at least `enough` doesn't do.
-void PairRanks::rank_up_to(double enough, std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
-  has_penalty() ? rank(pairs, ranks) : cost_.rank_up_to(enough, pairs, ranks);
-}
-
-void PairRanks::penalize(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
-  if (!has_penalty()) return;
+void PairRanks::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks, double enough) const {
+  if (!has_penalty()) return ranker_.rank(pairs, ranks, enough);
+  ranker_.rank(pairs, ranks, std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     ranks[i].cost = valence_change(complex_, pairs[i]).penalize(ranks[i].cost, valence_weight_);
   }

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <algorithm>
+#include <limits>
 #include <span>
 
-#include "cost/pair_cost.hh"
+#include "complex/triangle_complex.hh"
+#include "cost/ranker.hh"
 
 namespace whittle {
 
@@ -12,27 +13,26 @@ namespace whittle {
 class PairRanks {
  public:
   /// All must outlive it. \param valence_weight of the penalty, [0, inf); 0 = none
-  PairRanks(const TriangleComplex& complex, const PairCost& cost, double valence_weight)
-      : complex_(complex), cost_(cost), valence_weight_(valence_weight) {}
+  PairRanks(const TriangleComplex& complex, const Ranker& ranker, double valence_weight)
+      : complex_(complex), ranker_(ranker), valence_weight_(valence_weight) {}
 
-  /// As those of `PairCost`.
-  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const;
-  void rank_up_to(double enough, std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const;
+  /// As that of `Ranker`.
+  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks,
+            double enough = std::numeric_limits<double>::infinity()) const;
   PairEvaluation rank(const Pair& pair) const {
     PairEvaluation ranked;
     rank({&pair, 1}, {&ranked, 1});
     return ranked;
   }
-  Reach reach() const { return has_penalty() ? Reach::opposite_rings : cost_.reach(); }
-  Reach sight() const { return has_penalty() ? Reach::opposite_rings : cost_.sight(); }
-  const CostState& state() const { return cost_; }
+  Reach affects() const { return has_penalty() ? Reach::opposite_rings : ranker_.affects(); }
+  Reach reads() const { return has_penalty() ? Reach::opposite_rings : ranker_.reads(); }
+  KeptOfVertices kept() const { return ranker_.kept(); }
 
  private:
   bool has_penalty() const { return valence_weight_ != 0; }
-  void penalize(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const;
 
   const TriangleComplex& complex_;
-  const PairCost& cost_;
+  const Ranker& ranker_;
   double valence_weight_;
 };
 

@@ -6,18 +6,11 @@
 
 namespace whittle {
 
-void IsotropicCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
+void IsotropicCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks, double /*enough*/) const {
   std::transform(pairs.begin(), pairs.end(), ranks.begin(), [this](const Pair& pair) {
     return evaluate_isotropic(quadrics_.placed(pair.a), quadrics_.placed(pair.b), isotropy_, options_.placement,
                               restraints_.pinned(pair).value_or(Pinned::first));
   });
-}
-
-void IsotropicCost::merge(ContractionProfile& /*profile*/, const PairEvaluation& /*ranked*/, const Change& change) {
-  const auto& [id, a, b] = change.pair;
-  const PlacedQuadric sum =
-      merged(quadrics_.placed(a, change.before[0]), quadrics_.placed(b, change.before[1]), change.position, false);
-  quadrics_.merge(change, sum.quadric);
 }
 
 }  // namespace whittle

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "complex/restraints.hh"
-#include "cost/stateless_cost.hh"
+#include "cost/pair_cost.hh"
 
 namespace whittle {
 
@@ -9,13 +9,13 @@ namespace whittle {
 class MidpointCost final : public StatelessCost {
  public:
   MidpointCost(const TriangleComplex& complex, const Restraints& restraints)
-      : StatelessCost(complex), restraints_(restraints) {}
+      : complex_(complex), restraints_(restraints) {}
 
-  using PairCost::rank;
-  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;
-  Reach reach() const override { return Reach::ends; }
+  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks, double enough) const override;
+  Reach affects() const override { return Reach::ends; }
 
  private:
+  const TriangleComplex& complex_;
   const Restraints& restraints_;
 };
 

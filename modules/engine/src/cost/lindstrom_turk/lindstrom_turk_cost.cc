@@ -11,7 +11,7 @@
 #include "whittle/engine/formula/volume_sums.hh"
 
 namespace whittle {
-void LindstromTurkCost::start(unsigned threads) {
+void LindstromTurkCost::start(CostState&& /*before*/, unsigned threads) {
   stars_.resize(complex_.n_vertex_slots());
   for_each_range(stars_.size(), threads, [this](std::size_t begin, std::size_t end) {
     std::vector<Index> vertices(end - begin);
@@ -164,7 +164,7 @@ WHITTLE_AVX2 void LindstromTurkCost::rank_four_at_once(std::span<const Pair> pai
 }
 
 /// Pairs inside the surface several at once.
-void LindstromTurkCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
+void LindstromTurkCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks, double /*enough*/) const {
   if (has_double4) {
     rank_four_at_once(pairs, ranks);
   } else {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "complex/restraints.hh"
-#include "cost/stateless_cost.hh"
+#include "cost/pair_cost.hh"
 #include "whittle/core/detail/lanes.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/engine/formula/lindstrom_turk_pair.hh"
@@ -18,18 +18,14 @@ namespace whittle {
 class LindstromTurkCost final : public StatelessCost {
  public:
   LindstromTurkCost(const TriangleComplex& complex, const Restraints& restraints)
-      : StatelessCost(complex), restraints_(restraints) {}
+      : complex_(complex), restraints_(restraints) {}
 
-  void start(unsigned threads) override;
-
-  using PairCost::rank;
-  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override;
+  void start(CostState&& before, unsigned threads) override;
+  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks, double enough) const override;
   void merge(ContractionProfile& profile, const PairEvaluation& ranked, const Change& change) override;
-  VertexState vertex_state() const override {
-    return {reinterpret_cast<const std::byte*>(stars_.data()), sizeof(StarSums)};
-  }
-  Reach reach() const override { return Reach::ring; }
-  Reach sight() const override { return Reach::ring; }
+  KeptOfVertices kept() const override { return {reinterpret_cast<const std::byte*>(stars_.data()), sizeof(StarSums)}; }
+  Reach affects() const override { return Reach::ring; }
+  Reach reads() const override { return Reach::ring; }
 
  private:
   struct Sides;
@@ -49,6 +45,7 @@ class LindstromTurkCost final : public StatelessCost {
   void sum_around_ring(Index v);
   void sum_around_irregular(Index v);
 
+  const TriangleComplex& complex_;
   const Restraints& restraints_;
   LargeArray<StarSums> stars_;  ///< per vertex
 };

@@ -37,48 +37,44 @@ void look_at_ring(const TriangleComplex& complex, const Vec3& origin, Contractio
 
 }  // namespace
 
-void MemorylessCost::see_seams(std::span<const Memory::Remembered> planes) {
-  ranks_.see_seams(planes);
-  for_each_remembered(planes, complex_,
-                      [this](Index v, const Quadric& sum) { seams_.set(v, sum, complex_.n_vertex_slots()); });
-}
-
 /// What v has now are not the planes of its faces any more.
 void MemorylessCost::remember_all(Index v) {
   has_planes_of_faces_[v] = false;
   seams_.erase(v);
 }
 
-void MemorylessCost::start(unsigned threads) {
-  ranks_.start(threads);
-  face_area_ = mean_face_area(complex_, seams_, ranks_.quadrics(), options_.regularization);
-  ranks_.multiply_by_memoryless_factor(face_area_.first());
+void MemorylessCost::start(CostState&& before, unsigned threads) {
   has_planes_of_faces_.assign(complex_.n_vertex_slots(), true);
+  for_each_quadric(before.seams, complex_,
+                   [this](Index v, const Quadric& sum) { seams_.set(v, sum, complex_.n_vertex_slots()); });
+  face_area_ = before.face_area ? *before.face_area
+                                : mean_face_area(complex_, seams_, ranks_.quadrics(), options_.regularization);
+  ranks_.multiply_by_memoryless_factor(face_area_.first());
   for (Index v = 0; v < complex_.n_vertex_slots(); ++v) {
     if (!complex_.is_ring(v)) remember_all(v);
   }
+  for_each_quadric(before.quadrics, complex_, [this](Index v, const Quadric&) { remember_all(v); });
+  ranks_.start(std::move(before), threads);
 }
 
-void MemorylessCost::resume(const DecimationState& state) {
-  ranks_.resume(state);
-  face_area_ = state.face_area;
-  ranks_.multiply_by_memoryless_factor(face_area_.first());
+CostState MemorylessCost::state(std::span<const Index> vertices) const {
+  CostState state;
+  state.face_area = face_area_;
+  const auto n = std::count_if(vertices.begin(), vertices.end(), [&](Index v) { return !has_planes_of_faces_[v]; });
+  reserve_large(state.quadrics, static_cast<std::size_t>(n));
+  for (Index i = 0; i < vertices.size(); ++i) {
+    const Index v = vertices[i];
+    if (!has_planes_of_faces_[v]) state.quadrics.push_back({i, quadric(v)});
+    if (const Quadric* const seams = seams_.find(v)) state.seams.push_back({i, *seams});
+  }
+  state.attributes = ranks_.attributes_at(vertices);
+  return state;
 }
 
-void MemorylessCost::recall(const Memory& memory) {
-  face_area_ = memory.face_area;
-  ranks_.multiply_by_memoryless_factor(face_area_.first());
-  VertexQuadrics& quadrics = ranks_.quadrics();
-  for_each_remembered(memory.quadrics, complex_, [&](Index v, const Quadric& quadric) {
-    quadrics.store(v, quadric);
-    remember_all(v);
-  });
-  for_each_remembered(memory.seams, complex_, [&](Index v, const Quadric& seams) {
-    Quadric quadric = seams;
-    quadric.a += quadrics.matrix(v);
-    quadrics.store(v, quadric);
-    if (has_planes_of_faces_[v]) seams_.set(v, seams, complex_.n_vertex_slots());
-  });
+KeptOfVertices MemorylessCost::kept() const {
+  KeptOfVertices kept = ranks_.kept();
+  kept.changes_around_merged = true;
+  return kept;
 }
 
 /// Whether the merged vertex, and its neighbours, get the planes of their faces alone.
@@ -87,7 +83,7 @@ bool MemorylessCost::forgets(const ContractionProfile& profile) const {
 }
 
 /// Where the volume is kept, else at the minimum.
-Settlement MemorylessCost::settle(ContractionProfile& profile, const PairEvaluation& ranked) const {
+Settlement MemorylessCost::place(ContractionProfile& profile, const PairEvaluation& ranked) const {
   Settlement settlement;
   if (forgets(profile)) {
     look_at_ring(complex_, ranked.position, profile);

@@ -16,38 +16,25 @@ namespace whittle {
 class MemorylessCost final : public PairCost {
  public:
   MemorylessCost(TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options,
-                 bool has_threshold_pairs)
+                 bool has_threshold_pairs, unsigned threads)
       : complex_(complex),
         options_(options),
-        ranks_(complex, restraints, options, has_threshold_pairs),
+        ranks_(complex, restraints, options, has_threshold_pairs, threads),
         changes_(options) {}
 
-  void see_faces(unsigned threads) override { ranks_.see_faces(threads); }
-  void see_seams(std::span<const Memory::Remembered> planes) override;
-  void see_attributes(SurfaceAttributes&& attributes) override { ranks_.see_attributes(std::move(attributes)); }
-  void start(unsigned threads) override;
-  void resume(const DecimationState& state) override;
-  void recall(const Memory& memory) override;
-  bool remembers(Index v) const override { return !has_planes_of_faces_[v]; }
-  const Quadric* remembered_seams(Index v) const override { return seams_.find(v); }
-  SurfaceAttributes attributes_at(std::span<const Index> vertices) const override {
-    return ranks_.attributes_at(vertices);
-  }
-  MeanFaceArea face_area() const override { return face_area_; }
+  void start(CostState&& before, unsigned threads) override;
+  CostState state(std::span<const Index> vertices) const override;
+  Quadric quadric(Index v) const override { return ranks_.quadric(v); }
 
-  using PairCost::rank;
-  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override { ranks_.rank(pairs, ranks); }
-  void rank_up_to(double enough, std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const override {
-    ranks_.rank_up_to(enough, pairs, ranks);
+  void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks, double enough) const override {
+    ranks_.rank(pairs, ranks, enough);
   }
-  Settlement settle(ContractionProfile& profile, const PairEvaluation& ranked) const override;
+  Reach affects() const override { return Reach::ring; }
+  KeptOfVertices kept() const override;
+  Settlement place(ContractionProfile& profile, const PairEvaluation& ranked) const override;
   double final_cost(const ContractionProfile& profile, const PairEvaluation& ranked,
                     const Vec3& position) const override;
   void merge(ContractionProfile& profile, const PairEvaluation& ranked, const Change& change) override;
-  PlacedQuadric quadric(Index v) const override { return ranks_.quadric(v); }
-  VertexState vertex_state() const override { return ranks_.vertex_state(); }
-  Reach reach() const override { return Reach::ring; }
-  bool changes_neighbours() const override { return true; }
 
  private:
   bool forgets(const ContractionProfile& profile) const;

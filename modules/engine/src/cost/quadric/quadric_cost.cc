@@ -1,13 +1,27 @@
 #include "cost/quadric/quadric_cost.hh"
 
 #include <algorithm>
+#include <utility>
 
 #include "cost/quadric/level_pairs.hh"
 #include "whittle/engine/formula/memoryless_term.hh"
 
 namespace whittle {
 
-void QuadricCost::rank_up_to(double enough, std::span<const Pair> pairs, std::span<PairEvaluation> ranks) const {
+void QuadricCost::start(CostState&& before, unsigned /*threads*/) {
+  quadrics_.start(before);
+  if (before.attributes.wedges.any()) attributes_ = AttributeQuadrics(complex_, std::move(before.attributes));
+}
+
+CostState QuadricCost::state(std::span<const Index> vertices) const {
+  CostState state;
+  reserve_large(state.quadrics, vertices.size());
+  for (Index i = 0; i < vertices.size(); ++i) state.quadrics.push_back({i, quadric(vertices[i])});
+  state.attributes = attributes_.at(vertices);
+  return state;
+}
+
+void QuadricCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks, double enough) const {
   rank_planes(pairs, ranks);
   if (!attributes_.any()) return;
   constexpr std::size_t ahead = 4;

@@ -57,7 +57,9 @@ void VertexQuadrics::sum_range(std::size_t begin, std::size_t end) {
   }
 }
 
-void VertexQuadrics::sum_faces(unsigned threads) {
+VertexQuadrics::VertexQuadrics(const TriangleComplex& complex, const QuadricOptions& options, bool has_threshold_pairs,
+                               unsigned threads)
+    : complex_(complex), options_(options), has_points_(has_threshold_pairs) {
   const std::size_t n_vertices = complex_.n_vertex_slots();
   quadrics_.resize(n_vertices);
   if (has_points_) points_.resize(n_vertices);
@@ -100,8 +102,15 @@ void VertexQuadrics::add_borders() {
   }
 }
 
-void VertexQuadrics::resume(const DecimationState& state) {
-  for (Index v = 0; v < quadrics_.size(); ++v) store(v, state.vertices[complex_.origin(v)].quadric);
+void VertexQuadrics::start(const CostState& before) {
+  for_each_quadric(before.seams, complex_, [this](Index v, Quadric quadric) {
+    quadric.a += quadrics_[v].a;
+    store(v, quadric);
+  });
+  add_borders();
+  const auto take = [this](Index v, const Quadric& quadric) { store(v, quadric); };
+  for_each_quadric(before.faces, complex_, take);
+  for_each_quadric(before.quadrics, complex_, take);
 }
 
 void VertexQuadrics::merge(const Change& change, const Quadric& quadric) {

@@ -13,23 +13,13 @@ namespace whittle {
 /// The quadrics of a complex's vertices, each about its vertex.
 class VertexQuadrics {
  public:
-  /// \param has_threshold_pairs then vertices have point quadrics, too
-  VertexQuadrics(const TriangleComplex& complex, const QuadricOptions& options, bool has_threshold_pairs)
-      : complex_(complex), options_(options), has_points_(has_threshold_pairs) {}
-
   /// Sums the planes of each vertex's faces, in the input's order. \pre the complex lists faces
-  void sum_faces(unsigned threads);
-  /// Adds planes through v, before there are any that aren't.
-  void add_planes(Index v, const SymmetricMatrix& planes) { quadrics_[v].a += planes; }
-  /// Adds the planes through border edges. \pre the complex is connected
-  void add_borders();
+  /// \param has_threshold_pairs then vertices have point quadrics, too
+  VertexQuadrics(const TriangleComplex& complex, const QuadricOptions& options, bool has_threshold_pairs,
+                 unsigned threads);
 
-  /// Takes all quadrics from an earlier run.
-  void resume(const DecimationState& state);
-  /// Takes those that vertices remember.
-  void recall(const Memory& memory) {
-    for_each_remembered(memory.quadrics, complex_, [this](Index v, const Quadric& quadric) { store(v, quadric); });
-  }
+  /// Adds the planes through border edges, and takes what is known from before. \pre the complex is connected
+  void start(const CostState& before);
 
   const SymmetricMatrix& matrix(Index v) const { return quadrics_[v].a; }
   /// Whether v lies where its quadric is least, as most do: then its slope is zero.
@@ -54,13 +44,13 @@ class VertexQuadrics {
   template <class Real, class VertexAt>
   WHITTLE_INLINE QuadricLanes<Real> placed_level_with_points(const VertexAt& vertex) const;
 
-  void store(Index v, const Quadric& quadric);
   /// Stores the quadric of a merged vertex.
   void merge(const Change& change, const Quadric& quadric);
   /// Adds the change of planes through a neighbour of the merged vertex.
   void change_planes(Index v, const SymmetricMatrix& change) { quadrics_[v].a += change; }
 
-  VertexState state() const { return {reinterpret_cast<const std::byte*>(quadrics_.data()), sizeof(Stored)}; }
+  /// Where they lie.
+  KeptOfVertices kept() const { return {reinterpret_cast<const std::byte*>(quadrics_.data()), sizeof(Stored)}; }
 
  private:
   /// One cache line. The slope b, three more numbers, is zero but for the few vertices that are not where their quadric
@@ -78,6 +68,8 @@ class VertexQuadrics {
   template <class Real>
   void sum_in_lanes(Index first);
   void set_points(std::size_t begin, std::size_t end);
+  void add_borders();
+  void store(Index v, const Quadric& quadric);
   void merge_points(const Change& change);
 
   const TriangleComplex& complex_;
