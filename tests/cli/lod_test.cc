@@ -45,7 +45,7 @@ TEST(Lod, WritesLevelsThatAreProven) {
   const IndexedMesh input = io::read_mesh(mesh).mesh;
   for (const auto& level : levels) {
     const IndexedMesh written = io::read_mesh(std::string(level["path"])).mesh;
-    EXPECT_EQ(metrics::certify(input, written, level["max_error"]).verdict, metrics::Verdict::proven);
+    EXPECT_EQ(metrics::certify(input, written, level["max_error"]).verdict, Verdict::proven);
     EXPECT_LT(written.faces.size(), input.faces.size() / 2);
   }
 }

@@ -15,8 +15,8 @@
 #include "support/topology.hh"
 #include "support/transforms.hh"
 #include "whittle/core/detail/checks.hh"
+#include "whittle/core/geometry/triangle_tree.hh"
 #include "whittle/core/parts.hh"
-#include "whittle/metrics/closest_point.hh"
 #include "whittle/metrics/crossing_walls.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/line_distance.hh"
@@ -227,7 +227,7 @@ void check_new_intersections(const IndexedMesh& mesh, const IndexedMesh& moved) 
 }
 
 void check_bounds(const IndexedMesh& mesh) {
-  const auto box = measured(is_surface(mesh), [&mesh] { return metrics::bounds(mesh); });
+  const auto box = measured(is_surface(mesh), [&mesh] { return bounds_of(mesh); });
   if (!box) return;
   require(box->min.allFinite() && box->max.allFinite() && box->center().allFinite(), "boxes are finite");
   require((box->min.array() <= box->center().array()).all() && (box->center().array() <= box->max.array()).all(),

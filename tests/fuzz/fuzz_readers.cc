@@ -9,9 +9,9 @@
 #include "fuzz/decode/byte_source.hh"
 #include "fuzz/targets.hh"
 #include "whittle/core/detail/checks.hh"
+#include "whittle/core/geometry/bounds.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
-#include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/self_intersections.hh"
 #include "whittle/metrics/shape.hh"
 #include "whittle/metrics/topology.hh"
@@ -72,7 +72,7 @@ void measure(const IndexedMesh& mesh) {
   const metrics::Topology topology = metrics::topology(mesh);
   require(topology.collapsed_faces == 0, "no face is degenerate");
   if (mesh.faces.size() > 64 || !std::all_of(mesh.positions.begin(), mesh.positions.end(), is_in_range)) return;
-  require(std::isfinite(diagonal_of(metrics::bounds(mesh))), "meshes have a size");
+  require(std::isfinite(diagonal_of(bounds_of(mesh))), "meshes have a size");
   require(std::isfinite(metrics::shape(mesh).radius_ratio_mean), "meshes have a shape");
   metrics::self_intersections(mesh, 1);
 }

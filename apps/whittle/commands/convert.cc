@@ -30,7 +30,7 @@ struct Conversion {
 Json convert_json(ConvertCommand& options, const Conversion& run, double total_seconds) {
   const IndexedMesh& mesh = run.input.read.mesh;
   Json json = new_report();
-  json["input"] = input_json(run.input, mesh.faces.empty() ? 0 : diagonal_of(metrics::bounds(mesh)));
+  json["input"] = input_json(run.input, mesh.faces.empty() ? 0 : diagonal_of(bounds_of(mesh)));
   json["input"]["format"] = run.input.format;
   json["options"] = options_json(file_rows(options.files));
   json["output"] = {{"path", options.output},

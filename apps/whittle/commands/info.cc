@@ -58,7 +58,7 @@ Findings look_at(const InfoOptions& options, const Talk& talk) {
   findings.repaired = view(findings.read.mesh, options.common.threads, talk);
   findings.kind =
       kind_of(findings.read.mesh, findings.repaired.topology, file.gltf() != nullptr, options.common.threads);
-  findings.bounds = metrics::bounds(findings.read.mesh);
+  findings.bounds = bounds_of(findings.read.mesh);
   if (findings.read.repairs.welded_vertices > 0)
     findings.unwelded = view(file.read(false, options.common.threads).mesh, options.common.threads, talk);
   return findings;

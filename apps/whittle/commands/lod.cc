@@ -300,7 +300,7 @@ ExitCode run_lod(const Given& /*given*/, LodCommand options) {
   run.input = read_input(options.input, options.files, options.common.threads, talk, io::AttributeScope::all);
   check_input(options, run.input);
   run.warnings = run.input.warnings;
-  run.diagonal = diagonal_of(metrics::bounds(run.input.read.mesh));
+  run.diagonal = diagonal_of(bounds_of(run.input.read.mesh));
   const std::vector<std::uint8_t> held = held_borders(run.input, options.common.threads, talk, run.warnings);
   const Stopwatch working;
   {

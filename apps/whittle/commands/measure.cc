@@ -113,7 +113,7 @@ Json measure_json(const Input& reference, const Input& test, const Measurement& 
                   const MeasureOptions& options) {
   Json json = new_report();
   json["reference"] = input_json(reference, measured.distance.diagonal);
-  json["test"] = input_json(test, diagonal_of(metrics::bounds(test.read.mesh)));
+  json["test"] = input_json(test, diagonal_of(bounds_of(test.read.mesh)));
   json["diagonal"] = measured.distance.diagonal;
   add_distance(json, measured.distance);
   json["attributes"] = attributes_json(measured.attributes);

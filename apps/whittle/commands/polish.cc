@@ -58,10 +58,10 @@ OptionRows polish_rows(PolishCommand& options) {
 }
 
 Json polish_report(PolishCommand& options, const PolishRun& run, double total_seconds) {
-  const double diagonal = diagonal_of(metrics::bounds(run.reference.read.mesh));
+  const double diagonal = diagonal_of(bounds_of(run.reference.read.mesh));
   Json json = new_report();
   json["reference"] = input_json(run.reference, diagonal);
-  json["input"] = input_json(run.input, diagonal_of(metrics::bounds(run.input.read.mesh)));
+  json["input"] = input_json(run.input, diagonal_of(bounds_of(run.input.read.mesh)));
   json["options"] = options_json(polish_rows(options));
   json["output"] = {{"path", options.output}};
   json["polish"] = polish_json(run.result);

@@ -418,7 +418,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
     talk.warning(warning);
   }
   if (record.input.read.mesh.faces.empty()) return pass_through(options, talk, watch, record, report);
-  record.diagonal = diagonal_of(metrics::bounds(record.input.read.mesh));
+  record.diagonal = diagonal_of(bounds_of(record.input.read.mesh));
   set_target(options, record);
   check_regions(options.request.simplify.decimate.regions, record.input);
   if (options.request.prune) prune(options, talk, record);

@@ -57,7 +57,7 @@ VerifyRun verify_files(const VerifyCommand& options, const Talk& talk) {
   run.certificate = io::read_file(options.certificate, options.certificate);
   run.input = read_input(options.input, options.files, options.common.threads, talk);
   run.output = read_output(options, talk);
-  run.diagonal = diagonal_of(metrics::bounds(run.input.read.mesh));
+  run.diagonal = diagonal_of(bounds_of(run.input.read.mesh));
   const Stopwatch watch;
   const unsigned threads = options.common.threads > 0 ? options.common.threads : detail::n_cores();
   run.verification = verify::verify(triangles_of(run.input), triangles_of(run.output), run.certificate, threads);
@@ -106,7 +106,7 @@ Json verify_json(const VerifyCommand& options, const VerifyRun& run, bool is_met
   const verify::Verification& proof = run.verification;
   Json json = new_report();
   json["input"] = input_json(run.input, run.diagonal);
-  json["output"] = input_json(run.output, diagonal_of(metrics::bounds(run.output.read.mesh)));
+  json["output"] = input_json(run.output, diagonal_of(bounds_of(run.output.read.mesh)));
   json["certificate"] = {{"path", options.certificate}, {"bytes", run.certificate.size()}};
   json["holds"] = proof.holds;
   add_proven(json, "max_error", proof.max_error, run);

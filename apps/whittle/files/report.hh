@@ -8,7 +8,7 @@
 #include "files/input.hh"
 #include "files/output.hh"
 #include "options/command_line.hh"
-#include "whittle/metrics/bounds.hh"
+#include "whittle/core/geometry/bounds.hh"
 #include "whittle/metrics/certify.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/line_distance.hh"

@@ -13,10 +13,10 @@
 #include "sampling/surface_sampler.hh"
 #include "sampling/tree_pair.hh"
 #include "whittle/core/detail/progress_meter.hh"
+#include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/geometry/triangle.hh"
+#include "whittle/core/geometry/triangle_tree.hh"
 #include "whittle/core/two_sided.hh"
-#include "whittle/metrics/bounds.hh"
-#include "whittle/metrics/closest_point.hh"
 #include "working_scale.hh"
 
 namespace whittle::metrics {
@@ -185,7 +185,7 @@ SurfaceDistance scaled(SurfaceDistance distance, double scale) {
 SurfaceDistance surface_distance(const IndexedMesh& reference, const IndexedMesh& test,
                                  const DistanceOptions& options) {
   check_samples(options.samples);
-  const Box reference_box = bounds(reference), test_box = bounds(test);
+  const Box reference_box = bounds_of(reference), test_box = bounds_of(test);
   if (const double scale = working_scale({reference_box, test_box}); scale != 1.0) {
     return scaled(surface_distance(scaled(reference, scale), scaled(test, scale), options), 1.0 / scale);
   }

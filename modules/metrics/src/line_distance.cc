@@ -13,8 +13,8 @@
 
 #include "noise.hh"
 #include "whittle/core/detail/progress_meter.hh"
-#include "whittle/metrics/bounds.hh"
-#include "whittle/metrics/closest_point.hh"
+#include "whittle/core/geometry/bounds.hh"
+#include "whittle/core/geometry/triangle_tree.hh"
 #include "working_scale.hh"
 
 namespace whittle::metrics {
@@ -122,7 +122,7 @@ std::optional<LineDistance> line_distance(std::span<const Segment> reference, st
   }
   if (reference.empty() || test.empty()) return std::nullopt;
   const IndexedMesh reference_mesh = as_mesh(reference), test_mesh = as_mesh(test);
-  const Box reference_box = bounds(reference_mesh), test_box = bounds(test_mesh);
+  const Box reference_box = bounds_of(reference_mesh), test_box = bounds_of(test_mesh);
   if (const double scale = working_scale({reference_box, test_box}); scale != 1.0) {
     return scaled(*line_distance(scaled(reference, scale), scaled(test, scale), options), 1.0 / scale);
   }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "edge_normals.hh"
-#include "whittle/metrics/bounds.hh"
+#include "whittle/core/geometry/bounds.hh"
 #include "working_scale.hh"
 
 namespace whittle::metrics {
@@ -21,7 +21,7 @@ Segment segment_of(const IndexedMesh& mesh, const VertexPair& edge) {
 }  // namespace
 
 std::vector<Segment> border_lines(const IndexedMesh& mesh) {
-  bounds(mesh);  // for its checks
+  bounds_of(mesh);  // for its checks
   std::vector<Segment> lines;
   for (const VertexPair& edge : detail::border_edges(mesh.faces, mesh.positions.size())) {
     lines.push_back(segment_of(mesh, edge));
@@ -33,7 +33,7 @@ std::vector<Segment> feature_lines(const IndexedMesh& mesh, double angle_deg) {
   if (!(angle_deg > 0.0 && angle_deg < 180.0)) {
     throw std::invalid_argument("feature angle is to be in (0, 180) degrees, not " + std::to_string(angle_deg));
   }
-  const double scale = working_scale({bounds(mesh)});
+  const double scale = working_scale({bounds_of(mesh)});
   const IndexedMesh& seen = scale == 1.0 ? mesh : scaled(mesh, scale);
   const double angle = angle_deg * (std::numbers::pi / 180.0);
   const detail::EdgeTable edges(mesh.faces, mesh.positions.size());

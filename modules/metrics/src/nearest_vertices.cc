@@ -4,14 +4,14 @@
 
 #include "whittle/core/detail/progress_meter.hh"
 #include "whittle/core/geometry/box.hh"
-#include "whittle/metrics/closest_point.hh"
+#include "whittle/core/geometry/triangle_tree.hh"
 #include "working_scale.hh"
 
 namespace whittle::metrics {
 
 std::vector<Index> nearest_vertices(const IndexedMesh& from, const IndexedMesh& to, unsigned threads,
                                     const ProgressCallback& progress) {
-  const Box from_box = bounds(from), to_box = bounds(to);
+  const Box from_box = bounds_of(from), to_box = bounds_of(to);
   if (const double scale = working_scale({from_box, to_box}); scale != 1.0) {
     return nearest_vertices(scaled(from, scale), scaled(to, scale), threads, progress);
   }

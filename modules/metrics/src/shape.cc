@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "edge_normals.hh"
-#include "whittle/metrics/bounds.hh"
+#include "whittle/core/geometry/bounds.hh"
 #include "working_scale.hh"
 
 namespace whittle::metrics {
@@ -109,7 +109,7 @@ ValenceStats measure_valences(const IndexedMesh& mesh, const detail::EdgeTable& 
 }  // namespace
 
 Shape shape(const IndexedMesh& mesh) {
-  if (const double scale = working_scale({bounds(mesh)}); scale != 1.0) {
+  if (const double scale = working_scale({bounds_of(mesh)}); scale != 1.0) {
     Shape result = shape(scaled(mesh, scale));
     result.edge_length_mean /= scale;
     return result;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "whittle/metrics/bounds.hh"
+#include "whittle/core/geometry/bounds.hh"
 
 namespace whittle::metrics {
 

@@ -58,7 +58,7 @@ bool LevelSearch::is_within(double error, const Decimation& level) const {
   if (mesh.faces.empty()) return false;
   metrics::CertifyOptions options{.threads = options_.decimate.threads};
   if (mesh.positions.size() == level.mesh.positions.size()) options.vertex_map = level.vertex_map;
-  return metrics::certify(mesh_, mesh, error, options).verdict == metrics::Verdict::proven;
+  return metrics::certify(mesh_, mesh, error, options).verdict == Verdict::proven;
 }
 
 /// The last of the levels that bisection finds to be within the error.

@@ -86,7 +86,7 @@ struct SurfacePoints {
 
 class DistanceMapper {
  public:
-  DistanceMapper(const IndexedMesh& mesh, const metrics::TriangleTree& other, const DistanceMapOptions& options)
+  DistanceMapper(const IndexedMesh& mesh, const TriangleTree& other, const DistanceMapOptions& options)
       : other_(other), options_(options), normals_(vertex_normals(mesh)) {
     map_.mesh.positions = mesh.positions;
     map_.mesh.faces = mesh.faces;
@@ -111,7 +111,7 @@ class DistanceMapper {
   void make_parts();
   double usual_deviation() const;
 
-  const metrics::TriangleTree& other_;
+  const TriangleTree& other_;
   const DistanceMapOptions& options_;
   DistanceMap map_;
   std::vector<Vec3> normals_;  ///< of the vertices, not of unit length
@@ -124,7 +124,7 @@ std::vector<double> DistanceMapper::signed_distances_of(const SurfacePoints& poi
   for_each_range(distances.size(), options_.threads, [&](std::size_t begin, std::size_t end) {
     Index hint = invalid_index;
     for (std::size_t i = begin; i < end; ++i) {
-      const metrics::ClosestPoint closest = other_.nearest(points.positions[i], hint);
+      const ClosestPoint closest = other_.nearest(points.positions[i], hint);
       hint = closest.face;
       const bool is_behind = (closest.point - points.positions[i]).dot(points.normals[i]) < 0;
       distances[i] = is_behind ? -std::sqrt(closest.distance_sq) : std::sqrt(closest.distance_sq);
@@ -308,8 +308,7 @@ DistanceMap DistanceMapper::run() {
 
 }  // namespace
 
-DistanceMap distance_map(const IndexedMesh& mesh, const metrics::TriangleTree& other,
-                         const DistanceMapOptions& options) {
+DistanceMap distance_map(const IndexedMesh& mesh, const TriangleTree& other, const DistanceMapOptions& options) {
   if (mesh.faces.empty()) throw std::invalid_argument("distance_map: the mesh has no faces");
   if (!(options.tolerance > 0 && options.tolerance <= 1)) {
     throw std::invalid_argument("distance_map: the tolerance is not in (0, 1]");

@@ -5,7 +5,7 @@
 
 #include "packed_look.hh"
 #include "page_bytes.hh"
-#include "whittle/metrics/bounds.hh"
+#include "whittle/core/geometry/bounds.hh"
 #include "whittle/report/page.hh"
 
 namespace whittle::report {

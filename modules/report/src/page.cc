@@ -77,8 +77,8 @@ std::string tables_html(const std::vector<PageTable>& tables) {
 }
 
 Box bounds_of_all(const Page& page) {
-  Box all = metrics::bounds(page.original.mesh);
-  for (const PageSurface& result : page.results) all.extend(metrics::bounds(result.mesh));
+  Box all = bounds_of(page.original.mesh);
+  for (const PageSurface& result : page.results) all.extend(bounds_of(result.mesh));
   if (page.recording) {
     for (const Contraction& c : page.recording->replay.steps().contractions) all.extend(c.position);
     for (const PassEnd& end : page.recording->replay.steps().pass_ends) {

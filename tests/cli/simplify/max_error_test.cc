@@ -43,7 +43,7 @@ TEST(MaxErrorOption, IsKeptByTheFile) {
     EXPECT_GE(larger(report["max_error"], "at_least"), 0.9 * limit) << "more would have been allowed";
     const IndexedMesh written = io::read_mesh(output).mesh;
     EXPECT_EQ(written.faces.size(), report["output"]["faces"]);
-    EXPECT_EQ(metrics::certify(mesh, written, limit).verdict, metrics::Verdict::proven);
+    EXPECT_EQ(metrics::certify(mesh, written, limit).verdict, Verdict::proven);
   }
 }
 
@@ -62,7 +62,7 @@ TEST(MaxErrorOption, GoesForBorders) {
     EXPECT_LE(report["max_error"]["borders"]["proven"], report["target"]["max_error_borders"]);
     EXPECT_GT(report["max_error"]["borders"]["proven"], 0.3 * limit * diagonal);
     const IndexedMesh written = io::read_mesh(output).mesh;
-    EXPECT_EQ(metrics::certify_borders(mesh, written, 1.00001 * limit * diagonal).verdict, metrics::Verdict::proven);
+    EXPECT_EQ(metrics::certify_borders(mesh, written, 1.00001 * limit * diagonal).verdict, Verdict::proven);
   }
   const Outcome idle = whittle({"simplify", input, "-o", output, "--faces", "900", "--max-error-borders", "1"});
   EXPECT_NE(idle.err.find("--max-error-borders"), std::string::npos) << idle.err;
@@ -75,8 +75,8 @@ TEST(MaxErrorOption, IsFoundWithoutALimit) {
   EXPECT_EQ(error["borders"], nullptr);
   EXPECT_LE(error["proven"].get<double>(), 1.0011 * larger(error, "at_least"));
   const IndexedMesh mesh = io::read_mesh(data_file("blob.obj")).mesh;
-  EXPECT_EQ(metrics::certify(mesh, result.mesh, error["proven"]).verdict, metrics::Verdict::proven);
-  EXPECT_EQ(metrics::certify(mesh, result.mesh, 0.99 * larger(error, "at_least")).verdict, metrics::Verdict::refuted);
+  EXPECT_EQ(metrics::certify(mesh, result.mesh, error["proven"]).verdict, Verdict::proven);
+  EXPECT_EQ(metrics::certify(mesh, result.mesh, 0.99 * larger(error, "at_least")).verdict, Verdict::refuted);
 }
 
 TEST(MaxErrorOption, SaysInWordsWhatWasAskedAndFound) {
@@ -188,8 +188,7 @@ TEST(MaxErrorOption, IsLessInPlaces) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(nlohmann::json::parse(run.out)["target"]["tolerance_map"], map);
   const IndexedMesh written = io::read_mesh(output).mesh;
-  EXPECT_EQ(metrics::certify(read.mesh, written, 0.01 * diagonal, {.tolerances = tolerances}).verdict,
-            metrics::Verdict::proven);
+  EXPECT_EQ(metrics::certify(read.mesh, written, 0.01 * diagonal, {.tolerances = tolerances}).verdict, Verdict::proven);
   ASSERT_EQ(whittle({"simplify", input, "-o", output, "-e", "1%"}).exit_code, 0);
   EXPECT_LT(io::read_mesh(output).mesh.faces.size(), written.faces.size());
 
@@ -230,7 +229,7 @@ TEST(MaxErrorOption, IsLessWhereAPlyFileSaysSo) {
     const io::ReadResult read = io::read_mesh(input);
     ASSERT_EQ(read.tolerances.size(), mesh.positions.size());
     EXPECT_EQ(metrics::certify(read.mesh, io::read_mesh(output).mesh, 1e9, {.tolerances = read.tolerances}).verdict,
-              metrics::Verdict::proven);
+              Verdict::proven);
   }
   write_text(input, text_of("double", -1));
   const Outcome refused = simplified();

@@ -164,9 +164,9 @@ void check_error(const DecimateCase& c, const Decimation& d) {
   const double limit = *c.target.error_limit() + rounding;
   const double border_limit = *c.target.border_error_limit() + rounding;
   const metrics::CertifyOptions options{.threads = 1, .tolerances = tolerances};
-  require(metrics::certify(input, d.mesh, limit, options).verdict != metrics::Verdict::refuted,
+  require(metrics::certify(input, d.mesh, limit, options).verdict != Verdict::refuted,
           "no point is farther than the limit of the error");
-  require(metrics::certify_borders(input, d.mesh, border_limit, {.threads = 1}).verdict != metrics::Verdict::refuted,
+  require(metrics::certify_borders(input, d.mesh, border_limit, {.threads = 1}).verdict != Verdict::refuted,
           "no point of a border is farther than the limit of the error");
 }
 

@@ -34,9 +34,9 @@ double largest_distance(const IndexedMesh& a, const IndexedMesh& b) {
 void expect_kept(const IndexedMesh& input, double max_error, const Decimation& result) {
   EXPECT_EQ(result.result.proven_error, max_error);
   ASSERT_FALSE(result.mesh.faces.empty());
-  EXPECT_EQ(metrics::certify(input, result.mesh, (1 + 1e-9) * max_error).verdict, metrics::Verdict::proven)
+  EXPECT_EQ(metrics::certify(input, result.mesh, (1 + 1e-9) * max_error).verdict, Verdict::proven)
       << "largest: " << largest_distance(input, result.mesh) / max_error;
-  EXPECT_EQ(metrics::certify_borders(input, result.mesh, (1 + 1e-9) * max_error).verdict, metrics::Verdict::proven);
+  EXPECT_EQ(metrics::certify_borders(input, result.mesh, (1 + 1e-9) * max_error).verdict, Verdict::proven);
 }
 
 std::vector<NamedMesh> meshes_to_prove() {
@@ -284,7 +284,7 @@ TEST(MaxError, IsLessInPlaces) {
     expect_kept(mesh, loose, result);
     for (double& tolerance : options.tolerances) tolerance *= 1 + 1e-9;
     EXPECT_EQ(metrics::certify(mesh, result.mesh, (1 + 1e-9) * loose, {.tolerances = options.tolerances}).verdict,
-              metrics::Verdict::proven);
+              Verdict::proven);
     EXPECT_GE(result.mesh.faces.size(), n_loose);
     EXPECT_LE(result.mesh.faces.size(), n_tight + n_tight / 10);
     if (n_tight > 4 * n_loose) {
@@ -300,7 +300,7 @@ TEST(MaxError, IsKeptByPolishWhereItIsLess) {
   const Simplification result = simplify(mesh, DecimateTarget::max_error(0.05), Effort::normal, options);
   EXPECT_GT(result.polish.n_moved, 0U);
   EXPECT_EQ(metrics::certify(mesh, result.mesh, 0.05, {.tolerances = options.decimate.tolerances}).verdict,
-            metrics::Verdict::proven);
+            Verdict::proven);
 }
 
 TEST(MaxError, RefusesTolerancesThatDoNotFit) {

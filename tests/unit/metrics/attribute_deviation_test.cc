@@ -19,9 +19,9 @@
 #include "support/random.hh"
 #include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
+#include "whittle/core/geometry/bounds.hh"
+#include "whittle/core/geometry/triangle_tree.hh"
 #include "whittle/core/wedges.hh"
-#include "whittle/metrics/bounds.hh"
-#include "whittle/metrics/closest_point.hh"
 
 namespace whittle::metrics {
 namespace {
@@ -272,7 +272,7 @@ TEST(AttributeDeviation, AgreesWithALookAtAllFaces) {
        {std::pair(cube, other), std::pair(test::textured_torus(14, 9), test::textured_torus(9, 8))}) {
     const IndexedMesh& a = pair.first;
     const IndexedMesh& b = pair.second;
-    const double tolerance = 1e-3 * std::max(diagonal_of(bounds(a)), diagonal_of(bounds(b)));
+    const double tolerance = 1e-3 * std::max(diagonal_of(bounds_of(a)), diagonal_of(bounds_of(b)));
     const SurfaceSampler sampler(a, Vec3::Zero(), n_samples, CounterRandom(3, 0));
     double sum = 0, max = 0;
     sampler.for_each(0, n_samples, [&](std::size_t face, const Vec3& p) {

@@ -17,8 +17,8 @@
 #include "support/shapes/shapes.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/box.hh"
+#include "whittle/core/geometry/proof/linked_faces.hh"
 #include "whittle/engine/simplify.hh"
-#include "whittle/metrics/detail/linked_faces.hh"
 
 namespace whittle::test {
 

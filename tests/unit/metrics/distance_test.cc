@@ -16,7 +16,7 @@
 #include "support/shapes/two_sided.hh"
 #include "support/suites.hh"
 #include "support/transforms.hh"
-#include "whittle/metrics/bounds.hh"
+#include "whittle/core/geometry/bounds.hh"
 
 namespace whittle::metrics {
 namespace {

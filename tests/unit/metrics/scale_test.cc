@@ -7,7 +7,7 @@
 
 #include "support/shapes/shapes.hh"
 #include "support/transforms.hh"
-#include "whittle/metrics/closest_point.hh"
+#include "whittle/core/geometry/triangle_tree.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/line_distance.hh"
 #include "whittle/metrics/lines.hh"

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <whittle/core/geometry/proof/border_edges.hh>
 #include <whittle/metrics/certify.hh>
-#include <whittle/metrics/detail/border_edges.hh>
 #include <whittle/metrics/detail/surface_proof.hh>
 
 #include "support/brute_distance.hh"
@@ -17,7 +17,6 @@ namespace whittle::test {
 namespace {
 
 using metrics::SurfaceProof;
-using metrics::Verdict;
 
 std::vector<SurfaceProof::Face> numbered(const IndexedMesh& mesh) {
   std::vector<SurfaceProof::Face> faces;
@@ -136,7 +135,7 @@ TEST(SurfaceProof, StartsWithAnySurface) {
 TEST(SurfaceProof, ProvesBordersAsSegments) {
   for (const NamedMesh& shape : open_meshes()) {
     const double limit = 0.05 * diagonal_of(shape.mesh.positions);
-    const IndexedMesh border = metrics::border_edges_of(shape.mesh).mesh;
+    const IndexedMesh border = border_edges_of(shape.mesh).mesh;
     MovingSurface moving(border, limit);
     EXPECT_TRUE(moving.proof().is_proven()) << shape.name;
     Random random(11);

@@ -10,8 +10,8 @@
 #include "support/brute_distance.hh"
 #include "support/random.hh"
 #include "support/shapes/shapes.hh"
+#include "whittle/core/geometry/triangle_tree.hh"
 #include "whittle/metrics/certify.hh"
-#include "whittle/metrics/closest_point.hh"
 
 namespace whittle::test {
 

@@ -90,8 +90,8 @@ TYPED_TEST(ModMaxError, KeepsTheLimitInTheEngine) {
     const DecimateResult result = run.decimater.decimate(DecimateTarget::as_far_as_possible());
     EXPECT_EQ(result.proven_error, run.limit) << shape.name;
     test::expect_within(run.input, geometry_of(run.mesh), run.limit, shape.name);
-    EXPECT_EQ(run.module.certify().verdict, metrics::Verdict::proven) << shape.name;
-    EXPECT_EQ(run.module.certify_borders().verdict, metrics::Verdict::proven) << shape.name;
+    EXPECT_EQ(run.module.certify().verdict, Verdict::proven) << shape.name;
+    EXPECT_EQ(run.module.certify_borders().verdict, Verdict::proven) << shape.name;
     expect_sound(run.mesh, shape.name);
   }
 }
@@ -189,7 +189,7 @@ TYPED_TEST(ModMaxError, TheBorderHasALimitOfItsOwn) {
     EXPECT_GT(run.decimater.decimate(), 100U);
     expect_certified(run.input, geometry_of(run.mesh), run.limit, border_limit, driver == Driver::mesh ? "mesh" : "");
     EXPECT_TRUE(run.module.is_proven());
-    EXPECT_EQ(metrics::certify(run.input, geometry_of(run.mesh), run.limit / 4).verdict, metrics::Verdict::refuted)
+    EXPECT_EQ(metrics::certify(run.input, geometry_of(run.mesh), run.limit / 4).verdict, Verdict::refuted)
         << "the surface has more room";
   }
 }
@@ -213,7 +213,7 @@ TYPED_TEST(ModMaxError, FollowsGarbageCollection) {
   run.decimater.decimate_to_faces(0, run.input.faces.size() / 2);
   run.mesh.garbage_collection();
   EXPECT_TRUE(run.module.is_proven());
-  EXPECT_EQ(run.module.certify().verdict, metrics::Verdict::proven);
+  EXPECT_EQ(run.module.certify().verdict, Verdict::proven);
 }
 
 TYPED_TEST(ModMaxError, TheToleranceFactorScalesTheLimits) {
@@ -270,7 +270,7 @@ TYPED_TEST(ModMaxError, TheEndsOfCutsStay) {
   const std::vector<Index> firsts = first_copies(run.mesh);
   ASSERT_FALSE(firsts.empty());
   EXPECT_GT(run.decimater.decimate(), 20U);
-  EXPECT_EQ(metrics::certify_borders(run.input, geometry_of(run.mesh), run.limit).verdict, metrics::Verdict::proven);
+  EXPECT_EQ(metrics::certify_borders(run.input, geometry_of(run.mesh), run.limit).verdict, Verdict::proven);
   for (Index v = 0; v < firsts.size(); ++v) {
     if (firsts[v] == v) continue;
     EXPECT_FALSE(run.mesh.status(VertexHandle(static_cast<int>(v))).deleted());
@@ -319,8 +319,8 @@ TYPED_TEST(ModMaxError, InOpenMeshsDecimaterItTellsWhetherTheLimitIsKept) {
     module.set_cost_module(&cost);
     ASSERT_TRUE(decimater.initialize());
     decimater.decimate();
-    const bool is_certified = module.certify().verdict == metrics::Verdict::proven &&
-                              module.certify_borders().verdict == metrics::Verdict::proven;
+    const bool is_certified =
+        module.certify().verdict == Verdict::proven && module.certify_borders().verdict == Verdict::proven;
     EXPECT_TRUE(is_certified || !module.is_proven()) << shape.name;
     ++(is_certified ? n_kept : n_broken);
   }

@@ -15,8 +15,8 @@
 #include "support/shapes/shapes.hh"
 #include "support/suites.hh"
 #include "whittle/core/geometry/box.hh"
+#include "whittle/core/geometry/triangle_tree.hh"
 #include "whittle/io/read.hh"
-#include "whittle/metrics/closest_point.hh"
 #include "whittle/metrics/distance.hh"
 
 namespace whittle::test {
@@ -25,9 +25,7 @@ using namespace polishing;
 
 namespace {
 
-double distance_of(const metrics::TriangleTree& tree, const Vec3& point) {
-  return (tree.nearest(point).point - point).norm();
-}
+double distance_of(const TriangleTree& tree, const Vec3& point) { return (tree.nearest(point).point - point).norm(); }
 
 TEST(FitWeights, HaveTheLossThatTheyComeFrom) {
   for (const double far : {4.3, 7.0, std::numeric_limits<double>::infinity()}) {
@@ -81,7 +79,7 @@ struct Moved {
   Origins origins;
   VertexCorners corners;
   std::vector<Vec3> positions;
-  metrics::TriangleTree tree;
+  TriangleTree tree;
 };
 
 std::vector<NamedMesh> whole_meshes() {
@@ -167,7 +165,7 @@ TEST(PolishFit, LetsNoVertexStickOut) {
       const Decimation d = decimated(original, ratio);
       IndexedMesh after = d.mesh;
       const PolishResult result = polish(original, d.vertex_map, after);
-      const metrics::TriangleTree tree(original);
+      const TriangleTree tree(original);
       for (std::size_t v = 0; v < after.positions.size(); ++v) {
         const double limit = std::max(distance_of(tree, d.mesh.positions[v]), 5.5 * result.rms_before);
         EXPECT_LE(distance_of(tree, after.positions[v]), 1.5 * limit + 1e-9);

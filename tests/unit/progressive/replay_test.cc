@@ -17,9 +17,9 @@
 #include "support/shapes/shapes.hh"
 #include "support/shapes/two_sided.hh"
 #include "support/suites.hh"
+#include "whittle/core/geometry/bounds.hh"
 #include "whittle/engine/simplify.hh"
 #include "whittle/io/read.hh"
-#include "whittle/metrics/bounds.hh"
 #include "whittle/metrics/distance.hh"
 
 namespace whittle::progressive {
@@ -123,7 +123,7 @@ TEST(Replay, HasEachLevelThatARunInExactOrderHas) {
 void expect_each_level(const IndexedMesh& mesh, double threshold_rel, std::size_t stride) {
   DecimateOptions options;
   options.keep_steps = true;
-  if (threshold_rel > 0) options.pairs.threshold = threshold_rel * diagonal_of(metrics::bounds(mesh));
+  if (threshold_rel > 0) options.pairs.threshold = threshold_rel * diagonal_of(bounds_of(mesh));
   Replay replay(mesh, decimate(mesh, DecimateTarget::faces(1), options).steps);
   const std::size_t n = replay.n_steps();
   for (std::size_t i = 0; i <= n; i += stride) {

@@ -34,7 +34,7 @@ TEST(WithinError, LeavesNoMoreFacesThanALevelOfAPlainRun) {
         const std::vector<progressive::ProvenLevel> levels = progressive::levels_within(mesh, {error});
         ASSERT_EQ(levels.size(), 1U);
         EXPECT_LE(result.mesh.faces.size(), levels[0].mesh.faces.size());
-        EXPECT_EQ(metrics::certify(mesh, result.mesh, error).verdict, metrics::Verdict::proven);
+        EXPECT_EQ(metrics::certify(mesh, result.mesh, error).verdict, Verdict::proven);
       }
     }
   }
@@ -56,7 +56,7 @@ TEST(WithinError, LevelsOfSheetsHaveBothSides) {
   EXPECT_LT(levels[1].mesh.faces.size(), levels[0].mesh.faces.size());
   for (const progressive::ProvenLevel& level : levels) {
     EXPECT_EQ(level.mesh.faces.size() % 2, 0U);
-    EXPECT_EQ(metrics::certify(mesh, level.mesh, level.error).verdict, metrics::Verdict::proven);
+    EXPECT_EQ(metrics::certify(mesh, level.mesh, level.error).verdict, Verdict::proven);
   }
 }
 

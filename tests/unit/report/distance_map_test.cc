@@ -41,7 +41,7 @@ TEST(DistanceMap, HasTheDistanceAtEachVertex) {
     SCOPED_TRACE(name);
     const IndexedMesh other = half_of(mesh);
     if (other.faces.empty()) continue;
-    const DistanceMap map = distance_map(mesh, metrics::TriangleTree(other));
+    const DistanceMap map = distance_map(mesh, TriangleTree(other));
     ASSERT_EQ(map.signed_distances.size(), map.mesh.positions.size());
     double max = 0;
     for (Index v = 0; v < map.signed_distances.size(); ++v) {
@@ -61,7 +61,7 @@ TEST(DistanceMap, CutsFacesAndLeavesTheSurface) {
     SCOPED_TRACE(name);
     const IndexedMesh other = half_of(mesh);
     if (other.faces.empty()) continue;
-    const DistanceMap map = distance_map(other, metrics::TriangleTree(mesh), {.tolerance = 0.02, .spacing = 0.1});
+    const DistanceMap map = distance_map(other, TriangleTree(mesh), {.tolerance = 0.02, .spacing = 0.1});
     EXPECT_NEAR(area_of(map.mesh), area_of(other), 1e-9 * area_of(other));
     EXPECT_GE(map.mesh.faces.size(), other.faces.size());
   }
@@ -72,7 +72,7 @@ TEST(DistanceMap, IsNearlyRightInside) {
     SCOPED_TRACE(name);
     const IndexedMesh other = half_of(mesh);
     const DistanceMapOptions options{.tolerance = 0.05, .spacing = 0.05};
-    const DistanceMap map = distance_map(other, metrics::TriangleTree(mesh), options);
+    const DistanceMap map = distance_map(other, TriangleTree(mesh), options);
     if (map.max < 1e-9) continue;
     Random random(7);
     int n_beyond = 0;
@@ -97,7 +97,7 @@ TEST(DistanceMap, IsNearlyRightInside) {
 TEST(DistanceMap, WritesDownItsCuts) {
   const IndexedMesh mesh = largest_mesh();
   const IndexedMesh other = half_of(mesh);
-  const DistanceMap map = distance_map(other, metrics::TriangleTree(mesh), {.tolerance = 0.01, .spacing = 0.1});
+  const DistanceMap map = distance_map(other, TriangleTree(mesh), {.tolerance = 0.01, .spacing = 0.1});
   ASSERT_GT(map.rounds.size(), 1U);
   std::size_t n_open = other.faces.size();
   std::size_t n_done = 0;
@@ -116,7 +116,7 @@ TEST(DistanceMap, WritesDownItsCuts) {
 TEST(DistanceMap, KeepsToItsNumberOfFaces) {
   const IndexedMesh mesh = largest_mesh();
   const IndexedMesh other = half_of(mesh);
-  const metrics::TriangleTree tree(mesh);
+  const TriangleTree tree(mesh);
   const std::size_t most = 3 * other.faces.size();
   const DistanceMap small = distance_map(other, tree, {.tolerance = 1e-3, .spacing = 0.05, .most_faces = most});
   const DistanceMap large = distance_map(other, tree, {.tolerance = 1e-3, .spacing = 0.05});
@@ -127,7 +127,7 @@ TEST(DistanceMap, KeepsToItsNumberOfFaces) {
 
 TEST(DistanceMap, IsTheSameForAnyNumberOfThreads) {
   const IndexedMesh mesh = largest_mesh();
-  const metrics::TriangleTree tree(half_of(mesh));
+  const TriangleTree tree(half_of(mesh));
   const DistanceMap one = distance_map(mesh, tree, {.threads = 1});
   const DistanceMap three = distance_map(mesh, tree, {.threads = 3});
   EXPECT_EQ(one.signed_distances, three.signed_distances);
@@ -140,13 +140,13 @@ TEST(DistanceMap, SaysWhichSideTheOtherSurfaceIsOn) {
   below.faces = {{0, 1, 2}};
   IndexedMesh above = below;
   for (Vec3& p : above.positions) p.z() = 0.25;
-  EXPECT_EQ(distance_map(below, metrics::TriangleTree(above)).signed_distances, std::vector<double>(3, 0.25));
-  EXPECT_EQ(distance_map(above, metrics::TriangleTree(below)).signed_distances, std::vector<double>(3, -0.25));
+  EXPECT_EQ(distance_map(below, TriangleTree(above)).signed_distances, std::vector<double>(3, 0.25));
+  EXPECT_EQ(distance_map(above, TriangleTree(below)).signed_distances, std::vector<double>(3, -0.25));
 }
 
 TEST(DistanceMap, RefusesWhatCantBe) {
   const IndexedMesh mesh = largest_mesh();
-  const metrics::TriangleTree tree(mesh);
+  const TriangleTree tree(mesh);
   EXPECT_THROW(distance_map(IndexedMesh{}, tree), std::invalid_argument);
   EXPECT_THROW(distance_map(mesh, tree, {.tolerance = 0}), std::invalid_argument);
   EXPECT_THROW(distance_map(mesh, tree, {.tolerance = 1.5}), std::invalid_argument);
@@ -155,7 +155,7 @@ TEST(DistanceMap, RefusesWhatCantBe) {
 
 TEST(DistanceHistogram, HasAllOfTheArea) {
   const IndexedMesh mesh = largest_mesh();
-  const DistanceMap map = distance_map(mesh, metrics::TriangleTree(half_of(mesh)));
+  const DistanceMap map = distance_map(mesh, TriangleTree(half_of(mesh)));
   const std::vector<double> shares = distance_histogram(map, map.max, 10);
   EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), 1, 1e-12);
   EXPECT_GT(shares.front(), shares.back());

@@ -18,10 +18,10 @@
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
 #include "whittle/core/geometry/box.hh"
+#include "whittle/core/geometry/triangle_tree.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/engine/simplify.hh"
 #include "whittle/io/errors.hh"
-#include "whittle/metrics/closest_point.hh"
 #include "whittle/progressive/recording.hh"
 
 namespace whittle::app {
@@ -150,7 +150,7 @@ void PageMaker::read_files() {
   report::PageOrder order = report::put_in_page_order(page_.original.mesh);
   if (page_.recording) page_.recording->order = std::move(order);
   for (report::PageSurface& result : page_.results) report::put_in_page_order(result.mesh);
-  diagonal_ = diagonal_of(metrics::bounds(page_.original.mesh));
+  diagonal_ = diagonal_of(bounds_of(page_.original.mesh));
   facts_.read_seconds = watch.seconds();
 }
 
@@ -186,9 +186,9 @@ void PageMaker::measure_distances() {
   if (page_.results.empty()) {
     limit_size(page_.original);
   } else {
-    const metrics::TriangleTree of_original(page_.original.mesh);
-    const metrics::TriangleTree of_first(page_.results.front().mesh);
-    const auto map = [this](const IndexedMesh& mesh, const metrics::TriangleTree& other, double edge) {
+    const TriangleTree of_original(page_.original.mesh);
+    const TriangleTree of_first(page_.results.front().mesh);
+    const auto map = [this](const IndexedMesh& mesh, const TriangleTree& other, double edge) {
       constexpr std::size_t least = 110'000;
       return report::distance_map(mesh, other,
                                   {.spacing = edge,
@@ -306,7 +306,7 @@ void PageMaker::take(const RunForPage& run) {
     report::PageSurface& result = page_.results.front();
     result.refusals = refusals_of(run.simplified, report::put_in_page_order(result.mesh));
   }
-  diagonal_ = diagonal_of(metrics::bounds(page_.original.mesh));
+  diagonal_ = diagonal_of(bounds_of(page_.original.mesh));
 }
 
 std::string PageMaker::make() {

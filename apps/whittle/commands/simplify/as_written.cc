@@ -81,7 +81,7 @@ bool keeps_tolerances(const IndexedMesh& input, const DistancesAsWritten& distan
   if (tolerances.empty()) return true;
   const metrics::Certification certification = metrics::certify(
       input, distances.written, *target.error_limit(), {options.common.threads, {}, tolerances, distances.vertex_map});
-  return certification.verdict == metrics::Verdict::proven;
+  return certification.verdict == Verdict::proven;
 }
 
 }  // namespace whittle::app

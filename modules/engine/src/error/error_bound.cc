@@ -6,8 +6,8 @@
 
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/detail/parallel.hh"
-#include "whittle/metrics/detail/prover.hh"
-#include "whittle/metrics/detail/tolerances.hh"
+#include "whittle/core/geometry/proof/face_limits.hh"
+#include "whittle/core/geometry/proof/prover.hh"
 
 namespace whittle {
 namespace {
@@ -41,7 +41,7 @@ detail::IndexLists<Index> neighbours_in(const IndexedMesh& mesh) {
           }};
 }
 
-detail::IndexLists<Index> faces_at_vertices(const metrics::LinkedFaces& surface) {
+detail::IndexLists<Index> faces_at_vertices(const LinkedFaces& surface) {
   return {surface.positions.size(), [&](const auto& emit) {
             for (Index f = 0; f < surface.faces.size(); ++f) {
               for (const Index v : surface.faces[f]) emit(v, f);
@@ -52,7 +52,7 @@ detail::IndexLists<Index> faces_at_vertices(const metrics::LinkedFaces& surface)
 /// Of each face; empty if there are no tolerances.
 std::vector<double> limits_in_frame(const IndexedMesh& mesh, const Frame& frame, double limit,
                                     std::span<const double> tolerances) {
-  std::vector<double> limits = metrics::face_limits(mesh.faces, tolerances, limit * frame.unscale);
+  std::vector<double> limits = face_limits(mesh.faces, tolerances, limit * frame.unscale);
   for (double& of_face : limits) of_face = std::min(limit, of_face * frame.scale);
   return limits;
 }
@@ -70,13 +70,13 @@ std::vector<double> limits_at_vertices(const IndexedMesh& mesh, std::span<const 
 /// Calls `use(face, prover, violations)` for each face below `n`, on all threads. Violations are added in order.
 /// \param ends_at_first whether other faces needn't be looked at once there is a violation
 template <class Use>
-void for_each_face(std::size_t n, const metrics::ProofTarget& target, unsigned threads, bool ends_at_first,
-                   const Use& use, ErrorBound::Violations& violations) {
+void for_each_face(std::size_t n, const ProofTarget& target, unsigned threads, bool ends_at_first, const Use& use,
+                   ErrorBound::Violations& violations) {
   const std::size_t size = faces_per_block(n);
   std::vector<ErrorBound::Violations> of_blocks((n + size - 1) / size);
   std::atomic<bool> has_ended = false;
   for_each_block(of_blocks.size(), threads, [&](std::size_t block) {
-    metrics::Prover prover(target, most_pieces);
+    Prover prover(target, most_pieces);
     const std::size_t end = std::min(n, (block + 1) * size);
     for (auto f = static_cast<Index>(block * size); f < end && !has_ended; ++f) {
       use(f, prover, of_blocks[block]);
@@ -124,7 +124,7 @@ ErrorBound::Violations ErrorBound::check(const CheckedSurface& checked, double l
     for (Index p = 0; p < points_.size(); ++p) violations.points.push_back({points_[p], limit_at(p)});
     return violations;
   }
-  const metrics::TargetSurface target(surface, checked.frame);
+  const TargetSurface target(surface, checked.frame);
   const auto has_ended = [&] { return search == Search::first && !violations.empty(); };
   const std::vector<Index> supports = find_supports(target, checked.vertex_map, limit, search, violations);
   if (!has_ended()) check_surface(target, checked.is_proven, limit, search, violations);
@@ -134,19 +134,19 @@ ErrorBound::Violations ErrorBound::check(const CheckedSurface& checked, double l
 
 bool ErrorBound::has_far_point(const CheckedSurface& checked) {
   if (checked.mesh.faces.empty()) return !points_.empty();
-  const metrics::TargetSurface surface(checked.mesh, checked.frame);
+  const TargetSurface surface(checked.mesh, checked.frame);
   Violations violations;
   find_supports(surface, checked.vertex_map, limit_, Search::first, violations);
   return !violations.empty() || has_far_point_on(surface);
 }
 
-bool ErrorBound::has_far_point_on(const metrics::TargetSurface& surface) const {
-  const metrics::LinkedFaces faces = surface.faces();
+bool ErrorBound::has_far_point_on(const TargetSurface& surface) const {
+  const LinkedFaces faces = surface.faces();
   std::atomic<bool> is_found = false;
   for_each_range(faces.faces.size(), threads_, [&](std::size_t begin, std::size_t end) {
     Index hint = invalid_index;
     const auto is_far = [&](const Vec3& point) {
-      const metrics::NearFace near = input_.nearest(point, hint);
+      const NearFace near = input_.nearest(point, hint);
       hint = near.face;
       return near.distance > limit_;
     };
@@ -160,14 +160,14 @@ bool ErrorBound::has_far_point_on(const metrics::TargetSurface& surface) const {
   return is_found;
 }
 
-void ErrorBound::check_surface(const metrics::TargetSurface& surface, std::span<const std::uint8_t> is_proven,
-                               double limit, Search search, Violations& violations) const {
-  const metrics::LinkedFaces faces = surface.faces();
-  const auto check = [&](Index face, metrics::Prover& prover, Violations& found) {
+void ErrorBound::check_surface(const TargetSurface& surface, std::span<const std::uint8_t> is_proven, double limit,
+                               Search search, Violations& violations) const {
+  const LinkedFaces faces = surface.faces();
+  const auto check = [&](Index face, Prover& prover, Violations& found) {
     if (!is_proven.empty() && is_proven[face] != 0) return;
-    metrics::FarthestPoint farthest;
-    const metrics::Verdict verdict = prover.prove(faces.corners(face), limit, invalid_index, farthest);
-    if (verdict == metrics::Verdict::proven) return;
+    FarthestPoint farthest;
+    const Verdict verdict = prover.prove(faces.corners(face), limit, invalid_index, farthest);
+    if (verdict == Verdict::proven) return;
     found.is_surface_far = true;
     add_corners(faces.faces[face], found);
   };
@@ -177,9 +177,9 @@ void ErrorBound::check_surface(const metrics::TargetSurface& surface, std::span<
 /// Finds the nearest face, or any that is near.
 /// \return of each point, a face of the surface; `invalid_index` for vertices that are in no face. Once any violation
 ///         will do and there is one, for other points, too
-std::vector<Index> ErrorBound::find_supports(const metrics::TargetSurface& surface, std::span<const Index> vertex_map,
+std::vector<Index> ErrorBound::find_supports(const TargetSurface& surface, std::span<const Index> vertex_map,
                                              double limit, Search search, Violations& violations) {
-  const metrics::LinkedFaces faces = surface.faces();
+  const LinkedFaces faces = surface.faces();
   const detail::IndexLists<Index> at_vertices = faces_at_vertices(faces);
   std::vector<Index> supports(points_.size(), invalid_index);
   std::vector<std::uint8_t> is_far(points_.size());
@@ -191,14 +191,14 @@ std::vector<Index> ErrorBound::find_supports(const metrics::TargetSurface& surfa
       if (p < vertex_map.size()) {
         if (vertex_map[p] == invalid_index) continue;
         at_merged = at_vertices.of(vertex_map[p]);
-        const auto is_near = [&](Index f) { return metrics::distance_to(faces.corners(f), points_[p]) <= limit_of(p); };
+        const auto is_near = [&](Index f) { return distance_to(faces.corners(f), points_[p]) <= limit_of(p); };
         const auto near = std::find_if(at_merged.begin(), at_merged.end(), is_near);
         if (near != at_merged.end()) {
           supports[p] = *near;
           continue;
         }
       }
-      const metrics::NearFace near = surface.nearest(points_[p], at_merged.empty() ? invalid_index : at_merged[0]);
+      const NearFace near = surface.nearest(points_[p], at_merged.empty() ? invalid_index : at_merged[0]);
       supports[p] = near.face;
       is_far[p] = static_cast<std::uint8_t>(near.distance > limit_of(p));
       if (search == Search::first && is_far[p] != 0) has_ended = true;
@@ -216,15 +216,15 @@ std::vector<Index> ErrorBound::find_supports(const metrics::TargetSurface& surfa
 }
 
 /// Faces whose corners have one support are near: the distance from a face is convex.
-void ErrorBound::check_input(const metrics::TargetSurface& surface, std::span<const Index> supports, double limit,
-                             Search search, Violations& violations) const {
-  const metrics::LinkedFaces faces = input_.faces();
-  const auto check = [&](Index face, metrics::Prover& prover, Violations& found) {
+void ErrorBound::check_input(const TargetSurface& surface, std::span<const Index> supports, double limit, Search search,
+                             Violations& violations) const {
+  const LinkedFaces faces = input_.faces();
+  const auto check = [&](Index face, Prover& prover, Violations& found) {
     const auto& [a, b, c] = faces.faces[face];
     if (supports[a] == supports[b] && supports[b] == supports[c]) return;
-    metrics::FarthestPoint farthest;
-    const metrics::Verdict verdict = prover.prove(faces.corners(face), limit_of(face, limit), supports[a], farthest);
-    if (verdict == metrics::Verdict::proven) return;
+    FarthestPoint farthest;
+    const Verdict verdict = prover.prove(faces.corners(face), limit_of(face, limit), supports[a], farthest);
+    if (verdict == Verdict::proven) return;
     found.points.push_back({farthest.point, limit_of(face, limit)});
     add_corners(surface.faces().faces[surface.nearest(farthest.point, supports[a]).face], found);
   };

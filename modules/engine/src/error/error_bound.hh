@@ -7,7 +7,7 @@
 
 #include "whittle/core/detail/index_lists.hh"
 #include "whittle/core/frame.hh"
-#include "whittle/metrics/detail/target_surface.hh"
+#include "whittle/core/geometry/proof/target_surface.hh"
 
 namespace whittle {
 
@@ -52,7 +52,7 @@ class ErrorBound {
   ErrorBound(const IndexedMesh& input, const Frame& frame, double limit, unsigned threads,
              std::span<const double> tolerances = {});
 
-  const metrics::TargetSurface& input() const { return input_; }
+  const TargetSurface& input() const { return input_; }
   double limit() const { return limit_; }
   void tighten() { limit_ *= 0.95; }  ///< \pre there are no tolerances
   /// How far the surface may be from a point: the least limit of the faces that it is a corner of, or lies on.
@@ -80,18 +80,18 @@ class ErrorBound {
   enum class Search { all, first };
 
   Violations check(const CheckedSurface& checked, double limit, Search search);
-  std::vector<Index> find_supports(const metrics::TargetSurface& surface, std::span<const Index> vertex_map,
-                                   double limit, Search search, Violations& violations);
-  bool has_far_point_on(const metrics::TargetSurface& surface) const;
-  void check_input(const metrics::TargetSurface& surface, std::span<const Index> supports, double limit, Search search,
+  std::vector<Index> find_supports(const TargetSurface& surface, std::span<const Index> vertex_map, double limit,
+                                   Search search, Violations& violations);
+  bool has_far_point_on(const TargetSurface& surface) const;
+  void check_input(const TargetSurface& surface, std::span<const Index> supports, double limit, Search search,
                    Violations& violations) const;
-  void check_surface(const metrics::TargetSurface& surface, std::span<const std::uint8_t> is_proven, double limit,
-                     Search search, Violations& violations) const;
+  void check_surface(const TargetSurface& surface, std::span<const std::uint8_t> is_proven, double limit, Search search,
+                     Violations& violations) const;
 
   double limit_of(Index face, double limit) const { return limits_.empty() ? limit : std::min(limit, limits_[face]); }
 
   std::vector<double> limits_;  ///< of the input's faces, in the frame; or empty
-  metrics::TargetSurface input_;
+  TargetSurface input_;
   double limit_;
   unsigned threads_;
   std::vector<Vec3> points_;          ///< in the frame

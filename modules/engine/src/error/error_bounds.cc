@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "whittle/metrics/detail/border_edges.hh"
+#include "whittle/core/geometry/proof/border_edges.hh"
 
 namespace whittle {
 namespace {
@@ -28,7 +28,7 @@ std::vector<Index> of_ends(std::span<const Index> map, const IndexedMesh& segmen
 
 ErrorBounds::ErrorBounds(const IndexedMesh& input, const Frame& frame, double limit, double border_limit,
                          unsigned threads, std::span<const double> tolerances)
-    : border_edges_(metrics::border_edges_of(input).mesh),
+    : border_edges_(border_edges_of(input).mesh),
       surface_(std::make_unique<ErrorBound>(proper_faces(input, proper_), frame, limit, threads, tolerances)) {
   if (!border_edges_.faces.empty()) {
     borders_ = std::make_unique<ErrorBound>(border_edges_, frame, border_limit, threads);
@@ -50,7 +50,7 @@ bool ErrorBounds::have_far_point(const CheckedSurface& surface) {
 }
 
 ErrorBound::Violations ErrorBounds::check_borders(const CheckedSurface& surface) {
-  const IndexedMesh edges = metrics::border_edges_of(surface.mesh).mesh;
+  const IndexedMesh edges = border_edges_of(surface.mesh).mesh;
   if (borders_) {
     return borders_->check({edges, surface.frame, of_ends(surface.vertex_map, border_edges_)}, borders_->limit());
   }

@@ -4,8 +4,8 @@
 #include <limits>
 #include <tuple>
 
+#include "whittle/core/geometry/proof/linked_faces.hh"
 #include "whittle/core/geometry/triangle.hh"
-#include "whittle/metrics/detail/linked_faces.hh"
 
 namespace whittle {
 namespace {
@@ -16,7 +16,7 @@ constexpr double share_of_turn = 0.2;
 
 double distance_to_all(const std::vector<std::array<Vec3, 3>>& faces, const Vec3& point) {
   double least = std::numeric_limits<double>::infinity();
-  for (const std::array<Vec3, 3>& face : faces) least = std::min(least, metrics::distance_to(face, point));
+  for (const std::array<Vec3, 3>& face : faces) least = std::min(least, distance_to(face, point));
   return least;
 }
 

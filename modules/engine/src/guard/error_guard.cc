@@ -48,7 +48,7 @@ bool ErrorGuard::refuses_at(ContractionProfile& profile, const Vec3& position) {
   list_around(profile);
   list_affected();
   if (n_new_ > 0) {
-    const metrics::NearFace near = bound_.input().nearest(position, last_);
+    const NearFace near = bound_.input().nearest(position, last_);
     last_ = near.face;
     if (near.distance > bound_.limit()) return true;
   }
@@ -128,8 +128,7 @@ bool ErrorGuard::are_edges_near(Index point, Index support) {
     const Place& place = places_[other];
     const bool is_affected = place.look == n_looks_;
     if (is_affected && (other < point || after_[place.place] == support)) continue;
-    const Corners of_other =
-        is_affected ? faces_[after_[place.place]].corners : corners(supports_.support(other));
+    const Corners of_other = is_affected ? faces_[after_[place.place]].corners : corners(supports_.support(other));
     // The faces at the edge may be farther than either end: so the greater limit will do.
     const double limit = std::max(bound_.limit_at(point), bound_.limit_at(other));
     if (!is_near({{points[point], points[other]}, {faces_[support].corners, of_other}, reach(limit)}, 0)) return false;
@@ -181,8 +180,8 @@ bool ErrorGuard::find_support_in_list(const Vec3& point, double reach, Index& hi
 bool ErrorGuard::are_new_faces_near() {
   return std::all_of(faces_.begin(), faces_.begin() + static_cast<std::ptrdiff_t>(n_new_),
                      [this](const FaceAfter& face) {
-                       metrics::FarthestPoint farthest;
-                       return prover_.prove(face.corners, bound_.limit(), last_, farthest) == metrics::Verdict::proven;
+                       FarthestPoint farthest;
+                       return prover_.prove(face.corners, bound_.limit(), last_, farthest) == Verdict::proven;
                      });
 }
 

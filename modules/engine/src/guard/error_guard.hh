@@ -8,7 +8,7 @@
 #include "error/error_bound.hh"
 #include "error/point_supports.hh"
 #include "guard/guard.hh"
-#include "whittle/metrics/detail/prover.hh"
+#include "whittle/core/geometry/proof/prover.hh"
 
 namespace whittle {
 
@@ -73,7 +73,7 @@ class ErrorGuard : public Guard {
   bool find_support_in_list(const Vec3& point, double reach, Index& hint);
   bool is_at_pair(const Triangle& face) const;
   static bool is_within(const Corners& face, const Vec3& point, double reach) {
-    return metrics::distance_to(face, point) <= reach;
+    return distance_to(face, point) <= reach;
   }
   /// How far points and edges of the input may be: what is left of the limit is for points inside of faces.
   static double reach(double limit) { return 0.99 * limit; }
@@ -84,7 +84,7 @@ class ErrorGuard : public Guard {
   TriangleComplex& complex_;
   const ErrorBound& bound_;
   PointSupports supports_;
-  metrics::Prover prover_;
+  Prover prover_;
   Index last_ = invalid_index;  ///< a face of the input near the merged vertex looked at last
 
   // Of the contraction looked at last.

@@ -6,7 +6,7 @@
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/geometry/spread_point.hh"
 #include "whittle/core/geometry/triangle.hh"
-#include "whittle/metrics/closest_point.hh"
+#include "whittle/core/geometry/triangle_tree.hh"
 
 namespace whittle {
 namespace {
@@ -34,11 +34,11 @@ std::vector<Vec3> spread_points(const IndexedMesh& mesh) {
   return points;
 }
 
-double mean_distance(const std::vector<Vec3>& points, const metrics::TriangleTree& tree) {
+double mean_distance(const std::vector<Vec3>& points, const TriangleTree& tree) {
   double sum = 0;
   Index last = invalid_index;
   for (const Vec3& point : points) {
-    const metrics::ClosestPoint nearest = tree.nearest(point, last);
+    const ClosestPoint nearest = tree.nearest(point, last);
     sum += (nearest.point - point).norm();
     last = nearest.face;
   }
@@ -54,9 +54,9 @@ bool is_nearer(const IndexedMesh& input, const IndexedMesh& a, const IndexedMesh
   const std::vector<Vec3> of_a = spread_points(a);
   const std::vector<Vec3> of_b = spread_points(b);
   if (of_input.empty() || of_a.empty() || of_b.empty()) return false;
-  const metrics::TriangleTree tree(input);
-  const double distance_a = mean_distance(of_input, metrics::TriangleTree(a)) + mean_distance(of_a, tree);
-  const double distance_b = mean_distance(of_input, metrics::TriangleTree(b)) + mean_distance(of_b, tree);
+  const TriangleTree tree(input);
+  const double distance_a = mean_distance(of_input, TriangleTree(a)) + mean_distance(of_a, tree);
+  const double distance_b = mean_distance(of_input, TriangleTree(b)) + mean_distance(of_b, tree);
   return distance_a < distance_b;
 }
 

@@ -13,7 +13,7 @@
 #include "sampling/surface_sampler.hh"
 #include "sampling/tree_pair.hh"
 #include "whittle/core/detail/progress_meter.hh"
-#include "whittle/metrics/bounds.hh"
+#include "whittle/core/geometry/bounds.hh"
 #include "working_scale.hh"
 
 namespace whittle::metrics {
@@ -105,7 +105,7 @@ std::vector<AttributeDeviation> summarize(const std::vector<Shared>& shared, con
 std::vector<AttributeDeviation> attribute_deviations(const IndexedMesh& reference, const IndexedMesh& test,
                                                      const DistanceOptions& options) {
   check_samples(options.samples);
-  const Box reference_box = bounds(reference), test_box = bounds(test);
+  const Box reference_box = bounds_of(reference), test_box = bounds_of(test);
   if (const double scale = working_scale({reference_box, test_box}); scale != 1.0) {
     const auto rescaled = [scale](IndexedMesh mesh) {
       for (Vec3& p : mesh.positions) p *= scale;

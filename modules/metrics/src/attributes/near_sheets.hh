@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "attributes/surface_attribute.hh"
-#include "whittle/metrics/closest_point.hh"
+#include "whittle/core/geometry/triangle_tree.hh"
 
 namespace whittle::metrics {
 

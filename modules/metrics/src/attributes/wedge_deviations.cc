@@ -7,9 +7,9 @@
 #include "attributes/near_sheets.hh"
 #include "noise.hh"
 #include "whittle/core/detail/parallel.hh"
+#include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/metrics/attribute_deviation.hh"
-#include "whittle/metrics/bounds.hh"
 #include "working_scale.hh"
 
 namespace whittle::metrics {
@@ -71,7 +71,7 @@ void measure_wedges(const FromWedges& from, std::size_t begin, std::size_t end, 
 
 std::vector<WedgeDeviations> attribute_deviations_at_wedges(const IndexedMesh& mesh, const IndexedMesh& other,
                                                             std::span<const AttributeKind> kinds, unsigned threads) {
-  const Box box = bounds(mesh), other_box = bounds(other);
+  const Box box = bounds_of(mesh), other_box = bounds_of(other);
   if (const double scale = working_scale({box, other_box}); scale != 1.0) {
     const auto rescaled = [scale](IndexedMesh it) {
       for (Vec3& p : it.positions) p *= scale;

@@ -5,10 +5,9 @@
 
 #include "certify/arguments.hh"
 #include "certify/recorded.hh"
-#include "whittle/core/detail/edge_table.hh"
-#include "whittle/metrics/bounds.hh"
+#include "whittle/core/geometry/bounds.hh"
+#include "whittle/core/geometry/proof/border_edges.hh"
 #include "whittle/metrics/certify.hh"
-#include "whittle/metrics/detail/border_edges.hh"
 
 namespace whittle::metrics {
 namespace {
@@ -21,8 +20,8 @@ struct Borders {
   BorderEdges second;
 
   Borders(const IndexedMesh& a, const IndexedMesh& b) {
-    bounds(a);
-    bounds(b);
+    bounds_of(a);
+    bounds_of(b);
     first = border_edges_of(a);
     second = border_edges_of(b);
   }
@@ -49,24 +48,6 @@ LargestDistance one_way(const std::optional<FarPoint>& lost) {
 }
 
 }  // namespace
-
-BorderEdges border_edges_of(const IndexedMesh& mesh) {
-  using whittle::detail::face_of, whittle::detail::next_in_face, whittle::detail::start_of;
-  BorderEdges border;
-  border.mesh.positions = mesh.positions;
-  const whittle::detail::EdgeTable edges(mesh.faces, mesh.positions.size());
-  std::vector<Index> sides;
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (edges.sides(e).size() == 1) sides.push_back(edges.sides(e)[0]);
-  }
-  std::sort(sides.begin(), sides.end());
-  for (const Index side : sides) {
-    const Index to = start_of(next_in_face(side), mesh.faces);
-    border.mesh.faces.push_back({start_of(side, mesh.faces), to, to});
-    border.faces.push_back(face_of(side));
-  }
-  return border;
-}
 
 Certification certify_borders(const IndexedMesh& first, const IndexedMesh& second, double max_distance,
                               const CertifyOptions& options) {

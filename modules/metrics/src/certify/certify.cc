@@ -14,10 +14,10 @@
 #include "certify/proof_text.hh"
 #include "certify/recorded.hh"
 #include "whittle/core/detail/progress_meter.hh"
-#include "whittle/metrics/bounds.hh"
-#include "whittle/metrics/detail/prover.hh"
-#include "whittle/metrics/detail/target_surface.hh"
-#include "whittle/metrics/detail/tolerances.hh"
+#include "whittle/core/geometry/bounds.hh"
+#include "whittle/core/geometry/proof/face_limits.hh"
+#include "whittle/core/geometry/proof/prover.hh"
+#include "whittle/core/geometry/proof/target_surface.hh"
 
 namespace whittle::metrics {
 namespace {
@@ -69,7 +69,7 @@ class Surfaces {
   Surfaces(const IndexedMesh& first, const IndexedMesh& second, whittle::detail::ProgressMeter& meter,
            std::span<const double> tolerances = {}, double most = 0)
       : meshes_{first, second},
-        frame_(frame_of(bounds(first), bounds(second))),
+        frame_(frame_of(bounds_of(first), bounds_of(second))),
         limits_(face_limits(first.faces, tolerances, most)) {
     for (double& of_face : limits_) of_face *= frame_.scale;
     meter.start("preparing", 0.1);

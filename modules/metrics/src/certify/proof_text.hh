@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "whittle/metrics/detail/prover.hh"
+#include "whittle/core/geometry/proof/prover.hh"
 
 namespace whittle::metrics {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "whittle/metrics/bounds.hh"
+#include "whittle/core/geometry/bounds.hh"
 
 namespace whittle::metrics {
 namespace {
@@ -20,7 +20,7 @@ bool may_be_near(const Box& a, const Box& b, double distance) {
 }
 
 bool is_near(const Corners& face, const Vec3& point, double distance) {
-  return distance_to(face, point) <= distance - slack;
+  return distance_to(face, point) <= distance - distance_slack;
 }
 
 /// Whether all of a triangle is near: the distance from a face is convex, so it is greatest at a corner.

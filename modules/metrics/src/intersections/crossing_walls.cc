@@ -6,8 +6,8 @@
 #include "intersections/face_intersections.hh"
 #include "intersections/vertex_map.hh"
 #include "whittle/core/detail/drop.hh"
+#include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/parts.hh"
-#include "whittle/metrics/bounds.hh"
 
 namespace whittle::metrics {
 namespace {
@@ -110,7 +110,7 @@ FacePairs newly_crossing_faces(const IndexedMesh& before, const IndexedMesh& aft
   check_vertex_map(vertex_map, before, after);
   FacePairs pairs = crossing_faces(after, threads);
   if (pairs.empty()) return {};
-  bounds(before);  // refuses what is no surface
+  bounds_of(before);  // refuses what is no surface
   const EarlierIntersections earlier(origins_of(pairs, after, before, vertex_map), threads);
   std::erase_if(pairs, [&](const auto& pair) { return earlier.has(after.faces[pair[0]], after.faces[pair[1]]); });
   return pairs;

@@ -14,9 +14,9 @@
 #include "intersections/predicates.hh"
 #include "whittle/core/detail/progress_meter.hh"
 #include "whittle/core/frame.hh"
+#include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/geometry/overlapping_boxes.hh"
 #include "whittle/core/geometry/space_filling_curve.hh"
-#include "whittle/metrics/bounds.hh"
 #include "working_scale.hh"
 
 namespace whittle::metrics {
@@ -148,7 +148,7 @@ bool do_intersect(const Corners& face, const Corners& other) {
 std::vector<std::array<Index, 2>> face_intersections(const IndexedMesh& mesh,
                                                      const std::function<bool(Index, Index)>& is_wanted,
                                                      unsigned threads, const ProgressCallback& progress) {
-  const Box box = bounds(mesh);
+  const Box box = bounds_of(mesh);
   if (const double scale = working_scale({box}); scale != 1.0) {
     return face_intersections(scaled(mesh, scale), is_wanted, threads, progress);
   }

@@ -11,10 +11,10 @@
 #include "intersections/vertex_map.hh"
 #include "whittle/core/detail/drop.hh"
 #include "whittle/core/detail/parallel.hh"
+#include "whittle/core/geometry/bounds.hh"
+#include "whittle/core/geometry/triangle_tree.hh"
 #include "whittle/core/parts.hh"
 #include "whittle/core/pieces.hh"
-#include "whittle/metrics/bounds.hh"
-#include "whittle/metrics/closest_point.hh"
 #include "working_scale.hh"
 
 namespace whittle::metrics {
@@ -117,7 +117,7 @@ bool do_meet(const ComparedPart& part, const ComparedPart& other) {
 /// Those of some pairs of parts that intersect. \param part_of per face, `invalid_index` for none
 PartPairs meeting_ones(const PartPairs& pairs, const IndexedMesh& mesh, const std::vector<Index>& part_of,
                        std::size_t n_parts, unsigned threads) {
-  const Box box = bounds(mesh);
+  const Box box = bounds_of(mesh);
   if (const double scale = working_scale({box}); scale != 1.0) {
     return meeting_ones(pairs, metrics::scaled(mesh, scale), part_of, n_parts, threads);
   }
@@ -168,14 +168,14 @@ std::vector<Index> parts_before(const IndexedMesh& before, std::span<const Index
 PartPairs newly_meeting_parts(const IndexedMesh& before, const IndexedMesh& after, std::span<const Index> vertex_map,
                               unsigned threads) {
   check_vertex_map(vertex_map, before, after);
-  bounds(after);  // refuses what is no surface
+  bounds_of(after);  // refuses what is no surface
   const Parts parts = find_parts(after.positions.size(), after.faces);
   if (parts.count < 2) return {};
   std::vector<Index> part_of(after.faces.size());
   for (std::size_t f = 0; f < part_of.size(); ++f) part_of[f] = parts.part_of[after.faces[f][0]];
   const PartPairs now = meeting_parts(after, std::move(part_of), parts.count, threads);
   if (now.empty()) return {};
-  bounds(before);
+  bounds_of(before);
   const PartPairs earlier =
       meeting_ones(now, before, parts_before(before, vertex_map, parts, now), parts.count, threads);
   PartPairs newly;

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "whittle/core/detail/progress_meter.hh"
-#include "whittle/metrics/closest_point.hh"
+#include "whittle/core/geometry/triangle_tree.hh"
 
 namespace whittle::metrics {
 

@@ -23,7 +23,7 @@ TEST(Box, IsAroundItsPoints) {
   EXPECT_EQ(center_of(box), Vec3(0, 3.5, 5));
   EXPECT_DOUBLE_EQ(diagonal_of(points), std::sqrt(4 + 9 + 16));
   EXPECT_EQ(diagonal_of(Box()), 0);
-  EXPECT_EQ(bounds_of({}).max(), Vec3::Zero());
+  EXPECT_EQ(bounds_of(std::vector<Vec3>{}).max(), Vec3::Zero());
 }
 
 TEST(Triangle, HasHalfTheAreaOfItsNormal) {

@@ -35,8 +35,8 @@ inline double sampled_distance(const IndexedMesh& from, const IndexedMesh& to) {
 inline void expect_certified(const IndexedMesh& input, const IndexedMesh& mesh, double distance, double border_distance,
                              const std::string& context) {
   constexpr double room = 1 + 1e-12;
-  EXPECT_EQ(metrics::certify(input, mesh, room * distance).verdict, metrics::Verdict::proven) << context;
-  EXPECT_EQ(metrics::certify_borders(input, mesh, room * border_distance).verdict, metrics::Verdict::proven) << context;
+  EXPECT_EQ(metrics::certify(input, mesh, room * distance).verdict, Verdict::proven) << context;
+  EXPECT_EQ(metrics::certify_borders(input, mesh, room * border_distance).verdict, Verdict::proven) << context;
 }
 
 /// The same, and by an independent search.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "whittle/core/geometry/proof/verdict.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/core/progress.hh"
 
@@ -39,13 +40,6 @@ struct FarPoint {
   Index face = invalid_index;
   Vec3 point = Vec3::Zero();
   double distance = 0;  ///< model units, but for rounding
-};
-
-enum class Verdict {
-  proven,   ///< each point of either surface is within the distance of the other surface
-  refuted,  ///< a point is farther
-  undecided  ///< the largest distance is too near to the limit: by rounding errors, 10⁻¹⁴ of the size of both, or so
-             ///< that a triangle was split into 65,536 pieces in vain
 };
 
 struct Certification {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "whittle/core/geometry/triangle_tree.hh"
 #include "whittle/core/indexed_mesh.hh"
-#include "whittle/metrics/closest_point.hh"
 
 namespace whittle::report {
 
@@ -40,8 +40,7 @@ struct DistanceMapOptions {
 };
 
 /// \throw std::invalid_argument if the mesh has no faces, or for a tolerance or a spacing out of range
-DistanceMap distance_map(const IndexedMesh& mesh, const metrics::TriangleTree& other,
-                         const DistanceMapOptions& options = {});
+DistanceMap distance_map(const IndexedMesh& mesh, const TriangleTree& other, const DistanceMapOptions& options = {});
 
 /// Shares of the area, [0, 1], of which the distance is in each of `n` equal parts of [0, max]; each vertex stands for
 /// a third of its faces. \pre n > 0

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "whittle/core/frame.hh"
-#include "whittle/metrics/detail/prover.hh"
-#include "whittle/metrics/detail/target_surface.hh"
+#include "whittle/core/geometry/proof/prover.hh"
+#include "whittle/core/geometry/proof/target_surface.hh"
 
 namespace whittle::metrics {
 

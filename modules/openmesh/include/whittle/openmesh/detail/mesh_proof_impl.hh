@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "whittle/metrics/detail/border_edges.hh"
+#include "whittle/core/geometry/proof/border_edges.hh"
 #include "whittle/openmesh/detail/mesh_proof.hh"
 
 namespace whittle {
@@ -14,7 +14,7 @@ MeshProofT<MeshT>::MeshProofT(const MeshT& mesh, const IndexedMesh& input, const
       limits_(limits),
       n_faces_(mesh.n_faces()),
       is_cut_(find_cuts()),
-      input_border_(metrics::border_edges_of(input).mesh),
+      input_border_(border_edges_of(input).mesh),
       surface_(input, limits.surface) {
   std::vector<Vec3> positions;
   positions.reserve(mesh_.n_vertices());
@@ -39,7 +39,7 @@ std::vector<bool> MeshProofT<MeshT>::find_cuts() const {
   const detail::VertexNumbers numbers = detail::number_vertices(mesh_, Copies::joined);
   const auto pair_of = [](Index a, Index b) { return std::pair(std::min(a, b), std::max(a, b)); };
   std::vector<std::pair<Index, Index>> borders;
-  for (const Triangle& edge : metrics::border_edges_of(detail::geometry_of(mesh_, numbers)).mesh.faces) {
+  for (const Triangle& edge : border_edges_of(detail::geometry_of(mesh_, numbers)).mesh.faces) {
     borders.push_back(pair_of(edge[0], edge[1]));
   }
   std::sort(borders.begin(), borders.end());

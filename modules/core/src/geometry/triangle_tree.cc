@@ -4,7 +4,7 @@
 //
 // Nodes are split by the surface area heuristic, in 16 bins along the widest axis of the box centres (Wald: On fast
 // Construction of SAH-based Bounding Volume Hierarchies, 2007).
-#include "whittle/metrics/closest_point.hh"
+#include "whittle/core/geometry/triangle_tree.hh"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -16,7 +16,7 @@
 #include "whittle/core/geometry/segment.hh"
 #include "whittle/core/geometry/triangle.hh"
 
-namespace whittle::metrics {
+namespace whittle {
 
 namespace {
 
@@ -42,11 +42,11 @@ struct TriangleTree::Reference {
   double twice_center(Eigen::Index axis) const { return box.min()[axis] + box.max()[axis]; }
 };
 
-TriangleTree::TriangleTree(const IndexedMesh& mesh) : TriangleTree(mesh, center_of(bounds(mesh))) {}
+TriangleTree::TriangleTree(const IndexedMesh& mesh) : TriangleTree(mesh, center_of(bounds_of(mesh))) {}
 
 TriangleTree::TriangleTree(const IndexedMesh& mesh, const Vec3& origin, detail::ProgressMeter* meter)
     : origin_(origin) {
-  const Box box = bounds(mesh);
+  const Box box = bounds_of(mesh);
   if (box.sizes().maxCoeff() > most_extent) throw std::invalid_argument("mesh is larger than 1e70; scale it");
   if (!origin.allFinite()) throw std::invalid_argument("origin of the hierarchy is not finite");
   const std::size_t n = mesh.faces.size();
@@ -304,4 +304,4 @@ TriangleTree::OffsetFace TriangleTree::nearest_by_offsets(const Vec3& point, Ind
   return best;
 }
 
-}  // namespace whittle::metrics
+}  // namespace whittle

@@ -6,15 +6,15 @@
 #include <span>
 #include <vector>
 
+#include "whittle/core/geometry/bounds.hh"
 #include "whittle/core/geometry/triangle.hh"
 #include "whittle/core/indexed_mesh.hh"
-#include "whittle/metrics/bounds.hh"
 
 namespace whittle::detail {
 class ProgressMeter;
 }
 
-namespace whittle::metrics {
+namespace whittle {
 
 /// Where a surface comes nearest to a point.
 struct ClosestPoint {
@@ -157,4 +157,4 @@ void TriangleTree::visit_boxes(const Box& local, Visitor&& visit) const {
   }
 }
 
-}  // namespace whittle::metrics
+}  // namespace whittle

@@ -1,4 +1,4 @@
-#include "whittle/metrics/closest_point.hh"
+#include "whittle/core/geometry/triangle_tree.hh"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 #include "support/transforms.hh"
 #include "whittle/core/geometry/box.hh"
 
-namespace whittle::metrics {
+namespace whittle {
 namespace {
 
 using test::distance_by_features;
@@ -73,7 +73,7 @@ IndexedMesh random_thin_triangles(std::size_t n, double thickness, std::uint64_t
 /// by a few such units. In all 32 units of the extent of mesh and query. `extra` is relative to the same extent.
 void expect_agrees_with_brute_force(const IndexedMesh& mesh, const std::string& what, std::uint64_t seed,
                                     double extra = 0.0) {
-  const Box box = bounds(mesh);
+  const Box box = bounds_of(mesh);
   const TriangleTree tree(mesh);
   Random random(seed);
   for (int i = 0; i < 400; ++i) {
@@ -133,7 +133,7 @@ TEST(TriangleTree, IsAccurateRightAboveThinTriangles) {
       alone.faces = {mesh.faces[f]};
       const double found = std::sqrt(TriangleTree(alone, Vec3::Zero()).nearest(point).distance_sq);
       const auto expected = static_cast<double>(distance_by_features(point.cast<long double>(), a, b, c));
-      ASSERT_NEAR(found, expected, 5e-12 * (diagonal_of(bounds(alone)) + reach))
+      ASSERT_NEAR(found, expected, 5e-12 * (diagonal_of(bounds_of(alone)) + reach))
           << "thickness 1e-" << exponent << ", face " << f;
     }
   }
@@ -175,7 +175,7 @@ TEST(TriangleTree, FindsVerticesAtDistanceZero) {
     for (const Triangle& face : mesh.faces) {
       for (const Index v : face) {
         // The foot on the plane of a face may be off by some units in the last place.
-        ASSERT_LE(std::sqrt(tree.nearest(mesh.positions[v]).distance_sq), 4 * 0x1p-52 * diagonal_of(bounds(mesh)))
+        ASSERT_LE(std::sqrt(tree.nearest(mesh.positions[v]).distance_sq), 4 * 0x1p-52 * diagonal_of(bounds_of(mesh)))
             << name << ", vertex " << v;
       }
     }
@@ -425,7 +425,7 @@ TEST(Bounds, LookAtUsedVerticesOnly) {
   IndexedMesh mesh = test::cube();
   mesh.positions.emplace_back(100.0, 0.0, 0.0);
   mesh.positions.emplace_back(std::numeric_limits<double>::infinity(), 0.0, 0.0);
-  const Box box = bounds(mesh);
+  const Box box = bounds_of(mesh);
   EXPECT_EQ(box.min(), Vec3(-1.0, -1.0, -1.0));
   EXPECT_EQ(box.max(), Vec3(1.0, 1.0, 1.0));
   EXPECT_EQ(center_of(box), Vec3(0.0, 0.0, 0.0));
@@ -433,14 +433,14 @@ TEST(Bounds, LookAtUsedVerticesOnly) {
 }
 
 TEST(Bounds, RejectMissingAndInfiniteVertices) {
-  EXPECT_THROW(bounds(IndexedMesh{}), std::invalid_argument);
+  EXPECT_THROW(bounds_of(IndexedMesh{}), std::invalid_argument);
   IndexedMesh mesh = test::cube();
   mesh.positions[0].z() = -std::numeric_limits<double>::infinity();
-  EXPECT_THROW(bounds(mesh), std::invalid_argument);
+  EXPECT_THROW(bounds_of(mesh), std::invalid_argument);
   mesh = test::cube();
   mesh.faces[0][0] = invalid_index;
-  EXPECT_THROW(bounds(mesh), std::invalid_argument);
+  EXPECT_THROW(bounds_of(mesh), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace whittle::metrics
+}  // namespace whittle

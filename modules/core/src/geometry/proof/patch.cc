@@ -1,4 +1,4 @@
-#include "whittle/metrics/detail/patch.hh"
+#include "whittle/core/geometry/proof/patch.hh"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-namespace whittle::metrics {
+namespace whittle {
 namespace {
 
 /// Triangles that are thinner than this are seen too inexactly.
@@ -20,7 +20,7 @@ double cross(const Seen& a, const Seen& b) { return a.x() * b.y() - a.y() * b.x(
 
 /// Whether the point is surely beside the box around a face.
 bool is_beside(const Seen& a, const Seen& b, const Seen& c, const Seen& point) {
-  constexpr double spare = 4 * slack;
+  constexpr double spare = 4 * distance_slack;
   return std::max({a.x(), b.x(), c.x()}) < point.x() - spare || std::min({a.x(), b.x(), c.x()}) > point.x() + spare ||
          std::max({a.y(), b.y(), c.y()}) < point.y() - spare || std::min({a.y(), b.y(), c.y()}) > point.y() + spare;
 }
@@ -35,8 +35,8 @@ std::optional<int> count_over(const Seen& a, const Seen& b, const Seen& c, const
     const Seen& from = *around[i];
     const Seen way = *around[i + 1] - from;
     const double side = cross(way, point - from);
-    const double unsure = slack * (std::abs(way.x()) + std::abs(way.y()) + std::abs(point.x() - from.x()) +
-                                   std::abs(point.y() - from.y()));
+    const double unsure = distance_slack * (std::abs(way.x()) + std::abs(way.y()) + std::abs(point.x() - from.x()) +
+                                            std::abs(point.y() - from.y()));
     if (std::abs(side) <= unsure) is_unsure = true;
     has_left |= side > unsure;
     has_right |= side < -unsure;
@@ -151,7 +151,7 @@ bool Patch::set_view(const Corners& triangle) {
   axes_[1] = axes_[2].cross(axes_[0]);
   for (std::size_t i = 0; i < 3; ++i) {
     triangle_[i] = seen(triangle[i]);
-    if (std::abs(triangle_[i].z()) > slack) return false;  // the normal is too inexact
+    if (std::abs(triangle_[i].z()) > distance_slack) return false;  // the normal is too inexact
   }
   for (std::size_t i = 0; i < 3; ++i) {
     const Seen way = triangle_[(i + 1) % 3] - triangle_[i];
@@ -165,7 +165,7 @@ bool Patch::set_view(const Corners& triangle) {
 /// side with the triangle are apart from it then. Each point of the triangle as it was is within `margin_` of what is
 /// left. (Not along the sides' normals: those of a needle cancel out.)
 void Patch::shrink() {
-  constexpr double inset = 4 * slack;
+  constexpr double inset = 4 * distance_slack;
   const std::array<double, 3> opposite{(triangle_[2] - triangle_[1]).norm(), (triangle_[0] - triangle_[2]).norm(),
                                        (triangle_[1] - triangle_[0]).norm()};
   const double perimeter = opposite[0] + opposite[1] + opposite[2];
@@ -192,7 +192,7 @@ Index Patch::see(Index vertex) {
   const Seen at = seen(surface_.positions[vertex]);
   unsigned outside = 0;
   for (unsigned side = 0; side < 3; ++side) {
-    outside |= static_cast<unsigned>(sides_[side].distance(at) > slack) << side;
+    outside |= static_cast<unsigned>(sides_[side].distance(at) > distance_slack) << side;
   }
   seen_.push_back({at, outside});
   return slot.seen;
@@ -209,12 +209,13 @@ bool Patch::is_apart(const SeenCorner& a, const SeenCorner& b) const {
   const std::array<double, 3> sides{cross(way, triangle_[0] - a.at), cross(way, triangle_[1] - a.at),
                                     cross(way, triangle_[2] - a.at)};
   const auto [low, high] = std::minmax({sides[0], sides[1], sides[2]});
-  return low > slack * length || high < -slack * length;
+  return low > distance_slack * length || high < -distance_slack * length;
 }
 
 /// Whether the part of a face over the triangle is surely not higher, nor lower, than `height`.
 bool Patch::is_within(Index face, const SeenFace& corners, double height) {
-  const double most = height - surface_.offset(face) - 2 * slack;  // the triangle itself may be a slack off its plane
+  const double most =
+      height - surface_.offset(face) - 2 * distance_slack;  // the triangle itself may be a distance_slack off its plane
   const auto is_low = [&](Index corner) { return std::abs(seen_[corner].at.z()) <= most; };
   return (is_low(corners[0]) && is_low(corners[1]) && is_low(corners[2])) || is_part_within(face, corners, most);
 }
@@ -223,7 +224,7 @@ bool Patch::is_within(Index face, const SeenFace& corners, double height) {
 bool Patch::is_part_within(Index face, const SeenFace& corners, double most) {
   Polygon part{{seen_[corners[0]].at, seen_[corners[1]].at, seen_[corners[2]].at}, 3};
   for (const Side& side : sides_) {
-    part = part.clipped([&side](const Seen& p) { return side.distance(p) - 2 * slack; });
+    part = part.clipped([&side](const Seen& p) { return side.distance(p) - 2 * distance_slack; });
   }
   const auto end = part.corners.begin() + part.size;
   const auto highest = std::max_element(part.corners.begin(), end,
@@ -255,4 +256,4 @@ bool Patch::is_odd_somewhere() const {
   return false;
 }
 
-}  // namespace whittle::metrics
+}  // namespace whittle

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "whittle/metrics/detail/linked_faces.hh"
+#include "whittle/core/geometry/proof/linked_faces.hh"
 
-namespace whittle::metrics {
+namespace whittle {
 
 /// A set of numbers that is emptied at once.
 class NumberSet {
@@ -129,4 +129,4 @@ class Patch {
   std::optional<Obstacle> obstacle_;
 };
 
-}  // namespace whittle::metrics
+}  // namespace whittle

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "whittle/core/frame.hh"
-#include "whittle/metrics/closest_point.hh"
-#include "whittle/metrics/detail/linked_faces.hh"
+#include "whittle/core/geometry/proof/linked_faces.hh"
+#include "whittle/core/geometry/triangle_tree.hh"
 
-namespace whittle::metrics {
+namespace whittle {
 
 /// A mesh that triangles are proven to be near to.
 class TargetSurface final : public ProofTarget {
@@ -22,7 +22,7 @@ class TargetSurface final : public ProofTarget {
   TargetSurface(const IndexedMesh& mesh, const Frame& frame, std::span<const double> limits = {}, double limit = 0);
 
   /// Builds the tree that `nearest` needs, if there is none. \throw Cancelled
-  void build_tree(whittle::detail::ProgressMeter* meter) const;
+  void build_tree(detail::ProgressMeter* meter) const;
 
   LinkedFaces faces() const override { return {in_frame_.positions, in_frame_.faces, beyond_, offsets_}; }
   /// Any number of threads may call. The first few times it does without a tree, if there is none.
@@ -40,4 +40,4 @@ class TargetSurface final : public ProofTarget {
   mutable std::optional<TriangleTree> tree_;
 };
 
-}  // namespace whittle::metrics
+}  // namespace whittle

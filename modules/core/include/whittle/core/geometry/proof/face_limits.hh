@@ -6,7 +6,7 @@
 
 #include "whittle/core/indexed_mesh.hh"
 
-namespace whittle::metrics {
+namespace whittle {
 
 /// How far the surface may be from each face: the least of its corners' tolerances and `most`. Empty if there are no
 /// tolerances.
@@ -19,4 +19,4 @@ inline std::vector<double> face_limits(std::span<const Triangle> faces, std::spa
   return limits;
 }
 
-}  // namespace whittle::metrics
+}  // namespace whittle

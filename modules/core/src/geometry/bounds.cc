@@ -1,13 +1,13 @@
-#include "whittle/metrics/bounds.hh"
+#include "whittle/core/geometry/bounds.hh"
 
 #include <stdexcept>
 #include <string>
 
 #include "whittle/core/detail/checks.hh"
 
-namespace whittle::metrics {
+namespace whittle {
 
-Box bounds(const IndexedMesh& mesh) {
+Box bounds_of(const IndexedMesh& mesh) {
   if (mesh.faces.empty()) throw std::invalid_argument("mesh has no faces");
   check_corners(mesh.positions.size(), mesh.faces);
   Box box;
@@ -23,4 +23,4 @@ Box bounds(const IndexedMesh& mesh) {
   return box;
 }
 
-}  // namespace whittle::metrics
+}  // namespace whittle

@@ -1,4 +1,4 @@
-#include "whittle/metrics/detail/target_surface.hh"
+#include "whittle/core/geometry/proof/target_surface.hh"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "whittle/core/geometry/segment.hh"
 #include "whittle/core/geometry/triangle.hh"
 
-namespace whittle::metrics {
+namespace whittle {
 namespace {
 
 IndexedMesh in_frame(const IndexedMesh& mesh, const Frame& frame) {
@@ -21,7 +21,7 @@ IndexedMesh in_frame(const IndexedMesh& mesh, const Frame& frame) {
 
 std::vector<FacesBeyond> faces_beyond(const IndexedMesh& mesh) {
   std::vector<FacesBeyond> beyond(mesh.faces.size(), {invalid_index, invalid_index, invalid_index});
-  const whittle::detail::EdgeTable edges(mesh.faces, mesh.positions.size());
+  const detail::EdgeTable edges(mesh.faces, mesh.positions.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const std::span<const Index> sides = edges.sides(e);
     if (sides.size() != 2) continue;
@@ -34,12 +34,12 @@ std::vector<FacesBeyond> faces_beyond(const IndexedMesh& mesh) {
 }  // namespace
 
 TargetSurface::TargetSurface(const IndexedMesh& mesh, const Frame& frame, std::span<const double> limits, double limit)
-    : in_frame_(whittle::metrics::in_frame(mesh, frame)), beyond_(faces_beyond(in_frame_)) {
+    : in_frame_(whittle::in_frame(mesh, frame)), beyond_(faces_beyond(in_frame_)) {
   offsets_.reserve(limits.size());
   for (const double of_face : limits) offsets_.push_back(limit - of_face);
 }
 
-void TargetSurface::build_tree(whittle::detail::ProgressMeter* meter) const {
+void TargetSurface::build_tree(detail::ProgressMeter* meter) const {
   std::call_once(once_, [&] {
     tree_.emplace(in_frame_, Vec3::Zero(), meter);
     if (!offsets_.empty()) tree_->set_offsets(offsets_);
@@ -116,4 +116,4 @@ double distance_to(const Corners& triangle, const Vec3& point) {
   return std::min({distance_across(triangle, point), to_side(a, b), to_side(b, c), to_side(c, a)});
 }
 
-}  // namespace whittle::metrics
+}  // namespace whittle

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "whittle/metrics/certify.hh"
-#include "whittle/metrics/detail/patch.hh"
+#include "whittle/core/geometry/proof/patch.hh"
+#include "whittle/core/geometry/proof/verdict.hh"
 
-namespace whittle::metrics {
+namespace whittle {
 
 /// A point of a triangle that is far from a surface.
 struct FarthestPoint {
@@ -79,4 +79,4 @@ class Prover {
   std::vector<ProofStep> steps_;
 };
 
-}  // namespace whittle::metrics
+}  // namespace whittle

@@ -1,10 +1,10 @@
-#include "whittle/metrics/detail/prover.hh"
+#include "whittle/core/geometry/proof/prover.hh"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace whittle::metrics {
+namespace whittle {
 namespace {
 
 /// Distances are found to this accuracy where they are smaller: lengths are about 1.
@@ -18,8 +18,8 @@ constexpr double coarsening = 4;
 Verdict Prover::prove(const Corners& triangle, double distance, Index hint, FarthestPoint& farthest) {
   const auto limit = [distance](const FarthestPoint&) { return distance; };
   const auto decide = [distance](const FarthestPoint& point) {
-    if (point.distance > distance + slack) return Verdict::refuted;
-    return point.distance > distance - 3 * slack ? Verdict::undecided : Verdict::proven;
+    if (point.distance > distance + distance_slack) return Verdict::refuted;
+    return point.distance > distance - 3 * distance_slack ? Verdict::undecided : Verdict::proven;
   };
   begin(triangle, hint, distance);
   return search(limit, decide, farthest);
@@ -33,7 +33,7 @@ double Prover::find_farthest(const Corners& triangle, double from, double accura
     const double found = std::max(from, point.distance);
     const double gap = accuracy * std::max(found, of_interest) + least_accuracy;
     const double sought = std::max(coarse_, found + coarseness * gap);
-    return found < most - 4 * slack ? std::min(sought, std::max(coarse_, most)) : sought;
+    return found < most - 4 * distance_slack ? std::min(sought, std::max(coarse_, most)) : sought;
   };
   const auto decide = [](const FarthestPoint&) { return Verdict::proven; };
   begin(triangle, hint, limit(farthest));
@@ -71,7 +71,7 @@ Verdict Prover::search(const Limit& limit, const Decide& decide, FarthestPoint& 
     const Vec3 suspect = this->suspect(piece.corners);
     const NearFace known = search_near(suspect, nearest_known(suspect), limit(farthest));
     if (known.face != piece.hint) known_.push_back(known.face);
-    if (known.distance > limit(farthest) - 4 * slack) {
+    if (known.distance > limit(farthest) - 4 * distance_slack) {
       const NearFace near = target_.nearest(suspect, known.face);
       if (near.distance > farthest.distance) farthest = {suspect, near.distance};
       const Verdict verdict = decide(farthest);
@@ -106,7 +106,7 @@ bool Prover::is_proven(const Piece& piece, double distance) {
 
 bool Prover::is_near(const Corners& corners, Index face, double distance) {
   const Corners other = surface_.corners(face);
-  const double most = distance - surface_.offset(face) - slack;
+  const double most = distance - surface_.offset(face) - distance_slack;
   if (!std::all_of(corners.begin(), corners.end(), [&](const Vec3& p) { return distance_to(other, p) <= most; })) {
     return false;
   }
@@ -143,7 +143,7 @@ NearFace Prover::search_near(const Vec3& point, NearFace from, double distance) 
     std::pop_heap(to_search_.begin(), to_search_.end(), is_farther);
     const Index at = to_search_.back().face;
     to_search_.pop_back();
-    if (at != nearest.face && nearest.distance <= distance - 4 * slack) break;
+    if (at != nearest.face && nearest.distance <= distance - 4 * distance_slack) break;
     for (const Index face : surface_.beyond[at]) {
       if (face == invalid_index || !searched_.insert(face)) continue;
       to_search_.push_back({face, distance_to(surface_.corners(face), point) + surface_.offset(face)});
@@ -192,4 +192,4 @@ void Prover::split(const Piece& piece) {
   }
 }
 
-}  // namespace whittle::metrics
+}  // namespace whittle

@@ -4,7 +4,7 @@
 
 #include "whittle/core/indexed_mesh.hh"
 
-namespace whittle::metrics {
+namespace whittle {
 
 /// The open borders of a mesh as triangles of which two corners are one: such a triangle is the segment between its
 /// first two corners.
@@ -17,4 +17,4 @@ struct BorderEdges {
 /// the vertex numbers are valid
 BorderEdges border_edges_of(const IndexedMesh& mesh);
 
-}  // namespace whittle::metrics
+}  // namespace whittle

@@ -5,10 +5,10 @@
 
 #include "whittle/core/geometry/triangle.hh"
 
-namespace whittle::metrics {
+namespace whittle {
 
 /// What rounding may do to a distance, with room: lengths are about 1. Proofs hold with this to spare.
-inline constexpr double slack = 1e-14;
+inline constexpr double distance_slack = 1e-14;
 
 /// The face at the other side of each edge: from corner 0 to 1, from 1 to 2, from 2 to 0. `invalid_index` if the edge
 /// has other than two faces.
@@ -44,4 +44,4 @@ class ProofTarget {
 /// Distance of a point from a triangle, or more by rounding errors of 1e-15. Its corners may coincide.
 double distance_to(const Corners& triangle, const Vec3& point);
 
-}  // namespace whittle::metrics
+}  // namespace whittle
