@@ -1,7 +1,7 @@
 // Reports the progress of a run and cancels it. The result is a valid mesh all the same.
 #include <cstdio>
 #include <string>
-#include <whittle/engine/simplify.hh>
+#include <whittle/simplify/simplify.hh>
 
 #include "torus.hh"
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <whittle/engine/simplify.hh>
+#include <whittle/simplify/simplify.hh>
 
 #include "torus.hh"
 

@@ -1,7 +1,7 @@
 // Simplifies a mesh stored in two plain arrays, and gives two plain arrays back. Does what `whittle simplify` does.
 #include <cstdio>
 #include <vector>
-#include <whittle/engine/simplify.hh>
+#include <whittle/simplify/simplify.hh>
 
 #include "torus.hh"
 

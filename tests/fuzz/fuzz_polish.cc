@@ -17,9 +17,9 @@
 #include "oracle/crossing.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/metrics/self_intersections.hh"
 #include "whittle/metrics/topology.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::test {
 namespace {

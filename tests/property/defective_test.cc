@@ -7,9 +7,9 @@
 #include <cstdlib>
 
 #include "support/defects.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/io/repair.hh"
 #include "whittle/metrics/topology.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::test {
 namespace {

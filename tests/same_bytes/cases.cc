@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "shapes.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/io/read.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::test {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "whittle/core/wedges.hh"
 #include "whittle/engine/attributes.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/report/page.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::report {
 namespace {

@@ -17,9 +17,9 @@
 #include "bench/results/csv.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/box.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/io/format.hh"
 #include "whittle/io/read.hh"
+#include "whittle/simplify/simplify.hh"
 
 // Results of `simplify` with a length as target: are they proven rightly, how many faces and how much time do they
 // take? run.sh --max-error builds and calls it.

@@ -11,8 +11,8 @@
 #include "bench/processes/forked.hh"
 #include "bench/results/csv.hh"
 #include "whittle/core/flat_arrays.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/metrics/certificate.hh"
+#include "whittle/simplify/simplify.hh"
 #include "whittle/verify/verify.hh"
 #ifdef WHITTLE_BENCH_HAS_CGAL
 #include "bench/max_error/cgal_distance.hh"

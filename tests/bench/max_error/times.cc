@@ -11,8 +11,8 @@
 #include "whittle/core/flat_arrays.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/box.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/metrics/certificate.hh"
+#include "whittle/simplify/simplify.hh"
 #include "whittle/verify/verify.hh"
 
 namespace whittle::bench {

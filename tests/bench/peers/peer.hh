@@ -9,7 +9,7 @@
 
 #include "bench/processes/meter.hh"
 #include "whittle/core/indexed_mesh.hh"
-#include "whittle/engine/simplify.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::bench {
 

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "bench/peers/peer.hh"
-#include "whittle/engine/simplify.hh"
+#include "whittle/simplify/simplify.hh"
 
 // Whittle as the program runs it with --effort or --cost: optimal placement, all guards, counted refusals, and a
 // progress callback.

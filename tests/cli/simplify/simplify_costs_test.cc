@@ -10,12 +10,12 @@
 #include "program/simplified.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/box.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/io/read.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/line_distance.hh"
 #include "whittle/metrics/lines.hh"
 #include "whittle/metrics/shape.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::test {
 namespace {

@@ -5,8 +5,8 @@
 #include "support/random.hh"
 #include "support/shapes/shapes.hh"
 #include "support/suites.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/metrics/self_intersections.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::test {
 namespace {

@@ -15,10 +15,10 @@
 #include "support/transforms.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/box.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/io/read.hh"
 #include "whittle/metrics/certify.hh"
 #include "whittle/metrics/topology.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "support/shapes/shapes.hh"
 #include "whittle/core/feature_edges.hh"
-#include "whittle/engine/simplify.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::test {
 namespace {

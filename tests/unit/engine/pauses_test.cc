@@ -11,9 +11,9 @@
 #include "support/transforms.hh"
 #include "whittle/core/feature_edges.hh"
 #include "whittle/engine/decimate.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/topology.hh"
+#include "whittle/simplify/simplify.hh"
 
 // A run that pauses on its way.
 

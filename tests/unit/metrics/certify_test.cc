@@ -18,7 +18,7 @@
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/geometry/proof/linked_faces.hh"
-#include "whittle/engine/simplify.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::test {
 

@@ -16,7 +16,7 @@
 
 #include "support/shapes/shapes.hh"
 #include "support/suites.hh"
-#include "whittle/engine/simplify.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::progressive {
 namespace {

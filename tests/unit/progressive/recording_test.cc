@@ -16,8 +16,8 @@
 #include "support/suites.hh"
 #include "whittle/core/pieces.hh"
 #include "whittle/core/wedges.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/progressive/replay.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::progressive {
 namespace {

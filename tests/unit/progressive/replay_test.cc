@@ -18,9 +18,9 @@
 #include "support/shapes/two_sided.hh"
 #include "support/suites.hh"
 #include "whittle/core/geometry/bounds.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/io/read.hh"
 #include "whittle/metrics/distance.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::progressive {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "support/shapes/shapes.hh"
 #include "support/shapes/two_sided.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/metrics/certify.hh"
 #include "whittle/progressive/levels.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::test {
 namespace {

@@ -11,8 +11,8 @@
 #include "certificate.hh"
 #include "support/random.hh"
 #include "support/shapes/shapes.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/metrics/certificate.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::test {
 namespace {

@@ -17,8 +17,8 @@
 #include "support/suites.hh"
 #include "support/transforms.hh"
 #include "whittle/core/frame.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/metrics/certificate.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::test {
 namespace {

@@ -20,9 +20,9 @@
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/geometry/triangle_tree.hh"
 #include "whittle/core/wedges.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/io/errors.hh"
 #include "whittle/progressive/recording.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::app {
 namespace {

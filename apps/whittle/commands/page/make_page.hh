@@ -6,7 +6,7 @@
 #include "terminal/talk.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/engine/run_steps.hh"
-#include "whittle/engine/simplify.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::app {
 

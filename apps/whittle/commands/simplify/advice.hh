@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "whittle/engine/simplify.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::app {
 

@@ -5,7 +5,7 @@
 
 #include "commands/simplify/simplify_options.hh"
 #include "files/input.hh"
-#include "whittle/engine/simplify.hh"
+#include "whittle/simplify/simplify.hh"
 
 // `--per-mesh`: each mesh of a glTF file is simplified on its own.
 

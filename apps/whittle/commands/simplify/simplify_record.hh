@@ -10,7 +10,7 @@
 #include "commands/regions/regions.hh"
 #include "commands/simplify/as_written.hh"
 #include "files/input.hh"
-#include "whittle/engine/simplify.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::app {
 

@@ -1,9 +1,9 @@
 #include "whittle/engine/decimate.hh"
 
 #include "decimate/run.hh"
-#include "decimate/sheets/counts_without_backs.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/engine/attributes.hh"
+#include "whittle/engine/detail/without_backs.hh"
 #include "whittle/engine/two_sided_sheets.hh"
 
 namespace whittle {
@@ -26,10 +26,10 @@ std::string_view to_string(StopReason reason) {
 
 Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options) {
   if (const TwoSidedSheets sheets(mesh); sheets.any()) {
-    return run_without_backs(sheets, target, options,
-                             [&](const DecimateTarget& own, const DecimateOptions& own_options) {
-                               return decimate(sheets.without_backs(), own, own_options);
-                             });
+    return detail::run_without_backs(sheets, target, options,
+                                     [&](const DecimateTarget& own, const DecimateOptions& own_options) {
+                                       return decimate(sheets.without_backs(), own, own_options);
+                                     });
   }
   Decimation decimation = run(mesh, target, options, nullptr, {});
   break_normals(Frame::of_points(mesh.positions), options.normals, options.crease_angle_deg, decimation.mesh);

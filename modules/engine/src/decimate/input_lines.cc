@@ -8,8 +8,12 @@
 #include "whittle/core/feature_edges.hh"
 #include "whittle/core/regions.hh"
 #include "whittle/core/wedges.hh"
+#include "whittle/engine/detail/input_edges.hh"
 
 namespace whittle {
+
+using detail::InputEdges;
+
 std::vector<VertexPair> input_features(const IndexedMesh& mesh, const DecimateOptions& options) {
   std::vector<VertexPair> edges;
   const double angle_deg = options.feature_angle_deg.value_or(180);
@@ -19,6 +23,8 @@ std::vector<VertexPair> input_features(const IndexedMesh& mesh, const DecimateOp
   return edges;
 }
 
+namespace {
+
 InputEdges input_edges(const IndexedMesh& mesh, const DecimateOptions& options) {
   InputEdges edges{input_features(mesh, options), {}};
   const std::vector<VertexPair> seams = seam_edges(mesh, face_regions(mesh, options.regions));
@@ -27,7 +33,9 @@ InputEdges input_edges(const IndexedMesh& mesh, const DecimateOptions& options) 
   return edges;
 }
 
-InputEdges input_edges_with_rims(const IndexedMesh& mesh, const DecimateOptions& options) {
+}  // namespace
+
+InputEdges detail::input_edges_with_rims(const IndexedMesh& mesh, const DecimateOptions& options) {
   InputEdges edges = input_edges(mesh, options);
   const std::vector<VertexPair> rims = held_rims(mesh, Frame::of_points(mesh.positions), options);
   if (rims.empty()) return edges;

@@ -6,20 +6,11 @@
 
 namespace whittle {
 
-/// Ascending, lower vertex first.
-struct InputEdges {
-  std::vector<VertexPair> features;  ///< by angle, and those that the caller names, which may be no edges of the mesh
-  std::vector<VertexPair> seams;     ///< those that are no features
-};
-InputEdges input_edges(const IndexedMesh& mesh, const DecimateOptions& options);
-/// The same with rims of two-sided sheets (`held_rims`) among the features: along the sheet the surface holds no vertex
-/// of them in place.
-InputEdges input_edges_with_rims(const IndexedMesh& mesh, const DecimateOptions& options);
-/// The features alone.
+/// The feature edges of a mesh, as those of `detail::InputEdges`.
 std::vector<VertexPair> input_features(const IndexedMesh& mesh, const DecimateOptions& options);
 
 struct InputLines {
-  FeatureLines held;              ///< the features (`InputEdges`), and the seams if they are kept
+  FeatureLines held;              ///< the features (`input_features`), and the seams if they are kept
   std::vector<VertexPair> seams;  ///< those that are no features, whether they are kept or not; ascending
 };
 /// \param keeps_seams whether vertices on seams go along them only

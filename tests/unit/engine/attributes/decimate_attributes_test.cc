@@ -17,7 +17,7 @@
 #include "support/transforms.hh"
 #include "whittle/core/geometry/vertex_normals.hh"
 #include "whittle/engine/decimate.hh"
-#include "whittle/engine/simplify.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::test {
 namespace {

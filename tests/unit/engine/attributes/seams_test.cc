@@ -12,7 +12,7 @@
 #include "support/shapes/shapes.hh"
 #include "support/topology.hh"
 #include "whittle/core/wedges.hh"
-#include "whittle/engine/simplify.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::test {
 namespace {

@@ -30,8 +30,8 @@ struct PassEnd {
     Triangle corners;  ///< vertices of the input
   };
   std::uint64_t n_contractions = 0;  ///< made before
-  std::vector<MovedVertex> moved;    ///< by polish, ascending
-  std::vector<TurnedFace> turned;    ///< faces at edges that polish flipped, ascending
+  std::vector<MovedVertex> moved;    ///< by a pause or the fit in the end, ascending
+  std::vector<TurnedFace> turned;    ///< faces at edges that these flipped, ascending
 };
 
 /// All that a run did, in order: enough to do it again.

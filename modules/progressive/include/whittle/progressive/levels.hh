@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "whittle/engine/simplify.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::progressive {
 

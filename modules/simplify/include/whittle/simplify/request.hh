@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "whittle/core/attribute_kinds.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/simplify/option.hh"
+#include "whittle/simplify/simplify.hh"
 #include "whittle/simplify/targets.hh"
 
 namespace whittle {

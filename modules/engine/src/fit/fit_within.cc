@@ -1,4 +1,7 @@
-#include "simplify/polish_within.hh"
+#include "fit/fit_within.hh"
+
+#include <utility>
+#include <vector>
 
 #include "error/marked_vertices.hh"
 
@@ -16,22 +19,20 @@ void hold_around(const std::vector<Index>& violations, const IndexedMesh& mesh, 
 
 }  // namespace
 
-PolishResult polish_within(ErrorBounds& bounds, const IndexedMesh& input, Decimation& decimation,
-                           const PolishHeld& polish) {
+bool fit_within(ErrorBounds& bounds, const IndexedMesh& input, const detail::Fit& fit, Decimation& decimation) {
   const Frame frame = Frame::of_points(input.positions);
   std::vector<std::uint8_t> held(decimation.mesh.positions.size());
   for (int round = 0; round < most_rounds; ++round) {
-    Decimation polished = decimation;
-    const PolishResult result = polish(polished, held);
-    if (result.cancelled) return result;
-    const ErrorBound::Violations violations = bounds.check({polished.mesh, frame, polished.vertex_map});
+    Decimation fitted = decimation;
+    if (!fit(fitted, held)) return false;
+    const ErrorBound::Violations violations = bounds.check({fitted.mesh, frame, fitted.vertex_map});
     if (violations.empty()) {
-      decimation = std::move(polished);
-      return result;
+      decimation = std::move(fitted);
+      return true;
     }
-    hold_around(violations.vertices, polished.mesh, held);
+    hold_around(violations.vertices, fitted.mesh, held);
   }
-  return {};
+  return false;
 }
 
 }  // namespace whittle

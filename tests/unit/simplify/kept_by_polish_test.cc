@@ -12,12 +12,12 @@
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/wedges.hh"
-#include "whittle/engine/simplify.hh"
 #include "whittle/metrics/certify.hh"
 #include "whittle/metrics/distance.hh"
 #include "whittle/metrics/line_distance.hh"
 #include "whittle/metrics/lines.hh"
 #include "whittle/metrics/shape.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle::test {
 namespace {
@@ -87,8 +87,8 @@ TEST(KeptByPolish, FeatureToleranceOfLevelsAndWithinAnError) {
     for (const Simplification& level : simplify_to_levels(mesh, targets, effort, with_features(tolerance_rel))) {
       EXPECT_LE(feature_distance_rel(mesh, level.mesh), rounding * tolerance_rel);
     }
-    const Simplification within =
-        simplify(mesh, DecimateTarget::max_error(0.02 * diagonal_of(mesh.positions)), effort, with_features(tolerance_rel));
+    const Simplification within = simplify(mesh, DecimateTarget::max_error(0.02 * diagonal_of(mesh.positions)), effort,
+                                           with_features(tolerance_rel));
     EXPECT_LE(feature_distance_rel(mesh, within.mesh), rounding * tolerance_rel);
     EXPECT_LT(within.mesh.faces.size(), mesh.faces.size() / 4);
   }

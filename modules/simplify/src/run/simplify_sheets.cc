@@ -1,9 +1,9 @@
-#include "simplify/simplify_sheets.hh"
+#include "run/simplify_sheets.hh"
 
 #include <algorithm>
 #include <utility>
 
-#include "decimate/sheets/counts_without_backs.hh"
+#include "whittle/engine/detail/without_backs.hh"
 
 namespace whittle {
 namespace {
@@ -45,7 +45,7 @@ bool lower_targets(const TwoSidedSheets& sheets, const std::vector<DecimateTarge
   bool is_any_lower = false;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     if (levels[i].result.stop == StopReason::exhausted || levels[i].result.stop == StopReason::cancelled) continue;
-    const auto lower = lower_target_without_backs(sheets, asked[i], tried[i], levels[i].face_origins);
+    const auto lower = detail::lower_target_without_backs(sheets, asked[i], tried[i], levels[i].face_origins);
     if (!lower) continue;
     tried[i] = *lower;
     is_any_lower = true;
@@ -62,13 +62,13 @@ Simplification simplify_sheets(const TwoSidedSheets& sheets, const DecimateTarge
                                const SimplifyOptions& options) {
   SimplifyOptions own = options;
   own.decimate.cost = with_cost(sheets, target, effort, options).cost;
-  return run_without_backs(sheets, target, own.decimate,
-                           [&](const DecimateTarget& own_target, const DecimateOptions& own_options) {
-                             SimplifyOptions without_backs = options;
-                             without_backs.decimate = own_options;
-                             without_backs.decimate.cost = options.decimate.cost;
-                             return simplify(sheets.without_backs(), own_target, effort, without_backs);
-                           });
+  return detail::run_without_backs(sheets, target, own.decimate,
+                                   [&](const DecimateTarget& own_target, const DecimateOptions& own_options) {
+                                     SimplifyOptions without_backs = options;
+                                     without_backs.decimate = own_options;
+                                     without_backs.decimate.cost = options.decimate.cost;
+                                     return simplify(sheets.without_backs(), own_target, effort, without_backs);
+                                   });
 }
 
 std::vector<Simplification> simplify_sheets_to_levels(const TwoSidedSheets& sheets,
@@ -76,7 +76,7 @@ std::vector<Simplification> simplify_sheets_to_levels(const TwoSidedSheets& shee
                                                       const SimplifyOptions& options) {
   SimplifyOptions own = options;
   own.decimate = sheets.options_without_backs(options.decimate);
-  std::vector<DecimateTarget> own_targets = targets_without_backs(
+  std::vector<DecimateTarget> own_targets = detail::targets_without_backs(
       sheets, targets, sheets.options_without_backs(with_cost(sheets, targets.back(), effort, options)));
   std::vector<Simplification> levels;
   do {

@@ -1,4 +1,4 @@
-#include "whittle/engine/simplify.hh"
+#include "whittle/simplify/simplify.hh"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "simplify/nearer_result.hh"
+#include "run/nearer_result.hh"
 
 #include <cmath>
 #include <vector>

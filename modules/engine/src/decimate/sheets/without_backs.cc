@@ -1,11 +1,11 @@
-#include "decimate/sheets/counts_without_backs.hh"
+#include "whittle/engine/detail/without_backs.hh"
 
 #include <algorithm>
 #include <limits>
 
 #include "decimate/run.hh"
 
-namespace whittle {
+namespace whittle::detail {
 namespace {
 
 /// When vertices become one in a run: the number of contractions made by then.
@@ -140,4 +140,4 @@ std::optional<DecimateTarget> lower_target_without_backs(const TwoSidedSheets& s
   return tried.or_faces(std::max(*asked.n_faces() / 2, *tried.n_faces() - std::min(surplus, *tried.n_faces())));
 }
 
-}  // namespace whittle
+}  // namespace whittle::detail

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "whittle/engine/decimate.hh"
 #include "whittle/engine/decimate_target.hh"
 #include "whittle/engine/options.hh"
 #include "whittle/engine/two_sided_sheets.hh"
 
-namespace whittle {
+namespace whittle::detail {
 
 /// Targets for a mesh without backs at which it has as many faces, with its backs, as others ask for. Where some faces
 /// have no back, a run with options is made to find out: the targets are exact for the same run.
@@ -43,4 +45,4 @@ auto run_without_backs(const TwoSidedSheets& sheets, const DecimateTarget& targe
   return result;
 }
 
-}  // namespace whittle
+}  // namespace whittle::detail

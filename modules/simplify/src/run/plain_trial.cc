@@ -1,4 +1,4 @@
-#include "simplify/plain_trial.hh"
+#include "run/plain_trial.hh"
 
 #include <algorithm>
 #include <vector>

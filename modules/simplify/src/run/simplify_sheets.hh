@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "whittle/engine/simplify.hh"
 #include "whittle/engine/two_sided_sheets.hh"
+#include "whittle/simplify/simplify.hh"
 
 namespace whittle {
 

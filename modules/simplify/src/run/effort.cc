@@ -1,0 +1,59 @@
+#include <utility>
+#include <vector>
+
+#include "whittle/simplify/simplify.hh"
+
+namespace whittle {
+namespace {
+
+/// Whether there is an option that memoryless quadrics don't take.
+bool needs_plain_quadrics(const DecimateOptions& options) {
+  const CostConflicts& why_not = cost_traits(Cost::memoryless).why_not;
+  const bool has_exact_pairs = options.pairs.threshold > 0 && options.order == Order::exact;
+  return (options.isotropy > 0 && !why_not.isotropy.empty()) ||
+         (options.quadric.weights != Weights::area && !why_not.weights.empty()) ||
+         (has_exact_pairs && !why_not.threshold_in_exact_order.empty());
+}
+
+Cost cost_by_effort(Effort effort, const DecimateOptions& options) {
+  return effort == Effort::fast || needs_plain_quadrics(options) ? Cost::quadric : Cost::memoryless;
+}
+
+unsigned passes_by_effort(Effort effort, const SimplifyOptions& options) {
+  if (effort == Effort::fast || options.decimate.quadric.placement != Placement::optimal) return 0;
+  return effort == Effort::best || options.fit == Fit::max ? 2 : 1;
+}
+
+std::vector<double> pauses_by_effort(Effort effort, const DecimateOptions& options) {
+  if (effort == Effort::fast || options.quadric.placement == Placement::endpoint) return {};
+  return effort == Effort::best ? std::vector<double>{1.2, 1.1, 1.03} : std::vector<double>{1.1};
+}
+
+}  // namespace
+
+SimplifyOptions with_effort(Effort effort, SimplifyOptions options) {
+  const DecimateOptions& decimate = options.decimate;
+  const bool is_cost_by_effort = !decimate.cost;
+  options.decimate.cost = decimate.cost.value_or(cost_by_effort(effort, decimate));
+  options.decimate.hold_rims = decimate.hold_rims.value_or(true);
+  options.polish_passes = options.polish_passes.value_or(passes_by_effort(effort, options));
+  options.flips = options.flips.value_or(effort == Effort::best);
+  options.tries_plain_quadrics =
+      options.tries_plain_quadrics.value_or(is_cost_by_effort && options.decimate.cost == Cost::memoryless &&
+                                            effort != Effort::fast && !decimate.listener && decimate.pauses.at.empty());
+  const bool has_pauses = options.polish_passes > 0U && decimate.pauses.at.empty();
+  options.pauses = has_pauses ? options.pauses.value_or(pauses_by_effort(effort, decimate)) : std::vector<double>{};
+  return options;
+}
+
+SimplifyOptions with_effort(Effort effort, SimplifyOptions options, const IndexedMesh& mesh,
+                            const DecimateTarget& target) {
+  if (!options.decimate.cost && !needs_plain_quadrics(options.decimate)) {
+    DecimateOptions memoryless = options.decimate;
+    memoryless.cost = Cost::memoryless;
+    if (goes_in_blocks(mesh, target, memoryless)) options.decimate.cost = Cost::memoryless;
+  }
+  return with_effort(effort, std::move(options));
+}
+
+}  // namespace whittle
