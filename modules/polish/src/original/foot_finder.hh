@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "surface/surface_walk.hh"
-#include "whittle/core/detail/eight_floats.hh"
+#include "whittle/core/geometry/eight_floats.hh"
 
 namespace whittle::polishing {
 

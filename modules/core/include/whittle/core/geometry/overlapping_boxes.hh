@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "whittle/core/detail/eight_floats.hh"
 #include "whittle/core/detail/parallel.hh"
 #include "whittle/core/detail/progress_meter.hh"
 #include "whittle/core/geometry/box.hh"
+#include "whittle/core/geometry/eight_floats.hh"
 
 namespace whittle {
 
