@@ -229,10 +229,10 @@ void check_new_intersections(const IndexedMesh& mesh, const IndexedMesh& moved) 
 void check_bounds(const IndexedMesh& mesh) {
   const auto box = measured(is_surface(mesh), [&mesh] { return bounds_of(mesh); });
   if (!box) return;
-  require(box->min.allFinite() && box->max.allFinite() && box->center().allFinite(), "boxes are finite");
-  require((box->min.array() <= box->center().array()).all() && (box->center().array() <= box->max.array()).all(),
+  require(box->min().allFinite() && box->max().allFinite() && box->center().allFinite(), "boxes are finite");
+  require((box->min().array() <= box->center().array()).all() && (box->center().array() <= box->max().array()).all(),
           "the center is inside");
-  require(std::isfinite(box->diagonal()), "diagonals are finite");
+  require(std::isfinite(diagonal_of(*box)), "diagonals are finite");
 }
 
 void check(const IndexedMesh& a, const IndexedMesh& b, std::uint64_t hash) {

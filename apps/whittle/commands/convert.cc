@@ -2,7 +2,6 @@
 #include <vector>
 
 #include "commands/subcommands.hh"
-#include "files/gltf_file.hh"
 #include "files/input.hh"
 #include "files/mesh_output.hh"
 #include "files/output.hh"
@@ -31,10 +30,10 @@ Json convert_json(ConvertCommand& options, const Conversion& run, double total_s
   const IndexedMesh& mesh = run.input.read.mesh;
   Json json = new_report();
   json["input"] = input_json(run.input, mesh.faces.empty() ? 0 : diagonal_of(bounds_of(mesh)));
-  json["input"]["format"] = run.input.format;
+  json["input"]["format"] = run.input.format->name;
   json["options"] = options_json(file_rows(options.files));
   json["output"] = {{"path", options.output},
-                    {"format", output_format_name(options.output, options.files)},
+                    {"format", format_for_output(options.output, options.files).name},
                     {"vertices", mesh.positions.size()},
                     {"faces", mesh.faces.size()}};
   json["seconds"] = {{"read", run.input.seconds}, {"write", run.write_seconds}, {"total", total_seconds}};
@@ -51,8 +50,8 @@ void check(const ConvertCommand& options) {
 }
 
 ExitCode run_convert(const Given& /*given*/, ConvertCommand options) {
-  options.files.takes_no_triangles = is_gltf_output(options.output, options.files);
-  options.files.reads_scene = !options.files.takes_no_triangles;
+  options.files.takes_no_triangles = writes_document(options.output, options.files);
+  options.files.scope = scope_for(options.output, options.files);
   check(options);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
@@ -67,7 +66,7 @@ ExitCode run_convert(const Given& /*given*/, ConvertCommand options) {
   const Stopwatch writing;
   OutputFiles files(options.common.force);
   files.protect(run.input.needed_files);
-  write_result(files, {options.output, options.files}, run.input, mesh, talk, run.warnings);
+  write_result(files, output_of(options.output, options.files), run.input, mesh, talk, run.warnings);
   run.write_seconds = writing.seconds();
   commit_with_report(files, options.common,
                      options.common.json ? to_text(convert_json(options, run, watch.seconds())) : std::string());
@@ -95,7 +94,7 @@ void setup_convert(CLI::App& app, Command& command) {
                             "  whittle convert scan.ply scan.obj.gz\n"
                             "  whittle convert - - --input-format obj --output-format stl < in.obj > out.stl"};
   ConvertCommand defaults;
-  defaults.files.reads_gltf = defaults.files.writes_gltf = true;
+  defaults.files.reads_documents = defaults.files.writes_documents = true;
   add_subcommand(app, text, defaults, convert_rows, run_convert, command);
 }
 

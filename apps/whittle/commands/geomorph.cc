@@ -9,6 +9,7 @@
 
 #include "commands/recording/recording_input.hh"
 #include "commands/subcommands.hh"
+#include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
 #include "terminal/errors.hh"
@@ -78,10 +79,13 @@ void write_geomorph(const GeomorphCommand& options, const Geomorph& geomorph, Ou
     files.write(run.paths.front(), [&geomorph](std::ostream& out) { write_glb(out, geomorph); });
     return;
   }
+  Scene scene;
+  scene.path = standard_stream;  // without a folder that textures would be copied from
+  scene.read.notes = run.recording.notes;
   for (std::size_t i = 0; i < run.paths.size(); ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(run.paths.size() - 1);
-    write_mesh(files, run.paths[i], options.files, geomorph.at(share, options.normal_blend), talk, run.warnings,
-               run.recording.notes);
+    write_result(files, output_of(run.paths[i], options.files), scene, geomorph.at(share, options.normal_blend), talk,
+                 run.warnings);
   }
 }
 
@@ -179,7 +183,7 @@ void setup_geomorph(CLI::App& app, Command& command) {
                             "  whittle geomorph dragon.rec --from 50000 --to 10000 -o morph.glb\n"
                             "  whittle geomorph dragon.rec --from 50000 --frames 48 -o 'frame_{i}.ply'"};
   GeomorphCommand defaults;
-  defaults.files.reads_gltf = true;
+  defaults.files.reads_documents = true;
   add_subcommand(app, text, defaults, geomorph_rows, run_geomorph, command);
 }
 

@@ -30,11 +30,7 @@ struct View {
 };
 
 struct Findings {
-  std::string name;              ///< of the file, in messages
-  io::ReadResult read;           ///< after all repairs
-  std::string format;            ///< "ply"
-  std::string format_title;      ///< "PLY"
-  double weld_tolerance = 0;     ///< model units; 0 = exact duplicates alone
+  Scene scene;                   ///< after all repairs
   std::optional<View> unwelded;  ///< set if welding changed something
   View repaired;
   MeshKind kind;
@@ -48,19 +44,19 @@ View view(const IndexedMesh& mesh, unsigned threads, const Talk& talk) {
 }
 
 Findings look_at(const InfoOptions& options, const Talk& talk) {
-  const MeshFile file(options.input, options.files);
+  const SceneFile file = scene_file(options.input, options.files);
+  const unsigned threads = options.common.threads;
   Findings findings;
-  findings.name = file.name();
-  findings.read = file.read(true, options.common.threads, io::AttributeScope::all);
-  findings.format = format_name(findings.read, file);
-  findings.format_title = format_title(findings.read, file);
-  findings.weld_tolerance = weld_gaps(findings.read, options.files.weld_tolerance, options.common.threads);
-  findings.repaired = view(findings.read.mesh, options.common.threads, talk);
-  findings.kind =
-      kind_of(findings.read.mesh, findings.repaired.topology, file.gltf() != nullptr, options.common.threads);
-  findings.bounds = bounds_of(findings.read.mesh);
-  if (findings.read.repairs.welded_vertices > 0)
-    findings.unwelded = view(file.read(false, options.common.threads).mesh, options.common.threads, talk);
+  findings.scene = file.read(read_options(options.files, threads, io::AttributeScope::all));
+  const IndexedMesh& mesh = findings.scene.read.mesh;
+  findings.repaired = view(mesh, threads, talk);
+  findings.kind = kind_of(mesh, findings.repaired.topology, findings.scene.format->is_document, threads);
+  findings.bounds = bounds_of(mesh);
+  if (findings.scene.read.repairs.welded_vertices == 0) return findings;
+  FileOptions unwelded = options.files;
+  unwelded.weld = false;
+  unwelded.weld_tolerance = {};
+  findings.unwelded = view(file.read(read_options(unwelded, threads)).read.mesh, threads, talk);
   return findings;
 }
 
@@ -98,13 +94,13 @@ Json suggestions_json(const std::vector<Suggestion>& suggestions) {
 }
 
 Json info_json(const InfoOptions& options, const Findings& findings) {
-  const io::ReadResult& read = findings.read;
+  const io::ReadResult& read = findings.scene.read;
   Json json = new_report();
   json["path"] = options.input;
-  json["format"] = findings.format;
+  json["format"] = findings.scene.format->name;
   json["file"] = {{"vertices", read.file_vertices}, {"faces", read.file_faces}};
   json["repairs"] = repairs_json(read.repairs);
-  json["weld_tolerance"] = findings.weld_tolerance;
+  json["weld_tolerance"] = findings.scene.weld_tolerance;
   json["diagonal"] = diagonal_of(findings.bounds);
   json["bounds"] = {{"min", point_json(findings.bounds.min())}, {"max", point_json(findings.bounds.max())}};
   json.update(view_json(findings.repaired));
@@ -149,9 +145,9 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 std::string summary_of(const Findings& findings) {
-  const io::ReadResult& read = findings.read;
+  const io::ReadResult& read = findings.scene.read;
   const std::string repairs = io::to_string(read.repairs);
-  std::string text = findings.name + ": " + findings.format_title + ", " + vertices_text(read.file_vertices) + ", " +
+  std::string text = findings.scene.name + ": " + std::string(findings.scene.format->title) + ", " + vertices_text(read.file_vertices) + ", " +
                      faces_text(read.file_faces) + " in the file\n";
   text += "repairs: " + (repairs.empty() ? "none" : repairs) + '\n';
   const double diagonal = diagonal_of(findings.bounds);
@@ -185,7 +181,7 @@ ExitCode run_info(const Given& /*given*/, InfoOptions options) {
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   const Findings findings = look_at(options, talk);
-  for (const std::string& warning : findings.read.warnings) talk.warning(about(findings.name, warning));
+  for (const std::string& warning : findings.scene.read.warnings) talk.warning(about(findings.scene.name, warning));
   write_report(options.common, info_json(options, findings), summary_of(findings));
   say_effort(talk, watch.seconds());
   return ExitCode::done;
@@ -209,7 +205,8 @@ void setup_info(CLI::App& app, Command& command) {
                             "  whittle info part.stl\n"
                             "  whittle info part.stl --json - | jq .closed"};
   InfoOptions defaults;
-  defaults.files.reads_gltf = defaults.files.reads_shown = true;
+  defaults.files.reads_documents = true;
+  defaults.files.scope = SceneScope::shown;
   add_subcommand(app, text, defaults, info_rows, run_info, command);
 }
 

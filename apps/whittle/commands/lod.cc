@@ -10,8 +10,7 @@
 #include "commands/simplify/advice.hh"
 #include "commands/stage_bars.hh"
 #include "commands/subcommands.hh"
-#include "files/gltf/common_borders.hh"
-#include "files/gltf_file.hh"
+#include "whittle/scene/gltf_file.hh"
 #include "files/input.hh"
 #include "files/mesh_output.hh"
 #include "files/output.hh"
@@ -148,7 +147,7 @@ std::string path_of(std::string path, std::size_t i, std::uint64_t n_faces, std:
 
 /// Whether all levels go into one glTF file.
 bool is_one_file(const LodCommand& options) {
-  return path_of(options.output, 0, 1, 2) == options.output && is_gltf_output(options.output, options.files);
+  return path_of(options.output, 0, 1, 2) == options.output && writes_document(options.output, options.files);
 }
 
 std::vector<LodLevel> make_levels(const LodCommand& options, const LodRun& run, const SimplifyOptions& simplify) {
@@ -159,9 +158,9 @@ std::vector<LodLevel> make_levels(const LodCommand& options, const LodRun& run, 
       levels.push_back({std::move(level), std::nullopt, {}});
     }
   } else {
-    const MeshOutput output{path_of(options.output, 0, 1, 2), options.files};
+    const SceneOutput output = output_of(path_of(options.output, 0, 1, 2), options.files);
     const auto to_file = [&](const IndexedMesh& level) {
-      return as_written(output, run.input, level, options.common.threads);
+      return as_written(output, run.input, level, read_options(options.files, options.common.threads));
     };
     for (progressive::ProvenLevel& level :
          progressive::levels_within(mesh, errors_of(options, run), options.effort, simplify, to_file)) {
@@ -231,7 +230,8 @@ SimplifyOptions library_options(const LodCommand& options, StageBars& bars) {
 void write_into_one_file(const LodCommand& options, const Talk& talk, OutputFiles& files, LodRun& run) {
   std::vector<const IndexedMesh*> levels;
   for (const LodLevel& level : run.levels) levels.push_back(&level.simplified.mesh);
-  write_levels(files, {options.output, options.files, options.compresses_gltf}, run.input, levels, talk, run.warnings);
+  write_levels(files, output_of(options.output, options.files, options.compresses_gltf), run.input, levels, talk,
+               run.warnings);
 }
 
 void write_files(LodCommand& options, const Talk& talk, const Stopwatch& since_start, LodRun& run) {
@@ -243,7 +243,7 @@ void write_files(LodCommand& options, const Talk& talk, const Stopwatch& since_s
   } else {
     for (const LodLevel& level : run.levels) {
       check_outputs({{"--output", level.path}}, {options.input}, options.common.force);
-      write_result(files, {level.path, options.files, options.compresses_gltf}, run.input, level.simplified.mesh, talk,
+      write_result(files, output_of(level.path, options.files, options.compresses_gltf), run.input, level.simplified.mesh, talk,
                    run.warnings);
     }
   }
@@ -292,7 +292,7 @@ void warn_of_missing_levels(const LodCommand& options, const Talk& talk, LodRun&
 }
 
 ExitCode run_lod(const Given& /*given*/, LodCommand options) {
-  options.files.reads_scene = !is_gltf_output(path_of(options.output, 0, 1, 2), options.files);
+  options.files.scope = scope_for(path_of(options.output, 0, 1, 2), options.files);
   check(options);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
@@ -338,7 +338,7 @@ void setup_lod(CLI::App& app, Command& command) {
                             "  whittle lod helmet.glb --ratios 50%,10% -o helmet_levels.glb\n"
                             "  whittle lod part.stl --errors 0.1%,0.5%,1% -o 'part_{i}.obj'"};
   LodCommand defaults;
-  defaults.files.reads_gltf = defaults.files.writes_gltf = true;
+  defaults.files.reads_documents = defaults.files.writes_documents = true;
   add_subcommand(app, text, defaults, lod_rows, run_lod, command);
 }
 

@@ -252,7 +252,7 @@ void check_command(const MeasureOptions& options) {
   if (options.n_views) require_pictures();
   if (!options.n_poses) return;
   for (const std::string& path : {options.reference, options.test}) {
-    if (!reads_gltf(path, options.files)) throw UsageError("--posed is for glTF files, which " + path + " is not");
+    if (!reads_document(path, options.files)) throw UsageError("--posed is for glTF files, which " + path + " is not");
   }
 }
 
@@ -333,7 +333,8 @@ void setup_measure(CLI::App& app, Command& command) {
                             "  whittle measure helmet.glb small.glb --render 24 --render-image worst.png\n"
                             "  whittle measure knight.glb small.glb --posed 16"};
   MeasureOptions defaults;
-  defaults.files.reads_gltf = defaults.files.reads_scene = true;
+  defaults.files.reads_documents = true;
+  defaults.files.scope = SceneScope::scene;
   add_subcommand(app, text, defaults, measure_rows, run_measure, command);
 }
 

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "commands/subcommands.hh"
-#include "files/gltf/common_borders.hh"
 #include "files/input.hh"
 #include "files/mesh_output.hh"
 #include "files/output.hh"
@@ -80,7 +79,7 @@ void write_files(PolishCommand& options, const Talk& talk, const Stopwatch& sinc
   OutputFiles files(options.common.force);
   files.protect(run.reference.needed_files);
   files.protect(run.input.needed_files);
-  write_result(files, {options.output, options.files, options.compresses_gltf}, run.input, run.mesh, talk,
+  write_result(files, output_of(options.output, options.files, options.compresses_gltf), run.input, run.mesh, talk,
                run.warnings);
   run.write_seconds = watch.seconds();
   const std::string json =
@@ -129,7 +128,7 @@ void polish_input(const PolishCommand& options, const Talk& talk, PolishRun& run
 }
 
 ExitCode run_polish(const Given& /*given*/, PolishCommand options) {
-  options.files.reads_scene = !is_gltf_output(options.output, options.files);
+  options.files.scope = scope_for(options.output, options.files);
   check(options);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
@@ -158,7 +157,7 @@ void setup_polish(CLI::App& app, Command& command) {
                             "  whittle polish dragon.ply small.ply -o better.ply\n"
                             "  whittle polish part.stl part_of_another_program.obj -o part.obj --passes 1 --json -"};
   PolishCommand defaults;
-  defaults.files.reads_gltf = defaults.files.writes_gltf = true;
+  defaults.files.reads_documents = defaults.files.writes_documents = true;
   add_subcommand(app, text, defaults, polish_rows, run_polish, command);
 }
 

@@ -9,7 +9,7 @@
 
 #include "commands/recording/recording_input.hh"
 #include "commands/subcommands.hh"
-#include "files/gltf_file.hh"
+#include "whittle/scene/gltf_file.hh"
 #include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
@@ -127,7 +127,7 @@ void check(const ReplayCommand& options) {
 void write_level(const ReplayCommand& options, const std::string& path, RecordedRun& recorded, IndexedMesh mesh,
                  OutputFiles& files, const Talk& talk, ReplayRun& run) {
   if (recorded.has_gltf_texcoords && !recorded.input.gltf) flip_texcoords(mesh);
-  write_result(files, {path, options.files, options.compresses_gltf}, recorded.input, mesh, talk, run.warnings);
+  write_result(files, output_of(path, options.files, options.compresses_gltf), recorded.input, mesh, talk, run.warnings);
 }
 
 void write_levels(const ReplayCommand& options, RecordedRun& recorded, OutputFiles& files, const Talk& talk,
@@ -209,7 +209,7 @@ void setup_replay(CLI::App& app, Command& command) {
                             "  whittle replay dragon.rec --faces 20000 -o medium.ply\n"
                             "  whittle replay dragon.rec --steps 0:1:50 -o 'frame_{i}.ply'"};
   ReplayCommand defaults;
-  defaults.files.reads_gltf = defaults.files.writes_gltf = true;
+  defaults.files.reads_documents = defaults.files.writes_documents = true;
   add_subcommand(app, text, defaults, replay_rows, run_replay, command);
 }
 

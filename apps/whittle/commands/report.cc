@@ -126,7 +126,8 @@ void setup_report(CLI::App& app, Command& command) {
                             "  whittle report dragon.ply small.ply --png error.png --view colour=error\n"
                             "  whittle report dragon.rec --animate dragon.webp --every 2%"};
   ReportCommand defaults;
-  defaults.files_options.reads_gltf = defaults.files_options.reads_scene = true;
+  defaults.files_options.reads_documents = true;
+  defaults.files_options.scope = SceneScope::scene;
   add_subcommand(app, text, defaults, report_rows, run_report, command);
 }
 

@@ -17,10 +17,8 @@
 #include "commands/simplify/simplify_texts.hh"
 #include "commands/stage_bars.hh"
 #include "commands/subcommands.hh"
-#include "files/gltf/common_borders.hh"
-#include "files/gltf_file.hh"
+#include "whittle/scene/gltf_file.hh"
 #include "files/input.hh"
-#include "files/joined_input.hh"
 #include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
@@ -403,7 +401,7 @@ ExitCode simplify_one(SimplifyCommand options, Json* report) {
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   SimplifyRecord record;
-  options.files.takes_no_triangles = !options.files.reads_scene;
+  options.files.takes_no_triangles = options.files.scope != SceneScope::scene;
   const unsigned threads = options.common.threads;
   record.input = options.joins ? read_joined(options.inputs, options.files, threads, talk, attributes_to_read(options))
                                : read_input(options.input, options.files, threads, talk, attributes_to_read(options));
@@ -480,7 +478,7 @@ void setup_simplify(CLI::App& app, Command& command) {
                             "  whittle simplify bone_*.stl --join -o hand.ply --face-ratio 10%\n"
                             "  whittle simplify - -o - --format ply --faces 5000 < in.ply > out.ply"};
   SimplifyCommand defaults;
-  defaults.files.reads_gltf = defaults.files.writes_gltf = true;
+  defaults.files.reads_documents = defaults.files.writes_documents = true;
   add_subcommand(app, text, defaults, simplify_rows, run_simplify, command);
 }
 

@@ -5,8 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "files/companions.hh"
-#include "files/gltf_file.hh"
+#include "whittle/scene/gltf_file.hh"
 #include "whittle/io/materials.hh"
 #include "whittle/io/whole_file.hh"
 

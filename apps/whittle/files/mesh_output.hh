@@ -3,40 +3,30 @@
 #include <string>
 #include <vector>
 
-#include "files/gltf_file.hh"
 #include "files/input.hh"
 #include "files/output.hh"
+#include "whittle/scene/write_scene.hh"
 
 namespace whittle::app {
 
-/// What is written, and how.
-struct MeshOutput {
-  std::string path;
-  FileOptions options;
-  bool compresses_gltf = false;
-};
+/// The format to write a file in: that of --output-format, otherwise the one by its name, otherwise that of --format.
+/// \throw UsageError if there is neither, or if --ascii is given and the format has no choice of text.
+const SceneFormat& format_for_output(const std::string& path, const FileOptions& options);
+/// Whether a file is written as a document, such as glTF.
+bool writes_document(const std::string& path, const FileOptions& options);
+/// What to read of documents: all meshes, each once, where they are written as a document again; else what is shown.
+SceneScope scope_for(const std::string& path, const FileOptions& options);
+/// What is wrong with '-' where no option tells its format. \param option that would
+std::string needs_format(const std::string& option);
 
-/// Whether it is written as glTF.
-bool is_gltf_output(const std::string& path, const FileOptions& options);
+/// \param compresses whether documents are compressed \throw as `format_for_output`
+SceneOutput output_of(const std::string& path, const FileOptions& options, bool compresses = false);
 
-/// "ply", "gltf"
-std::string output_format_name(const std::string& path, const FileOptions& options);
-
-/// Writes what has become of an input, with all that a file of the output's format can say of it, and the files that it
-/// needs beside it. A glTF input stays what it is in all but its meshes.
-/// \param mesh that of the input, simplified or as it is \param warnings gets a line for each thing that is lost
-void write_result(OutputFiles& files, const MeshOutput& output, Input& input, const IndexedMesh& mesh, const Talk& talk,
+/// As `write_scene`. Prints what it has to say, and adds its warnings to `warnings`.
+void write_result(OutputFiles& files, const SceneOutput& output, Scene& scene, const IndexedMesh& mesh,
+                  const Talk& talk, std::vector<std::string>& warnings);
+/// As the library has it, likewise.
+void write_levels(OutputFiles& files, const SceneOutput& output, Scene& scene, CoarserLevels levels, const Talk& talk,
                   std::vector<std::string>& warnings);
-
-/// Writes an input with coarser levels of detail beside it, as the extension MSFT_lod has them.
-/// \param levels of the input, the finer ones first \pre the output is glTF, and is written once
-void write_levels(OutputFiles& files, const MeshOutput& output, Input& input, CoarserLevels levels, const Talk& talk,
-                  std::vector<std::string>& warnings);
-
-/// The mesh as it is read again from what `write_result` writes without compression.
-/// A vertex that the file has several times has one place in it.
-IndexedMesh as_written(const MeshOutput& output, const Input& input, const IndexedMesh& mesh, unsigned threads);
-/// How far the places of such a vertex lie apart at most.
-double widest_gap_as_written(const MeshOutput& output, const Input& input, const IndexedMesh& mesh);
 
 }  // namespace whittle::app

@@ -73,23 +73,6 @@ void refuse_inputs(const std::vector<Output>& outputs, const std::vector<std::st
   }
 }
 
-/// \pre `errno` was 0 before the stream was last used.
-io::WriteError write_failure(const std::string& name) {
-  return {name, "can't be written: " + std::string(errno != 0 ? std::strerror(errno) : "write error")};
-}
-
-/// Has `fill` write to a stream, and flushes it. \throw io::WriteError with the name of the file if either fails
-void fill_checked(std::ostream& stream, const std::string& name, const std::function<void(std::ostream&)>& fill) {
-  errno = 0;
-  try {
-    fill(stream);
-  } catch (const io::WriteError& error) {
-    if (!stream) throw write_failure(name);
-    throw io::WriteError(name, std::string(error.what()).substr(error.file().size() + 2));
-  }
-  if (!stream.flush()) throw write_failure(name);
-}
-
 }  // namespace
 
 std::string replaced(std::string path, const std::string& word, const std::string& text) {
@@ -128,7 +111,7 @@ void OutputFiles::protect(const std::vector<fs::path>& files) {
 }
 
 void OutputFiles::write(const std::string& path, const std::function<void(std::ostream&)>& fill) {
-  if (path == standard_stream) return fill_checked(std::cout, standard_output_name, fill);
+  if (path == standard_stream) return io::fill_checked(std::cout, standard_output_name, fill);
   if (!force_) {
     refuse_write_protected(path);
     if (needed_.contains(identity_of(path))) {
@@ -136,20 +119,17 @@ void OutputFiles::write(const std::string& path, const std::function<void(std::o
     }
   }
   if (!signals_wait_) signals_wait_.emplace();
-  files_.push_back(std::make_unique<io::OutputFile>(path));
-  paths_.insert(path);
-  fill_checked(files_.back()->stream(), path, fill);
+  io::OutputFiles::write(path, fill);
 }
 
 void OutputFiles::commit() {
   SignalsWait::throw_if_pending();
-  for (const auto& file : files_) file->commit();
-  files_.clear();
+  io::OutputFiles::commit();
   signals_wait_.reset();
 }
 
 void print(const std::string& text) {
-  fill_checked(std::cout, standard_output_name, [&text](std::ostream& out) { out << text; });
+  io::fill_checked(std::cout, standard_output_name, [&text](std::ostream& out) { out << text; });
 }
 
 }  // namespace whittle::app

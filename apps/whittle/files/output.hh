@@ -3,14 +3,13 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "terminal/interruption.hh"
-#include "whittle/io/output_file.hh"
+#include "whittle/io/output_files.hh"
 
 namespace whittle::app {
 
@@ -40,10 +39,11 @@ void check_outputs(const std::vector<Output>& outputs, const std::vector<std::st
 
 /// The files that a run writes. All appear once everything is written, or none does. From the first file on, signals
 /// stay pending (`SignalsWait`).
-class OutputFiles {
+class OutputFiles : public io::OutputFiles {
  public:
   /// \param force whether files that are write-protected, or that inputs need, may be replaced
   explicit OutputFiles(bool force) : force_(force) {}
+  ~OutputFiles() override { discard(); }  // before signals act again
 
   /// Names files that inputs need beside them, such as buffers and textures.
   void protect(const std::vector<std::filesystem::path>& files);
@@ -51,21 +51,15 @@ class OutputFiles {
   /// Calls `fill` with a stream for the file. For "-" it is standard output, where everything is written at once and
   /// can't be undone.
   /// \throw io::WriteError that names the file, also if it is write-protected. UsageError if an input needs it.
-  void write(const std::string& path, const std::function<void(std::ostream&)>& fill);
-
-  /// Whether a file of this name is among them.
-  bool has(const std::string& path) const { return paths_.contains(path); }
+  void write(const std::string& path, const std::function<void(std::ostream&)>& fill) override;
 
   /// Renames all files to their final names. \throw io::WriteError; Interrupted if a signal is pending.
-  void commit();
+  void commit() override;
 
  private:
-  // Declared before `files_`: temporary files are removed before signals act again.
   std::optional<SignalsWait> signals_wait_;
   bool force_;
   std::set<std::string> needed_;  ///< by inputs; identities
-  std::vector<std::unique_ptr<io::OutputFile>> files_;
-  std::set<std::string> paths_;
 };
 
 /// Writes text to standard output. \throw io::WriteError when it fails, as on a full disk or a closed pipe.

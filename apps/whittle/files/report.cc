@@ -146,26 +146,6 @@ void say_effort(const Talk& talk, double seconds) {
 
 std::string shown_output(const std::string& path) { return path == standard_stream ? standard_output_name : path; }
 
-IndexedMesh as_written(const IndexedMesh& mesh, const std::string& path, const FileOptions& options, unsigned threads) {
-  const io::Format format = format_for_output(path, options);
-  std::ostringstream out;
-  io::write_mesh(out, format, mesh, {.ascii = options.ascii});
-  const io::ReadOptions how{
-      .weld = options.weld, .format = format, .threads = threads, .attributes = io::AttributeScope::per_vertex};
-  return io::read_mesh(std::move(out).str(), path, how).mesh;
-}
-
-void write_mesh(OutputFiles& files, const std::string& path, const FileOptions& options, const IndexedMesh& mesh,
-                const Talk& talk, std::vector<std::string>& warnings, const io::FileNotes& notes) {
-  files.write(path, [&](std::ostream& out) {
-    const io::WriteOptions how{.ascii = options.ascii, .gzip = io::has_gzip_extension(path), .notes = notes};
-    for (const std::string& warning : io::write_mesh(out, format_for_output(path, options), mesh, how).warnings) {
-      warnings.push_back(about(shown_output(path), warning));
-      talk.warning(warnings.back());
-    }
-  });
-}
-
 void commit_with_report(OutputFiles& files, const CommonOptions& options, const std::string& json) {
   const bool json_to_file = options.json && *options.json != standard_stream;
   if (json_to_file) files.write(*options.json, [&json](std::ostream& out) { out << json; });

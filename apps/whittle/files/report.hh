@@ -71,14 +71,6 @@ void say_effort(const Talk& talk, double seconds);
 /// The name in messages: the path, or "standard output".
 std::string shown_output(const std::string& path);
 
-/// What is read again of a mesh that is written to a file of this name.
-IndexedMesh as_written(const IndexedMesh& mesh, const std::string& path, const FileOptions& options, unsigned threads);
-
-/// Adds a mesh to the files of a run. Prints warnings about what the format can't hold, and adds them to `warnings`.
-/// \param notes of the file that the mesh was read from
-void write_mesh(OutputFiles& files, const std::string& path, const FileOptions& options, const IndexedMesh& mesh,
-                const Talk& talk, std::vector<std::string>& warnings, const io::FileNotes& notes = {});
-
 /// Completes the files of a run (`OutputFiles::commit`), with the report if --json names a file. Otherwise prints
 /// `json` to standard output. \param json empty if no report is wanted
 void commit_with_report(OutputFiles& files, const CommonOptions& options, const std::string& json);

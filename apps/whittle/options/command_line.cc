@@ -12,50 +12,53 @@ namespace {
 constexpr std::array<Choice<ColorMode>, 3> color_modes{
     {{"auto", ColorMode::automatic}, {"always", ColorMode::always}, {"never", ColorMode::never}}};
 
-io::Format parse_format(std::string_view text) {
-  for (const io::Format format : io::all_formats) {
-    if (io::name_of(format) == text) return format;
+/// "obj|off|ply": the extensions of formats. \param has_documents whether those of documents are among them
+std::string extensions(std::string_view separator, bool has_documents) {
+  std::string text;
+  for (const SceneFormat* format : scene_formats()) {
+    for (const std::string_view extension : format->extensions) {
+      if (!has_documents && format->is_document) continue;
+      text += (text.empty() ? "" : std::string(separator)) + std::string(extension);
+    }
   }
-  throw std::invalid_argument("'" + std::string(text) + "' is none of " + io::format_names("|"));
+  return text;
 }
 
-bool names_gltf(std::string_view text) {
-  return std::find(gltf_names.begin(), gltf_names.end(), text) != gltf_names.end();
+/// \param takes_documents whether the format may be that of a document
+const SceneFormat* parse_format(std::string_view text, bool takes_documents) {
+  const SceneFormat* const format = format_by_extension(text);
+  if (format != nullptr && (takes_documents || !format->is_document)) return format;
+  throw std::invalid_argument("'" + std::string(text) + "' is none of " + extensions("|", takes_documents));
 }
 
-/// Nothing for glTF, which is remembered in `options`.
-std::optional<io::Format> parse_input_format(std::string_view text, FileOptions& options) {
-  options.input_is_gltf = options.reads_gltf && names_gltf(text);
-  if (options.input_is_gltf) return std::nullopt;
-  try {
-    return parse_format(text);
-  } catch (const std::invalid_argument& error) {
-    if (options.reads_gltf) throw std::invalid_argument(error.what() + std::string("|glb|gltf"));
-    if (!names_gltf(text)) throw;
-    throw std::invalid_argument(error.what() + std::string("; this command doesn't read glTF, 'whittle convert' does"));
+const SceneFormat* parse_input_format(std::string_view text, const FileOptions& options) {
+  const SceneFormat* const format = format_by_extension(text);
+  if (format != nullptr && format->is_document && !options.reads_documents) {
+    throw std::invalid_argument("'" + std::string(text) + "' is none of " + extensions("|", false) +
+                                "; this command doesn't read " + std::string(format->title) +
+                                ", 'whittle convert' does");
   }
+  return parse_format(text, options.reads_documents);
 }
 
-OptionValue told(const std::optional<io::Format>& format) {
-  return format ? OptionValue(std::string(io::name_of(*format))) : OptionValue{};
+OptionValue told(const SceneFormat* format) {
+  return format != nullptr ? OptionValue(std::string(format->name)) : OptionValue{};
 }
 
-OptionAccess format_access(std::optional<io::Format>& format) {
-  return {"EXT", [&format](std::string_view text) { format = parse_format(text); },
+OptionAccess format_access(const SceneFormat*& format) {
+  return {"EXT", [&format](std::string_view text) { format = parse_format(text, false); },
           [&format] { return app::told(format); }};
 }
 
 OptionAccess input_format_access(FileOptions& options) {
-  std::string meta = "EXT";
-  if (options.reads_gltf) {
-    for (const std::string_view name : gltf_names) meta += '|' + std::string(name);
-  }
+  const std::string others = extensions("|", false);
+  const std::string meta = options.reads_documents ? "EXT" + extensions("|", true).substr(others.size()) : "EXT";
   return {meta, [&options](std::string_view text) { options.input_format = parse_input_format(text, options); },
           [&options] { return app::told(options.input_format); }};
 }
 
 std::string mesh_file(const FileOptions& options) {
-  const std::string gltf = options.reads_gltf ? ", glTF" : "";
+  const std::string gltf = options.reads_documents ? ", glTF" : "";
   return "the mesh: an " + io::format_titles() + " file" + gltf + ", or '-' for standard input";
 }
 

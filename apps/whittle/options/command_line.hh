@@ -9,7 +9,7 @@
 #include "options/subcommand.hh"
 #include "terminal/errors.hh"
 #include "terminal/talk.hh"
-#include "whittle/io/format.hh"
+#include "whittle/scene/format.hh"
 #include "whittle/simplify/option.hh"
 
 namespace whittle::app {
@@ -30,30 +30,22 @@ OptionRows common_rows(CommonOptions& options);
 /// What --color says, also if the rest of the command line is wrong. \param app after parsing
 ColorMode color_of(const CLI::App& app);
 
-/// What --input-format calls glTF. Also the extensions of its files.
-inline constexpr std::array<std::string_view, 2> gltf_names{"glb", "gltf"};
-
 /// How mesh files are read and written.
 struct FileOptions {
   bool weld = true;                    ///< exact duplicates of vertices on open borders
   AutomaticLength weld_tolerance{};    ///< also vertices on open borders that are so near; 0 = exact duplicates alone
-  std::optional<io::Format> format{};  ///< of files whose name doesn't tell the format
-  std::optional<io::Format> input_format{};   ///< of what is read, whatever its name
-  bool input_is_gltf = false;                 ///< what is read is glTF, whatever its name
-  std::optional<io::Format> output_format{};  ///< of what is written, whatever its name
-  bool ascii = false;                         ///< text, in formats that are written as text or as binary data
-  bool reads_gltf = false;                    ///< whether the command takes glTF files
-  bool writes_gltf = false;                   ///< whether it writes them
-  bool takes_no_triangles = false;            ///< whether glTF without triangles is read, as a mesh without faces
-  bool reads_scene = false;                   ///< whether glTF is read as `GltfScope::scene`, else as `meshes`
-  bool reads_shown = false;                   ///< whether it is read as `GltfScope::shown`
-
-  /// Whether an option tells the format of what is read, whatever its name.
-  bool has_input_format() const { return input_format || input_is_gltf; }
+  const SceneFormat* format = nullptr;         ///< of files whose name doesn't tell the format; null: not told
+  const SceneFormat* input_format = nullptr;   ///< of what is read, whatever its name; or null
+  const SceneFormat* output_format = nullptr;  ///< of what is written, whatever its name; or null
+  bool ascii = false;                          ///< text, in formats that are written as text or as binary data
+  bool reads_documents = false;                ///< whether the command takes documents, such as glTF
+  bool writes_documents = false;               ///< whether it writes them
+  bool takes_no_triangles = false;             ///< whether a document without triangles is read, as one without faces
+  SceneScope scope = SceneScope::meshes;       ///< of documents
 };
 
-/// --format and --input-format, which takes glTF where the command does.
-/// \pre `FileOptions::reads_gltf` is set
+/// --format and --input-format, which takes documents where the command does.
+/// \pre `FileOptions::reads_documents` is set
 OptionRows input_format_rows(FileOptions& options);
 OptionRow weld_row(FileOptions& options);
 /// --format, --input-format, --weld and --no-weld: how meshes are read.
@@ -70,7 +62,7 @@ OptionRow output_row(std::string& path, const std::string& meaning);
 
 /// An argument that names a mesh file. \param name "REF"
 OptionRow file_argument(const std::string& name, std::string& path, const std::string& meaning);
-/// The argument IN: the mesh file to work on. Its help lists the formats. \param options whether glTF is read
+/// The argument IN: the mesh file to work on. Its help lists the formats. \param options whether documents are read
 OptionRow mesh_argument(std::string& path, const FileOptions& options);
 /// Likewise for one file or several.
 OptionRow meshes_argument(std::vector<std::string>& paths, const FileOptions& options);

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "files/gltf_file.hh"
+#include "whittle/scene/gltf_file.hh"
 #include "files/materials.hh"
 
 namespace whittle::app {

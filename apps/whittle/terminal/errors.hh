@@ -11,12 +11,6 @@ class UsageError : public std::runtime_error {
   explicit UsageError(const std::string& problem) : std::runtime_error(problem) {}
 };
 
-/// The mesh was read, but the command can't work on it. `what()` names the file. Exit status 4.
-class UnsupportedMesh : public std::runtime_error {
- public:
-  explicit UnsupportedMesh(const std::string& problem) : std::runtime_error(problem) {}
-};
-
 /// A signal asked the program to end. No file was left half-written.
 class Interrupted : public std::exception {
  public:

@@ -106,10 +106,4 @@ std::vector<std::string_view> parts_of(std::string_view list) {
   return parts;
 }
 
-std::string shortest(double x) {
-  std::array<char, 32> text;
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), x);
-  return error == std::errc() ? std::string(text.data(), end) : std::string();
-}
-
 }  // namespace whittle

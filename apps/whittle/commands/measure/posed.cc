@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "files/gltf_file.hh"
+#include "whittle/scene/gltf_file.hh"
 #include "terminal/errors.hh"
 #include "terminal/table.hh"
 

@@ -261,7 +261,7 @@ void PageMaker::add_run(const Json& run) {
   std::vector<std::optional<std::uint64_t>> faces;
   for (std::size_t i = 0; i < paths_.size(); ++i) {
     // A scene may show a mesh several times, and a run of glTF counts it once.
-    const bool is_scene = reads_gltf(paths_[i], options_.files_options);
+    const bool is_scene = reads_document(paths_[i], options_.files_options);
     faces.push_back(is_scene ? std::nullopt : std::optional(facts_.meshes[i]["faces"].get<std::uint64_t>()));
   }
   if (const std::string doubt = doubt_about_run(run, faces); !doubt.empty()) warn(about(*options_.run, doubt));

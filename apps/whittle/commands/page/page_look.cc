@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "files/gltf_file.hh"
+#include "whittle/scene/gltf_file.hh"
 #include "files/materials.hh"
 
 namespace whittle::app {

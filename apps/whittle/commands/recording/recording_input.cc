@@ -73,10 +73,10 @@ std::pair<IndexedMesh, Input> input_of(const RecordingInput& options, const File
     throw UsageError(options.path + " doesn't have the mesh that was simplified: " + options.how_to_name_input);
   }
   FileOptions as_then = files;
-  const bool has_scene = reads_gltf(*options.input, files);
+  const bool has_scene = reads_document(*options.input, files);
   for (const bool reads_scene : {false, true}) {  // what a run reads of glTF depends on its output
     if (reads_scene && !has_scene) break;
-    as_then.reads_scene = reads_scene;
+    as_then.scope = reads_scene ? SceneScope::scene : SceneScope::meshes;
     const Talk once = reads_scene ? Talk(Volume::quiet) : talk;
     Input input = read_input(*options.input, as_then, threads, once, io::AttributeScope::all);
     IndexedMesh mesh = std::exchange(input.read.mesh, {});

@@ -34,8 +34,8 @@ std::optional<DistancesAsWritten> distances_as_written(const Input& input, const
   const SignalsWait signals_wait;
   const unsigned threads = options.common.threads;
   DistancesAsWritten distances;
-  const MeshOutput output{options.output, options.files};
-  distances.written = as_written(output, input, result.mesh, threads);
+  const SceneOutput output = output_of(options.output, options.files);
+  distances.written = as_written(output, input, result.mesh, read_options(options.files, threads));
   // The file may have a vertex several times, and not quite at one place.
   const double gap = widest_gap_as_written(output, input, result.mesh);
   const auto without_gap = [gap](double limit) { return gap > 0 ? std::max(0.0, limit * (1 - 1e-12) - gap) : limit; };

@@ -8,8 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "files/gltf/common_borders.hh"
-#include "files/gltf_file.hh"
+#include "whittle/scene/gltf_file.hh"
 #include "whittle/core/pieces.hh"
 
 namespace whittle::app {

@@ -49,13 +49,13 @@ void write_map_back(std::ostream& out, const SimplifyRecord& record) {
 progressive::RecordingNotes notes_of(const SimplifyCommand& options, const Input& input) {
   if (!options.embeds_input) return {};
   progressive::RecordingNotes notes = recorded_notes(input.read.notes);
-  if (is_gltf_output(options.output, options.files) && !keeps_meshes(input)) notes[mesh_name_note] = {input.mesh_name};
+  if (writes_document(options.output, options.files) && !keeps_meshes(input)) notes[mesh_name_note] = {input.mesh_name};
   return notes;
 }
 
 void write_recording_file(std::ostream& out, const SimplifyCommand& options, const SimplifyRecord& record) {
   const Json about = {{"program", program_and_version()},
-                      {input_format_key, record.input.format},
+                      {input_format_key, record.input.format->name},
                       {"options", simplify_options_json(options)}};
   const progressive::RecordingOptions how{options.embeds_input, options.compresses_recording, options.common.threads,
                                           notes_of(options, record.input)};
@@ -74,7 +74,7 @@ void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwat
   const Stopwatch watch;
   OutputFiles files(options.common.force);
   files.protect(record.input.needed_files);
-  write_result(files, {options.output, options.files, options.compresses_gltf}, record.input, record.simplified.mesh,
+  write_result(files, output_of(options.output, options.files, options.compresses_gltf), record.input, record.simplified.mesh,
                talk, record.warnings);
   const auto write = [&files](const std::optional<std::string>& path, const auto& fill) {
     if (path) files.write(*path, fill);

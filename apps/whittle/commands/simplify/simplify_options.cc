@@ -9,7 +9,7 @@
 
 #include "commands/page/frames.hh"
 #include "commands/page/make_page.hh"
-#include "files/gltf_file.hh"
+#include "whittle/scene/gltf_file.hh"
 #include "files/input.hh"
 #include "files/mesh_output.hh"
 #include "files/output.hh"
@@ -128,7 +128,8 @@ OptionRows simplify_rows(SimplifyCommand& options) {
 }
 
 SimplifyCommand settled(SimplifyCommand command) {
-  command.files.reads_scene = !is_gltf_output(command.output, command.files) || !command.request.keeps_attributes;
+  command.files.scope =
+      command.request.keeps_attributes ? scope_for(command.output, command.files) : SceneScope::scene;
   SimplifyOptions probe = command.request.simplify;
   command.has_cost_by_effort = !probe.decimate.cost && command.engine == Engine::flat;
   if (command.engine == Engine::openmesh) probe.decimate.cost = probe.decimate.cost.value_or(Cost::quadric);
@@ -149,13 +150,13 @@ SimplifyCommand settled(SimplifyCommand command) {
 
 /// \throw UsageError for options that don't go with glTF, or with glTF alone
 void check_gltf(const SimplifyCommand& options) {
-  const bool is_written = is_gltf_output(options.output, options.files);
+  const bool is_written = writes_document(options.output, options.files);
   if (options.compresses_gltf && !is_written) throw UsageError("--compress is for outputs in glTF");
   if (options.compresses_gltf &&
       (options.request.targets.max_error || options.request.certify || options.certificate)) {
     throw UsageError("--compress rounds positions, so nothing can be proven of them: leave one out");
   }
-  const auto is_read_as_gltf = [&](const std::string& path) { return reads_gltf(path, options.files); };
+  const auto is_read_as_gltf = [&](const std::string& path) { return reads_document(path, options.files); };
   const bool is_read = std::any_of(options.inputs.begin(), options.inputs.end(), is_read_as_gltf);
   if (options.request.is_per_mesh && !std::all_of(options.inputs.begin(), options.inputs.end(), is_read_as_gltf)) {
     throw UsageError("--per-mesh is for inputs in glTF, which may have several meshes");
@@ -168,7 +169,7 @@ void check_gltf(const SimplifyCommand& options) {
   }
   if ((is_read || is_written) && options.certificate)
     throw UsageError("--certificate doesn't take glTF, as 'verify' doesn't read it");
-  if (is_read && !options.files.reads_scene &&
+  if (is_read && options.files.scope != SceneScope::scene &&
       (options.request.threshold.is_automatic || options.request.threshold.length.value > 0)) {
     throw UsageError("--threshold doesn't take glTF that stays glTF: a mesh may lie at several places");
   }

@@ -92,7 +92,7 @@ ExitCode attempt(const SimplifyCommand& run, const SimplifyRun& simplify, Json* 
 }  // namespace
 
 void refuse_count_of_verbose(const SimplifyCommand& command) {
-  const bool may_be_file = command.files.format || command.files.has_input_format();
+  const bool may_be_file = command.files.format != nullptr || command.files.input_format != nullptr;
   if (!command.common.verbose || may_be_file) return;
   for (const std::string& input : command.inputs) {
     if (!input.empty() && input.find_first_not_of("0123456789") == std::string::npos) refuse_count(input);

@@ -47,6 +47,8 @@ const detail::FormatRow& row_of(Format format) {
 
 std::string_view name_of(Format format) { return row_of(format).name; }
 
+std::span<const std::string_view> extensions_of(Format format) { return row_of(format).extensions; }
+
 std::string_view title_of(Format format) { return row_of(format).title; }
 
 bool has_text_and_binary(Format format) { return row_of(format).has_text_and_binary; }

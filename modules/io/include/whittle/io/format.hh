@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -33,6 +34,9 @@ inline constexpr auto all_formats = [] {
 
 /// "obj": what `--format` takes and JSON reports have. Also an extension of the format's files.
 std::string_view name_of(Format format);
+
+/// {"obj"}: the extensions of the format's files, lower case, without the dot.
+std::span<const std::string_view> extensions_of(Format format);
 
 /// "OBJ": for sentences.
 std::string_view title_of(Format format);

@@ -8,6 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "whittle/core/text/text.hh"
+#include "whittle/scene/length.hh"
+
 // Parsers for the values of options. Each parses the whole text or throws std::invalid_argument. The message says what
 // is wrong and what is valid, but doesn't name the option.
 
@@ -35,25 +38,11 @@ double parse_number(std::string_view text, const Range& range, std::string_view 
 std::uint64_t parse_count(std::string_view text, std::uint64_t low = 1,
                           std::uint64_t high = std::numeric_limits<std::uint64_t>::max());
 
-/// A length for a mesh that hasn't been read yet.
-struct Length {
-  double value = 0;          ///< model units, or a share of the diagonal of the mesh's bounding box
-  bool is_relative = false;  ///< whether `value` is a share of the diagonal
-
-  double in_units(double diagonal) const { return is_relative ? value * diagonal : value; }
-};
-
 /// At least 0: "0.5", or "1%" of the diagonal. \param name of the value, for the message
 Length parse_length(std::string_view text, std::string_view name);
 
 /// "0.5", "1%"
 std::string to_string(const Length& length);
-
-/// A length that may be left to the program.
-struct AutomaticLength {
-  bool is_automatic = false;  ///< chosen by the mesh
-  Length length;              ///< if it is not automatic
-};
 
 /// As `parse_length`, or "auto".
 AutomaticLength parse_automatic_length(std::string_view text, std::string_view name);
@@ -69,9 +58,6 @@ std::uint64_t share_of(double ratio, std::uint64_t n);
 
 /// The parts of a list with commas; one, empty, of an empty text.
 std::vector<std::string_view> parts_of(std::string_view list);
-
-/// The shortest decimal text that reads back as x: "75", "0.3", "1e-09".
-std::string shortest(double x);
 
 /// One of the words that an option takes, and the value that it stands for.
 template <class E>

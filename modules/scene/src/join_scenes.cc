@@ -1,4 +1,4 @@
-#include "files/joined_input.hh"
+#include "whittle/scene/join_scenes.hh"
 
 #include <algorithm>
 #include <filesystem>
@@ -6,12 +6,11 @@
 #include <set>
 #include <utility>
 
-#include "files/companions.hh"
-#include "terminal/errors.hh"
-#include "terminal/table.hh"
+#include "whittle/scene/errors.hh"
+#include "whittle/core/text/text.hh"
 #include "whittle/core/pieces.hh"
 
-namespace whittle::app {
+namespace whittle {
 namespace {
 
 constexpr char object_attribute[] = "o";  // as OBJ has it
@@ -104,33 +103,6 @@ bool names_files(const io::FileNotes& notes) {
   return !notes.material_libraries.empty() || !notes.header_lines.empty();
 }
 
-/// What is known of the files so far.
-struct JoinedFiles {
-  std::set<std::string> dropped;                              ///< names of what not all have
-  std::map<std::string, std::vector<std::string>> libraries;  ///< of the file that a material came with
-};
-
-/// \throw UnsupportedMesh
-void refuse_conflicts(const Input& all, const Input& more, const JoinedFiles& seen) {
-  if (names_files(more.read.notes) &&
-      folder_of(more.path).lexically_normal() != folder_of(all.path).lexically_normal()) {
-    throw UnsupportedMesh(more.name + ": has textures or materials, and lies in another folder than " + all.path +
-                          ": put the files for --join into one folder");
-  }
-  if (!all.read.notes.header_lines.empty() && !more.read.notes.header_lines.empty() &&
-      all.read.notes.header_lines != more.read.notes.header_lines) {
-    throw UnsupportedMesh(more.name + ": has another texture than " + all.name +
-                          ", and a PLY file has one set: join them as OBJ files with materials");
-  }
-  for (const std::string& material : more.read.mesh.group_names) {
-    const auto known = seen.libraries.find(material);
-    if (material.empty() || known == seen.libraries.end() || known->second == more.read.notes.material_libraries)
-      continue;
-    throw UnsupportedMesh(more.name + ": has a material '" + material +
-                          "' as a file before has, in another library: rename one of them for --join");
-  }
-}
-
 /// Forgets names of faces that no attribute has any more, but for those that both have for all faces.
 void drop_idle_names(io::ReadResult& a, const io::ReadResult& b) {
   std::erase_if(a.notes.face_names, [&](const auto& entry) {
@@ -162,63 +134,74 @@ void join_meshes(io::ReadResult& all, io::ReadResult more) {
   all.file_faces += more.file_faces;
 }
 
-void join(Input& all, Input more, JoinedFiles& seen) {
-  std::set<std::string>& dropped = seen.dropped;
-  io::ReadResult& a = all.read;
+}  // namespace
+
+void SceneJoiner::refuse_conflicts(const Scene& more) const {
+  if (names_files(more.read.notes) &&
+      folder_of(more.path).lexically_normal() != folder_of(all_.path).lexically_normal()) {
+    throw UnsupportedMesh(more.name + ": has textures or materials, and lies in another folder than " + all_.path +
+                          ": put the files for --join into one folder");
+  }
+  if (!all_.read.notes.header_lines.empty() && !more.read.notes.header_lines.empty() &&
+      all_.read.notes.header_lines != more.read.notes.header_lines) {
+    throw UnsupportedMesh(more.name + ": has another texture than " + all_.name +
+                          ", and a PLY file has one set: join them as OBJ files with materials");
+  }
+  for (const std::string& material : more.read.mesh.group_names) {
+    const auto known = libraries_.find(material);
+    if (material.empty() || known == libraries_.end() || known->second == more.read.notes.material_libraries)
+      continue;
+    throw UnsupportedMesh(more.name + ": has a material '" + material +
+                          "' as a file before has, in another library: rename one of them for --join");
+  }
+}
+
+void SceneJoiner::join(Scene more) {
+  io::ReadResult& a = all_.read;
   io::ReadResult& b = more.read;
   if (a.file_vertices + b.file_vertices >= invalid_index ||
       a.mesh.faces.size() + b.mesh.faces.size() >= invalid_index / 3) {
     throw UnsupportedMesh(more.name + ": too many vertices or faces for one mesh with those before");
   }
-  refuse_conflicts(all, more, seen);
-  all.needed_files.insert(all.needed_files.end(), more.needed_files.begin(), more.needed_files.end());
-  keep_common(a.mesh.normals, b.mesh.normals, "normals", dropped);
-  keep_common(a.mesh.colors, b.mesh.colors, "colours", dropped);
-  keep_common(a.tolerances, b.tolerances, "tolerances", dropped);
-  keep_common(a.mesh.attributes, b.mesh.attributes, dropped);
-  keep_common(a.mesh.face_attributes, b.mesh.face_attributes, dropped);
+  refuse_conflicts(more);
+  all_.needed_files.insert(all_.needed_files.end(), more.needed_files.begin(), more.needed_files.end());
+  keep_common(a.mesh.normals, b.mesh.normals, "normals", dropped_);
+  keep_common(a.mesh.colors, b.mesh.colors, "colours", dropped_);
+  keep_common(a.tolerances, b.tolerances, "tolerances", dropped_);
+  keep_common(a.mesh.attributes, b.mesh.attributes, dropped_);
+  keep_common(a.mesh.face_attributes, b.mesh.face_attributes, dropped_);
   even_out_materials(a.mesh, b.mesh);
   drop_idle_names(a, b);
   for (auto& [name, names] : b.notes.face_names) merge_names(a, b, name.c_str());
   join_notes(a.notes, b.notes);
   join_meshes(a, std::move(b));
-  all.warnings.insert(all.warnings.end(), more.warnings.begin(), more.warnings.end());
-  all.seconds += more.seconds;
-  all.weld_tolerance = std::max(all.weld_tolerance, more.weld_tolerance);
+  all_.warnings.insert(all_.warnings.end(), more.warnings.begin(), more.warnings.end());
+  all_.weld_tolerance = std::max(all_.weld_tolerance, more.weld_tolerance);
 }
 
-void warn_of_dropped(const std::set<std::string>& dropped, const Talk& talk, Input& input) {
-  if (dropped.empty()) return;
-  std::string names;
-  for (const std::string& name : dropped) names += (names.empty() ? "" : ", ") + name;
-  input.warnings.push_back(about(input.name, "left out, as not all files have it: " + names));
-  talk.warning(input.warnings.back());
-}
-
-}  // namespace
-
-Input read_joined(const std::vector<std::string>& paths, const FileOptions& options, unsigned threads, const Talk& talk,
-                  io::AttributeScope attributes) {
-  Input all;
-  JoinedFiles seen;
-  for (const std::string& path : paths) {
-    Input one = read_input(path, options, threads, talk, attributes);
-    name_by_file(one.read, path);
-    spell_out(one.read, group_attribute);
-    const std::vector<std::string> libraries = one.read.notes.material_libraries;
-    const std::vector<std::string> materials = one.read.mesh.group_names;
-    if (all.path.empty()) {
-      all = std::move(one);
-    } else {
-      join(all, std::move(one), seen);
-    }
-    for (const std::string& material : materials) seen.libraries.try_emplace(material, libraries);
+void SceneJoiner::add(Scene scene) {
+  paths_.push_back(scene.path);
+  name_by_file(scene.read, scene.path);
+  spell_out(scene.read, group_attribute);
+  const std::vector<std::string> libraries = scene.read.notes.material_libraries;
+  const std::vector<std::string> materials = scene.read.mesh.group_names;
+  if (paths_.size() == 1) {
+    all_ = std::move(scene);
+  } else {
+    join(std::move(scene));
   }
-  std::erase_if(all.read.notes.face_names, [](const auto& entry) { return entry.second.empty(); });
-  all.joined = paths;
-  if (paths.size() > 1) all.name += " and " + counted(paths.size() - 1, "more file", "more files");
-  warn_of_dropped(seen.dropped, talk, all);
-  return all;
+  for (const std::string& material : materials) libraries_.try_emplace(material, libraries);
 }
 
-}  // namespace whittle::app
+Scene SceneJoiner::finish() {
+  std::erase_if(all_.read.notes.face_names, [](const auto& entry) { return entry.second.empty(); });
+  if (paths_.size() > 1) all_.name += " and " + counted(paths_.size() - 1, "more file", "more files");
+  if (!dropped_.empty()) {
+    all_.warnings.push_back(
+        about(all_.name, "left out, as not all files have it: " + listed({dropped_.begin(), dropped_.end()})));
+  }
+  all_.joined = std::move(paths_);
+  return std::move(all_);
+}
+
+}  // namespace whittle

@@ -9,21 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "files/output.hh"
 #include "whittle/gltf/asset.hh"
 #include "whittle/io/read.hh"
+#include "whittle/scene/format.hh"
 
-namespace whittle::app {
-
-/// What of a glTF file becomes a mesh. If the scene shows none, all meshes do, as the file has them.
-enum class GltfScope {
-  meshes,  ///< Each mesh once, where the scene shows it largest, or as the file has it. Levels of detail are left out.
-  shown,   ///< Likewise, but for meshes that the scene doesn't show.
-  scene    ///< What the scene shows: a mesh as often as nodes use it.
-};
-
-/// Coarser levels of detail of a mesh, the finer ones first.
-using CoarserLevels = std::span<const IndexedMesh* const>;
+namespace whittle {
 
 /// A glTF file as one mesh, in the scene's coordinates, and back. So one run simplifies all of its meshes, and each
 /// gets the faces that its shape needs. Where borders of meshes coincide in the scene, they are welded: these vertices
@@ -36,11 +26,11 @@ class GltfFile {
   /// Reads all meshes that have triangles. There may be none: then the whole has no faces, `why_no_faces` says why, and
   /// `write` writes the file as it was.
   /// \throw io::ReadError also for a scene of more than 2^27 triangles
-  io::ReadResult read(const io::ReadOptions& options, GltfScope scope);
+  io::ReadResult read(const io::ReadOptions& options, SceneScope scope);
 
   const gltf::Asset& asset() const { return asset_; }
   /// What was read. \pre `read`
-  GltfScope scope() const { return scope_; }
+  SceneScope scope() const { return scope_; }
 
   /// Those that were read. \pre `read`
   std::size_t n_meshes() const { return parts_.size(); }
@@ -61,8 +51,8 @@ class GltfFile {
   /// \param mesh what `read` gave, simplified; null: the meshes stay as they are \param levels of what `read` gave
   /// \param compress as `gltf::WriteOptions` has it
   /// \return a line for each thing that isn't as it was
-  /// \pre `GltfScope::meshes` was read. With levels: there is no `mesh_with_levels`, and nothing was written before
-  std::vector<std::string> write(OutputFiles& files, const std::string& path, const IndexedMesh* mesh,
+  /// \pre `SceneScope::meshes` was read. With levels: there is no `mesh_with_levels`, and nothing was written before
+  std::vector<std::string> write(io::OutputFiles& files, const std::string& path, const IndexedMesh* mesh,
                                  CoarserLevels levels, bool compress);
 
   /// The name of a mesh that has levels of detail already. Empty if none has. \pre `read`
@@ -140,7 +130,7 @@ class GltfFile {
 
   std::filesystem::path path_;
   gltf::Asset asset_;
-  GltfScope scope_ = GltfScope::meshes;
+  SceneScope scope_ = SceneScope::meshes;
   std::vector<Part> parts_;
   Vec3 scene_origin_ = Vec3::Zero();  ///< where the whole counts positions from, in the scene
   std::vector<Copy> copies_;          ///< of meshes in the whole
@@ -150,16 +140,10 @@ class GltfFile {
 /// Whether the scene of an asset shows a mesh with triangles. Where it shows none, programs show all meshes.
 bool shows_meshes(const gltf::Asset& asset);
 
-/// Why nothing is left of what was read from a glTF file: "there are no triangles in it". \pre it has no faces
-std::string why_no_faces(const io::ReadResult& read);
-
 /// Writes an asset, and the files that lie beside it (`gltf::Asset::files`).
-void write_asset(OutputFiles& files, const std::string& path, const gltf::Asset& asset, bool compress);
+void write_asset(io::OutputFiles& files, const std::string& path, const gltf::Asset& asset, bool compress);
 
 /// Turns textures upside down: in glTF the second texture coordinate grows downwards, in all other formats upwards.
 void flip_texcoords(IndexedMesh& mesh);
 
-/// Whether a file name ends in .gltf or .glb.
-bool is_gltf(const std::string& path);
-
-}  // namespace whittle::app
+}  // namespace whittle

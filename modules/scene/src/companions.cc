@@ -1,21 +1,19 @@
-#include "files/companions.hh"
+#include "companions.hh"
 
 #include <algorithm>
-#include <ostream>
 #include <set>
 #include <system_error>
 
-#include "files/input.hh"
-#include "terminal/table.hh"
+#include "whittle/core/text/text.hh"
 #include "whittle/io/whole_file.hh"
 
-namespace whittle::app {
+namespace whittle {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// Copies a file. \return why not, if it isn't there afterwards
-std::string copied(OutputFiles& files, const fs::path& from, const fs::path& to, const fs::path& name, bool& is_new) {
+std::string copied(io::OutputFiles& files, const fs::path& from, const fs::path& to, const fs::path& name, bool& is_new) {
   std::error_code error;
   if (!is_inside(name)) return "outside of the folder";
   if (!fs::exists(from / name, error)) return fs::exists(to / name, error) ? "" : "not there";
@@ -24,27 +22,18 @@ std::string copied(OutputFiles& files, const fs::path& from, const fs::path& to,
   if (files.has((to / name).string())) return "";  // levels of one input have the same companions
   is_new = !fs::exists(to / name, error);
   if (!is_new) return io::content_of(to / name) == content ? "" : "there is another one";
-  write_with_folders(files, to / name, *content);
+  files.write_with_folders((to / name).string(), *content);
   return "";
 }
 
 }  // namespace
 
-fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
-
 bool is_inside(const fs::path& name) {
   return name.is_relative() && std::none_of(name.begin(), name.end(), [](const auto& part) { return part == ".."; });
 }
 
-void write_with_folders(OutputFiles& files, const fs::path& path, const std::string& bytes) {
-  if (files.has(path.string())) return;
-  std::error_code error;  // that of writing says more
-  fs::create_directories(folder_of(path), error);
-  files.write(path.string(), [&](std::ostream& out) { out << bytes; });
-}
-
-void copy_companions(OutputFiles& files, const std::string& input, const std::string& output,
-                     std::span<const fs::path> names, const Talk& talk, std::vector<std::string>& warnings) {
+void copy_companions(io::OutputFiles& files, const std::string& input, const std::string& output,
+                     std::span<const fs::path> names, SceneMessages& messages) {
   std::error_code error;
   const fs::path from = folder_of(input);
   const fs::path to = folder_of(output);
@@ -61,11 +50,11 @@ void copy_companions(OutputFiles& files, const std::string& input, const std::st
   }
   if (!new_files.empty()) {
     const std::string others = counted(new_files.size() - 1, "more file", "more files");
-    talk.say(output + ": copied " + new_files.front() + (new_files.size() > 1 ? " and " + others : "") + " beside it");
+    messages.notes.push_back(about(output, "copied " + new_files.front() +
+                                               (new_files.size() > 1 ? " and " + others : "") + " beside it"));
   }
   if (missing.empty()) return;
-  warnings.push_back(about(output, "needs files that were not copied: " + missing));
-  talk.warning(warnings.back());
+  messages.warnings.push_back(about(output, "needs files that were not copied: " + missing));
 }
 
-}  // namespace whittle::app
+}  // namespace whittle

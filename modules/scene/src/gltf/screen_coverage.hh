@@ -5,7 +5,7 @@
 
 #include "whittle/core/indexed_mesh.hh"
 
-namespace whittle::app {
+namespace whittle {
 
 /// The share of a screen's area down to which each level of detail is to be shown: below it the error of the next
 /// coarser one is at most a pixel. The error is the largest distance that is measured between the level and the mesh. A
@@ -15,4 +15,4 @@ namespace whittle::app {
 /// \return [0, 1] for the mesh and each coarser level, descending; 0 for the last one, which is always shown
 std::vector<double> screen_coverages(const IndexedMesh& mesh, std::span<const IndexedMesh> coarser);
 
-}  // namespace whittle::app
+}  // namespace whittle

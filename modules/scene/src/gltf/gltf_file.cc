@@ -1,4 +1,4 @@
-#include "files/gltf_file.hh"
+#include "whittle/scene/gltf_file.hh"
 
 #include <Eigen/SVD>
 #include <algorithm>
@@ -8,16 +8,15 @@
 #include <ostream>
 #include <utility>
 
-#include "files/companions.hh"
-#include "files/gltf/screen_coverage.hh"
-#include "terminal/table.hh"
+#include "gltf/screen_coverage.hh"
+#include "whittle/core/text/text.hh"
 #include "whittle/core/float32_positions.hh"
 #include "whittle/core/pieces.hh"
 #include "whittle/core/transform.hh"
 #include "whittle/io/errors.hh"
 #include "whittle/io/repair.hh"
 
-namespace whittle::app {
+namespace whittle {
 namespace {
 
 /// The attribute of `attributes` with the values that one of a part has. Null if it was dropped.
@@ -96,8 +95,6 @@ bool shows_meshes(const gltf::Asset& asset) {
   return false;
 }
 
-bool is_gltf(const std::string& path) { return gltf::has_gltf_extension(path); }
-
 void flip_texcoords(IndexedMesh& mesh) {
   for (Attribute& attribute : mesh.attributes) {
     if (attribute.kind != AttributeKind::texcoord || attribute.n_components < 2) continue;
@@ -105,17 +102,12 @@ void flip_texcoords(IndexedMesh& mesh) {
   }
 }
 
-std::string why_no_faces(const io::ReadResult& read) {
-  if (read.file_faces == 0) return "there are no triangles in it";
-  return "there are only degenerate triangles in it (" + std::to_string(read.file_faces) + ")";
-}
-
-void write_asset(OutputFiles& files, const std::string& path, const gltf::Asset& asset, bool compress) {
+void write_asset(io::OutputFiles& files, const std::string& path, const gltf::Asset& asset, bool compress) {
   for (const gltf::AssetFile& file : asset.files(path, {.compress = compress})) {
     if (file.path == path) {
       files.write(path, [&](std::ostream& out) { out << file.bytes; });
     } else {
-      write_with_folders(files, file.path, file.bytes);
+      files.write_with_folders(file.path.string(), file.bytes);
     }
   }
 }
@@ -161,8 +153,8 @@ void GltfFile::read_mesh(std::size_t number, std::vector<Eigen::Affine3d> places
                          io::ReadResult& all) {
   IndexedMesh mesh = asset_.triangles(number);
   reach_ = std::max(reach_, farthest_of(mesh, largest_of(places).linear()));
-  if (scope_ != GltfScope::scene) places = {place_of_one(places, mesh)};
-  std::vector<Vec3> file_positions = scope_ == GltfScope::scene ? std::vector<Vec3>{} : mesh.positions;
+  if (scope_ != SceneScope::scene) places = {place_of_one(places, mesh)};
+  std::vector<Vec3> file_positions = scope_ == SceneScope::scene ? std::vector<Vec3>{} : mesh.positions;
   const std::size_t n_file_vertices = mesh.positions.size();
   const auto n_file_faces = mesh.faces.size();
   std::vector<Index> joined_to;
@@ -188,7 +180,7 @@ void GltfFile::read_mesh(std::size_t number, std::vector<Eigen::Affine3d> places
 
 bool GltfFile::leaves_out(std::size_t mesh) const {
   if (asset_.n_instances(mesh) > 0) return false;
-  return scope_ != GltfScope::meshes || asset_.is_level(mesh);
+  return scope_ != SceneScope::meshes || asset_.is_level(mesh);
 }
 
 void GltfFile::warn_of_left_out(std::span<const std::size_t> meshes, io::ReadResult& result) const {
@@ -197,12 +189,12 @@ void GltfFile::warn_of_left_out(std::span<const std::size_t> meshes, io::ReadRes
   const std::string names = asset_.mesh_name(meshes.front()) +
                             (is_one ? "" : " and " + counted(meshes.size() - 1, "mesh", "meshes") + " more");
   result.warnings.push_back(
-      scope_ == GltfScope::meshes
+      scope_ == SceneScope::meshes
           ? names + (is_one ? " stays as it is: a level" : " stay as they are: levels") + " of detail (MSFT_lod)"
           : names + (is_one ? " is" : " are") + " left out: the scene doesn't show " + (is_one ? "it" : "them"));
 }
 
-io::ReadResult GltfFile::read(const io::ReadOptions& options, GltfScope scope) {
+io::ReadResult GltfFile::read(const io::ReadOptions& options, SceneScope scope) {
   io::ReadResult result;
   scope_ = scope;
   parts_.clear();
@@ -219,7 +211,7 @@ io::ReadResult GltfFile::read(const io::ReadOptions& options, GltfScope scope) {
     }
     std::vector<Eigen::Affine3d> places = places_of(m);
     if (places.empty()) places.push_back(Eigen::Affine3d::Identity());
-    if (scope == GltfScope::scene &&
+    if (scope == SceneScope::scene &&
         places.size() * asset_.n_triangles(m) > largest_scene - std::min(largest_scene, result.file_faces)) {
       throw io::ReadError(path_.string(), "the scene has more than 2^27 triangles");
     }
@@ -346,7 +338,7 @@ void GltfFile::add_levels(CoarserLevels levels, std::vector<std::string>& warnin
   asset_.add_levels(std::move(coarser));
 }
 
-std::vector<std::string> GltfFile::write(OutputFiles& files, const std::string& path, const IndexedMesh* mesh,
+std::vector<std::string> GltfFile::write(io::OutputFiles& files, const std::string& path, const IndexedMesh* mesh,
                                          CoarserLevels levels, bool compress) {
   std::vector<std::string> warnings;
   if (!levels.empty()) add_levels(levels, warnings);
@@ -360,4 +352,4 @@ std::vector<std::string> GltfFile::write(OutputFiles& files, const std::string& 
   return warnings;
 }
 
-}  // namespace whittle::app
+}  // namespace whittle

@@ -1,4 +1,4 @@
-#include "files/gltf/new_gltf.hh"
+#include "gltf/new_gltf.hh"
 
 #include <algorithm>
 #include <filesystem>
@@ -8,16 +8,17 @@
 #include <system_error>
 #include <utility>
 
-#include "files/companions.hh"
-#include "files/gltf/screen_coverage.hh"
-#include "files/gltf_file.hh"
+#include "companions.hh"
+#include "gltf/screen_coverage.hh"
+#include "whittle/scene/gltf_file.hh"
 #include "whittle/core/float32_positions.hh"
 #include "whittle/gltf/make_asset.hh"
+#include "whittle/core/text/text.hh"
 #include "whittle/io/file_notes.hh"
 #include "whittle/io/materials.hh"
 #include "whittle/io/whole_file.hh"
 
-namespace whittle::app {
+namespace whittle {
 namespace {
 
 namespace fs = std::filesystem;
@@ -26,10 +27,10 @@ namespace fs = std::filesystem;
 class Looks {
  public:
   /// \param embeds_all whether all images become part of the asset
-  Looks(const Input& input, bool embeds_all) : folder_(folder_of(input.path)), embeds_all_(embeds_all) {
-    if (input.path == standard_stream) return;
-    known_ = io::read_materials(input.read.notes, folder_);
-    for (const fs::path& file : io::referenced_files(input.read.notes, folder_)) {
+  Looks(const Scene& scene, bool embeds_all) : folder_(folder_of(scene.path)), embeds_all_(embeds_all) {
+    if (scene.path == standard_stream) return;
+    known_ = io::read_materials(scene.read.notes, folder_);
+    for (const fs::path& file : io::referenced_files(scene.read.notes, folder_)) {
       std::error_code error;
       if (!fs::exists(folder_ / file, error)) missing_.push_back(file);
     }
@@ -131,14 +132,14 @@ gltf::NewAsset new_asset_of(const IndexedMesh& mesh, CoarserLevels levels) {
 
 }  // namespace
 
-void write_new_gltf(OutputFiles& files, const std::string& path, const Input& input, const IndexedMesh& mesh,
-                    CoarserLevels levels, bool compress, const Talk& talk, std::vector<std::string>& warnings) {
-  const bool is_binary = fs::path(path).extension() != ".gltf";
-  Looks looks(input, is_binary);
+void write_new_gltf(io::OutputFiles& files, const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh,
+                    CoarserLevels levels, SceneMessages& messages) {
+  const bool is_binary = fs::path(output.path).extension() != ".gltf";
+  Looks looks(scene, is_binary);
   gltf::NewAsset asset = new_asset_of(mesh, levels);
   // For all that is made of an input the same, if it is there.
-  if (!input.read.mesh.positions.empty()) asset.translation = float32_origin(input.read.mesh.positions);
-  asset.name = input.mesh_name;
+  if (!scene.read.mesh.positions.empty()) asset.translation = float32_origin(scene.read.mesh.positions);
+  asset.name = scene.mesh_name;
   const auto is_texcoord = [](const Attribute& attribute) { return attribute.kind == AttributeKind::texcoord; };
   const bool has_texcoords = std::any_of(asset.mesh.attributes.begin(), asset.mesh.attributes.end(), is_texcoord);
   for (const std::size_t group : used_groups(asset.mesh)) {
@@ -147,19 +148,18 @@ void write_new_gltf(OutputFiles& files, const std::string& path, const Input& in
   }
   asset.images = looks.images();
   for (const std::string& problem : problems_of(looks, asset.mesh)) {
-    warnings.push_back(about(path, problem));
-    talk.warning(warnings.back());
+    messages.warnings.push_back(about(output.path, problem));
   }
   try {
-    write_asset(files, path, gltf::make_asset(std::move(asset)), compress);
+    write_asset(files, output.path, gltf::make_asset(std::move(asset)), output.compress);
   } catch (const std::range_error& error) {
-    throw io::WriteError(path, error.what());
+    throw io::WriteError(output.path, error.what());
   }
   std::vector<fs::path> beside;
   for (const gltf::NewImage& image : looks.images()) {
     if (image.bytes.empty()) beside.push_back(image.file);
   }
-  copy_companions(files, input.path, path, beside, talk, warnings);
+  copy_companions(files, scene.path, output.path, beside, messages);
 }
 
-}  // namespace whittle::app
+}  // namespace whittle

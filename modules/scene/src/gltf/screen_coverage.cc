@@ -1,4 +1,4 @@
-#include "files/gltf/screen_coverage.hh"
+#include "gltf/screen_coverage.hh"
 
 #include <algorithm>
 #include <numbers>
@@ -7,7 +7,7 @@
 #include "whittle/core/geometry/box.hh"
 #include "whittle/metrics/distance.hh"
 
-namespace whittle::app {
+namespace whittle {
 namespace {
 
 /// Model units. That of a level that has vanished is the size of the mesh.
@@ -35,4 +35,4 @@ std::vector<double> screen_coverages(const IndexedMesh& mesh, std::span<const In
   return coverages;
 }
 
-}  // namespace whittle::app
+}  // namespace whittle

@@ -1,21 +1,22 @@
 // Borders of meshes of a glTF file that coincide in the scene. Each mesh has its own coordinates, which the file rounds
 // to 32 bits, and so do its nodes: what lies at one place in the scene may lie a little apart.
-#include "files/gltf/common_borders.hh"
+#include "gltf/join_vertices.hh"
 
 #include <algorithm>
 #include <cstddef>
 #include <span>
 
-#include "files/gltf_file.hh"
-#include "terminal/table.hh"
+#include "whittle/core/text/text.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/pieces.hh"
 #include "whittle/core/transform.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/io/border_gaps.hh"
+#include "whittle/scene/gltf_file.hh"
+#include "whittle/scene/scene.hh"
 
-namespace whittle::app {
+namespace whittle {
 namespace {
 
 /// Scenes may have copies without end. Those of more faces aren't looked at.
@@ -95,7 +96,7 @@ void GltfFile::weld_borders(const io::ReadOptions& options, io::ReadResult& all)
   const std::vector<Index> map = join_vertices(all.mesh, joined);
   all.repairs.welded_vertices += n_joined;
   for (Index& v : all.vertex_map) v = v == invalid_index ? v : map[v];
-  if (scope_ != GltfScope::scene) remember_welded(origins, map, all.mesh);
+  if (scope_ != SceneScope::scene) remember_welded(origins, map, all.mesh);
 }
 
 /// \param origins of the vertices before \param map what has become of each in `mesh`
@@ -171,17 +172,16 @@ std::vector<std::uint8_t> GltfFile::held_borders(const IndexedMesh& mesh, unsign
   return held;
 }
 
-std::vector<std::uint8_t> held_borders(const Input& input, unsigned threads, const Talk& talk,
+std::vector<std::uint8_t> held_borders(const Scene& scene, const IndexedMesh& mesh, unsigned threads,
                                        std::vector<std::string>& warnings) {
-  if (!keeps_meshes(input)) return {};
-  std::vector<std::uint8_t> held = input.gltf->held_borders(input.read.mesh, threads);
+  if (!keeps_meshes(scene)) return {};
+  std::vector<std::uint8_t> held = scene.gltf->held_borders(mesh, threads);
   const auto n = static_cast<std::size_t>(std::count(held.begin(), held.end(), 1));
   if (n > 0) {
-    warnings.push_back(about(input.name, counted(n, "vertex stays where it is", "vertices stay where they are") +
+    warnings.push_back(about(scene.name, counted(n, "vertex stays where it is", "vertices stay where they are") +
                                              ": meshes that the scene shows several times meet others there"));
-    talk.warning(warnings.back());
   }
   return held;
 }
 
-}  // namespace whittle::app
+}  // namespace whittle

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "whittle/io/output_file.hh"
+
+namespace whittle::io {
+
+/// Files that appear together: all of them once everything is written (`commit`), or none.
+class OutputFiles {
+ public:
+  OutputFiles() = default;
+  virtual ~OutputFiles() = default;
+  OutputFiles(const OutputFiles&) = delete;
+  OutputFiles& operator=(const OutputFiles&) = delete;
+
+  /// Calls `fill` with a stream for the file, in binary mode. \throw WriteError that names the file
+  virtual void write(const std::string& path, const std::function<void(std::ostream&)>& fill);
+  /// Renames all files to their final names. \throw WriteError
+  virtual void commit();
+
+  /// Whether a file of this name is among them.
+  bool has(const std::string& path) const { return paths_.contains(path); }
+  /// Writes a file of any name, with the folders that it needs, unless it is among the files already.
+  void write_with_folders(const std::string& path, const std::string& bytes);
+
+ protected:
+  /// Forgets the files that are not committed.
+  void discard() { files_.clear(); }
+
+ private:
+  std::vector<std::unique_ptr<OutputFile>> files_;
+  std::set<std::string> paths_;
+};
+
+/// Has `fill` write to a stream, and flushes it. \param name of the file, for messages
+/// \throw WriteError with the name of the file if either fails
+void fill_checked(std::ostream& stream, const std::string& name, const std::function<void(std::ostream&)>& fill);
+
+}  // namespace whittle::io

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace whittle {
+
+/// A mesh was read, but what is asked can't be done with it. `what()` names the file.
+class UnsupportedMesh : public std::runtime_error {
+ public:
+  explicit UnsupportedMesh(const std::string& problem) : std::runtime_error(problem) {}
+};
+
+}  // namespace whittle

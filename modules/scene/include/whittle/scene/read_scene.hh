@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "whittle/io/read.hh"
+#include "whittle/scene/errors.hh"
+#include "whittle/scene/format.hh"
+#include "whittle/scene/length.hh"
+#include "whittle/scene/scene.hh"
+
+namespace whittle {
+
+/// A file that may be read more than once. The content of standard input is kept, because it can be read only once.
+class SceneFile {
+ public:
+  /// \param path of the file, or `standard_stream` \param format null: by the file's name
+  /// \throw io::ReadError if standard input can't be read
+  explicit SceneFile(std::string path, const SceneFormat* format = nullptr);
+
+  /// \throw io::ReadError if the file isn't a complete and valid file of its format, or, unless the options take that,
+  /// has no triangles; UnsupportedMesh if a coordinate is too large to compute with
+  Scene read(const SceneReadOptions& options) const;
+
+  const std::string& path() const { return path_; }
+  /// In messages: the path, or "standard input".
+  std::string name() const;
+  /// Of standard input.
+  const std::vector<char>& content() const { return content_; }
+  /// Null if neither the caller nor the file's name tells it.
+  const SceneFormat* format() const { return format_; }
+
+ private:
+  std::string path_;
+  const SceneFormat* format_;
+  std::vector<char> content_;
+};
+
+/// Reads a scene from a file, repairs it (`io::repair`) and welds it. \throw as `SceneFile`
+Scene read_scene(const std::string& path, const SceneReadOptions& options = {});
+
+}  // namespace whittle

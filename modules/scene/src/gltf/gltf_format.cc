@@ -1,0 +1,65 @@
+#include <filesystem>
+
+#include "companions.hh"
+#include "formats.hh"
+#include "gltf/new_gltf.hh"
+#include "whittle/core/float32_positions.hh"
+#include "whittle/core/text/text.hh"
+#include "whittle/scene/gltf_file.hh"
+#include "whittle/scene/read_scene.hh"
+
+namespace whittle {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view gltf_extensions[] = {"glb", "gltf"};
+
+Scene read_gltf(const SceneFile& file, const SceneReadOptions& options) {
+  Scene scene;
+  scene.format = &gltf_format;
+  scene.gltf = std::make_shared<GltfFile>(file.path());
+  scene.read = scene.gltf->read(
+      {.weld = options.weld, .threads = options.threads, .attributes = options.attributes}, options.scope);
+  const fs::path folder = folder_of(file.path());
+  for (const std::vector<fs::path>& names :
+       {scene.gltf->asset().buffer_files(), scene.gltf->asset().image_files()}) {
+    for (const fs::path& name : names) scene.needed_files.push_back(folder / name);
+  }
+  return scene;
+}
+
+void write_gltf(io::OutputFiles& files, const SceneOutput& output, Scene& scene, const IndexedMesh* mesh,
+                CoarserLevels levels, SceneMessages& messages) {
+  if (!keeps_meshes(scene)) {
+    return write_new_gltf(files, output, scene, mesh == nullptr ? scene.read.mesh : *mesh, levels, messages);
+  }
+  for (const std::string& warning : scene.gltf->write(files, output.path, mesh, levels, output.compress)) {
+    messages.warnings.push_back(about(output.path, warning));
+  }
+  // It has written the images that can be beside it. This says which aren't.
+  copy_companions(files, scene.path, output.path, scene.gltf->asset().image_files(), messages);
+}
+
+IndexedMesh gltf_as_written(const SceneOutput& /*output*/, const Scene& scene, const IndexedMesh& mesh,
+                            const SceneReadOptions& /*options*/) {
+  if (keeps_meshes(scene)) return scene.gltf->as_written(mesh);
+  const Vec3 origin = float32_origin(scene.read.mesh.positions);  // as `write_new_gltf` has it
+  IndexedMesh rounded = mesh;
+  for (Vec3& p : rounded.positions) p = rounded_to_float32(p, origin);
+  return rounded;
+}
+
+}  // namespace
+
+constinit const SceneFormat gltf_format{.name = "gltf",
+                                        .title = "glTF",
+                                        .extensions = gltf_extensions,
+                                        .mesh_format = std::nullopt,
+                                        .has_text_and_binary = false,
+                                        .is_document = true,
+                                        .read = read_gltf,
+                                        .write = write_gltf,
+                                        .as_written = gltf_as_written};
+
+}  // namespace whittle

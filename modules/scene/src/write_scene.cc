@@ -1,0 +1,32 @@
+#include "whittle/scene/write_scene.hh"
+
+#include "whittle/scene/gltf_file.hh"
+
+namespace whittle {
+
+std::string name_of(const SceneOutput& output) {
+  return output.path == standard_stream ? "standard output" : output.path;
+}
+
+void write_scene(io::OutputFiles& files, const SceneOutput& output, Scene& scene, const IndexedMesh& mesh,
+                 SceneMessages& messages) {
+  output.format->write(files, output, scene, &mesh, {}, messages);
+}
+
+void write_levels(io::OutputFiles& files, const SceneOutput& output, Scene& scene, CoarserLevels levels,
+                  SceneMessages& messages) {
+  // What is compressed is replaced geometry.
+  output.format->write(files, output, scene, output.compress ? &scene.read.mesh : nullptr, levels, messages);
+}
+
+IndexedMesh as_written(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh,
+                       const SceneReadOptions& options) {
+  return output.format->as_written(output, scene, mesh, options);
+}
+
+double widest_gap_as_written(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh) {
+  const bool has_meshes = output.format->is_document && keeps_meshes(scene);
+  return has_meshes ? scene.gltf->widest_gap_as_written(mesh) : 0;
+}
+
+}  // namespace whittle
