@@ -16,7 +16,7 @@
 #include "terminal/progress_bar.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
-#include "whittle/simplify/request.hh"
+#include "whittle/pipeline/request.hh"
 
 namespace whittle::app {
 namespace {
@@ -93,7 +93,7 @@ Contender run_ours(const IndexedMesh& input, const Comparison& comparison, const
   return ours;
 }
 
-StockRun run_stock(const Input& input, const DecimateTarget& target, std::size_t expected_contractions,
+StockRun run_stock(const Scene& input, const DecimateTarget& target, std::size_t expected_contractions,
                    const Talk& talk) {
   ProgressBar bar(talk, "OpenMesh ModQuadric");
   return decimate_by_stock(input.read.mesh, input.name, target, [&](std::uint64_t n_contractions) {
@@ -103,7 +103,7 @@ StockRun run_stock(const Input& input, const DecimateTarget& target, std::size_t
   });
 }
 
-Comparison compare(const Input& input, const CompareOptions& options, const Talk& talk) {
+Comparison compare(const Scene& input, const CompareOptions& options, const Talk& talk) {
   const IndexedMesh& mesh = input.read.mesh;
   Comparison comparison;
   comparison.target = resolve(options.targets, mesh.positions.size(), mesh.faces.size(), 0);
@@ -141,7 +141,7 @@ Json compare_options_json(const CompareOptions& options, const Comparison& compa
           {"threads", options.common.threads}};
 }
 
-Json compare_json(const CompareOptions& options, const Input& input, const Comparison& comparison) {
+Json compare_json(const CompareOptions& options, const Scene& input, const Comparison& comparison) {
   Json json = new_report();
   json["input"] = input_json(input, comparison.ours.distance.diagonal);
   json["options"] = compare_options_json(options, comparison);
@@ -194,7 +194,7 @@ void add_times(Table& table, const Comparison& comparison) {
   table.add({"time to build its mesh", "-", seconds_text(comparison.stock_seconds_build)});
 }
 
-std::string summary_of(const Input& input, const Comparison& comparison) {
+std::string summary_of(const Scene& input, const Comparison& comparison) {
   const Contender& ours = comparison.ours;
   const Contender& stock = comparison.stock;
   const double diagonal = ours.distance.diagonal;
@@ -224,7 +224,7 @@ std::string summary_of(const Input& input, const Comparison& comparison) {
          "\n" + verdict(comparison);
 }
 
-void warn_if_missed(const Contender& contender, const std::string& who, const Input& input,
+void warn_if_missed(const Contender& contender, const std::string& who, const Scene& input,
                     const DecimateTarget& target, const Talk& talk) {
   if (contender.is_met) return;
   talk.warning(input.name + ": " + who + " did not meet the target: " + to_string(target) + " asked, " +

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "commands/new_intersections.hh"
-#include "commands/simplify/advice.hh"
+#include "whittle/pipeline/new_intersections.hh"
+#include "whittle/pipeline/run.hh"
 #include "commands/stage_bars.hh"
 #include "commands/subcommands.hh"
 #include "whittle/scene/gltf_file.hh"
@@ -20,7 +20,7 @@
 #include "terminal/table.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/progressive/levels.hh"
-#include "whittle/simplify/request.hh"
+#include "whittle/pipeline/request.hh"
 
 namespace whittle::app {
 namespace {
@@ -253,7 +253,7 @@ void write_files(LodCommand& options, const Talk& talk, const Stopwatch& since_s
 }
 
 /// \throw UsageError for one file of levels, if its nodes have levels already
-void check_input(const LodCommand& options, const Input& input) {
+void check_input(const LodCommand& options, const Scene& input) {
   if (!is_one_file(options) || !keeps_meshes(input)) return;
   const std::string mesh = input.gltf->mesh_with_levels();
   if (mesh.empty()) return;

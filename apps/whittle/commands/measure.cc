@@ -109,7 +109,7 @@ Json exact_json(const Measurement& measured, const MeasureOptions& options) {
   return json;
 }
 
-Json measure_json(const Input& reference, const Input& test, const Measurement& measured,
+Json measure_json(const Scene& reference, const Scene& test, const Measurement& measured,
                   const MeasureOptions& options) {
   Json json = new_report();
   json["reference"] = input_json(reference, measured.distance.diagonal);
@@ -137,7 +137,7 @@ PosedDistance measure_posed(const PosedScenes& scenes, const MeasureOptions& opt
 }
 
 /// Draws both meshes if asked for.
-std::optional<PictureErrors> measure_pictures(const Input& reference, const Input& test, const MeasureOptions& options,
+std::optional<PictureErrors> measure_pictures(const Scene& reference, const Scene& test, const MeasureOptions& options,
                                               const Talk& talk) {
   if (!options.n_views) return std::nullopt;
   ProgressBar bar(talk, "drawing");
@@ -226,12 +226,12 @@ std::string shape_table(const Measurement& measured) {
   return table.text();
 }
 
-std::string file_line(const char* role, const Input& input) {
+std::string file_line(const char* role, const Scene& input) {
   return role + input.name + ", " + faces_text(input.read.mesh.faces.size()) + ", " +
          vertices_text(input.read.mesh.positions.size()) + "\n";
 }
 
-std::string summary_of(const Input& reference, const Input& test, const Measurement& measured) {
+std::string summary_of(const Scene& reference, const Scene& test, const Measurement& measured) {
   std::string tables = distance_table(measured);
   if (!measured.attributes.empty()) tables += '\n' + attributes_table(measured.attributes);
   if (measured.posed) tables += '\n' + posed_table(*measured.posed);

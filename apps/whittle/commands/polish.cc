@@ -15,7 +15,7 @@
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/metrics/nearest_vertices.hh"
-#include "whittle/simplify/request.hh"
+#include "whittle/pipeline/request.hh"
 
 namespace whittle::app {
 namespace {

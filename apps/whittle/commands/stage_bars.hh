@@ -1,24 +1,28 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "terminal/progress_bar.hh"
 #include "terminal/talk.hh"
 #include "whittle/engine/options.hh"
+#include "whittle/pipeline/plan.hh"
 
 namespace whittle::app {
 
-/// Draws a progress bar for each stage of a simplification, and ends the run if a signal is pending.
+/// Draws a progress bar for each stage of a run, and ends the run if a signal is pending.
 class StageBars {
  public:
   explicit StageBars(const Talk& talk) : talk_(talk) {}
 
-  /// For `DecimateOptions::progress`. \return false to end the run
+  /// For `RunObserver`. \return false to end the run
+  bool update(const RunProgress& progress);
+  /// For `DecimateOptions::progress`.
   bool update(const Progress& progress);
 
  private:
   const Talk& talk_;
-  Stage stage_ = Stage::decimate;
+  std::string_view stage_;
   std::optional<ProgressBar> bar_;
 };
 

@@ -48,7 +48,7 @@ Input read_output(const VerifyCommand& options, const Talk& talk) {
   return read_input(options.output, files, options.common.threads, talk);
 }
 
-verify::Triangles triangles_of(const Input& input) {
+verify::Triangles triangles_of(const Scene& input) {
   return {flat_positions(input.read.mesh), flat_faces(input.read.mesh)};
 }
 

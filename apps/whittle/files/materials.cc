@@ -112,7 +112,7 @@ void warn_of_what_is_not_shown(const io::SurfaceMaterials& from, std::vector<std
 }
 
 /// A PLY file with one texture has it on all faces.
-FileMaterials materials_beside(const Input& input) {
+FileMaterials materials_beside(const Scene& input) {
   const fs::path folder = input.path == standard_stream ? fs::path() : fs::path(input.path).parent_path();
   const io::SurfaceMaterials from = io::read_materials(input.read.notes, folder);
   FileMaterials materials;
@@ -139,7 +139,7 @@ FileMaterials materials_beside(const Input& input) {
 
 }  // namespace
 
-FileMaterials read_materials(const Input& input) {
+FileMaterials read_materials(const Scene& input) {
   return input.gltf ? materials_of(input.gltf->asset()) : materials_beside(input);
 }
 

@@ -47,7 +47,7 @@ struct FileMaterials {
 
 /// From glTF, from the material libraries of an OBJ file, or the texture that a PLY file names.
 /// \throw io::ReadError for wrong materials of glTF
-FileMaterials read_materials(const Input& input);
+FileMaterials read_materials(const Scene& input);
 
 /// What glTF says of a texture, in the words of who shows it. \tparam Wrap has the enumerators of `gltf::Wrap`
 template <class Wrap>

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "terminal/errors.hh"
+#include "whittle/pipeline/simplify_file.hh"
 
 namespace whittle::app {
 namespace {
@@ -45,8 +46,8 @@ bool writes_document(const std::string& path, const FileOptions& options) {
   return options.writes_documents && format != nullptr && format->is_document;
 }
 
-SceneScope scope_for(const std::string& path, const FileOptions& options) {
-  return writes_document(path, options) ? SceneScope::meshes : SceneScope::scene;
+SceneScope scope_for(const std::string& path, const FileOptions& options, bool keeps_attributes) {
+  return whittle::scope_for(writes_document(path, options) ? format_by_name(path) : nullptr, keeps_attributes);
 }
 
 std::string needs_format(const std::string& option) {

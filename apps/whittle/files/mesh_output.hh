@@ -14,8 +14,8 @@ namespace whittle::app {
 const SceneFormat& format_for_output(const std::string& path, const FileOptions& options);
 /// Whether a file is written as a document, such as glTF.
 bool writes_document(const std::string& path, const FileOptions& options);
-/// What to read of documents: all meshes, each once, where they are written as a document again; else what is shown.
-SceneScope scope_for(const std::string& path, const FileOptions& options);
+/// What to read of documents for an output, as the library has it.
+SceneScope scope_for(const std::string& path, const FileOptions& options, bool keeps_attributes = true);
 /// What is wrong with '-' where no option tells its format. \param option that would
 std::string needs_format(const std::string& option);
 

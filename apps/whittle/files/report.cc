@@ -125,7 +125,7 @@ std::string polish_text(const PolishResult& polish) {
          significant(polish.rms_after);
 }
 
-Json input_json(const Input& input, double diagonal) {
+Json input_json(const Scene& input, double diagonal) {
   Json json = {
       {"path", input.path},   {"vertices", input.read.mesh.positions.size()}, {"faces", input.read.mesh.faces.size()},
       {"diagonal", diagonal}, {"repairs", repairs_json(input.read.repairs)},  {"weld_tolerance", input.weld_tolerance}};

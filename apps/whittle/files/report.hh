@@ -60,7 +60,7 @@ Json polish_json(const PolishResult& polish);
 std::string polish_text(const PolishResult& polish);
 
 /// {"path", "vertices", "faces", "diagonal", "repairs"}
-Json input_json(const Input& input, double diagonal);
+Json input_json(const Scene& input, double diagonal);
 
 /// The most memory that the program has used so far.
 std::uint64_t peak_memory_bytes();

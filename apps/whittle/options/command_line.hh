@@ -10,7 +10,7 @@
 #include "terminal/errors.hh"
 #include "terminal/talk.hh"
 #include "whittle/scene/format.hh"
-#include "whittle/simplify/option.hh"
+#include "whittle/pipeline/option.hh"
 
 namespace whittle::app {
 

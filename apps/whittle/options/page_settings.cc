@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "whittle/simplify/values.hh"
+#include "whittle/pipeline/values.hh"
 
 namespace whittle::app {
 namespace {

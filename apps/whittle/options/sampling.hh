@@ -1,7 +1,7 @@
 #pragma once
 
 #include "whittle/metrics/distance.hh"
-#include "whittle/simplify/option.hh"
+#include "whittle/pipeline/option.hh"
 
 namespace whittle::app {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "terminal/exit_code.hh"
-#include "whittle/simplify/option.hh"
+#include "whittle/pipeline/option.hh"
 
 namespace CLI {
 class App;

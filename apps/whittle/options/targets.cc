@@ -9,16 +9,6 @@ void check_targets(const Targets& targets, const std::string& all) {
   if (!targets.any()) throw UsageError("no target: give at least one of " + all);
 }
 
-std::string to_string(const DecimateTarget& target) {
-  std::string text;
-  const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : " or ") + part; };
-  if (target.n_faces()) add(faces_text(*target.n_faces()));
-  if (target.n_vertices()) add(vertices_text(*target.n_vertices()));
-  if (target.cost_limit()) add("cost " + shortest(*target.cost_limit()));
-  if (target.error_limit()) add("error " + shortest(*target.error_limit()));
-  return text;
-}
-
 nlohmann::ordered_json target_json(const Targets& targets, const DecimateTarget& target) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   if (target.n_faces()) json["faces"] = *target.n_faces();

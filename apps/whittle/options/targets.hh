@@ -3,16 +3,13 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "whittle/simplify/targets.hh"
+#include "whittle/pipeline/targets.hh"
 
 namespace whittle::app {
 
 /// \param all how the targets that there are are named in the message
 /// \throw UsageError without any target.
 void check_targets(const Targets& targets, const std::string& all);
-
-/// "5120 faces or 2560 vertices or cost 0.001 or error 0.1"
-std::string to_string(const DecimateTarget& target);
 
 /// Key `target` of the reports, without `met`: those of "faces", "vertices", "ratio", "face_ratio", "max_cost",
 /// "max_error" and "max_error_borders" that are set.

@@ -13,7 +13,7 @@ void require_pictures() {
   if (const std::optional<std::string> why = render::why_nothing_can_be_drawn()) throw std::runtime_error(*why);
 }
 
-PictureErrors compare_pictures(const Input& original, const Input& simplified, const PictureOptions& options) {
+PictureErrors compare_pictures(const Scene& original, const Scene& simplified, const PictureOptions& options) {
   const ReadScene before = read_scene(original);
   const ReadScene after = read_scene(simplified);
   PictureErrors errors;

@@ -31,6 +31,6 @@ struct PictureErrors {
 void require_pictures();
 
 /// Draws both with their textures from the same views. \pre `require_pictures` \throw std::runtime_error; Cancelled
-PictureErrors compare_pictures(const Input& original, const Input& simplified, const PictureOptions& options);
+PictureErrors compare_pictures(const Scene& original, const Scene& simplified, const PictureOptions& options);
 
 }  // namespace whittle::app

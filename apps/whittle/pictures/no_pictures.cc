@@ -9,7 +9,7 @@ void require_pictures() {
   throw std::runtime_error("this whittle was built without pictures: that takes libpng, libjpeg, and headers of EGL");
 }
 
-PictureErrors compare_pictures(const Input&, const Input&, const PictureOptions&) {
+PictureErrors compare_pictures(const Scene&, const Scene&, const PictureOptions&) {
   throw std::logic_error("no pictures");
 }
 

@@ -86,7 +86,7 @@ void add_parts(const gltf::Asset& asset, const FileMaterials& materials, Texture
 
 }  // namespace
 
-ReadScene read_scene(const Input& input) {
+ReadScene read_scene(const Scene& input) {
   const FileMaterials materials = read_materials(input);
   ReadScene read;
   read.warnings = materials.warnings;

@@ -19,6 +19,6 @@ struct ReadScene {
 /// What a mesh file shows: of glTF all nodes with meshes, each as often as it is there, or all meshes where no node has
 /// one; of others the mesh. Textures are read.
 /// \param input must outlive the scene
-ReadScene read_scene(const Input& input);
+ReadScene read_scene(const Scene& input);
 
 }  // namespace whittle::app

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "options/command_line.hh"
-#include "whittle/io/format.hh"
+#include "whittle/scene/format.hh"
 
 namespace whittle::app {
 namespace {
@@ -33,10 +33,12 @@ Candidates candidates_of(const CLI::Option& option) {
 
 std::vector<std::string> mesh_extensions() {
   std::vector<std::string> extensions;
-  for (const char* packed : {"", ".gz"}) {
-    for (const io::Format format : io::all_formats) extensions.push_back(std::string(io::name_of(format)) + packed);
+  for (const SceneFormat* format : scene_formats()) {
+    for (const std::string_view extension : format->extensions) {
+      extensions.emplace_back(extension);
+      if (!format->is_document) extensions.push_back(std::string(extension) + ".gz");
+    }
   }
-  extensions.insert(extensions.end(), gltf_names.begin(), gltf_names.end());
   return extensions;
 }
 

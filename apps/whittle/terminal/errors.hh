@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "whittle/scene/errors.hh"
+
 namespace whittle::app {
 
 /// The command line is wrong. `what()` names the option and says what is valid. Exit status 2.

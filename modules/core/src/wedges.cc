@@ -218,4 +218,21 @@ std::vector<VertexPair> seam_edges(const IndexedMesh& mesh, std::span<const Inde
 
 std::vector<VertexPair> seam_edges(const IndexedMesh& mesh) { return seam_edges(mesh, face_regions(mesh)); }
 
+std::vector<Index> join_vertices(IndexedMesh& mesh, std::span<const Index> joined) {
+  make_wedge_table(mesh);
+  std::vector<Index> map(joined.size());
+  Index n = 0;
+  for (Index v = 0; v < joined.size(); ++v) {
+    map[v] = joined[v] == v ? n : map[joined[v]];
+    if (joined[v] != v) continue;
+    mesh.positions[n] = mesh.positions[v];
+    mesh.origins[n++] = mesh.origins[v];
+  }
+  mesh.positions.resize(n);
+  mesh.origins.resize(n);
+  for (Triangle& face : mesh.faces) face = {map[face[0]], map[face[1]], map[face[2]]};
+  join_equal_wedges(mesh);
+  return map;
+}
+
 }  // namespace whittle

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "terminal/table.hh"
-#include "whittle/simplify/values.hh"
+#include "whittle/pipeline/values.hh"
 
 namespace whittle::app {
 namespace {

@@ -38,7 +38,7 @@ std::optional<double> PosedDistance::ratio() const {
   return average.both / rest.both;
 }
 
-PosedScenes::PosedScenes(const Input& reference, const Input& test)
+PosedScenes::PosedScenes(const Scene& reference, const Scene& test)
     : reference_(reference.gltf->asset()), test_(test.gltf->asset()) {
   refuse_stiff(reference_, reference.name);
   refuse_stiff(test_, test.name);

@@ -40,7 +40,7 @@ class PosedScenes {
   /// \param reference, test are glTF files, and must outlive the scenes
   /// \throw io::ReadError as `gltf::Poser`
   /// \throw UnsupportedMesh if a file has neither skin nor morph target, or both differ in nodes or animations
-  PosedScenes(const Input& reference, const Input& test);
+  PosedScenes(const Scene& reference, const Scene& test);
 
   /// Measures in `n_poses` poses, and at rest. \param options but for the progress \param n_poses at least 1
   PosedDistance measure(std::size_t n_poses, metrics::DistanceOptions options, ProgressBar& bar) const;

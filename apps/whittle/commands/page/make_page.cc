@@ -57,7 +57,7 @@ class PageMaker {
     facts_.warnings.push_back(warning);
   }
   Input read(const std::string& path);
-  PageLook look_of(const Input& input);
+  PageLook look_of(const Scene& input);
   static report::PageSurface surface_of(std::string name, IndexedMesh mesh, const PageLook& look);
   void read_files();
   void take(const RunForPage& run);
@@ -89,7 +89,7 @@ Input PageMaker::read(const std::string& path) {
   return input;
 }
 
-PageLook PageMaker::look_of(const Input& input) {
+PageLook PageMaker::look_of(const Scene& input) {
   std::vector<std::string> warnings;
   PageLook look(input, warnings);
   for (const std::string& warning : warnings) warn(warning);

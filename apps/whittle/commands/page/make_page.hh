@@ -22,7 +22,7 @@ struct PageFacts {
 
 /// A run of `simplify`, while all of it is known.
 struct RunForPage {
-  const Input& input;
+  const Scene& input;
   std::string output;
   const Simplification& simplified;  ///< with its steps
   Json report;

@@ -39,7 +39,7 @@ report::PageMaterial shown(const FileMaterial& material, std::shared_ptr<const s
 
 }  // namespace
 
-PageLook::PageLook(const Input& input, std::vector<std::string>& warnings) {
+PageLook::PageLook(const Scene& input, std::vector<std::string>& warnings) {
   const FileMaterials materials = read_materials(input);
   for (const std::string& warning : materials.warnings) warnings.push_back(about(input.name, warning));
   if (!materials.are_told) return;

@@ -14,7 +14,7 @@ class PageLook {
  public:
   PageLook() = default;
   /// \param input that was read \param warnings gets a line for each image that can't be read
-  PageLook(const Input& input, std::vector<std::string>& warnings);
+  PageLook(const Scene& input, std::vector<std::string>& warnings);
 
   /// Gives a surface its materials. \pre its groups are those of the input
   void dress(report::PageSurface& surface) const;

@@ -1,7 +1,7 @@
 #include "commands/page/page_tables.hh"
 
 #include "terminal/table.hh"
-#include "whittle/simplify/values.hh"
+#include "whittle/pipeline/values.hh"
 
 namespace whittle::app {
 namespace {

@@ -6,7 +6,7 @@
 #include "terminal/progress_bar.hh"
 #include "terminal/table.hh"
 #include "whittle/metrics/distance.hh"
-#include "whittle/simplify/values.hh"
+#include "whittle/pipeline/values.hh"
 
 namespace whittle::app {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "commands/simplify/as_written.hh"
+#include "whittle/pipeline/run.hh"
 #include "files/report.hh"
 
 // What the messages and the report say of the distances that a run has proven.

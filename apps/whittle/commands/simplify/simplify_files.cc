@@ -17,8 +17,8 @@ namespace {
 
 /// For each vertex of the file, its number in the result.
 std::vector<Index> vertex_map_of(const SimplifyRecord& record) {
-  std::vector<Index> map = record.input.read.vertex_map;
-  for (Index& v : map) v = v == invalid_index ? v : record.simplified.vertex_map[v];
+  std::vector<Index> map = record.plan.scene.read.vertex_map;
+  for (Index& v : map) v = v == invalid_index ? v : record.outcome.simplified.vertex_map[v];
   return map;
 }
 
@@ -35,7 +35,7 @@ void write_map(std::ostream& out, const SimplifyRecord& record) {
 
 /// Writes a line for every vertex of the result: the numbers of those that it is made of.
 void write_map_back(std::ostream& out, const SimplifyRecord& record) {
-  std::vector<std::vector<Index>> sources(record.simplified.mesh.positions.size());
+  std::vector<std::vector<Index>> sources(record.outcome.simplified.mesh.positions.size());
   const std::vector<Index> map = vertex_map_of(record);
   for (Index v = 0; v < map.size(); ++v) {
     if (map[v] != invalid_index) sources[map[v]].push_back(v);
@@ -46,7 +46,7 @@ void write_map_back(std::ostream& out, const SimplifyRecord& record) {
   }
 }
 
-progressive::RecordingNotes notes_of(const SimplifyCommand& options, const Input& input) {
+progressive::RecordingNotes notes_of(const SimplifyCommand& options, const Scene& input) {
   if (!options.embeds_input) return {};
   progressive::RecordingNotes notes = recorded_notes(input.read.notes);
   if (writes_document(options.output, options.files) && !keeps_meshes(input)) notes[mesh_name_note] = {input.mesh_name};
@@ -55,16 +55,16 @@ progressive::RecordingNotes notes_of(const SimplifyCommand& options, const Input
 
 void write_recording_file(std::ostream& out, const SimplifyCommand& options, const SimplifyRecord& record) {
   const Json about = {{"program", program_and_version()},
-                      {input_format_key, record.input.format->name},
+                      {input_format_key, record.plan.scene.format->name},
                       {"options", simplify_options_json(options)}};
   const progressive::RecordingOptions how{options.embeds_input, options.compresses_recording, options.common.threads,
-                                          notes_of(options, record.input)};
-  progressive::write_recording(out, record.input.read.mesh, record.simplified.steps,
+                                          notes_of(options, record.plan.scene)};
+  progressive::write_recording(out, record.plan.scene.read.mesh, record.outcome.simplified.steps,
                                options.request.simplify.decimate.normals, to_text(about), how);
 }
 
 void write_curve(std::ostream& out, const SimplifyCommand& options, const SimplifyRecord& record) {
-  out << (options.curve->ends_with(".svg") ? curve_svg(record.curve, record.input.name) : curve_csv(record.curve));
+  out << (options.curve->ends_with(".svg") ? curve_svg(record.curve, record.plan.scene.name) : curve_csv(record.curve));
 }
 
 }  // namespace
@@ -73,28 +73,28 @@ void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwat
                  Json* report) {
   const Stopwatch watch;
   OutputFiles files(options.common.force);
-  files.protect(record.input.needed_files);
-  write_result(files, output_of(options.output, options.files, options.compresses_gltf), record.input, record.simplified.mesh,
+  files.protect(record.plan.scene.needed_files);
+  write_result(files, output_of(options.output, options.files, options.compresses_gltf), record.plan.scene, record.outcome.simplified.mesh,
                talk, record.warnings);
   const auto write = [&files](const std::optional<std::string>& path, const auto& fill) {
     if (path) files.write(*path, fill);
   };
   write(options.map, [&](std::ostream& out) { write_map(out, record); });
   write(options.map_back, [&](std::ostream& out) { write_map_back(out, record); });
-  write(options.certificate, [&](std::ostream& out) { out << record.certificate; });
+  write(options.certificate, [&](std::ostream& out) { out << record.outcome.certificate; });
   write(options.recording, [&](std::ostream& out) { write_recording_file(out, options, record); });
   write(options.curve, [&](std::ostream& out) { write_curve(out, options, record); });
   write(options.page, [&](std::ostream& out) {
     out << make_page(
-        {record.input, options.output, record.simplified, simplify_json(options, record), record.shortfall},
+        {record.plan.scene, options.output, record.outcome.simplified, simplify_json(options, record), record.shortfall},
         options.common, talk);
   });
   if (options.pictures.is_given()) {
-    const std::string player = make_player(record.input.name, recorded_input(record), record.simplified.steps);
+    const std::string player = make_player(record.plan.scene.name, recorded_input(record), record.outcome.simplified.steps);
     write_frames(files, options.pictures, player, "", {}, talk);
   }
-  record.seconds.write = watch.seconds();
-  record.seconds.total = since_start.seconds();
+  record.write_seconds = watch.seconds();
+  record.total_seconds = since_start.seconds();
   const Json json = report != nullptr || options.common.json ? simplify_json(options, record) : Json();
   commit_with_report(files, options.common, options.common.json ? to_text(json) : std::string());
   if (report != nullptr) *report = json;

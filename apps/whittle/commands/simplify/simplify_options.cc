@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "commands/page/frames.hh"
 #include "commands/page/make_page.hh"
-#include "whittle/scene/gltf_file.hh"
 #include "files/input.hh"
 #include "files/mesh_output.hh"
 #include "files/output.hh"
+#include "openmesh/openmesh_engine.hh"
 #include "terminal/errors.hh"
+#include "whittle/pipeline/plan.hh"
 
 namespace whittle::app {
 namespace {
@@ -93,28 +93,17 @@ OptionRows output_rows(SimplifyCommand& options) {
   return in_group(std::move(rows), file_group);
 }
 
-/// What targets have besides those of the request.
-OptionRows more_target_rows(SimplifyCommand& options) {
-  OptionRow tolerances =
-      side_file_row("--tolerance-map", options.tolerances,
-                    "a file with a tolerance for each vertex of IN, one a line, smaller than --max-error, model units");
-  tolerances.conflicts = {{"", "--prune", "the lengths are of all vertices of IN"}};
-  tolerances.idle = {{.without = {"--max-error"}}};
-  return in_group({tolerances,
-                   {.names = "--strict",
-                    .access = flag(options.strict),
-                    .help = "end with status 3 when the target was not met",
-                    .key = "strict"}},
-                  target_group);
-}
-
 }  // namespace
 
 OptionRows simplify_rows(SimplifyCommand& options) {
   OptionRows rows = option_rows(options.request);
   const auto after_targets =
       std::find_if(rows.begin(), rows.end(), [](const OptionRow& row) { return row.group != target_group; });
-  OptionRows own = more_target_rows(options);
+  OptionRows own{{.names = "--strict",
+                  .access = flag(options.strict),
+                  .group = target_group,
+                  .help = "end with status 3 when the target was not met",
+                  .key = "strict"}};
   append(own, output_rows(options));
   rows.insert(after_targets, std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
   rows.insert(rows.begin(), meshes_argument(options.inputs, options.files));
@@ -127,25 +116,20 @@ OptionRows simplify_rows(SimplifyCommand& options) {
   return rows;
 }
 
-SimplifyCommand settled(SimplifyCommand command) {
-  command.files.scope =
-      command.request.keeps_attributes ? scope_for(command.output, command.files) : SceneScope::scene;
-  SimplifyOptions probe = command.request.simplify;
-  command.has_cost_by_effort = !probe.decimate.cost && command.engine == Engine::flat;
-  if (command.engine == Engine::openmesh) probe.decimate.cost = probe.decimate.cost.value_or(Cost::quadric);
-  // The threshold depends on the mesh, which hasn't been read yet. The effort depends only on whether there is one.
-  if (command.request.has_threshold()) probe.decimate.pairs.threshold = std::numeric_limits<double>::infinity();
-  probe = with_effort(command.request.effort, std::move(probe));
-  command.request.simplify.decimate.cost = probe.decimate.cost;
-  command.request.simplify.polish_passes = probe.polish_passes;
-  command.request.simplify.flips = probe.flips;
-  command.request.simplify.tries_plain_quadrics = probe.tries_plain_quadrics;
-  const Targets& targets = command.request.targets;
-  const bool pauses = command.engine == Engine::flat && targets.has_count() && !targets.max_error;
-  command.request.simplify.pauses = pauses ? probe.pauses : std::vector<double>{};
-  command.request.simplify.decimate.refuse_intersections =
-      command.request.self_intersections == SelfIntersections::refuse;
-  return command;
+Request request_of(const SimplifyCommand& run) {
+  Request request = run.request;
+  request.makes_certificate = run.certificate.has_value();
+  request.keeps_steps = run.recording || run.curve || run.page || run.pictures.is_given();
+  // OpenMesh's engine takes one value of an attribute a vertex.
+  const bool is_flat = run.engine == Engine::flat;
+  request.reading = read_options(run.files, run.common.threads,
+                                 is_flat ? io::AttributeScope::all : io::AttributeScope::per_vertex);
+  if (!is_flat) {
+    request.decimater = [](const Scene& scene, const DecimateTarget& target, const DecimateOptions& options) {
+      return decimate_in_openmesh(scene.read.mesh, scene.name, target, options);
+    };
+  }
+  return request;
 }
 
 /// \throw UsageError for options that don't go with glTF, or with glTF alone
@@ -183,7 +167,7 @@ void check_options(const SimplifyCommand& options) {
   if (options.curve && !options.curve->ends_with(".csv") && !options.curve->ends_with(".svg")) {
     throw UsageError("--curve: '" + *options.curve + "' ends neither with .csv nor with .svg");
   }
-  const DecimateOptions& decimate = options.request.simplify.decimate;
+  const DecimateOptions decimate = options_by_effort(request_of(options)).decimate;
   const CostTraits& traits = cost_traits(decimate.effective_cost());
   const std::string_view why = traits.why_not.threshold_in_exact_order;
   if (options.request.has_threshold() && decimate.effective_order() == Order::exact && !why.empty()) {
@@ -194,7 +178,7 @@ void check_options(const SimplifyCommand& options) {
 
 std::vector<std::string> idle_options(const Given& given, const SimplifyCommand& options) {
   std::vector<std::string> warnings = given.idle;
-  if (given.is_given("--fit") && options.request.simplify.polish_passes == 0U) {
+  if (given.is_given("--fit") && options_by_effort(request_of(options)).polish_passes == 0U) {
     warnings.emplace_back("'--fit' does nothing without polish");
   }
   return warnings;

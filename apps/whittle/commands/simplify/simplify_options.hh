@@ -9,7 +9,7 @@
 #include "commands/page/report_options.hh"
 #include "options/command_line.hh"
 #include "options/targets.hh"
-#include "whittle/simplify/request.hh"
+#include "whittle/pipeline/request.hh"
 
 namespace whittle::app {
 
@@ -25,9 +25,7 @@ struct SimplifyCommand {
   std::string input;                ///< of one run
   std::string output;               ///< of one run; on the command line it may have `{stem}`
   Request request;
-  std::optional<std::string> tolerances;  ///< file with the tolerance of each vertex
   FileOptions files;
-  bool has_cost_by_effort = false;  ///< `--cost` isn't given: large meshes may get another one
   Engine engine = Engine::flat;
   // More files to write, each with `{stem}` as in `output`.
   std::optional<std::string> map;          ///< the vertex map
@@ -46,8 +44,8 @@ struct SimplifyCommand {
   CommonOptions common;
 };
 
-/// `command` with the cost, the polish passes and the flips that the effort stands for, where they are not given.
-SimplifyCommand settled(SimplifyCommand command);
+/// The request of one run, without its output.
+Request request_of(const SimplifyCommand& run);
 
 OptionRows simplify_rows(SimplifyCommand& options);
 

@@ -12,16 +12,13 @@
 
 namespace whittle::app {
 
-/// "refused: 12 by topology, 3 by turning a face, 0 locked"
-std::string refusals(const SimplifyCommand& options, const RefusalCounts& refused);
-
 /// The lines of --verbose.
 void say_details(const SimplifyCommand& options, const Talk& talk, const SimplifyRecord& record);
 
 /// "out.ply: 1000 -> 100 faces, 502 -> 52 vertices in 0.1 s"
 std::string summary(const SimplifyCommand& options, const SimplifyRecord& record);
 
-/// Lines about a mesh that was read: what of it the run won't keep, or can't keep well.
-std::vector<std::string> input_warnings(const SimplifyCommand& options, const Input& input);
+/// What of a scene the engine doesn't keep: a line each.
+std::vector<std::string> warnings_of_engine(const SimplifyCommand& options, const Scene& scene);
 
 }  // namespace whittle::app

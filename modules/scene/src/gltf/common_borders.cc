@@ -1,15 +1,13 @@
 // Borders of meshes of a glTF file that coincide in the scene. Each mesh has its own coordinates, which the file rounds
 // to 32 bits, and so do its nodes: what lies at one place in the scene may lie a little apart.
-#include "gltf/join_vertices.hh"
-
 #include <algorithm>
 #include <cstddef>
 #include <span>
 
-#include "whittle/core/text/text.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/pieces.hh"
+#include "whittle/core/text/text.hh"
 #include "whittle/core/transform.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/io/border_gaps.hh"
@@ -46,23 +44,6 @@ std::vector<Index> joined_across(const std::vector<Index>& welded, const std::ve
 }
 
 }  // namespace
-
-std::vector<Index> join_vertices(IndexedMesh& mesh, std::span<const Index> joined) {
-  make_wedge_table(mesh);
-  std::vector<Index> map(joined.size());
-  Index n = 0;
-  for (Index v = 0; v < joined.size(); ++v) {
-    map[v] = joined[v] == v ? n : map[joined[v]];
-    if (joined[v] != v) continue;
-    mesh.positions[n] = mesh.positions[v];
-    mesh.origins[n++] = mesh.origins[v];
-  }
-  mesh.positions.resize(n);
-  mesh.origins.resize(n);
-  for (Triangle& face : mesh.faces) face = {map[face[0]], map[face[1]], map[face[2]]};
-  join_equal_wedges(mesh);
-  return map;
-}
 
 /// Four times what rounding to 24 bits takes from a coordinate.
 double GltfFile::border_tolerance(const IndexedMesh& mesh) const {

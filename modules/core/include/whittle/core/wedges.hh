@@ -45,4 +45,9 @@ std::vector<VertexPair> seam_edges(const IndexedMesh& mesh, std::span<const Inde
 /// With the regions that groups and face attributes name by themselves.
 std::vector<VertexPair> seam_edges(const IndexedMesh& mesh);
 
+/// Makes several vertices one, with a wedge for each where their attributes differ. Faces stay.
+/// \param joined V; for each vertex the one that it becomes, which is none after it and becomes itself
+/// \pre the mesh has origins \return V; their new numbers
+std::vector<Index> join_vertices(IndexedMesh& mesh, std::span<const Index> joined);
+
 }  // namespace whittle

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "whittle/engine/decimate.hh"
+
+namespace whittle {
+
+/// What of a result intersects that didn't in the mesh that it came from, for warnings.
+struct NewIntersections {
+  std::string of_parts;  ///< "2 pairs of parts intersect that didn't before", or empty
+  std::string of_walls;  ///< the same of faces of one part
+};
+NewIntersections find_new_intersections(const IndexedMesh& before, const Decimation& result, unsigned threads);
+
+}  // namespace whittle

@@ -1,0 +1,197 @@
+#include "whittle/simplify/simplify.hh"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "decimation_polisher.hh"
+#include "nearer_result.hh"
+#include "plain_trial.hh"
+#include "simplify_sheets.hh"
+#include "whittle/engine/attributes.hh"
+#include "whittle/engine/detail/decimate_and_fit.hh"
+#include "whittle/engine/two_sided_sheets.hh"
+#include "whittle/polish/fit_attributes.hh"
+
+namespace whittle {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+void break_normals_of(const IndexedMesh& input, const SimplifyOptions& options, Decimation& decimation) {
+  const DecimateOptions& decimate = options.decimate;
+  break_normals(Frame::of_points(input.positions), decimate.normals, decimate.crease_angle_deg, decimation.mesh);
+}
+
+/// \pre all options are settled
+Simplification simplify_as_settled(const IndexedMesh& mesh, const DecimateTarget& target, SimplifyOptions settled,
+                                   DecimationPolisher& polisher) {
+  const Clock::time_point start = Clock::now();
+  double polish_seconds = 0;
+  SimplifyOptions without_flips = settled;
+  without_flips.flips = false;
+  if (!settled.pauses->empty() && !target.error_limit()) {
+    settled.decimate.pauses = {*settled.pauses, [&](Decimation& paused) {
+                                 const Clock::time_point polish_start = Clock::now();
+                                 const PolishResult polish = polisher.polish(without_flips, paused);
+                                 polish_seconds += seconds_since(polish_start);
+                                 return !polish.cancelled;
+                               }};
+  }
+  PolishResult polish;
+  std::optional<Clock::time_point> fit_start;
+  detail::Fit fit;
+  if (settled.polish_passes > 0U) {
+    fit = [&](Decimation& decimation, const std::vector<std::uint8_t>& held) {
+      if (!fit_start) fit_start = Clock::now();
+      polish = polisher.polish(target.error_limit() ? without_flips : settled, decimation, held);
+      return !polish.cancelled;
+    };
+  }
+  detail::FittedDecimation fitted = detail::decimate_and_fit(mesh, target, settled.decimate, fit);
+  Simplification result{std::move(fitted.decimation), *settled.decimate.cost, {}, 0, 0, 0};
+  if (fitted.is_fitted || polish.cancelled) result.polish = polish;
+  if (fit_start) polish_seconds += seconds_since(*fit_start);
+  result.polish_seconds = polish_seconds;
+  result.decimate_seconds = seconds_since(start) - polish_seconds;
+  return result;
+}
+
+/// Whether `other` is to be taken instead: it alone has reached the target, or it has and is nearer.
+bool is_better(const IndexedMesh& input, const Simplification& other, const Simplification& result) {
+  const bool is_reached = result.result.stop == StopReason::target;
+  const bool is_other_reached = other.result.stop == StopReason::target;
+  if (is_reached != is_other_reached) return is_other_reached;
+  return is_nearer(input, other.mesh, result.mesh);
+}
+
+/// The attributes are fitted where positions are.
+void fit_attributes_of(const IndexedMesh& input, const SimplifyOptions& settled, Simplification& result) {
+  const bool is_cancelled = result.result.stop == StopReason::cancelled || result.polish.cancelled;
+  if (is_cancelled || settled.polish_passes == 0U) return;
+  const Clock::time_point start = Clock::now();
+  const AttributeFitReport report =
+      fit_attributes(input, wedge_map(input, result.vertex_map, result.face_origins), result.mesh,
+                     {settled.decimate.normals == Normals::keep, settled.decimate.threads});
+  result.n_folded_texture_faces = report.n_folded_faces;
+  result.steps.fits_attributes = true;
+  result.polish_seconds += seconds_since(start);
+}
+
+void finish_attributes_of(const IndexedMesh& input, const SimplifyOptions& settled, Simplification& result) {
+  fit_attributes_of(input, settled, result);
+  break_normals_of(input, settled, result);
+}
+
+/// With plain quadrics and without, where both are tried.
+Simplification better_of_both(const IndexedMesh& mesh, const DecimateTarget& target, const SimplifyOptions& settled,
+                              DecimationPolisher& polisher) {
+  Simplification result = simplify_as_settled(mesh, target, settled, polisher);
+  const bool is_cancelled = result.result.stop == StopReason::cancelled || result.polish.cancelled;
+  if (is_cancelled || !*settled.tries_plain_quadrics || !is_worth_plain_quadrics(mesh, target)) return result;
+  SimplifyOptions plain = settled;
+  plain.decimate.cost = Cost::quadric;
+  Simplification other = simplify_as_settled(mesh, target, plain, polisher);
+  other.decimate_seconds += result.decimate_seconds;
+  other.polish_seconds += result.polish_seconds;
+  const Clock::time_point compare_start = Clock::now();
+  Simplification& better = is_better(mesh, other, result) ? other : result;
+  better.decimate_seconds = other.decimate_seconds;
+  better.polish_seconds = other.polish_seconds + seconds_since(compare_start);
+  return std::move(better);
+}
+
+}  // namespace
+
+PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOptions& options, Decimation& decimation) {
+  const PolishResult result = DecimationPolisher(original).polish(options, decimation);
+  break_normals_of(original, options, decimation);
+  return result;
+}
+
+Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, Effort effort,
+                        const SimplifyOptions& options) {
+  if (const TwoSidedSheets sheets(mesh); sheets.any()) return simplify_sheets(sheets, target, effort, options);
+  const SimplifyOptions settled = with_effort(effort, options, mesh, target);
+  DecimationPolisher polisher(mesh);
+  Simplification result = better_of_both(mesh, target, settled, polisher);
+  finish_attributes_of(mesh, settled, result);
+  return result;
+}
+
+namespace {
+
+std::uint64_t count_of(const DecimateTarget& target) {
+  return target.n_faces().value_or(target.n_vertices().value_or(0));
+}
+
+/// \throw std::invalid_argument
+void check_levels(const IndexedMesh& mesh, const std::vector<DecimateTarget>& targets, const SimplifyOptions& options) {
+  const auto require = [](bool is_so, const char* what) {
+    if (!is_so) throw std::invalid_argument(std::string("simplify_to_levels: ") + what);
+  };
+  require(!targets.empty(), "there is no target");
+  require(options.decimate.pauses.at.empty() && !options.pauses, "pauses don't go with levels");
+  const bool has_faces = targets.front().n_faces().has_value();
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const DecimateTarget& target = targets[i];
+    require(target.n_faces().has_value() == has_faces && target.n_vertices().has_value() != has_faces,
+            "a target is no count, or counts are not all of one kind");
+    require(!target.cost_limit() && !target.error_limit(), "a target limits the cost or the error");
+    require(i == 0 || count_of(target) < count_of(targets[i - 1]), "targets are not in descending order");
+  }
+  require(count_of(targets.front()) < (has_faces ? mesh.faces.size() : mesh.positions.size()),
+          "the mesh has reached a target");
+}
+
+/// Multiples of the last target's count that come to the counts of the others, rounded up.
+std::vector<double> pauses_at(const std::vector<DecimateTarget>& targets) {
+  std::vector<double> at;
+  for (std::size_t i = 0; i + 1 < targets.size(); ++i) {
+    at.push_back((static_cast<double>(count_of(targets[i])) - 0.5) / static_cast<double>(count_of(targets.back())));
+  }
+  return at;
+}
+
+}  // namespace
+
+std::vector<Simplification> simplify_to_levels(const IndexedMesh& mesh, const std::vector<DecimateTarget>& targets,
+                                               Effort effort, const SimplifyOptions& options) {
+  check_levels(mesh, targets, options);
+  if (const TwoSidedSheets sheets(mesh); sheets.any())
+    return simplify_sheets_to_levels(sheets, targets, effort, options);
+  SimplifyOptions settled = with_effort(effort, options, mesh, targets.front());
+  settled.pauses->clear();
+  SimplifyOptions without_flips = settled;
+  without_flips.flips = false;
+  DecimationPolisher polisher(mesh);
+  const Frame frame = Frame::of_points(mesh.positions);
+  std::vector<Simplification> levels;
+  double polish_seconds = 0;
+  const auto add_level = [&](Decimation& paused) {
+    const Clock::time_point start = Clock::now();
+    const PolishResult polish = polisher.polish(without_flips, paused);
+    polish_seconds += seconds_since(start);
+    levels.push_back({paused, *settled.decimate.cost, polish, 0, 0, 0});
+    Decimation& level = levels.back();
+    carry_attributes(mesh, frame, settled.decimate.normals, level.vertex_map, level.face_origins, level.mesh,
+                     settled.decimate.threads, settled.polish_passes == 0U);
+    finish_attributes_of(mesh, settled, levels.back());
+    return !polish.cancelled;
+  };
+  settled.decimate.pauses = {pauses_at(targets), add_level};
+  levels.push_back(simplify_as_settled(mesh, targets.back(), settled, polisher));
+  finish_attributes_of(mesh, settled, levels.back());
+  levels.back().decimate_seconds -= polish_seconds;
+  levels.back().polish_seconds += polish_seconds;
+  return levels;
+}
+
+}  // namespace whittle
