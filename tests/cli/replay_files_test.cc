@@ -95,7 +95,7 @@ class ReplayFiles : public testing::Test {
     write("all.obj", obj_of("", {"o house\ng roof\ns 1\n", "g wall a\ns 7\n", "o shed\ng wall b\ns off\n"}));
     write("one.obj", obj_of("o house\ng roof\ns 4\n", {"", "", ""}));
     write("wall.mtl", "newmtl red\nKd 1 0 0\nnewmtl bricks\nmap_Kd wall.png\n");
-    write("wall.png", "\x89PNG an image");
+    write("wall.png", "\x89PNG\r\n\x1A\n an image");
     write("materials.obj", obj_of("mtllib wall.mtl\n", {"g a\nusemtl red\n", "g b\n", "g c\nusemtl bricks\n"}));
     write("labels.ply", labelled_ply());
   }

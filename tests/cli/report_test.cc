@@ -207,7 +207,7 @@ TEST_F(ReportCommand, TakesARecordingOfGltfAsItsResult) {
 }
 
 TEST_F(ReportCommand, ShowsColoursAndTextures) {
-  const std::string image = "\x89PNG and so on";
+  const std::string image = "\x89PNG\r\n\x1A\n and so on";
   const auto write = [&](const std::string& name, const std::string& text) { std::ofstream(folder / name) << text; };
   write("a.png", image);
   write("a.mtl", "newmtl red\nKd 1 0 0\nnewmtl bricks\nKd 0 0 0\nmap_Kd a.png\n");
@@ -224,6 +224,10 @@ TEST_F(ReportCommand, ShowsColoursAndTextures) {
   EXPECT_EQ(look["materials"][0]["image"], 0);
   EXPECT_EQ(look["materials"][0]["colour"], (nlohmann::json{1, 1, 1, 1})) << "a texture hides Kd";
   EXPECT_EQ(look["materials"][1]["colour"], (nlohmann::json{1, 0, 0, 1}));
+  // PLY names the one texture, too, but not for the red material.
+  ASSERT_EQ(whittle({"convert", folder / "a.obj", folder / "a.ply"}).exit_code, 0);
+  ASSERT_EQ(whittle({"report", folder / "a.ply", "-o", folder / "page.html", "--quiet"}).exit_code, 0);
+  EXPECT_EQ(data_of(read_text(folder / "page.html"))["original"]["look"]["materials"], look["materials"]);
 }
 
 TEST_F(ReportCommand, WarnsOfWhatIsNoImage) {

@@ -274,18 +274,20 @@ std::vector<std::string> Asset::other_content() const {
   return content;
 }
 
-std::vector<Material> Asset::materials(std::size_t mesh) const {
-  const Part root(content_->document, "", content_->model.file);
-  std::vector<Material> materials;
-  for (const Primitive& primitive : content_->mesh(mesh).primitives) {
-    materials.push_back(primitive.material ? read_material(root, *primitive.material) : Material{});
+std::vector<std::vector<Material>> Asset::materials() const {
+  const Source source{content_->model.file, {}, content_->folder};
+  MaterialReader reader(content_->model, content_->document, source);
+  std::vector<std::vector<Material>> materials(n_meshes());
+  for (std::size_t mesh = 0; mesh < n_meshes(); ++mesh) {
+    if (n_triangles(mesh) == 0) continue;
+    const std::vector<std::string> names = material_names(content_->model, content_->document, mesh);
+    for (const Primitive& primitive : content_->mesh(mesh).primitives) {
+      Material& material = materials[mesh].emplace_back();
+      if (primitive.material) material = reader.read(*primitive.material);
+      material.name = names[materials[mesh].size() - 1];
+    }
   }
   return materials;
-}
-
-std::string Asset::image(std::size_t image) const {
-  const Part root(content_->document, "", content_->model.file);
-  return read_image_bytes(content_->model, root, image, {content_->model.file, {}, content_->folder});
 }
 
 std::vector<std::string> Asset::warnings() const {

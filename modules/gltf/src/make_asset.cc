@@ -2,6 +2,7 @@
 #include "whittle/gltf/make_asset.hh"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -19,9 +20,6 @@
 
 namespace whittle::gltf {
 namespace {
-
-constexpr std::string_view png_magic = "\x89PNG";
-constexpr std::string_view jpeg_magic = "\xFF\xD8\xFF";
 
 constexpr std::size_t n_zeros = 48;  // bytes: three times four 32-bit numbers
 
@@ -53,38 +51,62 @@ void add_view(std::string_view bytes, std::string& buffer, Json& document) {
   buffer.append((4 - buffer.size() % 4) % 4, '\0');
 }
 
-void add_image(const NewImage& image, std::string& buffer, Json& document) {
+/// Those of the materials, each once.
+std::vector<const Image*> images_of(const std::vector<Material>& materials) {
+  std::vector<const Image*> images;
+  for (const Material& material : materials) {
+    const Image* const image = material.base_color_texture ? material.base_color_texture->image.get() : nullptr;
+    if (image && std::find(images.begin(), images.end(), image) == images.end()) images.push_back(image);
+  }
+  return images;
+}
+
+/// Whether an asset may name the file of an image: one in its folder, or below it.
+bool has_file_inside(const Image& image) {
+  return !image.file.empty() && image.file.is_relative() &&
+         std::none_of(image.file.begin(), image.file.end(), [](const auto& part) { return part == ".."; });
+}
+
+void add_image(const Image& image, bool is_embedded, std::string& buffer, Json& document) {
   const std::u8string name = image.file.generic_u8string();
   const std::string file(name.begin(), name.end());
   document["textures"].push_back({{"source", document["images"].size()}, {"sampler", 0}});
-  if (image.bytes.empty()) {
+  if (!is_embedded) {
     document["images"].push_back(Json::object({{"uri", uri_of_file(file)}}));
     return;
   }
-  document["images"].push_back({{"name", file},
-                                {"mimeType", image.bytes.starts_with(png_magic) ? "image/png" : "image/jpeg"},
-                                {"bufferView", document["bufferViews"].size()}});
+  document["images"].push_back(
+      {{"name", file}, {"mimeType", media_type(image.bytes)}, {"bufferView", document["bufferViews"].size()}});
   add_view(image.bytes, buffer, document);
 }
 
 /// \return the bytes of the buffer: the zeros of the accessors, and the images that the asset contains
-std::string add_buffer(const std::vector<NewImage>& images, Json& document) {
+std::string add_buffer(const NewAsset& asset, Json& document) {
   std::string buffer;
   add_view(std::string(n_zeros, '\0'), buffer, document);
-  for (const NewImage& image : images) add_image(image, buffer, document);
+  const std::vector<const Image*> images = images_of(asset.materials);
+  for (const Image* image : images) {
+    add_image(*image, asset.embeds_images || !has_file_inside(*image), buffer, document);
+  }
   constexpr int repeat = 10497;
   if (!images.empty()) document["samplers"].push_back({{"wrapS", repeat}, {"wrapT", repeat}});
   document["buffers"].push_back(Json::object({{"byteLength", buffer.size()}}));
   return buffer;
 }
 
-Json material_json(const NewMaterial& material, bool is_transparent) {
-  Json look = {{"baseColorFactor", material.color}, {"metallicFactor", 0}, {"roughnessFactor", 1}};
-  if (material.image) look["baseColorTexture"]["index"] = *material.image;
+Json material_json(const Material& material, const std::vector<const Image*>& images, bool has_transparency) {
+  Color color{};
+  const std::array<double, 4> factor = base_color_factor(material);
+  std::transform(factor.begin(), factor.end(), color.begin(), [](double share) { return static_cast<float>(share); });
+  Json look = {{"baseColorFactor", color}, {"metallicFactor", 0}, {"roughnessFactor", 1}};
+  if (material.base_color_texture) {
+    const auto image = std::find(images.begin(), images.end(), material.base_color_texture->image.get());
+    look["baseColorTexture"]["index"] = image - images.begin();
+  }
   Json json = Json::object();
   if (!material.name.empty()) json["name"] = material.name;
   json["pbrMetallicRoughness"] = std::move(look);
-  if (is_transparent) json["alphaMode"] = "BLEND";
+  if (has_transparency || material.alpha_mode == Alpha::blend) json["alphaMode"] = "BLEND";
   return json;
 }
 
@@ -102,7 +124,7 @@ void drop_unused(NewAsset& asset) {
     if (mesh.face_groups.empty()) mesh.face_groups.assign(mesh.faces.size(), 0);
     for (const Index group : mesh.face_groups) numbers.at(group) = 0;
   });
-  std::vector<NewMaterial> used;
+  std::vector<Material> used;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (numbers[i] == invalid_index) continue;
     numbers[i] = static_cast<Index>(used.size());
@@ -149,8 +171,6 @@ void refuse_large(const std::vector<Vec3>& positions) {
   }
 }
 
-bool is_transparent(const Color& color) { return color[3] < 1; }
-
 /// \pre the asset has a translation
 Json document_of(const NewAsset& asset) {
   Json document = {{"asset", {{"version", "2.0"}, {"generator", "whittle " WHITTLE_VERSION_STRING}}},
@@ -158,11 +178,12 @@ Json document_of(const NewAsset& asset) {
                    {"scenes", Json::array({Json::object({{"nodes", Json::array({0})}})})},
                    {"nodes", Json::array({{{"name", asset.name}, {"mesh", 0}}})}};
   const Json attributes = add_accessors(asset.mesh, document);
-  const bool has_transparency = std::any_of(asset.mesh.colors.begin(), asset.mesh.colors.end(), is_transparent);
+  const bool has_transparency =
+      std::any_of(asset.mesh.colors.begin(), asset.mesh.colors.end(), [](const Color& color) { return color[3] < 1; });
+  const std::vector<const Image*> images = images_of(asset.materials);
   Json primitives = Json::array();
   for (std::size_t i = 0; i < asset.materials.size(); ++i) {
-    const NewMaterial& material = asset.materials[i];
-    document["materials"].push_back(material_json(material, has_transparency || is_transparent(material.color)));
+    document["materials"].push_back(material_json(asset.materials[i], images, has_transparency));
     primitives.push_back({{"attributes", attributes}, {"material", i}});
   }
   if (const Vec3& t = *asset.translation; !t.isZero(0)) document["nodes"][0]["translation"] = {t.x(), t.y(), t.z()};
@@ -171,8 +192,6 @@ Json document_of(const NewAsset& asset) {
 }
 
 }  // namespace
-
-bool is_image(std::string_view bytes) { return bytes.starts_with(png_magic) || bytes.starts_with(jpeg_magic); }
 
 Asset make_asset(NewAsset asset) {
   drop_unused(asset);
@@ -184,7 +203,7 @@ Asset make_asset(NewAsset asset) {
     fill_in_normals(mesh);
   });
   Json document = document_of(asset);
-  const std::string buffer = add_buffer(asset.images, document);
+  const std::string buffer = add_buffer(asset, document);
   // Names may come from files that know no UTF-8: what is none becomes U+FFFD.
   const std::string json = document.dump(-1, ' ', false, Json::error_handler_t::replace);
   Asset made = Asset::read(join_glb(json, buffer), asset.name);

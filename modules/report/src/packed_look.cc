@@ -12,15 +12,6 @@ namespace {
 
 constexpr double per_texture = 65536;
 
-/// Null if it is none that a page shows.
-const char* media_type_of(std::string_view bytes) {
-  if (bytes.starts_with("\x89PNG")) return "image/png";
-  if (bytes.starts_with("\xff\xd8\xff")) return "image/jpeg";
-  return bytes.starts_with("RIFF") && bytes.substr(std::min<std::size_t>(8, bytes.size())).starts_with("WEBP")
-             ? "image/webp"
-             : nullptr;
-}
-
 std::vector<Index> vertices_of_further_wedges(const IndexedMesh& mesh) {
   std::vector<Index> vertices(n_wedges(mesh) - mesh.positions.size());
   for (std::size_t corner = 0; corner < mesh.wedges.size(); ++corner) {
@@ -76,7 +67,7 @@ Json pack_colors(const PageSurface& surface, PageBytes& bytes) {
     auto& of_one = packed.emplace_back();
     for (std::size_t d = 0; d < 4; ++d) {
       const double share = std::clamp(double{color[d]}, 0.0, 1.0);
-      const bool is_encoded = d == 3 || surface.colors == PageColors::srgb;
+      const bool is_encoded = d == 3 || surface.colors == ColorEncoding::srgb;
       of_one[d] = static_cast<std::uint8_t>(std::lround(255 * (is_encoded ? share : encoded_as_srgb(share))));
     }
   }
@@ -110,21 +101,23 @@ class TexcoordSets {
   std::vector<const Attribute*> sets_;
 };
 
-Json pack_material(const PageMaterial& material, TexcoordSets& texcoords, PageImages& images) {
+Json pack_material(Material material, TexcoordSets& texcoords, PageImages& images) {
   constexpr std::array wraps{"repeat", "mirror", "clamp"};
   constexpr std::array alphas{"opaque", "mask", "blend"};
-  const bool is_textured = material.image && is_page_image(*material.image);
-  const Json set = is_textured ? texcoords.number_of(material.texcoord) : Json(nullptr);
-  const auto& transform = material.texcoord_transform.matrix();
-  const auto wrap = [&](std::size_t d) { return wraps[static_cast<std::size_t>(material.wrap[d])]; };
+  const Texture texture = material.base_color_texture.value_or(Texture{});
+  const bool is_image = texture.image && !media_type(texture.image->bytes).empty();
+  const Json set = is_image ? texcoords.number_of(texture.texcoord) : Json(nullptr);
+  if (set.is_null()) material.base_color_texture.reset();
+  const auto& transform = texture.transform.matrix();
+  const auto wrap = [&](std::size_t d) { return wraps[static_cast<std::size_t>(texture.wrap[d])]; };
   return {{"name", material.name},
-          {"colour", material.base_color},
-          {"image", set.is_null() ? Json(nullptr) : Json(images.number_of(material))},
+          {"colour", base_color_factor(material)},
+          {"image", set.is_null() ? Json(nullptr) : Json(images.number_of(*texture.image))},
           {"texcoords", set},
           {"transform",
            {transform(0, 0), transform(0, 1), transform(0, 2), transform(1, 0), transform(1, 1), transform(1, 2)}},
           {"wrap", {wrap(0), wrap(1)}},
-          {"alpha", alphas[static_cast<std::size_t>(material.alpha)]},
+          {"alpha", alphas[static_cast<std::size_t>(material.alpha_mode)]},
           {"cutoff", material.alpha_cutoff}};
 }
 
@@ -158,10 +151,8 @@ Json pack(const AttributeMap& map, PageBytes& bytes) {
 
 }  // namespace
 
-bool is_page_image(std::string_view bytes) { return media_type_of(bytes) != nullptr; }
-
-std::size_t PageImages::number_of(const PageMaterial& material) {
-  const auto [found, is_new] = numbers_.try_emplace(*material.image, files_.size());
+std::size_t PageImages::number_of(const Image& image) {
+  const auto [found, is_new] = numbers_.try_emplace(image.bytes, files_.size());
   if (is_new) files_.push_back(found->first);
   return found->second;
 }
@@ -169,7 +160,7 @@ std::size_t PageImages::number_of(const PageMaterial& material) {
 Json PageImages::pack(PageBytes& bytes) const {
   Json packed = Json::array();
   for (const std::string_view file : files_) {
-    packed.push_back({{"type", media_type_of(file)}, {"bytes", bytes.add_file(file)}});
+    packed.push_back({{"type", media_type(file)}, {"bytes", bytes.add_file(file)}});
   }
   return packed;
 }
@@ -181,7 +172,7 @@ Json pack_look(const PageSurface& surface, PageBytes& bytes, PageImages& images)
   }
   TexcoordSets texcoords(mesh);
   Json materials = Json::array();
-  for (const PageMaterial& material : surface.materials) {
+  for (const Material& material : surface.materials) {
     materials.push_back(pack_material(material, texcoords, images));
   }
   if (!materials.empty()) materials.push_back(pack_material({}, texcoords, images));
@@ -192,7 +183,7 @@ Json pack_look(const PageSurface& surface, PageBytes& bytes, PageImages& images)
           {"texcoords", texcoords.pack(bytes)},
           {"normals", pack_normals(mesh, bytes)},
           {"colours", pack_colors(surface, bytes)},
-          {"linear", surface.colors == PageColors::linear},
+          {"linear", surface.colors == ColorEncoding::linear},
           {"groups", pack_groups(mesh, surface.materials.size(), bytes)},
           {"coarse_groups", pack_groups(surface.coarse, surface.materials.size(), bytes)},
           {"materials", std::move(materials)},

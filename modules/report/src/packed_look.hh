@@ -12,12 +12,12 @@ namespace whittle::report {
 class PageImages {
  public:
   /// \return the number of the image
-  std::size_t number_of(const PageMaterial& material);
+  std::size_t number_of(const Image& image);
   /// {"type", "bytes"} each
   Json pack(PageBytes& bytes) const;
 
  private:
-  std::map<std::string_view, std::size_t> numbers_;  ///< by bytes, which the materials hold
+  std::map<std::string_view, std::size_t> numbers_;  ///< by bytes, which the images hold
   std::vector<std::string_view> files_;
 };
 

@@ -56,15 +56,11 @@ std::string left_out_of(const Scene& scene, const IndexedMesh& mesh) {
 
 /// The textures of the materials that faces of the input have.
 std::set<std::filesystem::path> textures_of(const Scene& scene) {
-  const io::SurfaceMaterials surface = io::read_materials(scene.read.notes, folder_of(scene.path));
   const IndexedMesh& mesh = scene.read.mesh;
-  const auto is_used = [&](const io::SurfaceMaterial& material) {
-    return std::any_of(mesh.face_groups.begin(), mesh.face_groups.end(),
-                       [&](Index group) { return mesh.group_names[group] == material.name; });
-  };
+  const auto materials = io::read_materials(scene.read.notes, folder_of(scene.path), mesh).materials;
   std::set<std::filesystem::path> textures;
-  for (const io::SurfaceMaterial& material : surface.materials) {
-    if (!material.texture.empty() && is_used(material)) textures.insert(material.texture);
+  for (const Index group : mesh.face_groups) {
+    if (const auto& texture = materials[group].base_color_texture) textures.insert(texture->image->file);
   }
   return textures;
 }

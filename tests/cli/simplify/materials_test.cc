@@ -30,12 +30,13 @@ class Materials : public testing::Test {
                "vt 1 0.25\nusemtl wall\nf 1/1 2/2 3/3 4/1\nusemtl red\nf 2/1 5/1 6/1 3/1\n");
     write_text(folder_ / "in/two.mtl",
                "newmtl wall\nmap_Kd tex\\wall 1.png\nmap_d ../outside.png\nnewmtl red\nKd 1 0 0\nd 0.5\n");
-    write_text(folder_ / "in/tex/wall 1.png", "\x89PNG an image");
-    write_text(folder_ / "outside.png", "\x89PNG another image");
+    write_text(folder_ / "in/tex/wall 1.png", wall_);
+    write_text(folder_ / "outside.png", wall_ + "another");
   }
 
   std::vector<std::string> warnings(const Outcome& outcome) { return parse_json(outcome.out)["warnings"]; }
 
+  const std::string wall_ = "\x89PNG\r\n\x1A\n an image";
   TemporaryFolder folder_;
   const std::string in_ = folder_ / "in/two.obj";
 };
@@ -45,7 +46,7 @@ TEST_F(Materials, ComeAlongInAnotherFolder) {
   const Outcome outcome = whittle({"convert", in_, out, "--json", "-"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome;
   EXPECT_EQ(read_text(folder_ / "out/two.mtl"), read_text(folder_ / "in/two.mtl"));
-  EXPECT_EQ(read_text(folder_ / "out/tex/wall 1.png"), "\x89PNG an image");
+  EXPECT_EQ(read_text(folder_ / "out/tex/wall 1.png"), wall_);
   EXPECT_THAT(outcome.err, HasSubstr("small.obj: copied two.mtl and 1 more file beside it\n"));
   EXPECT_THAT(warnings(outcome),
               testing::ElementsAre(HasSubstr("../outside.png (outside of the folder), none.mtl (not there)")));
@@ -92,7 +93,7 @@ TEST_F(Materials, OfOneTextureNameItInPly) {
   const Outcome outcome = whittle({"convert", in_, folder_ / "out/two.ply"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome;
   EXPECT_THAT(read_text(folder_ / "out/two.ply"), HasSubstr("\ncomment TextureFile tex/wall 1.png\n"));
-  EXPECT_EQ(read_text(folder_ / "out/tex/wall 1.png"), "\x89PNG an image");
+  EXPECT_EQ(read_text(folder_ / "out/tex/wall 1.png"), wall_);
   // The way back says nothing of what is left out: the library names the texture.
   EXPECT_THAT(whittle({"convert", folder_ / "out/two.ply", folder_ / "out/back.obj"}).err,
               testing::Not(HasSubstr("OBJ names textures")));
@@ -151,6 +152,12 @@ TEST_F(Materials, OfPlyAreItsTextures) {
   ASSERT_EQ(whittle({"convert", in, folder_ / "out/t.glb"}).exit_code, 0);
   const Json document = Json::parse(gltf::Asset::read(folder_ / "out/t.glb").document());
   EXPECT_TRUE(document["materials"][0]["pbrMetallicRoughness"].contains("baseColorTexture")) << document;
+  std::string several = read_text(in);
+  several.insert(several.find("element"), "comment TextureFile b.png\n");
+  write_text(in, several);
+  const Outcome outcome = whittle({"convert", in, folder_ / "out/s.glb", "--json", "-"});
+  EXPECT_THAT(warnings(outcome), testing::Contains(HasSubstr("nothing says which faces have which")));
+  EXPECT_FALSE(Json::parse(gltf::Asset::read(folder_ / "out/s.glb").document()).contains("images"));
 }
 
 TEST_F(Materials, BecomeThoseOfGltf) {
@@ -177,10 +184,14 @@ TEST_F(Materials, BecomeThoseOfGltf) {
 
 TEST_F(Materials, LeaveOutImagesThatGltfDoesNotHave) {
   write_text(folder_ / "in/tex/wall 1.png", "GIF89a");
+  write_text(folder_ / "in/two.mtl", "newmtl wall\nKd 0 1 0\nmap_Kd tex\\wall 1.png\n");
   const Outcome outcome = whittle({"convert", in_, folder_ / "out/o.glb", "--json", "-"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome;
   EXPECT_THAT(warnings(outcome), testing::Contains(HasSubstr("neither PNG nor JPEG are left out: tex/wall 1.png")));
-  EXPECT_FALSE(Json::parse(gltf::Asset::read(folder_ / "out/o.glb").document()).contains("images"));
+  const Json document = Json::parse(gltf::Asset::read(folder_ / "out/o.glb").document());
+  EXPECT_FALSE(document.contains("images"));
+  EXPECT_EQ(document["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"], Json::parse("[0, 1, 0, 1]"))
+      << "no texture hides Kd";
 }
 
 TEST_F(Materials, DoNotMatterToWhatIsRefused) {

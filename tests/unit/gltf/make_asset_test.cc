@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "assets.hh"
 #include "support/shapes/shapes.hh"
 #include "support/temporary_folder.hh"
@@ -18,8 +20,13 @@ NewAsset charted_asset() {
   for (Index& group : asset.mesh.face_groups) group = 2 * (group % 2);
   asset.mesh.colors.assign(asset.mesh.attributes[0].size(), {1, 0.5F, 0, 1});
   asset.mesh.normals[0] = {0, 0, 0};
-  asset.materials = {{.name = "a", .color = {1, 0, 0, 1}, .image = 0}, {.name = "none"}, {.name = "b", .image = 1}};
-  asset.images = {{"tex/a 1.png", {}}, {"b.jpg", std::string("\xFF\xD8\xFF\xE0 and so on", 15)}};
+  const auto texture = [](const char* file, const char* bytes) {
+    return Texture{.image = std::make_shared<const Image>(Image{.file = file, .bytes = bytes})};
+  };
+  asset.materials = {{.name = "a", .base_color = {1, 0, 0, 1}, .base_color_texture = texture("tex/a 1.png", "")},
+                     {.name = "none"},
+                     {.name = "b", .base_color_texture = texture("../b.jpg", "\xFF\xD8\xFF\xE0 and so on")}};
+  asset.embeds_images = false;
   return asset;
 }
 
@@ -63,7 +70,8 @@ TEST(MakeAsset, HasMaterialsAndImages) {
   EXPECT_EQ(document["images"][0]["uri"], "tex/a%201.png");
   EXPECT_EQ(document["images"][1]["mimeType"], "image/jpeg");
   const Document made = load_glb(make_asset(charted_asset()).write_glb());
-  EXPECT_EQ(made.view(made.json["images"][1]["bufferView"]), charted_asset().images[1].bytes);
+  EXPECT_EQ(made.view(made.json["images"][1]["bufferView"]), "\xFF\xD8\xFF\xE0 and so on")
+      << "it is outside of the folder";
 }
 
 TEST(MakeAsset, LiesInTwoFilesIfItIsText) {
@@ -79,9 +87,14 @@ TEST(MakeAsset, RefusesWhatDoesNotFit) {
   EXPECT_THROW(make_asset(asset), std::range_error);
 }
 
-TEST(MakeAsset, KnowsImages) {
-  EXPECT_TRUE(is_image("\x89PNG\r\n"));
-  EXPECT_FALSE(is_image("GIF89a"));
+TEST(MakeAsset, HasAnImageOfSeveralMaterialsOnce) {
+  NewAsset asset = charted_asset();
+  asset.materials[2].base_color_texture = asset.materials[0].base_color_texture;
+  const Json document = Json::parse(make_asset(asset).document());
+  EXPECT_EQ(document["images"].size(), 1U);
+  for (const std::size_t m : {0, 1}) {
+    EXPECT_EQ(document["materials"][m]["pbrMetallicRoughness"]["baseColorTexture"]["index"], 0);
+  }
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ CompareOptions small_pictures(std::size_t n_views = 6) {
 
 TEST_F(Compare, FindsNoDifferenceBetweenEqualScenes) {
   const IndexedMesh box = box_with_seams();
-  const Scene scene = scene_of(box, textured(colorful_texture()));
+  const Scene scene = scene_of(box, textured(colorful_image()));
   const Comparison found = compare(scene, scene, small_pictures());
   EXPECT_EQ(found.views.size(), 6);
   EXPECT_EQ(found.mean_psnr, infinity);
@@ -37,11 +37,11 @@ class ComparedBoxes {
  public:
   ComparedBoxes() : other_(box_) { other_.positions[7] *= 0.8; }
   Comparison operator()(const CompareOptions& options) const {
-    const auto texture = colorful_texture();
-    return compare(scene_of(box_, textured(texture)), scene_of(other_, textured(texture)), options);
+    const auto image = colorful_image();
+    return compare(scene_of(box_, textured(image)), scene_of(other_, textured(image)), options);
   }
-  Scene original() const { return scene_of(box_, textured(colorful_texture())); }
-  Scene other() const { return scene_of(other_, textured(colorful_texture())); }
+  Scene original() const { return scene_of(box_, textured(colorful_image())); }
+  Scene other() const { return scene_of(other_, textured(colorful_image())); }
 
  private:
   IndexedMesh box_ = box_with_seams();
@@ -83,7 +83,7 @@ TEST_F(Compare, GivesThePicturesOfTheWorstView) {
   const Picture a = draw(boxes.original(), view, {64, 4});
   const Picture b = draw(boxes.other(), view, {64, 4});
   EXPECT_EQ(found.worst_png, write_png(side_by_side({a, b, picture_of(flip_map(a, b))})));
-  const Texture image = read_image(found.worst_png);
+  const Pixels image = read_image(found.worst_png);
   EXPECT_EQ(image.width, 3 * 64);
   EXPECT_EQ(image.height, 64);
 }

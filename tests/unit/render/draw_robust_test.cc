@@ -22,7 +22,7 @@ void expect_equal(const Picture& a, const Picture& b) {
   EXPECT_TRUE(a.coverage == b.coverage);
 }
 
-Scene textured_box(const IndexedMesh& box) { return scene_of(box, textured(colorful_texture())); }
+Scene textured_box(const IndexedMesh& box) { return scene_of(box, textured(colorful_image())); }
 
 TEST_F(DrawRobust, GivesTheSameBytesAgain) {
   const IndexedMesh box = box_with_seams();
@@ -64,7 +64,7 @@ TEST_F(DrawRobust, IsTheSameFarFromTheOriginAndInOtherUnits) {
   for (const double unit : {0x1p-300, 0x1p10, 0x1p300}) {
     Eigen::Affine3d place = Eigen::Affine3d::Identity();
     place.scale(unit).translate(Vec3(4096, -8192, 1024));
-    const Scene moved = scene_of(box, textured(colorful_texture()), place);
+    const Scene moved = scene_of(box, textured(colorful_image()), place);
     expect_equal(expected, draw(moved, view_from(bounding_sphere(moved), {1, 2, 3}), {64, 4}));
   }
 }
@@ -94,8 +94,8 @@ TEST_F(DrawRobust, SurvivesNumbersThatAreNone) {
   mesh.normals = {{nan, 0, 0}, {0, 0, 0}, {1e-30F, 0, 0}, {1e30F, 1e30F, 0}, {0, 0, -1}, {0, 0, nan}};
   mesh.colors = {{nan, 1, 1, 1}, {2, -1, 0, 1}, {1, 1, 1, nan}, {1, 1, 1, 1}, {0, 0, 0, 0}, {1, 1, 1, 1}};
   mesh.attributes = {texcoords({{std::nan(""), 0}, {1e300, 0}, {-1e30, 1e30}, {0, 0}, {1, 1}, {0.5, 0.5}})};
-  for (const AlphaMode mode : {AlphaMode::opaque, AlphaMode::mask, AlphaMode::blend}) {
-    Material material = textured(colorful_texture());
+  for (const Alpha mode : {Alpha::opaque, Alpha::mask, Alpha::blend}) {
+    Material material = textured(colorful_image());
     material.alpha_mode = mode;
     for (const double flat : {1.0, 0.0, -1e-200}) {
       Eigen::Affine3d place = Eigen::Affine3d::Identity();
@@ -138,9 +138,9 @@ TEST_F(DrawRobust, RefusesWhatIsOutOfRange) {
   broken = square();
   broken.wedges = {0, 1, 2, 0, 2, 9};
   EXPECT_THROW(draw(scene_of(broken), from_front()), std::invalid_argument);
-  auto texture = colorful_texture();
-  texture->rgba.pop_back();
-  EXPECT_THROW(draw(scene_of(mesh, textured(texture)), from_front()), std::invalid_argument);
+  Scene short_of_pixels = scene_of(mesh, textured(colorful_image()));
+  short_of_pixels.images.begin()->second.rgba.pop_back();
+  EXPECT_THROW(draw(short_of_pixels, from_front()), std::invalid_argument);
   EXPECT_THROW(draw({{Part{}}}, from_front()), std::invalid_argument);
 }
 

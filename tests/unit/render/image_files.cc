@@ -41,7 +41,7 @@ std::string png_file(const PngSettings& settings, std::vector<std::uint8_t> byte
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
   png_infop info = png_create_info_struct(png);
   png_set_write_fn(png, &file, append, nullptr);
-  png_set_IHDR(png, info, 2, settings.height, settings.bits, png_color_type(settings.kind),
+  png_set_IHDR(png, info, settings.width, settings.height, settings.bits, png_color_type(settings.kind),
                settings.is_interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                PNG_FILTER_TYPE_DEFAULT);
   const std::array<png_color, 2> palette = {{{1, 2, 3}, {7, 8, 9}}};

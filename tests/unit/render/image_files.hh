@@ -14,12 +14,13 @@ enum class PngKind { gray, gray_alpha, rgb, rgba, palette };
 struct PngSettings {
   PngKind kind = PngKind::rgb;
   int bits = 8;  ///< a channel
+  unsigned width = 2;
   unsigned height = 1;
   bool is_interlaced = false;
   std::optional<double> gamma{};
 };
 
-/// Two pixels wide. The palette is (1, 2, 3), (7, 8, 9).
+/// The palette is (1, 2, 3), (7, 8, 9).
 std::string png_file(const PngSettings& settings, std::vector<std::uint8_t> bytes);
 
 /// The same file, with another width in its header.

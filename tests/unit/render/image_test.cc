@@ -6,7 +6,7 @@
 #include "support/random.hh"
 #include "unit/render/image_files.hh"
 #include "whittle/render/picture.hh"
-#include "whittle/render/texture.hh"
+#include "whittle/render/pixels.hh"
 
 namespace whittle::render {
 namespace {
@@ -26,7 +26,7 @@ Picture sample_picture() {
 
 TEST(WritePng, IsReadBackAsItWas) {
   const Picture picture = sample_picture();
-  const Texture texture = read_image(write_png(picture));
+  const Pixels texture = read_image(write_png(picture));
   ASSERT_EQ(texture.width, 13);
   ASSERT_EQ(texture.height, 9);
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
@@ -98,7 +98,7 @@ TEST(ReadJpeg, ReadsColorAndGray) {
   for (const int n_channels : {1, 3}) {
     for (const bool is_progressive : {false, true}) {
       const std::vector<std::uint8_t> pixels = smooth_pixels(n_channels);
-      const Texture texture = read_image(jpeg_file(16, n_channels, is_progressive, pixels));
+      const Pixels texture = read_image(jpeg_file(16, n_channels, is_progressive, pixels));
       ASSERT_EQ(texture.width, 16);
       ASSERT_EQ(texture.rgba.size(), 1024);
       for (std::size_t i = 0; i < 256; ++i) {
@@ -114,7 +114,7 @@ TEST(ReadJpeg, ReadsColorAndGray) {
 
 TEST(ReadJpeg, ReadsInvertedCmyk) {
   const std::vector<std::uint8_t> pixels = smooth_pixels(4);
-  const Texture texture = read_image(jpeg_file(16, 4, false, pixels));
+  const Pixels texture = read_image(jpeg_file(16, 4, false, pixels));
   for (std::size_t i = 0; i < 256; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       EXPECT_NEAR(texture.rgba[4 * i + k], pixels[4 * i + k] * pixels[4 * i + 3] / 255, 4);
@@ -157,7 +157,7 @@ TEST(ReadImage, SurvivesDamagedFiles) {
     for (std::uint64_t n = random.below(4) + 1; n > 0; --n)
       damaged[random.below(damaged.size())] = static_cast<char>(random.bits());
     try {
-      const Texture texture = read_image(damaged);
+      const Pixels texture = read_image(damaged);
       EXPECT_EQ(texture.rgba.size(), 4 * texture.width * texture.height);
     } catch (const std::runtime_error&) {
     }

@@ -58,12 +58,12 @@ TEST_F(PsnrOfPictures, FallsWithEachTexelThatATextureMoves) {
     }
   }
   const IndexedMesh mesh = square();
-  Material material = textured(make_texture(64, pixels));
+  Material material = textured(make_image(64, pixels));
   const Picture original = draw(scene_of(mesh, material), from_front(), {128, 4});
   double last_psnr = infinity;
   double last_flip = 0;
   for (int shift = 1; shift <= 8; ++shift) {
-    material.texcoord_transform.translate(Eigen::Vector2d(1.0 / 64, 0));
+    material.base_color_texture->transform.translate(Eigen::Vector2d(1.0 / 64, 0));
     const Picture moved = draw(scene_of(mesh, material), from_front(), {128, 4});
     EXPECT_LT(psnr(original, moved), last_psnr) << shift;
     EXPECT_GT(flip(original, moved), last_flip) << shift;

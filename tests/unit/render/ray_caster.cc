@@ -23,6 +23,7 @@ struct Corner {
 struct CastTriangle {
   std::array<Corner, 3> corners;
   Material material;
+  const Pixels* pixels = nullptr;
 };
 
 struct Hit {
@@ -46,8 +47,9 @@ Corner corner_of(const Part& part, const Material& material, std::size_t face, s
     }
   }
   for (const Attribute& attribute : mesh.attributes) {
-    if (attribute.name != material.texcoord) continue;
-    corner.uv = material.texcoord_transform * Eigen::Vector2d(attribute.value(wedge)[0], attribute.value(wedge)[1]);
+    const std::optional<Texture>& texture = material.base_color_texture;
+    if (!texture || attribute.name != texture->texcoord) continue;
+    corner.uv = texture->transform * Eigen::Vector2d(attribute.value(wedge)[0], attribute.value(wedge)[1]);
   }
   return corner;
 }
@@ -59,6 +61,8 @@ std::vector<CastTriangle> triangles_of(const Scene& scene) {
       const std::size_t group = part.mesh->face_groups.empty() ? 0 : part.mesh->face_groups[f];
       CastTriangle triangle;
       if (group < part.materials.size()) triangle.material = part.materials[group];
+      if (const auto& texture = triangle.material.base_color_texture)
+        triangle.pixels = &scene.images.at(texture->image);
       for (std::size_t k = 0; k < 3; ++k) triangle.corners[k] = corner_of(part, triangle.material, f, k);
       if (part.transform.linear().determinant() < 0) std::swap(triangle.corners[1], triangle.corners[2]);
       triangles.push_back(triangle);
@@ -74,26 +78,28 @@ long wrapped(long i, long n, Wrap wrap) {
   return inside < n ? inside : period - 1 - inside;
 }
 
-Color4 texel(const Texture& texture, long x, long y) {
-  const auto column = static_cast<std::size_t>(wrapped(x, static_cast<long>(texture.width), texture.wrap_u));
-  const auto row = static_cast<std::size_t>(wrapped(y, static_cast<long>(texture.height), texture.wrap_v));
+using Wraps = std::array<Wrap, 2>;
+
+Color4 texel(const Pixels& pixels, const Wraps& wrap, long x, long y) {
+  const auto column = static_cast<std::size_t>(wrapped(x, static_cast<long>(pixels.width), wrap[0]));
+  const auto row = static_cast<std::size_t>(wrapped(y, static_cast<long>(pixels.height), wrap[1]));
   Color4 color;
   for (std::size_t i = 0; i < 4; ++i) {
-    const double value = texture.rgba[4 * (row * texture.width + column) + i] / 255.0;
+    const double value = pixels.rgba[4 * (row * pixels.width + column) + i] / 255.0;
     color[static_cast<Eigen::Index>(i)] = i < 3 ? decode(value) : value;
   }
   return color;
 }
 
-Color4 sample(const Texture& texture, const Eigen::Vector2d& uv) {
-  const double x = uv[0] * static_cast<double>(texture.width) - 0.5;
-  const double y = uv[1] * static_cast<double>(texture.height) - 0.5;
+Color4 sample(const Pixels& pixels, const Wraps& wrap, const Eigen::Vector2d& uv) {
+  const double x = uv[0] * static_cast<double>(pixels.width) - 0.5;
+  const double y = uv[1] * static_cast<double>(pixels.height) - 0.5;
   const auto column = static_cast<long>(std::floor(x));
   const auto row = static_cast<long>(std::floor(y));
   const double s = x - std::floor(x);
   const double t = y - std::floor(y);
-  return (1 - t) * ((1 - s) * texel(texture, column, row) + s * texel(texture, column + 1, row)) +
-         t * ((1 - s) * texel(texture, column, row + 1) + s * texel(texture, column + 1, row + 1));
+  const auto at = [&](long right, long down) { return texel(pixels, wrap, column + right, row + down); };
+  return (1 - t) * ((1 - s) * at(0, 0) + s * at(1, 0)) + t * ((1 - s) * at(0, 1) + s * at(1, 1));
 }
 
 Color4 shaded(const CastTriangle& triangle, const Vec3& weights, const View& view, bool is_front) {
@@ -109,7 +115,9 @@ Color4 shaded(const CastTriangle& triangle, const Vec3& weights, const View& vie
   const std::array<Corner, 3>& c = triangle.corners;
   if (normal.norm() < 1e-9) normal = (c[1].position - c[0].position).cross(c[2].position - c[0].position);
   normal = is_front ? normal.normalized() : -normal.normalized();
-  if (triangle.material.base_color_texture) color.array() *= sample(*triangle.material.base_color_texture, uv).array();
+  if (triangle.pixels != nullptr) {
+    color.array() *= sample(*triangle.pixels, triangle.material.base_color_texture->wrap, uv).array();
+  }
   color.array() *= Color4::Map(triangle.material.base_color.data()).array();
   const double light =
       0.15 + (0.45 - 0.15) * (0.5 + 0.5 * normal.dot(view.up)) + 0.6 * std::max(normal.dot(view.to_eye), 0.0);
@@ -131,8 +139,8 @@ std::optional<Hit> hit(const CastTriangle& triangle, std::size_t number, const V
   const double nearness = view.to_eye.dot(weights[0] * a + weights[1] * b + weights[2] * c);
   const Material& material = triangle.material;
   Color4 color = shaded(triangle, weights, view, sum > 0);
-  if (material.alpha_mode == AlphaMode::mask && color[3] < material.alpha_cutoff) return std::nullopt;
-  if (material.alpha_mode != AlphaMode::blend) color[3] = 1;
+  if (material.alpha_mode == Alpha::mask && color[3] < material.alpha_cutoff) return std::nullopt;
+  if (material.alpha_mode != Alpha::blend) color[3] = 1;
   return Hit{nearness, number, color};
 }
 

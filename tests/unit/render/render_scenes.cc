@@ -1,6 +1,9 @@
 #include "unit/render/render_scenes.hh"
 
 #include <cmath>
+#include <utility>
+
+#include "unit/render/image_files.hh"
 
 namespace whittle::render {
 
@@ -48,20 +51,21 @@ IndexedMesh smooth_octahedron() {
   return mesh;
 }
 
-std::shared_ptr<Texture> make_texture(std::size_t width, const std::vector<std::uint32_t>& pixels) {
-  auto texture = std::make_shared<Texture>();
-  texture->width = width;
-  texture->height = pixels.size() / width;
+std::shared_ptr<const Image> make_image(std::size_t width, const std::vector<std::uint32_t>& pixels) {
+  std::vector<std::uint8_t> rgba;
   for (const std::uint32_t pixel : pixels) {
-    for (const int shift : {24, 16, 8, 0}) texture->rgba.push_back(static_cast<std::uint8_t>(pixel >> shift));
+    for (const int shift : {24, 16, 8, 0}) rgba.push_back(static_cast<std::uint8_t>(pixel >> shift));
   }
-  return texture;
+  const PngSettings settings{.kind = PngKind::rgba,
+                             .width = static_cast<unsigned>(width),
+                             .height = static_cast<unsigned>(pixels.size() / width)};
+  return std::make_shared<const Image>(Image{.bytes = png_file(settings, std::move(rgba))});
 }
 
-std::shared_ptr<Texture> colorful_texture() {
+std::shared_ptr<const Image> colorful_image() {
   std::vector<std::uint32_t> pixels;
   for (std::uint32_t i = 0; i < 64; ++i) pixels.push_back((i * 0x9E3779B1U) | 0xFFU);
-  return make_texture(8, pixels);
+  return make_image(8, pixels);
 }
 
 Scene scene_of(const IndexedMesh& mesh, const Material& material, const Eigen::Affine3d& transform) {
@@ -69,13 +73,13 @@ Scene scene_of(const IndexedMesh& mesh, const Material& material, const Eigen::A
   part.mesh = &mesh;
   part.materials = {material};
   part.transform = transform;
-  return {{part}};
+  Scene scene{{part}};
+  EXPECT_TRUE(decode_images(scene).empty());
+  return scene;
 }
 
-Material textured(std::shared_ptr<const Texture> texture) {
-  Material material;
-  material.base_color_texture = std::move(texture);
-  return material;
+Material textured(std::shared_ptr<const Image> image, const std::array<Wrap, 2>& wrap) {
+  return {.base_color_texture = Texture{.image = std::move(image), .wrap = wrap}};
 }
 
 View from_front() { return view_from({Vec3::Zero(), 1}, Vec3::UnitZ()); }

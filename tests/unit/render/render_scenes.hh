@@ -37,17 +37,17 @@ IndexedMesh box_with_seams();
 /// An octahedron around the origin with normals away from it.
 IndexedMesh smooth_octahedron();
 
-/// A texture out of numbers 0 … 0xRRGGBBAA, row by row.
-std::shared_ptr<Texture> make_texture(std::size_t width, const std::vector<std::uint32_t>& pixels);
+/// An image out of numbers 0 … 0xRRGGBBAA, row by row.
+std::shared_ptr<const Image> make_image(std::size_t width, const std::vector<std::uint32_t>& pixels);
 
 /// 8 × 8 pixels that all differ, opaque.
-std::shared_ptr<Texture> colorful_texture();
+std::shared_ptr<const Image> colorful_image();
 
-/// A scene of one mesh, which has to outlive it.
+/// A scene of one mesh, which has to outlive it, with decoded images.
 Scene scene_of(const IndexedMesh& mesh, const Material& material = {},
                const Eigen::Affine3d& transform = Eigen::Affine3d::Identity());
 
-Material textured(std::shared_ptr<const Texture> texture);
+Material textured(std::shared_ptr<const Image> image, const std::array<Wrap, 2>& wrap = {});
 
 /// From +z, so that [-1, 1]² fills the picture but for the margin.
 View from_front();

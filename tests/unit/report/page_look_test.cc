@@ -26,14 +26,10 @@ IndexedMesh cube() {
   return mesh;
 }
 
-std::shared_ptr<const std::string> image(const std::string& rest) {
-  return std::make_shared<const std::string>("\x89PNG" + rest);
-}
-
-PageMaterial textured(const std::string& image_bytes) {
-  PageMaterial material;
-  material.image = image(image_bytes);
-  material.texcoord = "uv";
+Material textured(const std::string& rest, const std::string& begin = "\x89PNG\r\n\x1A\n") {
+  Material material;
+  material.base_color_texture =
+      Texture{.image = std::make_shared<const Image>(Image{.bytes = begin + rest}), .texcoord = "uv"};
   return material;
 }
 
@@ -127,20 +123,18 @@ TEST(PageLook, HasEachImageOnce) {
 TEST(PageLook, HasNoImageWithoutTextureCoordinates) {
   PageSurface surface = in_page_order(cube());
   surface.materials = {textured("a")};
-  surface.materials[0].texcoord = "TEXCOORD_7";
+  surface.materials[0].base_color = {1, 0, 0, 1};
+  surface.materials[0].base_color_texture->texcoord = "TEXCOORD_7";
+  surface.materials[0].base_color_texture->is_tinted = false;
   const Looks looks = looks_of(surface, surface);
   EXPECT_TRUE(looks.images.empty());
   EXPECT_TRUE(looks.original["materials"][0]["image"].is_null());
+  EXPECT_EQ(looks.original["materials"][0]["colour"], (nlohmann::json{1, 0, 0, 1})) << "nothing hides it";
 }
 
 TEST(PageLook, HasNoFileThatIsNoImage) {
-  EXPECT_TRUE(is_page_image("\x89PNG"));
-  EXPECT_TRUE(is_page_image("\xff\xd8\xff\xe0"));
-  EXPECT_TRUE(is_page_image(std::string("RIFF") + "size" + "WEBP"));
-  for (const char* const text : {"", "RIFF", "root:x:0:0"}) EXPECT_FALSE(is_page_image(text));
   PageSurface surface = in_page_order(cube());
-  surface.materials = {textured("a")};
-  surface.materials[0].image = std::make_shared<const std::string>("root:x:0:0");
+  surface.materials = {textured("root:x:0:0", "")};
   EXPECT_TRUE(looks_of(surface, surface).images.empty());
 }
 

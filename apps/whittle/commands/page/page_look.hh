@@ -1,10 +1,10 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "files/input.hh"
+#include "whittle/core/material/material.hh"
 #include "whittle/report/page.hh"
 
 namespace whittle::app {
@@ -20,8 +20,8 @@ class PageLook {
   void dress(report::PageSurface& surface) const;
 
  private:
-  std::vector<report::PageMaterial> materials_;  ///< by group
-  report::PageColors colors_ = report::PageColors::srgb;
+  std::vector<Material> materials_;  ///< by group
+  ColorEncoding colors_ = ColorEncoding::srgb;
 };
 
 }  // namespace whittle::app

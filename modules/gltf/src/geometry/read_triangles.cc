@@ -141,7 +141,8 @@ class Filler {
   std::size_t n_sets_ = 0;
 };
 
-/// The names of the materials of a mesh's primitives.
+}  // namespace
+
 std::vector<std::string> material_names(const Model& model, const Json& document, std::size_t mesh) {
   const Json* const materials = member(document, "materials");
   std::vector<std::string> names;
@@ -158,8 +159,6 @@ std::vector<std::string> material_names(const Model& model, const Json& document
   }
   return names;
 }
-
-}  // namespace
 
 IndexedMesh read_triangles(const Model& model, const Json& document, std::size_t mesh) {
   IndexedMesh triangles;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include "document/json.hh"
 #include "model/model.hh"
@@ -10,5 +12,8 @@ namespace whittle::gltf {
 
 /// `Asset::triangles` of what the file has. \throw io::ReadError
 IndexedMesh read_triangles(const Model& model, const Json& document, std::size_t mesh);
+
+/// The name of each primitive's material: "material 3" if it has none, "no material".
+std::vector<std::string> material_names(const Model& model, const Json& document, std::size_t mesh);
 
 }  // namespace whittle::gltf

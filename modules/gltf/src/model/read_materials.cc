@@ -3,20 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "document/uri.hh"
 #include "model/extensions.hh"
+#include "whittle/io/errors.hh"
 
 namespace whittle::gltf {
 namespace {
-
-/// \throw io::ReadError if there are fewer
-Part element(const Part& root, std::string_view key, std::string_view label, std::size_t number) {
-  const std::vector<Part> all = root.array(key, label);
-  if (number >= all.size()) root.fail(std::string(label) + ' ' + std::to_string(number) + " is not there");
-  return all[number];
-}
 
 /// OpenGL's numbers. Other ones count as the default.
 Wrap read_wrap(const Part& sampler, std::string_view key) {
@@ -36,63 +32,83 @@ Eigen::Affine2d read_transform(const Part& part) {
          Eigen::Scaling(scale[0], scale[1]);
 }
 
-/// \return nothing if the texture has no image that the core of glTF knows: only one of an extension
-std::optional<TextureUse> read_texture(const Part& root, const Part& info) {
-  const Part texture = element(root, "textures", "texture", info.required_whole("index"));
-  const std::optional<std::size_t> image = texture.whole("source");
-  if (!image) return {};
-  TextureUse use;
-  use.image = *image;
-  use.texcoord = info.whole_or("texCoord", 0);
-  if (const auto sampler_number = texture.whole("sampler")) {
-    const Part sampler = element(root, "samplers", "sampler", *sampler_number);
-    use.wrap_u = read_wrap(sampler, "wrapS");
-    use.wrap_v = read_wrap(sampler, "wrapT");
-  }
-  if (const std::optional<Part> transform = info.extension(texture_transform_extension)) {
-    use.transform = read_transform(*transform);
-    use.texcoord = transform->whole_or("texCoord", use.texcoord);
-  }
-  return use;
-}
-
-/// \param model one of the models of shading \param factor, texture the names that it has for the base colour
-void read_base_color(const Part& root, const std::optional<Part>& model, std::string_view factor,
-                     std::string_view texture, Material& material) {
-  if (!model) return;
-  if (const auto color = model->numbers(factor, 4)) {
-    for (std::size_t k = 0; k < 4; ++k) material.base_color[k] = std::clamp((*color)[k], 0.0, 1.0);
-  }
-  if (const std::optional<Part> info = model->object(texture)) {
-    material.base_color_texture = read_texture(root, *info);
-  }
-}
-
-AlphaMode read_alpha_mode(const Part& part) {
+Alpha read_alpha_mode(const Part& part) {
   const std::string mode = part.text("alphaMode").value_or("OPAQUE");
-  if (mode == "MASK") return AlphaMode::mask;
-  return mode == "BLEND" ? AlphaMode::blend : AlphaMode::opaque;
+  if (mode == "MASK") return Alpha::mask;
+  return mode == "BLEND" ? Alpha::blend : Alpha::opaque;
 }
 
 }  // namespace
 
-Material read_material(const Part& root, std::size_t number) {
-  const Part part = element(root, "materials", "material", number);
+/// \throw io::ReadError if there are fewer
+Part MaterialReader::element(std::string_view key, std::string_view label, std::size_t number) const {
+  const std::vector<Part> all = root_.array(key, label);
+  if (number >= all.size()) root_.fail(std::string(label) + ' ' + std::to_string(number) + " is not there");
+  return all[number];
+}
+
+void MaterialReader::read_image(std::size_t number, Image& image) const {
+  const Part part = element("images", "image", number);
+  if (const auto view = part.index("bufferView", model_.views.size(), "buffer view")) {
+    image.bytes = model_.views[*view].bytes;
+    return;
+  }
+  const std::string uri = part.required_text("uri");
+  if (!is_data_uri(uri)) image.file = file_of_uri(uri).value_or("");
+  image.bytes = bytes_of_uri(part, uri, source_);
+}
+
+std::shared_ptr<const Image> MaterialReader::image(std::size_t number) {
+  std::shared_ptr<const Image>& known = images_[number];
+  if (known) return known;
+  Image image{.name = "image " + std::to_string(number)};
+  try {
+    read_image(number, image);
+  } catch (const io::ReadError& error) {
+    image.problem = error.what();
+  }
+  return known = std::make_shared<const Image>(std::move(image));
+}
+
+/// \return nothing if the texture has no image that the core of glTF knows: only one of an extension
+std::optional<Texture> MaterialReader::read_texture(const Part& info) {
+  const Part part = element("textures", "texture", info.required_whole("index"));
+  const std::optional<std::size_t> image_number = part.whole("source");
+  if (!image_number) return {};
+  Texture texture;
+  std::size_t texcoord = info.whole_or("texCoord", 0);
+  if (const auto sampler_number = part.whole("sampler")) {
+    const Part sampler = element("samplers", "sampler", *sampler_number);
+    texture.wrap = {read_wrap(sampler, "wrapS"), read_wrap(sampler, "wrapT")};
+  }
+  if (const std::optional<Part> transform = info.extension(texture_transform_extension)) {
+    texture.transform = read_transform(*transform);
+    texcoord = transform->whole_or("texCoord", texcoord);
+  }
+  texture.texcoord = "TEXCOORD_" + std::to_string(texcoord);
+  texture.image = image(*image_number);
+  return texture;
+}
+
+/// \param shading one of the models of shading \param factor, texture the names that it has for the base colour
+void MaterialReader::read_base_color(const std::optional<Part>& shading, std::string_view factor,
+                                     std::string_view texture, Material& material) {
+  if (!shading) return;
+  if (const auto color = shading->numbers(factor, 4)) {
+    for (std::size_t k = 0; k < 4; ++k) material.base_color[k] = std::clamp((*color)[k], 0.0, 1.0);
+  }
+  if (const std::optional<Part> info = shading->object(texture)) material.base_color_texture = read_texture(*info);
+}
+
+Material MaterialReader::read(std::size_t number) {
+  const Part part = element("materials", "material", number);
   Material material;
-  read_base_color(root, part.object("pbrMetallicRoughness"), "baseColorFactor", "baseColorTexture", material);
-  read_base_color(root, part.extension(specular_glossiness_extension), "diffuseFactor", "diffuseTexture", material);
+  read_base_color(part.object("pbrMetallicRoughness"), "baseColorFactor", "baseColorTexture", material);
+  read_base_color(part.extension(specular_glossiness_extension), "diffuseFactor", "diffuseTexture", material);
   material.alpha_mode = read_alpha_mode(part);
   material.alpha_cutoff = std::max(0.0, part.number("alphaCutoff").value_or(material.alpha_cutoff));
   material.double_sided = part.flag("doubleSided");
   return material;
-}
-
-std::string read_image_bytes(const Model& model, const Part& root, std::size_t number, const Source& source) {
-  const Part image = element(root, "images", "image", number);
-  if (const auto view = image.index("bufferView", model.views.size(), "buffer view")) {
-    return std::string(model.views[*view].bytes);
-  }
-  return bytes_of_uri(image, image.required_text("uri"), source);
 }
 
 }  // namespace whittle::gltf

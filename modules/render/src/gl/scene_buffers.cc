@@ -54,14 +54,14 @@ GLint gl_wrap(Wrap wrap) {
   return GL_REPEAT;
 }
 
-Texture white_texture() { return {1, 1, {255, 255, 255, 255}}; }
+Pixels white_pixel() { return {1, 1, {255, 255, 255, 255}}; }
 
 }  // namespace
 
 SceneBuffers::SceneBuffers(const GlFunctions& gl, SceneArrays arrays) : gl_(gl), arrays_(std::move(arrays)) {
-  white_ = upload(white_texture());
+  white_ = upload(white_pixel(), {});
   texture_of_batch_.reserve(arrays_.batches.size());
-  for (const Batch& batch : arrays_.batches) texture_of_batch_.push_back(texture_of(batch.material));
+  for (const Batch& batch : arrays_.batches) texture_of_batch_.push_back(texture_of(batch));
   upload_arrays();
 }
 
@@ -86,30 +86,30 @@ void SceneBuffers::upload_arrays() {
   if (arrays_.blend_faces.empty()) arrays_.vertices = {};
 }
 
-unsigned SceneBuffers::texture_of(const Material& material) {
-  const Texture* const texture = material.base_color_texture.get();
-  if (texture == nullptr) return white_;
-  unsigned& name = textures_[texture];
-  if (name == 0) name = upload(*texture);
+unsigned SceneBuffers::texture_of(const Batch& batch) {
+  if (batch.pixels == nullptr) return white_;
+  const std::array<Wrap, 2>& wrap = batch.material.base_color_texture->wrap;
+  unsigned& name = textures_[{batch.pixels, wrap}];
+  if (name == 0) name = upload(*batch.pixels, wrap);
   return name;
 }
 
-unsigned SceneBuffers::upload(const Texture& texture) {
-  if (texture.width == 0 || texture.height == 0 || texture.width > max_texture_size ||
-      texture.height > max_texture_size || texture.rgba.size() != 4 * texture.width * texture.height) {
+unsigned SceneBuffers::upload(const Pixels& pixels, const std::array<Wrap, 2>& wrap) {
+  if (pixels.width == 0 || pixels.height == 0 || pixels.width > max_image_size || pixels.height > max_image_size ||
+      pixels.rgba.size() != 4 * pixels.width * pixels.height) {
     throw std::invalid_argument("a texture to draw has no pixels, too many, or fewer than its size says");
   }
   GLuint name = 0;
   gl_.gen_textures(1, &name);
   gl_.bind_texture(GL_TEXTURE_2D, name);
   // OpenGL decodes sRGB before it filters, also for the smaller levels.
-  gl_.tex_image_2d(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, static_cast<GLsizei>(texture.width),
-                   static_cast<GLsizei>(texture.height), 0, GL_RGBA, GL_UNSIGNED_BYTE, texture.rgba.data());
+  gl_.tex_image_2d(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, static_cast<GLsizei>(pixels.width),
+                   static_cast<GLsizei>(pixels.height), 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.rgba.data());
   gl_.generate_mipmap(GL_TEXTURE_2D);
   gl_.tex_parameter_i(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   gl_.tex_parameter_i(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl_.tex_parameter_i(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, gl_wrap(texture.wrap_u));
-  gl_.tex_parameter_i(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, gl_wrap(texture.wrap_v));
+  gl_.tex_parameter_i(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, gl_wrap(wrap[0]));
+  gl_.tex_parameter_i(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, gl_wrap(wrap[1]));
   return name;
 }
 
@@ -122,7 +122,7 @@ void SceneBuffers::use(unsigned program, std::size_t batch) {
   const Material& material = arrays_.batches[batch].material;
   (material.double_sided ? gl_.disable : gl_.enable)(GL_CULL_FACE);
   gl_.bind_texture(GL_TEXTURE_2D, texture_of_batch_[batch]);
-  const std::array<double, 4>& color = material.base_color;
+  const std::array<double, 4> color = base_color_factor(material);
   gl_.uniform_4f(gl_.get_uniform_location(program, "base_color"), static_cast<float>(color[0]),
                  static_cast<float>(color[1]), static_cast<float>(color[2]), static_cast<float>(color[3]));
   gl_.uniform_1i(gl_.get_uniform_location(program, "alpha_mode"), static_cast<GLint>(material.alpha_mode));

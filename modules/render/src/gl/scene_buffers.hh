@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "gl/functions.hh"
@@ -12,7 +14,8 @@ namespace whittle::render {
 /// A scene in OpenGL's memory. All functions need the context to be current. The context frees what is made here.
 class SceneBuffers {
  public:
-  /// \throw std::invalid_argument if a texture's array doesn't have its size
+  /// \param arrays of a scene that is still there
+  /// \throw std::invalid_argument if the array of an image doesn't have its size
   SceneBuffers(const GlFunctions& gl, SceneArrays arrays);
 
   /// Draws all faces into the framebuffer: first those that don't blend, then the others from back to front.
@@ -21,8 +24,8 @@ class SceneBuffers {
 
  private:
   void upload_arrays();
-  unsigned texture_of(const Material& material);
-  unsigned upload(const Texture& texture);
+  unsigned texture_of(const Batch& batch);
+  unsigned upload(const Pixels& pixels, const std::array<Wrap, 2>& wrap);
   void use(unsigned program, std::size_t batch);
   void draw_solid_faces(unsigned program);
   void draw_blend_faces(unsigned program, const Eigen::Vector3f& to_eye);
@@ -30,7 +33,7 @@ class SceneBuffers {
 
   const GlFunctions& gl_;
   SceneArrays arrays_;
-  std::map<const Texture*, unsigned> textures_;
+  std::map<std::pair<const Pixels*, std::array<Wrap, 2>>, unsigned> textures_;
   std::vector<unsigned> texture_of_batch_;
   unsigned white_ = 0;  ///< for materials without a texture
   unsigned solid_vertex_array_ = 0;

@@ -2,14 +2,14 @@
 
 #include <string_view>
 
-#include "whittle/render/texture.hh"
+#include "whittle/render/pixels.hh"
 
 namespace whittle::render {
 
 /// \throw std::runtime_error as `read_image`
-Texture read_png(std::string_view bytes);
+Pixels read_png(std::string_view bytes);
 
 /// \throw std::runtime_error as `read_image`
-Texture read_jpeg(std::string_view bytes);
+Pixels read_jpeg(std::string_view bytes);
 
 }  // namespace whittle::render

@@ -24,7 +24,7 @@ struct JpegReading {
   std::jmp_buf jump{};
   jpeg_decompress_struct jpeg{};
   std::string problem;
-  Texture texture;
+  Pixels pixels;
   std::vector<JSAMPLE> row;
 
   JpegReading() = default;
@@ -69,11 +69,11 @@ void put_pixel(const JSAMPLE* from, bool is_cmyk, std::uint8_t* to) {
 }
 
 void take_row(JpegReading& reading, std::size_t y) {
-  Texture& texture = reading.texture;
+  Pixels& pixels = reading.pixels;
   const bool is_cmyk = reading.jpeg.out_color_space == JCS_CMYK;
   const std::size_t n_channels = is_cmyk ? 4 : 3;
-  for (std::size_t x = 0; x < texture.width; ++x) {
-    put_pixel(&reading.row[n_channels * x], is_cmyk, &texture.rgba[4 * (texture.width * y + x)]);
+  for (std::size_t x = 0; x < pixels.width; ++x) {
+    put_pixel(&reading.row[n_channels * x], is_cmyk, &pixels.rgba[4 * (pixels.width * y + x)]);
   }
 }
 
@@ -84,7 +84,7 @@ bool begin_decoding(JpegReading& reading, std::string_view bytes) {
   jpeg_create_decompress(&jpeg);
   jpeg_mem_src(&jpeg, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
   jpeg_read_header(&jpeg, TRUE);
-  if (jpeg.image_width > max_texture_size || jpeg.image_height > max_texture_size) {
+  if (jpeg.image_width > max_image_size || jpeg.image_height > max_image_size) {
     leave(reading, "it has more than 16384 pixels a side");
   }
   const bool has_four_channels = jpeg.jpeg_color_space == JCS_CMYK || jpeg.jpeg_color_space == JCS_YCCK;
@@ -102,12 +102,12 @@ bool decode_row(JpegReading& reading) {
 }
 
 bool decode_rows(JpegReading& reading) {
-  Texture& texture = reading.texture;
-  texture.width = reading.jpeg.output_width;
-  texture.height = reading.jpeg.output_height;
-  texture.rgba.resize(4 * texture.width * texture.height);
-  reading.row.resize(4 * texture.width);
-  for (std::size_t y = 0; y < texture.height; ++y) {
+  Pixels& pixels = reading.pixels;
+  pixels.width = reading.jpeg.output_width;
+  pixels.height = reading.jpeg.output_height;
+  pixels.rgba.resize(4 * pixels.width * pixels.height);
+  reading.row.resize(4 * pixels.width);
+  for (std::size_t y = 0; y < pixels.height; ++y) {
     if (!decode_row(reading)) return false;
     take_row(reading, y);
   }
@@ -116,13 +116,13 @@ bool decode_rows(JpegReading& reading) {
 
 }  // namespace
 
-Texture read_jpeg(std::string_view bytes) {
+Pixels read_jpeg(std::string_view bytes) {
   JpegReading reading;
   start(reading);
   if (!begin_decoding(reading, bytes) || !decode_rows(reading)) {
     throw std::runtime_error("a JPEG image can't be read: " + reading.problem);
   }
-  return std::move(reading.texture);
+  return std::move(reading.pixels);
 }
 
 }  // namespace whittle::render

@@ -19,7 +19,7 @@ struct PngReading {
   png_structp png = nullptr;
   png_infop info = nullptr;
   std::string problem;
-  Texture texture;
+  Pixels pixels;
   std::vector<png_bytep> rows;
 
   explicit PngReading(std::string_view all) : bytes(all) {}
@@ -45,7 +45,7 @@ void give_bytes(png_structp png, png_bytep to, std::size_t n) {
 /// \return false after an error
 bool read_size(PngReading& reading) {
   if (setjmp(png_jmpbuf(reading.png)) != 0) return false;
-  png_set_user_limits(reading.png, max_texture_size, max_texture_size);
+  png_set_user_limits(reading.png, max_image_size, max_image_size);
   png_set_read_fn(reading.png, &reading, give_bytes);
   png_read_info(reading.png, reading.info);
   png_set_expand(reading.png);  // palettes, fewer than 8 bits, a transparent colour
@@ -54,9 +54,9 @@ bool read_size(PngReading& reading) {
   png_set_add_alpha(reading.png, 255, PNG_FILLER_AFTER);
   png_set_interlace_handling(reading.png);
   png_read_update_info(reading.png, reading.info);
-  reading.texture.width = png_get_image_width(reading.png, reading.info);
-  reading.texture.height = png_get_image_height(reading.png, reading.info);
-  if (png_get_rowbytes(reading.png, reading.info) != 4 * reading.texture.width) {
+  reading.pixels.width = png_get_image_width(reading.png, reading.info);
+  reading.pixels.height = png_get_image_height(reading.png, reading.info);
+  if (png_get_rowbytes(reading.png, reading.info) != 4 * reading.pixels.width) {
     png_error(reading.png, "its pixels have an unknown format");
   }
   return true;
@@ -70,15 +70,15 @@ bool read_pixels(PngReading& reading) {
 }
 
 void make_room(PngReading& reading) {
-  Texture& texture = reading.texture;
-  texture.rgba.resize(4 * texture.width * texture.height);
-  reading.rows.resize(texture.height);
-  for (std::size_t y = 0; y < texture.height; ++y) reading.rows[y] = texture.rgba.data() + 4 * texture.width * y;
+  Pixels& pixels = reading.pixels;
+  pixels.rgba.resize(4 * pixels.width * pixels.height);
+  reading.rows.resize(pixels.height);
+  for (std::size_t y = 0; y < pixels.height; ++y) reading.rows[y] = pixels.rgba.data() + 4 * pixels.width * y;
 }
 
 }  // namespace
 
-Texture read_png(std::string_view bytes) {
+Pixels read_png(std::string_view bytes) {
   PngReading reading(bytes);
   reading.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading, note_error, ignore_warning);
   if (reading.png != nullptr) reading.info = png_create_info_struct(reading.png);
@@ -89,7 +89,7 @@ Texture read_png(std::string_view bytes) {
     is_read = read_pixels(reading);
   }
   if (!is_read) throw std::runtime_error("a PNG image can't be read: " + reading.problem);
-  return std::move(reading.texture);
+  return std::move(reading.pixels);
 }
 
 }  // namespace whittle::render

@@ -1,12 +1,14 @@
 #include <stdexcept>
 
 #include "image/decoders.hh"
+#include "whittle/core/material/image.hh"
 
 namespace whittle::render {
 
-Texture read_image(std::string_view bytes) {
-  if (bytes.starts_with("\x89PNG\r\n\x1A\n")) return read_png(bytes);
-  if (bytes.starts_with("\xFF\xD8\xFF")) return read_jpeg(bytes);
+Pixels read_image(std::string_view bytes) {
+  const std::string_view type = media_type(bytes);
+  if (type == "image/png") return read_png(bytes);
+  if (type == "image/jpeg") return read_jpeg(bytes);
   throw std::runtime_error("an image is neither PNG nor JPEG");
 }
 

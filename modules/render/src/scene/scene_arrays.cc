@@ -83,8 +83,9 @@ const Attribute* find_texcoords(const IndexedMesh& mesh, const std::string& name
 /// Adds the faces of one part, material by material.
 class PartWriter {
  public:
-  PartWriter(const Part& part, const Sphere& frame, SceneArrays& out)
-      : part_(part),
+  PartWriter(const Scene& scene, const Part& part, const Sphere& frame, SceneArrays& out)
+      : scene_(scene),
+        part_(part),
         mesh_(*part.mesh),
         frame_(frame),
         out_(out),
@@ -127,12 +128,21 @@ class PartWriter {
   }
 
   void begin_batch(const Material& material) {
-    out_.batches.push_back({material, out_.indices.size(), 0});
-    texcoords_ = material.base_color_texture ? find_texcoords(mesh_, material.texcoord) : nullptr;
-    if (texcoords_ == nullptr) out_.batches.back().material.base_color_texture.reset();
+    Batch& batch = out_.batches.emplace_back(Batch{material, pixels_of(material), out_.indices.size(), 0});
+    texcoords_ = batch.pixels == nullptr ? nullptr : find_texcoords(mesh_, material.base_color_texture->texcoord);
+    if (texcoords_ == nullptr) {
+      batch.material.base_color_texture.reset();
+      batch.pixels = nullptr;
+    }
     if (texcoords_ != nullptr && texcoords_->size() < vertices_of_wedges_.size()) {
       throw std::invalid_argument("a mesh to draw has too few values of " + texcoords_->name);
     }
+  }
+
+  const Pixels* pixels_of(const Material& material) const {
+    if (!material.base_color_texture) return nullptr;
+    const auto found = scene_.images.find(material.base_color_texture->image);
+    return found == scene_.images.end() ? nullptr : &found->second;
   }
 
   void write_face(std::size_t face) {
@@ -140,7 +150,7 @@ class PartWriter {
     for (std::size_t k = 0; k < 3; ++k) corners[k] = vertex_at(face, k);
     if (is_mirrored_) std::swap(corners[1], corners[2]);
     const std::size_t batch = out_.batches.size() - 1;
-    if (out_.batches[batch].material.alpha_mode == AlphaMode::blend) {
+    if (out_.batches[batch].material.alpha_mode == Alpha::blend) {
       out_.blend_faces.push_back({corners, static_cast<std::uint32_t>(batch)});
     } else {
       out_.indices.insert(out_.indices.end(), corners.begin(), corners.end());
@@ -188,7 +198,8 @@ class PartWriter {
   std::array<float, 2> texcoord_of(Index wedge) const {
     if (texcoords_ == nullptr) return {0, 0};
     const auto value = texcoords_->value(wedge);
-    const Eigen::Vector2d uv = out_.batches.back().material.texcoord_transform * Eigen::Vector2d(value[0], value[1]);
+    const Texture& texture = *out_.batches.back().material.base_color_texture;
+    const Eigen::Vector2d uv = texture.transform * Eigen::Vector2d(value[0], value[1]);
     return {finite_or(uv[0], 0), finite_or(uv[1], 0)};
   }
 
@@ -202,6 +213,7 @@ class PartWriter {
     return color;
   }
 
+  const Scene& scene_;
   const Part& part_;
   const IndexedMesh& mesh_;
   Sphere frame_;
@@ -234,7 +246,7 @@ SceneArrays scene_arrays(const Scene& scene, const Sphere& frame) {
   SceneArrays arrays;
   for (const Part& part : scene.parts) {
     if (part.mesh == nullptr) throw std::invalid_argument("a part of a scene to draw has no mesh");
-    PartWriter(part, frame, arrays).write();
+    PartWriter(scene, part, frame, arrays).write();
   }
   return arrays;
 }

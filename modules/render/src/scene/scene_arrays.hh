@@ -20,7 +20,8 @@ struct SceneVertex {
 
 /// Faces of one material of one part.
 struct Batch {
-  Material material;  ///< without a texture, where the mesh has no coordinates for it
+  Material material;               ///< without its texture, where that isn't drawn
+  const Pixels* pixels = nullptr;  ///< the scene's, of the texture; null without
   std::size_t first_index = 0;
   std::size_t n_indices = 0;
 };

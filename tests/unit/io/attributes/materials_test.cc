@@ -4,6 +4,8 @@
 
 #include <fstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "support/temporary_folder.hh"
 #include "whittle/io/output_file.hh"
@@ -11,7 +13,17 @@
 namespace whittle::io {
 namespace {
 
-using Rgb = std::array<double, 3>;
+using Rgba = std::array<double, 4>;
+
+IndexedMesh mesh_with_groups(std::vector<std::string> names) {
+  IndexedMesh mesh;
+  mesh.group_names = std::move(names);
+  return mesh;
+}
+
+std::filesystem::path texture_of(const Material& material) {
+  return material.base_color_texture ? material.base_color_texture->image->file : std::filesystem::path();
+}
 
 TEST(Materials, HaveColourOpacityAndTexture) {
   const whittle::test::TemporaryFolder folder;
@@ -23,16 +35,21 @@ TEST(Materials, HaveColourOpacityAndTexture) {
   FileNotes notes;
   notes.material_libraries = {"lib/a.mtl none.mtl", "b.mtl"};
   notes.header_lines = {"comment TextureFile all.png"};
-  const SurfaceMaterials all = read_materials(notes, folder.path());
-  ASSERT_EQ(all.materials.size(), 3U) << "the first of a name counts";
+  const SurfaceMaterials all =
+      read_materials(notes, folder.path(), mesh_with_groups({"red wall", "odd", "b", "of no library"}));
+  ASSERT_EQ(all.materials.size(), 4U);
+  EXPECT_TRUE(all.are_told);
   EXPECT_EQ(all.materials[0].name, "red wall");
-  EXPECT_EQ(all.materials[0].diffuse, (Rgb{1, 0.25, 0}));
-  EXPECT_EQ(all.materials[0].opacity, 0.5);
-  EXPECT_EQ(all.materials[0].texture, "lib/tex/a b.png");
-  EXPECT_EQ(all.materials[1].diffuse, (Rgb{0.5, 0.5, 0.5}));
-  EXPECT_EQ(all.materials[1].opacity, 1);
-  EXPECT_EQ(all.materials[2].diffuse, (Rgb{1, 0, 1}));
-  EXPECT_EQ(all.textures, std::vector<std::filesystem::path>{"all.png"});
+  EXPECT_EQ(all.materials[0].base_color, (Rgba{1, 0.25, 0, 0.5}));
+  EXPECT_EQ(all.materials[0].alpha_mode, Alpha::blend);
+  EXPECT_EQ(texture_of(all.materials[0]), "lib/tex/a b.png");
+  EXPECT_FALSE(all.materials[0].base_color_texture->is_tinted);
+  EXPECT_EQ(all.materials[1].base_color, (Rgba{0.5, 0.5, 0.5, 1})) << "the first of a name counts";
+  EXPECT_EQ(all.materials[1].alpha_mode, Alpha::opaque);
+  EXPECT_EQ(texture_of(all.materials[1]), "") << "the library says what it looks like";
+  EXPECT_EQ(all.materials[2].base_color, (Rgba{1, 0, 1, 1}));
+  EXPECT_EQ(texture_of(all.materials[3]), "all.png");
+  for (const Material& material : all.materials) EXPECT_TRUE(material.double_sided);
   EXPECT_EQ(all.missing, std::vector<std::filesystem::path>{"none.mtl"});
 }
 
@@ -50,26 +67,45 @@ TEST(ReadMaterials, FindsColoursAndTextures) {
              "newmtl grey\n kd 0.5\nnewmtl odd\nKd x\nd -1\nKd 7 0 0\nnewmtl grey\nKd 1 1 1\n");
   FileNotes notes;
   notes.material_libraries = {"m\\a.mtl none.mtl"};
-  const SurfaceMaterials all = read_materials(notes, folder.path());
+  const SurfaceMaterials all = read_materials(notes, folder.path(), mesh_with_groups({"red one", "grey", "odd"}));
   ASSERT_EQ(all.materials.size(), 3U);
-  EXPECT_EQ(all.materials[0].name, "red one");
-  EXPECT_EQ(all.materials[0].diffuse, (std::array<double, 3>{1, 0, 0.5}));
-  EXPECT_EQ(all.materials[0].opacity, 0.25);
-  EXPECT_EQ(all.materials[0].texture, std::filesystem::path("m/images/a b.png"));
-  EXPECT_EQ(all.materials[1].name, "grey");
-  EXPECT_EQ(all.materials[1].diffuse, (std::array<double, 3>{0.5, 0.5, 0.5}));
-  EXPECT_TRUE(all.materials[1].texture.empty());
-  EXPECT_EQ(all.materials[2].diffuse, (std::array<double, 3>{1, 0, 0})) << "shares are at most 1";
-  EXPECT_EQ(all.materials[2].opacity, 1);
+  EXPECT_EQ(all.materials[0].base_color, (Rgba{1, 0, 0.5, 0.25}));
+  EXPECT_EQ(texture_of(all.materials[0]), "m/images/a b.png");
+  EXPECT_EQ(all.materials[1].base_color, (Rgba{0.5, 0.5, 0.5, 1}));
+  EXPECT_EQ(texture_of(all.materials[1]), "");
+  EXPECT_EQ(all.materials[2].base_color, (Rgba{1, 0, 0, 1})) << "shares are at most 1";
   EXPECT_EQ(all.missing, std::vector<std::filesystem::path>{"none.mtl"});
 }
 
-TEST(ReadMaterials, FindsTheTexturesOfPly) {
+TEST(ReadMaterials, FindsTheTextureOfPly) {
   FileNotes notes;
-  notes.header_lines = {"comment TextureFile a b.png", "comment made by hand", "comment TextureFile c.jpg"};
-  const SurfaceMaterials all = read_materials(notes, {});
-  EXPECT_EQ(all.textures, (std::vector<std::filesystem::path>{"a b.png", "c.jpg"}));
-  EXPECT_TRUE(all.materials.empty());
+  notes.header_lines = {"comment TextureFile a b.png", "comment made by hand"};
+  IndexedMesh mesh;
+  mesh.attributes.push_back({.name = "uv", .kind = AttributeKind::texcoord, .n_components = 2, .values = {}});
+  const SurfaceMaterials one = read_materials(notes, {}, mesh);
+  ASSERT_EQ(one.materials.size(), 1U);
+  EXPECT_EQ(texture_of(one.materials[0]), "a b.png");
+  const Texture& texture = *one.materials[0].base_color_texture;
+  EXPECT_EQ(texture.texcoord, "uv");
+  EXPECT_EQ(texture.transform * Eigen::Vector2d(0.25, 0.25), Eigen::Vector2d(0.25, 0.75)) << "rows go down in images";
+  notes.header_lines.emplace_back("comment TextureFile c.jpg");
+  const SurfaceMaterials several = read_materials(notes, {}, mesh);
+  EXPECT_TRUE(several.has_several_textures);
+  EXPECT_FALSE(several.are_told);
+  EXPECT_EQ(texture_of(several.materials[0]), "");
+}
+
+TEST(ReadImages, ReadsEachOnce) {
+  const whittle::test::TemporaryFolder folder;
+  write_file(folder.path() / "a.mtl", "newmtl a\nmap_Kd x.png\nnewmtl b\nmap_Kd x.png\nnewmtl c\nmap_Kd no.png\n");
+  write_file(folder.path() / "x.png", "pixels");
+  FileNotes notes;
+  notes.material_libraries = {"a.mtl"};
+  std::vector<Material> all = read_materials(notes, folder.path(), mesh_with_groups({"a", "b", "c", "d"})).materials;
+  read_images(all, folder.path());
+  EXPECT_EQ(all[0].base_color_texture->image->bytes, "pixels");
+  EXPECT_EQ(all[0].base_color_texture->image, all[1].base_color_texture->image);
+  EXPECT_EQ(all[2].base_color_texture->image->problem, "the file can't be read");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "whittle/core/indexed_mesh.hh"
-#include "whittle/gltf/material.hh"
+#include "whittle/core/material/material.hh"
 
 // glTF 2.0 (https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html), as text (.gltf) and binary (.glb). An asset is
 // read, the triangles of some meshes are replaced, and it is written. All else is written as it was read.
@@ -95,12 +95,10 @@ class Asset {
   /// Whether the material of a primitive says how it looks. What `make_asset` says of a surface that it knows nothing
   /// of doesn't count: white, without metal.
   bool has_look(std::size_t mesh, std::size_t primitive) const;
-  /// How each primitive of a mesh looks, by its number: one without a material has the default one.
+  /// How each primitive looks, by mesh and primitive: one without a material has the default one. Meshes without
+  /// triangles have none. Images are read, each once; one that isn't there says so (`Image::problem`).
   /// \throw io::ReadError if a material isn't there, or is wrong
-  std::vector<Material> materials(std::size_t mesh) const;
-  /// The bytes of an image file, which is PNG or JPEG unless an extension says otherwise. `TextureUse::image` names it.
-  /// \throw io::ReadError if it isn't there
-  std::string image(std::size_t image) const;
+  std::vector<std::vector<Material>> materials() const;
 
   /// Replaces the triangles of a mesh. Lines and points stay.
   ///

@@ -1,29 +1,15 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "whittle/core/indexed_mesh.hh"
+#include "whittle/core/material/material.hh"
 #include "whittle/gltf/asset.hh"
 
 namespace whittle::gltf {
-
-/// An image that a new asset contains, or names.
-struct NewImage {
-  std::filesystem::path file{};  ///< relative to the asset's folder
-  std::string bytes{};           ///< of a PNG or JPEG file, to be part of the asset; empty: the asset names `file`
-};
-
-/// A surface without metal, as rough as can be.
-struct NewMaterial {
-  std::string name{};
-  Color color{1, 1, 1, 1};             ///< linear; below 1 in the last component it is blended with what lies behind
-  std::optional<std::size_t> image{};  ///< of `NewAsset::images`; multiplies the colour
-};
 
 struct NewAsset {
   std::string name{};  ///< of mesh and node
@@ -36,15 +22,16 @@ struct NewAsset {
   /// Coarser levels of it, with the same groups and attributes, and the shares of the screen, as `MeshLevels` has them.
   std::vector<IndexedMesh> coarser{};
   std::vector<double> screen_coverage{};
-  std::vector<NewMaterial> materials{};  ///< one a group, or one if the mesh has no groups
-  std::vector<NewImage> images{};
+  /// One a group, or one if the mesh has no groups. Written are name, base colour, its image, which must be PNG or
+  /// JPEG, and whether it blends, which it does wherever the mesh has transparent colours. No metal, as rough as can
+  /// be.
+  std::vector<Material> materials{};
+  /// Whether images become part of the asset. Otherwise it names the files of those in its folder, or below it.
+  bool embeds_images = true;
 };
 
 /// Makes an asset of a mesh: a scene with one node. Colours have 16 bits, all else is float32.
 /// \throw std::range_error for a position that float32 can't hold; std::invalid_argument as `Asset::add_levels`
 Asset make_asset(NewAsset asset);
-
-/// Whether bytes begin as a PNG or JPEG file does: glTF takes no other images.
-bool is_image(std::string_view bytes);
 
 }  // namespace whittle::gltf

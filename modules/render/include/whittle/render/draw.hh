@@ -28,8 +28,8 @@ class Renderer {
  public:
   /// \param frame where positions are exact, to 1e-7 of its radius: the sphere of the views
   /// \throw std::invalid_argument if `options` are out of range, a face names a vertex or a wedge that isn't there, or
-  /// a texture's array has another length than its size \throw std::runtime_error if there is no OpenGL, or it lacks
-  /// memory
+  /// the array of an image has another length than its size \throw std::runtime_error if there is no OpenGL, or it
+  /// lacks memory
   Renderer(const Scene& scene, const Sphere& frame, const DrawOptions& options = {});
   ~Renderer();
   Renderer(Renderer&&) noexcept;

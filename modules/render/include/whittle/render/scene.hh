@@ -1,42 +1,16 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
-#include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "whittle/core/indexed_mesh.hh"
-#include "whittle/render/texture.hh"
+#include "whittle/core/material/material.hh"
+#include "whittle/render/pixels.hh"
 
 namespace whittle::render {
-
-/// What the opacity of a colour does.
-enum class AlphaMode : std::uint8_t {
-  opaque,  ///< Nothing.
-  mask,    ///< Below the cutoff nothing is drawn; from it on, the surface is opaque.
-  blend    ///< What is behind shines through.
-};
-
-/// How a surface looks: the product of factor, texture and vertex colour.
-struct Material {
-  std::array<double, 4> base_color = {1, 1, 1, 1};    ///< Linear red, green, blue, and opacity; each in [0, 1].
-  std::shared_ptr<const Texture> base_color_texture;  ///< Or null.
-  /// The attribute of the mesh with the texture's coordinates. Without it the mesh is drawn without the texture.
-  std::string texcoord = "TEXCOORD_0";
-  /// From the mesh's coordinates to the texture's: glTF's KHR_texture_transform. For OBJ: (u, v) to (u, 1 - v).
-  Eigen::Affine2d texcoord_transform = Eigen::Affine2d::Identity();
-  AlphaMode alpha_mode = AlphaMode::opaque;
-  double alpha_cutoff = 0.5;
-  bool double_sided = false;  ///< Otherwise back faces are not drawn.
-};
-
-/// How numbers are related to light.
-enum class ColorEncoding : std::uint8_t {
-  linear,  ///< As vertex colours of glTF.
-  srgb     ///< As vertex colours of most other files.
-};
 
 /// A mesh at its place in a scene.
 ///
@@ -52,7 +26,12 @@ struct Part {
 
 struct Scene {
   std::vector<Part> parts;
+  /// Decoded ones. A texture whose image isn't among them is not drawn.
+  std::map<std::shared_ptr<const Image>, Pixels> images{};
 };
+
+/// Decodes the images of all textures, each once. \return a line for each that isn't drawn: its name, and why
+std::vector<std::string> decode_images(Scene& scene);
 
 struct Sphere {
   Vec3 center = Vec3::Zero();

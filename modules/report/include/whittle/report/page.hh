@@ -1,17 +1,14 @@
 #pragma once
 
-#include <Eigen/Geometry>
-#include <array>
 #include <cstdint>
 #include <iosfwd>
-#include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "whittle/core/indexed_mesh.hh"
+#include "whittle/core/material/material.hh"
 #include "whittle/core/vertex_pair.hh"
 #include "whittle/progressive/replay.hh"
 #include "whittle/report/attribute_map.hh"
@@ -38,34 +35,6 @@ struct PageRefusals {
   std::vector<VertexPair> pairs;  ///< of the surface's mesh
 };
 
-/// Whether bytes begin as those of a PNG, JPEG or WebP file, which are the images that a page shows.
-bool is_page_image(std::string_view bytes);
-
-/// What a texture shows outside of [0, 1].
-enum class PageWrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge };
-
-/// What the opacity of a colour does: nothing; the surface ends where it is below the cutoff; what is behind shines
-/// through.
-enum class PageAlpha : std::uint8_t { opaque, mask, blend };
-
-/// How a surface looks: base colour · image · vertex colour, in linear light, as in glTF.
-struct PageMaterial {
-  std::string name;
-  std::array<double, 4> base_color = {1, 1, 1, 1};  ///< linear red, green, blue, and opacity; each in [0, 1]
-  /// The bytes of an image (`is_page_image`), or null. Others aren't shown. Images with equal bytes are in the page
-  /// once.
-  std::shared_ptr<const std::string> image;
-  std::string texcoord = "TEXCOORD_0";  ///< the attribute with the image's coordinates; without it there is no image
-  /// To coordinates that are (0, 0) at the outer corner of the first pixel. For OBJ: (u, v) to (u, 1 − v).
-  Eigen::Affine2d texcoord_transform = Eigen::Affine2d::Identity();
-  std::array<PageWrap, 2> wrap{};
-  PageAlpha alpha = PageAlpha::opaque;
-  double alpha_cutoff = 0.5;
-};
-
-/// How numbers are related to light.
-enum class PageColors : std::uint8_t { srgb, linear };
-
 /// Fewer faces over the vertices and wedges of a mesh.
 struct CoarseFaces {
   std::vector<Triangle> faces;
@@ -83,8 +52,10 @@ struct PageSurface {
   std::vector<PageRefusals> refusals;  ///< what stands in the way of fewer faces
   std::optional<DistanceMap> distances;        ///< to the original; of the original itself, to the first of the others
   std::vector<AttributeMap> attribute_maps{};  ///< likewise; in page order
-  std::vector<PageMaterial> materials{};       ///< by face group; a group without one is plain
-  PageColors colors = PageColors::srgb;        ///< what `mesh.colors` are
+  /// By face group; a group without one is plain. Images that aren't PNG, JPEG or WebP are not shown; those with equal
+  /// bytes are in the page once.
+  std::vector<Material> materials{};
+  ColorEncoding colors = ColorEncoding::srgb;  ///< of `mesh.colors`
 };
 
 /// For `PageSurface::coarse`: about 10,000; none for a mesh of few faces. \param threads 0 = all cores
