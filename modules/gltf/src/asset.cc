@@ -60,6 +60,7 @@ bool is_plain(Json material) {
   if (!material.is_object()) return false;
   material.erase("name");
   material.erase("alphaMode");
+  material.erase("doubleSided");
   const Json white = {{"baseColorFactor", {1, 1, 1, 1}}, {"metallicFactor", 0}, {"roughnessFactor", 1}};
   return material == Json{{"pbrMetallicRoughness", white}};
 }

@@ -107,6 +107,7 @@ Json material_json(const Material& material, const std::vector<const Image*>& im
   if (!material.name.empty()) json["name"] = material.name;
   json["pbrMetallicRoughness"] = std::move(look);
   if (has_transparency || material.alpha_mode == Alpha::blend) json["alphaMode"] = "BLEND";
+  if (material.double_sided) json["doubleSided"] = true;
   return json;
 }
 

@@ -82,6 +82,13 @@ TEST_F(Render, SeesMaterials) {
   EXPECT_LT(measured(folder_ / "a.obj", folder_ / "green.obj")["render"]["psnr"]["pooled"].get<double>(), 20);
 }
 
+TEST_F(Render, FindsNoDifferenceToTheGltfOfAnOpenSurface) {
+  write_texture("t.png");
+  write_text(folder_.path() / "m.mtl", "newmtl m\nKd 1 0 0\nmap_Kd t.png\n");
+  ASSERT_EQ(whittle({"convert", obj_square("a.obj", 0), folder_ / "a.glb"}).exit_code, 0);
+  EXPECT_TRUE(measured(folder_ / "a.obj", folder_ / "a.glb")["render"]["psnr"]["pooled"].is_null());
+}
+
 TEST_F(Render, ReadsTheTextureOfPly) {
   write_texture("t.png");
   const auto ply = [&](const std::string& name, const std::string& comment) {

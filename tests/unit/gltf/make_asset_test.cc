@@ -23,9 +23,10 @@ NewAsset charted_asset() {
   const auto texture = [](const char* file, const char* bytes) {
     return Texture{.image = std::make_shared<const Image>(Image{.file = file, .bytes = bytes})};
   };
-  asset.materials = {{.name = "a", .base_color = {1, 0, 0, 1}, .base_color_texture = texture("tex/a 1.png", "")},
-                     {.name = "none"},
-                     {.name = "b", .base_color_texture = texture("../b.jpg", "\xFF\xD8\xFF\xE0 and so on")}};
+  asset.materials = {
+      {.name = "a", .base_color = {1, 0, 0, 1}, .base_color_texture = texture("tex/a 1.png", "")},
+      {.name = "none"},
+      {.name = "b", .base_color_texture = texture("../b.jpg", "\xFF\xD8\xFF\xE0 and so on"), .double_sided = true}};
   asset.embeds_images = false;
   return asset;
 }
@@ -67,6 +68,8 @@ TEST(MakeAsset, HasMaterialsAndImages) {
   const Json document = Json::parse(make_asset(charted_asset()).document());
   ASSERT_EQ(document["materials"].size(), 2U) << "no face has the other one";
   EXPECT_EQ(document["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"], Json::parse("[1.0,0.0,0.0,1.0]"));
+  EXPECT_FALSE(document["materials"][0].contains("doubleSided"));
+  EXPECT_EQ(document["materials"][1]["doubleSided"], true);
   EXPECT_EQ(document["images"][0]["uri"], "tex/a%201.png");
   EXPECT_EQ(document["images"][1]["mimeType"], "image/jpeg");
   const Document made = load_glb(make_asset(charted_asset()).write_glb());

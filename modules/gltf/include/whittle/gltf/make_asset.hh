@@ -23,8 +23,8 @@ struct NewAsset {
   std::vector<IndexedMesh> coarser{};
   std::vector<double> screen_coverage{};
   /// One a group, or one if the mesh has no groups. Written are name, base colour, its image, which must be PNG or
-  /// JPEG, and whether it blends, which it does wherever the mesh has transparent colours. No metal, as rough as can
-  /// be.
+  /// JPEG, whether both sides are seen, and whether it blends, which it does wherever the mesh has transparent colours.
+  /// No metal, as rough as can be.
   std::vector<Material> materials{};
   /// Whether images become part of the asset. Otherwise it names the files of those in its folder, or below it.
   bool embeds_images = true;
