@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
+#include <string_view>
 
 #include "document/json.hh"
 #include "model/model.hh"
