@@ -113,7 +113,8 @@ class Inputs {
     }
     for (int y = 0; y < n; ++y) {
       for (int x = 0; x < n; ++x) {
-        if (x == 0 && y % 10 == 0) text += "g part" + std::to_string(y / 10) + "\nusemtl m" + std::to_string(y / 10) + '\n';
+        if (x == 0 && y % 10 == 0)
+          text += "g part" + std::to_string(y / 10) + "\nusemtl m" + std::to_string(y / 10) + '\n';
         const auto corner = [&](int dx, int dy) {
           const std::string v = std::to_string((y + dy) * (n + 1) + x + dx + 1);
           return ' ' + v + '/' + v;
@@ -173,8 +174,8 @@ std::vector<Run> runs() {
   std::vector<Run> all;
   for (const char* effort : {"fast", "normal", "best"}) {
     for (const char* cost : {"quadric", "memoryless", "lindstrom-turk", "midpoint"}) {
-      all.push_back({"blob.obj", "ply",
-                     "--face-ratio 20% --effort " + std::string(effort) + " --cost " + std::string(cost)});
+      all.push_back(
+          {"blob.obj", "ply", "--face-ratio 20% --effort " + std::string(effort) + " --cost " + std::string(cost)});
     }
     for (const char* target : {"--max-error 0.3%", "--faces 40", "--max-cost 1e-6", "--ratio 30% --max-error 1%"}) {
       all.push_back({"bracket.stl", "obj", std::string(target) + " --effort " + effort});

@@ -147,8 +147,8 @@ std::string joined(const std::vector<std::string>& words) {
 std::string summary_of(const Findings& findings) {
   const io::ReadResult& read = findings.scene.read;
   const std::string repairs = io::to_string(read.repairs);
-  std::string text = findings.scene.name + ": " + std::string(findings.scene.format->title) + ", " + vertices_text(read.file_vertices) + ", " +
-                     faces_text(read.file_faces) + " in the file\n";
+  std::string text = findings.scene.name + ": " + std::string(findings.scene.format->title) + ", " +
+                     vertices_text(read.file_vertices) + ", " + faces_text(read.file_faces) + " in the file\n";
   text += "repairs: " + (repairs.empty() ? "none" : repairs) + '\n';
   const double diagonal = diagonal_of(findings.bounds);
   text += "box: " + point_text(findings.bounds.min(), diagonal) + " to " + point_text(findings.bounds.max(), diagonal) +

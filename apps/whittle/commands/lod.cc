@@ -6,11 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "whittle/pipeline/new_intersections.hh"
-#include "whittle/pipeline/run.hh"
 #include "commands/stage_bars.hh"
 #include "commands/subcommands.hh"
-#include "whittle/scene/gltf_file.hh"
 #include "files/input.hh"
 #include "files/mesh_output.hh"
 #include "files/output.hh"
@@ -19,8 +16,11 @@
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
 #include "whittle/core/geometry/box.hh"
-#include "whittle/progressive/levels.hh"
+#include "whittle/pipeline/new_intersections.hh"
 #include "whittle/pipeline/request.hh"
+#include "whittle/pipeline/run.hh"
+#include "whittle/progressive/levels.hh"
+#include "whittle/scene/gltf_file.hh"
 
 namespace whittle::app {
 namespace {
@@ -243,8 +243,8 @@ void write_files(LodCommand& options, const Talk& talk, const Stopwatch& since_s
   } else {
     for (const LodLevel& level : run.levels) {
       check_outputs({{"--output", level.path}}, {options.input}, options.common.force);
-      write_result(files, output_of(level.path, options.files, options.compresses_gltf), run.input, level.simplified.mesh, talk,
-                   run.warnings);
+      write_result(files, output_of(level.path, options.files, options.compresses_gltf), run.input,
+                   level.simplified.mesh, talk, run.warnings);
     }
   }
   run.write_seconds = writing.seconds();

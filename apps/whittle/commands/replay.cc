@@ -9,12 +9,12 @@
 
 #include "commands/recording/recording_input.hh"
 #include "commands/subcommands.hh"
-#include "whittle/scene/gltf_file.hh"
 #include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
 #include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
+#include "whittle/scene/gltf_file.hh"
 
 namespace whittle::app {
 namespace {
@@ -127,7 +127,8 @@ void check(const ReplayCommand& options) {
 void write_level(const ReplayCommand& options, const std::string& path, RecordedRun& recorded, IndexedMesh mesh,
                  OutputFiles& files, const Talk& talk, ReplayRun& run) {
   if (recorded.has_gltf_texcoords && !recorded.input.gltf) flip_texcoords(mesh);
-  write_result(files, output_of(path, options.files, options.compresses_gltf), recorded.input, mesh, talk, run.warnings);
+  write_result(files, output_of(path, options.files, options.compresses_gltf), recorded.input, mesh, talk,
+               run.warnings);
 }
 
 void write_levels(const ReplayCommand& options, RecordedRun& recorded, OutputFiles& files, const Talk& talk,

@@ -51,8 +51,8 @@ void refuse_files_of_no_run(SimplifyCommand options, const Plan& plan) {
   if (plan.has_faces()) return;
   for (const SideFile& file : side_files(options)) {
     if (!*file.path) continue;
-    throw UnsupportedMesh(plan.scene.name + ": " + why_no_faces(plan.scene.read) +
-                          "; there is nothing to write for " + file.option);
+    throw UnsupportedMesh(plan.scene.name + ": " + why_no_faces(plan.scene.read) + "; there is nothing to write for " +
+                          file.option);
   }
 }
 

@@ -37,8 +37,8 @@ void refuse_documents(const std::vector<std::string>& inputs, const std::vector<
     const SceneFormat* const format = format_by_name(input);
     if (options.reads_documents || format == nullptr || !format->is_document) continue;
     throw io::ReadError(input, "is " + std::string(format->title) +
-                                   ", which this command doesn't read; 'whittle convert' makes " +
-                                   io::format_titles() + " of it");
+                                   ", which this command doesn't read; 'whittle convert' makes " + io::format_titles() +
+                                   " of it");
   }
   for (const std::string& output : outputs) {
     if (options.output_format != nullptr) break;

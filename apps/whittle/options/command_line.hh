@@ -9,8 +9,8 @@
 #include "options/subcommand.hh"
 #include "terminal/errors.hh"
 #include "terminal/talk.hh"
-#include "whittle/scene/format.hh"
 #include "whittle/pipeline/option.hh"
+#include "whittle/scene/format.hh"
 
 namespace whittle::app {
 
@@ -32,9 +32,9 @@ ColorMode color_of(const CLI::App& app);
 
 /// How mesh files are read and written.
 struct FileOptions {
-  bool weld = true;                    ///< exact duplicates of vertices on open borders
-  AutomaticLength weld_tolerance{};    ///< also vertices on open borders that are so near; 0 = exact duplicates alone
-  const SceneFormat* format = nullptr;         ///< of files whose name doesn't tell the format; null: not told
+  bool weld = true;                     ///< exact duplicates of vertices on open borders
+  AutomaticLength weld_tolerance{};     ///< also vertices on open borders that are so near; 0 = exact duplicates alone
+  const SceneFormat* format = nullptr;  ///< of files whose name doesn't tell the format; null: not told
   const SceneFormat* input_format = nullptr;   ///< of what is read, whatever its name; or null
   const SceneFormat* output_format = nullptr;  ///< of what is written, whatever its name; or null
   bool ascii = false;                          ///< text, in formats that are written as text or as binary data

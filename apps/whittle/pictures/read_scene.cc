@@ -4,13 +4,13 @@
 #include <utility>
 
 #include "whittle/scene/gltf_file.hh"
-#include "files/materials.hh"
+#include "whittle/scene/materials.hh"
 
 namespace whittle::app {
 namespace {
 
 /// Adds all nodes of an asset that have meshes.
-void add_parts(const gltf::Asset& asset, const FileMaterials& materials, ReadScene& read) {
+void add_parts(const gltf::Asset& asset, const SceneMaterials& materials, ReadScene& read) {
   const bool has_nodes = shows_meshes(asset);
   for (std::size_t m = 0; m < asset.n_meshes(); ++m) {
     if (asset.n_triangles(m) == 0) continue;
@@ -30,7 +30,7 @@ void add_parts(const gltf::Asset& asset, const FileMaterials& materials, ReadSce
 }  // namespace
 
 ReadScene read_scene(const Scene& input) {
-  const FileMaterials materials = read_materials(input);
+  const SceneMaterials materials = read_materials(input);
   ReadScene read;
   read.warnings = materials.warnings;
   if (input.gltf) {

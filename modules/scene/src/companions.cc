@@ -13,7 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Copies a file. \return why not, if it isn't there afterwards
-std::string copied(io::OutputFiles& files, const fs::path& from, const fs::path& to, const fs::path& name, bool& is_new) {
+std::string copied(io::OutputFiles& files, const fs::path& from, const fs::path& to, const fs::path& name,
+                   bool& is_new) {
   std::error_code error;
   if (!is_inside(name)) return "outside of the folder";
   if (!fs::exists(from / name, error)) return fs::exists(to / name, error) ? "" : "not there";
@@ -50,8 +51,8 @@ void copy_companions(io::OutputFiles& files, const std::string& input, const std
   }
   if (!new_files.empty()) {
     const std::string others = counted(new_files.size() - 1, "more file", "more files");
-    messages.notes.push_back(about(output, "copied " + new_files.front() +
-                                               (new_files.size() > 1 ? " and " + others : "") + " beside it"));
+    messages.notes.push_back(
+        about(output, "copied " + new_files.front() + (new_files.size() > 1 ? " and " + others : "") + " beside it"));
   }
   if (missing.empty()) return;
   messages.warnings.push_back(about(output, "needs files that were not copied: " + missing));

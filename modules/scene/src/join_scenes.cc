@@ -6,9 +6,9 @@
 #include <set>
 #include <utility>
 
-#include "whittle/scene/errors.hh"
-#include "whittle/core/text/text.hh"
 #include "whittle/core/pieces.hh"
+#include "whittle/core/text/text.hh"
+#include "whittle/scene/errors.hh"
 
 namespace whittle {
 namespace {
@@ -149,8 +149,7 @@ void SceneJoiner::refuse_conflicts(const Scene& more) const {
   }
   for (const std::string& material : more.read.mesh.group_names) {
     const auto known = libraries_.find(material);
-    if (material.empty() || known == libraries_.end() || known->second == more.read.notes.material_libraries)
-      continue;
+    if (material.empty() || known == libraries_.end() || known->second == more.read.notes.material_libraries) continue;
     throw UnsupportedMesh(more.name + ": has a material '" + material +
                           "' as a file before has, in another library: rename one of them for --join");
   }

@@ -74,9 +74,9 @@ void name_texture(const SceneOutput& output, const Scene& scene, io::FileNotes& 
   if (textures.size() == 1) {
     notes.header_lines.push_back("comment TextureFile " + textures.begin()->generic_string());
   } else if (textures.size() > 1) {
-    messages.warnings.push_back(about(name_of(output),
-                             "has " + std::to_string(textures.size()) +
-                                 " textures, which other programs don't read from PLY: write OBJ or glTF for them"));
+    messages.warnings.push_back(
+        about(name_of(output), "has " + std::to_string(textures.size()) +
+                                   " textures, which other programs don't read from PLY: write OBJ or glTF for them"));
   }
 }
 
@@ -113,14 +113,12 @@ void write_one_mesh(io::OutputFiles& files, const SceneOutput& output, Scene& sc
 }
 
 IndexedMesh one_mesh_as_written(const SceneOutput& output, const Scene& /*scene*/, const IndexedMesh& mesh,
-                       const SceneReadOptions& options) {
+                                const SceneReadOptions& options) {
   const io::Format format = *output.format->mesh_format;
   std::ostringstream out;
   io::write_mesh(out, format, mesh, {.ascii = output.ascii});
-  const io::ReadOptions how{.weld = options.weld,
-                            .format = format,
-                            .threads = options.threads,
-                            .attributes = io::AttributeScope::per_vertex};
+  const io::ReadOptions how{
+      .weld = options.weld, .format = format, .threads = options.threads, .attributes = io::AttributeScope::per_vertex};
   return io::read_mesh(std::move(out).str(), output.path, how).mesh;
 }
 

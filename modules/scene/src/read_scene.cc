@@ -50,7 +50,8 @@ SceneFile::SceneFile(std::string path, const SceneFormat* format)
 std::string SceneFile::name() const { return path_ == standard_stream ? "standard input" : path_; }
 
 Scene SceneFile::read(const SceneReadOptions& options) const {
-  const SceneFormat& format = format_ != nullptr ? *format_ : *scene_formats().front();  // its reader says what is wrong
+  const SceneFormat& format =
+      format_ != nullptr ? *format_ : *scene_formats().front();  // its reader says what is wrong
   Scene scene = format.read(*this, options);
   if (scene.read.mesh.faces.empty() && !options.takes_no_triangles) {
     throw io::ReadError(name(), why_no_faces(scene.read));

@@ -85,8 +85,7 @@ TEST(FindIdle, SaysWhatAnOptionNeedsOrWhatStopsIt) {
                         {.names = "--boundary", .idle = {{.value = "free", .with = "--cost midpoint"}}}};
   EXPECT_TRUE(find_idle(rows, given({})).empty());
   EXPECT_TRUE(find_idle(rows, given({"--every", "--animate"})).empty());
-  EXPECT_EQ(find_idle(rows, given({"--every"})),
-            std::vector<std::string>{"'--every' does nothing without '--frames'"});
+  EXPECT_EQ(find_idle(rows, given({"--every"})), std::vector<std::string>{"'--every' does nothing without '--frames'"});
   EXPECT_TRUE(find_idle(rows, given({"--boundary", "--boundary locked", "--cost midpoint"})).empty());
   EXPECT_EQ(find_idle(rows, given({"--boundary", "--boundary free", "--cost midpoint"})),
             std::vector<std::string>{"'--boundary free' does nothing with '--cost midpoint'"});

@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "whittle/scene/gltf_file.hh"
 #include "terminal/errors.hh"
 #include "terminal/table.hh"
+#include "whittle/scene/gltf_file.hh"
 
 namespace whittle::app {
 namespace {

@@ -4,13 +4,13 @@
 #include <utility>
 
 #include "whittle/scene/gltf_file.hh"
-#include "files/materials.hh"
+#include "whittle/scene/materials.hh"
 
 namespace whittle::app {
 namespace {
 
 /// A line for each image that a page doesn't show.
-void warn_of_hidden_images(const FileMaterials& materials, const std::string& name,
+void warn_of_hidden_images(const SceneMaterials& materials, const std::string& name,
                            std::vector<std::string>& warnings) {
   std::set<const Image*> seen;
   for (const std::vector<Material>& of_mesh : materials.of_meshes) {
@@ -27,7 +27,7 @@ void warn_of_hidden_images(const FileMaterials& materials, const std::string& na
 }  // namespace
 
 PageLook::PageLook(const Scene& input, std::vector<std::string>& warnings) {
-  FileMaterials materials = read_materials(input);
+  SceneMaterials materials = read_materials(input);
   for (const std::string& warning : materials.warnings) warnings.push_back(about(input.name, warning));
   if (!materials.are_told) return;
   warn_of_hidden_images(materials, input.name, warnings);

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "whittle/pipeline/run.hh"
 #include "files/report.hh"
+#include "whittle/pipeline/run.hh"
 
 // What the messages and the report say of the distances that a run has proven.
 

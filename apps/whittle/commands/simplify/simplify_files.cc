@@ -74,8 +74,8 @@ void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwat
   const Stopwatch watch;
   OutputFiles files(options.common.force);
   files.protect(record.plan.scene.needed_files);
-  write_result(files, output_of(options.output, options.files, options.compresses_gltf), record.plan.scene, record.outcome.simplified.mesh,
-               talk, record.warnings);
+  write_result(files, output_of(options.output, options.files, options.compresses_gltf), record.plan.scene,
+               record.outcome.simplified.mesh, talk, record.warnings);
   const auto write = [&files](const std::optional<std::string>& path, const auto& fill) {
     if (path) files.write(*path, fill);
   };
@@ -85,12 +85,13 @@ void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwat
   write(options.recording, [&](std::ostream& out) { write_recording_file(out, options, record); });
   write(options.curve, [&](std::ostream& out) { write_curve(out, options, record); });
   write(options.page, [&](std::ostream& out) {
-    out << make_page(
-        {record.plan.scene, options.output, record.outcome.simplified, simplify_json(options, record), record.shortfall},
-        options.common, talk);
+    out << make_page({record.plan.scene, options.output, record.outcome.simplified, simplify_json(options, record),
+                      record.shortfall},
+                     options.common, talk);
   });
   if (options.pictures.is_given()) {
-    const std::string player = make_player(record.plan.scene.name, recorded_input(record), record.outcome.simplified.steps);
+    const std::string player =
+        make_player(record.plan.scene.name, recorded_input(record), record.outcome.simplified.steps);
     write_frames(files, options.pictures, player, "", {}, talk);
   }
   record.write_seconds = watch.seconds();

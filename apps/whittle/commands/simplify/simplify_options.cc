@@ -122,8 +122,8 @@ Request request_of(const SimplifyCommand& run) {
   request.keeps_steps = run.recording || run.curve || run.page || run.pictures.is_given();
   // OpenMesh's engine takes one value of an attribute a vertex.
   const bool is_flat = run.engine == Engine::flat;
-  request.reading = read_options(run.files, run.common.threads,
-                                 is_flat ? io::AttributeScope::all : io::AttributeScope::per_vertex);
+  request.reading =
+      read_options(run.files, run.common.threads, is_flat ? io::AttributeScope::all : io::AttributeScope::per_vertex);
   if (!is_flat) {
     request.decimater = [](const Scene& scene, const DecimateTarget& target, const DecimateOptions& options) {
       return decimate_in_openmesh(scene.read.mesh, scene.name, target, options);

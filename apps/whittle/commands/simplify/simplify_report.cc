@@ -20,7 +20,8 @@ Json output_json(const SimplifyCommand& options, const SimplifyRecord& record, c
   json["vanished_charts"] = record.outcome.vanished.n_charts;
   json["folded_texture_faces"] = record.outcome.simplified.n_folded_texture_faces;
   json["pruned_components"] = record.plan.n_pruned_parts;
-  json["self_intersections"] = record.outcome.n_intersections_after ? Json(*record.outcome.n_intersections_after) : Json(nullptr);
+  json["self_intersections"] =
+      record.outcome.n_intersections_after ? Json(*record.outcome.n_intersections_after) : Json(nullptr);
   json["coincident_faces"] = record.outcome.simplified.result.n_coincident_faces;
   return json;
 }
@@ -46,7 +47,8 @@ Json proof_json(const SimplifyRecord& record) {
   if (!record.outcome.distances) return nullptr;
   Json json = max_error_json(*record.outcome.distances, record.plan.target, record.plan.diagonal);
   json["tolerances"] = record.plan.options.decimate.tolerances.size();
-  json["certificate_bytes"] = record.outcome.certificate.empty() ? Json(nullptr) : Json(record.outcome.certificate.size());
+  json["certificate_bytes"] =
+      record.outcome.certificate.empty() ? Json(nullptr) : Json(record.outcome.certificate.size());
   return json;
 }
 
@@ -76,10 +78,14 @@ Json simplify_json(const SimplifyCommand& options, const SimplifyRecord& record)
   json["why_in_one_pass"] = result.why_in_one_pass.empty() ? Json(nullptr) : Json(result.why_in_one_pass);
   json["rejections"] = refusals_json(options, result.refusals);
   json["refused_at_end"] = refusals_json(options, result.refused_at_end);
-  json["polish"] = *record.plan.options.polish_passes > 0 ? polish_json(record.outcome.simplified.polish) : Json(nullptr);
-  json["seconds"] = {{"read", record.read_seconds},     {"decimate", record.decimate_seconds()},
-                     {"polish", record.outcome.seconds.polish}, {"certify", record.outcome.seconds.certify},
-                     {"curve", record.curve_seconds},   {"write", record.write_seconds},
+  json["polish"] =
+      *record.plan.options.polish_passes > 0 ? polish_json(record.outcome.simplified.polish) : Json(nullptr);
+  json["seconds"] = {{"read", record.read_seconds},
+                     {"decimate", record.decimate_seconds()},
+                     {"polish", record.outcome.seconds.polish},
+                     {"certify", record.outcome.seconds.certify},
+                     {"curve", record.curve_seconds},
+                     {"write", record.write_seconds},
                      {"total", record.total_seconds}};
   json["peak_rss_bytes"] = peak_memory_bytes();
   json["warnings"] = record.warnings;

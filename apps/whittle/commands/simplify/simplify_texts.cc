@@ -52,12 +52,13 @@ void say_details(const SimplifyCommand& options, const Talk& talk, const Simplif
   if (is_polished) talk.detail("polish: " + polish_text(record.outcome.simplified.polish));
   if (record.outcome.distances) {
     const NamesOfRun names{record.plan.scene.name, shown_output(options.output), record.plan.diagonal};
-    for (const std::string& line : distance_lines(*record.outcome.distances, record.plan.target, names)) talk.detail(line);
+    for (const std::string& line : distance_lines(*record.outcome.distances, record.plan.target, names))
+      talk.detail(line);
   }
   talk.detail("read " + seconds_text(record.read_seconds) + ", decimate " + seconds_text(record.decimate_seconds()) +
               (is_polished ? ", polish " + seconds_text(record.outcome.seconds.polish) : "") +
-              (record.outcome.distances ? ", certify " + seconds_text(record.outcome.seconds.certify) : "") + ", write " +
-              seconds_text(record.write_seconds));
+              (record.outcome.distances ? ", certify " + seconds_text(record.outcome.seconds.certify) : "") +
+              ", write " + seconds_text(record.write_seconds));
   say_effort(talk, record.total_seconds);
 }
 
@@ -67,11 +68,13 @@ std::string summary(const SimplifyCommand& options, const SimplifyRecord& record
   return shown_output(options.output) + ": " + std::to_string(before.faces.size()) + " -> " +
          faces_text(after.n_faces) + ", " + std::to_string(before.positions.size()) + " -> " +
          vertices_text(after.n_vertices) + parts_text(record) +
-         (record.outcome.n_intersections_after ? ", " + std::to_string(*record.outcome.n_intersections_before) + " -> " +
-                                             std::to_string(*record.outcome.n_intersections_after) + " self-intersections"
-                                       : "") +
+         (record.outcome.n_intersections_after
+              ? ", " + std::to_string(*record.outcome.n_intersections_before) + " -> " +
+                    std::to_string(*record.outcome.n_intersections_after) + " self-intersections"
+              : "") +
          (record.outcome.distances
-              ? ", at most " + length_text_rounded_up(proven_distance(record.outcome.distances->surface), record.plan.diagonal) +
+              ? ", at most " +
+                    length_text_rounded_up(proven_distance(record.outcome.distances->surface), record.plan.diagonal) +
                     " off"
               : "") +
          (record.outcome.met ? "" : ended_by(after.stop)) + " in " + seconds_text(record.total_seconds);

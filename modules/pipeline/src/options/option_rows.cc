@@ -3,8 +3,8 @@
 #include <string>
 
 #include "options/cost_rows.hh"
-#include "whittle/pipeline/request.hh"
 #include "options/words.hh"
+#include "whittle/pipeline/request.hh"
 
 namespace whittle {
 namespace {

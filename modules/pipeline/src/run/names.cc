@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "whittle/scene/errors.hh"
 #include "whittle/core/regions.hh"
+#include "whittle/scene/errors.hh"
 
 namespace whittle {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "whittle/scene/scene.hh"
 #include "whittle/core/attribute.hh"
 #include "whittle/core/attribute_kinds.hh"
+#include "whittle/scene/scene.hh"
 
 namespace whittle {
 

@@ -8,9 +8,9 @@
 #include <numeric>
 #include <utility>
 
-#include "whittle/scene/gltf_file.hh"
 #include "whittle/core/pieces.hh"
 #include "whittle/core/wedges.hh"
+#include "whittle/scene/gltf_file.hh"
 
 namespace whittle {
 namespace {

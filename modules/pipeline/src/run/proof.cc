@@ -60,8 +60,8 @@ std::string certificate_as_written(const Plan& plan, const DistancesAsWritten& d
   const DecimateTarget& target = plan.target;
   metrics::CertifiedDistances at_most;
   at_most.surface = target.error_limit().value_or(proven_distance(distances.surface));
-  at_most.borders = target.border_error_limit().value_or(distances.borders ? proven_distance(*distances.borders)
-                                                                           : no_limit);
+  at_most.borders =
+      target.border_error_limit().value_or(distances.borders ? proven_distance(*distances.borders) : no_limit);
   const std::optional<std::string> certificate = metrics::make_certificate(
       plan.scene.read.mesh, distances.written, at_most,
       {plan.threads(), observed(observer, "certifying", 0, 1), plan.options.decimate.tolerances, distances.vertex_map});

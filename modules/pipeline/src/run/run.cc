@@ -46,9 +46,10 @@ Simplification simplify_to(const Plan& plan, const DecimateTarget& target, Simpl
     };
   }
   const Effort effort = plan.request.effort;
-  Simplification result = plan.request.decimater     ? simplify_elsewhere(plan, target, options)
-                          : plan.request.is_per_mesh ? simplify_per_mesh(plan.scene, plan.targets_per_mesh, effort, options)
-                                                     : simplify(plan.scene.read.mesh, target, effort, options);
+  Simplification result = plan.request.decimater ? simplify_elsewhere(plan, target, options)
+                          : plan.request.is_per_mesh
+                              ? simplify_per_mesh(plan.scene, plan.targets_per_mesh, effort, options)
+                              : simplify(plan.scene.read.mesh, target, effort, options);
   if (is_cancelled) throw Cancelled();
   return result;
 }

@@ -62,8 +62,7 @@ class WarningFinder {
       if (valence <= 3) n_vertices += count;
     }
     if (n_vertices == 0) return;
-    add(RunWarningKind::three_edges, std::to_string(n_vertices) +
-                                         (n_vertices == 1 ? " vertex has" : " vertices have") +
+    add(RunWarningKind::three_edges, std::to_string(n_vertices) + (n_vertices == 1 ? " vertex has" : " vertices have") +
                                          " only three edges: they had them before, or nothing else was left to "
                                          "contract");
   }

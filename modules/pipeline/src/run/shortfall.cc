@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "whittle/core/text/text.hh"
 #include "run/per_mesh.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/parts.hh"
+#include "whittle/core/text/text.hh"
 #include "whittle/engine/automatic_threshold.hh"
 #include "whittle/io/border_gaps.hh"
 

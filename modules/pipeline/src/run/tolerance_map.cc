@@ -8,9 +8,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "whittle/scene/errors.hh"
 #include "whittle/io/errors.hh"
 #include "whittle/pipeline/values.hh"
+#include "whittle/scene/errors.hh"
 
 namespace whittle {
 namespace {

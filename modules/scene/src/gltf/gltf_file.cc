@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "gltf/screen_coverage.hh"
-#include "whittle/core/text/text.hh"
 #include "whittle/core/float32_positions.hh"
 #include "whittle/core/pieces.hh"
+#include "whittle/core/text/text.hh"
 #include "whittle/core/transform.hh"
 #include "whittle/io/errors.hh"
 #include "whittle/io/repair.hh"

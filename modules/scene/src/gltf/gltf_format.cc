@@ -19,11 +19,10 @@ Scene read_gltf(const SceneFile& file, const SceneReadOptions& options) {
   Scene scene;
   scene.format = &gltf_format;
   scene.gltf = std::make_shared<GltfFile>(file.path());
-  scene.read = scene.gltf->read(
-      {.weld = options.weld, .threads = options.threads, .attributes = options.attributes}, options.scope);
+  scene.read = scene.gltf->read({.weld = options.weld, .threads = options.threads, .attributes = options.attributes},
+                                options.scope);
   const fs::path folder = folder_of(file.path());
-  for (const std::vector<fs::path>& names :
-       {scene.gltf->asset().buffer_files(), scene.gltf->asset().image_files()}) {
+  for (const std::vector<fs::path>& names : {scene.gltf->asset().buffer_files(), scene.gltf->asset().image_files()}) {
     for (const fs::path& name : names) scene.needed_files.push_back(folder / name);
   }
   return scene;

@@ -11,12 +11,12 @@
 
 #include "companions.hh"
 #include "gltf/screen_coverage.hh"
-#include "whittle/scene/gltf_file.hh"
 #include "whittle/core/float32_positions.hh"
-#include "whittle/gltf/make_asset.hh"
 #include "whittle/core/text/text.hh"
+#include "whittle/gltf/make_asset.hh"
 #include "whittle/io/file_notes.hh"
 #include "whittle/io/materials.hh"
+#include "whittle/scene/gltf_file.hh"
 
 namespace whittle {
 namespace {

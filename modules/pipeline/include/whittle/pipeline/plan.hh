@@ -15,9 +15,9 @@ namespace whittle {
 
 /// How far a run has come.
 struct RunProgress {
-  std::string_view stage;      ///< "decimating", "polishing", "certifying", "counting intersections"
-  double fraction = 0;         ///< of the stage, [0, 1]
-  std::uint64_t n_faces = 0;   ///< that are left; 0 where the stage has none
+  std::string_view stage;     ///< "decimating", "polishing", "certifying", "counting intersections"
+  double fraction = 0;        ///< of the stage, [0, 1]
+  std::uint64_t n_faces = 0;  ///< that are left; 0 where the stage has none
 };
 /// What a run tells of the progress of `simplify`.
 RunProgress run_progress(const Progress& progress);
@@ -26,13 +26,13 @@ using RunObserver = std::function<bool(const RunProgress&)>;
 
 /// A request for a scene: all of it is settled.
 struct Plan {
-  Scene scene{};             ///< to be simplified: pruned, without what isn't kept
-  Request request{};         ///< as it was made
+  Scene scene{};              ///< to be simplified: pruned, without what isn't kept
+  Request request{};          ///< as it was made
   SimplifyOptions options{};  ///< settled: the cost, passes, flips, pauses, and all lengths
   DecimateTarget target = DecimateTarget::as_far_as_possible();
   std::vector<DecimateTarget> targets_per_mesh{};  ///< with `Request::is_per_mesh`; `target` is their sum then
-  double diagonal = 0;                           ///< of the scene's bounding box, before it was pruned; model units
-  double threshold = 0;                          ///< of threshold pairs, model units; 0 = none
+  double diagonal = 0;                             ///< of the scene's bounding box, before it was pruned; model units
+  double threshold = 0;                            ///< of threshold pairs, model units; 0 = none
   std::size_t n_pruned_parts = 0;
   std::vector<std::string> notes{};     ///< what was done with the scene: a line each, with its name in front
   std::vector<std::string> warnings{};  ///< likewise

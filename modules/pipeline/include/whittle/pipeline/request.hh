@@ -6,7 +6,6 @@
 
 #include "whittle/core/attribute_kinds.hh"
 #include "whittle/pipeline/option.hh"
-#include "whittle/simplify/simplify.hh"
 #include "whittle/pipeline/targets.hh"
 #include "whittle/scene/format.hh"
 #include "whittle/simplify/simplify.hh"
@@ -33,10 +32,10 @@ struct Request {
   Length feature_tolerance{5e-4, true};  ///< How far a feature line may come to lie from where it was.
   std::optional<Length> prune;           ///< Parts whose bounding box has a smaller diagonal are dropped.
   SelfIntersections self_intersections = SelfIntersections::allow;
-  bool is_per_mesh = false;      ///< Whether each mesh of a scene has the targets on its own.
-  bool keeps_attributes = true;  ///< Or positions alone.
-  CategoryNames categories;      ///< Numbers of vertices that are never blended.
-  bool certify = false;          ///< Whether the largest distance is found without a limit, too.
+  bool is_per_mesh = false;                  ///< Whether each mesh of a scene has the targets on its own.
+  bool keeps_attributes = true;              ///< Or positions alone.
+  CategoryNames categories;                  ///< Numbers of vertices that are never blended.
+  bool certify = false;                      ///< Whether the largest distance is found without a limit, too.
   std::optional<std::string> tolerance_map;  ///< A file with how far the surface may be from each vertex, a line each.
   bool makes_certificate = false;            ///< Whether the steps of the proof are wanted.
   bool keeps_steps = false;                  ///< Whether `Decimation::steps` is wanted.

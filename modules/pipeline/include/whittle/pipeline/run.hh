@@ -30,10 +30,10 @@ struct Vanished {
 /// Which option gets nearer to a target that was missed. What is said of it was tried: on the input, or from the result
 /// on if the input is large.
 struct Advice {
-  std::vector<std::string> reaching;     ///< options, each of which reaches the target
-  std::string nearest;                   ///< if none does: the one that gets furthest; empty if none gets further
-  std::optional<std::size_t> n_faces;    ///< that `nearest` leaves; none if that was not tried, as the mesh is large
-  bool has_options = false;              ///< whether an option lifts one of the reasons
+  std::vector<std::string> reaching;   ///< options, each of which reaches the target
+  std::string nearest;                 ///< if none does: the one that gets furthest; empty if none gets further
+  std::optional<std::size_t> n_faces;  ///< that `nearest` leaves; none if that was not tried, as the mesh is large
+  bool has_options = false;            ///< whether an option lifts one of the reasons
 
   bool names(std::string_view option) const;
 };
@@ -71,10 +71,10 @@ struct RunSeconds {
 /// What a run has done.
 struct Outcome {
   Simplification simplified;
-  bool met = false;                             ///< whether the target is met (`is_met`)
-  std::optional<Shortfall> shortfall;           ///< if it isn't
-  std::optional<DistancesAsWritten> distances;  ///< if they are to be proven
-  std::string certificate;                      ///< if it is wanted
+  bool met = false;                                   ///< whether the target is met (`is_met`)
+  std::optional<Shortfall> shortfall;                 ///< if it isn't
+  std::optional<DistancesAsWritten> distances;        ///< if they are to be proven
+  std::string certificate;                            ///< if it is wanted
   std::optional<std::size_t> n_intersections_before;  ///< pairs of faces, if they were counted
   std::optional<std::size_t> n_intersections_after;
   Vanished vanished;

@@ -30,9 +30,9 @@ struct SceneReadOptions {
   bool weld = true;                  ///< exact duplicates of vertices on open borders
   AutomaticLength weld_tolerance{};  ///< also vertices on open borders that are so near; 0 = exact duplicates alone
   SceneScope scope = SceneScope::meshes;
-  bool takes_no_triangles = false;   ///< whether a document without triangles is read, as a mesh without faces
+  bool takes_no_triangles = false;  ///< whether a document without triangles is read, as a mesh without faces
   io::AttributeScope attributes = io::AttributeScope::all;
-  unsigned threads = 0;              ///< 0 = all cores; the result is the same for any number
+  unsigned threads = 0;  ///< 0 = all cores; the result is the same for any number
 };
 
 /// A file to write a scene to.

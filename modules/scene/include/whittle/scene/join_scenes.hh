@@ -28,7 +28,7 @@ class SceneJoiner {
 
   Scene all_;
   std::vector<std::string> paths_;
-  std::set<std::string> dropped_;                               ///< names of what not all have
+  std::set<std::string> dropped_;                              ///< names of what not all have
   std::map<std::string, std::vector<std::string>> libraries_;  ///< of the file that a material came with
 };
 

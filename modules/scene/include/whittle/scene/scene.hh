@@ -23,11 +23,11 @@ struct Scene {
   std::string name;  ///< in messages: the path, or "standard input"
   const SceneFormat* format = nullptr;
   io::ReadResult read;
-  double weld_tolerance = 0;           ///< to which vertices were welded, model units; 0 = exact duplicates alone
-  std::shared_ptr<GltfFile> gltf{};    ///< the document of a glTF file, to be written again; or null
-  std::string mesh_name{};             ///< what new documents call the mesh
+  double weld_tolerance = 0;         ///< to which vertices were welded, model units; 0 = exact duplicates alone
+  std::shared_ptr<GltfFile> gltf{};  ///< the document of a glTF file, to be written again; or null
+  std::string mesh_name{};           ///< what new documents call the mesh
   std::vector<std::filesystem::path> needed_files{};  ///< beside it: buffers, material libraries, textures
-  std::vector<std::string> joined{};   ///< the files that it was joined of (`SceneJoiner`), `path` first; or empty
+  std::vector<std::string> joined{};    ///< the files that it was joined of (`SceneJoiner`), `path` first; or empty
   std::vector<std::string> warnings{};  ///< a line each, with the name in front
 };
 

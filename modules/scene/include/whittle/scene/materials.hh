@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "files/input.hh"
 #include "whittle/core/material/material.hh"
+#include "whittle/scene/scene.hh"
 
 // How the surfaces in a mesh file look, for what shows them.
 
-namespace whittle::app {
+namespace whittle {
 
-struct FileMaterials {
+struct SceneMaterials {
   /// Of glTF by mesh of the file and primitive; of meshes without triangles none. Of other formats those of one mesh,
   /// by face group, or one where it has no groups.
   std::vector<std::vector<Material>> of_meshes;
@@ -20,6 +20,6 @@ struct FileMaterials {
 
 /// From glTF, from the material libraries of an OBJ file, or the texture that a PLY file names; with images.
 /// \throw io::ReadError for wrong materials of glTF
-FileMaterials read_materials(const Scene& input);
+SceneMaterials read_materials(const Scene& scene);
 
-}  // namespace whittle::app
+}  // namespace whittle
