@@ -114,7 +114,7 @@ Looks looks_of(const Scene& scene, const IndexedMesh& mesh) {
   io::SurfaceMaterials from = io::read_materials(notes, folder, mesh);
   const bool has_texcoords = std::any_of(mesh.attributes.begin(), mesh.attributes.end(), is_texcoord);
   Looks looks{std::move(from.materials), has_texcoords && from.has_several_textures};
-  if (input.gltf) {  // its materials are left out, so that the format's default holds
+  if (scene.gltf) {  // its materials are left out, so that the format's default holds
     for (Material& material : looks.materials) material.double_sided = false;
   }
   for (const fs::path& file : io::referenced_files(notes, folder)) {

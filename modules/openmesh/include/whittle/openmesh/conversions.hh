@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -48,7 +49,7 @@ template <class MeshT>
 Box mesh_bounds(const MeshT& mesh) {
   Box box;
   for (const OpenMesh::VertexHandle v : mesh.vertices()) box.extend(to_vec3(mesh.point(v)));
-  return box.isEmpty() ? bounds_of({}) : box;
+  return box.isEmpty() ? bounds_of(std::span<const Vec3>()) : box;
 }
 
 namespace detail {
