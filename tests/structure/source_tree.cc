@@ -15,13 +15,13 @@ std::string folder_of(const std::string& path) {
   return slash == std::string::npos ? std::string() : path.substr(0, slash);
 }
 
-SourceTree read_source_tree(const fs::path& root, const std::vector<std::string>& folders) {
+SourceTree read_source_tree(const fs::path& root, const std::vector<std::string>& folders,
+                            const std::set<std::string>& extensions) {
   SourceTree tree;
   for (const std::string& folder : folders) {
     const std::size_t n_before = tree.size();
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
-      const std::string extension = entry.path().extension().string();
-      if (!entry.is_regular_file() || (extension != ".cc" && extension != ".hh")) continue;
+      if (!entry.is_regular_file() || !extensions.contains(entry.path().extension().string())) continue;
       std::ifstream file(entry.path(), std::ios::binary);
       tree[entry.path().lexically_relative(root).generic_string()] =
           std::string(std::istreambuf_iterator<char>(file), {});
@@ -62,15 +62,17 @@ std::string resolve(const SourceTree& tree, const std::vector<std::string>& fold
 }  // namespace
 
 std::vector<Include> includes_of(const SourceTree& tree) {
-  static const std::regex directive(R"re(^\s*#\s*include\s+(?:"([^"]+)"|<(whittle/[^>]+)>))re");
+  static const std::regex directive(
+      R"re(^\s*#\s*include\s+(?:"([^"]+)"|<(whittle/[^>]+)>)|^\s*(?:import|export)\s.*from\s+'(\.[^']+)')re");
   std::vector<Include> includes;
   for (const auto& [path, text] : tree) {
     const std::vector<std::string> folders = include_folders(tree, path);
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
       std::smatch match;
-      if (line.find("include") == std::string::npos || !std::regex_search(line, match, directive)) continue;
-      const std::string name = match[1].matched ? match[1] : match[2];
+      const bool may_match = line.find("include") != std::string::npos || line.find("port") != std::string::npos;
+      if (!may_match || !std::regex_search(line, match, directive)) continue;
+      const std::string name = match[1].matched ? match[1] : match[2].matched ? match[2] : match[3];
       if (!generated_headers.contains(name)) includes.push_back({path, resolve(tree, folders, name), name});
     }
   }

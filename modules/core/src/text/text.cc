@@ -18,7 +18,10 @@ std::string formatted(const char* format, double x) {
 /// To four significant digits, but for rounding errors of x. \param x not negative
 double rounded_up(double x) {
   if (!(x > 0)) return x;
-  const double last_digit = std::pow(10, std::floor(std::log10(x)) - 3);
+  const std::string text = formatted("%.3e", x);
+  const int exponent = std::stoi(text.substr(text.find('e') + 1));
+  if (exponent < -300) return x;
+  const double last_digit = std::stod("1e" + std::to_string(exponent - 3));
   return std::ceil(x / last_digit - 1e-9) * last_digit;
 }
 

@@ -3,8 +3,8 @@ import {
   BufferAttribute, BufferGeometry, ClampToEdgeWrapping, Color, DoubleSide, GLSL3, InterleavedBuffer, InterleavedBufferAttribute,
   LinearMipmapLinearFilter, Matrix3, MirroredRepeatWrapping, RepeatWrapping, SRGBColorSpace, ShaderMaterial, Texture,
 } from 'three';
+import {shareOfMax} from './distances.js';
 import {lookShader, lookVertexShader} from './shaders.js';
-import {shareOfMax} from './surface.js';
 
 /** Kinds of attributes of which deviations are shown: their name, what the legend says, and what a click says. */
 const kinds = {

@@ -1,5 +1,6 @@
 // A mesh of the page. Coordinates are 0 … 1 along the longest side of the box around all meshes.
 
+import {shareOfMax} from './distances.js';
 import {Look} from './look.js';
 
 export const unit = 65535;
@@ -91,14 +92,6 @@ class Distances {
     middles.set(key, made);
     return made;
   }
-}
-
-/** The signed value that a byte stands for, as a share of `max`: the inverse of `packed_value`. */
-export function shareOfMax(byte, {usual, max}) {
-  const step = byte & 127;
-  let value = usual * step / 100;
-  if (step > 100) value = usual > 0 ? usual * (max / usual) ** ((step - 100) / 27) : max * (step - 100) / 27;
-  return max > 0 ? Math.min(1, value / max) * (byte < 128 ? 1 : -1) : 0;
 }
 
 /** The faces, each from its lowest vertex on. */
