@@ -156,7 +156,7 @@ Json compare_json(const CompareOptions& options, const Scene& input, const Compa
 }
 
 /// "0.62": ours over theirs; "-" if theirs is 0.
-std::string ratio(double ours, double theirs) { return theirs > 0 ? significant(ours / theirs) : "-"; }
+std::string quotient(double ours, double theirs) { return theirs > 0 ? significant(ours / theirs) : "-"; }
 
 /// "--effort normal"
 std::string effort_text(const Comparison& comparison) {
@@ -184,7 +184,7 @@ void add_times(Table& table, const Comparison& comparison) {
   const Contender& ours = comparison.ours;
   const Contender& stock = comparison.stock;
   const auto add = [&table](const char* name, double a, double b) {
-    table.add({name, seconds_text(a), seconds_text(b), ratio(a, b)});
+    table.add({name, seconds_text(a), seconds_text(b), quotient(a, b)});
   };
   add("time to decimate", ours.decimate_seconds, stock.decimate_seconds);
   if (*comparison.settled.polish_passes > 0) {
@@ -204,7 +204,7 @@ std::string summary_of(const Scene& input, const Comparison& comparison) {
     table.add({name, std::to_string(a), std::to_string(b)});
   };
   const auto add = [&table](const std::string& name, double a, double b, const std::string& unit = "") {
-    table.add({name, significant(a) + unit, significant(b) + unit, ratio(a, b)});
+    table.add({name, significant(a) + unit, significant(b) + unit, quotient(a, b)});
   };
   const auto add_length = [&](const std::string& name, double a, double b) {
     add(name, a, b);

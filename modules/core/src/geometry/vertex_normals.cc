@@ -48,8 +48,8 @@ class SmoothCorners {
  private:
   void join_at(std::span<const Index> sides) {
     // Where more faces meet at an edge, the file is faulty, and all pairs of them may be too many.
-    constexpr std::size_t most_faces = 16;
-    if (sides.size() > most_faces) return;
+    constexpr std::size_t most_sides = 16;
+    if (sides.size() > most_sides) return;
     for (std::size_t i = 0; i < sides.size(); ++i) {
       for (std::size_t k = i + 1; k < sides.size(); ++k) {
         if (is_smooth(detail::face_of(sides[i]), detail::face_of(sides[k]))) join(sides[i], sides[k]);

@@ -17,7 +17,7 @@ std::string formatted(const char* format, double x) {
 
 /// To four significant digits, but for rounding errors of x. \param x not negative
 double rounded_up(double x) {
-  if (!(x > 0)) return x;
+  if (!(x > 0 && std::isfinite(x))) return x;
   const std::string text = formatted("%.3e", x);
   const int exponent = std::stoi(text.substr(text.find('e') + 1));
   if (exponent < -300) return x;

@@ -34,7 +34,7 @@ void set_one(std::string_view text, AttributeWeights& weights) {
 std::string text_of(const AttributeWeights& weights) {
   std::string text;
   for (const WeightKind& kind : kinds) {
-    text += (text.empty() ? "" : ",") + std::string(kind.word) + "=" + shortest(weights.*(kind.weight));
+    text.append(text.empty() ? "" : ",").append(kind.word).append("=").append(shortest(weights.*(kind.weight)));
   }
   return text;
 }

@@ -4,9 +4,8 @@
 #include <map>
 #include <set>
 
-#include "run/names.hh"
+#include "whittle/core/text/text.hh"
 #include "whittle/core/wedges.hh"
-#include "whittle/pipeline/values.hh"
 
 namespace whittle {
 namespace {
@@ -14,15 +13,9 @@ namespace {
 /// Of more regions the first are named.
 constexpr std::size_t most_named = 5;
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 std::string value_text(std::span<const double> value) {
   std::string text;
-  for (const double x : value) text += (text.empty() ? "" : ",") + shortest(x);
+  for (const double x : value) text.append(text.empty() ? "" : ",").append(shortest(x));
   return text;
 }
 
@@ -91,10 +84,6 @@ std::size_t n_vanished_charts(const IndexedMesh& mesh, std::span<const Index> fa
 
 }  // namespace
 
-void check_regions(const RegionNames& names, const Scene& scene) {
-  check_names(names, scene, scene.read.mesh.face_attributes, "faces have no property", "--regions");
-}
-
 Vanished find_vanished(const Scene& scene, const Decimation& result, const RegionNames& names) {
   const IndexedMesh& mesh = scene.read.mesh;
   Vanished vanished;
@@ -116,7 +105,7 @@ std::vector<std::string> texts_of(const Vanished& vanished) {
     std::vector<std::string> first = vanished.regions;
     first.resize(std::min(n, most_named));
     const std::string more = n > most_named ? " and " + std::to_string(n - most_named) + " more" : "";
-    texts.push_back("nothing is left of " + joined(first) + more);
+    texts.push_back("nothing is left of " + listed(first) + more);
   }
   if (const std::size_t n = vanished.n_charts; n > 0) {
     texts.push_back("nothing is left of " + std::to_string(n) + (n == 1 ? " piece" : " pieces") +

@@ -29,7 +29,7 @@ struct Run {
 };
 
 /// "--faces 100 --certify" as arguments.
-std::vector<std::string> words_of(const std::string& text) {
+std::vector<std::string> arguments_of(const std::string& text) {
   std::istringstream in(text);
   return {std::istream_iterator<std::string>(in), {}};
 }
@@ -44,7 +44,7 @@ void set_file_option(const std::string& name, Request& request) {
 Request request_of(const std::string& options) {
   Request request;
   OptionRows rows = option_rows(request);
-  const std::vector<std::string> words = words_of(options);
+  const std::vector<std::string> words = arguments_of(options);
   for (std::size_t i = 0; i < words.size(); ++i) {
     const OptionRow* const row = find_row(rows, words[i]);
     if (row != nullptr) {
@@ -146,7 +146,7 @@ struct Result {
 Result result_of_program(const Run& run, const TemporaryFolder& folder) {
   const std::string out = folder / "out." + run.extension;
   std::vector<std::string> arguments{"simplify", inputs().path(run.input), "-o", out, "--json", folder / "report.json"};
-  const std::vector<std::string> options = words_of(run.options);
+  const std::vector<std::string> options = arguments_of(run.options);
   arguments.insert(arguments.end(), options.begin(), options.end());
   const Outcome outcome = whittle(arguments);
   EXPECT_EQ(outcome.exit_code, 0) << outcome;
@@ -170,18 +170,8 @@ TEST_P(Library, DoesWhatTheProgramDoes) {
   EXPECT_FALSE(library.bytes.empty());
 }
 
-std::vector<Run> runs() {
-  std::vector<Run> all;
-  for (const char* effort : {"fast", "normal", "best"}) {
-    for (const char* cost : {"quadric", "memoryless", "lindstrom-turk", "midpoint"}) {
-      all.push_back(
-          {"blob.obj", "ply", "--face-ratio 20% --effort " + std::string(effort) + " --cost " + std::string(cost)});
-    }
-    for (const char* target : {"--max-error 0.3%", "--faces 40", "--max-cost 1e-6", "--ratio 30% --max-error 1%"}) {
-      all.push_back({"bracket.stl", "obj", std::string(target) + " --effort " + effort});
-    }
-  }
-  const std::vector<Run> others{
+std::vector<Run> single_runs() {
+  return {
       {"knot.ply", "ply", "--faces 2000"},
       {"knot.ply", "off", "--vertices 1500 --normals drop"},
       {"knot.ply", "stl", "--max-error 0.5%"},
@@ -231,18 +221,31 @@ std::vector<Run> runs() {
       {"scene.glb", "ply", "--faces 300"},
       {"scene.glb", "glb", "--faces 300 --certify"},
   };
-  all.insert(all.end(), others.begin(), others.end());
+}
+
+/// Each cost and each kind of target with each effort, and more.
+std::vector<Run> runs() {
+  std::vector<Run> all = single_runs();
+  for (const char* effort : {"fast", "normal", "best"}) {
+    for (const char* cost : {"quadric", "memoryless", "lindstrom-turk", "midpoint"}) {
+      all.push_back(
+          {"blob.obj", "ply", "--face-ratio 20% --effort " + std::string(effort) + " --cost " + std::string(cost)});
+    }
+    for (const char* target : {"--max-error 0.3%", "--faces 40", "--max-cost 1e-6", "--ratio 30% --max-error 1%"}) {
+      all.push_back({"bracket.stl", "obj", std::string(target) + " --effort " + effort});
+    }
+  }
   return all;
 }
 
 /// Letters and digits alone, as names of tests have them.
-std::string name_of(const testing::TestParamInfo<Run>& run) {
+std::string test_name(const testing::TestParamInfo<Run>& run) {
   std::string name = run.param.input + "_" + run.param.extension + "_" + run.param.options;
   for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   return std::to_string(run.index) + "_" + name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Options, Library, testing::ValuesIn(runs()), name_of);
+INSTANTIATE_TEST_SUITE_P(Options, Library, testing::ValuesIn(runs()), test_name);
 
 }  // namespace
 }  // namespace whittle::test

@@ -1,4 +1,4 @@
-#include "run/charts.hh"
+#include "plan/charts.hh"
 
 #include <algorithm>
 

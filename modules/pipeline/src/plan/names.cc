@@ -1,4 +1,4 @@
-#include "run/names.hh"
+#include "plan/names.hh"
 
 #include <algorithm>
 
@@ -15,10 +15,11 @@ std::string names_in(const std::vector<Attribute>& attributes) {
   return text;
 }
 
-}  // namespace
-
-void check_names(const Names& names, const Scene& scene, const std::vector<Attribute>& attributes,
-                 const std::string& what, const std::string& option) {
+/// \param names empty: those that are found \param attributes of the scene
+/// \param what text for the message: "faces have no property"
+/// \throw UnsupportedMesh if none of the attributes has one of the names
+void check_names(const std::optional<std::vector<std::string>>& names, const Scene& scene,
+                 const std::vector<Attribute>& attributes, const std::string& what, const std::string& option) {
   if (!names) return;
   for (const std::string& name : *names) {
     if (std::any_of(attributes.begin(), attributes.end(), [&](const Attribute& a) { return has_name(a, name); })) {
@@ -31,6 +32,8 @@ void check_names(const Names& names, const Scene& scene, const std::vector<Attri
   }
 }
 
+}  // namespace
+
 void take_categories(const CategoryNames& names, Scene& scene) {
   std::vector<Attribute> numbers;
   for (const Attribute& attribute : scene.read.mesh.attributes) {
@@ -39,6 +42,10 @@ void take_categories(const CategoryNames& names, Scene& scene) {
   }
   check_names(names, scene, numbers, "vertices have no numbers", "--categories");
   set_categories(scene.read.mesh, names);
+}
+
+void check_regions(const RegionNames& names, const Scene& scene) {
+  check_names(names, scene, scene.read.mesh.face_attributes, "faces have no property", "--regions");
 }
 
 }  // namespace whittle

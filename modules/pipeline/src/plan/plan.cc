@@ -3,11 +3,10 @@
 #include <limits>
 #include <utility>
 
-#include "run/charts.hh"
-#include "run/names.hh"
+#include "plan/charts.hh"
+#include "plan/names.hh"
+#include "plan/tolerance_map.hh"
 #include "run/per_mesh.hh"
-#include "run/tolerance_map.hh"
-#include "run/vanished.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/parts.hh"
 #include "whittle/core/text/text.hh"
@@ -73,12 +72,12 @@ std::vector<double> tolerances_of(Plan& plan) {
 double threshold_of(Plan& plan) {
   const AutomaticLength& threshold = plan.request.threshold;
   if (!threshold.is_automatic) return threshold.length.in_units(plan.diagonal);
-  const double automatic = automatic_threshold(plan.scene.read.mesh, plan.threads());
-  if (automatic == 0) {
+  const double found = automatic_threshold(plan.scene.read.mesh, plan.threads());
+  if (found == 0) {
     plan.warnings.push_back(
         about(plan.scene.name, "no parts lie near one another, '--threshold auto' contracts edges alone"));
   }
-  return automatic;
+  return found;
 }
 
 void warn_of_charts(Plan& plan) {

@@ -1,4 +1,4 @@
-#include "run/tolerance_map.hh"
+#include "plan/tolerance_map.hh"
 
 #include <algorithm>
 #include <cerrno>
