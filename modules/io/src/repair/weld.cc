@@ -268,8 +268,9 @@ bool have_same_bits(const Numbers& a, const Numbers& b) {
 bool have_same_attributes(const IndexedMesh& mesh, Index a, Index b) {
   if (!mesh.normals.empty() && !have_same_bits(mesh.normals[a], mesh.normals[b])) return false;
   if (!mesh.colors.empty() && !have_same_bits(mesh.colors[a], mesh.colors[b])) return false;
-  return std::all_of(mesh.attributes.begin(), mesh.attributes.end(),
-                     [&](const Attribute& attribute) { return have_same_bits(attribute.value(a), attribute.value(b)); });
+  return std::all_of(mesh.attributes.begin(), mesh.attributes.end(), [&](const Attribute& attribute) {
+    return have_same_bits(attribute.value(a), attribute.value(b));
+  });
 }
 
 // Makes a wedge of each vertex, if some that are joined have different attributes.
