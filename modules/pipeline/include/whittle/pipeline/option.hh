@@ -99,14 +99,14 @@ OptionAccess parsed(T& target, std::string meta, Parse parse) {
 
 /// \param value what the flag means
 OptionAccess flag(bool& target, bool value = true);
-/// \param T double, or an optional one
+/// \tparam T double, or an optional one
 template <class T>
 OptionAccess number(T& target, const Range& range, const std::string& meta) {
   return parsed(target, meta, [range, meta](std::string_view text) { return parse_number(text, range, meta); });
 }
 /// A number of which one, `off`, means none.
 OptionAccess number_or_off(std::optional<double>& target, const Range& range, const std::string& meta, double off);
-/// \param T an unsigned type, or an optional one
+/// \tparam T an unsigned type, or an optional one
 template <class T>
 OptionAccess count(T& target, std::uint64_t low = 1, std::uint64_t high = std::numeric_limits<std::uint64_t>::max(),
                    const std::string& meta = "N") {
@@ -118,19 +118,19 @@ OptionAccess count(T& target, std::uint64_t low = 1, std::uint64_t high = std::n
     }
   });
 }
-/// \param T double, or an optional one
+/// \tparam T double, or an optional one
 template <class T>
 OptionAccess ratio(T& target) {
   return parsed(target, "R", [](std::string_view text) { return parse_ratio(text); });
 }
-/// \param T Length, or an optional one
+/// \tparam T Length, or an optional one
 template <class T>
 OptionAccess length(T& target, const std::string& meta) {
   return parsed(target, meta, [meta](std::string_view text) { return parse_length(text, meta); });
 }
 OptionAccess length_above_zero(std::optional<Length>& target);
 OptionAccess automatic_length(AutomaticLength& target);
-/// \param T std::string, or an optional one
+/// \tparam T std::string, or an optional one
 template <class T>
 OptionAccess text(T& target, std::string meta) {
   return parsed(target, std::move(meta), [](std::string_view given) { return std::string(given); });
