@@ -9,7 +9,7 @@
 #include "terminal/exit_code.hh"
 #include "whittle/pipeline/option.hh"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
 class App;
 }
 

@@ -35,8 +35,8 @@ std::vector<double> part_diagonals(std::span<const Vec3> positions, const Parts&
   for (std::size_t v = 0; v < positions.size(); ++v) {
     if (parts.part_of[v] != invalid_index) boxes[parts.part_of[v]].extend(positions[v]);
   }
-  std::vector<double> diagonals;
-  for (const Box& box : boxes) diagonals.push_back(diagonal_of(box));
+  std::vector<double> diagonals(boxes.size());
+  std::transform(boxes.begin(), boxes.end(), diagonals.begin(), [](const Box& box) { return diagonal_of(box); });
   return diagonals;
 }
 

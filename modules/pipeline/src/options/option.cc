@@ -46,6 +46,16 @@ std::string joined(const std::vector<std::string>& names) {
   return text.empty() ? "none" : text;
 }
 
+/// Words of the refusal where both are given.
+std::string conflict_text(const std::string& own, const std::string& other, const std::string& why) {
+  return own + " doesn't go with " + other + ": " + why;
+}
+
+/// Words of the warning that an option is idle. \p how says "without" or "with" what.
+std::string idle_text(const std::string& own, std::string_view how, const std::string& other) {
+  return "'" + own + "' does nothing " + std::string(how) + " '" + other + "'";
+}
+
 }  // namespace
 
 std::string to_string(const OptionValue& value) { return std::visit(ValueText{}, value); }
@@ -69,7 +79,7 @@ std::string find_conflict(std::span<const OptionRow> rows, const IsGiven& is_giv
   for (const OptionRow& row : rows) {
     for (const auto& [value, other, why] : row.conflicts) {
       const std::string own = side(row, value);
-      if (is_given(own) && is_given(other)) return own + " doesn't go with " + other + ": " + why;
+      if (is_given(own) && is_given(other)) return conflict_text(own, other, why);
     }
   }
   return {};
@@ -82,8 +92,8 @@ std::vector<std::string> find_idle(std::span<const OptionRow> rows, const IsGive
       const std::string own = side(row, value);
       if (!is_given(own)) continue;
       const bool is_lonely = !without.empty() && std::none_of(without.begin(), without.end(), is_given);
-      if (is_lonely) sentences.push_back("'" + own + "' does nothing without '" + without.front() + "'");
-      if (!with.empty() && is_given(with)) sentences.push_back("'" + own + "' does nothing with '" + with + "'");
+      if (is_lonely) sentences.push_back(idle_text(own, "without", without.front()));
+      if (!with.empty() && is_given(with)) sentences.push_back(idle_text(own, "with", with));
     }
   }
   return sentences;
