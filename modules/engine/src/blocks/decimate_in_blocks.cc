@@ -89,7 +89,7 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
     if (options.listener || options.keep_steps) return "contractions are told in exact order";
     if (n_threads(options.threads) == 1) return "one thread works";
   } else {
-    if (options.effective_cost() != Cost::memoryless) return "the cost may fall, or is not of quadrics";
+    if (!cost_traits(options.effective_cost()).goes_in_blocks) return "the cost may fall, or is not of quadrics";
     if (options.effective_order() != Order::approximate) return "the order is exact";
   }
   if (options.quadric.placement != Placement::optimal) return "vertices stay where they are";

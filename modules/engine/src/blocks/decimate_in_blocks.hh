@@ -30,8 +30,10 @@ struct BlockPlan {
 std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget& target,
                                    const DecimateOptions& options, const DecimationHost* host, const BlockPlan& plan);
 
-/// Whether blocks keep the exact order: with plain quadrics.
-inline bool is_exact_in_blocks(const DecimateOptions& options) { return options.effective_cost() == Cost::quadric; }
+/// Whether blocks keep the exact order.
+inline bool is_exact_in_blocks(const DecimateOptions& options) {
+  return cost_traits(options.effective_cost()).goes_in_blocks_exactly;
+}
 
 struct BlockExtras {
   /// Of the surface by one contraction, in the frame. With one, memoryless quadrics may cost anything.

@@ -9,13 +9,9 @@
 namespace whittle {
 namespace {
 
-bool has_quadrics(const DecimateOptions& options) {
-  return options.effective_cost() == Cost::quadric || options.effective_cost() == Cost::memoryless;
-}
-
 /// Whether each vertex of the result lies at one of the input.
 bool stays_at_vertices(const DecimateOptions& options) {
-  return has_quadrics(options) && options.quadric.placement == Placement::endpoint;
+  return cost_traits(options.effective_cost()).has_quadrics && options.quadric.placement == Placement::endpoint;
 }
 
 /// Per vertex of the complex; empty if none is. \param by_user by number in the input, or empty
@@ -68,7 +64,7 @@ Pass::Pass(PassInput& input, const DecimateOptions& options)
     cost_ = make_cost(complex_, restraints_, options, !input.threshold_pairs.empty());
   }
   complex_.connect(input.threshold_pairs, options.threads);
-  const bool has_planes = !hosted_cost && has_quadrics(options);
+  const bool has_planes = !hosted_cost && cost_traits(options.effective_cost()).has_quadrics;
   restraints_ = Restraints(complex_, locked_vertices(complex_, input.locked, options.boundary),
                            input.lines ? *input.lines : FeatureLines{}, options.feature_angle_deg.value_or(180),
                            input.feature_tolerance, has_planes ? SeamHold::along : SeamHold::at_ends);

@@ -46,6 +46,10 @@ struct CostTraits {
   double dimension;       ///< The power of a length that is the cost's unit, with weights by area.
   Order default_order;    ///< exact or approximate
 
+  bool has_quadrics = false;            ///< Costs are quadrics, which hold planes, seams and attributes.
+  bool goes_in_blocks = false;          ///< Large meshes are contracted in blocks that fit a cache.
+  bool goes_in_blocks_exactly = false;  ///< Blocks contract what one queue over the whole mesh would contract.
+
   /// How far faces may turn by default, degrees. Measured: Lindstrom–Turk is more accurate where faces may turn
   /// further, memoryless quadrics where they may turn less.
   double default_max_normal_flip_deg;
@@ -64,12 +68,17 @@ inline constexpr std::array<CostTraits, 4> all_cost_traits{
       .name = "quadric",
       .dimension = 4,
       .default_order = Order::exact,
+      .has_quadrics = true,
+      .goes_in_blocks = true,
+      .goes_in_blocks_exactly = true,
       .default_max_normal_flip_deg = 75},
 
      {.cost = Cost::memoryless,
       .name = "memoryless",
       .dimension = 5,
       .default_order = Order::approximate,
+      .has_quadrics = true,
+      .goes_in_blocks = true,
       .default_max_normal_flip_deg = 60,
       .why_not = {.weights = "its planes change, and count by area",
                   .isotropy = "it blends quadrics that remember with the length of edges",

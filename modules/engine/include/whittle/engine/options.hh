@@ -173,8 +173,7 @@ struct DecimateOptions {
   /// Whether vertices on seams go along them only: with `Seams::keep`, with costs without quadrics, and with a share of
   /// `isotropy`, which knows of no seams.
   bool holds_seams() const {
-    const bool has_planes = effective_cost() == Cost::quadric || effective_cost() == Cost::memoryless;
-    return seams == Seams::keep || !has_planes || isotropy > 0;
+    return seams == Seams::keep || !cost_traits(effective_cost()).has_quadrics || isotropy > 0;
   }
   Order effective_order() const {
     return order == Order::automatic ? cost_traits(effective_cost()).default_order : order;

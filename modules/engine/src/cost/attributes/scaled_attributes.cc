@@ -165,7 +165,7 @@ void add_attribute(const IndexedMesh& mesh, const Frame& frame, double size, con
 }  // namespace
 
 bool looks_at_attributes(const DecimateOptions& options, const IndexedMesh& mesh) {
-  const bool has_quadrics = options.effective_cost() == Cost::quadric || options.effective_cost() == Cost::memoryless;
+  const bool has_quadrics = cost_traits(options.effective_cost()).has_quadrics;
   if (!has_quadrics || options.quadric.weights == Weights::uniform || options.isotropy > 0) return false;
   return !mesh.normals.empty() || !mesh.colors.empty() || !mesh.attributes.empty();
 }

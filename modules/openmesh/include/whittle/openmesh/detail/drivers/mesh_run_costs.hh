@@ -64,8 +64,7 @@ class PlacingCostT : public ModuleCostT<RunT> {
   double dimension() const override { return module_.cost_dimension(); }
   bool stays_at_vertices() const override {
     const std::optional<CostOptions> options = module_.engine_options();
-    if (!options || (options->cost != Cost::quadric && options->cost != Cost::memoryless)) return false;
-    return options->quadric.placement == Placement::endpoint;
+    return options && cost_traits(options->cost).has_quadrics && options->quadric.placement == Placement::endpoint;
   }
   void announce(const HostedContraction& made) const override { announce(made, made.rank); }
 
