@@ -1,6 +1,5 @@
 #include "files/output.hh"
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -21,16 +20,7 @@ constexpr char number_word[] = "{i}";
 
 namespace fs = std::filesystem;
 
-/// Equal for two names of one file. Files that don't exist yet have their names.
-std::string identity_of(const std::string& path) {
-  if (path == standard_stream) return path;
-  struct stat status {};
-  if (::stat(path.c_str(), &status) == 0) {
-    return std::to_string(status.st_dev) + ':' + std::to_string(status.st_ino);
-  }
-  std::error_code error;
-  return fs::weakly_canonical(path, error).string();
-}
+std::string identity_of(const std::string& path) { return path == standard_stream ? path : io::file_identity(path); }
 
 void check_folder(const std::string& path) {
   std::error_code error;
@@ -107,17 +97,13 @@ void check_outputs(const std::vector<Output>& outputs, const std::vector<std::st
 }
 
 void OutputFiles::protect(const std::vector<fs::path>& files) {
-  for (const fs::path& file : files) needed_.insert(identity_of(file.string()));
+  if (!force_) io::OutputFiles::protect(files);
 }
 
 void OutputFiles::write(const std::string& path, const std::function<void(std::ostream&)>& fill) {
   if (path == standard_stream) return io::fill_checked(std::cout, standard_output_name, fill);
-  if (!force_) {
-    refuse_write_protected(path);
-    if (needed_.contains(identity_of(path))) {
-      throw UsageError(path + ": an input needs this file; --force lets it be replaced");
-    }
-  }
+  if (!force_) refuse_write_protected(path);
+  if (is_protected(path)) throw UsageError(path + ": an input needs this file; --force lets it be replaced");
   if (!signals_wait_) signals_wait_.emplace();
   io::OutputFiles::write(path, fill);
 }

@@ -4,7 +4,6 @@
 #include <functional>
 #include <iosfwd>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -45,8 +44,7 @@ class OutputFiles : public io::OutputFiles {
   explicit OutputFiles(bool force) : force_(force) {}
   ~OutputFiles() override { discard(); }  // before signals act again
 
-  /// Names files that inputs need beside them, such as buffers and textures.
-  void protect(const std::vector<std::filesystem::path>& files);
+  void protect(const std::vector<std::filesystem::path>& files) override;
 
   /// Calls `fill` with a stream for the file. For "-" it is standard output, where everything is written at once and
   /// can't be undone.
@@ -59,7 +57,6 @@ class OutputFiles : public io::OutputFiles {
  private:
   std::optional<SignalsWait> signals_wait_;
   bool force_;
-  std::set<std::string> needed_;  ///< by inputs; identities
 };
 
 /// Writes text to standard output. \throw io::WriteError when it fails, as on a full disk or a closed pipe.

@@ -245,6 +245,21 @@ std::string test_name(const testing::TestParamInfo<Run>& run) {
   return std::to_string(run.index) + "_" + name;
 }
 
+TEST(SimplifyFile, ReplacesNoFileThatTheInputNeeds) {
+  const TemporaryFolder folder;
+  const std::string input = folder / "scene.gltf";
+  ASSERT_EQ(whittle({"convert", inputs().path("scene.glb"), "-o", input}).exit_code, 0);
+  const std::string buffer = folder / "scene.bin";
+  const std::string bytes = read_text(buffer);
+  const std::string document = read_text(input);
+  EXPECT_THROW(simplify_file(input, input, request_of("--ratio 0.5")), io::WriteError);
+  EXPECT_EQ(read_text(buffer), bytes);
+  EXPECT_EQ(read_text(input), document);
+  const std::string output = folder / "smaller.gltf";
+  simplify_file(input, output, request_of("--ratio 0.5"));
+  EXPECT_LT(std::filesystem::file_size(folder / "smaller.bin"), bytes.size());
+}
+
 INSTANTIATE_TEST_SUITE_P(Options, Library, testing::ValuesIn(runs()), test_name);
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "support/shapes/shapes.hh"
+#include "whittle/io/output_files.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
 
@@ -135,6 +136,25 @@ TEST_F(OutputFileTest, HoldsTheMeshInEveryFormat) {
     EXPECT_EQ(back.mesh.faces.size(), 12U) << path;
     EXPECT_EQ(back.format, format);
   }
+}
+
+TEST_F(OutputFileTest, KeepsWhatInputsNeed) {
+  const fs::path texture = folder_ / "texture.png";
+  std::ofstream(texture) << "pixels";
+  fs::create_symlink(texture, folder_ / "link.png");
+  OutputFiles files;
+  files.protect({texture, folder_ / "missing.bin"});
+  const auto write = [&files](const fs::path& path) {
+    files.write(path.string(), [](std::ostream& out) { out << "other"; });
+  };
+  for (const char* const name : {"texture.png", "link.png", "./texture.png", "missing.bin"}) {
+    EXPECT_THROW(write(folder_ / name), WriteError) << name;
+  }
+  write(folder_ / "own.png");
+  files.commit();
+  EXPECT_EQ(content(texture), "pixels");
+  EXPECT_EQ(content(folder_ / "own.png"), "other");
+  EXPECT_FALSE(fs::exists(folder_ / "missing.bin"));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "whittle/io/output_files.hh"
 
+#include <sys/stat.h>
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -27,7 +29,23 @@ void fill_checked(std::ostream& stream, const std::string& name, const std::func
   if (!stream.flush()) throw write_failure(name);
 }
 
+std::string file_identity(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0) {
+    return std::to_string(status.st_dev) + ':' + std::to_string(status.st_ino);
+  }
+  std::error_code error;
+  return std::filesystem::weakly_canonical(path, error).string();
+}
+
+void OutputFiles::protect(const std::vector<std::filesystem::path>& files) {
+  for (const std::filesystem::path& file : files) protected_.insert(file_identity(file.string()));
+}
+
+bool OutputFiles::is_protected(const std::string& path) const { return protected_.contains(file_identity(path)); }
+
 void OutputFiles::write(const std::string& path, const std::function<void(std::ostream&)>& fill) {
+  if (is_protected(path)) throw WriteError(path, "an input needs this file");
   files_.push_back(std::make_unique<OutputFile>(path));
   paths_.insert(path);
   fill_checked(files_.back()->stream(), path, fill);

@@ -32,6 +32,7 @@ FileRun simplify_file(const std::string& input, const std::string& output, Reque
   file_run.plan = plan(read_scene(input, request.reading), request);
   file_run.outcome = run(file_run.plan, observer);
   io::OutputFiles files;
+  files.protect(file_run.plan.scene.needed_files);
   write_scene(files, request.output, file_run.plan.scene, file_run.outcome.simplified.mesh, file_run.messages);
   files.commit();
   return file_run;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <iosfwd>
 #include <memory>
@@ -19,7 +20,11 @@ class OutputFiles {
   OutputFiles(const OutputFiles&) = delete;
   OutputFiles& operator=(const OutputFiles&) = delete;
 
-  /// Calls `fill` with a stream for the file, in binary mode. \throw WriteError that names the file
+  /// Names files that are not to be replaced: those that inputs need, such as buffers and textures.
+  virtual void protect(const std::vector<std::filesystem::path>& files);
+
+  /// Calls `fill` with a stream for the file, in binary mode. \throw WriteError that names the file, also if it is
+  /// protected
   virtual void write(const std::string& path, const std::function<void(std::ostream&)>& fill);
   /// Renames all files to their final names. \throw WriteError
   virtual void commit();
@@ -30,13 +35,18 @@ class OutputFiles {
   void write_with_folders(const std::string& path, const std::string& bytes);
 
  protected:
+  bool is_protected(const std::string& path) const;
   /// Forgets the files that are not committed.
   void discard() { files_.clear(); }
 
  private:
   std::vector<std::unique_ptr<OutputFile>> files_;
   std::set<std::string> paths_;
+  std::set<std::string> protected_;  ///< identities
 };
+
+/// Equal for two names of one file. Files that don't exist yet have their names.
+std::string file_identity(const std::string& path);
 
 /// Has `fill` write to a stream, and flushes it. \param name of the file, for messages
 /// \throw WriteError with the name of the file if either fails

@@ -22,10 +22,12 @@ struct FileRun {
   std::vector<std::string> warnings() const;
 };
 
-/// What `whittle simplify INPUT -o OUTPUT` does, to the byte: reads a file, plans, runs, and writes the result, with
-/// the files that it needs beside it. \param request its `output.ascii`, `output.compress` and `reading` are taken
-/// over, but for what the names tell \throw std::invalid_argument if the output's name tells no format; what
-/// `read_scene`, `plan`, `run` and `write_scene` throw. No file is left half-written.
+/// Does what `whittle simplify INPUT -o OUTPUT` does, to the byte: reads a file, plans, runs, and writes the result
+/// with the files that it needs beside it. All of them appear, or none. \param output a file that exists is replaced
+/// \param request Path, format and scope of reading are set by the names of the files.
+/// \throw std::invalid_argument if the output's name tells no format
+/// \throw io::WriteError if a file can't be written, or if the input needs it
+/// \throw what `read_scene`, `plan`, `run` and `write_scene` throw
 FileRun simplify_file(const std::string& input, const std::string& output, Request request,
                       const RunObserver& observer = {});
 
