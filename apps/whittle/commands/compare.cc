@@ -14,8 +14,8 @@
 #include "options/targets.hh"
 #include "terminal/interruption.hh"
 #include "terminal/progress_bar.hh"
-#include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
+#include "whittle/core/stopwatch.hh"
 #include "whittle/pipeline/request.hh"
 
 namespace whittle::app {

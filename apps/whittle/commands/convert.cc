@@ -6,9 +6,9 @@
 #include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
-#include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
 #include "whittle/core/geometry/box.hh"
+#include "whittle/core/stopwatch.hh"
 
 namespace whittle::app {
 namespace {

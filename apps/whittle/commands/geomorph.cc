@@ -13,8 +13,8 @@
 #include "files/output.hh"
 #include "files/report.hh"
 #include "terminal/errors.hh"
-#include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
+#include "whittle/core/stopwatch.hh"
 
 namespace whittle::app {
 namespace {

@@ -8,9 +8,9 @@
 #include "files/report.hh"
 #include "terminal/point_text.hh"
 #include "terminal/progress_bar.hh"
-#include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
 #include "whittle/core/geometry/box.hh"
+#include "whittle/core/stopwatch.hh"
 #include "whittle/metrics/self_intersections.hh"
 
 namespace whittle::app {

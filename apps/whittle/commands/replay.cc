@@ -12,8 +12,8 @@
 #include "files/mesh_output.hh"
 #include "files/output.hh"
 #include "files/report.hh"
-#include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
+#include "whittle/core/stopwatch.hh"
 #include "whittle/scene/gltf_file.hh"
 
 namespace whittle::app {

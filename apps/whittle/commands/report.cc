@@ -10,8 +10,8 @@
 #include "commands/subcommands.hh"
 #include "files/output.hh"
 #include "options/page_settings.hh"
-#include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
+#include "whittle/core/stopwatch.hh"
 
 namespace whittle::app {
 namespace {

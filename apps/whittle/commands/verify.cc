@@ -11,11 +11,11 @@
 #include "files/output.hh"
 #include "files/report.hh"
 #include "options/targets.hh"
-#include "terminal/stopwatch.hh"
 #include "terminal/table.hh"
 #include "whittle/core/detail/cores.hh"
 #include "whittle/core/flat_arrays.hh"
 #include "whittle/core/geometry/box.hh"
+#include "whittle/core/stopwatch.hh"
 #include "whittle/io/errors.hh"
 #include "whittle/io/whole_file.hh"
 

@@ -5,7 +5,7 @@
 
 #include "files/mesh_output.hh"
 #include "terminal/errors.hh"
-#include "terminal/stopwatch.hh"
+#include "whittle/core/stopwatch.hh"
 #include "whittle/core/text/text.hh"
 #include "whittle/scene/join_scenes.hh"
 

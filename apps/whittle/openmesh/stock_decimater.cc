@@ -6,7 +6,7 @@
 
 #include "openmesh/double_mesh.hh"
 #include "terminal/errors.hh"
-#include "terminal/stopwatch.hh"
+#include "whittle/core/stopwatch.hh"
 #include "whittle/openmesh/conversions.hh"
 
 namespace whittle::app {

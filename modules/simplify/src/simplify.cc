@@ -1,7 +1,6 @@
 #include "whittle/simplify/simplify.hh"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -13,6 +12,7 @@
 #include "nearer_result.hh"
 #include "plain_trial.hh"
 #include "simplify_sheets.hh"
+#include "whittle/core/stopwatch.hh"
 #include "whittle/engine/attributes.hh"
 #include "whittle/engine/detail/decimate_and_fit.hh"
 #include "whittle/engine/two_sided_sheets.hh"
@@ -20,10 +20,6 @@
 
 namespace whittle {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 void break_normals_of(const IndexedMesh& input, const SimplifyOptions& options, Decimation& decimation) {
   const DecimateOptions& decimate = options.decimate;
@@ -33,24 +29,24 @@ void break_normals_of(const IndexedMesh& input, const SimplifyOptions& options, 
 /// \pre all options are settled
 Simplification simplify_as_settled(const IndexedMesh& mesh, const DecimateTarget& target, SimplifyOptions settled,
                                    DecimationPolisher& polisher) {
-  const Clock::time_point start = Clock::now();
+  const Stopwatch watch;
   double polish_seconds = 0;
   SimplifyOptions without_flips = settled;
   without_flips.flips = false;
   if (!settled.pauses->empty() && !target.error_limit()) {
     settled.decimate.pauses = {*settled.pauses, [&](Decimation& paused) {
-                                 const Clock::time_point polish_start = Clock::now();
+                                 const Stopwatch polishing;
                                  const PolishResult polish = polisher.polish(without_flips, paused);
-                                 polish_seconds += seconds_since(polish_start);
+                                 polish_seconds += polishing.seconds();
                                  return !polish.cancelled;
                                }};
   }
   PolishResult polish;
-  std::optional<Clock::time_point> fit_start;
+  std::optional<Stopwatch> fitting;
   detail::Fit fit;
   if (settled.polish_passes > 0U) {
     fit = [&](Decimation& decimation, const std::vector<std::uint8_t>& held) {
-      if (!fit_start) fit_start = Clock::now();
+      if (!fitting) fitting.emplace();
       polish = polisher.polish(target.error_limit() ? without_flips : settled, decimation, held);
       return !polish.cancelled;
     };
@@ -58,9 +54,9 @@ Simplification simplify_as_settled(const IndexedMesh& mesh, const DecimateTarget
   detail::FittedDecimation fitted = detail::decimate_and_fit(mesh, target, settled.decimate, fit);
   Simplification result{std::move(fitted.decimation), *settled.decimate.cost, {}, 0, 0, 0};
   if (fitted.is_fitted || polish.cancelled) result.polish = polish;
-  if (fit_start) polish_seconds += seconds_since(*fit_start);
+  if (fitting) polish_seconds += fitting->seconds();
   result.polish_seconds = polish_seconds;
-  result.decimate_seconds = seconds_since(start) - polish_seconds;
+  result.decimate_seconds = watch.seconds() - polish_seconds;
   return result;
 }
 
@@ -76,13 +72,13 @@ bool is_better(const IndexedMesh& input, const Simplification& other, const Simp
 void fit_attributes_of(const IndexedMesh& input, const SimplifyOptions& settled, Simplification& result) {
   const bool is_cancelled = result.result.stop == StopReason::cancelled || result.polish.cancelled;
   if (is_cancelled || settled.polish_passes == 0U) return;
-  const Clock::time_point start = Clock::now();
+  const Stopwatch watch;
   const AttributeFitReport report =
       fit_attributes(input, wedge_map(input, result.vertex_map, result.face_origins), result.mesh,
                      {settled.decimate.normals == Normals::keep, settled.decimate.threads});
   result.n_folded_texture_faces = report.n_folded_faces;
   result.steps.fits_attributes = true;
-  result.polish_seconds += seconds_since(start);
+  result.polish_seconds += watch.seconds();
 }
 
 void finish_attributes_of(const IndexedMesh& input, const SimplifyOptions& settled, Simplification& result) {
@@ -101,10 +97,10 @@ Simplification better_of_both(const IndexedMesh& mesh, const DecimateTarget& tar
   Simplification other = simplify_as_settled(mesh, target, plain, polisher);
   other.decimate_seconds += result.decimate_seconds;
   other.polish_seconds += result.polish_seconds;
-  const Clock::time_point compare_start = Clock::now();
+  const Stopwatch comparing;
   Simplification& better = is_better(mesh, other, result) ? other : result;
   better.decimate_seconds = other.decimate_seconds;
-  better.polish_seconds = other.polish_seconds + seconds_since(compare_start);
+  better.polish_seconds = other.polish_seconds + comparing.seconds();
   return std::move(better);
 }
 
@@ -176,9 +172,9 @@ std::vector<Simplification> simplify_to_levels(const IndexedMesh& mesh, const st
   std::vector<Simplification> levels;
   double polish_seconds = 0;
   const auto add_level = [&](Decimation& paused) {
-    const Clock::time_point start = Clock::now();
+    const Stopwatch watch;
     const PolishResult polish = polisher.polish(without_flips, paused);
-    polish_seconds += seconds_since(start);
+    polish_seconds += watch.seconds();
     levels.push_back({paused, *settled.decimate.cost, polish, 0, 0, 0});
     Decimation& level = levels.back();
     carry_attributes(mesh, frame, settled.decimate.normals, level.vertex_map, level.face_origins, level.mesh,

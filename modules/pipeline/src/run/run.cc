@@ -1,7 +1,6 @@
 #include "whittle/pipeline/run.hh"
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +10,7 @@
 #include "run/run_warnings.hh"
 #include "run/shortfall.hh"
 #include "run/vanished.hh"
+#include "whittle/core/stopwatch.hh"
 #include "whittle/core/text/text.hh"
 #include "whittle/metrics/self_intersections.hh"
 #include "whittle/scene/write_scene.hh"
@@ -18,19 +18,15 @@
 namespace whittle {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 /// By the plan's decimater in place of ours.
 Simplification simplify_elsewhere(const Plan& plan, const DecimateTarget& target, const SimplifyOptions& options) {
-  const Clock::time_point start = Clock::now();
+  const Stopwatch decimating;
   Simplification result{
       plan.request.decimater(plan.scene, target, options.decimate), options.decimate.effective_cost(), {}, 0, 0};
-  result.decimate_seconds = seconds_since(start);
-  const Clock::time_point polish_start = Clock::now();
+  result.decimate_seconds = decimating.seconds();
+  const Stopwatch polishing;
   result.polish = polish_decimation(plan.scene.read.mesh, options, result);
-  result.polish_seconds = seconds_since(polish_start);
+  result.polish_seconds = polishing.seconds();
   return result;
 }
 
@@ -62,10 +58,10 @@ void take(Simplification result, Outcome& outcome) {
 
 /// Takes over a result. \return whether it keeps the limits of the error as it is written, which is proven
 bool take_if_within(Simplification result, const Plan& plan, const RunObserver& observer, Outcome& outcome) {
-  const Clock::time_point start = Clock::now();
+  const Stopwatch watch;
   outcome.distances = distances_as_written(plan, result, observer);
   const bool is_kept = outcome.distances && keep_limits(plan, *outcome.distances);
-  outcome.seconds.certify += seconds_since(start);
+  outcome.seconds.certify += watch.seconds();
   take(std::move(result), outcome);
   return is_kept;
 }
@@ -110,17 +106,17 @@ void simplify_within_error(const Plan& plan, const RunObserver& observer, Outcom
 void simplify_without_limit(const Plan& plan, const RunObserver& observer, Outcome& outcome) {
   take(simplify_to(plan, plan.target, plan.options, observer), outcome);
   if (!plan.request.certify && !plan.request.makes_certificate) return;
-  const Clock::time_point start = Clock::now();
+  const Stopwatch watch;
   outcome.distances = distances_as_written(plan, outcome.simplified, observer);
-  outcome.seconds.certify = seconds_since(start);
+  outcome.seconds.certify = watch.seconds();
 }
 
 void make_certificate(const Plan& plan, const RunObserver& observer, Outcome& outcome) {
   if (!plan.request.makes_certificate) return;
   if (!outcome.distances) throw std::runtime_error(plan.scene.name + ": no face is left to write a certificate of");
-  const Clock::time_point start = Clock::now();
+  const Stopwatch watch;
   outcome.certificate = certificate_as_written(plan, *outcome.distances, observer);
-  outcome.seconds.certify += seconds_since(start);
+  outcome.seconds.certify += watch.seconds();
 }
 
 void count_intersections(const Plan& plan, const RunObserver& observer, Outcome& outcome) {

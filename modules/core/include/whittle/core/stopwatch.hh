@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-namespace whittle::app {
+namespace whittle {
 
 /// Wall-clock seconds since its construction.
 class Stopwatch {
@@ -13,4 +13,4 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace whittle::app
+}  // namespace whittle
