@@ -115,6 +115,24 @@ TEST(MaxErrorOption, WritesNothingThatIsNotProven) {
   EXPECT_EQ(whittle({"simplify", input, "-o", output, "-e", "0.01", "--ascii"}).exit_code, 0);
 }
 
+/// Tolerances of vertices don't hide that not even the input is proven.
+TEST(MaxErrorOption, WritesNothingThatIsNotProvenInPlaces) {
+  const TemporaryFolder folder;
+  IndexedMesh far = blob(4, 1);
+  for (Vec3& p : far.positions) p += Vec3(1e6, 0, 0);
+  const std::string input = folder / "far.ply";
+  io::write_mesh(input, far);
+  std::string lines;
+  for (std::size_t v = 0; v < far.positions.size(); ++v) lines += v % 2 == 0 ? "0.005\n" : "100\n";
+  const std::string map = folder / "tolerances.txt";
+  write_text(map, lines);
+  const std::string output = folder / "out.stl";
+  const Outcome run = whittle({"simplify", input, "-o", output, "-e", "0.01", "--tolerance-map", map});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("can't be proven as " + output + " would be written"), std::string::npos) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(output));
+}
+
 /// What STL can hold it holds again: the input itself is within any error.
 TEST(MaxErrorOption, WritesTheInputIfNothingElseIsProven) {
   const TemporaryFolder folder;

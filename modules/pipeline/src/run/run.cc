@@ -70,6 +70,7 @@ bool take_if_within(Simplification result, const Plan& plan, const RunObserver& 
 Simplification uncontracted(const Plan& plan, const RunObserver& observer) {
   SimplifyOptions options = plan.options;
   options.polish_passes = 0;
+  options.decimate.tolerances.clear();  // they go with a limit of the error
   Simplification result =
       simplify_to(plan, DecimateTarget::faces(plan.scene.read.mesh.faces.size()), options, observer);
   result.result.stop = StopReason::error;
