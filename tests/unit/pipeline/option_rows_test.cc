@@ -47,6 +47,25 @@ TEST(OptionRows, TakeTheWordsThatTheyShow) {
   EXPECT_GT(n_words, 30U);
 }
 
+/// A row that lifts a reason takes the value that lifts it, and isn't at it where it refuses.
+TEST(OptionRows, LiftReasonsByValuesThatTheyTake) {
+  Request request;
+  std::set<Refusal> lifted;
+  for (const OptionRow& row : option_rows(request)) {
+    if (!row.lift) continue;
+    SCOPED_TRACE(row.names);
+    lifted.insert(row.lift->reason);
+    EXPECT_NE(row.lift->value, row.lift->cause);
+    if (!row.lift->cause.empty()) {
+      row.access.set(row.lift->cause);
+      EXPECT_EQ(to_string(row.access.get()), row.lift->cause);
+    }
+    row.access.set(row.lift->value);
+    EXPECT_EQ(to_string(row.access.get()), row.lift->value);
+  }
+  EXPECT_EQ(lifted.size(), 6U) << "all but the last face of an area, and the error, which is a target";
+}
+
 TEST(OptionRows, ReferToTheirRequest) {
   Request request;
   const OptionRows rows = option_rows(request);

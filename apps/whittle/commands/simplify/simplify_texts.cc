@@ -22,7 +22,7 @@ std::size_t count_parts(const IndexedMesh& mesh) { return find_parts(mesh.positi
 
 /// ", 25 -> 3 parts": with a threshold, parts may join.
 std::string parts_text(const SimplifyRecord& record) {
-  if (record.plan.threshold == 0) return "";
+  if (record.plan.threshold() == 0) return "";
   return ", " + std::to_string(count_parts(record.plan.scene.read.mesh)) + " -> " +
          counted(count_parts(record.outcome.simplified.mesh), "part", "parts");
 }
@@ -47,7 +47,7 @@ void say_details(const SimplifyCommand& options, const Talk& talk, const Simplif
     talk.detail(std::string("by plain quadrics, which came nearer") +
                 (is_mostly_flat(record.plan.scene.read.mesh) ? ": much of the mesh is flat" : ""));
   talk.detail(refusals_text(record.plan, result.refusals));
-  if (record.plan.threshold > 0) talk.detail(threshold_pairs(result.threshold_pairs));
+  if (record.plan.threshold() > 0) talk.detail(threshold_pairs(result.threshold_pairs));
   const bool is_polished = *record.plan.options.polish_passes > 0;
   if (is_polished) talk.detail("polish: " + polish_text(record.outcome.simplified.polish));
   if (record.outcome.distances) {

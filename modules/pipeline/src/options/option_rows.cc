@@ -74,7 +74,8 @@ OptionRows pair_rows(Request& request) {
            .access = choice(request.simplify.decimate.topology, topologies),
            .group = pair_group,
            .help = "keep: contracting an edge closes no tunnel, opens no hole and lets no part vanish; free: it may",
-           .key = "topology"},
+           .key = "topology",
+           .lift = {{Refusal::link, "free"}}},
           {.names = "--prune",
            .access = length(request.prune, "S"),
            .group = pair_group,
@@ -88,7 +89,8 @@ OptionRows boundary_rows(DecimateOptions& decimate) {
                      .access = choice(decimate.boundary, boundaries),
                      .group = guard_group,
                      .help = "open borders are held by a weight, don't move at all, or move freely",
-                     .key = "boundary"};
+                     .key = "boundary",
+                     .lift = {{Refusal::locked, "weighted", "locked"}}};
   OptionRow weight{.names = "--boundary-weight",
                    .access = number(decimate.quadric.boundary_weight, {0}, "W"),
                    .group = guard_group,
@@ -113,7 +115,8 @@ OptionRows guard_rows(Request& request) {
            .help = "edges sharper than DEG degrees are features: their lines stay, and no other edges get so sharp "
                    "(180: none), " +
                    to_string(angles, "DEG"),
-           .key = "feature_angle_deg"},
+           .key = "feature_angle_deg",
+           .lift = {{Refusal::feature, "180"}}},
           {.names = "--feature-tolerance",
            .access = length(request.feature_tolerance, "T"),
            .group = guard_group,
@@ -128,21 +131,24 @@ OptionRows guard_rows(Request& request) {
                    to_string(angles, "DEG"),
            .standard = defaults_by_cost([](const CostTraits& t) { return shortest(t.default_max_normal_flip_deg); }),
            .key = "max_normal_flip_deg",
-           .reported = [&decimate] { return OptionValue(decimate.effective_max_normal_flip_deg()); }},
+           .reported = [&decimate] { return OptionValue(decimate.effective_max_normal_flip_deg()); },
+           .lift = {{Refusal::flip, "180"}}},
           {.names = "--min-radius-ratio",
            .access = number_or_off(decimate.min_radius_ratio, ratios, "X", 0),
            .group = guard_group,
            .help = "refuse a contraction that leaves a face with a smaller ratio of incircle to circumcircle (1: "
                    "equilateral), unless it was thinner before (0: never), " +
                    to_string(ratios, "X"),
-           .key = "min_radius_ratio"},
+           .key = "min_radius_ratio",
+           .lift = {{Refusal::shape, "0"}}},
           {.names = "--self-intersections",
            .access = choice(request.self_intersections, self_intersections),
            .group = guard_group,
            .help = "allow: warn if parts come to intersect, or walls to cross, that didn't; count: also count all "
                    "intersecting faces, before and after; refuse: also refuse contractions that would make faces "
                    "intersect",
-           .key = "self_intersections"}});
+           .key = "self_intersections",
+           .lift = {{Refusal::intersection, "allow"}}}});
   return rows;
 }
 
@@ -165,7 +171,8 @@ OptionRows attribute_rows(Request& request) {
            .group = attribute_group,
            .help = "weighted: a weight holds the borders of charts, materials and regions; keep: they stay where they "
                    "are, with their corners",
-           .key = "seams"},
+           .key = "seams",
+           .lift = {{Refusal::feature, "weighted"}}},
           {.names = "--regions",
            .access = names(decimate.regions),
            .group = attribute_group,

@@ -5,6 +5,7 @@
 
 #include "plan/charts.hh"
 #include "plan/names.hh"
+#include "plan/simplify_options.hh"
 #include "plan/tolerance_map.hh"
 #include "run/per_mesh.hh"
 #include "whittle/core/geometry/box.hh"
@@ -68,8 +69,8 @@ std::vector<double> tolerances_of(Plan& plan) {
   return tolerances;
 }
 
-/// In model units. Warns if it is automatic and no parts lie near one another.
-double threshold_of(Plan& plan) {
+/// Of threshold pairs, model units. Warns if it is automatic and no parts lie near one another.
+double find_threshold(Plan& plan) {
   const AutomaticLength& threshold = plan.request.threshold;
   if (!threshold.is_automatic) return threshold.length.in_units(plan.diagonal);
   const double found = automatic_threshold(plan.scene.read.mesh, plan.threads());
@@ -92,16 +93,16 @@ void warn_of_charts(Plan& plan) {
 /// Sets what depends on the mesh, and what depends on the effort.
 void settle_options(Plan& plan) {
   const Request& request = plan.request;
-  SimplifyOptions& options = plan.options = request.simplify;
+  SimplifyOptions& options = plan.options = simplify_options(request);
   DecimateOptions& decimate = options.decimate;
-  if (plan.threshold > 0) decimate.pairs.threshold = plan.threshold;
+  if (const double threshold = plan.has_faces() ? find_threshold(plan) : 0; threshold > 0) {
+    decimate.pairs.threshold = threshold;
+  }
   if (plan.diagonal > 0) {
     decimate.feature_tolerance = request.feature_tolerance.in_units(plan.diagonal) / plan.diagonal;
   }
-  decimate.refuse_intersections = request.self_intersections == SelfIntersections::refuse;
   decimate.threads = plan.threads();
   decimate.keep_steps = request.keeps_steps;
-  if (request.decimater && !decimate.cost) decimate.cost = Cost::quadric;
   const bool has_pauses = !request.decimater && request.targets.has_count() && !request.targets.max_error;
   if (!has_pauses) options.pauses = std::vector<double>{};
   options = with_effort(request.effort, std::move(options), plan.scene.read.mesh, plan.target);
@@ -114,8 +115,7 @@ RunProgress run_progress(const Progress& progress) {
 }
 
 SimplifyOptions options_by_effort(const Request& request) {
-  SimplifyOptions options = request.simplify;
-  if (request.decimater && !options.decimate.cost) options.decimate.cost = Cost::quadric;
+  SimplifyOptions options = simplify_options(request);
   // How long it is depends on the mesh. The effort depends only on whether there is one.
   if (request.has_threshold()) options.decimate.pairs.threshold = std::numeric_limits<double>::infinity();
   return with_effort(request.effort, std::move(options));
@@ -134,7 +134,6 @@ Plan plan(Scene scene, const Request& request) {
   }
   std::vector<std::uint8_t> held = held_borders(plan.scene, plan.scene.read.mesh, plan.threads(), plan.warnings);
   std::vector<double> tolerances = tolerances_of(plan);
-  if (plan.has_faces()) plan.threshold = threshold_of(plan);
   settle_options(plan);
   plan.options.decimate.locked = std::move(held);
   plan.options.decimate.tolerances = std::move(tolerances);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "plan/simplify_options.hh"
 #include "run/per_mesh.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/geometry/box.hh"
@@ -13,6 +14,7 @@
 #include "whittle/core/text/text.hh"
 #include "whittle/engine/automatic_threshold.hh"
 #include "whittle/io/border_gaps.hh"
+#include "whittle/pipeline/option.hh"
 
 namespace whittle {
 namespace {
@@ -49,44 +51,54 @@ void add_lifts_of_input(const IndexedMesh& mesh, const DecimateOptions& options,
   }
 }
 
-/// Those that are not given already, the most frequent reason first. \param mesh what they are to be tried on
-std::vector<Lift> lifts(const IndexedMesh& mesh, const Decimation& result, const DecimateOptions& options,
-                        bool keeps_meshes) {
+/// Options whose rows lift a reason, and that are not given so already.
+void add_lifts_by_rows(const Plan& plan, std::vector<Lift>& all) {
+  Request given = plan.request;
+  given.simplify = plan.options;
+  Request request = given;
+  for (const OptionRow& row : option_rows(request)) {
+    if (!row.lift) continue;
+    const std::string now = to_string(row.access.get());
+    row.access.set(row.lift->value);
+    const bool is_changed = to_string(row.access.get()) != now;
+    if (is_changed && (row.lift->cause.empty() || row.lift->cause == now)) {
+      all.push_back({row.lift->reason, long_name(row) + ' ' + row.lift->value, simplify_options(request).decimate});
+    }
+    request = given;
+  }
+}
+
+/// Threshold pairs join parts whose last faces may not vanish. \param mesh whose parts may lie near one another
+void add_lift_by_pairs(const Plan& plan, const IndexedMesh& mesh, std::vector<Lift>& all) {
+  DecimateOptions options = plan.options.decimate;
+  const bool may_have_pairs =
+      !keeps_meshes(plan.scene) && plan.threshold() == 0 && options.isotropy == 0 && options.valence_weight == 0;
+  if (!may_have_pairs) return;
+  const double threshold = automatic_threshold(mesh, options.threads);
+  if (threshold == 0) return;
+  options.pairs.threshold = threshold;
+  options.cost = Cost::quadric;
+  options.order = Order::automatic;
+  all.push_back({Refusal::link, "--threshold auto", options});
+}
+
+/// Options that lift reasons for which pairs are refused at the end, the most frequent reason first.
+/// \param mesh what they are to be tried on
+std::vector<Lift> find_lifts(const Plan& plan, const IndexedMesh& mesh, const Decimation& result) {
+  const RefusalCounts& refused = result.result.refused_at_end;
   std::vector<Lift> all;
-  const auto add = [&](bool helps, Refusal reason, const char* option, const auto& change) {
-    if (!helps || result.result.refused_at_end[reason] == 0) return;
-    all.push_back({reason, option, options});
-    change(all.back().options);
-  };
-  if (result.result.refused_at_end[Refusal::link] > 0) add_lifts_of_input(mesh, options, keeps_meshes, all);
-  add(options.topology == Topology::keep, Refusal::link, "--topology free",
-      [](DecimateOptions& o) { o.topology = Topology::free; });
-  const bool may_have_pairs = !keeps_meshes && !(options.pairs.threshold > 0);
-  const double threshold = may_have_pairs ? automatic_threshold(result.mesh, options.threads) : 0;
-  add(threshold > 0 && options.isotropy == 0 && options.valence_weight == 0, Refusal::link, "--threshold auto",
-      [threshold](DecimateOptions& o) {
-        o.pairs.threshold = threshold;
-        o.cost = Cost::quadric;
-        o.order = Order::automatic;
-      });
-  add(options.effective_max_normal_flip_deg() < 180, Refusal::flip, "--max-normal-flip 180",
-      [](DecimateOptions& o) { o.max_normal_flip_deg = 180; });
-  add(options.min_radius_ratio > 0, Refusal::shape, "--min-radius-ratio 0",
-      [](DecimateOptions& o) { o.min_radius_ratio.reset(); });
-  add(options.seams == Seams::keep, Refusal::feature, "--seams weighted",
-      [](DecimateOptions& o) { o.seams = Seams::weighted; });
-  add(options.feature_angle_deg.has_value(), Refusal::feature, "--feature-angle 180",
-      [](DecimateOptions& o) { o.feature_angle_deg.reset(); });
-  add(options.boundary == Boundary::locked, Refusal::locked, "--boundary weighted",
-      [](DecimateOptions& o) { o.boundary = Boundary::weighted; });
-  add(options.refuse_intersections, Refusal::intersection, "--self-intersections allow",
-      [](DecimateOptions& o) { o.refuse_intersections = false; });
-  std::stable_sort(all.begin(), all.end(), [&](const Lift& x, const Lift& y) {
-    return result.result.refused_at_end[x.reason] > result.result.refused_at_end[y.reason];
-  });
+  if (refused[Refusal::link] > 0) {
+    add_lifts_of_input(mesh, plan.options.decimate, keeps_meshes(plan.scene), all);
+    add_lift_by_pairs(plan, result.mesh, all);
+  }
+  add_lifts_by_rows(plan, all);
+  std::erase_if(all, [&](const Lift& lift) { return refused[lift.reason] == 0; });
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const Lift& x, const Lift& y) { return refused[x.reason] > refused[y.reason]; });
   return all;
 }
 
+/// \param mesh the input of the run, or another
 DecimateResult try_on(const IndexedMesh& mesh, const DecimateTarget& target, const Lift& lift) {
   DecimateOptions options = lift.options;
   options.listener = nullptr;
@@ -94,13 +106,14 @@ DecimateResult try_on(const IndexedMesh& mesh, const DecimateTarget& target, con
   options.keep_quadrics = false;
   const IndexedMesh changed = lift.change_mesh ? lift.change_mesh(mesh) : mesh;
   if (options.locked.size() != changed.positions.size()) options.locked.clear();
+  if (options.tolerances.size() != changed.positions.size()) options.tolerances.clear();
   return decimate(changed, target, options).result;
 }
 
 Advice find_advice(const Plan& plan, const Decimation& result) {
   const IndexedMesh& input = plan.scene.read.mesh;
   const IndexedMesh& mesh = input.faces.size() <= most_faces_tried ? input : result.mesh;
-  const std::vector<Lift> all = lifts(mesh, result, plan.options.decimate, keeps_meshes(plan.scene));
+  const std::vector<Lift> all = find_lifts(plan, mesh, result);
   Advice advice;
   advice.has_options = !all.empty();
   if (advice.has_options && mesh.faces.size() > most_faces_tried) advice.nearest = all.front().option;
@@ -144,7 +157,8 @@ std::string reasons_at_end(const RefusalCounts& refused) {
 }
 
 bool Advice::names(std::string_view option) const {
-  return nearest == option || std::find(reaching.begin(), reaching.end(), option) != reaching.end();
+  if (reaching.empty()) return nearest == option;
+  return std::find(reaching.begin(), reaching.end(), option) != reaching.end();
 }
 
 std::string to_string(const Advice& advice) {

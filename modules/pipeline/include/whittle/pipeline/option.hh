@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "whittle/engine/refusals.hh"
 #include "whittle/pipeline/values.hh"
 
 // Options as data: one row an option. What parses, explains, reports, completes and checks options is a loop over rows,
@@ -46,6 +47,13 @@ struct OptionIdle {
   std::string with{};                  ///< with this; or empty
 };
 
+/// What an option does against a reason to refuse pairs.
+struct OptionLift {
+  Refusal reason;
+  std::string value;    ///< with which the option refuses nothing for the reason
+  std::string cause{};  ///< the value with which it does; empty = each other
+};
+
 /// Everything that is said of an option.
 struct OptionRow {
   std::string names;  ///< "-r,--ratio"; "IN" for an argument, which has no other name
@@ -57,6 +65,7 @@ struct OptionRow {
   std::function<OptionValue()> reported{};  ///< in reports, where it isn't what `access` tells
   std::vector<OptionConflict> conflicts{};
   std::vector<OptionIdle> idle{};
+  std::optional<OptionLift> lift{};
   bool is_required = false;
   bool takes_several = false;  ///< an argument that may be given more than once
 };

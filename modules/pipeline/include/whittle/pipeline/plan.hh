@@ -32,11 +32,12 @@ struct Plan {
   DecimateTarget target = DecimateTarget::as_far_as_possible();
   std::vector<DecimateTarget> targets_per_mesh{};  ///< with `Request::is_per_mesh`; `target` is their sum then
   double diagonal = 0;                             ///< of the scene's bounding box, before it was pruned; model units
-  double threshold = 0;                            ///< of threshold pairs, model units; 0 = none
   std::size_t n_pruned_parts = 0;
   std::vector<std::string> notes{};     ///< what was done with the scene: a line each, with its name in front
   std::vector<std::string> warnings{};  ///< likewise
 
+  /// Of threshold pairs, model units; 0 = none.
+  double threshold() const { return options.decimate.pairs.threshold.value_or(0); }
   unsigned threads() const { return request.reading.threads; }
   bool has_faces() const { return !scene.read.mesh.faces.empty(); }
 };

@@ -35,6 +35,7 @@ struct Advice {
   std::optional<std::size_t> n_faces;  ///< that `nearest` leaves; none if that was not tried, as the mesh is large
   bool has_options = false;            ///< whether an option lifts one of the reasons
 
+  /// Whether `to_string` names the option.
   bool names(std::string_view option) const;
 };
 /// "'--topology free' reaches it"
