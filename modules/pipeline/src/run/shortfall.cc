@@ -87,11 +87,9 @@ void add_lift_by_pairs(const Plan& plan, const IndexedMesh& mesh, std::vector<Li
 std::vector<Lift> find_lifts(const Plan& plan, const IndexedMesh& mesh, const Decimation& result) {
   const RefusalCounts& refused = result.result.refused_at_end;
   std::vector<Lift> all;
-  if (refused[Refusal::link] > 0) {
-    add_lifts_of_input(mesh, plan.options.decimate, keeps_meshes(plan.scene), all);
-    add_lift_by_pairs(plan, result.mesh, all);
-  }
+  if (refused[Refusal::link] > 0) add_lifts_of_input(mesh, plan.options.decimate, keeps_meshes(plan.scene), all);
   add_lifts_by_rows(plan, all);
+  if (refused[Refusal::link] > 0) add_lift_by_pairs(plan, result.mesh, all);
   std::erase_if(all, [&](const Lift& lift) { return refused[lift.reason] == 0; });
   std::stable_sort(all.begin(), all.end(),
                    [&](const Lift& x, const Lift& y) { return refused[x.reason] > refused[y.reason]; });
