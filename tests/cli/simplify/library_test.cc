@@ -248,7 +248,7 @@ std::string test_name(const testing::TestParamInfo<Run>& run) {
 TEST(SimplifyFile, ReplacesNoFileThatTheInputNeeds) {
   const TemporaryFolder folder;
   const std::string input = folder / "scene.gltf";
-  ASSERT_EQ(whittle({"convert", inputs().path("scene.glb"), "-o", input}).exit_code, 0);
+  ASSERT_EQ(whittle({"simplify", inputs().path("scene.glb"), "-o", input, "--ratio", "0.9"}).exit_code, 0);
   const std::string buffer = folder / "scene.bin";
   const std::string bytes = read_text(buffer);
   const std::string document = read_text(input);
