@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "blocks/decimate_in_blocks.hh"
+#include "blocks/contract_in_blocks.hh"
 #include "support/meshes.hh"
 #include "support/shapes/shapes.hh"
 #include "support/suites.hh"

@@ -4,38 +4,31 @@
 
 namespace whittle {
 
-Block::Block(const Surface& surface, const Partition& partition, std::size_t number,
-             std::span<const std::uint8_t> locked, const CostState& cost_state, const DecimateOptions& options,
-             const LoopContext& context)
+Block::Block(const WorkingSurface& surface, const Partition& partition, std::size_t number, StageContext context)
     : own_(partition.vertices.of(number)),
       own_faces_(partition.faces.of(number)),
       keeps_order_(context.role == Role::in_exact_order) {
   gather(surface, partition, number);
-  if (!locked.empty()) {
-    for (Index v = 0; v < positions_.size(); ++v) locked_.push_back(locked[number_of(v)]);
+  if (!context.locked.empty()) {
+    for (const Index v : vertices_) locked_.push_back(context.locked[v]);
   }
-  PassInput input;
-  input.surface = {positions_, Frame{}, faces_};
-  input.locked = locked_;
-  input.frozen = frozen_;
-  gather_refusals(context.refusals);
-  input.context = context;
-  input.context.refusals = refusals_;
+  context.locked = locked_;
+  context.frozen = frozen_;
+  gather_refusals(surface.refusals);
   if (!context.areas.of.empty()) {
     for (const Index f : own_faces_) areas_.push_back(context.areas.of[f]);
-    input.context.areas = {faces_, areas_};
+    context.areas = {part_.faces, areas_};
   }
-  input.cost_state = state_here(surface, cost_state);
-  pass_.emplace(input, options);
-  positions_ = {};
-  const TriangleComplex& complex = pass_->complex();
+  part_.cost_state = state_here(surface);
+  contractor_.emplace(part_, context);
+  const TriangleComplex& complex = contractor_->complex();
   for (Index v = 0; v < complex.n_vertex_slots(); ++v) {
     if (complex.has_faces(v)) ++(complex.is_frozen(v) ? n_frozen_ : n_inner_);
   }
 }
 
 /// Vertices keep their order, by which ties between pairs go.
-void Block::gather(const Surface& surface, const Partition& partition, std::size_t number) {
+void Block::gather(const WorkingSurface& surface, const Partition& partition, std::size_t number) {
   std::vector<Index> foreign;
   for (const Index f : own_faces_) {
     for (const Index v : surface.faces[f]) {
@@ -52,10 +45,11 @@ void Block::gather(const Surface& surface, const Partition& partition, std::size
     vertices_[n] = is_own ? own_[i] : foreign[j];
     (is_own ? own_numbers[i++] : foreign_numbers[j++]) = n;
   }
-  positions_.reserve(vertices_.size());
+  std::vector<Vec3>& positions = part_.positions.own();
+  positions.reserve(vertices_.size());
   frozen_.reserve(vertices_.size());
   for (const Index v : vertices_) {
-    positions_.push_back(surface.frame.to_frame(surface.positions[v]));
+    positions.push_back(surface.frame.to_frame(surface.positions[v]));
     frozen_.push_back(partition.is_shared[v]);
   }
   const auto number_here = [&](Index v) {
@@ -63,10 +57,11 @@ void Block::gather(const Surface& surface, const Partition& partition, std::size
     const auto at = std::lower_bound(foreign.begin(), foreign.end(), v);
     return foreign_numbers[static_cast<std::size_t>(at - foreign.begin())];
   };
-  faces_.reserve(own_faces_.size());
+  std::vector<Triangle>& faces = part_.faces.own();
+  faces.reserve(own_faces_.size());
   for (const Index f : own_faces_) {
     const auto& [a, b, c] = surface.faces[f];
-    faces_.push_back({number_here(a), number_here(b), number_here(c)});
+    faces.push_back({number_here(a), number_here(b), number_here(c)});
   }
 }
 
@@ -80,7 +75,7 @@ void Block::gather_refusals(std::span<const GuardedPair> all) {
     const Index a = number_here(pair.a);
     const Index b = number_here(pair.b);
     if (a == invalid_index || b == invalid_index || (frozen_[a] & frozen_[b]) != 0) continue;
-    refusals_.push_back({{a, b}, reason});
+    part_.refusals.push_back({{a, b}, reason});
   }
 }
 
@@ -96,7 +91,8 @@ std::vector<VertexQuadric> Block::quadrics_here(std::span<const VertexQuadric> o
 }
 
 /// The block's share of the faces, and what is known of its vertices. \pre the mean area is known
-CostState Block::state_here(const Surface& surface, const CostState& of_surface) const {
+CostState Block::state_here(const WorkingSurface& surface) const {
+  const CostState& of_surface = surface.cost_state;
   const double share = static_cast<double>(own_faces_.size()) / static_cast<double>(surface.faces.size());
   const double n_faces = share * static_cast<double>(of_surface.face_area->n_faces());
   return {of_surface.face_area->of_part(static_cast<std::uint64_t>(std::max(1.0, n_faces))),
@@ -104,7 +100,7 @@ CostState Block::state_here(const Surface& surface, const CostState& of_surface)
 }
 
 void Block::finish(BlockResults& results) {
-  TriangleComplex& complex = pass_->complex();
+  TriangleComplex& complex = contractor_->complex();
   const std::vector<Index> at = complex.vertices_by_origin();
   std::vector<Index> merged_into(at.size());
   for (Index v = 0; v < at.size(); ++v) merged_into[v] = complex.origin(complex.representative(at[v]));
@@ -116,19 +112,19 @@ void Block::finish(BlockResults& results) {
     survivors_.push_back({vertices_[v], complex.position(at[v])});
     left.push_back(at[v]);
   }
-  cost_state_ = pass_->cost().state(left);
-  for (std::vector<VertexQuadric>* const all : {&cost_state_.quadrics, &cost_state_.seams}) {
+  part_.cost_state = contractor_->cost().state(left);
+  for (std::vector<VertexQuadric>* const all : {&part_.cost_state.quadrics, &part_.cost_state.seams}) {
     for (VertexQuadric& q : *all) q.vertex = survivors_[q.vertex].vertex;
   }
-  if (keeps_order_) refusals_ = pass_->refusals();
-  for (auto& [pair, reason] : refusals_) pair = {vertices_[pair.a], vertices_[pair.b]};
-  std::vector<std::uint8_t> is_left(faces_.size());
-  for (const Index f : surviving_faces(faces_, merged_into, complex)) is_left[f] = 1;
-  for (std::size_t i = 0; i < faces_.size(); ++i) results.is_face_left[own_faces_[i]] = is_left[i];
+  if (keeps_order_) part_.refusals = contractor_->refusals();
+  for (auto& [pair, reason] : part_.refusals) pair = {vertices_[pair.a], vertices_[pair.b]};
+  std::vector<std::uint8_t> is_left(part_.faces.size());
+  for (const Index f : surviving_faces(part_.faces, merged_into, complex)) is_left[f] = 1;
+  for (std::size_t i = 0; i < is_left.size(); ++i) results.is_face_left[own_faces_[i]] = is_left[i];
   result_.n_degenerate_faces = complex.n_degenerate_faces();
   result_.n_coincident_faces = complex.n_coincident_faces();
-  pass_.reset();
-  faces_ = {};
+  contractor_.reset();
+  part_.faces = {};
 }
 
 }  // namespace whittle

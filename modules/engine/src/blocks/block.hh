@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "blocks/partition.hh"
-#include "loop/pass.hh"
+#include "loop/contractor.hh"
 
 namespace whittle {
 
@@ -23,24 +23,22 @@ class Block {
     Vec3 position;  ///< in the frame
   };
 
-  /// \param locked per vertex of the surface, or empty \param cost_state of the surface \param context of the surface
-  /// \param options must outlive the block
-  Block(const Surface& surface, const Partition& partition, std::size_t number, std::span<const std::uint8_t> locked,
-        const CostState& cost_state, const DecimateOptions& options, const LoopContext& context);
+  /// \param context of the surface, but options of the block
+  Block(const WorkingSurface& surface, const Partition& partition, std::size_t number, StageContext context);
 
-  /// Ranks all pairs. \param frame that the listener and costs are told in
-  void start(const DecimateTarget& target, const Frame& frame) { pass_->start(target, frame); }
+  /// Ranks all pairs.
+  void start(const DecimateTarget& target) { contractor_->start(target); }
   /// Contracts what costs at most so much. \param cost in the frame
   void run(double cost) {
-    pass_->set_cost_limit(cost);
-    result_ = pass_->run();
+    contractor_->set_cost_limit(cost);
+    result_ = contractor_->run();
   }
 
   std::size_t n_inner_vertices() const { return n_inner_; }  ///< at the start: those that aren't frozen
   std::size_t n_inner_vertices_left() const { return n_inner_ - result_.n_contractions; }
   std::size_t n_frozen_vertices() const { return n_frozen_; }
   const DecimateResult& result() const { return result_; }
-  NonmanifoldCounts count_nonmanifold() { return pass_->complex().count_nonmanifold(); }
+  NonmanifoldCounts count_nonmanifold() { return contractor_->complex().count_nonmanifold(); }
   /// \return the number that a vertex of the block has in the surface
   Index number_of(Index vertex) const { return vertices_[vertex]; }
 
@@ -48,32 +46,29 @@ class Block {
   void finish(BlockResults& results);
   const std::vector<Survivor>& survivors() const { return survivors_; }
   /// Theirs, by vertex of the surface.
-  const CostState& cost_state() const { return cost_state_; }
+  const CostState& cost_state() const { return part_.cost_state; }
   /// In exact order: of pairs with an end that isn't frozen, by vertices of the surface.
-  const std::vector<GuardedPair>& refusals() const { return refusals_; }
+  const std::vector<GuardedPair>& refusals() const { return part_.refusals; }
 
  private:
   void gather_refusals(std::span<const GuardedPair> all);
-  void gather(const Surface& surface, const Partition& partition, std::size_t number);
+  void gather(const WorkingSurface& surface, const Partition& partition, std::size_t number);
   std::vector<VertexQuadric> quadrics_here(std::span<const VertexQuadric> of_surface) const;
-  CostState state_here(const Surface& surface, const CostState& of_surface) const;
+  CostState state_here(const WorkingSurface& surface) const;
 
   std::span<const Index> own_;        ///< vertices of the surface
   std::span<const Index> own_faces_;  ///< of the surface
   std::vector<Index> vertices_;       ///< of the surface: its own and those of other blocks at its faces, ascending
-  std::vector<Vec3> positions_;       ///< in the frame; scratch
-  std::vector<Triangle> faces_;       ///< by vertices of the block
+  WorkingSurface part_;               ///< by vertices of the block, and by those of the surface in the end
   std::vector<std::uint8_t> frozen_;  ///< per vertex of the block, whether another block has a face there
   std::vector<std::uint8_t> locked_;  ///< per vertex of the block, or empty
   std::size_t n_inner_ = 0;
   std::size_t n_frozen_ = 0;
-  std::optional<Pass> pass_;
+  std::optional<Contractor> contractor_;
   DecimateResult result_;
   std::vector<Survivor> survivors_;
-  CostState cost_state_;
-  bool keeps_order_;                   ///< exactly
-  std::vector<Index> areas_;           ///< of the faces, or empty
-  std::vector<GuardedPair> refusals_;  ///< at first by vertex of the block
+  bool keeps_order_;          ///< exactly
+  std::vector<Index> areas_;  ///< of the faces, or empty
 };
 
 }  // namespace whittle

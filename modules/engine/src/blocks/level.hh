@@ -5,32 +5,16 @@
 
 #include "blocks/block.hh"
 #include "blocks/shared_progress.hh"
-#include "loop/remainder.hh"
+#include "loop/stage_report.hh"
 
 namespace whittle {
 
-/// What levels have left of the input.
-struct LevelRemainder : Remainder {
-  DecimateResult result;          ///< what was done; counts of what is left are not filled in
-  double cost_limit = 0;          ///< that the blocks ran up to, in the frame
-  NonmanifoldCounts nonmanifold;  ///< of the input, unless the levels were cancelled
-  double progress = 0;            ///< [0, 1]
-  bool is_cancelled = false;
-  bool is_futile = false;  ///< in exact order blocks can't do enough; nothing else here is filled in
-};
-
 /// What all levels have in common.
 struct LevelContext {
-  const DecimateOptions& options;
+  const StageContext& stage;
   const IndexedMesh& input;
-  Frame frame;
-  double target_share = 0;                   ///< of the input's faces or vertices
-  std::optional<double> displacement_limit;  ///< as that of `LoopContext`
-  RunSteps* steps;                           ///< gets what is done; or null
+  double target_share = 0;  ///< of the input's faces or vertices
   SharedProgress& progress;
-  std::span<const Index> areas{};  ///< of the input's faces, as those of `AreasOfFaces`
-
-  bool is_told() const { return steps != nullptr || options.listener; }
 };
 
 struct LevelPlan {
@@ -48,12 +32,13 @@ struct LevelGoal {
 };
 
 /// The cost that a sample of the blocks finds. \pre the plan is a trial
-double find_cost(const LevelContext& context, const LevelPlan& plan, double surplus, const CostState& cost_state);
+double find_cost(const LevelContext& context, const LevelPlan& plan, double surplus, WorkingSurface& surface);
 
 /// Contracts what lies within blocks, all up to the same cost, and puts together what is left.
-/// \param cost_state of the input, if there were no levels before
-/// \param before what levels before have left; null for none
-LevelRemainder run_level(const LevelContext& context, const LevelPlan& plan, const LevelGoal& goal,
-                         CostState cost_state, const LevelRemainder* before);
+/// \param surface with cost state \param report gets what was done. `before` are counts of the surface, if it is the
+///        input, unless the level was cancelled
+/// \return the cost, in the frame; none if blocks can't do enough in exact order
+std::optional<double> run_level(const LevelContext& context, const LevelPlan& plan, const LevelGoal& goal,
+                                WorkingSurface& surface, StageReport& report);
 
 }  // namespace whittle

@@ -52,7 +52,7 @@ class CutTree {
   std::vector<Cut> cuts_;
 };
 
-std::vector<Vec3> sample_of(const Surface& surface, std::size_t n_wanted) {
+std::vector<Vec3> sample_of(const WorkingSurface& surface, std::size_t n_wanted) {
   const std::size_t step = std::max<std::size_t>(1, surface.positions.size() / n_wanted);
   std::vector<Vec3> sample;
   sample.reserve(surface.positions.size() / step + 1);
@@ -62,7 +62,7 @@ std::vector<Vec3> sample_of(const Surface& surface, std::size_t n_wanted) {
   return sample;
 }
 
-void sort_vertices(const Surface& surface, const CutTree& tree, unsigned threads, Partition& partition) {
+void sort_vertices(const WorkingSurface& surface, const CutTree& tree, unsigned threads, Partition& partition) {
   const std::size_t n = surface.positions.size();
   partition.block_of.resize(n);
   partition.ranks.resize(n);
@@ -79,7 +79,7 @@ void sort_vertices(const Surface& surface, const CutTree& tree, unsigned threads
   });
 }
 
-void sort_faces(const Surface& surface, std::size_t n_blocks, unsigned threads, Partition& partition) {
+void sort_faces(const WorkingSurface& surface, std::size_t n_blocks, unsigned threads, Partition& partition) {
   const std::vector<Partition::Block>& block_of = partition.block_of;
   const auto block_of_face = [&](const Triangle& face) {
     return std::min({block_of[face[0]], block_of[face[1]], block_of[face[2]]});
@@ -99,7 +99,8 @@ void sort_faces(const Surface& surface, std::size_t n_blocks, unsigned threads, 
 
 }  // namespace
 
-Partition make_partition(const Surface& surface, std::size_t faces_per_block, double first_share, unsigned threads) {
+Partition make_partition(const WorkingSurface& surface, std::size_t faces_per_block, double first_share,
+                         unsigned threads) {
   constexpr double most = 1.42;  // about the square root of 2: the next depth halves the blocks
   const auto limit = static_cast<std::size_t>(most * static_cast<double>(faces_per_block));
   unsigned depth = 0;

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "loop/pass.hh"
+#include "loop/working_surface.hh"
 #include "whittle/core/detail/item_groups.hh"
 
 namespace whittle {
@@ -28,6 +28,7 @@ struct Partition {
 /// \param faces_per_block blocks have up to 1.5 times as many, or down to 0.7 times, where density allows
 /// \param first_share of the surface on the lower side of the first cut, and so on in turn: other shares give other
 ///        borders. (0, 1)
-Partition make_partition(const Surface& surface, std::size_t faces_per_block, double first_share, unsigned threads);
+Partition make_partition(const WorkingSurface& surface, std::size_t faces_per_block, double first_share,
+                         unsigned threads);
 
 }  // namespace whittle

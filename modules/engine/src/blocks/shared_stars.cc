@@ -1,8 +1,10 @@
 #include "blocks/shared_stars.hh"
 
+#include "loop/contractor.hh"
+
 namespace whittle {
 
-SharedStars::SharedStars(const Surface& surface, const Partition& partition) {
+SharedStars::SharedStars(const WorkingSurface& surface, const Partition& partition) {
   std::vector<std::uint8_t> is_here(surface.positions.size());
   for (const Triangle& face : surface.faces) {
     const auto& [a, b, c] = face;
@@ -30,15 +32,15 @@ NonmanifoldCounts SharedStars::count_nonmanifold() const {
 }
 
 std::vector<VertexQuadric> SharedStars::quadrics(const DecimateOptions& options) const {
-  PassInput input;
-  input.surface = {positions_, Frame{}, faces_};
-  input.frozen = frozen_;
-  Pass pass(input, options);
-  const TriangleComplex& complex = pass.complex();
+  WorkingSurface stars{.positions = positions_, .faces = faces_};
+  StageContext context{options};
+  context.frozen = frozen_;
+  const Contractor contractor(stars, context);
+  const TriangleComplex& complex = contractor.complex();
   const std::vector<Index> vertex_of = complex.vertices_by_origin();
   std::vector<VertexQuadric> quadrics;
   for (Index v = 0; v < vertices_.size(); ++v) {
-    if (frozen_[v] == 0) quadrics.push_back({vertices_[v], pass.cost().quadric(vertex_of[v])});
+    if (frozen_[v] == 0) quadrics.push_back({vertices_[v], contractor.cost().quadric(vertex_of[v])});
   }
   return quadrics;
 }

@@ -8,7 +8,7 @@ namespace whittle {
 class SharedStars {
  public:
   /// \param surface must outlive this
-  SharedStars(const Surface& surface, const Partition& partition);
+  SharedStars(const WorkingSurface& surface, const Partition& partition);
 
   /// Shared vertices that aren't manifold, and edges between two shared ones with three faces or more.
   NonmanifoldCounts count_nonmanifold() const;

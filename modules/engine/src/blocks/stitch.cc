@@ -30,34 +30,32 @@ std::vector<Index> number_chosen(std::size_t n, unsigned threads, std::size_t& n
 
 class Stitching {
  public:
-  Stitching(const Surface& surface, const Partition& partition, std::span<const Block* const> blocks,
-            const BlockResults& results, const LevelRemainder* before, unsigned threads);
+  Stitching(const WorkingSurface& surface, const Partition& partition, std::span<const Block* const> blocks,
+            const BlockResults& results, unsigned threads);
 
-  void write_vertices(LevelRemainder& remainder) const;
-  void write_faces(LevelRemainder& remainder) const;
-  void write_vertex_map(LevelRemainder& remainder) const;
-  void write_quadrics(const CostState& before, std::vector<VertexQuadric> CostState::*list,
-                      LevelRemainder& remainder) const;
-  void write_refusals(LevelRemainder& remainder) const;
+  void write_vertices(WorkingSurface& left) const;
+  void write_faces(WorkingSurface& left) const;
+  void write_vertex_map(WorkingSurface& left) const;
+  void write_quadrics(std::vector<VertexQuadric> CostState::*list, WorkingSurface& left) const;
+  void write_refusals(WorkingSurface& left) const;
 
  private:
   std::vector<std::uint8_t> find_vertices_left() const;
 
-  const Surface& surface_;
+  const WorkingSurface& surface_;
   const Partition& partition_;
   std::span<const Block* const> blocks_;
   const BlockResults& results_;
-  const LevelRemainder* before_;
   unsigned threads_;
   std::size_t n_vertices_ = 0;
   std::size_t n_faces_ = 0;
-  std::vector<Index> vertex_number_;  ///< in the remainder, of what is left
+  std::vector<Index> vertex_number_;  ///< in what is left, of what is left
   std::vector<Index> face_number_;
 };
 
-Stitching::Stitching(const Surface& surface, const Partition& partition, std::span<const Block* const> blocks,
-                     const BlockResults& results, const LevelRemainder* before, unsigned threads)
-    : surface_(surface), partition_(partition), blocks_(blocks), results_(results), before_(before), threads_(threads) {
+Stitching::Stitching(const WorkingSurface& surface, const Partition& partition, std::span<const Block* const> blocks,
+                     const BlockResults& results, unsigned threads)
+    : surface_(surface), partition_(partition), blocks_(blocks), results_(results), threads_(threads) {
   const std::vector<std::uint8_t> is_left = find_vertices_left();
   vertex_number_ = number_chosen(is_left.size(), threads, n_vertices_, [&](std::size_t v) { return is_left[v] != 0; });
   const std::vector<std::uint8_t>& is_face_left = results.is_face_left;
@@ -79,55 +77,56 @@ std::vector<std::uint8_t> Stitching::find_vertices_left() const {
   return is_left;
 }
 
-void Stitching::write_vertices(LevelRemainder& remainder) const {
-  remainder.positions.resize(n_vertices_);
-  remainder.origins.resize(n_vertices_);
+void Stitching::write_vertices(WorkingSurface& left) const {
+  std::vector<Vec3>& positions = left.positions.own();
+  positions.resize(n_vertices_);
+  left.origins.resize(n_vertices_);
   for_each_range(vertex_number_.size(), threads_, [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<Index>(begin); v < end; ++v) {
       if (vertex_number_[v] == invalid_index) continue;
-      remainder.positions[vertex_number_[v]] = surface_.frame.to_frame(surface_.positions[v]);
-      remainder.origins[vertex_number_[v]] = before_ ? before_->origins[v] : v;
+      positions[vertex_number_[v]] = surface_.frame.to_frame(surface_.positions[v]);
+      left.origins[vertex_number_[v]] = surface_.origin_of(v);
     }
   });
   for_each_block(blocks_.size(), threads_, [&](std::size_t b) {
     for (const auto& [v, position] : blocks_[b]->survivors()) {
-      if (vertex_number_[v] != invalid_index) remainder.positions[vertex_number_[v]] = position;
+      if (vertex_number_[v] != invalid_index) positions[vertex_number_[v]] = position;
     }
   });
 }
 
-void Stitching::write_faces(LevelRemainder& remainder) const {
-  remainder.faces.resize(n_faces_);
-  remainder.face_origins.resize(n_faces_);
+void Stitching::write_faces(WorkingSurface& left) const {
+  std::vector<Triangle>& faces = left.faces.own();
+  faces.resize(n_faces_);
+  left.face_origins.resize(n_faces_);
   for_each_range(face_number_.size(), threads_, [&](std::size_t begin, std::size_t end) {
     for (auto f = static_cast<Index>(begin); f < end; ++f) {
       if (face_number_[f] == invalid_index) continue;
       const Triangle face = mapped(surface_.faces[f], results_.merged_into);
-      remainder.faces[face_number_[f]] = mapped(face, vertex_number_);
-      remainder.face_origins[face_number_[f]] = before_ ? before_->face_origins[f] : f;
+      faces[face_number_[f]] = mapped(face, vertex_number_);
+      left.face_origins[face_number_[f]] = surface_.face_origin_of(f);
     }
   });
 }
 
-void Stitching::write_vertex_map(LevelRemainder& remainder) const {
-  const std::size_t n = before_ ? before_->vertex_map.size() : surface_.positions.size();
-  remainder.vertex_map.resize(n);
+void Stitching::write_vertex_map(WorkingSurface& left) const {
+  const std::size_t n = surface_.is_input() ? surface_.positions.size() : surface_.vertex_map.size();
+  left.vertex_map.resize(n);
   for_each_range(n, threads_, [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<Index>(begin); v < end; ++v) {
-      const Index here = before_ ? before_->vertex_map[v] : v;
-      remainder.vertex_map[v] = here == invalid_index ? invalid_index : vertex_number_[results_.merged_into[here]];
+      const Index here = surface_.is_input() ? v : surface_.vertex_map[v];
+      left.vertex_map[v] = here == invalid_index ? invalid_index : vertex_number_[results_.merged_into[here]];
     }
   });
 }
 
 /// Vertices that were frozen here have those from before.
-void Stitching::write_quadrics(const CostState& before, std::vector<VertexQuadric> CostState::*list,
-                               LevelRemainder& remainder) const {
+void Stitching::write_quadrics(std::vector<VertexQuadric> CostState::*list, WorkingSurface& left) const {
   std::vector<const Quadric*> quadrics(n_vertices_);  // by vertex left, or null
   const auto keep = [&](const VertexQuadric& q) {
     if (vertex_number_[q.vertex] != invalid_index) quadrics[vertex_number_[q.vertex]] = &q.quadric;
   };
-  for (const VertexQuadric& q : before.*list) {
+  for (const VertexQuadric& q : surface_.cost_state.*list) {
     if (partition_.is_shared[q.vertex] != 0) keep(q);
   }
   for_each_block(blocks_.size(), threads_, [&](std::size_t b) {
@@ -136,7 +135,7 @@ void Stitching::write_quadrics(const CostState& before, std::vector<VertexQuadri
   std::size_t n = 0;
   const std::vector<Index> places =
       number_chosen(n_vertices_, threads_, n, [&](std::size_t v) { return quadrics[v] != nullptr; });
-  std::vector<VertexQuadric>& after = remainder.cost_state.*list;
+  std::vector<VertexQuadric>& after = left.cost_state.*list;
   after.resize(n);
   for_each_range(n_vertices_, threads_, [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<Index>(begin); v < end; ++v) {
@@ -146,14 +145,12 @@ void Stitching::write_quadrics(const CostState& before, std::vector<VertexQuadri
 }
 
 /// No block knows pairs of two frozen vertices.
-void Stitching::write_refusals(LevelRemainder& remainder) const {
+void Stitching::write_refusals(WorkingSurface& left) const {
   const auto carry = [&](const GuardedPair& r) {
-    remainder.refusals.push_back({{vertex_number_[r.pair.a], vertex_number_[r.pair.b]}, r.reason});
+    left.refusals.push_back({{vertex_number_[r.pair.a], vertex_number_[r.pair.b]}, r.reason});
   };
-  if (before_) {
-    for (const GuardedPair& r : before_->refusals) {
-      if ((partition_.is_shared[r.pair.a] & partition_.is_shared[r.pair.b]) != 0) carry(r);
-    }
+  for (const GuardedPair& r : surface_.refusals) {
+    if ((partition_.is_shared[r.pair.a] & partition_.is_shared[r.pair.b]) != 0) carry(r);
   }
   for (const Block* block : blocks_) {
     for (const GuardedPair& r : block->refusals()) carry(r);
@@ -162,16 +159,18 @@ void Stitching::write_refusals(LevelRemainder& remainder) const {
 
 }  // namespace
 
-void stitch(const Surface& surface, const Partition& partition, std::span<const Block* const> blocks,
-            const BlockResults& results, const CostState& cost_state, const LevelRemainder* before, unsigned threads,
-            LevelRemainder& remainder) {
-  const Stitching stitching(surface, partition, blocks, results, before, threads);
-  stitching.write_vertices(remainder);
-  stitching.write_faces(remainder);
-  stitching.write_vertex_map(remainder);
-  stitching.write_quadrics(cost_state, &CostState::quadrics, remainder);
-  stitching.write_quadrics(cost_state, &CostState::seams, remainder);
-  stitching.write_refusals(remainder);
+WorkingSurface stitch(const WorkingSurface& surface, const Partition& partition, std::span<const Block* const> blocks,
+                      const BlockResults& results, unsigned threads) {
+  const Stitching stitching(surface, partition, blocks, results, threads);
+  WorkingSurface left;
+  left.cost_state.face_area = surface.cost_state.face_area;
+  stitching.write_vertices(left);
+  stitching.write_faces(left);
+  stitching.write_vertex_map(left);
+  stitching.write_quadrics(&CostState::quadrics, left);
+  stitching.write_quadrics(&CostState::seams, left);
+  stitching.write_refusals(left);
+  return left;
 }
 
 }  // namespace whittle

@@ -8,22 +8,6 @@
 
 namespace whittle {
 
-std::string_view to_string(StopReason reason) {
-  switch (reason) {
-    case StopReason::target:
-      return "target";
-    case StopReason::cost:
-      return "cost";
-    case StopReason::error:
-      return "error";
-    case StopReason::exhausted:
-      return "exhausted";
-    case StopReason::cancelled:
-      return "cancelled";
-  }
-  return "";
-}
-
 Decimation decimate(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options) {
   if (const TwoSidedSheets sheets(mesh); sheets.any()) {
     return detail::run_without_backs(sheets, target, options,

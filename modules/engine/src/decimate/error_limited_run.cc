@@ -11,10 +11,10 @@
 namespace whittle {
 namespace {
 
-IndexedMesh surface_of(const Remainder& left) {
+IndexedMesh surface_of(const WorkingSurface& left) {
   IndexedMesh surface;
-  surface.positions = left.positions;
-  surface.faces = left.faces;
+  surface.positions.assign(left.positions.begin(), left.positions.end());
+  surface.faces.assign(left.faces.begin(), left.faces.end());
   return surface;
 }
 
@@ -23,7 +23,7 @@ IndexedMesh surface_of(const Remainder& left) {
 /// Contracts in two ways, and takes the one that leaves fewer faces.
 std::unique_ptr<ErrorBounds> ErrorLimitedRun::contract(const BlockPlan& plan) {
   const bool is_done = contract_in_steps(plan);
-  if (!is_done && !passes_.is_cancelled() && passes_.done().result.stop != StopReason::target) {
+  if (!is_done && !run_.is_cancelled() && run_.report().result.stop != StopReason::target) {
     contract_from_plain_level(plan);
   }
   return end();
@@ -40,22 +40,22 @@ bool ErrorLimitedRun::contract_in_steps(const BlockPlan& plan) {
   std::future<std::unique_ptr<ErrorBounds>> bounds = begin_bounds();
   if (has_tolerances()) error_bounds_ = bounds.get();
   contract_to_coarse_copy(plan);
-  const Done start = passes_.done();
-  if (start.left) start_origins_ = start.left->origins;
-  std::vector<double> shares(passes_.n_vertices_left(), bold_share);
-  std::optional<Done> hardly_moved;  // what the second step left, the first that may be proven
+  const StagedRun::State start = run_.state();
+  start_origins_ = start.surface.origins;
+  std::vector<double> shares(run_.n_vertices_left(), bold_share);
+  std::optional<StagedRun::State> hardly_moved;  // what the second step left, the first that may be proven
   for (int i = 0; i < most_bold_tries; ++i) {
-    passes_.done() = start;
+    run_.return_to(start);
     contract_to_shares_of_limit(shares);
     if (!error_bounds_) {
       error_bounds_ = bounds.get();
-      make_coarse_bound(start);
+      make_coarse_bound(start.surface);
     }
     if (i == 0 && has_plain_level_far_below(plan) && contract_from_plain_level(plan)) return true;
     const ErrorBound::Violations violations = find_violations_before_guarding();
     if (violations.empty()) {
       if (contract_guarded()) return false;
-      if (!hardly_moved) hardly_moved = passes_.done();
+      if (!hardly_moved) hardly_moved = run_.state();
     }
     lower_shares_at(violations.vertices, shares);
   }
@@ -68,37 +68,37 @@ bool ErrorLimitedRun::contract_in_steps(const BlockPlan& plan) {
 /// many as the third one; of long and thin triangles nearly all, and then the third step takes long.
 bool ErrorLimitedRun::has_plain_level_far_below(const BlockPlan& plan) {
   constexpr std::size_t far = 4;
-  if (passes_.is_cancelled() || passes_.done().result.stop == StopReason::target) return false;
-  plain_run_.emplace(passes_, *error_bounds_, plan);
-  return !passes_.is_cancelled() && plain_run_->is_proven_with_vertices(passes_.n_vertices_left() / far);
+  if (run_.is_cancelled() || run_.report().result.stop == StopReason::target) return false;
+  plain_run_.emplace(run_, *error_bounds_, plan);
+  return !run_.is_cancelled() && plain_run_->is_proven_with_vertices(run_.n_vertices_left() / far);
 }
 
 /// Contracts as if there were no limit, as far as the result is proven to be near to the input, and from there what
 /// keeps near.
 /// \return whether that leaves fewer faces. Else all is as it was
 bool ErrorLimitedRun::contract_from_plain_level(const BlockPlan& plan) {
-  const Done before = passes_.done();
-  const std::size_t n_faces = passes_.n_faces_left();
+  const StagedRun::State before = run_.state();
+  const std::size_t n_faces = run_.n_faces_left();
   std::unique_ptr<ErrorBound> coarse_bound = std::move(coarse_bound_);
-  if (!plain_run_) plain_run_.emplace(passes_, *error_bounds_, plan);
-  const bool has_level = !passes_.is_cancelled() && plain_run_->contract_to_coarsest_proven(n_faces, plan);
+  if (!plain_run_) plain_run_.emplace(run_, *error_bounds_, plan);
+  const bool has_level = !run_.is_cancelled() && plain_run_->contract_to_coarsest_proven(n_faces, plan);
   if (has_level) {
     if (!find_violations_before_guarding().empty() || !contract_guarded()) contract_no_more();
-    if (passes_.n_faces_left() < n_faces) return true;
+    if (run_.n_faces_left() < n_faces) return true;
   }
-  if (passes_.is_cancelled()) return true;
-  passes_.done() = before;
+  if (run_.is_cancelled()) return true;
+  run_.return_to(before);
   coarse_bound_ = std::move(coarse_bound);
   return false;
 }
 
 /// Makes the bounds on another thread, if there is one.
 std::future<std::unique_ptr<ErrorBounds>> ErrorLimitedRun::begin_bounds() {
-  const bool has_threads = n_threads(passes_.options().threads) > 1;
+  const bool has_threads = n_threads(run_.options().threads) > 1;
   return std::async(has_threads ? std::launch::async | std::launch::deferred : std::launch::deferred, [this] {
-    const double border_limit = *target().border_error_limit() * passes_.frame().scale;
-    return std::make_unique<ErrorBounds>(passes_.mesh(), passes_.frame(), limit_, border_limit,
-                                         passes_.options().threads, passes_.options().tolerances);
+    const double border_limit = *target().border_error_limit() * run_.frame().scale;
+    return std::make_unique<ErrorBounds>(run_.mesh(), run_.frame(), limit_, border_limit, run_.options().threads,
+                                         run_.options().tolerances);
   });
 }
 
@@ -106,19 +106,17 @@ std::future<std::unique_ptr<ErrorBounds>> ErrorLimitedRun::begin_bounds() {
 void ErrorLimitedRun::contract_to_coarse_copy(const BlockPlan& plan) {
   constexpr std::size_t fewest_faces = 200'000;
   constexpr double share_of_limit = 0.02;
-  if (passes_.mesh().faces.size() < fewest_faces || has_tolerances()) return;
-  PassLimits limits;
-  limits.displacement = share_of_limit * limit_;
-  passes_.set_limits(limits);
-  passes_.contract_in_blocks(least_left_in_blocks(), plan);
-  contract_what_moves_little(limits);
+  if (run_.mesh().faces.size() < fewest_faces || has_tolerances()) return;
+  const StageLimits limits{.displacement = share_of_limit * limit_};
+  run_.contract_in_blocks(least_left_in_blocks(), plan, limits);
+  run_.contract(target(), false, limits);
 }
 
 /// What blocks that move the surface little leave at least.
 DecimateTarget ErrorLimitedRun::least_left_in_blocks() const {
   constexpr std::uint64_t least_share = 20;  // a 20th
   DecimateTarget left =
-      DecimateTarget::faces(std::max(passes_.mesh().faces.size() / least_share, target().n_faces().value_or(1)));
+      DecimateTarget::faces(std::max(run_.mesh().faces.size() / least_share, target().n_faces().value_or(1)));
   if (target().n_vertices()) left = left.or_vertices(*target().n_vertices());
   if (target().cost_limit()) left = left.or_max_cost(*target().cost_limit());
   return left;
@@ -126,16 +124,16 @@ DecimateTarget ErrorLimitedRun::least_left_in_blocks() const {
 
 /// \param shares of the limit of each vertex: what a contraction at it may move the surface by
 void ErrorLimitedRun::contract_to_shares_of_limit(const std::vector<double>& shares) {
-  PassLimits limits;
+  std::vector<double> displacements;
+  displacements.reserve(shares.size());
   for (Index v = 0; v < shares.size(); ++v) {
     const double limit = has_tolerances() ? error_bounds_->surface().limit_at(v) : limit_;
-    limits.displacements.push_back(shares[v] * limit);
+    displacements.push_back(shares[v] * limit);
   }
-  limits.displacement = *std::max_element(limits.displacements.begin(), limits.displacements.end());
-  const bool is_one = std::count(limits.displacements.begin(), limits.displacements.end(), *limits.displacement) ==
-                      std::ssize(limits.displacements);
-  if (is_one) limits.displacements.clear();
-  contract_what_moves_little(limits);
+  const double greatest = *std::max_element(displacements.begin(), displacements.end());
+  const bool is_one = std::count(displacements.begin(), displacements.end(), greatest) == std::ssize(displacements);
+  if (is_one) displacements.clear();
+  contract_what_moves_little({.displacement = greatest, .displacements = displacements});
 }
 
 /// Of vertices that the second step began with, where they became one of those that are left, or of their neighbours:
@@ -154,18 +152,16 @@ void ErrorLimitedRun::lower_shares_at(const std::vector<Index>& vertices, std::v
 
 /// Without a bold step, and without a coarse copy.
 bool ErrorLimitedRun::contract_guarded_from_input() {
-  passes_.done() = {};
+  run_.begin_anew(0);
   start_origins_.clear();
   coarse_bound_.reset();
-  PassLimits limits;
-  limits.displacement = 0;
-  contract_what_moves_little(limits);
+  contract_what_moves_little({.displacement = 0});
   return find_violations_before_guarding().empty() && contract_guarded();
 }
 
 /// \return whether it is proven to be near to the input
-bool ErrorLimitedRun::end_with(const Done& done) {
-  passes_.done() = done;
+bool ErrorLimitedRun::end_with(const StagedRun::State& state) {
+  run_.return_to(state);
   const IndexedMesh surface = surface_of(left());
   if (!error_bounds_->check({surface, Frame{}, left().vertex_map}).empty()) return false;
   contract_no_more();
@@ -173,14 +169,13 @@ bool ErrorLimitedRun::end_with(const Done& done) {
 }
 
 void ErrorLimitedRun::contract_nothing() {
-  passes_.forget_all();
+  run_.begin_anew(1);
   contract_no_more();
 }
 
 void ErrorLimitedRun::contract_no_more() {
-  passes_.set_limits({});
-  passes_.contract_to(DecimateTarget::faces(passes_.n_faces_left()), true);
-  passes_.done().result.stop = StopReason::error;
+  run_.contract(DecimateTarget::faces(run_.n_faces_left()), true);
+  run_.report().result.stop = StopReason::error;
 }
 
 /// Vertices that the second step began with → those that are left.
@@ -193,18 +188,17 @@ std::vector<Index> ErrorLimitedRun::map_from_start() const {
 }
 
 /// \pre the limits are of displacement
-void ErrorLimitedRun::contract_what_moves_little(const PassLimits& limits) {
-  if (passes_.is_cancelled()) return;
-  passes_.set_limits(limits);
-  passes_.contract_to(target(), false);
+void ErrorLimitedRun::contract_what_moves_little(const StageLimits& limits) {
+  if (run_.is_cancelled()) return;
+  run_.contract(target(), false, limits);
 }
 
 /// Makes one of what the second step begins with, if that is much smaller than the input.
-void ErrorLimitedRun::make_coarse_bound(const Done& start) {
+void ErrorLimitedRun::make_coarse_bound(const WorkingSurface& start) {
   constexpr double share_of_limit = 0.06;  // three times that of a contraction, as several add up
-  if (!start.left || 2 * start.left->faces.size() > passes_.mesh().faces.size() || passes_.is_cancelled()) return;
+  if (start.is_input() || 2 * start.faces.size() > run_.mesh().faces.size() || run_.is_cancelled()) return;
   const double limit = (1 - share_of_limit) * error_bounds_->surface().limit();
-  coarse_bound_ = std::make_unique<ErrorBound>(surface_of(*start.left), Frame{}, limit, passes_.options().threads);
+  coarse_bound_ = std::make_unique<ErrorBound>(surface_of(start), Frame{}, limit, run_.options().threads);
 }
 
 /// Contracts what keeps the bounds. Points of the input that are found to be too far in the end are then looked at,
@@ -213,16 +207,13 @@ void ErrorLimitedRun::make_coarse_bound(const Done& start) {
 /// \return whether what is left is proven to be near to the input, or the run is cancelled; otherwise it is as it was
 bool ErrorLimitedRun::contract_guarded() {
   constexpr int most_tries = 12;
-  const Done before = passes_.done();
-  PassLimits limits;
-  limits.error_bound = &guarding_bound();
-  limits.border_bound = error_bounds_->borders();
+  const StagedRun::State before = run_.state();
+  const StageLimits limits{.error_bound = &guarding_bound(), .border_bound = error_bounds_->borders()};
   for (int i = 0; i < most_tries; ++i) {
-    if (passes_.is_cancelled()) return true;
+    if (run_.is_cancelled()) return true;
     if (i > 0 && !find_violations_before_guarding().empty()) return false;
-    passes_.set_limits(limits);
-    passes_.contract_to(target(), true);
-    if (passes_.is_cancelled()) return true;
+    run_.contract(target(), true, limits);
+    if (run_.is_cancelled()) return true;
     const IndexedMesh surface = surface_of(left());
     // The guard has proven each face, unless it compared with a coarse copy.
     const std::vector<std::uint8_t> is_proven(surface.faces.size(), coarse_bound_ ? 0 : 1);
@@ -231,7 +222,7 @@ bool ErrorLimitedRun::contract_guarded() {
     const ErrorBound::Violations violations = exact.check(checked, exact.limit());
     const ErrorBound::Violations of_borders = error_bounds_->check_borders(checked);
     if (violations.empty() && of_borders.empty()) return true;
-    passes_.done() = before;
+    run_.return_to(before);
     if (of_borders.is_surface_far || (violations.is_surface_far && !coarse_bound_)) return false;
     if (violations.is_surface_far) coarse_bound_->tighten();
     guarding_bound().add_points(violations.points);
@@ -242,7 +233,7 @@ bool ErrorLimitedRun::contract_guarded() {
 
 /// The guards look at the supports that are found with them.
 ErrorBound::Violations ErrorLimitedRun::find_violations_before_guarding() {
-  if (passes_.is_cancelled()) return {};
+  if (run_.is_cancelled()) return {};
   const IndexedMesh surface = surface_of(left());
   const CheckedSurface checked{surface, Frame{}, left().vertex_map};
   if (!coarse_bound_) return error_bounds_->check(checked);
@@ -254,11 +245,11 @@ ErrorBound::Violations ErrorLimitedRun::find_violations_before_guarding() {
 
 /// Tells what stands. \return what the proofs were made with
 std::unique_ptr<ErrorBounds> ErrorLimitedRun::end() {
-  DecimateResult& result = passes_.done().result;
-  if (passes_.options().listener) {
-    for (const Contraction& contraction : passes_.done().steps.contractions) passes_.options().listener(contraction);
+  DecimateResult& result = run_.report().result;
+  if (run_.options().listener) {
+    for (const Contraction& contraction : run_.report().steps.contractions) run_.options().listener(contraction);
   }
-  if (!passes_.is_cancelled()) result.proven_error = target().error_limit();
+  if (!run_.is_cancelled()) result.proven_error = target().error_limit();
   if (result.stop == StopReason::exhausted && result.refused_at_end[Refusal::error] > 0)
     result.stop = StopReason::error;
   return std::move(error_bounds_);

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "decimate/passes.hh"
 #include "decimate/plain_run.hh"
+#include "decimate/staged_run.hh"
 #include "error/error_bounds.hh"
 
 namespace whittle {
@@ -14,31 +14,30 @@ namespace whittle {
 /// Contracts as far as the target's error limit allows, and proves that what is left keeps it (docs/dev/max-error.md).
 class ErrorLimitedRun {
  public:
-  /// \param passes before the first contraction; with an error limit. They are left to make the output
-  explicit ErrorLimitedRun(Passes& passes)
-      : passes_(passes), limit_(*passes.target().error_limit() * passes.frame().scale) {}
+  /// \param run before the first contraction; with an error limit. They are left to make the output
+  explicit ErrorLimitedRun(StagedRun& run) : run_(run), limit_(*run.target().error_limit() * run.frame().scale) {}
 
   /// \return what the proofs were made with
   std::unique_ptr<ErrorBounds> contract(const BlockPlan& plan);
 
  private:
-  const DecimateTarget& target() const { return passes_.target(); }
+  const DecimateTarget& target() const { return run_.target(); }
   /// \pre something was contracted
-  const Remainder& left() const { return *passes_.done().left; }
-  bool has_tolerances() const { return !passes_.options().tolerances.empty(); }
+  const WorkingSurface& left() const { return run_.surface(); }
+  bool has_tolerances() const { return !run_.options().tolerances.empty(); }
   std::future<std::unique_ptr<ErrorBounds>> begin_bounds();
   void contract_to_coarse_copy(const BlockPlan& plan);
   DecimateTarget least_left_in_blocks() const;
   void contract_to_shares_of_limit(const std::vector<double>& shares);
   void lower_shares_at(const std::vector<Index>& vertices, std::vector<double>& shares) const;
-  void contract_what_moves_little(const PassLimits& limits);
+  void contract_what_moves_little(const StageLimits& limits);
   std::vector<Index> map_from_start() const;
-  void make_coarse_bound(const Done& start);
+  void make_coarse_bound(const WorkingSurface& start);
   ErrorBound& guarding_bound() { return coarse_bound_ ? *coarse_bound_ : error_bounds_->surface(); }
   ErrorBound::Violations find_violations_before_guarding();
   bool contract_guarded();
   bool contract_guarded_from_input();
-  bool end_with(const Done& done);
+  bool end_with(const StagedRun::State& state);
   void contract_nothing();
   bool contract_in_steps(const BlockPlan& plan);
   bool has_plain_level_far_below(const BlockPlan& plan);
@@ -46,7 +45,7 @@ class ErrorLimitedRun {
   void contract_no_more();
   std::unique_ptr<ErrorBounds> end();
 
-  Passes& passes_;
+  StagedRun& run_;
   double limit_;  ///< of the error, in the frame
   std::unique_ptr<ErrorBounds> error_bounds_;
   std::optional<PlainRun> plain_run_;

@@ -8,21 +8,21 @@
 
 namespace whittle {
 
-PlainRun::PlainRun(Passes& passes, ErrorBounds& bounds, const BlockPlan& plan) : passes_(passes), bounds_(bounds) {
-  const Done before = passes_.done();
-  passes_.keep_steps_of_all(true);
-  contract(passes_.target().or_faces(passes_.target().n_faces().value_or(1)), plan);
-  passes_.keep_steps_of_all(false);
-  if (passes_.is_cancelled()) return;
-  const auto& contractions = passes_.done().steps.contractions;
+PlainRun::PlainRun(StagedRun& run, ErrorBounds& bounds, const BlockPlan& plan) : run_(run), bounds_(bounds) {
+  const StagedRun::State before = run_.state();
+  run_.keep_steps_of_all(true);
+  contract(run_.target().or_faces(run_.target().n_faces().value_or(1)), plan);
+  run_.keep_steps_of_all(false);
+  if (run_.is_cancelled()) return;
+  const auto& contractions = run_.report().steps.contractions;
   contractions_.assign(contractions.begin(), contractions.end());
-  n_vertices_left_ = passes_.n_vertices_left();
-  passes_.done() = before;
+  n_vertices_left_ = run_.n_vertices_left();
+  run_.return_to(before);
 }
 
 bool PlainRun::contract_to_coarsest_proven(std::size_t most_faces, const BlockPlan& plan) {
   constexpr std::size_t accuracy = 200;  // of the faces, two a contraction
-  std::size_t n_faces = passes_.mesh().faces.size();
+  std::size_t n_faces = run_.mesh().faces.size();
   const auto gap = [&] { return std::max<std::size_t>(1, n_faces / accuracy); };
   std::size_t found = proven_;
   const auto holds = [&](std::size_t n_contractions, const auto& predicate) {
@@ -46,7 +46,7 @@ bool PlainRun::contract_to_coarsest_proven(std::size_t most_faces, const BlockPl
   const std::size_t first = detail::bisect(0, contractions_.size() + 1, gap, seems_near);
   detail::bisect_from_end(first + 1, gap, is_near);
   if (found == 0) return false;
-  const DecimateTarget& target = passes_.target();
+  const DecimateTarget& target = run_.target();
   const std::uint64_t n_vertices = n_vertices_left_ + contractions_.size() - found;
   contract(target.or_vertices(std::max(n_vertices, target.n_vertices().value_or(0))), plan);
   return true;
@@ -54,16 +54,13 @@ bool PlainRun::contract_to_coarsest_proven(std::size_t most_faces, const BlockPl
 
 /// Of the input.
 void PlainRun::contract(const DecimateTarget& stop, const BlockPlan& plan) {
-  const double progress = passes_.done().progress;
-  passes_.forget_all();
-  passes_.done().progress = progress;
-  passes_.set_limits({});
-  passes_.contract_in_blocks(stop, plan);
-  passes_.contract_to(stop, false);
+  run_.begin_anew(run_.state().report.progress);
+  run_.contract_in_blocks(stop, plan);
+  run_.contract(stop, false);
 }
 
 PlainRun::Level PlainRun::level_after(std::size_t n_contractions) const {
-  const IndexedMesh& input = passes_.mesh();
+  const IndexedMesh& input = run_.mesh();
   Level level;
   level.mesh.positions = input.positions;
   level.vertex_map.resize(input.positions.size());
@@ -92,6 +89,6 @@ bool PlainRun::is_proven_with_vertices(std::size_t n_vertices) {
   return is_so;
 }
 
-CheckedSurface PlainRun::checked(const Level& level) const { return {level.mesh, passes_.frame(), level.vertex_map}; }
+CheckedSurface PlainRun::checked(const Level& level) const { return {level.mesh, run_.frame(), level.vertex_map}; }
 
 }  // namespace whittle

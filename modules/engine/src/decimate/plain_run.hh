@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "decimate/passes.hh"
+#include "decimate/staged_run.hh"
 #include "error/error_bounds.hh"
 
 namespace whittle {
@@ -12,8 +12,8 @@ namespace whittle {
 class PlainRun {
  public:
   /// Runs. Afterwards the passes are as they were. Both must outlive it.
-  /// \param passes of a run with a limit of the error
-  PlainRun(Passes& passes, ErrorBounds& bounds, const BlockPlan& plan);
+  /// \param run of a run with a limit of the error
+  PlainRun(StagedRun& run, ErrorBounds& bounds, const BlockPlan& plan);
 
   /// \pre the run was not cancelled
   bool is_proven_with_vertices(std::size_t n_vertices);
@@ -32,7 +32,7 @@ class PlainRun {
   CheckedSurface checked(const Level& level) const;
   void contract(const DecimateTarget& stop, const BlockPlan& plan);
 
-  Passes& passes_;
+  StagedRun& run_;
   ErrorBounds& bounds_;
   std::vector<Contraction> contractions_;
   std::size_t n_vertices_left_ = 0;  ///< at the end

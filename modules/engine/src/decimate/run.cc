@@ -2,42 +2,46 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string_view>
 #include <vector>
 
 #include "decimate/checks.hh"
 #include "decimate/error_limited_run.hh"
-#include "decimate/passes.hh"
+#include "decimate/staged_run.hh"
 
 namespace whittle {
 namespace {
 
-/// The first pause, if blocks would go beyond it on the way to the target.
-DecimateTarget target_of_blocks(const Passes& passes, const BlockPlan& plan) {
-  const std::vector<double>& pauses = passes.options().pauses.at;
-  const bool is_early = !pauses.empty() && pauses.front() > plan.surplus;
-  return is_early ? passes.target().with_counts_times(pauses.front()) : passes.target();
+/// That of the first checkpoint, if blocks would go beyond it on the way to the target.
+DecimateTarget target_of_blocks(const StagedRun& run, const BlockPlan& plan) {
+  const std::vector<double>& checkpoints = run.options().pauses.at;
+  const bool is_early = !checkpoints.empty() && checkpoints.front() > plan.surplus;
+  return is_early ? run.target().with_counts_times(checkpoints.front()) : run.target();
 }
 
-/// Contracts in blocks where that is worth while, and then to each stop in turn.
-void contract_to_stops(Passes& passes, const BlockPlan& plan) {
-  std::string_view why_in_one_pass = passes.contract_in_blocks(target_of_blocks(passes, plan), plan);
-  const std::vector<DecimateTarget> stops = passes.stops();
-  const auto contract_to_stop = [&](std::size_t i) { passes.contract_to(stops[i], i + 1 == stops.size()); };
-  contract_to_stop(0);
-  if (passes.is_beyond_target()) {
-    why_in_one_pass = "blocks went beyond the target";
-    passes.forget_all();
+/// Whether blocks may have made contractions in exact order that come after the last one.
+bool is_beyond_target(const DecimateResult& in_blocks, const DecimateResult& after) {
+  return in_blocks.why_in_one_pass.empty() && after.stop == StopReason::target &&
+         !(in_blocks.max_cost < after.max_cost);
+}
+
+/// Contracts in blocks where that is worth while, and then to each checkpoint in turn.
+void contract_to_target(StagedRun& run, const BlockPlan& plan) {
+  const DecimateResult in_blocks = run.contract_in_blocks(target_of_blocks(run, plan), plan);
+  const std::vector<DecimateTarget> stops = run.stops();
+  const auto contract_to_stop = [&](std::size_t i) { return run.contract(stops[i], i + 1 == stops.size()); };
+  const DecimateResult first = contract_to_stop(0);
+  if (is_exact_in_blocks(run.options()) && is_beyond_target(in_blocks, first)) {
+    run.begin_anew(1);
+    run.report().result.why_in_one_pass = "blocks went beyond the target";
     contract_to_stop(0);
   }
-  for (std::size_t i = 1; i < stops.size() && passes.done().result.stop == StopReason::target; ++i) {
-    if (passes.adjust()) {
+  for (std::size_t i = 1; i < stops.size() && run.report().result.stop == StopReason::target; ++i) {
+    if (run.checkpoint()) {
       contract_to_stop(i);
     } else {
-      passes.done().result.stop = StopReason::cancelled;
+      run.report().result.stop = StopReason::cancelled;
     }
   }
-  passes.done().result.why_in_one_pass = why_in_one_pass;
 }
 
 }  // namespace
@@ -53,16 +57,16 @@ Decimation run(const IndexedMesh& mesh, const DecimateTarget& target, const Deci
   if (host != nullptr && target.error_limit()) {
     throw std::invalid_argument("decimate: max_error doesn't go with a host");
   }
-  Passes passes(mesh, target, options, host);
+  StagedRun stages(mesh, target, options, host);
   const bool has_faces = std::any_of(mesh.faces.begin(), mesh.faces.end(), has_three_corners);
   if (target.error_limit() && has_faces) {
-    std::unique_ptr<ErrorBounds> bounds = ErrorLimitedRun(passes).contract(plan);
+    std::unique_ptr<ErrorBounds> bounds = ErrorLimitedRun(stages).contract(plan);
     if (error_bounds != nullptr) *error_bounds = std::move(bounds);
-    passes.done().result.why_in_one_pass = why_not_in_blocks(mesh, target, options, host, plan);
+    stages.report().result.why_in_one_pass = why_not_in_blocks(mesh, target, options, host, plan);
   } else {
-    contract_to_stops(passes, plan);
+    contract_to_target(stages, plan);
   }
-  return passes.output(keeps_in_charts);
+  return stages.finish(keeps_in_charts);
 }
 
 }  // namespace whittle

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "blocks/decimate_in_blocks.hh"
+#include "blocks/contract_in_blocks.hh"
 #include "error/error_bounds.hh"
 
 namespace whittle {

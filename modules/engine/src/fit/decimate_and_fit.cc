@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "decimate/changes.hh"
+#include "decimate/checkpoint/changes.hh"
 #include "decimate/run.hh"
 #include "fit/fit_within.hh"
 

@@ -6,14 +6,6 @@
 
 namespace whittle {
 
-void begin_with(const DecimationState& state, TriangleComplex& complex, CostState& cost_state) {
-  cost_state.face_area = state.face_area;
-  for (Index v = 0; v < state.vertices.size(); ++v) cost_state.faces.push_back({v, state.vertices[v].quadric});
-  for (Index v = 0; v < complex.n_vertex_slots(); ++v) {
-    complex.set_position(v, state.vertices[complex.origin(v)].position);
-  }
-}
-
 HostedContraction hosted(const TriangleComplex& complex, const ContractionProfile& profile,
                          const PairEvaluation& ranked, const Vec3& position) {
   const auto [survivor, removed] = complex.identities_after(profile.pair, profile.survivor, position);

@@ -27,9 +27,6 @@ class HostCost final : public StatelessCost {
   HostedCost& cost_;
 };
 
-/// Moves the vertices to where an earlier run left them, and takes their quadrics.
-void begin_with(const DecimationState& state, TriangleComplex& complex, CostState& cost_state);
-
 /// A profile's contraction in the words of hosts.
 HostedContraction hosted(const TriangleComplex& complex, const ContractionProfile& profile,
                          const PairEvaluation& ranked, const Vec3& position);

@@ -14,16 +14,17 @@ inline Vec3 to_output(const Vec3& in_frame, const Vec3& in_input, const Frame& f
   return in_frame == frame.to_frame(in_input) ? in_input : frame.to_model(in_frame);
 }
 
-/// Where a loop writes down its contractions, if it does, by the pass's vertices and in the frame. There is room for as
-/// many as there are vertices.
+/// Where a loop writes down its contractions, if it does, by the surface's vertices and in the frame. There is room for
+/// as many as there are vertices.
 struct ContractionLog {
   Contraction* end = nullptr;
 
   void add(const Contraction& contraction) { *end++ = contraction; }
 };
 
-/// Tells contractions that a pass logged by the input's vertices, and in model units.
-/// \param positions of the input \param origins vertices of the pass → those of the input; empty if they are the same
+/// Tells contractions that a stage logged by the input's vertices, and in model units.
+/// \param positions of the input \param origins vertices of the surface → those of the input; empty if they are the
+/// same
 void tell_by_input(std::span<const Vec3> positions, const Frame& frame, std::span<const Index> origins,
                    std::span<Contraction> log);
 

@@ -48,36 +48,37 @@ Reach reach_of_touched(const PairRanks& ranks, const DecimateOptions& options) {
 }  // namespace
 
 ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraints, PairCost& cost,
-                                 const DecimateOptions& options, const DecimateTarget& target, const Frame& frame,
-                                 DecimationHost* host, const LoopContext& context)
+                                 const DecimateTarget& target, std::span<const GuardedPair> refusals,
+                                 const StageContext& context)
     : complex_(complex),
       restraints_(restraints),
       placer_(cost),
-      options_(options),
+      options_(context.options),
       target_(target),
-      frame_(frame),
-      cost_dimension_(host && host->cost() ? host->cost()->dimension() : cost_dimension(options)),
-      cost_unit_(frame.unscale, cost_dimension_),
-      host_(host),
+      frame_(context.frame),
+      cost_dimension_(context.host && context.host->cost() ? context.host->cost()->dimension()
+                                                           : cost_dimension(context.options)),
+      cost_unit_(context.frame.unscale, cost_dimension_),
+      host_(context.host),
       log_(context.log),
       n_initial_vertices_(complex.n_vertices()),
       n_initial_faces_(complex.n_faces()),
       sieve_(complex),
-      guards_(make_guards(complex, restraints, sieve_, options, host, context)),
+      guards_(make_guards(complex, restraints, sieve_, context)),
       uncertain_(find_uncertain(complex, context.role)),
-      ranks_(complex, cost, host && host->cost() ? 0 : options.valence_weight),
-      touched_(reach_of_touched(ranks_, options)),
+      ranks_(complex, cost, host_ && host_->cost() ? 0 : options_.valence_weight),
+      touched_(reach_of_touched(ranks_, options_)),
       refused_(complex) {
   for (const auto& guard : guards_) {
     n_rings_ = std::max(n_rings_, guard->n_rings());
     if (guard->follows()) followers_.push_back(guard.get());
   }
-  recall(context.refusals);
-  queue_ = make_queue(complex, ranks_, sieve_, refused_, uncertain_ ? &*uncertain_ : nullptr, options);
-  if (const auto limit = target.cost_limit()) cost_limit_ = frame.cost_to_frame(*limit, cost_dimension_);
+  begin_with(refusals);
+  queue_ = make_queue(complex, ranks_, sieve_, refused_, uncertain_ ? &*uncertain_ : nullptr, options_);
+  if (const auto limit = target.cost_limit()) cost_limit_ = frame_.cost_to_frame(*limit, cost_dimension_);
 }
 
-void ContractionLoop::recall(std::span<const GuardedPair> refusals) {
+void ContractionLoop::begin_with(std::span<const GuardedPair> refusals) {
   if (refusals.empty()) return;
   const std::vector<Index> vertices = complex_.vertices_by_origin();
   for (const GuardedPair& refusal : refusals) {
@@ -149,7 +150,7 @@ bool ContractionLoop::report_progress() const {
   return options_.progress({complex_.n_vertices(), complex_.n_faces(), std::min(1.0, std::max(faces, vertices))});
 }
 
-/// Contracts the pair, puts it off, leaves it to a later pass, refuses it, or stops because of its cost.
+/// Contracts the pair, puts it off, leaves it to a later stage, refuses it, or stops because of its cost.
 void ContractionLoop::take(const RankedPair& ranked) {
   const double rank = ranked.rank.cost;
   if (!complex_.is_contractible(ranked.pair)) return complex_.remove_pair(ranked.pair.id);
@@ -174,7 +175,7 @@ bool ContractionLoop::gather_if_certain(const Pair& pair) {
   return !uncertain_ || !uncertain_->contains_any_around(profile_);
 }
 
-/// A pass that knows more may contract this pair now. So its ends become uncertain, and those of all pairs that this
+/// A stage that knows more may contract this pair now. So its ends become uncertain, and those of all pairs that this
 /// may make contractible or cheaper.
 void ContractionLoop::leave_to_later(const Pair& pair) {
   affected_.assign({pair.a, pair.b});

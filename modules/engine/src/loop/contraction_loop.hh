@@ -8,7 +8,8 @@
 #include "complex/uncertain_vertices.hh"
 #include "cost/pair_cost.hh"
 #include "guard/guard.hh"
-#include "loop/loop_context.hh"
+#include "loop/stage_context.hh"
+#include "loop/working_surface.hh"
 #include "pairs/threshold_pair_sieve.hh"
 #include "queue/pair_queue.hh"
 #include "queue/refused_pairs.hh"
@@ -20,7 +21,7 @@ namespace whittle {
 ///
 ///   while no target is reached:
 ///     take the next pair from the queue, and gather its profile
-///     if the order is exact, in a block that doesn't know all around the pair: leave it to a later pass
+///     if the order is exact, in a block that doesn't know all around the pair: leave it to a later stage
 ///     if a guard refuses the pair: count that; the pair waits until something that the guard looks at changes
 ///     the cost places the merged vertex; if a guard refuses that, the one where the pair was ranked is tried
 ///     if the final cost is above the rank: queue the pair again
@@ -28,8 +29,9 @@ namespace whittle {
 ///     if no pair is left: queue those again that were refused by guards that give way
 class ContractionLoop {
  public:
-  ContractionLoop(TriangleComplex& complex, Restraints& restraints, PairCost& cost, const DecimateOptions& options,
-                  const DecimateTarget& target, const Frame& frame, DecimationHost* host, const LoopContext& context);
+  /// \param refusals of stages before, that still hold
+  ContractionLoop(TriangleComplex& complex, Restraints& restraints, PairCost& cost, const DecimateTarget& target,
+                  std::span<const GuardedPair> refusals, const StageContext& context);
 
   /// Goes on from where it stopped, if it did. \return all that was done so far
   DecimateResult run();
@@ -39,7 +41,7 @@ class ContractionLoop {
   std::vector<GuardedPair> refusals();
 
  private:
-  void recall(std::span<const GuardedPair> refusals);
+  void begin_with(std::span<const GuardedPair> refusals);
   bool target_reached() const;
   bool report_progress() const;
   void take(const RankedPair& ranked);

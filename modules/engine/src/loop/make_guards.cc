@@ -15,7 +15,10 @@
 namespace whittle {
 
 Guards make_guards(TriangleComplex& complex, const Restraints& restraints, ThresholdPairSieve& sieve,
-                   const DecimateOptions& options, DecimationHost* host, const LoopContext& context) {
+                   const StageContext& context) {
+  const DecimateOptions& options = context.options;
+  DecimationHost* const host = context.host;
+  const StageLimits& limits = context.limits;
   Guards guards;
   const auto add = [&guards]<class G>(std::unique_ptr<G> guard) { guards.push_back(std::move(guard)); };
   if (restraints.any()) add(std::make_unique<LockedGuard>(restraints));
@@ -29,10 +32,10 @@ Guards make_guards(TriangleComplex& complex, const Restraints& restraints, Thres
   if (options.min_radius_ratio > 0) add(std::make_unique<RadiusRatioGuard>(complex, *options.min_radius_ratio));
   if (options.refuse_intersections) add(std::make_unique<IntersectionGuard>(complex));
   if (host != nullptr && host->may_refuse()) add(std::make_unique<HostGuard>(complex, *host));
-  if (context.displacement_limit)
-    add(std::make_unique<DisplacementGuard>(complex, *context.displacement_limit, context.displacement_limits));
-  if (context.border_bound) add(std::make_unique<BorderErrorGuard>(complex, *context.border_bound));
-  if (context.error_bound) add(std::make_unique<ErrorGuard>(complex, *context.error_bound));
+  if (limits.displacement)
+    add(std::make_unique<DisplacementGuard>(complex, *limits.displacement, limits.displacements));
+  if (limits.border_bound) add(std::make_unique<BorderErrorGuard>(complex, *limits.border_bound));
+  if (limits.error_bound) add(std::make_unique<ErrorGuard>(complex, *limits.error_bound));
   if (!context.areas.of.empty()) add(std::make_unique<AreaGuard>(complex, context.areas));
   return guards;
 }

@@ -15,44 +15,6 @@
 namespace whittle {
 namespace {
 
-void add_threshold_pairs(const ThresholdPairCounts& more, ThresholdPairCounts& all) {
-  all.considered += more.considered;
-  all.contracted += more.contracted;
-  all.threshold = std::max(all.threshold, more.threshold);
-  all.capped = all.capped || more.capped;
-}
-
-void add_surface(const SurfaceCounts& more, SurfaceCounts& all) {
-  all.components += more.components;
-  all.nonmanifold_edges += more.nonmanifold_edges;
-  all.nonmanifold_vertices += more.nonmanifold_vertices;
-}
-
-void add_warnings(const std::vector<Warning>& more, std::vector<Warning>& all) {
-  for (const Warning& warning : more) {
-    const auto is_same = [&](const Warning& other) { return other.kind == warning.kind; };
-    if (std::none_of(all.begin(), all.end(), is_same)) all.push_back(warning);
-  }
-}
-
-void add_result(const DecimateResult& more, DecimateResult& all) {
-  all.n_contractions += more.n_contractions;
-  all.n_vertices += more.n_vertices;
-  all.n_faces += more.n_faces;
-  all.max_cost = std::max(all.max_cost, more.max_cost);
-  all.stop = std::max(all.stop, more.stop);  // `target` is the least
-  if (all.why_in_one_pass.empty()) all.why_in_one_pass = more.why_in_one_pass;
-  all.refusals += more.refusals;
-  all.refused_at_end += more.refused_at_end;
-  all.n_degenerate_faces += more.n_degenerate_faces;
-  all.n_coincident_faces += more.n_coincident_faces;
-  add_threshold_pairs(more.threshold_pairs, all.threshold_pairs);
-  add_surface(more.before, all.before);
-  add_surface(more.after, all.after);
-  all.n_vanished_components += more.n_vanished_components;
-  add_warnings(more.warnings, all.warnings);
-}
-
 /// \param share of the faces that both have together: that of `more`
 void add_polish(const PolishResult& more, double share, PolishResult& all) {
   const auto add_rms = [share](double value, double& mean) {
@@ -85,7 +47,7 @@ void add_simplified(const MeshPiece& piece, std::size_t n_faces_before, Simplifi
     all.cost = more.cost;
     all.result = std::move(more.result);
   } else {
-    add_result(more.result, all.result);
+    all.result += more.result;
   }
   all.decimate_seconds += more.decimate_seconds;
   all.polish_seconds += more.polish_seconds;

@@ -12,10 +12,14 @@
 namespace whittle::test {
 namespace {
 
+WorkingSurface surface_of(const IndexedMesh& mesh) {
+  return {.positions = mesh.positions, .frame = Frame::of_points(mesh.positions), .faces = mesh.faces};
+}
+
 TEST(Partition, GivesEachFaceToOneBlockAndEachInnerVertexAllItsFaces) {
   for (const auto& [name, mesh] : larger_meshes()) {
     SCOPED_TRACE(name);
-    const Surface surface{mesh.positions, Frame::of_points(mesh.positions), mesh.faces};
+    const WorkingSurface surface = surface_of(mesh);
     for (const std::size_t size : {std::size_t{10}, std::size_t{100}, std::size_t{1000}}) {
       const Partition partition = make_partition(surface, size, 0.5, 1);
       std::vector<std::size_t> block_of_face(mesh.faces.size(), partition.n_blocks());
@@ -48,7 +52,7 @@ TEST(Partition, GivesEachFaceToOneBlockAndEachInnerVertexAllItsFaces) {
 
 TEST(Partition, HasBlocksOfAboutTheSizeAskedForAndDependsOnTheMeshAlone) {
   const IndexedMesh mesh = blob(6, 1);
-  const Surface surface{mesh.positions, Frame::of_points(mesh.positions), mesh.faces};
+  const WorkingSurface surface = surface_of(mesh);
   const Partition partition = make_partition(surface, 1000, 0.5, 1);
   EXPECT_GE(partition.n_blocks(), 64U);
   for (std::size_t block = 0; block < partition.n_blocks(); ++block) {

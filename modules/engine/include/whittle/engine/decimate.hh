@@ -43,6 +43,8 @@ struct ThresholdPairCounts {
   std::uint64_t contracted = 0;
   double threshold = 0;  ///< as asked for, model units; 0 if none was
   bool capped = false;   ///< whether `PairOptions::max_pairs` left some out
+
+  ThresholdPairCounts& operator+=(const ThresholdPairCounts& other);
 };
 
 /// How a surface hangs together.
@@ -50,6 +52,8 @@ struct SurfaceCounts {
   std::uint64_t components = 0;            ///< sets of faces connected over vertices
   std::uint64_t nonmanifold_edges = 0;     ///< with three faces or more
   std::uint64_t nonmanifold_vertices = 0;  ///< whose faces, connected over edges at it, are two sets or more
+
+  SurfaceCounts& operator+=(const SurfaceCounts& other);
 };
 
 /// What a caller should know of a run that did what was asked.
@@ -85,6 +89,10 @@ struct DecimateResult {
   SurfaceCounts after;
   std::uint64_t n_vanished_components = 0;  ///< of the input, those of which nothing is left
   std::vector<Warning> warnings;            ///< a kind at most once
+
+  /// Adds a run of another part. Counts are sums, `max_cost` and `stop` are the greatest: `stop` is that of a part that
+  /// missed its target, if there is one. `proven_error` stays as it is.
+  DecimateResult& operator+=(const DecimateResult& other);
 };
 
 /// The decimated mesh and where the input's vertices went.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string_view>
 
 #include "blocks/level.hh"
@@ -35,18 +34,12 @@ inline bool is_exact_in_blocks(const DecimateOptions& options) {
   return cost_traits(options.effective_cost()).goes_in_blocks_exactly;
 }
 
-struct BlockExtras {
-  /// Of the surface by one contraction, in the frame. With one, memoryless quadrics may cost anything.
-  std::optional<double> displacement_limit{};
-  RunSteps* steps = nullptr;       ///< gets what is done; or null
-  std::span<const Index> areas{};  ///< of the faces, as those of `AreasOfFaces`
-};
-
 /// Contracts most of what there is to contract in blocks that fit a cache, on all threads. The rest, down to the
-/// target, is left to a pass over the whole. Nothing depends on the number of threads.
-/// \param frame of the mesh \pre why_not_in_blocks(…).empty()
-LevelRemainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, const DecimateTarget& target,
-                                  const DecimateOptions& options, const BlockPlan& plan,
-                                  const BlockExtras& extras = {});
+/// target, is left to a stage over the whole. Nothing depends on the number of threads.
+/// \param surface the input. It stays, and `DecimateResult::why_in_one_pass` says why, if blocks can't do enough
+/// \param context with `StageLimits::displacement`, memoryless quadrics may cost anything
+/// \return `before` has the counts of the input, unless it was cancelled \pre why_not_in_blocks(…).empty()
+StageReport contract_in_blocks(WorkingSurface& surface, const IndexedMesh& mesh, const DecimateTarget& target,
+                               const BlockPlan& plan, const StageContext& context);
 
 }  // namespace whittle

@@ -1,4 +1,4 @@
-#include "blocks/decimate_in_blocks.hh"
+#include "blocks/contract_in_blocks.hh"
 
 #include <algorithm>
 #include <limits>
@@ -6,6 +6,7 @@
 #include "cost/attributes/scaled_attributes.hh"
 #include "cost/rim_edges.hh"
 #include "cost/seam_planes.hh"
+#include "whittle/core/detail/large_array.hh"
 #include "whittle/core/detail/parallel.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/geometry/triangle.hh"
@@ -44,32 +45,35 @@ bool is_far_flung(const IndexedMesh& mesh) {
   return !(diagonal_of(mesh.positions) <= most * *median);
 }
 
-/// Blocks contract what costs least in each, or what moves the surface little.
-LevelRemainder run_levels(const LevelContext& context, const BlockPlan& plan, const CostState& cost_state) {
+/// Blocks contract what costs least in each, or what moves the surface little. \return whether they could
+bool run_levels(const LevelContext& context, const BlockPlan& plan, WorkingSurface& surface, StageReport& report) {
   LevelPlan level{plan.faces_per_block, 0.5, Role::alone};
   LevelGoal goal;
   goal.surplus = plan.surplus;
-  if (context.displacement_limit) goal.cost = std::numeric_limits<double>::infinity();
-  LevelRemainder remainder = run_level(context, level, goal, cost_state, nullptr);
-  if (remainder.faces.size() < plan.fewest_faces_again || context.progress.is_cancelled()) return remainder;
+  if (context.stage.limits.displacement) goal.cost = std::numeric_limits<double>::infinity();
+  const std::optional<double> cost = run_level(context, level, goal, surface, report);
+  if (surface.faces.size() < plan.fewest_faces_again || context.progress.is_cancelled()) return true;
   level.first_share = 0.3;
-  return run_level(context, level, {.cost = remainder.cost_limit}, remainder.cost_state, &remainder);
+  run_level(context, level, {.cost = cost}, surface, report);
+  return true;
 }
 
 /// Blocks contract what one queue for all would contract, too. Small blocks that don't keep the order find the cost.
-LevelRemainder run_exact_levels(const LevelContext& context, const BlockPlan& plan, const CostState& cost_state) {
+bool run_exact_levels(const LevelContext& context, const BlockPlan& plan, WorkingSurface& surface,
+                      StageReport& report) {
   const LevelPlan trial{plan.faces_per_block / 2, 0.5, Role::alone, true};
   LevelGoal goal;
-  goal.cost = find_cost(context, trial, plan.surplus_in_exact_order, cost_state);
+  goal.cost = find_cost(context, trial, plan.surplus_in_exact_order, surface);
   goal.least_done = plan.least_done_in_exact_order;
   LevelPlan level{plan.faces_per_block_in_exact_order[0], 0.5, Role::in_exact_order};
-  LevelRemainder remainder = run_level(context, level, goal, cost_state, nullptr);
-  const bool is_enough = remainder.is_futile || remainder.faces.size() < plan.fewest_faces_again_in_exact_order;
-  if (is_enough || context.progress.is_cancelled()) return remainder;
+  if (!run_level(context, level, goal, surface, report)) return false;
+  const bool is_enough = surface.faces.size() < plan.fewest_faces_again_in_exact_order;
+  if (is_enough || context.progress.is_cancelled()) return true;
   level.faces_per_block = plan.faces_per_block_in_exact_order[1];
   level.first_share = 0.3;
   goal.least_done = 0;
-  return run_level(context, level, goal, remainder.cost_state, &remainder);
+  run_level(context, level, goal, surface, report);
+  return true;
 }
 
 }  // namespace
@@ -106,22 +110,29 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
   return {};
 }
 
-LevelRemainder decimate_in_blocks(const IndexedMesh& mesh, const Frame& frame, const DecimateTarget& target,
-                                  const DecimateOptions& options, const BlockPlan& plan, const BlockExtras& extras) {
+StageReport contract_in_blocks(WorkingSurface& surface, const IndexedMesh& mesh, const DecimateTarget& target,
+                               const BlockPlan& plan, const StageContext& context) {
+  const DecimateOptions& options = context.options;
   const double share = std::max(plan.fewest_faces_left / static_cast<double>(plan.faces_per_block),
                                 target.share_of(mesh.faces.size(), mesh.positions.size()));
   SharedProgress progress(options, mesh.positions.size(), mesh.faces.size(), share);
-  const LevelContext context{options,      mesh,     frame,       share, extras.displacement_limit,
-                             extras.steps, progress, extras.areas};
-  const std::vector<VertexPair> seams = seam_edges(mesh, face_regions(mesh, options.regions));
-  const CostState cost_state{mean_face_area(mesh, frame, options.threads),
-                             {},
-                             seam_planes(mesh, frame, seams, held_rims(mesh, frame, options), options)};
-  LevelRemainder remainder =
-      is_exact_in_blocks(options) ? run_exact_levels(context, plan, cost_state) : run_levels(context, plan, cost_state);
-  remainder.progress = progress.now().fraction;
-  remainder.is_cancelled = progress.is_cancelled();
-  return remainder;
+  const LevelContext level_context{context, mesh, share, progress};
+  WorkingSurface left = surface;
+  left.cost_state.face_area = mean_face_area(mesh, context.frame, options.threads);
+  left.cost_state.seams = seam_planes(mesh, context.frame, seam_edges(mesh, face_regions(mesh, options.regions)),
+                                      held_rims(mesh, context.frame, options), options);
+  StageReport report;
+  if (context.keeps_steps) reserve_large(report.steps.contractions, mesh.positions.size());
+  const bool is_done = is_exact_in_blocks(options) ? run_exact_levels(level_context, plan, left, report)
+                                                   : run_levels(level_context, plan, left, report);
+  if (is_done) {
+    surface = std::move(left);
+  } else {
+    report.result.why_in_one_pass = "pairs wait for each other all over the mesh";
+  }
+  if (progress.is_cancelled()) report.result.stop = StopReason::cancelled;
+  report.progress = progress.now().fraction;
+  return report;
 }
 
 }  // namespace whittle

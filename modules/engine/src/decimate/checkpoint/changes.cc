@@ -1,4 +1,4 @@
-#include "decimate/changes.hh"
+#include "decimate/checkpoint/changes.hh"
 
 #include <array>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "decimate/line_courses.hh"
+#include "decimate/checkpoint/line_courses.hh"
 
 #include <algorithm>
 
@@ -19,9 +19,10 @@ std::vector<Index> vertices_of(std::span<const VertexPair> edges) {
 
 }  // namespace
 
-void find_courses(const IndexedMesh& input, const Frame& frame, std::span<const VertexPair> features, Remainder& left) {
-  FeatureLines& lines = left.lines;
-  const detail::IndexLists<Index> edges_at(left.positions.size(), [&](const auto& add) {
+void find_courses(const IndexedMesh& input, const Frame& frame, std::span<const VertexPair> features,
+                  WorkingSurface& surface) {
+  FeatureLines& lines = surface.lines;
+  const detail::IndexLists<Index> edges_at(surface.positions.size(), [&](const auto& add) {
     for (Index e = 0; e < lines.edges.size(); ++e) {
       if (!lines.is_seam.empty() && lines.is_seam[e] != 0) continue;
       add(lines.edges[e].a, e);
@@ -30,11 +31,11 @@ void find_courses(const IndexedMesh& input, const Frame& frame, std::span<const 
   });
   lines.courses.assign(lines.edges.size(), {});
   for (const Index v : vertices_of(features)) {
-    const Index end = left.vertex_map[v];
+    const Index end = surface.vertex_map[v];
     if (end == invalid_index || edges_at.of(end).empty()) continue;
     const Vec3 point = frame.to_frame(input.positions[v]);
     const auto distance_to = [&](Index e) {
-      return distance_sq_to_segment(point, left.positions[lines.edges[e].a], left.positions[lines.edges[e].b]);
+      return distance_sq_to_segment(point, surface.positions[lines.edges[e].a], surface.positions[lines.edges[e].b]);
     };
     const std::span<const Index> edges = edges_at.of(end);
     const Index nearest = *std::min_element(edges.begin(), edges.end(),

@@ -1,0 +1,84 @@
+#include "decimate/staged_run.hh"
+
+#include <utility>
+
+#include "whittle/core/regions.hh"
+#include "whittle/core/wedges.hh"
+
+namespace whittle {
+
+StagedRun::StagedRun(const IndexedMesh& mesh, const DecimateTarget& target, const DecimateOptions& options,
+                     DecimationHost* host)
+    : mesh_(mesh),
+      target_(target),
+      options_(options),
+      host_(host),
+      frame_(host && host->state() ? host->state()->frame : Frame::of_points(mesh.positions)),
+      state_{input(), {}} {}
+
+/// The first surface: the mesh, or with a host that goes on, what that knows of it.
+WorkingSurface StagedRun::input() const {
+  WorkingSurface surface;
+  surface.faces = MaybeOwned<Triangle>::borrowed(mesh_.faces);
+  const DecimationState* const earlier = host_ ? host_->state() : nullptr;
+  if (earlier == nullptr) {
+    surface.positions = MaybeOwned<Vec3>::borrowed(mesh_.positions);
+    surface.frame = frame_;
+    return surface;
+  }
+  surface.cost_state.face_area = earlier->face_area;
+  for (Index v = 0; v < earlier->vertices.size(); ++v) {
+    surface.positions.own().push_back(earlier->vertices[v].position);
+    surface.cost_state.faces.push_back({v, earlier->vertices[v].quadric});
+  }
+  return surface;
+}
+
+void StagedRun::begin_anew(double progress) {
+  state_ = {input(), {}};
+  report().progress = progress;
+}
+
+std::vector<DecimateTarget> StagedRun::stops() const {
+  std::vector<DecimateTarget> stops;
+  const bool has_count = target_.n_faces() || target_.n_vertices();
+  for (const double factor : options_.pauses.at) {
+    const DecimateTarget stop = target_.with_counts_times(factor);
+    if (has_count && !stop.is_reached_at(n_faces_left(), n_vertices_left())) stops.push_back(stop);
+  }
+  stops.push_back(target_);
+  return stops;
+}
+
+/// Empty where the error alone counts, and with a host, which has guards of its own.
+const KeptAreas& StagedRun::areas() {
+  if (areas_) return *areas_;
+  areas_.emplace();
+  const bool are_kept = !host_ && !target_.error_limit();
+  if (are_kept) areas_.emplace(mesh_, seam_areas(mesh_, seam_edges(mesh_, face_regions(mesh_, options_.regions))));
+  return *areas_;
+}
+
+DecimateResult StagedRun::contract_in_blocks(const DecimateTarget& target, const BlockPlan& plan,
+                                             const StageLimits& limits) {
+  StageReport report{.progress = state_.report.progress};
+  report.result.why_in_one_pass = why_not_in_blocks(mesh_, target, options_, host_, plan);
+  if (report.result.why_in_one_pass.empty()) {
+    DecimateOptions options = options_;
+    if (is_listener_told_at_end()) options.listener = {};
+    const std::vector<Index> kept_areas = areas().of(target);
+    StageContext context{options, frame_};
+    context.limits = limits;
+    context.areas.of = kept_areas;
+    context.keeps_steps = keeps_steps();
+    report = whittle::contract_in_blocks(state_.surface, mesh_, target, plan, context);
+    const SurfaceCounts& before = report.result.before;
+    const bool is_counted = report.result.why_in_one_pass.empty() && report.result.stop != StopReason::cancelled;
+    if (is_counted) nonmanifold_before_ = {before.nonmanifold_edges, before.nonmanifold_vertices};
+  }
+  const DecimateResult result = report.result;
+  state_.report += std::move(report);
+  return result;
+}
+
+}  // namespace whittle
