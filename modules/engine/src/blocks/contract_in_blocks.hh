@@ -19,7 +19,7 @@ struct BlockPlan {
   std::size_t fewest_faces_in_exact_order = 500000;
   std::size_t fewest_faces_again_in_exact_order = 131072;
   std::array<std::size_t, 2> faces_per_block_in_exact_order{131072, 65536};  ///< by level
-  double least_done_in_exact_order = 0.5;  ///< share of what the target asks for; of less, one pass over all is faster
+  double least_done_in_exact_order = 0.5;  ///< share of what the target asks for; of less, one stage over all is faster
   double surplus_in_exact_order = 1.2;     ///< with less, blocks may go beyond the target
 };
 

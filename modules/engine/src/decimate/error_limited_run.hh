@@ -14,7 +14,7 @@ namespace whittle {
 /// Contracts as far as the target's error limit allows, and proves that what is left keeps it (docs/dev/max-error.md).
 class ErrorLimitedRun {
  public:
-  /// \param run before the first contraction; with an error limit. They are left to make the output
+  /// \param run before the first stage; with an error limit. It is left to be finished
   explicit ErrorLimitedRun(StagedRun& run) : run_(run), limit_(*run.target().error_limit() * run.frame().scale) {}
 
   /// \return what the proofs were made with

@@ -11,16 +11,16 @@ namespace whittle {
 /// Of each it can be asked whether it is proven to be near to the input.
 class PlainRun {
  public:
-  /// Runs. Afterwards the passes are as they were. Both must outlive it.
-  /// \param run of a run with a limit of the error
+  /// Runs. Afterwards the run is as it was. Both must outlive it.
+  /// \param run with a limit of the error
   PlainRun(StagedRun& run, ErrorBounds& bounds, const BlockPlan& plan);
 
   /// \pre the run was not cancelled
   bool is_proven_with_vertices(std::size_t n_vertices);
 
   /// Looks for a level of few faces that is proven, by bisection, to 1 % of its faces. Levels of more than `most_faces`
-  /// are of no use: they count as proven, as do those before one that is. \return whether there is one. Then the passes
-  /// are contracted to it, or cancelled
+  /// are of no use: they count as proven, as do those before one that is. \return whether there is one. Then the run
+  /// has contracted to it, or is cancelled
   bool contract_to_coarsest_proven(std::size_t most_faces, const BlockPlan& plan);
 
  private:

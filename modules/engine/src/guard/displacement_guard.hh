@@ -13,7 +13,7 @@ namespace whittle {
 class DisplacementGuard final : public Guard {
  public:
   /// \param limit in the frame
-  /// \param limits of each vertex by its number in the input of the pass, in place of that; or empty
+  /// \param limits of each vertex by its number in the surface that the stage begins with, in place of that; or empty
   DisplacementGuard(const TriangleComplex& complex, double limit, std::span<const double> limits);
 
   /// Nowhere: what is refused now may be contracted later.

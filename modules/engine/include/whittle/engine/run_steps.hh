@@ -30,7 +30,7 @@ struct PassEnd {
     Triangle corners;  ///< vertices of the input
   };
   std::uint64_t n_contractions = 0;  ///< made before
-  std::vector<MovedVertex> moved;    ///< by a pause or the fit in the end, ascending
+  std::vector<MovedVertex> moved;    ///< at a checkpoint or by the fit in the end, ascending
   std::vector<TurnedFace> turned;    ///< faces at edges that these flipped, ascending
 };
 
