@@ -22,10 +22,10 @@ class ModFinerRightT : public whittle::PlacingModuleT<MeshT> {
  private:
   using typename whittle::PlacingModuleT<MeshT>::VertexHandle;
 
-  /// What merging two vertices costs, and where the merged vertex goes. `pinned` says which of them has to stay.
+  /// What merging two vertices costs, and where the merged vertex goes. `constraint` says which of them has to stay.
   whittle::PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second,
-                                         whittle::Pinned pinned) const override {
-    auto evaluation = whittle::evaluate_midpoint(this->position(first), this->position(second), pinned);
+                                         whittle::PairConstraint constraint) const override {
+    auto evaluation = whittle::evaluate_midpoint(this->position(first), this->position(second), constraint);
     // Modules compute in a frame, centred and scaled. `to_model` gives the position in the units of the mesh.
     if (this->frame().to_model(evaluation.position).x() > 0) evaluation.cost *= 2;
     evaluation.bound = evaluation.cost;

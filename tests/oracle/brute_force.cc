@@ -6,7 +6,7 @@
 #include <numbers>
 #include <set>
 
-#include "oracle/brute_force_rims.hh"
+#include "oracle/brute_force_folds.hh"
 #include "support/face_list.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
@@ -52,12 +52,12 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& input, const Decimat
                 (options.boundary == Boundary::locked && link_of(v, faces_).vertices.contains(invalid_index));
   }
   const double tolerance = options.feature_tolerance * diagonal_of(mesh.positions) * frame_.scale;
-  restraints_ = BruteForceRestraints(positions_, faces_, locked, options_, tolerance,
-                                     seam_edges(mesh, face_regions(mesh, options_.regions)));
+  constraints_ = BruteForceConstraints(positions_, faces_, locked, options_, tolerance,
+                                       seam_edges(mesh, face_regions(mesh, options_.regions)));
   sum_planes(options.quadric);
   std::vector<bool> is_on_seam(positions_.size());
-  for (const auto& [v, w] : restraints_.seams()) is_on_seam[v] = is_on_seam[w] = true;
-  for (const auto& [v, w] : brute_force_rims(positions_, faces_, options_)) is_on_seam[v] = is_on_seam[w] = true;
+  for (const auto& [v, w] : constraints_.seams()) is_on_seam[v] = is_on_seam[w] = true;
+  for (const auto& [v, w] : brute_force_folds(positions_, faces_, options_)) is_on_seam[v] = is_on_seam[w] = true;
   if (options_.cost == Cost::memoryless) memory_.emplace(positions_, faces_, is_on_seam);
   attributes_ = BruteForceAttributes(mesh, frame_, positions_, options_);
   areas_ = BruteForceAreas(mesh, options_);
@@ -65,13 +65,13 @@ BruteForceDecimater::BruteForceDecimater(const IndexedMesh& input, const Decimat
   had_threshold_pairs_ = !threshold_pairs_.empty();
 }
 
-/// Those of faces, seams, rims and borders. \param options whatever becomes of borders
+/// Those of faces, seams, folds and borders. \param options whatever becomes of borders
 void BruteForceDecimater::sum_planes(const QuadricOptions& options) {
   quadrics_.resize(positions_.size());
   seams_.resize(positions_.size());
   points_.resize(positions_.size());
   const std::map<Edge, int> n_faces = count_edge_faces(faces_);
-  const std::set<Edge> rims = brute_force_rims(positions_, faces_, options_);
+  const std::set<Edge> folds = brute_force_folds(positions_, faces_, options_);
   QuadricOptions of_seams = options_.quadric;
   of_seams.boundary_weight = options_.attribute_weights.seam;
   for (Index v = 0; v < positions_.size(); ++v) {
@@ -94,8 +94,8 @@ void BruteForceDecimater::sum_planes(const QuadricOptions& options) {
         }
       }
     };
-    add_lines([&](Index a, Index b) { return restraints_.is_seam(a, b); }, of_seams, seams_[v].a);
-    add_lines([&](Index a, Index b) { return rims.contains(edge(a, b)); }, options_.quadric, seams_[v].a);
+    add_lines([&](Index a, Index b) { return constraints_.is_seam(a, b); }, of_seams, seams_[v].a);
+    add_lines([&](Index a, Index b) { return folds.contains(edge(a, b)); }, options_.quadric, seams_[v].a);
     sum += seams_[v].a;
     add_lines([&](Index a, Index b) { return n_faces.at(edge(a, b)) == 1; }, options_.quadric, sum);
   }
@@ -158,7 +158,7 @@ std::vector<Triangle> BruteForceDecimater::faces() const {
 
 std::vector<std::pair<Index, Index>> BruteForceDecimater::feature_edges() const {
   std::vector<std::pair<Index, Index>> edges;
-  for (const auto& [a, b] : restraints_.feature_edges()) edges.push_back(edge(stands_for_[a], stands_for_[b]));
+  for (const auto& [a, b] : constraints_.feature_edges()) edges.push_back(edge(stands_for_[a], stands_for_[b]));
   std::ranges::sort(edges);
   return edges;
 }
@@ -191,20 +191,21 @@ BruteForceDecimater::Choice BruteForceDecimater::choice(Index a, Index b, bool i
 }
 
 PairEvaluation BruteForceDecimater::evaluate(Index a, Index b, bool is_edge, const SurfaceNow& surface) const {
-  const Pinned pinned = restraints_.pinned(a, b).value_or(Pinned::first);  // if not allowed, any value will do
-  if (options_.cost == Cost::lindstrom_turk) return surface.lindstrom_turk(a, b, pinned);
-  if (options_.cost == Cost::midpoint) return evaluate_midpoint(positions_[a], positions_[b], pinned);
+  const PairConstraint constraint =
+      constraints_.of(a, b).value_or(PairConstraint::first);  // if not allowed, any value will do
+  if (options_.cost == Cost::lindstrom_turk) return surface.lindstrom_turk(a, b, constraint);
+  if (options_.cost == Cost::midpoint) return evaluate_midpoint(positions_[a], positions_[b], constraint);
   const PlacedQuadric first = placed(a, is_edge);
   const PlacedQuadric second = placed(b, is_edge);
   const Placement placement = options_.quadric.placement;
-  if (options_.isotropy > 0) return evaluate_isotropic(first, second, options_.isotropy, placement, pinned);
-  if (!attributes_.any()) return evaluate_pair(first, second, placement, pinned);
+  if (options_.isotropy > 0) return evaluate_isotropic(first, second, options_.isotropy, placement, constraint);
+  if (!attributes_.any()) return evaluate_pair(first, second, placement, constraint);
   const BruteForceAttributes::PairCost attributes = attributes_.of(a, b, is_edge, positions_[b] - positions_[a]);
   PlacedQuadric with_attributes = first;
   with_attributes.quadric += attributes.quadric;
-  PairEvaluation evaluation = evaluate_pair(with_attributes, second, placement, pinned);
+  PairEvaluation evaluation = evaluate_pair(with_attributes, second, placement, constraint);
   if (attributes.quadric(evaluation.position - first.position) <= attributes.most) return evaluation;
-  evaluation = evaluate_pair(first, second, placement, pinned);
+  evaluation = evaluate_pair(first, second, placement, constraint);
   evaluation.cost += attributes.most;
   return evaluation;
 }
@@ -214,15 +215,15 @@ std::optional<BruteForceDecimater::Choice> BruteForceDecimater::next_choice() co
   std::optional<Choice> first;
   for (const Choice& choice : choices()) {
     if (first && first->is_before(choice)) break;
-    const std::optional<Choice> settled = settle(choice);
-    if (settled && (!first || settled->is_before(*first))) first = settled;
+    const std::optional<Choice> resolved = resolve(choice);
+    if (resolved && (!first || resolved->is_before(*first))) first = resolved;
   }
   return first;
 }
 
 /// Finds the position and the final cost: the better position if it is allowed, else the cheapest one. nullopt if
 /// neither is.
-std::optional<BruteForceDecimater::Choice> BruteForceDecimater::settle(Choice choice) const {
+std::optional<BruteForceDecimater::Choice> BruteForceDecimater::resolve(Choice choice) const {
   if (!forgets(choice)) return is_allowed(choice) ? std::optional(choice) : std::nullopt;
   const FacesAroundPair around(positions_, faces_, choice.low, choice.high, choice.cheapest);
   const StarVolume volume = around.volume();
@@ -238,12 +239,12 @@ std::optional<BruteForceDecimater::Choice> BruteForceDecimater::settle(Choice ch
 }
 
 bool BruteForceDecimater::forgets(const Choice& choice) const {
-  return memory_ && memory_->forgets(choice.low, choice.high, is_joint(choice.low, choice.high, choice.is_edge));
+  return memory_ && memory_->forgets(choice.low, choice.high, is_nonmanifold(choice.low, choice.high, choice.is_edge));
 }
 
 bool BruteForceDecimater::is_allowed(const Choice& choice) const {
   const auto& [cost, a, b, is_edge, cheapest, is_minimum, position] = choice;
-  if (!restraints_.pinned(a, b) || !restraints_.keeps_lines(positions_, faces_, a, b, position)) return false;
+  if (!constraints_.of(a, b) || !constraints_.keeps_lines(positions_, faces_, a, b, position)) return false;
   if (!areas_.keep_faces_without(a, b)) return false;
   if (is_edge && options_.topology == Topology::keep && !keeps_topology(a, b)) {
     const bool is_manifold = !link_of(a, faces_).is_singular && !link_of(b, faces_).is_singular;
@@ -259,7 +260,8 @@ bool BruteForceDecimater::is_allowed(const Choice& choice) const {
     }
   }
   const std::vector<Triangle> after = faces_after(a, b);
-  return restraints_.keeps_edges(after, a, b) && restraints_.keeps_sharpness(positions_, faces_, after, a, b, position);
+  return constraints_.keeps_edges(after, a, b) &&
+         constraints_.keeps_sharpness(positions_, faces_, after, a, b, position);
 }
 
 /// Which faces remain if a and b become one vertex. Faces with both a and b vanish. Faces of a and faces of b may then
@@ -415,13 +417,13 @@ void BruteForceDecimater::contract(const Choice& choice, Index survivor, Index r
   sides_.contract(survivor, removed);
   std::vector<Triangle> faces = faces_after(survivor, removed);
   areas_.contract(survivor, removed);
-  restraints_.contract(positions_, faces, survivor, removed, choice.position);
+  constraints_.contract(positions_, faces, survivor, removed, choice.position);
   quadrics_[survivor] = merge_quadrics(choice);
   if (attributes_.any()) {
     attributes_.contract(choice.low, choice.high, survivor, choice.is_edge, positions_, choice.position);
   }
   if (memory_) {
-    memory_->contract(survivor, removed, is_joint(choice.low, choice.high, choice.is_edge), faces_, faces);
+    memory_->contract(survivor, removed, is_nonmanifold(choice.low, choice.high, choice.is_edge), faces_, faces);
   }
   points_[survivor] = choice.is_edge ? points_[choice.low] + points_[choice.high] : PointQuadric{};
   positions_[survivor] = choice.position;
@@ -440,7 +442,7 @@ Quadric BruteForceDecimater::merge_seams(const Choice& choice) {
   Quadric sum = seams_[a].about(position - positions_[a]);
   sum += seams_[b].about(position - positions_[b]);
   seams_[a] = seams_[b] = {};
-  if (!is_joint(a, b, is_edge)) return sum;
+  if (!is_nonmanifold(a, b, is_edge)) return sum;
   for (const Triangle& f : faces_) {
     if (!has(f, a) && !has(f, b)) continue;
     for (const Index v : f) seams_[v] = {};
@@ -456,7 +458,7 @@ Quadric BruteForceDecimater::merge_quadrics(const Choice& choice) {
   if (!memory_) return quadric;
   const Vec3 origin = forgets(choice) ? cheapest : Vec3::Zero();
   const Quadric seams = merge_seams(choice);
-  for (const Index v : memory_->forgetful_neighbours(a, b, is_joint(a, b, is_edge), faces_)) {
+  for (const Index v : memory_->forgetful_neighbours(a, b, is_nonmanifold(a, b, is_edge), faces_)) {
     quadrics_[v].a += change_of_planes(positions_, faces_, a, b, v, position, origin, options_.quadric);
   }
   if (!forgets(choice)) return quadric;
@@ -486,7 +488,7 @@ std::vector<Contraction> BruteForceDecimater::run(const DecimateTarget& target) 
     if (!choice) break;
     const double cost = frame_.cost_to_model(choice->cost, dimension);
     if (target.cost_limit() && cost > *target.cost_limit()) break;
-    const bool keep_high = restraints_.pinned(choice->low, choice->high) != Pinned::first;
+    const bool keep_high = constraints_.of(choice->low, choice->high) != PairConstraint::first;
     const Index survivor = keep_high ? choice->high : choice->low;
     const Index removed = keep_high ? choice->low : choice->high;
     const auto [lives_on, gone] = stand_ins(*choice, survivor, removed);

@@ -8,9 +8,9 @@
 
 #include "oracle/areas/brute_force_areas.hh"
 #include "oracle/brute_force_attributes.hh"
+#include "oracle/brute_force_constraints.hh"
 #include "oracle/brute_force_costs.hh"
 #include "oracle/brute_force_memoryless.hh"
-#include "oracle/brute_force_restraints.hh"
 #include "oracle/sides/brute_force_sides.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/engine/decimate.hh"
@@ -59,8 +59,8 @@ class BruteForceDecimater {
   void sum_planes(const QuadricOptions& options);
   PairEvaluation evaluate(Index a, Index b, bool is_edge, const SurfaceNow& surface) const;
   std::optional<Choice> next_choice() const;
-  std::optional<Choice> settle(Choice choice) const;
-  bool is_joint(Index a, Index b, bool is_edge) const { return !is_edge || !keeps_topology(a, b); }
+  std::optional<Choice> resolve(Choice choice) const;
+  bool is_nonmanifold(Index a, Index b, bool is_edge) const { return !is_edge || !keeps_topology(a, b); }
   bool forgets(const Choice& choice) const;
   bool is_allowed(const Choice& choice) const;
   bool keeps_topology(Index a, Index b) const;
@@ -79,11 +79,11 @@ class BruteForceDecimater {
   std::vector<Vec3> positions_;
   std::vector<Index> stands_for_;  ///< per vertex, the input vertex that results name
   std::vector<Quadric> quadrics_;
-  std::vector<Quadric> seams_;  ///< the planes of seams and rims, of vertices that forget all other planes
+  std::vector<Quadric> seams_;  ///< the planes of seams and folds, of vertices that forget all other planes
   std::vector<PointQuadric> points_;
   std::set<std::pair<Index, Index>> threshold_pairs_;  ///< lower vertex first; some may share a face
   bool had_threshold_pairs_ = false;                   ///< at the start
-  BruteForceRestraints restraints_;
+  BruteForceConstraints constraints_;
   std::optional<BruteForceMemory> memory_;  ///< of memoryless quadrics
   BruteForceAttributes attributes_;
   BruteForceAreas areas_;

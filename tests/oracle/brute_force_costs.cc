@@ -124,10 +124,10 @@ NeighbourSums SurfaceNow::neighbours_of(Index a, Index b) const {
   return sums;
 }
 
-PairEvaluation SurfaceNow::lindstrom_turk(Index a, Index b, Pinned pinned) const {
+PairEvaluation SurfaceNow::lindstrom_turk(Index a, Index b, PairConstraint constraint) const {
   LindstromTurk term(volume_of(a, b).lanes(), border_of(a, b), Vec3::Zero(), positions_[b] - positions_[a]);
   if (!term.is_determined()) term.add_neighbours(neighbours_of(a, b).lanes());
-  return in_frame(term.evaluate(pinned), positions_[a], positions_[b]);
+  return in_frame(term.evaluate(constraint), positions_[a], positions_[b]);
 }
 
 /// The merged vertex has the edges of both, except (a, b). Two edges of a common face become one.

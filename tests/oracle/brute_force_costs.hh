@@ -26,7 +26,7 @@ class SurfaceNow {
   /// \param positions of the vertices; not copied
   SurfaceNow(std::span<const Vec3> positions, std::span<const Triangle> faces);
 
-  PairEvaluation lindstrom_turk(Index a, Index b, Pinned pinned) const;
+  PairEvaluation lindstrom_turk(Index a, Index b, PairConstraint constraint) const;
   ValenceChange valence_change(Index a, Index b) const;
 
  private:

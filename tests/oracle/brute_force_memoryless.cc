@@ -161,21 +161,21 @@ BruteForceMemory::BruteForceMemory(std::span<const Vec3> positions, std::span<co
   face_area_ = {area, n_corners, faces.size()};
 }
 
-std::vector<Index> BruteForceMemory::forgetful_neighbours(Index a, Index b, bool is_joint,
+std::vector<Index> BruteForceMemory::forgetful_neighbours(Index a, Index b, bool is_nonmanifold,
                                                           std::span<const Triangle> faces) const {
   std::vector<Index> result;
-  if (is_joint) return result;
+  if (is_nonmanifold) return result;
   for (const Index v : neighbours_of(a, b, faces)) {
     if (is_ring_[v] && !remembers_[v]) result.push_back(v);
   }
   return result;
 }
 
-void BruteForceMemory::contract(Index survivor, Index removed, bool is_joint, std::span<const Triangle> before,
+void BruteForceMemory::contract(Index survivor, Index removed, bool is_nonmanifold, std::span<const Triangle> before,
                                 std::span<const Triangle> after) {
-  remembers_[survivor] = !forgets(survivor, removed, is_joint);
+  remembers_[survivor] = !forgets(survivor, removed, is_nonmanifold);
   is_ring_[survivor] = is_ring_[survivor] && is_ring_[removed];
-  if (!is_joint) return;
+  if (!is_nonmanifold) return;
   is_ring_[survivor] = is_ring(survivor, after);
   for (const Index v : neighbours_of(survivor, removed, before)) {
     remembers_[v] = true;

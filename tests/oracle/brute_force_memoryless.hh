@@ -53,18 +53,18 @@ class BruteForceMemory {
   const MeanFaceArea& face_area() const { return face_area_; }
 
   /// Whether the merged vertex of a and b has the planes of its own faces only, and those of seams.
-  /// \param is_joint whether the contraction needs more than the link condition
-  bool forgets(Index a, Index b, bool is_joint) const { return !is_joint && is_ring_[a] && is_ring_[b]; }
+  /// \param is_nonmanifold whether the contraction needs more than the link condition
+  bool forgets(Index a, Index b, bool is_nonmanifold) const { return !is_nonmanifold && is_ring_[a] && is_ring_[b]; }
   /// The neighbours of a and b that have the planes of their own faces, before and after the contraction.
-  std::vector<Index> forgetful_neighbours(Index a, Index b, bool is_joint, std::span<const Triangle> faces) const;
+  std::vector<Index> forgetful_neighbours(Index a, Index b, bool is_nonmanifold, std::span<const Triangle> faces) const;
 
   /// \param before, after the faces before and after the contraction
-  void contract(Index survivor, Index removed, bool is_joint, std::span<const Triangle> before,
+  void contract(Index survivor, Index removed, bool is_nonmanifold, std::span<const Triangle> before,
                 std::span<const Triangle> after);
 
  private:
   std::vector<bool> is_ring_;  ///< its faces were one closed fan of one orientation when last looked at: at first, and
-                               ///< after joints; two that merge are one if both were
+                               ///< after non-manifold contractions; two that merge are one if both were
   std::vector<bool> remembers_;
   MeanFaceArea face_area_;
 };

@@ -35,7 +35,7 @@ SimplifyOptions with_effort(Effort effort, SimplifyOptions options) {
   const DecimateOptions& decimate = options.decimate;
   const bool is_cost_by_effort = !decimate.cost;
   options.decimate.cost = decimate.cost.value_or(cost_by_effort(effort, decimate));
-  options.decimate.hold_rims = decimate.hold_rims.value_or(true);
+  options.decimate.hold_folds = decimate.hold_folds.value_or(true);
   options.polish_passes = options.polish_passes.value_or(passes_by_effort(effort, options));
   options.flips = options.flips.value_or(effort == Effort::best);
   options.tries_plain_quadrics =

@@ -22,7 +22,7 @@ void set_quadric(QuadricOptions& quadric, ByteSource& source) {
   if (source.one_in(6)) quadric.point_weight = option_value(source, 0, 1);
 }
 
-void set_restraints(const IndexedMesh& mesh, DecimateOptions& options, ByteSource& source) {
+void set_constraints(const IndexedMesh& mesh, DecimateOptions& options, ByteSource& source) {
   options.boundary = static_cast<Boundary>(source.below(3));
   if (source.one_in(3)) options.max_normal_flip_deg = source.one_in(2) ? 180 : option_value(source, 1, 180);
   if (source.one_in(6)) options.min_radius_ratio = option_value(source, 0, 1);
@@ -150,7 +150,7 @@ DecimateCase decode_decimate_case(ByteSource& source) {
   set_quadric(options.quadric, source);
   set_pairs(options.pairs, source);
   c.mesh = decode_mesh(source);
-  set_restraints(c.mesh, options, source);
+  set_constraints(c.mesh, options, source);
   set_error_limit(c, source);
   return c;
 }

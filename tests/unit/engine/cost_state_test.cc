@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "complex/restraints.hh"
+#include "complex/constraints.hh"
 #include "cost/make_cost.hh"
 #include "support/shapes/shapes.hh"
 #include "whittle/engine/cost_traits.hh"
@@ -31,13 +31,13 @@ static_assert(std::is_abstract_v<ForgetfulCost>, "a cost that forgets its state 
 /// A cost at the start of a stage.
 struct Stage {
   Stage(const IndexedMesh& mesh, const DecimateOptions& options, CostState before)
-      : complex(mesh.positions, mesh.faces, Frame{}, 1), cost(make_cost(complex, restraints, options, false)) {
+      : complex(mesh.positions, mesh.faces, Frame{}, 1), cost(make_cost(complex, constraints, options, false)) {
     complex.connect({}, 1);
     cost->start(std::move(before), 1);
   }
 
   TriangleComplex complex;
-  Restraints restraints;
+  Constraints constraints;
   std::unique_ptr<PairCost> cost;
 };
 

@@ -31,14 +31,15 @@ PlacedQuadric in_unit(const PlacedQuadric& vertex, double unit) {
 TEST(Midpoint, CostsTheLength) {
   const Vec3 first(1, 2, 3);
   const Vec3 second(1, 5, 7);
-  for (const Pinned pinned : {Pinned::none, Pinned::first, Pinned::second, Pinned::either}) {
-    EXPECT_EQ(evaluate_midpoint(first, second, pinned).cost, 5);
-    EXPECT_EQ(evaluate_midpoint(first, second, pinned).bound, 5);
+  for (const PairConstraint constraint :
+       {PairConstraint::none, PairConstraint::first, PairConstraint::second, PairConstraint::either}) {
+    EXPECT_EQ(evaluate_midpoint(first, second, constraint).cost, 5);
+    EXPECT_EQ(evaluate_midpoint(first, second, constraint).bound, 5);
   }
-  EXPECT_EQ(evaluate_midpoint(first, second, Pinned::none).position, Vec3(1, 3.5, 5));
-  EXPECT_EQ(evaluate_midpoint(first, second, Pinned::first).position, first);
-  EXPECT_EQ(evaluate_midpoint(first, second, Pinned::either).position, first);
-  EXPECT_EQ(evaluate_midpoint(first, second, Pinned::second).position, second);
+  EXPECT_EQ(evaluate_midpoint(first, second, PairConstraint::none).position, Vec3(1, 3.5, 5));
+  EXPECT_EQ(evaluate_midpoint(first, second, PairConstraint::first).position, first);
+  EXPECT_EQ(evaluate_midpoint(first, second, PairConstraint::either).position, first);
+  EXPECT_EQ(evaluate_midpoint(first, second, PairConstraint::second).position, second);
 }
 
 TEST(Isotropic, AtZeroIsTheQuadric) {
@@ -46,9 +47,10 @@ TEST(Isotropic, AtZeroIsTheQuadric) {
   for (int i = 0; i < 100; ++i) {
     const PlacedQuadric v0 = random_vertex(random);
     const PlacedQuadric v1 = random_vertex(random);
-    for (const Pinned pinned : {Pinned::none, Pinned::first, Pinned::second, Pinned::either}) {
-      const PairEvaluation expected = evaluate_pair(v0, v1, Placement::optimal, pinned);
-      const PairEvaluation found = evaluate_isotropic(v0, v1, 0, Placement::optimal, pinned);
+    for (const PairConstraint constraint :
+         {PairConstraint::none, PairConstraint::first, PairConstraint::second, PairConstraint::either}) {
+      const PairEvaluation expected = evaluate_pair(v0, v1, Placement::optimal, constraint);
+      const PairEvaluation found = evaluate_isotropic(v0, v1, 0, Placement::optimal, constraint);
       EXPECT_EQ(found.position, expected.position);
       EXPECT_NEAR(found.cost, expected.cost, 1e-13 * (1 + expected.cost));
     }
@@ -60,10 +62,10 @@ TEST(Isotropic, AtOneIsTheLengthToTheMiddle) {
   for (int i = 0; i < 100; ++i) {
     const PlacedQuadric v0 = random_vertex(random);
     const PlacedQuadric v1 = random_vertex(random);
-    const PairEvaluation e = evaluate_isotropic(v0, v1, 1, Placement::optimal, Pinned::none);
+    const PairEvaluation e = evaluate_isotropic(v0, v1, 1, Placement::optimal, PairConstraint::none);
     EXPECT_EQ(e.position, 0.5 * (v0.position + v1.position));
     EXPECT_DOUBLE_EQ(e.cost, (v1.position - v0.position).squaredNorm());
-    EXPECT_EQ(evaluate_isotropic(v0, v1, 1, Placement::optimal, Pinned::second).position, v1.position);
+    EXPECT_EQ(evaluate_isotropic(v0, v1, 1, Placement::optimal, PairConstraint::second).position, v1.position);
   }
 }
 
@@ -72,7 +74,7 @@ TEST(Isotropic, AtOneGoesToTheBetterEndIfToEither) {
   for (int i = 0; i < 100; ++i) {
     const PlacedQuadric v0 = random_vertex(random);
     const PlacedQuadric v1 = random_vertex(random);
-    const Vec3 found = evaluate_isotropic(v0, v1, 1, Placement::endpoint, Pinned::none).position;
+    const Vec3 found = evaluate_isotropic(v0, v1, 1, Placement::endpoint, PairConstraint::none).position;
     EXPECT_EQ(found, evaluate_pair(v0, v1, Placement::endpoint).position);
     EXPECT_TRUE(found == v0.position || found == v1.position);
   }
@@ -84,7 +86,7 @@ TEST(Isotropic, BetweenIsAsItsFormulasSay) {
     const PlacedQuadric v0 = random_vertex(random);
     const PlacedQuadric v1 = random_vertex(random);
     const double w = random.uniform(0.05, 0.95);
-    const PairEvaluation e = evaluate_isotropic(v0, v1, w, Placement::optimal, Pinned::none);
+    const PairEvaluation e = evaluate_isotropic(v0, v1, w, Placement::optimal, PairConstraint::none);
     const auto error = [&](const Vec3& x) { return v0.quadric(x - v0.position) + v1.quadric(x - v1.position); };
     const double length_sq = (v1.position - v0.position).squaredNorm();
     EXPECT_NEAR(e.cost, std::pow(error(e.position), 1 - w) * std::pow(length_sq, w), 1e-12);
@@ -103,9 +105,9 @@ TEST(Isotropic, HasTheUnitItSays) {
     const PlacedQuadric v1 = random_vertex(random);
     const double unit = std::pow(10, random.uniform(-3, 3));
     for (const double w : {0.0, 0.3, 0.7, 1.0}) {
-      const PairEvaluation here = evaluate_isotropic(v0, v1, w, Placement::optimal, Pinned::none);
+      const PairEvaluation here = evaluate_isotropic(v0, v1, w, Placement::optimal, PairConstraint::none);
       const PairEvaluation there =
-          evaluate_isotropic(in_unit(v0, unit), in_unit(v1, unit), w, Placement::optimal, Pinned::none);
+          evaluate_isotropic(in_unit(v0, unit), in_unit(v1, unit), w, Placement::optimal, PairConstraint::none);
       EXPECT_LE((there.position / unit - here.position).norm(), 1e-10);
       EXPECT_NEAR(there.cost / std::pow(unit, isotropic_dimension(4, w)), here.cost, 1e-10 * here.cost);
     }

@@ -38,13 +38,14 @@ class MadeUpHost : public DecimationHost, public HostedCost {
     return true;
   }
 
-  PairEvaluation rank(Index first, Index second, Pinned /*pinned*/) override {
+  PairEvaluation rank(Index first, Index second, PairConstraint /*constraint*/) override {
     return {0, cost_now(first, second), 0.5 * (positions_[first] + positions_[second])};
   }
-  Settlement settle(Index /*first*/, Index /*second*/, Pinned /*pinned*/, const PairEvaluation& rank) override {
-    Settlement settlement;
-    settlement.add(rank.position);
-    return settlement;
+  CandidatePositions place(Index /*first*/, Index /*second*/, PairConstraint /*constraint*/,
+                           const PairEvaluation& rank) override {
+    CandidatePositions candidates;
+    candidates.add(rank.position);
+    return candidates;
   }
   double final_cost(const HostedContraction& contraction) override { return factor_ * contraction.rank.cost; }
   Reach reach() const override { return Reach::ends; }

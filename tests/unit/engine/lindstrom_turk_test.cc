@@ -43,14 +43,14 @@ struct Neighbourhood {
     for (const auto& [p, q] : border) sums.add(p, q);
     return sums;
   }
-  PairEvaluation evaluate(Pinned pinned = Pinned::none) const {
+  PairEvaluation evaluate(PairConstraint constraint = PairConstraint::none) const {
     LindstromTurk term(volume().lanes(), border_sums(), first, second);
     if (!term.is_determined()) {
       NeighbourSums sums;
       for (const Vec3& p : neighbours) sums.add(p);
       term.add_neighbours(sums.lanes());
     }
-    return term.evaluate(pinned);
+    return term.evaluate(constraint);
   }
 
   /// Volumes and areas by their definitions.
@@ -290,9 +290,10 @@ TEST(LindstromTurk, DoesNotDependOnPlaceDirectionAndUnit) {
     const Vec3 offset = random.uniform_vector(-2, 2);
     const auto move = [&](const Vec3& p) -> Vec3 { return unit * (turn * p + offset); };
     const Neighbourhood there = here.transformed(move);
-    for (const Pinned pinned : {Pinned::none, Pinned::first, Pinned::second, Pinned::either}) {
-      const PairEvaluation expected = here.evaluate(pinned);
-      const PairEvaluation found = there.evaluate(pinned);
+    for (const PairConstraint constraint :
+         {PairConstraint::none, PairConstraint::first, PairConstraint::second, PairConstraint::either}) {
+      const PairEvaluation expected = here.evaluate(constraint);
+      const PairEvaluation found = there.evaluate(constraint);
       EXPECT_NEAR(found.cost / std::pow(unit, 6), expected.cost, 1e-11) << i;
       expect_near(found.position / unit, turn * expected.position + offset, 1e-10);
     }
@@ -305,11 +306,11 @@ TEST(LindstromTurk, PinnedStaysAtTheEndsAllowed) {
     const Neighbourhood n = rough(random, i % 2 == 0);
     const double at_first = n.cost(n.first);
     const double at_second = n.cost(n.second);
-    EXPECT_EQ(n.evaluate(Pinned::first).position, n.first);
-    EXPECT_NEAR(n.evaluate(Pinned::first).cost, at_first, 1e-14);
-    EXPECT_EQ(n.evaluate(Pinned::second).position, n.second);
-    EXPECT_NEAR(n.evaluate(Pinned::second).cost, at_second, 1e-14);
-    EXPECT_EQ(n.evaluate(Pinned::either).position, at_first < at_second ? n.first : n.second);
+    EXPECT_EQ(n.evaluate(PairConstraint::first).position, n.first);
+    EXPECT_NEAR(n.evaluate(PairConstraint::first).cost, at_first, 1e-14);
+    EXPECT_EQ(n.evaluate(PairConstraint::second).position, n.second);
+    EXPECT_NEAR(n.evaluate(PairConstraint::second).cost, at_second, 1e-14);
+    EXPECT_EQ(n.evaluate(PairConstraint::either).position, at_first < at_second ? n.first : n.second);
   }
 }
 

@@ -88,14 +88,14 @@ TEST(Pauses, InWhichNothingIsDoneChangeNothing) {
   }
 }
 
-/// Memoryless quadrics are summed anew, in another order. What vertices remember of borders, seams and rims isn't.
+/// Memoryless quadrics are summed anew, in another order. What vertices remember of borders, seams and folds isn't.
 TEST(Pauses, InWhichNothingIsDoneChangeMemorylessQuadricsByRounding) {
   const std::vector<NamedMesh> meshes{{"blob", blob(3, 5)},
                                       {"terrain", terrain(14, 5)},
                                       {"torus", noisy_torus(30, 16, 1, 0.35, 0.03, 1)},
                                       {"grid", noisy_grid(16, 14, 0.3, 4)},
                                       {"seams", tiled_torus(48, 24, 6)},
-                                      {"rims", two_sided_leaf(13)}};
+                                      {"folds", two_sided_leaf(13)}};
   for (const auto& [name, mesh] : meshes) {
     for (const double valence_weight : {0.0, 1e-12, 0.5}) {
       SCOPED_TRACE(name + ", " + std::to_string(valence_weight));
@@ -103,7 +103,7 @@ TEST(Pauses, InWhichNothingIsDoneChangeMemorylessQuadricsByRounding) {
       options.cost = Cost::memoryless;
       options.order = Order::exact;
       options.valence_weight = valence_weight;
-      options.hold_rims = true;
+      options.hold_folds = true;
       const DecimateTarget target = DecimateTarget::faces(mesh.faces.size() / 5);
       const Decimation expected = decimate(mesh, target, options);
       options.pauses = idle({3, 2, 1.2});

@@ -193,8 +193,8 @@ TEST(EvaluatePair, HonoursThePlacement) {
   const PairEvaluation endpoint = evaluate_pair({p0, q0}, {p1, q1}, Placement::endpoint);
   EXPECT_EQ(endpoint.position, sum(p0) < sum(p1) ? p0 : p1);
   EXPECT_NEAR(endpoint.cost, std::min(sum(p0), sum(p1)), 1e-13);
-  EXPECT_EQ(evaluate_pair({p0, q0}, {p1, q1}, Placement::optimal, Pinned::first).position, p0);
-  EXPECT_EQ(evaluate_pair({p0, q0}, {p1, q1}, Placement::optimal, Pinned::second).position, p1);
+  EXPECT_EQ(evaluate_pair({p0, q0}, {p1, q1}, Placement::optimal, PairConstraint::first).position, p0);
+  EXPECT_EQ(evaluate_pair({p0, q0}, {p1, q1}, Placement::optimal, PairConstraint::second).position, p1);
 }
 
 /// All planes are those of a long cone. They meet at its tip, 1000 pair lengths away.

@@ -149,7 +149,7 @@ TEST(PairDecimaterWriteBack, TheModulesQuadricsGoAlongWithGarbageCollection) {
   OpenMesh::VProp<double> cost(mesh);  // per vertex, the cost of the edge of its outgoing halfedge
   const auto cost_at = [&](VertexHandle v) {
     const VertexHandle w = mesh.to_vertex_handle(mesh.halfedge_handle(v));
-    return run.module().evaluate(v, w, Pinned::none).cost;
+    return run.module().evaluate(v, w, PairConstraint::none).cost;
   };
   int n_isolated = 0;
   for (const VertexHandle v : mesh.vertices()) {

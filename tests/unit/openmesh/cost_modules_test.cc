@@ -162,7 +162,7 @@ TEST(CostModules, TermsAreUsedFromTheNextInitializeOn) {
   mesh.request_vertex_status();
   ModGarlandHeckbertT<DoubleMesh> module(mesh);
   module.initialize();
-  const auto cost = [&] { return module.evaluate(VertexHandle(0), VertexHandle(42), Pinned::first).cost; };
+  const auto cost = [&] { return module.evaluate(VertexHandle(0), VertexHandle(42), PairConstraint::first).cost; };
   ASSERT_TRUE(mesh.find_halfedge(VertexHandle(0), VertexHandle(42)).is_valid());
   const double plain = cost();
   module.set_isotropy(0.5);
@@ -193,10 +193,10 @@ TEST(ModMidpoint, TheCostIsTheLengthInModelUnitsAndThePlaceTheMiddle) {
     const VertexHandle second(static_cast<int>(pair.b));
     const Vec3& p = shape.positions[pair.a];
     const Vec3& q = shape.positions[pair.b];
-    const PairEvaluation free = module.evaluate(first, second, Pinned::none);
+    const PairEvaluation free = module.evaluate(first, second, PairConstraint::none);
     EXPECT_NEAR(module.frame().cost_to_model(free.cost, 1), (q - p).norm(), 1e-9);
     EXPECT_NEAR((module.frame().to_model(free.position) - 0.5 * (p + q)).norm(), 0, 1e-9);
-    EXPECT_EQ(module.frame().to_model(module.evaluate(first, second, Pinned::second).position), q);
+    EXPECT_EQ(module.frame().to_model(module.evaluate(first, second, PairConstraint::second).position), q);
   }
 }
 
@@ -233,7 +233,7 @@ TEST(ModMemoryless, WhereTheBestPlaceIsRefusedTheMinimumIsTried) {
     explicit ModLeastCost(DoubleMesh& mesh) : ModBaseT(mesh, true) {}
     float collapse_priority(const CollapseInfo& collapse) override {
       const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
-      const Vec3 minimum = cost->evaluate(first, second, Pinned::none).position;
+      const Vec3 minimum = cost->evaluate(first, second, PairConstraint::none).position;
       return static_cast<float>(to_vec3(collapse.p1) == cost->frame().to_model(minimum) ? LEGAL_COLLAPSE
                                                                                         : ILLEGAL_COLLAPSE);
     }
@@ -266,7 +266,7 @@ std::vector<Vec3> minima_of_edges(const DoubleMesh& mesh, const PairCostModuleT<
   for (const OpenMesh::EdgeHandle e : mesh.edges()) {
     const auto [a, b] = ends(mesh, e);
     const PairEvaluation evaluation =
-        module.evaluate(VertexHandle(static_cast<int>(a)), VertexHandle(static_cast<int>(b)), Pinned::none);
+        module.evaluate(VertexHandle(static_cast<int>(a)), VertexHandle(static_cast<int>(b)), PairConstraint::none);
     minima.push_back(module.frame().to_model(evaluation.position));
   }
   return minima;
@@ -312,7 +312,8 @@ TEST(ModLindstromTurk, TheCostGrowsWithTheSixthPowerOfTheSize) {
     for (const OpenMesh::EdgeHandle e : mesh.edges()) {
       const auto [a, b] = ends(mesh, e);
       const auto cost =
-          module.evaluate(VertexHandle(static_cast<int>(a)), VertexHandle(static_cast<int>(b)), Pinned::first).cost;
+          module.evaluate(VertexHandle(static_cast<int>(a)), VertexHandle(static_cast<int>(b)), PairConstraint::first)
+              .cost;
       result.push_back(module.frame().cost_to_model(cost, module.cost_dimension()));
     }
     return result;

@@ -281,7 +281,7 @@ TEST(ModGarlandHeckbert, MaxCostIsDistanceSquaredTimesArea) {
     options.weights = weights;
     module.set_options(options);
     module.initialize();
-    const auto evaluation = module.evaluate(VertexHandle(0), VertexHandle(1), Pinned::first);
+    const auto evaluation = module.evaluate(VertexHandle(0), VertexHandle(1), PairConstraint::first);
     return module.frame().cost_to_model(evaluation.cost, module.cost_dimension());
   };
   for (const double factor : {1e-3, 7.0, 1e6}) {

@@ -237,7 +237,7 @@ TEST(KeptByPolish, SeamsOnlyIfTheyCount) {
 }
 
 /// Around a leaf no plane holds vertices in place: polish moved some along the sheet.
-TEST(KeptByPolish, RimsOfTwoSidedSheets) {
+TEST(KeptByPolish, FoldsOfTwoSidedSheets) {
   const IndexedMesh leaf = two_sided_leaf(40);
   const auto largest = [&leaf](double valence, Effort effort) {
     SimplifyOptions options;

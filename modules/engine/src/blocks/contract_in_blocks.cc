@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "cost/attributes/scaled_attributes.hh"
-#include "cost/rim_edges.hh"
+#include "cost/fold_edges.hh"
 #include "cost/seam_planes.hh"
 #include "whittle/core/detail/large_array.hh"
 #include "whittle/core/detail/parallel.hh"
@@ -106,7 +106,7 @@ std::string_view why_not_in_blocks(const IndexedMesh& mesh, const DecimateTarget
   if (is_exact && looks_at_attributes(options, mesh)) return "attributes count";
   if (options.refuse_intersections) return "intersections are refused";
   if (is_exact && is_far_flung(mesh)) return "rounding may decide the order";
-  if (is_exact && !held_rims(mesh, Frame::of_points(mesh.positions), options).empty()) return "rims are held";
+  if (is_exact && !held_folds(mesh, Frame::of_points(mesh.positions), options).empty()) return "folds are held";
   return {};
 }
 
@@ -120,7 +120,7 @@ StageReport contract_in_blocks(WorkingSurface& surface, const IndexedMesh& mesh,
   WorkingSurface left = surface;
   left.cost_state.face_area = mean_face_area(mesh, context.frame, options.threads);
   left.cost_state.seams = seam_planes(mesh, context.frame, seam_edges(mesh, face_regions(mesh, options.regions)),
-                                      held_rims(mesh, context.frame, options), options);
+                                      held_folds(mesh, context.frame, options), options);
   StageReport report;
   if (context.keeps_steps) reserve_large(report.steps.contractions, mesh.positions.size());
   const bool is_done = is_exact_in_blocks(options) ? run_exact_levels(level_context, plan, left, report)

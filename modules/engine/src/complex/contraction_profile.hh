@@ -67,29 +67,29 @@ struct ContractionProfile {
 
   Pair pair;
   PairEvaluation ranked;  ///< its rank, now that its turn has come
-  Index survivor;         ///< which of both is to survive, once a position is settled
+  Index survivor;         ///< which of both is to survive, once the position is known
 
   StarFaces first;                ///< faces at a without b
   StarFaces second;               ///< faces at b without a
   std::vector<Common> opposites;  ///< the third corner of each face of a and b
 
-  /// What a contraction does to the one-rings where the link condition does not hold (joint.hh).
-  struct Joint {
+  /// What a contraction does to the one-rings where the link condition does not hold (nonmanifold_contraction.hh).
+  struct NonmanifoldPlan {
     std::vector<Common> common;                 ///< all common neighbours, ascending
     std::vector<std::vector<Neighbour>> faces;  ///< at each of them afterwards, in pairs; the merged vertex is called a
     std::array<std::vector<Neighbour>, 2> left;  ///< faces at a and at b that do not vanish, in pairs
     std::vector<LinkEdge> coincident;            ///< faces that vanish because they would coincide with others
     std::vector<Index> lost_edges;               ///< edges that lose all their faces
   };
-  bool is_joint = false;  ///< If so, `first` and `second` are without the coincident faces.
-  Joint joint;
+  bool is_nonmanifold = false;  ///< If so, `first` and `second` are without the coincident faces.
+  NonmanifoldPlan nonmanifold;
 
   /// The faces around the pair as one ring, if the cost has looked at them (`MergedRing`); guards look there, too.
   bool has_ring = false;
   MergedRing ring;
 
   /// Common neighbours of which edges become one.
-  const std::vector<Common>& merged_neighbours() const { return is_joint ? joint.common : opposites; }
+  const std::vector<Common>& merged_neighbours() const { return is_nonmanifold ? nonmanifold.common : opposites; }
 };
 
 /// What a contraction did. Everyone who keeps something about vertices or pairs is told by this record.

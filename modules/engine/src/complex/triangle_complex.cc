@@ -98,7 +98,7 @@ int TriangleComplex::valence(Index v) const {
 
 void TriangleComplex::gather(const Pair& pair, ContractionProfile& profile) {
   profile.pair = pair;
-  profile.is_joint = false;
+  profile.is_nonmanifold = false;
   profile.has_ring = false;
   profile.first = gather_one(pair.a, pair.b, gathered_[0]);
   profile.second = gather_one(pair.b, pair.a, gathered_[1]);
@@ -181,8 +181,8 @@ void TriangleComplex::contract(const ContractionProfile& profile, Index survivor
   note_change(removed);
   n_faces_ -= profile.opposites.size();
   for (const ContractionProfile::Common& neighbour : profile.merged_neighbours()) merge_edges(neighbour, change);
-  if (profile.is_joint) {
-    merge_joint(survivor, removed, profile.joint);
+  if (profile.is_nonmanifold) {
+    merge_nonmanifold(survivor, removed, profile.nonmanifold);
   } else if (survivor == a) {
     merge_stars(survivor, removed, profile.first, profile.second);
   } else {
@@ -244,16 +244,18 @@ void TriangleComplex::merge_stars(Index survivor, Index removed, const StarFaces
   std::copy(second.begin() + 1, second.end() - 1, end);
 }
 
-void TriangleComplex::merge_joint(Index survivor, Index removed, const ContractionProfile::Joint& joint) {
-  for (const Index edge : joint.lost_edges) remove_pair(live_edge(edge));
+void TriangleComplex::merge_nonmanifold(Index survivor, Index removed,
+                                        const ContractionProfile::NonmanifoldPlan& nonmanifold) {
+  for (const Index edge : nonmanifold.lost_edges) remove_pair(live_edge(edge));
   neighbour_lists_.release(stars_[removed].list);
   stars_[removed] = {};
-  n_faces_ -= joint.coincident.size();
-  n_coincident_faces_ += joint.coincident.size();
-  std::vector<Neighbour> merged = joint.left[0];
-  merged.insert(merged.end(), joint.left[1].begin(), joint.left[1].end());
+  n_faces_ -= nonmanifold.coincident.size();
+  n_coincident_faces_ += nonmanifold.coincident.size();
+  std::vector<Neighbour> merged = nonmanifold.left[0];
+  merged.insert(merged.end(), nonmanifold.left[1].begin(), nonmanifold.left[1].end());
   set_star(survivor, merged);
-  for (std::size_t i = 0; i < joint.common.size(); ++i) set_star(joint.common[i].vertex, joint.faces[i]);
+  for (std::size_t i = 0; i < nonmanifold.common.size(); ++i)
+    set_star(nonmanifold.common[i].vertex, nonmanifold.faces[i]);
 }
 
 /// \param pairs the faces that v has now

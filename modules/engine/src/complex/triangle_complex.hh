@@ -239,7 +239,7 @@ class TriangleComplex {
   StarFaces gather_pairs(Index v, Index other, GatheredStar& star);
   void merge_edges(const ContractionProfile::Common& neighbour, Change& change);
   void merge_stars(Index survivor, Index removed, const StarFaces& kept, const StarFaces& added);
-  void merge_joint(Index survivor, Index removed, const ContractionProfile::Joint& joint);
+  void merge_nonmanifold(Index survivor, Index removed, const ContractionProfile::NonmanifoldPlan& nonmanifold);
   void set_star(Index v, std::span<const Neighbour> pairs);
 
   LargeArray<Vertex> vertices_;

@@ -22,7 +22,7 @@ struct VertexQuadric {
 struct CostState {
   std::optional<MeanFaceArea> face_area{};  ///< at the start of the run; none: to be measured
   std::vector<VertexQuadric> quadrics{};    ///< all that these vertices know; ascending
-  std::vector<VertexQuadric> seams{};       ///< planes of seams and rims, besides those of faces; ascending
+  std::vector<VertexQuadric> seams{};       ///< planes of seams and folds, besides those of faces; ascending
   std::vector<VertexQuadric> faces{};       ///< in the place of sums over the vertices' faces and borders; ascending
   SurfaceAttributes attributes{};           ///< none where costs don't look at attributes, or haven't seen them yet
 

@@ -18,23 +18,23 @@ QuadricOptions quadric_options(const DecimateOptions& options) {
 
 }  // namespace
 
-std::unique_ptr<PairCost> make_cost(TriangleComplex& complex, const Restraints& restraints,
+std::unique_ptr<PairCost> make_cost(TriangleComplex& complex, const Constraints& constraints,
                                     const DecimateOptions& options, bool has_threshold_pairs) {
   const QuadricOptions quadric = quadric_options(options);
   switch (options.effective_cost()) {
     case Cost::lindstrom_turk:
-      return std::make_unique<LindstromTurkCost>(complex, restraints);
+      return std::make_unique<LindstromTurkCost>(complex, constraints);
     case Cost::memoryless:
-      return std::make_unique<MemorylessCost>(complex, restraints, quadric, has_threshold_pairs, options.threads);
+      return std::make_unique<MemorylessCost>(complex, constraints, quadric, has_threshold_pairs, options.threads);
     case Cost::midpoint:
-      return std::make_unique<MidpointCost>(complex, restraints);
+      return std::make_unique<MidpointCost>(complex, constraints);
     case Cost::quadric:
       break;
   }
   if (options.isotropy > 0) {
-    return std::make_unique<IsotropicCost>(complex, restraints, quadric, options.isotropy, options.threads);
+    return std::make_unique<IsotropicCost>(complex, constraints, quadric, options.isotropy, options.threads);
   }
-  return std::make_unique<QuadricCost>(complex, restraints, quadric, has_threshold_pairs, options.threads);
+  return std::make_unique<QuadricCost>(complex, constraints, quadric, has_threshold_pairs, options.threads);
 }
 
 double cost_dimension(const DecimateOptions& options) {

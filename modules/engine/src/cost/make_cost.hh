@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "complex/restraints.hh"
+#include "complex/constraints.hh"
 #include "cost/pair_cost.hh"
 #include "whittle/engine/decimate.hh"
 
@@ -10,7 +10,7 @@ namespace whittle {
 
 /// The cost that the options ask for. A new cost gets a line in there.
 /// \param has_threshold_pairs whether there are pairs beside the edges \pre the complex lists faces
-std::unique_ptr<PairCost> make_cost(TriangleComplex& complex, const Restraints& restraints,
+std::unique_ptr<PairCost> make_cost(TriangleComplex& complex, const Constraints& constraints,
                                     const DecimateOptions& options, bool has_threshold_pairs);
 
 /// The power of a length that is the unit of the cost that the options ask for.

@@ -13,10 +13,10 @@ class Placer {
   virtual ~Placer() = default;
 
   /// Positions to try, the best first.
-  virtual Settlement place(ContractionProfile& /*profile*/, const PairEvaluation& ranked) const {
-    Settlement settlement;
-    settlement.add(ranked.position);
-    return settlement;
+  virtual CandidatePositions place(ContractionProfile& /*profile*/, const PairEvaluation& ranked) const {
+    CandidatePositions candidates;
+    candidates.add(ranked.position);
+    return candidates;
   }
 
   /// What a contraction to `position` costs: its rank, or more.

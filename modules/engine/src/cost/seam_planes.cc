@@ -27,10 +27,10 @@ std::vector<Index> ends_of(std::span<const HeldEdges> all) {
 }  // namespace
 
 std::vector<VertexQuadric> seam_planes(const IndexedMesh& mesh, const Frame& frame, std::span<const VertexPair> seams,
-                                       std::span<const VertexPair> rims, const DecimateOptions& options) {
-  std::array<HeldEdges, 2> all{HeldEdges{seams, options.quadric}, HeldEdges{rims, options.quadric}};
+                                       std::span<const VertexPair> folds, const DecimateOptions& options) {
+  std::array<HeldEdges, 2> all{HeldEdges{seams, options.quadric}, HeldEdges{folds, options.quadric}};
   all[0].options.boundary_weight = options.attribute_weights.seam;
-  if (seams.empty() && rims.empty()) return {};
+  if (seams.empty() && folds.empty()) return {};
   std::vector<VertexQuadric> planes;
   std::vector<Index> place_of(mesh.positions.size(), invalid_index);
   for (const Index v : ends_of(all)) {

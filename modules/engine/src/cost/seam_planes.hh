@@ -10,11 +10,11 @@
 
 namespace whittle {
 
-/// The planes that hold seams (`Seams`) and the rims of two-sided sheets (`rim_edges`): for each such edge and each of
-/// its faces the one through the edge, perpendicular to the face, as border edges have. Those of rims have the weight
-/// of borders. They belong to both ends of the edge. \param seams, rims lower vertex first, ascending \return their
-/// sums by vertex, ascending, in the frame
+/// The planes that hold seams (`Seams`) and the fold edges of two-sided sheets (`fold_edges`): for each such edge and
+/// each of its faces the one through the edge, perpendicular to the face, as border edges have. Those of folds have the
+/// weight of borders. They belong to both ends of the edge. \param seams, folds lower vertex first, ascending \return
+/// their sums by vertex, ascending, in the frame
 std::vector<VertexQuadric> seam_planes(const IndexedMesh& mesh, const Frame& frame, std::span<const VertexPair> seams,
-                                       std::span<const VertexPair> rims, const DecimateOptions& options);
+                                       std::span<const VertexPair> folds, const DecimateOptions& options);
 
 }  // namespace whittle

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "attributes/wedge_map.hh"
-#include "cost/rim_edges.hh"
+#include "cost/fold_edges.hh"
 #include "cost/seam_planes.hh"
 #include "decimate/input_lines.hh"
 #include "loop/contraction_log.hh"
@@ -121,8 +121,8 @@ ThresholdPairCounts StagedRun::prepare_input(const DecimateOptions& options, Pre
   const bool has_hosted_cost = host_ != nullptr && host_->cost() != nullptr;  // which knows of no seams
   InputLines lines = input_lines(mesh_, options_, options_.holds_seams() || has_hosted_cost);
   surface.lines = std::move(lines.held);
-  const std::vector<VertexPair> rims = held_rims(mesh_, frame_, options_);
-  surface.cost_state.seams = seam_planes(mesh_, frame_, lines.seams, rims, options_);
+  const std::vector<VertexPair> folds = held_folds(mesh_, frame_, options_);
+  surface.cost_state.seams = seam_planes(mesh_, frame_, lines.seams, folds, options_);
   return counts;
 }
 

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "cost/rim_edges.hh"
+#include "cost/fold_edges.hh"
 #include "whittle/core/feature_edges.hh"
 #include "whittle/core/regions.hh"
 #include "whittle/core/wedges.hh"
@@ -37,12 +37,13 @@ InputEdges input_edges(const IndexedMesh& mesh, const DecimateOptions& options) 
 
 InputEdges detail::input_edges_with_rims(const IndexedMesh& mesh, const DecimateOptions& options) {
   InputEdges edges = input_edges(mesh, options);
-  const std::vector<VertexPair> rims = held_rims(mesh, Frame::of_points(mesh.positions), options);
-  if (rims.empty()) return edges;
+  const std::vector<VertexPair> folds = held_folds(mesh, Frame::of_points(mesh.positions), options);
+  if (folds.empty()) return edges;
   InputEdges all;
-  std::set_union(edges.features.begin(), edges.features.end(), rims.begin(), rims.end(),
+  std::set_union(edges.features.begin(), edges.features.end(), folds.begin(), folds.end(),
                  std::back_inserter(all.features));
-  std::set_difference(edges.seams.begin(), edges.seams.end(), rims.begin(), rims.end(), std::back_inserter(all.seams));
+  std::set_difference(edges.seams.begin(), edges.seams.end(), folds.begin(), folds.end(),
+                      std::back_inserter(all.seams));
   return all;
 }
 

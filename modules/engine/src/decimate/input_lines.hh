@@ -1,6 +1,6 @@
 #pragma once
 
-#include "complex/restraints.hh"
+#include "complex/constraints.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/engine/options.hh"
 

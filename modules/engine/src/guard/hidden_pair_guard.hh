@@ -1,7 +1,7 @@
 #pragma once
 
 #include "guard/guard.hh"
-#include "pairs/threshold_pair_sieve.hh"
+#include "pairs/threshold_pair_filter.hh"
 
 namespace whittle {
 
@@ -9,17 +9,17 @@ namespace whittle {
 /// refused, and so not counted.
 class HiddenPairGuard final : public Guard {
  public:
-  HiddenPairGuard(const TriangleComplex& complex, ThresholdPairSieve& sieve) : complex_(complex), sieve_(sieve) {}
+  HiddenPairGuard(const TriangleComplex& complex, ThresholdPairFilter& filter) : complex_(complex), filter_(filter) {}
 
   std::optional<Refusal> reason() const override { return std::nullopt; }
   bool refuses(ContractionProfile& profile) override {
-    return complex_.is_threshold_pair(profile.pair.id) && sieve_.hides(profile.pair);
+    return complex_.is_threshold_pair(profile.pair.id) && filter_.hides(profile.pair);
   }
   bool is_final() const override { return true; }
 
  private:
   const TriangleComplex& complex_;
-  ThresholdPairSieve& sieve_;
+  ThresholdPairFilter& filter_;
 };
 
 }  // namespace whittle

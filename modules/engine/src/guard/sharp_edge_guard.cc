@@ -7,8 +7,8 @@
 
 namespace whittle {
 
-SharpEdgeGuard::SharpEdgeGuard(TriangleComplex& complex, const Restraints& restraints, double angle_deg)
-    : complex_(complex), restraints_(restraints), least_cosine_(detail::cosine_of_deg(angle_deg)) {}
+SharpEdgeGuard::SharpEdgeGuard(TriangleComplex& complex, const Constraints& constraints, double angle_deg)
+    : complex_(complex), constraints_(constraints), least_cosine_(detail::cosine_of_deg(angle_deg)) {}
 
 bool SharpEdgeGuard::refuses_at(ContractionProfile& profile, const Vec3& position) {
   const Pair& pair = profile.pair;
@@ -94,7 +94,7 @@ SharpEdgeGuard::Edge SharpEdgeGuard::look_at(Index v, Index w) {
 bool SharpEdgeGuard::is_feature(Index v, Index w) {
   const std::span<const Neighbour> pairs = complex_.live_pairs(v);
   const auto neighbour = std::find_if(pairs.begin(), pairs.end(), [w](const Neighbour& s) { return s.vertex == w; });
-  return neighbour != pairs.end() && restraints_.is_feature(complex_.live_edge(neighbour->edge));
+  return neighbour != pairs.end() && constraints_.is_feature(complex_.live_edge(neighbour->edge));
 }
 
 }  // namespace whittle

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "complex/restraints.hh"
+#include "complex/constraints.hh"
 #include "complex/triangle_complex.hh"
 #include "guard/guard.hh"
 
@@ -13,7 +13,7 @@ namespace whittle {
 class SharpEdgeGuard final : public Guard {
  public:
   /// \param angle_deg (0, 180)
-  SharpEdgeGuard(TriangleComplex& complex, const Restraints& restraints, double angle_deg);
+  SharpEdgeGuard(TriangleComplex& complex, const Constraints& constraints, double angle_deg);
 
   std::optional<Refusal> reason() const override { return Refusal::feature; }
   /// Whether the contraction would make an edge sharp that is no feature, or blunt a feature edge that is sharp.
@@ -40,7 +40,7 @@ class SharpEdgeGuard final : public Guard {
   bool is_feature(Index v, Index w);
 
   TriangleComplex& complex_;
-  const Restraints& restraints_;
+  const Constraints& constraints_;
   double least_cosine_;
   std::vector<Face> faces_;    ///< scratch: of the merged vertex
   std::vector<Face> at_edge_;  ///< scratch: of an edge, x its second end, or y

@@ -6,8 +6,8 @@
 
 namespace whittle {
 
-/// Refuses what changes the topology, as far as it is to be kept. Plans a joint in the profile for what is allowed to
-/// change it.
+/// Refuses what changes the topology, as far as it is to be kept. Plans a non-manifold contraction in the profile for
+/// what is allowed to change it.
 class TopologyGuard final : public Guard {
  public:
   TopologyGuard(TriangleComplex& complex, Topology topology) : complex_(complex), topology_(topology) {}

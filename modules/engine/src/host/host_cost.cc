@@ -21,23 +21,23 @@ HostedContraction hosted(const TriangleComplex& complex, const ContractionProfil
 void HostCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks, double /*enough*/) const {
   std::transform(pairs.begin(), pairs.end(), ranks.begin(), [this](const Pair& pair) {
     PairEvaluation rank = cost_.rank(complex_.identity(pair.a), complex_.identity(pair.b),
-                                     restraints_.pinned(pair).value_or(Pinned::first));
+                                     constraints_.of(pair).value_or(PairConstraint::first));
     if (!(rank.cost >= 0)) rank.cost = std::numeric_limits<double>::infinity();
     rank.cost = std::abs(rank.cost);  // queues sort by bits, in which -0 is not 0
     return rank;
   });
 }
 
-Settlement HostCost::place(ContractionProfile& profile, const PairEvaluation& ranked) const {
+CandidatePositions HostCost::place(ContractionProfile& profile, const PairEvaluation& ranked) const {
   const auto& [id, a, b] = profile.pair;
   const Index first = complex_.identity(a);
-  Settlement settlement =
-      cost_.settle(first, complex_.identity(b), restraints_.pinned(profile.pair).value_or(Pinned::first), ranked);
-  for (std::size_t i = 0; i < settlement.n; ++i) {
-    Index& survivor = settlement.options[i].survivor;
+  CandidatePositions candidates =
+      cost_.place(first, complex_.identity(b), constraints_.of(profile.pair).value_or(PairConstraint::first), ranked);
+  for (std::size_t i = 0; i < candidates.n; ++i) {
+    Index& survivor = candidates.options[i].survivor;
     if (survivor != invalid_index) survivor = survivor == first ? a : b;
   }
-  return settlement;
+  return candidates;
 }
 
 double HostCost::final_cost(const ContractionProfile& profile, const PairEvaluation& ranked,

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "complex/restraints.hh"
+#include "complex/constraints.hh"
 #include "cost/pair_cost.hh"
 #include "whittle/engine/host.hh"
 
@@ -11,11 +11,11 @@ namespace whittle {
 /// A host's cost as the engine asks it. One thread asks at a time.
 class HostCost final : public StatelessCost {
  public:
-  HostCost(const TriangleComplex& complex, const Restraints& restraints, HostedCost& cost)
-      : complex_(complex), restraints_(restraints), cost_(cost) {}
+  HostCost(const TriangleComplex& complex, const Constraints& constraints, HostedCost& cost)
+      : complex_(complex), constraints_(constraints), cost_(cost) {}
 
   void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks, double enough) const override;
-  Settlement place(ContractionProfile& profile, const PairEvaluation& ranked) const override;
+  CandidatePositions place(ContractionProfile& profile, const PairEvaluation& ranked) const override;
   double final_cost(const ContractionProfile& profile, const PairEvaluation& ranked,
                     const Vec3& position) const override;
   /// At least the ends: nothing says that a host's ranks are lower bounds.
@@ -23,7 +23,7 @@ class HostCost final : public StatelessCost {
 
  private:
   const TriangleComplex& complex_;
-  const Restraints& restraints_;
+  const Constraints& constraints_;
   HostedCost& cost_;
 };
 

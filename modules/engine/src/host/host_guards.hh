@@ -6,10 +6,10 @@
 namespace whittle {
 
 /// Refuses what a half-edge mesh can't follow.
-class JointGuard final : public Guard {
+class NonmanifoldGuard final : public Guard {
  public:
   std::optional<Refusal> reason() const override { return Refusal::link; }
-  bool refuses(ContractionProfile& profile) override { return profile.is_joint; }
+  bool refuses(ContractionProfile& profile) override { return profile.is_nonmanifold; }
 };
 
 /// Refuses what a host refuses, which counts that itself.

@@ -26,11 +26,11 @@ bool is_lazy(const PairRanks& ranks, const DecimateOptions& options) {
   return ranks.affects() == Reach::none || options.effective_order() == Order::approximate;
 }
 
-std::unique_ptr<PairQueue> make_queue(TriangleComplex& complex, const PairRanks& ranks, ThresholdPairSieve& sieve,
+std::unique_ptr<PairQueue> make_queue(TriangleComplex& complex, const PairRanks& ranks, ThresholdPairFilter& filter,
                                       const RefusedPairs& refused, const UncertainVertices* uncertain,
                                       const DecimateOptions& options) {
   if (is_lazy(ranks, options)) {
-    return std::make_unique<LazyQueue>(complex, ranks, sieve, refused, uncertain, options.threads);
+    return std::make_unique<LazyQueue>(complex, ranks, filter, refused, uncertain, options.threads);
   }
   return std::make_unique<EagerQueue>(complex, ranks, options.threads);
 }
@@ -47,11 +47,11 @@ Reach reach_of_touched(const PairRanks& ranks, const DecimateOptions& options) {
 
 }  // namespace
 
-ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraints, PairCost& cost,
+ContractionLoop::ContractionLoop(TriangleComplex& complex, Constraints& constraints, PairCost& cost,
                                  const DecimateTarget& target, std::span<const GuardedPair> refusals,
                                  const StageContext& context)
     : complex_(complex),
-      restraints_(restraints),
+      constraints_(constraints),
       placer_(cost),
       options_(context.options),
       target_(target),
@@ -63,8 +63,8 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraint
       log_(context.log),
       n_initial_vertices_(complex.n_vertices()),
       n_initial_faces_(complex.n_faces()),
-      sieve_(complex),
-      guards_(make_guards(complex, restraints, sieve_, context)),
+      filter_(complex),
+      guards_(make_guards(complex, constraints, filter_, context)),
       uncertain_(find_uncertain(complex, context.role)),
       ranks_(complex, cost, host_ && host_->cost() ? 0 : options_.valence_weight),
       touched_(reach_of_touched(ranks_, options_)),
@@ -74,7 +74,7 @@ ContractionLoop::ContractionLoop(TriangleComplex& complex, Restraints& restraint
     if (guard->follows()) followers_.push_back(guard.get());
   }
   begin_with(refusals);
-  queue_ = make_queue(complex, ranks_, sieve_, refused_, uncertain_ ? &*uncertain_ : nullptr, options_);
+  queue_ = make_queue(complex, ranks_, filter_, refused_, uncertain_ ? &*uncertain_ : nullptr, options_);
   if (const auto limit = target.cost_limit()) cost_limit_ = frame_.cost_to_frame(*limit, cost_dimension_);
 }
 
@@ -166,11 +166,11 @@ void ContractionLoop::take(const RankedPair& ranked) {
   contract(ranked, *position, cost);
 }
 
-/// \return whether all that decides about the pair is known: it is no joint, and nothing around it is uncertain
+/// \return whether all that decides about the pair is known: it is manifold, and nothing around it is uncertain
 bool ContractionLoop::gather_if_certain(const Pair& pair) {
   const auto& [id, a, b] = pair;
-  const bool may_be_joint = !complex_.is_manifold(a) || !complex_.is_manifold(b);
-  if (uncertain_ && (uncertain_->contains_any(pair) || may_be_joint)) return false;
+  const bool may_be_nonmanifold = !complex_.is_manifold(a) || !complex_.is_manifold(b);
+  if (uncertain_ && (uncertain_->contains_any(pair) || may_be_nonmanifold)) return false;
   complex_.gather(pair, profile_);
   return !uncertain_ || !uncertain_->contains_any_around(profile_);
 }
@@ -219,11 +219,11 @@ std::optional<Vec3> ContractionLoop::place(const RankedPair& ranked) {
   }
   // The higher origin survives, so that no pair's rank among ties moves forward. But a vertex that may not move
   // survives in any case.
-  const Index survivor = restraints_.pinned(ranked.pair) == Pinned::first ? ranked.pair.a : ranked.pair.b;
-  const Settlement settlement = placer_.place(profile_, ranked.rank);
+  const Index survivor = constraints_.of(ranked.pair) == PairConstraint::first ? ranked.pair.a : ranked.pair.b;
+  const CandidatePositions candidates = placer_.place(profile_, ranked.rank);
   std::optional<std::size_t> refusal;
-  for (std::size_t i = 0; i < settlement.n; ++i) {
-    const Settlement::Option& option = settlement.options[i];
+  for (std::size_t i = 0; i < candidates.n; ++i) {
+    const CandidatePositions::Option& option = candidates.options[i];
     profile_.survivor = option.survivor == invalid_index ? survivor : option.survivor;
     refusal = find_refusal_at(option.position);
     if (!refusal) return option.position;
@@ -288,14 +288,14 @@ void ContractionLoop::contract(const RankedPair& ranked, const Vec3& position, d
   if (is_told()) tell_others(*told_, cost);
   list_touched();
   placer_.merge(profile_, ranked.rank, change_);
-  restraints_.note(complex_, profile_, change_);
+  constraints_.note(complex_, profile_, change_);
   for (Guard* guard : followers_) guard->note(change_);
   queue_->note(change_);
   wake_around();
-  sieve_.merge(change_.survivor, change_.removed);
-  if (!profile_.is_joint || profile_.joint.lost_edges.empty()) return;
+  filter_.merge(change_.survivor, change_.removed);
+  if (!profile_.is_nonmanifold || profile_.nonmanifold.lost_edges.empty()) return;
   reveal_at(change_.survivor);
-  for (const ContractionProfile::Common& neighbour : profile_.joint.common) reveal_at(neighbour.vertex);
+  for (const ContractionProfile::Common& neighbour : profile_.nonmanifold.common) reveal_at(neighbour.vertex);
 }
 
 /// Tells log, host and listener. A host may stop the run.
@@ -305,7 +305,7 @@ void ContractionLoop::tell_others(const HostedContraction& made, double cost) {
                           made.position,
                           cost_unit_.times(cost),
                           complex_.is_threshold_pair(profile_.pair.id),
-                          profile_.is_joint && !profile_.joint.coincident.empty()};
+                          profile_.is_nonmanifold && !profile_.nonmanifold.coincident.empty()};
   if (log_ != nullptr) log_->add(contraction);
   contraction.position = frame_.to_model(made.position);
   if (host_ != nullptr && !host_->follow(made, contraction)) stop_ = StopReason::cancelled;
@@ -333,8 +333,8 @@ void ContractionLoop::list_touched() {
   for (const Index v : touched) complex_.compact(v);
   if (touched_ < Reach::opposite_rings) return;
   for (const ContractionProfile::Common& opposite : profile_.opposites) add_neighbours(opposite.vertex);
-  if (!profile_.is_joint) return;
-  for (const ContractionProfile::Common& neighbour : profile_.joint.common) add_neighbours(neighbour.vertex);
+  if (!profile_.is_nonmanifold) return;
+  for (const ContractionProfile::Common& neighbour : profile_.nonmanifold.common) add_neighbours(neighbour.vertex);
 }
 
 /// Queues anew the refused pairs at vertices that guards see the change from.
@@ -353,8 +353,8 @@ void ContractionLoop::wake_around() {
   wake(change_.removed);
   wake_neighbours(change_.survivor);
   for (const ContractionProfile::Common& opposite : profile_.opposites) wake(opposite.vertex);
-  if (!profile_.is_joint) return;
-  for (const ContractionProfile::Common& neighbour : profile_.joint.common) {  // their links have changed
+  if (!profile_.is_nonmanifold) return;
+  for (const ContractionProfile::Common& neighbour : profile_.nonmanifold.common) {  // their links have changed
     wake(neighbour.vertex);
     wake_neighbours(neighbour.vertex);
   }
@@ -370,11 +370,11 @@ void ContractionLoop::wake_pairs_at(Index v) {
 /// Queues anew those pairs hidden at v that have lost their common faces.
 void ContractionLoop::reveal_at(Index v) {
   woken_.clear();
-  sieve_.reveal(v, woken_);
+  filter_.reveal(v, woken_);
   for (const Index id : woken_) {
     if (!complex_.is_pair_alive(id)) continue;
     const Pair pair = pair_now(complex_, id);
-    if (complex_.is_contractible(pair) && !sieve_.hides(pair)) queue_->add(pair);
+    if (complex_.is_contractible(pair) && !filter_.hides(pair)) queue_->add(pair);
   }
 }
 

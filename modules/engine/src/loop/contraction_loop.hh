@@ -4,13 +4,13 @@
 #include <optional>
 #include <vector>
 
-#include "complex/restraints.hh"
+#include "complex/constraints.hh"
 #include "complex/uncertain_vertices.hh"
 #include "cost/pair_cost.hh"
 #include "guard/guard.hh"
 #include "loop/stage_context.hh"
 #include "loop/working_surface.hh"
-#include "pairs/threshold_pair_sieve.hh"
+#include "pairs/threshold_pair_filter.hh"
 #include "queue/pair_queue.hh"
 #include "queue/refused_pairs.hh"
 #include "whittle/engine/decimate.hh"
@@ -25,12 +25,12 @@ namespace whittle {
 ///     if a guard refuses the pair: count that; the pair waits until something that the guard looks at changes
 ///     the cost places the merged vertex; if a guard refuses that, the one where the pair was ranked is tried
 ///     if the final cost is above the rank: queue the pair again
-///     else contract, and tell the change to cost, restraints, queue, waiting pairs and listener
+///     else contract, and tell the change to cost, constraints, queue, waiting pairs and listener
 ///     if no pair is left: queue those again that were refused by guards that give way
 class ContractionLoop {
  public:
   /// \param refusals of stages before, that still hold
-  ContractionLoop(TriangleComplex& complex, Restraints& restraints, PairCost& cost, const DecimateTarget& target,
+  ContractionLoop(TriangleComplex& complex, Constraints& constraints, PairCost& cost, const DecimateTarget& target,
                   std::span<const GuardedPair> refusals, const StageContext& context);
 
   /// Goes on from where it stopped, if it did. \return all that was done so far
@@ -69,7 +69,7 @@ class ContractionLoop {
   void reveal_at(Index v);
 
   TriangleComplex& complex_;
-  Restraints& restraints_;
+  Constraints& constraints_;
   Placer& placer_;
   const DecimateOptions& options_;
   DecimateTarget target_;
@@ -82,7 +82,7 @@ class ContractionLoop {
   std::uint64_t n_initial_vertices_;
   std::uint64_t n_initial_faces_;
 
-  ThresholdPairSieve sieve_;
+  ThresholdPairFilter filter_;
   Guards guards_;
   std::vector<Guard*> followers_;               ///< the guards that are told of each contraction
   int n_rings_ = 1;                             ///< how far the guards look

@@ -95,21 +95,21 @@ Contractor::Contractor(WorkingSurface& surface, const StageContext& context)
   if (hosted_cost ? hosted_cost->stays_at_vertices() : stays_at_vertices(options)) complex_.follow_positions();
   if (!context.frozen.empty()) complex_.freeze(context.frozen);
   if (hosted_cost) {
-    cost_ = std::make_unique<HostCost>(complex_, restraints_, *hosted_cost);
+    cost_ = std::make_unique<HostCost>(complex_, constraints_, *hosted_cost);
   } else {
-    cost_ = make_cost(complex_, restraints_, options, !surface.threshold_pairs.empty());
+    cost_ = make_cost(complex_, constraints_, options, !surface.threshold_pairs.empty());
   }
   complex_.connect(surface.threshold_pairs, options.threads);
   surface.threshold_pairs = {};
   const bool has_planes = !hosted_cost && cost_traits(options.effective_cost()).has_quadrics;
-  restraints_ = Restraints(complex_, locked_vertices(complex_, context.locked, options.boundary), surface.lines,
-                           options.feature_angle_deg.value_or(180), context.feature_tolerance,
-                           has_planes ? SeamHold::along : SeamHold::at_ends);
+  constraints_ = Constraints(complex_, locked_vertices(complex_, context.locked, options.boundary), surface.lines,
+                             options.feature_angle_deg.value_or(180), context.feature_tolerance,
+                             has_planes ? SeamHold::along : SeamHold::at_ends);
   cost_->start(std::move(surface.cost_state), options.threads);
 }
 
 void Contractor::start(const DecimateTarget& target) {
-  loop_.emplace(complex_, restraints_, *cost_, target, refusals_before_, context_);
+  loop_.emplace(complex_, constraints_, *cost_, target, refusals_before_, context_);
 }
 
 std::vector<Index> surviving_faces(std::span<const Triangle> faces, const std::vector<Index>& representatives,
@@ -151,7 +151,7 @@ void Contractor::write_back(WorkingSurface& surface, bool goes_on) {
     reserve_large(left.vertex_map, surface.vertex_map.size());
     for (const Index v : surface.vertex_map) left.vertex_map.push_back(v == invalid_index ? v : went_to[v]);
   }
-  left.lines = restraints_.lines(complex_, numbers);
+  left.lines = constraints_.lines(complex_, numbers);
   if (context_.options.keep_quadrics) {
     reserve_large(left.quadrics, vertices.size());
     for (const Index v : vertices) left.quadrics.push_back({complex_.position(v), cost_->quadric(v)});

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "complex/restraints.hh"
+#include "complex/constraints.hh"
 #include "cost/pair_cost.hh"
 #include "loop/contraction_loop.hh"
 #include "loop/stage_context.hh"
@@ -39,7 +39,7 @@ class Contractor {
  private:
   StageContext context_;
   TriangleComplex complex_;
-  Restraints restraints_;
+  Constraints constraints_;
   std::unique_ptr<PairCost> cost_;
   std::vector<GuardedPair> refusals_before_;
   std::optional<ContractionLoop> loop_;

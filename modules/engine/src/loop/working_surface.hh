@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "complex/restraints.hh"
+#include "complex/constraints.hh"
 #include "cost/cost_state.hh"
 #include "whittle/engine/refusals.hh"
 

@@ -11,7 +11,7 @@ namespace whittle {
 namespace {
 
 constexpr double near_share = 0.05;           ///< of the mesh, the widest gap that counts
-constexpr double margin = 1.1;                ///< more pairs than the nearest one make a joint of some width
+constexpr double margin = 1.1;                ///< more pairs than the nearest one join the parts over some width
 constexpr double least_share_of_part = 1e-9;  ///< of the part, where gaps are zero, so that parts that touch are joined
 
 }  // namespace

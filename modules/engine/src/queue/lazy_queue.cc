@@ -12,22 +12,22 @@ namespace {
 /// Buckets with at least so many members are shared among threads: some tens of microseconds of work.
 constexpr std::size_t fewest_shared = 256;
 
-/// Parcels that are shared among threads at a time. On flat ground all pairs may be in one bucket.
-constexpr std::size_t n_shared_parcels = 64;
+/// Batches that are shared among threads at a time. On flat ground all pairs may be in one bucket.
+constexpr std::size_t n_shared_batches = 64;
 
 /// Candidates whose placements are remembered.
 constexpr std::size_t most_placements = 8192;
 
 }  // namespace
 
-LazyQueue::LazyQueue(TriangleComplex& complex, const PairRanks& ranks, ThresholdPairSieve& sieve,
+LazyQueue::LazyQueue(TriangleComplex& complex, const PairRanks& ranks, ThresholdPairFilter& filter,
                      const RefusedPairs& refused, const UncertainVertices* uncertain, unsigned threads)
     : complex_(complex),
       ranks_(ranks),
-      sieve_(sieve),
+      filter_(filter),
       uncertain_(uncertain),
       thread_pool_(threads),
-      parcels_(thread_pool_.n_helpers() == 0 ? 2 : n_shared_parcels),
+      batches_(thread_pool_.n_helpers() == 0 ? 2 : n_shared_batches),
       raised_(complex.n_vertex_slots()),
       is_raised_(complex.n_pair_slots()),
       raised_costs_(std::make_unique_for_overwrite<float[]>(complex.n_pair_slots())) {
@@ -45,16 +45,16 @@ void LazyQueue::fill_queue(const RefusedPairs& refused, unsigned threads) {
   std::vector<BucketQueue::Bucket> buckets(n_pairs, BucketQueue::no_bucket);
   std::vector<std::uint8_t> is_raised(n_pairs);
   const auto fill_range = [&](std::size_t begin, std::size_t end) {
-    Parcel parcel;
+    Batch batch;
     for (auto id = static_cast<Index>(begin); id < end; ++id) {
       const TriangleComplex::Ends ends = complex_.initial_ends(id);
-      parcel.pairs[parcel.n] = {id, ends.first, ends.second};
-      parcel.n += static_cast<std::size_t>(is_queued_at_first(ends) && refused.refuser(id) == RefusedPairs::none);
+      batch.pairs[batch.n] = {id, ends.first, ends.second};
+      batch.n += static_cast<std::size_t>(is_queued_at_first(ends) && refused.refuser(id) == RefusedPairs::none);
     }
-    evaluate(parcel, 0);
-    for (std::size_t i = 0; i < parcel.n; ++i) {
-      const Index id = parcel.pairs[i].id;
-      const auto& [bound, cost, position, is_minimum] = parcel.evaluations[i];
+    evaluate(batch, 0);
+    for (std::size_t i = 0; i < batch.n; ++i) {
+      const Index id = batch.pairs[i].id;
+      const auto& [bound, cost, position, is_minimum] = batch.evaluations[i];
       buckets[id] = BucketQueue::bucket_of(cost);
       if (cost <= bound) continue;
       is_raised[id] = 1;
@@ -62,7 +62,7 @@ void LazyQueue::fill_queue(const RefusedPairs& refused, unsigned threads) {
     }
   };
   for_each_range(n_pairs, threads, [&](std::size_t begin, std::size_t end) {
-    for (; begin < end; begin += pairs_per_parcel) fill_range(begin, std::min(end, begin + pairs_per_parcel));
+    for (; begin < end; begin += pairs_per_batch) fill_range(begin, std::min(end, begin + pairs_per_batch));
   });
   queue_.fill(buckets);
   for (Index pair = 0; pair < n_pairs; ++pair) {
@@ -71,11 +71,11 @@ void LazyQueue::fill_queue(const RefusedPairs& refused, unsigned threads) {
 }
 
 /// Ranks the pairs, each with the lower origin first. Pairs that cost `enough` have to wait in any case.
-LazyQueue::Parcel& LazyQueue::evaluate(Parcel& parcel, double enough) const {
-  const auto pairs = std::span(parcel.pairs).first(parcel.n);
+LazyQueue::Batch& LazyQueue::evaluate(Batch& batch, double enough) const {
+  const auto pairs = std::span(batch.pairs).first(batch.n);
   for (Pair& pair : pairs) pair = in_order(complex_, pair);
-  rank(pairs, std::span(parcel.evaluations).first(parcel.n), enough);
-  return parcel;
+  rank(pairs, std::span(batch.evaluations).first(batch.n), enough);
+  return batch;
 }
 
 void LazyQueue::rank(std::span<const Pair> pairs, std::span<PairEvaluation> evaluations, double enough) const {
@@ -130,7 +130,7 @@ bool LazyQueue::open_bucket() {
   open_.open(members_.size());
   placements_.clear();
   n_done_at_opening_ = complex_.n_contractions();
-  sieve_.sift(members_);
+  filter_.apply(members_);
   if (thread_pool_.n_helpers() == 0 || members_.size() < fewest_shared) {
     evaluate_members();
   } else {
@@ -151,35 +151,35 @@ void LazyQueue::drop_duplicates() {
   });
 }
 
-/// The next parcel is looked up before the last one is ranked, so that its prefetches have time.
+/// The next batch is looked up before the last one is ranked, so that its prefetches have time.
 void LazyQueue::evaluate_members() {
-  Parcel* last = nullptr;
-  for (std::size_t begin = 0; begin < members_.size(); begin += pairs_per_parcel) {
-    Parcel& next = parcels_[begin / pairs_per_parcel % 2];
-    find_pairs(begin, std::min(members_.size(), begin + pairs_per_parcel), next);
+  Batch* last = nullptr;
+  for (std::size_t begin = 0; begin < members_.size(); begin += pairs_per_batch) {
+    Batch& next = batches_[begin / pairs_per_batch % 2];
+    find_pairs(begin, std::min(members_.size(), begin + pairs_per_batch), next);
     if (last != nullptr) sort_in(evaluate(*last, queue_.end_of_past()));
     last = &next;
   }
   if (last != nullptr) sort_in(evaluate(*last, queue_.end_of_past()));
 }
 
-/// Each thread writes to its own parcel. All may shorten paths in the complex' `parents_`, to the same values.
+/// Each thread writes to its own batch. All may shorten paths in the complex' `parents_`, to the same values.
 void LazyQueue::evaluate_members_on_all_threads() {
-  const std::size_t at_once = parcels_.size() * pairs_per_parcel;
+  const std::size_t at_once = batches_.size() * pairs_per_batch;
   for (std::size_t begin = 0; begin < members_.size(); begin += at_once) {
     const std::size_t n = std::min(members_.size() - begin, at_once);
-    thread_pool_.for_each_range(n, pairs_per_parcel, [this, begin](std::size_t first, std::size_t last) {
-      Parcel& parcel = parcels_[first / pairs_per_parcel];
-      find_pairs(begin + first, begin + last, parcel);
-      evaluate(parcel, queue_.end_of_past());
+    thread_pool_.for_each_range(n, pairs_per_batch, [this, begin](std::size_t first, std::size_t last) {
+      Batch& batch = batches_[first / pairs_per_batch];
+      find_pairs(begin + first, begin + last, batch);
+      evaluate(batch, queue_.end_of_past());
     });
-    for (std::size_t i = 0; i < n; i += pairs_per_parcel) sort_in(parcels_[i / pairs_per_parcel]);
+    for (std::size_t i = 0; i < n; i += pairs_per_batch) sort_in(batches_[i / pairs_per_batch]);
   }
 }
 
 /// Looks up the ends of members begin … end that are still pairs. Prefetches what comes next: pairs, their ends, and
 /// the vertices that these have become.
-void LazyQueue::find_pairs(std::size_t begin, std::size_t end, Parcel& parcel) {
+void LazyQueue::find_pairs(std::size_t begin, std::size_t end, Batch& batch) {
   const KeptOfVertices kept = ranks_.kept();
   const auto prefetch_end = [&](Index v) {
     complex_.prefetch_vertex(v);
@@ -190,17 +190,17 @@ void LazyQueue::find_pairs(std::size_t begin, std::size_t end, Parcel& parcel) {
     if (i + 16 < members_.size()) complex_.prefetch_pair(members_[i + 16]);
     if (i + 8 < members_.size()) complex_.prefetch_ends(members_[i + 8]);
     const auto [a, b] = complex_.ends(members_[i]);
-    parcel.pairs[n] = {members_[i], a, b};
+    batch.pairs[n] = {members_[i], a, b};
     n += static_cast<std::size_t>(complex_.is_pair_alive(members_[i]));
     prefetch_end(a);
     prefetch_end(b);
     is_raised_.prefetch(members_[i]);
   }
-  parcel.n = n;
+  batch.n = n;
 }
 
-void LazyQueue::sort_in(const Parcel& parcel) {
-  for (std::size_t i = 0; i < parcel.n; ++i) sort_in(parcel.pairs[i], parcel.evaluations[i]);
+void LazyQueue::sort_in(const Batch& batch) {
+  for (std::size_t i = 0; i < batch.n; ++i) sort_in(batch.pairs[i], batch.evaluations[i]);
 }
 
 /// Into the open bucket, or into a later bucket if it costs more now.

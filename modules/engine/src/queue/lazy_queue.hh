@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "complex/uncertain_vertices.hh"
-#include "pairs/threshold_pair_sieve.hh"
+#include "pairs/threshold_pair_filter.hh"
 #include "queue/bucket_queue.hh"
 #include "queue/open_bucket.hh"
 #include "queue/pair_queue.hh"
@@ -19,7 +19,7 @@ namespace whittle {
 /// The queue for costs with a lower bound (`PairEvaluation::bound`): a pair waits under the bound, so a contraction
 /// touches no other entry. All pairs of a bucket are ranked together when it is opened. A pair is ranked once more when
 /// its turn comes, if one of its vertices has changed. Only raised pairs can get cheaper:
-/// - raised: the cost is above the bound (pinned, or placed elsewhere than at the minimum). It is queued under its
+/// - raised: the cost is above the bound (constraint, or placed elsewhere than at the minimum). It is queued under its
 ///   cost, and waits at its vertices to be ranked again when one of them merges.
 ///
 /// With a cost that has no such bound the order is approximate: a pair that a contraction nearby has made cheaper is
@@ -29,7 +29,7 @@ class LazyQueue final : public PairQueue {
   /// \param refused pairs that are not queued at first
   /// \param uncertain if not null: of a pair with such an end no more is known than that it costs at least its bound.
   /// Then pairs with one frozen end are queued, too
-  LazyQueue(TriangleComplex& complex, const PairRanks& ranks, ThresholdPairSieve& sieve, const RefusedPairs& refused,
+  LazyQueue(TriangleComplex& complex, const PairRanks& ranks, ThresholdPairFilter& filter, const RefusedPairs& refused,
             const UncertainVertices* uncertain, unsigned threads);
 
   std::optional<RankedPair> next() override;
@@ -39,7 +39,7 @@ class LazyQueue final : public PairQueue {
   void note(const Change& change) override;
 
  private:
-  static constexpr std::size_t pairs_per_parcel = 64;
+  static constexpr std::size_t pairs_per_batch = 64;
 
   /// Where the merged vertex of a pair would go.
   struct Placed {
@@ -48,10 +48,10 @@ class LazyQueue final : public PairQueue {
     bool is_minimum;
   };
   /// Pairs that are ranked together, edges first: some microseconds of work, within the first-level cache.
-  struct Parcel {
+  struct Batch {
     std::size_t n = 0;
-    std::array<Pair, pairs_per_parcel> pairs;
-    std::array<PairEvaluation, pairs_per_parcel> evaluations;
+    std::array<Pair, pairs_per_batch> pairs;
+    std::array<PairEvaluation, pairs_per_batch> evaluations;
   };
 
   bool is_queued_at_first(const TriangleComplex::Ends& ends) const;
@@ -64,9 +64,9 @@ class LazyQueue final : public PairQueue {
   void drop_duplicates();
   void evaluate_members();
   void evaluate_members_on_all_threads();
-  void find_pairs(std::size_t begin, std::size_t end, Parcel& parcel);
-  Parcel& evaluate(Parcel& parcel, double enough) const;
-  void sort_in(const Parcel& parcel);
+  void find_pairs(std::size_t begin, std::size_t end, Batch& batch);
+  Batch& evaluate(Batch& batch, double enough) const;
+  void sort_in(const Batch& batch);
   void sort_in(const Pair& pair, const PairEvaluation& evaluation);
   void prefetch_turns();
   void enqueue(const Candidate& candidate);
@@ -81,13 +81,13 @@ class LazyQueue final : public PairQueue {
 
   TriangleComplex& complex_;
   const PairRanks& ranks_;
-  ThresholdPairSieve& sieve_;
+  ThresholdPairFilter& filter_;
   const UncertainVertices* uncertain_;
   ThreadPool thread_pool_;
 
   BucketQueue queue_;
-  std::vector<Index> members_;   ///< of the bucket being opened
-  std::vector<Parcel> parcels_;  ///< scratch: a thread works on one at a time
+  std::vector<Index> members_;  ///< of the bucket being opened
+  std::vector<Batch> batches_;  ///< scratch: a thread works on one at a time
   OpenBucket open_;
   std::vector<Placed> placements_;  ///< where the merged vertices would go
   Index n_done_at_opening_ = 0;     ///< number of contractions when the bucket was opened

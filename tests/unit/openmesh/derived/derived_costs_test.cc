@@ -105,8 +105,8 @@ class ByOtherCost : public ModuleT {
   using Handle = OpenMesh::Decimater::ModHandleT<ByOtherCost>;
   using ModuleT::evaluate;
   explicit ByOtherCost(Mesh& mesh) : ModuleT(mesh) {}
-  PairEvaluation evaluate(VertexHandle first, VertexHandle second, Pinned pinned) const override {
-    PairEvaluation evaluation = ModuleT::evaluate(first, second, pinned);
+  PairEvaluation evaluate(VertexHandle first, VertexHandle second, PairConstraint constraint) const override {
+    PairEvaluation evaluation = ModuleT::evaluate(first, second, constraint);
     evaluation.cost = evaluation.bound = order_of(first, second);
     return evaluation;
   }
@@ -218,8 +218,8 @@ class WithoutCost : public ModuleT {
   using Handle = OpenMesh::Decimater::ModHandleT<WithoutCost>;
   using ModuleT::evaluate;
   explicit WithoutCost(Mesh& mesh) : ModuleT(mesh) {}
-  PairEvaluation evaluate(VertexHandle first, VertexHandle second, Pinned pinned) const override {
-    PairEvaluation evaluation = ModuleT::evaluate(first, second, pinned);
+  PairEvaluation evaluate(VertexHandle first, VertexHandle second, PairConstraint constraint) const override {
+    PairEvaluation evaluation = ModuleT::evaluate(first, second, constraint);
     if (is_in_region(region, first) || is_in_region(region, second)) evaluation.cost = evaluation.bound = no_cost;
     return evaluation;
   }
@@ -287,8 +287,8 @@ class ModReversedT : public ModGarlandHeckbertT<MeshT> {
   using Handle = OpenMesh::Decimater::ModHandleT<ModReversedT>;
   using ModGarlandHeckbertT<MeshT>::evaluate;
 
-  PairEvaluation evaluate(VertexHandle first, VertexHandle second, Pinned pinned) const override {
-    PairEvaluation evaluation = ModGarlandHeckbertT<MeshT>::evaluate(first, second, pinned);
+  PairEvaluation evaluate(VertexHandle first, VertexHandle second, PairConstraint constraint) const override {
+    PairEvaluation evaluation = ModGarlandHeckbertT<MeshT>::evaluate(first, second, constraint);
     evaluation.cost = evaluation.bound = 1 / (1 + evaluation.cost);
     return evaluation;
   }
@@ -303,8 +303,8 @@ class ModLengthT : public PlacingModuleT<MeshT> {
   double cost_dimension() const override { return 1; }
 
  private:
-  PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const override {
-    return evaluate_midpoint(this->position(first), this->position(second), pinned);
+  PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, PairConstraint constraint) const override {
+    return evaluate_midpoint(this->position(first), this->position(second), constraint);
   }
   Reach plain_reach() const override { return Reach::ends; }
 };
@@ -320,8 +320,8 @@ class ModLengthElsewhereT : public PlacingModuleT<MeshT> {
   double no_cost = 0;
 
  private:
-  PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const override {
-    PairEvaluation evaluation = evaluate_midpoint(this->position(first), this->position(second), pinned);
+  PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, PairConstraint constraint) const override {
+    PairEvaluation evaluation = evaluate_midpoint(this->position(first), this->position(second), constraint);
     if (is_in_region(region, first) || is_in_region(region, second)) evaluation.cost = no_cost;
     return evaluation;
   }

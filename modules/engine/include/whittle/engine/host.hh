@@ -27,7 +27,7 @@ struct HostedContraction {
 };
 
 /// Positions to try for a merged vertex, the best first.
-struct Settlement {
+struct CandidatePositions {
   struct Option {
     Vec3 position;
     Index survivor = invalid_index;  ///< if not given, the higher origin, or the vertex that may not move
@@ -44,9 +44,10 @@ class HostedCost {
   virtual ~HostedCost() = default;
 
   /// What merging two vertices would cost. Infinite, negative or not a number: they may not be merged as things are.
-  virtual PairEvaluation rank(Index first, Index second, Pinned pinned) = 0;
+  virtual PairEvaluation rank(Index first, Index second, PairConstraint constraint) = 0;
   /// Where the merged vertex goes. None means that the pair is refused.
-  virtual Settlement settle(Index first, Index second, Pinned pinned, const PairEvaluation& rank) = 0;
+  virtual CandidatePositions place(Index first, Index second, PairConstraint constraint,
+                                   const PairEvaluation& rank) = 0;
   /// What going there costs: the rank, or more. Infinite, negative or not a number refuses the pair; the host counts
   /// that.
   virtual double final_cost(const HostedContraction& contraction) = 0;

@@ -99,10 +99,10 @@ struct DecimateOptions {
   PairOptions pairs{};
   Topology topology = Topology::keep;
   Boundary boundary = Boundary::weighted;
-  /// Whether costs of quadrics hold the rims of two-sided sheets as weighted borders are held: edges whose two faces
-  /// lie on each other, front and back, as around a leaf. Empty: no, but `simplify` does. OpenMesh's decimaters never
-  /// do.
-  std::optional<bool> hold_rims{};
+  /// Whether costs of quadrics hold the fold edges of two-sided sheets as weighted borders are held: edges whose two
+  /// faces lie on each other, front and back, as around a leaf. Empty: no, but `simplify` does. OpenMesh's decimaters
+  /// never do.
+  std::optional<bool> hold_folds{};
 
   /// A contraction that turns the normal of a remaining face further than this is refused, degrees. (0, 180]; at 180
   /// only a face that loses its area is refused. Empty = by the cost: `CostTraits::default_max_normal_flip_deg`.

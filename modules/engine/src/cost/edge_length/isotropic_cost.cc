@@ -9,7 +9,7 @@ namespace whittle {
 void IsotropicCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks, double /*enough*/) const {
   std::transform(pairs.begin(), pairs.end(), ranks.begin(), [this](const Pair& pair) {
     return evaluate_isotropic(quadrics_.placed(pair.a), quadrics_.placed(pair.b), isotropy_, options_.placement,
-                              restraints_.pinned(pair).value_or(Pinned::first));
+                              constraints_.of(pair).value_or(PairConstraint::first));
   });
 }
 

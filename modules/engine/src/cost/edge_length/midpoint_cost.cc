@@ -9,7 +9,7 @@ namespace whittle {
 void MidpointCost::rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks, double /*enough*/) const {
   std::transform(pairs.begin(), pairs.end(), ranks.begin(), [this](const Pair& pair) {
     return evaluate_midpoint(complex_.position(pair.a), complex_.position(pair.b),
-                             restraints_.pinned(pair).value_or(Pinned::first));
+                             constraints_.of(pair).value_or(PairConstraint::first));
   });
 }
 

@@ -171,10 +171,10 @@ std::optional<PairEvaluation> LindstromTurk::at_constraints() const {
   return PairEvaluation{cost, cost, {x.x, x.y, x.z}, false};
 }
 
-PairEvaluation LindstromTurk::evaluate(Pinned pinned) const {
-  if (pinned == Pinned::first) return at(first_);
-  if (pinned == Pinned::second) return at(second_);
-  if (pinned == Pinned::either) return at_better_end();
+PairEvaluation LindstromTurk::evaluate(PairConstraint constraint) const {
+  if (constraint == PairConstraint::first) return at(first_);
+  if (constraint == PairConstraint::second) return at(second_);
+  if (constraint == PairConstraint::either) return at_better_end();
   const std::optional<PairEvaluation> evaluation = at_constraints();
   if (!evaluation) return at_best_candidate();
   const Vec3 way = second_ - first_;

@@ -142,7 +142,8 @@ WHITTLE_INLINE void LindstromTurkCost::rank_in_lanes(std::span<const Pair> pairs
   std::size_t n = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto [id, a, b] = pairs[i];
-    const bool is_inside = complex_.is_ring(a) && complex_.is_ring(b) && restraints_.pinned(pairs[i]) == Pinned::none;
+    const bool is_inside =
+        complex_.is_ring(a) && complex_.is_ring(b) && constraints_.of(pairs[i]) == PairConstraint::none;
     if (is_inside && find_sides(pairs[i], group[n])) {
       group[n].place = i;
       if (++n == group.size()) {
@@ -180,8 +181,8 @@ PairEvaluation LindstromTurkCost::rank_one(const Pair& pair) const {
   std::vector<BorderEdge> border;
   add_border_at(pair.a, invalid_index, border);
   add_border_at(pair.b, pair.a, border);
-  const Pinned pinned = restraints_.pinned(pair).value_or(Pinned::first);
-  return evaluate_lindstrom_turk(stars_[pair.a], stars_[pair.b], common, border, pinned);
+  const PairConstraint constraint = constraints_.of(pair).value_or(PairConstraint::first);
+  return evaluate_lindstrom_turk(stars_[pair.a], stars_[pair.b], common, border, constraint);
 }
 
 /// The border edges at v but for the one to `but`, by the original number of the other end.

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "complex/restraints.hh"
+#include "complex/constraints.hh"
 #include "cost/pair_cost.hh"
 #include "whittle/core/detail/lanes.hh"
 #include "whittle/core/detail/large_array.hh"
@@ -17,8 +17,8 @@ namespace whittle {
 /// Every sum has one order, by original vertex numbers.
 class LindstromTurkCost final : public StatelessCost {
  public:
-  LindstromTurkCost(const TriangleComplex& complex, const Restraints& restraints)
-      : complex_(complex), restraints_(restraints) {}
+  LindstromTurkCost(const TriangleComplex& complex, const Constraints& constraints)
+      : complex_(complex), constraints_(constraints) {}
 
   void start(CostState&& before, unsigned threads) override;
   void rank(std::span<const Pair> pairs, std::span<PairEvaluation> ranks, double enough) const override;
@@ -46,7 +46,7 @@ class LindstromTurkCost final : public StatelessCost {
   void sum_around_irregular(Index v);
 
   const TriangleComplex& complex_;
-  const Restraints& restraints_;
+  const Constraints& constraints_;
   LargeArray<StarSums> stars_;  ///< per vertex
 };
 

@@ -18,7 +18,7 @@ StarSums sum_star(const Vec3& position, std::span<const LinkEdgePoints> faces, s
 
 PairEvaluation evaluate_lindstrom_turk(const StarSums& first, const StarSums& second,
                                        std::span<const CommonFace> common, std::span<const BorderEdge> border,
-                                       Pinned pinned) {
+                                       PairConstraint constraint) {
   const auto star_first = [&](std::size_t) -> const StarSums& { return first; };
   const auto star_second = [&](std::size_t) -> const StarSums& { return second; };
   const StarLanes<double> a = star_lanes<double>(star_first);
@@ -42,7 +42,7 @@ PairEvaluation evaluate_lindstrom_turk(const StarSums& first, const StarSums& se
     term.add_neighbours(pair_neighbours(of_a, of_b, d, corners));
   }
   const Vec3 there(b.position.x, b.position.y, b.position.z);
-  return in_frame(term.evaluate(pinned), origin, there);
+  return in_frame(term.evaluate(constraint), origin, there);
 }
 
 }  // namespace whittle

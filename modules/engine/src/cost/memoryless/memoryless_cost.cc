@@ -79,23 +79,23 @@ KeptOfVertices MemorylessCost::kept() const {
 
 /// Whether the merged vertex, and its neighbours, get the planes of their faces alone.
 bool MemorylessCost::forgets(const ContractionProfile& profile) const {
-  return !profile.is_joint && complex_.is_ring(profile.pair.a) && complex_.is_ring(profile.pair.b);
+  return !profile.is_nonmanifold && complex_.is_ring(profile.pair.a) && complex_.is_ring(profile.pair.b);
 }
 
 /// Where the volume is kept, else at the minimum.
-Settlement MemorylessCost::place(ContractionProfile& profile, const PairEvaluation& ranked) const {
-  Settlement settlement;
+CandidatePositions MemorylessCost::place(ContractionProfile& profile, const PairEvaluation& ranked) const {
+  CandidatePositions candidates;
   if (forgets(profile)) {
     look_at_ring(complex_, ranked.position, profile);
     if (ranked.is_minimum) {
       const VertexQuadrics& quadrics = ranks_.quadrics();
       const SymmetricMatrix sum = quadrics.matrix(profile.pair.a) + quadrics.matrix(profile.pair.b);
       const Vec3 best = ranked.position + volume_step(sum, profile.ring.volume());
-      if (best != ranked.position) settlement.add(best);
+      if (best != ranked.position) candidates.add(best);
     }
   }
-  settlement.add(ranked.position);
-  return settlement;
+  candidates.add(ranked.position);
+  return candidates;
 }
 
 double MemorylessCost::final_cost(const ContractionProfile& profile, const PairEvaluation& ranked,
@@ -120,7 +120,7 @@ void MemorylessCost::merge(ContractionProfile& profile, const PairEvaluation& ra
   }
   remember_all(a);
   remember_all(b);
-  if (profile.is_joint) {
+  if (profile.is_nonmanifold) {
     remember_around(profile);
   } else {
     change_neighbours(profile, change);
@@ -153,7 +153,7 @@ void MemorylessCost::change_neighbours(const ContractionProfile& profile, const 
   }
 }
 
-/// After a joint the faces at these vertices hang together in another way.
+/// After a non-manifold contraction the faces at these vertices hang together in another way.
 void MemorylessCost::remember_around(const ContractionProfile& profile) {
   for (const StarFaces& faces : {profile.first, profile.second}) {
     for (const Neighbour& neighbour : faces.neighbours()) remember_all(neighbour.vertex);
@@ -161,7 +161,7 @@ void MemorylessCost::remember_around(const ContractionProfile& profile) {
   for (const ContractionProfile::Common& opposite : profile.opposites) {
     remember_all(opposite.vertex);
   }
-  for (const auto& [x, y] : profile.joint.coincident) {
+  for (const auto& [x, y] : profile.nonmanifold.coincident) {
     remember_all(x);
     remember_all(y);
   }

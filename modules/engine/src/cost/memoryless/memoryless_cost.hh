@@ -11,15 +11,15 @@ namespace whittle {
 /// Memoryless quadrics (memoryless_term.hh). A contraction changes those of the merged vertex and of its neighbours.
 ///
 /// At borders and where the surface isn't manifold vertices remember, as with Garland–Heckbert, and so do the
-/// neighbours of vertices that are joined. Thin parts are not looked at there. Vertices on seams and rims remember the
+/// neighbours of vertices that are joined. Thin parts are not looked at there. Vertices on seams and folds remember the
 /// planes of these, besides those of their faces.
 class MemorylessCost final : public PairCost {
  public:
-  MemorylessCost(TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options,
+  MemorylessCost(TriangleComplex& complex, const Constraints& constraints, const QuadricOptions& options,
                  bool has_threshold_pairs, unsigned threads)
       : complex_(complex),
         options_(options),
-        ranks_(complex, restraints, options, has_threshold_pairs, threads),
+        ranks_(complex, constraints, options, has_threshold_pairs, threads),
         changes_(options) {}
 
   void start(CostState&& before, unsigned threads) override;
@@ -31,7 +31,7 @@ class MemorylessCost final : public PairCost {
   }
   Reach affects() const override { return Reach::ring; }
   KeptOfVertices kept() const override;
-  Settlement place(ContractionProfile& profile, const PairEvaluation& ranked) const override;
+  CandidatePositions place(ContractionProfile& profile, const PairEvaluation& ranked) const override;
   double final_cost(const ContractionProfile& profile, const PairEvaluation& ranked,
                     const Vec3& position) const override;
   void merge(ContractionProfile& profile, const PairEvaluation& ranked, const Change& change) override;

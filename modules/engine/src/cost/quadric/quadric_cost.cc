@@ -43,7 +43,7 @@ void QuadricCost::rank_planes(std::span<const Pair> pairs, std::span<PairEvaluat
   find_minima(quadrics_, Points::without, pairs.first(n_edges), ranks, first_area_);
   find_minima(quadrics_, Points::with, pairs.subspan(n_edges), ranks.subspan(n_edges), first_area_);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (!ranks[i].is_minimum || restraints_.pinned(pairs[i]) != Pinned::none) ranks[i] = rank_planes_of(pairs[i]);
+    if (!ranks[i].is_minimum || constraints_.of(pairs[i]) != PairConstraint::none) ranks[i] = rank_planes_of(pairs[i]);
   }
 }
 
@@ -66,21 +66,21 @@ PairEvaluation QuadricCost::in_unit(PairEvaluation evaluation, const PlacedQuadr
 PairEvaluation QuadricCost::rank_planes_of(const Pair& pair) const {
   const PlacedQuadric first = placed(pair, pair.a, complex_.position(pair.a));
   const PlacedQuadric second = placed(pair, pair.b, complex_.position(pair.b));
-  const Pinned pinned = restraints_.pinned(pair).value_or(Pinned::first);
-  return in_unit(evaluate_pair(first, second, options_.placement, pinned), first, second);
+  const PairConstraint constraint = constraints_.of(pair).value_or(PairConstraint::first);
+  return in_unit(evaluate_pair(first, second, options_.placement, constraint), first, second);
 }
 
 /// Attributes move the vertex, too, unless they would cost more than they may.
 PairEvaluation QuadricCost::rank_with_attributes(const Pair& pair, double bound_of_planes) const {
   const PlacedQuadric first = placed(pair, pair.a, complex_.position(pair.a));
   const PlacedQuadric second = placed(pair, pair.b, complex_.position(pair.b));
-  const Pinned pinned = restraints_.pinned(pair).value_or(Pinned::first);
+  const PairConstraint constraint = constraints_.of(pair).value_or(PairConstraint::first);
   const PairAttributes attributes = attributes_.of(pair, !complex_.is_threshold_pair(pair.id));
   PlacedQuadric all = first;
   all.quadric += attributes.quadric;
-  PairEvaluation evaluation = evaluate_pair(all, second, options_.placement, pinned);
+  PairEvaluation evaluation = evaluate_pair(all, second, options_.placement, constraint);
   if (!(attributes.quadric(evaluation.position - first.position) <= attributes.most)) {
-    evaluation = evaluate_pair(first, second, options_.placement, pinned);
+    evaluation = evaluate_pair(first, second, options_.placement, constraint);
     evaluation.cost += attributes.most;
   }
   if (first_area_) return in_unit(evaluation, first, second);

@@ -2,22 +2,22 @@
 
 #include <optional>
 
-#include "complex/restraints.hh"
+#include "complex/constraints.hh"
 #include "cost/attributes/attribute_quadrics.hh"
 #include "cost/pair_cost.hh"
 #include "cost/quadric/vertex_quadrics.hh"
 
 namespace whittle {
 
-/// Garland–Heckbert (quadric_term.hh): quadrics of the faces, seams, rims and borders at first, and a merged vertex has
-/// the sum of its two. Where the minimum of a pair is wanted and exists, as is mostly so, several pairs are ranked at
-/// once.
+/// Garland–Heckbert (quadric_term.hh): quadrics of the faces, seams, folds and borders at first, and a merged vertex
+/// has the sum of its two. Where the minimum of a pair is wanted and exists, as is mostly so, several pairs are ranked
+/// at once.
 class QuadricCost : public PairCost {
  public:
-  QuadricCost(const TriangleComplex& complex, const Restraints& restraints, const QuadricOptions& options,
+  QuadricCost(const TriangleComplex& complex, const Constraints& constraints, const QuadricOptions& options,
               bool has_threshold_pairs, unsigned threads)
       : complex_(complex),
-        restraints_(restraints),
+        constraints_(constraints),
         options_(options),
         quadrics_(complex, options, has_threshold_pairs, threads) {}
 
@@ -42,7 +42,7 @@ class QuadricCost : public PairCost {
 
  protected:
   const TriangleComplex& complex_;
-  const Restraints& restraints_;
+  const Constraints& constraints_;
   QuadricOptions options_;
   VertexQuadrics quadrics_;
 

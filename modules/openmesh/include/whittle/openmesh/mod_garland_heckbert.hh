@@ -67,7 +67,7 @@ class ModGarlandHeckbertT : public QuadricModuleT<MeshT> {
   using QuadricModule::placed;
   using typename QuadricModule::VertexHandle;
 
-  PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const override;
+  PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, PairConstraint constraint) const override;
   Reach plain_reach() const override { return active_isotropy_ > 0 ? Reach::ends : Reach::none; }
   CostOptions plain_options() const override { return {Cost::quadric, active(), active_isotropy_, 0}; }
 

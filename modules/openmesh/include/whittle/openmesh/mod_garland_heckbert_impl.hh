@@ -41,9 +41,9 @@ void ModGarlandHeckbertT<MeshT>::initialize() {
 
 template <class MeshT>
 PairEvaluation ModGarlandHeckbertT<MeshT>::evaluate_plain(VertexHandle first, VertexHandle second,
-                                                          Pinned pinned) const {
-  if (active_isotropy_ == 0) return QuadricModule::evaluate_plain(first, second, pinned);
-  return evaluate_isotropic(placed(first), placed(second), active_isotropy_, active().placement, pinned);
+                                                          PairConstraint constraint) const {
+  if (active_isotropy_ == 0) return QuadricModule::evaluate_plain(first, second, constraint);
+  return evaluate_isotropic(placed(first), placed(second), active_isotropy_, active().placement, constraint);
 }
 
 // With stock arithmetic -----------------------------------------------------------------------------------------------

@@ -45,7 +45,7 @@ class ModLindstromTurkT : public PlacingModuleT<MeshT> {
 
   /// The other corners of a face at a vertex, in the face's order.
   using OtherCorners = std::pair<VertexHandle, VertexHandle>;
-  PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const override;
+  PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, PairConstraint constraint) const override;
   Reach plain_reach() const override { return Reach::ring; }
   CostOptions plain_options() const override { return {Cost::lindstrom_turk, {}, 0, 0}; }
 

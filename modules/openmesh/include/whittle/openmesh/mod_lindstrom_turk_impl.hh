@@ -7,11 +7,12 @@
 namespace whittle {
 
 template <class MeshT>
-PairEvaluation ModLindstromTurkT<MeshT>::evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const {
+PairEvaluation ModLindstromTurkT<MeshT>::evaluate_plain(VertexHandle first, VertexHandle second,
+                                                        PairConstraint constraint) const {
   std::vector<BorderEdge> border;
   add_border_at(first, VertexHandle(), border);
   add_border_at(second, first, border);
-  return evaluate_lindstrom_turk(star_of(first), star_of(second), common_faces(first, second), border, pinned);
+  return evaluate_lindstrom_turk(star_of(first), star_of(second), common_faces(first, second), border, constraint);
 }
 
 template <class MeshT>

@@ -61,7 +61,7 @@ class ModMemorylessT : public QuadricModuleT<MeshT> {
   using QuadricModule::surface;
   using typename QuadricModule::VertexHandle;
 
-  PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const override;
+  PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, PairConstraint constraint) const override;
   Reach plain_reach() const override { return Reach::ring; }
   CostOptions plain_options() const override { return {Cost::memoryless, active(), 0, 0}; }
   PlacedQuadric merge(VertexHandle first, VertexHandle second, const PairEvaluation& evaluation,

@@ -58,8 +58,9 @@ void ModMemorylessT<MeshT>::adopt(const std::vector<Index>& vertices, std::vecto
 }
 
 template <class MeshT>
-PairEvaluation ModMemorylessT<MeshT>::evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const {
-  PairEvaluation evaluation = QuadricModule::evaluate_plain(first, second, pinned);
+PairEvaluation ModMemorylessT<MeshT>::evaluate_plain(VertexHandle first, VertexHandle second,
+                                                     PairConstraint constraint) const {
+  PairEvaluation evaluation = QuadricModule::evaluate_plain(first, second, constraint);
   const double weight = placed(first).quadric.a.trace() + placed(second).quadric.a.trace();
   const double factor = memoryless_factor(weight, face_area_.first());
   evaluation.bound *= factor;

@@ -26,8 +26,8 @@ class ModMidpointT : public PlacingModuleT<MeshT> {
  private:
   using typename PlacingModuleT<MeshT>::VertexHandle;
 
-  PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const override {
-    return evaluate_midpoint(this->position(first), this->position(second), pinned);
+  PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, PairConstraint constraint) const override {
+    return evaluate_midpoint(this->position(first), this->position(second), constraint);
   }
   Reach plain_reach() const override { return Reach::ends; }
   CostOptions plain_options() const override { return {Cost::midpoint, {}, 0, 0}; }

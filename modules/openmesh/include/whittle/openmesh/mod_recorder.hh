@@ -36,7 +36,7 @@ class ModRecorderT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   const IndexedMesh& input() const { return input_; }
   /// What was done since, in the vertex numbers of `input()`. \pre the decimater isn't running
   const RunSteps& steps() {
-    settle();
+    complete_last();
     return steps_;
   }
 
@@ -56,19 +56,19 @@ class ModRecorderT : public OpenMesh::Decimater::ModBaseT<MeshT> {
     n_vertices_ = mesh_.n_vertices();
     steps_ = {};
     splits_.clear();
-    is_settled_ = true;
+    is_last_complete_ = true;
     has_moved_ = false;
   }
   float collapse_priority(const CollapseInfo& /*collapse*/) override { return Base::LEGAL_COLLAPSE; }
   void preprocess_collapse(const CollapseInfo& collapse) override {
-    settle();
+    complete_last();
     before_ = to_vec3(mesh_.point(collapse.v1));
   }
   /// A module that moves the vertex may be told after this one. So the place is looked up later.
   void postprocess_collapse(const CollapseInfo& collapse) override {
     steps_.contractions.push_back({number(collapse.v1), number(collapse.v0), before_, 0, false, false});
     splits_.push_back({collapse.v0, collapse.v1, collapse.vl, collapse.vr});
-    is_settled_ = false;
+    is_last_complete_ = false;
   }
 
  private:
@@ -86,13 +86,13 @@ class ModRecorderT : public OpenMesh::Decimater::ModBaseT<MeshT> {
     while (i < n && this->number(VertexHandle(i)) != number) ++i;
     return VertexHandle(i);
   }
-  void settle() {
-    if (is_settled_) return;
+  void complete_last() {
+    if (is_last_complete_) return;
     const Index survivor = steps_.contractions.back().survivor;
     const Vec3 position = to_vec3(mesh_.point(vertex_of(survivor, splits_.back().survivor)));
     has_moved_ = has_moved_ || position != before_;
     steps_.contractions.back().position = position;
-    is_settled_ = true;
+    is_last_complete_ = true;
   }
 
   MeshT& mesh_;
@@ -101,9 +101,9 @@ class ModRecorderT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   std::size_t n_vertices_ = 0;            ///< of the mesh at `initialize()`, deleted ones, too
   RunSteps steps_;
   std::vector<Split> splits_;
-  Vec3 before_ = Vec3::Zero();  ///< where the survivor of the last collapse was
-  bool is_settled_ = true;      ///< whether the last step has its position
-  bool has_moved_ = false;      ///< whether a collapse has moved its survivor
+  Vec3 before_ = Vec3::Zero();    ///< where the survivor of the last collapse was
+  bool is_last_complete_ = true;  ///< whether the last step has its position
+  bool has_moved_ = false;        ///< whether a collapse has moved its survivor
 };
 
 namespace detail {
@@ -135,7 +135,7 @@ class PmWriter {
 
 template <class MeshT>
 void ModRecorderT<MeshT>::write_pm(const std::string& path) {
-  settle();
+  complete_last();
   if (has_moved_) throw std::logic_error("ModRecorderT: a .pm file is for vertices that stay where they are");
   if (mesh_.n_vertices() != n_vertices_) {
     throw std::logic_error("ModRecorderT: a .pm file is written before the garbage is collected");

@@ -81,7 +81,8 @@ class PairCostModuleT {
   virtual bool has_new_options() const = 0;
   /// Cost and placement of merging two vertices that share an edge. A cost that is infinite, negative or not a number
   /// refuses the pair. \pre first < second
-  virtual PairEvaluation evaluate(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second, Pinned pinned) const = 0;
+  virtual PairEvaluation evaluate(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second,
+                                  PairConstraint constraint) const = 0;
   /// The same for a collapse in one of OpenMesh's decimaters, by the functions of this interface. v1 keeps its position
   /// if it is locked or a feature, or if v0 is a feature. The position is that of `place`, the cost that of
   /// `final_cost`.

@@ -82,7 +82,8 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   Vec3 position(OpenMesh::VertexHandle v) const override { return placed(v).position; }
   PlacedQuadric quadric(OpenMesh::VertexHandle v) const override { return placed(v); }
   bool has_new_options() const override { return has_new_options_; }
-  PairEvaluation evaluate(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second, Pinned pinned) const override;
+  PairEvaluation evaluate(OpenMesh::VertexHandle first, OpenMesh::VertexHandle second,
+                          PairConstraint constraint) const override;
   PairEvaluation evaluate(const CollapseInfo& collapse) const final;
   std::optional<float> take_own_priority() override { return std::exchange(own_priority_, std::nullopt); }
   void place_next(const PairEvaluation& evaluation, const Vec3& position, OpenMesh::VertexHandle first) override {
@@ -97,7 +98,7 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   explicit PlacingModuleT(MeshT& mesh) : ModBase(mesh, false), mesh_(mesh), numbers_(mesh) {}
 
   // The cost without the penalty for valences.
-  virtual PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const = 0;
+  virtual PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, PairConstraint constraint) const = 0;
   virtual Reach plain_reach() const = 0;
   /// The engine's options for this cost. The engine driver uses them for our own modules only.
   virtual CostOptions plain_options() const { return {}; }

@@ -87,8 +87,9 @@ void PlacingModuleT<MeshT>::add_vertex(VertexHandle v) const {
 // Evaluation ----------------------------------------------------------------------------------------------------------
 
 template <class MeshT>
-PairEvaluation PlacingModuleT<MeshT>::evaluate(VertexHandle first, VertexHandle second, Pinned pinned) const {
-  PairEvaluation evaluation = evaluate_plain(first, second, pinned);
+PairEvaluation PlacingModuleT<MeshT>::evaluate(VertexHandle first, VertexHandle second,
+                                               PairConstraint constraint) const {
+  PairEvaluation evaluation = evaluate_plain(first, second, constraint);
   if (active_valence_weight_ > 0 && evaluation.cost >= 0) {  // others are refused
     evaluation.cost = valence_change(first, second).penalize(evaluation.cost, active_valence_weight_);
   }
@@ -136,9 +137,11 @@ PairEvaluation PlacingModuleT<MeshT>::evaluate_cheapest(const CollapseInfo& coll
   const auto& at_v1 = mesh_.status(collapse.v1);
   const bool v1_stays = at_v1.locked() || at_v1.feature() || mesh_.status(collapse.v0).feature();
   const bool v1_is_first = collapse.v1 < collapse.v0;
-  const Pinned pinned = !v1_stays ? Pinned::none : v1_is_first ? Pinned::first : Pinned::second;
+  const PairConstraint constraint = !v1_stays     ? PairConstraint::none
+                                    : v1_is_first ? PairConstraint::first
+                                                  : PairConstraint::second;
   const auto [first, second] = std::minmax(collapse.v0, collapse.v1);
-  PairEvaluation evaluation = evaluate(first, second, pinned);
+  PairEvaluation evaluation = evaluate(first, second, constraint);
   if (v1_stays) evaluation.position = position(collapse.v1);  // exactly: sums may have rounded it
   return evaluation;
 }

@@ -14,8 +14,8 @@ struct InputEdges {
   std::vector<VertexPair> seams;     ///< those that are no features
 };
 
-/// The feature edges and the seams of a mesh. Rims of two-sided sheets (`DecimateOptions::hold_rims`) count as features
-/// here, but not in a run: along the sheet the surface holds no vertex of them in place.
+/// The feature edges and the seams of a mesh. Fold edges of two-sided sheets (`DecimateOptions::hold_folds`) count as
+/// features here, but not in a run: along the sheet the surface holds no vertex of them in place.
 InputEdges input_edges_with_rims(const IndexedMesh& mesh, const DecimateOptions& options);
 
 }  // namespace whittle::detail

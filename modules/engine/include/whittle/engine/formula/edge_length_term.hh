@@ -17,12 +17,12 @@
 namespace whittle {
 
 /// Contracting an edge for its length: to its middle, or where it may go; to the first end if it may go to either.
-PairEvaluation evaluate_midpoint(const Vec3& first, const Vec3& second, Pinned pinned);
+PairEvaluation evaluate_midpoint(const Vec3& first, const Vec3& second, PairConstraint constraint);
 
 /// \param isotropy W, [0, 1]
 /// \return `bound` is the cost: there is no lower bound, as an edge may get shorter.
 PairEvaluation evaluate_isotropic(const PlacedQuadric& v0, const PlacedQuadric& v1, double isotropy,
-                                  Placement placement, Pinned pinned);
+                                  Placement placement, PairConstraint constraint);
 
 /// The power of a length that is the unit of its cost. \param of_quadric that of E
 inline double isotropic_dimension(double of_quadric, double isotropy) {

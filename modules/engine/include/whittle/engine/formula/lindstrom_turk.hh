@@ -73,7 +73,7 @@ class LindstromTurk {
   /// There is no lower bound, as a contraction nearby may lower the cost: `bound` is the cost. The position is seen
   /// from the sums' origin. Without three constraints, or where they place v̄ farther off than `max_placement_reach`, v̄
   /// is the best of both ends and the midpoint.
-  PairEvaluation evaluate(Pinned pinned) const;
+  PairEvaluation evaluate(PairConstraint constraint) const;
 
  private:
   std::optional<PairEvaluation> at_constraints() const;

@@ -41,6 +41,6 @@ struct BorderEdge {
 /// \param common those of the same third corner follow each other \param border the edge of the pair itself once
 PairEvaluation evaluate_lindstrom_turk(const StarSums& first, const StarSums& second,
                                        std::span<const CommonFace> common, std::span<const BorderEdge> border,
-                                       Pinned pinned);
+                                       PairConstraint constraint);
 
 }  // namespace whittle

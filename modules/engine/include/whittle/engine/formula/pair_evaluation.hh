@@ -5,8 +5,8 @@
 
 namespace whittle {
 
-/// Where the merged vertex of a pair may go.
-enum class Pinned {
+/// Where constraints let the merged vertex of a pair go.
+enum class PairConstraint {
   none,    ///< anywhere
   first,   ///< where the first vertex is
   second,  ///< where the second vertex is
@@ -24,21 +24,23 @@ struct PairEvaluation {
 
 /// The evaluation if there is no minimum, or it may not be used: the best of the positions allowed.
 PairEvaluation evaluate_at_candidates(const PlacedQuadric& v0, const PlacedQuadric& v1, double bound,
-                                      Placement placement, Pinned pinned);
+                                      Placement placement, PairConstraint constraint);
 
 /// The evaluation with its minimum found.
 inline PairEvaluation evaluate_with_minimum(const PlacedQuadric& v0, const PlacedQuadric& v1, double bound,
-                                            const Vec3& minimum, bool is_near, Placement placement, Pinned pinned) {
-  if (is_near && placement == Placement::optimal && pinned == Pinned::none) return {bound, bound, minimum, true};
-  return evaluate_at_candidates(v0, v1, bound, placement, pinned);
+                                            const Vec3& minimum, bool is_near, Placement placement,
+                                            PairConstraint constraint) {
+  if (is_near && placement == Placement::optimal && constraint == PairConstraint::none)
+    return {bound, bound, minimum, true};
+  return evaluate_at_candidates(v0, v1, bound, placement, constraint);
 }
 
 /// Cost and placement of contracting two vertices. Swapping them changes the rounding, and which end is taken where
 /// both cost the same: callers pass the vertex of the lower original number first.
 inline PairEvaluation evaluate_pair(const PlacedQuadric& v0, const PlacedQuadric& v1, Placement placement,
-                                    Pinned pinned = Pinned::none) {
+                                    PairConstraint constraint = PairConstraint::none) {
   const PairMinimum<double> m = pair_minimum(quadric_lanes(v0), quadric_lanes(v1));
-  return evaluate_with_minimum(v0, v1, m.value, {m.x, m.y, m.z}, m.is_near != 0, placement, pinned);
+  return evaluate_with_minimum(v0, v1, m.value, {m.x, m.y, m.z}, m.is_near != 0, placement, constraint);
 }
 
 /// The merged vertex. At a minimum its quadric has no slope: b = 0 but for rounding, which is dropped.

@@ -31,7 +31,7 @@ class QuadricModuleT : public PlacingModuleT<MeshT> {
   const QuadricOptions& active() const { return active_; }
   void use_options() { active_ = options_; }
 
-  PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const override;
+  PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second, PairConstraint constraint) const override;
   PlacedQuadric merge(VertexHandle first, VertexHandle second, const PairEvaluation& evaluation,
                       const Vec3& position) override;
 

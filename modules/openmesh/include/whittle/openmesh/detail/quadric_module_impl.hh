@@ -21,8 +21,9 @@ void QuadricModuleT<MeshT>::set_options(const QuadricOptions& options) {
 }
 
 template <class MeshT>
-PairEvaluation QuadricModuleT<MeshT>::evaluate_plain(VertexHandle first, VertexHandle second, Pinned pinned) const {
-  return evaluate_pair(placed(first), placed(second), active_.placement, pinned);
+PairEvaluation QuadricModuleT<MeshT>::evaluate_plain(VertexHandle first, VertexHandle second,
+                                                     PairConstraint constraint) const {
+  return evaluate_pair(placed(first), placed(second), active_.placement, constraint);
 }
 
 template <class MeshT>

@@ -53,11 +53,12 @@ class PlacingCostT : public ModuleCostT<RunT> {
   Frame frame() const override { return module_.frame(); }
   Vec3 position_at_start(Index v) const override { return module_.position(this->handle(v)); }
 
-  PairEvaluation rank(Index first, Index second, Pinned pinned) override {
-    return module_.evaluate(this->handle(first), this->handle(second), pinned);
+  PairEvaluation rank(Index first, Index second, PairConstraint constraint) override {
+    return module_.evaluate(this->handle(first), this->handle(second), constraint);
   }
-  Settlement settle(Index first, Index second, Pinned /*pinned*/, const PairEvaluation& rank) override {
-    return settle_at(first, second, rank, invalid_index);
+  CandidatePositions place(Index first, Index second, PairConstraint /*constraint*/,
+                           const PairEvaluation& rank) override {
+    return place_at(first, second, rank, invalid_index);
   }
   double final_cost(const HostedContraction& contraction) override { return final_cost(contraction, contraction.rank); }
   Reach reach() const override { return module_.reach(); }
@@ -70,12 +71,12 @@ class PlacingCostT : public ModuleCostT<RunT> {
 
  protected:
   /// The second choice is the position of least cost.
-  Settlement settle_at(Index first, Index second, const PairEvaluation& evaluation, Index survivor) const {
-    Settlement settlement;
+  CandidatePositions place_at(Index first, Index second, const PairEvaluation& evaluation, Index survivor) const {
+    CandidatePositions candidates;
     const Vec3 best = module_.place(this->handle(first), this->handle(second), evaluation);
-    if (best != evaluation.position) settlement.add(best, survivor);
-    settlement.add(evaluation.position, survivor);
-    return settlement;
+    if (best != evaluation.position) candidates.add(best, survivor);
+    candidates.add(evaluation.position, survivor);
+    return candidates;
   }
   /// A cost that is infinite, negative or not a number refuses the pair.
   double final_cost(const HostedContraction& contraction, const PairEvaluation& evaluation) const {
@@ -113,14 +114,15 @@ class PriorityCostT final : public PlacingCostT<RunT> {
     return target;
   }
 
-  PairEvaluation rank(Index first, Index second, Pinned pinned) override {
-    const Choice choice = choose(first, second, pinned);
+  PairEvaluation rank(Index first, Index second, PairConstraint constraint) override {
+    const Choice choice = choose(first, second, constraint);
     return {choice.rank, choice.rank, choice.evaluation.position, choice.evaluation.is_minimum};
   }
-  Settlement settle(Index first, Index second, Pinned pinned, const PairEvaluation& /*rank*/) override {
-    choice_ = choose(first, second, pinned);
+  CandidatePositions place(Index first, Index second, PairConstraint constraint,
+                           const PairEvaluation& /*rank*/) override {
+    choice_ = choose(first, second, constraint);
     if (!(choice_.rank < this->never)) return {};
-    return this->settle_at(first, second, choice_.evaluation, choice_.survivor);
+    return this->place_at(first, second, choice_.evaluation, choice_.survivor);
   }
   double final_cost(const HostedContraction& contraction) override {
     cost_ = Placing::final_cost(contraction, choice_.evaluation);
@@ -154,15 +156,16 @@ class PriorityCostT final : public PlacingCostT<RunT> {
     PairEvaluation evaluation{};
   };
 
-  Choice choose(Index first, Index second, Pinned pinned) const {
+  Choice choose(Index first, Index second, PairConstraint constraint) const {
     const bool is_at_ends = Placing::stays_at_vertices();
-    const PairEvaluation best = this->module_.evaluate(this->handle(first), this->handle(second), pinned);
+    const PairEvaluation best = this->module_.evaluate(this->handle(first), this->handle(second), constraint);
     const auto into = [&](Index survivor) -> Choice {
       const bool is_first = survivor == first;
-      if (pinned == (is_first ? Pinned::second : Pinned::first)) return {};
-      const PairEvaluation evaluation = is_at_ends ? this->module_.evaluate(this->handle(first), this->handle(second),
-                                                                            is_first ? Pinned::first : Pinned::second)
-                                                   : best;
+      if (constraint == (is_first ? PairConstraint::second : PairConstraint::first)) return {};
+      const PairEvaluation evaluation =
+          is_at_ends ? this->module_.evaluate(this->handle(first), this->handle(second),
+                                              is_first ? PairConstraint::first : PairConstraint::second)
+                     : best;
       return choose_direction(is_first ? second : first, survivor, evaluation);
     };
     Choice into_first = into(first);
@@ -199,21 +202,22 @@ class ForeignCostT final : public ModuleCostT<RunT> {
   Frame frame() const override { return frame_; }
   Vec3 position_at_start(Index v) const override { return frame_.to_frame(this->run_.input_.mesh.positions[v]); }
 
-  PairEvaluation rank(Index first, Index second, Pinned pinned) override {
-    const Collapses collapses = legal_collapses(first, second, pinned);
+  PairEvaluation rank(Index first, Index second, PairConstraint constraint) override {
+    const Collapses collapses = legal_collapses(first, second, constraint);
     if (collapses.n == 0) return {this->never, this->never, this->run_.position(first), false};
     const auto& [priority, survivor] = collapses.legal[0];
     return {priority, priority, this->run_.position(survivor), false};
   }
   /// The second choice is the collapse in the other direction.
-  Settlement settle(Index first, Index second, Pinned pinned, const PairEvaluation& /*rank*/) override {
-    Settlement settlement;
-    const Collapses collapses = legal_collapses(first, second, pinned);
+  CandidatePositions place(Index first, Index second, PairConstraint constraint,
+                           const PairEvaluation& /*rank*/) override {
+    CandidatePositions candidates;
+    const Collapses collapses = legal_collapses(first, second, constraint);
     for (std::size_t i = 0; i < collapses.n; ++i) {
       const Index survivor = collapses.legal[i].survivor;
-      settlement.add(this->run_.position(survivor), survivor);
+      candidates.add(this->run_.position(survivor), survivor);
     }
-    return settlement;
+    return candidates;
   }
   double final_cost(const HostedContraction& contraction) override {
     const std::optional<Collapse> collapse = legal_collapse(contraction.removed, contraction.survivor);
@@ -233,18 +237,18 @@ class ForeignCostT final : public ModuleCostT<RunT> {
     std::size_t n = 0;
   };
 
-  Collapses legal_collapses(Index first, Index second, Pinned pinned) {
+  Collapses legal_collapses(Index first, Index second, PairConstraint constraint) {
     Collapses result;
     const auto add = [&](Index removed, Index survivor) {
       if (const std::optional<Collapse> collapse = legal_collapse(removed, survivor))
         result.legal[result.n++] = *collapse;
     };
-    const auto count_pinned = [this](Index removed) {
+    const auto count_constrained = [this](Index removed) {
       RefusalCounts& refusals = this->run_.refusals_;
       ++(this->run_.is_fixed(this->handle(removed)) ? refusals[Refusal::locked] : refusals[Refusal::feature]);
     };
-    pinned != Pinned::second ? add(second, first) : count_pinned(second);
-    pinned != Pinned::first ? add(first, second) : count_pinned(first);
+    constraint != PairConstraint::second ? add(second, first) : count_constrained(second);
+    constraint != PairConstraint::first ? add(first, second) : count_constrained(first);
     if (result.n == 2 && result.legal[1].priority < result.legal[0].priority) {
       std::swap(result.legal[0], result.legal[1]);
     }

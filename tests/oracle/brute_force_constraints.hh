@@ -15,22 +15,22 @@ namespace whittle::test {
 
 /// Locked vertices and feature lines, by their definitions. Stores how freely each vertex may move, which edges are
 /// features, and the course of the line that each of them stands for.
-class BruteForceRestraints {
+class BruteForceConstraints {
  public:
   using Edge = std::pair<Index, Index>;  ///< lower vertex first
 
-  BruteForceRestraints() = default;
+  BruteForceConstraints() = default;
   /// \param positions in the frame \param faces of the mesh, without collapsed faces
   /// \param locked per vertex \param tolerance how far a line may move away from its course, in the frame
-  BruteForceRestraints(std::span<const Vec3> positions, std::span<const Triangle> faces,
-                       const std::vector<bool>& locked, const DecimateOptions& options, double tolerance,
-                       std::span<const VertexPair> seams);
+  BruteForceConstraints(std::span<const Vec3> positions, std::span<const Triangle> faces,
+                        const std::vector<bool>& locked, const DecimateOptions& options, double tolerance,
+                        std::span<const VertexPair> seams);
 
   const std::set<Edge>& seams() const { return seams_; }
   bool is_seam(Index a, Index b) const { return seams_.contains(std::minmax(a, b)); }
 
   /// Where the merged vertex of a pair may go; nullopt if neither vertex may move.
-  std::optional<Pinned> pinned(Index a, Index b) const;
+  std::optional<PairConstraint> of(Index a, Index b) const;
 
   /// Whether contracting (a, b) to `position` keeps all feature lines, and keeps them within the tolerance.
   bool keeps_lines(std::span<const Vec3> positions, std::span<const Triangle> faces, Index a, Index b,
@@ -49,7 +49,7 @@ class BruteForceRestraints {
   std::vector<Edge> feature_edges() const;
 
  private:
-  enum class Freedom { full, line, corner, locked };  ///< in order of decreasing freedom
+  enum class Constraint { free, on_line, at_corner, locked };  ///< the weakest first
   using Course = std::vector<Vec3>;
 
   bool may_move(Index v, bool along_feature) const;
@@ -60,7 +60,7 @@ class BruteForceRestraints {
     std::optional<Edge> next;
   };
   Move move_along(Index a, Index b, const Vec3& from_a, const Vec3& to) const;
-  void mark_freedoms(std::span<const Vec3> positions, double corner_angle_deg);
+  void mark_constraints(std::span<const Vec3> positions, double corner_angle_deg);
   /// Whether the edge has two faces, and their normals differ by more than the angle.
   bool is_sharp(std::span<const Vec3> positions, std::span<const Triangle> faces, Index x, Index y) const;
 
@@ -69,8 +69,8 @@ class BruteForceRestraints {
   bool seams_give_way_ = false;     ///< then they are no features
   std::set<Edge> seams_;            ///< those that only the cost holds in place
   double tolerance_ = 0;
-  std::vector<Freedom> freedoms_;    ///< per vertex
-  std::map<Edge, Course> features_;  ///< with the course of the line between the ends
+  std::vector<Constraint> constraints_;  ///< per vertex
+  std::map<Edge, Course> features_;      ///< with the course of the line between the ends
 };
 
 }  // namespace whittle::test

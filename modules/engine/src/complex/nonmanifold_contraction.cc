@@ -1,4 +1,4 @@
-#include "complex/joint.hh"
+#include "complex/nonmanifold_contraction.hh"
 
 #include <algorithm>
 #include <cassert>
@@ -84,7 +84,7 @@ void leave_out_coincident(ContractionProfile& profile) {
   const std::array<const StarFaces*, 2> stars{&profile.first, &profile.second};
   std::array<std::vector<bool>, 2> is_left_out{std::vector<bool>(profile.first.size()),
                                                std::vector<bool>(profile.second.size())};
-  profile.joint.coincident.clear();
+  profile.nonmanifold.coincident.clear();
   const std::vector<StarFace> faces = sorted_faces(stars);
   for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
     bool is_on_both_sides = false;
@@ -96,33 +96,33 @@ void leave_out_coincident(ContractionProfile& profile) {
     for (std::size_t i = begin; i < end; ++i) {
       if (i == remaining) continue;
       is_left_out[faces[i].side][faces[i].place] = true;
-      profile.joint.coincident.push_back((*stars[faces[i].side])[faces[i].place]);
+      profile.nonmanifold.coincident.push_back((*stars[faces[i].side])[faces[i].place]);
     }
   }
   for (std::size_t side = 0; side < 2; ++side) {
-    std::vector<Neighbour>& left = profile.joint.left[side];
+    std::vector<Neighbour>& left = profile.nonmanifold.left[side];
     left.clear();
     for (std::size_t i = 0; i < stars[side]->size(); ++i) {
       const auto face = stars[side]->corners_of(i);
       if (!is_left_out[side][i]) left.insert(left.end(), face.begin(), face.end());
     }
   }
-  profile.first = StarFaces::of_pairs(profile.joint.left[0]);
-  profile.second = StarFaces::of_pairs(profile.joint.left[1]);
+  profile.first = StarFaces::of_pairs(profile.nonmanifold.left[0]);
+  profile.second = StarFaces::of_pairs(profile.nonmanifold.left[1]);
 }
 
 /// What a common neighbour v of the pair is left with.
 void plan_neighbour(TriangleComplex& complex, Index v, ContractionProfile& profile) {
   const auto& [id, a, b] = profile.pair;
-  ContractionProfile::Joint& joint = profile.joint;
+  ContractionProfile::NonmanifoldPlan& nonmanifold = profile.nonmanifold;
   const std::span<const Neighbour> now = complex.live_pairs(v);
   std::vector<Neighbour> live(now.begin(), now.end());
   for (Neighbour& neighbour : live) neighbour.vertex = select_branch_free(neighbour.vertex == b, a, neighbour.vertex);
-  std::vector<Neighbour>& faces = joint.faces.emplace_back();
+  std::vector<Neighbour>& faces = nonmanifold.faces.emplace_back();
   for (std::size_t i = 0; i < live.size(); i += 2) {
     if (live[i].vertex != live[i + 1].vertex) faces.insert(faces.end(), {live[i], live[i + 1]});
   }
-  for (const auto& [x, y] : joint.coincident) {
+  for (const auto& [x, y] : nonmanifold.coincident) {
     if (x == v) erase_face(faces, y, a);
     if (y == v) erase_face(faces, a, x);
   }
@@ -132,7 +132,7 @@ void plan_neighbour(TriangleComplex& complex, Index v, ContractionProfile& profi
     if (!is_seen_from_here || contains(faces, neighbour.vertex)) continue;
     if (std::find(lost.begin(), lost.end(), neighbour.vertex) != lost.end()) continue;
     lost.push_back(neighbour.vertex);
-    joint.lost_edges.push_back(neighbour.edge);
+    nonmanifold.lost_edges.push_back(neighbour.edge);
   }
 }
 
@@ -167,39 +167,39 @@ struct Defects {
 
 }  // namespace
 
-void plan_joint(TriangleComplex& complex, ContractionProfile& profile) {
-  profile.is_joint = true;
-  ContractionProfile::Joint& joint = profile.joint;
-  find_common_neighbours(profile, joint.common);
+void plan_nonmanifold(TriangleComplex& complex, ContractionProfile& profile) {
+  profile.is_nonmanifold = true;
+  ContractionProfile::NonmanifoldPlan& nonmanifold = profile.nonmanifold;
+  find_common_neighbours(profile, nonmanifold.common);
   leave_out_coincident(profile);
-  joint.faces.clear();
-  joint.lost_edges.clear();
-  for (const ContractionProfile::Common& neighbour : joint.common) {
+  nonmanifold.faces.clear();
+  nonmanifold.lost_edges.clear();
+  for (const ContractionProfile::Common& neighbour : nonmanifold.common) {
     plan_neighbour(complex, neighbour.vertex, profile);
-    if (!contains(joint.faces.back(), profile.pair.a)) joint.lost_edges.push_back(neighbour.edges[0]);
+    if (!contains(nonmanifold.faces.back(), profile.pair.a)) nonmanifold.lost_edges.push_back(neighbour.edges[0]);
   }
 }
 
 bool is_no_less_manifold(TriangleComplex& complex, const ContractionProfile& profile) {
   const auto& [id, a, b] = profile.pair;
-  const ContractionProfile::Joint& joint = profile.joint;
-  std::vector<Neighbour> merged = joint.left[0];
-  merged.insert(merged.end(), joint.left[1].begin(), joint.left[1].end());
+  const ContractionProfile::NonmanifoldPlan& nonmanifold = profile.nonmanifold;
+  std::vector<Neighbour> merged = nonmanifold.left[0];
+  merged.insert(merged.end(), nonmanifold.left[1].begin(), nonmanifold.left[1].end());
   const auto is_near_merged = [&, merged_vertex = a](const Neighbour& neighbour) {
     return neighbour.vertex == merged_vertex || contains(merged, neighbour.vertex);
   };
   const auto hangs_together = [&](const std::vector<Neighbour>& faces) {
     return std::any_of(faces.begin(), faces.end(), is_near_merged);
   };
-  if (!std::all_of(joint.faces.begin(), joint.faces.end(), hangs_together)) return false;
+  if (!std::all_of(nonmanifold.faces.begin(), nonmanifold.faces.end(), hangs_together)) return false;
   Link& link = complex.link();
   Defects before;
   Defects after;
   after.add(link, a, merged);
   for (const Index v : {a, b}) before.add(link, v, complex.live_pairs(v));
-  for (std::size_t i = 0; i < joint.common.size(); ++i) {
-    const Index v = joint.common[i].vertex;
-    after.add(link, v, joint.faces[i]);
+  for (std::size_t i = 0; i < nonmanifold.common.size(); ++i) {
+    const Index v = nonmanifold.common[i].vertex;
+    after.add(link, v, nonmanifold.faces[i]);
     before.add(link, v, complex.live_pairs(v));
   }
   const auto n_before = before.counts();
@@ -210,8 +210,9 @@ bool is_no_less_manifold(TriangleComplex& complex, const ContractionProfile& pro
 // Vertices minus edges plus faces. One vertex and the pair's edge go; the two edges to a common neighbour become one;
 // lost edges, opposite and coincident faces go.
 bool keeps_euler_number(const ContractionProfile& profile) {
-  const ContractionProfile::Joint& joint = profile.joint;
-  return joint.common.size() + joint.lost_edges.size() == profile.opposites.size() + joint.coincident.size();
+  const ContractionProfile::NonmanifoldPlan& nonmanifold = profile.nonmanifold;
+  return nonmanifold.common.size() + nonmanifold.lost_edges.size() ==
+         profile.opposites.size() + nonmanifold.coincident.size();
 }
 
 }  // namespace whittle

@@ -1,4 +1,4 @@
-#include "cost/rim_edges.hh"
+#include "cost/fold_edges.hh"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -98,17 +98,17 @@ bool lie_on_each_other(const IndexedMesh& mesh, const Frame& frame, const Side& 
 
 }  // namespace
 
-std::vector<VertexPair> rim_edges(const IndexedMesh& mesh, const Frame& frame, unsigned threads) {
+std::vector<VertexPair> fold_edges(const IndexedMesh& mesh, const Frame& frame, unsigned threads) {
   const std::vector<std::uint8_t> may_lie_on_rims = vertices_that_may_lie_on_rims(mesh, frame, threads);
   if (std::find(may_lie_on_rims.begin(), may_lie_on_rims.end(), 1) == may_lie_on_rims.end()) return {};
   const std::vector<Side> sides = sides_between(mesh, may_lie_on_rims);
-  std::vector<VertexPair> rims;
+  std::vector<VertexPair> folds;
   for (auto begin = sides.begin(); begin != sides.end();) {
     const auto end = std::find_if(begin, sides.end(), [&](const Side& side) { return side.edge != begin->edge; });
-    if (end - begin == 2 && lie_on_each_other(mesh, frame, begin[0], begin[1])) rims.push_back(begin->edge);
+    if (end - begin == 2 && lie_on_each_other(mesh, frame, begin[0], begin[1])) folds.push_back(begin->edge);
     begin = end;
   }
-  return rims;
+  return folds;
 }
 
 }  // namespace whittle

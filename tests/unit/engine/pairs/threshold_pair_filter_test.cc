@@ -1,4 +1,4 @@
-#include "pairs/threshold_pair_sieve.hh"
+#include "pairs/threshold_pair_filter.hh"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,26 +17,26 @@ TriangleComplex triangles_with(const std::vector<VertexPair>& threshold_pairs) {
   return complex;
 }
 
-TEST(ThresholdPairSieve, PutsEdgesBeforePairs) {
+TEST(ThresholdPairFilter, PutsEdgesBeforePairs) {
   TriangleComplex complex = triangles_with({{0, 3}, {1, 4}});
   std::vector<Index> pairs = {7, 2, 6, 5};
-  ThresholdPairSieve(complex).sift(pairs);
+  ThresholdPairFilter(complex).apply(pairs);
   EXPECT_THAT(std::vector<Index>(pairs.begin(), pairs.begin() + 2), testing::UnorderedElementsAre(2, 5));
   EXPECT_THAT(std::vector<Index>(pairs.begin() + 2, pairs.end()), testing::UnorderedElementsAre(6, 7));
 }
 
-TEST(ThresholdPairSieve, DropsPairsThatAreEqualToOthers) {
+TEST(ThresholdPairFilter, DropsPairsThatAreEqualToOthers) {
   TriangleComplex complex = triangles_with({{0, 3}, {0, 3}});
   std::vector<Index> pairs = {6, 7};
-  ThresholdPairSieve(complex).sift(pairs);
+  ThresholdPairFilter(complex).apply(pairs);
   EXPECT_THAT(pairs, testing::ElementsAre(6));
   EXPECT_FALSE(complex.is_pair_alive(7));
 }
 
-TEST(ThresholdPairSieve, DropsPairsThatHaveBecomeOneVertex) {
+TEST(ThresholdPairFilter, DropsPairsThatHaveBecomeOneVertex) {
   TriangleComplex complex = triangles_with({{1, 1}});
   std::vector<Index> pairs = {6};
-  ThresholdPairSieve(complex).sift(pairs);
+  ThresholdPairFilter(complex).apply(pairs);
   EXPECT_THAT(pairs, testing::IsEmpty());
   EXPECT_FALSE(complex.is_pair_alive(6));
 }

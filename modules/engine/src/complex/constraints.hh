@@ -28,32 +28,32 @@ enum class SeamHold {
   along     ///< They go along the seam, to where the cost likes, which knows of seams.
 };
 
-/// Which vertices may not go where they like: locked ones stay where they are; those on a feature line move along it
-/// only, and where lines meet, end or turn they stay. Seams turn as they like.
-class Restraints {
+/// Constraints on where vertices go. A locked vertex stays. A vertex on a feature line moves along the line, and stays
+/// where lines meet, end or turn. Seams may turn.
+class Constraints {
  public:
   /// None.
-  Restraints() = default;
+  Constraints() = default;
   /// \param locked per vertex, or empty
   /// \param lines by original vertices; those edges count that the complex has
   /// \param corner_angle_deg a line that turns further has a corner there, if `lines` doesn't say where corners are
   /// \param tolerance how far a feature line may come to lie from what it was, in the frame
-  Restraints(const TriangleComplex& complex, std::span<const std::uint8_t> locked, const FeatureLines& lines,
-             double corner_angle_deg, double tolerance, SeamHold seam_hold);
+  Constraints(const TriangleComplex& complex, std::span<const std::uint8_t> locked, const FeatureLines& lines,
+              double corner_angle_deg, double tolerance, SeamHold seam_hold);
 
-  bool any() const { return !freedoms_.empty(); }
+  bool any() const { return !constraints_.empty(); }
 
   /// Where v̄ may go; nullopt if neither vertex may leave its place along this edge.
-  std::optional<Pinned> pinned(const Pair& pair) const {
-    if (!any()) return Pinned::none;
+  std::optional<PairConstraint> of(const Pair& pair) const {
+    if (!any()) return PairConstraint::none;
     const bool along_line = is_feature(pair.id);
     const bool first_may_move = may_move(pair.a, along_line);
     const bool second_may_move = may_move(pair.b, along_line);
     if (!first_may_move && !second_may_move) return std::nullopt;
-    if (!first_may_move) return Pinned::first;
-    if (!second_may_move) return Pinned::second;
+    if (!first_may_move) return PairConstraint::first;
+    if (!second_may_move) return PairConstraint::second;
     const bool is_free = !along_line || (is_seam(pair.id) && seam_hold_ != SeamHold::at_ends);
-    return is_free ? Pinned::none : Pinned::either;
+    return is_free ? PairConstraint::none : PairConstraint::either;
   }
   /// Whether the edge is on a seam, and on no feature line.
   bool is_seam(Index edge) const { return !is_seam_.empty() && is_seam_[edge]; }
@@ -73,19 +73,19 @@ class Restraints {
   void note(const TriangleComplex& complex, const ContractionProfile& profile, const Change& change);
 
  private:
-  enum class Freedom : std::uint8_t {
-    full,
-    line,    ///< along its two feature edges
-    corner,  ///< none, as feature lines meet, end or turn there
-    locked   ///< none
+  enum class Constraint : std::uint8_t {
+    free,
+    on_line,    ///< It moves along its two feature edges.
+    at_corner,  ///< It stays: feature lines meet, end or turn there.
+    locked      ///< It stays.
   };
 
   bool takes_a_line_away(TriangleComplex& complex, const ContractionProfile& profile) const;
   bool has_features() const { return !is_feature_.empty(); }
   bool may_move(Index v, bool along_line) const {
-    return freedoms_[v] == Freedom::full || (freedoms_[v] == Freedom::line && along_line);
+    return constraints_[v] == Constraint::free || (constraints_[v] == Constraint::on_line && along_line);
   }
-  bool is_locked(Index v) const { return any() && freedoms_[v] == Freedom::locked; }
+  bool is_locked(Index v) const { return any() && constraints_[v] == Constraint::locked; }
   void mark_features(const TriangleComplex& complex, const FeatureLines& lines, double corner_angle_deg);
 
   using Course = FeatureLines::Course;
@@ -95,7 +95,7 @@ class Restraints {
                                                  const Change& change, std::size_t end) const;
   void merge_courses(const TriangleComplex& complex, const ContractionProfile& profile, const Change& change);
 
-  std::vector<Freedom> freedoms_;              ///< per vertex, or empty
+  std::vector<Constraint> constraints_;        ///< per vertex, or empty
   std::vector<bool> is_feature_;               ///< per pair, or empty; seams, too
   std::vector<bool> is_seam_;                  ///< per pair, or empty
   std::unordered_map<Index, Course> courses_;  ///< of feature edges that stand for several

@@ -1,4 +1,4 @@
-#include "cost/rim_edges.hh"
+#include "cost/fold_edges.hh"
 
 #include <gtest/gtest.h>
 
@@ -13,17 +13,17 @@
 namespace whittle::test {
 namespace {
 
-std::vector<VertexPair> rims_of(const IndexedMesh& mesh) {
-  return rim_edges(mesh, Frame::of_points(mesh.positions), 3);
+std::vector<VertexPair> folds_of(const IndexedMesh& mesh) {
+  return fold_edges(mesh, Frame::of_points(mesh.positions), 3);
 }
 
-TEST(RimEdges, AreThoseAroundASheetWithTwoSides) {
+TEST(FoldEdges, AreThoseAroundASheetWithTwoSides) {
   for (const double size : {1e-100, 1.0, 1e100}) {
     const IndexedMesh leaf = scaled(two_sided_leaf(6), size);
-    const std::vector<VertexPair> rims = rims_of(leaf);
-    EXPECT_EQ(rims.size(), 24U);
-    EXPECT_TRUE(std::is_sorted(rims.begin(), rims.end()));
-    for (const auto& [a, b] : rims) {
+    const std::vector<VertexPair> folds = folds_of(leaf);
+    EXPECT_EQ(folds.size(), 24U);
+    EXPECT_TRUE(std::is_sorted(folds.begin(), folds.end()));
+    for (const auto& [a, b] : folds) {
       EXPECT_LT(a, b);
       EXPECT_NEAR((leaf.positions[a] - leaf.positions[b]).head<2>().norm(), size, 1e-6 * size);
     }
@@ -31,17 +31,17 @@ TEST(RimEdges, AreThoseAroundASheetWithTwoSides) {
 }
 
 /// Not even where neighbours are oriented the other way round, as those of a Möbius strip.
-TEST(RimEdges, AreNotThereElsewhere) {
-  for (const auto& [name, mesh] : all_meshes()) EXPECT_TRUE(rims_of(mesh).empty()) << name;
+TEST(FoldEdges, AreNotThereElsewhere) {
+  for (const auto& [name, mesh] : all_meshes()) EXPECT_TRUE(folds_of(mesh).empty()) << name;
 }
 
-TEST(RimEdges, HoldSheetsWithTwoSides) {
+TEST(FoldEdges, HoldSheetsWithTwoSides) {
   const IndexedMesh leaf = two_sided_leaf(12);
   for (const Cost cost : {Cost::quadric, Cost::memoryless}) {
     DecimateOptions options;
     options.cost = cost;
     const Decimation let_go = decimate(leaf, DecimateTarget::faces(80), options);
-    options.hold_rims = true;
+    options.hold_folds = true;
     const Decimation held = decimate(leaf, DecimateTarget::faces(80), options);
     const auto distance = [&](const Decimation& d) { return metrics::surface_distance(leaf, d.mesh, {}).max; };
     EXPECT_LT(distance(held), 0.3);
@@ -49,18 +49,18 @@ TEST(RimEdges, HoldSheetsWithTwoSides) {
   }
 }
 
-/// In exact order blocks would know nothing of rims.
-TEST(RimEdges, KeepMeshesOutOfBlocksInExactOrder) {
+/// In exact order blocks would know nothing of folds.
+TEST(FoldEdges, KeepMeshesOutOfBlocksInExactOrder) {
   BlockPlan plan;
   plan.fewest_faces_in_exact_order = 1;
   DecimateOptions options;
   options.cost = Cost::quadric;
-  options.hold_rims = true;
+  options.hold_folds = true;
   options.threads = 2;
   const auto why_not = [&](const IndexedMesh& mesh) {
     return why_not_in_blocks(mesh, DecimateTarget::faces(80), options, nullptr, plan);
   };
-  EXPECT_EQ(why_not(two_sided_leaf(12)), "rims are held");
+  EXPECT_EQ(why_not(two_sided_leaf(12)), "folds are held");
   EXPECT_EQ(why_not(sphere(3)), "");
   options.boundary = Boundary::free;
   EXPECT_EQ(why_not(two_sided_leaf(12)), "");

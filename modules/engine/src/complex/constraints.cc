@@ -1,4 +1,4 @@
-#include "complex/restraints.hh"
+#include "complex/constraints.hh"
 
 #include <algorithm>
 #include <array>
@@ -8,18 +8,18 @@
 
 namespace whittle {
 
-Restraints::Restraints(const TriangleComplex& complex, std::span<const std::uint8_t> locked, const FeatureLines& lines,
-                       double corner_angle_deg, double tolerance, SeamHold seam_hold)
+Constraints::Constraints(const TriangleComplex& complex, std::span<const std::uint8_t> locked,
+                         const FeatureLines& lines, double corner_angle_deg, double tolerance, SeamHold seam_hold)
     : tolerance_sq_(tolerance * tolerance), seam_hold_(seam_hold) {
   if (locked.empty() && lines.edges.empty()) return;
-  freedoms_.assign(complex.n_vertex_slots(), Freedom::full);
+  constraints_.assign(complex.n_vertex_slots(), Constraint::free);
   if (!lines.edges.empty()) mark_features(complex, lines, corner_angle_deg);
   for (Index v = 0; v < locked.size(); ++v) {
-    if (locked[v] != 0) freedoms_[v] = Freedom::locked;
+    if (locked[v] != 0) constraints_[v] = Constraint::locked;
   }
 }
 
-void Restraints::mark_features(const TriangleComplex& complex, const FeatureLines& lines, double corner_angle_deg) {
+void Constraints::mark_features(const TriangleComplex& complex, const FeatureLines& lines, double corner_angle_deg) {
   is_feature_.resize(complex.n_pair_slots());
   if (!lines.is_seam.empty()) is_seam_.resize(complex.n_pair_slots());
   struct Other {
@@ -54,25 +54,25 @@ void Restraints::mark_features(const TriangleComplex& complex, const FeatureLine
     const Vec3 out = complex.position(second.vertex) - complex.position(v);
     return in.dot(out) < least_cosine * in.norm() * out.norm();
   };
-  std::vector<bool> is_corner(freedoms_.size());  // by original vertex
+  std::vector<bool> is_corner(constraints_.size());  // by original vertex
   for (const Index v : lines.corners.value_or(std::vector<Index>{})) is_corner[v] = true;
-  for (Index v = 0; v < freedoms_.size(); ++v) {
+  for (Index v = 0; v < constraints_.size(); ++v) {
     if (n_features[v] == 0) continue;
     const bool is_on_line = n_features[v] == 2 && !(lines.corners ? is_corner[complex.origin(v)] : turns(v));
-    freedoms_[v] = is_on_line ? Freedom::line : Freedom::corner;
+    constraints_[v] = is_on_line ? Constraint::on_line : Constraint::at_corner;
   }
 }
 
 /// Of a feature edge, the end that goes to the other's place: 0 or 1. \param first position of the first end
-std::size_t Restraints::moved_end(const Pair& pair, const Vec3& first, const Vec3& position) const {
-  const Pinned where = pinned(pair).value_or(Pinned::first);
-  if (where == Pinned::second) return 0;  // even if both are in one place
-  return where == Pinned::first || position == first ? 1 : 0;
+std::size_t Constraints::moved_end(const Pair& pair, const Vec3& first, const Vec3& position) const {
+  const PairConstraint where = of(pair).value_or(PairConstraint::first);
+  if (where == PairConstraint::second) return 0;  // even if both are in one place
+  return where == PairConstraint::first || position == first ? 1 : 0;
 }
 
 /// The other feature edge of a vertex on a line.
-std::optional<Index> Restraints::other_feature_edge(TriangleComplex& complex, Index v, Index edge) const {
-  if (freedoms_[v] != Freedom::line) return std::nullopt;
+std::optional<Index> Constraints::other_feature_edge(TriangleComplex& complex, Index v, Index edge) const {
+  if (constraints_[v] != Constraint::on_line) return std::nullopt;
   for (const Neighbour& neighbour : complex.live_pairs(v)) {
     const Index e = complex.live_edge(neighbour.edge);
     if (e != edge && is_feature_[e]) return e;
@@ -80,20 +80,21 @@ std::optional<Index> Restraints::other_feature_edge(TriangleComplex& complex, In
   return std::nullopt;
 }
 
-/// Whether a joint takes all faces of a feature edge away.
-bool Restraints::takes_a_line_away(TriangleComplex& complex, const ContractionProfile& profile) const {
-  if (!profile.is_joint) return false;
+/// Whether a non-manifold contraction takes all faces of a feature edge away.
+bool Constraints::takes_a_line_away(TriangleComplex& complex, const ContractionProfile& profile) const {
+  if (!profile.is_nonmanifold) return false;
   const auto is_live_line = [&](Index edge) { return is_feature_[complex.live_edge(edge)]; };
-  const std::vector<Index>& lost = profile.joint.lost_edges;
+  const std::vector<Index>& lost = profile.nonmanifold.lost_edges;
   if (std::any_of(lost.begin(), lost.end(), is_live_line)) return true;
   // Of two edges that become one, the first is listed.
-  const std::vector<ContractionProfile::Common>& common = profile.joint.common;
+  const std::vector<ContractionProfile::Common>& common = profile.nonmanifold.common;
   return std::any_of(common.begin(), common.end(), [&](const ContractionProfile::Common& neighbour) {
     return is_live_line(neighbour.edges[1]) && std::find(lost.begin(), lost.end(), neighbour.edges[0]) != lost.end();
   });
 }
 
-bool Restraints::harms_a_line(TriangleComplex& complex, const ContractionProfile& profile, const Vec3& position) const {
+bool Constraints::harms_a_line(TriangleComplex& complex, const ContractionProfile& profile,
+                               const Vec3& position) const {
   if (!has_features()) return false;
   const Pair& pair = profile.pair;
   const auto is_live_line = [&](Index edge) { return is_feature_[complex.live_edge(edge)]; };
@@ -118,7 +119,7 @@ bool Restraints::harms_a_line(TriangleComplex& complex, const ContractionProfile
   return false;
 }
 
-FeatureLines Restraints::lines(TriangleComplex& complex, const std::vector<Index>& numbers) const {
+FeatureLines Constraints::lines(TriangleComplex& complex, const std::vector<Index>& numbers) const {
   std::vector<std::pair<VertexPair, Index>> edges;
   for (Index e = 0; e < is_feature_.size(); ++e) {
     if (!is_feature_[e] || !complex.is_pair_alive(e)) continue;
@@ -135,18 +136,18 @@ FeatureLines Restraints::lines(TriangleComplex& complex, const std::vector<Index
     if (has_seams()) lines.is_seam.push_back(static_cast<std::uint8_t>(is_seam(e)));
   }
   lines.corners.emplace();
-  for (Index v = 0; v < freedoms_.size(); ++v) {
-    if (freedoms_[v] == Freedom::corner && numbers[v] != invalid_index) lines.corners->push_back(numbers[v]);
+  for (Index v = 0; v < constraints_.size(); ++v) {
+    if (constraints_[v] == Constraint::at_corner && numbers[v] != invalid_index) lines.corners->push_back(numbers[v]);
   }
   return lines;
 }
 
 /// The other feature edge of an end on a line, as it was before the contraction.
-std::optional<Index> Restraints::other_feature_edge_before(const TriangleComplex& complex,
-                                                           const ContractionProfile& profile, const Change& change,
-                                                           std::size_t end) const {
+std::optional<Index> Constraints::other_feature_edge_before(const TriangleComplex& complex,
+                                                            const ContractionProfile& profile, const Change& change,
+                                                            std::size_t end) const {
   const auto& [id, a, b] = change.pair;
-  if (freedoms_[end == 0 ? a : b] != Freedom::line) return std::nullopt;
+  if (constraints_[end == 0 ? a : b] != Constraint::on_line) return std::nullopt;
   for (const Change::MergedEdges& merged : change.edges) {
     if (is_feature_[merged.edges[end]]) return merged.edges[end];
   }
@@ -163,8 +164,8 @@ std::optional<Index> Restraints::other_feature_edge_before(const TriangleComplex
 }
 
 /// The course of a contracted feature edge goes to the next edge of its line.
-void Restraints::merge_courses(const TriangleComplex& complex, const ContractionProfile& profile,
-                               const Change& change) {
+void Constraints::merge_courses(const TriangleComplex& complex, const ContractionProfile& profile,
+                                const Change& change) {
   const std::size_t moved = moved_end(change.pair, change.before[0], change.position);
   const Course course = std::move(courses_[change.pair.id]);
   courses_.erase(change.pair.id);
@@ -175,10 +176,10 @@ void Restraints::merge_courses(const TriangleComplex& complex, const Contraction
   whole.insert(whole.end(), course.begin(), course.end());
 }
 
-void Restraints::note(const TriangleComplex& complex, const ContractionProfile& profile, const Change& change) {
+void Constraints::note(const TriangleComplex& complex, const ContractionProfile& profile, const Change& change) {
   if (!any()) return;
   if (is_feature(change.pair.id) && !is_seam(change.pair.id)) merge_courses(complex, profile, change);
-  freedoms_[change.survivor] = std::max(freedoms_[change.pair.a], freedoms_[change.pair.b]);
+  constraints_[change.survivor] = std::max(constraints_[change.pair.a], constraints_[change.pair.b]);
   if (!has_features()) return;
   for (const Change::MergedEdges& merged : change.edges) {
     const auto& [first, second] = merged.edges;

@@ -12,18 +12,19 @@
 
 namespace whittle {
 
-/// Works out what contracting the pair does to the topology: fills in `is_joint` and `joint` of the profile.
+/// Works out what contracting the pair does to the topology: fills in `is_nonmanifold` and `nonmanifold` of the
+/// profile.
 ///
 /// Faces at a and at b over the same link edge would coincide. If as many of them run one way as the other, none is
 /// left. Otherwise one of the more frequent orientation is left, at a if there is one.
-void plan_joint(TriangleComplex& complex, ContractionProfile& profile);
+void plan_nonmanifold(TriangleComplex& complex, ContractionProfile& profile);
 
-/// Whether a planned joint makes no more border edges, misoriented edges, non-manifold edges and non-manifold vertices,
-/// and keeps all neighbours of the two vertices as neighbours of the merged vertex, or of a neighbour of it. So no part
-/// falls apart or vanishes.
+/// Whether a planned contraction makes no more border edges, misoriented edges, non-manifold edges and non-manifold
+/// vertices, and keeps all neighbours of the two vertices as neighbours of the merged vertex, or of a neighbour of it.
+/// So no part falls apart or vanishes.
 bool is_no_less_manifold(TriangleComplex& complex, const ContractionProfile& profile);
 
-/// Whether a planned joint of an edge keeps the Euler number. \pre `is_no_less_manifold`
+/// Whether a planned contraction of an edge keeps the Euler number. \pre `is_no_less_manifold`
 bool keeps_euler_number(const ContractionProfile& profile);
 
 }  // namespace whittle

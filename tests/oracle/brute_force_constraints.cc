@@ -1,4 +1,4 @@
-#include "oracle/brute_force_restraints.hh"
+#include "oracle/brute_force_constraints.hh"
 
 #include <algorithm>
 #include <cmath>
@@ -46,14 +46,14 @@ std::set<Index> neighbours_of(std::span<const Triangle> faces, Index v) {
 
 }  // namespace
 
-BruteForceRestraints::BruteForceRestraints(std::span<const Vec3> positions, std::span<const Triangle> faces,
-                                           const std::vector<bool>& locked, const DecimateOptions& options,
-                                           double tolerance, std::span<const VertexPair> seams)
+BruteForceConstraints::BruteForceConstraints(std::span<const Vec3> positions, std::span<const Triangle> faces,
+                                             const std::vector<bool>& locked, const DecimateOptions& options,
+                                             double tolerance, std::span<const VertexPair> seams)
     : sharp_angle_deg_(options.feature_angle_deg.value_or(180)),
       seams_have_planes_(options.cost == Cost::quadric || options.cost == Cost::memoryless),
       seams_give_way_(seams_have_planes_ && options.seams == Seams::weighted && options.isotropy == 0),
       tolerance_(tolerance),
-      freedoms_(positions.size(), Freedom::full) {
+      constraints_(positions.size(), Constraint::free) {
   std::set<Edge> asked_for;
   for (const auto& [a, b] : options.feature_edges) asked_for.insert(edge(a, b));
   for (const auto& [ends, n_faces] : count_edge_faces(faces)) {
@@ -65,55 +65,55 @@ BruteForceRestraints::BruteForceRestraints(std::span<const Vec3> positions, std:
     if (!features_.contains({a, b})) seams_.insert({a, b});
     if (!seams_give_way_) features_[{a, b}];
   }
-  mark_freedoms(positions, sharp_angle_deg_);
+  mark_constraints(positions, sharp_angle_deg_);
   for (Index v = 0; v < positions.size(); ++v) {
-    if (locked[v]) freedoms_[v] = Freedom::locked;
+    if (locked[v]) constraints_[v] = Constraint::locked;
   }
 }
 
-void BruteForceRestraints::mark_freedoms(std::span<const Vec3> positions, double corner_angle_deg) {
+void BruteForceConstraints::mark_constraints(std::span<const Vec3> positions, double corner_angle_deg) {
   std::map<Index, std::vector<Index>> others;
   for (const auto& [ends, course] : features_) {
     others[ends.first].push_back(ends.second);
     others[ends.second].push_back(ends.first);
   }
   for (const auto& [v, ends] : others) {
-    freedoms_[v] = Freedom::corner;
+    constraints_[v] = Constraint::at_corner;
     if (ends.size() != 2) continue;
     const bool is_first_soft = is_seam(v, ends[0]);
     if (is_first_soft != is_seam(v, ends[1])) continue;
     if (is_first_soft) {
-      freedoms_[v] = Freedom::line;
+      constraints_[v] = Constraint::on_line;
       continue;
     }
     const Vec3 in = positions[v] - positions[ends[0]];
     const Vec3 out = positions[ends[1]] - positions[v];
     const bool turns = in.dot(out) < cosine_of(corner_angle_deg) * in.norm() * out.norm();
-    if (!turns) freedoms_[v] = Freedom::line;
+    if (!turns) constraints_[v] = Constraint::on_line;
   }
 }
 
-bool BruteForceRestraints::is_feature(Index a, Index b) const { return features_.contains(edge(a, b)); }
+bool BruteForceConstraints::is_feature(Index a, Index b) const { return features_.contains(edge(a, b)); }
 
-bool BruteForceRestraints::may_move(Index v, bool along_feature) const {
-  return freedoms_[v] == Freedom::full || (freedoms_[v] == Freedom::line && along_feature);
+bool BruteForceConstraints::may_move(Index v, bool along_feature) const {
+  return constraints_[v] == Constraint::free || (constraints_[v] == Constraint::on_line && along_feature);
 }
 
-std::optional<Pinned> BruteForceRestraints::pinned(Index a, Index b) const {
+std::optional<PairConstraint> BruteForceConstraints::of(Index a, Index b) const {
   const bool along_feature = is_feature(a, b);
   const bool a_may_move = may_move(a, along_feature);
   const bool b_may_move = may_move(b, along_feature);
   const bool is_free = !along_feature || (is_seam(a, b) && seams_have_planes_);
-  if (a_may_move && b_may_move) return is_free ? Pinned::none : Pinned::either;
-  if (a_may_move) return Pinned::second;
-  if (b_may_move) return Pinned::first;
+  if (a_may_move && b_may_move) return is_free ? PairConstraint::none : PairConstraint::either;
+  if (a_may_move) return PairConstraint::second;
+  if (b_may_move) return PairConstraint::first;
   return std::nullopt;
 }
 
-BruteForceRestraints::Move BruteForceRestraints::move_along(Index a, Index b, const Vec3& from_a,
-                                                            const Vec3& to) const {
-  const Pinned where = pinned(a, b).value();
-  const bool goes_to_a = where == Pinned::first || (where == Pinned::either && to == from_a);
+BruteForceConstraints::Move BruteForceConstraints::move_along(Index a, Index b, const Vec3& from_a,
+                                                              const Vec3& to) const {
+  const PairConstraint where = of(a, b).value();
+  const bool goes_to_a = where == PairConstraint::first || (where == PairConstraint::either && to == from_a);
   Move move{goes_to_a ? b : a, {}};
   for (const auto& [ends, course] : features_) {
     const bool is_at_moved = ends.first == move.moved || ends.second == move.moved;
@@ -122,8 +122,8 @@ BruteForceRestraints::Move BruteForceRestraints::move_along(Index a, Index b, co
   return move;
 }
 
-bool BruteForceRestraints::keeps_lines(std::span<const Vec3> positions, std::span<const Triangle> faces, Index a,
-                                       Index b, const Vec3& position) const {
+bool BruteForceConstraints::keeps_lines(std::span<const Vec3> positions, std::span<const Triangle> faces, Index a,
+                                        Index b, const Vec3& position) const {
   if (features_.empty()) return true;
   for (const Index v : neighbours_of(faces, a)) {
     if (v != b && is_feature(a, v) && is_feature(b, v)) return false;
@@ -141,7 +141,7 @@ bool BruteForceRestraints::keeps_lines(std::span<const Vec3> positions, std::spa
       passed, [&](const Vec3& point) { return distance_to_segment(point, position, end) > tolerance_; });
 }
 
-bool BruteForceRestraints::keeps_edges(std::span<const Triangle> after, Index survivor, Index removed) const {
+bool BruteForceConstraints::keeps_edges(std::span<const Triangle> after, Index survivor, Index removed) const {
   return std::ranges::all_of(features_, [&](const auto& feature) {
     const auto [x, y] = feature.first;
     const auto now = [&](Index v) { return v == removed ? survivor : v; };
@@ -149,8 +149,8 @@ bool BruteForceRestraints::keeps_edges(std::span<const Triangle> after, Index su
   });
 }
 
-bool BruteForceRestraints::is_sharp(std::span<const Vec3> positions, std::span<const Triangle> faces, Index x,
-                                    Index y) const {
+bool BruteForceConstraints::is_sharp(std::span<const Vec3> positions, std::span<const Triangle> faces, Index x,
+                                     Index y) const {
   const std::vector<Triangle> at = faces_at(faces, x, y);
   if (at.size() != 2) return false;
   const Vec3 n = normal_along(positions, at[0], x, y);
@@ -160,9 +160,9 @@ bool BruteForceRestraints::is_sharp(std::span<const Vec3> positions, std::span<c
 
 /// Checks the edges of the merged vertex and its link edges. A link edge that does not have two faces before the
 /// contraction can't become sharp. An edge of one face is not sharp; what edges of more are is left open.
-bool BruteForceRestraints::keeps_sharpness(std::span<const Vec3> positions, std::span<const Triangle> faces,
-                                           std::span<const Triangle> after, Index a, Index b,
-                                           const Vec3& position) const {
+bool BruteForceConstraints::keeps_sharpness(std::span<const Vec3> positions, std::span<const Triangle> faces,
+                                            std::span<const Triangle> after, Index a, Index b,
+                                            const Vec3& position) const {
   if (sharp_angle_deg_ == 180) return true;
   std::vector<Vec3> moved(positions.begin(), positions.end());
   moved[a] = position;
@@ -186,8 +186,8 @@ bool BruteForceRestraints::keeps_sharpness(std::span<const Vec3> positions, std:
   return true;
 }
 
-void BruteForceRestraints::contract(std::span<const Vec3> positions, std::span<const Triangle> after, Index survivor,
-                                    Index removed, const Vec3& position) {
+void BruteForceConstraints::contract(std::span<const Vec3> positions, std::span<const Triangle> after, Index survivor,
+                                     Index removed, const Vec3& position) {
   if (seams_give_way_) seams_.clear();  // their planes are summed already
   const auto [a, b] = edge(survivor, removed);
   if (is_seam(a, b)) {
@@ -202,7 +202,7 @@ void BruteForceRestraints::contract(std::span<const Vec3> positions, std::span<c
       whole.insert(whole.end(), course.begin(), course.end());
     }
   }
-  freedoms_[survivor] = std::max(freedoms_[a], freedoms_[b]);
+  constraints_[survivor] = std::max(constraints_[a], constraints_[b]);
   std::map<Edge, Course> features;
   const auto now = [&](Index v) { return v == removed ? survivor : v; };
   for (const auto& [ends, course] : features_) {
@@ -214,7 +214,7 @@ void BruteForceRestraints::contract(std::span<const Vec3> positions, std::span<c
   features_ = std::move(features);
 }
 
-std::vector<BruteForceRestraints::Edge> BruteForceRestraints::feature_edges() const {
+std::vector<BruteForceConstraints::Edge> BruteForceConstraints::feature_edges() const {
   std::vector<Edge> edges;
   for (const auto& [ends, course] : features_) edges.push_back(ends);
   return edges;

@@ -1,4 +1,4 @@
-#include "oracle/brute_force_rims.hh"
+#include "oracle/brute_force_folds.hh"
 
 #include <Eigen/Geometry>
 #include <map>
@@ -7,9 +7,9 @@
 
 namespace whittle::test {
 
-std::set<Edge> brute_force_rims(std::span<const Vec3> positions, std::span<const Triangle> faces,
-                                const DecimateOptions& options) {
-  if (!options.hold_rims.value_or(false) || options.quadric.boundary_weight == 0) return {};
+std::set<Edge> brute_force_folds(std::span<const Vec3> positions, std::span<const Triangle> faces,
+                                 const DecimateOptions& options) {
+  if (!options.hold_folds.value_or(false) || options.quadric.boundary_weight == 0) return {};
   std::map<Edge, std::vector<std::pair<bool, Vec3>>> sides;
   for (const Triangle& f : faces) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -19,12 +19,12 @@ std::set<Edge> brute_force_rims(std::span<const Vec3> positions, std::span<const
       sides[{a, b}].push_back({f[k] == a, (third - line.projection(third)).stableNormalized()});
     }
   }
-  std::set<Edge> rims;
+  std::set<Edge> folds;
   for (const auto& [ends, of_faces] : sides) {
     if (of_faces.size() != 2 || of_faces[0].first == of_faces[1].first) continue;
-    if (of_faces[0].second.dot(of_faces[1].second) > 1 - 1e-6) rims.insert(ends);
+    if (of_faces[0].second.dot(of_faces[1].second) > 1 - 1e-6) folds.insert(ends);
   }
-  return rims;
+  return folds;
 }
 
 }  // namespace whittle::test

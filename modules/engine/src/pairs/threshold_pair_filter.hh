@@ -10,12 +10,12 @@ namespace whittle {
 
 /// Leaves out threshold pairs that need no ranking: duplicates, pairs that have become one vertex, and pairs that an
 /// edge decides. On a dense mesh these are nine of ten.
-class ThresholdPairSieve {
+class ThresholdPairFilter {
  public:
-  explicit ThresholdPairSieve(TriangleComplex& complex);
+  explicit ThresholdPairFilter(TriangleComplex& complex);
 
   /// Sorts `pairs`, given by id: first the edges, then the threshold pairs that are to be ranked. Drops the rest.
-  void sift(std::vector<Index>& pairs);
+  void apply(std::vector<Index>& pairs);
 
   /// If the ends of a threshold pair have a common face, hides the pair.
   bool hides(const Pair& pair);

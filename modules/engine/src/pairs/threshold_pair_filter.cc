@@ -1,4 +1,4 @@
-#include "pairs/threshold_pair_sieve.hh"
+#include "pairs/threshold_pair_filter.hh"
 
 #include <algorithm>
 
@@ -9,13 +9,13 @@ constexpr std::size_t n_known_bits = 13;
 
 }  // namespace
 
-ThresholdPairSieve::ThresholdPairSieve(TriangleComplex& complex)
+ThresholdPairFilter::ThresholdPairFilter(TriangleComplex& complex)
     : complex_(complex),
       hidden_(complex.n_vertex_slots(), static_cast<Index>(complex.n_edges()),
               complex.n_pair_slots() - complex.n_edges()),
       known_(complex.has_threshold_pairs() ? std::size_t{1} << n_known_bits : 0, {0, invalid_index, invalid_index}) {}
 
-void ThresholdPairSieve::sift(std::vector<Index>& pairs) {
+void ThresholdPairFilter::apply(std::vector<Index>& pairs) {
   if (!complex_.has_threshold_pairs()) return;
   const auto is_edge = [this](Index id) { return !complex_.is_threshold_pair(id); };
   const auto first = std::partition(pairs.begin(), pairs.end(), is_edge);
@@ -33,7 +33,7 @@ void ThresholdPairSieve::sift(std::vector<Index>& pairs) {
 }
 
 /// Lists the pairs that are alive, with their ends as they are now. Prefetches what is asked of them next.
-void ThresholdPairSieve::look_up_alive(std::span<const Index> ids) {
+void ThresholdPairFilter::look_up_alive(std::span<const Index> ids) {
   alive_.clear();
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (i + 16 < ids.size()) complex_.prefetch_pair(ids[i + 16]);
@@ -45,7 +45,7 @@ void ThresholdPairSieve::look_up_alive(std::span<const Index> ids) {
   }
 }
 
-bool ThresholdPairSieve::hides(const Pair& pair) {
+bool ThresholdPairFilter::hides(const Pair& pair) {
   if (!complex_.have_common_face(pair.a, pair.b)) return false;
   hidden_.add(pair.a, pair.id);
   return true;
@@ -53,7 +53,7 @@ bool ThresholdPairSieve::hides(const Pair& pair) {
 
 /// Whether a pair has become equal to one that was seen lately. If not, remembers it. Merging vertices makes two edges
 /// one, but not two threshold pairs.
-bool ThresholdPairSieve::is_duplicate(const Pair& pair) {
+bool ThresholdPairFilter::is_duplicate(const Pair& pair) {
   const auto [a, b] = std::minmax(pair.a, pair.b);
   constexpr std::uint64_t odd = 0x9E3779B97F4A7C15;
   Pair& known = known_[(std::uint64_t{a} * odd + b) * odd >> (64 - n_known_bits)];

@@ -31,7 +31,7 @@ IndexedMesh mirrored_cubes(double gap) {
   return joined(cube(), image);
 }
 
-TEST(Joint, TwoBoxesWithAGapBecomeOneAndTheWallsBetweenThemVanish) {
+TEST(NonmanifoldContraction, TwoBoxesWithAGapBecomeOneAndTheWallsBetweenThemVanish) {
   const Decimation d = decimate(mirrored_cubes(0.1), to_vertices(12), with_threshold(0.11));
   EXPECT_EQ(d.result.threshold_pairs.considered, 4U);
   EXPECT_EQ(d.result.threshold_pairs.contracted, 4U);
@@ -46,7 +46,7 @@ TEST(Joint, TwoBoxesWithAGapBecomeOneAndTheWallsBetweenThemVanish) {
   EXPECT_TRUE(topology(d.mesh).manifold());
 }
 
-TEST(Joint, AreThoseStrictlyCloser) {
+TEST(NonmanifoldContraction, AreThoseStrictlyCloser) {
   const IndexedMesh mesh = boxes(2, 1, 0.125);
   EXPECT_EQ(
       decimate(mesh, DecimateTarget::as_far_as_possible(), with_threshold(0.125)).result.threshold_pairs.considered,
@@ -56,7 +56,7 @@ TEST(Joint, AreThoseStrictlyCloser) {
       4U);
 }
 
-TEST(Joint, ABowTieIsCounted) {
+TEST(NonmanifoldContraction, ABowTieIsCounted) {
   const Decimation d = decimate(spheres(2, 2, 0.01), to_vertices(2 * 162 - 1), with_threshold(0.02));
   EXPECT_EQ(d.result.threshold_pairs.contracted, 1U);
   EXPECT_EQ(d.result.before.nonmanifold_vertices, 0U);
@@ -64,7 +64,7 @@ TEST(Joint, ABowTieIsCounted) {
   EXPECT_EQ(d.result.after.components, 1U);
 }
 
-TEST(Joint, AcrossAThinWallAreLeftOutUnlessAskedFor) {
+TEST(NonmanifoldContraction, AcrossAThinWallAreLeftOutUnlessAskedFor) {
   IndexedMesh plate = tessellated_cube(3);
   for (Vec3& p : plate.positions) p.z() *= 0.005;
   DecimateOptions options = with_threshold(0.02);
@@ -76,7 +76,7 @@ TEST(Joint, AcrossAThinWallAreLeftOutUnlessAskedFor) {
   EXPECT_GE(n_all, n_beside_walls + 4);  // the inner vertices of both sides
 }
 
-TEST(Joint, WithoutAnyAllIsAsWithoutAThreshold) {
+TEST(NonmanifoldContraction, WithoutAnyAllIsAsWithoutAThreshold) {
   const IndexedMesh mesh = spheres(2, 2, 0.5);
   const auto contractions = [&](double threshold) {
     std::vector<Index> survivors;
@@ -88,7 +88,7 @@ TEST(Joint, WithoutAnyAllIsAsWithoutAThreshold) {
   EXPECT_EQ(contractions(1e-6), contractions(0));
 }
 
-TEST(Joint, OfLockedVerticesLeaveThemWhereTheyAre) {
+TEST(NonmanifoldContraction, OfLockedVerticesLeaveThemWhereTheyAre) {
   const IndexedMesh mesh = boxes(2, 1, 0.1);
   const std::vector<std::uint8_t> locked(mesh.positions.size(), 1);
   DecimateOptions options = with_threshold(0.2);
@@ -151,7 +151,7 @@ TEST(FreeTopology, ClosesTunnels) {
   EXPECT_GT(d.mesh.faces.size(), 0U);
 }
 
-TEST(Joint, ResultsDoNotDependOnThreads) {
+TEST(NonmanifoldContraction, ResultsDoNotDependOnThreads) {
   const IndexedMesh mesh = spheres(3, 3, 0.02);
   DecimateOptions options = with_threshold(0.2);
   const DecimateTarget target = DecimateTarget::faces(200);
@@ -195,7 +195,7 @@ struct RandomCase {
   }
 
   void set_options() {
-    set_restraints();
+    set_constraints();
     set_cost();
     const bool is_plain =
         options.effective_cost() == Cost::quadric && options.isotropy == 0 && options.valence_weight == 0;
@@ -226,7 +226,8 @@ struct RandomCase {
     options.pairs.threshold.reset();
   }
 
-  /// Triangles on a coarse lattice with straight feature lines, of which joints would take edges away.
+  /// Triangles on a coarse lattice with straight feature lines, of which non-manifold contractions would take edges
+  /// away.
   void make_lines() {
     for (Vec3& p : mesh.positions) p = Vec3(whole(0, 3), whole(0, 3), whole(0, 2));
     options = {};
@@ -242,7 +243,7 @@ struct RandomCase {
     }
   }
 
-  void set_restraints() {
+  void set_constraints() {
     if (one_in(3)) options.max_normal_flip_deg = 180;
     if (one_in(4)) options.min_radius_ratio = real(0, 1);
     options.boundary = static_cast<Boundary>(whole(0, 2));
@@ -321,7 +322,7 @@ class RandomTriangles : public testing::Test {
  protected:
   void expect_as_by_brute_force(RandomCase& c) {
     std::vector<Contraction> found;
-    c.options.hold_rims = true;
+    c.options.hold_folds = true;
     c.options.listener = [&](const Contraction& contraction) { found.push_back(contraction); };
     BruteForceDecimater brute_force(c.mesh, c.options);
     const std::vector<Contraction> expected = brute_force.run(c.target);
@@ -365,7 +366,7 @@ class RandomTriangles : public testing::Test {
 
 TEST_F(RandomTriangles, AreContractedAsByBruteForce) {
   expect_all_as_by_brute_force(0, 500, [](RandomCase&) {});
-  EXPECT_GT(n_joined_, 1000U);  // make sure that the test meets joints
+  EXPECT_GT(n_joined_, 1000U);  // make sure that the test meets non-manifold contractions
   EXPECT_GT(n_coincident_, 900U);
   EXPECT_GT(n_features_, 1000U);
 }
