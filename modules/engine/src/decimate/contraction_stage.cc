@@ -207,7 +207,7 @@ DecimateResult StagedRun::contract(const DecimateTarget& stop, bool is_last, con
   Contractor contractor(surface, context);
   count_before(contractor);
   report.result = run(contractor, stop, preparation);
-  const DecimateResult result = report.result;
+  DecimateResult result = report.result;
   report.result.threshold_pairs += pairs;
   is_last = is_last || (result.stop != StopReason::target && !limits.displacement);
   if (keeps_steps()) keep_steps_of_stage({made.data(), log.end}, report);

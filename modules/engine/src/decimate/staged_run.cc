@@ -76,7 +76,7 @@ DecimateResult StagedRun::contract_in_blocks(const DecimateTarget& target, const
     const bool is_counted = report.result.why_in_one_pass.empty() && report.result.stop != StopReason::cancelled;
     if (is_counted) nonmanifold_before_ = {before.nonmanifold_edges, before.nonmanifold_vertices};
   }
-  const DecimateResult result = report.result;
+  DecimateResult result = report.result;
   state_.report += std::move(report);
   return result;
 }

@@ -89,6 +89,6 @@ class StagedRun {
 };
 
 /// The mesh and the maps of a decimation, without its attributes; `result` is left to the caller.
-Decimation geometry_of(const IndexedMesh& input, WorkingSurface surface, const Frame& frame);
+Decimation geometry_of(const IndexedMesh& input, WorkingSurface left, const Frame& frame);
 
 }  // namespace whittle

@@ -8,8 +8,8 @@
 
 namespace whittle {
 
-/// The wedges of a surface, for a stage to begin with. Noise in an attribute must not hold geometry, so a wedge costs at
-/// most `farthest`² times its weight, and the slopes of its functions are cut.
+/// The wedges of a surface, for a stage to begin with. Noise in an attribute must not hold geometry, so a wedge costs
+/// at most `farthest`² times its weight, and the slopes of its functions are cut.
 struct SurfaceAttributes {
   WedgeQuadrics wedges;          ///< each about its vertex
   std::vector<Index> vertex_of;  ///< of each wedge
