@@ -197,6 +197,23 @@ TEST_F(MeshPictures, ShowColoursAndTextures) {
   }
 }
 
+/// Four by four red pixels.
+TEST_F(MeshPictures, ShowTexturesInWebp) {
+  const unsigned char image[] = {0x52, 0x49, 0x46, 0x46, 0x1c, 0x00, 0x00, 0x00, 0x57, 0x45, 0x42, 0x50,
+                                 0x56, 0x50, 0x38, 0x4c, 0x0f, 0x00, 0x00, 0x00, 0x2f, 0x03, 0xc0, 0x00,
+                                 0x00, 0x07, 0x10, 0xfd, 0x8f, 0xfe, 0x07, 0x22, 0xa2, 0xff, 0x01, 0x00};
+  write_text(folder / "a.webp", {reinterpret_cast<const char*>(image), sizeof image});
+  write_text(folder / "a.mtl", "newmtl a\nmap_Kd a.webp\n");
+  write_text(folder / "a.obj",
+             "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\n");
+  const auto is_red = [](const Color& c) { return c[0] > 150 && c[1] < 20 && c[2] < 20; };
+  EXPECT_TRUE(has_color(picture({folder / "a.obj"}), is_red, 1000));
+  write_text(folder / "a.webp", std::string(reinterpret_cast<const char*>(image), 20));  // the page can't say it
+  const Outcome damaged = whittle({"report", folder / "a.obj", "--png", folder / "a.png"});
+  EXPECT_EQ(damaged.exit_code, 0) << damaged;
+  EXPECT_THAT(damaged.err, HasSubstr("texture a.webp is not drawn"));
+}
+
 TEST_F(MeshPictures, ShowTheLevelOfARecording) {
   const auto is_some = [&](const std::string& view) {
     return drawn({folder / "run.rec"}, "plain,layout=result,edges=on," + view);
