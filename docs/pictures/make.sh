@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# make.sh WHITTLE [MESHES]: draws the pictures of the README and the docs again, with Chromium. Needs ImageMagick, too.
+# make.sh WHITTLE [MESHES]: draws the pictures of the README and the docs again. Needs ImageMagick.
 # MESHES is a folder with the real meshes of two pictures, ankylosaurus.obj and bones.off; without it these stay as they are.
 set -euo pipefail
 whittle=$(realpath "$1") meshes=${2:-}

@@ -210,7 +210,7 @@ std::string closed_mesh(const TemporaryFolder& folder) {
 
 TEST(ReportKeys, OfSimplifyAreDocumented) {
   const TemporaryFolder folder;
-  if (!has_page(folder) || !has_chromium()) GTEST_SKIP() << "no page, or no Chromium";
+  if (!has_page(folder) || !has_pictures(folder)) GTEST_SKIP() << "no page, or no pictures";
   const std::string out = folder / "out.obj";
   const std::string bare = folder / "bare";
   const std::string blob = data_file("blob.obj");
@@ -357,7 +357,7 @@ TEST(ReportKeys, OfGeomorphAreDocumented) {
 
 TEST(ReportKeys, OfReportAreDocumented) {
   const TemporaryFolder folder;
-  if (!has_page(folder) || !has_chromium()) GTEST_SKIP() << "no page, or no Chromium";
+  if (!has_page(folder) || !has_pictures(folder)) GTEST_SKIP() << "no page, or no pictures";
   const std::string terrain = data_file("terrain.ply");
   const std::string small = folder / "small";
   const std::string rec = folder / "rec";

@@ -16,9 +16,11 @@ inline bool has_page(const TemporaryFolder& folder) {
   return outcome.exit_code == 0 || outcome.err.find("built without the page") == std::string::npos;
 }
 
-/// Whether there is a Chromium to draw pictures with.
-inline bool has_chromium() {
-  return std::system("command -v chromium >/dev/null || command -v google-chrome >/dev/null") == 0;
+/// Whether the program can draw on this machine.
+inline bool has_pictures(const TemporaryFolder& folder) {
+  const Outcome outcome = whittle({"measure", data_file("cubes.obj"), data_file("cubes.obj"), "--samples", "1000",
+                                   "--render", "1", "--json", folder / "try.json", "--quiet"});
+  return outcome.exit_code == 0;
 }
 
 /// As long as this is there, no programs are found but one that opens files: it writes down which.

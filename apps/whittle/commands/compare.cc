@@ -15,7 +15,7 @@
 #include "terminal/interruption.hh"
 #include "terminal/progress_bar.hh"
 #include "terminal/table.hh"
-#include "whittle/core/stopwatch.hh"
+#include "whittle/core/progress.hh"
 #include "whittle/pipeline/request.hh"
 
 namespace whittle::app {

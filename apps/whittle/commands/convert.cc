@@ -8,7 +8,7 @@
 #include "files/report.hh"
 #include "terminal/table.hh"
 #include "whittle/core/geometry/box.hh"
-#include "whittle/core/stopwatch.hh"
+#include "whittle/core/progress.hh"
 
 namespace whittle::app {
 namespace {

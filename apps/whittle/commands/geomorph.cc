@@ -14,7 +14,7 @@
 #include "files/report.hh"
 #include "terminal/errors.hh"
 #include "terminal/table.hh"
-#include "whittle/core/stopwatch.hh"
+#include "whittle/core/progress.hh"
 
 namespace whittle::app {
 namespace {

@@ -10,7 +10,7 @@
 #include "terminal/progress_bar.hh"
 #include "terminal/table.hh"
 #include "whittle/core/geometry/box.hh"
-#include "whittle/core/stopwatch.hh"
+#include "whittle/core/progress.hh"
 #include "whittle/metrics/self_intersections.hh"
 
 namespace whittle::app {

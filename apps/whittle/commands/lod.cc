@@ -15,7 +15,7 @@
 #include "terminal/interruption.hh"
 #include "terminal/table.hh"
 #include "whittle/core/geometry/box.hh"
-#include "whittle/core/stopwatch.hh"
+#include "whittle/core/progress.hh"
 #include "whittle/pipeline/new_intersections.hh"
 #include "whittle/pipeline/request.hh"
 #include "whittle/pipeline/run.hh"

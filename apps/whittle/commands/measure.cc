@@ -18,7 +18,7 @@
 #include "terminal/progress_bar.hh"
 #include "terminal/table.hh"
 #include "whittle/core/geometry/box.hh"
-#include "whittle/core/stopwatch.hh"
+#include "whittle/core/progress.hh"
 #include "whittle/metrics/attribute_deviation.hh"
 #include "whittle/metrics/certify.hh"
 #include "whittle/metrics/line_distance.hh"

@@ -12,7 +12,7 @@
 #include "terminal/progress_bar.hh"
 #include "terminal/table.hh"
 #include "whittle/core/geometry/box.hh"
-#include "whittle/core/stopwatch.hh"
+#include "whittle/core/progress.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/metrics/nearest_vertices.hh"
 #include "whittle/pipeline/request.hh"

@@ -13,7 +13,7 @@
 #include "files/output.hh"
 #include "files/report.hh"
 #include "terminal/table.hh"
-#include "whittle/core/stopwatch.hh"
+#include "whittle/core/progress.hh"
 #include "whittle/scene/gltf_file.hh"
 
 namespace whittle::app {

@@ -4,14 +4,16 @@
 #include <utility>
 #include <vector>
 
-#include "commands/page/browser.hh"
-#include "commands/page/frames.hh"
+#include "commands/page/desktop.hh"
 #include "commands/page/make_page.hh"
 #include "commands/subcommands.hh"
 #include "files/output.hh"
 #include "options/page_settings.hh"
+#include "pictures/animation.hh"
+#include "pictures/compare_pictures.hh"
+#include "pictures/frames.hh"
 #include "terminal/table.hh"
-#include "whittle/core/stopwatch.hh"
+#include "whittle/core/progress.hh"
 
 namespace whittle::app {
 namespace {
@@ -39,6 +41,8 @@ void check(const ReportCommand& options) {
   if (options.run) inputs.push_back(*options.run);
   check_outputs(outputs, inputs, options.common.force);
   require_page();
+  if (options.png) require_pictures();
+  require_frames(options.frames);
 }
 
 Json report_json(const ReportCommand& options, const PageFacts& facts, std::size_t n_bytes, double total_seconds) {
@@ -54,12 +58,24 @@ Json report_json(const ReportCommand& options, const PageFacts& facts, std::size
   return json;
 }
 
+std::string draw_png(const ReportCommand& options, ShownMeshes& shown, const Talk& talk, PageFacts& facts) {
+  std::vector<std::string> warnings;
+  std::string png =
+      png_file(draw_meshes(shown, picture_view(options.view), options.png_size, options.common.threads, warnings));
+  for (const std::string& warning : warnings) {
+    talk.warning(warning);
+    facts.warnings.push_back(warning);
+  }
+  return png;
+}
+
 ExitCode run_report(const Given& /*given*/, ReportCommand options) {
   check(options);
   const Talk talk = options.common.talk();
   const Stopwatch watch;
   PageFacts facts;
-  const std::string page = make_page(options, talk, facts);
+  MadePage made = make_page(options, talk, facts);
+  const std::string page = std::move(made.html);
   if (options.frames.is_given() && facts.recording.is_null()) {
     throw UsageError("--frames and --animate need a recording, and one whose input has at most --max-faces");
   }
@@ -67,9 +83,9 @@ ExitCode run_report(const Given& /*given*/, ReportCommand options) {
   const auto write = [&files](const std::string& path, const std::string& bytes) {
     files.write(path, [&bytes](std::ostream& out) { out << bytes; });
   };
-  if (options.png) write(*options.png, PageView(page, options.view, options.png_size).picture("png"));
+  if (options.png) write(*options.png, draw_png(options, made.shown, talk, facts));
   if (options.output) write(*options.output, page);
-  write_frames(files, options.frames, page, options.view, options.png_size, talk);
+  write_frames(files, options.frames, made.shown, {options.view, options.png_size, options.common.threads}, talk);
   commit_with_report(
       files, options.common,
       options.common.json ? to_text(report_json(options, facts, page.size(), watch.seconds())) : std::string());
@@ -97,7 +113,7 @@ OptionRows report_rows(ReportCommand& options) {
       {.names = "-o,--output",
        .access = text(options.output, "OUT"),
        .help = "the page: an .html file, replaced if it exists, or '-' for standard output"},
-      side_file_row("--png", options.png, "draw a picture of the page, with an installed Chromium"),
+      side_file_row("--png", options.png, "draw a picture of what the page shows"),
       {.names = "--png-size", .access = {"WxH", set_size, none}, .help = "of pictures, pixels", .standard = "1280x720"},
       {.names = "--view",
        .access = {"KEY=VALUE,...", set_view, none},

@@ -13,7 +13,7 @@
 #include "files/input.hh"
 #include "files/mesh_output.hh"
 #include "terminal/interruption.hh"
-#include "whittle/core/stopwatch.hh"
+#include "whittle/core/progress.hh"
 
 namespace whittle::app {
 namespace {

@@ -15,7 +15,7 @@
 #include "whittle/core/detail/cores.hh"
 #include "whittle/core/flat_arrays.hh"
 #include "whittle/core/geometry/box.hh"
-#include "whittle/core/stopwatch.hh"
+#include "whittle/core/progress.hh"
 #include "whittle/io/errors.hh"
 #include "whittle/io/whole_file.hh"
 

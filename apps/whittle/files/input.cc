@@ -5,7 +5,7 @@
 
 #include "files/mesh_output.hh"
 #include "terminal/errors.hh"
-#include "whittle/core/stopwatch.hh"
+#include "whittle/core/progress.hh"
 #include "whittle/core/text/text.hh"
 #include "whittle/scene/join_scenes.hh"
 
@@ -26,31 +26,28 @@ std::string_view title_of_packed_document(const std::string& path) {
   return format != nullptr && format->is_document ? format->title : std::string_view();
 }
 
-/// \throw UsageError for an output, io::ReadError for an input that is a document where that isn't taken
-void refuse_documents(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
-                      const FileOptions& options) {
-  for (const std::string& input : inputs) {
-    if (options.input_format != nullptr) break;
-    if (const std::string title(title_of_packed_document(input)); !title.empty()) {
-      throw io::ReadError(input, "is " + title + " packed with gzip: unpack it first");
-    }
-    const SceneFormat* const format = format_by_name(input);
-    if (options.reads_documents || format == nullptr || !format->is_document) continue;
-    throw io::ReadError(input, "is " + std::string(format->title) +
-                                   ", which this command doesn't read; 'whittle convert' makes " + io::format_titles() +
-                                   " of it");
+/// \throw io::ReadError for a document that isn't read
+void refuse_document_input(const std::string& input, const FileOptions& options) {
+  if (const std::string title(title_of_packed_document(input)); !title.empty()) {
+    throw io::ReadError(input, "is " + title + " packed with gzip: unpack it first");
   }
-  for (const std::string& output : outputs) {
-    if (options.output_format != nullptr) break;
-    if (const std::string title(title_of_packed_document(output)); !title.empty()) {
-      throw UsageError(output + ": " + title + " isn't packed with gzip: leave out the extension .gz");
-    }
-    const SceneFormat* const format = format_by_name(output);
-    if (options.writes_documents || format == nullptr || !format->is_document) continue;
-    const std::string title(format->title);
-    throw UsageError(output + ": this command doesn't write " + title + "; write " + io::format_titles() +
-                     ", and 'whittle convert' makes " + title + " of it");
+  const SceneFormat* const format = format_by_name(input);
+  if (options.reads_documents || format == nullptr || !format->is_document) return;
+  throw io::ReadError(input, "is " + std::string(format->title) +
+                                 ", which this command doesn't read; 'whittle convert' makes " + io::format_titles() +
+                                 " of it");
+}
+
+/// \throw UsageError for a document that isn't written
+void refuse_document_output(const std::string& output, const FileOptions& options) {
+  if (const std::string title(title_of_packed_document(output)); !title.empty()) {
+    throw UsageError(output + ": " + title + " isn't packed with gzip: leave out the extension .gz");
   }
+  const SceneFormat* const format = format_by_name(output);
+  if (options.writes_documents || format == nullptr || !format->is_document) return;
+  const std::string title(format->title);
+  throw UsageError(output + ": this command doesn't write " + title + "; write " + io::format_titles() +
+                   ", and 'whittle convert' makes " + title + " of it");
 }
 
 void check_standard_input(const std::vector<std::string>& inputs, const FileOptions& options) {
@@ -72,7 +69,12 @@ bool reads_document(const std::string& path, const FileOptions& options) {
 
 void check_formats(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
                    const FileOptions& options) {
-  refuse_documents(inputs, outputs, options);
+  if (options.input_format == nullptr) {
+    for (const std::string& input : inputs) refuse_document_input(input, options);
+  }
+  if (options.output_format == nullptr) {
+    for (const std::string& output : outputs) refuse_document_output(output, options);
+  }
   check_standard_input(inputs, options);
   const auto is_told = [](const std::string& path) { return format_by_name(path) != nullptr; };
   if (options.format != nullptr &&

@@ -6,7 +6,7 @@
 
 #include "openmesh/double_mesh.hh"
 #include "terminal/errors.hh"
-#include "whittle/core/stopwatch.hh"
+#include "whittle/core/progress.hh"
 #include "whittle/openmesh/conversions.hh"
 
 namespace whittle::app {

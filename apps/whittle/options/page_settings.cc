@@ -83,14 +83,17 @@ bool is_plain(char c) {
 
 }  // namespace
 
-std::string parse_page_settings(std::string_view text) {
+std::map<std::string, std::string> parse_page_settings(std::string_view text) {
   if (!std::all_of(text.begin(), text.end(), is_plain)) {
     throw std::invalid_argument("'" + std::string(text) + "' is not of the form KEY=VALUE,...");
   }
-  std::string settings(text);
-  std::istringstream parts(settings);
-  for (std::string part; std::getline(parts, part, ',');) check_page_setting(part);
-  std::replace(settings.begin(), settings.end(), ',', '&');
+  std::map<std::string, std::string> settings;
+  std::istringstream parts{std::string(text)};
+  for (std::string part; std::getline(parts, part, ',');) {
+    check_page_setting(part);
+    const std::size_t equals = std::min(part.find('='), part.size());
+    settings[part.substr(0, equals)] = part.substr(std::min(equals + 1, part.size()));
+  }
   return settings;
 }
 

@@ -1,13 +1,14 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 
 namespace whittle::app {
 
-/// Settings of a page, as they stand in its address.
-/// \param text "layout=over,colour=error" \return "layout=over&colour=error"
+/// Names and values of the page's controls.
+/// \param text "layout=over,colour=error,plain" \return {"layout": "over", "colour": "error", "plain": ""}
 /// \throw std::invalid_argument for a name or a value that the page doesn't have; it lists those that it has
-std::string parse_page_settings(std::string_view text);
+std::map<std::string, std::string> parse_page_settings(std::string_view text);
 
 }  // namespace whittle::app

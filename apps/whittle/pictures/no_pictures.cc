@@ -1,7 +1,8 @@
-// In place of compare_pictures.cc, in a program that is built without whittle::render.
+// In place of compare_pictures.cc and draw_meshes.cc, in a program that is built without whittle::render.
 #include <stdexcept>
 
 #include "pictures/compare_pictures.hh"
+#include "pictures/draw_meshes.hh"
 
 namespace whittle::app {
 
@@ -12,5 +13,11 @@ void require_pictures() {
 PictureErrors compare_pictures(const Scene&, const Scene&, const PictureOptions&) {
   throw std::logic_error("no pictures");
 }
+
+RgbPicture draw_meshes(ShownMeshes&, const PictureView&, const PictureSize&, unsigned, std::vector<std::string>&) {
+  throw std::logic_error("no pictures");
+}
+
+std::string png_file(const RgbPicture&) { throw std::logic_error("no pictures"); }
 
 }  // namespace whittle::app

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "gl/context.hh"
+#include "gl/program.hh"
 #include "gl/scene_buffers.hh"
 #include "gl/shaders.hh"
 #include "image/resolve.hh"
@@ -23,44 +24,6 @@ int sample_grid_of(const DrawOptions& options) {
   return grid;
 }
 
-unsigned compile(const GlFunctions& gl, GLenum kind, const char* text) {
-  const unsigned shader = gl.create_shader(kind);
-  gl.shader_source(shader, 1, &text, nullptr);
-  gl.compile_shader(shader);
-  return shader;
-}
-
-unsigned make_program(const GlFunctions& gl) {
-  const unsigned program = gl.create_program();
-  gl.attach_shader(program, compile(gl, GL_VERTEX_SHADER, vertex_shader));
-  gl.attach_shader(program, compile(gl, GL_FRAGMENT_SHADER, fragment_shader));
-  gl.link_program(program);
-  GLint is_linked = GL_FALSE;
-  gl.get_program_iv(program, GL_LINK_STATUS, &is_linked);
-  if (is_linked != GL_TRUE) throw std::runtime_error("cannot draw: OpenGL refuses the shaders");
-  return program;
-}
-
-void attach_renderbuffer(const GlFunctions& gl, GLenum attachment, GLenum format, int size) {
-  GLuint buffer = 0;
-  gl.gen_renderbuffers(1, &buffer);
-  gl.bind_renderbuffer(GL_RENDERBUFFER, buffer);
-  gl.renderbuffer_storage(GL_RENDERBUFFER, format, size, size);
-  gl.framebuffer_renderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
-}
-
-void make_framebuffer(const GlFunctions& gl, int size) {
-  GLuint framebuffer = 0;
-  gl.gen_framebuffers(1, &framebuffer);
-  gl.bind_framebuffer(GL_FRAMEBUFFER, framebuffer);
-  attach_renderbuffer(gl, GL_COLOR_ATTACHMENT0, GL_RGBA32F, size);  // linear light, unrounded
-  attach_renderbuffer(gl, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, size);
-  if (gl.check_framebuffer_status(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw std::runtime_error("cannot draw: OpenGL has no framebuffer of that size");
-  }
-  gl.viewport(0, 0, size, size);
-}
-
 /// From the frame's unit to OpenGL's cube. Twice the sphere's radius in depth is seen.
 Eigen::Matrix4f clip_matrix(const View& view, const Sphere& frame) {
   Eigen::Matrix3d axes;
@@ -79,10 +42,10 @@ class Renderer::State {
   State(const Scene& scene, const Sphere& frame, const DrawOptions& options)
       : frame_(frame), grid_(sample_grid_of(options)), size_(options.size) {
     const GlContext::Use use(context_);
-    program_ = make_program(gl());
-    make_framebuffer(gl(), size_ * grid_);
+    program_ = make_program(gl(), vertex_shader, fragment_shader);
+    make_framebuffer(gl(), size_ * grid_, size_ * grid_);
     buffers_ = std::make_unique<SceneBuffers>(gl(), scene_arrays(scene, frame));
-    check();
+    check_errors(gl());
   }
 
   Picture draw(const View& view) {
@@ -92,8 +55,9 @@ class Renderer::State {
     const int n_samples = size_ * grid_;
     std::vector<float> samples(4 * static_cast<std::size_t>(n_samples) * static_cast<std::size_t>(n_samples));
     gl().read_pixels(0, 0, n_samples, n_samples, GL_RGBA, GL_FLOAT, samples.data());
-    check();
-    return resolve(samples, static_cast<std::size_t>(size_), static_cast<std::size_t>(grid_));
+    check_errors(gl());
+    const auto size = static_cast<std::size_t>(size_);
+    return resolve(samples, {size, size, static_cast<std::size_t>(grid_)}, SampleColors::linear);
   }
 
  private:
@@ -114,12 +78,6 @@ class Renderer::State {
   void set_direction(const char* name, const Vec3& direction) const {
     const Eigen::Vector3f d = direction.cast<float>();
     gl().uniform_3f(gl().get_uniform_location(program_, name), d[0], d[1], d[2]);
-  }
-
-  void check() const {
-    const GLenum error = gl().get_error();
-    if (error == GL_OUT_OF_MEMORY) throw std::runtime_error("cannot draw: OpenGL lacks memory");
-    if (error != GL_NO_ERROR) throw std::runtime_error("cannot draw: OpenGL error " + std::to_string(error));
   }
 
   GlContext context_;

@@ -12,7 +12,7 @@
 #include "nearer_result.hh"
 #include "plain_trial.hh"
 #include "simplify_sheets.hh"
-#include "whittle/core/stopwatch.hh"
+#include "whittle/core/progress.hh"
 #include "whittle/engine/attributes.hh"
 #include "whittle/engine/detail/decimate_and_fit.hh"
 #include "whittle/engine/two_sided_sheets.hh"

@@ -18,7 +18,7 @@
 #include "terminal/table.hh"
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/geometry/triangle_tree.hh"
-#include "whittle/core/stopwatch.hh"
+#include "whittle/core/progress.hh"
 #include "whittle/core/wedges.hh"
 #include "whittle/io/errors.hh"
 #include "whittle/progressive/recording.hh"
@@ -49,6 +49,8 @@ class PageMaker {
 
   std::string make();
   std::string make_of(const RunForPage& run);
+  /// What was made a page of. Afterwards nothing is left.
+  ShownMeshes take_shown();
 
  private:
   unsigned threads() const { return options_.common.threads; }
@@ -325,6 +327,31 @@ std::string PageMaker::make_of(const RunForPage& run) {
   return compose();
 }
 
+ShownSurface shown_surface(report::PageSurface surface) {
+  ShownSurface shown{std::move(surface.name),
+                     std::move(surface.note),
+                     std::move(surface.mesh),
+                     std::move(surface.materials),
+                     surface.colors,
+                     std::nullopt,
+                     {}};
+  if (surface.distances) {
+    shown.distances = {std::move(surface.distances->mesh), std::move(surface.distances->signed_distances),
+                       surface.distances->max, surface.distances->usual};
+  }
+  for (report::AttributeMap& map : surface.attribute_maps) {
+    shown.deviations.push_back({map.kind, std::move(map.deviations), map.max, map.usual});
+  }
+  return shown;
+}
+
+ShownMeshes PageMaker::take_shown() {
+  ShownMeshes shown{shown_surface(std::move(page_.original)), {}, std::nullopt};
+  for (report::PageSurface& result : page_.results) shown.results.push_back(shown_surface(std::move(result)));
+  if (page_.recording) shown.run = std::move(page_.recording->replay);
+  return shown;
+}
+
 std::string PageMaker::compose() {
   measure_recording();
   measure_distances();
@@ -346,19 +373,10 @@ std::string make_page(const RunForPage& run, const CommonOptions& common, const 
   return PageMaker(options, talk, facts).make_of(run);
 }
 
-std::string make_player(const std::string& path, const IndexedMesh& input, const RunSteps& steps) {
-  report::Page page;
-  page.title = short_name(path);
-  page.original = {page.title, without_attributes(input), {}, {}, {}, std::nullopt};
-  page.recording.emplace(report::PageRecording{progressive::Replay(page.original.mesh, steps, Normals::drop), {}, {}});
-  page.recording->order = report::put_in_page_order(page.original.mesh);
-  std::ostringstream out;
-  write_page(out, page);
-  return std::move(out).str();
-}
-
-std::string make_page(const ReportCommand& options, const Talk& talk, PageFacts& facts) {
-  return PageMaker(options, talk, facts).make();
+MadePage make_page(const ReportCommand& options, const Talk& talk, PageFacts& facts) {
+  PageMaker maker(options, talk, facts);
+  std::string html = maker.make();
+  return {std::move(html), maker.take_shown()};
 }
 
 }  // namespace whittle::app

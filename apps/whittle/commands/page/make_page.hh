@@ -3,9 +3,8 @@
 #include "commands/page/report_options.hh"
 #include "files/input.hh"
 #include "files/report.hh"
+#include "pictures/draw_meshes.hh"
 #include "terminal/talk.hh"
-#include "whittle/core/indexed_mesh.hh"
-#include "whittle/engine/run_steps.hh"
 #include "whittle/simplify/simplify.hh"
 
 namespace whittle::app {
@@ -32,16 +31,19 @@ struct RunForPage {
 /// A page of a run: both meshes, the recording, and what stands in the way of fewer faces. \pre `has_page()`
 std::string make_page(const RunForPage& run, const CommonOptions& common, const Talk& talk);
 
-/// A page that plays a run. \param path of the input \param steps of the run \pre `has_page()`
-std::string make_player(const std::string& path, const IndexedMesh& input, const RunSteps& steps);
-
 /// \throw std::runtime_error if this program was built without the viewer of the page
 void require_page();
 
 /// Whether this program was built with the viewer of the page.
 bool has_page();
 
-/// The page, as HTML. \pre `has_page()`
-std::string make_page(const ReportCommand& options, const Talk& talk, PageFacts& facts);
+/// A page, and what is in it.
+struct MadePage {
+  std::string html;
+  ShownMeshes shown;
+};
+
+/// \pre `has_page()`
+MadePage make_page(const ReportCommand& options, const Talk& talk, PageFacts& facts);
 
 }  // namespace whittle::app

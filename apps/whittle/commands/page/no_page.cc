@@ -7,10 +7,8 @@ namespace whittle::app {
 
 bool has_page() { return false; }
 
-std::string make_page(const ReportCommand&, const Talk&, PageFacts&) { throw std::logic_error("no page"); }
+MadePage make_page(const ReportCommand&, const Talk&, PageFacts&) { throw std::logic_error("no page"); }
 
 std::string make_page(const RunForPage&, const CommonOptions&, const Talk&) { throw std::logic_error("no page"); }
-
-std::string make_player(const std::string&, const IndexedMesh&, const RunSteps&) { throw std::logic_error("no page"); }
 
 }  // namespace whittle::app

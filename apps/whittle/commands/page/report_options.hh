@@ -6,23 +6,9 @@
 #include <vector>
 
 #include "options/command_line.hh"
+#include "pictures/frames.hh"
 
 namespace whittle::app {
-
-/// In pixels.
-struct PictureSize {
-  std::uint64_t width = 1280;
-  std::uint64_t height = 720;
-};
-
-/// Pictures of a recording on its way.
-struct FrameOptions {
-  std::optional<std::string> frames;     ///< .png files, with "{i}" for their numbers
-  std::optional<std::string> animation;  ///< a .webp file
-  double every = 0.05;                   ///< share of the contractions between two pictures
-
-  bool is_given() const { return frames || animation; }
-};
 
 /// The command line of `report`.
 struct ReportCommand {
@@ -31,7 +17,7 @@ struct ReportCommand {
   std::optional<std::string> run;  ///< what `simplify --json` has written
   std::optional<std::string> png;
   PictureSize png_size;
-  std::string view;  ///< how the page is set up: "colour=error,layout=over"
+  PageSettings view;  ///< of pictures
   FrameOptions frames;
   std::uint64_t most_faces = 2'000'000;
   bool open = false;

@@ -3,13 +3,14 @@
 #include <ostream>
 #include <vector>
 
-#include "commands/page/frames.hh"
 #include "commands/page/make_page.hh"
 #include "commands/recording/curve.hh"
 #include "commands/recording/recorded_notes.hh"
 #include "commands/recording/recording_input.hh"
 #include "commands/simplify/simplify_report.hh"
 #include "files/mesh_output.hh"
+#include "pictures/frames.hh"
+#include "whittle/core/wedges.hh"
 #include "whittle/progressive/recording.hh"
 
 namespace whittle::app {
@@ -67,6 +68,16 @@ void write_curve(std::ostream& out, const SimplifyCommand& options, const Simpli
   out << (options.curve->ends_with(".svg") ? curve_svg(record.curve, record.plan.scene.name) : curve_csv(record.curve));
 }
 
+/// The input, and the levels of the run.
+ShownMeshes shown_run(const SimplifyRecord& record) {
+  ShownMeshes shown;
+  const std::string& path = record.plan.scene.name;
+  shown.original.name = path.substr(path.find_last_of('/') + 1);
+  shown.original.mesh = without_attributes(recorded_input(record));
+  shown.run.emplace(shown.original.mesh, record.outcome.simplified.steps, Normals::drop);
+  return shown;
+}
+
 }  // namespace
 
 void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwatch& since_start, SimplifyRecord& record,
@@ -90,9 +101,8 @@ void write_files(const SimplifyCommand& options, const Talk& talk, const Stopwat
                      options.common, talk);
   });
   if (options.pictures.is_given()) {
-    const std::string player =
-        make_player(record.plan.scene.name, recorded_input(record), record.outcome.simplified.steps);
-    write_frames(files, options.pictures, player, "", {}, talk);
+    ShownMeshes shown = shown_run(record);
+    write_frames(files, options.pictures, shown, {{}, {}, options.common.threads}, talk);
   }
   record.write_seconds = watch.seconds();
   record.total_seconds = since_start.seconds();

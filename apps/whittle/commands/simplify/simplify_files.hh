@@ -3,7 +3,7 @@
 #include "commands/simplify/simplify_options.hh"
 #include "commands/simplify/simplify_record.hh"
 #include "files/report.hh"
-#include "whittle/core/stopwatch.hh"
+#include "whittle/core/progress.hh"
 
 namespace whittle::app {
 

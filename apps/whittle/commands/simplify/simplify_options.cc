@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "commands/page/frames.hh"
 #include "commands/page/make_page.hh"
 #include "files/input.hh"
 #include "files/mesh_output.hh"
@@ -162,7 +161,8 @@ void check_gltf(const SimplifyCommand& options) {
 
 void check_options(const SimplifyCommand& options) {
   check_targets(options.request.targets, "--faces, --vertices, --ratio, --face-ratio, --max-cost and --max-error");
-  if (options.page || options.pictures.is_given()) require_page();
+  if (options.page) require_page();
+  require_frames(options.pictures);
   check_gltf(options);
   if (options.curve && !options.curve->ends_with(".csv") && !options.curve->ends_with(".svg")) {
     throw UsageError("--curve: '" + *options.curve + "' ends neither with .csv nor with .svg");

@@ -10,7 +10,7 @@
 #include "run/run_warnings.hh"
 #include "run/shortfall.hh"
 #include "run/vanished.hh"
-#include "whittle/core/stopwatch.hh"
+#include "whittle/core/progress.hh"
 #include "whittle/core/text/text.hh"
 #include "whittle/metrics/self_intersections.hh"
 #include "whittle/scene/write_scene.hh"

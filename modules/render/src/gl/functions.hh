@@ -23,8 +23,10 @@ namespace whittle::render {
   X(PFNGLCOMPILESHADERPROC, compile_shader, "glCompileShader")                                 \
   X(PFNGLCREATEPROGRAMPROC, create_program, "glCreateProgram")                                 \
   X(PFNGLCREATESHADERPROC, create_shader, "glCreateShader")                                    \
+  X(PFNGLDEPTHFUNCPROC, depth_func, "glDepthFunc")                                             \
   X(PFNGLDEPTHMASKPROC, depth_mask, "glDepthMask")                                             \
   X(PFNGLDISABLEPROC, disable, "glDisable")                                                    \
+  X(PFNGLDRAWARRAYSPROC, draw_arrays, "glDrawArrays")                                          \
   X(PFNGLDRAWELEMENTSPROC, draw_elements, "glDrawElements")                                    \
   X(PFNGLENABLEPROC, enable, "glEnable")                                                       \
   X(PFNGLENABLEVERTEXATTRIBARRAYPROC, enable_vertex_attrib_array, "glEnableVertexAttribArray") \
@@ -39,6 +41,7 @@ namespace whittle::render {
   X(PFNGLGETPROGRAMIVPROC, get_program_iv, "glGetProgramiv")                                   \
   X(PFNGLGETUNIFORMLOCATIONPROC, get_uniform_location, "glGetUniformLocation")                 \
   X(PFNGLLINKPROGRAMPROC, link_program, "glLinkProgram")                                       \
+  X(PFNGLPOLYGONOFFSETPROC, polygon_offset, "glPolygonOffset")                                 \
   X(PFNGLREADPIXELSPROC, read_pixels, "glReadPixels")                                          \
   X(PFNGLRENDERBUFFERSTORAGEPROC, renderbuffer_storage, "glRenderbufferStorage")               \
   X(PFNGLSHADERSOURCEPROC, shader_source, "glShaderSource")                                    \

@@ -1,46 +1,15 @@
 #include "gl/scene_buffers.hh"
 
 #include <algorithm>
-#include <cstddef>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 
+#include "gl/vertex_format.hh"
+
 namespace whittle::render {
 
 namespace {
-
-/// A place in a buffer, as OpenGL wants it: a pointer.
-const void* offset(std::size_t bytes) {
-  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
-}
-
-void set_vertex_format(const GlFunctions& gl) {
-  struct Member {
-    GLint size;
-    std::size_t offset;
-  };
-  const Member members[] = {{3, offsetof(SceneVertex, position)},
-                            {3, offsetof(SceneVertex, normal)},
-                            {2, offsetof(SceneVertex, texcoord)},
-                            {4, offsetof(SceneVertex, color)}};
-  for (GLuint i = 0; i < std::size(members); ++i) {
-    gl.vertex_attrib_pointer(i, members[i].size, GL_FLOAT, GL_FALSE, sizeof(SceneVertex), offset(members[i].offset));
-    gl.enable_vertex_attrib_array(i);
-  }
-}
-
-template <class T>
-void fill_buffer(const GlFunctions& gl, GLenum target, const std::vector<T>& values, GLenum usage) {
-  gl.buffer_data(target, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), usage);
-}
-
-unsigned make_buffer(const GlFunctions& gl, GLenum target) {
-  GLuint buffer = 0;
-  gl.gen_buffers(1, &buffer);
-  gl.bind_buffer(target, buffer);
-  return buffer;
-}
 
 GLint gl_wrap(Wrap wrap) {
   switch (wrap) {
@@ -115,7 +84,7 @@ unsigned SceneBuffers::upload(const Pixels& pixels, const std::array<Wrap, 2>& w
 
 void SceneBuffers::draw(unsigned program, const Eigen::Vector3f& to_eye) {
   draw_solid_faces(program);
-  if (!arrays_.blend_faces.empty()) draw_blend_faces(program, to_eye);
+  draw_blend_faces(program, to_eye);
 }
 
 void SceneBuffers::use(unsigned program, std::size_t batch) {
@@ -138,7 +107,7 @@ void SceneBuffers::draw_solid_faces(unsigned program) {
     if (batch.n_indices == 0) continue;
     use(program, i);
     gl_.draw_elements(GL_TRIANGLES, static_cast<GLsizei>(batch.n_indices), GL_UNSIGNED_INT,
-                      offset(batch.first_index * sizeof(std::uint32_t)));
+                      buffer_offset(batch.first_index * sizeof(std::uint32_t)));
   }
 }
 
@@ -160,6 +129,7 @@ std::vector<BlendFace> SceneBuffers::from_back_to_front(const Eigen::Vector3f& t
 }
 
 void SceneBuffers::draw_blend_faces(unsigned program, const Eigen::Vector3f& to_eye) {
+  if (arrays_.blend_faces.empty()) return;
   const std::vector<BlendFace> faces = from_back_to_front(to_eye);
   std::vector<std::uint32_t> indices;
   indices.reserve(3 * faces.size());
@@ -175,7 +145,7 @@ void SceneBuffers::draw_blend_faces(unsigned program, const Eigen::Vector3f& to_
     while (end < faces.size() && faces[end].batch == faces[begin].batch) ++end;
     use(program, faces[begin].batch);
     gl_.draw_elements(GL_TRIANGLES, static_cast<GLsizei>(3 * (end - begin)), GL_UNSIGNED_INT,
-                      offset(3 * begin * sizeof(std::uint32_t)));
+                      buffer_offset(3 * begin * sizeof(std::uint32_t)));
     begin = end;
   }
   gl_.depth_mask(GL_TRUE);

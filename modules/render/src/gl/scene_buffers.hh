@@ -21,14 +21,16 @@ class SceneBuffers {
   /// Draws all faces into the framebuffer: first those that don't blend, then the others from back to front.
   /// \param to_eye unit vector
   void draw(unsigned program, const Eigen::Vector3f& to_eye);
+  /// The faces that don't blend.
+  void draw_solid_faces(unsigned program);
+  /// The others, from back to front. \param to_eye unit vector
+  void draw_blend_faces(unsigned program, const Eigen::Vector3f& to_eye);
 
  private:
   void upload_arrays();
   unsigned texture_of(const Batch& batch);
   unsigned upload(const Pixels& pixels, const std::array<Wrap, 2>& wrap);
   void use(unsigned program, std::size_t batch);
-  void draw_solid_faces(unsigned program);
-  void draw_blend_faces(unsigned program, const Eigen::Vector3f& to_eye);
   std::vector<BlendFace> from_back_to_front(const Eigen::Vector3f& to_eye) const;
 
   const GlFunctions& gl_;

@@ -96,12 +96,12 @@ class App {
     this.isPlaying = false;
   }
 
-  /** Sets the controls as the address says: "#colour=error&edges=on". "picture" leaves the meshes alone, "plain"
-      without names, "level" is the place in the recording, "turn" and "tilt" are degrees, "zoom" is how many times as near. */
+  /** Sets the controls as the address says: "#colour=error&edges=on". "plain" leaves out names, "level" is the place in
+      the recording, "turn" and "tilt" are degrees, "zoom" is how many times as near. */
   followAddress() {
     const settings = new Map(location.hash.slice(1).split('&').map((part) => part.split('=')));
     const number = (key, otherwise) => Number.isFinite(Number(settings.get(key))) ? Number(settings.get(key)) : otherwise;
-    for (const key of ['picture', 'plain']) if (settings.has(key)) document.body.classList.add(key);
+    if (settings.has('plain')) document.body.classList.add('plain');
     for (const [key, value] of settings) this.setControl(key, value);
     if (this.player) this.setUpMovement();
     this.result = this.results[Number($('result').value)] ?? this.result;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <exception>
 #include <functional>
 #include <string_view>
@@ -20,6 +21,15 @@ using ProgressCallback = std::function<bool(const TaskProgress&)>;
 class Cancelled : public std::exception {
  public:
   const char* what() const noexcept override { return "cancelled"; }
+};
+
+/// Wall-clock seconds since its construction.
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace whittle

@@ -1,9 +1,10 @@
-#include "commands/page/animation.hh"
+#include "pictures/animation.hh"
 
 #include <memory>
 #include <stdexcept>
 
 #ifdef WHITTLE_WEBP
+#include <webp/encode.h>
 #include <webp/mux.h>
 #endif
 
@@ -31,7 +32,18 @@ void require(WebPMuxError error) {
 
 }  // namespace
 
-bool has_animations() { return true; }
+void require_animations() {}
+
+void Animation::add(const RgbPicture& picture) {
+  constexpr float quality = 90;  // of 100
+  std::uint8_t* bytes = nullptr;
+  const auto width = static_cast<int>(picture.width);
+  const std::size_t n_bytes =
+      WebPEncodeRGB(picture.bytes.data(), width, static_cast<int>(picture.height), 3 * width, quality, &bytes);
+  if (n_bytes == 0) throw std::runtime_error("libwebp can't store a picture");
+  pictures_.emplace_back(reinterpret_cast<const char*>(bytes), n_bytes);
+  WebPFree(bytes);
+}
 
 std::string Animation::finished() const {
   const std::unique_ptr<WebPMux, DeleteMux> mux(WebPMuxNew());
@@ -56,11 +68,13 @@ std::string Animation::finished() const {
 
 #else
 
-bool has_animations() { return false; }
-
-std::string Animation::finished() const {
+void require_animations() {
   throw std::runtime_error("this whittle was built without libwebp: it makes no moving pictures");
 }
+
+void Animation::add(const RgbPicture&) { require_animations(); }
+
+std::string Animation::finished() const { return {}; }
 
 #endif
 

@@ -1,9 +1,11 @@
-#include "commands/page/frames.hh"
+#include "pictures/frames.hh"
 
+#include <algorithm>
 #include <cmath>
+#include <ostream>
 
-#include "commands/page/animation.hh"
-#include "commands/page/browser.hh"
+#include "pictures/animation.hh"
+#include "pictures/compare_pictures.hh"
 #include "terminal/errors.hh"
 #include "terminal/progress_bar.hh"
 
@@ -20,8 +22,8 @@ double place_of(const FrameOptions& options, std::size_t i) {
 
 OptionRows frame_rows(FrameOptions& options) {
   return {side_file_row("--frames", options.frames,
-                        "draw the original and the levels of the run over each other, with Chromium: .png files; '{i}' "
-                        "stands for the number of each"),
+                        "draw the original and the levels of the run over each other: .png files; '{i}' stands for the "
+                        "number of each"),
           {.names = "--every",
            .access = ratio(options.every),
            .help = "a picture after each such share of the contractions",
@@ -48,21 +50,31 @@ std::vector<Output> frame_outputs(const FrameOptions& options) {
   return outputs;
 }
 
-void write_frames(OutputFiles& files, const FrameOptions& options, const std::string& page, const std::string& settings,
-                  const PictureSize& size, const Talk& talk) {
+void require_frames(const FrameOptions& options) {
+  if (options.is_given()) require_pictures();
+  if (options.animation) require_animations();
+}
+
+void write_frames(OutputFiles& files, const FrameOptions& options, ShownMeshes& meshes, const FrameLook& look,
+                  const Talk& talk) {
   if (!options.is_given()) return;
   const std::size_t n = n_frames(options);
   ProgressBar bar(talk, "drawing");
   const ProgressCallback progress = part_of(bar, 0, 1);
-  PageView view(page, "layout=over&" + settings, size);
+  PageSettings settings = look.settings;
+  settings.emplace("layout", "over");
+  if (meshes.run) settings["result"] = "0";  // the level
+  PictureView view = picture_view(settings);
+  std::vector<std::string> warnings;  // of textures: levels have none
   Animation animation;
   const auto write = [&files](const std::string& path, const std::string& bytes) {
     files.write(path, [&bytes](std::ostream& out) { out << bytes; });
   };
   for (std::size_t i = 0; i < n; ++i) {
-    view.go_to(place_of(options, i));
-    if (options.frames) write(numbered(*options.frames, i, n), view.picture("png"));
-    if (options.animation) animation.add(view.picture("webp"));
+    view.level = place_of(options, i);
+    const RgbPicture picture = draw_meshes(meshes, view, look.size, look.threads, warnings);
+    if (options.frames) write(numbered(*options.frames, i, n), png_file(picture));
+    if (options.animation) animation.add(picture);
     if (progress) progress({static_cast<double>(i + 1) / static_cast<double>(n)});
   }
   if (options.animation) write(*options.animation, animation.finished());
