@@ -19,7 +19,7 @@
 namespace whittle::polishing {
 namespace {
 
-/// How far a pass goes.
+/// The step of a pass.
 struct Step {
   /// As a face moves, its closest points move along, so the step that fits the present ones best is too short. Where
   /// the longer step goes too far, the shorter one is tried.

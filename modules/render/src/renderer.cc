@@ -61,7 +61,7 @@ void make_framebuffer(const GlFunctions& gl, int size) {
   gl.viewport(0, 0, size, size);
 }
 
-/// From the frame's unit to OpenGL's cube. Twice the sphere's radius in depth is seen.
+/// The matrix from the frame's unit to OpenGL's cube. Depths up to twice the sphere's radius are seen.
 Eigen::Matrix4f clip_matrix(const View& view, const Sphere& frame) {
   Eigen::Matrix3d axes;
   axes << view.up.cross(view.to_eye).transpose() * view_fill, view.up.transpose() * view_fill,

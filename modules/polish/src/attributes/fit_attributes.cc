@@ -53,14 +53,14 @@ struct Values {
   std::size_t n_components;
   std::vector<double> from, to;
 
-  /// Of the number i of each wedge of the mesh, n_linear(kind) a wedge; where it has none, it has no slope.
+  /// n_linear(kind) per wedge of the mesh; without a linear function the slope is 0.
   std::vector<LocalFunction> functions;
 
   std::span<const double> original(Index w) const { return {from.data() + w * n_components, n_components}; }
   std::span<double> fitted(Index w) { return {to.data() + w * n_components, n_components}; }
 };
 
-/// In one order, which library functions with wide registers don't keep.
+/// Sums in one order, unlike library functions with wide registers.
 double dot(const Vector& a, const Vector& b) {
   double sum = 0;
   for (Eigen::Index i = 0; i < a.size(); ++i) sum += a[i] * b[i];
@@ -106,7 +106,7 @@ class AttributeFit {
                const IndexedMesh& mesh, unsigned threads);
 
   void fit(Values& values) const;
-  /// Takes away what folds, and what lies over other charts. \return how many folded faces are left \pre texture
+  /// Removes folds, and moves faces off other charts. \return number of folded faces left \pre texture
   /// coordinates, fitted
   std::size_t lay_on_image(Values& values) const;
 
@@ -312,7 +312,7 @@ void AttributeFit::fit(Values& values) const {
 
 /// Wedges whose numbers are linear in the position, and so are here: where the image folds, the surface does.
 std::vector<std::uint8_t> AttributeFit::linear_wedges(Values& values) const {
-  constexpr double nearly = 1e-3;  // of how a number varies there: what files round to
+  constexpr double nearly = 1e-3;  // share of a number's variation: the rounding of files
   const std::size_t n = n_linear(values.kind, values.n_components);
   std::vector<std::uint8_t> is_linear(positions_.size(), 1);
   for (Index w = 0; w < positions_.size(); ++w) {

@@ -18,10 +18,10 @@ namespace {
 using detail::Vec2;
 
 constexpr double least_majority = 0.8;  ///< of the votes for a way round
-/// Of an unfolded face, over the edge that stays: what a sweep tries first, and what it is content with in the end.
+/// Heights of an unfolded face over the edge that stays: first tried, and finally accepted.
 constexpr std::array least_heights{0.01, 0.0};
 constexpr int sweeps_a_height = 15;
-/// For the faces that are left: of all vertices around, each to where its worst face is folded least.
+/// Sweeps for the remaining faces: each vertex around moves to where its worst face is folded least.
 /// \cite freitag_2000_untangling
 constexpr int relaxing_sweeps = 50;
 constexpr double flat = 1e-6;  ///< the height below which a face counts as flat, over its longest edge

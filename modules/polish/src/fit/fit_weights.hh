@@ -26,7 +26,7 @@ class FitWeights {
     return 1 / (1 + x) + far_weight(x);
   }
 
-  /// What a fit with these weights minimises.
+  /// The loss that a fit with these weights minimises.
   double loss(const Distances& distances) const {
     double sum = 0;
     for (const auto& [square, weight] : distances) {

@@ -37,7 +37,7 @@ constexpr double line_weight = 3;
 constexpr double most_drift = 4;
 
 /// Largest squared move of a vertex, over the mean area of its faces. In equilateral faces this is about a seventh of
-/// an edge. Where a longer move is wanted, the mesh is too coarse for the closest points to say what is best.
+/// an edge. For longer moves the mesh is too coarse: closest points would change.
 constexpr double most_area = 0.05;
 
 /// A face needs no check for folds if it has turned by less than this cosine (26°), and its neighbours were less than

@@ -305,7 +305,7 @@ class EdgeFlips {
   std::vector<Triangle> faces_;
   std::vector<Index> partner_;  ///< per face, the face it was flipped with, or `invalid_index`
   std::vector<std::size_t> valences_;
-  std::vector<int> regular_;  ///< per vertex, how many faces are regular there; empty if shape isn't kept
+  std::vector<int> regular_;  ///< per vertex, its regular number of faces; empty if shape isn't kept
 };
 
 }  // namespace

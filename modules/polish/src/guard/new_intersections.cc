@@ -60,7 +60,7 @@ class MovedMesh {
     return found;
   }
 
-  /// Puts the corners of these faces back. \return those that were elsewhere
+  /// Moves the corners of these faces back. \return the corners that had moved
   std::vector<Index> take_back(std::span<const Index> faces) {
     std::vector<Index> vertices;
     for (const Index f : faces) {

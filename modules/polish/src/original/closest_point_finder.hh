@@ -27,7 +27,7 @@ constexpr ClosestFacePoint no_closest_point{invalid_index, 0, 0, 0, 0};
 /// candidate.
 class ClosestPointFinder {
  public:
-  /// Keeps references to what `mesh` refers to.
+  /// Keeps references to the data of `mesh`.
   explicit ClosestPointFinder(const Surface& mesh) : mesh_(mesh) {}
 
   struct Point {

@@ -7,7 +7,7 @@
 namespace whittle::polishing {
 namespace {
 
-/// How many items ahead is prefetched: the time of a miss, some hundred nanoseconds.
+/// Distance of prefetching, in items: the time of a miss, some hundred nanoseconds.
 constexpr std::ptrdiff_t ahead = 12;
 
 template <class T>

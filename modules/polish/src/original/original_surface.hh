@@ -22,9 +22,9 @@ class OriginalSurface {
 
   std::span<const Triangle> faces() const { return faces_; }
   std::span<const Vec3> positions() const { return positions_; }  ///< in the frame
-  /// Of a vertex: the sum of its faces' normals, each as long as twice the face's area.
+  /// The sum of a vertex' faces' normals, each as long as twice the face's area.
   Eigen::Vector3f normal(Index v) const { return normals_and_areas_[v].head<3>(); }
-  /// Of a vertex: a third of the area of its faces.
+  /// A third of the area of a vertex' faces.
   float area(Index v) const { return normals_and_areas_[v].w(); }
 
   /// The closest point to `point` that a walk from a vertex finds.

@@ -22,7 +22,7 @@ class OrderedMesh {
   std::vector<Index> map(std::span<const Index> vertices) const;  ///< `invalid_index` stays
   std::vector<VertexPair> map(std::span<const VertexPair> edges) const;
   std::vector<std::uint8_t> per_vertex(std::span<const std::uint8_t> values) const;  ///< empty stays empty
-  std::vector<Index> per_face(std::span<const Index> values) const;                  ///< likewise
+  std::vector<Index> per_face(std::span<const Index> values) const;                  ///< empty stays empty
 
   /// Writes positions and faces. \param to the input mesh
   void write_to(IndexedMesh& to) const;
