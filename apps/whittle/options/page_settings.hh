@@ -5,9 +5,9 @@
 
 namespace whittle::app {
 
-/// Settings of a page, as they stand in its address.
+/// The settings of a page in the form of its address.
 /// \param text "layout=over,colour=error" \return "layout=over&colour=error"
-/// \throw std::invalid_argument for a name or a value that the page doesn't have; it lists those that it has
+/// \throw std::invalid_argument for an unknown name or value; the message lists the known ones
 std::string parse_page_settings(std::string_view text);
 
 }  // namespace whittle::app

@@ -72,8 +72,8 @@ class RecordingReader {
   Recording recording_;
   std::vector<Attribute>* attributes_ = nullptr;  ///< where the last one is
   bool has_head_ = false;
-  std::uint64_t n_contractions_ = 0;  ///< that there are to be
-  std::uint64_t n_pass_ends_ = 0;     ///< read so far
+  std::uint64_t n_contractions_ = 0;  ///< number expected
+  std::uint64_t n_pass_ends_ = 0;     ///< number expected
 };
 
 bool RecordingReader::take(const Chunk& chunk) {

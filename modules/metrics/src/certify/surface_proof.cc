@@ -87,7 +87,7 @@ SurfaceProof::SurfaceFace& SurfaceProof::face(Index number) {
   return faces_[number];
 }
 
-/// The first hint is the n-th existing face for the n-th face: mostly it is the same face.
+/// If there are as many faces as in the original, the first hint of face i is face i: mostly it is the same face.
 void SurfaceProof::start_surface(std::span<const Face> faces) {
   for (std::size_t i = 0; i < faces.size(); ++i) {
     SurfaceFace& face = this->face(faces[i].number);

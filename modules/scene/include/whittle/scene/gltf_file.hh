@@ -134,7 +134,7 @@ class GltfFile {
   std::vector<Part> parts_;
   Vec3 scene_origin_ = Vec3::Zero();  ///< origin of the whole's coordinates, in the scene
   std::vector<Copy> copies_;          ///< of meshes in the whole
-  double reach_ = 0;                  ///< extent of the meshes' own coordinates and of the scene
+  double reach_ = 0;                  ///< largest distance of a vertex from its mesh's origin, in scene units
 };
 
 /// Whether the scene of an asset shows a mesh with triangles. If not, programs show all meshes.
