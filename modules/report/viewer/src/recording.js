@@ -220,14 +220,18 @@ export class Recording {
   }
 
   applyVisibility() {
-    for (; 3 * this.nVisibilityChanges < this.visibility.length && this.visibility[3 * this.nVisibilityChanges] === this.step; ++this.nVisibilityChanges) {
-      this.isHidden[this.visibility[3 * this.nVisibilityChanges + 1]] = this.visibility[3 * this.nVisibilityChanges + 2];
+    const {visibility} = this; // step, face, whether it is hidden
+    for (let i = 3 * this.nVisibilityChanges; i < visibility.length && visibility[i] === this.step; i += 3) {
+      this.isHidden[visibility[i + 1]] = visibility[i + 2];
+      ++this.nVisibilityChanges;
     }
   }
 
   undoVisibility() {
-    for (; this.nVisibilityChanges > 0 && this.visibility[3 * this.nVisibilityChanges - 3] === this.step; --this.nVisibilityChanges) {
-      this.isHidden[this.visibility[3 * this.nVisibilityChanges - 2]] = 1 - this.visibility[3 * this.nVisibilityChanges - 1];
+    const {visibility} = this;
+    for (let i = 3 * this.nVisibilityChanges - 3; i >= 0 && visibility[i] === this.step; i -= 3) {
+      this.isHidden[visibility[i + 1]] = 1 - visibility[i + 2];
+      --this.nVisibilityChanges;
     }
   }
 
