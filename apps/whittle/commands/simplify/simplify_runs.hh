@@ -28,8 +28,8 @@ std::vector<SimplifyCommand> runs_of(const SimplifyCommand& command);
 /// Does a run. \param report becomes its report; null if none is wanted
 using SimplifyRun = std::function<ExitCode(const SimplifyCommand& run, nlohmann::ordered_json* report)>;
 
-/// Does all runs, one after another. A failure is printed, and the next run begins. Writes one report for
-/// --json: `runs` has the report of each, or its failure.
+/// Does all runs, one after another. A failure is printed, and the next run begins. Writes one report for --json:
+/// `runs` has the report of each, or its failure.
 /// \return the exit status of the first run that failed
 /// \throw Interrupted; files of earlier runs stay
 ExitCode run_each(const SimplifyCommand& command, const std::vector<SimplifyCommand>& runs,

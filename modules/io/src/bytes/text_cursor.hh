@@ -85,8 +85,7 @@ class TextCursor {
     return {first, static_cast<std::size_t>(at_ - first)};
   }
 
-  /// Moves to the end of the line, and returns the rest of it, without blanks around. A continuation becomes a
-  /// blank.
+  /// Moves to the end of the line, and returns the rest of it, without blanks around. A continuation becomes a blank.
   std::string rest_of_line();
 
   /// Moves to a byte of the text. \pre not beyond its end.

@@ -90,8 +90,7 @@ std::vector<std::size_t> ObjReader::chunk_begins(std::string_view text, std::siz
   return begins;
 }
 
-// Returns false if the number of rows in a chunk differs from the guess.
-// Throws the first error of the file.
+// Returns false if the number of rows in a chunk differs from the guess. Throws the first error of the file.
 bool ObjReader::read_chunks(const std::vector<std::size_t>& begins) {
   const std::size_t n = begins.size();
   const auto end = [&](std::size_t i) { return i + 1 < n ? begins[i + 1] : text_.size(); };

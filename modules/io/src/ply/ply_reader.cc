@@ -1,6 +1,6 @@
-// Stanford PLY (G. Turk, "The PLY Polygon File Format", 1994). Elements and properties come in any order;
-// vertices, faces and tristrips are used. One reader serves text and binary: it takes numbers from a source, which
-// knows the encoding.
+// Stanford PLY (G. Turk, "The PLY Polygon File Format", 1994). Elements and properties come in any order; vertices,
+// faces and tristrips are used. One reader serves text and binary: it takes numbers from a source, which knows the
+// encoding.
 #include <array>
 #include <atomic>
 #include <bit>

@@ -35,8 +35,8 @@ using Flags = std::vector<std::uint8_t>;
 // In most cases the first coordinate decides.
 bool is_same_place(const Vec3& p, const Vec3& q) { return p.x() == q.x() && p.y() == q.y() && p.z() == q.z(); }
 
-// Flags the vertices that may be welded: on open borders, or at the ends of edges without length. The faces at an
-// edge without length have no area; welding makes them degenerate.
+// Flags the vertices that may be welded: on open borders, or at the ends of edges without length. The faces at an edge
+// without length have no area; welding makes them degenerate.
 Flags find_candidates(const IndexedMesh& mesh, unsigned threads) {
   Flags is_candidate = whittle::detail::border_vertices(mesh.faces, mesh.positions.size(), threads);
   const auto mark = [&](Index v) { std::atomic_ref(is_candidate[v]).store(1, std::memory_order_relaxed); };

@@ -16,6 +16,7 @@ namespace whittle {
 std::vector<Index> attribute_charts(const IndexedMesh& mesh, std::span<const double> values, std::size_t n_components);
 
 /// An attribute of an input as functions of the position, around each wedge of a mesh made from the input.
+///
 /// If a component is linear in the position throughout its chart (`attribute_charts`), as in planar texture maps, that
 /// function holds in the whole chart. Elsewhere it has a local function (`LocalFunctions`), clamped to the range of the
 /// values around: neither a step nor a texture at a seam may overshoot.

@@ -13,6 +13,7 @@ namespace whittle {
 
 /// Internal coordinates, so that neither the unit nor the position of a mesh changes a result. They are scaled by a
 /// power of two to a size between 1/2 and 1, and centred along axes where the mesh is far from the origin.
+///
 /// Both conversions are exact for the positions the frame was made for: a vertex that doesn't move keeps every bit.
 struct Frame {
   Vec3 center = Vec3::Zero();

@@ -27,10 +27,12 @@ struct LocalFunction {
 
 /// Linear functions of the position around each wedge of a mesh made from an input. They are fitted to the faces with a
 /// corner merged into the wedge, weighted by area. So attributes that are linear in the position keep their functions,
-/// to rounding, wherever the wedge goes, even beside the surface. Across a thin layer of points the slope is mostly
-/// noise. So along each main axis of the points the slope g is shrunk to g · e / (e + s² / n): e is the variance that
-/// it explains, s² the residual variance, n the number of faces. Without residual g stays; if g is noise, it becomes
-/// about 0. Rounding errors of values grow at most by the distance over the thickness.
+/// to rounding, wherever the wedge goes, even beside the surface.
+///
+/// Across a thin layer of points the slope is mostly noise. So along each main axis of the points the slope g is shrunk
+/// to g · e / (e + s² / n): e is the variance that it explains, s² the residual variance, n the number of faces.
+/// Without residual g stays; if g is noise, it becomes about 0. Rounding errors of values grow at most by the distance
+/// over the thickness.
 class LocalFunctions {
  public:
   /// Keeps references to the input and the map. \param frame of the input

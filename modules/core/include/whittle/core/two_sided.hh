@@ -14,6 +14,7 @@ namespace whittle {
 /// faces have no pair. A sheet is a set of pairs, connected over edges:
 /// - at least two pairs: two faces that close a pocket are no sheet;
 /// - no wall between bodies: a wall has two or more other faces at each edge where it ends.
+///
 /// \return F; for the later face of each pair, its *back*, the number of the earlier face, its *front*; for all other
 ///         faces `invalid_index`. Empty without sheets. Nearly linear time; little if no faces coincide
 std::vector<Index> fronts_of_backs(std::span<const Triangle> faces);

@@ -48,6 +48,7 @@ struct AssetFile {
 };
 
 /// A glTF asset: document, buffers, and replaced triangles of its meshes.
+///
 /// Errors in a file are `io::ReadError`s of one line. `read` finds errors in the document, `triangles` errors in the
 /// numbers of a mesh. Meshes are numbered as in the document.
 class Asset {
@@ -78,6 +79,7 @@ class Asset {
   std::vector<Eigen::Matrix4d> world_transforms(std::size_t mesh) const;
 
   /// All triangles of a mesh, from all its primitives that are triangles, strips or fans and have positions.
+  ///
   /// Each used vertex of a primitive is a vertex; vertices aren't joined, and there is no table of wedges.
   /// `face_groups` has the number of the primitive, `group_names` the material's name or number for each primitive.
   /// NORMAL, COLOR_0 and POSITION are in their own arrays. `attributes` has the other attributes by their names in the
@@ -97,6 +99,7 @@ class Asset {
   std::vector<std::vector<Material>> materials() const;
 
   /// Replaces the triangles of a mesh. Lines and points stay.
+  ///
   /// `face_groups` gives the primitive of a face; it may be empty if only one has triangles. A primitive without
   /// triangles left is dropped. Each wedge, or vertex, of a primitive's faces becomes a vertex of it. A primitive keeps
   /// its attributes if the mesh has them. \param triangles with groups and attribute names as from `triangles`; may

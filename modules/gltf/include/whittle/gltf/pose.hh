@@ -30,6 +30,7 @@ struct AnimationTime {
 };
 
 /// Poses the scene of an asset.
+///
 /// The scene has all shown nodes (`Asset::n_instances`) with meshes that have triangles. At rest, meshes without skins
 /// and morph targets are placed by `Asset::world_transforms`. If the scene shows no mesh, it has each mesh once, in its
 /// own coordinates.

@@ -38,13 +38,16 @@ struct AttributeDeviation {
 
 /// Deviations of the attributes of vertices and corners that both meshes have, by name, kind and number of components
 /// (any number of joints). In the order of the reference; `normals` and `colors` come first.
+///
 /// At each sample the value is interpolated between the corners of its face, and compared with the value at the closest
 /// point of the other surface. Near a seam, or between two sheets, the closest point may lie on the wrong side, with
 /// another value. So a sample is also compared with other sheets that are nearly as near, and the least deviation
 /// counts. A sheet is a set of faces where the attribute is continuous: they are connected over vertices at which both
 /// have the same value. Nearly as near: d² ≤ d₀² + (diagonal/1000)², with the distance d₀ of the closest point, and the
-/// larger diagonal of both boxes; the 64 nearest of these faces count. Directions of length 0 count as absent; an
-/// attribute that can't be compared anywhere is left out. \throw as `surface_distance`
+/// larger diagonal of both boxes; the 64 nearest of these faces count.
+///
+/// Directions of length 0 count as absent; an attribute that can't be compared anywhere is left out.
+/// \throw as `surface_distance`
 std::vector<AttributeDeviation> attribute_deviations(const IndexedMesh& reference, const IndexedMesh& test,
                                                      const DistanceOptions& options = {});
 

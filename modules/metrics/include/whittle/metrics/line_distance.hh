@@ -37,6 +37,7 @@ struct LineDistance {
 /// Samples every segment at both ends and evenly between them, and finds the exact closest point of the other set for
 /// each sample. Distances below 2^-48 of the larger diagonal are rounding noise and count as 0. If no line has a
 /// length, all have the same weight in the mean.
+///
 /// Empty if either set is empty: then there is no distance.
 /// \throw std::invalid_argument if a point is not finite, or `options` is out of range. \throw Cancelled if
 /// `options.progress` returned false.

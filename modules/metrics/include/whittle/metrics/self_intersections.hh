@@ -9,6 +9,7 @@
 namespace whittle::metrics {
 
 /// All pairs of faces that intersect beyond their common corners, each as (lower, higher) number, ascending.
+///
 /// Two faces may share no point, one corner, or one edge, as their corners do. Corners are the same if their positions
 /// are equal, so an unwelded mesh has the same result as the welded one. These also count as intersections: faces that
 /// touch without a common corner (a vertex inside another face, a T-junction), neighbours folded exactly onto each

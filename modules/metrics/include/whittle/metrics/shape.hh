@@ -34,8 +34,8 @@ struct Shape {
   ValenceStats valence;
   double edge_length_mean = 0.0;  ///< Model units.
   double edge_length_cv = 0.0;    ///< Standard deviation of the edge lengths over their mean.
-  /// Edges with two faces nearly folded onto each other: the cosine between their normals is below −0.94. If
-  /// both faces run along the edge in the same direction, one of them is reversed first.
+  /// Edges with two faces nearly folded onto each other: the cosine between their normals is below −0.94. If both faces
+  /// run along the edge in the same direction, one of them is reversed first.
   std::size_t folds = 0;
 };
 

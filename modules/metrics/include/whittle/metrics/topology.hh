@@ -8,8 +8,9 @@
 namespace whittle::metrics {
 
 /// The connectivity of a triangle set. Only vertex numbers count, not positions.
-/// Faces with the same vertex at two corners (`collapsed_faces`) aren't in any other count. A *fan* is a maximal
-/// set of faces at a vertex that are connected over edges at that vertex.
+///
+/// Faces with the same vertex at two corners (`collapsed_faces`) aren't in any other count. A *fan* is a maximal set of
+/// faces at a vertex that are connected over edges at that vertex.
 struct Topology {
   std::size_t vertices = 0;  ///< Used by a face.
   std::size_t faces = 0;     ///< Without the collapsed ones.

@@ -8,12 +8,15 @@
 // Attributes of a simplified mesh, fitted to those of its original:
 //
 //   minimise  Σ_s m_s |Σ_k b_sk x_sk − a_s|²  +  λ Σ_w M_w |x_w − x⁰_w|²
+//
 //   - s is a point that represents the original, as in polish.hh, m_s its weight, a_s its value
 //   - b_sk are the barycentric coordinates of its closest point on the simplified mesh, x_sk the values of the corners
 //   - x⁰_w is the original's value nearest to wedge w, M_w = Σ m_s b_sk, and λ is 0.02
+//
 // Where the fit leaves a fold, texture coordinates are moved by the least amount that removes it. A fold is a face
 // whose orientation on the image differs from the original's there. Then coordinates are kept in their charts
 // (keep_in_charts.hh).
+//
 // Closest points are found on the same side of every seam: both surfaces are cut open there. The normal equations are
 // solved by conjugate gradients, for each component of a value by itself.
 

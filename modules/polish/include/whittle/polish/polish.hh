@@ -89,15 +89,15 @@ struct PolishOptions {
   std::vector<VertexPair> seams{};           ///< edges of the simplified mesh
   std::vector<VertexPair> original_seams{};  ///< edges of the original
   /// Weight of seams in the fit, over that of borders. (0, inf). With a weight, far seams count for less, by Fair's
-  /// weights, and vertices where seams meet move. None: seams count as borders do, and vertices where seams meet or
-  /// end stay.
+  /// weights, and vertices where seams meet move. None: seams count as borders do, and vertices where seams meet or end
+  /// stay.
   std::optional<double> seam_weight{};
   /// Smallest radius ratio (radius_ratio.hh) that a face may get. A face that had a smaller one may keep it. [0, 1];
   /// less than 0.001, or none, counts as 0.001.
   std::optional<double> min_radius_ratio{};
-  /// Weight of round triangles and even valences against the distance. [0, inf); 0 = off. With a weight, a
-  /// vertex is drawn along the surface to the middle of its neighbours, and no flip makes its two faces less round, or
-  /// valences less regular (as valence_term.hh of the engine has it).
+  /// Weight of round triangles and even valences against the distance. [0, inf); 0 = off. With a weight, a vertex is
+  /// drawn along the surface to the middle of its neighbours, and no flip makes its two faces less round, or valences
+  /// less regular (as valence_term.hh of the engine has it).
   double shape_weight = 0;
   bool recompute_normals = true;  ///< whether to compute vertex normals anew from the faces, if the mesh has some
   double crease_angle_deg =

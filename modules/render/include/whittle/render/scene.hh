@@ -13,6 +13,7 @@
 namespace whittle::render {
 
 /// A mesh at its place in a scene.
+///
 /// Normals and colours come from the mesh. Corners without a normal, or with one of length 0, get the face's normal.
 /// Degenerate faces, and faces with a corner that isn't finite, are not drawn.
 struct Part {

@@ -36,10 +36,13 @@ struct Verification {
 };
 
 /// Checks a certificate (docs/dev/certificate.md) by following each step of the proof, without searching. Correct for
-/// any triangles, open or non-manifold, and for any bytes. Takes time in proportion to the steps and the faces that
-/// they read, and memory in proportion to the meshes and the certificate. \param in, out coordinates of used vertices
-/// are finite and not above 3e150; if not, the certificate doesn't hold \param threads 0 = all cores. The result
-/// doesn't depend on it. \throw std::bad_alloc
+/// any triangles, open or non-manifold, and for any bytes.
+///
+/// Takes time in proportion to the steps and the faces that they read, and memory in proportion to the meshes and the
+/// certificate.
+/// \param in, out coordinates of used vertices are finite and not above 3e150; if not, the certificate doesn't hold
+/// \param threads 0 = all cores. The result doesn't depend on it.
+/// \throw std::bad_alloc
 Verification verify(const Triangles& in, const Triangles& out, std::string_view certificate, unsigned threads = 0);
 
 }  // namespace whittle::verify

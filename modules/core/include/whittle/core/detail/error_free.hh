@@ -1,7 +1,6 @@
 #pragma once
 
-// Sums and products of two doubles, with their rounding errors.
-// \cite shewchuk_1997_adaptive
+// Sums and products of two doubles, with their rounding errors. \cite shewchuk_1997_adaptive
 
 namespace whittle::detail {
 

@@ -24,6 +24,7 @@ struct ClosestPoint {
 };
 
 /// A bounding volume hierarchy over the faces of a mesh, for exact closest points.
+///
 /// Any triangles are allowed. Degenerate triangles count as segments or points. Of coincident faces the lowest number
 /// is returned. Coordinates are relative to an origin near the mesh, so that a mesh far from zero loses no precision.
 /// The tree holds copies; the mesh may be destroyed. Building takes O(F log F) time and about 200 bytes a face, a query

@@ -16,6 +16,7 @@ namespace whittle::metrics {
 ///   - Each face of the surface is proven to be near to the original.
 /// - Each face of the original *rests on* faces of the surface: it is proven to be near these alone. So the proof
 ///     holds until one of them changes.
+///
 /// A change proves the new faces, and again the faces that rested on the old ones.
 class SurfaceProof {
  public:
