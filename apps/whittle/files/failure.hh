@@ -12,7 +12,8 @@ struct Failure {
   std::string problem;  ///< names the file, if one is to blame
 };
 
-/// The failure of the exception being handled. \pre called in a catch block
+/// The failure of the exception being handled.
+/// \pre called in a catch block
 /// \throw Interrupted again: it is no failure, but ends the program.
 Failure current_failure();
 

@@ -96,8 +96,8 @@ std::string given_twice(const CLI::App& sub) {
   return {};
 }
 
-/// The problem of an option with too many or too few values. \param said CLI11's words, which begin with the option's
-/// name
+/// The problem of an option with too many or too few values.
+/// \param said CLI11's words, which begin with the option's name
 std::string mismatch(const CLI::App& sub, const std::string& said) {
   if (std::string twice = given_twice(sub); !twice.empty()) return twice;
   const std::string name = said.substr(0, said.find_first_of(": "));

@@ -32,7 +32,8 @@ std::vector<Attribute> gathered(const std::vector<Attribute>& attributes, std::s
   return some;
 }
 
-/// Numbers the `items` in ascending order. \param numbers gets the number of each
+/// Numbers the `items` in ascending order.
+/// \param numbers gets the number of each
 /// \return `items`, ascending, each once
 std::vector<Index> renumbered(std::vector<Index> items, std::vector<Index>& numbers) {
   std::sort(items.begin(), items.end());

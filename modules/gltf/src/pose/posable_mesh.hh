@@ -24,7 +24,9 @@ struct PosableMesh {
   std::vector<std::vector<Vec3>> displacements;  ///< of each morph target, of each vertex; empty: of none
 };
 
-/// \param mesh from `Asset::triangles`. \param what "mesh 0", \param file for messages
+/// \param mesh from `Asset::triangles`.
+/// \param what "mesh 0"
+/// \param file for messages
 /// \throw io::ReadError if a joint is no whole number from 0 on
 PosableMesh posable_mesh(IndexedMesh mesh, const std::string& what, const std::string& file);
 
@@ -34,7 +36,8 @@ std::vector<Vec3> apply_targets(const PosableMesh& mesh, std::span<const double>
 /// Moves positions by a matrix whose last row is 0, 0, 0, 1.
 void apply_matrix(std::span<Vec3> positions, const Eigen::Matrix4d& matrix);
 
-/// Moves positions by their joints. \param joints per joint, from the mesh's coordinates to the scene's
+/// Moves positions by their joints.
+/// \param joints per joint, from the mesh's coordinates to the scene's
 /// \param matrix for vertices without a weight
 void apply_skin(const PosableMesh& mesh, std::span<const Eigen::Matrix4d> joints, const Eigen::Matrix4d& matrix,
                 std::span<Vec3> positions);

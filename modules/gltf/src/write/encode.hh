@@ -45,8 +45,8 @@ struct Compression {
 Encoded encode_channel(const Channel& channel, const Accessor& documented, const std::vector<double>& values,
                        const Compression* compression);
 
-/// Encodes in the smallest type that fits, of 16 bits or more. \param documented null, or the replaced accessor: 8 bits
-/// stay
+/// Encodes in the smallest type that fits, of 16 bits or more.
+/// \param documented null, or the replaced accessor: 8 bits stay
 Encoded encode_indices(const std::vector<Triangle>& faces, std::size_t n_vertices, const Accessor* documented,
                        bool compress);
 

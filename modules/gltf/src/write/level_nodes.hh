@@ -19,9 +19,10 @@ std::size_t add_mesh_copy(Json& document, std::size_t mesh, std::size_t level);
 
 /// Gives each node that uses a mesh coarser levels of detail: nodes that differ only in their mesh, moved by the same
 /// animations. Viewers show a level in place of the node and its descendants. So a node with more than a mesh
-/// (children, a camera, a light) first passes the mesh on to a new child. \param coarser the meshes of the levels,
-/// finest first \param coverage the least share of the screen at which each level is shown, first of the node \pre no
-/// such node has levels
+/// (children, a camera, a light) first passes the mesh on to a new child.
+/// \param coarser the meshes of the levels, finest first
+/// \param coverage the least share of the screen at which each level is shown, first of the node
+/// \pre no such node has levels
 void add_level_nodes(Json& document, std::size_t mesh, std::span<const std::size_t> coarser,
                      std::span<const double> coverage);
 

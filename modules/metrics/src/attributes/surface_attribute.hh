@@ -34,8 +34,8 @@ class SurfaceAttribute {
   std::vector<Index> first_equal_;  ///< for each wedge the first one of its vertex with the same value
 };
 
-/// The deviation of two values (`AttributeDeviation`). \param a, b of the same kind; the numbers of components of joint
-/// weights may differ
+/// The deviation of two values (`AttributeDeviation`).
+/// \param a, b of the same kind; the numbers of components of joint weights may differ
 double deviation(AttributeKind kind, std::span<const double> a, std::span<const double> b);
 
 }  // namespace whittle::metrics

@@ -106,7 +106,8 @@ class AttributeFit {
                const IndexedMesh& mesh, unsigned threads);
 
   void fit(Values& values) const;
-  /// Removes folds, and moves faces off other charts. \return number of folded faces left
+  /// Removes folds, and moves faces off other charts.
+  /// \return number of folded faces left
   /// \pre texture coordinates, fitted
   std::size_t lay_on_image(Values& values) const;
 

@@ -22,13 +22,15 @@ struct TexturedFaces {
 };
 
 /// Orientation that each face of a mesh should have on the image: 1, -1, or 0 = unknown. The original's faces vote,
-/// each for the face with the closest point of its centroid. \param samples per face of the original \param n_faces
-/// number of faces of the mesh
+/// each for the face with the closest point of its centroid.
+/// \param samples per face of the original
+/// \param n_faces number of faces of the mesh
 std::vector<std::int8_t> turns_on_image(const TexturedFaces& original,
                                         std::span<const AttributeSamples::Sample> samples, std::size_t n_faces);
 
 /// Moves texture coordinates, each by the least amount, so that faces get the orientations `turns`.
-/// \param turns per face, from `turns_on_image` \param held per wedge, 1 = keeps its coordinates; or empty
+/// \param turns per face, from `turns_on_image`
+/// \param held per wedge, 1 = keeps its coordinates; or empty
 /// \return number of folded faces left
 std::size_t unfold(std::span<const Triangle> faces, std::span<const std::int8_t> turns, std::span<double> texcoords,
                    std::size_t n_components, std::span<const std::uint8_t> held = {});

@@ -23,8 +23,10 @@ struct FlipLimits {
 /// is flipped where that lowers the sum of the squared distances of the points whose closest points are in the two
 /// faces. It stays where the flip would turn a face over, turn neighbours in a forbidden way, make an edge that exists
 /// already, make a vertex with fewer than four or more than nine faces, or make faces intersect. Edges of lines stay,
-/// too. \param origins of the mesh; the faces are fitted to their points \return all faces, by the same numbers \throw
-/// Cancelled
+/// too.
+/// \param origins of the mesh; the faces are fitted to their points
+/// \return all faces, by the same numbers
+/// \throw Cancelled
 std::vector<Triangle> flip_edges(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits,
                                  const MeshLines& lines, const FlipLimits& flip_limits, const Origins& origins,
                                  const detail::Workers& workers);

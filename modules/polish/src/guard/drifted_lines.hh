@@ -17,8 +17,7 @@ class DriftedLines {
   /// \param feature_tolerance largest distance of features from the original's, in the frame
   DriftedLines(const Surface& before, const MeshLines& lines, LineSamples& samples, double feature_tolerance);
 
-  /// \param positions current positions
-  /// Moves vertices of drifted lines back. \return these vertices
+  /// Moves vertices of drifted lines back. \param positions current positions \return these vertices
   std::vector<Index> take_back(std::vector<Vec3>& positions, const detail::Workers& workers);
 
  private:

@@ -8,7 +8,8 @@ namespace whittle::polishing {
 
 /// Moves vertices back that drifted: now further than `most` from the original, and further than before. The sums of a
 /// fit miss this where a face extends beyond the original's edge: no point has its closest point there.
-/// \param before offsets before the moves \param most largest distance, at least the `near` of `before`
+/// \param before offsets before the moves
+/// \param most largest distance, at least the `near` of `before`
 /// \param positions current positions
 /// \return the vertices moved back
 /// \throw Cancelled

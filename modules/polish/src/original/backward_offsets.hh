@@ -13,7 +13,8 @@ namespace whittle::polishing {
 /// plane through the nearest of its origins shows that a vertex is near; the closest point is searched only otherwise.
 class BackwardOffsets {
  public:
-  /// Keeps references to the origins, and to the data of `mesh`. \param near distance up to which a vertex is near
+  /// Keeps references to the origins, and to the data of `mesh`.
+  /// \param near distance up to which a vertex is near
   /// \throw Cancelled
   BackwardOffsets(const Origins& origins, const Surface& mesh, double near, const detail::Workers& workers);
 

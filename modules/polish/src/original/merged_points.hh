@@ -17,7 +17,8 @@ namespace whittle::polishing {
 /// With one point a face, the same holds for its square.
 class MergedPoints {
  public:
-  /// Keeps references to the data of both. \param end of the range of vertices passed to `find`
+  /// Keeps references to the data of both.
+  /// \param end of the range of vertices passed to `find`
   /// \pre end > 0
   MergedPoints(const Origins& origins, const Surface& mesh, Index end);
 

@@ -12,7 +12,8 @@ namespace whittle::polishing {
 class Origins {
  public:
   /// Keeps references to the original and the map.
-  /// \param vertex_map as for `polish` \param n_vertices number of vertices of the mesh
+  /// \param vertex_map as for `polish`
+  /// \param n_vertices number of vertices of the mesh
   /// \param points_per_face 1 or 4 points represent a face of the original (merged_points.hh)
   /// \throw Cancelled
   Origins(const OriginalSurface& original, std::span<const Index> vertex_map, std::size_t n_vertices,

@@ -21,8 +21,9 @@ namespace {
 constexpr std::size_t most_faces = std::size_t{1} << 24;
 
 /// Welds between copies: for each vertex the first one of its group; itself if it is the first, or if its copy has
-/// another vertex in the group. Vertices of one mesh stay apart. \param welded a number for each group, or
-/// `invalid_index` \param copies of the vertices
+/// another vertex in the group. Vertices of one mesh stay apart.
+/// \param welded a number for each group, or `invalid_index`
+/// \param copies of the vertices
 std::vector<Index> joined_across(const std::vector<Index>& welded, const std::vector<Index>& copies) {
   std::vector<Index> by_group;
   std::vector<Index> joined(welded.size());

@@ -21,7 +21,8 @@ class AttributeBlend {
   AttributeBlend(AttributeKind kind, std::size_t n_components);
 
   void add(std::span<const double> value, double weight);
-  /// \pre a value was added \param to gets the mean
+  /// \pre a value was added
+  /// \param to gets the mean
   /// \return false if directions cancel out; then `to` is unchanged
   bool result(std::span<double> to);
 

@@ -35,7 +35,8 @@ struct LocalFunction {
 /// over the thickness.
 class LocalFunctions {
  public:
-  /// Keeps references to the input and the map. \param frame of the input
+  /// Keeps references to the input and the map.
+  /// \param frame of the input
   /// \param wedge_map for each wedge of the input its wedge in the mesh, or `invalid_index`
   /// \param n_wedges number of wedges of the mesh
   LocalFunctions(const IndexedMesh& input, const Frame& frame, std::span<const Index> wedge_map, std::size_t n_wedges,

@@ -47,7 +47,8 @@ std::vector<VertexPair> seam_edges(const IndexedMesh& mesh);
 
 /// Joins vertices; each joined vertex gets a wedge per different set of attributes. Faces stay.
 /// \param joined V; for each vertex the vertex that it becomes: itself, or an earlier vertex that becomes itself
-/// \pre the mesh has origins \return V; their new numbers
+/// \pre the mesh has origins
+/// \return V; their new numbers
 std::vector<Index> join_vertices(IndexedMesh& mesh, std::span<const Index> joined);
 
 }  // namespace whittle

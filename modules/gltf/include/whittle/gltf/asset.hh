@@ -55,7 +55,8 @@ class Asset {
  public:
   /// Reads a file and the buffers that it names. \throw io::ReadError
   static Asset read(const std::filesystem::path& path);
-  /// The same from memory. \param name of the file, for messages
+  /// The same from memory.
+  /// \param name of the file, for messages
   /// \param folder with the files that the asset names; if empty, an asset that needs files is refused
   static Asset read(std::string bytes, const std::string& name, const std::filesystem::path& folder = {});
 
@@ -87,24 +88,24 @@ class Asset {
   /// - "JOINTS_0+WEIGHTS_0": all sets of joints and weights together: 4 joints a set, then the weights;
   /// - "target 0 POSITION": of the first morph target; the same for NORMAL and so on.
   /// An attribute that a primitive lacks is zero there. Numbers that aren't finite are read as zero, except in
-  /// positions. Of a replaced mesh the new triangles are returned. \throw io::ReadError if an index is above the
-  /// vertices, a position isn't finite, or compressed data are damaged
+  /// positions. Of a replaced mesh the new triangles are returned.
+  /// \throw io::ReadError if an index is above the vertices, a position isn't finite, or compressed data are damaged
   IndexedMesh triangles(std::size_t mesh) const;
 
   /// Whether a primitive has a material, other than the default of `make_asset`: white, without metal.
   bool has_look(std::size_t mesh, std::size_t primitive) const;
   /// The material of each primitive, by mesh and primitive, or the default material. Meshes without triangles have
-  /// none. Images are read, each once; a missing one has a `Image::problem`. \throw io::ReadError if a material is
-  /// missing or invalid
+  /// none. Images are read, each once; a missing one has a `Image::problem`.
+  /// \throw io::ReadError if a material is missing or invalid
   std::vector<std::vector<Material>> materials() const;
 
   /// Replaces the triangles of a mesh. Lines and points stay.
   ///
   /// `face_groups` gives the primitive of a face; it may be empty if only one has triangles. A primitive without
   /// triangles left is dropped. Each wedge, or vertex, of a primitive's faces becomes a vertex of it. A primitive keeps
-  /// its attributes if the mesh has them. \param triangles with groups and attribute names as from `triangles`; may
-  /// have a table of wedges \throw std::invalid_argument if the mesh would be empty, which glTF can't express, or if a
-  /// group, an index or the
+  /// its attributes if the mesh has them.
+  /// \param triangles with groups and attribute names as from `triangles`; may have a table of wedges
+  /// \throw std::invalid_argument if the mesh would be empty, which glTF can't express, or if a group, an index or the
   ///        size of an attribute is wrong
   void set_triangles(std::size_t mesh, IndexedMesh triangles);
 
@@ -112,8 +113,8 @@ class Asset {
   bool has_levels(std::size_t mesh) const;
   /// Gives the nodes of meshes coarser levels of detail, by the extension MSFT_lod. Each level adds a mesh, and a node
   /// per node of the mesh, equal in all else, and moved by the same animations. Readers without the extension show the
-  /// mesh itself. Numbers of meshes and nodes stay; new ones come after them. \throw std::invalid_argument as
-  /// `set_triangles`; if a mesh `has_levels` or is repeated, or if the number of shares
+  /// mesh itself. Numbers of meshes and nodes stay; new ones come after them.
+  /// \throw std::invalid_argument as `set_triangles`; if a mesh `has_levels` or is repeated, or if the number of shares
   ///        isn't the number of levels plus 1
   void add_levels(std::vector<MeshLevels> levels);
 

@@ -36,10 +36,10 @@ struct AnimationTime {
 /// own coordinates.
 class Poser {
  public:
-  /// Reads geometry, skins and animations. \param asset must outlive the poser, and not change
+  /// Reads geometry, skins and animations.
+  /// \param asset must outlive the poser, and not change
   /// \throw io::ReadError as `Asset::triangles`; if a part of a skin or animation is missing, has the wrong type, or
-  /// isn't
-  ///        finite; if the scene has more than 2^27 vertices or triangles
+  ///        isn't finite; if the scene has more than 2^27 vertices or triangles
   explicit Poser(const Asset& asset);
   Poser(Poser&& other) noexcept;
   Poser& operator=(Poser&& other) noexcept;
@@ -68,9 +68,8 @@ class Poser {
   /// time, it stands still. \throw std::out_of_range for an unknown animation
   Pose animated(const AnimationTime& moment) const;
   /// A pose for assets without animations: from `rest`, each joint turns about its origin by up to 30 degrees, and each
-  /// morph target has a weight in [0, 1]. \param number any; each gives another pose, the same for assets with equal
-  /// nodes
-  ///        and skins
+  /// morph target has a weight in [0, 1].
+  /// \param number any; each gives another pose, the same for assets with equal nodes and skins
   Pose artificial(std::size_t number) const;
 
   /// The scene: positions in its coordinates, and faces, without attributes. Vertices aren't joined. All poses have the

@@ -19,18 +19,20 @@ struct BorderGaps {
 };
 
 /// A vertex on an open border lies at a gap if a vertex of another face is nearer than a twentieth of the shortest edge
-/// at either one, but not at the same position. Takes O(n log n) time in the number n of border vertices. \pre
-/// positions are finite, every corner is below V
+/// at either one, but not at the same position. Takes O(n log n) time in the number n of border vertices.
+/// \pre positions are finite, every corner is below V
 BorderGaps find_border_gaps(const IndexedMesh& mesh);
 
 /// Welds vertices on open borders to their nearest vertex, if it is at most `tolerance` away, and nearer than the
 /// shortest edge at either one. Two vertices of one face stay apart. No edge gets a third face, by the rules of
 /// `weld_borders`. The vertex with the lowest number keeps its position. Then drops faces and vertices like `repair`
-/// after welding. \param tolerance model units, [0, ∞) \param vertex_map if given, gets V numbers: the new number of
-/// each vertex, `invalid_index` if it was dropped \param threads largest number of threads; 0 = all cores. The result
-/// is the same for any number. \return counts of each kind of repair \pre positions are finite, every corner is below
-/// V, attribute arrays are empty or full, every vertex has a face \throw std::invalid_argument for a tolerance that is
-/// negative or not finite
+/// after welding.
+/// \param tolerance model units, [0, ∞)
+/// \param vertex_map if given, gets V numbers: the new number of each vertex, `invalid_index` if it was dropped
+/// \param threads largest number of threads; 0 = all cores. The result is the same for any number.
+/// \return counts of each kind of repair
+/// \pre positions are finite, every corner is below V, attribute arrays are empty or full, every vertex has a face
+/// \throw std::invalid_argument for a tolerance that is negative or not finite
 Repairs weld_gaps(IndexedMesh& mesh, double tolerance, std::vector<Index>* vertex_map = nullptr, unsigned threads = 0);
 
 }  // namespace whittle::io

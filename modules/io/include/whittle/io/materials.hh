@@ -22,8 +22,9 @@ struct SurfaceMaterials {
 /// Reads the material libraries (MTL) of a mesh file. Of repeated names the first counts; invalid numbers count as
 /// absent. Kd (red, green, blue) is the base colour, and hidden by a texture (map_Kd); d is the opacity. Tr is not
 /// read: programs disagree on its meaning. The single texture of a PLY file is on all faces whose material isn't in a
-/// library. Images are named, not read. \param folder of the mesh file \param mesh the file's mesh, or one made from
-/// it, with its groups and attributes
+/// library. Images are named, not read.
+/// \param folder of the mesh file
+/// \param mesh the file's mesh, or one made from it, with its groups and attributes
 SurfaceMaterials read_materials(const FileNotes& notes, const std::filesystem::path& folder, const IndexedMesh& mesh);
 
 /// Reads the images of materials, each once. \param folder base of relative paths

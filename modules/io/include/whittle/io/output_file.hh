@@ -20,8 +20,8 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   std::ostream& stream() { return stream_; }
-  /// Flushes, closes and renames. \throw WriteError if anything failed since opening; a full disk is detected here at
-  /// the latest.
+  /// Flushes, closes and renames.
+  /// \throw WriteError if anything failed since opening; a full disk is detected here at the latest.
   void commit();
 
  private:

@@ -48,7 +48,8 @@ class OutputFiles {
 /// A key that is equal for two names of one file. Files that don't exist yet have their names.
 std::string file_identity(const std::string& path);
 
-/// Calls `fill` with a stream, and flushes it. \param name of the file, for messages
+/// Calls `fill` with a stream, and flushes it.
+/// \param name of the file, for messages
 /// \throw WriteError with the name of the file if either fails
 void fill_checked(std::ostream& stream, const std::string& name, const std::function<void(std::ostream&)>& fill);
 

@@ -54,9 +54,9 @@ struct ReadResult {
 };
 
 /// Reads a mesh file, decompresses gzip data, triangulates polygons, then repairs (`repair`). docs/user/formats.md
-/// lists the content that is kept. Counts are checked against the file's size before anything is allocated. \throw
-/// ReadError if the file isn't a complete and valid mesh file, or if no face is left after repairs \throw
-/// std::bad_alloc only if the file is too large for the memory
+/// lists the content that is kept. Counts are checked against the file's size before anything is allocated.
+/// \throw ReadError if the file isn't a complete and valid mesh file, or if no face is left after repairs
+/// \throw std::bad_alloc only if the file is too large for the memory
 ReadResult read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// The same from memory.

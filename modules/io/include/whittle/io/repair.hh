@@ -42,7 +42,8 @@ std::string to_string(const Repairs& repairs);
 Repairs repair(IndexedMesh& mesh, bool weld = true, std::vector<Index>* joined_to = nullptr, unsigned threads = 0);
 
 /// For each vertex before the repair, its vertex in the repaired mesh; `invalid_index` if it was dropped.
-/// \param n_before number of vertices before \param joined_to from `repair`
+/// \param n_before number of vertices before
+/// \param joined_to from `repair`
 /// \pre the mesh's origins are numbers of vertices before the repair, or empty: none was dropped
 std::vector<Index> vertex_map_of(const IndexedMesh& mesh, std::size_t n_before, const std::vector<Index>& joined_to);
 

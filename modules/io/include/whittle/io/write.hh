@@ -35,9 +35,9 @@ struct WriteResult {
 /// Writes a mesh, with all attributes that the format has. If the format stores them at vertices, a vertex with several
 /// wedges is written several times, at the same position: reading welds it. Positions are exact, except in binary STL,
 /// which rounds to 32 bits, with a warning if that moves positions of the input by more than a millionth of the
-/// diagonal. The file appears complete or not at all (`OutputFile`). \throw std::invalid_argument if the extension's
-/// format isn't supported (`format_of`) \throw WriteError if the file can't be written, or if the format can't hold a
-/// coordinate (binary STL)
+/// diagonal. The file appears complete or not at all (`OutputFile`).
+/// \throw std::invalid_argument if the extension's format isn't supported (`format_of`)
+/// \throw WriteError if the file can't be written, or if the format can't hold a coordinate (binary STL)
 WriteResult write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, const WriteOptions& options = {});
 
 /// The same to a stream opened in binary mode. `options.format` is ignored.

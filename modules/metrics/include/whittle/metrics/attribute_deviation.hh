@@ -59,7 +59,8 @@ struct WedgeDeviations {
 };
 
 /// `attribute_deviations` from one surface to the other, at each wedge instead of samples.
-/// \param kinds of attributes to compare \param threads 0 = all cores; the result is the same for any number
+/// \param kinds of attributes to compare
+/// \param threads 0 = all cores; the result is the same for any number
 /// \throw std::invalid_argument as `surface_distance`
 std::vector<WedgeDeviations> attribute_deviations_at_wedges(const IndexedMesh& mesh, const IndexedMesh& other,
                                                             std::span<const AttributeKind> kinds, unsigned threads = 0);

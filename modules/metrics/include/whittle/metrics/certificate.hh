@@ -18,8 +18,9 @@ struct CertifiedDistances {
 };
 
 /// Proves that two surfaces are within a distance of each other (`certify`), and their open borders
-/// (`certify_borders`). \return the steps of the proof, the same for any number of threads; empty if it fails \throw as
-/// `certify`; std::invalid_argument if a distance is 0
+/// (`certify_borders`).
+/// \return the steps of the proof, the same for any number of threads; empty if it fails
+/// \throw as `certify`; std::invalid_argument if a distance is 0
 std::optional<std::string> make_certificate(const IndexedMesh& first, const IndexedMesh& second,
                                             const CertifiedDistances& at_most, const CertifyOptions& options = {});
 

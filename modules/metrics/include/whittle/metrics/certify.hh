@@ -58,9 +58,8 @@ struct Certification {
 /// Else it is split in two. Any triangles are allowed; edges with other than two faces count as open.
 /// \param max_distance model units, not negative
 /// \throw std::invalid_argument if a mesh has no faces, a face names a missing vertex, a position is not finite or
-/// above
-///        3e150, the distance is negative or not a number, or tolerances or vertex_map have a wrong length or name a
-///        missing vertex. Cancelled
+///        above 3e150, the distance is negative or not a number, or tolerances or vertex_map have a wrong length or
+///        name a missing vertex. Cancelled
 Certification certify(const IndexedMesh& first, const IndexedMesh& second, double max_distance,
                       const CertifyOptions& options = {});
 

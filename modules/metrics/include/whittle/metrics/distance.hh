@@ -56,8 +56,8 @@ struct SurfaceDistance {
 
 /// Samples both surfaces, stratified by area, and finds the exact closest point on the other surface for each sample
 /// and vertex. Distances below 2^-48 of the larger diagonal are rounding noise and count as 0. In a surface without
-/// area all faces get the same number of samples. \throw std::invalid_argument if a mesh has no faces, a face names a
-/// missing vertex, a position is not finite, or
+/// area all faces get the same number of samples.
+/// \throw std::invalid_argument if a mesh has no faces, a face names a missing vertex, a position is not finite, or
 ///        `options` is out of range
 /// \throw Cancelled if `options.progress` returned false
 SurfaceDistance surface_distance(const IndexedMesh& reference, const IndexedMesh& test,

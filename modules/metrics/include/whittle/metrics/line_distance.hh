@@ -39,8 +39,8 @@ struct LineDistance {
 /// length, all have the same weight in the mean.
 ///
 /// Empty if either set is empty: then there is no distance.
-/// \throw std::invalid_argument if a point is not finite, or `options` is out of range. \throw Cancelled if
-/// `options.progress` returned false.
+/// \throw std::invalid_argument if a point is not finite, or `options` is out of range.
+/// \throw Cancelled if `options.progress` returned false.
 std::optional<LineDistance> line_distance(std::span<const Segment> reference, std::span<const Segment> test,
                                           const LineDistanceOptions& options = {});
 

@@ -19,7 +19,8 @@ namespace whittle::metrics {
 /// require that coordinates along an axis that differ from each other or from 0 differ by at least 1e-30 of the mesh's
 /// extent.
 /// \param threads 0 = all cores; the result is the same for any number.
-/// \throw std::invalid_argument as `bounds`. \throw Cancelled if `progress` returned false.
+/// \throw std::invalid_argument as `bounds`.
+/// \throw Cancelled if `progress` returned false.
 std::vector<std::array<Index, 2>> self_intersections(const IndexedMesh& mesh, unsigned threads = 0,
                                                      const ProgressCallback& progress = {});
 

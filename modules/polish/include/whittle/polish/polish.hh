@@ -118,7 +118,8 @@ struct PolishResult {
 /// The original, prepared for `polish`. Make it once for several calls with one original.
 class PolishOriginal {
  public:
-  /// Keeps a reference to the mesh: positions finite. \param threads 0 = all cores
+  /// Keeps a reference to the mesh: positions finite.
+  /// \param threads 0 = all cores
   /// \param progress is asked, but sees no progress yet
   /// \throw std::invalid_argument if a face names a missing vertex; Cancelled
   explicit PolishOriginal(const IndexedMesh& mesh, unsigned threads = 0, const ProgressCallback& progress = {});

@@ -28,8 +28,7 @@ class Renderer {
  public:
   /// \param frame the sphere of the views; positions are exact to 1e-7 of its radius
   /// \throw std::invalid_argument if `options` are out of range, a face names a missing vertex or wedge, or the length
-  /// of an
-  ///        image's array doesn't fit its size
+  ///        of an image's array doesn't fit its size
   /// \throw std::runtime_error without OpenGL, or if it lacks memory
   Renderer(const Scene& scene, const Sphere& frame, const DrawOptions& options = {});
   ~Renderer();

@@ -17,8 +17,9 @@ struct AttributeMap {
   double usual = 0;  ///< upper bound for 99 % of the area, if a wedge stands for a third of its faces; at most `max`
 };
 
-/// Maps of normals, colours and texture coordinates that both meshes have. \param threads 0 = all cores; the result is
-/// the same for any number \throw std::invalid_argument if a mesh has no faces
+/// Maps of normals, colours and texture coordinates that both meshes have.
+/// \param threads 0 = all cores; the result is the same for any number
+/// \throw std::invalid_argument if a mesh has no faces
 std::vector<AttributeMap> attribute_maps(const IndexedMesh& mesh, const IndexedMesh& other, unsigned threads = 0);
 
 }  // namespace whittle::report

@@ -47,7 +47,8 @@ class GltfFile {
   std::vector<Group> groups() const;
 
   /// Writes the file with its meshes replaced, and the files beside it (`gltf::Asset::files`). Nodes get coarser levels
-  /// as levels of detail (`gltf::Asset::add_levels`). \param mesh the whole, simplified; null: meshes are unchanged
+  /// as levels of detail (`gltf::Asset::add_levels`).
+  /// \param mesh the whole, simplified; null: meshes are unchanged
   /// \param levels coarser levels of the whole, or empty
   /// \param compress see `gltf::WriteOptions`
   /// \return a line for each content that changed

@@ -35,7 +35,9 @@ struct Scene {
 bool keeps_meshes(const Scene& scene);
 
 /// The vertices that must stay (`GltfFile::held_borders`). Empty if the document doesn't keep its meshes.
-/// \param mesh the scene's mesh, or some of its faces \param threads 0 = all cores \param warnings gets their number
+/// \param mesh the scene's mesh, or some of its faces
+/// \param threads 0 = all cores
+/// \param warnings gets their number
 /// \return V or empty
 std::vector<std::uint8_t> held_borders(const Scene& scene, const IndexedMesh& mesh, unsigned threads,
                                        std::vector<std::string>& warnings);

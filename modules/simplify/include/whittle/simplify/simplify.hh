@@ -79,9 +79,9 @@ Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, E
 /// comparison.
 /// \param targets counts, all of faces or all of vertices, descending
 /// \return a level per target, in their order; fewer if no pair is left to contract, or if the run is cancelled. The
-///         last level has the reason for the stop, and the time of all
+///        last level has the reason for the stop, and the time of all
 /// \throw as `simplify`; std::invalid_argument for other targets, for a target that the mesh has reached, and for
-/// pauses
+///        pauses
 std::vector<Simplification> simplify_to_levels(const IndexedMesh& mesh, const std::vector<DecimateTarget>& targets,
                                                Effort effort = Effort::normal, const SimplifyOptions& options = {});
 

@@ -40,8 +40,8 @@ inline void check_positions(std::span<const Vec3> positions, const char* caller)
 
 /// \param caller whose name begins the message
 /// \throw std::invalid_argument if a non-empty attribute has another length than `IndexedMesh` says, if an attribute
-/// other than scalars and categories is not finite, or if a wedge is at two vertices. \pre no face names a missing
-/// vertex
+///        other than scalars and categories is not finite, or if a wedge is at two vertices.
+/// \pre no face names a missing vertex
 void check_attributes(const IndexedMesh& mesh, const char* caller);
 
 }  // namespace whittle

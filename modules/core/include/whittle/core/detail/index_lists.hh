@@ -15,8 +15,7 @@ class IndexLists {
  public:
   IndexLists() = default;
   /// \param for_each called twice with a function emit(index, value). It calls emit for the same values each time, in
-  /// the
-  ///        order of each list.
+  ///        the order of each list.
   template <class ForEach>
   IndexLists(std::size_t n_lists, const ForEach& for_each) : first_(n_lists + 2, 0) {
     // Counts are stored two slots further on. While the lists are filled, first_[i + 1] is the end of list i.

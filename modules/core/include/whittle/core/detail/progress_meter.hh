@@ -20,7 +20,8 @@ class ProgressMeter {
  public:
   explicit ProgressMeter(ProgressCallback callback) : callback_(std::move(callback)) {}
 
-  /// Ends the current stage and begins the next. \param until fraction of the whole task at this stage's end
+  /// Ends the current stage and begins the next.
+  /// \param until fraction of the whole task at this stage's end
   /// \throw Cancelled
   void start(std::string_view stage, double until) {
     if (!callback_) return;

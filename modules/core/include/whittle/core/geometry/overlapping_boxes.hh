@@ -49,7 +49,8 @@ class OverlapTree {
 }  // namespace detail
 
 /// All pairs i < j of boxes with a common point for which `keep(i, j)` holds, always in the same order. Fast if
-/// successive boxes are near each other. \param keep called from several threads
+/// successive boxes are near each other.
+/// \param keep called from several threads
 /// \throw Cancelled
 template <class Keep>
 IndexPairs overlapping_boxes(std::span<const FloatBox> boxes, const Keep& keep, const detail::Workers& workers) {

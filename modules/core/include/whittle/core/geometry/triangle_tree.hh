@@ -59,7 +59,8 @@ class TriangleTree {
     Index face = invalid_index;
     double distance = 0.0;  ///< With the face's offset, model units.
   };
-  /// The face with the least sum of distance and offset. \pre offsets are set
+  /// The face with the least sum of distance and offset.
+  /// \pre offsets are set
   /// \param point, hint as for `nearest_local`
   OffsetFace nearest_by_offsets(const Vec3& point, Index hint) const;
 

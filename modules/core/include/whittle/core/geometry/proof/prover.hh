@@ -42,9 +42,8 @@ class Prover {
   /// Finds the farthest point of a triangle, if it is farther than `from`.
   /// \param most limit to prove for all points, unless a point is farther
   /// \return a proven bound for all points: `most`, or the distance of the point found (or `from`), plus `accuracy`
-  /// times
-  ///         the larger of this distance and a finite `most`, plus a 10⁻⁹th. Larger if the proof takes too many pieces;
-  ///         then later triangles aren't proven below it, as only the largest distance counts
+  ///        times the larger of this distance and a finite `most`, plus a 10⁻⁹th. Larger if the proof takes too many
+  ///        pieces; then later triangles aren't proven below it, as only the largest distance counts
   double find_farthest(const Corners& triangle, double from, double accuracy, double most, Index hint,
                        FarthestPoint& farthest);
 
