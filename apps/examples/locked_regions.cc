@@ -28,7 +28,7 @@ int main() {
   const whittle::Simplification small =
       whittle::simplify(mesh, whittle::DecimateTarget::faces(1000), whittle::Effort::normal, options);
 
-  // `vertex_map` says what has become of each vertex of the input.
+  // `vertex_map` gives the new number of each vertex of the input.
   std::size_t n_locked = 0;
   std::size_t n_kept = 0;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -38,7 +38,7 @@ int main() {
     if (now != whittle::invalid_index && small.mesh.positions[now] == mesh.positions[v]) ++n_kept;
   }
 
-  // The `feature_edges` of the result are what is left of the line. It still lies in the plane z = 0.
+  // The `feature_edges` of the result are the rest of the line. It still lies in the plane z = 0.
   double highest = 0;
   for (const auto& [a, b] : small.feature_edges)
     highest = std::max({highest, std::abs(small.mesh.positions[a].z()), std::abs(small.mesh.positions[b].z())});

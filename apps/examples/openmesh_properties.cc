@@ -49,7 +49,7 @@ int main() {
   whittle::collect_garbage(mesh);  // removes elements that are marked as deleted
 
   // A surviving vertex keeps properties of whole numbers. Texture coordinates, colours, normals and properties of real
-  // numbers have the value of the place where it went: what is linear in the position stays so.
+  // numbers have the value at its new position: linear functions of the position stay linear.
   std::set<int> survivors;
   float worst = 0;
   for (const Mesh::VertexHandle v : mesh.vertices()) {

@@ -25,7 +25,7 @@ struct Traits : OpenMesh::DefaultTraits {
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 constexpr float full_turn = 2 * std::numbers::pi_v<float>;
 
-/// How far around the axis a point is, in [0, 1).
+/// Angle of a point around the axis, in turns, [0, 1).
 float turn_of(const Mesh::Point& p) {
   const float turn = std::atan2(p[1], p[0]) / full_turn;
   return turn < 0 ? turn + 1 : turn;
@@ -53,7 +53,7 @@ Mesh textured_torus() {
   return mesh;
 }
 
-/// How far the texture slips at most, in turns.
+/// Largest slip of the texture, in turns.
 float largest_slip(const Mesh& mesh) {
   float largest = 0;
   for (const Mesh::FaceHandle face : mesh.faces()) {

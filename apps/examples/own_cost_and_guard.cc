@@ -22,7 +22,7 @@ class ModFinerRightT : public whittle::PlacingModuleT<MeshT> {
  private:
   using typename whittle::PlacingModuleT<MeshT>::VertexHandle;
 
-  /// What merging two vertices costs, and where the merged vertex goes. `constraint` says which of them has to stay.
+  /// Cost and position of the merged vertex. `constraint` names the vertex that must stay, if any.
   whittle::PairEvaluation evaluate_plain(VertexHandle first, VertexHandle second,
                                          whittle::PairConstraint constraint) const override {
     auto evaluation = whittle::evaluate_midpoint(this->position(first), this->position(second), constraint);

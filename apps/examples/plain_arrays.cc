@@ -1,4 +1,4 @@
-// Simplifies a mesh stored in two plain arrays, and gives two plain arrays back. Does what `whittle simplify` does.
+// Simplifies a mesh in two plain arrays to two plain arrays, as `whittle simplify` does.
 #include <cstdio>
 #include <vector>
 #include <whittle/simplify/simplify.hh>
@@ -45,7 +45,7 @@ Arrays arrays_of(const whittle::IndexedMesh& mesh) {
 int main() {
   const whittle::IndexedMesh mesh = mesh_of(some_arrays());
 
-  // The target is required. The effort says how much time accuracy may take: fast, normal (the default) or best.
+  // The target is required. The effort trades time for accuracy: fast, normal (the default) or best.
   const whittle::Simplification small =
       whittle::simplify(mesh, whittle::DecimateTarget::faces(300), whittle::Effort::best);
   for (const whittle::Warning& warning : small.result.warnings) std::printf("warning: %s\n", warning.text.c_str());

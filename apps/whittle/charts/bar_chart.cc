@@ -16,7 +16,7 @@ constexpr double plot_top = 40;
 constexpr double plot_bottom = 300;
 constexpr double legend_row = 20;
 
-/// A round number at or above the greatest share, and how many parts the axis has.
+/// A round number at or above the largest share, and the number of parts of the axis.
 struct ShareAxis {
   double end;
   int n_parts;

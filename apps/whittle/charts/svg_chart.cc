@@ -77,7 +77,7 @@ void draw(SvgDrawing& drawing, const ChartSeries& series, std::size_t i, const A
   drawing.add_text(right + 36, legend_y + 4, "start", series.name);
 }
 
-/// The series, with only those points that can be drawn.
+/// The series, with only the points that can be drawn.
 std::vector<ChartSeries> drawable(const std::vector<ChartSeries>& all) {
   std::vector<ChartSeries> result;
   for (ChartSeries series : all) {

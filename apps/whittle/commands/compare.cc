@@ -46,7 +46,7 @@ struct Contender {
 struct Comparison {
   DecimateTarget target = DecimateTarget::as_far_as_possible();
   Effort effort = Effort::normal;
-  SimplifyOptions settled;  ///< what the effort stands for
+  SimplifyOptions settled;  ///< options of the effort
   Contender ours;
   Contender stock;
   double stock_seconds_build = 0;
@@ -127,7 +127,7 @@ Json contender_json(const Contender& contender, const char* name) {
   return json;
 }
 
-/// What ran.
+/// The options of both runs.
 Json compare_options_json(const CompareOptions& options, const Comparison& comparison) {
   const DecimateOptions& decimate = comparison.settled.decimate;
   return {{"weld", options.files.weld},

@@ -22,7 +22,7 @@ struct InfoOptions {
   CommonOptions common;
 };
 
-/// What is known of one mesh.
+/// Facts about one mesh.
 struct View {
   metrics::Topology topology;
   metrics::Shape shape;

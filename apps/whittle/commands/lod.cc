@@ -129,7 +129,7 @@ std::vector<DecimateTarget> targets_of(const LodCommand& options, const LodRun& 
   return targets;
 }
 
-/// In model units, ascending, each once.
+/// The errors in model units, ascending, each once.
 std::vector<double> errors_of(const LodCommand& options, const LodRun& run) {
   std::vector<double> errors;
   for (const Length& error : options.errors) errors.push_back(error.in_units(run.diagonal));

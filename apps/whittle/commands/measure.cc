@@ -241,7 +241,7 @@ std::string summary_of(const Scene& reference, const Scene& test, const Measurem
          significant(measured.distance.diagonal) + "\n\n" + tables + "\nTEST\n" + shape_table(measured);
 }
 
-/// \throw what `run_measure` throws before it reads
+/// \throw the errors of `run_measure` before it reads
 void check_command(const MeasureOptions& options) {
   check_formats({options.reference, options.test}, {}, options.files);
   std::vector<Output> outputs;

@@ -23,13 +23,13 @@ constexpr double soup_share = 0.5;         ///< of border edges
 constexpr double small_part = 0.01;        ///< of the mesh's diagonal
 constexpr double border_tolerance = 1e-6;  ///< of the diagonal: on the bounding box
 
-/// What is counted among the edges with two faces.
+/// Counts of edges with two faces.
 struct EdgeAngles {
-  double flat_share = 0;    ///< of those whose faces lie in one plane
-  std::size_t n_sharp = 0;  ///< those that turn by more than `sharp_deg`
+  double flat_share = 0;    ///< share of edges whose faces lie in one plane
+  std::size_t n_sharp = 0;  ///< number of edges that turn by more than `sharp_deg`
 };
 
-/// In the frame, so that no size of a mesh is too small or too large.
+/// Computed in the frame, for meshes of any size.
 EdgeAngles edge_angles(const IndexedMesh& mesh) {
   const detail::EdgeTable edges(mesh.faces, mesh.positions.size());
   const Frame frame = Frame::of_points(mesh.positions);

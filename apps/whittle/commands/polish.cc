@@ -94,7 +94,7 @@ void check(const PolishCommand& options) {
   check_outputs(outputs, {options.reference, options.input}, options.common.force);
 }
 
-/// Seams keep to those of the reference. Normals that differ along them stay: they show creases.
+/// Seams stay at the reference's seams. Different normals along them stay: they show creases.
 PolishOptions polish_options_of(const PolishCommand& options, const IndexedMesh& reference, const IndexedMesh& mesh) {
   PolishOptions polish{.passes = options.passes, .fit = options.fit, .threads = options.common.threads};
   polish.seams = seam_edges(mesh);

@@ -89,7 +89,7 @@ void measure_curve(const SimplifyCommand& options, const Talk& talk, SimplifyRec
   record.curve_seconds = watch.seconds();
 }
 
-/// For the report: what the effort has settled.
+/// Copies the planned options into the request, for the report.
 void take_settled(const SimplifyRecord& record, Request& request) {
   request.simplify.decimate.cost = record.outcome.simplified.cost;
   request.simplify.polish_passes = record.plan.options.polish_passes;

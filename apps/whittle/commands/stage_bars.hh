@@ -15,9 +15,9 @@ class StageBars {
  public:
   explicit StageBars(const Talk& talk) : talk_(talk) {}
 
-  /// For `RunObserver`. \return false to end the run
+  /// Callback for `RunObserver`. \return false to end the run
   bool update(const RunProgress& progress);
-  /// For `DecimateOptions::progress`.
+  /// Callback for `DecimateOptions::progress`.
   bool update(const Progress& progress);
 
  private:

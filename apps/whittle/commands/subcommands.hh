@@ -4,7 +4,7 @@
 
 #include "options/subcommand.hh"
 
-// Each function adds a subcommand. If that one is called, parsing the command line sets `command` to its work.
+// Each function adds a subcommand. If the user calls it, parsing the command line sets `command` to its work.
 
 namespace whittle::app {
 
@@ -20,11 +20,11 @@ void setup_replay(CLI::App& app, Command& command);
 void setup_geomorph(CLI::App& app, Command& command);
 void setup_report(CLI::App& app, Command& command);
 
-// These two print what they know of the other subcommands. They read no mesh.
+// These two describe the other subcommands. They read no mesh.
 void setup_completion(CLI::App& app, Command& command);
 void setup_man(CLI::App& app, Command& command);
 
-/// In the order of the help.
+/// All subcommands, in the order of the help.
 inline constexpr std::array all_subcommands{setup_simplify, setup_measure,    setup_info, setup_polish, setup_compare,
                                             setup_convert,  setup_verify,     setup_lod,  setup_replay, setup_geomorph,
                                             setup_report,   setup_completion, setup_man};

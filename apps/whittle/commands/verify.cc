@@ -65,7 +65,7 @@ VerifyRun verify_files(const VerifyCommand& options, const Talk& talk) {
   return run;
 }
 
-/// What is asked of a distance, model units.
+/// A requested distance, model units.
 std::optional<double> asked(const std::optional<Length>& length, const VerifyRun& run) {
   return length ? std::optional(length->in_units(run.diagonal)) : std::nullopt;
 }
@@ -75,7 +75,7 @@ std::string distance_text(double distance, const VerifyRun& run) {
   return length_text_rounded_up(distance, run.diagonal);
 }
 
-/// Why more is asked than the certificate proves; empty if it isn't. \param what "of borders "
+/// The difference between the request and the proof; empty if the proof suffices. \param what "of borders "
 std::string shortfall(const std::optional<Length>& length, double proven, const std::string& what,
                       const VerifyRun& run) {
   if (!length || proven <= *asked(length, run)) return {};
@@ -83,7 +83,7 @@ std::string shortfall(const std::optional<Length>& length, double proven, const 
   return asked_text + (std::isfinite(proven) ? distance_text(proven, run) : "nothing") + " is proven";
 }
 
-/// What is wrong, in a line; empty if nothing is.
+/// The problem in a line, or empty.
 std::string problem(const VerifyCommand& options, const VerifyRun& run) {
   const verify::Verification& proof = run.verification;
   if (proof.is_malformed) return "no whole certificate: " + proof.why_not;
@@ -126,7 +126,7 @@ Json verify_json(const VerifyCommand& options, const VerifyRun& run, bool is_met
   return json;
 }
 
-/// What is proven, in words.
+/// The proven distances, in words.
 std::string proven_text(const VerifyRun& run) {
   const verify::Verification& proof = run.verification;
   const std::string& in = run.input.name;

@@ -12,8 +12,9 @@ struct Failure {
   std::string problem;  ///< names the file, if one is to blame
 };
 
-/// What the exception that is being handled means. \pre called in a catch block
-/// \throw Interrupted again: that is no failure, it ends the program.
+/// The failure of the exception being handled.
+/// \pre called in a catch block
+/// \throw Interrupted again: it is no failure, but ends the program.
 Failure current_failure();
 
 }  // namespace whittle::app

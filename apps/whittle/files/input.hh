@@ -25,13 +25,13 @@ SceneFile scene_file(const std::string& path, const FileOptions& options);
 SceneReadOptions read_options(const FileOptions& options, unsigned threads,
                               io::AttributeScope attributes = io::AttributeScope::per_vertex);
 
-/// What was read from a file.
+/// Content of a file.
 struct Input : Scene {
   double seconds = 0;  ///< that reading took
 };
 
-/// Reads a mesh. Prints what was repaired and what is not carried.
-/// \param attributes all, for what can take wedges and groups \throw as `SceneFile::read`
+/// Reads a mesh. Prints repairs and lost content.
+/// \param attributes `all` for callers that support wedges and groups \throw as `SceneFile::read`
 Input read_input(const std::string& path, const FileOptions& options, unsigned threads, const Talk& talk,
                  io::AttributeScope attributes = io::AttributeScope::per_vertex);
 
@@ -40,7 +40,7 @@ Input read_input(const std::string& path, const FileOptions& options, unsigned t
 Input read_joined(const std::vector<std::string>& paths, const FileOptions& options, unsigned threads, const Talk& talk,
                   io::AttributeScope attributes);
 
-/// As the library has it. Prints the warnings.
+/// Calls `whittle::held_borders`, and prints its warnings.
 std::vector<std::uint8_t> held_borders(const Input& input, unsigned threads, const Talk& talk,
                                        std::vector<std::string>& warnings);
 

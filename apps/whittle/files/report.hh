@@ -62,10 +62,10 @@ std::string polish_text(const PolishResult& polish);
 /// {"path", "vertices", "faces", "diagonal", "repairs"}
 Json input_json(const Scene& input, double diagonal);
 
-/// The most memory that the program has used so far.
+/// Peak memory of the program so far.
 std::uint64_t peak_memory_bytes();
 
-/// If verbose, prints how long the run took and how much memory it used at most.
+/// If verbose, prints the run's time and peak memory.
 void say_effort(const Talk& talk, double seconds);
 
 /// The name in messages: the path, or "standard output".

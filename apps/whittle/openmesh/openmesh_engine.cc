@@ -77,8 +77,8 @@ class ModCollapseLogT : public OpenMesh::Decimater::ModBaseT<MeshT> {
 
   void set_cost_module(const CostModule& module) { cost_ = &module; }
 
-  /// Evaluates the cost again, because the one in OpenMesh's heap may be out of date. Binary modules are called before
-  /// the module that ranks, so the quadrics are those before the collapse.
+  /// Evaluates the cost again, as the cost in OpenMesh's heap may be out of date. Binary modules are called before the
+  /// ranking module, so the quadrics are from before the collapse.
   void preprocess_collapse(const CollapseInfo& collapse) override {
     max_cost_ = std::max(max_cost_, cost_->evaluate(collapse).cost);
     merged_into_[static_cast<std::size_t>(collapse.v0.idx())] = static_cast<Index>(collapse.v1.idx());

@@ -14,9 +14,8 @@ namespace whittle::app {
 ///   - Normals and colours are not carried.
 /// Of the options it follows `cost`, `quadric`, `isotropy`, `valence_weight`, `boundary`, `max_normal_flip_deg` and
 /// `progress`. It ignores `order`, `pairs`, `topology`, `min_radius_ratio`, `refuse_intersections`, `locked`,
-/// `feature_angle_deg`, `feature_tolerance`, `feature_edges`, `normals`, `keep_quadrics`, `listener` and `threads`.
-/// On the command line all of these that change results are refused with `--engine openmesh`. That normals are not
-/// carried is a warning.
+/// `feature_angle_deg`, `feature_tolerance`, `feature_edges`, `normals`, `keep_quadrics`, `listener` and `threads`. On
+/// the command line `--engine openmesh` refuses the ones that change results. Lost normals are a warning.
 /// \pre the target has no cost limit
 /// \param name of the mesh, for errors
 /// \throw UnsupportedMesh if OpenMesh's half-edges can't hold a face

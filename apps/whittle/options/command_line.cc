@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<Choice<ColorMode>, 3> color_modes{
     {{"auto", ColorMode::automatic}, {"always", ColorMode::always}, {"never", ColorMode::never}}};
 
-/// "obj|off|ply": the extensions of formats. \param has_documents whether those of documents are among them
+/// "obj|off|ply": the extensions of formats. \param has_documents whether documents are included
 std::string extensions(std::string_view separator, bool has_documents) {
   std::string text;
   for (const SceneFormat* format : scene_formats()) {

@@ -27,7 +27,7 @@ struct CommonOptions {
 };
 /// The last rows of a subcommand: help lists groups in the order of their first rows.
 OptionRows common_rows(CommonOptions& options);
-/// What --color says, also if the rest of the command line is wrong. \param app after parsing
+/// The value of --color, also if the rest of the command line is invalid. \param app after parsing
 ColorMode color_of(const CLI::App& app);
 
 /// How mesh files are read and written.
@@ -35,8 +35,8 @@ struct FileOptions {
   bool weld = true;                     ///< exact duplicates of vertices on open borders
   AutomaticLength weld_tolerance{};     ///< also vertices on open borders that are so near; 0 = exact duplicates alone
   const SceneFormat* format = nullptr;  ///< of files whose name doesn't tell the format; null: not told
-  const SceneFormat* input_format = nullptr;   ///< of what is read, whatever its name; or null
-  const SceneFormat* output_format = nullptr;  ///< of what is written, whatever its name; or null
+  const SceneFormat* input_format = nullptr;   ///< format to read, for any name; or null
+  const SceneFormat* output_format = nullptr;  ///< format to write, for any name; or null
   bool ascii = false;                          ///< text, in formats that are written as text or as binary data
   bool reads_documents = false;                ///< whether the command takes documents, such as glTF
   bool writes_documents = false;               ///< whether it writes them
@@ -50,7 +50,7 @@ OptionRows input_format_rows(FileOptions& options);
 OptionRow weld_row(FileOptions& options);
 /// --format, --input-format, --weld and --no-weld: how meshes are read.
 OptionRows input_rows(FileOptions& options);
-/// Those and --output-format and --ascii: how meshes are read and written.
+/// The rows for reading, --output-format and --ascii.
 OptionRows file_rows(FileOptions& options);
 /// --compress.
 OptionRow compress_row(bool& compresses_gltf);

@@ -6,7 +6,7 @@
 
 namespace whittle::app {
 
-/// What all calls end with.
+/// The exit statuses of all calls.
 inline constexpr char exit_statuses[] =
     "0 done, 1 failure, 2 usage, 3 target not met (--strict), 4 input unreadable or invalid,\n130 interrupted.";
 
@@ -34,7 +34,7 @@ std::string shown_description(const CLI::Option& option);
 /// Sets the text that follows "Usage: whittle NAME" in the help. It is stored at the option --help, because in CLI11
 /// only options can hold such a text.
 void set_usage(CLI::App& subcommand, const std::string& usage);
-/// What follows "whittle simplify " in a call: "IN -o OUT TARGET... [OPTION]...".
+/// The text after "whittle simplify " in a call: "IN -o OUT TARGET... [OPTION]...".
 std::string usage_of(const CLI::App& subcommand);
 
 /// Help in lines of at most 100 columns. The name of an option is on the left: "  -r, --ratio R". The description

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// A control of the page (page.html), or what its address has besides (main.js).
+/// A control of the page (page.html), or another setting in its address (main.js).
 struct PageSetting {
   std::string_view name;
   std::string_view words;  ///< its values, with '|' between them; empty: a number, or nothing

@@ -8,7 +8,7 @@
 namespace whittle::app {
 namespace {
 
-/// How many characters must be put in, taken out or replaced to make one word of the other (Levenshtein).
+/// Number of characters to insert, remove or replace to turn one word into the other (Levenshtein).
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);  // from the beginning of a to each beginning of b
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -33,14 +33,14 @@ std::vector<std::string> long_names(const CLI::App& sub) {
 
 bool looks_like_option(const std::string& argument) { return argument.size() > 1 && argument[0] == '-'; }
 
-/// The arguments that nothing takes, those before the subcommand first. Without "--", which is none.
+/// The unused arguments, first those before the subcommand, without "--".
 std::vector<std::string> left_over(const CLI::App& sub) {
   std::vector<std::string> arguments = sub.get_parent()->remaining(true);
   arguments.erase(std::remove(arguments.begin(), arguments.end(), "--"), arguments.end());
   return arguments;
 }
 
-/// Options that older programs for the same work have, and what they are here.
+/// An option of an older program, and its counterpart here.
 struct OlderOption {
   std::string_view name;
   std::string_view needs;  ///< the argument or option that does the same
@@ -52,7 +52,7 @@ constexpr std::array<OlderOption, 3> older_options{{
     {"-isotropic", "--isotropic", "edges of even length are '--isotropic W', with 0 <= W <= 1"},
 }};
 
-/// ": what it is here", if the subcommand has that. Older programs have no subcommands, but all of them simplify.
+/// ": COUNTERPART", if the subcommand has it. Older programs have no subcommands, but all of them simplify.
 std::string advice_on_older(const CLI::App& sub, const std::string& argument) {
   for (const OlderOption& older : older_options) {
     if (argument != older.name || sub.get_option_no_throw(std::string(older.needs)) == nullptr) continue;
@@ -63,7 +63,7 @@ std::string advice_on_older(const CLI::App& sub, const std::string& argument) {
   return {};
 }
 
-/// What is wrong with the first argument that looks like an option and that nothing takes; empty if there is none.
+/// The problem with the first unknown argument that looks like an option, or empty.
 std::string unknown_option(const CLI::App& sub) {
   const std::vector<std::string> arguments = left_over(sub);
   const auto argument = std::find_if(arguments.begin(), arguments.end(), looks_like_option);
@@ -96,7 +96,8 @@ std::string given_twice(const CLI::App& sub) {
   return {};
 }
 
-/// What an option has too much or too little. \param said CLI11's words, which begin with the option's name
+/// The problem of an option with too many or too few values.
+/// \param said CLI11's words, which begin with the option's name
 std::string mismatch(const CLI::App& sub, const std::string& said) {
   if (std::string twice = given_twice(sub); !twice.empty()) return twice;
   const std::string name = said.substr(0, said.find_first_of(": "));

@@ -6,7 +6,7 @@
 
 namespace whittle::app {
 
-/// What is wrong with a command line, in words: names the option, and the one that was probably meant.
+/// The problem with a command line: names the option, and the option that was probably meant.
 /// \param sub the subcommand that was called
 std::string problem_of(const CLI::App& sub, const CLI::ParseError& error);
 

@@ -18,22 +18,22 @@ namespace whittle::app {
 /// The work of a subcommand. It runs after the command line has been parsed.
 using Command = std::function<ExitCode()>;
 
-/// What help says of a subcommand, besides its options.
+/// The help of a subcommand, without its options.
 struct SubcommandText {
   const char* name;
   const char* meaning;
-  const char* usage;   ///< what follows "whittle NAME"
+  const char* usage;   ///< text after "whittle NAME"
   const char* footer;  ///< examples
 };
 
-/// What was given on the command line, besides values.
+/// Facts about the command line, besides values.
 struct Given {
   IsGiven is_given;
   std::vector<std::string> idle;  ///< a warning for each option that does nothing as things are
 };
 
-/// Adds a subcommand whose options are `rows`, and those that every subcommand has. If it is called, parsing sets
-/// `command` to `run`, which begins by refusing options that don't go together.
+/// Adds a subcommand with the options `rows` and the common options. If it is called, parsing sets `command` to `run`,
+/// which first refuses conflicting options.
 void add_subcommand(CLI::App& app, const SubcommandText& text, OptionRows rows,
                     std::function<ExitCode(const Given&)> run, Command& command);
 

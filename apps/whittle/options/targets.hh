@@ -11,8 +11,8 @@ namespace whittle::app {
 /// \throw UsageError without any target.
 void check_targets(const Targets& targets, const std::string& all);
 
-/// Key `target` of the reports, without `met`: those of "faces", "vertices", "ratio", "face_ratio", "max_cost",
-/// "max_error" and "max_error_borders" that are set.
+/// Key `target` of the reports, without `met`: "faces", "vertices", "ratio", "face_ratio", "max_cost", "max_error" and
+/// "max_error_borders", if set.
 nlohmann::ordered_json target_json(const Targets& targets, const DecimateTarget& target);
 
 }  // namespace whittle::app

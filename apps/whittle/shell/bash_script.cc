@@ -8,7 +8,7 @@
 namespace whittle::app {
 namespace {
 
-/// What comes before the table. `cur` is the word to complete, `prefix` what stands before it in the same word.
+/// The text before the table. `cur` is the text to complete, `prefix` the text before it in the same word.
 constexpr char bash_helpers[] = R"(
 _whittle_words() {
   mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "$1" -- "$cur")
@@ -93,7 +93,7 @@ std::string bash_option_names(const CLI::App& app) {
   return join(names);
 }
 
-/// What to offer where no option waits for its value: options after a dash, otherwise the arguments.
+/// The candidates if no option waits for its value: options after a dash, otherwise the arguments.
 std::string bash_word_rule(const std::string& subcommand, const std::string& options,
                            const std::string& argument_call) {
   return "    " + subcommand + ":-*) _whittle_words '" + options + "' ;;\n    " + subcommand + ":*) " +

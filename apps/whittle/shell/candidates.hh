@@ -9,13 +9,13 @@ namespace whittle::app {
 /// Which files a shell offers for a value.
 enum class FileCandidates { none, meshes, all };
 
-/// What a shell offers for the value of an option.
+/// The candidates that a shell offers for the value of an option.
 struct Candidates {
   std::vector<std::string> words;  ///< in lower case: "fast", "auto"
   FileCandidates files = FileCandidates::none;
 };
 
-/// By the name that the help has for the value: "fast|normal|best", "T|auto", "EXT", "EXT|glb", "FILE|-", "OUT".
+/// The candidates by the value's name in the help: "fast|normal|best", "T|auto", "EXT", "EXT|glb", "FILE|-", "OUT".
 /// Arguments are mesh files, unless they have such a name.
 Candidates candidates_of(const CLI::Option& option);
 

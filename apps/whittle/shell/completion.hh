@@ -9,7 +9,7 @@ namespace whittle::app {
 enum class Shell { bash, zsh, fish };
 
 /// A script that completes calls of the program: subcommands, options, their values, and names of mesh files.
-/// \param app the whole command line; the script has what `app` has, and `help`
+/// \param app the whole command line; the script offers its subcommands and options, and `help`
 /// \param program name and version, for a comment
 std::string completion_script(Shell shell, const CLI::App& app, const std::string& program);
 

@@ -8,7 +8,7 @@
 namespace whittle::app {
 namespace {
 
-/// What comes before the table: whether a subcommand was typed, and names of mesh files and folders.
+/// The text before the table: whether a subcommand was typed, and names of mesh files and folders.
 constexpr char fish_helpers[] = R"(
 function __whittle_runs
     set -l words (commandline -opc)

@@ -15,7 +15,7 @@ std::string zsh_text(const std::string& text) {
   return quoted;
 }
 
-/// ":effort:(fast normal best)": what the value is called, and what to offer.
+/// ":effort:(fast normal best)": the value's name and its candidates.
 std::string zsh_value(const std::string& name, const Candidates& candidates) {
   std::string action = " ";
   if (!candidates.words.empty()) {

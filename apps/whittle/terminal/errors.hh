@@ -7,7 +7,7 @@
 
 namespace whittle::app {
 
-/// The command line is wrong. `what()` names the option and says what is valid. Exit status 2.
+/// The command line is invalid. `what()` names the option and the valid values. Exit status 2.
 class UsageError : public std::runtime_error {
  public:
   explicit UsageError(const std::string& problem) : std::runtime_error(problem) {}

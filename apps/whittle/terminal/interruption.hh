@@ -22,7 +22,7 @@ class SignalsWait {
   static void throw_if_pending();
 };
 
-/// What an interrupted run prints on stderr.
+/// The message of an interrupted run on stderr.
 inline constexpr char interrupted_message[] = "whittle: interrupted\n";
 
 }  // namespace whittle::app

@@ -7,7 +7,7 @@ namespace whittle::app {
 namespace {
 
 /// Each line is one write, so that the lines of several programs on one terminal don't mix.
-/// \param prefix what comes before the line; may have colours
+/// \param prefix text before the line; may have colours
 void write_line(std::string prefix, std::string_view line) {
   // Keep it one line, even if a file name or an argument has control characters.
   for (const char c : line) prefix += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;

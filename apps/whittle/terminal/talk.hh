@@ -6,7 +6,7 @@
 
 namespace whittle::app {
 
-/// How much the program says on stderr.
+/// Amount of messages on stderr.
 enum class Volume {
   quiet,   ///< errors only
   normal,  ///< also warnings, repairs, a summary; a progress bar on a terminal

@@ -34,7 +34,7 @@ std::size_t check_wedges(const IndexedMesh& mesh, const char* caller) {
   return vertex_of.size();
 }
 
-/// Scalars and categories may be NaN: scanners write it for what they didn't measure.
+/// Scalars and categories may be NaN: scanners write it for missing measurements.
 void check_finite(const Attribute& attribute, const char* caller) {
   if (attribute.kind == AttributeKind::scalar || attribute.kind == AttributeKind::category) return;
   const auto found =

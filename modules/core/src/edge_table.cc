@@ -31,9 +31,9 @@ void for_each_side(std::span<const Triangle> faces, std::size_t begin, std::size
   }
 }
 
-/// What the faces around a vertex tell of borders.
+/// A test for border vertices by the faces around a vertex.
 ///
-/// The upper bits are a sum of its neighbours that is zero where each neighbour comes up an even number of times: at
+/// The upper bits are a sum of its neighbours that is zero if each neighbour occurs an even number of times, as at
 /// every vertex that is not on a border. Numbers are spread over many bits, since small ones may cancel where borders
 /// touch. The lowest two bits count its faces, up to two.
 class VertexStar {

@@ -60,7 +60,7 @@ PrunedMesh without_small_parts(IndexedMesh mesh, double size) {
   });
   result.vertex_map = drop_vertices(result.mesh, is_dropped);
   if (has_wedges && result.mesh.faces.empty()) gather_wedges(result.mesh, {});
-  join_equal_wedges(result.mesh);  // drops those of the faces that are gone
+  join_equal_wedges(result.mesh);  // drops wedges of dropped faces
   return result;
 }
 

@@ -32,7 +32,8 @@ std::vector<Attribute> gathered(const std::vector<Attribute>& attributes, std::s
   return some;
 }
 
-/// Numbers those that are in `items` in ascending order. \param numbers gets the number of each
+/// Numbers the `items` in ascending order.
+/// \param numbers gets the number of each
 /// \return `items`, ascending, each once
 std::vector<Index> renumbered(std::vector<Index> items, std::vector<Index>& numbers) {
   std::sort(items.begin(), items.end());
@@ -41,7 +42,7 @@ std::vector<Index> renumbered(std::vector<Index> items, std::vector<Index>& numb
   return items;
 }
 
-/// \param numbers as long as the mesh has vertices, or wedges; what is in it doesn't matter
+/// \param numbers scratch, as long as the mesh has vertices, or wedges
 MeshPiece piece_with(const IndexedMesh& mesh, std::vector<Index> faces, std::vector<Index>& numbers) {
   MeshPiece piece;
   IndexedMesh& own = piece.mesh;

@@ -9,7 +9,7 @@
 
 #include "whittle/core/detail/error_free.hh"
 
-// The last bits of all results are those of the standard's own double: not of the 80-bit registers of old processors.
+// The results require IEEE doubles, not the 80-bit registers of old processors.
 static_assert(FLT_EVAL_METHOD == 0, "for 32-bit x86 compile with -msse2 -mfpmath=sse");
 
 namespace whittle::detail {
@@ -112,7 +112,7 @@ double hypotenuse(double x, double y) {
   return std::ldexp(root + ((square.value - back.value) - back.error + square.error) / (2 * root), exponent);
 }
 
-/// The nearest multiple of π/4 and what is left.
+/// The nearest multiple of π/4 plus the rest.
 double angle_of(double y, double x) {
   constexpr std::array<WithError, 5> eighths{{{0, 0},
                                               {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},
@@ -138,7 +138,7 @@ double angle_of(double y, double x) {
   return angle + (x < 0 ? error - rest : error + rest);
 }
 
-/// With what is lost in 1 + x.
+/// Corrects the rounding error of 1 + x.
 double log_of_one_plus(double x) {
   const double one_plus = 1 + x;
   const double lost = x < 1 ? x - (one_plus - 1) : 1 - (one_plus - x);
@@ -146,7 +146,7 @@ double log_of_one_plus(double x) {
   return exponent * std::numbers::ln2 + (log_near_one(mantissa) + lost / one_plus);
 }
 
-/// 2^(exponent · log₂ base). Its whole part is exact: `high` has so few digits that its product has no more than fit.
+/// 2^(exponent · log₂ base). Its whole part is exact: `high` has few digits, so that its product fits.
 double power(double base, double exponent) {
   if (exponent == 0) return 1;
   if (!(base > 0)) return 0;

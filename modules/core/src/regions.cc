@@ -14,11 +14,12 @@
 namespace whittle {
 namespace {
 
-/// Values that may shade a surface are those of parts only if there are so few: more can't be told apart by eye.
+/// Largest number of values that may name parts, if they may also shade a surface: more can't be told apart by eye.
 constexpr std::size_t most_shades = 256;
-/// In the mean. A face has three neighbours: areas of eight faces have about as many edges within as at their borders.
+/// Least mean number of faces. A face has three neighbours: areas of eight faces have about as many inner edges as
+/// border edges.
 constexpr std::size_t least_faces_of_shade = 8;
-/// In the mean; as of the sides of a box.
+/// Least mean number of faces, as of the sides of a box.
 constexpr std::size_t least_faces_of_thing = 2;
 
 /// Number by number, by their bits.

@@ -20,7 +20,7 @@ ThreadPool::ThreadPool(unsigned threads) {
   try {
     for (unsigned i = 0; i < n_helpers; ++i) helpers_.emplace_back([this] { help(); });
   } catch (const std::system_error&) {
-    // The system has no more threads. Those that there are do the work.
+    // Thread creation failed; continue with the threads we have.
   }
 }
 

@@ -57,7 +57,7 @@ struct FacePair {
   Index front, back;
 };
 
-/// By their fronts, ascending.
+/// Pairs of faces, by their fronts, ascending.
 std::vector<FacePair> find_pairs(std::span<const Triangle> faces) {
   std::vector<std::pair<Triangle, Index>> some;
   for (const Index f : faces_that_may_coincide(faces)) some.emplace_back(in_ascending_order(faces[f]), f);

@@ -32,7 +32,7 @@ std::strong_ordering compared(const IndexedMesh& mesh, Index a, Index b) {
   return order;
 }
 
-/// Whether two wedges differ in what makes a seam.
+/// Whether two wedges differ in an attribute that makes a seam.
 bool are_apart(const IndexedMesh& mesh, Index a, Index b) {
   if (a == b) return false;
   if (!mesh.colors.empty() && mesh.colors[a] != mesh.colors[b]) return true;

@@ -78,7 +78,7 @@ std::vector<std::filesystem::path> files_of(const Json& document, const char* li
   return files;
 }
 
-/// Copies of images, but for those that are there.
+/// Copies of images, except existing ones.
 std::vector<AssetFile> copies_of(const std::vector<std::filesystem::path>& images, const std::filesystem::path& from,
                                  const std::filesystem::path& to) {
   std::vector<AssetFile> copies;

@@ -24,7 +24,7 @@ struct Asset::Content {
   /// Makes the model of the document, and of the bytes. \param name of the file, for messages
   void read_document(const std::string& name);
   const Mesh& mesh(std::size_t number) const { return model.meshes.at(number); }
-  /// What is to be written. \throw std::invalid_argument if this build can't compress
+  /// The output to write. \throw std::invalid_argument if this build can't compress
   Output output(const WriteOptions& options) const;
 };
 

@@ -29,7 +29,7 @@ Json empty_accessor(const char* shape, ScalarType type) {
   return json;
 }
 
-/// Adds accessors for what the mesh has. \return the attributes of its primitives
+/// Adds accessors for the attributes of the mesh. \return the attributes of its primitives
 Json add_accessors(const IndexedMesh& mesh, Json& document) {
   Json& accessors = document["accessors"] = Json::array();
   Json attributes = Json::object();
@@ -51,7 +51,7 @@ void add_view(std::string_view bytes, std::string& buffer, Json& document) {
   buffer.append((4 - buffer.size() % 4) % 4, '\0');
 }
 
-/// Those of the materials, each once.
+/// The images of the materials, each once.
 std::vector<const Image*> images_of(const std::vector<Material>& materials) {
   std::vector<const Image*> images;
   for (const Material& material : materials) {
@@ -205,7 +205,7 @@ Asset make_asset(NewAsset asset) {
   });
   Json document = document_of(asset);
   const std::string buffer = add_buffer(asset, document);
-  // Names may come from files that know no UTF-8: what is none becomes U+FFFD.
+  // Names may come from files without UTF-8: invalid bytes become U+FFFD.
   const std::string json = document.dump(-1, ' ', false, Json::error_handler_t::replace);
   Asset made = Asset::read(join_glb(json, buffer), asset.name);
   if (!asset.coarser.empty()) {

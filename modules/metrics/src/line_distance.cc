@@ -22,7 +22,7 @@ namespace whittle::metrics {
 namespace {
 
 constexpr std::size_t segments_per_block = 64;
-/// As fine as float coordinates. A segment has at most a million samples.
+/// Spacing as fine as float coordinates. A segment has at most a million samples.
 constexpr double min_spacing_rel = 1e-6;
 
 IndexedMesh as_mesh(std::span<const Segment> lines) {

@@ -1,4 +1,4 @@
-// One loop over the edges joins what is connected: vertices into components, corners into fans, and boundary edges into
+// One loop over the edges joins connected items: vertices into components, corners into fans, and boundary edges into
 // curves. The corners of two faces at an end of their common edge are in one fan.
 #include "whittle/metrics/topology.hh"
 
@@ -26,7 +26,7 @@ bool is_misoriented(const IndexedMesh& mesh, const EdgeTable& edges, std::size_t
   return edges.sides(e).size() == 2 && !edges.is_regular(e, mesh.faces);
 }
 
-/// Each face has two nodes, one for each orientation. An edge joins those orientations of its two faces that agree. If
+/// Each face has two nodes, one for each orientation. An edge joins the orientations of its two faces that agree. If
 /// both orientations of a face end in one set, the surface is not orientable.
 bool is_orientable(const IndexedMesh& mesh, const EdgeTable& edges) {
   const std::size_t n = mesh.faces.size();

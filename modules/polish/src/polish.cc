@@ -27,7 +27,7 @@ void check_original(const IndexedMesh& original) {
   check_corners(original.positions.size(), original.faces);
 }
 
-/// \param n_original_vertices number of the original's
+/// \param n_original_vertices number of vertices of the original
 void check(std::size_t n_original_vertices, std::span<const Index> vertex_map, const IndexedMesh& mesh,
            const PolishOptions& options) {
   check_positions(mesh.positions, "polish");
@@ -71,7 +71,7 @@ void check(std::size_t n_original_vertices, std::span<const Index> vertex_map, c
   }
 }
 
-/// Whether coordinates in the original's frame, which is about as large as 1, are those of a mesh made from it.
+/// Whether a mesh lies near enough to the original, whose frame has about size 1, to be made from it.
 bool is_near(const IndexedMesh& mesh, const Frame& frame) {
   constexpr double far = 1e6;
   return std::all_of(mesh.positions.begin(), mesh.positions.end(),

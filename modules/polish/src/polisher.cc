@@ -8,35 +8,35 @@
 
 #include "fit/surface_fit.hh"
 #include "flips/edge_flips.hh"
+#include "guard/drifted_lines.hh"
+#include "guard/drifted_vertices.hh"
 #include "guard/new_intersections.hh"
-#include "guard/outliers.hh"
-#include "guard/strayed_lines.hh"
 #include "original/backward_offsets.hh"
-#include "original/foot_finder.hh"
+#include "original/closest_point_finder.hh"
 #include "whittle/core/detail/edge_table.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 
 namespace whittle::polishing {
 namespace {
 
-/// How far a pass goes.
+/// The step of a pass.
 struct Step {
-  /// As a face moves, its points get other feet, which they pull to, too. So the step to where the present feet fit
-  /// best is too short. Where the longer step goes too far, the shorter one is tried.
+  /// As a face moves, its closest points move along, so the step that fits the present ones best is too short. Where
+  /// the longer step goes too far, the shorter one is tried.
   double relaxation;
-  /// By which the weight for shape is multiplied. Where a pass makes triangles less round, more is tried: on a rough
-  /// surface points pull much harder than on a smooth one.
+  /// Factor on the weight of shape. Where a pass makes triangles less round, larger factors are tried: points pull much
+  /// harder on a rough surface than on a smooth one.
   double shape_factor = 1;
 };
 constexpr std::array steps{Step{1.5}, Step{1.0}};
 constexpr std::array shape_steps{Step{1.5}, Step{1.5, 10}, Step{1.5, 100}, Step{1.0, 100}};
 
-/// What is held down, in root mean square distances.
+/// Distances, in root mean square distances.
 struct Limits {
-  double near;  ///< a vertex is near the original, and not held back: it would be by a thousandth at most
-  double most;  ///< few vertices should be so far off. They are held back steeply
-  double
-      far_forward;  ///< few of the original's points should be so far off; infinite: they count as Fair's weights say
+  double near;  ///< up to here a vertex is near the original, and not held back: the pull would be below a thousandth
+  double most;  ///< few vertices should be so far off; the pull on them grows steeply
+  /// Few of the original's points should be so far off; infinite: Fair's weights alone.
+  double far_forward;
 };
 
 /// On a smooth surface the best vertices are 2.6 root mean square distances off: as far as the middles of their faces,
@@ -54,21 +54,21 @@ Limits limits_of(Fit fit) {
   return {3.5, 5.5, none};
 }
 
-/// Where the simplified mesh has more than this share of the original's faces, one point a face is too few to fit it.
+/// Share of the original's faces above which one point per face is too few to fit the simplified mesh.
 constexpr double dense = 0.3;
 
 /// Distances of this root mean square are rounding errors: the mesh is as good as the original. A fraction of the size
 /// of both meshes, which is about 1 in their frame.
 constexpr double rounding = 1e-14;
 
-/// A shape weight of 1, as a share of the weight of the points around a vertex. Contraction by a blend with the length
-/// of edges draws vertices to their middle by as much (edge_length_term.hh).
+/// A shape weight of 1, as a share of the weight of the points around a vertex. The edge-length term of contractions
+/// draws vertices to their middle by as much (edge_length_term.hh).
 constexpr double shape_unit = 1e-3;
 
 /// Time for the preparations, as a share of a pass.
 constexpr double preparation = 0.25;
 
-/// The lines of a mesh. An edge counts once; what is a feature and a seam is a feature.
+/// The lines of a mesh. An edge counts once; an edge that is feature and seam is a feature.
 MeshLines lines_of(std::span<const VertexPair> borders, std::span<const VertexPair> features,
                    std::span<const VertexPair> seams, std::size_t n_vertices) {
   const auto ascending = [](std::span<const VertexPair> edges) {
@@ -86,7 +86,7 @@ MeshLines lines_of(std::span<const VertexPair> borders, std::span<const VertexPa
   return MeshLines(borders, all_features, only_seams, n_vertices);
 }
 
-/// The border, and those features and seams that have two faces.
+/// The border, and features and seams with two faces.
 MeshLines lines_of(const IndexedMesh& mesh, const FaceNeighbors& neighbors, const PolishOptions& options,
                    const detail::Workers& workers) {
   workers.update(0);
@@ -101,8 +101,8 @@ MeshLines lines_of(const IndexedMesh& mesh, const FaceNeighbors& neighbors, cons
                   inner(options.seams), mesh.positions.size());
 }
 
-/// Whether lines end or meet at a vertex that must stay therefore. Where seams meet, or lead to a border or feature,
-/// that is if they hold their vertices.
+/// Whether a vertex must stay because lines end or meet there. With `seams_hold`, this includes vertices where seams
+/// meet, or lead to a border or feature.
 bool is_end_of_lines(const MeshLines& lines, Index v, bool seams_hold) {
   const std::span<const Index> edges = lines.at(v);
   const auto n_seams = static_cast<std::size_t>(
@@ -111,7 +111,7 @@ bool is_end_of_lines(const MeshLines& lines, Index v, bool seams_hold) {
   return n_lines != 0 && n_lines != 2;
 }
 
-/// Locked vertices are fixed, and those where the mesh is not manifold, and where lines end or meet.
+/// Fixed vertices: locked, non-manifold, or at the end or junction of lines.
 std::vector<std::uint8_t> fixed_vertices(const FaceNeighbors& neighbors, const MeshLines& lines, std::size_t n_vertices,
                                          const PolishOptions& options, const detail::Workers& workers) {
   std::vector<std::uint8_t> is_fixed(n_vertices);
@@ -185,10 +185,10 @@ bool Polisher::pass() {
   const FitWeights weights(unit, limits.far_forward);
   start("fitting", 0.5);
   SurfaceFit fit(now, mesh.neighbors, mesh.limits, lines_, is_fixed_, workers_);
-  line_samples_.find_feet(lines_, now, workers_);
-  line_samples_.for_each_foot([&](const LineFoot& foot, double weight) {
-    const bool is_weighted = options_.seam_weight && lines_.edges()[foot.edge].kind == LineKind::seam;
-    fit.add(foot, is_weighted ? weight * *options_.seam_weight * weights.weight(foot.offset.norm()) : weight);
+  line_samples_.find_closest_points(lines_, now, workers_);
+  line_samples_.for_each_closest_point([&](const ClosestLinePoint& closest, double weight) {
+    const bool is_weighted = options_.seam_weight && lines_.edges()[closest.edge].kind == LineKind::seam;
+    fit.add(closest, is_weighted ? weight * *options_.seam_weight * weights.weight(closest.offset.norm()) : weight);
   });
   fit.add(origins_, weights, workers_);
   const BackwardOffsets backward(origins_, now, limits.near * unit, workers_);
@@ -239,7 +239,7 @@ void Polisher::start(std::string_view stage, double until) {
   meter_.start(stage, run_fraction(n_passes_ - 1 + until, options_));
 }
 
-/// Nothing if no edge was flipped.
+/// Null if no edge was flipped.
 std::unique_ptr<Connectivity> Polisher::flip() {
   if (!can_flip_) return nullptr;
   start("flipping edges", 0.25);
@@ -249,19 +249,19 @@ std::unique_ptr<Connectivity> Polisher::flip() {
   return std::make_unique<Connectivity>(std::move(faces), positions_.size(), options_, workers_);
 }
 
-/// Puts vertices back whose moves the sums don't forbid, though they do harm.
+/// Undoes moves that lower the total error but let a line or vertex drift, or make faces intersect.
 /// \param most distance from the original that few vertices should have
 void Polisher::take_back(const Connectivity& mesh, const BackwardOffsets& backward, double most,
                          std::vector<Vec3>& moved) {
   start("checking", 0.9);
   const Surface before = mesh.at(positions_);
-  StrayedLines strayed(before, lines_, line_samples_, options_.feature_tolerance * original_.frame().scale);
-  std::vector<Index> taken_back = strayed.take_back(moved, workers_);
-  const std::vector<Index> outliers = take_back_outliers(backward, most, moved, workers_);
-  taken_back.insert(taken_back.end(), outliers.begin(), outliers.end());
+  DriftedLines drifted(before, lines_, line_samples_, options_.feature_tolerance * original_.frame().scale);
+  std::vector<Index> taken_back = drifted.take_back(moved, workers_);
+  const std::vector<Index> drifted_vertices = take_back_drifted_vertices(backward, most, moved, workers_);
+  taken_back.insert(taken_back.end(), drifted_vertices.begin(), drifted_vertices.end());
   take_back_intersections(before, mesh.limits, moved, taken_back, workers_);
-  // A vertex that is put back takes its lines along.
-  while (lines_.has_inner() && !(taken_back = strayed.take_back(moved, workers_)).empty()) {
+  // Moving a vertex back moves its lines.
+  while (lines_.has_inner() && !(taken_back = drifted.take_back(moved, workers_)).empty()) {
     take_back_intersections(before, mesh.limits, moved, taken_back, workers_);
   }
 }

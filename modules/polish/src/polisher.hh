@@ -21,7 +21,7 @@
 
 namespace whittle::polishing {
 
-/// The faces of a mesh, and what depends on these alone. The members refer to each other.
+/// The faces of a mesh, and all that depends on them alone. The members refer to each other.
 struct Connectivity {
   std::vector<Triangle> faces;
   VertexCorners corners;
@@ -37,11 +37,10 @@ struct Connectivity {
   Surface at(std::span<const Vec3> positions) const { return {faces, corners, positions}; }
 };
 
-/// Fraction of the whole run that is done after the preparations and some passes. \param n_passes may have a part of
-/// one
+/// Fraction of the whole run that is done after the preparations and `n_passes` passes, which may end in a fraction.
 double run_fraction(double n_passes, const PolishOptions& options);
 
-/// What one run of `polish` knows, in the frame of the original.
+/// One run of `polish`, in the frame of the original.
 class Polisher {
  public:
   /// Keeps references to all but `mesh`.
@@ -49,19 +48,19 @@ class Polisher {
   Polisher(const OriginalSurface& original, std::span<const Index> vertex_map, const IndexedMesh& mesh,
            const PolishOptions& options, detail::ProgressMeter& meter);
 
-  /// \return whether it helped; if not, nothing has changed
+  /// \return whether it reduced the error; if not, nothing has changed
   /// \throw Cancelled; nothing has changed then
   bool pass();
 
   /// Root mean square distance between the surfaces, model units.
   double rms() const { return root_mean_square(distances_) * original_.frame().unscale; }
 
-  /// \return number of vertices that are not where they were
+  /// \return number of vertices with a new position
   std::uint64_t write(IndexedMesh& mesh) const;
 
  private:
   MeshLines original_lines() const;
-  /// Begins a stage of the pass under way, unless it was begun before. \param until share of the pass at its end
+  /// Begins a stage of the current pass, unless it was begun before. \param until share of the pass at its end
   void start(std::string_view stage, double until);
   std::unique_ptr<Connectivity> flip();
   void take_back(const Connectivity& mesh, const BackwardOffsets& backward, double most, std::vector<Vec3>& moved);

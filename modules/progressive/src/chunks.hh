@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-// The frame of a recording: a signature, and chunks. Each has a type of four letters, and a check of its bytes. A chunk
-// of a type that begins with a small letter may be left out by those who don't know it.
+// The frame of a recording: a signature, and chunks. Each has a type of four letters, and a check of its bytes. Readers
+// may skip an unknown chunk whose type begins with a small letter.
 
 namespace whittle::progressive {
 
@@ -15,7 +15,7 @@ struct Chunk {
   std::string payload;
 };
 
-/// At the beginning of the file. It shows whether the bytes were taken for text somewhere.
+/// Writes the first bytes of the file. They reveal whether the bytes were converted as text.
 void write_signature(std::ostream& out);
 /// \throw RecordingError
 void read_signature(std::istream& in);

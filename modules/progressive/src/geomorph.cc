@@ -54,7 +54,7 @@ std::vector<Triangle> faces_that_come_back(Replay& replay, const MorphEnd& fine,
   return faces;
 }
 
-/// Whether a face of the finer level isn't what its corners' survivors say at the coarser one.
+/// Whether a face of the finer level differs from its corners' survivors at the coarser level.
 /// \pre the replay is at the coarser level \param survivors there
 bool is_turned(const Replay& replay, const MorphEnd& fine, const std::vector<Index>& survivors) {
   const IndexedMesh& mesh = fine.level.mesh;

@@ -26,7 +26,7 @@ void check(const std::vector<double>& errors) {
   }
 }
 
-/// As `MeshMapping`, of a level.
+/// A `MeshMapping` of a level.
 using LevelMapping = std::function<IndexedMesh(const Decimation&)>;
 
 class LevelSearch {

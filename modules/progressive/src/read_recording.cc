@@ -39,7 +39,7 @@ void read_floats(ByteReader& reader, std::uint64_t n, std::vector<std::array<flo
   }
 }
 
-/// \param end what they are below
+/// \param end upper bound, exclusive
 void read_indices(ByteReader& reader, std::uint64_t n, std::uint64_t end, std::vector<Index>& indices) {
   Index last = 0;
   for (std::uint64_t i = 0; i < n; ++i) indices.push_back(last = reader.index_after(last, end));
@@ -72,8 +72,8 @@ class RecordingReader {
   Recording recording_;
   std::vector<Attribute>* attributes_ = nullptr;  ///< where the last one is
   bool has_head_ = false;
-  std::uint64_t n_contractions_ = 0;  ///< that there are to be
-  std::uint64_t n_pass_ends_ = 0;     ///< likewise
+  std::uint64_t n_contractions_ = 0;  ///< number expected
+  std::uint64_t n_pass_ends_ = 0;     ///< number expected
 };
 
 bool RecordingReader::take(const Chunk& chunk) {
@@ -207,7 +207,7 @@ void RecordingReader::read_attribute(ByteReader& reader) {
   attribute.name = reader.text(reader.count());
 }
 
-/// Of the last attribute.
+/// Reads values of the last attribute.
 void RecordingReader::read_values(ByteReader& reader, std::uint64_t n) {
   require(attributes_ != nullptr, "a part is not where it should be");
   const auto is_single = reader.number<std::uint8_t>();

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "rehearsal.hh"
+#include "replay_indexer.hh"
 #include "whittle/core/detail/checks.hh"
 #include "whittle/core/frame.hh"
 #include "whittle/core/two_sided.hh"
@@ -42,7 +42,7 @@ Replay::Replay(IndexedMesh input, RunSteps steps, Normals normals)
       is_hidden_(input_.faces.size()) {
   check(input_);
   without_backs_ = make_without_backs(input_, steps_, normals_);
-  Rehearsal(*this).run();
+  ReplayIndexer(*this).run();
 }
 
 std::shared_ptr<Replay::WithoutBacks> Replay::make_without_backs(const IndexedMesh& input, const RunSteps& steps,
@@ -99,22 +99,22 @@ void Replay::go_to(std::size_t level) {
 void Replay::contract() {
   const Contraction& contraction = steps_.contractions[n_contractions_];
   positions_[contraction.survivor] = contraction.position;
-  for (const Index c : renamed(n_contractions_)) corners_[c / 3][c % 3] = contraction.survivor;
-  hide();
+  for (const Index c : undo_log_.corners_of(n_contractions_)) corners_[c / 3][c % 3] = contraction.survivor;
+  apply_visibility();
   ++n_contractions_;
 }
 
 void Replay::undo_contraction() {
   --n_contractions_;
   const Contraction& contraction = steps_.contractions[n_contractions_];
-  undo_hiding();
-  positions_[contraction.survivor] = before_[n_contractions_];
-  for (const Index c : renamed(n_contractions_)) corners_[c / 3][c % 3] = contraction.removed;
+  undo_visibility();
+  positions_[contraction.survivor] = undo_log_.positions[n_contractions_];
+  for (const Index c : undo_log_.corners_of(n_contractions_)) corners_[c / 3][c % 3] = contraction.removed;
 }
 
 void Replay::end_pass() {
   const PassEnd& end = steps_.pass_ends[n_pass_ends_];
-  hide();
+  apply_visibility();
   for (const auto& [vertex, position] : end.moved) positions_[vertex] = position;
   for (const auto& [face, corners] : end.turned) corners_[face] = corners;
   ++n_pass_ends_;
@@ -123,22 +123,26 @@ void Replay::end_pass() {
 void Replay::undo_pass_end() {
   --n_pass_ends_;
   const PassEnd& end = steps_.pass_ends[n_pass_ends_];
-  const PassBefore& before = passes_before_[n_pass_ends_];
+  const PassBefore& before = undo_log_.passes[n_pass_ends_];
   for (std::size_t i = end.turned.size(); i-- > 0;) corners_[end.turned[i].face] = before.corners[i];
   for (std::size_t i = end.moved.size(); i-- > 0;) positions_[end.moved[i].vertex] = before.positions[i];
-  undo_hiding();
+  undo_visibility();
 }
 
-/// What the step at the current level hides.
-void Replay::hide() {
-  for (; n_hidings_ < hidings_.size() && hidings_[n_hidings_].step == level(); ++n_hidings_) {
-    is_hidden_[hidings_[n_hidings_].face] = hidings_[n_hidings_].is_hidden ? 1 : 0;
+/// Does the visibility changes of the step at the current level.
+void Replay::apply_visibility() {
+  for (; n_visibility_changes_ < undo_log_.visibility.size(); ++n_visibility_changes_) {
+    const auto& [step, face, is_hidden] = undo_log_.visibility[n_visibility_changes_];
+    if (step != level()) return;
+    is_hidden_[face] = is_hidden ? 1 : 0;
   }
 }
 
-void Replay::undo_hiding() {
-  for (; n_hidings_ > 0 && hidings_[n_hidings_ - 1].step == level(); --n_hidings_) {
-    is_hidden_[hidings_[n_hidings_ - 1].face] = hidings_[n_hidings_ - 1].is_hidden ? 0 : 1;
+void Replay::undo_visibility() {
+  for (; n_visibility_changes_ > 0; --n_visibility_changes_) {
+    const auto& [step, face, is_hidden] = undo_log_.visibility[n_visibility_changes_ - 1];
+    if (step != level()) return;
+    is_hidden_[face] = is_hidden ? 0 : 1;
   }
 }
 
@@ -162,8 +166,8 @@ std::vector<Index> Replay::faces_left() const {
   return faces;
 }
 
-/// As the run did: before the last pass of polish, but normals that are recomputed are those of its result. In the end
-/// they may be fitted.
+/// Carries attributes as the run did: by positions before the last pass of polish, except recomputed normals. At the
+/// last level they may be fitted.
 void Replay::add_attributes(const std::vector<Index>& numbers, Decimation& out) const {
   carry_attributes_to(numbers, out);
   if (steps_.fits_attributes && level() == n_steps()) {
@@ -182,7 +186,7 @@ void Replay::carry_attributes_to(const std::vector<Index>& numbers, Decimation& 
   }
   IndexedMesh mesh = out.mesh;
   const PassEnd& end = steps_.pass_ends.back();
-  const PassBefore& before = passes_before_.back();
+  const PassBefore& before = undo_log_.passes.back();
   for (std::size_t i = end.moved.size(); i-- > 0;) {
     const Index v = numbers[end.moved[i].vertex];
     if (v != invalid_index) mesh.positions[v] = before.positions[i];

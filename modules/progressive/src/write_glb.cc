@@ -30,7 +30,7 @@ constexpr int uint32_component = 5125;
 constexpr int vertex_buffer = 34962;
 constexpr int index_buffer = 34963;
 
-/// Of a vector with `n` components.
+/// The type of a vector with `n` components.
 const char* type_of(std::size_t n) {
   constexpr const char* types[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
   return types[n - 1];

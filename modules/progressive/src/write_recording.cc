@@ -138,7 +138,7 @@ class ChunkList {
   void add(std::string_view type, std::function<void(ByteWriter&)> write_payload) {
     chunks_.push_back({type, std::move(write_payload)});
   }
-  /// As many chunks as the elements take. Each begins with their number.
+  /// Writes elements in chunks. Each chunk begins with its number of elements.
   template <class Item, class Write>
   void add_elements(std::string_view type, std::span<const Item> items, const Write& write) {
     for (std::size_t begin = 0; begin < items.size(); begin += most_elements) {
@@ -195,7 +195,7 @@ void add_mesh(const IndexedMesh& mesh, ChunkList& chunks) {
   }
 }
 
-/// As many texts as fit in one chunk, from the first on; at least one. \pre none has more than `most_about` bytes
+/// The first texts that fit in one chunk; at least one. \pre none has more than `most_about` bytes
 std::span<const std::string> texts_of_chunk(std::span<const std::string> texts) {
   std::size_t n = 0;
   for (std::size_t bytes = 0; n < std::min(most_elements, texts.size()) && bytes < most_about; ++n) {

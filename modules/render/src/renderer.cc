@@ -24,7 +24,7 @@ int sample_grid_of(const DrawOptions& options) {
   return grid;
 }
 
-/// From the frame's unit to OpenGL's cube. Twice the sphere's radius in depth is seen.
+/// The matrix from the frame's unit to OpenGL's cube. Depths up to twice the sphere's radius are seen.
 Eigen::Matrix4f clip_matrix(const View& view, const Sphere& frame) {
   Eigen::Matrix3d axes;
   axes << view.up.cross(view.to_eye).transpose() * view_fill, view.up.transpose() * view_fill,

@@ -11,7 +11,7 @@
 namespace whittle::report {
 namespace {
 
-/// Of the faces of each wedge.
+/// Per wedge, the area of its faces.
 std::vector<double> areas_of_wedges(const IndexedMesh& mesh, std::size_t n_wedges) {
   std::vector<double> areas(n_wedges);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {

@@ -12,7 +12,7 @@
 namespace whittle::report {
 namespace {
 
-/// What is to stay in place: charts of textures, and what has one material.
+/// The mesh with only the attributes that must stay in place: texture charts, and areas of one material.
 IndexedMesh with_charts_alone(IndexedMesh mesh) {
   mesh.normals.clear();
   mesh.colors.clear();

@@ -63,7 +63,7 @@ double usual_distance(const DistanceMap& map) {
   return map.max;
 }
 
-/// Of faces around each vertex, weighted by area.
+/// Per vertex, the normal of its faces, weighted by area.
 std::vector<Vec3> vertex_normals(const IndexedMesh& mesh) {
   std::vector<Vec3> normals(mesh.positions.size(), Vec3::Zero());
   for (const Triangle& face : mesh.faces) {
@@ -97,7 +97,7 @@ class DistanceMapper {
 
  private:
   std::vector<double> signed_distances_of(const SurfacePoints& points) const;
-  /// How far an interpolated distance is off, in the unit of the tolerance.
+  /// Error of an interpolated distance, in the unit of the tolerance.
   double deviation(double exact, double interpolated) const {
     const double distance = std::abs(exact);
     const double size = std::max(map_.usual, std::min(distance, std::abs(interpolated)));
@@ -133,7 +133,7 @@ std::vector<double> DistanceMapper::signed_distances_of(const SurfacePoints& poi
   return distances;
 }
 
-/// How many points of a face are looked at along each of its edges.
+/// Number of sample points along each edge of a face.
 unsigned DistanceMapper::n_points_along(const Triangle& face) const {
   constexpr double most = 8;
   double longest_sq = 0;
@@ -178,7 +178,7 @@ std::vector<double> DistanceMapper::face_deviations() const {
   return greatest;
 }
 
-/// What is cut in this round leaves half of the room for later ones. \param deviations of the edges
+/// The tolerance of this round: cuts leave half of the room for later rounds. \param deviations of the edges
 double DistanceMapper::tolerance_for(std::vector<double> deviations) const {
   const std::size_t n_faces = map_.mesh.faces.size() + open_.size();
   const std::size_t room = options_.most_faces > n_faces ? options_.most_faces - n_faces : 0;
@@ -263,7 +263,7 @@ bool DistanceMapper::cut() {
   return !open_.empty();
 }
 
-/// Of the middles of some faces.
+/// The deviation at the middles of some faces.
 double DistanceMapper::usual_deviation() const {
   constexpr std::size_t n_looked_at = 20'000;
   constexpr double share = 0.95;

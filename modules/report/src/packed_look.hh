@@ -28,8 +28,8 @@ class PageImages {
 /// - "normals": an octahedral map of two 16-bit numbers a wedge; "colours": four bytes a wedge, sRGB. Or null.
 ///   "linear": whether colours are interpolated as light
 /// - "materials": [{"name", "colour", "image", "texcoords", "transform", "wrap", "alpha", "cutoff"}]; "groups": the
-///   number of each face's material, 16 bits, "coarse_groups" likewise. Faces without one have the last one, which is
-///   plain
+///   number of each face's material, 16 bits; "coarse_groups" the same of the coarse faces. Faces without one have the
+///   last one, which is plain
 /// - "maps": [{"name", "kind", "max", "usual", "values"}], a byte a wedge (`packed_value`)
 Json pack_look(const PageSurface& surface, PageBytes& bytes, PageImages& images);
 

@@ -8,14 +8,14 @@
 namespace whittle::report {
 namespace {
 
-/// Of 16-bit numbers, to come out as a multiple of four bytes.
+/// Its size is a multiple of four bytes.
 struct PackedContraction {
   Index removed;
-  std::uint32_t survivor;                 ///< difference to it
-  std::array<std::uint16_t, 3> position;  ///< of the survivor: differences to the place that it has in the original
+  std::uint32_t survivor;                 ///< difference from `removed`
+  std::array<std::uint16_t, 3> position;  ///< of the survivor: differences from its position in the original
   std::uint16_t n_faces_gone;
 };
-/// How many contractions come before a pass of polish, and how much it changes.
+/// Number of contractions before a pass of polish, and of its changes.
 struct PackedEnd {
   std::uint32_t n_contractions, n_moves, n_turns;
 };
@@ -27,8 +27,8 @@ struct PackedTurn {
   Index face;
   Triangle corners;
 };
-/// A face that another one covers from a step on, or again until then.
-struct PackedHiding {
+/// A step hides a face, or shows it again.
+struct PackedVisibility {
   std::uint32_t step;
   Index face;
   std::uint32_t is_hidden;
@@ -50,7 +50,7 @@ class RecordingPacker {
 
   Json contractions(PageBytes& bytes) const;
   void add_ends(PageBytes& bytes, Json& json) const;
-  Json hidings(PageBytes& bytes) const;
+  Json visibility(PageBytes& bytes) const;
 
  private:
   Index vertex(Index v) const { return order_.of_vertex[v]; }
@@ -95,11 +95,11 @@ void RecordingPacker::add_ends(PageBytes& bytes, Json& json) const {
   json["turns"] = bytes.add(turns);
 }
 
-Json RecordingPacker::hidings(PageBytes& bytes) const {
-  std::vector<PackedHiding> packed;
-  for (const progressive::Replay::Hiding& hiding : replay_.hidings()) {
+Json RecordingPacker::visibility(PageBytes& bytes) const {
+  std::vector<PackedVisibility> packed;
+  for (const progressive::Replay::VisibilityChange& change : replay_.visibility_changes()) {
     packed.push_back(
-        {static_cast<std::uint32_t>(hiding.step), order_.of_face[hiding.face], hiding.is_hidden ? 1U : 0U});
+        {static_cast<std::uint32_t>(change.step), order_.of_face[change.face], change.is_hidden ? 1U : 0U});
   }
   return bytes.add(packed);
 }
@@ -112,7 +112,7 @@ Json pack(const PageRecording& recording, const Grid& grid, PageBytes& bytes) {
   json["steps"] = recording.replay.n_steps();
   json["contractions"] = packer.contractions(bytes);
   packer.add_ends(bytes, json);
-  json["hidings"] = packer.hidings(bytes);
+  json["visibility"] = packer.visibility(bytes);
   json["levels"] = Json::array();
   for (const PageLevel& level : recording.levels) {
     json["levels"].push_back({{"faces", level.n_faces}, {"mean", level.mean_error}, {"max", level.max_error}});

@@ -4,8 +4,8 @@
 
 namespace whittle::report {
 
-/// {"steps", "contractions", "ends", "moves", "turns", "hidings", "levels"}: all that the page needs to go through the
-/// recording. `docs/dev/page.md` says what the items are.
+/// {"steps", "contractions", "ends", "moves", "turns", "visibility", "levels"}: the data from which the page replays
+/// the recording. The structs in packed_recording.cc describe the items.
 Json pack(const PageRecording& recording, const Grid& grid, PageBytes& bytes);
 
 }  // namespace whittle::report

@@ -6,7 +6,7 @@
 
 namespace whittle::report {
 
-/// Bytes in groups of four, which is what `PageBytes` takes.
+/// Bytes in groups of four, for `PageBytes`.
 class ByteGroups {
  public:
   void add(std::uint8_t byte) {
@@ -25,8 +25,8 @@ struct ValueRange {
   double max, usual;
 };
 
-/// 0, 1, 2, … 127 for values of 0 and above: in even steps up to the usual one, then in even factors up to the greatest
-/// one. Those below 0 have 128 more. The page's `shareOfMax` is its inverse.
+/// 0, 1, 2, … 127 for values of 0 and above: in even steps up to the usual value, then in even factors up to the
+/// largest. Values below 0 have 128 more. The page's `shareOfMax` is the inverse.
 std::uint8_t packed_value(double value, const ValueRange& range);
 
 }  // namespace whittle::report

@@ -14,7 +14,7 @@ namespace whittle::report {
 
 using Json = nlohmann::ordered_json;
 
-/// The arrays of a page, compressed by meshoptimizer, one after the other. What is added gives the JSON by which the
+/// The arrays of a page, compressed by meshoptimizer, one after the other. Adding an array gives the JSON by which the
 /// page finds it: {"at", "bytes", "count", "size", "codec"}, the last one "vertices", "faces" or, for bytes as they
 /// are, "none".
 class PageBytes {
@@ -42,7 +42,7 @@ class PageBytes {
   std::vector<unsigned char> bytes_;
 };
 
-/// As zlib does it (RFC 1950). What meshoptimizer has compressed becomes a sixth smaller still.
+/// Compresses by zlib (RFC 1950). Output of meshoptimizer becomes a sixth smaller still.
 std::string deflated(const std::vector<unsigned char>& bytes);
 
 }  // namespace whittle::report

@@ -22,7 +22,7 @@ std::vector<Triangle> reordered(const IndexedMesh& mesh) {
   return faces;
 }
 
-/// In the order in which faces name them; then those without a face.
+/// Vertices in the order in which faces name them, then vertices without a face.
 std::vector<Index> vertex_numbers(const std::vector<Triangle>& faces, std::size_t n_vertices) {
   std::vector<Index> numbers(n_vertices, invalid_index);
   Index next = 0;
@@ -36,7 +36,7 @@ std::vector<Index> vertex_numbers(const std::vector<Triangle>& faces, std::size_
   return numbers;
 }
 
-/// Of faces with the same corners any may have any of their numbers.
+/// Faces with the same corners may swap their numbers.
 std::vector<Index> face_numbers(const std::vector<Triangle>& before, const std::vector<Triangle>& after) {
   using Numbered = std::vector<std::pair<Triangle, Index>>;
   const auto sorted = [](const std::vector<Triangle>& faces) {
@@ -56,7 +56,7 @@ bool has_attributes(const IndexedMesh& mesh) {
   return !mesh.normals.empty() || !mesh.colors.empty() || !mesh.attributes.empty();
 }
 
-/// By how many corners a face was rotated. \param before with the vertex numbers of `after`
+/// Number of corners by which a face was rotated. \param before with the vertex numbers of `after`
 std::size_t rotation(Triangle before, const Triangle& after) {
   std::size_t n = 0;
   for (; before != after; ++n) std::rotate(before.begin(), before.begin() + 1, before.end());
@@ -76,7 +76,7 @@ std::vector<Index> wedges_in_order(const IndexedMesh& before, const PageOrder& o
   return wedges;
 }
 
-/// Gives the ordered mesh what the wedges had before. The first wedge of each vertex gets the vertex's number.
+/// Gives the ordered mesh the attributes of wedges. The first wedge of each vertex gets the vertex's number.
 void order_wedges(const IndexedMesh& before, const PageOrder& order, IndexedMesh& mesh) {
   std::vector<Index> wedges = wedges_in_order(before, order, mesh);
   std::vector<Index> kept(mesh.positions.size(), invalid_index);

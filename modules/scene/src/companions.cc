@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Copies a file. \return why not, if it isn't there afterwards
+/// Copies a file. \return the reason of a failure, or empty
 std::string copied(io::OutputFiles& files, const fs::path& from, const fs::path& to, const fs::path& name,
                    bool& is_new) {
   std::error_code error;

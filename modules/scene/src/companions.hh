@@ -13,9 +13,9 @@ namespace whittle {
 /// Whether a path that a file in some folder names leads to that folder, or to one below it.
 bool is_inside(const std::filesystem::path& name);
 
-/// Copies files beside an output, as they lie beside the input; none that is there is overwritten. Notes what was
-/// copied, and warns of what couldn't be. Nothing is done for standard streams, and within one folder.
-/// \param names of the files, relative to the input's folder. Absolute ones are left alone
+/// Copies files beside the input to the output; existing files aren't overwritten. Notes copied files, and warns of
+/// failures. Does nothing for standard streams, and within one folder.
+/// \param names of the files, relative to the input's folder. Absolute ones are ignored
 void copy_companions(io::OutputFiles& files, const std::string& input, const std::string& output,
                      std::span<const std::filesystem::path> names, SceneMessages& messages);
 

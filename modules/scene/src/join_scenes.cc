@@ -68,7 +68,7 @@ void merge_names(io::ReadResult& all, io::ReadResult& more, const char* name) {
   }
 }
 
-/// Leaves out of each what the other hasn't. \param dropped gets the names
+/// Drops attributes that the other list lacks. \param dropped gets the names
 void keep_common(std::vector<Attribute>& a, std::vector<Attribute>& b, std::set<std::string>& dropped) {
   const auto drop = [&dropped](std::vector<Attribute>& from, const std::vector<Attribute>& other) {
     std::erase_if(from, [&](const Attribute& attribute) {
@@ -90,7 +90,7 @@ void keep_common(std::vector<T>& a, std::vector<T>& b, const char* name, std::se
   dropped.insert(name);
 }
 
-/// Faces of a file without materials have none, whatever the other file has.
+/// Keeps faces of a file without materials without one, also if the other file has materials.
 void even_out_materials(IndexedMesh& a, IndexedMesh& b) {
   for (IndexedMesh* const mesh : {&a, &b}) {
     if (!mesh->face_groups.empty() || (a.face_groups.empty() && b.face_groups.empty())) continue;
@@ -103,7 +103,7 @@ bool names_files(const io::FileNotes& notes) {
   return !notes.material_libraries.empty() || !notes.header_lines.empty();
 }
 
-/// Forgets names of faces that no attribute has any more, but for those that both have for all faces.
+/// Drops names of faces without an attribute, except names that both files have for all faces.
 void drop_idle_names(io::ReadResult& a, const io::ReadResult& b) {
   std::erase_if(a.notes.face_names, [&](const auto& entry) {
     const auto& [name, names] = entry;

@@ -47,7 +47,7 @@ bool has_looks(const Scene& scene, const IndexedMesh& mesh) {
   });
 }
 
-/// What a glTF input has that files of other formats can't hold. \pre the mesh has its groups
+/// Content of a glTF input that other formats can't hold. \pre the mesh has its groups
 std::string left_out_of(const Scene& scene, const IndexedMesh& mesh) {
   std::string others = listed(scene.gltf->asset().other_content());
   if (!has_looks(scene, mesh)) return others;

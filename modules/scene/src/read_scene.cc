@@ -51,7 +51,7 @@ std::string SceneFile::name() const { return path_ == standard_stream ? "standar
 
 Scene SceneFile::read(const SceneReadOptions& options) const {
   const SceneFormat& format =
-      format_ != nullptr ? *format_ : *scene_formats().front();  // its reader says what is wrong
+      format_ != nullptr ? *format_ : *scene_formats().front();  // its reader reports the problem
   Scene scene = format.read(*this, options);
   if (scene.read.mesh.faces.empty() && !options.takes_no_triangles) {
     throw io::ReadError(name(), why_no_faces(scene.read));

@@ -15,7 +15,7 @@ void write_scene(io::OutputFiles& files, const SceneOutput& output, Scene& scene
 
 void write_levels(io::OutputFiles& files, const SceneOutput& output, Scene& scene, CoarserLevels levels,
                   SceneMessages& messages) {
-  // What is compressed is replaced geometry.
+  // Only replaced geometry is compressed.
   output.format->write(files, output, scene, output.compress ? &scene.read.mesh : nullptr, levels, messages);
 }
 

@@ -10,7 +10,7 @@
 namespace whittle {
 namespace {
 
-/// Vertices of the output that a locked vertex of the input became; empty if none is locked.
+/// Per vertex of the output, 1 = made from a locked vertex; empty if none is locked.
 std::vector<std::uint8_t> locked_outputs(const std::vector<std::uint8_t>& locked, const Decimation& decimation) {
   std::vector<std::uint8_t> result;
   if (locked.empty()) return result;
@@ -22,7 +22,7 @@ std::vector<std::uint8_t> locked_outputs(const std::vector<std::uint8_t>& locked
   return result;
 }
 
-/// What `decimate.progress` is told during polish.
+/// Passes the progress of polish on to `decimate.progress`.
 ProgressCallback polish_progress(const DecimateOptions& decimate, const DecimateResult& result) {
   if (!decimate.progress) return {};
   return [&](const TaskProgress& progress) {
@@ -30,9 +30,9 @@ ProgressCallback polish_progress(const DecimateOptions& decimate, const Decimate
   };
 }
 
-/// How much polish has to care for shape, where contraction does. By isotropy W, vertices are drawn to the middle of
-/// their neighbours as much as contraction draws them to the middle of an edge (edge_length_term.hh). Valences say
-/// nothing of places; but polish makes triangles less round, and a tenth of what W = 0.5 means makes up for that.
+/// Weight of shape in polish, from the weights in contraction. With isotropy W, polish draws vertices to the middle of
+/// their neighbours as much as contraction draws them to the middle of an edge (edge_length_term.hh). Valences give no
+/// positions; but polish makes triangles less round, and a tenth of the weight for W = 0.5 compensates for that.
 double shape_weight_of(const DecimateOptions& options) {
   constexpr double most = 1000;  // at W = 1 the error doesn't count
   constexpr double of_valences = 0.1;
@@ -41,7 +41,7 @@ double shape_weight_of(const DecimateOptions& options) {
   return by_isotropy + of_valences * std::min(1.0, 2 * options.valence_weight);
 }
 
-/// What edges of the input have become.
+/// Edges of the output that edges of the input became.
 std::vector<VertexPair> mapped(const std::vector<VertexPair>& edges, const std::vector<Index>& vertex_map) {
   std::vector<VertexPair> result;
   for (const auto& [a, b] : edges) {

@@ -9,22 +9,22 @@
 
 namespace whittle {
 
-/// Polishes decimations of one mesh, as options say that `with_effort` has settled.
+/// Polishes decimations of one mesh. Options come from `with_effort`.
 class DecimationPolisher {
  public:
   /// Keeps a reference to the mesh.
   explicit DecimationPolisher(const IndexedMesh& mesh) : mesh_(mesh) {}
 
-  /// \param held a vertex of the decimation, 1 if it is to stay where it is; or empty
+  /// \param held per vertex of the decimation, 1 = stays; or empty
   PolishResult polish(const SimplifyOptions& options, Decimation& decimation,
                       const std::vector<std::uint8_t>& held = {});
 
  private:
-  /// What polish looks up about the input.
+  /// The input, prepared for polish.
   struct Input {
     PolishOriginal original;
     detail::InputEdges edges;
-    std::vector<Index> regions;  ///< of its faces, or empty
+    std::vector<Index> regions;  ///< per face, or empty
     double diagonal;             ///< of its bounding box
   };
 
@@ -32,7 +32,7 @@ class DecimationPolisher {
                                const Decimation& decimation) const;
 
   const IndexedMesh& mesh_;
-  std::optional<Input> input_;  ///< made when it is needed
+  std::optional<Input> input_;  ///< made on first use
 };
 
 }  // namespace whittle

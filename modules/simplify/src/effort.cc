@@ -6,7 +6,7 @@
 namespace whittle {
 namespace {
 
-/// Whether there is an option that memoryless quadrics don't take.
+/// Whether an option excludes memoryless quadrics.
 bool needs_plain_quadrics(const DecimateOptions& options) {
   const CostConflicts& why_not = cost_traits(Cost::memoryless).why_not;
   const bool has_exact_pairs = options.pairs.threshold > 0 && options.order == Order::exact;

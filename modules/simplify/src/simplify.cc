@@ -8,9 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "cost_comparison.hh"
 #include "decimation_polisher.hh"
-#include "nearer_result.hh"
-#include "plain_trial.hh"
 #include "simplify_sheets.hh"
 #include "whittle/core/progress.hh"
 #include "whittle/engine/attributes.hh"

@@ -8,13 +8,13 @@
 namespace whittle {
 namespace {
 
-/// The cost is by effort and counts, which the mesh without backs has fewer of.
+/// Options with the cost by effort for the mesh without backs, which has fewer faces.
 DecimateOptions with_cost(const TwoSidedSheets& sheets, const DecimateTarget& target, Effort effort,
                           const SimplifyOptions& options) {
   return with_effort(effort, options, sheets.without_backs(), target).decimate;
 }
 
-/// Without those whose counts are those of the one before.
+/// Targets without repetitions of the count before.
 std::vector<DecimateTarget> with_different_counts(const std::vector<DecimateTarget>& targets) {
   std::vector<DecimateTarget> different = targets;
   const auto have_same_count = [](const DecimateTarget& a, const DecimateTarget& b) {
@@ -24,7 +24,7 @@ std::vector<DecimateTarget> with_different_counts(const std::vector<DecimateTarg
   return different;
 }
 
-/// A level for each target: the same for those of equal counts. Fewer where the run ended before.
+/// A level for each target; targets of equal counts share one. Fewer if the run ended early.
 std::vector<Simplification> levels_at(const std::vector<DecimateTarget>& targets,
                                       const std::vector<DecimateTarget>& different,
                                       const std::vector<Simplification>& levels) {
@@ -39,7 +39,7 @@ std::vector<Simplification> levels_at(const std::vector<DecimateTarget>& targets
   return all;
 }
 
-/// Lowers the counts that have left too many faces. \return whether there are any
+/// Lowers counts that leave too many faces. \return whether any was lowered
 bool lower_targets(const TwoSidedSheets& sheets, const std::vector<DecimateTarget>& asked,
                    const std::vector<Simplification>& levels, std::vector<DecimateTarget>& tried) {
   bool is_any_lower = false;

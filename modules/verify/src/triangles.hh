@@ -7,12 +7,12 @@
 #include <optional>
 #include <vector>
 
-// What proofs look at: points near to a triangle, and faces over one. A test that NaN decides must fail here, too.
+// Tests of proofs: points near a triangle, and faces over a triangle. A test with NaN must fail.
 
 namespace whittle::verify {
 
-/// What each test has to spare. Lengths are about 1, so a computed one is wrong by 1e-15. The corner of a piece is
-/// wrong by up to 3.1e-15: halving adds 5e-17, two thirds of which add up from one depth to the next.
+/// Margin of each test. Lengths are about 1, so a computed length is wrong by 1e-15. The corner of a piece is wrong by
+/// up to 3.1e-15: halving adds 5e-17, two thirds of which add up from one depth to the next.
 inline constexpr double slack = 0.5e-14;
 struct Vec {
   double x, y, z;
@@ -26,7 +26,7 @@ inline double norm(const Vec& a) { return std::sqrt(dot(a, a)); }
 inline Vec cross(const Vec& a, const Vec& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-/// Of x and y alone: positive if b is to the left of a.
+/// The cross product in x and y: positive if b is to the left of a.
 inline double cross_xy(const Vec& a, const Vec& b) { return a.x * b.y - a.y * b.x; }
 using Corners = std::array<Vec, 3>;
 
@@ -45,7 +45,7 @@ inline bool is_near(const Vec& p, const Corners& face, double distance) {
   const Vec ab = b - a;
   const Vec ac = c - a;
   const Vec ap = p - a;
-  // ac and p in the direction of ab, and what is perpendicular to it: exact for thin faces, too.
+  // ac and p along ab and perpendicular to it: exact for thin faces, too.
   const double length_sq = norm_sq(ab);
   const double ac_along = dot(ac, ab) / length_sq;
   const double ap_along = dot(ap, ab) / length_sq;
@@ -140,7 +140,7 @@ class View {
   double beyond_side(std::size_t side, const Vec& p) const {
     return outward_[side].x * (p.x - corners_[side].x) + outward_[side].y * (p.y - corners_[side].y);
   }
-  /// Leaves of `part_` what is inside of a side, or a little outside.
+  /// Clips `part_` to the inside of a side, with a margin.
   void clip_part(std::size_t side) {
     whole_.swap(part_);
     part_.clear();

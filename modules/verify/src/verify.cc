@@ -107,12 +107,12 @@ struct Frame {
   }
 };
 
-/// Triangles in the frame. What it names must outlive it.
+/// Triangles in the frame. A view: the arrays must outlive it.
 struct Surface {
   Triangles mesh;
   Frame frame;
   std::vector<Index> beyond;     ///< over side i of face f, from corner i to the next: the face at 3f + i, or none
-  double limit;                  ///< how far others may be
+  double limit;                  ///< largest distance of others
   std::vector<double> limits{};  ///< of each face, in place of that; or empty
   std::size_t n_faces() const { return mesh.corners.size() / 3; }
   double limit_of(std::size_t face) const { return limits.empty() ? limit : limits[face]; }
@@ -123,7 +123,7 @@ struct Surface {
   }
 };
 
-/// As `Surface::beyond`. Sides are gathered by their lower vertex, then sorted by the higher.
+/// `Surface::beyond`. Sides are gathered by their lower vertex, then sorted by the higher.
 std::vector<Index> faces_beyond(const Triangles& mesh) {
   std::vector<Index> end(mesh.coordinates.size() / 3 + 1, 0);
   const auto for_each_side = [&](const auto& use) {  // (lower vertex, higher vertex, side)
@@ -140,7 +140,7 @@ std::vector<Index> faces_beyond(const Triangles& mesh) {
   const auto higher = [&](Index side) { return std::max(mesh.corners[side], next_corner(mesh, side)); };
   std::vector<Index> beyond(mesh.corners.size(), none);
   auto begin = sides.begin();
-  for (const Index n : end) {  // the sides of a vertex end where those of the next one began
+  for (const Index n : end) {  // the sides of a vertex end where the next vertex' sides began
     const auto last = sides.begin() + n;
     std::sort(begin, last, [&](Index a, Index b) { return higher(a) < higher(b); });
     for (auto next = begin; begin < last; begin = next) {
@@ -236,7 +236,7 @@ class Patch {
   View view_;
   std::vector<Index> faces_;   ///< the patch
   std::vector<Index> place_;   ///< of a face in it, if it is there
-  std::vector<Corners> over_;  ///< those of its faces that may be over the triangle, as they are seen
+  std::vector<Corners> over_;  ///< its faces that may be over the triangle, projected
 };
 
 /// Proofs that triangles of a surface are near to another one.
@@ -333,14 +333,14 @@ void follow_all(const std::vector<Chunk>& chunks, std::size_t n_threads) {
   std::vector<std::thread> others;
   try {
     while (others.size() + 1 < std::min(n_threads, chunks.size())) others.emplace_back(work);
-  } catch (const std::exception&) {  // there are no more threads: those that run do it all
+  } catch (const std::exception&) {  // thread creation failed; continue with the threads we have
   }
   work();
   for (std::thread& other : others) other.join();
   if (thrown) std::rethrow_exception(thrown);
 }
 
-/// What the certificate claims.
+/// Reads the certificate's claim.
 Verification read_head(Reader& file, const Triangles& in, const Triangles& out) {
   constexpr std::string_view first_line = "whittle certificate 1\n";
   if (file.bytes(first_line.size()) != first_line) refuse_bytes("its first line is not 'whittle certificate 1'");

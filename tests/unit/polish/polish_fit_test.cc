@@ -8,7 +8,7 @@
 
 #include "decimated.hh"
 #include "fit/fit_weights.hh"
-#include "guard/outliers.hh"
+#include "guard/drifted_vertices.hh"
 #include "original/backward_offsets.hh"
 #include "support/meshes.hh"
 #include "support/random.hh"
@@ -97,7 +97,7 @@ std::size_t n_wrong(std::span<const Vec3> offsets, const Moved& moved, double ne
     const double distance = distance_of(moved.tree, moved.positions[v]);
     const bool is_near = offsets[v].isZero();
     if (!is_near) {
-      EXPECT_GE(offsets[v].norm(), distance * (1 - 1e-9)) << "a foot lies on the surface";
+      EXPECT_GE(offsets[v].norm(), distance * (1 - 1e-9)) << "a closest point lies on the surface";
     }
     const bool is_right = is_near ? distance <= 1.5 * near : offsets[v].norm() <= 1.001 * distance + 1e-12;
     n += static_cast<std::size_t>(!is_right);
@@ -117,7 +117,7 @@ TEST(BackwardOffsets, AreFromTheNearestPoints) {
   }
 }
 
-TEST(Outliers, GoBackAndOthersStay) {
+TEST(DriftedVertices, GoBackAndOthersStay) {
   for (const auto& [name, mesh] : whole_meshes()) {
     SCOPED_TRACE(name);
     Moved moved(mesh);
@@ -125,7 +125,7 @@ TEST(Outliers, GoBackAndOthersStay) {
     const double most = 0.004 * moved.size();
     const BackwardOffsets backward(moved.origins, moved.before(), 0.6 * most, 1);
     const std::vector<Vec3> spread = moved.positions;
-    const std::vector<Index> taken_back = take_back_outliers(backward, most, moved.positions, 1);
+    const std::vector<Index> taken_back = take_back_drifted_vertices(backward, most, moved.positions, 1);
     EXPECT_FALSE(taken_back.empty());
     std::size_t n_left = 0;
     for (Index v = 0; v < before.size(); ++v) {

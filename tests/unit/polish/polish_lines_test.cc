@@ -81,14 +81,14 @@ TEST(LineSamples, WeighWhatTheLinesHaveOfLength) {
   LineSamples samples(MeshLines(bent_edges, {}, {}, 4), bent, map);
   const VertexCorners corners = corners_by_vertex(straight.faces, straight.positions.size());
   const Surface mesh{straight.faces, corners, straight.positions};
-  samples.find_feet(lines, mesh, 2);
+  samples.find_closest_points(lines, mesh, 2);
   double weight = 0;
   double squares = 0;
-  samples.for_each_foot([&](const LineFoot& foot, double w) {
-    EXPECT_EQ(foot.edge, 0U);
-    EXPECT_NEAR(foot.offset.x(), 0, 1e-12);
+  samples.for_each_closest_point([&](const ClosestLinePoint& closest, double w) {
+    EXPECT_EQ(closest.edge, 0U);
+    EXPECT_NEAR(closest.offset.x(), 0, 1e-12);
     weight += w;
-    squares += w * foot.offset.squaredNorm();
+    squares += w * closest.offset.squaredNorm();
   });
   double length = 0;
   double integral = 0;
@@ -110,9 +110,9 @@ TEST(LineSamples, FindOnlyLinesOfTheirKindThatRunTheirWay) {
   const std::vector<Index> map{0, 0};
   const auto count = [&](const MeshLines& from, const MeshLines& to, const std::vector<Vec3>& positions) {
     LineSamples samples(from, positions, map);
-    samples.find_feet(to, surface, 1);
+    samples.find_closest_points(to, surface, 1);
     int n = 0;
-    samples.for_each_foot([&n](const LineFoot&, double) { ++n; });
+    samples.for_each_closest_point([&n](const ClosestLinePoint&, double) { ++n; });
     return n;
   };
   const Vec3 a = mesh.positions[0];

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "decimated.hh"
-#include "original/foot_finder.hh"
-#include "original/foot_sums.hh"
+#include "original/closest_point_finder.hh"
+#include "original/closest_point_sums.hh"
 #include "support/random.hh"
 #include "support/shapes/shapes.hh"
 #include "support/suites.hh"
@@ -50,20 +50,20 @@ double triangle_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
   };
   const double to_edges = std::min({to_edge(a, b), to_edge(b, c), to_edge(c, a)});
   const Vec3 normal = (b - a).cross(c - a).normalized();
-  const Vec3 foot = p - normal.dot(p - a) * normal;
-  const bool is_inside = normal.dot((b - a).cross(foot - a)) >= 0 && normal.dot((c - b).cross(foot - b)) >= 0 &&
-                         normal.dot((a - c).cross(foot - c)) >= 0;
+  const Vec3 closest = p - normal.dot(p - a) * normal;
+  const bool is_inside = normal.dot((b - a).cross(closest - a)) >= 0 && normal.dot((c - b).cross(closest - b)) >= 0 &&
+                         normal.dot((a - c).cross(closest - c)) >= 0;
   return is_inside ? std::abs(normal.dot(p - a)) : to_edges;
 }
 
-struct BruteFoot {
+struct BruteClosestPoint {
   Index face = invalid_index;
   double distance = std::numeric_limits<double>::infinity();
 };
 
 /// The nearest of all faces whose normals agree with the given one.
-BruteFoot nearest_of_all(const IndexedMesh& mesh, const Vec3& position, const Vec3& unit_normal) {
-  BruteFoot nearest;
+BruteClosestPoint nearest_of_all(const IndexedMesh& mesh, const Vec3& position, const Vec3& unit_normal) {
+  BruteClosestPoint nearest;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     const auto& [a, b, c] = mesh.faces[f];
     if (!(normal_of(mesh, mesh.faces[f]).normalized().dot(unit_normal) > 0.5)) continue;
@@ -73,16 +73,16 @@ BruteFoot nearest_of_all(const IndexedMesh& mesh, const Vec3& position, const Ve
   return nearest;
 }
 
-Vec3 position_of(const IndexedMesh& mesh, const Foot& foot) {
-  const auto& [a, b, c] = mesh.faces[foot.face];
-  return (1.0 - foot.second - foot.third) * mesh.positions[a] + double{foot.second} * mesh.positions[b] +
-         double{foot.third} * mesh.positions[c];
+Vec3 position_of(const IndexedMesh& mesh, const ClosestFacePoint& closest) {
+  const auto& [a, b, c] = mesh.faces[closest.face];
+  return (1.0 - closest.second - closest.third) * mesh.positions[a] + double{closest.second} * mesh.positions[b] +
+         double{closest.third} * mesh.positions[c];
 }
 
-/// The nearest of the faces at a vertex that contain the foot and whose normals agree. `slack` widens or narrows the
-/// test.
-BruteFoot nearest_at(const IndexedMesh& mesh, Index v, const FootFinder::Point& point, double slack) {
-  BruteFoot nearest;
+/// The nearest of the faces at a vertex that contain the closest point and whose normals agree. `slack` widens or
+/// narrows the test.
+BruteClosestPoint nearest_at(const IndexedMesh& mesh, Index v, const ClosestPointFinder::Point& point, double slack) {
+  BruteClosestPoint nearest;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     const auto& [a, b, c] = mesh.faces[f];
     if (a != v && b != v && c != v) continue;
@@ -100,13 +100,13 @@ BruteFoot nearest_at(const IndexedMesh& mesh, Index v, const FootFinder::Point& 
   return nearest;
 }
 
-Foot find(FootFinder& finder, Index v, const FootFinder::Point& point) {
-  Foot foot;
-  finder.find(v, std::span(&point, 1), std::span(&foot, 1));
-  return foot;
+ClosestFacePoint find(ClosestPointFinder& finder, Index v, const ClosestPointFinder::Point& point) {
+  ClosestFacePoint closest;
+  finder.find(v, std::span(&point, 1), std::span(&closest, 1));
+  return closest;
 }
 
-TEST(FootFinder, FindsWhatSearchesOfFacesFind) {
+TEST(ClosestPointFinder, FindsWhatSearchesOfFacesFind) {
   std::size_t n_points = 0;
   std::size_t n_without = 0;
   std::size_t n_farther = 0;
@@ -114,14 +114,14 @@ TEST(FootFinder, FindsWhatSearchesOfFacesFind) {
        {noisy_sphere(4, 0.05, 1), noisy_torus(60, 30, 1.0, 0.4, 0.02, 2), tessellated_cube(12), bracket(12)}) {
     const Decimation d = decimated_within_75_deg(original, 0.1);
     const VertexCorners corners = corners_by_vertex(d.mesh.faces, d.mesh.positions.size());
-    FootFinder finder({d.mesh.faces, corners, d.mesh.positions});
+    ClosestPointFinder finder({d.mesh.faces, corners, d.mesh.positions});
     const double size = diagonal_of(original.positions);
     for (const Triangle& face : original.faces) {
       const Vec3 center = (original.positions[face[0]] + original.positions[face[1]] + original.positions[face[2]]) / 3;
       const Vec3 normal = normal_of(original, face);
-      const FootFinder::Point point{center, normal.cast<float>()};
+      const ClosestPointFinder::Point point{center, normal.cast<float>()};
       const Index v = d.vertex_map[face[0]];
-      const Foot found = find(finder, v, point);
+      const ClosestFacePoint found = find(finder, v, point);
       ++n_points;
       const double distance =
           found.face == invalid_index ? std::numeric_limits<double>::infinity() : std::abs(found.distance);
@@ -146,10 +146,10 @@ TEST(FootFinder, FindsWhatSearchesOfFacesFind) {
   EXPECT_LE(n_farther, n_points / 100) << "of " << n_points;
 }
 
-TEST(FootFinder, HasNoneForPointsThatFaceTheOtherWay) {
+TEST(ClosestPointFinder, HasNoneForPointsThatFaceTheOtherWay) {
   const IndexedMesh mesh = grid(4, 4);
   const VertexCorners corners = corners_by_vertex(mesh.faces, mesh.positions.size());
-  FootFinder finder({mesh.faces, corners, mesh.positions});
+  ClosestPointFinder finder({mesh.faces, corners, mesh.positions});
   const Eigen::Vector3f up = normal_of(mesh, mesh.faces[0]).cast<float>();
   const Vec3 above = mesh.positions[6] + 0.1 * up.cast<double>();
   EXPECT_NE(find(finder, 6, {above, up}).face, invalid_index);
@@ -192,12 +192,12 @@ TEST(MergedPoints, WeighWhatTheSurfaceHasOfArea) {
     double weight = 0;
     double linear = 0;
     double found = 0;
-    for (std::size_t i = 0; i < points.feet().size(); ++i) {
-      const Foot& foot = points.feet()[i];
-      ASSERT_EQ(foot.face, 0U);
+    for (std::size_t i = 0; i < points.closest_points().size(); ++i) {
+      const ClosestFacePoint& closest = points.closest_points()[i];
+      ASSERT_EQ(closest.face, 0U);
       weight += frame.cost_to_model(points.weights()[i], 2);
-      linear += frame.cost_to_model(points.weights()[i] * foot.distance, 3);
-      found += frame.cost_to_model(points.weights()[i] * foot.distance * foot.distance, 4);
+      linear += frame.cost_to_model(points.weights()[i] * closest.distance, 3);
+      found += frame.cost_to_model(points.weights()[i] * closest.distance * closest.distance, 4);
     }
     EXPECT_NEAR(weight, area, 1e-5 * area);
     EXPECT_NEAR(linear, integral, 1e-5 * integral);
@@ -219,7 +219,7 @@ struct CountAndWeight {
   bool operator==(const CountAndWeight&) const = default;
 };
 
-TEST(FootSums, HaveEachFootInItsFace) {
+TEST(PointSums, HaveEachClosestPointInItsFace) {
   const IndexedMesh original = permuted(noisy_sphere(5, 0.05, 1), 3).mesh;  // so blocks have many faces in common
   const Decimation d = decimated(original, 0.2);
   const OriginalSurface surface(original, 1);
@@ -230,18 +230,18 @@ TEST(FootSums, HaveEachFootInItsFace) {
   const Origins origins(surface, d.vertex_map, positions.size(), 1, 1);
 
   std::vector<CountAndWeight> expected(d.mesh.faces.size());
-  const auto add = [](CountAndWeight& sums, const Foot&, double weight) { sums += {1, weight}; };
+  const auto add = [](CountAndWeight& sums, const ClosestFacePoint&, double weight) { sums += {1, weight}; };
   MergedPoints points(origins, mesh, static_cast<Index>(positions.size()));
   for (Index v = 0; v < positions.size(); ++v) {
     points.find(v);
-    for (std::size_t i = 0; i < points.feet().size(); ++i) {
-      const Foot& foot = points.feet()[i];
-      if (foot.face != invalid_index) add(expected[foot.face], foot, points.weights()[i]);
+    for (std::size_t i = 0; i < points.closest_points().size(); ++i) {
+      const ClosestFacePoint& closest = points.closest_points()[i];
+      if (closest.face != invalid_index) add(expected[closest.face], closest, points.weights()[i]);
     }
   }
   const auto summed = [&](unsigned threads) {
     std::vector<CountAndWeight> sums(d.mesh.faces.size());
-    sum_over_feet<CountAndWeight>(
+    sum_over_closest_points<CountAndWeight>(
         origins, mesh, add, [&sums](Index f) -> CountAndWeight& { return sums[f]; }, threads);
     return sums;
   };

@@ -12,7 +12,7 @@
 namespace whittle::test {
 namespace {
 
-using polishing::AttributeFeet;
+using polishing::AttributeSamples;
 
 constexpr int n_squares = 12;
 
@@ -48,14 +48,14 @@ struct MirroredGrid {
 
 TEST(TextureFolds, AreNoneWhereTheOriginalIsMirrored) {
   MirroredGrid grid;
-  std::vector<AttributeFeet::Sample> feet;
+  std::vector<AttributeSamples::Sample> samples;
   for (Index f = 0; f < grid.mesh.faces.size(); ++f) {
-    AttributeFeet::Sample sample;
-    sample.foot.face = f;
+    AttributeSamples::Sample sample;
+    sample.closest.face = f;
     sample.weight = 1;
-    feet.push_back(sample);
+    samples.push_back(sample);
   }
-  EXPECT_EQ(turns_on_image({grid.mesh.faces, grid.texcoords, 2}, feet, grid.mesh.faces.size()), grid.turns);
+  EXPECT_EQ(turns_on_image({grid.mesh.faces, grid.texcoords, 2}, samples, grid.mesh.faces.size()), grid.turns);
   const std::vector<double> before = grid.texcoords;
   EXPECT_EQ(polishing::unfold(grid.mesh.faces, grid.turns, grid.texcoords, 2), 0);
   EXPECT_EQ(grid.texcoords, before);
@@ -63,13 +63,13 @@ TEST(TextureFolds, AreNoneWhereTheOriginalIsMirrored) {
 
 TEST(TextureFolds, HaveNoSideWhereTheOriginalDisagrees) {
   const MirroredGrid grid;
-  std::vector<AttributeFeet::Sample> feet(grid.mesh.faces.size());
-  for (AttributeFeet::Sample& sample : feet) {
-    sample.foot.face = 0;  // one face has all of them, half of which are mirrored
+  std::vector<AttributeSamples::Sample> samples(grid.mesh.faces.size());
+  for (AttributeSamples::Sample& sample : samples) {
+    sample.closest.face = 0;  // one face has all of them, half of which are mirrored
     sample.weight = 1;
   }
-  feet.back().foot.face = 1;
-  EXPECT_EQ(turns_on_image({grid.mesh.faces, grid.texcoords, 2}, feet, 3), (std::vector<std::int8_t>{0, -1, 0}));
+  samples.back().closest.face = 1;
+  EXPECT_EQ(turns_on_image({grid.mesh.faces, grid.texcoords, 2}, samples, 3), (std::vector<std::int8_t>{0, -1, 0}));
 }
 
 TEST(TextureFolds, GoWhereOneVertexIsOff) {

@@ -7,7 +7,7 @@
 namespace whittle::app {
 namespace {
 
-/// Of equal pictures the PSNR is infinite, for which JSON has no number.
+/// Null for equal pictures: their PSNR is infinite, which JSON can't express.
 Json decibels_json(double psnr) { return std::isfinite(psnr) ? Json(psnr) : Json(nullptr); }
 
 std::string decibels_text(double psnr) { return std::isfinite(psnr) ? significant(psnr) : "infinite"; }

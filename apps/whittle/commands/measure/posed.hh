@@ -18,7 +18,7 @@ struct MeanDistance {
   double backward = 0;
 };
 
-/// How far two posed scenes are apart.
+/// The distance between two posed scenes.
 struct PosedDistance {
   std::size_t n_poses = 0;
   double diagonal = 0;                              ///< of the reference's scene at rest, model units
@@ -29,7 +29,7 @@ struct PosedDistance {
   std::optional<gltf::AnimationTime> worst_moment;  ///< none if the file has no animation
   std::string worst_animation;                      ///< its name
 
-  /// The average over what it is at rest, both ways. None if that is 0.
+  /// The average over the distance at rest, both ways. None if that is 0.
   std::optional<double> ratio() const;
 };
 

@@ -36,7 +36,7 @@ bool is_mesh_of(const Recording& recording, const IndexedMesh& mesh) {
   return progressive::content_hash(mesh) == recording.hash;
 }
 
-/// The mesh of a file with those attributes that the run's options left, if the run began with one of these.
+/// The mesh of a file with the attributes that the run's options kept, if the run began with such a mesh.
 std::optional<IndexedMesh> reduced_mesh_of(const Recording& recording, const IndexedMesh& mesh) {
   IndexedMesh reduced = with_vertex_attributes(mesh);
   if (is_mesh_of(recording, reduced)) return reduced;
@@ -46,7 +46,7 @@ std::optional<IndexedMesh> reduced_mesh_of(const Recording& recording, const Ind
   return std::nullopt;
 }
 
-/// What the run knew of its file.
+/// The notes of the run's file.
 io::FileNotes notes_in(const std::string& path, const Recording& recording) {
   try {
     return file_notes_of(recording.notes);
@@ -55,7 +55,7 @@ io::FileNotes notes_in(const std::string& path, const Recording& recording) {
   }
 }
 
-/// What the recording says of the file that its mesh comes from.
+/// The input as described in the recording.
 Input input_in_recording(const std::string& path, const Recording& recording) {
   Input input{path, path, {}, {}};
   input.read.notes = notes_in(path, recording);
@@ -74,7 +74,7 @@ std::pair<IndexedMesh, Input> input_of(const RecordingInput& options, const File
   }
   FileOptions as_then = files;
   const bool has_scene = reads_document(*options.input, files);
-  for (const bool reads_scene : {false, true}) {  // what a run reads of glTF depends on its output
+  for (const bool reads_scene : {false, true}) {  // a run's scope of glTF depends on its output
     if (reads_scene && !has_scene) break;
     as_then.scope = reads_scene ? SceneScope::scene : SceneScope::meshes;
     const Talk once = reads_scene ? Talk(Volume::quiet) : talk;
@@ -157,7 +157,7 @@ progressive::Replay replay_of(const std::string& path, IndexedMesh mesh, Recordi
   }
 }
 
-/// What writers of levels ask of the input's mesh.
+/// The parts of the input's mesh that writers of levels use.
 IndexedMesh frame_of(const IndexedMesh& mesh) {
   IndexedMesh frame;
   frame.positions = mesh.positions;
@@ -176,7 +176,7 @@ RecordingFacts facts_of(const std::string& path, const Recording& recording) {
           {}};
 }
 
-/// What `with_vertex_attributes` takes from a mesh.
+/// Names of attributes that `with_vertex_attributes` drops.
 std::vector<std::string> names_of_left_out(IndexedMesh mesh) {
   std::vector<std::string> names;
   for (const Attribute& attribute : mesh.attributes) names.push_back(attribute.name);

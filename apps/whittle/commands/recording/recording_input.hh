@@ -15,14 +15,14 @@
 
 namespace whittle::app {
 
-/// What the command line says of a recording.
+/// Options of a recording.
 struct RecordingInput {
   std::string path;
   std::optional<std::string> input;                        ///< the mesh of the run, if it is not in the recording
   std::string how_to_name_input = "name it with --input";  ///< what the error says where it is needed
 };
 
-/// Of what 'simplify --record' writes about a run: the format of its input, "gltf".
+/// Key of the input's format, "gltf", in the description of a run by 'simplify --record'.
 inline constexpr char input_format_key[] = "input_format";
 
 /// A mesh with one normal and one colour a vertex, and no other attributes.
@@ -30,23 +30,23 @@ IndexedMesh with_vertex_attributes(IndexedMesh mesh);
 
 /// The argument REC.
 OptionRow recording_argument(RecordingInput& options);
-/// --input. \param more the end of its help: what else than a missing mesh it is for
+/// --input. \param more end of its help: uses beside a missing mesh
 OptionRow recording_input_row(RecordingInput& options, const std::string& more = {});
 
-/// What the report says of a recording.
+/// Facts of a recording for the report.
 struct RecordingFacts {
   std::string path;
   bool is_embedded = false;                   ///< the input mesh
   std::uint64_t n_vertices = 0, n_faces = 0;  ///< of the input
   std::uint64_t n_contractions = 0;
-  io::FileNotes notes;                ///< of the input: what a writer of positions may ask
-  std::vector<std::string> left_out;  ///< by `read_replay`, of what the input has: "vt", "materials"
+  io::FileNotes notes;                ///< of the input, for writers of positions
+  std::vector<std::string> left_out;  ///< content of the input lost by `read_replay`: "vt", "materials"
 };
 
 /// {"path", "embedded", "vertices", "faces", "contractions"}
 Json recording_json(const RecordingFacts& facts);
 
-/// `check_formats` and `check_outputs` of a run that reads a recording. \param meshes those that it writes
+/// `check_formats` and `check_outputs` of a run that reads a recording. \param meshes paths of written meshes
 void check_recording_outputs(const RecordingInput& options, const std::vector<std::string>& meshes,
                              const std::vector<Output>& outputs, const FileOptions& files, const CommonOptions& common);
 

@@ -6,7 +6,7 @@
 #include "files/report.hh"
 #include "whittle/pipeline/run.hh"
 
-// What the messages and the report say of the distances that a run has proven.
+// The proven distances of a run, in messages and in the report.
 
 namespace whittle::app {
 
@@ -20,7 +20,7 @@ struct NamesOfRun {
 /// Key `max_error`, without `certificate_bytes`.
 Json max_error_json(const DistancesAsWritten& distances, const DecimateTarget& target, double diagonal);
 
-/// What was asked, and a line for each way, of the surface and of the borders: what is proven, and the farthest point.
+/// The request, and a line for each way, of the surface and of the borders: the proven distance and the farthest point.
 std::vector<std::string> distance_lines(const DistancesAsWritten& distances, const DecimateTarget& target,
                                         const NamesOfRun& names);
 

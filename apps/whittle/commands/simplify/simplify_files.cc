@@ -34,7 +34,7 @@ void write_map(std::ostream& out, const SimplifyRecord& record) {
   }
 }
 
-/// Writes a line for every vertex of the result: the numbers of those that it is made of.
+/// Writes a line for every vertex of the result: the numbers of its vertices in the file.
 void write_map_back(std::ostream& out, const SimplifyRecord& record) {
   std::vector<std::vector<Index>> sources(record.outcome.simplified.mesh.positions.size());
   const std::vector<Index> map = vertex_map_of(record);

@@ -46,7 +46,7 @@ OptionRow engine_row(Engine& engine) {
   return row;
 }
 
-/// What to write besides the result.
+/// Options for files besides the result.
 OptionRows side_file_rows(SimplifyCommand& options) {
   const std::string stem = "; '{stem}' as in OUT";
   OptionRow certificate = side_file_row("--certificate", options.certificate,

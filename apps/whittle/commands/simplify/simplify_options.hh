@@ -76,7 +76,7 @@ std::vector<std::string> idle_options(const Given& given, const SimplifyCommand&
 /// \throw io::WriteError as `check_outputs`
 void check_files(std::vector<SimplifyCommand> runs);
 
-/// Key `options` of the report: every option except the targets and those that control what is printed.
+/// Key `options` of the report: every option except targets and options of printing.
 nlohmann::ordered_json simplify_options_json(SimplifyCommand options);
 
 }  // namespace whittle::app

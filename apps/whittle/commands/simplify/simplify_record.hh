@@ -9,12 +9,12 @@
 
 namespace whittle::app {
 
-/// What a run of `whittle simplify` has done, and what its messages and its report say of that.
+/// The outcome of a run of `whittle simplify`, for its messages and its report.
 struct SimplifyRecord {
   Plan plan;
   Outcome outcome;
   std::vector<CurvePoint> curve;      ///< if it is to be written
-  std::string shortfall;              ///< if the target was missed: why, and what helps
+  std::string shortfall;              ///< if the target was missed: reason and remedy
   std::vector<std::string> warnings;  ///< in the order in which they were told
   double read_seconds = 0;
   double plan_seconds = 0;

@@ -68,7 +68,7 @@ void refuse_same_outputs(const std::vector<SimplifyCommand>& runs) {
   }
 }
 
-/// Does a run whatever happens in it. \param report as `SimplifyRun`; of a run that failed it says why
+/// Does a run, and catches its failure. \param report as `SimplifyRun`; for a failed run it has the reason
 ExitCode attempt(const SimplifyCommand& run, const SimplifyRun& simplify, Json* report) {
   try {
     return simplify(run, report);

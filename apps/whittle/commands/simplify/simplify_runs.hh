@@ -12,7 +12,7 @@
 
 namespace whittle::app {
 
-/// What stands for the input's name, without folder and extensions, in OUT and in files such as that of --map.
+/// Placeholder for the input's name, without folder and extensions, in OUT and in files such as --map's.
 inline constexpr std::string_view stem_word = "{stem}";
 
 /// \throw UsageError where an input looks like the value of -v: older programs have -v N, a number of vertices.
@@ -28,10 +28,10 @@ std::vector<SimplifyCommand> runs_of(const SimplifyCommand& command);
 /// Does a run. \param report becomes its report; null if none is wanted
 using SimplifyRun = std::function<ExitCode(const SimplifyCommand& run, nlohmann::ordered_json* report)>;
 
-/// Does all runs, one after another. A failure is printed, and the next run begins. Writes one report of all where
-/// --json says: `runs` has the report of each, or what went wrong.
+/// Does all runs, one after another. A failure is printed, and the next run begins. Writes one report for --json:
+/// `runs` has the report of each, or its failure.
 /// \return the exit status of the first run that failed
-/// \throw Interrupted; what the runs before have written stays
+/// \throw Interrupted; files of earlier runs stay
 ExitCode run_each(const SimplifyCommand& command, const std::vector<SimplifyCommand>& runs,
                   const SimplifyRun& simplify);
 

@@ -8,7 +8,7 @@
 #include "files/input.hh"
 #include "terminal/talk.hh"
 
-// What a run of `whittle simplify` says in words.
+// The messages of a run of `whittle simplify`.
 
 namespace whittle::app {
 
@@ -18,7 +18,7 @@ void say_details(const SimplifyCommand& options, const Talk& talk, const Simplif
 /// "out.ply: 1000 -> 100 faces, 502 -> 52 vertices in 0.1 s"
 std::string summary(const SimplifyCommand& options, const SimplifyRecord& record);
 
-/// What of a scene the engine doesn't keep: a line each.
+/// Content of a scene that the engine doesn't keep, a line each.
 std::vector<std::string> warnings_of_engine(const SimplifyCommand& options, const Scene& scene);
 
 }  // namespace whittle::app

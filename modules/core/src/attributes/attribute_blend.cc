@@ -61,7 +61,7 @@ void AttributeBlend::add(std::span<const double> value, double weight) {
   }
 }
 
-/// Of a normal, or of a tangent with the sign that most have.
+/// Blends normals, or tangents with the sign of the majority.
 bool AttributeBlend::direction(std::span<double> to) const {
   const double length = length_of(sum_);
   if (!(length >= least_mean * total_)) return false;
@@ -70,7 +70,7 @@ bool AttributeBlend::direction(std::span<double> to) const {
   return true;
 }
 
-/// Of the greatest weights as many as a value has room for, with the sum that all of them have.
+/// Keeps the greatest weights that fit into a value, scaled to the sum of all.
 void AttributeBlend::joint_weights(std::span<double> to) {
   const std::size_t k = to.size() / 2;
   const std::size_t n_kept = std::min(k, votes_.size());

@@ -18,7 +18,7 @@ namespace {
 
 /// A linear function has four numbers; with twice as many points it is hardly linear by chance.
 constexpr std::size_t least_points = 8;
-/// How far a number of a linear chart may be from its function, over its range: what four digits leave.
+/// Largest distance of a number of a linear chart from its function, over its range: rounding to four digits.
 constexpr double most_apart = 1e-4;
 
 bool has_unit_length(AttributeKind kind) { return kind == AttributeKind::normal || kind == AttributeKind::tangent; }
@@ -32,7 +32,7 @@ detail::IndexLists<Index> wedges_of_vertices(const IndexedMesh& mesh) {
           }};
 }
 
-/// Of each wedge, the first wedge of its vertex that has the same value.
+/// Per wedge, the first wedge of its vertex with the same value.
 std::vector<Index> first_equal_wedges(const IndexedMesh& mesh, std::span<const double> values,
                                       std::size_t n_components) {
   const auto value = [&](Index w) { return values.subspan(w * n_components, n_components); };
@@ -140,7 +140,7 @@ LocalFunction AttributeFunctions::of(Index w, std::size_t i) const {
   return function;
 }
 
-/// Each joint's weight is a number of its own. Those that are greatest are kept, as many as a value has room for.
+/// Each joint's weight is a separate number. The greatest weights that fit into a value are kept.
 void AttributeFunctions::move_joint_weights(Index w, const Vec3& position, std::span<double> value) const {
   const std::size_t k = value.size() / 2;
   std::vector<double> joints;

@@ -68,7 +68,7 @@ bool names_thing(std::string_view word) {
   return is_one_of(word, things) && !is_one_of(word, only_with_id);
 }
 
-/// What the last known word of a name says; empty if none is known.
+/// The kind by the last known word of a name; empty without a known word.
 std::optional<AttributeKind> kind_by_name(std::string_view name, ScalarType type) {
   const std::vector<std::string> words = words_of(name);
   for (auto word = words.rbegin(); word != words.rend(); ++word) {

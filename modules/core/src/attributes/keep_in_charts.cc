@@ -26,7 +26,7 @@ constexpr std::array steps{0.01, 0.05, 0.2};  ///< of the way to the middle of t
 struct Ring {
   double size;  ///< over the face's
   int points_a_side;
-  bool is_inner;  ///< shows what lies in a hole of a chart; else only sides at borders count, where a face sticks out
+  bool is_inner;  ///< finds points in holes of a chart; else only sides at borders count, where a face sticks out
 };
 constexpr std::array rings{Ring{0.99, 16, false}, Ring{0.9, 8, false}, Ring{0.7, 4, true}, Ring{0.4, 2, true}};
 
@@ -218,10 +218,10 @@ class ChartKeeper {
   std::span<double> values_;
   std::vector<Index> charts_;           ///< of each face
   detail::IndexLists<Index> faces_at_;  ///< of each wedge
-  /// Of each face, which of its sides no other face has. Faces without one are amid their charts.
+  /// Per face, the sides that no other face has. Faces without such a side are inside their charts.
   std::vector<std::array<bool, 3>> border_sides_;
   std::vector<Index> at_border_;               ///< faces with such a side
-  detail::IndexLists<Index> border_faces_at_;  ///< those at each wedge
+  detail::IndexLists<Index> border_faces_at_;  ///< per wedge
 };
 
 bool are_finite(std::span<const double> values) {

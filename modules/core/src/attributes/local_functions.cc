@@ -15,13 +15,13 @@ namespace {
 
 /// Faces without area count for this share of a mean one, so that something lies around each wedge.
 constexpr double least_area = 1e-9;
-/// Variances that are a smaller share of the greatest are what rounding made, with a margin.
+/// Variances below this share of the greatest are rounding errors, with a margin.
 constexpr double least_variance = 1e-13;
-/// What may be left of a number that is called linear, over how it varies: files often round to three digits of what
-/// values around a vertex differ by.
+/// Largest residual of a linear number, over its variation: files often round to three digits of the differences around
+/// a vertex.
 constexpr double most_left = 0.01;
 
-/// In one order, which library functions with wide registers don't keep.
+/// Sums in one order, unlike library functions with wide registers.
 double dot(const Vec3& a, const Vec3& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); }
 
 std::vector<double> areas_of(const IndexedMesh& mesh, const Frame& frame, unsigned threads) {

@@ -50,7 +50,7 @@ std::vector<FloatBox> OverlapTree::add_level(std::span<const FloatBox> below, co
 
 /// The search, written once for narrow and for wide registers.
 struct OverlapTree::Search {
-  /// All ones in the lanes of those boxes of an octet that overlap one box of another octet.
+  /// All ones in the lanes of an octet's boxes that overlap one box of another octet.
   WHITTLE_INLINE static Int8 overlaps(const Octet& octet, const Octet& other, std::size_t lane) {
     Int8 all = ~Int8{};
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -33,7 +33,7 @@ void radix_sort(std::vector<CurvePoint>& points) {
 
 std::vector<CurvePoint> along_morton_curve(std::span<const Vec3> positions, const Frame& frame, unsigned threads) {
   if (positions.empty()) return {};
-  const Box box = bounds_of(positions);  // rounding keeps the order, so its corners become those in the frame
+  const Box box = bounds_of(positions);  // rounding keeps the order, so its corners map to the frame's
   const Vec3 low = frame.to_frame(box.min());
   const double extent = (frame.to_frame(box.max()) - low).maxCoeff();
   const double cells_per_unit = extent > 0 ? 1023.0 / extent : 0;

@@ -1,6 +1,7 @@
-// The nearest point of a triangle is the foot on its plane if that is inside all three sides. Else it is the nearest
-// point of those sides that the foot is outside of. Unlike the usual walk through Voronoi regions (Ericson: Real-Time
-// Collision Detection, 5.1.5), this divides no barycentric coordinate by an area, so thin triangles lose no accuracy.
+// The closest point of a triangle is the projection on its plane if that is inside all three sides. Else it is the
+// closest point of the sides that the projection is outside of. Unlike the usual walk through Voronoi regions (Ericson:
+// Real-Time Collision Detection, 5.1.5), this divides no barycentric coordinate by an area, so thin triangles lose no
+// accuracy.
 //
 // Nodes are split by the surface area heuristic, in 16 bins along the widest axis of the box centres (Wald: On fast
 // Construction of SAH-based Bounding Volume Hierarchies, 2007).

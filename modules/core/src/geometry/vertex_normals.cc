@@ -35,14 +35,14 @@ class SmoothCorners {
   SmoothCorners(std::span<const Triangle> faces, std::size_t n_vertices, std::span<const Vec3> directions,
                 double crease_angle_deg)
       : faces_(faces), directions_(directions), sets_(3 * faces.size()) {
-    // Equal angles, as those of a prism, are not to differ by the rounding of coordinates to 32 bits.
+    // Tolerance for equal angles, as in a prism, whose coordinates were rounded to 32 bits.
     constexpr double rounding = 1e-6;
     least_cosine_ = detail::cosine_of_deg(crease_angle_deg) + rounding;
     const detail::EdgeTable edges(faces, n_vertices);
     for (std::size_t e = 0; e < edges.size(); ++e) join_at(edges.sides(e));
   }
 
-  /// The least corner of those that have its normal.
+  /// The least corner with the same normal.
   Index first_of(std::size_t corner) { return sets_.find(static_cast<Index>(corner)); }
 
  private:
@@ -76,7 +76,7 @@ class SmoothCorners {
   double least_cosine_ = 1;
 };
 
-/// By corner, 3f + c. \param of_vertices those without creases
+/// Normals by corner, 3f + c. \param of_vertices normals without creases
 std::vector<Normal> corner_normals(const IndexedMesh& mesh, const Frame& frame, double crease_angle_deg,
                                    const std::vector<Normal>& of_vertices) {
   std::vector<Vec3> directions;

@@ -15,7 +15,7 @@ std::string formatted(const char* format, double x) {
   return {text.data(), static_cast<std::size_t>(size)};
 }
 
-/// To four significant digits, but for rounding errors of x. \param x not negative
+/// Rounds up to four significant digits; ignores rounding errors of x. \param x not negative
 double rounded_up(double x) {
   if (!(x > 0 && std::isfinite(x))) return x;
   const std::string text = formatted("%.3e", x);

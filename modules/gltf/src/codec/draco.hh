@@ -28,7 +28,7 @@ struct DracoMesh {
 /// Whether this build has the library.
 bool has_draco();
 
-/// \throw std::runtime_error that says what is wrong, without a full stop
+/// \throw std::runtime_error with the problem, without a full stop
 DracoMesh decode_draco(std::string_view packed, const NamedNumbers& attributes);
 
 }  // namespace whittle::gltf

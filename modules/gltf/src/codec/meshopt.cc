@@ -15,8 +15,8 @@ namespace {
 constexpr const char* mode_names[] = {"ATTRIBUTES", "TRIANGLES", "INDICES"};
 constexpr const char* filter_names[] = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"};
 
-/// How many bytes one byte of compressed data can stand for at most. Of attributes, 256 bytes that are all equal take
-/// four. A triangle or an index takes at least a byte.
+/// Largest number of bytes per byte of compressed data. 256 equal bytes of attributes take four. A triangle or an index
+/// takes at least a byte.
 std::size_t most_bytes_of_a_byte(const MeshoptLayout& layout) {
   switch (layout.mode) {
     case MeshoptMode::attributes:

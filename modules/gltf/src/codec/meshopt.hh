@@ -32,14 +32,13 @@ std::optional<MeshoptFilter> meshopt_filter(std::string_view name);
 const char* name_of(MeshoptMode mode);
 const char* name_of(MeshoptFilter filter);
 
-/// What is wrong with a layout; empty if nothing. \param packed_size of the compressed data: they can't stand for more
-/// than a certain number of bytes each
+/// The problem with a layout, or empty. \param packed_size of the compressed data, which limits the unpacked size
 std::string problem_of(const MeshoptLayout& layout, std::size_t packed_size);
 
 /// `count * stride` bytes; empty if the data are damaged. \pre the layout has no problem
 std::optional<std::string> decode_meshopt(const MeshoptLayout& layout, std::string_view packed);
 
-/// Compresses what already has its filter's form. \pre this build has the library
+/// Compresses bytes that already have the filter's form. \pre this build has the library
 std::string encode_meshopt(const MeshoptLayout& layout, std::string_view bytes);
 
 /// Vectors of 4 components, of which 3 are a direction, as 4 bytes each, in the form of the octahedral filter.

@@ -14,7 +14,7 @@ struct Chunk {
   std::string_view bytes;
 };
 
-/// The chunk at the beginning of what is left, which loses it.
+/// Takes the first chunk off `left`.
 Chunk next_chunk(std::string_view& left, std::size_t offset, const std::string& file) {
   const auto fail = [&] { throw io::ReadError(file, {.byte = offset}, "a chunk is cut off; the file is truncated"); };
   if (left.size() < glb_chunk_header_size) fail();

@@ -47,7 +47,7 @@ class Limits {
   std::vector<std::size_t> n_names_;
 };
 
-/// What the JSON library says, without its number for it.
+/// The message of the JSON library, without its number.
 std::string reason_of(const Json::exception& error) {
   const std::string text = error.what();
   const std::size_t begin = text.find("] ");

@@ -22,13 +22,13 @@ Json parse_json(std::string_view text, const std::string& file);
 
 /// Null if there is none, or if `object` is no object.
 const Json* member(const Json& object, std::string_view name);
-/// As a whole number, if the value is one and not negative. 2.0 is one, too.
+/// The value as a whole number, if it is one and not negative. 2.0 is one, too.
 std::optional<std::size_t> as_whole(const Json& value);
 /// A name as it can stand in a message: one line, printable, not too long.
 std::string printable(std::string_view text);
 
-/// A value of a document, and what messages call it. All functions throw io::ReadError where a value isn't what they
-/// ask for.
+/// A value of a document, with its name for messages. Functions throw io::ReadError for values of another type or
+/// range.
 class Part {
  public:
   Part(const Json& json, std::string name, const std::string& file)
@@ -48,7 +48,7 @@ class Part {
   std::optional<std::size_t> whole(std::string_view key) const;
   std::size_t whole_or(std::string_view key, std::size_t otherwise) const;
   std::size_t required_whole(std::string_view key) const;
-  /// A whole number below `size`, of what `label` names: "accessor".
+  /// A whole number below `size`, of a `label`: "accessor".
   std::optional<std::size_t> index(std::string_view key, std::size_t size, std::string_view label) const;
   std::size_t required_index(std::string_view key, std::size_t size, std::string_view label) const;
   std::optional<std::string> text(std::string_view key) const;
@@ -61,7 +61,7 @@ class Part {
   std::optional<std::vector<double>> numbers(std::string_view key, std::size_t n) const;
   /// Numbers below `size`: "children".
   std::vector<std::size_t> indices(std::string_view key, std::size_t size, std::string_view label) const;
-  /// Names and numbers below `size`: "attributes". `whole` is what the members are in.
+  /// Names and numbers below `size`: "attributes". `whole` names the container.
   std::vector<std::pair<std::string, std::size_t>> named_indices(std::size_t size, std::string_view label) const;
   /// extensions.name, if there is one.
   std::optional<Part> extension(std::string_view extension) const;

@@ -12,7 +12,7 @@ std::optional<int> hexadecimal(char c) {
   return {};
 }
 
-/// What isn't a valid escape stays as it is.
+/// Invalid escapes are kept.
 std::string unescaped(std::string_view uri) {
   std::string text;
   for (std::size_t i = 0; i < uri.size(); ++i) {

@@ -16,7 +16,7 @@ std::string data_uri(std::string_view bytes);
 /// The file that a URI names, relative to the asset's folder. Empty if it names none there: it has a scheme, as http:
 /// does, or is absolute.
 std::optional<std::filesystem::path> file_of_uri(std::string_view uri);
-/// Escapes what can't stand in a URI. \param name with '/' between folders
+/// Escapes characters that a URI can't contain. \param name with '/' between folders
 std::string uri_of_file(std::string_view name);
 
 }  // namespace whittle::gltf

@@ -19,7 +19,7 @@ class Elements {
   ScalarType type() const { return accessor_.type; }
   const ElementShape& shape() const { return accessor_.shape; }
 
-  /// Reads the first components of a value, as many as there are room for and it has.
+  /// Reads the first components of a value, up to the size of `components`.
   void read(std::size_t i, std::span<double> components) const;
   /// The first component as a whole number. \pre of an integer type
   std::size_t whole(std::size_t i) const;

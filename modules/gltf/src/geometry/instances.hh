@@ -9,12 +9,12 @@
 
 namespace whittle::gltf {
 
-/// Of each node, to its parent's coordinates, as the document has it.
+/// Per node, the document's matrix to its parent's coordinates.
 std::vector<Eigen::Matrix4d> local_matrices(const Model& model);
-/// Of each node, to the scene's coordinates. \param locals of each node, to its parent's coordinates
+/// Per node, the matrix to the scene's coordinates. \param locals per node, to its parent's coordinates
 std::vector<Eigen::Matrix4d> world_matrices(const Model& model, std::span<const Eigen::Matrix4d> locals);
 
-/// From a node's mesh to the node, for each instance: the identity, but for nodes with EXT_mesh_gpu_instancing.
+/// Per instance, the matrix from a node's mesh to the node: the identity without EXT_mesh_gpu_instancing.
 std::vector<Eigen::Matrix4d> instance_matrices(const Model& model, const Node& node);
 
 /// `Asset::n_instances`.

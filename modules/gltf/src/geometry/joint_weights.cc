@@ -7,7 +7,7 @@
 namespace whittle::gltf {
 namespace {
 
-/// What the sum of weights may be off 1, for each: the validator's limit.
+/// Tolerance of the sum of weights, per weight: the validator's limit.
 constexpr double sum_tolerance = 2e-7;
 
 }  // namespace

@@ -12,8 +12,9 @@ struct JointWeights {
   std::vector<double> weights;
 };
 
-/// Those of a value, k joints and then k weights, that a primitive with room for `n` keeps: all, or the `n` of the
-/// largest weights. Their sum is 1, unless all are zero. What is 1 to within rounding of 32 bits stays as it is.
+/// The joints that a primitive with room for `n` keeps of a value, k joints and then k weights: all, or the `n` with
+/// the largest weights. The weights are scaled to sum 1, unless all are zero; a sum of 1 up to rounding to 32 bits is
+/// kept.
 JointWeights kept_joints(std::span<const double> value, std::size_t n);
 
 /// Rounds weights to multiples of 1/`largest` whose sum is that of the weights, rounded: 1 for 1.

@@ -7,7 +7,7 @@
 namespace whittle::gltf {
 namespace {
 
-/// "NORMAL" of "target 0 NORMAL"; empty for what is no morph target's.
+/// "NORMAL" of "target 0 NORMAL"; empty unless of a morph target.
 std::string_view name_in_target(std::string_view channel) {
   constexpr std::string_view beginning = "target ";
   if (!channel.starts_with(beginning)) return {};

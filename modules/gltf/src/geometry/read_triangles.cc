@@ -52,7 +52,7 @@ std::vector<UsedSurface> read_surfaces(const Model& model, std::size_t mesh) {
   return surfaces;
 }
 
-/// Reads a value; what isn't finite becomes zero.
+/// Reads a value; components that aren't finite become zero.
 void read_finite(const Elements& elements, std::size_t i, std::span<double> components) {
   elements.read(i, components);
   for (double& x : components) {

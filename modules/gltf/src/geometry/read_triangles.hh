@@ -10,7 +10,7 @@
 
 namespace whittle::gltf {
 
-/// `Asset::triangles` of what the file has. \throw io::ReadError
+/// `Asset::triangles` of the file's mesh. \throw io::ReadError
 IndexedMesh read_triangles(const Model& model, const Json& document, std::size_t mesh);
 
 /// The name of each primitive's material: "material 3" if it has none, "no material".

@@ -106,7 +106,7 @@ std::vector<double> gathered(const Values& values, std::span<const Index> number
   return all;
 }
 
-/// Some components of an attribute; those that it doesn't have are zero.
+/// Some components of an attribute; missing ones are zero.
 std::vector<double> gathered(const Attribute& attribute, std::span<const Index> numbers, const Place& place) {
   std::vector<double> all;
   all.reserve(numbers.size() * place.n);

@@ -50,7 +50,7 @@ std::vector<Triangle> read_faces(const Model& model, std::size_t mesh, std::size
   return faces;
 }
 
-/// An accessor of what Draco has decoded. What it means is said by the one in the document.
+/// An accessor of decoded Draco data, with the meaning of the document's accessor.
 Accessor accessor_of(const DracoAttribute& attribute, std::string_view bytes, std::size_t count,
                      const Accessor& documented) {
   Accessor accessor;

@@ -26,7 +26,7 @@ struct Surface {
   std::size_t n_vertices = 0;
   std::vector<Triangle> faces;                               ///< every number below `n_vertices`
   std::vector<std::pair<std::string, Elements>> attributes;  ///< by channel; `n_vertices` or more values each
-  std::vector<std::shared_ptr<const std::string>> decoded;   ///< what some attributes point into
+  std::vector<std::shared_ptr<const std::string>> decoded;   ///< data that some attributes point into
 
   const Elements* attribute(std::string_view name) const;
 };
@@ -34,7 +34,7 @@ struct Surface {
 /// \param number of the primitive, which is a surface. \throw io::ReadError
 Surface read_surface(const Model& model, std::size_t mesh, std::size_t number);
 
-/// As the document says, without decompressing anything.
+/// The document's number of triangles, without decompression.
 std::size_t n_triangles_of(const Model& model, const Primitive& primitive);
 
 }  // namespace whittle::gltf

@@ -48,7 +48,7 @@ constexpr std::string_view known[] = {draco_extension,
                                       "VRMC_springBone"};
 constexpr std::string_view known_beginnings[] = {"KHR_materials_", "EXT_materials_", "MSFT_packing_"};
 
-/// Of "2.0".
+/// The numbers of "2.0".
 std::optional<std::pair<int, int>> parsed_version(const std::string& text) {
   int major = 0;
   int minor = 0;

@@ -19,7 +19,7 @@ inline constexpr std::string_view manifold_extension = "EXT_mesh_manifold";
 inline constexpr std::string_view texture_transform_extension = "KHR_texture_transform";
 inline constexpr std::string_view specular_glossiness_extension = "KHR_materials_pbrSpecularGlossiness";
 
-/// Whether it is known what an extension says of geometry, accessors and buffer views.
+/// Whether the effect of an extension on geometry, accessors and buffer views is known.
 bool is_known_extension(std::string_view name);
 
 /// Refuses other versions than 2.x, and required extensions that aren't known. \throw io::ReadError

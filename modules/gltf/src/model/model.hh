@@ -14,17 +14,17 @@
 #include "document/json.hh"
 #include "model/scalars.hh"
 
-// What a document says of geometry, as plain structs. Every number of another thing is below the count of these, and
-// every range of bytes is inside of what it is a part of.
+// The geometry of a document as plain structs. All references are checked: numbers are below the counts, ranges of
+// bytes are inside of their buffers.
 
 namespace whittle::gltf {
 
-/// Of positions: squares of lengths have to be finite (`IndexedMesh::positions`).
+/// Largest coordinate of positions: squares of lengths must be finite (`IndexedMesh::positions`).
 inline constexpr double largest_coordinate = 0x1p500;
 
 struct Buffer {
   std::size_t size = 0;                   ///< as the document says
-  std::optional<std::string_view> bytes;  ///< `size`; none in what only stands for compressed data
+  std::optional<std::string_view> bytes;  ///< `size`; none in a placeholder for compressed data
   bool is_in_document = false;            ///< as a data URI
 };
 
@@ -66,7 +66,7 @@ enum class PrimitiveMode : std::uint8_t { points, lines, line_loop, line_strip, 
 struct Primitive {
   PrimitiveMode mode = PrimitiveMode::triangles;
   NamedNumbers attributes;              ///< names and accessors
-  std::vector<NamedNumbers> targets;    ///< likewise, of each morph target
+  std::vector<NamedNumbers> targets;    ///< per morph target
   std::optional<std::size_t> indices;   ///< an accessor
   std::optional<std::size_t> material;  ///< not checked
   std::optional<DracoData> draco;
@@ -91,7 +91,7 @@ struct Transform {
 
 struct Node {
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();  ///< to the parent's coordinates
-  std::optional<Transform> transform;                    ///< what `matrix` was made of; none if the document has that
+  std::optional<Transform> transform;                    ///< parts of `matrix`; none if the document has the matrix
   std::optional<std::size_t> parent;
   std::optional<std::size_t> mesh;
   bool is_shown = false;   ///< part of the scene that viewers show first, not hidden, and no level
@@ -114,7 +114,7 @@ struct Model {
 [[noreturn]] void fail_in_primitive(const Model& model, std::size_t mesh, std::size_t primitive,
                                     const std::string& problem);
 
-/// How many triangles a number of corners makes.
+/// Number of triangles of `n_corners` corners.
 std::size_t n_triangles_of(PrimitiveMode mode, std::size_t n_corners);
 
 }  // namespace whittle::gltf

@@ -10,7 +10,7 @@
 
 namespace whittle::gltf {
 
-/// What a file consists of.
+/// The parts of a file.
 struct Source {
   std::string file;                       ///< its name, for messages
   std::optional<std::string_view> chunk;  ///< the bytes of the first buffer, in a GLB

@@ -20,7 +20,7 @@ std::vector<std::size_t> roots_of_levels(const Model& model, const Part& root) {
   return roots;
 }
 
-/// Those of the scene that viewers show first. Without scenes, all roots.
+/// Roots of the scene that viewers show first. Without scenes, all roots.
 std::vector<std::size_t> roots_of_scene(const Model& model, const Part& root) {
   const std::vector<Part> scenes = root.array("scenes", "scene");
   if (!scenes.empty()) {
@@ -43,7 +43,7 @@ Children children_of(const Model& model) {
   return children;
 }
 
-/// Calls `mark` with nodes, and, where it returns true, with those below them.
+/// Calls `mark` with nodes, and, if it returns true, with their descendants.
 template <class Mark>
 void mark_below(std::vector<std::size_t> nodes, const Children& children, const Mark& mark) {
   while (!nodes.empty()) {

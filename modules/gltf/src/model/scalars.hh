@@ -37,10 +37,10 @@ decltype(auto) with_scalar_type(ScalarType type, const Function& function) {
 std::size_t size_of(ScalarType type);
 bool is_integer(ScalarType type);
 bool is_signed(ScalarType type);
-/// Of an integer type.
+/// The largest value of an integer type.
 double largest_of(ScalarType type);
 
-/// What `componentType` says; empty for other numbers. Beyond those of glTF 2.0: 5124 and 5130.
+/// The type of `componentType`; empty for other numbers. Beyond glTF 2.0: 5124 and 5130.
 std::optional<ScalarType> scalar_type(std::size_t component_type);
 std::size_t component_type(ScalarType type);
 
@@ -61,13 +61,13 @@ struct ElementShape {
   std::size_t column_stride(ScalarType type) const;
   /// Bytes from one element to the next, if nothing else is between them.
   std::size_t packed_stride(ScalarType type) const;
-  /// Bytes of an element, without what comes after the last component.
+  /// Bytes of an element, without padding after the last component.
   std::size_t n_bytes(ScalarType type) const;
 
   friend bool operator==(const ElementShape&, const ElementShape&) = default;
 };
 
-/// Of a type's name: "VEC3".
+/// The shape by a type's name: "VEC3".
 std::optional<ElementShape> element_shape(const std::string& name);
 std::string name_of(const ElementShape& shape);
 

@@ -13,7 +13,7 @@
 
 namespace whittle::gltf {
 
-/// What of a node an animation changes.
+/// The property of a node that an animation changes.
 enum class Path : std::uint8_t { translation, rotation, scale, weights };
 
 /// A channel of an animation.
@@ -25,7 +25,7 @@ struct Track {
 
 struct Animation {
   std::string name;
-  std::vector<Track> tracks;  ///< those of nodes; what extensions animate is left out
+  std::vector<Track> tracks;  ///< of nodes; extensions' tracks are left out
   double begin = 0;           ///< seconds; both are 0 without tracks
   double end = 0;
 };
@@ -33,7 +33,7 @@ struct Animation {
 /// \param n_targets morph targets of each mesh. \throw io::ReadError as `Poser`
 std::vector<Animation> read_animations(const Model& model, const Part& root, std::span<const std::size_t> n_targets);
 
-/// Changes a pose to that of a moment, but for what the animation doesn't touch.
+/// Sets the animated part of a pose to a moment.
 void animate(const Model& model, const Animation& animation, double seconds, Pose& pose);
 
 /// `Poser::moments`.

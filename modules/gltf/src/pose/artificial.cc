@@ -1,5 +1,5 @@
-// Poses for assets without animations. From pose to pose each number is a sequence that fills its range evenly,
-// whatever the number of poses: multiples of an irrational number, without the whole part. Each joint begins elsewhere.
+// Poses for assets without animations. From pose to pose each number is a sequence that fills its range evenly, for any
+// number of poses: multiples of an irrational number, without the whole part. Each joint begins elsewhere.
 #include "pose/artificial.hh"
 
 #include <Eigen/Geometry>
@@ -22,7 +22,7 @@ constexpr double step_of_targets = std::numbers::sqrt2 - 1;
 
 double fraction(double x) { return x - std::floor(x); }
 
-/// In [0, 1).
+/// Element `number` of a sequence in [0, 1).
 double spread(std::size_t number, double step, double begin) {
   return fraction(begin + static_cast<double>(number + 1) * step);
 }

@@ -60,7 +60,7 @@ struct Poser::Content {
 
   const Model& model;
   Rig rig;
-  std::vector<PosableMesh> meshes;  // by their numbers; those that aren't in the scene are empty
+  std::vector<PosableMesh> meshes;  // by their numbers; empty outside of the scene
   std::vector<std::size_t> n_targets;
   std::vector<Animation> animations;
   std::vector<Placed> scene;

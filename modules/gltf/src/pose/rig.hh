@@ -16,14 +16,14 @@ struct Skin {
   std::vector<Eigen::Matrix4d> inverse_bind;  ///< of each joint: from the mesh's coordinates to the joint's
 };
 
-/// What a document says of poses, beyond where its nodes are.
+/// Skins, morph targets and animations of a document.
 struct Rig {
   std::vector<Skin> skins;
   std::vector<std::optional<std::size_t>> skin_of_node;  ///< below the number of skins
-  std::vector<std::vector<double>> weights_of_node;      ///< of morph targets: the node's, or those of its mesh
+  std::vector<std::vector<double>> weights_of_node;      ///< of morph targets: the node's, or its mesh's
 };
 
-/// \throw io::ReadError if a skin, a joint or a matrix isn't there, has the wrong type, or isn't finite
+/// \throw io::ReadError if a skin, a joint or a matrix is missing, has the wrong type, or isn't finite
 Rig read_rig(const Model& model, const Part& root);
 
 }  // namespace whittle::gltf

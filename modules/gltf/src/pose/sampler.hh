@@ -11,7 +11,7 @@
 
 namespace whittle::gltf {
 
-/// What an animation's keys hold: how many numbers, and how one is blended with the next.
+/// Content of an animation's keys: the number of components, and their interpolation.
 struct Keyed {
   ElementShape shape;          ///< of an element of the accessor
   std::size_t n_elements = 1;  ///< a key has
@@ -35,7 +35,7 @@ class Sampler {
 
  private:
   enum class Interpolation : std::uint8_t { linear, step, cubic_spline };
-  /// What a key of a cubic spline has, in this order.
+  /// The values of a key of a cubic spline, in this order.
   enum class Role : std::uint8_t { in_tangent, value, out_tangent };
 
   void check_numbers(const Part& part) const;

@@ -8,7 +8,7 @@ namespace whittle::gltf {
 namespace {
 
 constexpr int grid_bits = 16;
-/// Of texture coordinates, and of what morph targets add to directions, where they are compressed.
+/// Exponent of compressed texture coordinates, and of morph targets of directions.
 constexpr int fine_exponent = -16;
 /// Whole numbers of 24 bits with a sign.
 constexpr double largest_mantissa = 0x1p23 - 1;
@@ -40,7 +40,7 @@ StoredType documented_type(const Accessor& documented, const std::vector<double>
   return all_within(values, 0, 65535) ? StoredType{ScalarType::uint16} : StoredType{};
 }
 
-/// What glTF allows without KHR_mesh_quantization, and as the input had it.
+/// The input's type, if glTF allows it without KHR_mesh_quantization.
 StoredType stored_type(const Channel& channel, const Accessor& documented, const std::vector<double>& values) {
   const std::string_view name = attribute_name(channel.name);
   if (name == "POSITION" || name == "NORMAL" || name == "TANGENT") return {};
@@ -82,7 +82,7 @@ void append_values(Encoded& to, const std::vector<double>& values) {
 }
 
 /// Values as whole multiples of a power of two, in the form of the exponential filter: 8 bits exponent, 24 bits number.
-/// \return whether they all fit. `values` become what is read back.
+/// \return whether they all fit. `values` become the values read back.
 bool append_on_grid(Encoded& to, std::vector<double>& values, int exponent) {
   const double step = std::ldexp(1.0, exponent);
   if (!all_within(values, -largest_mantissa * step, largest_mantissa * step)) return false;
@@ -131,7 +131,7 @@ bool append_compressible(Encoded& to, const Channel& channel, std::vector<double
   return to.type == ScalarType::float32 && exponent && append_on_grid(to, values, *exponent);
 }
 
-/// Of what 32 bits hold of the values.
+/// The range of the values, rounded to 32 bits.
 void find_range(Encoded& of, const std::vector<double>& values) {
   const std::size_t n = of.shape.n_components();
   for (std::size_t i = 0; i < values.size(); ++i) {

@@ -22,7 +22,7 @@ struct Encoded {
   std::string bytes;       ///< `count * stride`; for compression, in the form of its filter
   MeshoptMode mode = MeshoptMode::attributes;
   MeshoptFilter filter = MeshoptFilter::none;
-  std::vector<double> low;  ///< of each component, of what is read back; only for positions
+  std::vector<double> low;  ///< per component, after reading back; only for positions
   std::vector<double> high;
 };
 
@@ -45,7 +45,8 @@ struct Compression {
 Encoded encode_channel(const Channel& channel, const Accessor& documented, const std::vector<double>& values,
                        const Compression* compression);
 
-/// In the smallest type that fits, of 16 bits or more. \param documented null, or those that they replace: 8 bits stay
+/// Encodes in the smallest type that fits, of 16 bits or more.
+/// \param documented null, or the replaced accessor: 8 bits stay
 Encoded encode_indices(const std::vector<Triangle>& faces, std::size_t n_vertices, const Accessor* documented,
                        bool compress);
 

@@ -133,7 +133,7 @@ void add_level_nodes(Json& document, std::size_t mesh, std::span<const std::size
     Json& node = document["nodes"][finest];
     node["extensions"][std::string(lod_extension)]["ids"] = std::move(ids);
     if (!node.contains("extras")) node["extras"] = Json::object();
-    // Extras may be anything. What isn't an object has no room for the hint.
+    // Extras may be any value. Only an object has room for the hint.
     if (node["extras"].is_object()) node["extras"]["MSFT_screencoverage"] = coverage;
     note_extension(document);
   }

@@ -46,7 +46,7 @@ std::vector<Piece> pieces_of(const Mesh& mesh, const IndexedMesh& triangles, boo
   return pieces;
 }
 
-/// What says how values are written: the accessor of the input, but for weights that are to be compressed.
+/// The template for written values: the accessor of the input, except for weights to be compressed.
 Accessor documented_for(const Model& model, const Channel& channel, bool compress) {
   Accessor accessor = model.accessors[channel.accessor];
   if (compress && channel.name.starts_with("WEIGHTS_") && !is_integer(accessor.type)) {

@@ -20,14 +20,14 @@ struct NewAccessor {
   std::optional<std::size_t> target;  ///< the morph target that it is of
   std::optional<std::size_t> old;     ///< the accessor that it replaces
   Encoded values;
-  bool has_bytes = true;  ///< none if all are zero, and those that it replaces had none
+  bool has_bytes = true;  ///< false if all are zero, and the replaced accessor had no bytes
 };
 
-/// Takes the triangles of replaced meshes out of a document: all that primitives say of accessors, their compression,
-/// and what extensions say of single vertices. Primitives that lose all triangles stay, without geometry.
+/// Removes the triangles of replaced meshes from a document: accessors of primitives, their compression, and extensions
+/// with data about single vertices. Primitives without triangles left stay, without geometry.
 void strip_geometry(Json& document, const Model& model, const Replacements& replacements);
 
-/// What primitives get instead.
+/// The new accessors of primitives.
 std::vector<NewAccessor> new_accessors(const Model& model, const Replacements& replacements, bool compress);
 
 /// Where a document names a new accessor.

@@ -42,7 +42,7 @@ class Numbers {
   std::size_t first_ = 0;  // none below is free
 };
 
-/// What is used in one document and no more in another.
+/// Objects used before, but not after.
 std::vector<bool> freed(std::vector<bool> before, const std::vector<bool>& after) {
   for (std::size_t i = 0; i < before.size(); ++i) before[i] = before[i] && !after[i];
   return before;
@@ -124,7 +124,7 @@ Json append_view(const Encoded& values, bool compress, PackedBuffers& to) {
   return view;
 }
 
-/// Gives new accessors numbers: those that they replace, if nothing else uses these, then other free ones.
+/// Gives new accessors numbers: of the accessors that they replace, if unused otherwise, else other free ones.
 std::vector<std::size_t> numbered(const std::vector<std::optional<std::size_t>>& wished, std::vector<bool> free) {
   Numbers numbers(std::move(free));
   std::vector<std::optional<std::size_t>> taken;
@@ -136,7 +136,7 @@ std::vector<std::size_t> numbered(const std::vector<std::optional<std::size_t>>&
   return all;
 }
 
-/// Puts new geometry where the replaced one was. \param freed_* what the document doesn't use any more, and is cleared
+/// Puts new geometry in the place of replaced geometry. \param freed_* objects that the document doesn't use any more
 void place_geometry(Json& document, const Json& old, const Model& model, const std::vector<NewAccessor>& accessors,
                     std::vector<bool> freed_accessors, std::vector<bool> freed_views, bool compress,
                     PackedBuffers& buffers) {

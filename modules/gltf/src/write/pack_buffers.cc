@@ -19,7 +19,7 @@ struct PackedRange {
   std::size_t length;
 };
 
-/// In the order of buffers and offsets. Ranges that are not in a buffer are left out.
+/// Ranges in the order of buffers and offsets, without ranges outside of a buffer.
 std::vector<PackedRange> ranges_of(Json& document, const Model& model) {
   std::vector<PackedRange> ranges;
   for_each_range(document, [&](Json& object) {
@@ -36,7 +36,7 @@ std::vector<PackedRange> ranges_of(Json& document, const Model& model) {
   return ranges;
 }
 
-/// The next offset from `at` on that leaves what `like` leaves.
+/// The next offset from `at` on that equals `like` modulo 8.
 std::size_t aligned(std::size_t at, std::size_t like) {
   return at + (like % alignment + alignment - at % alignment) % alignment;
 }
@@ -92,7 +92,7 @@ class Packer {
   std::size_t run_to_ = 0;  // where its beginning is now
 };
 
-/// What the input says of its first buffer with bytes, without what is said anew.
+/// The input's description of its first buffer with bytes, without the members that are written anew.
 Json description_of_first(const Json& document, const Model& model) {
   const Json& buffers = elements_of(document, "buffers");
   for (std::size_t i = 0; i < model.buffers.size(); ++i) {

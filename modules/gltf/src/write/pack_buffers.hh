@@ -17,9 +17,8 @@ struct PackedBuffers {
 inline constexpr std::size_t first_buffer = 0;
 inline constexpr std::size_t fallback_buffer = 1;
 
-/// Brings all bytes that a document refers to into one buffer, and says there where they are. The distance of two bytes
-/// that one view has stays, and what an offset leaves when it is divided by 8. The document still lists its old
-/// buffers.
+/// Gathers all used bytes of a document in one buffer, and updates the references. Distances within a view stay, and so
+/// do offsets modulo 8. The document still lists its old buffers.
 PackedBuffers pack_buffers(Json& document, const Model& model);
 
 /// Lists the buffers in a document. \param with_fallback whether views are compressed

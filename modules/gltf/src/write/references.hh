@@ -8,8 +8,8 @@
 
 #include "document/json.hh"
 
-// Where a document refers to accessors, buffer views and buffers by number. It may be wrong in parts that nobody has
-// checked, such as animations: what isn't as the specification says is no reference.
+// References of a document to accessors, buffer views and buffers. Unchecked parts of the document, such as animations,
+// may be invalid: values that don't follow the specification are ignored.
 
 namespace whittle::gltf {
 

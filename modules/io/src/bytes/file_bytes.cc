@@ -60,7 +60,7 @@ FileBytes::FileBytes(const std::filesystem::path& path) {
     bytes_.resize(read_up_to(file.number(), bytes_.data(), size, name));
     return;
   }
-  // A pipe, or a file that doesn't know its size, such as those in /proc.
+  // A pipe, or a file without a known size, as in /proc.
   const std::vector<char> bytes = read_all(file.number(), name);
   bytes_.assign(bytes.begin(), bytes.end());
 }

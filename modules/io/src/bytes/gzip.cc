@@ -57,7 +57,7 @@ class Unpacker {
     return std::min<std::size_t>(length, likely_ratio * packed_.size());
   }
 
-  // Unpacks until `unpacked` is full or the data end. \param done bytes that are there already. Returns how many are.
+  // Unpacks until `unpacked` is full or the data end. \param done bytes unpacked before. Returns the new number.
   std::size_t fill(std::vector<char>& unpacked, std::size_t done) {
     while (done < unpacked.size() && !at_end_) {
       stream_.next_in = as_input(packed_.data() + used_);

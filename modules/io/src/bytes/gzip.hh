@@ -15,9 +15,9 @@ namespace whittle::io {
 /// Whether bytes begin as gzip data do (RFC 1952).
 inline bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1F\x8B"); }
 
-/// What gzip data may unpack to: more than this only if it is at most `most_gzip_ratio` times their size. Meshes pack
-/// to a half to a twentieth (text STL of a flat grid). Deflate can pack to a thousandth, so that a small file could
-/// take all memory.
+/// Size up to which gzip data may always unpack; beyond it only to at most `most_gzip_ratio` times their size. Meshes
+/// pack to a half to a twentieth (text STL of a flat grid). Deflate can pack to a thousandth, so that a small file
+/// could take all memory.
 inline constexpr std::size_t harmless_gzip_bytes = std::size_t{256} << 20;
 inline constexpr std::size_t most_gzip_ratio = 100;
 
@@ -26,7 +26,7 @@ inline constexpr std::size_t most_gzip_ratio = 100;
 /// the file, or if they unpack to more than allowed.
 std::vector<char> gunzip(std::string_view packed, std::string_view name);
 
-/// Packs what is written to it, and writes that to another stream. The same bytes in give the same bytes out.
+/// Compresses its input to another stream. Equal input gives equal output.
 class GzipBuffer : public std::streambuf {
  public:
   explicit GzipBuffer(std::ostream& out);
@@ -34,7 +34,7 @@ class GzipBuffer : public std::streambuf {
   GzipBuffer(const GzipBuffer&) = delete;
   GzipBuffer& operator=(const GzipBuffer&) = delete;
 
-  /// Writes what is left and the checksum. Errors show in the state of the other stream.
+  /// Writes the rest and the checksum. Errors show in the state of the other stream.
   void finish();
 
  protected:

@@ -26,7 +26,7 @@ class InputDescriptor {
   int number_;
 };
 
-/// Reads at most `size` bytes. \return how many; 0 at the end, negative if reading fails
+/// Reads at most `size` bytes. \return their number; 0 at the end, negative if reading fails
 std::ptrdiff_t read_some(int descriptor, char* to, std::size_t size);
 
 /// The number of this process: no other one that runs has it.

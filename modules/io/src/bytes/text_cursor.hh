@@ -22,7 +22,7 @@ class TextCursor {
   TextCursor(std::string_view text, std::string_view name)
       : begin_(text.data()), at_(begin_), end_(begin_ + text.size()), name_(name) {}
 
-  /// From one byte of the text up to another. Lines are counted from the beginning of the whole.
+  /// A cursor on a range of bytes of the text. Lines are counted from the beginning of the whole.
   TextCursor part(std::size_t begin, std::size_t end) const {
     TextCursor cursor = *this;
     cursor.at_ = begin_ + begin;
@@ -37,7 +37,7 @@ class TextCursor {
   /// The character here. \pre not at the end of the file.
   char peek() const { return *at_; }
   bool at_line_end() const { return at_ == end_ || *at_ == '\n' || *at_ == '\r'; }
-  /// At a blank, or at the end of the line or of the file.
+  /// Whether it is at a blank, or at the end of the line or of the file.
   bool at_token_end() const { return at_line_end() || is_blank(*at_) || is_continuation(); }
 
   /// Moves over blanks within the line.
@@ -85,8 +85,7 @@ class TextCursor {
     return {first, static_cast<std::size_t>(at_ - first)};
   }
 
-  /// Moves to the end of the line, and returns what is left of it, without the blanks around. A continuation becomes a
-  /// blank.
+  /// Moves to the end of the line, and returns the rest of it, without blanks around. A continuation becomes a blank.
   std::string rest_of_line();
 
   /// Moves to a byte of the text. \pre not beyond its end.
@@ -122,7 +121,7 @@ class TextCursor {
     return value;
   }
 
-  /// Reads a whole number, whatever follows it. \throw ReadError if there is none.
+  /// Reads a whole number; any text may follow. \throw ReadError if there is none.
   std::int64_t integer(std::string_view what) {
     const char* const first = at_;
     const char* const digits = first != end_ && *first == '+' ? first + 1 : first;
@@ -148,7 +147,7 @@ class TextCursor {
   }
   [[noreturn]] void fail(const std::string& problem) const { fail(at_, problem); }
 
-  /// \throw ReadError that says: `what` was expected at `where`, and what is there instead.
+  /// \throw ReadError: `what` was expected at `where`, with the text found instead.
   [[noreturn]] void fail_token(const char* where, std::string_view what) const;
 
   std::uint64_t line_of(const char* where) const;

@@ -100,7 +100,7 @@ void add_values(IndexedMesh& mesh, CornerValues& values, std::span<const CornerI
   mesh.attributes.push_back(std::move(values.texcoords));
 }
 
-/// What each vertex's corners name, if all of them name the same: the common case without seams.
+/// The items of each vertex, if all its corners have equal items: the common case without seams.
 std::optional<std::vector<CornerItems>> items_of_vertices(const IndexedMesh& mesh,
                                                           const std::vector<CornerItems>& corners) {
   std::vector<CornerItems> items(mesh.positions.size());

@@ -8,7 +8,7 @@
 
 namespace whittle::io {
 
-/// What a corner of a face has besides its vertex: numbers of values of the file, `invalid_index` for none.
+/// Items of a corner besides its vertex: numbers of values of the file, or `invalid_index`.
 struct CornerItems {
   Index texcoord = invalid_index;
   Index normal = invalid_index;
@@ -22,9 +22,9 @@ struct CornerValues {
   std::vector<std::array<float, 3>> normals;
 };
 
-/// Gives a mesh what its corners name. A vertex has a wedge for each of the different values at its corners; a corner
-/// that names nothing has zeros. Where each vertex has one wedge, there is no table. The attributes that the mesh has
-/// for vertices are copied to their wedges. \pre the mesh has no table, and no normals if corners name some
+/// Gives a mesh the values of its corners. A vertex gets a wedge for each different value at its corners; a corner
+/// without a value has zeros. Without a second wedge at any vertex there is no table. Attributes of vertices are copied
+/// to their wedges. \pre the mesh has no table, and no normals if corners name some
 void set_corner_values(IndexedMesh& mesh, CornerValues values);
 
 /// The normals of corners as one per vertex: where they differ, the sum of the different ones.

@@ -17,7 +17,7 @@ struct Extension {
   std::string_view what;
 };
 
-/// Another format, and what makes a mesh of it that is read here.
+/// A foreign format, and a way to convert it.
 struct ForeignFormat {
   std::string_view extension;
   std::string_view what;
@@ -125,7 +125,7 @@ constexpr Signature signatures[] = {
 
 constexpr std::string_view utf16_marks[] = {"\xFF\xFE"sv, "\xFE\xFF"sv};
 
-/// What to do with a file of a foreign format. \param what as the table of formats has it; others have no remedy
+/// The remedy for a file of a foreign format. \param what name in the table of formats; others have no remedy
 std::string remedy_of(std::string_view what) {
   const auto* const row = std::find_if(std::begin(foreign_formats), std::end(foreign_formats),
                                        [what](const ForeignFormat& f) { return f.what == what; });

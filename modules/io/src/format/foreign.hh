@@ -9,14 +9,14 @@ namespace whittle::io {
 // Formats that Whittle knows by name but doesn't read: other mesh formats, archives, web pages, UTF-16. Naming them
 // says more to users than "unknown".
 
-/// What is wrong with a file of this extension, and what to do. Nothing if the extension is not known.
+/// The problem with a file of this extension, and its remedy. Empty for an unknown extension.
 /// \param extension in lower case, without its dot.
 std::optional<std::string> problem_of_foreign_extension(std::string_view extension);
 
-/// What is wrong with a file that begins so, and what to do. Nothing if the content is not known.
+/// The problem with a file of this content, and its remedy. Empty for unknown content.
 std::optional<std::string> problem_of_foreign_content(std::string_view bytes);
 
-/// "OBJ, OFF, PLY, STL or glTF": what sentences advise. whittle/gltf reads and writes the last one.
+/// "OBJ, OFF, PLY, STL or glTF": formats to advise. whittle/gltf reads and writes the last one.
 std::string mesh_titles();
 
 /// UTF-16 without the mark that files of it should begin with.

@@ -14,7 +14,7 @@ namespace whittle::io {
 /// How surely a file's content shows its format.
 enum class Evidence { none, likely, certain };
 
-/// What files of a format may begin with.
+/// Possible beginnings of a format's files.
 enum class Beginning {
   text,         ///< Text, and nothing but text follows.
   text_header,  ///< Text; binary data may follow.
@@ -28,7 +28,7 @@ namespace detail {
 struct FormatRow {
   Format format;
   std::string_view name;                         ///< Lower case; also one of the extensions.
-  std::string_view title;                        ///< As sentences have it.
+  std::string_view title;                        ///< In sentences.
   std::span<const std::string_view> extensions;  ///< Lower case, without the dot.
   Beginning beginning;
 
@@ -38,8 +38,8 @@ struct FormatRow {
   bool names_libraries;  ///< Whether it has `FileNotes::material_libraries`.
   bool names_textures;   ///< Whether it has `FileNotes::header_lines`.
 
-  /// Whether content is of this format whatever the file's name says. The surest format wins, of equally sure ones the
-  /// first of the table. Null if the format's files have nothing in common to tell them by.
+  /// Evidence that content has this format, regardless of the file's name. The surest format wins, of equally sure ones
+  /// the first of the table. Null if the format's files have no common mark.
   Evidence (*recognises)(std::string_view bytes);
 
   /// Reads a whole file and triangulates its polygons (`MeshBuilder`); all other repairs are left to `repair`.

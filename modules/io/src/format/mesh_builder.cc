@@ -109,7 +109,7 @@ void MeshBuilder::triangulate() {
   }
 }
 
-// Some programs write real numbers a little above 1 for full intensity. Only what is clearly above 1 means 0…255.
+// Some programs write real numbers a little above 1 for full intensity. Only numbers clearly above 1 mean 0…255.
 void MeshBuilder::scale_colors() {
   const auto is_byte_scale = [](float c) { return c > 1.5F && c < opaque; };
   float full = 1;

@@ -20,7 +20,7 @@ inline constexpr std::uint64_t most_elements = invalid_index;
 /// Opacity of a colour that the file stores without one, in any scale.
 inline constexpr float opaque = std::numeric_limits<float>::infinity();
 
-/// Collects what a reader finds. Faces may come before the positions of their corners: polygons are triangulated in
+/// Collects the content of a file. Faces may come before the positions of their corners: polygons are triangulated in
 /// `finish`. Their triangles keep the polygon's position in the order of faces.
 class MeshBuilder {
  public:
@@ -34,8 +34,8 @@ class MeshBuilder {
   /// As stored.
   std::vector<double>& tolerances() { return result_.tolerances; }
 
-  /// All attributes but the above: as the mesh is to have them. Those of faces are for the triangles so far; `finish`
-  /// gives zeros to the others.
+  /// All other attributes, in their final form. Attributes of faces are for the triangles so far; `finish` gives zeros
+  /// to the others.
   IndexedMesh& mesh() { return result_.mesh; }
   FileNotes& notes() { return result_.notes; }
 
@@ -51,7 +51,7 @@ class MeshBuilder {
 
   /// \pre `count` was checked against the file's size.
   void reserve_vertices(std::size_t count) { reserve_large(result_.mesh.positions, count); }
-  /// \pre likewise
+  /// \pre as above
   void reserve_faces(std::size_t count) { reserve_large(result_.mesh.faces, count); }
 
   void add_triangle(const Triangle& face) {
@@ -60,10 +60,10 @@ class MeshBuilder {
   }
   void add_triangles(std::vector<Triangle> faces);
   /// Any number of corners. A corner that repeats its neighbour is left out. With fewer than three corners left, the
-  /// face is counted as degenerate. \param items what each corner names, or empty: nothing
+  /// face is counted as degenerate. \param items per corner, or empty
   void add_polygon(std::span<const Index> corners, std::span<const CornerItems> items = {});
 
-  /// Adds the vertices, the faces, and what their corners name, of another one. Numbers are those of the whole.
+  /// Appends the vertices, faces and corner values of another builder. Numbers refer to the whole.
   void append(MeshBuilder&& more);
 
   /// No corner names a normal any more.
@@ -73,7 +73,8 @@ class MeshBuilder {
 
   void warn(std::string warning) { result_.warnings.push_back(std::move(warning)); }
 
-  /// Triangulates, scales colours and normals, gives vertices or wedges what corners name, and fills in the origins.
+  /// Triangulates, scales colours and normals, gives vertices or wedges the values of corners, and fills in the
+  /// origins.
   ReadResult finish(AttributeScope scope = AttributeScope::all);
 
  private:

@@ -8,11 +8,11 @@
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/io/file_notes.hh"
 
-// How writers bring a mesh into what their formats can hold.
+// Fits a mesh to the capabilities of a format, for writers.
 
 namespace whittle::io {
 
-/// What a format stores at vertices.
+/// Attributes that a format stores at vertices.
 struct VertexStorage {
   bool normals = false;
   bool colors = false;
@@ -32,7 +32,7 @@ void warn_of_lost(std::string_view title, std::string_view what, const std::vect
 void warn_of_lost_groups(std::string_view title, const IndexedMesh& mesh, const FileNotes& notes,
                          std::vector<std::string>& warnings);
 
-/// The first attribute that is texture coordinates with so many numbers.
+/// The first texture coordinates with a number of components from `fewest` to `most`.
 std::optional<std::size_t> find_texcoords(const IndexedMesh& mesh, std::size_t fewest, std::size_t most);
 
 /// The names of all attributes but one.

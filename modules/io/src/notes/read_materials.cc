@@ -71,7 +71,7 @@ void read_library(std::string_view text, const fs::path& folder, std::map<std::s
   finish();
 }
 
-/// Those that the header of a PLY file names.
+/// Textures that the header of a PLY file names.
 std::vector<fs::path> textures_of(const FileNotes& notes) {
   std::vector<fs::path> textures;
   for (const std::string& line : notes.header_lines) {

@@ -4,8 +4,8 @@
 
 namespace whittle::io {
 
-/// The name of the texture that a line of a PLY header names: what follows "TextureFile", otherwise a last word with
-/// the extension of a picture. Empty if it names none. \param line with its keyword, "comment" or "obj_info"
+/// The texture that a line of a PLY header names: the text after "TextureFile", otherwise a last word with the
+/// extension of a picture. Empty if it names none. \param line with its keyword, "comment" or "obj_info"
 std::string_view texture_of_line(std::string_view line);
 
 }  // namespace whittle::io

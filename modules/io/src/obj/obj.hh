@@ -10,7 +10,7 @@
 
 namespace whittle::io {
 
-// `FormatRow` says what these do.
+// See `FormatRow`.
 ReadResult read_obj(std::string_view bytes, std::string_view name, const ReadOptions& options);
 /// \param text without a byte order mark \param bytes_per_chunk more than 0, up to the end of a line; the result
 /// doesn't depend on it

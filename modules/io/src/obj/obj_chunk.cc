@@ -139,8 +139,8 @@ void ObjChunk::read_color(std::size_t vertex) {
   colors.push_back(values);
 }
 
-// "#MRGB MMRRGGBBMMRRGGBB...": the mask, which is not a colour, and the colour of some vertices. What is no such thing
-// is a comment.
+// "#MRGB MMRRGGBBMMRRGGBB...": the mask, which is not a colour, and the colour of some vertices. Other lines are
+// comments.
 void ObjChunk::read_painted_colors() {
   cursor_.skip_blanks();
   const std::string_view digits = cursor_.token();

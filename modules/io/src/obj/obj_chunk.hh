@@ -41,7 +41,7 @@ struct ObjOthers {
   ObjOthers& operator+=(const ObjOthers& more);
 };
 
-/// What the faces after a statement have in common.
+/// Properties that a statement gives to the faces after it.
 enum class ObjTag : std::size_t { material, group, object, smoothing };
 inline constexpr std::size_t n_obj_tags = 4;
 
@@ -58,8 +58,7 @@ struct ObjNumber {
   const char* at = nullptr;
 };
 
-/// Some lines of an OBJ file, and what they say. Numbers of vertices, texture coordinates and normals are those of the
-/// whole file.
+/// Content of some lines of an OBJ file. Numbers of vertices, texture coordinates and normals refer to the whole file.
 class ObjChunk {
  public:
   /// \param lines a part of the file \param before it
@@ -78,7 +77,7 @@ class ObjChunk {
   const std::vector<std::array<float, 3>>& normals() const { return normals_; }
   /// Three numbers each; empty if only vertices have attributes.
   const std::vector<float>& texcoords() const { return texcoords_; }
-  /// As comments of ZBrush have them, vertex by vertex: `#MRGB`.
+  /// Colours from comments of ZBrush, vertex by vertex: `#MRGB`.
   const std::vector<Color>& painted_colors() const { return painted_colors_; }
   bool has_third_texcoord() const { return has_third_texcoord_; }  ///< that isn't zero
   bool has_bad_normals() const { return has_bad_normals_; }
@@ -89,7 +88,7 @@ class ObjChunk {
   /// The first number of a texture coordinate that can't be one, as it stands. `at` is null if there is none.
   const ObjNumber& bad_texcoord() const { return bad_texcoord_; }
   const std::vector<ObjSwitch>& switches() const { return switches_; }
-  const std::vector<std::string>& libraries() const { return libraries_; }  ///< what `mtllib` names
+  const std::vector<std::string>& libraries() const { return libraries_; }  ///< names after `mtllib`
   const ObjOthers& others() const { return others_; }
 
  private:

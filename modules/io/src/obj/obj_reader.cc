@@ -1,6 +1,6 @@
 // Wavefront OBJ ("Object Files (.obj)", Wavefront Advanced Visualizer manual, appendix B1). Reads v, vt, vn, f, and
-// what gives faces materials, groups, objects and smoothing groups. Counts what is not carried, for warnings: lines,
-// free-form geometry.
+// materials, groups, objects and smoothing groups of faces. Counts lost content, for warnings: lines, free-form
+// geometry.
 //
 // A large file is read in chunks of lines, on all threads. Statements may refer to the last vertices, texture
 // coordinates and normals before them, so these are counted first.
@@ -74,7 +74,7 @@ class ObjReader {
   ObjOthers others_;
 };
 
-// At the beginnings of lines. A line that ends with a backslash goes on in the next one.
+// Chunks begin at lines. A line that ends with a backslash goes on in the next line.
 std::vector<std::size_t> ObjReader::chunk_begins(std::string_view text, std::size_t bytes_per_chunk) {
   std::vector<std::size_t> begins{0};
   const auto is_continued = [text](std::size_t end) {
@@ -90,8 +90,7 @@ std::vector<std::size_t> ObjReader::chunk_begins(std::string_view text, std::siz
   return begins;
 }
 
-// Returns false if the rows of a chunk were not as many as guessed.
-// Throws the first error of the file.
+// Returns false if the number of rows in a chunk differs from the guess. Throws the first error of the file.
 bool ObjReader::read_chunks(const std::vector<std::size_t>& begins) {
   const std::size_t n = begins.size();
   const auto end = [&](std::size_t i) { return i + 1 < n ? begins[i + 1] : text_.size(); };
@@ -190,7 +189,7 @@ void ObjReader::check_normals() {
   builder_.forget_normals();
 }
 
-// Colours behind positions are what most programs write and read: they go before those of comments.
+// Colours behind positions come before colours in comments: most programs read and write the former.
 void ObjReader::set_painted_colors() {
   if (painted_colors_.empty() || !builder_.colors().empty()) return;
   if (painted_colors_.size() != builder_.vertex_count()) {

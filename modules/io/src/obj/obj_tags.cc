@@ -51,7 +51,7 @@ bool has_tag(const std::vector<ObjSwitch>& switches, ObjTag tag) {
   return std::any_of(switches.begin(), switches.end(), [tag](const ObjSwitch& change) { return change.tag == tag; });
 }
 
-/// The number of a smoothing group; 0 for "off", and for what is no number.
+/// The number of a smoothing group; 0 for "off" and other words.
 double smoothing_number(const std::string& name) {
   Index number = 0;
   std::from_chars(name.data(), name.data() + name.size(), number);

@@ -11,7 +11,7 @@ namespace whittle::io {
 /// The materials, groups, objects and smoothing groups of all faces of an OBJ file.
 class ObjTags {
  public:
-  /// Adds those of the next part of the file. \param n_faces_before triangles in the parts before it
+  /// Adds the tags of the next part of the file. \param n_faces_before triangles in the parts before it
   void add(const ObjChunk& chunk, std::size_t n_faces_before);
 
   /// Materials become groups of the mesh. Groups, objects and smoothing groups become face attributes, if there is more

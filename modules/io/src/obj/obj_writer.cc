@@ -131,7 +131,7 @@ class TagWriter {
 
 class ObjWriter {
  public:
-  /// \param stored the vertices and corners to write: `mesh`, or what it is split to
+  /// \param stored the vertices and corners to write: `mesh`, or its split
   ObjWriter(ByteSink& sink, const IndexedMesh& mesh, const IndexedMesh& stored, const FileNotes& notes)
       : sink_(sink), mesh_(mesh), stored_(stored), notes_(notes), tags_(sink, mesh, notes) {
     if (const auto texcoords = find_texcoords(mesh, 1, 3)) texcoords_ = &mesh.attributes[*texcoords];

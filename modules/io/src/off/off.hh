@@ -10,7 +10,7 @@
 
 namespace whittle::io {
 
-// `FormatRow` says what these do.
+// See `FormatRow`.
 ReadResult read_off(std::string_view bytes, std::string_view name, const ReadOptions& options);
 void write_off(ByteSink& sink, const IndexedMesh& mesh, const WriteOptions& options,
                std::vector<std::string>& warnings);

@@ -67,8 +67,8 @@ std::string free_name(std::string name, const std::vector<PlyColumn>& columns) {
   }
 }
 
-/// The type of an attribute's properties. In PLY, integers are plain numbers, but for those of colours. What they stand
-/// for in glTF (a share of their range, or a value that a map moves) is real.
+/// The type of an attribute's properties. In PLY, integers are plain numbers, except colours. Their meaning in glTF (a
+/// share of their range, or a value that a map moves) is real.
 ScalarType type_in_ply(const Attribute& attribute, const std::string& first_name) {
   const bool is_plain = attribute.kind == AttributeKind::scalar || attribute.kind == AttributeKind::category;
   const bool is_color = attribute.kind == AttributeKind::color && first_name == "red";

@@ -22,7 +22,7 @@ struct PlyColumn {
   bool is_normalized = false;    ///< integers stand for [0, 1] or [-1, 1]
 };
 
-/// "uchar": what a header calls a type.
+/// "uchar": the name of a type in headers.
 std::string_view ply_name_of(ScalarType type);
 
 /// The value as an integer of this type: rounded, and clamped to its range. NaN becomes 0.

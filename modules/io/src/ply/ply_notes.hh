@@ -4,9 +4,9 @@
 #include "ply/ply_header.hh"
 #include "whittle/io/read.hh"
 
-// What the header of a PLY file says beside the mesh. Comments have what PLY has no place for:
+// Content of a PLY header beside the mesh. Comments hold data that PLY has no place for:
 //   comment mtllib LIBRARY            the material libraries of an OBJ file
-//   comment name PROPERTY VALUE NAME  the name that a value of a face property stands for, values from 0 on
+//   comment name PROPERTY VALUE NAME  the name of a value of a face property, values from 0
 
 namespace whittle::io {
 

@@ -10,7 +10,7 @@
 #include "whittle/core/attribute.hh"
 #include "whittle/io/read.hh"
 
-// What becomes of the properties of a PLY file.
+// The use of each property of a PLY file.
 
 namespace whittle::io {
 
@@ -48,7 +48,7 @@ struct PlyVertexPlan {
   std::array<double, 4> color_units{1, 1, 1, 1};  ///< the numbers that mean full intensity
   PlyType color_type = PlyType::uint8;            ///< to write colours in
   PlyAttributes others;
-  std::string lost;  ///< names of what isn't carried
+  std::string lost;  ///< names of lost properties
 };
 
 struct PlyFacePlan {

@@ -1,6 +1,6 @@
-// Stanford PLY (G. Turk, "The PLY Polygon File Format", 1994). Elements and properties come in any order; those of
-// vertices, faces and tristrips are used. One reader serves text and binary: it takes numbers from a source, which
-// knows the encoding.
+// Stanford PLY (G. Turk, "The PLY Polygon File Format", 1994). Elements and properties come in any order; vertices,
+// faces and tristrips are used. One reader serves text and binary: it takes numbers from a source, which knows the
+// encoding.
 #include <array>
 #include <atomic>
 #include <bit>
@@ -188,7 +188,7 @@ class BodyReader {
     return true;
   }
 
-  // Warns of what isn't carried.
+  // Warns of lost properties.
   PlyFacePlan plan_of(const PlyElement& element, AttributeScope scope) {
     PlyFacePlan plan = plan_faces(element, scope);
     if (element.count > 0 && !plan.corners) {
@@ -278,7 +278,7 @@ class BodyReader {
     }
   }
 
-  // As `read_fixed_vertices`, if all faces are triangles, and all have texture coordinates or none.
+  // Like `read_fixed_vertices`, if all faces are triangles, and all or none have texture coordinates.
   bool read_fixed_triangles(const PlyElement& element, const PlyFacePlan& plan) {
     std::size_t size = 0;
     for (std::size_t p = 0; p < element.properties.size(); ++p) {

@@ -121,7 +121,7 @@ class PlyBinarySource {
     cursor_.require(count * size_of(type), what);
     cursor_.skip(count * size_of(type));
   }
-  // \pre so many bytes are left.
+  // \pre `bytes` bytes are left.
   void skip_bytes(std::size_t bytes) { cursor_.skip(bytes); }
   PlyBinarySource further(std::size_t bytes) const {
     PlyBinarySource source = *this;

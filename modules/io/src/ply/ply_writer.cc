@@ -68,7 +68,7 @@ class RowSink {
     }
   }
 
-  /// \param values those of the components, `column.n_components` of them
+  /// \param values `column.n_components` numbers
   template <class Real>
   void put_all(const PlyColumn& column, const Real* values) {
     const Real* const end = values + column.n_components;
@@ -109,7 +109,7 @@ class RowSink {
 
 class PlyWriter {
  public:
-  /// \param stored the vertices and corners to write: `mesh`, or what it is split to
+  /// \param stored the vertices and corners to write: `mesh`, or its split
   PlyWriter(ByteSink& sink, const IndexedMesh& mesh, const IndexedMesh& stored, const WriteOptions& options)
       : sink_(sink), mesh_(mesh), stored_(stored), options_(options) {
     if (const auto list = find_texcoord_list(mesh)) texcoords_ = &mesh.attributes[*list];

@@ -38,7 +38,7 @@ struct PointCloud {
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointCloud, double, Index>,
                                                  PointCloud, 3, Index>;
 
-// The vertices on open borders, and which of them lie near each other. Lengths are those of a frame.
+// The vertices on open borders, and pairs of near ones. Lengths are in a frame.
 class BorderVertices {
  public:
   struct Near {
@@ -68,7 +68,7 @@ class BorderVertices {
 
   const std::vector<Index>& all() const { return vertices_; }
   const Frame& frame() const { return frame_; }
-  // Of the edges that have a length.
+  // The shortest edge with a length.
   double shortest_edge(Index v) const { return shortest_edge_[v]; }
 
   // The nearest other border vertices, the nearest first. \param i which of `all()`

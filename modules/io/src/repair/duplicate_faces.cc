@@ -25,7 +25,7 @@ Turned turned(const Triangle& face, Index number) {
 
 Index lowest_of(const Triangle& face) { return std::min(std::min(face[0], face[1]), face[2]); }
 
-// One of 64 bits. Faces with the same corners have the same, in whatever order.
+// A hash of 64 bits, equal for faces with the same corners in any order.
 std::uint64_t mark_of(const Triangle& face) {
   const std::uint64_t all = std::uint64_t{face[0]} + face[1] + face[2];
   return std::uint64_t{1} << (all * 0x9E3779B97F4A7C15U >> 58);  // Fibonacci hashing (Knuth, TAOCP 3, 6.4)
@@ -43,7 +43,7 @@ void mark_duplicates(std::vector<Turned>& faces, std::vector<char>& is_duplicate
 
 }  // namespace
 
-// Each vertex has the marks of those faces whose lowest corner it is. Where a mark comes up twice, faces are compared.
+// Each vertex has the marks of faces whose lowest corner it is. Faces with equal marks are compared.
 std::vector<char> find_duplicate_faces(std::span<const Triangle> faces, std::size_t vertices, unsigned threads) {
   LargeArray<std::uint64_t> marks(vertices, 0);
   std::vector<std::uint8_t> has_equal_marks(vertices);

@@ -175,7 +175,7 @@ void PolygonTriangulator::clip_ears(std::span<Triangle> out) {
 
   std::uint32_t left = n;
   std::uint32_t corner = 0;
-  std::uint32_t failures = 0;  // In a row. A full round without an ear means that the polygon isn't simple.
+  std::uint32_t failures = 0;  // Successive. A full round without an ear means that the polygon isn't simple.
   std::size_t written = 0;
   while (left > 3) {
     const bool forced = failures >= left || tests_left_ == 0;

@@ -32,11 +32,11 @@ constexpr char dropped_as_degenerate = 2;
 // Per vertex or face, 0 or 1.
 using Flags = std::vector<std::uint8_t>;
 
-// In most cases the first coordinate tells.
+// In most cases the first coordinate decides.
 bool is_same_place(const Vec3& p, const Vec3& q) { return p.x() == q.x() && p.y() == q.y() && p.z() == q.z(); }
 
-// Flags the vertices that may be welded: those on open borders, and the ends of edges without length. The faces at an
-// edge without length have no area; welding makes them degenerate.
+// Flags the vertices that may be welded: on open borders, or at the ends of edges without length. The faces at an edge
+// without length have no area; welding makes them degenerate.
 Flags find_candidates(const IndexedMesh& mesh, unsigned threads) {
   Flags is_candidate = whittle::detail::border_vertices(mesh.faces, mesh.positions.size(), threads);
   const auto mark = [&](Index v) { std::atomic_ref(is_candidate[v]).store(1, std::memory_order_relaxed); };
@@ -155,7 +155,7 @@ void join_ends_without_length(WeldResolver& resolver, const Flags& is_doubtful_g
   }
 }
 
-// Of unit length, or zero.
+// The unit normal, or zero.
 Vec3 normal_of(const IndexedMesh& mesh, Index face) {
   return area_normal(mesh.positions, mesh.faces[face]).stableNormalized();
 }
@@ -252,7 +252,7 @@ bool may_join_copies(const IndexedMesh& mesh, const std::vector<Triangle>& group
   return false;
 }
 
-// Drops each face whose corners lie where those of an earlier one do, in the same cyclic order, whatever its vertices.
+// Drops each face with the same corner positions as an earlier face, in the same cyclic order; vertices may differ.
 std::size_t drop_faces_at_equal_positions(IndexedMesh& mesh, unsigned threads) {
   const std::vector<Index> group = group_by_position(mesh.positions, Flags(mesh.positions.size(), 1));
   const std::vector<char> is_copy =
@@ -289,7 +289,7 @@ std::size_t count_welded(const std::vector<Index>& group) {
   return welded;
 }
 
-// Flags the faces that welding may change: those with a corner that isn't alone at its position.
+// Flags the faces that welding may change: faces with a corner that isn't alone at its position.
 Flags find_touched_faces(const std::vector<Triangle>& faces, const std::vector<Index>& group, unsigned threads) {
   Flags is_shared(group.size());
   for (std::size_t v = 0; v < group.size(); ++v) {

@@ -42,7 +42,7 @@ class WeldResolver {
  private:
   using Set = std::uint32_t;
   struct Face {
-    std::array<Set, 2> ends;  // As added. find() tells the present set.
+    std::array<Set, 2> ends;  // As added. find() gives the present set.
     bool forward;
     Vec3 normal;
   };

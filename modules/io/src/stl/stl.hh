@@ -10,10 +10,10 @@
 
 namespace whittle::io {
 
-/// A binary file begins with so many bytes of any text; the number of facets follows.
+/// Bytes of any text at the beginning of a binary file; the number of facets follows.
 constexpr std::size_t stl_header_bytes = 80;
 
-// `FormatRow` says what these do.
+// See `FormatRow`.
 ReadResult read_stl(std::string_view bytes, std::string_view name, const ReadOptions& options);
 void write_stl(ByteSink& sink, const IndexedMesh& mesh, const WriteOptions& options,
                std::vector<std::string>& warnings);

@@ -74,7 +74,7 @@ void write_binary(ByteSink& sink, const IndexedMesh& mesh) {
   }
 }
 
-// A mesh near the origin loses next to nothing: what is above a millionth of its size is told.
+// A mesh near the origin loses nearly nothing: losses above a millionth of its size are reported.
 void warn_of_rounding(const IndexedMesh& mesh, const FileNotes& notes, std::vector<std::string>& warnings) {
   if (notes.has_float32_positions) return;
   const double error = float32_error(mesh.positions);

@@ -1,4 +1,4 @@
-// Samples, seeds and blocks are those of distance.cc.
+// Samples, seeds and blocks as in distance.cc.
 #include "whittle/metrics/attribute_deviation.hh"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include "attributes/near_sheets.hh"
 #include "attributes/surface_attribute.hh"
 
-// What measuring attributes at samples and at wedges have in common.
+// Shared by measuring attributes at samples and at wedges.
 
 namespace whittle::metrics {
 

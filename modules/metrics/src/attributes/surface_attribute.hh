@@ -9,14 +9,14 @@
 
 namespace whittle::metrics {
 
-/// An attribute as a function on the surface of a mesh. What it refers to must outlive it.
+/// An attribute as a function on the surface of a mesh. The mesh must outlive it.
 class SurfaceAttribute {
  public:
   SurfaceAttribute(const IndexedMesh& mesh, const Attribute& attribute);
 
   AttributeKind kind() const { return attribute_.kind; }
-  /// Components of an interpolated value. Of joint weights three times as many as at a corner: corners may have other
-  /// joints.
+  /// Number of components of an interpolated value. For joint weights three times as many as at a corner: corners may
+  /// have different joints.
   std::size_t n_components() const;
   AttributeBlend blend() const { return {attribute_.kind, attribute_.n_components}; }
 
@@ -34,8 +34,8 @@ class SurfaceAttribute {
   std::vector<Index> first_equal_;  ///< for each wedge the first one of its vertex with the same value
 };
 
-/// How far two values are apart, as `AttributeDeviation` says. \param a, b of the same kind; of joint weights the
-/// numbers of components may differ
+/// The deviation of two values (`AttributeDeviation`).
+/// \param a, b of the same kind; the numbers of components of joint weights may differ
 double deviation(AttributeKind kind, std::span<const double> a, std::span<const double> b);
 
 }  // namespace whittle::metrics

@@ -9,8 +9,7 @@ namespace whittle::metrics {
 
 /// \throw std::invalid_argument if it is negative or not a number
 void require_distance(double max_distance);
-/// \throw std::invalid_argument if there are some, but not as many as vertices, or one isn't positive, or the distance
-///        is infinite
+/// \throw std::invalid_argument unless empty or one per vertex, all positive, and the distance finite
 void require_tolerances(std::span<const double> tolerances, std::size_t n_vertices, double max_distance);
 /// \throw std::invalid_argument if it has another length than the first mesh's vertices, or names others than the
 /// second

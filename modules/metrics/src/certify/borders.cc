@@ -31,7 +31,7 @@ struct Borders {
   bool has_any() const { return has_first() || has_second(); }
   bool has_both() const { return has_first() && has_second(); }
 
-  /// Of edges → of faces.
+  /// Replaces the edge's number by its face's.
   void name_face(FarPoint& point) const {
     if (point.face != invalid_index) point.face = (point.is_on_first ? first : second).faces[point.face];
   }

@@ -22,7 +22,7 @@
 namespace whittle::metrics {
 namespace {
 
-/// Faces that a thread takes at a time, and a chunk of a certificate has. What is proven of them depends on no others.
+/// Faces per block of a thread, and per chunk of a certificate. Their proofs are independent of other blocks.
 constexpr std::size_t most_faces_per_block = 1024;
 
 /// The same of `n` faces where no certificate is written: a few long ones may take as long as a thousand others.
@@ -106,7 +106,7 @@ std::vector<Index> faces_at_vertices(const IndexedMesh& mesh) {
   return faces;
 }
 
-/// A face of another mesh that may be near to each face. \param vertex_map vertices → those of the other mesh
+/// A face of another mesh that may be near to each face. \param vertex_map vertices → vertices of the other mesh
 std::vector<Index> hints_by(std::span<const Index> vertex_map, const IndexedMesh& mesh, const IndexedMesh& other) {
   const std::vector<Index> at_vertices = faces_at_vertices(other);
   std::vector<Index> hints(mesh.faces.size(), invalid_index);
@@ -118,7 +118,7 @@ std::vector<Index> hints_by(std::span<const Index> vertex_map, const IndexedMesh
   return hints;
 }
 
-/// Vertices of the second mesh → one of those that became them.
+/// For each vertex of the second mesh, one vertex of the first that became it.
 std::vector<Index> inverse(std::span<const Index> vertex_map, std::size_t n_second) {
   std::vector<Index> map(n_second, invalid_index);
   for (Index v = 0; v < vertex_map.size(); ++v) {
@@ -127,7 +127,7 @@ std::vector<Index> inverse(std::span<const Index> vertex_map, std::size_t n_seco
   return map;
 }
 
-/// Of the blocks in which a point is farther, the first one counts. Those after it needn't end.
+/// The first block with a farther point counts. Later blocks needn't end.
 /// \param section the steps of the proof are appended; may be null
 Certification certify_one_way(const OneWay& one_way, double distance, const whittle::detail::Workers& workers,
                               std::string* section) {

@@ -36,7 +36,7 @@ Index first_face(const std::vector<ProofStep>& steps) {
   return step == steps.end() ? invalid_index : step->number;
 }
 
-/// The faces of a surface that may be within a distance of a triangle, and are connected with those of a proof.
+/// The faces of a surface that may be within a distance of a triangle, and are connected with faces of a proof.
 std::vector<Index> connected_near(const LinkedFaces& surface, const std::vector<ProofStep>& steps,
                                   const Corners& triangle, double distance) {
   const Box box = box_of(triangle);
@@ -87,7 +87,7 @@ SurfaceProof::SurfaceFace& SurfaceProof::face(Index number) {
   return faces_[number];
 }
 
-/// The first hint is the face of the same number among those that are there: mostly it is the same face.
+/// If there are as many faces as in the original, the first hint of face i is face i: mostly it is the same face.
 void SurfaceProof::start_surface(std::span<const Face> faces) {
   for (std::size_t i = 0; i < faces.size(); ++i) {
     SurfaceFace& face = this->face(faces[i].number);
@@ -162,7 +162,7 @@ void SurfaceProof::list_affected() {
   }
 }
 
-/// What takes little time is looked at first.
+/// Cheap checks come first.
 bool SurfaceProof::allows(const Change& change) {
   look_at(change);
   if (!is_position_near()) return false;
@@ -239,7 +239,7 @@ std::optional<std::size_t> SurfaceProof::find_added_near(Index original_face) {
   return std::nullopt;
 }
 
-/// What a vertex of the original is near to after the change.
+/// The face near a vertex of the original after the change.
 Index SurfaceProof::nearby(Index original_vertex) {
   Nearby& nearby = nearby_[original_vertex];
   if (nearby.look != n_looks_) nearby = {n_looks_, find_nearby(original_.faces().positions[original_vertex])};
@@ -259,7 +259,7 @@ Index SurfaceProof::find_nearby(const Vec3& point) {
   return is_near_other ? Nearby::other : Nearby::nothing;
 }
 
-/// Lists the faces around, and those beside the removed ones that affected faces rest on.
+/// Lists the faces around, and other remaining faces on which affected faces rest.
 void SurfaceProof::list_others() {
   if (std::exchange(has_others_, true)) return;
   others_.clear();
@@ -327,7 +327,7 @@ std::vector<Index> SurfaceProof::near_in_part(Index original_face, const Part& p
   return near;
 }
 
-/// What the face is to rest on after the change. If nothing is proven, on all new faces.
+/// The faces on which a face rests after the change; all new faces if the proof fails.
 std::vector<Index> SurfaceProof::find_rest(Index original_face, bool& is_unproven) {
   is_unproven = false;
   if (const std::optional<std::size_t> near = find_added_near(original_face)) return {change_->added[*near].number};

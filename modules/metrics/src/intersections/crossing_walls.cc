@@ -99,7 +99,7 @@ class EarlierIntersections {
     }
   }
 
-  /// Per vertex afterwards, what intersected a face that became one with this corner.
+  /// Per vertex of the result, images of faces that intersected an origin of a face with this corner.
   std::unordered_map<Index, std::vector<Image>> others_at_;
 };
 
@@ -110,7 +110,7 @@ FacePairs newly_crossing_faces(const IndexedMesh& before, const IndexedMesh& aft
   check_vertex_map(vertex_map, before, after);
   FacePairs pairs = crossing_faces(after, threads);
   if (pairs.empty()) return {};
-  bounds_of(before);  // refuses what is no surface
+  bounds_of(before);  // refuses invalid meshes
   const EarlierIntersections earlier(origins_of(pairs, after, before, vertex_map), threads);
   std::erase_if(pairs, [&](const auto& pair) { return earlier.has(after.faces[pair[0]], after.faces[pair[1]]); });
   return pairs;

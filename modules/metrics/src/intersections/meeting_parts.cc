@@ -114,7 +114,7 @@ bool do_meet(const ComparedPart& part, const ComparedPart& other) {
   return is_found;
 }
 
-/// Those of some pairs of parts that intersect. \param part_of per face, `invalid_index` for none
+/// The intersecting pairs of some pairs of parts. \param part_of per face, `invalid_index` for none
 PartPairs meeting_ones(const PartPairs& pairs, const IndexedMesh& mesh, const std::vector<Index>& part_of,
                        std::size_t n_parts, unsigned threads) {
   const Box box = bounds_of(mesh);
@@ -168,7 +168,7 @@ std::vector<Index> parts_before(const IndexedMesh& before, std::span<const Index
 PartPairs newly_meeting_parts(const IndexedMesh& before, const IndexedMesh& after, std::span<const Index> vertex_map,
                               unsigned threads) {
   check_vertex_map(vertex_map, before, after);
-  bounds_of(after);  // refuses what is no surface
+  bounds_of(after);  // refuses invalid meshes
   const Parts parts = find_parts(after.positions.size(), after.faces);
   if (parts.count < 2) return {};
   std::vector<Index> part_of(after.faces.size());

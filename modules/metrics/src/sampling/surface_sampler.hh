@@ -11,8 +11,8 @@
 
 namespace whittle::metrics {
 
-/// Samples are measured in blocks of so many. The sums of the blocks are added in order, so that the result is the same
-/// for any number of threads.
+/// Samples per block. The sums of the blocks are added in order, so that the result is the same for any number of
+/// threads.
 inline constexpr std::size_t samples_per_block = 2048;
 
 /// \throw std::invalid_argument unless it is in [1, 2^40]

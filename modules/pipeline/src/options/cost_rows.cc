@@ -102,7 +102,7 @@ OptionRow polish_row(SimplifyOptions& simplify) {
           .key = "polish"};
 }
 
-/// What has no option of its own, and reports have.
+/// Rows without an option, for reports.
 OptionRows reported_alone(Request& request) {
   QuadricOptions& quadric = request.simplify.decimate.quadric;
   const auto row = [](const char* key, std::function<OptionValue()> get) {

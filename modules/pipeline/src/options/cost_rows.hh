@@ -7,7 +7,7 @@
 
 namespace whittle {
 
-/// What ranks and places, and polish.
+/// Options for costs, placement and polish.
 OptionRows cost_rows(Request& request);
 
 /// Adds the costs that a row's option doesn't go with. \param value of the option; empty = any

@@ -51,7 +51,7 @@ std::string conflict_text(const std::string& own, const std::string& other, cons
   return own + " doesn't go with " + other + ": " + why;
 }
 
-/// Words of the warning that an option is idle. \p how says "without" or "with" what.
+/// Words of the warning that an option is idle. \p how is "without" or "with".
 std::string idle_text(const std::string& own, std::string_view how, const std::string& other) {
   return "'" + own + "' does nothing " + std::string(how) + " '" + other + "'";
 }

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "attributes/attribute_feet.hh"
+#include "attributes/attribute_samples.hh"
 #include "attributes/texture_folds.hh"
 #include "whittle/core/attribute_blend.hh"
 #include "whittle/core/attribute_functions.hh"
@@ -23,7 +23,7 @@
 namespace whittle {
 namespace {
 
-using polishing::AttributeFeet;
+using polishing::AttributeSamples;
 using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 using Vector = Eigen::VectorXd;
 
@@ -53,14 +53,14 @@ struct Values {
   std::size_t n_components;
   std::vector<double> from, to;
 
-  /// Of the number i of each wedge of the mesh, n_linear(kind) a wedge; where it has none, it has no slope.
+  /// n_linear(kind) per wedge of the mesh; without a linear function the slope is 0.
   std::vector<LocalFunction> functions;
 
   std::span<const double> original(Index w) const { return {from.data() + w * n_components, n_components}; }
   std::span<double> fitted(Index w) { return {to.data() + w * n_components, n_components}; }
 };
 
-/// In one order, which library functions with wide registers don't keep.
+/// Sums in one order, unlike library functions with wide registers.
 double dot(const Vector& a, const Vector& b) {
   double sum = 0;
   for (Eigen::Index i = 0; i < a.size(); ++i) sum += a[i] * b[i];
@@ -106,8 +106,9 @@ class AttributeFit {
                const IndexedMesh& mesh, unsigned threads);
 
   void fit(Values& values) const;
-  /// Takes away what folds, and what lies over other charts. \return how many folded faces are left \pre texture
-  /// coordinates, fitted
+  /// Removes folds, and moves faces off other charts.
+  /// \return number of folded faces left
+  /// \pre texture coordinates, fitted
   std::size_t lay_on_image(Values& values) const;
 
  private:
@@ -126,7 +127,7 @@ class AttributeFit {
   Frame frame_;
   std::vector<Vec3> positions_;  ///< of the mesh, in the frame
   LocalFunctions functions_;
-  AttributeFeet feet_;
+  AttributeSamples samples_;
   Matrix matrix_;
   Vector guess_weights_;  ///< λ M
 };
@@ -144,31 +145,31 @@ AttributeFit::AttributeFit(const IndexedMesh& whole, const IndexedMesh& original
   positions_.reserve(mesh.positions.size());
   for (const Vec3& p : mesh.positions) positions_.push_back(frame_.to_frame(p));
   const polishing::VertexCorners corners = polishing::corners_by_vertex(mesh.faces, mesh.positions.size());
-  feet_ = find_attribute_feet(origins, {mesh.faces, corners, positions_}, workers);
+  samples_ = find_attribute_samples(origins, {mesh.faces, corners, positions_}, workers);
   assemble();
 }
 
-/// Calls `use(sample, wedges of the original, weights at the corners of the foot's face)`. The value at a sample is the
-/// mean of those wedges.
+/// Calls `use(sample, wedges of the original, weights at the corners of the closest point's face)`. The value at a
+/// sample is the mean over these wedges.
 template <class Use>
 void AttributeFit::for_each_sample(const Use& use) const {
-  const auto tell = [&](const AttributeFeet::Sample& sample, std::span<const Index> wedges) {
-    if (sample.foot.face == invalid_index || !(sample.weight > 0)) return;
-    const double second = sample.foot.second;
-    const double third = sample.foot.third;
+  const auto tell = [&](const AttributeSamples::Sample& sample, std::span<const Index> wedges) {
+    if (sample.closest.face == invalid_index || !(sample.weight > 0)) return;
+    const double second = sample.closest.second;
+    const double third = sample.closest.third;
     use(sample, wedges, std::array<double, 3>{1 - second - third, second, third});
   };
-  for (Index w = 0; w < feet_.of_vertices.size(); ++w) tell(feet_.of_vertices[w], {&w, 1});
-  for (std::size_t f = 0; f < feet_.of_faces.size(); ++f) tell(feet_.of_faces[f], original_.faces[f]);
+  for (Index w = 0; w < samples_.of_vertices.size(); ++w) tell(samples_.of_vertices[w], {&w, 1});
+  for (std::size_t f = 0; f < samples_.of_faces.size(); ++f) tell(samples_.of_faces[f], original_.faces[f]);
 }
 
 void AttributeFit::assemble() {
   const auto n = static_cast<Eigen::Index>(mesh_.positions.size());
   std::vector<std::array<double, 9>> of_faces(mesh_.faces.size(), std::array<double, 9>{});
   Vector masses = Vector::Zero(n);
-  for_each_sample([&](const AttributeFeet::Sample& sample, std::span<const Index>, const std::array<double, 3>& at) {
-    const auto& [foot, weight, wedge] = sample;
-    const Index face = foot.face;
+  for_each_sample([&](const AttributeSamples::Sample& sample, std::span<const Index>, const std::array<double, 3>& at) {
+    const auto& [closest, weight, wedge] = sample;
+    const Index face = closest.face;
     for (std::size_t i = 0; i < 3; ++i) {
       masses[mesh_.faces[face][i]] += weight * at[i];
       for (std::size_t k = 0; k < 3; ++k) of_faces[face][3 * i + k] += weight * at[i] * at[k];
@@ -205,46 +206,47 @@ void AttributeFit::find_functions(const AttributeFunctions& functions, Values& v
   });
 }
 
-/// The original's value nearest to each wedge, taken on to the wedge.
+/// The original's value at each wedge's closest point, extrapolated to the wedge.
 void AttributeFit::guess(const AttributeFunctions& functions, Values& values) const {
   AttributeBlend blend(values.kind, values.n_components);
   const std::size_t n = n_linear(values.kind, values.n_components);
-  for (Index w = 0; w < feet_.of_wedges.size(); ++w) {
-    const polishing::NearestPoint& nearest = feet_.of_wedges[w];
+  for (Index w = 0; w < samples_.of_wedges.size(); ++w) {
+    const polishing::SurfacePoint& nearest = samples_.of_wedges[w];
     if (nearest.face == invalid_index) continue;
     const auto& [second, third] = nearest.at;
     const std::array<double, 3> at{1 - second - third, second, third};
-    Vec3 foot = Vec3::Zero();
+    Vec3 closest = Vec3::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
       const Index from = original_.faces[nearest.face][k];
       if (at[k] > 0) blend.add(values.original(from), at[k]);
-      foot += at[k] * frame_.to_frame(original_.positions[from]);
+      closest += at[k] * frame_.to_frame(original_.positions[from]);
     }
     blend.result(values.fitted(w));
     if (values.kind == AttributeKind::joint_weights) functions.move(w, positions_[w], values.fitted(w));
     for (std::size_t i = 0; i < n; ++i) {
-      values.fitted(w)[i] += dot(values.functions[w * n + i].slope, positions_[w] - foot);
+      values.fitted(w)[i] += dot(values.functions[w * n + i].slope, positions_[w] - closest);
     }
   }
 }
 
-/// Of the first n_linear components, a row for each wedge. The value of a sample is taken on to its foot.
+/// Right-hand sides for the first n_linear components, a row for each wedge. A sample's value is extrapolated to its
+/// closest point.
 std::vector<double> AttributeFit::right_sides(const Values& values) const {
   const std::size_t n = n_linear(values.kind, values.n_components);
   std::vector<double> sums(n * mesh_.positions.size());
   std::vector<double> value(n);
   for_each_sample(
-      [&](const AttributeFeet::Sample& sample, std::span<const Index> wedges, const std::array<double, 3>& at) {
-        const Triangle& face = mesh_.faces[sample.foot.face];
+      [&](const AttributeSamples::Sample& sample, std::span<const Index> wedges, const std::array<double, 3>& at) {
+        const Triangle& face = mesh_.faces[sample.closest.face];
         const double share = 1 / static_cast<double>(wedges.size());
-        Vec3 to_foot = Vec3::Zero();
-        for (std::size_t k = 0; k < 3; ++k) to_foot += at[k] * positions_[face[k]];
+        Vec3 to_closest = Vec3::Zero();
+        for (std::size_t k = 0; k < 3; ++k) to_closest += at[k] * positions_[face[k]];
         std::fill(value.begin(), value.end(), 0.0);
         for (const Index w : wedges) {
-          to_foot -= share * frame_.to_frame(original_.positions[w]);
+          to_closest -= share * frame_.to_frame(original_.positions[w]);
           for (std::size_t i = 0; i < n; ++i) value[i] += share * values.original(w)[i];
         }
-        for (std::size_t i = 0; i < n; ++i) value[i] += dot(values.functions[sample.wedge * n + i].slope, to_foot);
+        for (std::size_t i = 0; i < n; ++i) value[i] += dot(values.functions[sample.wedge * n + i].slope, to_closest);
         for (std::size_t k = 0; k < 3; ++k) {
           double* const sum = sums.data() + n * face[k];
           for (std::size_t i = 0; i < n; ++i) sum[i] += at[k] * (sample.weight * value[i]);
@@ -253,8 +255,8 @@ std::vector<double> AttributeFit::right_sides(const Values& values) const {
   return sums;
 }
 
-/// No number is beyond those that the original has around the wedge and its neighbours. Those around the wedge alone
-/// would cut off what the best fit needs where values curve.
+/// Clamps values to the original's range around the wedge and its neighbours. The range around the wedge alone is too
+/// narrow for the best fit where values curve.
 void AttributeFit::keep_in_range(Values& values) const {
   const std::size_t n = n_linear(values.kind, values.n_components);
   for (std::size_t i = 0; i < n; ++i) {
@@ -284,7 +286,8 @@ auto column(std::vector<double>& table, std::size_t i, std::size_t n) {
 
 void AttributeFit::fit(Values& values) const {
   const auto is_finite = [](double x) { return std::isfinite(x); };
-  const bool is_fitted = std::all_of(values.from.begin(), values.from.end(), is_finite);  // or one spoils all
+  const bool is_fitted = std::all_of(values.from.begin(), values.from.end(),
+                                     is_finite);  // one value that isn't finite would spread to all
   const AttributeFunctions functions(functions_, values.kind, values.n_components, values.from, threads_);
   find_functions(functions, values);
   guess(functions, values);
@@ -296,7 +299,7 @@ void AttributeFit::fit(Values& values) const {
     for_each_block(n_fitted, threads_, [&](std::size_t i) {
       const Vector start = column(values.to, i, n);
       const Vector side = column(sides, i, n_fitted) + guess_weights_.cwiseProduct(start);
-      // What is the same everywhere is taken away, so that it makes no residual look small.
+      // Subtract the mean: a large one would make every relative residual look small.
       const Vector level =
           Vector::Constant(start.size(), dot(start, Vector::Ones(start.size())) / static_cast<double>(start.size()));
       column(values.to, i, n) = level + solved(matrix_, side - product(matrix_, level), start - level);
@@ -310,7 +313,7 @@ void AttributeFit::fit(Values& values) const {
 
 /// Wedges whose numbers are linear in the position, and so are here: where the image folds, the surface does.
 std::vector<std::uint8_t> AttributeFit::linear_wedges(Values& values) const {
-  constexpr double nearly = 1e-3;  // of how a number varies there: what files round to
+  constexpr double nearly = 1e-3;  // share of a number's variation: the rounding of files
   const std::size_t n = n_linear(values.kind, values.n_components);
   std::vector<std::uint8_t> is_linear(positions_.size(), 1);
   for (Index w = 0; w < positions_.size(); ++w) {
@@ -325,7 +328,7 @@ std::vector<std::uint8_t> AttributeFit::linear_wedges(Values& values) const {
 
 std::size_t AttributeFit::lay_on_image(Values& values) const {
   const auto turns =
-      turns_on_image({original_.faces, values.from, values.n_components}, feet_.of_faces, mesh_.faces.size());
+      turns_on_image({original_.faces, values.from, values.n_components}, samples_.of_faces, mesh_.faces.size());
   const std::size_t n_folded =
       polishing::unfold(mesh_.faces, turns, values.to, values.n_components, linear_wedges(values));
   keep_in_charts({functions_.input(), values.from, functions_.wedge_map(), values.n_components, mesh_.faces, threads_},

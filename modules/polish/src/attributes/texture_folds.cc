@@ -18,10 +18,10 @@ namespace {
 using detail::Vec2;
 
 constexpr double least_majority = 0.8;  ///< of the votes for a way round
-/// Of an unfolded face, over the edge that stays: what a sweep tries first, and what it is content with in the end.
+/// Heights of an unfolded face over the edge that stays: first tried, and finally accepted.
 constexpr std::array least_heights{0.01, 0.0};
 constexpr int sweeps_a_height = 15;
-/// For the faces that are left: of all vertices around, each to where its worst face is folded least.
+/// Sweeps for the remaining faces: each vertex around moves to where its worst face is folded least.
 /// \cite freitag_2000_untangling
 constexpr int relaxing_sweeps = 50;
 constexpr double flat = 1e-6;  ///< the height below which a face counts as flat, over its longest edge
@@ -211,18 +211,18 @@ class Unfolder {
 
 }  // namespace
 
-std::vector<std::int8_t> turns_on_image(const TexturedFaces& original, std::span<const AttributeFeet::Sample> feet,
-                                        std::size_t n_faces) {
+std::vector<std::int8_t> turns_on_image(const TexturedFaces& original,
+                                        std::span<const AttributeSamples::Sample> samples, std::size_t n_faces) {
   const auto at = [&](Index w) { return Vec2(original.texcoords.data() + w * original.n_components); };
   std::vector<double> votes(n_faces);
   std::vector<double> all(n_faces);
   for (std::size_t f = 0; f < original.faces.size(); ++f) {
-    const auto& [foot, weight, wedge] = feet[f];
-    if (foot.face == invalid_index || !(weight > 0)) continue;
+    const auto& [closest, weight, wedge] = samples[f];
+    if (closest.face == invalid_index || !(weight > 0)) continue;
     const auto& [a, b, c] = original.faces[f];
     const double area = detail::area_on_image(at(a), at(b), at(c));
-    votes[foot.face] += area > 0 ? weight : area < 0 ? -weight : 0;
-    all[foot.face] += weight;
+    votes[closest.face] += area > 0 ? weight : area < 0 ? -weight : 0;
+    all[closest.face] += weight;
   }
   std::vector<std::int8_t> turns(n_faces);
   for (std::size_t f = 0; f < n_faces; ++f) {

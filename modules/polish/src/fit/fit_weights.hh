@@ -13,12 +13,12 @@ inline double root_mean_square(const Distances& distances) {
   return std::sqrt(sum);
 }
 
-/// What points count for by their distance. With Fair's weights a point counts by its squared distance up to a unit,
-/// and by its distance beyond that. \cite holland_1977_robust
-/// Where the largest distance matters, points that are as far off as few should be count by their squared distances.
+/// Weights of points by their distance. With Fair's weights a point counts by its squared distance up to a unit, and by
+/// its distance beyond that. \cite holland_1977_robust
+/// Where the largest distance matters, far points count by their squared distances.
 class FitWeights {
  public:
-  /// \param unit of Fair's weights \param far in units; infinite: Fair's weights alone
+  /// \param unit of Fair's weights \param far distance of far points, in units; infinite: Fair's weights alone
   FitWeights(double unit, double far) : unit_(unit), far_(far) {}
 
   double weight(double distance) const {
@@ -26,7 +26,7 @@ class FitWeights {
     return 1 / (1 + x) + far_weight(x);
   }
 
-  /// What a fit with these weights minimises.
+  /// The loss that a fit with these weights minimises.
   double loss(const Distances& distances) const {
     double sum = 0;
     for (const auto& [square, weight] : distances) {

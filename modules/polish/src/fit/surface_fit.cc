@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "original/foot_sums.hh"
+#include "original/closest_point_sums.hh"
 #include "whittle/core/detail/compiler.hh"
 #include "whittle/core/geometry/radius_ratio.hh"
 
@@ -13,32 +13,31 @@ namespace {
 
 constexpr int n_sweeps = 2;
 
-/// μ: the cost of moving. It holds a vertex along directions in which no point pulls. It is a share of the curvature of
-/// the sum of squares along the surface. That comes from the angles θ between the neighbouring normals, as about θ²
-/// of the curvature across the surface, and becomes very small as faces do.
+/// μ: the cost of moving, which holds a vertex along directions in which no point pulls. It is a share of the curvature
+/// of the sum of squares along the surface. That curvature comes from the angles θ between the neighbouring normals: it
+/// is about θ² of the curvature across the surface, and becomes very small as faces do.
 constexpr double stiffness = 0.01;
 /// The least μ, as a share of the weight of the points around: for faces in one plane.
 constexpr double least_stiffness = 1e-7;
 
-/// Where the points with feet in a face have less weight than this share of its area, it is too bare to be moved by
-/// them: it is held in its plane by as much weight as is missing, spread evenly.
+/// A face is uncovered if its closest points have less weight than this share of its area. Uncovered faces are held in
+/// their planes; the missing weight is spread evenly.
 constexpr double least_cover = 0.25;
 
-/// How strongly a vertex is held back that is as far off as few should be: as a share of the weight of the points
-/// around.
+/// Weight that holds back a vertex at the distance `most`, as a share of the weight of the points around.
 constexpr double backward_weight = 0.01;
-/// The most by which that may grow.
+/// Largest factor by which that weight grows beyond the distance.
 constexpr double most_backward_growth = 100;
 
-/// Weight of a line against the surface: that of a strip this many times as wide as its edges are long. More would
-/// bring lines nearer to the original's, but the surface less near.
+/// Weight of a line against the surface: that of a strip this many times as wide as its edges are long. With more,
+/// lines come nearer to the original's, but the surface less near.
 constexpr double line_weight = 3;
 
 /// Largest squared distance of a vertex from the planes of its faces, over the mean squared distance of the points.
 constexpr double most_drift = 4;
 
 /// Largest squared move of a vertex, over the mean area of its faces. In equilateral faces this is about a seventh of
-/// an edge. Where a longer move is wanted, the mesh is too coarse for the feet to say what is best.
+/// an edge. For longer moves the mesh is too coarse: closest points would change.
 constexpr double most_area = 0.05;
 
 /// A face needs no check for folds if it has turned by less than this cosine (26°), and its neighbours were less than
@@ -109,12 +108,12 @@ void SurfaceFit::measure_faces(const detail::Workers& workers) {
   });
 }
 
-void SurfaceFit::FootSums::add(const Foot& foot, double foot_weight) {
-  const double b1 = foot.second;
-  const double b2 = foot.third;
+void SurfaceFit::PointSums::add(const ClosestFacePoint& closest, double point_weight) {
+  const double b1 = closest.second;
+  const double b2 = closest.third;
   const double b0 = 1 - b1 - b2;
-  const double d = foot.distance;
-  const std::array weighted{foot_weight * b0, foot_weight * b1, foot_weight * b2};
+  const double d = closest.distance;
+  const std::array weighted{point_weight * b0, point_weight * b1, point_weight * b2};
   products[0] += weighted[0] * b0;
   products[1] += weighted[0] * b1;
   products[2] += weighted[0] * b2;
@@ -122,11 +121,11 @@ void SurfaceFit::FootSums::add(const Foot& foot, double foot_weight) {
   products[4] += weighted[1] * b2;
   products[5] += weighted[2] * b2;
   for (std::size_t j = 0; j < 3; ++j) errors[j] += weighted[j] * d;
-  squares += foot_weight * d * d;
-  weight += foot_weight;
+  squares += point_weight * d * d;
+  weight += point_weight;
 }
 
-SurfaceFit::FootSums& SurfaceFit::FootSums::operator+=(const FootSums& other) {
+SurfaceFit::PointSums& SurfaceFit::PointSums::operator+=(const PointSums& other) {
   for (std::size_t i = 0; i < products.size(); ++i) products[i] += other.products[i];
   for (std::size_t i = 0; i < errors.size(); ++i) errors[i] += other.errors[i];
   squares += other.squares;
@@ -135,20 +134,20 @@ SurfaceFit::FootSums& SurfaceFit::FootSums::operator+=(const FootSums& other) {
 }
 
 void SurfaceFit::add(const Origins& origins, const FitWeights& weights, const detail::Workers& workers) {
-  const auto add_foot = [&weights](FootSums& sums, const Foot& foot, double area) {
-    sums.add(foot, area * weights.weight(foot.distance));
+  const auto add_point = [&weights](PointSums& sums, const ClosestFacePoint& closest, double area) {
+    sums.add(closest, area * weights.weight(closest.distance));
   };
-  const auto of_face = [this](Index f) -> FootSums& { return fits_[f]; };
-  sum_over_feet<FootSums>(origins, mesh_, add_foot, of_face, workers);
+  const auto of_face = [this](Index f) -> PointSums& { return fits_[f]; };
+  sum_over_closest_points<PointSums>(origins, mesh_, add_point, of_face, workers);
   for_each_range(fits_.size(), workers, [this](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) hold_if_bare(fits_[f]);
+    for (std::size_t f = begin; f < end; ++f) hold_if_uncovered(fits_[f]);
   });
 }
 
-void SurfaceFit::add(const LineFoot& foot, double weight) {
-  LineSums& sums = line_sums_[foot.edge];
-  const Vec3 d = across(ways_[foot.edge], foot.offset);
-  const std::array shares{1 - foot.share, foot.share};
+void SurfaceFit::add(const ClosestLinePoint& closest, double weight) {
+  LineSums& sums = line_sums_[closest.edge];
+  const Vec3 d = across(ways_[closest.edge], closest.offset);
+  const std::array shares{1 - closest.share, closest.share};
   sums.products[0] += weight * shares[0] * shares[0];
   sums.products[1] += weight * shares[0] * shares[1];
   sums.products[2] += weight * shares[1] * shares[1];
@@ -172,8 +171,8 @@ std::vector<Vec3> SurfaceFit::moved(double relaxation, const detail::Workers& wo
   return std::move(positions_);
 }
 
-/// A move looks at vertices up to two edges away. Vertices inside of blocks are moved first, on all threads: what such
-/// a move looks at in another block has a neighbour in this one, and stays. Then the others are moved.
+/// A move reads vertices up to two edges away. Vertices inside of blocks are moved first, on all threads: a vertex of
+/// another block that such a move reads has a neighbour in this block, and stays. Then the others are moved.
 void SurfaceFit::sweep(const detail::Workers& workers) {
   constexpr Index ahead = 4;
   const auto move_all = [this](std::size_t block, bool is_inside) {
@@ -206,7 +205,7 @@ void SurfaceFit::move_to_minimum(Index v) {
 }
 
 /// Spreads the missing weight evenly, at distance zero.
-void SurfaceFit::hold_if_bare(Face& fit) const {
+void SurfaceFit::hold_if_uncovered(Face& fit) const {
   const double missing = least_cover * fit.area - fit.weight;
   if (!(missing > 0)) return;
   fit.weight += missing;
@@ -244,7 +243,7 @@ SurfaceFit::Pull SurfaceFit::pull_at(Index v) const {
   return pull;
 }
 
-/// Along the surface alone, so the sum of distances stays what it is across.
+/// Pulls along the surface alone, so the distances across it don't change.
 void SurfaceFit::add_shape(Index v, Pull& pull) const {
   Vec3 normal = Vec3::Zero();
   for (const Corner& corner : mesh_.corners.of(v)) normal += area_normal(positions_, mesh_.faces[corner.face]);
@@ -258,7 +257,7 @@ void SurfaceFit::add_shape(Index v, Pull& pull) const {
   pull.force += along * (middle_around(v) - positions_[v]);
 }
 
-/// Of the neighbours; of a vertex on lines, of those along the lines.
+/// Mean position of the neighbours; for a vertex on lines, of its neighbours along the lines.
 Vec3 SurfaceFit::middle_around(Index v) const {
   Vec3 sum = Vec3::Zero();
   const std::span<const Index> edges = lines_.empty() ? std::span<const Index>{} : lines_.at(v);

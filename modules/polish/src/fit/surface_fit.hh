@@ -15,7 +15,7 @@
 
 namespace whittle::polishing {
 
-/// Moves the vertices of a mesh to where its faces fit weighted points, each at its foot (polish.hh).
+/// Moves the vertices of a mesh to where its faces fit weighted points, each at its closest point (polish.hh).
 class SurfaceFit {
  public:
   /// Keeps references to all. \param is_fixed per vertex, whether it may not move
@@ -23,33 +23,33 @@ class SurfaceFit {
   SurfaceFit(const Surface& mesh, const FaceNeighbors& neighbors, const FaceLimits& limits, const MeshLines& lines,
              const std::vector<std::uint8_t>& is_fixed, const detail::Workers& workers);
 
-  /// Adds the points of the original. Faces that have few points or none are held in their planes. \throw Cancelled
+  /// Adds the points of the original. Uncovered faces are held in their planes. \throw Cancelled
   void add(const Origins& origins, const FitWeights& weights, const detail::Workers& workers);
-  void add(const LineFoot& foot, double weight);
+  void add(const ClosestLinePoint& closest, double weight);
   /// Holds vertices back from sticking out. Keeps a reference to the offsets.
-  /// \param offsets per vertex, from its foot on the original to itself; zero: it is near \param most distance that few
-  ///        vertices should have
+  /// \param offsets per vertex, from its closest point on the original to itself; zero: it is near
+  /// \param most distance that few vertices should have
   void hold_back(std::span<const Vec3> offsets, double most);
   /// Draws vertices along the surface to the middle of their neighbours. \param weight over that of distances; 0: not
   void draw_to_middles(double weight) { shape_weight_ = weight; }
-  /// Where the vertices go when they are moved in turn, twice: first those inside of blocks of successive vertices.
-  /// \param relaxation how many times the errors of points in faces count: more than 1 makes the step longer
+  /// The positions after two sweeps over the vertices. Each sweep moves vertices inside of blocks first.
+  /// \param relaxation factor on the errors of points in faces: more than 1 makes the step longer
   /// \throw Cancelled
   std::vector<Vec3> moved(double relaxation, const detail::Workers& workers);
 
  private:
-  /// Sums over the feet in a face: of w b_j b_k, w b_j d, w d² and w.
-  struct FootSums {
+  /// Sums over the closest points in a face: of w b_j b_k, w b_j d, w d² and w.
+  struct PointSums {
     std::array<double, 6> products{};  ///< 00, 01, 02, 11, 12, 22
     std::array<double, 3> errors{};
     double squares = 0;
     double weight = 0;
 
-    void add(const Foot& foot, double foot_weight);
-    FootSums& operator+=(const FootSums& other);
+    void add(const ClosestFacePoint& closest, double point_weight);
+    PointSums& operator+=(const PointSums& other);
   };
   /// A face before it was moved, and its sums. It fills two cache lines.
-  struct alignas(64) Face : FootSums {
+  struct alignas(64) Face : PointSums {
     Vec3 normal;  ///< of unit length, or zero
     double area;
     /// Squared cosine of the turn from which on the face may become a fold; more than 1: always.
@@ -60,7 +60,7 @@ class SurfaceFit {
       return products[index[j][k]];
     }
   };
-  /// The same sums over the feet on an edge; d is the vector perpendicular to it.
+  /// The same sums over the closest points on an edge; d is the vector perpendicular to it.
   struct LineSums {
     std::array<double, 3> products{};  ///< 00, 01, 11
     std::array<Vec3, 2> errors{Vec3::Zero(), Vec3::Zero()};
@@ -77,11 +77,11 @@ class SurfaceFit {
     double line_squares = 0;
     double along = 0;      ///< mean curvature of the surface part of the sum along the surface
     double area = 0;       ///< mean area of its faces
-    bool is_held = false;  ///< whether it lies on lines on which no point has its foot
+    bool is_held = false;  ///< whether it lies on lines without closest points
   };
 
   void measure_faces(const detail::Workers& workers);
-  void hold_if_bare(Face& fit) const;
+  void hold_if_uncovered(Face& fit) const;
   void sweep(const detail::Workers& workers);
   void move_to_minimum(Index v);
   void prefetch_around(Index v) const;
@@ -110,7 +110,7 @@ class SurfaceFit {
   double shape_weight_ = 0;
   std::vector<Vec3> positions_;    ///< per vertex, now
   std::vector<Vec3> moves_;        ///< per vertex, since the start
-  std::span<const Vec3> offsets_;  ///< per vertex, from its foot on the original
+  std::span<const Vec3> offsets_;  ///< per vertex, from its closest point on the original
   double most_backward_ = 0;       ///< length of an offset that few vertices should have
 };
 

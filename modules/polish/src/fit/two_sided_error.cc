@@ -37,7 +37,7 @@ void add_one_way(std::span<const Triangle> faces, std::span<const Vec3> position
   for_each_block((points.n + length - 1) / length, workers, [&](std::size_t block) {
     for (std::size_t i = block * length; i < std::min(points.n, (block + 1) * length); ++i) {
       const Triangle& face = faces[points.face(i)];
-      const NearestPoint found = nearest(face, point_at(corners_of(positions, face), spread_point(i)));
+      const SurfacePoint found = nearest(face, point_at(corners_of(positions, face), spread_point(i)));
       if (found.face != invalid_index) one_way[i] = {found.distance_sq, area_of(positions, face)};
     }
   });
@@ -56,14 +56,14 @@ Distances two_sided_distances(const Origins& origins, const Surface& mesh, const
       const Index v = origins.mapped(origin);
       if (v != invalid_index) start.look_at(v, mesh.positions[v]);
     }
-    return start.vertex == invalid_index ? NearestPoint{} : walk_to_nearest(mesh, point, start.vertex);
+    return start.vertex == invalid_index ? SurfacePoint{} : walk_to_nearest(mesh, point, start.vertex);
   };
   const auto on_original = [&](const Triangle& face, const Vec3& point) {
     NearestVertex start{point};
     for (const Index v : face) {
       for (const Index origin : origins.of(v)) start.look_at(origin, original.positions()[origin]);
     }
-    return start.vertex == invalid_index ? NearestPoint{} : original.nearest(point, start.vertex);
+    return start.vertex == invalid_index ? SurfacePoint{} : original.nearest(point, start.vertex);
   };
   Distances distances;
   add_one_way(original.faces(), original.positions(), on_mesh, distances, workers);

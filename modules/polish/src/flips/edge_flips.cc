@@ -16,7 +16,7 @@ namespace {
 /// Largest share of the squared distances that may be left after a flip. Smaller gains are noise of a few points.
 constexpr double most_left = 0.95;
 
-/// Faces with a root mean square distance below this, in lengths of the edge, fit as well as can be told.
+/// Root mean square distance below which faces already fit, in lengths of the edge.
 constexpr double least_rms = 1e-5;
 
 constexpr std::size_t least_valence = 4;
@@ -48,7 +48,7 @@ class EdgeFlips {
     for (Index v = 0; v < valences_.size(); ++v) regular_.push_back(neighbors.fan(v) == Fan::open ? 3 : 6);
   }
 
-  /// The flips that are worth it, the best first.
+  /// Profitable flips, largest gain first.
   std::vector<Flip> find(const detail::Workers& workers) {
     const std::vector<FaceFit> fits = fit(workers);
     std::vector<std::array<double, 3>> gains(faces_.size(), {0, 0, 0});
@@ -75,7 +75,7 @@ class EdgeFlips {
     return flips;
   }
 
-  /// Makes those flips that are still allowed after the ones before them.
+  /// Makes the flips in turn, if the flips before them still allow it.
   void make(const std::vector<Flip>& flips) {
     std::set<VertexPair> made;
     for (const auto& [f, slot, gain] : flips) {
@@ -157,11 +157,11 @@ class EdgeFlips {
         }
       }
     });
-    const auto add_foot = [&fits](FitSums& sums, const Foot& foot, double weight) {
-      add(sums, fits[foot.face].tents, foot, weight);
+    const auto add_point = [&fits](FitSums& sums, const ClosestFacePoint& closest, double weight) {
+      add(sums, fits[closest.face].tents, closest, weight);
     };
-    sum_over_feet<FitSums>(
-        origins_, mesh_, add_foot, [&fits](Index f) -> FitSums& { return fits[f]; }, workers);
+    sum_over_closest_points<FitSums>(
+        origins_, mesh_, add_point, [&fits](Index f) -> FitSums& { return fits[f]; }, workers);
     return fits;
   }
 
@@ -183,15 +183,15 @@ class EdgeFlips {
     return {share, up.dot(other_share * other_edge) / up.norm()};
   }
 
-  /// A flip lowers a point's distance by the tent's height at the point's foot.
-  static void add(FitSums& sums, const std::array<Tent, 3>& tents, const Foot& foot, double weight) {
-    const std::array<double, 3> at{1.0 - foot.second - foot.third, foot.second, foot.third};
-    sums.squares += weight * foot.distance * foot.distance;
+  /// A flip lowers a point's distance by the tent's height at its closest point.
+  static void add(FitSums& sums, const std::array<Tent, 3>& tents, const ClosestFacePoint& closest, double weight) {
+    const std::array<double, 3> at{1.0 - closest.second - closest.third, closest.second, closest.third};
+    sums.squares += weight * closest.distance * closest.distance;
     for (std::size_t slot = 0; slot < 3; ++slot) {
       const auto& [share, height] = tents[slot];
       if (height == 0) continue;
       const double x = height * std::max(0.0, std::min(at[slot] / (1 - share), at[(slot + 1) % 3] / share));
-      sums.gains[slot] += weight * x * (2 * foot.distance - x);
+      sums.gains[slot] += weight * x * (2 * closest.distance - x);
     }
   }
 
@@ -235,7 +235,7 @@ class EdgeFlips {
     if (!flip_limits_.keeps_shape) return true;
     return change_at(u, -1) + change_at(v, -1) + change_at(a, 1) + change_at(b, 1) <= 0;
   }
-  /// How much less regular a vertex gets with one face more or less. One that is one off is as good as a regular one.
+  /// Change of a vertex' irregularity with one face more or less. One face more or less than regular costs nothing.
   int change_at(Index v, int more) const {
     const auto irregularity = [this, v](int n_faces) { return std::max(0, std::abs(n_faces - regular_[v]) - 1); };
     const auto now = static_cast<int>(valences_[v]);
@@ -305,7 +305,7 @@ class EdgeFlips {
   std::vector<Triangle> faces_;
   std::vector<Index> partner_;  ///< per face, the face it was flipped with, or `invalid_index`
   std::vector<std::size_t> valences_;
-  std::vector<int> regular_;  ///< per vertex, how many faces are regular there; empty if shape isn't kept
+  std::vector<int> regular_;  ///< per vertex, its regular number of faces; empty if shape isn't kept
 };
 
 }  // namespace

@@ -17,8 +17,8 @@ constexpr double least_turn_cosine = 0.2;
 
 inline double cosine(const Vec3& a, const Vec3& b) { return a.dot(b) / std::sqrt(a.squaredNorm() * b.squaredNorm()); }
 
-/// What the faces of a polished mesh may not become. No two neighbours may become a fold. No edge may become sharp, or
-/// stop being sharp, unless that is what it should be. No face may become thin.
+/// Limits of the faces of a polished mesh. No two neighbours may become a fold. No edge may become sharp unless it is a
+/// feature, and no feature may stop being sharp. No face may become thin.
 class FaceLimits {
  public:
   /// Keeps a reference to `neighbors`.
@@ -28,7 +28,7 @@ class FaceLimits {
   FaceLimits(const FaceNeighbors& neighbors, std::span<const VertexPair> features,
              std::optional<double> feature_angle_deg, double min_radius_ratio = 0);
 
-  /// Whether folds (edges of more than 120°) are all that is forbidden of neighbours.
+  /// Whether only folds (edges of more than 120°) are forbidden between neighbours.
   bool only_folds() const { return is_feature_.empty(); }
 
   /// Least cosine between the normals of two faces whose edge is neither sharp nor a fold.

@@ -21,8 +21,8 @@ class MovedMesh {
     is_crossed_.resize(positions.size());
   }
 
-  /// Faces that intersect another face now, and didn't before. Pairs of which no corner has been put back since the
-  /// last call are not checked again.
+  /// Faces that newly intersect another face. Pairs without a corner put back since the last call are not checked
+  /// again.
   std::vector<Index> intersecting(const detail::Workers& workers) {
     for_each_range(pairs_.size(), workers, [this](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
@@ -48,7 +48,7 @@ class MovedMesh {
     return faces;
   }
 
-  /// Those of the faces that are turned too far or too thin, and their neighbours to which they are turned too far.
+  /// The faces that turned too far or are too thin, and neighbours with a forbidden angle to them.
   std::vector<Index> spoiled(std::span<const Index> faces) const {
     std::vector<Index> found;
     for (const Index f : faces) {
@@ -60,7 +60,7 @@ class MovedMesh {
     return found;
   }
 
-  /// Puts the corners of these faces back. \return those that were elsewhere
+  /// Moves the corners of these faces back. \return the corners that had moved
   std::vector<Index> take_back(std::span<const Index> faces) {
     std::vector<Index> vertices;
     for (const Index f : faces) {
@@ -112,7 +112,7 @@ class MovedMesh {
     return std::any_of(corners.begin(), corners.end(), [this](const Corner& c) { return is_fresh_[c.face] != 0; });
   }
 
-  /// Those faces at v that newly intersect another face at v, with which they have only v in common.
+  /// Faces at v that newly intersect another face at v, without a common edge.
   std::vector<Index> intersecting_at(Index v) const {
     const std::span<const Corner> corners = before_.corners.of(v);
     std::vector<Index> faces;

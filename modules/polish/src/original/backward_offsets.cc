@@ -40,12 +40,12 @@ std::vector<Vec3> BackwardOffsets::offsets_at(std::span<const Vec3> positions, c
 
 Vec3 BackwardOffsets::offset(Index v, const Vec3& position) const {
   const OriginalSurface& original = origins_.original();
-  const NearestPoint foot = original.nearest(position, nearest_[v]);
-  return foot.face == invalid_index ? Vec3(Vec3::Zero()) : Vec3(position - original.position_of(foot));
+  const SurfacePoint closest = original.nearest(position, nearest_[v]);
+  return closest.face == invalid_index ? Vec3(Vec3::Zero()) : Vec3(position - original.position_of(closest));
 }
 
-/// Whether a position of a vertex may be further than `near` from the original: if it is so far from the tangent plane
-/// of the nearest origin, or so far from this that the plane tells nothing, or if there is no such plane.
+/// Whether a position of a vertex may be further than `near` from the original. So it is if the tangent plane of the
+/// nearest origin is that far, if the origin is too far for the plane to tell, or if there is no such plane.
 bool BackwardOffsets::may_be_far(Index v, const Vec3& position, double near) const {
   constexpr double least_flatness = 0.98;
   const OriginalSurface& original = origins_.original();

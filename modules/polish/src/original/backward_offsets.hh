@@ -9,20 +9,20 @@
 
 namespace whittle::polishing {
 
-/// How far the vertices of a mesh are from the original, and which way: for each vertex the vector from its foot, the
-/// nearest point of the original, to itself. Zero where it is near. That is told by the plane through the nearest of
-/// its origins; only for the others the foot is found.
+/// For each vertex of a mesh, the vector from its closest point on the original to itself; zero where it is near. The
+/// plane through the nearest of its origins shows that a vertex is near; the closest point is searched only otherwise.
 class BackwardOffsets {
  public:
-  /// Keeps references to the origins, and to what `mesh` refers to. \param near distance that is near
+  /// Keeps references to the origins, and to the data of `mesh`.
+  /// \param near distance up to which a vertex is near
   /// \throw Cancelled
   BackwardOffsets(const Origins& origins, const Surface& mesh, double near, const detail::Workers& workers);
 
   std::span<const Vec3> positions() const { return mesh_.positions; }
   std::span<const Vec3> offsets() const { return offsets_; }
 
-  /// At other positions. A vertex is also near if it can't be far by its offset before and by its move.
-  /// \param near distance that is near, at least that from before \throw Cancelled
+  /// The offsets at other positions. A vertex is also near if its offset before and its move add up to no more.
+  /// \param near distance up to which a vertex is near, at least that of the constructor \throw Cancelled
   std::vector<Vec3> after_moves(std::span<const Vec3> positions, double near, const detail::Workers& workers) const;
 
  private:

@@ -7,7 +7,7 @@
 namespace whittle::polishing {
 namespace {
 
-/// How many items ahead is prefetched: the time of a miss, some hundred nanoseconds.
+/// Distance of prefetching, in items: the time of a miss, some hundred nanoseconds.
 constexpr std::ptrdiff_t ahead = 12;
 
 template <class T>
@@ -35,8 +35,8 @@ void MergedPoints::find(Index v) {
     prefetch_after(&corner);
     add_points_of_face(corner);
   }
-  feet_.resize(points_.size());
-  finder_.find(v, points_, feet_);
+  closest_points_.resize(points_.size());
+  finder_.find(v, points_, closest_points_);
 }
 
 void MergedPoints::add(const Vec3& position, const Eigen::Vector3f& normal, double weight) {

@@ -3,12 +3,12 @@
 #include <span>
 #include <vector>
 
-#include "original/foot_finder.hh"
+#include "original/closest_point_finder.hh"
 #include "original/origins.hh"
 
 namespace whittle::polishing {
 
-/// The points that represent the original, and their feet on a mesh, one vertex of the mesh after the other.
+/// The points that represent the original, and their closest points on a mesh, by vertex of the mesh.
 ///
 /// The points are the original's vertices, and one or four points in each of its faces: its centroid, and points
 /// half-way between the centroid and each corner. Each is merged into a vertex of the mesh with a vertex of the
@@ -17,14 +17,15 @@ namespace whittle::polishing {
 /// With one point a face, the same holds for its square.
 class MergedPoints {
  public:
-  /// Keeps references to what both refer to. \param end of the vertices that will be asked for
-  /// \pre there is one
+  /// Keeps references to the data of both.
+  /// \param end of the range of vertices passed to `find`
+  /// \pre end > 0
   MergedPoints(const Origins& origins, const Surface& mesh, Index end);
 
-  /// Finds the feet of the points that were merged into a vertex.
+  /// Finds the closest points of the points that were merged into a vertex.
   void find(Index v);
-  std::span<const Foot> feet() const { return feet_; }          ///< of those points
-  std::span<const double> weights() const { return weights_; }  ///< of those points
+  std::span<const ClosestFacePoint> closest_points() const { return closest_points_; }  ///< per point
+  std::span<const double> weights() const { return weights_; }                          ///< per point
 
  private:
   void add(const Vec3& position, const Eigen::Vector3f& normal, double weight);
@@ -33,12 +34,12 @@ class MergedPoints {
   void prefetch_after(const Corner* corner) const;
 
   const Origins& origins_;
-  FootFinder finder_;
+  ClosestPointFinder finder_;
   const Index* vertices_end_;
   const Corner* corners_end_;
-  std::vector<FootFinder::Point> points_;
+  std::vector<ClosestPointFinder::Point> points_;
   std::vector<double> weights_;
-  std::vector<Foot> feet_;
+  std::vector<ClosestFacePoint> closest_points_;
 };
 
 }  // namespace whittle::polishing

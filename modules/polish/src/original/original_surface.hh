@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "original/foot_finder.hh"
+#include "original/closest_point_finder.hh"
 #include "surface/surface_walk.hh"
 #include "whittle/core/detail/index_lists.hh"
 #include "whittle/core/detail/large_array.hh"
@@ -12,7 +12,7 @@
 
 namespace whittle::polishing {
 
-/// The surface that a mesh was made from: its vertices in their frame, with faces, normals and areas.
+/// The original: vertices in their frame, with faces, normals and areas.
 class OriginalSurface {
  public:
   /// Keeps a reference to the faces. \throw Cancelled
@@ -22,16 +22,16 @@ class OriginalSurface {
 
   std::span<const Triangle> faces() const { return faces_; }
   std::span<const Vec3> positions() const { return positions_; }  ///< in the frame
-  /// Of a vertex: the sum of its faces' normals, each as long as twice the face's area.
+  /// The sum of a vertex' faces' normals, each as long as twice the face's area.
   Eigen::Vector3f normal(Index v) const { return normals_and_areas_[v].head<3>(); }
-  /// Of a vertex: a third of the area of its faces.
+  /// A third of the area of a vertex' faces.
   float area(Index v) const { return normals_and_areas_[v].w(); }
 
-  /// The point of the surface nearest to `point` that a walk from a vertex finds.
-  NearestPoint nearest(const Vec3& point, Index start) const {
+  /// The closest point to `point` that a walk from a vertex finds.
+  SurfacePoint nearest(const Vec3& point, Index start) const {
     return walk_to_nearest(faces_, faces_at_vertex_, positions_, point, start);
   }
-  Vec3 position_of(const NearestPoint& nearest) const {
+  Vec3 position_of(const SurfacePoint& nearest) const {
     const auto& [a, b, c] = faces_[nearest.face];
     return (1 - nearest.at.second - nearest.at.third) * positions_[a] + nearest.at.second * positions_[b] +
            nearest.at.third * positions_[c];

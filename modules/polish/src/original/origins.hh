@@ -8,12 +8,13 @@
 
 namespace whittle::polishing {
 
-/// What of an original was merged into each vertex of a mesh.
+/// Vertices and corners of the original that were merged into each vertex of a mesh.
 class Origins {
  public:
   /// Keeps references to the original and the map.
-  /// \param vertex_map as `polish` has it \param n_vertices of the mesh
-  /// \param points_per_face 1 or 4, of the points that represent the original (merged_points.hh)
+  /// \param vertex_map as for `polish`
+  /// \param n_vertices number of vertices of the mesh
+  /// \param points_per_face 1 or 4 points represent a face of the original (merged_points.hh)
   /// \throw Cancelled
   Origins(const OriginalSurface& original, std::span<const Index> vertex_map, std::size_t n_vertices,
           std::size_t points_per_face, const detail::Workers& workers);
@@ -25,10 +26,9 @@ class Origins {
   std::size_t points_per_face() const { return points_per_face_; }
   /// Vertices of the original that were merged into v, ascending.
   std::span<const Index> of(Index v) const { return vertices_.of(v); }
-  /// The one of them that is nearest to a point, or `invalid_index`.
+  /// The one nearest to a point, or `invalid_index`.
   Index nearest(Index v, const Vec3& point) const;
-  /// Corners of the original's faces that were merged into v, ascending: all if faces have four points, else the first
-  /// ones of faces alone.
+  /// Corners of the original's faces that were merged into v, ascending. With one point per face, first corners alone.
   std::span<const Corner> corners_of(Index v) const { return corners_.of(v); }
 
  private:

@@ -15,7 +15,7 @@ FaceNeighbors::FaceNeighbors(std::span<const Triangle> faces, const VertexCorner
   });
 }
 
-/// Finds what lies beyond the edges at v to higher vertices. \param sides scratch
+/// Finds the neighbours beyond the edges at v to higher vertices. \param sides scratch
 void FaceNeighbors::connect_at(Index v, std::vector<EdgeSide>& sides) {
   sides.clear();
   for (const auto& [f, slot] : corners_.of(v)) {

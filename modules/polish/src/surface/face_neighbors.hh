@@ -12,7 +12,7 @@ namespace whittle::polishing {
 /// A side of a face, from one corner to the next.
 struct Side {
   Index face = invalid_index;
-  Index slot = 0;  ///< of the corner that it starts at
+  Index slot = 0;  ///< of its first corner
 };
 
 /// How the faces at a vertex are connected over the edges there.
@@ -22,7 +22,7 @@ enum class Fan {
   none     ///< in neither, or there are no faces: the surface is not manifold there
 };
 
-/// What lies beyond the sides of a mesh's faces.
+/// The neighbours of a mesh's faces.
 class FaceNeighbors {
  public:
   /// Keeps references to faces and corners. \throw Cancelled
@@ -30,7 +30,7 @@ class FaceNeighbors {
 
   std::size_t n_faces() const { return faces_.size(); }
 
-  /// The same edge as a side of its other face. Without a face where the edge has not exactly one other.
+  /// The same edge as a side of its other face. Without a face unless the edge has exactly one other.
   const Side& beyond(Index face, Index slot) const { return beyond_[face][slot]; }
   /// Whether the edge has no other face.
   bool is_border(Index face, Index slot) const { return beyond(face, slot).slot == border; }
@@ -47,14 +47,14 @@ class FaceNeighbors {
   Fan fan(Index v) const;
 
  private:
-  // Slots of sides without a face, which say why there is none.
+  // Slots of sides without a face: the reason.
   static constexpr Index border = 3;   ///< the edge has no second face
   static constexpr Index crowded = 4;  ///< the edge has more than two faces, or the face has two equal corners
 
   /// From face to face around a vertex, up to an edge without a face beyond, or once around.
   struct Walk {
     std::size_t n_faces;
-    Side end;  ///< what lies beyond the last face
+    Side end;  ///< the side beyond the last face
   };
 
   /// A side of a face, at the edge to some vertex.

@@ -8,10 +8,10 @@
 namespace whittle::polishing {
 namespace {
 
-/// Where the two points of an edge are. With these the square of a linear function is integrated exactly (Gauss).
+/// Positions of the two samples of an edge. They integrate the square of a linear function exactly (Gauss).
 const std::array<double, 2> shares{0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)};
 
-constexpr double least_way_agreement = 0.5;  ///< cosine between the directions of a point's line and of its foot's
+constexpr double least_way_agreement = 0.5;  ///< cosine between the lines of a sample and of its closest point
 
 /// Limit for a search; far fewer steps are enough from a start that is near.
 constexpr std::size_t most_steps = 16;
@@ -39,7 +39,7 @@ Index nearest_start(Index v, const Vec3& point, LineKind kind, const MeshLines& 
 
 struct EdgePoint {
   double share;  ///< where on the edge, 0 … 1
-  Vec3 offset;   ///< from there to the other point
+  Vec3 offset;   ///< from there to the sample
 };
 
 EdgePoint nearest_on_edge(const Vec3& point, const Vec3& from, const Vec3& way) {
@@ -64,12 +64,12 @@ LineSamples::LineSamples(const MeshLines& lines, std::span<const Vec3> positions
       if (kind == LineKind::feature) samples_.push_back({positions[from], way, static_cast<double>(i), start, kind, 0});
     }
   }
-  feet_.resize(samples_.size());
+  closest_points_.resize(samples_.size());
 }
 
-void LineSamples::find_feet(const MeshLines& lines, const Surface& mesh, const detail::Workers& workers) {
+void LineSamples::find_closest_points(const MeshLines& lines, const Surface& mesh, const detail::Workers& workers) {
   for_each_range(samples_.size(), workers, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) feet_[i] = find(samples_[i], lines, mesh);
+    for (std::size_t i = begin; i < end; ++i) closest_points_[i] = find(samples_[i], lines, mesh);
   });
 }
 
@@ -78,10 +78,10 @@ std::vector<double> LineSamples::distances(const MeshLines& lines, std::span<con
   std::vector<double> of_points(positions.size());
   std::vector<double> of_vertex(positions.size(), infinity);
   for (std::size_t i = 0; i < samples_.size(); ++i) {
-    if (feet_[i].edge == invalid_index) continue;
-    const MeshLines::Edge& edge = lines.edges()[feet_[i].edge];
+    if (closest_points_[i].edge == invalid_index) continue;
+    const MeshLines::Edge& edge = lines.edges()[closest_points_[i].edge];
     for (const Index v : {edge.from, edge.to}) {
-      of_points[v] = std::max(of_points[v], feet_[i].offset.norm());
+      of_points[v] = std::max(of_points[v], closest_points_[i].offset.norm());
       of_vertex[v] =
           std::min(of_vertex[v], nearest_on_edge(positions[v], samples_[i].from, samples_[i].way).offset.norm());
     }
@@ -93,8 +93,8 @@ std::vector<double> LineSamples::distances(const MeshLines& lines, std::span<con
 }
 
 /// Walks along the lines: from the edges at one vertex to the edges at the other end of the nearest edge so far.
-LineFoot LineSamples::find(const LineSample& sample, const MeshLines& lines, const Surface& mesh) {
-  LineFoot foot;
+ClosestLinePoint LineSamples::find(const LineSample& sample, const MeshLines& lines, const Surface& mesh) {
+  ClosestLinePoint closest;
   double least = std::numeric_limits<double>::infinity();
   std::array<Index, most_steps> seen;
   std::size_t n_seen = 0;
@@ -112,13 +112,13 @@ LineFoot LineSamples::find(const LineSample& sample, const MeshLines& lines, con
       const auto [share, offset] = nearest_on_edge(sample.position(), mesh.positions[from], way);
       if (!(offset.squaredNorm() < least)) continue;
       least = offset.squaredNorm();
-      foot = {e, share, offset};
+      closest = {e, share, offset};
     }
-    if (foot.edge == invalid_index) break;
-    const auto& [from, to, kind] = lines.edges()[foot.edge];
+    if (closest.edge == invalid_index) break;
+    const auto& [from, to, kind] = lines.edges()[closest.edge];
     v = !is_seen(from) ? from : !is_seen(to) ? to : invalid_index;
   }
-  return foot;
+  return closest;
 }
 
 }  // namespace whittle::polishing

@@ -13,7 +13,7 @@ namespace whittle::polishing {
 enum class LineKind : std::uint8_t { border, feature, seam };
 constexpr std::size_t n_line_kinds = 3;
 
-/// The edges that make up a mesh's lines: its border, its features and its seams.
+/// The edges of a mesh's lines: its border, its features and its seams.
 class MeshLines {
  public:
   struct Edge {

@@ -9,8 +9,8 @@
 
 namespace whittle::polishing {
 
-/// A mesh with its vertices numbered along a Morton curve, and its faces by their lowest vertex. What is near is near
-/// in memory then, and vertices with successive numbers make up a patch.
+/// A mesh with its vertices numbered along a Morton curve, and its faces by their lowest vertex. Neighbours are near in
+/// memory, and vertices with successive numbers form a patch.
 class OrderedMesh {
  public:
   /// \param frame of the positions \param threads 0 = all cores
@@ -18,13 +18,13 @@ class OrderedMesh {
 
   IndexedMesh mesh;  ///< positions and faces
 
-  // From the mesh that it was made from to this one.
+  // From the input mesh to this one.
   std::vector<Index> map(std::span<const Index> vertices) const;  ///< `invalid_index` stays
   std::vector<VertexPair> map(std::span<const VertexPair> edges) const;
-  std::vector<std::uint8_t> per_vertex(std::span<const std::uint8_t> values) const;  ///< none stay none
-  std::vector<Index> per_face(std::span<const Index> values) const;                  ///< likewise
+  std::vector<std::uint8_t> per_vertex(std::span<const std::uint8_t> values) const;  ///< empty stays empty
+  std::vector<Index> per_face(std::span<const Index> values) const;                  ///< empty stays empty
 
-  /// Writes positions and faces. \param to the mesh that it was made from
+  /// Writes positions and faces. \param to the input mesh
   void write_to(IndexedMesh& to) const;
 
  private:

@@ -13,11 +13,11 @@ Index face_of(Index face) { return face; }
 Index face_of(const Corner& corner) { return corner.face; }
 
 template <class Lists>
-NearestPoint walk(std::span<const Triangle> faces, const Lists& at_vertex, std::span<const Vec3> positions,
+SurfacePoint walk(std::span<const Triangle> faces, const Lists& at_vertex, std::span<const Vec3> positions,
                   const Vec3& point, Index start) {
   std::array<Index, most_vertices> seen;
   std::size_t n_seen = 0;
-  NearestPoint nearest;
+  SurfacePoint nearest;
   for (Index v = start; v != invalid_index && n_seen < most_vertices;) {
     seen[n_seen++] = v;
     for (const auto& item : at_vertex.of(v)) {
@@ -50,12 +50,12 @@ NearestPoint walk(std::span<const Triangle> faces, const Lists& at_vertex, std::
 
 }  // namespace
 
-NearestPoint walk_to_nearest(std::span<const Triangle> faces, const detail::IndexLists<Index>& faces_at_vertex,
+SurfacePoint walk_to_nearest(std::span<const Triangle> faces, const detail::IndexLists<Index>& faces_at_vertex,
                              std::span<const Vec3> positions, const Vec3& point, Index start) {
   return walk(faces, faces_at_vertex, positions, point, start);
 }
 
-NearestPoint walk_to_nearest(const Surface& surface, const Vec3& point, Index start) {
+SurfacePoint walk_to_nearest(const Surface& surface, const Vec3& point, Index start) {
   return walk(surface.faces, surface.corners, surface.positions, point, start);
 }
 

@@ -16,14 +16,14 @@ struct Surface {
   std::span<const Vec3> positions;
 };
 
-/// The point of a surface that is nearest to some point.
-struct NearestPoint {
+/// A point on a surface, and its squared distance from the point it was searched for.
+struct SurfacePoint {
   Index face = invalid_index;  ///< `invalid_index` if no face was found
   Barycentric at{0, 0};        ///< in the face
   double distance_sq = std::numeric_limits<double>::infinity();
 };
 
-/// The nearest to a point of some vertices; the first of equally near ones.
+/// Finds the vertex nearest to a point; the first of equally near ones.
 struct NearestVertex {
   Vec3 point;
   Index vertex = invalid_index;
@@ -37,12 +37,11 @@ struct NearestVertex {
   }
 };
 
-/// The point nearest to `point` that a walk over a surface finds. Each step looks at the faces at one vertex, first at
-/// `start`. The next vertex is the corner of the nearest face so far with the largest barycentric coordinate, of those
-/// not visited yet.
-/// \param faces_at_vertex for each vertex its faces
-NearestPoint walk_to_nearest(std::span<const Triangle> faces, const detail::IndexLists<Index>& faces_at_vertex,
+/// The closest point to `point` that a walk over a surface finds. Each step looks at the faces at one vertex, first at
+/// `start`. The next vertex is the unvisited corner of the nearest face so far with the largest barycentric coordinate.
+/// \param faces_at_vertex the faces at each vertex
+SurfacePoint walk_to_nearest(std::span<const Triangle> faces, const detail::IndexLists<Index>& faces_at_vertex,
                              std::span<const Vec3> positions, const Vec3& point, Index start);
-NearestPoint walk_to_nearest(const Surface& surface, const Vec3& point, Index start);
+SurfacePoint walk_to_nearest(const Surface& surface, const Vec3& point, Index start);
 
 }  // namespace whittle::polishing

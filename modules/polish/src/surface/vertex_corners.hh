@@ -14,7 +14,7 @@ struct Corner {
   Index slot;  ///< which of the face's corners, 0 … 2
 };
 
-/// For each vertex its corners, ascending by face.
+/// The corners of each vertex, ascending by face.
 using VertexCorners = detail::IndexLists<Corner>;
 
 inline VertexCorners corners_by_vertex(std::span<const Triangle> faces, std::size_t n_vertices) {

@@ -30,7 +30,7 @@ ThreePlanes opponent_planes(const Picture& picture) {
   return planes;
 }
 
-// Spatial filtering: what the eye can't resolve is blurred, more so in colours than in lightness. ---------------------
+// Spatial filtering: details that the eye can't resolve are blurred, colours more than lightness. ---------------------
 
 /// One term of a contrast sensitivity function in space, a · √(π/b) · exp(-π² x²/b), x in degrees.
 struct Gaussian {
@@ -47,7 +47,7 @@ int sensitivity_radius(double pixels_per_degree) {
   return static_cast<int>(std::ceil(3 * std::sqrt(blue_yellow_narrow.b / (2 * pi * pi)) * pixels_per_degree));
 }
 
-/// A Gaussian along one axis, with sum 1. \param sum what it was before
+/// A Gaussian along one axis, with sum 1. \param sum the sum before
 Kernel gaussian_kernel(const Gaussian& term, double pixels_per_degree, double& sum) {
   const int r = sensitivity_radius(pixels_per_degree);
   std::vector<double> weights;
@@ -83,7 +83,7 @@ Plane blurred_blue_yellow(const Plane& plane, double pixels_per_degree) {
   return narrow;
 }
 
-/// What the eye sees of a picture, in CIELAB.
+/// The picture as perceived by the eye, in CIELAB.
 std::vector<Triple> perceived_colors(const ThreePlanes& planes, double pixels_per_degree) {
   double volume = 0;  // of a single term: it has all the weight
   const ThreePlanes seen = {blurred(planes[0], achromatic, pixels_per_degree, volume),

@@ -1,6 +1,6 @@
 #pragma once
 
-// Without these EGL's headers include those of X11.
+// Without these EGL's headers include X11's.
 #define EGL_NO_X11
 #define MESA_EGL_NO_X11_HEADERS
 #include <EGL/egl.h>
@@ -24,7 +24,7 @@ struct EglLibrary {
 
   EGLDisplay display = EGL_NO_DISPLAY;
 
-  /// \throw std::runtime_error, one line, if libEGL or the driver isn't there
+  /// \throw std::runtime_error, one line, if libEGL or the driver is missing
   static const EglLibrary& get();
 };
 

@@ -11,14 +11,14 @@
 
 namespace whittle::render {
 
-/// A scene in OpenGL's memory. All functions need the context to be current. The context frees what is made here.
+/// A scene in OpenGL's memory. All functions need the context to be current. The context frees its objects.
 class SceneBuffers {
  public:
   /// \param arrays of a scene that is still there
   /// \throw std::invalid_argument if the array of an image doesn't have its size
   SceneBuffers(const GlFunctions& gl, SceneArrays arrays);
 
-  /// Draws all faces into the framebuffer: first those that don't blend, then the others from back to front.
+  /// Draws all faces into the framebuffer: first opaque faces, then blended faces from back to front.
   /// \param to_eye unit vector
   void draw(unsigned program, const Eigen::Vector3f& to_eye);
   /// The faces that don't blend.

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is computed for each vertex and each sample. docs/dev/render.md has the formula of the shading.
+// Computations per vertex and per sample. docs/dev/render.md has the formula of the shading.
 
 namespace whittle::render {
 

@@ -16,7 +16,7 @@ Real linear_of_srgb(Real value) {
 /// The nearest of the 256 sRGB values. Light below 0 gives 0, above 1 gives 255. Takes a table, no power.
 std::uint8_t srgb8_of_linear(float light);
 
-/// The nearest of 256 values: [0, 1] to 0 … 255. What is outside is clamped.
+/// The nearest of 256 values: [0, 1] to 0 … 255, clamped.
 inline std::uint8_t to_8_bits(float value) {
   return static_cast<std::uint8_t>(value > 0 ? (value < 1 ? value * 255 + 0.5F : 255.0F) : 0.0F);
 }

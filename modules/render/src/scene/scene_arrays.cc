@@ -174,7 +174,7 @@ class PartWriter {
     return unit_or_zero(normal_matrix_ * unit_or_zero({n[0], n[1], n[2]}));
   }
 
-  /// Of the placed face: outwards also where the transform mirrors.
+  /// Normal of the placed face, outwards also if the transform mirrors.
   Vec3 face_normal_of(std::size_t face) const {
     const Triangle& t = mesh_.faces[face];
     const Vec3 ab = (positions_[t[1]] - positions_[t[0]]) / frame_.radius;

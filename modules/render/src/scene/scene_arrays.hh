@@ -10,7 +10,7 @@
 
 namespace whittle::render {
 
-/// What OpenGL is told of a vertex.
+/// Vertex data for OpenGL.
 struct SceneVertex {
   std::array<float, 3> position;  ///< in the unit of the frame's radius, from its centre
   std::array<float, 3> normal;    ///< unit length; 0 for a face without area
@@ -26,7 +26,7 @@ struct Batch {
   std::size_t n_indices = 0;
 };
 
-/// A face that blends with what is behind it.
+/// A face that blends with the background.
 struct BlendFace {
   std::array<std::uint32_t, 3> vertices;
   std::uint32_t batch;
@@ -40,13 +40,13 @@ struct SceneArrays {
   std::vector<BlendFace> blend_faces;
 };
 
-/// \throw std::invalid_argument if a face names a vertex or a wedge that isn't there, or arrays of a mesh are too short
+/// \throw std::invalid_argument if a face names a missing vertex or wedge, or arrays of a mesh are too short
 SceneArrays scene_arrays(const Scene& scene, const Sphere& frame);
 
 /// The positions of a part's vertices in the scene.
 std::vector<Vec3> placed_positions(const Part& part);
 
-/// Whether a face has three different corners at finite places. \throw std::invalid_argument if one isn't there
+/// Whether a face has three different corners at finite positions. \throw std::invalid_argument for a missing corner
 bool can_be_drawn(const Triangle& face, const std::vector<Vec3>& positions);
 
 }  // namespace whittle::render

@@ -1,7 +1,7 @@
-// The run that the page can play: levels between the original and the result.
+// A recorded run that the page plays: levels between the original and the result.
 import {unit, unitPositions} from './surface.js';
 
-/** Numbers without a known end. */
+/** A growing list of numbers. */
 class Numbers {
   constructor(capacity) {
     this.array = new Uint32Array(Math.max(16, capacity));
@@ -23,11 +23,11 @@ const none = 0xffffffff;
 /** 0, 1, 2, 3, … stand for 0, −1, 1, −2, … */
 const difference = (packed) => packed >>> 1 ^ -(packed & 1);
 
-/** A level is the surface after so many steps. A step is a contraction, or a pass of polish. */
+/** Level k is the surface after k steps. A step is a contraction, or a pass of polish. */
 export class Recording {
   constructor(json, array, original) {
     this.nSteps = json.steps;
-    this.levels = json.levels; // {faces, mean, max}, some of them
+    this.levels = json.levels; // {faces, mean, max}, measured levels
     this.coarse = new Uint32Array(0);
     this.borders = new Uint32Array(0);
     this.nonmanifold = new Uint32Array(0);
@@ -45,7 +45,7 @@ export class Recording {
     this.nContractions = 0;
     this.nEnds = 0;
     this.readSteps(json, array, original.positions);
-    this.rehearse();
+    this.buildIndex();
     this.corners = new Uint32Array(original.corners.length);
     this.listFaces();
   }
@@ -91,8 +91,8 @@ export class Recording {
       }
       this.ends.push(end);
     }
-    this.hidings = array(json.hidings, Uint32Array); // step, face, whether it is hidden
-    this.nHidings = 0;
+    this.visibility = array(json.visibility, Uint32Array); // step, face, whether it is hidden
+    this.nVisibilityChanges = 0;
   }
 
   hasThreeCorners(i) {
@@ -101,12 +101,12 @@ export class Recording {
       faceCorners[i + 2] !== faceCorners[i];
   }
 
-  /** Goes through all steps and back, to find out what undoes them. */
-  rehearse() {
+  /** Goes through all steps and back, and fills the undo log. */
+  buildIndex() {
     const n = this.removed.length;
-    this.renamed = new Numbers(6 * n);
-    this.firstRenamed = new Uint32Array(n + 1);
-    this.before = new Float32Array(3 * n);
+    this.undoCorners = new Numbers(6 * n);
+    this.firstUndoCorner = new Uint32Array(n + 1);
+    this.undoPositions = new Float32Array(3 * n);
     this.first = new Uint32Array(this.nVertices);
     this.next = new Uint32Array(this.faceCorners.length);
     this.listCorners();
@@ -114,16 +114,16 @@ export class Recording {
       if (this.isEndNext()) {
         this.endPass(true);
       } else {
-        this.findRenamed();
+        this.logCorners();
         this.contract();
       }
     }
-    this.renamed = this.renamed.array;
+    this.undoCorners = this.undoCorners.array;
     this.first = this.next = null;
     this.goTo(0);
   }
 
-  /** The corners at each vertex. */
+  /** Lists the corners at each vertex. */
   listCorners() {
     this.first.fill(none);
     for (let c = 0; c < this.faceCorners.length; ++c) {
@@ -136,23 +136,23 @@ export class Recording {
     this.first[vertex] = corner;
   }
 
-  findRenamed() {
+  logCorners() {
     const i = this.nContractions;
     const removed = this.removed[i];
     const survivor = this.survivor[i];
-    this.before.set(this.positions.subarray(3 * survivor, 3 * survivor + 3), 3 * i);
-    this.firstRenamed[i] = this.renamed.length;
+    this.undoPositions.set(this.positions.subarray(3 * survivor, 3 * survivor + 3), 3 * i);
+    this.firstUndoCorner[i] = this.undoCorners.length;
     let corner = this.first[removed];
     this.first[removed] = none;
     while (corner !== none) {
       const next = this.next[corner];
       if (this.hasThreeCorners(corner - corner % 3)) {
-        this.renamed.push(corner);
+        this.undoCorners.push(corner);
         this.listCorner(survivor, corner);
       }
       corner = next;
     }
-    this.firstRenamed[i + 1] = this.renamed.length;
+    this.firstUndoCorner[i + 1] = this.undoCorners.length;
   }
 
   isEndNext() {
@@ -163,16 +163,16 @@ export class Recording {
     return this.nEnds > 0 && this.ends[this.nEnds - 1].nContractions === this.nContractions;
   }
 
-  rename(i, vertex) {
-    const renamed = this.renamed.array ?? this.renamed;
-    for (let k = this.firstRenamed[i]; k < this.firstRenamed[i + 1]; ++k) this.faceCorners[renamed[k]] = vertex;
+  setCorners(i, vertex) {
+    const corners = this.undoCorners.array ?? this.undoCorners;
+    for (let k = this.firstUndoCorner[i]; k < this.firstUndoCorner[i + 1]; ++k) this.faceCorners[corners[k]] = vertex;
   }
 
   contract() {
     const i = this.nContractions;
-    this.rename(i, this.survivor[i]);
+    this.setCorners(i, this.survivor[i]);
     this.positions.set(this.after.subarray(3 * i, 3 * i + 3), 3 * this.survivor[i]);
-    this.hide();
+    this.applyVisibility();
     ++this.nContractions;
     ++this.step;
   }
@@ -180,12 +180,12 @@ export class Recording {
   undoContraction() {
     const i = --this.nContractions;
     --this.step;
-    this.undoHiding();
-    this.positions.set(this.before.subarray(3 * i, 3 * i + 3), 3 * this.survivor[i]);
-    this.rename(i, this.removed[i]);
+    this.undoVisibility();
+    this.positions.set(this.undoPositions.subarray(3 * i, 3 * i + 3), 3 * this.survivor[i]);
+    this.setCorners(i, this.removed[i]);
   }
 
-  /** Exchanges what a pass of polish has with what there is. */
+  /** Swaps the positions and corners of a pass of polish with the current ones. */
   exchange(end) {
     for (let k = 0; k < end.vertices.length; ++k) {
       for (let d = 0; d < 3; ++d) {
@@ -207,7 +207,7 @@ export class Recording {
 
   endPass(isFirstTime = false) {
     const end = this.ends[this.nEnds++];
-    this.hide();
+    this.applyVisibility();
     this.exchange(end);
     ++this.step;
     if (isFirstTime && end.faces.length > 0) this.listCorners();
@@ -216,18 +216,22 @@ export class Recording {
   undoEnd() {
     --this.step;
     this.exchange(this.ends[--this.nEnds]);
-    this.undoHiding();
+    this.undoVisibility();
   }
 
-  hide() {
-    for (; 3 * this.nHidings < this.hidings.length && this.hidings[3 * this.nHidings] === this.step; ++this.nHidings) {
-      this.isHidden[this.hidings[3 * this.nHidings + 1]] = this.hidings[3 * this.nHidings + 2];
+  applyVisibility() {
+    const {visibility} = this; // step, face, whether it is hidden
+    for (let i = 3 * this.nVisibilityChanges; i < visibility.length && visibility[i] === this.step; i += 3) {
+      this.isHidden[visibility[i + 1]] = visibility[i + 2];
+      ++this.nVisibilityChanges;
     }
   }
 
-  undoHiding() {
-    for (; this.nHidings > 0 && this.hidings[3 * this.nHidings - 3] === this.step; --this.nHidings) {
-      this.isHidden[this.hidings[3 * this.nHidings - 2]] = 1 - this.hidings[3 * this.nHidings - 1];
+  undoVisibility() {
+    const {visibility} = this;
+    for (let i = 3 * this.nVisibilityChanges - 3; i >= 0 && visibility[i] === this.step; i -= 3) {
+      this.isHidden[visibility[i + 1]] = 1 - visibility[i + 2];
+      --this.nVisibilityChanges;
     }
   }
 
@@ -236,7 +240,7 @@ export class Recording {
     while (this.step > step) this.isEndLast() ? this.undoEnd() : this.undoContraction();
   }
 
-  /** The corners of the faces that are there, in `corners`; there are `nFaces`. */
+  /** Fills `corners` and `nFaces` with the visible faces. */
   listFaces() {
     const {faceCorners, corners, isHidden} = this;
     let n = 0;
@@ -253,7 +257,7 @@ export class Recording {
     ++this.version;
   }
 
-  /** The level after so many contractions, passes of polish right after them included. */
+  /** The level after nContractions contractions, and after a pass of polish that follows them. */
   stepAfter(nContractions) {
     let nEnds = 0;
     while (nEnds < this.ends.length && this.ends[nEnds].nContractions <= nContractions) ++nEnds;
@@ -265,7 +269,7 @@ export class Recording {
     return this.stepAfter(Math.round(Math.min(1, Math.max(0, share)) * this.removed.length));
   }
 
-  /** The first level of so few faces, or the last one. */
+  /** The first level with at most nFaces faces, or the last one. */
   stepOfFaces(nFaces) {
     let low = 0;
     let high = this.removed.length;
@@ -285,7 +289,7 @@ export class Recording {
     return true;
   }
 
-  /** Where the vertices of a level are, and where those are that they go into at a later one. */
+  /** The positions of a level's vertices, and the positions of their survivors at a later level. */
   movement(from, to) {
     this.goTo(to);
     const into = new Uint32Array(this.nVertices);
@@ -299,7 +303,7 @@ export class Recording {
     return {from, to, start: this.positions.slice(), goal};
   }
 
-  /** The mean and greatest error at a number of faces, between those that are known, on logarithmic scales. */
+  /** The mean and largest error at a number of faces, interpolated between measured levels on logarithmic scales. */
   errorAt(nFaces) {
     const levels = this.levels;
     if (levels.length === 0) return null;

@@ -1,5 +1,5 @@
-// Borders of meshes of a glTF file that coincide in the scene. Each mesh has its own coordinates, which the file rounds
-// to 32 bits, and so do its nodes: what lies at one place in the scene may lie a little apart.
+// Borders of meshes of a glTF file that coincide in the scene. The file rounds each mesh's coordinates, and nodes, to
+// 32 bits, so coincident points may lie a little apart.
 #include <algorithm>
 #include <cstddef>
 #include <span>
@@ -17,12 +17,13 @@
 namespace whittle {
 namespace {
 
-/// Scenes may have copies without end. Those of more faces aren't looked at.
+/// Largest number of faces of a scene to check: copies can multiply it without end.
 constexpr std::size_t most_faces = std::size_t{1} << 24;
 
-/// Of vertices that were welded, those of several copies: for each vertex the first one of its group, itself if it is
-/// that, or if its copy has another vertex in the group. What a mesh has apart stays apart.
-/// \param welded a number for each group, or `invalid_index` \param copies of the vertices
+/// Welds between copies: for each vertex the first one of its group; itself if it is the first, or if its copy has
+/// another vertex in the group. Vertices of one mesh stay apart.
+/// \param welded a number for each group, or `invalid_index`
+/// \param copies of the vertices
 std::vector<Index> joined_across(const std::vector<Index>& welded, const std::vector<Index>& copies) {
   std::vector<Index> by_group;
   std::vector<Index> joined(welded.size());
@@ -45,7 +46,7 @@ std::vector<Index> joined_across(const std::vector<Index>& welded, const std::ve
 
 }  // namespace
 
-/// Four times what rounding to 24 bits takes from a coordinate.
+/// Four times the error of rounding a coordinate to 24 bits.
 double GltfFile::border_tolerance(const IndexedMesh& mesh) const {
   return 0x1p-22 * std::max(reach_, diagonal_of(mesh.positions));
 }
@@ -80,7 +81,7 @@ void GltfFile::weld_borders(const io::ReadOptions& options, io::ReadResult& all)
   if (scope_ != SceneScope::scene) remember_welded(origins, map, all.mesh);
 }
 
-/// \param origins of the vertices before \param map what has become of each in `mesh`
+/// \param origins of the vertices before \param map the vertex of `mesh` for each
 void GltfFile::remember_welded(const std::vector<Index>& origins, const std::vector<Index>& map,
                                const IndexedMesh& mesh) {
   std::size_t i = 0;

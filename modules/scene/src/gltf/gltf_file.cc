@@ -19,7 +19,7 @@
 namespace whittle {
 namespace {
 
-/// The attribute of `attributes` with the values that one of a part has. Null if it was dropped.
+/// The attribute of the same name and kind. Null if it was dropped.
 const Attribute* find_same_kind(const std::vector<Attribute>& attributes, const Attribute& attribute) {
   const auto found = std::find_if(attributes.begin(), attributes.end(),
                                   [&](const Attribute& other) { return is_same_kind(other, attribute); });
@@ -34,19 +34,19 @@ IndexedMesh a_point_of(IndexedMesh mesh) {
   return mesh;
 }
 
-/// Whether a map leaves enough digits to be undone: it stretches no direction a million times as much as another.
+/// Whether a map can be inverted precisely: it stretches no direction a million times as much as another.
 bool can_be_undone(const Eigen::Affine3d& map) {
   if (!map.matrix().allFinite()) return false;
   const Vec3 stretches = Eigen::JacobiSVD<Eigen::Matrix3d>(map.linear()).singularValues();
   return stretches[0] < 1e100 && stretches[2] > 1e-100 && stretches[2] > 1e-6 * stretches[0];
 }
 
-/// The place where a mesh is largest, of those that can be undone. As the mesh is if there is none.
+/// The invertible place with the largest mesh; the identity without one.
 Eigen::Affine3d largest_of(std::span<const Eigen::Affine3d> places) {
   const Eigen::Affine3d* largest = nullptr;
   const auto size = [](const Eigen::Affine3d& place) { return std::abs(place.linear().determinant()); };
   for (const Eigen::Affine3d& place : places) {
-    // Of those that rounding tells apart, the first one: so meshes below one node are taken below one node.
+    // Of places equal up to rounding, the first one: so meshes below one node are taken below one node.
     if (can_be_undone(place) && (largest == nullptr || size(place) > (1 + 1e-6) * size(*largest))) largest = &place;
   }
   return largest == nullptr ? Eigen::Affine3d::Identity() : *largest;
@@ -305,7 +305,7 @@ double GltfFile::widest_gap_as_written(const IndexedMesh& mesh) const {
   return widest;
 }
 
-/// The meshes as a file can have them: those that have vanished are a point. \param level what warnings begin with
+/// The meshes for a file; vanished meshes become a point. \param level beginning of warnings
 std::vector<IndexedMesh> GltfFile::split_for_file(const IndexedMesh& mesh, const std::string& level,
                                                   std::vector<std::string>& warnings) const {
   std::vector<IndexedMesh> meshes = split(mesh);

@@ -23,11 +23,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is found beside a mesh file, and what isn't.
+/// Materials beside a mesh file, and missing files.
 struct Looks {
   std::vector<Material> materials;  ///< by face group
   bool has_several_textures;        ///< as `io::SurfaceMaterials` has it, if the mesh has coordinates for them
-  std::vector<fs::path> missing{};  ///< files that are named and aren't there
+  std::vector<fs::path> missing{};  ///< named files that don't exist
   std::vector<fs::path> foreign{};  ///< images of formats that glTF doesn't have
 };
 
@@ -38,7 +38,7 @@ std::string listed_paths(const std::vector<fs::path>& paths) {
   return listed(names);
 }
 
-/// Those that a face is in; all are one if there are none.
+/// Groups with faces; one group if the mesh has none.
 std::set<std::size_t> used_groups(const IndexedMesh& mesh) {
   if (mesh.face_groups.empty()) return {0};
   return {mesh.face_groups.begin(), mesh.face_groups.end()};
@@ -73,7 +73,7 @@ std::vector<std::string> problems_of(const Looks& looks, const IndexedMesh& mesh
   return problems;
 }
 
-/// As glTF has it.
+/// The mesh with glTF's direction of texture coordinates.
 IndexedMesh turned(IndexedMesh mesh) {
   if (mesh.face_groups.empty()) mesh.group_names = {""};
   flip_texcoords(mesh);
@@ -89,7 +89,7 @@ gltf::NewAsset new_asset_of(const IndexedMesh& mesh, CoarserLevels levels) {
   return asset;
 }
 
-/// Reads the images of groups that have faces, and takes those away that glTF doesn't have.
+/// Reads the images of groups with faces, and drops images that glTF doesn't support.
 void read_images_for_gltf(const IndexedMesh& mesh, const fs::path& folder, Looks& looks) {
   const std::set<std::size_t> used = used_groups(mesh);
   for (std::size_t group = 0; group < looks.materials.size(); ++group) {

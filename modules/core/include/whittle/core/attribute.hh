@@ -8,7 +8,7 @@
 
 namespace whittle {
 
-/// What the numbers of an attribute mean, and so how values are blended and compared.
+/// Meaning of an attribute's numbers. It decides how values are blended and compared.
 enum class AttributeKind : std::uint8_t {
   texcoord,       ///< Two or three coordinates in a texture.
   normal,         ///< A direction of unit length.
@@ -18,20 +18,20 @@ enum class AttributeKind : std::uint8_t {
   displacement,   ///< A vector that a morph target adds to a position.
   direction,      ///< A vector that a morph target adds to a normal or a tangent.
   scalar,         ///< Any real numbers.
-  category        ///< Numbers of things. Never blended: one of the values survives.
+  category        ///< Identifiers. Never blended: one of the values survives.
 };
 
 /// How a file stores a number.
 enum class ScalarType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-/// A named attribute, with one value for each wedge, or face, of a mesh.
+/// A named attribute, with one value per wedge, or per face, of a mesh.
 struct Attribute {
-  std::string name{};  ///< as the file has it: "TEXCOORD_0", "quality"
+  std::string name{};  ///< from the file: "TEXCOORD_0", "quality"
   AttributeKind kind = AttributeKind::scalar;
   std::size_t n_components = 1;  ///< At least 1.
-  std::vector<double> values{};  ///< `n_components` for each, one after the other.
+  std::vector<double> values{};  ///< `n_components` per wedge or face, in turn.
   ScalarType type = ScalarType::float32;
-  bool is_normalized = false;  ///< Whether a file stores integers for [0, 1] or [-1, 1]. `values` are real numbers.
+  bool is_normalized = false;  ///< Whether a file stores integers that stand for [0, 1] or [-1, 1]; `values` are reals.
 
   Attribute without_values() const { return {name, kind, n_components, {}, type, is_normalized}; }
   std::size_t size() const { return values.size() / n_components; }

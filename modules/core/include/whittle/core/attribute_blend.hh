@@ -8,28 +8,29 @@
 
 namespace whittle {
 
-/// How many of the first numbers of a value may be blended one by one, by sums.
+/// Number of leading components that are blended one by one, by sums.
 std::size_t n_linear(AttributeKind kind, std::size_t n_components);
 
-/// Gives a value that was summed up unit length again, or puts it into [0, 1], as its kind asks.
-/// \param before what stays where a direction has no length
+/// Scales a summed value to unit length, or clamps it to [0, 1], by its kind.
+/// \param before the value to keep if a direction has no length
 void restore_range(AttributeKind kind, std::span<const double> before, std::span<double> value);
 
-/// The weighted mean of some values of an attribute, as its kind asks. It can be used again after `result`.
+/// Computes the weighted mean of values of an attribute, by its kind. Can be used again after `result`.
 class AttributeBlend {
  public:
   AttributeBlend(AttributeKind kind, std::size_t n_components);
 
   void add(std::span<const double> value, double weight);
-  /// \pre something was added \param to gets the mean
-  /// \return false where directions cancel out: then `to` is as it was
+  /// \pre a value was added
+  /// \param to gets the mean
+  /// \return false if directions cancel out; then `to` is unchanged
   bool result(std::span<double> to);
 
  private:
   struct Vote {
     double what;  ///< a joint, or a category in the first component
     double weight;
-    std::vector<double> value;  ///< of a category, as it was first added
+    std::vector<double> value;  ///< of a category: the first value added
   };
 
   void vote(double what, double weight, std::span<const double> value);

@@ -4,7 +4,7 @@
 
 #include "whittle/core/indexed_mesh.hh"
 
-// A mesh's arrays as plain numbers, without a copy. They are valid as long as the mesh's arrays are.
+// Views of a mesh's arrays as plain numbers, without a copy. They are valid as long as the mesh's arrays.
 
 namespace whittle {
 

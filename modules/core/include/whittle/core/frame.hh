@@ -12,9 +12,9 @@
 namespace whittle {
 
 /// Internal coordinates, so that neither the unit nor the position of a mesh changes a result. They are scaled by a
-/// power of two to a size between 1/2 and 1, and centred along those axes where the mesh is far from the origin.
+/// power of two to a size between 1/2 and 1, and centred along axes where the mesh is far from the origin.
 ///
-/// Both conversions are exact for the positions the frame was made for: a vertex that nothing moves keeps every bit.
+/// Both conversions are exact for the positions the frame was made for: a vertex that doesn't move keeps every bit.
 struct Frame {
   Vec3 center = Vec3::Zero();
   double scale = 1;    ///< frame units per model unit, a power of two
@@ -24,8 +24,7 @@ struct Frame {
   Corners to_frame(const Corners& c) const { return {to_frame(c[0]), to_frame(c[1]), to_frame(c[2])}; }
   Vec3 to_model(const Vec3& x) const { return x * unscale + center; }
 
-  /// Converts a cost from the frame to model units, and back. \param dimension the cost's unit is a length to this
-  /// power
+  /// Converts a cost from the frame to model units, and back. \param dimension power of length in the cost's unit
   double cost_to_model(double cost, double dimension) const { return CostUnit(unscale, dimension).times(cost); }
   double cost_to_frame(double cost, double dimension) const { return CostUnit(scale, dimension).times(cost); }
 
@@ -34,7 +33,7 @@ struct Frame {
   class CostUnit {
    public:
     CostUnit(double factor, double dimension) : half_(detail::power(factor, 0.5 * dimension)) {}
-    /// Nothing costs nothing in any unit.
+    /// 0 stays 0 in any unit.
     double times(double cost) const { return cost == 0 ? 0 : cost * half_ * half_; }
 
    private:

@@ -23,7 +23,7 @@ using Triangle = std::array<Index, 3>;
 inline bool has_three_corners(const Triangle& face) {
   return face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
 }
-/// How many corners of one face are corners of the other.
+/// Number of corners of one face that are corners of the other.
 inline int n_common_corners(const Triangle& face, const Triangle& other) {
   int n = 0;
   for (const Index v : face) n += int{v == other[0]} | int{v == other[1]} | int{v == other[2]};
@@ -38,12 +38,12 @@ using Color = std::array<float, 4>;
 ///
 /// A vertex may have several attribute values: one on each side of a texture seam. Each of them is a *wedge*
 /// (\cite hoppe_1999_attributes), and each corner of a face has one. W is the number of wedges. Where `wedges` is
-/// empty, each vertex has one wedge, with the vertex's number, and W = V. wedges.hh has what to do with them.
+/// empty, each vertex has one wedge, with the vertex's number, and W = V. wedges.hh has their functions.
 ///
 /// An attribute array is either empty (absent) or as long as its comment says.
 struct IndexedMesh {
-  std::vector<Vec3>
-      positions;  ///< V; finite, model units. At most 2^500 (3e150), so that squares of lengths are finite.
+  /// V; finite, model units. At most 2^500 (3e150), so that squares of lengths are finite.
+  std::vector<Vec3> positions;
   std::vector<Triangle> faces;  ///< F; every number below V.
 
   /// 3F or empty; the wedge of corner c of face f at 3f + c, below W. Corners with one wedge are at one vertex.
@@ -57,8 +57,8 @@ struct IndexedMesh {
   std::vector<Index> face_groups;          ///< F; the material or group, a number into `group_names`.
   std::vector<std::string> group_names;
 
-  /// V; the number that each vertex had in the first file or array, ascending. Welding keeps the lowest number of the
-  /// merged vertices, decimation that of the surviving vertex. Empty: vertex v has origin v.
+  /// V; the number of each vertex in the first file or array, ascending. Welding keeps the lowest number of the merged
+  /// vertices, decimation the number of the surviving vertex. Empty: vertex v has origin v.
   std::vector<Index> origins;
 
   /// The wedge at a corner of a face.

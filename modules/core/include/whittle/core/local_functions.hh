@@ -11,33 +11,34 @@
 
 namespace whittle {
 
-/// A number on a surface, as a linear function of the position, near one place.
+/// A component on a surface as a linear function of the position, near one point.
 struct LocalFunction {
   Vec3 center = Vec3::Zero();  ///< in the frame
   double mean = 0;             ///< at the center
   Vec3 slope = Vec3::Zero();   ///< per unit of the frame
-  double low = 0, high = 0;    ///< of the values there
-  bool is_linear = false;      ///< whether the number is such a function there, but for a hundredth of how it varies
-  bool stays = false;          ///< whether also a linear number goes no further than low and high
+  double low = 0, high = 0;    ///< range of the values around
+  bool is_linear = false;      ///< whether the values around are linear, to a hundredth of their variation
+  bool stays = false;          ///< whether also linear values are clamped to low and high
 
   double at(const Vec3& position) const { return mean + slope.dot(position - center); }
-  /// Puts a number back into the range of the values there. A linear number may go on beyond them, unless it stays.
+  /// Clamps a number to [low, high]. Linear values are clamped only if `stays`.
   double in_range(double number, const Vec3& position) const;
 };
 
-/// How the numbers of an input go around each wedge of a mesh that was made from it: linear functions of the position
-/// that are fitted to the faces with a corner that was merged into the wedge, each by its area. So attributes that are
-/// linear in the position have their functions, to rounding, wherever the wedge goes: beside the surface, too.
+/// Linear functions of the position around each wedge of a mesh made from an input. They are fitted to the faces with a
+/// corner merged into the wedge, weighted by area. So attributes that are linear in the position keep their functions,
+/// to rounding, wherever the wedge goes, even beside the surface.
 ///
-/// Across a thin layer of points the slope is what noise makes of it. So along each main axis of the points the slope
-/// g is made shorter, to g · e / (e + s² / n): e is the variance that it explains, s² the variance that is left, n the
-/// number of faces. That is all of g where nothing is left, and nothing where g is noise. The error that rounded
-/// values make is no more than theirs, times the distance over the thickness.
+/// Across a thin layer of points the slope is mostly noise. So along each main axis of the points the slope g is shrunk
+/// to g · e / (e + s² / n): e is the variance that it explains, s² the residual variance, n the number of faces.
+/// Without residual g stays; if g is noise, it becomes about 0. Rounding errors of values grow at most by the distance
+/// over the thickness.
 class LocalFunctions {
  public:
-  /// Keeps references to the input and the map. \param frame of the input
-  /// \param wedge_map for each wedge of the input that of the mesh that it has become, or `invalid_index`
-  /// \param n_wedges of the mesh
+  /// Keeps references to the input and the map.
+  /// \param frame of the input
+  /// \param wedge_map for each wedge of the input its wedge in the mesh, or `invalid_index`
+  /// \param n_wedges number of wedges of the mesh
   LocalFunctions(const IndexedMesh& input, const Frame& frame, std::span<const Index> wedge_map, std::size_t n_wedges,
                  unsigned threads);
 
@@ -46,7 +47,7 @@ class LocalFunctions {
   std::span<const Index> wedge_map() const { return wedge_map_; }
   std::size_t n_wedges() const { return places_.size(); }
 
-  /// Whether any of the input lies around w. The other functions need that.
+  /// Whether faces of the input lie around w. The other functions require it.
   bool any(Index w) const { return !faces_of_.of(w).empty(); }
   /// Calls visit(wedge of the input, position in the frame) for each corner of the faces around w.
   template <class Visit>
@@ -57,7 +58,7 @@ class LocalFunctions {
       }
     }
   }
-  /// \param value of a wedge of the input → its number
+  /// The function around wedge w. \param value maps a wedge of the input to its number
   template <class Value>
   LocalFunction around(Index w, const Value& value) const {
     Sums sums(value(input_.wedge(faces_of_.of(w).front(), 0)));
@@ -76,10 +77,10 @@ class LocalFunctions {
   struct Place {
     Vec3 center = Vec3::Zero();
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< main axes, in columns
-    Vec3 variance = Vec3::Zero();                        ///< along them; 0 if that is no more than rounding error
+    Vec3 variance = Vec3::Zero();                        ///< along the axes; 0 if within rounding error
   };
   struct Sums {
-    double first;  ///< the value that others are looked at from, so that large ones lose no digits
+    double first;  ///< offset of all values, so that large ones lose no digits
     double low = first, high = first;
     double weight = 0, value = 0, square = 0;
     Vec3 moment = Vec3::Zero();

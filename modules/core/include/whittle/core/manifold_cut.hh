@@ -13,10 +13,10 @@
 
 namespace whittle {
 
-/// Faces, some of whose vertices are replaced by copies.
+/// Faces in which some vertices are replaced by copies.
 struct ManifoldCut {
   std::vector<Triangle> faces;   ///< all faces in their order, each with its orientation and first corner
-  std::vector<Index> originals;  ///< for each added vertex n_vertices + i, the vertex it is a copy of
+  std::vector<Index> originals;  ///< for each added vertex n_vertices + i, the vertex that it copies
 };
 
 /// The fan of a vertex's lowest face keeps the vertex's number. Copies for the others are added in the order of the
@@ -30,8 +30,8 @@ struct ManifoldCut {
 /// \throw std::length_error for 2³² / 3 faces or more, or vertices past the range of `Index`
 ManifoldCut cut_into_manifold(std::size_t n_vertices, std::span<const Triangle> faces);
 
-/// For side 3f + i, from corner i of face f to the next corner, the side of the other face at that edge.
-/// `invalid_index` unless there is exactly one other face, and it runs in the opposite direction.
+/// For side 3f + i, from corner i of face f to the next corner, the side of the other face at that edge;
+/// `invalid_index` unless the edge has exactly one other face, which runs in the opposite direction.
 /// \param faces every number below n_vertices
 /// \throw std::length_error for 2³² / 3 faces or more
 std::vector<Index> opposite_sides(std::size_t n_vertices, std::span<const Triangle> faces);

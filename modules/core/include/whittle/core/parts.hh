@@ -12,20 +12,20 @@ namespace whittle {
 
 struct Parts {
   std::size_t count = 0;
-  std::vector<Index> part_of;  ///< per vertex; `invalid_index` without a face. Parts are numbered by their lowest
-                               ///< vertices
+  /// Per vertex; `invalid_index` without a face. Parts are numbered by their lowest vertices.
+  std::vector<Index> part_of;
 };
 
 /// Takes nearly linear time. \pre the faces' vertex numbers are below `n_vertices`.
 Parts find_parts(std::size_t n_vertices, std::span<const Triangle> faces);
 
-/// For each part the diagonal of the box around its vertices, model units.
+/// Per part, the diagonal of its bounding box, model units.
 std::vector<double> part_diagonals(std::span<const Vec3> positions, const Parts& parts);
 
 /// A mesh without some of its parts.
 struct PrunedMesh {
   IndexedMesh mesh;                 ///< the other parts in their order, with attributes and `origins`
-  std::vector<Index> vertex_map;    ///< from input vertices to those of `mesh`; `invalid_index` if dropped
+  std::vector<Index> vertex_map;    ///< from vertices of the input to vertices of `mesh`; `invalid_index` if dropped
   std::size_t n_dropped_parts = 0;  ///< number of parts below the size
   std::size_t n_dropped_faces = 0;  ///< number of their faces
 };

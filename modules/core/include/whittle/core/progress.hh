@@ -7,17 +7,17 @@
 
 namespace whittle {
 
-/// How far a function that takes long has come.
+/// Progress of a long function.
 struct TaskProgress {
   double fraction = 0;          ///< [0, 1]; never falls
-  std::string_view stage = {};  ///< what is being done now, a few words; may be empty
+  std::string_view stage = {};  ///< current work, a few words; may be empty
 };
 
-/// Is called from time to time, always by the thread that called the function. Returns false to cancel the function.
-/// An empty one is never called. What a cancelled function leaves behind is part of its description.
+/// Called from time to time, always by the thread that called the function; never if empty. Returns false to cancel the
+/// function. Each function documents its state after it was cancelled.
 using ProgressCallback = std::function<bool(const TaskProgress&)>;
 
-/// Thrown by a function that was cancelled and has no result to return.
+/// Thrown by a cancelled function that has no result to return.
 class Cancelled : public std::exception {
  public:
   const char* what() const noexcept override { return "cancelled"; }

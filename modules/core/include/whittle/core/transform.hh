@@ -6,9 +6,9 @@
 
 namespace whittle {
 
-/// Moves a mesh by an affine map: positions, normals, tangents, and what morph targets add to each (to tangents as if
-/// it were added to normals, which is the same unless the map stretches one way more than another). Normals and
-/// tangents get unit length, but for those of length zero. A map that mirrors turns faces over, so that their fronts
+/// Transforms a mesh by an affine map: positions, normals, tangents, and the offsets of morph targets to them. Offsets
+/// to tangents are transformed like offsets to normals; the two differ only if the map stretches directions unequally.
+/// Normals and tangents get unit length, unless they are zero. A mirroring map turns faces over, so that their fronts
 /// stay fronts.
 void transform_mesh(IndexedMesh& mesh, const Eigen::Affine3d& map);
 

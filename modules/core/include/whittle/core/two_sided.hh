@@ -5,21 +5,21 @@
 
 #include "whittle/core/indexed_mesh.hh"
 
-// Two-sided sheets: surfaces of which each face is there twice, with opposite orientation, on the same three vertices.
-// So modellers write them that show the outside of faces alone.
+// Two-sided sheets: surfaces that have each face twice, with opposite orientation, on the same three vertices.
+// Modellers that only draw the outside of faces write them.
 
 namespace whittle {
 
-/// Finds two-sided sheets. Two faces on the same three vertices, with opposite orientation, are a pair; of three faces
-/// or more no two are. A sheet is a set of pairs, connected over edges:
-/// - of two pairs at least: two faces that close a pocket are none;
-/// - that is no wall between bodies: a wall has two faces or more beside its own at each edge where it ends.
+/// Finds two-sided sheets. Two faces on the same three vertices, with opposite orientation, are a pair; three or more
+/// faces have no pair. A sheet is a set of pairs, connected over edges:
+/// - at least two pairs: two faces that close a pocket are no sheet;
+/// - no wall between bodies: a wall has two or more other faces at each edge where it ends.
 ///
-/// \return F; for the later face of each pair of a sheet, its *back*, the number of the other, its *front*; for all
-///         others `invalid_index`. Empty if there is no sheet. Nearly linear time; little where no faces coincide
+/// \return F; for the later face of each pair, its *back*, the number of the earlier face, its *front*; for all other
+///         faces `invalid_index`. Empty without sheets. Nearly linear time; little if no faces coincide
 std::vector<Index> fronts_of_backs(std::span<const Triangle> faces);
 
-/// The numbers of all faces but the backs of two-sided sheets, ascending. Nearly linear time.
+/// Numbers of all faces except the backs of two-sided sheets, ascending. Nearly linear time.
 std::vector<Index> faces_without_backs(std::span<const Triangle> faces);
 
 }  // namespace whittle

@@ -161,9 +161,9 @@ bool Patch::set_view(const Corners& triangle) {
   return true;
 }
 
-/// Moves the corners towards the center of the inscribed circle, and so the sides inward a little: faces that share a
-/// side with the triangle are apart from it then. Each point of the triangle as it was is within `margin_` of what is
-/// left. (Not along the sides' normals: those of a needle cancel out.)
+/// Moves the corners a little towards the center of the inscribed circle, and so the sides inward. Then faces that
+/// share a side with the triangle are apart from it. Each point of the original triangle is within `margin_` of the
+/// shrunk one. (Not along the sides' normals: the normals of a needle cancel out.)
 void Patch::shrink() {
   constexpr double inset = 4 * distance_slack;
   const std::array<double, 3> opposite{(triangle_[2] - triangle_[1]).norm(), (triangle_[0] - triangle_[2]).norm(),

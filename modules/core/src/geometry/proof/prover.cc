@@ -10,7 +10,7 @@ namespace {
 /// Distances are found to this accuracy where they are smaller: lengths are about 1.
 constexpr double least_accuracy = 1e-9;
 
-/// Where it takes too many pieces, distances are found so many times less accurately, again and again.
+/// Factor on the accuracy of distances, repeatedly, if a search takes too many pieces.
 constexpr double coarsening = 4;
 
 }  // namespace
@@ -57,8 +57,8 @@ void Prover::begin(const Corners& triangle, Index hint, double distance) {
   pieces_.assign(1, {triangle, hint});
 }
 
-/// Proves the pieces that are left, and puts what they are split into in their place.
-/// \param limit `limit(farthest)` is the distance that a piece is to be within
+/// Proves the remaining pieces, or replaces them by their halves.
+/// \param limit `limit(farthest)` is the distance to prove for a piece
 /// \param decide `decide(farthest)` ends the search if it isn't `proven`
 template <class Limit, class Decide>
 Verdict Prover::search(const Limit& limit, const Decide& decide, FarthestPoint& farthest) {

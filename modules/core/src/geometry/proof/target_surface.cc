@@ -71,7 +71,7 @@ NearFace TargetSurface::nearest(const Vec3& point, Index hint) const {
 
 namespace {
 
-/// In triangles that are thinner than this, height over length, rounding may take the nearest place to another side.
+/// Height over length below which rounding may move the closest point to another side.
 constexpr double thin = 1e-3;
 
 bool is_thin(const Corners& triangle) {

@@ -20,43 +20,44 @@ class Poser;
 
 /// Coarser levels of detail of a mesh.
 struct MeshLevels {
-  std::size_t mesh = 0;                ///< its number
-  std::vector<IndexedMesh> coarser{};  ///< as for `Asset::set_triangles`, the finer ones first
-  /// The least share of the screen's area, [0, 1], that each level is shown at: that of the mesh itself first, then
-  /// one a coarser level. Descending.
+  std::size_t mesh = 0;                ///< its number in the document
+  std::vector<IndexedMesh> coarser{};  ///< as for `Asset::set_triangles`, finest first
+  /// The least share of the screen's area, [0, 1], at which each level is shown: first of the mesh itself, then of each
+  /// coarser level. Descending.
   std::vector<double> screen_coverage{};
 };
 
 struct WriteOptions {
-  /// Whether replaced geometry is compressed by EXT_meshopt_compression and KHR_mesh_quantization, which readers of the
-  /// file then need. Positions get a step of at most 1/65536 of the mesh's longest side; normals 8 bits; weights, and
-  /// texture coordinates in [0, 1], 16 bits.
+  /// Whether to compress replaced geometry by EXT_meshopt_compression and KHR_mesh_quantization, which readers of the
+  /// file then require. Positions get a step of at most 1/65536 of the mesh's longest side; normals 8 bits; weights,
+  /// and texture coordinates in [0, 1], 16 bits.
   bool compress = false;
 };
 
-/// A file of text, and the file with its buffer that lies beside it.
+/// A .gltf file, and the file with its buffer.
 struct GltfText {
   std::string json;
   std::string buffer;      ///< empty if there is none, or if the text contains it
-  std::string buffer_uri;  ///< what the text calls it
+  std::string buffer_uri;  ///< the buffer's name in the text
 };
 
-/// A file to be written.
+/// A file to write.
 struct AssetFile {
   std::filesystem::path path;
   std::string bytes;
 };
 
-/// A glTF asset: its document, its buffers, and the triangles that replace those of its meshes.
+/// A glTF asset: document, buffers, and replaced triangles of its meshes.
 ///
-/// Errors in a file are `io::ReadError`s of one line. `read` finds all that are in the document, `triangles` those in
-/// the numbers of a mesh. Meshes are numbered as in the document.
+/// Errors in a file are `io::ReadError`s of one line. `read` finds errors in the document, `triangles` errors in the
+/// numbers of a mesh. Meshes are numbered as in the document.
 class Asset {
  public:
   /// Reads a file and the buffers that it names. \throw io::ReadError
   static Asset read(const std::filesystem::path& path);
-  /// Likewise from memory. \param name of the file, for messages. \param folder where files lie that the asset names;
-  /// if empty, an asset that needs such a file is refused
+  /// The same from memory.
+  /// \param name of the file, for messages
+  /// \param folder with the files that the asset names; if empty, an asset that needs files is refused
   static Asset read(std::string bytes, const std::string& name, const std::filesystem::path& folder = {});
 
   Asset(Asset&& other) noexcept;
@@ -64,80 +65,77 @@ class Asset {
   ~Asset();
 
   std::size_t n_meshes() const;
-  /// The name, or "mesh N" if there is none. One line of printable characters.
+  /// The name, or "mesh N". One line of printable characters.
   std::string mesh_name(std::size_t mesh) const;
-  /// Of all primitives that are triangles, strips or fans, as `triangles` would give them.
+  /// Number of faces of `triangles(mesh)`.
   std::size_t n_triangles(std::size_t mesh) const;
-  /// How often the scene shows the mesh. With EXT_mesh_gpu_instancing a node does so once an instance. The scene is
-  /// the document's `scene`, else its first one, else all nodes. Levels of detail (MSFT_lod) and nodes that
-  /// KHR_node_visibility hides aren't shown.
+  /// Number of times that the scene shows the mesh. With EXT_mesh_gpu_instancing a node shows it once per instance. The
+  /// scene is the document's `scene`, else its first one, else all nodes. Levels of detail (MSFT_lod) and nodes hidden
+  /// by KHR_node_visibility aren't shown.
   std::size_t n_instances(std::size_t mesh) const;
-  /// Whether the mesh is there for levels of detail alone: such nodes have it, and none that is shown.
+  /// Whether only levels of detail use the mesh, and no shown node.
   bool is_level(std::size_t mesh) const;
-  /// The matrix from the mesh's coordinates into the scene's, for each instance shown. Where a skin moves the mesh,
-  /// that of its first joint, which is that of all joints as long as nothing is bent; skins don't count if one is
-  /// wrong.
+  /// Per shown instance, the matrix from the mesh's coordinates into the scene's. If a skin moves the mesh, the matrix
+  /// of its first joint, which all joints share in the bind pose; skins don't count if one is invalid.
   std::vector<Eigen::Matrix4d> world_transforms(std::size_t mesh) const;
 
   /// All triangles of a mesh, from all its primitives that are triangles, strips or fans and have positions.
   ///
-  /// Each vertex of a primitive that a triangle uses is a vertex; none are joined, and there is no table of wedges.
+  /// Each used vertex of a primitive is a vertex; vertices aren't joined, and there is no table of wedges.
   /// `face_groups` has the number of the primitive, `group_names` the material's name or number for each primitive.
-  /// NORMAL, COLOR_0 and POSITION are in their own arrays. `attributes` has the others by their names in the file:
-  /// "TEXCOORD_0", "_TEMPERATURE"; and
+  /// NORMAL, COLOR_0 and POSITION are in their own arrays. `attributes` has the other attributes by their names in the
+  /// file: "TEXCOORD_0", "_TEMPERATURE"; and
   /// - "JOINTS_0+WEIGHTS_0": all sets of joints and weights together: 4 joints a set, then the weights;
-  /// - "target 0 POSITION": of the first morph target; NORMAL and so on likewise.
-  /// Where a primitive has no such attribute, it is zero. Numbers that aren't finite are read as zero, except in
-  /// positions. A mesh that was replaced is as it was given.
+  /// - "target 0 POSITION": of the first morph target; the same for NORMAL and so on.
+  /// An attribute that a primitive lacks is zero there. Numbers that aren't finite are read as zero, except in
+  /// positions. Of a replaced mesh the new triangles are returned.
   /// \throw io::ReadError if an index is above the vertices, a position isn't finite, or compressed data are damaged
   IndexedMesh triangles(std::size_t mesh) const;
 
-  /// Whether the material of a primitive says how it looks. What `make_asset` says of a surface that it knows nothing
-  /// of doesn't count: white, without metal.
+  /// Whether a primitive has a material, other than the default of `make_asset`: white, without metal.
   bool has_look(std::size_t mesh, std::size_t primitive) const;
-  /// How each primitive looks, by mesh and primitive: one without a material has the default one. Meshes without
-  /// triangles have none. Images are read, each once; one that isn't there says so (`Image::problem`).
-  /// \throw io::ReadError if a material isn't there, or is wrong
+  /// The material of each primitive, by mesh and primitive, or the default material. Meshes without triangles have
+  /// none. Images are read, each once; a missing one has a `Image::problem`.
+  /// \throw io::ReadError if a material is missing or invalid
   std::vector<std::vector<Material>> materials() const;
 
   /// Replaces the triangles of a mesh. Lines and points stay.
   ///
-  /// `face_groups` says which primitive a face belongs to; it may be empty where only one has triangles. A primitive
-  /// that has lost all its triangles is dropped. Each wedge, or vertex, that a primitive's faces have becomes a vertex
-  /// of it. A primitive gets those attributes that it had, as far as the mesh has them.
-  /// \param triangles with the groups and attribute names that `triangles` gave; the table of wedges is allowed
-  /// \throw std::invalid_argument if the mesh would have nothing left, which glTF can't say, or if a group, an index or
-  ///        the size of an attribute is wrong
+  /// `face_groups` gives the primitive of a face; it may be empty if only one has triangles. A primitive without
+  /// triangles left is dropped. Each wedge, or vertex, of a primitive's faces becomes a vertex of it. A primitive keeps
+  /// its attributes if the mesh has them.
+  /// \param triangles with groups and attribute names as from `triangles`; may have a table of wedges
+  /// \throw std::invalid_argument if the mesh would be empty, which glTF can't express, or if a group, an index or the
+  ///        size of an attribute is wrong
   void set_triangles(std::size_t mesh, IndexedMesh triangles);
 
   /// Whether nodes that use a mesh have levels of detail (MSFT_lod), or are levels themselves.
   bool has_levels(std::size_t mesh) const;
-  /// Gives the nodes of meshes coarser levels of detail, as the extension MSFT_lod has them: a mesh a level, and for
-  /// each of the nodes one a level, which looks as it does in all else, and is moved by the same animations. Readers
-  /// that don't know the extension show the mesh itself. Numbers of meshes and nodes stay; new ones come after them.
-  /// \throw std::invalid_argument as `set_triangles`; if a mesh `has_levels` or stands there twice, or if there aren't
-  ///        as many shares as levels with the mesh itself
+  /// Gives the nodes of meshes coarser levels of detail, by the extension MSFT_lod. Each level adds a mesh, and a node
+  /// per node of the mesh, equal in all else, and moved by the same animations. Readers without the extension show the
+  /// mesh itself. Numbers of meshes and nodes stay; new ones come after them.
+  /// \throw std::invalid_argument as `set_triangles`; if a mesh `has_levels` or is repeated, or if the number of shares
+  ///        isn't the number of levels plus 1
   void add_levels(std::vector<MeshLevels> levels);
 
-  /// What it has beside nodes, materials and triangles, in words: some of "lines", "points", "animations", "skins",
+  /// Names of content beside nodes, materials and triangles: some of "lines", "points", "animations", "skins",
   /// "cameras" and "lights".
   std::vector<std::string> other_content() const;
 
-  /// What isn't kept as it was, a line each: extensions of meshes that say something of single vertices.
+  /// Content that isn't kept, a line each: extensions of meshes with data about single vertices.
   std::vector<std::string> warnings() const;
 
   /// Image files that the asset names, each once, relative to its folder.
   std::vector<std::filesystem::path> image_files() const;
-  /// Likewise files with its numbers.
+  /// Buffer files that the asset names, each once, relative to its folder.
   std::vector<std::filesystem::path> buffer_files() const;
 
   /// The document as it was read.
   std::string document() const;
 
-  /// What `write` writes, the asset itself first: .gltf as text, all else as GLB. In text the buffer is part of it if
-  /// the input's was; otherwise it lies beside it, with the same name and .bin. Images that lie in files are copied
-  /// into the folder of the output, or below it, unless they are there.
-  /// \throw io::ReadError if an image can't be read
+  /// The files that `write` writes, the asset itself first: .gltf as text, others as GLB. In text the buffer is
+  /// embedded if the input's was; otherwise it is a file with the same name and .bin. Image files are copied into the
+  /// folder of the output, or below it, unless they exist there. \throw io::ReadError if an image can't be read
   std::vector<AssetFile> files(const std::filesystem::path& path, const WriteOptions& options = {}) const;
   /// Writes these files, and makes the folders of images. \throw io::WriteError
   void write(const std::filesystem::path& path, const WriteOptions& options = {}) const;
@@ -154,8 +152,9 @@ class Asset {
   std::unique_ptr<Content> content_;
 };
 
-/// Whether bytes begin as a GLB does, or a name ends as one of a glTF file does.
+/// Whether bytes begin with GLB's signature.
 bool is_glb(std::string_view bytes);
+/// Whether a name ends in .gltf or .glb, in upper or lower case.
 bool has_gltf_extension(const std::filesystem::path& path);
 
 }  // namespace whittle::gltf

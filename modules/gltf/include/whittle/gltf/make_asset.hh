@@ -13,24 +13,23 @@ namespace whittle::gltf {
 
 struct NewAsset {
   std::string name{};  ///< of mesh and node
-  /// A primitive each group. Normals without a direction get that of the faces. Of `attributes` only texture
-  /// coordinates are written, as TEXCOORD_0, TEXCOORD_1 and so on, their first two components as they are.
+  /// A primitive per group. Zero normals get the direction of the faces. Of `attributes` only texture coordinates are
+  /// written, as TEXCOORD_0, TEXCOORD_1 and so on, with their first two components unchanged.
   IndexedMesh mesh{};
-  /// Where the node stands. Positions count from there, so that 32 bits hold those far from the origin, too.
+  /// Translation of the node. Positions are relative to it, so that 32 bits also hold positions far from the origin.
   /// Default: `float32_origin` of the mesh.
   std::optional<Vec3> translation{};
-  /// Coarser levels of it, with the same groups and attributes, and the shares of the screen, as `MeshLevels` has them.
+  /// Coarser levels, with the same groups and attributes, and their shares of the screen (`MeshLevels`).
   std::vector<IndexedMesh> coarser{};
   std::vector<double> screen_coverage{};
-  /// One a group, or one if the mesh has no groups. Written are name, base colour, its image, which must be PNG or
-  /// JPEG, whether both sides are seen, and whether it blends, which it does wherever the mesh has transparent colours.
-  /// No metal, as rough as can be.
+  /// One per group, or one if the mesh has no groups. Written are name, base colour, image (PNG or JPEG),
+  /// double-sidedness and blending, which is also on if the mesh has transparent colours. Metalness 0, roughness 1.
   std::vector<Material> materials{};
-  /// Whether images become part of the asset. Otherwise it names the files of those in its folder, or below it.
+  /// Whether to embed images in the asset. Otherwise it names image files in its folder, or below it.
   bool embeds_images = true;
 };
 
-/// Makes an asset of a mesh: a scene with one node. Colours have 16 bits, all else is float32.
+/// Makes an asset of a mesh: a scene with one node. Colours have 16 bits, other attributes are float32.
 /// \throw std::range_error for a position that float32 can't hold; std::invalid_argument as `Asset::add_levels`
 Asset make_asset(NewAsset asset);
 

@@ -17,10 +17,10 @@
 
 namespace whittle::gltf {
 
-/// What is different from one pose to the next.
+/// Transforms and weights of a pose.
 struct Pose {
-  std::vector<Eigen::Matrix4d> nodes;        ///< of each node, to its parent's coordinates
-  std::vector<std::vector<double>> weights;  ///< of each node, of its mesh's morph targets; absent ones are 0
+  std::vector<Eigen::Matrix4d> nodes;        ///< per node, to its parent's coordinates
+  std::vector<std::vector<double>> weights;  ///< per node, of its mesh's morph targets; absent ones are 0
 };
 
 /// A moment of an animation.
@@ -31,14 +31,15 @@ struct AnimationTime {
 
 /// Poses the scene of an asset.
 ///
-/// The scene has all nodes that are shown (`Asset::n_instances`), with meshes that have triangles. At rest, those
-/// without skins and morph targets are where `Asset::world_transforms` places them. Where none is shown, it has each
-/// mesh once, where its own coordinates put it.
+/// The scene has all shown nodes (`Asset::n_instances`) with meshes that have triangles. At rest, meshes without skins
+/// and morph targets are placed by `Asset::world_transforms`. If the scene shows no mesh, it has each mesh once, in its
+/// own coordinates.
 class Poser {
  public:
-  /// Reads geometry, skins and animations. \param asset must outlive the poser, and stay as it is
-  /// \throw io::ReadError as `Asset::triangles`, or if something of a skin or an animation isn't there, has the wrong
-  ///        type, or isn't finite; if the scene has more than 2^27 vertices or triangles
+  /// Reads geometry, skins and animations.
+  /// \param asset must outlive the poser, and not change
+  /// \throw io::ReadError as `Asset::triangles`; if a part of a skin or animation is missing, has the wrong type, or
+  ///        isn't finite; if the scene has more than 2^27 vertices or triangles
   explicit Poser(const Asset& asset);
   Poser(Poser&& other) noexcept;
   Poser& operator=(Poser&& other) noexcept;
@@ -53,27 +54,27 @@ class Poser {
   std::size_t n_animations() const;
   /// Whether an animation moves, turns or scales a node, or blends morph targets.
   bool is_animated() const;
-  /// The name, or "animation N" if there is none. One line of printable characters.
+  /// The name, or "animation N". One line of printable characters.
   std::string animation_name(std::size_t animation) const;
   /// From the first time to the last one of an animation, seconds, [0, inf).
   double duration(std::size_t animation) const;
-  /// `n` moments, spread evenly over all animations one after the other: each in the middle of an nth of their time.
-  /// Where no animation takes time, each gets its share of them. \pre `is_animated`
+  /// `n` moments, spread evenly over all animations in turn: each in the middle of an nth of their time. If all
+  /// durations are 0, animations get equal numbers of moments. \pre `is_animated`
   std::vector<AnimationTime> moments(std::size_t n) const;
 
-  /// As the document has it, without animation.
+  /// The pose of the document, without animation.
   Pose rest() const;
-  /// Of one animation; what it doesn't move is as in `rest`. Before its first time, and after its last one, it stands
-  /// still. \throw std::out_of_range if there is no such animation
+  /// A pose of one animation; nodes that it doesn't move are as in `rest`. Before its first time, and after its last
+  /// time, it stands still. \throw std::out_of_range for an unknown animation
   Pose animated(const AnimationTime& moment) const;
-  /// For assets without animations. From `rest`, each joint is turned about its own origin by an angle of up to 30
-  /// degrees, and each morph target has a weight in [0, 1]. \param number of the pose, any; each gives another pose,
-  /// the same for assets with the same nodes and skins
+  /// A pose for assets without animations: from `rest`, each joint turns about its origin by up to 30 degrees, and each
+  /// morph target has a weight in [0, 1].
+  /// \param number any; each gives another pose, the same for assets with equal nodes and skins
   Pose artificial(std::size_t number) const;
 
-  /// The scene: positions in its coordinates, and faces, without attributes. Vertices aren't joined. For all poses the
+  /// The scene: positions in its coordinates, and faces, without attributes. Vertices aren't joined. All poses have the
   /// same vertices and faces in the same order.
-  /// \throw std::invalid_argument if the pose isn't one of `n_nodes` nodes
+  /// \throw std::invalid_argument if the pose doesn't have `n_nodes` nodes
   /// \throw io::ReadError if a position isn't finite, or is beyond 2^500
   IndexedMesh mesh(const Pose& pose) const;
 

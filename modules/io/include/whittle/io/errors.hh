@@ -11,13 +11,13 @@ namespace whittle::io {
 /// "file: byte 1234: problem" for binary data, "file: problem" otherwise.
 class ReadError : public std::runtime_error {
  public:
-  /// Where in the file the problem lies. Empty if it concerns the whole file.
+  /// Place of the problem in the file. Empty for the whole file.
   struct Location {
-    std::optional<std::uint64_t> line{};  ///< Of text, from 1.
-    std::optional<std::uint64_t> byte{};  ///< Of binary data, from 0.
+    std::optional<std::uint64_t> line{};  ///< In text, from 1.
+    std::optional<std::uint64_t> byte{};  ///< In binary data, from 0.
   };
 
-  /// \param file its name, as users know it. \param problem what is wrong and what to do, without a full stop.
+  /// \param file name for the user. \param problem the problem and its remedy, without a full stop.
   ReadError(std::string file, Location location, const std::string& problem);
   ReadError(std::string file, const std::string& problem) : ReadError(std::move(file), Location{}, problem) {}
 

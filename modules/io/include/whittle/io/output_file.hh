@@ -9,7 +9,7 @@ namespace whittle::io {
 
 /// A file that appears complete or not at all. It is written under a temporary name in the same folder; `commit`
 /// renames it. Without `commit` (an exception, a cancelled run) nothing is left behind. A symbolic link is followed.
-/// What exists and isn't a regular file (a device, a pipe) is written directly, as is all below /dev and /proc
+/// Existing files that aren't regular (devices, pipes) are written directly, and so are files below /dev and /proc
 /// (/dev/stdout), where writing begins at the end.
 class OutputFile {
  public:
@@ -20,8 +20,8 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   std::ostream& stream() { return stream_; }
-  /// Flushes, closes and renames. \throw WriteError if anything since opening failed. A full disk shows here at the
-  /// latest.
+  /// Flushes, closes and renames.
+  /// \throw WriteError if anything failed since opening; a full disk is detected here at the latest.
   void commit();
 
  private:

@@ -31,7 +31,7 @@ class OutputFiles {
 
   /// Whether a file of this name is among them.
   bool has(const std::string& path) const { return paths_.contains(path); }
-  /// Writes a file of any name, with the folders that it needs, unless it is among the files already.
+  /// Writes a file and its folders, unless it is among the files already.
   void write_with_folders(const std::string& path, const std::string& bytes);
 
  protected:
@@ -45,10 +45,11 @@ class OutputFiles {
   std::set<std::string> protected_;  ///< identities
 };
 
-/// Equal for two names of one file. Files that don't exist yet have their names.
+/// A key that is equal for two names of one file. Files that don't exist yet have their names.
 std::string file_identity(const std::string& path);
 
-/// Has `fill` write to a stream, and flushes it. \param name of the file, for messages
+/// Calls `fill` with a stream, and flushes it.
+/// \param name of the file, for messages
 /// \throw WriteError with the name of the file if either fails
 void fill_checked(std::ostream& stream, const std::string& name, const std::function<void(std::ostream&)>& fill);
 

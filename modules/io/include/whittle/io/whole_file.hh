@@ -6,10 +6,10 @@
 
 namespace whittle::io {
 
-/// The bytes of a file. \param what names it in messages. \throw ReadError
+/// The bytes of a file. \param what its name in messages \throw ReadError
 std::string read_file(const std::filesystem::path& path, const std::string& what);
 
-/// The same; empty if there is no such file, or it can't be read.
+/// The same; empty if the file can't be read.
 std::optional<std::string> content_of(const std::filesystem::path& path);
 
 }  // namespace whittle::io

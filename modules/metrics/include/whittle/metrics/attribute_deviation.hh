@@ -16,7 +16,7 @@ struct DirectedAttributeDeviation {
   double max = 0.0;   ///< Of the samples: a lower bound.
 };
 
-/// How far the values of an attribute are apart on two surfaces. The unit depends on the kind:
+/// Deviation of an attribute between two surfaces. The unit depends on the kind:
 ///
 /// |kind|deviation of two values|
 /// |-|-|
@@ -30,36 +30,37 @@ struct DirectedAttributeDeviation {
 struct AttributeDeviation {
   std::string name;  ///< As in the meshes. "NORMAL" and "COLOR_0" for `IndexedMesh::normals` and `colors`.
   AttributeKind kind = AttributeKind::scalar;
-  double mean = 0.0;                    ///< Half the sum of both directions'.
-  double max = 0.0;                     ///< The greater one of both directions'.
+  double mean = 0.0;                    ///< Mean of both directions' means.
+  double max = 0.0;                     ///< The larger of both directions' maxima.
   DirectedAttributeDeviation forward;   ///< From the reference to the test surface.
   DirectedAttributeDeviation backward;  ///< From the test surface to the reference.
 };
 
-/// The attributes of vertices and corners that both meshes have, by name and kind: those with as many components, or of
-/// any number of joints. In the order of the reference; `normals` and `colors` come first.
+/// Deviations of the attributes of vertices and corners that both meshes have, by name, kind and number of components
+/// (any number of joints). In the order of the reference; `normals` and `colors` come first.
 ///
-/// At each sample the value is that of its face, interpolated between the corners; it is compared with the value at the
-/// nearest point of the other surface. Near a seam, or between two sheets, the nearest point may lie on the wrong side,
-/// where the value is another one. So a sample is also compared with the other sheets that come nearly as near, and the
-/// least deviation counts. A sheet is a set of faces where the attribute is continuous: they are connected over
-/// vertices at which both have the same value. Nearly as near: d² ≤ d₀² + (diagonal/1000)², where d₀ is the distance of
-/// the nearest point, and the diagonal is the greater one of both boxes; of the faces there the 64 nearest ones count.
+/// At each sample the value is interpolated between the corners of its face, and compared with the value at the closest
+/// point of the other surface. Near a seam, or between two sheets, the closest point may lie on the wrong side, with
+/// another value. So a sample is also compared with other sheets that are nearly as near, and the least deviation
+/// counts. A sheet is a set of faces where the attribute is continuous: they are connected over vertices at which both
+/// have the same value. Nearly as near: d² ≤ d₀² + (diagonal/1000)², with the distance d₀ of the closest point, and the
+/// larger diagonal of both boxes; the 64 nearest of these faces count.
 ///
-/// Directions of length 0 count as absent; an attribute that can nowhere be compared is left out.
+/// Directions of length 0 count as absent; an attribute that can't be compared anywhere is left out.
 /// \throw as `surface_distance`
 std::vector<AttributeDeviation> attribute_deviations(const IndexedMesh& reference, const IndexedMesh& test,
                                                      const DistanceOptions& options = {});
 
-/// The deviations of one attribute at the wedges of a mesh, in the unit that `AttributeDeviation` has.
+/// The deviations of one attribute at the wedges of a mesh, in the unit of `AttributeDeviation`.
 struct WedgeDeviations {
   std::string name;
   AttributeKind kind = AttributeKind::scalar;
-  std::vector<double> values;  ///< W; 0 at wedges that no face has, and where the attribute can't be compared
+  std::vector<double> values;  ///< W; 0 at unused wedges, and where the attribute can't be compared
 };
 
-/// What `attribute_deviations` finds from one surface to the other one, at each wedge in place of samples.
-/// \param kinds of attributes that are wanted \param threads 0 = all cores; the result doesn't depend on it
+/// `attribute_deviations` from one surface to the other, at each wedge instead of samples.
+/// \param kinds of attributes to compare
+/// \param threads 0 = all cores; the result is the same for any number
 /// \throw std::invalid_argument as `surface_distance`
 std::vector<WedgeDeviations> attribute_deviations_at_wedges(const IndexedMesh& mesh, const IndexedMesh& other,
                                                             std::span<const AttributeKind> kinds, unsigned threads = 0);

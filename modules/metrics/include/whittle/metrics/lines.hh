@@ -18,10 +18,11 @@ struct Segment {
 /// \throw std::invalid_argument as `bounds`.
 std::vector<Segment> border_lines(const IndexedMesh& mesh);
 
-/// The sharp edges of a mesh, in the same order: those with exactly two faces whose normals are more than `angle_deg`
+/// The sharp edges of a mesh, in the same order: edges with exactly two faces whose normals are more than `angle_deg`
 /// degrees apart. If both faces run along the edge in the same direction, one of them is reversed first. Edges of a
-/// face without a normal (thinner than 1e-11 of its longest side) are not sharp. O(F) time. \param angle_deg in (0,
-/// 180). \throw std::invalid_argument as `bounds`, or if `angle_deg` is out of range.
+/// face without a normal (thinner than 1e-11 of its longest side) are not sharp. O(F) time.
+/// \param angle_deg in (0, 180).
+/// \throw std::invalid_argument as `bounds`, or if `angle_deg` is out of range.
 std::vector<Segment> feature_lines(const IndexedMesh& mesh, double angle_deg);
 
 }  // namespace whittle::metrics

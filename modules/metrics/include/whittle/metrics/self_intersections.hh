@@ -8,19 +8,19 @@
 
 namespace whittle::metrics {
 
-/// All pairs of faces that have more in common than they should, each as (lower, higher) number, ascending.
+/// All pairs of faces that intersect beyond their common corners, each as (lower, higher) number, ascending.
 ///
-/// Two faces should share what their corners share: no point, one corner, or one edge. Corners are the same if their
-/// positions are equal, so the result for an unwelded mesh is that for the welded one. These count as intersections,
-/// too: faces that touch without a common corner (a vertex inside another face, a T-junction), neighbours folded
-/// exactly onto each other, and coincident faces. Faces whose corners are on a line don't count:
-/// `Shape::degenerate_faces` counts them.
+/// Two faces may share no point, one corner, or one edge, as their corners do. Corners are the same if their positions
+/// are equal, so an unwelded mesh has the same result as the welded one. These also count as intersections: faces that
+/// touch without a common corner (a vertex inside another face, a T-junction), neighbours folded exactly onto each
+/// other, and coincident faces. Faces whose corners are on a line don't count: `Shape::degenerate_faces` counts them.
 ///
-/// The result is exact for the given coordinates: orientation tests use a floating-point filter, then expansions. That
-/// needs coordinates along an axis which, where they differ from each other or from 0, differ by at least 1e-30 of the
-/// mesh's extent.
+/// The result is exact for the given coordinates: orientation tests use a floating-point filter, then expansions. They
+/// require that coordinates along an axis that differ from each other or from 0 differ by at least 1e-30 of the mesh's
+/// extent.
 /// \param threads 0 = all cores; the result is the same for any number.
-/// \throw std::invalid_argument as `bounds`. \throw Cancelled if `progress` returned false.
+/// \throw std::invalid_argument as `bounds`.
+/// \throw Cancelled if `progress` returned false.
 std::vector<std::array<Index, 2>> self_intersections(const IndexedMesh& mesh, unsigned threads = 0,
                                                      const ProgressCallback& progress = {});
 

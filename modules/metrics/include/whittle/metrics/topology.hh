@@ -7,10 +7,10 @@
 
 namespace whittle::metrics {
 
-/// How the faces of a triangle set are connected. Only vertex numbers count, not positions.
+/// The connectivity of a triangle set. Only vertex numbers count, not positions.
 ///
-/// Faces with the same vertex at two corners (`collapsed_faces`) are left out of all other counts. A *fan* is a maximal
-/// set of faces at a vertex that are connected over edges at that vertex.
+/// Faces with the same vertex at two corners (`collapsed_faces`) aren't in any other count. A *fan* is a maximal set of
+/// faces at a vertex that are connected over edges at that vertex.
 struct Topology {
   std::size_t vertices = 0;  ///< Used by a face.
   std::size_t faces = 0;     ///< Without the collapsed ones.
@@ -37,7 +37,7 @@ struct Topology {
 };
 
 /// O(F) time; F = 871,000 takes about a fifth of a second.
-/// \throw std::invalid_argument if a face names a vertex that isn't there.
+/// \throw std::invalid_argument if a face names a missing vertex.
 /// \throw std::length_error for 2^32 / 3 faces or more. So do `shape`, `border_lines` and `feature_lines`.
 Topology topology(const IndexedMesh& mesh);
 

@@ -7,10 +7,10 @@
 
 namespace whittle {
 
-/// What of a result intersects that didn't in the mesh that it came from, for warnings.
+/// New intersections of a result, for warnings.
 struct NewIntersections {
   std::string of_parts;  ///< "2 pairs of parts intersect that didn't before", or empty
-  std::string of_walls;  ///< the same of faces of one part
+  std::string of_walls;  ///< the same for faces of one part
 };
 NewIntersections find_new_intersections(const IndexedMesh& before, const Decimation& result, unsigned threads);
 

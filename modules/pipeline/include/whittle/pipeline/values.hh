@@ -11,8 +11,8 @@
 #include "whittle/core/text/text.hh"
 #include "whittle/scene/length.hh"
 
-// Parsers for the values of options. Each parses the whole text or throws std::invalid_argument. The message says what
-// is wrong and what is valid, but doesn't name the option.
+// Parsers for the values of options. Each parses the whole text or throws std::invalid_argument. The message gives the
+// problem and the valid values, but doesn't name the option.
 
 namespace whittle {
 
@@ -44,7 +44,7 @@ Length parse_length(std::string_view text, std::string_view name);
 /// "0.5", "1%"
 std::string to_string(const Length& length);
 
-/// As `parse_length`, or "auto".
+/// The values of `parse_length`, or "auto".
 AutomaticLength parse_automatic_length(std::string_view text, std::string_view name);
 
 /// "0.5", "1%", "auto"
@@ -56,10 +56,10 @@ double parse_ratio(std::string_view text);
 /// floor(ratio · n). A product that is a whole number except for rounding (0.29 · 100) counts as that number.
 std::uint64_t share_of(double ratio, std::uint64_t n);
 
-/// The parts of a list with commas; one, empty, of an empty text.
+/// The parts of a comma-separated list; an empty text has one empty part.
 std::vector<std::string_view> parts_of(std::string_view list);
 
-/// One of the words that an option takes, and the value that it stands for.
+/// A word of an option, and its value.
 template <class E>
 struct Choice {
   std::string_view word;

@@ -14,11 +14,10 @@
 
 // Polish moves the vertices of a simplified mesh to where its faces fit the original surface best. Each pass does this:
 //
-//   find the foot of each point s of the original: the nearest of the faces at the vertex that s was merged into (or
-//     that a corner of its face was merged into), among those that face the same way as s and hold the foot of the
-//     perpendicular from s. The foot has barycentric coordinates b, and s has the signed distance d from the face's
-//     plane
-//   find the foot of each vertex of the mesh that sticks out: the nearest point of the original
+//   find the closest point of each point s of the original. Candidates are the faces at the vertex that s (or a corner
+//     of its face) was merged into, if they face the same way as s and the perpendicular from s meets them. The
+//     closest point has barycentric coordinates b; s has the signed distance d from the plane of its face
+//   find the closest point on the original of each vertex of the mesh that sticks out
 //   twice, move each vertex in turn to the minimum of Σ w (1.5 d − n · Σ b_j x_j)² + μ |x|² + W (h / 5.5 e)⁸
 //   - x_j is how far corner j of the face has moved, and n is the face's normal
 //   - w is the area that the point represents over 1 + |d| / e, where e is the root mean square distance between the
@@ -28,14 +27,14 @@
 //   - with a weight S for shape, S / 1000 Σ w |x − m|² is added, along the surface; m is the way to the middle of the
 //     vertex' neighbours: on a line, of those along it
 //   - h is the vertex' distance from the original, and W a hundredth of the weight of the points around
-//   - faces with few points are held in their planes
+//   - uncovered faces, which have few closest points, are held in their planes
 //
 // The points are the original's vertices, which carry a quarter of the weight, and the centroids of its faces. Where
 // the simplified mesh has nearly as many faces as the original, each face has four points instead of its centroid.
 //
 // Borders, feature lines and seams are fitted to those of the original in the same way. Points on the original's lines
-// have their feet on edges of the simplified mesh, and d is the vector from the foot, perpendicular to the edge. Their
-// sum of squares is added as if the line were a strip of surface.
+// have their closest points on edges of the simplified mesh, and d is the vector from there, perpendicular to the edge.
+// Their sum of squares is added as if the line were a strip of surface.
 //
 // A vertex moves a shorter way, or not at all, where the full move would
 //   - turn a face over;
@@ -45,10 +44,10 @@
 //   - take the vertex further from the planes of its faces, or from its lines, than the surface or the lines are off
 //     there anyway (so corners stay corners);
 //   - take the vertex further than a seventh of an edge.
-// Then three kinds of moves are undone: those that took a line further from the original's than any line was before,
-// those that took a vertex further than 5.5 e from the original, and those around faces that newly intersect others. In
-// the end a pass is kept only if it lowers the distance between the surfaces, measured both ways with the same weights;
-// else it is tried once more with 1 instead of 1.5.
+// Then three kinds of moves are undone: moves that let a line drift further from the original's than any line was
+// before, moves that let a vertex drift further than 5.5 e from the original, and moves around faces that newly
+// intersect others. In the end a pass is kept only if it lowers the distance between the surfaces, measured both ways
+// with the same weights; else it is tried once more with 1 instead of 1.5.
 
 namespace whittle {
 
@@ -56,7 +55,7 @@ namespace polishing {
 class OriginalSurface;
 }
 
-/// Which distance between the surfaces polish brings down.
+/// The distance between the surfaces that polish reduces.
 enum class Fit {
   mean,      ///< the mean
   balanced,  ///< the mean, and vertices are held back from sticking out of the original
@@ -64,13 +63,14 @@ enum class Fit {
 };
 
 struct PolishOptions {
-  unsigned passes = 1;  ///< how many passes at most; 0 = nothing happens
+  /// Largest number of passes; 0 = off. A pass that doesn't reduce the error is undone, and is the last.
+  unsigned passes = 1;
   Fit fit = Fit::balanced;
   std::vector<std::uint8_t> locked{};  ///< V of the simplified mesh, or empty; vertices with a non-zero entry stay
   /// Whether each pass also flips edges, before it moves vertices. An edge is flipped where that lowers the sum of the
-  /// squared distances of the points with feet in its two faces. A flip makes no folds, no intersections, and no vertex
-  /// with fewer than four or more than nine faces. Edges of lines stay, and edges between two regions. Faces keep their
-  /// numbers. The edges of a mesh with a table of wedges stay.
+  /// squared distances of the points whose closest points are in its two faces. A flip makes no folds, no
+  /// intersections, and no vertex with fewer than four or more than nine faces. Edges of lines stay, and edges between
+  /// two regions. Faces keep their numbers. The edges of a mesh with a table of wedges stay.
   bool flips = false;
   /// F of the simplified mesh: numbers of its regions. Empty: those of `face_regions`.
   std::vector<Index> regions{};
@@ -81,45 +81,47 @@ struct PolishOptions {
   std::optional<double> feature_angle_deg{};
   std::vector<VertexPair> features{};           ///< edges of the simplified mesh, as `Decimation::feature_edges`
   std::vector<VertexPair> original_features{};  ///< edges of the original, as `feature_edges` finds them
-  /// How far features may come to lie from those of the original, model units. [0, inf]. Those that are further off
-  /// don't get further off.
+  /// Largest distance of features from the original's features, model units. [0, inf]. Features beyond it don't get
+  /// further off.
   double feature_tolerance = std::numeric_limits<double>::infinity();
   /// Borders of charts and regions, as `seam_edges` finds them. They stay near those of the original, whatever their
   /// angle is or becomes. An edge that is a feature, too, counts as a feature.
   std::vector<VertexPair> seams{};           ///< edges of the simplified mesh
   std::vector<VertexPair> original_seams{};  ///< edges of the original
-  /// How much seams count in the fit, over what borders count, (0, inf). Then those that are far off count for less, by
-  /// Fair's weights, and vertices move where seams meet. None: seams count as borders do, and where they meet or end,
-  /// vertices stay.
+  /// Weight of seams in the fit, over that of borders. (0, inf). With a weight, far seams count for less, by Fair's
+  /// weights, and vertices where seams meet move. None: seams count as borders do, and vertices where seams meet or end
+  /// stay.
   std::optional<double> seam_weight{};
-  /// No face gets a smaller radius ratio (radius_ratio.hh) than this, unless it had a smaller one before. [0, 1]; less
-  /// than 0.001, or none, counts as 0.001.
+  /// Smallest radius ratio (radius_ratio.hh) that a face may get. A face that had a smaller one may keep it. [0, 1];
+  /// less than 0.001, or none, counts as 0.001.
   std::optional<double> min_radius_ratio{};
-  /// How much round triangles and even valences count against the distance. [0, inf); 0: not at all. With a weight, a
-  /// vertex is drawn along the surface to the middle of its neighbours, and no flip makes its two faces less round, or
-  /// valences less regular (as valence_term.hh of the engine has it).
+  /// Weight of round triangles and even valences against the distance. [0, inf); 0 = off. With a weight, a vertex is
+  /// drawn along the surface to the middle of its neighbours, and no flip makes its two faces less round, or valences
+  /// less regular (as valence_term.hh of the engine has it).
   double shape_weight = 0;
-  bool recompute_normals = true;  ///< whether the normals of a mesh that has some are computed anew from its faces
-  double crease_angle_deg = default_crease_angle_deg;  ///< where these break (`recompute_normals`), degrees. (0, 180]
-  unsigned threads = 0;                                ///< 0 = all cores; the result is the same for any number
-  /// Cancelling leaves the mesh as the last pass that helped made it, or as it was.
+  bool recompute_normals = true;  ///< whether to compute vertex normals anew from the faces, if the mesh has some
+  double crease_angle_deg =
+      default_crease_angle_deg;  ///< at edges with a larger angle normals break, degrees. (0, 180]
+  unsigned threads = 0;          ///< 0 = all cores; the result is the same for any number
+  /// Cancelling leaves the mesh as it was after the last pass that helped, or unchanged.
   ProgressCallback progress{};
 };
 
 struct PolishResult {
-  std::uint64_t n_moved = 0;  ///< vertices that are not where they were
-  unsigned n_passes = 0;      ///< passes that helped. The first one that does not is undone, and is the last
+  std::uint64_t n_moved = 0;  ///< number of vertices with a new position
+  unsigned n_passes = 0;      ///< number of passes that reduced the error
   double rms_before = 0;      ///< root mean square distance between the surfaces, both ways, sampled; model units
   double rms_after = 0;       ///< the same, afterwards
   bool cancelled = false;     ///< whether `progress` ended the run. Cancelled before the first pass, both rms may be 0
 };
 
-/// What `polish` looks up about an original. For several calls with one original it is made once.
+/// The original, prepared for `polish`. Make it once for several calls with one original.
 class PolishOriginal {
  public:
-  /// Keeps a reference to the mesh: positions finite. \param threads 0 = all cores
+  /// Keeps a reference to the mesh: positions finite.
+  /// \param threads 0 = all cores
   /// \param progress is asked, but sees no progress yet
-  /// \throw std::invalid_argument if a face names a vertex that isn't there; Cancelled
+  /// \throw std::invalid_argument if a face names a missing vertex; Cancelled
   explicit PolishOriginal(const IndexedMesh& mesh, unsigned threads = 0, const ProgressCallback& progress = {});
   ~PolishOriginal();
   PolishOriginal(PolishOriginal&& other) noexcept;
@@ -134,11 +136,11 @@ class PolishOriginal {
 /// Moves vertices of `mesh`. Nothing else changes, except what `PolishOptions::flips` and `recompute_normals` describe.
 /// Vertices where the mesh is not manifold stay, and those where lines meet or end.
 /// Nothing happens if either mesh has no faces, or if `mesh` is a million times as far away as the original is large.
-/// \param original what `mesh` was made from; all positions finite
+/// \param original the mesh that `mesh` was made from; all positions finite
 /// \param vertex_map for each vertex of `original` a vertex of `mesh` near it on the surface, as
 ///        `Decimation::vertex_map` has them; vertices with `invalid_index` are ignored
-/// \throw std::invalid_argument if a face, feature or seam names a vertex that isn't there, `vertex_map`, `locked` or
-///        `regions` has a wrong length, or an option is out of range
+/// \throw std::invalid_argument if a face, feature or seam names a missing vertex, `vertex_map`, `locked` or `regions`
+///        has a wrong length, or an option is out of range
 PolishResult polish(const PolishOriginal& original, std::span<const Index> vertex_map, IndexedMesh& mesh,
                     const PolishOptions& options = {});
 PolishResult polish(const IndexedMesh& original, std::span<const Index> vertex_map, IndexedMesh& mesh,

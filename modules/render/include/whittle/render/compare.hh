@@ -17,11 +17,11 @@ struct CompareOptions {
   /// Threads to compare pictures with; 0 = all cores. OpenGL has threads of its own. The result is the same for any
   /// number.
   unsigned threads = 0;
-  /// Is told the progress; returning false cancels with the exception `Cancelled`.
+  /// Gets the progress; returning false cancels with the exception `Cancelled`.
   ProgressCallback progress{};
 };
 
-/// How different two scenes look from one view.
+/// Difference of two scenes seen from one view.
 struct ViewComparison {
   View view;
   double psnr = 0;          ///< dB, over the pixels that show the model; infinity for equal pictures.
@@ -29,7 +29,7 @@ struct ViewComparison {
   double flip = 0;          ///< [0, 1], over the whole picture.
 };
 
-/// How different two scenes look.
+/// Difference of two scenes, over all views.
 struct Comparison {
   std::vector<ViewComparison> views;
 
@@ -42,11 +42,11 @@ struct Comparison {
   double worst_psnr = 0;  ///< The least.
   double worst_flip = 0;  ///< The greatest, perhaps of another view.
 
-  std::size_t worst_view = 0;  ///< The one with the least PSNR; of several the first.
-  std::string worst_png;       ///< A PNG file of it, three pictures wide: original, simplified, FLIP.
+  std::size_t worst_view = 0;  ///< The first view with the least PSNR.
+  std::string worst_png;       ///< A PNG file of that view, three pictures wide: original, simplified, FLIP.
 };
 
-/// Draws both scenes from the same views, which are around the original's bounding sphere, and compares the pictures.
+/// Draws both scenes from the same views, around the original's bounding sphere, and compares the pictures.
 /// \throw as `Renderer`; std::invalid_argument if `options` are out of range; Cancelled
 Comparison compare(const Scene& original, const Scene& simplified, const CompareOptions& options = {});
 

@@ -20,23 +20,23 @@ struct DrawOptions {
 /// The background of all pictures: sRGB, the same number for red, green and blue. Middle grey.
 inline constexpr float background = 128.0F / 255;
 
-/// Why nothing can be drawn on this machine: one line; nothing where all is there.
+/// The reason why this machine can't draw, one line; empty if it can.
 std::optional<std::string> why_nothing_can_be_drawn();
 
-/// Draws one scene from many views. What it takes from the scene it copies.
+/// Draws one scene from many views. Copies the scene's data.
 class Renderer {
  public:
-  /// \param frame where positions are exact, to 1e-7 of its radius: the sphere of the views
-  /// \throw std::invalid_argument if `options` are out of range, a face names a vertex or a wedge that isn't there, or
-  /// the array of an image has another length than its size \throw std::runtime_error if there is no OpenGL, or it
-  /// lacks memory
+  /// \param frame the sphere of the views; positions are exact to 1e-7 of its radius
+  /// \throw std::invalid_argument if `options` are out of range, a face names a missing vertex or wedge, or the length
+  ///        of an image's array doesn't fit its size
+  /// \throw std::runtime_error without OpenGL, or if it lacks memory
   Renderer(const Scene& scene, const Sphere& frame, const DrawOptions& options = {});
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Equal scenes, views and options give equal bytes on one machine. Each colour is a multiple of 1/255.
-  /// \throw std::runtime_error if OpenGL fails
+  /// Draws one view. Equal scenes, views and options give equal bytes on one machine. Each colour is a multiple of
+  /// 1/255. \throw std::runtime_error if OpenGL fails
   Picture draw(const View& view);
 
  private:
@@ -44,7 +44,7 @@ class Renderer {
   std::unique_ptr<State> state_;
 };
 
-/// One picture of a scene. For several, a `Renderer` takes less time. \throw as `Renderer`
+/// Draws one picture of a scene. For several, a `Renderer` takes less time. \throw as `Renderer`
 Picture draw(const Scene& scene, const View& view, const DrawOptions& options = {});
 
 }  // namespace whittle::render

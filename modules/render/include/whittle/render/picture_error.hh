@@ -8,29 +8,28 @@
 
 namespace whittle::render {
 
-/// Which pixels count.
+/// The pixels that count.
 enum class PixelSet : std::uint8_t {
-  model,  ///< Those where at least one of both pictures shows the model.
+  model,  ///< Pixels where at least one of both pictures shows the model.
   all     ///< The whole picture.
 };
 
-/// The sum of squared differences of two pictures, and of how many numbers it is.
+/// The sum of squared differences of two pictures, and the number of terms.
 struct SquaredError {
-  double sum = 0;        ///< Of sRGB values of [0, 255].
-  std::size_t size = 0;  ///< Three for each pixel that counts.
+  double sum = 0;        ///< Over sRGB values in [0, 255].
+  std::size_t size = 0;  ///< Three per pixel that counts.
 
   SquaredError& operator+=(const SquaredError& other);
   /// 10 log₁₀(255² · size/sum), dB; infinity if sum is 0.
   double psnr() const;
 };
 
-/// \throw std::invalid_argument if the pictures have other sizes
+/// \throw std::invalid_argument if the sizes of the pictures differ
 SquaredError squared_error(const Picture& a, const Picture& b, PixelSet pixels = PixelSet::model);
 
 /// Peak signal-to-noise ratio, dB, of the sRGB values on the scale of 8 bits, all three channels together. Infinity for
-/// equal pictures. Symmetric. Over the model it doesn't depend on how much background there is around. Over the whole
-/// picture it is what programs for images say of the files.
-/// \throw std::invalid_argument if the pictures have other sizes
+/// equal pictures. Symmetric. Over the model it doesn't depend on the amount of background. Over the whole picture it
+/// equals the PSNR of image programs. \throw std::invalid_argument if the sizes of the pictures differ
 double psnr(const Picture& a, const Picture& b, PixelSet pixels = PixelSet::model);
 
 /// An observer 0.7 m away from a monitor 0.7 m wide with 3840 pixels.
@@ -45,16 +44,16 @@ struct ErrorMap {
   double mean() const;
 };
 
-/// ꟻLIP: how different a person sees each pixel who alternates between both pictures. Coverage plays no part.
-/// Symmetric, and 0 for equal pictures. Source: \cite andersson_2020_flip, the variant for pictures of low dynamic
-/// range. \param pixels_per_degree of the observer's visual angle, [1, 1000] \throw std::invalid_argument if the
-/// pictures have other sizes or no pixels, or `pixels_per_degree` is out of range
+/// ꟻLIP: the difference per pixel that a person sees who alternates between both pictures. Ignores coverage. Symmetric,
+/// and 0 for equal pictures. \cite andersson_2020_flip, the variant for pictures of low dynamic range.
+/// \param pixels_per_degree of the observer's visual angle, [1, 1000]
+/// \throw std::invalid_argument if the sizes of the pictures differ or are 0, or `pixels_per_degree` is out of range
 ErrorMap flip_map(const Picture& a, const Picture& b, double pixels_per_degree = default_pixels_per_degree);
 
 /// The mean of `flip_map` over the whole picture, as in the paper: [0, 1].
 double flip(const Picture& a, const Picture& b, double pixels_per_degree = default_pixels_per_degree);
 
-/// Shows an error map: 0 is black; violet, red and orange lead to pale yellow, 1.
+/// Colours an error map: from 0, black, by violet, red and orange to 1, pale yellow.
 Picture picture_of(const ErrorMap& map);
 
 }  // namespace whittle::render

@@ -15,12 +15,12 @@ struct Pixels {
   std::vector<std::uint8_t> rgba;
 };
 
-/// The most pixels of a side of an image.
+/// Largest number of pixels along a side of an image.
 inline constexpr std::size_t max_image_size = 16384;
 
-/// Decodes a PNG or JPEG file; the first bytes say which it is. Colour profiles, gamma and orientation in the file are
-/// ignored, as glTF asks. 16 bits a channel become 8.
-/// \throw std::runtime_error if the bytes are neither, are damaged or truncated, or a side exceeds `max_image_size`
+/// Decodes a PNG or JPEG file, recognised by its first bytes. Colour profiles, gamma and orientation in the file are
+/// ignored, as glTF requires. 16 bits a channel become 8.
+/// \throw std::runtime_error for other, damaged or truncated files, or if a side exceeds `max_image_size`
 Pixels read_image(std::string_view bytes);
 
 }  // namespace whittle::render

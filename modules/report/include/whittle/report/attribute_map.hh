@@ -7,18 +7,19 @@
 
 namespace whittle::report {
 
-/// How far an attribute of a surface is from that of another surface, at each wedge:
-/// `metrics::attribute_deviations_at_wedges`. Between wedges, the page interpolates.
+/// Deviation of an attribute from another surface's, per wedge (`metrics::attribute_deviations_at_wedges`). The page
+/// interpolates between wedges.
 struct AttributeMap {
   std::string name;  ///< "NORMAL", "COLOR_0", "TEXCOORD_0"
   AttributeKind kind = AttributeKind::texcoord;
   std::vector<double> deviations;  ///< W
-  double max = 0;                  ///< the greatest deviation
-  double usual = 0;  ///< 99 % of the area have less, if a wedge stands for a third of its faces; at most `max`
+  double max = 0;                  ///< largest deviation
+  double usual = 0;  ///< upper bound for 99 % of the area, if a wedge stands for a third of its faces; at most `max`
 };
 
-/// Of normals, colours and texture coordinates, as far as both meshes have them. \param threads 0 = all cores; the
-/// result doesn't depend on it \throw std::invalid_argument if one of them has no faces
+/// Maps of normals, colours and texture coordinates that both meshes have.
+/// \param threads 0 = all cores; the result is the same for any number
+/// \throw std::invalid_argument if a mesh has no faces
 std::vector<AttributeMap> attribute_maps(const IndexedMesh& mesh, const IndexedMesh& other, unsigned threads = 0);
 
 }  // namespace whittle::report

@@ -5,7 +5,7 @@
 
 namespace whittle {
 
-/// A mesh was read, but what is asked can't be done with it. `what()` names the file.
+/// A mesh was read, but the request isn't supported for it. `what()` names the file.
 class UnsupportedMesh : public std::runtime_error {
  public:
   explicit UnsupportedMesh(const std::string& problem) : std::runtime_error(problem) {}

@@ -18,19 +18,19 @@ namespace whittle {
 
 class SceneFile;
 
-/// What of a document becomes a mesh. If its scene shows none, all meshes do, as the document has them. Files of other
-/// formats have one mesh.
+/// The meshes to read from a document. If its scene shows none, all meshes are read as they are in the document. Files
+/// of other formats have one mesh.
 enum class SceneScope {
-  meshes,  ///< Each mesh once, where the scene shows it largest, or as the file has it. Levels of detail are left out.
-  shown,   ///< Likewise, but for meshes that the scene doesn't show.
-  scene    ///< What the scene shows: a mesh as often as nodes use it.
+  meshes,  ///< Each mesh once, at its largest place in the scene, or as in the file. Without levels of detail.
+  shown,   ///< Each mesh that the scene shows, once.
+  scene    ///< The scene as shown: a mesh once per node that uses it.
 };
 
 struct SceneReadOptions {
   bool weld = true;                  ///< exact duplicates of vertices on open borders
-  AutomaticLength weld_tolerance{};  ///< also vertices on open borders that are so near; 0 = exact duplicates alone
+  AutomaticLength weld_tolerance{};  ///< largest distance of welded vertices on open borders; 0 = exact duplicates only
   SceneScope scope = SceneScope::meshes;
-  bool takes_no_triangles = false;  ///< whether a document without triangles is read, as a mesh without faces
+  bool takes_no_triangles = false;  ///< whether to read a document without triangles, as a mesh without faces
   io::AttributeScope attributes = io::AttributeScope::all;
   unsigned threads = 0;  ///< 0 = all cores; the result is the same for any number
 };
@@ -39,48 +39,48 @@ struct SceneReadOptions {
 struct SceneOutput {
   std::string path;  ///< or `standard_stream`
   const SceneFormat* format = nullptr;
-  bool ascii = false;     ///< text, in formats that are written as text or as binary data
-  bool compress = false;  ///< as `gltf::WriteOptions` has it, in formats that `is_document`
+  bool ascii = false;     ///< text instead of binary, in formats that have both
+  bool compress = false;  ///< see `gltf::WriteOptions`; in formats that `is_document`
 };
 
-/// What is said of a scene that was written: a line each, with the name of the file in front.
+/// Messages about a written scene: a line each, with the name of the file in front.
 struct SceneMessages {
-  std::vector<std::string> notes;     ///< what was done besides, such as files copied
-  std::vector<std::string> warnings;  ///< what is lost
+  std::vector<std::string> notes;     ///< further actions, such as files copied
+  std::vector<std::string> warnings;  ///< lost content
 };
 
-/// Coarser levels of detail of a mesh, the finer ones first.
+/// Coarser levels of detail of a mesh, finest first.
 using CoarserLevels = std::span<const IndexedMesh* const>;
 
-/// All that is known of a file format, and how it reads and writes scenes. A format that isn't one of `io` has its row
-/// among its own sources, and is listed in src/formats.cc. The functions are behind read_scene.hh and write_scene.hh.
+/// A file format, with its functions to read and write scenes. A format outside of `io` has its row among its own
+/// sources, and is listed in src/formats.cc. read_scene.hh and write_scene.hh call the functions.
 struct SceneFormat {
-  std::string_view name;                         ///< "ply": what reports have
+  std::string_view name;                         ///< "ply": in reports
   std::string_view title;                        ///< "PLY": for sentences
-  std::span<const std::string_view> extensions;  ///< lower case, without the dot; options take them, too
-  std::optional<io::Format> mesh_format;         ///< that of a file with one mesh
-  /// Whether it is written as text or as binary data, by `SceneOutput::ascii`. If not, there is one way to write it.
+  std::span<const std::string_view> extensions;  ///< lower case, without the dot; also names in options
+  std::optional<io::Format> mesh_format;         ///< format of a file with one mesh
+  /// Whether it has a text and a binary form, chosen by `SceneOutput::ascii`.
   bool has_text_and_binary;
-  /// Whether it has several meshes, placed by nodes, and more, which stays as it is where only the meshes are replaced.
-  /// Such files aren't read from standard input, nor packed with gzip.
+  /// Whether it has several meshes, placed by nodes, and other content that stays when meshes are replaced. Documents
+  /// aren't read from standard input, nor compressed with gzip.
   bool is_document;
 
   Scene (*read)(const SceneFile& file, const SceneReadOptions& options);
-  /// \param mesh null: as the document has it
+  /// \param mesh null: the document's meshes
   void (*write)(io::OutputFiles& files, const SceneOutput& output, Scene& scene, const IndexedMesh* mesh,
                 CoarserLevels levels, SceneMessages& messages);
   IndexedMesh (*as_written)(const SceneOutput& output, const Scene& scene, const IndexedMesh& mesh,
                             const SceneReadOptions& options);
 };
 
-/// The table of formats: those of `io` first, then documents.
+/// The table of formats: formats of `io` first, then documents.
 std::span<const SceneFormat* const> scene_formats();
 
-/// Null if there is none.
+/// Null for an unknown extension.
 const SceneFormat* format_by_extension(std::string_view extension);
-/// The format by a file's name. Null if the name tells none.
+/// The format by a file's name. Null if unknown.
 const SceneFormat* format_by_name(const std::string& path);
-/// That of a mesh format.
+/// The row of a mesh format.
 const SceneFormat& format_of(io::Format format);
 
 }  // namespace whittle

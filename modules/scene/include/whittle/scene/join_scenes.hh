@@ -10,16 +10,16 @@
 
 namespace whittle {
 
-/// Makes several files one mesh: their meshes one after the other, none joined to another. Vertices and faces are
-/// counted through all files. What not all files have (normals, colours, attributes, materials' textures) is left out,
-/// with a warning. The face attribute "o" says which file a face is from.
+/// Joins several files to one mesh: their meshes in turn, without welding. Vertices and faces are numbered through all
+/// files. Content that some files lack (normals, colours, attributes, materials' textures) is left out, with a warning.
+/// The face attribute "o" names the file of a face.
 class SceneJoiner {
  public:
   /// \param scene of a format with one mesh (`SceneFormat::mesh_format`)
-  /// \throw UnsupportedMesh for materials or textures that one file can't name: those of two folders, or of one name in
-  /// different libraries; if the vertices or faces are too many
+  /// \throw UnsupportedMesh for materials or textures of two folders, or of one name in different libraries, which one
+  ///        file can't name; for too many vertices or faces
   void add(Scene scene);
-  /// \pre one was added, or more
+  /// \pre at least one scene was added
   Scene finish();
 
  private:
@@ -28,8 +28,8 @@ class SceneJoiner {
 
   Scene all_;
   std::vector<std::string> paths_;
-  std::set<std::string> dropped_;                              ///< names of what not all have
-  std::map<std::string, std::vector<std::string>> libraries_;  ///< of the file that a material came with
+  std::set<std::string> dropped_;                              ///< names of content that some files lack
+  std::map<std::string, std::vector<std::string>> libraries_;  ///< per material, the libraries of its file
 };
 
 }  // namespace whittle

@@ -10,9 +10,9 @@ struct Length {
   double in_units(double diagonal) const { return is_relative ? value * diagonal : value; }
 };
 
-/// A length that may be chosen by the mesh.
+/// A length that may depend on the mesh.
 struct AutomaticLength {
-  bool is_automatic = false;  ///< chosen by the mesh
+  bool is_automatic = false;  ///< whether it is chosen for the mesh
   Length length;              ///< if it is not automatic
 };
 

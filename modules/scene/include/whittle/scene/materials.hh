@@ -6,20 +6,20 @@
 #include "whittle/core/material/material.hh"
 #include "whittle/scene/scene.hh"
 
-// How the surfaces in a mesh file look, for what shows them.
+// Materials of a mesh file, for programs that show it.
 
 namespace whittle {
 
 struct SceneMaterials {
-  /// Of glTF by mesh of the file and primitive; of meshes without triangles none. Of other formats those of one mesh,
-  /// by face group, or one where it has no groups.
+  /// In glTF by mesh of the file and primitive; none for meshes without triangles. In other formats of one mesh, by
+  /// face group, or one without groups.
   std::vector<std::vector<Material>> of_meshes;
-  bool are_told = false;              ///< whether the file says anything of how it looks
-  std::vector<std::string> warnings;  ///< a line each, without the name of the file: what can't be read but images
+  bool are_told = false;              ///< whether the file has materials
+  std::vector<std::string> warnings;  ///< a line each, without the name of the file: unreadable files except images
 };
 
-/// From glTF, from the material libraries of an OBJ file, or the texture that a PLY file names; with images.
-/// \throw io::ReadError for wrong materials of glTF
+/// Reads materials from glTF, the material libraries of an OBJ file, or the texture of a PLY file, with images.
+/// \throw io::ReadError for invalid materials of glTF
 SceneMaterials read_materials(const Scene& scene);
 
 }  // namespace whittle

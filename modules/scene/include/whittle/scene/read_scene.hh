@@ -18,16 +18,16 @@ class SceneFile {
   /// \throw io::ReadError if standard input can't be read
   explicit SceneFile(std::string path, const SceneFormat* format = nullptr);
 
-  /// \throw io::ReadError if the file isn't a complete and valid file of its format, or, unless the options take that,
-  /// has no triangles; UnsupportedMesh if a coordinate is too large to compute with
+  /// \throw io::ReadError if the file isn't a complete and valid file of its format, or has no triangles (unless the
+  ///        options allow it); UnsupportedMesh if a coordinate is too large to compute with
   Scene read(const SceneReadOptions& options) const;
 
   const std::string& path() const { return path_; }
-  /// In messages: the path, or "standard input".
+  /// Name in messages: the path, or "standard input".
   std::string name() const;
-  /// Of standard input.
+  /// The content of standard input.
   const std::vector<char>& content() const { return content_; }
-  /// Null if neither the caller nor the file's name tells it.
+  /// Null if neither the caller nor the file's name gives it.
   const SceneFormat* format() const { return format_; }
 
  private:

@@ -10,7 +10,7 @@ namespace whittle {
 
 /// Bytes as text, padded with '='.
 std::string base64(std::string_view bytes);
-/// The bytes of such a text; padding may be missing. Empty if it is no base64.
+/// The bytes of base64 text; padding may be missing. Empty if it isn't base64.
 std::optional<std::string> decode_base64(std::string_view text);
 
 }  // namespace whittle

@@ -17,7 +17,7 @@ inline constexpr std::size_t glb_chunk_header_size = 8;
 inline constexpr std::uint32_t glb_json_chunk = 0x4E4F534A;
 inline constexpr std::uint32_t glb_buffer_chunk = 0x004E4942;
 
-/// \param buffer none is written if it is empty. \throw std::length_error for more than 4 GiB
+/// \param buffer left out if empty. \throw std::length_error for more than 4 GiB
 std::string join_glb(std::string_view json, std::string_view buffer);
 
 }  // namespace whittle

@@ -8,11 +8,11 @@
 #include <string>
 #include <type_traits>
 
-// Numbers as files hold them.
+// Numbers in little-endian byte order.
 
 namespace whittle {
 
-/// Decodes the number at `bytes`, which has this byte order.
+/// Decodes the little-endian number at `bytes`.
 template <class Number>
 Number load(const char* bytes, std::endian order) {
   std::array<char, sizeof(Number)> raw;

@@ -9,7 +9,7 @@
 
 namespace whittle {
 
-/// \throw std::invalid_argument if a face names a vertex that isn't there.
+/// \throw std::invalid_argument if a face names a missing vertex.
 inline void check_corners(std::size_t n_vertices, std::span<const Triangle> faces) {
   for (const Triangle& face : faces) {
     for (const Index v : face) {
@@ -20,7 +20,7 @@ inline void check_corners(std::size_t n_vertices, std::span<const Triangle> face
   }
 }
 
-/// The largest coordinate that a mesh may have: squares of lengths must be finite.
+/// The largest allowed coordinate of a mesh: squares of lengths must be finite.
 constexpr double most_coordinate = 0x1p500;  // 3.3e150
 
 /// Whether all three are numbers of at most `most_coordinate`.
@@ -39,9 +39,9 @@ inline void check_positions(std::span<const Vec3> positions, const char* caller)
 }
 
 /// \param caller whose name begins the message
-/// \throw std::invalid_argument if an attribute is there and has another length than `IndexedMesh` says, if one that is
-/// neither a scalar nor a category is not finite, or if a wedge is at two vertices. \pre no face names a vertex that
-/// isn't there
+/// \throw std::invalid_argument if a non-empty attribute has another length than `IndexedMesh` says, if an attribute
+///        other than scalars and categories is not finite, or if a wedge is at two vertices.
+/// \pre no face names a missing vertex
 void check_attributes(const IndexedMesh& mesh, const char* caller);
 
 }  // namespace whittle

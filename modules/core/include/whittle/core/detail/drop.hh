@@ -40,9 +40,8 @@ std::size_t drop_faces(IndexedMesh& mesh, const Predicate& is_dropped) {
   return count - kept;
 }
 
-/// Drops the vertices for which `is_dropped(v)` holds. Their attributes go with them, but for those of wedges in a
-/// table
-/// (`join_equal_wedges` drops unused ones). If any is dropped, `origins` is filled.
+/// Drops the vertices for which `is_dropped(v)` holds. Their attributes go with them, except in a table of wedges
+/// (`join_equal_wedges` drops unused wedges). If any vertex is dropped, `origins` is filled.
 /// \pre no face has a dropped vertex
 /// \return V; the new number of each vertex, `invalid_index` if it was dropped
 template <class Predicate>

@@ -1,7 +1,6 @@
 #pragma once
 
-// Sums and products of two doubles together with what rounding takes from them.
-// \cite shewchuk_1997_adaptive
+// Sums and products of two doubles, with their rounding errors. \cite shewchuk_1997_adaptive
 
 namespace whittle::detail {
 
@@ -18,7 +17,7 @@ inline WithError two_sum(double a, double b) {
   return {sum, (a - a_part) + (b - b_part)};
 }
 
-/// A double as a sum of two of half its digits; Split.
+/// A double as a sum of two doubles with half its digits; Split.
 inline WithError split(double a) {
   const double shifted = a * (0x1p27 + 1);
   const double high = shifted - (shifted - a);

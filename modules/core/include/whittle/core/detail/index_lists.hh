@@ -14,8 +14,8 @@ template <class T, class Offset = Index>
 class IndexLists {
  public:
   IndexLists() = default;
-  /// \param for_each is called twice with a function emit(index, value). It calls emit for the same values each time,
-  ///        in the order that each list is to have.
+  /// \param for_each called twice with a function emit(index, value). It calls emit for the same values each time, in
+  ///        the order of each list.
   template <class ForEach>
   IndexLists(std::size_t n_lists, const ForEach& for_each) : first_(n_lists + 2, 0) {
     // Counts are stored two slots further on. While the lists are filled, first_[i + 1] is the end of list i.
@@ -33,7 +33,7 @@ class IndexLists {
  private:
   std::size_t length(Index i) const { return first_[std::size_t{i} + 1] - first_[i]; }
 
-  LargeArray<Offset> first_ = LargeArray<Offset>(2, 0);  ///< Where each list begins. Two more at the end.
+  LargeArray<Offset> first_ = LargeArray<Offset>(2, 0);  ///< Start of each list. Two more at the end.
   LargeArray<T> values_;
 };
 

@@ -12,8 +12,8 @@
 
 namespace whittle::detail {
 
-/// The numbers below some number, sorted into groups, ascending in each; a number may go with several groups. All
-/// threads sort. What is written for one group can then be written by one thread, in one order.
+/// The numbers 0 … n − 1 sorted into groups, ascending in each; a number may be in several groups. All threads sort. So
+/// one thread can write for one group, in one order.
 class ItemGroups {
  public:
   ItemGroups() = default;
@@ -62,7 +62,7 @@ class ItemGroups {
 
 /// Calls `work(begin, end, for_each_face)` for ranges that together make up all vertices, on all threads, in any order.
 /// `for_each_face(use)` calls `use(face)` for each face that has a corner from begin to end, in ascending order. So
-/// what is summed up for vertices has one order, for any number of threads.
+/// sums over vertices have one order, for any number of threads.
 template <class Work>
 void for_each_vertex_range(std::span<const Triangle> faces, std::size_t n_vertices, unsigned threads,
                            const Work& work) {

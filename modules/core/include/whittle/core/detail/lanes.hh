@@ -12,9 +12,9 @@
 #include "whittle/core/detail/lane_array.hh"
 #endif
 
-// Computing on several numbers at once. Each gets bit for bit the result that it would get alone. So functions for
-// processors with wider registers may be chosen at run time: `if (has_double4) …`. And where the compiler has no
-// vectors, arrays with the same operators take their place. Vectors have `?:` but arrays can't, hence `select_lanes`.
+// Computing on several numbers at once. Each number gets the same result as alone, bit for bit. So functions for
+// processors with wider registers may be chosen at run time: `if (has_double4) …`. If the compiler has no vectors,
+// arrays with the same operators replace them. Vectors have `?:` but arrays can't, hence `select_lanes`.
 
 namespace whittle {
 
@@ -30,13 +30,13 @@ using Lanes = LaneArray<T, n>;
 
 using Double2 = detail::Lanes<double, 2>;
 using Double4 = detail::Lanes<double, 4>;
-/// In registers that every processor has.
+/// Vectors in registers that every processor has.
 using Float4 = detail::Lanes<float, 4>;
 
 template <class Real>
 inline constexpr std::size_t n_lanes = sizeof(Real) / sizeof(double);
 
-/// The result of a comparison: bool, or for each element an integer that is all ones or zero.
+/// The result of a comparison: bool, or per element an integer of all ones or zero.
 template <class Real>
 using LaneMask = decltype(Real{} > Real{});
 
@@ -49,13 +49,13 @@ WHITTLE_INLINE bool any_lane(const Mask& mask) {
   return all != 0;
 }
 
-/// In each lane `yes` where the condition holds, else `no`. (lane_array.hh has this for arrays.)
+/// `yes` in lanes where the condition holds, else `no`. (lane_array.hh has this for arrays.)
 template <class Real>
 WHITTLE_INLINE Real select_lanes(const LaneMask<Real>& condition, const Real& yes, const Real& no) {
   return condition ? yes : no;
 }
 
-/// The numbers at `from`, which may lie anywhere.
+/// The numbers at `from`, which may be unaligned.
 template <class Vector, class Number>
 WHITTLE_INLINE Vector load_lanes(const Number* from) {
   Vector lanes;

@@ -32,7 +32,7 @@ void reserve_large(std::vector<T>& vector, std::size_t n) {
   prefer_huge_pages(vector.data() + vector.size(), (vector.capacity() - vector.size()) * sizeof(T));
 }
 
-/// `vector.resize(n, value...)`, likewise.
+/// `vector.resize(n, value...)` with huge pages.
 template <class T, class... Value>
 void resize_large(std::vector<T>& vector, std::size_t n, const Value&... value) {
   reserve_large(vector, n);

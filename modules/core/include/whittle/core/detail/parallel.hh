@@ -14,7 +14,7 @@
 
 namespace whittle {
 
-/// \param threads as options have it: 0 = all cores
+/// \param threads 0 = all cores
 inline std::size_t n_threads(unsigned threads) { return threads > 0 ? threads : detail::n_cores(); }
 
 /// Calls `work(block)` once for each block below `n_blocks`, on up to `threads` threads (0 = all cores), in any order.
@@ -46,7 +46,7 @@ void for_each_block(std::size_t n_blocks, unsigned threads, const Work& work) {
     try {
       for (std::size_t i = 1; i < n_workers; ++i) pool.emplace_back(run);
     } catch (const std::system_error&) {
-      // The system has no more threads. Those that there are do the work.
+      // Thread creation failed; continue with the threads we have.
     }
     run();
   }

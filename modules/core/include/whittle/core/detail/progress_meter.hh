@@ -20,7 +20,8 @@ class ProgressMeter {
  public:
   explicit ProgressMeter(ProgressCallback callback) : callback_(std::move(callback)) {}
 
-  /// Ends the stage before, and begins another one. \param until fraction of the whole task at this stage's end
+  /// Ends the current stage and begins the next.
+  /// \param until fraction of the whole task at this stage's end
   /// \throw Cancelled
   void start(std::string_view stage, double until) {
     if (!callback_) return;
@@ -29,7 +30,7 @@ class ProgressMeter {
     end_ = until;
     report(begin_);
   }
-  /// Reports that all is done. It is too late for cancelling.
+  /// Reports completion. Can't cancel.
   void finish() {
     if (callback_) callback_({1, stage_});
   }
@@ -77,7 +78,7 @@ struct Workers {
   }
 };
 
-/// As the functions of parallel.hh, with an update before each block.
+/// The functions of parallel.hh, with an update before each block.
 template <class Work>
 void for_each_block(std::size_t n_blocks, const Workers& workers, const Work& work) {
   whittle::for_each_block(n_blocks, workers.threads, [&](std::size_t block) {

@@ -7,8 +7,8 @@
 
 namespace whittle::detail {
 
-/// While it lives, times the parallel sections (`for_each_block`) that its thread begins, and each block of them: to
-/// tell how a run would do on more cores. A section within a block is a part of that block. For benchmarks.
+/// While it lives, times the parallel sections (`for_each_block`) that its thread begins, and each block of them, to
+/// predict a run on more cores. A section within a block is a part of that block. For benchmarks.
 class SectionTrace {
  public:
   struct Section {
@@ -31,7 +31,7 @@ class SectionTrace {
   std::vector<Section> sections_;
 };
 
-/// A parallel section, for the trace of the thread that begins it, if there is one.
+/// A parallel section, for the trace, if any, of the thread that begins it.
 class TracedSection {
  public:
   explicit TracedSection(std::size_t n_blocks) : trace_(std::exchange(SectionTrace::current_of_thread, nullptr)) {

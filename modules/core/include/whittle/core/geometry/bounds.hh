@@ -5,8 +5,8 @@
 namespace whittle {
 
 /// The box around the vertices that have a face, in model units.
-/// \throw std::invalid_argument if the mesh has no faces, a face names a vertex that isn't there, or a position of a
-/// used vertex is not finite or above 3e150.
+/// \throw std::invalid_argument if the mesh has no faces, a face names a missing vertex, or a position of a used vertex
+///        is not finite or above 3e150.
 Box bounds_of(const IndexedMesh& mesh);
 
 }  // namespace whittle

@@ -8,9 +8,9 @@
 
 namespace whittle {
 
-/// A closed box along the axes. It is empty until it is extended by a point or a box.
+/// A closed axis-aligned box. It is empty until it is extended by a point or a box.
 using Box = Eigen::AlignedBox3d;
-/// For searches: rounding to single precision keeps overlapping boxes overlapping.
+/// A box for searches: rounding to single precision keeps overlapping boxes overlapping.
 using FloatBox = Eigen::AlignedBox3f;
 
 /// \pre not empty

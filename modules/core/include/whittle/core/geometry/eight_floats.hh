@@ -11,7 +11,7 @@ namespace whittle::detail {
 using Float8 = Lanes<float, 8>;
 using Int8 = Lanes<std::int32_t, 8>;
 
-/// How they are stored.
+/// Their storage.
 using EightFloats = std::array<float, 8>;
 
 WHITTLE_INLINE Float8 load(const EightFloats& from) { return load_lanes<Float8>(from.data()); }

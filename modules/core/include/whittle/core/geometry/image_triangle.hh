@@ -12,7 +12,7 @@ using ImageTriangle = std::array<Vec2, 3>;
 
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Twice the area on the image; negative where a face lies clockwise.
+/// Twice the signed area on the image; negative if clockwise.
 inline double area_on_image(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
 
 }  // namespace whittle::detail

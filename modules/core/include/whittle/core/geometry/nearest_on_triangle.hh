@@ -14,8 +14,8 @@ inline Vec3 point_at(const Corners& corners, const Barycentric& at) {
   return a + at.second * (b - a) + at.third * (c - a);
 }
 
-/// The point of the triangle that is nearest to the origin. NaN if two corners coincide. \cite ericson_2005_collision
-/// (section 5.1.5)
+/// The point of the triangle nearest to the origin. NaN if two corners coincide. \cite ericson_2005_collision (section
+/// 5.1.5)
 inline Barycentric nearest_on_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;

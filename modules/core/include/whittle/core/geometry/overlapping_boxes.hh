@@ -17,7 +17,7 @@ using IndexPairs = std::vector<std::array<Index, 2>>;
 
 namespace detail {
 
-/// A tree of boxes: each eight successive ones lie in one box of the next level.
+/// A tree of boxes: eight successive boxes lie in one box of the next level.
 class OverlapTree {
  public:
   /// \param boxes at least one \throw Cancelled
@@ -25,7 +25,7 @@ class OverlapTree {
 
   std::size_t n_octets() const { return levels_.front().size(); }
 
-  /// Appends the pairs of an octet's boxes with each other, and with boxes further on.
+  /// Appends the overlapping pairs of an octet's boxes with each other, and with later boxes.
   void find(std::size_t octet, IndexPairs& pairs) const;
 
  private:
@@ -40,7 +40,7 @@ class OverlapTree {
     std::array<EightFloats, 3> low, high;
   };
 
-  /// \return the boxes around each eight
+  /// \return the box around each octet
   std::vector<FloatBox> add_level(std::span<const FloatBox> below, const Workers& workers);
 
   std::vector<std::vector<Octet>> levels_;  ///< the lowest one first
@@ -48,8 +48,9 @@ class OverlapTree {
 
 }  // namespace detail
 
-/// The pairs of boxes that have a common point and of which `keep(i, j)` holds, each once, i below j, and always in
-/// the same order. It is fast where successive boxes are near each other. \param keep called from several threads
+/// All pairs i < j of boxes with a common point for which `keep(i, j)` holds, always in the same order. Fast if
+/// successive boxes are near each other.
+/// \param keep called from several threads
 /// \throw Cancelled
 template <class Keep>
 IndexPairs overlapping_boxes(std::span<const FloatBox> boxes, const Keep& keep, const detail::Workers& workers) {

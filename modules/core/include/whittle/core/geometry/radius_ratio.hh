@@ -6,7 +6,7 @@
 
 namespace whittle {
 
-/// The quality of a triangle: twice the radius of its inscribed circle over that of its circumscribed one,
+/// The quality of a triangle: twice the radius of its inscribed circle over the radius of its circumscribed circle,
 /// 16 area² / (perimeter · product of the edges). [0, 1]; 1 is equilateral, 0 without area.
 inline double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double ab = (b - a).norm();

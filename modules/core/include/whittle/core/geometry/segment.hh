@@ -6,7 +6,7 @@
 
 namespace whittle {
 
-/// Where on a segment, whose ends may coincide, the point nearest to some point lies: 0 at `from`, 1 at `to`.
+/// Parameter of the closest point on a segment: 0 at `from`, 1 at `to`. The ends may coincide.
 template <class Point>
 double nearest_share(const Point& point, const Point& from, const Point& to) {
   const Point way = to - from;
@@ -14,7 +14,7 @@ double nearest_share(const Point& point, const Point& from, const Point& to) {
   return length_sq > 0 ? std::clamp((point - from).dot(way) / length_sq, 0.0, 1.0) : 0;
 }
 
-/// The point of a segment, whose ends may coincide, that is nearest to some point.
+/// The closest point on a segment. The ends may coincide.
 inline Vec3 nearest_on_segment(const Vec3& point, const Vec3& from, const Vec3& to) {
   const Vec3 along = to - from;
   const double t = (point - from).dot(along), end = along.squaredNorm();

@@ -32,7 +32,7 @@ inline double area_of(std::span<const Vec3> positions, const Triangle& face) {
   return 0.5 * area_normal(positions, face).norm();
 }
 
-/// As `area_normal`. Zero if that is no more than rounding error: the triangle has no area then, and no direction.
+/// `area_normal`, or zero if it is within rounding error: then the triangle has no area and no direction.
 inline Vec3 reliable_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   constexpr double least_sine = 1e-12;
   const Vec3 p = b - a;

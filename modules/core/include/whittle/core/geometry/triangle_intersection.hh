@@ -14,7 +14,7 @@ inline bool intersect(const Triangle& s, const Triangle& t, std::span<const Vec3
   return intersect(corners_of(positions, s), corners_of(positions, t));
 }
 
-/// Whether two faces intersect that didn't before. \param before, after the corners of both
+/// Whether two faces intersect now, but not before. \param before, after the corners of both
 inline bool intersect_newly(const std::array<Corners, 2>& before, const std::array<Corners, 2>& after) {
   return intersect(after[0], after[1]) && !intersect(before[0], before[1]);
 }

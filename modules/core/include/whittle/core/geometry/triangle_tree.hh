@@ -16,30 +16,29 @@ class ProgressMeter;
 
 namespace whittle {
 
-/// Where a surface comes nearest to a point.
+/// The closest point of a surface to a point.
 struct ClosestPoint {
   Index face = invalid_index;
-  Vec3 point = Vec3::Zero();  ///< On that face.
+  Vec3 point = Vec3::Zero();  ///< On the face, model units.
   double distance_sq = 0.0;   ///< Model units squared.
 };
 
 /// A bounding volume hierarchy over the faces of a mesh, for exact closest points.
 ///
-/// Any triangles are allowed. Degenerate ones count as the segment or point that they are. Of coincident ones the
-/// lowest number is returned. Coordinates are kept relative to an origin near the mesh, so that a mesh far from zero
-/// loses no precision. The tree holds copies; the mesh may be destroyed. Building takes O(F log F) time and about 200
-/// bytes a face, a query O(log F) time where the point is near the surface. Extents and distances must be within 1e-70
-/// … 1e70, because their fourth powers are taken; greater extents are refused. Any number of threads may query at the
-/// same time.
+/// Any triangles are allowed. Degenerate triangles count as segments or points. Of coincident faces the lowest number
+/// is returned. Coordinates are relative to an origin near the mesh, so that a mesh far from zero loses no precision.
+/// The tree holds copies; the mesh may be destroyed. Building takes O(F log F) time and about 200 bytes a face, a query
+/// O(log F) time if the point is near the surface. Extents and distances must be within 1e-70 … 1e70, as their fourth
+/// powers are taken; larger extents are refused. Any number of threads may query at the same time.
 class TriangleTree {
  public:
   /// \throw std::invalid_argument as `bounds`, and for extents above 1e70.
   explicit TriangleTree(const IndexedMesh& mesh);
-  /// With an origin of the caller's choice, for queries against several trees in the same local coordinates.
-  /// \param meter is told the progress, and may cancel; internal
+  /// With a given origin, for queries against several trees in the same local coordinates.
+  /// \param meter gets the progress, and may cancel; internal
   TriangleTree(const IndexedMesh& mesh, const Vec3& origin, detail::ProgressMeter* meter = nullptr);
 
-  /// The nearest point of the surface; of faces at exactly the same distance the one with the lowest number.
+  /// The closest point of the surface; of faces at exactly the same distance, on the face with the lowest number.
   /// \param point finite, model units.
   /// \param hint a face that may be near, such as the result for a neighbouring point, or `invalid_index`. Only the
   ///        time depends on it.
@@ -48,27 +47,27 @@ class TriangleTree {
   /// The same, with argument and result in coordinates relative to `origin()`.
   ClosestPoint nearest_local(const Vec3& offset, Index hint = invalid_index) const;
 
-  /// Calls `visit(closest)` for each face that comes as near to a point as a distance, with its nearest point; nearer
-  /// ones come first, roughly. All is relative to `origin()`. \param most_sq that distance, squared. What `visit`
-  /// returns takes its place.
+  /// Calls `visit(closest)` with the closest point of each face within a distance of a point, roughly nearest first.
+  /// Coordinates are relative to `origin()`. \param most_sq squared distance; each call of `visit` returns the new one
   template <class Visitor>
   void visit_near(const Vec3& offset, double most_sq, Visitor&& visit) const;
 
-  /// Lets faces count as farther than they are, in `nearest_by_offsets`. \param offsets of each face, not negative
+  /// Sets offsets that `nearest_by_offsets` adds to distances. \param offsets per face, not negative
   void set_offsets(std::vector<double> offsets);
 
   struct OffsetFace {
     Index face = invalid_index;
     double distance = 0.0;  ///< With the face's offset, model units.
   };
-  /// The face of which distance and offset together are least. \pre there are offsets
+  /// The face with the least sum of distance and offset.
+  /// \pre offsets are set
   /// \param point, hint as for `nearest_local`
   OffsetFace nearest_by_offsets(const Vec3& point, Index hint) const;
 
-  /// What `nearest_local` of a tree with its origin at zero finds, to the bit, by a look at all faces. For a few
-  /// points, for which a tree isn't worth while. \param mesh with faces
+  /// The same result as `nearest_local` of a tree with its origin at zero, to the bit, by a search of all faces. Faster
+  /// for a few points. \param mesh with faces
   static ClosestPoint nearest_without_tree(const IndexedMesh& mesh, const Vec3& point);
-  /// The same of `nearest_by_offsets`. \param offsets of each face, not negative
+  /// The same for `nearest_by_offsets`. \param offsets per face, not negative
   static OffsetFace nearest_without_tree(const IndexedMesh& mesh, std::span<const double> offsets, const Vec3& point);
 
   const Vec3& origin() const { return origin_; }
@@ -99,7 +98,7 @@ class TriangleTree {
 
   void build(std::uint32_t node, std::vector<Reference>& references, std::uint32_t begin, std::uint32_t end,
              std::size_t depth, detail::ProgressMeter* meter);
-  /// Sorts the references into those of the first child and those of the second. Returns where the second's begin.
+  /// Partitions the references between the two children. Returns the start of the second part.
   static std::uint32_t split(std::vector<Reference>& references, std::uint32_t begin, std::uint32_t end,
                              const Box& centers, std::size_t depth);
   static Slot slot_of(const IndexedMesh& mesh, Index face, const Vec3& origin);

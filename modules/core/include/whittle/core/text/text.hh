@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-// Numbers and names as messages have them.
+// Numbers and names in messages.
 
 namespace whittle {
 

@@ -11,72 +11,71 @@
 
 namespace whittle::metrics {
 
-/// Proves, change after change, that a surface is within a distance of the original that it came from: each point of
-/// either surface.
+/// Proves, after each change, that a surface and its original are within a distance of each other, at every point.
 ///
 ///   - Each face of the surface is proven to be near to the original.
-///   - Each face of the original *rests on* faces of the surface: it is proven to be near to these alone. So the proof
+/// - Each face of the original *rests on* faces of the surface: it is proven to be near these alone. So the proof
 ///     holds until one of them changes.
 ///
-/// A change proves the new faces, and proves anew what rested on the old ones.
+/// A change proves the new faces, and again the faces that rested on the old ones.
 class SurfaceProof {
  public:
-  /// A face of the surface by its vertices. Its number is free to choose, and so are those of the vertices: memory is
-  /// taken for all numbers up to the highest. If two corners are one, it is a segment.
+  /// A face of the surface by its vertices. Numbers of faces and vertices are free to choose: memory is taken for all
+  /// numbers up to the highest. With two equal corners it is a segment.
   struct Face {
     Index number = invalid_index;
     Triangle vertices{};
   };
 
-  /// What a contraction does to a surface.
+  /// A change of the surface by a contraction.
   struct Change {
-    Index moved = invalid_index;   ///< the vertex that moves; or none
-    Vec3 position = Vec3::Zero();  ///< where to, model units
+    Index moved = invalid_index;   ///< vertex that moves, or `invalid_index`
+    Vec3 position = Vec3::Zero();  ///< its new position, model units
     std::vector<Index> removed{};  ///< faces that vanish or change
-    std::vector<Face> added{};     ///< what they become. `allows` doesn't need the numbers
-    std::vector<Index> around{};   ///< other faces that the original may come to rest on
+    std::vector<Face> added{};     ///< faces that they become. `allows` doesn't read the numbers
+    std::vector<Index> around{};   ///< other faces on which the original may rest
   };
 
-  /// \param original must outlive it. Triangles of which two corners are one stand for segments.
+  /// \param original must outlive the proof. Triangles with two equal corners are segments.
   /// \param limit model units, not negative
   SurfaceProof(const IndexedMesh& original, double limit);
 
-  /// Begins with a surface, which is proven if it can be. \param positions by vertex, model units
+  /// Begins with a surface, and tries to prove it. \param positions by vertex, model units
   void start(std::span<const Vec3> positions, std::span<const Face> faces);
 
-  /// Whether all that the change concerns is proven afterwards. The answer depends on the surface and the change alone,
-  /// not on what was asked before. \pre `start`
+  /// Whether all faces that the change affects are proven after it. The answer depends on the surface and the change
+  /// alone, not on earlier calls. \pre `start`
   bool allows(const Change& change);
-  /// Changes the surface, even if not all can be proven. \pre `start`; each added face has a number
+  /// Changes the surface, even if the proof fails. \pre `start`; each added face has a number
   void make(const Change& change);
 
-  /// Whether all points of both surfaces are proven to be near. \pre `start`
+  /// Whether all points of both surfaces are proven. \pre `start`
   bool is_proven() const { return n_unproven_ == 0; }
 
  private:
   struct SurfaceFace {
     Triangle vertices{};
-    Index hint = invalid_index;  ///< a face of the original that is likely near
+    Index hint = invalid_index;  ///< face of the original that is likely near
     bool is_unproven = false;
-    std::uint32_t removed_in = 0;  ///< the last look in which it was removed
-    std::uint32_t listed_in = 0;   ///< the last look in which it was listed among `others_`
+    std::uint32_t removed_in = 0;  ///< last look in which it was removed
+    std::uint32_t listed_in = 0;   ///< last look in which it was listed in `others_`
     std::vector<Index> resting{};  ///< faces of the original
   };
   struct OriginalFace {
     std::vector<Index> rests_on{};  ///< faces of the surface
-    std::uint32_t look = 0;         ///< the last one in which it was affected
+    std::uint32_t look = 0;         ///< last look in which it was affected
     bool is_unproven = false;
   };
-  /// What a vertex of the original is near to after a change.
+  /// The nearby face of a vertex of the original after a change.
   struct Nearby {
     std::uint32_t look = 0;
-    Index added = 0;  ///< a new face; or one of these:
+    Index added = 0;  ///< new face; or one of these:
     static constexpr Index other = invalid_index - 1;
     static constexpr Index nothing = invalid_index;
   };
-  /// Some faces of the surface, to prove faces of the original with.
+  /// Some faces of the surface, as the target of proofs for faces of the original.
   struct Part {
-    std::vector<Index> numbers;  ///< of each face
+    std::vector<Index> numbers;  ///< per face
     IndexedMesh mesh;            ///< in the frame
     std::optional<TargetSurface> surface;
     std::optional<Prover> prover;
@@ -123,14 +122,14 @@ class SurfaceProof {
   std::vector<OriginalFace> originals_;
   std::size_t n_unproven_ = 0;
 
-  // Of the change looked at last.
+  // State of the last look at a change.
   const Change* change_ = nullptr;
   Vec3 position_ = Vec3::Zero();  ///< in the frame
   std::vector<Corners> added_;
-  std::size_t added_near_ = 0;   ///< the one that was near last
+  std::size_t added_near_ = 0;   ///< last one found near
   std::vector<Index> affected_;  ///< faces of the original
   bool has_others_ = false;
-  std::vector<Index> others_;  ///< faces around, and those that affected faces rest on
+  std::vector<Index> others_;  ///< faces around, and faces on which affected faces rest
   std::vector<Corners> others_corners_;
   std::vector<Nearby> nearby_;  ///< by vertex of the original
   bool has_part_ = false;

@@ -6,15 +6,14 @@
 
 namespace whittle {
 
-/// The open borders of a mesh as triangles of which two corners are one: such a triangle is the segment between its
-/// first two corners.
+/// The open borders of a mesh as degenerate triangles: each is the segment between its first two corners.
 struct BorderEdges {
-  IndexedMesh mesh;          ///< with the vertices of the mesh
-  std::vector<Index> faces;  ///< of the mesh, the one at each edge
+  IndexedMesh mesh;          ///< has all vertices of the mesh
+  std::vector<Index> faces;  ///< per edge, its face in the mesh
 };
 
-/// Edges with exactly one face, in the order of the faces and of their corners; each in the direction of its face. \pre
-/// the vertex numbers are valid
+/// Edges with exactly one face, in the order of the faces and of their corners; each in the direction of its face.
+/// \pre the vertex numbers are valid
 BorderEdges border_edges_of(const IndexedMesh& mesh);
 
 }  // namespace whittle

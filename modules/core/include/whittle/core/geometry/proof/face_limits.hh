@@ -8,8 +8,8 @@
 
 namespace whittle {
 
-/// How far the surface may be from each face: the least of its corners' tolerances and `most`. Empty if there are no
-/// tolerances.
+/// Largest allowed distance of the surface from each face: the least of its corners' tolerances and `most`. Empty
+/// without tolerances.
 inline std::vector<double> face_limits(std::span<const Triangle> faces, std::span<const double> tolerances,
                                        double most) {
   std::vector<double> limits;

@@ -8,10 +8,10 @@
 
 namespace whittle {
 
-/// A set of numbers that is emptied at once.
+/// A set of numbers that is cleared in constant time.
 class NumberSet {
  public:
-  /// \return whether it wasn't there
+  /// \return whether it was new
   bool insert(Index number) {
     Slot& slot = slot_of(number);
     if (slot.turn == turn_) return false;
@@ -24,10 +24,10 @@ class NumberSet {
  private:
   struct Slot {
     Index number = 0;
-    std::uint32_t turn = 0;  ///< the one in which the slot was taken
+    std::uint32_t turn = 0;  ///< turn in which the slot was filled
   };
 
-  /// Where the number is, or is to go.
+  /// The slot of the number, or a free slot for it.
   Slot& slot_of(Index number) {
     const std::size_t mask = slots_.size() - 1;
     std::size_t slot = (number * std::uint64_t{0x9e3779b97f4a7c15U}) >> 32 & mask;
@@ -38,29 +38,29 @@ class NumberSet {
 
   std::vector<Slot> slots_ = std::vector<Slot>(256);
   std::size_t size_ = 0;
-  std::uint32_t turn_ = 1;  ///< counts how often the set was emptied
+  std::uint32_t turn_ = 1;  ///< number of times that the set was cleared
 };
 
-/// Proves that a triangle is covered by connected faces of a surface, which are seen along its normal.
+/// Proves that connected faces of a surface cover a triangle, seen along its normal.
 class Patch {
  public:
-  /// Looks at a triangle, and walks over the surface to a face that is seen over its center, as far as there is a way.
-  /// \param surface must stay as it is until `covers` is called
-  /// \param from where to begin
-  /// \return the face; `invalid_index` if the triangle is too thin to be seen
+  /// Sets the triangle, and walks over the surface towards a face over its center.
+  /// \param surface must not change until `covers` is called
+  /// \param from first face of the walk
+  /// \return last face of the walk; `invalid_index` if the triangle is too thin
   Index look_from(const LinkedFaces& surface, const Corners& triangle, Index from);
 
-  /// Whether faces connected with that face are proven to have a point over each point of the triangle, at `height` at
-  /// most. By the degree modulo 2: where no open edge of the faces lies over the triangle, and an odd number of faces
-  /// lies over one of its points, an odd number does over each.
+  /// Whether faces connected with that face provably have a point over each point of the triangle, at most `height`
+  /// away. By the degree modulo 2: if no open edge of the faces lies over the triangle, and an odd number of faces lies
+  /// over one of its points, an odd number lies over each.
   bool covers(double height);
 
-  /// Why the faces don't cover the triangle: one of them is too high over it.
+  /// A face too high over the triangle, so that the faces don't cover it.
   struct Obstacle {
     Index face;
     Vec3 below;  ///< the point of the triangle under the highest point of the face: likely far from the surface
   };
-  /// That of the triangle looked at last, if `covers` or `is_obstacle` found one.
+  /// The obstacle of the last triangle, if `covers` or `is_obstacle` found one.
   const std::optional<Obstacle>& obstacle() const { return obstacle_; }
   /// Whether a face is too high over the triangle. \param height as for `covers`
   bool is_obstacle(Index face, double height) { return !is_within(face, corners(face), height - margin_); }
@@ -69,15 +69,15 @@ class Patch {
   /// A point seen along the normal of the triangle, and its height over the triangle's plane.
   using Seen = Vec3;
 
-  /// A corner of a face as it is seen.
+  /// A corner of a face, projected.
   struct SeenCorner {
     Seen at;
-    unsigned outside;  ///< a bit for each side of the triangle that the corner surely lies outside of
+    unsigned outside;  ///< bit i: the corner is certainly outside of side i of the triangle
   };
   /// Corners of a face among `seen_`.
   using SeenFace = std::array<Index, 3>;
 
-  /// Where a vertex is among `seen_`, unless another vertex took its slot.
+  /// Index of a vertex in `seen_`, unless another vertex took its slot.
   struct CacheSlot {
     Index vertex = invalid_index;
     std::uint32_t turn = 0;
@@ -85,7 +85,7 @@ class Patch {
   };
   static constexpr std::size_t cache_size = 1024;
 
-  /// A side of the triangle as it is seen.
+  /// A side of the triangle, projected.
   struct Side {
     Seen from;
     Seen outward;  ///< perpendicular to it, of unit length
@@ -98,7 +98,7 @@ class Patch {
   void shrink();
   Index face_over_center(Index face);
   Seen seen(const Vec3& point) const;
-  /// Where the vertex is among `seen_`.
+  /// Index of the vertex in `seen_`.
   Index corner(Index vertex) {
     const CacheSlot& slot = cache_[vertex % cache_size];
     return slot.vertex == vertex && slot.turn == turn_ ? slot.seen : see(vertex);
@@ -120,10 +120,10 @@ class Patch {
   double margin_ = 0;
   std::array<Seen, 3> triangle_;  ///< without the margin
   std::array<Side, 3> sides_;
-  std::vector<Index> faces_;    ///< to be looked at
-  std::vector<SeenFace> over_;  ///< faces that lie over the triangle, or almost
+  std::vector<Index> faces_;    ///< queue of faces to check
+  std::vector<SeenFace> over_;  ///< faces over the triangle, or nearly
   NumberSet known_;
-  std::vector<SeenCorner> seen_;  ///< corners looked at for this triangle
+  std::vector<SeenCorner> seen_;  ///< corners checked for this triangle
   std::vector<CacheSlot> cache_ = std::vector<CacheSlot>(cache_size);
   std::uint32_t turn_ = 0;  ///< counts the triangles
   std::optional<Obstacle> obstacle_;

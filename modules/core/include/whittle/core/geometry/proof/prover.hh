@@ -21,38 +21,37 @@ struct ProofStep {
     halves  ///< an edge is halved: steps of both halves follow
   };
   Kind kind;
-  Index number;  ///< of the face, of the face that the patch starts from, or of the corner that the edge starts from
+  Index number;  ///< face; first face of the patch; or first corner of the halved edge
 };
 
 /// Proves that triangles are within a distance of a surface.
 class Prover {
  public:
-  /// \param most_pieces of a triangle, before it is given up
+  /// \param most_pieces largest number of pieces of a triangle; beyond it the result is undecided
   explicit Prover(const ProofTarget& target, int most_pieces = 1 << 16) : target_(target), most_pieces_(most_pieces) {}
 
-  /// Proves that each point of a triangle is within a distance, or finds one that is farther. Undecided: a point is as
-  /// far but for rounding, or it takes too many pieces.
+  /// Proves that each point of a triangle is within a distance, or finds a farther point. Undecided: a point is at the
+  /// distance up to rounding, or the proof takes too many pieces.
   /// \param hint a face that may be near, or `invalid_index`: only the time depends on it
-  /// \param farthest of the points looked at
+  /// \param farthest gets the farthest point checked
   Verdict prove(const Corners& triangle, double distance, Index hint, FarthestPoint& farthest);
 
-  /// Those of the last proof. Those of a half come before those of the other one.
+  /// Steps of the last proof, depth first.
   const std::vector<ProofStep>& steps() const { return steps_; }
 
-  /// Finds the farthest point of a triangle, as far as it is farther than `from`.
-  /// \param most unless a point is farther, all are to be proven to be within this
-  /// \return a distance that all points are proven to be within: that of the point found, or `from`; and `accuracy`
-  ///         times the greater of this and of `most`, if that is finite; and a 10⁻⁹th; or `most`. If that takes too
-  ///         many pieces, more; then no less is sought of triangles after this one, as the largest distance of all is
-  ///         what counts
+  /// Finds the farthest point of a triangle, if it is farther than `from`.
+  /// \param most limit to prove for all points, unless a point is farther
+  /// \return a proven bound for all points: `most`, or the distance of the point found (or `from`), plus `accuracy`
+  ///        times the larger of this distance and a finite `most`, plus a 10⁻⁹th. Larger if the proof takes too many
+  ///        pieces; then later triangles aren't proven below it, as only the largest distance counts
   double find_farthest(const Corners& triangle, double from, double accuracy, double most, Index hint,
                        FarthestPoint& farthest);
 
  private:
   struct Piece {
     Corners corners;
-    Index hint;                      ///< a face of the surface that may be near
-    Index obstacle = invalid_index;  ///< a face that was too high over the piece that was halved, if there was one
+    Index hint;                      ///< a face that may be near
+    Index obstacle = invalid_index;  ///< face too high over the piece before it was halved, or `invalid_index`
   };
 
   void begin(const Corners& triangle, Index hint, double distance);
@@ -67,12 +66,12 @@ class Prover {
   void split(const Piece& piece);
 
   const ProofTarget& target_;
-  LinkedFaces surface_;  ///< that of the target
+  LinkedFaces surface_;  ///< of the target
   int most_pieces_;
-  double coarse_ = 0;  ///< what `find_farthest` has proven of a triangle that took too many pieces
+  double coarse_ = 0;  ///< bound of `find_farthest` for a triangle that took too many pieces
   Patch patch_;
-  Index last_ = invalid_index;       ///< the face over the center of the piece looked at last, or its hint
-  std::vector<Index> known_;         ///< faces that may be near to the piece looked at last
+  Index last_ = invalid_index;       ///< face over the center of the last piece, or its hint
+  std::vector<Index> known_;         ///< faces that may be near the last piece
   NumberSet searched_;               ///< scratch
   std::vector<NearFace> to_search_;  ///< scratch
   std::vector<Piece> pieces_;

@@ -12,20 +12,20 @@
 
 namespace whittle {
 
-/// A mesh that triangles are proven to be near to.
+/// A mesh as the target of proofs that triangles are near it.
 class TargetSurface final : public ProofTarget {
  public:
   /// \param mesh must outlive it
-  /// \param frame must make it about as large as 1
-  /// \param limits of each face, in the frame, or empty
-  /// \param limit the greatest of them: a face counts as as much farther as its limit is less
+  /// \param frame in which the mesh has about size 1
+  /// \param limits per face, in the frame, or empty
+  /// \param limit largest of `limits`. A face with a smaller limit has the difference added to its distance
   TargetSurface(const IndexedMesh& mesh, const Frame& frame, std::span<const double> limits = {}, double limit = 0);
 
-  /// Builds the tree that `nearest` needs, if there is none. \throw Cancelled
+  /// Builds the tree for `nearest`, unless it is built. \throw Cancelled
   void build_tree(detail::ProgressMeter* meter) const;
 
   LinkedFaces faces() const override { return {in_frame_.positions, in_frame_.faces, beyond_, offsets_}; }
-  /// Any number of threads may call. The first few times it does without a tree, if there is none.
+  /// The nearest face. Any number of threads may call. The first few calls search without a tree.
   NearFace nearest(const Vec3& point, Index hint) const override;
 
  private:
@@ -34,7 +34,7 @@ class TargetSurface final : public ProofTarget {
   IndexedMesh in_frame_;
   std::vector<FacesBeyond> beyond_;
   std::vector<double> offsets_;
-  mutable std::atomic<int> n_without_tree_{0};  ///< points looked up without it
+  mutable std::atomic<int> n_without_tree_{0};  ///< number of searches without the tree
   mutable std::atomic<bool> has_tree_{false};
   mutable std::once_flag once_;
   mutable std::optional<TriangleTree> tree_;

@@ -1,4 +1,4 @@
-#include "original/foot_finder.hh"
+#include "original/closest_point_finder.hh"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ using detail::Int8;
 namespace {
 
 constexpr float least_normal_agreement = 0.5;  ///< cosine between the normals of a point and of its face
-constexpr float inside_slack = 1e-4F;          ///< how far outside a face is still inside, in barycentric coordinates
+constexpr float inside_slack = 1e-4F;          ///< tolerance of the test for inside, in barycentric coordinates
 constexpr std::int32_t nowhere = 0x7fffffff;
 
 WHITTLE_INLINE Float8 dot(const std::array<EightFloats, 3>& lanes, const Eigen::Vector3f& v) {
@@ -31,7 +31,7 @@ WHITTLE_INLINE std::int32_t least(Int8 x) {
 
 /// \param number of the corner at its vertex \param next, last barycentric coordinates of the two corners after this
 /// one
-Foot foot(const Corner& corner, std::size_t number, float next, float last, float distance) {
+ClosestFacePoint closest_point(const Corner& corner, std::size_t number, float next, float last, float distance) {
   const std::array<float, 3> weights{1 - next - last, next, last};  // of the corners from this one on
   constexpr std::array<std::size_t, 3> second{1, 0, 2};
   constexpr std::array<std::size_t, 3> third{2, 1, 0};
@@ -41,23 +41,24 @@ Foot foot(const Corner& corner, std::size_t number, float next, float last, floa
 }  // namespace
 
 /// The search in eight faces at a time, compiled for registers of either width.
-class FootFinder::Lanes {
+class ClosestPointFinder::Lanes {
  public:
-  WHITTLE_INLINE static void find(const FootFinder& finder, Index v, std::span<const Point> points,
-                                  std::span<Foot> feet) {
-    for (std::size_t i = 0; i < points.size(); ++i) feet[i] = find(finder, v, points[i]);
+  WHITTLE_INLINE static void find(const ClosestPointFinder& finder, Index v, std::span<const Point> points,
+                                  std::span<ClosestFacePoint> closest_points) {
+    for (std::size_t i = 0; i < points.size(); ++i) closest_points[i] = find(finder, v, points[i]);
   }
-  WHITTLE_AVX2 static void find_in_wide_registers(const FootFinder& finder, Index v, std::span<const Point> points,
-                                                  std::span<Foot> feet) {
-    find(finder, v, points, feet);
+  WHITTLE_AVX2 static void find_in_wide_registers(const ClosestPointFinder& finder, Index v,
+                                                  std::span<const Point> points,
+                                                  std::span<ClosestFacePoint> closest_points) {
+    find(finder, v, points, closest_points);
   }
 
  private:
-  WHITTLE_INLINE static Foot find(const FootFinder& finder, Index v, const Point& point) {
+  WHITTLE_INLINE static ClosestFacePoint find(const ClosestPointFinder& finder, Index v, const Point& point) {
     const Eigen::Vector3f offset = (point.position - finder.mesh_.positions[v]).cast<float>();
     const float least_along = least_normal_agreement * std::sqrt(length_sq(point.normal));
     std::int32_t nearest = nowhere;
-    Foot found = no_foot;
+    ClosestFacePoint found = no_closest_point;
     for (std::size_t i = 0; i < finder.octets_.size(); ++i) {
       const Octet& octet = finder.octets_[i];
       const Float8 next = dot(octet.next, offset);
@@ -73,13 +74,13 @@ class FootFinder::Lanes {
       nearest = here;
       const auto lane = static_cast<std::size_t>(here & 7);
       const std::size_t corner = 8 * i + lane;
-      found = foot(finder.mesh_.corners.of(v)[corner], corner, next[lane], last[lane], distance[lane]);
+      found = closest_point(finder.mesh_.corners.of(v)[corner], corner, next[lane], last[lane], distance[lane]);
     }
     return found;
   }
 };
 
-void FootFinder::fill_octets(Index v) {
+void ClosestPointFinder::fill_octets(Index v) {
   const auto& [faces, vertex_corners, positions] = mesh_;
   const std::span<const Corner> corners = vertex_corners.of(v);
   octets_.assign((corners.size() + 7) / 8, {});
@@ -100,10 +101,11 @@ void FootFinder::fill_octets(Index v) {
   }
 }
 
-void FootFinder::find(Index v, std::span<const Point> points, std::span<Foot> feet) {
+void ClosestPointFinder::find(Index v, std::span<const Point> points, std::span<ClosestFacePoint> closest_points) {
   if (points.empty()) return;
   fill_octets(v);
-  has_double4 ? Lanes::find_in_wide_registers(*this, v, points, feet) : Lanes::find(*this, v, points, feet);
+  has_double4 ? Lanes::find_in_wide_registers(*this, v, points, closest_points)
+              : Lanes::find(*this, v, points, closest_points);
 }
 
 }  // namespace whittle::polishing

@@ -1,4 +1,4 @@
-#include "guard/strayed_lines.hh"
+#include "guard/drifted_lines.hh"
 
 #include <algorithm>
 #include <array>
@@ -26,17 +26,17 @@ std::vector<double> limits_of(const MeshLines& lines, const std::vector<double>&
 
 }  // namespace
 
-StrayedLines::StrayedLines(const Surface& before, const MeshLines& lines, LineSamples& samples,
+DriftedLines::DriftedLines(const Surface& before, const MeshLines& lines, LineSamples& samples,
                            double feature_tolerance)
     : before_(before), lines_(lines), samples_(samples) {
   if (!lines.empty()) limits_ = limits_of(lines, samples.distances(lines, before.positions), feature_tolerance);
 }
 
-std::vector<Index> StrayedLines::take_back(std::vector<Vec3>& positions, const detail::Workers& workers) {
+std::vector<Index> DriftedLines::take_back(std::vector<Vec3>& positions, const detail::Workers& workers) {
   std::vector<Index> taken_back;
   for (bool is_done = limits_.empty(); !is_done;) {
     is_done = true;
-    samples_.find_feet(lines_, {before_.faces, before_.corners, positions}, workers);
+    samples_.find_closest_points(lines_, {before_.faces, before_.corners, positions}, workers);
     const std::vector<double> now = samples_.distances(lines_, positions);
     for (Index v = 0; v < now.size(); ++v) {
       if (!(now[v] > limits_[v])) continue;
@@ -50,8 +50,8 @@ std::vector<Index> StrayedLines::take_back(std::vector<Vec3>& positions, const d
   return taken_back;
 }
 
-/// What goes back where a vertex' lines stray: the vertex, or if it hasn't moved, those that its features lead to.
-std::vector<Index> StrayedLines::moved_at(Index v, const std::vector<Vec3>& positions) const {
+/// The vertices to put back where a vertex' lines drift: itself, or if it hasn't moved, its neighbours along features.
+std::vector<Index> DriftedLines::moved_at(Index v, const std::vector<Vec3>& positions) const {
   const auto is_moved = [&](Index u) { return positions[u] != before_.positions[u]; };
   if (is_moved(v)) return {v};
   std::vector<Index> moved;

@@ -8,15 +8,15 @@
 
 namespace whittle::polishing {
 
-/// Sums up over the feet of the original's points in each face of a mesh, on all threads, always in the same order.
-/// The points merged into one vertex have their feet in its faces. A block of vertices adds to the faces whose corners
-/// it has; what goes to other faces is added in the end.
-/// \param add `add(sums, foot, weight)` adds a point to the sums of its face
-/// \param of_face `of_face(f)` is where `Sums` are added to for a face
+/// Sums over the original's closest points in each face of a mesh, on all threads, always in the same order. Points
+/// merged into one vertex have their closest points in its faces. A block of vertices adds to faces with all corners in
+/// the block; sums for other faces are added in the end.
+/// \param add `add(sums, closest, weight)` adds a closest point to the sums of its face
+/// \param of_face `of_face(f)` returns the `Sums` of face f
 /// \throw Cancelled
 template <class Sums, class Add, class OfFace>
-void sum_over_feet(const Origins& origins, const Surface& mesh, const Add& add, const OfFace& of_face,
-                   const detail::Workers& workers) {
+void sum_over_closest_points(const Origins& origins, const Surface& mesh, const Add& add, const OfFace& of_face,
+                             const detail::Workers& workers) {
   const VertexBlocks blocks(origins.n_vertices());
   std::vector<std::vector<std::pair<Index, Sums>>> left_over(blocks.size());
   for_each_block(blocks.size(), workers, [&](std::size_t block) {
@@ -26,9 +26,9 @@ void sum_over_feet(const Origins& origins, const Surface& mesh, const Add& add, 
       const std::span<const Corner> corners = mesh.corners.of(v);
       at_corners.assign(corners.size(), Sums{});
       points.find(v);
-      for (std::size_t i = 0; i < points.feet().size(); ++i) {
-        const Foot& foot = points.feet()[i];
-        if (foot.face != invalid_index) add(at_corners[foot.corner], foot, points.weights()[i]);
+      for (std::size_t i = 0; i < points.closest_points().size(); ++i) {
+        const ClosestFacePoint& closest = points.closest_points()[i];
+        if (closest.face != invalid_index) add(at_corners[closest.corner], closest, points.weights()[i]);
       }
       for (std::size_t i = 0; i < corners.size(); ++i) {
         const Index f = corners[i].face;
