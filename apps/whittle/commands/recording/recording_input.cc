@@ -57,7 +57,9 @@ io::FileNotes notes_in(const std::string& path, const Recording& recording) {
 
 /// The input as described in the recording.
 Input input_in_recording(const std::string& path, const Recording& recording) {
-  Input input{path, path, {}, {}};
+  Input input;
+  input.path = path;
+  input.name = path;
   input.read.notes = notes_in(path, recording);
   const auto name = recording.notes.find(mesh_name_note);
   input.mesh_name =
