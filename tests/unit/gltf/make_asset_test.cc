@@ -95,7 +95,7 @@ TEST(MakeAsset, HasAnImageOfSeveralMaterialsOnce) {
   asset.materials[2].base_color_texture = asset.materials[0].base_color_texture;
   const Json document = Json::parse(make_asset(asset).document());
   EXPECT_EQ(document["images"].size(), 1U);
-  for (const std::size_t m : {0, 1}) {
+  for (const std::size_t m : {0U, 1U}) {
     EXPECT_EQ(document["materials"][m]["pbrMetallicRoughness"]["baseColorTexture"]["index"], 0);
   }
 }

@@ -114,7 +114,7 @@ TEST(GltfMaterials, HaveTheBytesOfImages) {
     "textures": [{"source": 0}, {"source": 1}, {"source": 2}, {"source": 3}])"));
   EXPECT_EQ(images[0]->bytes, "\1\2\3");
   EXPECT_EQ(images[1]->bytes, "\4\5");
-  for (const std::size_t i : {0, 1}) EXPECT_TRUE(images[i]->problem.empty() && images[i]->file.empty()) << i;
+  for (const std::size_t i : {0U, 1U}) EXPECT_TRUE(images[i]->problem.empty() && images[i]->file.empty()) << i;
   EXPECT_EQ(images[2]->problem, "test.gltf: image 2: its file \"no.png\" is not there") << "the asset has no folder";
   EXPECT_EQ(images[3]->problem, "test.gltf: image 3 is not there");
 }
