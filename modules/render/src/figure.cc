@@ -11,6 +11,7 @@
 #include "gl/mark_buffers.hh"
 #include "gl/program.hh"
 #include "gl/scene_buffers.hh"
+#include "gl/shaders.hh"
 #include "image/resolve.hh"
 #include "image/srgb.hh"
 
@@ -112,7 +113,7 @@ class FigureDrawing {
         canvas_(canvas),
         frame_(sphere_around(figure)),
         camera_(camera, frame_, canvas),
-        program_(make_program(gl(), figure_vertex_shader, figure_fragment_shader)) {
+        program_(make_program(gl(), vertex_shader, figure_fragment_shader)) {
     const auto samples_of = [](std::size_t pixels) {
       return static_cast<int>(std::min(pixels, tile_size) * samples_aside);
     };

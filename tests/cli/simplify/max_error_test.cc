@@ -99,18 +99,28 @@ TEST(MaxErrorOption, SaysInWordsWhatWasAskedAndFound) {
   }
 }
 
-/// Binary STL rounds coordinates to a 16th here.
-TEST(MaxErrorOption, WritesNothingThatIsNotProven) {
-  const TemporaryFolder folder;
-  IndexedMesh far = blob(4, 1);
-  for (Vec3& p : far.positions) p += Vec3(1e6, 0, 0);
-  const std::string input = folder / "far.ply";
-  io::write_mesh(input, far);
-  const std::string output = folder / "out.stl";
-  const Outcome run = whittle({"simplify", input, "-o", output, "-e", "0.01"});
+/// So far from the origin that binary STL rounds its coordinates to a 16th.
+IndexedMesh far_blob(int level) {
+  IndexedMesh mesh = blob(level, 1);
+  for (Vec3& p : mesh.positions) p += Vec3(1e6, 0, 0);
+  return mesh;
+}
+
+/// The run fails as its limit can't be proven, and writes nothing.
+void expect_unproven(const std::string& output, const std::vector<std::string>& arguments) {
+  const Outcome run = whittle(arguments);
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.find("can't be proven as " + output + " would be written"), std::string::npos) << run.err;
   EXPECT_FALSE(std::filesystem::exists(output));
+}
+
+TEST(MaxErrorOption, WritesNothingThatIsNotProven) {
+  const TemporaryFolder folder;
+  const IndexedMesh far = far_blob(4);
+  const std::string input = folder / "far.ply";
+  io::write_mesh(input, far);
+  const std::string output = folder / "out.stl";
+  expect_unproven(output, {"simplify", input, "-o", output, "-e", "0.01"});
   EXPECT_EQ(whittle({"simplify", input, "-o", output, "-e", "0.2"}).exit_code, 0);
   EXPECT_EQ(whittle({"simplify", input, "-o", output, "-e", "0.01", "--ascii"}).exit_code, 0);
 }
@@ -118,8 +128,7 @@ TEST(MaxErrorOption, WritesNothingThatIsNotProven) {
 /// Tolerances of vertices don't hide that not even the input is proven.
 TEST(MaxErrorOption, WritesNothingThatIsNotProvenInPlaces) {
   const TemporaryFolder folder;
-  IndexedMesh far = blob(4, 1);
-  for (Vec3& p : far.positions) p += Vec3(1e6, 0, 0);
+  const IndexedMesh far = far_blob(4);
   const std::string input = folder / "far.ply";
   io::write_mesh(input, far);
   std::string lines;
@@ -127,19 +136,14 @@ TEST(MaxErrorOption, WritesNothingThatIsNotProvenInPlaces) {
   const std::string map = folder / "tolerances.txt";
   write_text(map, lines);
   const std::string output = folder / "out.stl";
-  const Outcome run = whittle({"simplify", input, "-o", output, "-e", "0.01", "--tolerance-map", map});
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.err.find("can't be proven as " + output + " would be written"), std::string::npos) << run.err;
-  EXPECT_FALSE(std::filesystem::exists(output));
+  expect_unproven(output, {"simplify", input, "-o", output, "-e", "0.01", "--tolerance-map", map});
 }
 
 /// What STL can hold it holds again: the input itself is within any error.
 TEST(MaxErrorOption, WritesTheInputIfNothingElseIsProven) {
   const TemporaryFolder folder;
-  IndexedMesh far = blob(3, 1);
-  for (Vec3& p : far.positions) p += Vec3(1e6, 0, 0);
   const std::string rounded = folder / "rounded.stl";
-  io::write_mesh(rounded, far);
+  io::write_mesh(rounded, far_blob(3));
   const std::string output = folder / "out.stl";
   const Outcome run = whittle({"simplify", rounded, "-o", output, "-e", "1e-5", "--json", "-"});
   ASSERT_EQ(run.exit_code, 0) << run;

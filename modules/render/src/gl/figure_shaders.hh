@@ -4,27 +4,6 @@
 
 namespace whittle::render {
 
-inline constexpr const char* figure_vertex_shader = R"(#version 330 core
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-layout(location = 2) in vec2 texcoord;
-layout(location = 3) in vec4 color;
-uniform mat4 to_clip;
-uniform float dot_size;
-out vec3 surface_place;
-out vec3 surface_normal;
-out vec2 surface_texcoord;
-out vec4 surface_color;
-void main() {
-  surface_place = position;
-  surface_normal = normal;
-  surface_texcoord = texcoord;
-  surface_color = color;
-  gl_PointSize = dot_size;
-  gl_Position = to_clip * vec4(position, 1);
-}
-)";
-
 inline constexpr const char* figure_fragment_shader = R"(#version 330 core
 const int mask = 1;
 const int blend = 2;

@@ -1,6 +1,7 @@
 #pragma once
 
-// Computations per vertex and per sample. docs/dev/render.md has the formula of the shading.
+// Computations per vertex, for scenes and figures, and per sample, for scenes. docs/dev/render.md has the formula of
+// the shading.
 
 namespace whittle::render {
 
@@ -10,13 +11,17 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 texcoord;
 layout(location = 3) in vec4 color;
 uniform mat4 to_clip;
+uniform float dot_size;
+out vec3 surface_place;
 out vec3 surface_normal;
 out vec2 surface_texcoord;
 out vec4 surface_color;
 void main() {
+  surface_place = position;
   surface_normal = normal;
   surface_texcoord = texcoord;
   surface_color = color;
+  gl_PointSize = dot_size;
   gl_Position = to_clip * vec4(position, 1);
 }
 )";
