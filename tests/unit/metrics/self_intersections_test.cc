@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -151,6 +153,21 @@ TEST(SelfIntersections, AreTheSameForAnyNumberOfThreads) {
   EXPECT_GT(expected.size(), 50U);
   EXPECT_TRUE(std::is_sorted(expected.begin(), expected.end()));
   for (const unsigned threads : {2U, 3U, 8U, 0U}) EXPECT_EQ(self_intersections(mesh, threads), expected) << threads;
+}
+
+TEST(SelfIntersections, DontDependOnVerticesOfNoFace) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double scale : {1.0, 0x1p-900, 0x1p400}) {
+    const IndexedMesh sphere = test::scaled(test::sphere(2), scale);
+    const IndexedMesh mesh = test::joined(sphere, test::moved(sphere, Vec3(0.7, 0.2, 0.1) * scale));
+    const Pairs expected = self_intersections(mesh);
+    EXPECT_FALSE(expected.empty()) << scale;
+    for (const double far : {nan, -nan, 1e308, -1e308, HUGE_VAL}) {
+      IndexedMesh with = mesh;
+      with.positions.emplace_back(far, far, 0);
+      EXPECT_EQ(self_intersections(with), expected) << far << " at " << scale;
+    }
+  }
 }
 
 TEST(SelfIntersections, RejectWhatIsNoSurface) {

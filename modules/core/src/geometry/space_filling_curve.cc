@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "whittle/core/detail/parallel.hh"
 #include "whittle/core/geometry/box.hh"
@@ -36,7 +37,8 @@ std::vector<CurvePoint> along_morton_curve(std::span<const Vec3> positions, cons
   const Box box = bounds_of(positions);  // rounding keeps the order, so its corners map to the frame's
   const Vec3 low = frame.to_frame(box.min());
   const double extent = (frame.to_frame(box.max()) - low).maxCoeff();
-  const double cells_per_unit = extent > 0 ? 1023.0 / extent : 0;
+  constexpr double least = 1024 * std::numeric_limits<double>::min();  // below it the quotient is no number
+  const double cells_per_unit = extent > least ? 1023.0 / extent : 0;
   std::vector<CurvePoint> points(positions.size());
   for_each_range(positions.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

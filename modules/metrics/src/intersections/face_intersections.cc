@@ -118,7 +118,7 @@ struct Candidates {
   std::vector<FloatBox> boxes;
 
   Candidates(const IndexedMesh& mesh, const detail::Workers& workers) {
-    const Frame frame = Frame::of_points(mesh.positions);
+    const Frame frame = Frame::of_box(bounds_of(mesh));  // a vertex of no face may be anywhere
     std::vector<Vec3> centers;
     std::vector<Index> found;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
