@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "whittle/metrics/certify.hh"
-#include "whittle/openmesh/detail/face_guard.hh"
+#include "whittle/openmesh/detail/error_guard.hh"
 #include "whittle/openmesh/detail/mesh_proof.hh"
 
 // A largest distance as a binary module for OpenMesh's decimaters: all points count, both ways.
@@ -41,22 +41,24 @@ namespace whittle {
 /// Edges of one face are the border. Where a non-manifold mesh was cut into copies of vertices (`vertex_copies.hh`),
 /// the ends of the cuts are neither moved nor removed.
 template <class MeshT>
-class ModMaxErrorT : public FaceGuardT<MeshT> {
+class ModMaxErrorT : public ErrorGuardT<MeshT> {
  public:
   DECIMATING_MODULE(ModMaxErrorT, MeshT, MaxError);
 
-  explicit ModMaxErrorT(MeshT& mesh) : FaceGuardT<MeshT>(mesh), mesh_(mesh) {}
+  explicit ModMaxErrorT(MeshT& mesh) : ErrorGuardT<MeshT>(mesh), mesh_(mesh) {}
 
   /// Model units, (0, inf); empty (default) = no limit. The error tolerance factor of the decimater scales it. May be
   /// set at any time.
   /// \throw std::invalid_argument if not positive or not finite
   void set_max_error(std::optional<double> distance) { max_error_ = checked(distance); }
-  std::optional<double> max_error() const { return scaled(max_error_); }
+  std::optional<double> max_error() const override { return scaled(max_error_); }
 
   /// The same between the open borders of both surfaces. Empty (default) = as `max_error`. No effect without that.
   /// \throw std::invalid_argument if not positive or not finite
   void set_max_border_error(std::optional<double> distance) { max_border_error_ = checked(distance); }
-  std::optional<double> max_border_error() const { return max_border_error_ ? scaled(max_border_error_) : max_error(); }
+  std::optional<double> max_border_error() const override {
+    return max_border_error_ ? scaled(max_border_error_) : max_error();
+  }
 
   /// Proves that the mesh as it is keeps `max_error`, or finds a point that is farther. The first mesh of the result is
   /// the input, the second one `geometry_of(mesh)`.
@@ -73,7 +75,7 @@ class ModMaxErrorT : public FaceGuardT<MeshT> {
   }
   /// Whether the mesh as it is is proven to keep all limits by what was proven collapse by collapse. Takes no time,
   /// unless limits were set since. False doesn't say that they are exceeded. \throw std::logic_error as `certify`
-  bool is_proven() {
+  bool is_proven() override {
     require_limit();
     return proof().is_proven();
   }
@@ -89,7 +91,7 @@ class ModMaxErrorT : public FaceGuardT<MeshT> {
   }
   float collapse_priority(const CollapseInfo& collapse) override {
     const bool is_legal = !max_error_ || proof().allows(collapse, this->merged_point(collapse));
-    if (!is_legal) ++n_refused_;
+    if (!is_legal) this->count_refused();
     return static_cast<float>(is_legal ? Base::LEGAL_COLLAPSE : Base::ILLEGAL_COLLAPSE);
   }
   void preprocess_collapse(const CollapseInfo& collapse) override {
@@ -102,15 +104,10 @@ class ModMaxErrorT : public FaceGuardT<MeshT> {
   }
   void postprocess_collapse(const CollapseInfo& collapse) override {
     if (proof_) proof_->note_after(collapse);
-    n_followed_ += std::exchange(is_told_before_, false) ? 1 : 0;
+    if (std::exchange(is_told_before_, false)) this->count_followed();
   }
 
-  /// Tells it that the mesh was changed without it. Called by `PairDecimaterT`.
-  void note_new_surface() { proof_.reset(); }
-  /// Of how many collapses it was told before and after, since it was made. Asked by `PairDecimaterT`.
-  std::uint64_t n_followed() const { return n_followed_; }
-  /// How many questions it has answered by no because of a limit. Asked by `PairDecimaterT`.
-  std::uint64_t n_refused() const { return n_refused_; }
+  void note_new_surface() override { proof_.reset(); }
 
  private:
   static std::optional<double> checked(std::optional<double> distance) {
@@ -138,8 +135,6 @@ class ModMaxErrorT : public FaceGuardT<MeshT> {
   std::optional<double> max_border_error_;
   bool is_initialized_ = false;
   bool is_told_before_ = false;  ///< of a collapse under way
-  std::uint64_t n_followed_ = 0;
-  std::uint64_t n_refused_ = 0;
   IndexedMesh input_;
   std::unique_ptr<MeshProofT<MeshT>> proof_;  ///< of the mesh as it is; null before the first question
 };

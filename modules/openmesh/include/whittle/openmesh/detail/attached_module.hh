@@ -3,8 +3,8 @@
 #include <concepts>
 #include <type_traits>
 
+#include "whittle/openmesh/detail/error_guard.hh"
 #include "whittle/openmesh/mod_flip_guard.hh"
-#include "whittle/openmesh/mod_max_error.hh"
 #include "whittle/openmesh/mod_radius_ratio.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
 
@@ -14,6 +14,8 @@ template <class MeshT>
 class PlacingModuleT;
 template <class MeshT>
 class ModGarlandHeckbertT;
+template <class MeshT>
+class ModMaxErrorT;
 
 namespace detail {
 
@@ -44,7 +46,7 @@ struct AttachedModuleT {
   FaceGuardT<MeshT>* face_guard = nullptr;
   ModFlipGuardT<MeshT>* flip_guard = nullptr;
   ModRadiusRatioT<MeshT>* radius_guard = nullptr;
-  ModMaxErrorT<MeshT>* error_guard = nullptr;
+  ErrorGuardT<MeshT>* error_guard = nullptr;
 
   /// \param module of exactly this type
   template <class ModuleT>
@@ -59,7 +61,7 @@ struct AttachedModuleT {
     if constexpr (std::is_base_of_v<FaceGuardT<MeshT>, ModuleT>) attached.face_guard = &module;
     if constexpr (std::is_base_of_v<ModFlipGuardT<MeshT>, ModuleT>) attached.flip_guard = &module;
     if constexpr (std::is_base_of_v<ModRadiusRatioT<MeshT>, ModuleT>) attached.radius_guard = &module;
-    if constexpr (std::is_base_of_v<ModMaxErrorT<MeshT>, ModuleT>) attached.error_guard = &module;
+    if constexpr (std::is_base_of_v<ErrorGuardT<MeshT>, ModuleT>) attached.error_guard = &module;
     return attached;
   }
 };
