@@ -54,7 +54,7 @@ void expect_as_one_by_one(const DoubleMesh& mesh, std::size_t limit, std::uint64
   DoubleMesh one_by_one = mesh;
   const std::vector<VertexMerge> merges = collapse_at_random(one_by_one, limit, seed);
   DoubleMesh at_once = mesh;
-  BulkCollapseT<DoubleMesh>(at_once, merges).run();
+  BulkCollapse(at_once, merges).run();
   expect_same_mesh(one_by_one, at_once, context);
   expect_sound(at_once, context);
   one_by_one.garbage_collection();
@@ -95,8 +95,8 @@ TEST(BulkCollapse, TwiceIsTheSameAsOnce) {
   const std::vector<VertexMerge> merges = collapse_at_random(one_by_one, all, 1);
   const auto half = static_cast<std::ptrdiff_t>(merges.size() / 2);
   DoubleMesh twice = mesh;
-  BulkCollapseT<DoubleMesh>(twice, std::vector(merges.begin(), merges.begin() + half)).run();
-  BulkCollapseT<DoubleMesh>(twice, std::vector(merges.begin() + half, merges.end())).run();
+  BulkCollapse(twice, std::vector(merges.begin(), merges.begin() + half)).run();
+  BulkCollapse(twice, std::vector(merges.begin() + half, merges.end())).run();
   expect_same_mesh(one_by_one, twice, "in two halves");
 }
 
@@ -106,7 +106,7 @@ TEST(BulkCollapse, VerticesOfWholeStarsKeepTheirOutgoingHalfedge) {
   const HalfedgeHandle h = mesh.find_halfedge(VertexHandle(210), VertexHandle(211));
   ASSERT_TRUE(h.is_valid());
   const std::vector<VertexMerge> merges{{VertexHandle(210), VertexHandle(211)}};
-  BulkCollapseT<DoubleMesh>(after, merges).run();
+  BulkCollapse(after, merges).run();
   int n_changed = 0;
   for (const VertexHandle v : after.vertices()) n_changed += after.halfedge_handle(v) != mesh.halfedge_handle(v);
   EXPECT_LE(n_changed, 4) << "the merged vertex, the two opposite the edge";

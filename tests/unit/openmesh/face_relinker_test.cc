@@ -99,6 +99,7 @@ Task make_task(const DoubleMesh& mesh, const Joins& joins) {
   }
   task.expected.faces = task.joined.faces;
   const std::vector<Index> numbers = detail::number_vertices(mesh, Copies::joined).number_of;
+  task.joined.first_copies = first_copies(mesh);
   task.joined.vertex_of.assign(mesh.n_vertices(), invalid_index);
   for (const VertexHandle v : mesh.vertices()) {
     const auto place = static_cast<std::size_t>(v.idx());
@@ -132,7 +133,7 @@ void expect_manifold(const DoubleMesh& mesh, const std::string& context) {
 }
 
 void expect_labels_kept(const DoubleMesh& mesh, const Labels& labels, const JoinedFaces& joined,
-                        const std::vector<FaceRelinkerT<DoubleMesh>::Copy>& copies, const std::string& context) {
+                        const std::vector<FaceRelinker::Copy>& copies, const std::string& context) {
   std::vector<Index> faces;
   for (const FaceHandle f : mesh.faces()) {
     faces.push_back(static_cast<Index>(f.idx()));
@@ -171,7 +172,7 @@ void expect_labels_kept(const DoubleMesh& mesh, const Labels& labels, const Join
 void join_and_check(DoubleMesh& mesh, const Joins& joins, const std::string& context) {
   const Task task = make_task(mesh, joins);
   const Labels labels(mesh, task.joined);
-  const auto copies = FaceRelinkerT<DoubleMesh>(mesh, task.joined).run();
+  const auto copies = FaceRelinker(mesh, task.joined).run();
   expect_manifold(mesh, context);
   const IndexedMesh after = geometry_of(mesh);
   EXPECT_EQ(after.faces, task.expected.faces) << context;
@@ -230,7 +231,7 @@ TEST(FaceRelinker, LeavesAMeshAloneWhereNothingIsJoined) {
     if (!is_manifold) continue;
     const DoubleMesh before = mesh;
     const Task task = make_task(mesh, no_joins(shape.positions.size()));
-    FaceRelinkerT<DoubleMesh>(mesh, task.joined).run();
+    FaceRelinker(mesh, task.joined).run();
     expect_same_mesh(before, mesh, name);
     EXPECT_FALSE(find_copies_property(mesh).is_valid()) << name;
     for (const VertexHandle v : mesh.vertices()) EXPECT_EQ(mesh.halfedge_handle(v), before.halfedge_handle(v)) << name;
@@ -241,7 +242,7 @@ TEST(FaceRelinker, LeavesCopiesAloneWhereNothingIsJoined) {
   for (const auto& [name, shape] : nonmanifold_meshes()) {
     DoubleMesh mesh = cut_mesh_with_status(shape);
     const DoubleMesh before = mesh;
-    FaceRelinkerT<DoubleMesh>(mesh, make_task(mesh, no_joins(shape.positions.size())).joined).run();
+    FaceRelinker(mesh, make_task(mesh, no_joins(shape.positions.size())).joined).run();
     expect_same_mesh(before, mesh, name);
     EXPECT_EQ(first_copies(mesh), first_copies(before)) << name;
   }
@@ -254,7 +255,7 @@ TEST(FaceRelinker, ACornerThatTouchesIsTwoVerticesWithTheSameProperties) {
   mesh.status(VertexHandle(2)).set_tagged(true);
   Joins joins = no_joins(8);
   joins[5] = 2;
-  const auto copies = FaceRelinkerT<DoubleMesh>(mesh, make_task(mesh, joins).joined).run();
+  const auto copies = FaceRelinker(mesh, make_task(mesh, joins).joined).run();
   EXPECT_EQ(copies.size(), 8U);
   ASSERT_EQ(mesh.n_vertices(), 9U);
   EXPECT_TRUE(mesh.status(VertexHandle(5)).deleted());
@@ -347,7 +348,7 @@ TEST(FaceRelinker, LeavesIsolatedVerticesAlone) {
     if (mesh.is_isolated(v)) isolated.insert(v.idx());
   }
   Task task = make_task(mesh, joins_within(shape, 0.21));
-  FaceRelinkerT<DoubleMesh>(mesh, task.joined).run();
+  FaceRelinker(mesh, task.joined).run();
   EXPECT_EQ(isolated.size(), 5U);
   for (const int v : isolated) EXPECT_FALSE(mesh.status(VertexHandle(v)).deleted());
   expect_manifold(mesh, "boxes");

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
-#include <whittle/openmesh/detail/attributes/vertex_attributes.hh>
+#include <whittle/openmesh/detail/attributes/vertex_properties.hh>
 
 #include "common/meshes.hh"
 #include "common/modules.hh"
@@ -192,7 +192,7 @@ Mesh::Color blended(const Mesh::Color& first, const Mesh::Color& second, double 
   mesh.set_color(VertexHandle(2), first);
   const Vec3 from = to_vec3(mesh.point(VertexHandle(0)));
   const Vec3 to = to_vec3(mesh.point(VertexHandle(1)));
-  VertexAttributesT<Mesh>(mesh).merge(mesh, VertexHandle(0), VertexHandle(1), from + share * (to - from));
+  whittle::VertexProperties(mesh).merge(mesh, VertexHandle(0), VertexHandle(1), from + share * (to - from));
   return mesh.color(VertexHandle(0));
 }
 

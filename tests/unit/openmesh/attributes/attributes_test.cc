@@ -103,7 +103,7 @@ TEST_P(CornerAttributes, FollowTheVerticesOnEachSideOfASeam) {
 TEST(CornerAttributesOfAMesh, AreItsWedges) {
   const DoubleMesh mesh = charted_mesh(6);
   IndexedMesh shape = geometry_of(mesh);
-  add_wedges(mesh, CornerAttributesT<DoubleMesh>(mesh), shape);
+  add_wedges(mesh, whittle::CornerProperties(mesh), shape);
   EXPECT_EQ(n_wedges(shape), 6U * 7 * 7) << "a chart has a wedge a vertex";
   EXPECT_EQ(seam_edges(shape).size(), 12U * 6);
 }
@@ -218,11 +218,11 @@ TEST(VertexPropertiesInOpenMesh, StayLinearInThePosition) {
 
 TEST(VertexAttributesOfAMesh, NoticeNewProperties) {
   DoubleMesh mesh = open_mesh<DoubleMesh>(single_triangle());
-  const VertexAttributesT<DoubleMesh> attributes(mesh);
+  const whittle::VertexProperties attributes(mesh);
   EXPECT_TRUE(attributes.empty() && attributes.fits(mesh));
   const OpenMesh::VProp<float> height(mesh, "height");
   EXPECT_FALSE(attributes.fits(mesh));
-  EXPECT_FALSE(VertexAttributesT<DoubleMesh>(mesh).empty());
+  EXPECT_FALSE(whittle::VertexProperties(mesh).empty());
 }
 
 }  // namespace

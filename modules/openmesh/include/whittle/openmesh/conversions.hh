@@ -1,5 +1,6 @@
 #pragma once
 
+#include <OpenMesh/Core/Mesh/ArrayKernel.hh>
 #include <OpenMesh/Core/Utils/vector_traits.hh>
 #include <algorithm>
 #include <array>
@@ -12,7 +13,6 @@
 #include "whittle/core/geometry/box.hh"
 #include "whittle/core/indexed_mesh.hh"
 #include "whittle/core/manifold_cut.hh"
-#include "whittle/openmesh/detail/status_bits.hh"
 #include "whittle/openmesh/vertex_copies.hh"
 
 // Converts OpenMesh triangle meshes with any traits to plain arrays and back.
@@ -37,8 +37,8 @@ PointT to_point(const Vec3& p) {
 }
 
 /// The corners of a face, counter-clockwise, in the order of OpenMesh's FaceVertexIter.
-template <class MeshT>
-std::array<OpenMesh::VertexHandle, 3> face_corners(const MeshT& mesh, OpenMesh::FaceHandle face) {
+inline std::array<OpenMesh::VertexHandle, 3> face_corners(const OpenMesh::ArrayKernel& mesh,
+                                                          OpenMesh::FaceHandle face) {
   const OpenMesh::HalfedgeHandle h0 = mesh.halfedge_handle(face);
   const OpenMesh::HalfedgeHandle h1 = mesh.next_halfedge_handle(h0);
   return {mesh.to_vertex_handle(h0), mesh.to_vertex_handle(h1), mesh.to_vertex_handle(mesh.next_halfedge_handle(h1))};
@@ -111,24 +111,16 @@ struct VertexNumbers {
   std::vector<Index> handles;    ///< by number, ascending
 };
 
+/// \param firsts of copies (`first_copies`)
+VertexNumbers number_vertices(const OpenMesh::ArrayKernel& mesh, const std::vector<Index>& firsts);
+
 template <class MeshT>
 VertexNumbers number_vertices(const MeshT& mesh, Copies copies) {
-  VertexNumbers result;
-  result.number_of.resize(mesh.n_vertices());
-  result.handles.reserve(mesh.n_vertices());
-  const std::vector<Index> firsts = copies == Copies::joined ? first_copies(mesh) : std::vector<Index>{};
-  const StatusBitsT<OpenMesh::VertexHandle, const MeshT> bits(mesh);
-  for (Index v = 0; v < mesh.n_vertices(); ++v) {
-    if (bits.is_deleted(OpenMesh::VertexHandle(static_cast<int>(v)))) continue;
-    if (!firsts.empty() && firsts[v] != v) {
-      result.number_of[v] = result.number_of[firsts[v]];
-    } else {
-      result.number_of[v] = static_cast<Index>(result.handles.size());
-      result.handles.push_back(v);
-    }
-  }
-  return result;
+  return number_vertices(mesh, copies == Copies::joined ? first_copies(mesh) : std::vector<Index>{});
 }
+
+/// The faces that aren't deleted, in the order of the handles.
+std::vector<Triangle> faces_of(const OpenMesh::ArrayKernel& mesh, const VertexNumbers& numbers);
 
 /// Positions, faces and origins.
 template <class MeshT>
@@ -140,17 +132,7 @@ IndexedMesh geometry_of(const MeshT& mesh, const VertexNumbers& numbers) {
     result.positions.push_back(to_vec3(mesh.point(OpenMesh::VertexHandle(static_cast<int>(v)))));
   }
   if (!numbers.handles.empty() && numbers.handles.back() >= numbers.handles.size()) result.origins = numbers.handles;
-  result.faces.reserve(mesh.n_faces());
-  const StatusBitsT<OpenMesh::FaceHandle, const MeshT> bits(mesh);
-  for (int i = 0; i < static_cast<int>(mesh.n_faces()); ++i) {
-    const OpenMesh::FaceHandle f(i);
-    if (bits.is_deleted(f)) continue;
-    const auto corners = face_corners(mesh, f);
-    const auto number = [&](std::size_t corner) {
-      return numbers.number_of[static_cast<std::size_t>(corners[corner].idx())];
-    };
-    result.faces.push_back({number(0), number(1), number(2)});
-  }
+  result.faces = faces_of(mesh, numbers);
   return result;
 }
 

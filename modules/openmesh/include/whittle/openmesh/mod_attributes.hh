@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "whittle/core/attribute_blend.hh"
+#include "whittle/core/geometry/segment.hh"
 #include "whittle/openmesh/conversions.hh"
-#include "whittle/openmesh/detail/attributes/corner_attributes.hh"
-#include "whittle/openmesh/detail/attributes/vertex_attributes.hh"
+#include "whittle/openmesh/detail/attributes/corner_properties.hh"
 
 // Keeps what halfedges carry through OpenMesh's own decimaters, as a binary module. `PairDecimaterT` does it by itself.
 //
@@ -32,7 +32,7 @@ class ModAttributesT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   explicit ModAttributesT(MeshT& mesh) : Base(mesh, true), mesh_(mesh), corners_(mesh) {}
 
   /// Halfedges have the properties then that are kept.
-  void initialize() override { corners_ = CornerAttributesT<MeshT>(mesh_); }
+  void initialize() override { corners_ = CornerProperties(mesh_); }
   float collapse_priority(const CollapseInfo& collapse) override {
     const bool is_legal = corners_.empty() || keeps_seams(collapse);
     return static_cast<float>(is_legal ? Base::LEGAL_COLLAPSE : Base::ILLEGAL_COLLAPSE);
@@ -67,7 +67,7 @@ class ModAttributesT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   Values merged(const Values& corner, Values Side::*end, double share) const;
 
   MeshT& mesh_;
-  CornerAttributesT<MeshT> corners_;
+  CornerProperties corners_;
   // The collapse under way: its sides, and the corners of the faces around that stay.
   std::vector<Side> sides_;
   std::vector<Corner> around_;

@@ -11,6 +11,7 @@
 
 #include "whittle/engine/run_steps.hh"
 #include "whittle/openmesh/conversions.hh"
+#include "whittle/openmesh/detail/status_bits.hh"
 
 // The steps of a decimater as a binary module: for `progressive::Replay` and `progressive::write_recording`, and for
 // OpenMesh's own progressive meshes.
@@ -140,7 +141,7 @@ void ModRecorderT<MeshT>::write_pm(const std::string& path) {
   if (mesh_.n_vertices() != n_vertices_) {
     throw std::logic_error("ModRecorderT: a .pm file is written before the garbage is collected");
   }
-  const StatusBitsT<OpenMesh::FaceHandle, const MeshT> bits(mesh_);
+  const ConstStatusBits<OpenMesh::FaceHandle> bits(mesh_);
   std::vector<std::uint32_t> numbers(
       mesh_.n_vertices());  // those that are left, then those removed, the last one first
   std::vector<typename MeshT::VertexHandle> left;

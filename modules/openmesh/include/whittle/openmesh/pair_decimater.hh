@@ -15,7 +15,6 @@
 #include "whittle/openmesh/detail/attached_module.hh"
 #include "whittle/openmesh/detail/feature_bits.hh"
 #include "whittle/openmesh/mod_flip_guard.hh"
-#include "whittle/openmesh/mod_max_error.hh"
 #include "whittle/openmesh/mod_radius_ratio.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
 
@@ -83,7 +82,7 @@ class MeshRunT;
 /// As in the stock decimater, surviving handles and their properties persist. Removed elements are marked deleted until
 /// `garbage_collection()`. *The engine driver writes to the mesh only at the end (or when aborted):* until then an
 /// observer or listener sees the mesh as it was. If threshold pairs were contracted or vertices have copies, the engine
-/// driver may add copies at the end: `FaceRelinkerT` says what persists.
+/// driver may add copies at the end: `FaceRelinker` says what persists.
 template <class MeshT>
 class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
  public:
@@ -188,15 +187,10 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
     bool has_own_flip_guard = false;                 ///< whether a class derived from `ModFlipGuardT` takes part
     ModFlipGuardT<MeshT>* flip_guard = nullptr;      ///< exactly of this type
     ModRadiusRatioT<MeshT>* radius_guard = nullptr;  ///< exactly of this type
-    ModMaxErrorT<MeshT>* error_guard = nullptr;      ///< or derived
+    ErrorGuardT<MeshT>* error_guard = nullptr;       ///< a `ModMaxErrorT`, or derived
     Module* foreign_guard = nullptr;                 ///< the first that the engine doesn't know
     std::vector<Module*> asked_guards;               ///< by the mesh driver
   };
-  struct Counts {
-    std::uint64_t vertices = 0;
-    std::uint64_t faces = 0;
-  };
-
   void require_known_modules();
   void assign_roles();
   void assign_guard(const Attached& guard);
@@ -208,7 +202,6 @@ class PairDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   DecimateResult run_engine(const DecimateTarget& target, bool only_selected);
   DecimateResult run_on_mesh(const DecimateTarget& target, bool only_selected);
   DecimateTarget checked(const DecimateTarget& target) const;
-  Counts count_elements() const;
   double max_normal_flip_deg() const;
   double min_radius_ratio() const { return roles_.radius_guard ? roles_.radius_guard->min_radius_ratio() : 0; }
   bool is_fixed(VertexHandle v, bool only_selected) const;

@@ -12,7 +12,7 @@
 
 #include "whittle/engine/formula/valence_term.hh"
 #include "whittle/openmesh/conversions.hh"
-#include "whittle/openmesh/detail/attributes/vertex_attributes.hh"
+#include "whittle/openmesh/detail/attributes/vertex_properties.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
 
 namespace whittle {
@@ -151,7 +151,7 @@ class PlacingModuleT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PairC
   std::optional<float> own_priority_;
   std::optional<Pending> pending_;  ///< the collapse under way
   PlacedQuadric merged_;            ///< the merged vertex of that collapse
-  std::optional<VertexAttributesT<MeshT>> attributes_;
+  std::optional<VertexProperties> attributes_;
 };
 
 }  // namespace whittle

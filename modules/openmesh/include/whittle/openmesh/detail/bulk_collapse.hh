@@ -1,6 +1,6 @@
 #pragma once
 
-#include <OpenMesh/Core/Mesh/Handles.hh>
+#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <array>
 #include <span>
 #include <vector>
@@ -31,10 +31,9 @@ struct VertexMerge {
 ///
 /// A strip becomes one edge. Whenever one of its faces vanishes, the edges on both its sides become one: the edge at
 /// the surviving vertex remains. So the order of the collapses decides which edge is left.
-template <class MeshT>
-class BulkCollapseT {
+class BulkCollapse {
  public:
-  BulkCollapseT(MeshT& mesh, std::span<const VertexMerge> merges);
+  BulkCollapse(OpenMesh::TriConnectivity& mesh, std::span<const VertexMerge> merges);
 
   void run();
 
@@ -83,11 +82,11 @@ class BulkCollapseT {
     return !face.is_valid() || !face_bits_[face].deleted();
   }
 
-  MeshT& mesh_;
-  StatusBitsT<VertexHandle, MeshT> vertex_bits_;
-  StatusBitsT<HalfedgeHandle, MeshT> halfedge_bits_;
-  StatusBitsT<EdgeHandle, MeshT> edge_bits_;
-  StatusBitsT<FaceHandle, MeshT> face_bits_;
+  OpenMesh::TriConnectivity& mesh_;
+  StatusBits<VertexHandle> vertex_bits_;
+  StatusBits<HalfedgeHandle> halfedge_bits_;
+  StatusBits<EdgeHandle> edge_bits_;
+  StatusBits<FaceHandle> face_bits_;
   std::vector<Fate> fates_;                  ///< by vertex
   std::vector<VertexHandle> clusters_;       ///< by vertex: the survivor
   std::vector<HalfedgeHandle> substitutes_;  ///< by halfedge of a remaining face or of the border: the halfedge that
@@ -97,5 +96,3 @@ class BulkCollapseT {
 };
 
 }  // namespace whittle
-
-#include "whittle/openmesh/detail/bulk_collapse_impl.hh"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <OpenMesh/Core/Mesh/Handles.hh>
+#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <utility>
 #include <vector>
 
@@ -19,6 +19,7 @@ struct JoinedFaces {
   std::vector<Index> vertex_of;
   std::vector<Triangle> faces;      ///< three different vertices of each, in the order of `face_corners`
   std::vector<Index> face_handles;  ///< of each, ascending
+  std::vector<Index> first_copies;  ///< of the vertices before (`first_copies`)
 };
 
 /// Gives an OpenMesh mesh the connectivity that results from joining some of its vertices, in a few passes over the
@@ -33,8 +34,7 @@ struct JoinedFaces {
 ///     feature if any edge between the vertices joined at its ends was one. Edges that no face took are marked deleted.
 ///
 /// Positions don't change. \pre the mesh has status bits of vertices, edges and faces.
-template <class MeshT>
-class FaceRelinkerT {
+class FaceRelinker {
  public:
   using VertexHandle = OpenMesh::VertexHandle;
 
@@ -45,7 +45,7 @@ class FaceRelinkerT {
   };
 
   /// \param joined must outlive this
-  FaceRelinkerT(MeshT& mesh, const JoinedFaces& joined);
+  FaceRelinker(OpenMesh::TriConnectivity& mesh, const JoinedFaces& joined);
 
   /// \return all vertices left; a cut vertex is listed once per copy
   std::vector<Copy> run();
@@ -88,7 +88,7 @@ class FaceRelinkerT {
     return vertex < n ? vertex : cut_.originals[vertex - n];
   }
 
-  MeshT& mesh_;
+  OpenMesh::TriConnectivity& mesh_;
   const JoinedFaces& joined_;
   ManifoldCut cut_;
   std::vector<Side> opposite_;             ///< by side of the cut
@@ -101,5 +101,3 @@ class FaceRelinkerT {
 };
 
 }  // namespace whittle
-
-#include "whittle/openmesh/detail/face_relinker_impl.hh"

@@ -226,7 +226,7 @@ template <class MeshT>
 std::size_t PairDecimaterT<MeshT>::decimate(std::size_t n_contractions, ExactlyBool only_selected) {
   require_initialized();
   DecimateTarget target = DecimateTarget::as_far_as_possible();
-  const std::uint64_t n_vertices = count_elements().vertices;
+  const std::uint64_t n_vertices = count_vertices(mesh_, first_copies(mesh_));
   if (n_contractions > 0 && n_contractions < n_vertices) target = DecimateTarget::vertices(n_vertices - n_contractions);
   return decimate(target, only_selected).n_contractions;
 }
@@ -240,24 +240,6 @@ template <class MeshT>
 std::size_t PairDecimaterT<MeshT>::decimate_to_faces(std::size_t n_vertices, std::size_t n_faces,
                                                      ExactlyBool only_selected) {
   return decimate(DecimateTarget::vertices(n_vertices).or_faces(n_faces), only_selected).n_contractions;
-}
-
-template <class MeshT>
-typename PairDecimaterT<MeshT>::Counts PairDecimaterT<MeshT>::count_elements() const {
-  Counts counts;
-  const std::vector<Index> firsts = first_copies(mesh_);
-  std::vector<bool> has_face(firsts.size());
-  for (const VertexHandle v : mesh_.vertices()) {
-    if (mesh_.is_isolated(v)) continue;
-    if (!firsts.empty()) {
-      const Index first = firsts[static_cast<std::size_t>(v.idx())];
-      if (has_face[first]) continue;
-      has_face[first] = true;
-    }
-    ++counts.vertices;
-  }
-  for ([[maybe_unused]] const OpenMesh::FaceHandle f : mesh_.faces()) ++counts.faces;
-  return counts;
 }
 
 /// Without a `ModFlipGuardT` the cost's default. A class derived from it says itself which angles it allows. Costs that

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <OpenMesh/Core/Mesh/BaseKernel.hh>
 #include <OpenMesh/Core/Utils/vector_traits.hh>
 #include <cmath>
 #include <cstddef>
@@ -60,38 +61,39 @@ constexpr double one_of(AttributeKind kind) {
 }
 
 /// A property of a mesh, and what its values mean.
-template <class MeshT, class Handle>
-class PropertyColumnT {
+/// \tparam Handle of the elements that have it
+template <class Handle>
+class PropertyColumn {
  public:
-  virtual ~PropertyColumnT() = default;
+  virtual ~PropertyColumn() = default;
 
   /// The kind and the number of components; no values.
   const Attribute& attribute() const { return attribute_; }
-  virtual void get(const MeshT& mesh, Handle at, std::span<double> to) const = 0;
-  virtual void set(MeshT& mesh, Handle at, std::span<const double> from) const = 0;
+  virtual void get(const OpenMesh::BaseKernel& mesh, Handle at, std::span<double> to) const = 0;
+  virtual void set(OpenMesh::BaseKernel& mesh, Handle at, std::span<const double> from) const = 0;
 
  protected:
-  explicit PropertyColumnT(Attribute attribute) : attribute_(std::move(attribute)) {}
+  explicit PropertyColumn(Attribute attribute) : attribute_(std::move(attribute)) {}
 
  private:
   Attribute attribute_;
 };
 
 /// \tparam PropertyHandle such as OpenMesh::HPropHandleT<Vec2f>
-template <class MeshT, class Handle, class PropertyHandle>
-class TypedColumnT final : public PropertyColumnT<MeshT, Handle> {
+template <class Handle, class PropertyHandle>
+class TypedColumn final : public PropertyColumn<Handle> {
  public:
   using Value = typename PropertyHandle::Value;
 
-  TypedColumnT(const char* name, AttributeKind kind, PropertyHandle property)
-      : PropertyColumnT<MeshT, Handle>({.name = name, .kind = kind, .n_components = n_components_of<Value>()}),
+  TypedColumn(const char* name, AttributeKind kind, PropertyHandle property)
+      : PropertyColumn<Handle>({.name = name, .kind = kind, .n_components = n_components_of<Value>()}),
         property_(property),
         one_(one_of<Value>(kind)) {}
 
-  void get(const MeshT& mesh, Handle at, std::span<double> to) const override {
+  void get(const OpenMesh::BaseKernel& mesh, Handle at, std::span<double> to) const override {
     get_components(mesh.property(property_, at), one_, to);
   }
-  void set(MeshT& mesh, Handle at, std::span<const double> from) const override {
+  void set(OpenMesh::BaseKernel& mesh, Handle at, std::span<const double> from) const override {
     set_components(from, one_, mesh.property(property_, at));
   }
 

@@ -5,11 +5,8 @@
 #include <OpenMesh/Tools/Decimater/Observer.hh>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
-#include "whittle/core/detail/edge_table.hh"
-#include "whittle/engine/attributes.hh"
 #include "whittle/openmesh/detail/drivers/engine_run.hh"
 #include "whittle/openmesh/pair_cost_module.hh"
 
@@ -17,13 +14,11 @@ namespace whittle {
 
 template <class MeshT>
 EngineRunT<MeshT>::EngineRunT(PairDecimaterT<MeshT>& decimater, const DecimateTarget& target, bool only_selected)
-    : decimater_(decimater),
+    : EngineRun(decimater.mesh(), target,
+                [&decimater, only_selected](VertexHandle v) { return decimater.is_fixed(v, only_selected); }),
+      decimater_(decimater),
       mesh_(decimater.mesh()),
-      target_(target),
-      input_(mesh_, Copies::joined,
-             [&decimater, only_selected](VertexHandle v) { return decimater.is_fixed(v, only_selected); }),
-      state_(state_of_module()),
-      attributes_(mesh_) {}
+      state_(state_of_module()) {}
 
 template <class MeshT>
 DecimateResult EngineRunT<MeshT>::run() {
@@ -67,30 +62,14 @@ Decimation EngineRunT<MeshT>::contract() {
 template <class MeshT>
 Decimation EngineRunT<MeshT>::contract_within_error(DecimateOptions options) {
   options.listener = [this](const Contraction& made) { note(made); };
-  options.progress = [this, n_vertices = count_vertices(input_.mesh)](const Progress& progress) {
+  options.progress = [this, n_vertices = n_vertices_of_input()](const Progress& progress) {
     return notify_observer(n_vertices - std::min(n_vertices, progress.n_vertices));
   };
-  Decimation small = whittle::decimate(input_.mesh, target_before_rounding(), options);
+  using Scalar = typename OpenMesh::vector_traits<typename MeshT::Point>::value_type;
+  const DecimateTarget target = target_before_rounding(double{std::numeric_limits<Scalar>::epsilon()});
+  Decimation small = whittle::decimate(input_.mesh, target, options);
   if (small.result.proven_error) small.result.proven_error = target_.error_limit();
   return small;
-}
-
-/// The limits less what rounding to the scalar of the mesh may add: what moves each vertex by d at most, moves each
-/// point of the surface by d at most.
-template <class MeshT>
-DecimateTarget EngineRunT<MeshT>::target_before_rounding() const {
-  using Scalar = typename OpenMesh::vector_traits<typename MeshT::Point>::value_type;
-  const double surface = *target_.error_limit();
-  const double border = *target_.border_error_limit();
-  double farthest = surface;  // a vertex may move outwards
-  for (const Vec3& p : input_.mesh.positions) farthest = std::max(farthest, p.cwiseAbs().maxCoeff() + surface);
-  // Each of three coordinates is rounded by half of epsilon at most: √3 / 2 in all.
-  const double rounding = farthest * static_cast<double>(std::numeric_limits<Scalar>::epsilon());
-  const auto is_too_small = [rounding](double limit) { return limit > 0 && limit <= rounding; };
-  if (is_too_small(surface) || is_too_small(border)) {
-    throw std::invalid_argument("PairDecimaterT: max_error is less than rounding may move a vertex of the mesh");
-  }
-  return target_.or_max_error(surface - rounding, border - rounding);
 }
 
 /// Progress comes at numbers of its own.
@@ -120,107 +99,28 @@ void EngineRunT<MeshT>::note(const Contraction& contraction) {
   decimater_.listener_(by_handles);
 }
 
-/// Counts vertices with a face.
-template <class MeshT>
-std::uint64_t EngineRunT<MeshT>::count_vertices(const IndexedMesh& mesh) {
-  std::vector<bool> has_face(mesh.positions.size());
-  for (const Triangle& face : mesh.faces) {
-    for (const Index v : face) has_face[v] = true;
-  }
-  return static_cast<std::uint64_t>(std::count(has_face.begin(), has_face.end(), true));
-}
-
 // The mesh ------------------------------------------------------------------------------------------------------------
 
 template <class MeshT>
 void EngineRunT<MeshT>::write_back(Decimation& small) {
-  const bool were_collapses = are_collapses(small);
-  const IndexedMesh attributes = vertex_attributes_of(small);
-  const std::vector<Copy> vertices = were_collapses ? collapse(small) : relink(small);
+  const std::vector<Index> firsts = first_copies(mesh_);
+  const bool were_collapses = are_collapses(small, firsts);
+  const IndexedMesh attributes = vertex_attributes_of(small, decimater_.threads_);
+  const std::vector<Copy> vertices = were_collapses ? collapse(small) : relink(small, firsts);
   for (const auto& [vertex, handle] : vertices) {
     attributes_.set(attributes, vertex, mesh_, handle);
     const Vec3& position = small.mesh.positions[vertex];
     if (position == to_vec3(mesh_.point(handle))) continue;  // don't round a vertex that hasn't moved
     mesh_.set_point(handle, to_point<typename MeshT::Point>(position));
   }
-  std::vector<Index> vertex_of(mesh_.n_vertices(), invalid_index);
-  for (const auto& [vertex, handle] : vertices) vertex_of[static_cast<std::size_t>(handle.idx())] = vertex;
-  input_.write_corners(small, vertex_of, decimater_.threads_, mesh_);
-  if (mesh_.has_face_normals()) update_face_normals(vertices, small.mesh.origins);
+  input_.write_corners(small, vertices_by_handle(vertices), decimater_.threads_, mesh_);
+  if (mesh_.has_face_normals()) update_face_normals(merged_vertices(vertices, small.mesh.origins));
   hand_over_quadrics(vertices, std::move(small.quadrics), were_collapses);
 }
 
-/// What vertices carry, at the places where they are now. Without anything, an empty mesh.
+/// Updates the normals of faces at merged vertices.
 template <class MeshT>
-IndexedMesh EngineRunT<MeshT>::vertex_attributes_of(const Decimation& small) const {
-  IndexedMesh before;
-  IndexedMesh after;
-  if (attributes_.empty()) return after;
-  before.positions = input_.mesh.positions;
-  before.faces = input_.mesh.faces;
-  attributes_.add_to(before, mesh_, input_.numbers.handles);
-  after.positions = small.mesh.positions;
-  after.faces = small.mesh.faces;
-  carry_attributes(before, Frame::of_points(before.positions), Normals::keep, small.vertex_map, small.face_origins,
-                   after, decimater_.threads_);
-  return after;
-}
-
-/// Whether the contractions are legal collapses on the mesh as it is. Without threshold pairs and copies they are, with
-/// one exception: vertices with several open fans, which OpenMesh can hold. There the engine may also join two border
-/// edges or part a fan. Joining increases the Euler number, and never the number of fans. Parting keeps the Euler
-/// number and adds a fan. So both are noticed.
-template <class MeshT>
-bool EngineRunT<MeshT>::are_collapses(const Decimation& small) const {
-  if (small.result.threshold_pairs.contracted > 0 || small.result.n_coincident_faces > 0) return false;
-  if (!first_copies(mesh_).empty()) return false;
-  if (small.result.before.nonmanifold_vertices == 0) return true;
-  return shape_of(input_.mesh) == shape_of(small.mesh);
-}
-
-template <class MeshT>
-typename EngineRunT<MeshT>::Shape EngineRunT<MeshT>::shape_of(const IndexedMesh& mesh) {
-  const auto n_edges = static_cast<std::ptrdiff_t>(detail::EdgeTable(mesh.faces, mesh.positions.size()).size());
-  const auto n_vertices = static_cast<std::ptrdiff_t>(count_vertices(mesh));
-  const std::size_t n_further_fans = cut_into_manifold(mesh.positions.size(), mesh.faces).originals.size();
-  return {n_further_fans, n_vertices - n_edges + static_cast<std::ptrdiff_t>(mesh.faces.size())};
-}
-
-template <class MeshT>
-std::vector<typename EngineRunT<MeshT>::Copy> EngineRunT<MeshT>::collapse(const Decimation& small) {
-  BulkCollapseT<MeshT>(mesh_, merges_).run();
-  std::vector<Copy> vertices;
-  vertices.reserve(small.mesh.origins.size());
-  for (Index v = 0; v < small.mesh.origins.size(); ++v) {
-    vertices.push_back({v, VertexHandle(static_cast<int>(small.mesh.origins[v]))});
-  }
-  return vertices;
-}
-
-template <class MeshT>
-std::vector<typename EngineRunT<MeshT>::Copy> EngineRunT<MeshT>::relink(const Decimation& small) {
-  JoinedFaces joined;
-  joined.vertex_handles = small.mesh.origins;
-  joined.faces = small.mesh.faces;
-  joined.vertex_of.assign(mesh_.n_vertices(), invalid_index);
-  for (const VertexHandle v : mesh_.vertices()) {
-    const auto place = static_cast<std::size_t>(v.idx());
-    if (!mesh_.is_isolated(v)) joined.vertex_of[place] = small.vertex_map[input_.numbers.number_of[place]];
-  }
-  std::vector<Index> face_handles;
-  for (const OpenMesh::FaceHandle f : mesh_.faces()) face_handles.push_back(static_cast<Index>(f.idx()));
-  for (const Index f : small.face_origins) joined.face_handles.push_back(face_handles[f]);
-  return FaceRelinkerT<MeshT>(mesh_, joined).run();
-}
-
-/// Updates the normals of faces at merged vertices. \param origins handles of the vertices' first copies
-template <class MeshT>
-void EngineRunT<MeshT>::update_face_normals(const std::vector<Copy>& vertices, const std::vector<Index>& origins) {
-  std::vector<bool> is_merged(mesh_.n_vertices());
-  for (const VertexMerge& merge : merges_) is_merged[static_cast<std::size_t>(merge.survivor.idx())] = true;
-  for (const auto& [vertex, handle] : vertices) {
-    is_merged[static_cast<std::size_t>(handle.idx())] = is_merged[origins[vertex]];
-  }
+void EngineRunT<MeshT>::update_face_normals(const std::vector<bool>& is_merged) {
   for (const OpenMesh::FaceHandle f : mesh_.faces()) {
     const auto corners = face_corners(mesh_, f);
     const auto at_merged = [&](VertexHandle v) { return is_merged[static_cast<std::size_t>(v.idx())]; };

@@ -64,7 +64,7 @@ class MeshRunT final : private DecimationHost {
   DecimateTarget target_;
   bool only_selected_;
   std::vector<bool> has_copies_;  ///< by handle; empty if there are no copies
-  RunInputT<MeshT> input_;
+  RunInput input_;
   std::unique_ptr<ModuleCost> cost_;
   DecimationState state_;  ///< positions as they are now
   std::uint64_t n_contractions_ = 0;

@@ -75,7 +75,7 @@ DecimateResult MeshRunT<MeshT>::run() {
   for (Index v = 0; v < small.mesh.origins.size(); ++v) vertex_of[small.mesh.origins[v]] = v;
   input_.write_corners(small, vertex_of, decimater_.threads_, mesh_);
   DecimateResult result = small.result;
-  result.n_vertices = decimater_.count_elements().vertices;
+  result.n_vertices = count_vertices(mesh_, first_copies(mesh_));
   result.refusals += refusals_;
   cost_->complete(result);
   return result;

@@ -1,13 +1,10 @@
-#pragma once
+#include "whittle/openmesh/detail/bulk_collapse.hh"
 
 #include <utility>
 
-#include "whittle/openmesh/detail/bulk_collapse.hh"
-
 namespace whittle {
 
-template <class MeshT>
-BulkCollapseT<MeshT>::BulkCollapseT(MeshT& mesh, std::span<const VertexMerge> merges)
+BulkCollapse::BulkCollapse(OpenMesh::TriConnectivity& mesh, std::span<const VertexMerge> merges)
     : mesh_(mesh),
       vertex_bits_(mesh),
       halfedge_bits_(mesh),
@@ -19,16 +16,14 @@ BulkCollapseT<MeshT>::BulkCollapseT(MeshT& mesh, std::span<const VertexMerge> me
   find_clusters(merges);
 }
 
-template <class MeshT>
-void BulkCollapseT<MeshT>::run() {
+void BulkCollapse::run() {
   delete_inner_edges();
   update_vertices();
   link_faces();
   link_border();
 }
 
-template <class MeshT>
-void BulkCollapseT<MeshT>::find_clusters(std::span<const VertexMerge> merges) {
+void BulkCollapse::find_clusters(std::span<const VertexMerge> merges) {
   for (std::size_t v = 0; v < clusters_.size(); ++v) clusters_[v] = VertexHandle(static_cast<int>(v));
   for (std::size_t time = merges.size(); time-- > 0;) {  // backwards: the cluster of the survivor is final then
     const auto& [removed, survivor] = merges[time];
@@ -39,8 +34,7 @@ void BulkCollapseT<MeshT>::find_clusters(std::span<const VertexMerge> merges) {
 }
 
 /// Also deletes the faces at these edges.
-template <class MeshT>
-void BulkCollapseT<MeshT>::delete_inner_edges() {
+void BulkCollapse::delete_inner_edges() {
   for (int i = 0; i < static_cast<int>(mesh_.n_edges()); ++i) {
     const EdgeHandle e(i);
     if (edge_bits_[e].deleted()) continue;
@@ -53,16 +47,14 @@ void BulkCollapseT<MeshT>::delete_inner_edges() {
   }
 }
 
-template <class MeshT>
-void BulkCollapseT<MeshT>::delete_edge(EdgeHandle e) {
+void BulkCollapse::delete_edge(EdgeHandle e) {
   edge_bits_[e].set_deleted(true);
   if (!halfedge_bits_) return;
   for (const unsigned side : {0U, 1U}) halfedge_bits_[mesh_.halfedge_handle(e, side)].set_deleted(true);
 }
 
 /// Deletes the face of h, if there is one.
-template <class MeshT>
-void BulkCollapseT<MeshT>::delete_face(HalfedgeHandle h) {
+void BulkCollapse::delete_face(HalfedgeHandle h) {
   const FaceHandle face = mesh_.face_handle(h);
   if (!face.is_valid()) return;
   face_bits_[face].set_deleted(true);
@@ -70,8 +62,7 @@ void BulkCollapseT<MeshT>::delete_face(HalfedgeHandle h) {
 }
 
 /// A vertex that lost its outgoing halfedge gets a new one in `link_faces`.
-template <class MeshT>
-void BulkCollapseT<MeshT>::update_vertices() {
+void BulkCollapse::update_vertices() {
   for (int i = 0; i < static_cast<int>(mesh_.n_vertices()); ++i) {
     const VertexHandle v(i);
     const HalfedgeHandle h = mesh_.halfedge_handle(v);
@@ -87,8 +78,7 @@ void BulkCollapseT<MeshT>::update_vertices() {
 // Strips --------------------------------------------------------------------------------------------------------------
 
 /// \param first the strip's first edge, seen from a face that stays
-template <class MeshT>
-void BulkCollapseT<MeshT>::merge_strip(HalfedgeHandle first) {
+void BulkCollapse::merge_strip(HalfedgeHandle first) {
   HalfedgeHandle last = first;
   strip_.assign(1, {first, {}});
   while (!ends_strip(mesh_.opposite_halfedge_handle(last))) {
@@ -110,8 +100,7 @@ void BulkCollapseT<MeshT>::merge_strip(HalfedgeHandle first) {
 
 /// The next edge of the strip, beyond the vanished face on the other side of h. It has the same direction as h: from
 /// the same cluster to the same cluster.
-template <class MeshT>
-typename BulkCollapseT<MeshT>::Rung BulkCollapseT<MeshT>::across(HalfedgeHandle h) const {
+BulkCollapse::Rung BulkCollapse::across(HalfedgeHandle h) const {
   const HalfedgeHandle opposite = mesh_.opposite_halfedge_handle(h);
   const HalfedgeHandle next = mesh_.next_halfedge_handle(opposite);
   const HalfedgeHandle previous = mesh_.prev_halfedge_handle(opposite);
@@ -123,8 +112,7 @@ typename BulkCollapseT<MeshT>::Rung BulkCollapseT<MeshT>::across(HalfedgeHandle 
 }
 
 /// \pre two vertices of one cluster
-template <class MeshT>
-typename BulkCollapseT<MeshT>::Meeting BulkCollapseT<MeshT>::meeting(VertexHandle v, VertexHandle w) const {
+BulkCollapse::Meeting BulkCollapse::meeting(VertexHandle v, VertexHandle w) const {
   for (bool is_swapped = false;;) {
     if (fate(w).time < fate(v).time) {  // v is the next to merge
       std::swap(v, w);
@@ -137,8 +125,7 @@ typename BulkCollapseT<MeshT>::Meeting BulkCollapseT<MeshT>::meeting(VertexHandl
 }
 
 /// Makes the last two edges of the strip one.
-template <class MeshT>
-void BulkCollapseT<MeshT>::merge_last_rungs() {
+void BulkCollapse::merge_last_rungs() {
   const Rung last = strip_.back();
   strip_.pop_back();
   HalfedgeHandle& remaining = strip_.back().halfedge;
@@ -153,8 +140,7 @@ void BulkCollapseT<MeshT>::merge_last_rungs() {
 
 // What is left --------------------------------------------------------------------------------------------------------
 
-template <class MeshT>
-void BulkCollapseT<MeshT>::link_faces() {
+void BulkCollapse::link_faces() {
   for (int i = 0; i < static_cast<int>(mesh_.n_faces()); ++i) {
     const FaceHandle face(i);
     if (face_bits_[face].deleted()) continue;
@@ -177,8 +163,7 @@ void BulkCollapseT<MeshT>::link_faces() {
 
 /// Border halfedges keep their order; vanished ones are left out. The outgoing halfedge of a border vertex is made one
 /// of them.
-template <class MeshT>
-void BulkCollapseT<MeshT>::link_border() {
+void BulkCollapse::link_border() {
   for (const HalfedgeHandle h : border_) {
     HalfedgeHandle next = mesh_.next_halfedge_handle(h);
     while (!substitute(next).is_valid()) next = mesh_.next_halfedge_handle(next);
@@ -189,8 +174,7 @@ void BulkCollapseT<MeshT>::link_border() {
 }
 
 /// Links the substitute of h to the substitute of `next`. \return the vertex between
-template <class MeshT>
-OpenMesh::VertexHandle BulkCollapseT<MeshT>::link(HalfedgeHandle h, HalfedgeHandle next) {
+OpenMesh::VertexHandle BulkCollapse::link(HalfedgeHandle h, HalfedgeHandle next) {
   const VertexHandle between = cluster(mesh_.to_vertex_handle(h));
   mesh_.set_vertex_handle(substitute(h), between);
   mesh_.set_next_halfedge_handle(substitute(h), substitute(next));

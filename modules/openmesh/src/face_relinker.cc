@@ -1,20 +1,16 @@
-#pragma once
+#include "whittle/openmesh/detail/face_relinker.hh"
 
 #include <algorithm>
 
-#include "whittle/openmesh/detail/face_relinker.hh"
-
 namespace whittle {
 
-template <class MeshT>
-FaceRelinkerT<MeshT>::FaceRelinkerT(MeshT& mesh, const JoinedFaces& joined)
+FaceRelinker::FaceRelinker(OpenMesh::TriConnectivity& mesh, const JoinedFaces& joined)
     : mesh_(mesh),
       joined_(joined),
       cut_(cut_into_manifold(joined.vertex_handles.size(), joined.faces)),
       opposite_(opposite_sides(joined.vertex_handles.size() + cut_.originals.size(), cut_.faces)) {}
 
-template <class MeshT>
-std::vector<typename FaceRelinkerT<MeshT>::Copy> FaceRelinkerT<MeshT>::run() {
+std::vector<FaceRelinker::Copy> FaceRelinker::run() {
   find_old_sides();
   find_features();
   assign_vertices();
@@ -36,8 +32,7 @@ std::vector<typename FaceRelinkerT<MeshT>::Copy> FaceRelinkerT<MeshT>::run() {
 // The mesh before
 // ------------------------------------------------------------------------------------------------------
 
-template <class MeshT>
-void FaceRelinkerT<MeshT>::find_old_sides() {
+void FaceRelinker::find_old_sides() {
   old_sides_.reserve(opposite_.size());
   for (const Index f : joined_.face_handles) {
     const HalfedgeHandle last = mesh_.halfedge_handle(FaceHandle(static_cast<int>(f)));  // leads to the first corner
@@ -46,9 +41,8 @@ void FaceRelinkerT<MeshT>::find_old_sides() {
   }
 }
 
-template <class MeshT>
-void FaceRelinkerT<MeshT>::find_features() {
-  const StatusBitsT<EdgeHandle, MeshT> bits(mesh_);
+void FaceRelinker::find_features() {
+  const StatusBits<EdgeHandle> bits(mesh_);
   for (int i = 0; i < static_cast<int>(mesh_.n_edges()); ++i) {
     const EdgeHandle e(i);
     if (bits[e].deleted() || !bits[e].feature()) continue;
@@ -62,8 +56,7 @@ void FaceRelinkerT<MeshT>::find_features() {
 
 // Vertices ------------------------------------------------------------------------------------------------------------
 
-template <class MeshT>
-void FaceRelinkerT<MeshT>::assign_vertices() {
+void FaceRelinker::assign_vertices() {
   vertices_.reserve(joined_.vertex_handles.size() + cut_.originals.size());
   for (const Index v : joined_.vertex_handles) vertices_.emplace_back(static_cast<int>(v));
   if (!cut_.originals.empty()) {
@@ -76,11 +69,10 @@ void FaceRelinkerT<MeshT>::assign_vertices() {
     for (Index v = 0; v < own.size(); ++v) {  // no remaining face had the handle
       if (!vertices_[v].is_valid() && !is_taken[static_cast<std::size_t>(own[v].idx())]) vertices_[v] = own[v];
     }
-    const std::vector<Index> firsts = first_copies(mesh_);
     const auto is_copy = [&](VertexHandle h, Index v) {
-      return firsts[static_cast<std::size_t>(h.idx())] == joined_.vertex_handles[v];
+      return joined_.first_copies[static_cast<std::size_t>(h.idx())] == joined_.vertex_handles[v];
     };
-    if (!firsts.empty()) keep_handles(is_copy, is_taken);
+    if (!joined_.first_copies.empty()) keep_handles(is_copy, is_taken);
     add_copies();
   }
   mark_copies();
@@ -88,9 +80,8 @@ void FaceRelinkerT<MeshT>::assign_vertices() {
 
 /// Gives vertices of the cut that have no handle yet the handle that a corner of their faces had, if it is free and
 /// `accepts(handle, original)`.
-template <class MeshT>
 template <class Accepts>
-void FaceRelinkerT<MeshT>::keep_handles(const Accepts& accepts, std::vector<bool>& is_taken) {
+void FaceRelinker::keep_handles(const Accepts& accepts, std::vector<bool>& is_taken) {
   for (Side corner = 0; corner < old_sides_.size(); ++corner) {
     VertexHandle& handle = vertices_[start(corner)];
     if (handle.is_valid()) continue;
@@ -102,8 +93,7 @@ void FaceRelinkerT<MeshT>::keep_handles(const Accepts& accepts, std::vector<bool
   }
 }
 
-template <class MeshT>
-void FaceRelinkerT<MeshT>::add_copies() {
+void FaceRelinker::add_copies() {
   for (Index v = 0; v < vertices_.size(); ++v) {
     if (vertices_[v].is_valid()) continue;
     vertices_[v] = mesh_.new_vertex();
@@ -113,8 +103,7 @@ void FaceRelinkerT<MeshT>::add_copies() {
 }
 
 /// Writes which vertices belong together, as numbers from 1 on.
-template <class MeshT>
-void FaceRelinkerT<MeshT>::mark_copies() {
+void FaceRelinker::mark_copies() {
   if (cut_.originals.empty() && !find_copies_property(mesh_).is_valid()) return;
   auto& numbers = mesh_.property(require_copies_property(mesh_)).data_vector();
   std::fill(numbers.begin(), numbers.end(), 0);
@@ -128,8 +117,7 @@ void FaceRelinkerT<MeshT>::mark_copies() {
 
 // Edges ---------------------------------------------------------------------------------------------------------------
 
-template <class MeshT>
-void FaceRelinkerT<MeshT>::assign_edges() {
+void FaceRelinker::assign_edges() {
   is_edge_taken_.resize(mesh_.n_edges());
   sides_.resize(opposite_.size());
   for (Side side = 0; side < opposite_.size(); ++side) {
@@ -142,16 +130,14 @@ void FaceRelinkerT<MeshT>::assign_edges() {
 }
 
 /// Gives the side its old edge, if that is free. \return whether it was
-template <class MeshT>
-bool FaceRelinkerT<MeshT>::take_edge(Side side) {
+bool FaceRelinker::take_edge(Side side) {
   if (is_taken(old_edge(side))) return false;
   is_edge_taken_[static_cast<std::size_t>(old_edge(side).idx())] = true;
   set_edge(side, old_sides_[side]);
   return true;
 }
 
-template <class MeshT>
-void FaceRelinkerT<MeshT>::add_edge(Side side) {
+void FaceRelinker::add_edge(Side side) {
   const HalfedgeHandle old = old_sides_[side];
   const HalfedgeHandle h = mesh_.new_edge(start_handle(side), start_handle(next(side)));
   is_edge_taken_.push_back(true);
@@ -163,16 +149,14 @@ void FaceRelinkerT<MeshT>::add_edge(Side side) {
   set_edge(side, h);
 }
 
-template <class MeshT>
-void FaceRelinkerT<MeshT>::set_edge(Side side, HalfedgeHandle halfedge) {
+void FaceRelinker::set_edge(Side side, HalfedgeHandle halfedge) {
   sides_[side] = halfedge;
   if (has_opposite(side)) sides_[opposite_[side]] = mesh_.opposite_halfedge_handle(halfedge);
 }
 
-template <class MeshT>
-void FaceRelinkerT<MeshT>::carry_features() {
+void FaceRelinker::carry_features() {
   if (features_.empty()) return;
-  const StatusBitsT<EdgeHandle, MeshT> bits(mesh_);
+  const StatusBits<EdgeHandle> bits(mesh_);
   for (Side side = 0; side < sides_.size(); ++side) {
     const Ends ends = std::minmax(original(start(side)), original(start(next(side))));
     if (!std::binary_search(features_.begin(), features_.end(), ends)) continue;
@@ -183,11 +167,10 @@ void FaceRelinkerT<MeshT>::carry_features() {
 // What vanishes -------------------------------------------------------------------------------------------------------
 
 /// Deletes vertices that had faces and are not left. Isolated vertices stay.
-template <class MeshT>
-void FaceRelinkerT<MeshT>::delete_vertices() {
+void FaceRelinker::delete_vertices() {
   std::vector<bool> is_left(mesh_.n_vertices());
   for (const VertexHandle v : vertices_) is_left[static_cast<std::size_t>(v.idx())] = true;
-  const StatusBitsT<VertexHandle, MeshT> bits(mesh_);
+  const StatusBits<VertexHandle> bits(mesh_);
   for (int i = 0; i < static_cast<int>(is_left.size()); ++i) {
     const VertexHandle v(i);
     if (is_left[static_cast<std::size_t>(i)] || mesh_.is_isolated(v)) continue;
@@ -196,10 +179,9 @@ void FaceRelinkerT<MeshT>::delete_vertices() {
   }
 }
 
-template <class MeshT>
-void FaceRelinkerT<MeshT>::delete_edges() {
-  const StatusBitsT<EdgeHandle, MeshT> bits(mesh_);
-  const StatusBitsT<HalfedgeHandle, MeshT> halfedge_bits(mesh_);
+void FaceRelinker::delete_edges() {
+  const StatusBits<EdgeHandle> bits(mesh_);
+  const StatusBits<HalfedgeHandle> halfedge_bits(mesh_);
   for (int i = 0; i < static_cast<int>(mesh_.n_edges()); ++i) {
     const EdgeHandle e(i);
     if (is_taken(e)) continue;
@@ -209,9 +191,8 @@ void FaceRelinkerT<MeshT>::delete_edges() {
   }
 }
 
-template <class MeshT>
-void FaceRelinkerT<MeshT>::delete_faces() {
-  const StatusBitsT<FaceHandle, MeshT> bits(mesh_);
+void FaceRelinker::delete_faces() {
+  const StatusBits<FaceHandle> bits(mesh_);
   auto left = joined_.face_handles.begin();
   for (Index i = 0; i < mesh_.n_faces(); ++i) {
     if (left != joined_.face_handles.end() && *left == i) {
@@ -226,8 +207,7 @@ void FaceRelinkerT<MeshT>::delete_faces() {
 
 // What is left --------------------------------------------------------------------------------------------------------
 
-template <class MeshT>
-void FaceRelinkerT<MeshT>::link_sides() {
+void FaceRelinker::link_sides() {
   outgoing_.resize(vertices_.size());
   for (Side side = 0; side < sides_.size(); ++side) {
     const HalfedgeHandle h = sides_[side];
@@ -241,8 +221,7 @@ void FaceRelinkerT<MeshT>::link_sides() {
 }
 
 /// Every vertex is on one border at most. Its outgoing halfedge is then a border halfedge.
-template <class MeshT>
-void FaceRelinkerT<MeshT>::link_border() {
+void FaceRelinker::link_border() {
   const auto is_border = [this](Side side) { return !has_opposite(side); };
   const auto beyond = [this](Side side) { return mesh_.opposite_halfedge_handle(sides_[side]); };
   for (Side side = 0; side < sides_.size(); ++side) {
@@ -257,8 +236,7 @@ void FaceRelinkerT<MeshT>::link_border() {
 }
 
 /// Inner vertices keep their outgoing halfedge if it still starts at them.
-template <class MeshT>
-void FaceRelinkerT<MeshT>::link_vertices() {
+void FaceRelinker::link_vertices() {
   for (Index v = 0; v < vertices_.size(); ++v) {
     const VertexHandle vertex = vertices_[v];
     const HalfedgeHandle h = mesh_.halfedge_handle(vertex);
