@@ -257,14 +257,24 @@ void expect_conflict(const Arguments& option, const Arguments& other, std::strin
                      {option.front(), other.front() + ' ' + other.back(), "doesn't go with", std::string(why)});
 }
 
-TEST(Usage, RefusesWhatACostDoesNotTake) {
-  std::size_t n_conflicts = 0;
+void expect_no_conflict(const Arguments& option, const Arguments& other) {
+  const TemporaryFolder folder;
+  Arguments arguments = option;
+  arguments.insert(arguments.end(), other.begin(), other.end());
+  const Outcome outcome = whittle(simplify_with(folder, arguments));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome;
+}
+
+TEST(Usage, RefusesWhatACostDoesNotTakeAndNothingElse) {
   for (const CostTraits& traits : all_cost_traits) {
     const CostConflicts& why = traits.why_not;
     const auto check = [&](const Arguments& option, std::string_view reason) {
-      if (reason.empty()) return;
-      expect_conflict(option, {"--cost", std::string(traits.name)}, reason);
-      ++n_conflicts;
+      const Arguments cost{"--cost", std::string(traits.name)};
+      if (reason.empty()) {
+        expect_no_conflict(option, cost);
+      } else {
+        expect_conflict(option, cost, reason);
+      }
     };
     check({"--weights", "uniform"}, why.weights);
     check({"--weights", "area-angle"}, why.weights);
