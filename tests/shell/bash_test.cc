@@ -42,6 +42,7 @@ Words all_subcommands() { return subcommands_of_help(whittle({"--help"}).out); }
 
 Words formats() {
   Words names;
+  names.reserve(io::all_formats.size());
   for (const io::Format format : io::all_formats) names.emplace_back(io::name_of(format));
   return names;
 }
