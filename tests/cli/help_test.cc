@@ -1,6 +1,7 @@
 // The help text, and whether the tables of docs/user agree with it.
 #include "program/help_text.hh"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,8 +15,7 @@
 namespace whittle::test {
 namespace {
 
-const std::vector<std::string> subcommands{"simplify", "measure", "info", "polish",   "compare", "convert",
-                                           "verify",   "replay",  "lod",  "geomorph", "report"};
+std::vector<std::string> subcommands() { return subcommands_with_pages(whittle({"--help"}).out); }
 
 std::string page(const std::string& subcommand) {
   return read_text(std::filesystem::path(WHITTLE_DOCS_DIR) / "user" / (subcommand + ".md"));
@@ -43,13 +43,21 @@ bool is_placeholder(const std::string& word) {
   return std::all_of(word.begin(), word.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
 }
 
+TEST(Help, ListsTheSubcommandsThatHavePages) {
+  std::vector<std::string> documented;
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(WHITTLE_DOCS_DIR) / "user")) {
+    const std::string name = entry.path().stem().string();
+    if (name != "README" && !entry.is_directory() && !options_of_page(page(name)).empty()) documented.push_back(name);
+  }
+  EXPECT_THAT(subcommands(), testing::UnorderedElementsAreArray(documented));
+}
+
 TEST(Help, IsPrintedOnStandardOutput) {
   for (const std::string& flag : {std::string("-h"), std::string("--help")}) {
     const Outcome top = whittle({flag});
     EXPECT_EQ(top.exit_code, 0) << top;
     EXPECT_EQ(top.err, "") << top;
-    for (const std::string& sub : subcommands) {
-      EXPECT_NE(top.out.find("\n  " + sub + " "), std::string::npos) << top;
+    for (const std::string& sub : subcommands()) {
       const Outcome help = whittle({sub, flag});
       EXPECT_EQ(help.exit_code, 0) << help;
       EXPECT_EQ(help.err, "") << help;
@@ -60,13 +68,13 @@ TEST(Help, IsPrintedOnStandardOutput) {
 }
 
 TEST(Help, FitsAHundredColumns) {
-  for (const std::string& sub : subcommands) {
+  for (const std::string& sub : subcommands()) {
     for (const std::string& line : lines_of(whittle({sub, "--help"}).out)) EXPECT_LE(line.size(), 100U) << line;
   }
 }
 
 TEST(Help, GivesEveryOptionADefault) {
-  for (const std::string& sub : subcommands) {
+  for (const std::string& sub : subcommands()) {
     const std::vector<OptionText> options = options_of_help(whittle({sub, "--help"}).out);
     EXPECT_GE(options.size(), 7U) << sub;
     for (const OptionText& option : options) {
@@ -77,32 +85,38 @@ TEST(Help, GivesEveryOptionADefault) {
 }
 
 TEST(Help, SaysWhatTheDocumentationSays) {
-  for (const std::string& sub : subcommands) {
+  for (const std::string& sub : subcommands()) {
     const std::string help = whittle({sub, "--help"}).out;
     EXPECT_EQ(table_of(options_of_help(help)), table_of(documented_options(sub)))
         << "docs/user/" << sub << ".md, with docs/user/README.md, should have the table of the first kind";
   }
 }
 
+/// A subcommand with the arguments and options that it requires, but for those that conflict.
+std::vector<std::string> call_of(const std::string& sub, const std::string& first, const std::string& second,
+                                 const TemporaryFolder& folder) {
+  const std::string help = whittle({sub, "--help"}).out;
+  std::vector<std::string> arguments{sub};
+  arguments.resize(1 + arguments_of_help(help).size(), data_file("cubes.obj"));
+  bool names_output = false;
+  for (const OptionText& option : options_of_help(help)) {
+    if (option.standard != "required") continue;
+    const std::string name = names_of(option).back();
+    const bool is_named = first.starts_with(name) || second.starts_with(name);
+    names_output |= is_named;
+    if (!is_named) arguments.insert(arguments.end(), {name, folder / "out.obj"});
+  }
+  if (names_output) arguments.insert(arguments.end(), {"--format", "obj"});
+  if (!options_of_group(help, "Targets").empty()) arguments.insert(arguments.end(), {"--faces", "150"});
+  return arguments;
+}
+
 TEST(Help, DocumentsEveryConflict) {
   const TemporaryFolder folder;
   std::size_t n_conflicts = 0;
-  for (const std::string& sub : subcommands) {
+  for (const std::string& sub : subcommands()) {
     for (const auto& [first, second] : documented_conflicts(sub)) {
-      const std::string mesh = data_file("cubes.obj");
-      std::vector<std::string> arguments{sub, mesh};
-      if (sub == "measure" || sub == "polish") arguments.push_back(mesh);
-      if (sub == "verify") arguments.insert(arguments.end(), {mesh, folder / "proof"});
-      if (sub == "convert") arguments.push_back(folder / "out.obj");
-      if (sub == "lod") arguments.insert(arguments.end(), {"-o", folder / "out{i}.obj", "--faces", "100"});
-      if (sub == "replay") arguments.insert(arguments.end(), {"-o", folder / "out.obj", "--at", "1"});
-      if (sub == "report") arguments.insert(arguments.end(), {"-o", folder / "out.html"});
-      if (sub == "geomorph") arguments.insert(arguments.end(), {"-o", folder / "out.glb"});
-      if (sub == "simplify" || sub == "compare") arguments.insert(arguments.end(), {"--faces", "150"});
-      const bool names_output = first.starts_with("--output") || second.starts_with("--output");
-      if ((sub == "simplify" || sub == "polish") && !names_output)
-        arguments.insert(arguments.end(), {"-o", folder / "out.obj"});
-      if (names_output) arguments.insert(arguments.end(), {"--format", "obj"});
+      std::vector<std::string> arguments = call_of(sub, first, second, folder);
       for (const std::string& side : {first, second}) {
         for (const std::string& word : words_of(side)) arguments.push_back(is_placeholder(word) ? "1" : word);
       }
@@ -130,7 +144,7 @@ TEST(Version, IsOneLineOnStandardOutput) {
 
 TEST(Help, IsThereAsASubcommandToo) {
   EXPECT_EQ(whittle({"help"}).out, whittle({"--help"}).out);
-  for (const std::string& sub : subcommands) {
+  for (const std::string& sub : subcommands()) {
     const Outcome outcome = whittle({"help", sub});
     EXPECT_EQ(outcome.exit_code, 0) << outcome;
     EXPECT_EQ(outcome.out, whittle({sub, "--help"}).out);

@@ -5,7 +5,10 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -17,6 +20,7 @@
 #include "support/shapes/shapes.hh"
 #include "whittle/io/read.hh"
 #include "whittle/io/write.hh"
+#include "whittle/pipeline/request.hh"
 
 namespace whittle::test {
 namespace {
@@ -208,6 +212,99 @@ std::string closed_mesh(const TemporaryFolder& folder) {
   return folder / "closed.obj";
 }
 
+OptionValue value_of(const OptionRow& row) { return row.reported ? row.reported() : row.access.get(); }
+
+/// Whether an option of a request takes a value and makes another of it than the default.
+bool takes_as_new(const std::string& name, const std::string& value) {
+  Request request;
+  const OptionRows rows = option_rows(request);
+  const OptionRow& row = *find_row(rows, name);
+  const OptionValue before = value_of(row);
+  try {
+    row.access.set(value);
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+  return value_of(row) != before;
+}
+
+/// Values to try: the words that the help shows, and some of each kind.
+std::vector<std::string> candidates_for(const OptionRow& row) {
+  if (row.access.meta.empty()) return {""};
+  std::vector<std::string> values;
+  std::istringstream words(row.access.meta);
+  for (std::string word; std::getline(words, word, '|');) values.push_back(word);
+  for (const char* value : {"1", "0.5", "10%", "uv=2"}) values.emplace_back(value);
+  std::erase_if(values, [&](const std::string& value) { return !takes_as_new(long_name(row), value); });
+  return values;
+}
+
+/// A run that an option was given to, with another value than its default.
+struct OptionRun {
+  std::string name;
+  std::string value;  ///< empty for a flag
+  Arguments arguments;
+};
+
+/// The first of a few simple runs that takes the option; nothing if none does.
+std::optional<OptionRun> run_with(const OptionRow& row, const TemporaryFolder& folder) {
+  const std::string cubes = data_file("cubes.obj");
+  const std::string cube = folder / "cube.glb";
+  for (const std::string& value : candidates_for(row)) {
+    for (const Arguments& more : {Arguments{cubes}, {cubes, "--cost", "quadric"}, {cube}}) {
+      OptionRun run{long_name(row), value, more};
+      run.arguments.insert(run.arguments.end(), {"-o", folder / "one.glb", run.name});
+      if (!value.empty()) run.arguments.push_back(value);
+      if (run.name != "--faces") run.arguments.insert(run.arguments.end(), {"--faces", "100"});
+      Arguments call = run.arguments;
+      call.insert(call.begin(), "simplify");
+      if (whittle(call).exit_code == 0) return run;
+    }
+  }
+  return std::nullopt;
+}
+
+/// A simple run for each option of a request, where there is one.
+std::vector<OptionRun> runs_with_options(const TemporaryFolder& folder) {
+  write_gltf_cube(folder / "cube.glb", 4);
+  std::vector<OptionRun> runs;
+  Request request;
+  for (const OptionRow& row : option_rows(request)) {
+    if (row.names.empty()) continue;
+    if (std::optional<OptionRun> run = run_with(row, folder)) runs.push_back(*std::move(run));
+  }
+  return runs;
+}
+
+/// A value of a report, as the command line has it.
+std::string text_of(const Json& value) {
+  if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
+  if (value.is_number_float()) return shortest(value.get<double>());
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+TEST(ReportKeys, OfSimplifyHaveTheValuesOfItsOptions) {
+  const TemporaryFolder folder;
+  Request request;
+  const OptionRows rows = option_rows(request);
+  std::set<std::string> shown;
+  for (OptionRun& run : runs_with_options(folder)) {
+    const OptionRow& row = *find_row(rows, run.name);
+    if (row.key.empty()) continue;
+    run.arguments.insert(run.arguments.begin(), "simplify");
+    run.arguments.insert(run.arguments.end(), {"--json", "-"});
+    const Outcome outcome = whittle(run.arguments);
+    const std::string found = text_of(parse_json(outcome.out)["options"][row.key]);
+    const std::string given = run.value.empty() ? "on" : run.value;
+    EXPECT_TRUE(found == given || found.starts_with(given + ',')) << row.key << " is " << found << '\n' << outcome;
+    shown.insert(run.name);
+  }
+  for (const OptionRow& row : rows) {
+    const bool is_reported = !row.names.empty() && !row.key.empty();
+    EXPECT_TRUE(!is_reported || shown.contains(long_name(row))) << "no run takes " << row.names;
+  }
+}
+
 TEST(ReportKeys, OfSimplifyAreDocumented) {
   const TemporaryFolder folder;
   if (!has_page(folder) || !has_pictures(folder)) GTEST_SKIP() << "no page, or no pictures";
@@ -225,34 +322,35 @@ TEST(ReportKeys, OfSimplifyAreDocumented) {
   std::string lines;
   for (std::size_t v = 0; v < io::read_mesh(terrain).file_vertices; ++v) lines += "0.8%\n";
   write_text(tolerances, lines);
-  expect_documented(
-      "simplify",
-      {{cubes, "-o", out, "--faces", "60", "--threshold", "auto", "--max-pairs", "8", "--across-walls"},
-       {cubes, "--output", out, "--faces", "10", "--topology", "free", "--prune", "1%", "--verbose"},
-       {bare, "-o", bare, "--format", "obj", "--vertices", "150", "--no-weld", "--force"},
-       {terrain, "-o", out, "--face-ratio", "10%", "--boundary", "free", "--map", folder / "map"},
-       {terrain, "-o", out, "--max-cost", "1e-12", "--boundary-weight", "5", "--feature-angle", "40",
-        "--feature-tolerance", "1%", "--max-normal-flip", "90", "--min-radius-ratio", "0.01"},
-       {blob, "-o", out, "--ratio", "10%", "--effort", "best", "--quiet", "--threads", "1", "--color", "never",
-        "--self-intersections", "count", "--normals", "drop", "--weld", "auto"},
-       {blob, "-o", out, "--ratio", "0.1", "--cost", "quadric", "--weights", "uniform", "--placement", "midpoint",
-        "--order", "exact", "--polish", "0", "--strict"},
-       {blob, "-o", out, "--faces", "20", "--max-error", "1%", "--normals", "recompute", "--crease-angle", "30"},
-       {terrain, "-o", out, "--max-error", "1%", "--max-error-borders", "0.5%", "--certificate", folder / "proof",
-        "--record", folder / "rec", "--no-embed", "--zstd", "--tolerance-map", tolerances},
-       {blob, "-o", out, "--faces", "500", "--certify", "--isotropic", "0.5", "--valence", "1", "--fit", "max",
-        "--curve", folder / "curve.svg", "--map-back", folder / "back"},
-       {large, "-o", out, "--faces", "1000", "--effort", "fast"},
-       {cubes, "-o", out, "--faces", "100", "--frames", folder / "f{i}.png", "--every", "50%", "--animate",
-        folder / "a.webp", "--page", folder / "a.html"},
-       {blob, "-o", out, "--faces", "500", "--engine", "openmesh"},
-       {blob, "-o", out, "--faces", "500", "--attributes", "position-only", "--seams", "keep", "--regions", "none",
-        "--categories", "none"},
-       {cube, "-o", folder / "weighed.glb", "--faces", "100", "--attribute-weight", "uv=1"},
-       {cube, "-o", folder / "small.glb", "--faces", "100", "--compress", "--per-mesh"},
-       {blob, cubes, "--join", "-o", out, "--faces", "500"},
-       {bare, "missing.ply", "-o", folder / "{stem}.txt", "--input-format", "obj", "--output-format", "ply", "--ascii",
-        "--faces", "200"}});
+  std::vector<Arguments> runs{
+      {cubes, "-o", out, "--faces", "60", "--threshold", "auto", "--max-pairs", "8", "--across-walls"},
+      {cubes, "--output", out, "--faces", "10", "--topology", "free", "--prune", "1%", "--verbose"},
+      {bare, "-o", bare, "--format", "obj", "--vertices", "150", "--no-weld", "--force"},
+      {terrain, "-o", out, "--face-ratio", "10%", "--boundary", "free", "--map", folder / "map"},
+      {terrain, "-o", out, "--max-cost", "1e-12", "--boundary-weight", "5", "--feature-angle", "40",
+       "--feature-tolerance", "1%", "--max-normal-flip", "90", "--min-radius-ratio", "0.01"},
+      {blob, "-o", out, "--ratio", "10%", "--effort", "best", "--quiet", "--threads", "1", "--color", "never",
+       "--self-intersections", "count", "--normals", "drop", "--weld", "auto"},
+      {blob, "-o", out, "--ratio", "0.1", "--cost", "quadric", "--weights", "uniform", "--placement", "midpoint",
+       "--order", "exact", "--polish", "0", "--strict"},
+      {blob, "-o", out, "--faces", "20", "--max-error", "1%", "--normals", "recompute", "--crease-angle", "30"},
+      {terrain, "-o", out, "--max-error", "1%", "--max-error-borders", "0.5%", "--certificate", folder / "proof",
+       "--record", folder / "rec", "--no-embed", "--zstd", "--tolerance-map", tolerances},
+      {blob, "-o", out, "--faces", "500", "--certify", "--isotropic", "0.5", "--valence", "1", "--fit", "max",
+       "--curve", folder / "curve.svg", "--map-back", folder / "back"},
+      {large, "-o", out, "--faces", "1000", "--effort", "fast"},
+      {cubes, "-o", out, "--faces", "100", "--frames", folder / "f{i}.png", "--every", "50%", "--animate",
+       folder / "a.webp", "--page", folder / "a.html"},
+      {blob, "-o", out, "--faces", "500", "--engine", "openmesh"},
+      {blob, "-o", out, "--faces", "500", "--attributes", "position-only", "--seams", "keep", "--regions", "none",
+       "--categories", "none"},
+      {cube, "-o", folder / "weighed.glb", "--faces", "100", "--attribute-weight", "uv=1"},
+      {cube, "-o", folder / "small.glb", "--faces", "100", "--compress", "--per-mesh"},
+      {blob, cubes, "--join", "-o", out, "--faces", "500"},
+      {bare, "missing.ply", "-o", folder / "{stem}.txt", "--input-format", "obj", "--output-format", "ply", "--ascii",
+       "--faces", "200"}};
+  for (OptionRun& run : runs_with_options(folder)) runs.push_back(std::move(run.arguments));
+  expect_documented("simplify", std::move(runs));
 }
 
 TEST(ReportKeys, OfMeasureAreDocumented) {

@@ -10,6 +10,7 @@
 #include "program/program.hh"
 #include "whittle/engine/cost_traits.hh"
 #include "whittle/io/format.hh"
+#include "whittle/pipeline/request.hh"
 
 namespace whittle::test {
 namespace {
@@ -257,14 +258,24 @@ void expect_conflict(const Arguments& option, const Arguments& other, std::strin
                      {option.front(), other.front() + ' ' + other.back(), "doesn't go with", std::string(why)});
 }
 
-TEST(Usage, RefusesWhatACostDoesNotTake) {
-  std::size_t n_conflicts = 0;
+void expect_no_conflict(const Arguments& option, const Arguments& other) {
+  const TemporaryFolder folder;
+  Arguments arguments = option;
+  arguments.insert(arguments.end(), other.begin(), other.end());
+  const Outcome outcome = whittle(simplify_with(folder, arguments));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome;
+}
+
+TEST(Usage, RefusesWhatACostDoesNotTakeAndNothingElse) {
   for (const CostTraits& traits : all_cost_traits) {
     const CostConflicts& why = traits.why_not;
     const auto check = [&](const Arguments& option, std::string_view reason) {
-      if (reason.empty()) return;
-      expect_conflict(option, {"--cost", std::string(traits.name)}, reason);
-      ++n_conflicts;
+      const Arguments cost{"--cost", std::string(traits.name)};
+      if (reason.empty()) {
+        expect_no_conflict(option, cost);
+      } else {
+        expect_conflict(option, cost, reason);
+      }
     };
     check({"--weights", "uniform"}, why.weights);
     check({"--weights", "area-angle"}, why.weights);
@@ -275,18 +286,29 @@ TEST(Usage, RefusesWhatACostDoesNotTake) {
     check({"--valence", "1"}, why.valence_weight);
     check({"--threshold", "1"}, why.threshold);
   }
-  EXPECT_EQ(n_conflicts, 17U);
+}
+
+std::vector<Arguments> options_of_our_decimater() {
+  std::vector<Arguments> options;
+  Request request;
+  for (const OptionRow& row : option_rows(request)) {
+    if (!row.own_decimater) continue;
+    options.push_back({long_name(row)});
+    if (!row.access.meta.empty()) options.back().push_back(row.own_decimater->empty() ? "1" : *row.own_decimater);
+  }
+  return options;
 }
 
 TEST(Usage, RefusesWhatOpenMeshsDecimaterDoesNotDo) {
   const Arguments openmesh{"--engine", "openmesh"};
-  for (const Arguments& option :
-       {Arguments{"--feature-angle", "1"}, Arguments{"--feature-tolerance", "1"}, Arguments{"--min-radius-ratio", "1"},
-        Arguments{"--max-error", "1"}, Arguments{"--record", "r"}, Arguments{"--curve", "c.csv"},
-        Arguments{"--page", "p.html"}, Arguments{"--frames", "f_{i}.png"}, Arguments{"--animate", "a.webp"},
-        Arguments{"--self-intersections", "refuse"}}) {
-    expect_conflict(option, openmesh, "only Whittle's own loop does that");
-  }
+  std::vector<Arguments> own = options_of_our_decimater();
+  ASSERT_GE(own.size(), 2U);
+  own.insert(own.end(), {{"--record", "r"},
+                         {"--curve", "c.csv"},
+                         {"--page", "p.html"},
+                         {"--frames", "f_{i}.png"},
+                         {"--animate", "a.webp"}});
+  for (const Arguments& option : own) expect_conflict(option, openmesh, "only Whittle's own loop does that");
   for (const char* order : {"exact", "approximate"}) {
     expect_conflict({"--order", order}, openmesh, "OpenMesh's decimater has an order of its own");
   }

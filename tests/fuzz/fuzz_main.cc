@@ -1,5 +1,5 @@
-// What libFuzzer calls: the target that the build names. With a folder in WHITTLE_FUZZ_FINDINGS, inputs that break a
-// promise are kept there, a few of each promise, and fuzzing goes on.
+// What libFuzzer calls: the library's target that the build names, or else the command line. With a folder in
+// WHITTLE_FUZZ_FINDINGS, inputs that break a promise are kept there, a few of each promise, and fuzzing goes on.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -36,15 +36,22 @@ void keep(const std::string& folder, std::string_view bytes, std::string_view me
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
+#ifdef WHITTLE_FUZZ_TARGET
+FuzzTarget target() { return library_target(WHITTLE_FUZZ_TARGET); }
+#else
+FuzzTarget target() { return fuzz_command_line; }
+#endif
+
 }  // namespace
 }  // namespace whittle::test
 
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const whittle::test::FuzzTarget target = whittle::test::target();
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   try {
-    whittle::test::WHITTLE_FUZZ_TARGET(bytes);
+    target(bytes);
   } catch (const std::exception& error) {
     const char* const folder = std::getenv("WHITTLE_FUZZ_FINDINGS");
     if (folder == nullptr) {

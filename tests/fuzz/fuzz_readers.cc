@@ -77,8 +77,9 @@ void measure(const IndexedMesh& mesh) {
   metrics::self_intersections(mesh, 1);
 }
 
-/// \param bytes the lowest bit of the first says whether to weld; the file follows
-void read_and_check(std::string_view bytes, io::Format format) {
+}  // namespace
+
+void fuzz_reader(std::string_view bytes, io::Format format) {
   if (bytes.empty()) return;
   const bool weld = (bytes.front() & 1) != 0;
   const bool is_measured = hash_of(bytes) % 8 == 0;
@@ -94,12 +95,5 @@ void read_and_check(std::string_view bytes, io::Format format) {
     require(std::string_view(error.what()).find('\n') == std::string_view::npos, "an error is one line");
   }
 }
-
-}  // namespace
-
-void fuzz_obj(std::string_view bytes) { read_and_check(bytes, io::Format::obj); }
-void fuzz_off(std::string_view bytes) { read_and_check(bytes, io::Format::off); }
-void fuzz_ply(std::string_view bytes) { read_and_check(bytes, io::Format::ply); }
-void fuzz_stl(std::string_view bytes) { read_and_check(bytes, io::Format::stl); }
 
 }  // namespace whittle::test

@@ -6,7 +6,8 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-all_targets=(obj off ply stl decimate polish metrics steps command_line)
+all_targets=(tests/fuzz/corpus/*)
+all_targets=("${all_targets[@]##*/}")
 minutes=${1:?usage: run.sh MINUTES [TARGET…]}
 shift
 targets=("$@")

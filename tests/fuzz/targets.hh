@@ -1,18 +1,18 @@
 #pragma once
 
-#include <array>
+#include <functional>
 #include <string_view>
+#include <vector>
+
+#include "whittle/io/format.hh"
 
 namespace whittle::test {
 
 /// A fuzz target: takes any bytes. \throw BrokenPromise that names the promise and shows the case.
-using FuzzTarget = void (*)(std::string_view bytes);
+using FuzzTarget = std::function<void(std::string_view bytes)>;
 
-/// Files, after a byte whose lowest bit says whether to weld.
-void fuzz_obj(std::string_view bytes);
-void fuzz_off(std::string_view bytes);
-void fuzz_ply(std::string_view bytes);
-void fuzz_stl(std::string_view bytes);
+/// The reader of a format. \param bytes the lowest bit of the first says whether to weld; the file follows
+void fuzz_reader(std::string_view bytes, io::Format format);
 
 /// `decimate` of any triangles with any options (decode/decimate_bytes.hh).
 void fuzz_decimate(std::string_view bytes);
@@ -31,14 +31,9 @@ struct NamedTarget {
   FuzzTarget run;
 };
 
-/// Those that need no program.
-inline constexpr std::array<NamedTarget, 8> library_targets{{{"obj", fuzz_obj},
-                                                             {"off", fuzz_off},
-                                                             {"ply", fuzz_ply},
-                                                             {"stl", fuzz_stl},
-                                                             {"decimate", fuzz_decimate},
-                                                             {"polish", fuzz_polish},
-                                                             {"metrics", fuzz_metrics},
-                                                             {"steps", fuzz_steps}}};
+/// Those that need no program: the reader of each format, under the format's name, and the others.
+std::vector<NamedTarget> library_targets();
+/// \throw std::out_of_range if none has that name
+FuzzTarget library_target(std::string_view name);
 
 }  // namespace whittle::test

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <stdexcept>
 
 namespace whittle::test {
 namespace {
@@ -107,6 +108,25 @@ std::vector<std::string> subcommands_of_help(const std::string& help) {
     if (inside && line.empty()) break;
     if (inside && line.rfind("   ", 0) != 0) names.push_back(words_of(line).front());
     if (line == "Subcommands:") inside = true;
+  }
+  return names;
+}
+
+std::vector<std::string> subcommands_with_pages(const std::string& help) {
+  std::vector<std::string> names = subcommands_of_help(help);
+  for (const char* name : {"completion", "man"}) {
+    if (std::erase(names, name) != 1) throw std::runtime_error("the help doesn't list " + std::string(name));
+  }
+  return names;
+}
+
+std::vector<std::string> arguments_of_help(const std::string& help) {
+  std::vector<std::string> names;
+  bool is_inside = false;
+  for (const std::string& line : lines_of(help)) {
+    if (is_inside && line.empty()) break;
+    if (is_inside && !line.starts_with("   ")) names.push_back(words_of(line).front());
+    if (line == "Arguments:") is_inside = true;
   }
   return names;
 }

@@ -27,6 +27,10 @@ std::vector<std::string> words_of(const std::string& text);
 
 /// The subcommands in the help of the whole program.
 std::vector<std::string> subcommands_of_help(const std::string& help);
+/// Those with a page of their own, docs/user/NAME.md: all but `completion` and `man`, which shell.md describes.
+std::vector<std::string> subcommands_with_pages(const std::string& help);
+/// The arguments in the help of a subcommand: "IN", "OUT".
+std::vector<std::string> arguments_of_help(const std::string& help);
 /// The names of an option, its value left out: "-r", "--ratio".
 std::vector<std::string> names_of(const OptionText& option);
 /// The options in a help text; positional arguments are left out.

@@ -8,6 +8,7 @@
 
 #include "program/help_text.hh"
 #include "program/program.hh"
+#include "whittle/io/format.hh"
 
 namespace whittle::test {
 namespace {
@@ -39,7 +40,12 @@ Words sorted(Words words) {
 
 Words all_subcommands() { return subcommands_of_help(whittle({"--help"}).out); }
 
-const Words formats{"obj", "off", "ply", "stl"};
+Words formats() {
+  Words names;
+  names.reserve(io::all_formats.size());
+  for (const io::Format format : io::all_formats) names.emplace_back(io::name_of(format));
+  return names;
+}
 
 /// "fast", "normal" and "best" of "--effort fast|normal|best"; the formats of "EXT".
 Words values_in(const OptionText& option) {
@@ -48,7 +54,10 @@ Words values_in(const OptionText& option) {
   if (value.starts_with('-')) return {};
   std::replace(value.begin(), value.end(), '|', ' ');
   for (const std::string& word : words_of(value)) {
-    if (word == "EXT") values.insert(values.end(), formats.begin(), formats.end());
+    if (word == "EXT") {
+      const Words names = formats();
+      values.insert(values.end(), names.begin(), names.end());
+    }
     if (word.front() >= 'a' && word.front() <= 'z') values.push_back(word);
   }
   return values;
@@ -94,7 +103,7 @@ TEST(Bash, OffersTheWordsThatAnOptionTakes) {
   }
   EXPECT_GE(n_options, 9U);
   EXPECT_EQ(offered({"simplify", "--cost", "m"}), (Words{"memoryless", "midpoint"}));
-  EXPECT_EQ(offered({"info", "--format", ""}), formats);
+  EXPECT_EQ(offered({"info", "--format", ""}), sorted(formats()));
   EXPECT_EQ(offered({"info", "--input-format", "g"}), (Words{"glb", "gltf"}));
   EXPECT_EQ(offered({"verify", "--input-format", "g"}), Words()) << "reads no glTF";
   EXPECT_EQ(offered({"simplify", "-t", ""}), Words{"auto"});
@@ -125,6 +134,20 @@ TEST(Bash, OffersMeshFilesAndFolders) {
   EXPECT_EQ(offered({"info", "a.obj", "--json", "n"}, folder.path()), Words{"notes.txt"});
   EXPECT_EQ(offered({"verify", "a.obj", "s.stl", "n"}, folder.path()), Words{"notes.txt"}) << "a certificate";
   EXPECT_EQ(offered({"man", ""}, folder.path()), Words());
+}
+
+TEST(Bash, OffersFilesOfEveryFormat) {
+  const TemporaryFolder folder;
+  Words expected;
+  for (const io::Format format : io::all_formats) {
+    for (const std::string_view extension : io::extensions_of(format)) {
+      for (const char* packing : {"", ".gz"}) {
+        expected.push_back("mesh." + std::string(extension) + packing);
+        write_text(folder / expected.back(), "");
+      }
+    }
+  }
+  EXPECT_EQ(offered({"info", ""}, folder.path()), sorted(expected));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "program/failure.hh"
 #include "program/program.hh"
+#include "whittle/engine/cost_traits.hh"
 #include "whittle/io/read.hh"
 
 namespace whittle::test {
@@ -75,7 +76,8 @@ TEST_F(Categories, AreNeverBlended) {
     for (const std::string type : {"float", "int"}) {
       write_text(in_, sheet_with_numbers(id, type));
       for (const std::string effort : {"fast", "normal", "best"}) {
-        for (const std::string cost : {"memoryless", "quadric", "lindstrom-turk", "midpoint"}) {
+        for (const CostTraits& traits : all_cost_traits) {
+          const std::string cost(traits.name);
           done({"simplify", in_, "-o", out_, "--faces", "150", "--effort", effort, "--cost", cost});
           EXPECT_EQ(n_new_numbers(out_), 0U) << id << ", " << type << ", " << effort << ", " << cost;
         }

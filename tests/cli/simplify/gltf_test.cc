@@ -13,6 +13,7 @@
 #include "program/program.hh"
 #include "support/shapes/shapes.hh"
 #include "whittle/gltf/asset.hh"
+#include "whittle/io/format.hh"
 #include "whittle/io/read.hh"
 
 namespace whittle::test {
@@ -484,7 +485,7 @@ TEST(Gltf, RefusesWhatItCannotDo) {
   }
   const Outcome unread = whittle({"compare", in, "--faces", "9"});
   EXPECT_EQ(unread.exit_code, 4) << unread;
-  EXPECT_THAT(unread.err, testing::HasSubstr("'whittle convert' makes OBJ, OFF, PLY or STL of it"));
+  EXPECT_THAT(unread.err, testing::HasSubstr("'whittle convert' makes " + io::format_titles() + " of it"));
   expect_usage_error(whittle({"simplify", in, "-o", folder / "o.glb.gz", "--faces", "9"}), {".gz"});
   std::ofstream(folder / "cut.glb") << "glTF";
   const Outcome outcome = whittle({"simplify", folder / "cut.glb", "-o", out, "--faces", "9"});

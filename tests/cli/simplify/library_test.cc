@@ -15,6 +15,7 @@
 #include "program/program.hh"
 #include "support/shapes/shapes.hh"
 #include "whittle/core/pieces.hh"
+#include "whittle/engine/cost_traits.hh"
 #include "whittle/io/write.hh"
 #include "whittle/pipeline/simplify_file.hh"
 
@@ -227,9 +228,9 @@ std::vector<Run> single_runs() {
 std::vector<Run> runs() {
   std::vector<Run> all = single_runs();
   for (const char* effort : {"fast", "normal", "best"}) {
-    for (const char* cost : {"quadric", "memoryless", "lindstrom-turk", "midpoint"}) {
-      all.push_back(
-          {"blob.obj", "ply", "--face-ratio 20% --effort " + std::string(effort) + " --cost " + std::string(cost)});
+    for (const CostTraits& traits : all_cost_traits) {
+      const std::string cost(traits.name);
+      all.push_back({"blob.obj", "ply", "--face-ratio 20% --effort " + std::string(effort) + " --cost " + cost});
     }
     for (const char* target : {"--max-error 0.3%", "--faces 40", "--max-cost 1e-6", "--ratio 30% --max-error 1%"}) {
       all.push_back({"bracket.stl", "obj", std::string(target) + " --effort " + effort});

@@ -300,9 +300,8 @@ void check_attributes(const DecimateCase& c, const Decimation& d) {
   for (const Color& color : d.mesh.colors) {
     for (const float x : color) require(x >= 0 && x <= 1, "colours lie in [0, 1]");
   }
-  require(!c.options.keep_quadrics || c.options.effective_cost() == Cost::midpoint ||
-              c.options.effective_cost() == Cost::lindstrom_turk || d.quadrics.size() == d.mesh.positions.size(),
-          "there is a quadric a vertex");
+  const bool keeps_quadrics = c.options.keep_quadrics && cost_traits(c.options.effective_cost()).has_quadrics;
+  require(!keeps_quadrics || d.quadrics.size() == d.mesh.positions.size(), "there is a quadric a vertex");
 }
 
 }  // namespace

@@ -103,19 +103,22 @@ bool has_valid_ranges(const DecimateCase& c) {
                      [&c](const VertexPair& edge) { return std::max(edge.a, edge.b) < c.mesh.positions.size(); });
 }
 
-/// Whether the options go with the cost and with each other, by the tables of docs/user/simplify.md.
+/// Whether the options go with the cost, by its traits, and with each other.
 bool has_no_conflict(const DecimateOptions& options) {
   const QuadricOptions& quadric = options.quadric;
-  const Cost cost = options.effective_cost();
+  const CostConflicts& why_not = cost_traits(options.effective_cost()).why_not;
+  const auto goes = [](bool is_set, std::string_view conflict) { return !is_set || conflict.empty(); };
   const bool has_pairs = options.pairs.threshold > 0;
   const bool has_boundary_weight = quadric.boundary_weight != QuadricOptions{}.boundary_weight;
   if (has_boundary_weight && options.boundary == Boundary::free) return false;
-  if (cost != Cost::quadric && (quadric.weights != Weights::area || options.isotropy > 0)) return false;
   if (has_pairs && (options.isotropy > 0 || options.valence_weight > 0)) return false;
-  if (cost == Cost::memoryless) return !has_pairs || options.order != Order::exact;
-  if (cost == Cost::quadric) return true;
-  return quadric.placement == Placement::optimal && !has_boundary_weight && !has_pairs &&
-         quadric.regularization == QuadricOptions{}.regularization;
+  const bool has_exact_pairs = has_pairs && options.effective_order() == Order::exact;
+  return goes(quadric.weights != Weights::area, why_not.weights) &&
+         goes(quadric.placement != Placement::optimal, why_not.placement) &&
+         goes(has_boundary_weight, why_not.boundary_weight) &&
+         goes(quadric.regularization != QuadricOptions{}.regularization, why_not.regularization) &&
+         goes(options.isotropy > 0, why_not.isotropy) && goes(options.valence_weight > 0, why_not.valence_weight) &&
+         goes(has_pairs, why_not.threshold) && goes(has_exact_pairs, why_not.threshold_in_exact_order);
 }
 
 bool is_valid_mesh(const IndexedMesh& mesh) {
@@ -138,7 +141,7 @@ DecimateCase decode_decimate_case(ByteSource& source) {
   c.target = decoded_target(source);
   DecimateOptions& options = c.options;
   options.threads = 1;
-  if (source.one_in(2)) options.cost = static_cast<Cost>(source.below(4));
+  if (source.one_in(2)) options.cost = static_cast<Cost>(source.below(all_cost_traits.size()));
   options.order = static_cast<Order>(source.below(3));
   options.topology = source.one_in(3) ? whittle::Topology::free : whittle::Topology::keep;
   if (source.one_in(8)) options.isotropy = option_value(source, 0, 1);

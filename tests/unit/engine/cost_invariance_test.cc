@@ -25,7 +25,7 @@ struct CostSetting {
   /// In an approximate order some contractions depend on which costs share a bucket. That changes in all units except
   /// those that differ by powers of two. They also depend on which of two merged edges lives on; the vertices' numbers
   /// decide that.
-  bool has_exact_order() const { return options.cost != Cost::memoryless || options.order == Order::exact; }
+  bool has_exact_order() const { return options.effective_order() == Order::exact; }
 };
 
 void PrintTo(const CostSetting& setting, std::ostream* out) { *out << setting.name; }
@@ -36,8 +36,9 @@ std::vector<CostSetting> all_cost_settings() {
     settings.push_back({name, dimension, {}});
     change(settings.back().options);
   };
-  add("lindstrom-turk", 6, [](DecimateOptions& o) { o.cost = Cost::lindstrom_turk; });
-  add("memoryless", 5, [](DecimateOptions& o) { o.cost = Cost::memoryless; });
+  for (const CostTraits& traits : all_cost_traits) {
+    add(std::string(traits.name), traits.dimension, [&traits](DecimateOptions& o) { o.cost = traits.cost; });
+  }
   add("memoryless, exact", 5, [](DecimateOptions& o) {
     o.cost = Cost::memoryless;
     o.order = Order::exact;
@@ -50,7 +51,6 @@ std::vector<CostSetting> all_cost_settings() {
     o.feature_angle_deg = 15;
     o.cost = Cost::memoryless;
   });
-  add("edge length", 1, [](DecimateOptions& o) { o.cost = Cost::midpoint; });
   add("isotropic 0.3", 3.4, [](DecimateOptions& o) { o.isotropy = 0.3; });
   add("isotropic 0.3, uniform", 2, [](DecimateOptions& o) {
     o.isotropy = 0.3;

@@ -243,7 +243,8 @@ TEST(Decimate, UnmovedVerticesKeepEveryBit) {
 }
 
 TEST(Decimate, TheGreatestCostOfAHugeMeshIsANumber) {
-  for (const Cost cost : {Cost::quadric, Cost::memoryless, Cost::lindstrom_turk, Cost::midpoint}) {
+  for (const CostTraits& traits : all_cost_traits) {
+    const Cost cost = traits.cost;
     DecimateOptions options;
     options.cost = cost;
     EXPECT_EQ(decimate(scaled(tetrahedron(), 1e140), DecimateTarget::faces(1), options).result.max_cost, 0)

@@ -140,7 +140,6 @@ void add_plain_quadrics(Settings& settings) {
 }
 
 void add_lindstrom_turk(Settings& settings) {
-  settings.add("lindstrom-turk", [](DecimateOptions& o) { o.cost = Cost::lindstrom_turk; });
   settings.add("lindstrom-turk, locked border", [](DecimateOptions& o) {
     o.cost = Cost::lindstrom_turk;
     o.boundary = Boundary::locked;
@@ -151,8 +150,16 @@ void add_lindstrom_turk(Settings& settings) {
   });
 }
 
+void add_costs(Settings& settings) {
+  for (const CostTraits& traits : all_cost_traits) {
+    settings.add(std::string(traits.name), [&traits](DecimateOptions& o) {
+      o.cost = traits.cost;
+      o.order = Order::exact;
+    });
+  }
+}
+
 void add_memoryless(Settings& settings) {
-  settings.add_memoryless("", [](DecimateOptions&) {});
   settings.add_memoryless(", locked border", [](DecimateOptions& o) { o.boundary = Boundary::locked; });
   settings.add_memoryless(", free border", [](DecimateOptions& o) { o.boundary = Boundary::free; });
   settings.add_memoryless(", free topology", [](DecimateOptions& o) { o.topology = whittle::Topology::free; });
@@ -165,7 +172,6 @@ void add_memoryless(Settings& settings) {
 }
 
 void add_edge_length_and_shape(Settings& settings) {
-  settings.add("edge length", [](DecimateOptions& o) { o.cost = Cost::midpoint; });
   settings.add("isotropic 0.3", [](DecimateOptions& o) { o.isotropy = 0.3; });
   settings.add("isotropic 1", [](DecimateOptions& o) { o.isotropy = 1; });
   settings.add("valence 0.5", [](DecimateOptions& o) { o.valence_weight = 0.5; });
@@ -220,6 +226,7 @@ void add_threshold_pairs(Settings& settings) {
 
 std::vector<Setting> all_settings() {
   Settings settings;
+  add_costs(settings);
   add_plain_quadrics(settings);
   add_lindstrom_turk(settings);
   add_memoryless(settings);

@@ -56,7 +56,7 @@ void put(std::string& bytes, std::size_t at, Number value) {
 
 TEST(ReadingOnThreads, GivesTheSameMesh) {
   const IndexedMesh mesh = large_mesh();
-  for (const Format format : {Format::ply, Format::stl, Format::obj, Format::off}) {
+  for (const Format format : all_formats) {
     expect_same_outcome(text_of(mesh, format), format);
   }
 }

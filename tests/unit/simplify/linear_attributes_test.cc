@@ -105,7 +105,8 @@ TEST(LinearAttributes, StayLinearAtEveryEffortCostAndPlacement) {
           };
           const std::string at = where + ", effort " + std::to_string(static_cast<int>(effort));
           expect_linear(to_tenth({}), offset, at);
-          for (const Cost cost : {Cost::quadric, Cost::memoryless, Cost::lindstrom_turk, Cost::midpoint}) {
+          for (const CostTraits& traits : all_cost_traits) {
+            const Cost cost = traits.cost;
             SimplifyOptions options;
             options.decimate.cost = cost;
             expect_linear(to_tenth(options), offset, at + ", cost " + std::to_string(static_cast<int>(cost)));

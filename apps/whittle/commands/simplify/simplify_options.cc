@@ -23,13 +23,16 @@ constexpr char file_group[] = "Files";
 
 const char* const files_of_a_run[] = {"--record", "--curve", "--page", "--frames", "--animate"};
 
-OptionRow engine_row(Engine& engine) {
+/// \param others the rows of all other options
+OptionRow engine_row(Engine& engine, const OptionRows& others) {
   OptionRow row{.names = "--engine",
                 .access = choice(engine, engines),
                 .group = "Cost",
                 .help = "where the work is done; openmesh: the same cost as a module in OpenMesh's own decimater",
                 .key = "engine"};
-  const auto refuse = [&row](const char* other, const char* why) { row.conflicts.push_back({"openmesh", other, why}); };
+  const auto refuse = [&row](const std::string& other, const char* why) {
+    row.conflicts.push_back({"openmesh", other, why});
+  };
   for (const char* other : {"--order exact", "--order approximate"}) {
     refuse(other, "OpenMesh's decimater has an order of its own");
   }
@@ -38,11 +41,11 @@ OptionRow engine_row(Engine& engine) {
     refuse(other, "OpenMesh's decimater contracts edges alone");
   }
   refuse("--topology free", "a half-edge mesh keeps its topology");
-  for (const char* other :
-       {"--feature-angle", "--feature-tolerance", "--min-radius-ratio", "--max-error", "--self-intersections refuse"}) {
-    refuse(other, "only Whittle's own loop does that");
+  constexpr char own[] = "only Whittle's own loop does that";
+  for (const OptionRow& other : others) {
+    if (other.own_decimater) refuse(side_of(other, *other.own_decimater), own);
   }
-  for (const char* other : files_of_a_run) refuse(other, "only Whittle's own loop does that");
+  for (const char* other : files_of_a_run) refuse(other, own);
   return row;
 }
 
@@ -106,7 +109,7 @@ OptionRows simplify_rows(SimplifyCommand& options) {
   append(own, output_rows(options));
   rows.insert(after_targets, std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
   rows.insert(rows.begin(), meshes_argument(options.inputs, options.files));
-  rows.push_back(engine_row(options.engine));
+  rows.push_back(engine_row(options.engine, rows));
   for (OptionRow& row : rows) {
     if (row.names != "--per-mesh") continue;
     for (const char* file : files_of_a_run) row.conflicts.push_back({"", file, "each mesh has a run of its own"});

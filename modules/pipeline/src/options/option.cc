@@ -18,11 +18,6 @@ struct ValueText {
   }
 };
 
-/// "--boundary free", "--boundary"
-std::string side(const OptionRow& row, const std::string& value) {
-  return value.empty() ? long_name(row) : long_name(row) + ' ' + value;
-}
-
 Length above_zero(std::string_view text) {
   const Length length = parse_length(text, "E");
   if (!(length.value > 0)) throw std::invalid_argument("'" + std::string(text) + "' is not above 0");
@@ -65,6 +60,10 @@ std::string long_name(const OptionRow& row) {
   return begin == std::string::npos ? row.names : row.names.substr(begin);
 }
 
+std::string side_of(const OptionRow& row, const std::string& value) {
+  return value.empty() ? long_name(row) : long_name(row) + ' ' + value;
+}
+
 const OptionRow* find_row(std::span<const OptionRow> rows, std::string_view name) {
   const auto found =
       std::find_if(rows.begin(), rows.end(), [&](const OptionRow& row) { return long_name(row) == name; });
@@ -78,7 +77,7 @@ void append(OptionRows& rows, OptionRows more) {
 std::string find_conflict(std::span<const OptionRow> rows, const IsGiven& is_given) {
   for (const OptionRow& row : rows) {
     for (const auto& [value, other, why] : row.conflicts) {
-      const std::string own = side(row, value);
+      const std::string own = side_of(row, value);
       if (is_given(own) && is_given(other)) return conflict_text(own, other, why);
     }
   }
@@ -89,7 +88,7 @@ std::vector<std::string> find_idle(std::span<const OptionRow> rows, const IsGive
   std::vector<std::string> sentences;
   for (const OptionRow& row : rows) {
     for (const auto& [value, without, with] : row.idle) {
-      const std::string own = side(row, value);
+      const std::string own = side_of(row, value);
       if (!is_given(own)) continue;
       const bool is_lonely = !without.empty() && std::none_of(without.begin(), without.end(), is_given);
       if (is_lonely) sentences.push_back(idle_text(own, "without", without.front()));

@@ -116,14 +116,16 @@ OptionRows guard_rows(Request& request) {
                    "(180: none), " +
                    to_string(angles, "DEG"),
            .key = "feature_angle_deg",
-           .lift = {{Refusal::feature, "180"}}},
+           .lift = {{Refusal::feature, "180"}},
+           .own_decimater = ""},
           {.names = "--feature-tolerance",
            .access = length(request.feature_tolerance, "T"),
            .group = guard_group,
            .help = "how far a feature line may come to lie from where it was: model units, or a percentage of the "
                    "diagonal",
            .key = "feature_tolerance",
-           .idle = {{.without = {"--feature-angle"}}}},
+           .idle = {{.without = {"--feature-angle"}}},
+           .own_decimater = ""},
           {.names = "--max-normal-flip",
            .access = number(decimate.max_normal_flip_deg, angles, "DEG"),
            .group = guard_group,
@@ -140,7 +142,8 @@ OptionRows guard_rows(Request& request) {
                    "equilateral), unless it was thinner before (0: never), " +
                    to_string(ratios, "X"),
            .key = "min_radius_ratio",
-           .lift = {{Refusal::shape, "0"}}},
+           .lift = {{Refusal::shape, "0"}},
+           .own_decimater = ""},
           {.names = "--self-intersections",
            .access = choice(request.self_intersections, self_intersections),
            .group = guard_group,
@@ -148,7 +151,8 @@ OptionRows guard_rows(Request& request) {
                    "intersecting faces, before and after; refuse: also refuse contractions that would make faces "
                    "intersect",
            .key = "self_intersections",
-           .lift = {{Refusal::intersection, "allow"}}}});
+           .lift = {{Refusal::intersection, "allow"}},
+           .own_decimater = "refuse"}});
   return rows;
 }
 

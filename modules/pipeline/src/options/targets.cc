@@ -34,7 +34,8 @@ OptionRows error_rows(Targets& targets) {
        .access = length_above_zero(targets.max_error),
        .group = target_group,
        .help = "fewest faces whose distance to IN, and that of IN to them, is proven to be at most E at all points: "
-               "model units, or a percentage of the diagonal such as 0.1%"},
+               "model units, or a percentage of the diagonal such as 0.1%",
+       .own_decimater = ""},
       {.names = "--max-error-borders",
        .access = length_above_zero(targets.max_border_error),
        .group = target_group,

@@ -93,7 +93,8 @@ TEST(Simplify, BreaksNormalsThatAreComputedAnewAtCreases) {
   plain.normals = vertex_normals(plain, Frame{});
   for (const IndexedMesh& cube : {plain, test::charted_cube(6)}) {
     for (const Effort effort : {Effort::fast, Effort::normal, Effort::best}) {
-      for (const Cost cost : {Cost::quadric, Cost::memoryless, Cost::lindstrom_turk, Cost::midpoint}) {
+      for (const CostTraits& traits : all_cost_traits) {
+        const Cost cost = traits.cost;
         SimplifyOptions options;
         options.decimate.normals = Normals::recompute;
         options.decimate.cost = cost;

@@ -76,7 +76,8 @@ TEST(Regions, KeepTheirBordersUnderAllCostsAndEfforts) {
     for (const Attribute& attribute : all_attributes()) {
       const IndexedMesh mesh = in_regions(height, attribute);
       ASSERT_EQ(wrong_share(mesh), 0);
-      for (const Cost cost : {Cost::quadric, Cost::memoryless, Cost::lindstrom_turk, Cost::midpoint}) {
+      for (const CostTraits& traits : all_cost_traits) {
+        const Cost cost = traits.cost;
         for (const Effort effort : {Effort::fast, Effort::normal, Effort::best}) {
           SimplifyOptions options;
           options.decimate.cost = cost;

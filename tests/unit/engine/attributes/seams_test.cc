@@ -22,12 +22,10 @@ IndexedMesh with_joined_wedges(IndexedMesh mesh) {
   return mesh;
 }
 
-const std::array all_costs{Cost::quadric, Cost::memoryless, Cost::lindstrom_turk, Cost::midpoint};
-
 std::vector<std::pair<Cost, Seams>> all_costs_and_seams() {
   std::vector<std::pair<Cost, Seams>> all;
-  for (const Cost cost : all_costs) {
-    for (const Seams seams : {Seams::weighted, Seams::keep}) all.emplace_back(cost, seams);
+  for (const CostTraits& traits : all_cost_traits) {
+    for (const Seams seams : {Seams::weighted, Seams::keep}) all.emplace_back(traits.cost, seams);
   }
   return all;
 }
@@ -103,9 +101,9 @@ TEST(Seams, OfManyChartsGiveWayUnlessKept) {
 
 TEST(Seams, AreTheFeatureEdgesOfTheResult) {
   for (const IndexedMesh& mesh : {with_joined_wedges(charted_cube(8)), textured_torus(40, 24)}) {
-    for (const Cost cost : all_costs) {
+    for (const CostTraits& traits : all_cost_traits) {
       DecimateOptions options;
-      options.cost = cost;
+      options.cost = traits.cost;
       options.seams = Seams::keep;
       const Decimation d = decimate(mesh, DecimateTarget::faces(mesh.faces.size() / 8), options);
       EXPECT_EQ(d.result.stop, StopReason::target);

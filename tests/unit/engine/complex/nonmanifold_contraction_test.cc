@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <random>
 
 #include "oracle/brute_force.hh"
@@ -113,7 +112,8 @@ TEST(KeptTopology, HoldsAtVerticesThatAreNotManifold) {
   EXPECT_EQ(topology(meshes.back().mesh).nonmanifold_vertices, 3);
   for (const auto& [name, mesh] : meshes) {
     const Topology before = topology(mesh);
-    for (const Cost cost : {Cost::quadric, Cost::memoryless, Cost::lindstrom_turk, Cost::midpoint}) {
+    for (const CostTraits& traits : all_cost_traits) {
+      const Cost cost = traits.cost;
       DecimateOptions options;
       options.cost = cost;
       options.max_normal_flip_deg = 180;
@@ -210,9 +210,8 @@ struct RandomCase {
   void set_cost() {
     if (one_in(4)) options.quadric.placement = static_cast<Placement>(whole(0, 2));
     if (one_in(2)) return;
-    constexpr std::array costs{Cost::quadric, Cost::lindstrom_turk, Cost::midpoint, Cost::memoryless};
-    options.cost = costs[static_cast<std::size_t>(whole(0, 3))];
-    if (options.cost == Cost::memoryless) options.order = Order::exact;
+    options.cost = static_cast<Cost>(whole(0, static_cast<int>(all_cost_traits.size()) - 1));
+    options.order = Order::exact;
     if (options.cost == Cost::quadric) options.isotropy = one_in(4) ? 1 : real(0, 1);
     if (one_in(2)) options.valence_weight = real(0, 4);
     const bool has_placements = cost_traits(*options.cost).why_not.placement.empty();

@@ -68,7 +68,8 @@ bool have_same_shape(const IndexedMesh& a, const IndexedMesh& b) {
 }
 
 TEST(TwoSidedSheet, IsSimplifiedAsItsFrontIs) {
-  for (const Cost cost : {Cost::quadric, Cost::memoryless, Cost::lindstrom_turk, Cost::midpoint}) {
+  for (const CostTraits& traits : all_cost_traits) {
+    const Cost cost = traits.cost;
     for (const Effort effort : all_efforts) {
       const std::string what = std::string(to_string(cost)) + ", effort " + std::to_string(static_cast<int>(effort));
       SimplifyOptions options;

@@ -66,6 +66,8 @@ struct OptionRow {
   std::vector<OptionConflict> conflicts{};
   std::vector<OptionIdle> idle{};
   std::optional<OptionLift> lift{};
+  /// The value that only our own decimater knows, and no `Request::decimater`; empty = any. Nothing if all know it.
+  std::optional<std::string> own_decimater{};
   bool is_required = false;
   bool takes_several = false;  ///< an argument that may be given more than once
 };
@@ -73,6 +75,8 @@ using OptionRows = std::vector<OptionRow>;
 
 /// "--ratio" of "-r,--ratio"; "IN"
 std::string long_name(const OptionRow& row);
+/// An option with a value of it, or any: "--boundary free", "--boundary"
+std::string side_of(const OptionRow& row, const std::string& value);
 /// The row of a long name; null if there is none.
 const OptionRow* find_row(std::span<const OptionRow> rows, std::string_view name);
 void append(OptionRows& rows, OptionRows more);
