@@ -1,6 +1,7 @@
 #include <utility>
 #include <vector>
 
+#include "whittle/engine/two_sided_sheets.hh"
 #include "whittle/simplify/simplify.hh"
 
 namespace whittle {
@@ -22,6 +23,14 @@ Cost cost_by_effort(Effort effort, const DecimateOptions& options) {
 unsigned passes_by_effort(Effort effort, const SimplifyOptions& options) {
   if (effort == Effort::fast || options.decimate.quadric.placement != Placement::optimal) return 0;
   return effort == Effort::best || options.fit == Fit::max ? 2 : 1;
+}
+
+/// Without the backs of two-sided sheets, which the engine leaves out.
+bool memoryless_goes_in_blocks(const IndexedMesh& mesh, const DecimateTarget& target, DecimateOptions options) {
+  options.cost = Cost::memoryless;
+  if (!goes_in_blocks(mesh, target, options)) return false;
+  const TwoSidedSheets sheets(mesh);
+  return !sheets.any() || goes_in_blocks(sheets.without_backs(), target, options);
 }
 
 std::vector<double> pauses_by_effort(Effort effort, const DecimateOptions& options) {
@@ -48,11 +57,13 @@ SimplifyOptions with_effort(Effort effort, SimplifyOptions options) {
 
 SimplifyOptions with_effort(Effort effort, SimplifyOptions options, const IndexedMesh& mesh,
                             const DecimateTarget& target) {
-  if (!options.decimate.cost && !needs_plain_quadrics(options.decimate)) {
-    DecimateOptions memoryless = options.decimate;
-    memoryless.cost = Cost::memoryless;
-    if (goes_in_blocks(mesh, target, memoryless)) options.decimate.cost = Cost::memoryless;
+  if (!options.decimate.cost && !needs_plain_quadrics(options.decimate) &&
+      memoryless_goes_in_blocks(mesh, target, options.decimate)) {
+    options.decimate.cost = Cost::memoryless;
   }
+  if (target.error_limit()) options.flips = false;
+  const bool has_count = target.n_faces() || target.n_vertices();
+  if (!has_count || target.error_limit()) options.pauses = std::vector<double>{};
   return with_effort(effort, std::move(options));
 }
 

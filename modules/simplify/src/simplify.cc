@@ -32,7 +32,7 @@ Simplification simplify_as_settled(const IndexedMesh& mesh, const DecimateTarget
   double polish_seconds = 0;
   SimplifyOptions without_flips = settled;
   without_flips.flips = false;
-  if (!settled.pauses->empty() && !target.error_limit()) {
+  if (!settled.pauses->empty()) {
     settled.decimate.pauses = {*settled.pauses, [&](Decimation& paused) {
                                  const Stopwatch polishing;
                                  const PolishResult polish = polisher.polish(without_flips, paused);
@@ -46,7 +46,7 @@ Simplification simplify_as_settled(const IndexedMesh& mesh, const DecimateTarget
   if (settled.polish_passes > 0U) {
     fit = [&](Decimation& decimation, const std::vector<std::uint8_t>& held) {
       if (!fitting) fitting.emplace();
-      polish = polisher.polish(target.error_limit() ? without_flips : settled, decimation, held);
+      polish = polisher.polish(settled, decimation, held);
       return !polish.cancelled;
     };
   }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "support/shapes/shapes.hh"
+#include "support/shapes/two_sided.hh"
 #include "support/suites.hh"
 #include "whittle/core/feature_edges.hh"
 #include "whittle/core/frame.hh"
@@ -80,6 +81,30 @@ TEST(Simplify, IsFastByTheCostThatIsFastest) {
   EXPECT_EQ(cost_of(large, DecimateTarget::faces(large.faces.size() - 1000), {}), Cost::quadric) << "hardly anything";
   const Simplification s = simplify(large, tenth, Effort::fast);
   EXPECT_EQ(s.mesh.faces, decimate(large, tenth, {.cost = Cost::memoryless}).mesh.faces);
+}
+
+TEST(Simplify, SettlesTheCostOfTwoSidedSheetsWithoutTheirBacks) {
+  const IndexedMesh front = sphere(6);
+  const IndexedMesh both = with_backs(front);
+  const DecimateTarget target = DecimateTarget::faces(both.faces.size() / 5);
+  const SimplifyOptions settled = with_effort(Effort::fast, {}, both, target);
+  EXPECT_EQ(settled.decimate.cost, with_effort(Effort::fast, {}, front, target).decimate.cost);
+  const Simplification by_effort = simplify(both, target, Effort::fast);
+  EXPECT_EQ(by_effort.cost, settled.decimate.cost);
+  EXPECT_EQ(by_effort.mesh.faces, simplify(both, target, Effort::fast, settled).mesh.faces) << "settled before";
+}
+
+TEST(Simplify, LeavesOutWhatDoesNotGoWithTheTarget) {
+  const IndexedMesh mesh = sphere(3);
+  const SimplifyOptions asked{.flips = true, .pauses = std::vector<double>{1.5}};
+  const auto settled = [&](const DecimateTarget& target) { return with_effort(Effort::best, asked, mesh, target); };
+  const SimplifyOptions count = settled(DecimateTarget::faces(100));
+  EXPECT_EQ(count.flips, true);
+  EXPECT_EQ(count.pauses, asked.pauses);
+  const SimplifyOptions limit = settled(DecimateTarget::faces(100).or_max_error(0.1));
+  EXPECT_EQ(limit.flips, false);
+  EXPECT_EQ(limit.pauses, std::vector<double>{});
+  EXPECT_EQ(settled(DecimateTarget::as_far_as_possible()).pauses, std::vector<double>{}) << "multiples of no count";
 }
 
 TEST(Simplify, TakesTheNearerOfTwoResultsWhereMuchIsFlat) {

@@ -103,8 +103,7 @@ void settle_options(Plan& plan) {
   }
   decimate.threads = plan.threads();
   decimate.keep_steps = request.keeps_steps;
-  const bool has_pauses = !request.decimater && request.targets.has_count() && !request.targets.max_error;
-  if (!has_pauses) options.pauses = std::vector<double>{};
+  if (request.decimater) options.pauses = std::vector<double>{};
   options = with_effort(request.effort, std::move(options), plan.scene.read.mesh, plan.target);
 }
 

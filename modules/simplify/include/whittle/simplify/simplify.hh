@@ -37,8 +37,8 @@ struct SimplifyOptions {
 
   /// Counts at which decimation pauses for polish: multiples of the target count, above 1, descending. After a pause
   /// decimation goes on with a surface that fits the input, so the result comes nearer to it. Empty = by effort, none
-  /// with `Placement::endpoint`. There are no pauses without polish, with a limit of the error, or if `decimate` has
-  /// pauses of its own. `Simplification::polish` is the polish at the end.
+  /// with `Placement::endpoint`. There are no pauses without polish, without a count, with a limit of the error, or if
+  /// `decimate` has pauses of its own. `Simplification::polish` is the polish at the end.
   std::optional<std::vector<double>> pauses{};
 
   /// Cost comparison: whether to run with plain quadrics, too, and take the result nearer to the input. It is done for
@@ -49,8 +49,8 @@ struct SimplifyOptions {
   std::optional<bool> tries_plain_quadrics{};
 };
 
-/// Fills in the empty options that depend on the effort: cost, passes, flips, pauses, cost comparison. `simplify` calls
-/// it.
+/// Fills in the empty options that depend on the effort: cost, passes, flips, pauses, cost comparison. Takes out those
+/// that don't go with the target. `simplify` calls it.
 SimplifyOptions with_effort(Effort effort, SimplifyOptions options, const IndexedMesh& mesh,
                             const DecimateTarget& target);
 /// The same for a mesh that isn't simplified in blocks.
