@@ -78,9 +78,13 @@ void TextureAtlas::make_grid() {
     for (const Face& face : faces_) for_each_cell(box_of(face.corners), [&](Index) { ++n_entries; });
     if (n_entries <= most_cells_a_face * faces_.size() || n_cells_[0] == 1) break;
   }
-  cells_ = IndexLists<Index, std::size_t>(n_cells_[0] * n_cells_[1], [&](const auto& emit) {
+  cells_ = IndexLists<Entry, std::size_t>(n_cells_[0] * n_cells_[1], [&](const auto& emit) {
     for (Index f = 0; f < faces_.size(); ++f) {
-      for_each_cell(box_of(faces_[f].corners), [&](Index cell) { emit(cell, f); });
+      const Eigen::AlignedBox2d box = box_of(faces_[f].corners);
+      const Eigen::Array2f low = box.min().cast<float>();
+      const Eigen::Array2f high = box.max().cast<float>();
+      const Entry entry{low.x(), high.x(), low.y(), high.y(), f, faces_[f].chart};
+      for_each_cell(box, [&](Index cell) { emit(cell, entry); });
     }
   });
 }
@@ -88,11 +92,14 @@ void TextureAtlas::make_grid() {
 bool TextureAtlas::is_on_another(const Vec2& point, Index own) const {
   bool is_on_another = false;
   const std::size_t cell = cell_along(1, point.y()) * n_cells_[0] + cell_along(0, point.x());
-  for (const Index f : cells_.of(static_cast<Index>(cell))) {
-    const auto& [corners, chart] = faces_[f];
+  const auto x = static_cast<float>(point.x());  // rounding keeps the order
+  const auto y = static_cast<float>(point.y());
+  for (const auto& [low_x, high_x, low_y, high_y, face, chart] : cells_.of(static_cast<Index>(cell))) {
     const bool is_own = chart == own;
     if (!is_own && (is_on_another || group_of_chart_[chart] != group_of_chart_[own])) continue;
-    if (!is_in(point, corners)) continue;
+    const float beyond = std::max(std::max(low_x - x, x - high_x), std::max(low_y - y, y - high_y));
+    if (beyond > 0) continue;
+    if (!is_in(point, faces_[face].corners)) continue;
     if (is_own) return false;
     is_on_another = true;
   }

@@ -34,6 +34,12 @@ class TextureAtlas {
     ImageTriangle corners;  ///< counter-clockwise
     Index chart;
   };
+  /// A face in the list of a cell, with what leaves most of them out at a glance.
+  struct Entry {
+    float low_x, high_x, low_y, high_y;  ///< its box
+    Index face;
+    Index chart;
+  };
 
   void add_faces(const IndexedMesh& original, std::span<const double> texcoords, std::size_t n_components);
   void make_grid();
@@ -48,7 +54,7 @@ class TextureAtlas {
   std::vector<Face> faces_;  ///< that have an area on the image
   Box box_;
   std::array<std::size_t, 2> n_cells_{1, 1};
-  IndexLists<Index, std::size_t> cells_;  ///< the faces whose boxes touch each
+  IndexLists<Entry, std::size_t> cells_;  ///< the faces whose boxes touch each
 };
 
 }  // namespace whittle::detail
