@@ -146,6 +146,20 @@ void check_levels(const IndexedMesh& mesh, const std::vector<DecimateTarget>& ta
           "the mesh has reached a target");
 }
 
+/// No run gets below 1: the levels to 0 are those to 1, with another reason for the stop.
+std::vector<Simplification> levels_to_zero(const IndexedMesh& mesh, std::vector<DecimateTarget> targets, Effort effort,
+                                           const SimplifyOptions& options) {
+  const auto one = targets.back().n_faces() ? DecimateTarget::faces(1) : DecimateTarget::vertices(1);
+  targets.pop_back();
+  const bool has_one = !targets.empty() && count_of(targets.back()) == 1;
+  if (!has_one) targets.push_back(one);
+  std::vector<Simplification> levels = simplify_to_levels(mesh, targets, effort, options);
+  if (levels.back().result.stop != StopReason::target) return levels;
+  if (has_one) levels.push_back(levels.back());
+  levels.back().result.stop = StopReason::exhausted;
+  return levels;
+}
+
 /// Multiples of the last target's count that come to the counts of the others, rounded up.
 std::vector<double> pauses_at(const std::vector<DecimateTarget>& targets) {
   std::vector<double> at;
@@ -162,6 +176,7 @@ std::vector<Simplification> simplify_to_levels(const IndexedMesh& mesh, const st
   check_levels(mesh, targets, options);
   if (const TwoSidedSheets sheets(mesh); sheets.any())
     return simplify_sheets_to_levels(sheets, targets, effort, options);
+  if (count_of(targets.back()) == 0) return levels_to_zero(mesh, targets, effort, options);
   SimplifyOptions settled = with_effort(effort, options, mesh, targets.front());
   settled.pauses->clear();
   SimplifyOptions without_flips = settled;

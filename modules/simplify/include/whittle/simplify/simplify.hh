@@ -77,7 +77,7 @@ Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, E
 
 /// Levels of detail from one run, each polished by effort; the run goes on from the polished surface. Without cost
 /// comparison.
-/// \param targets counts, all of faces or all of vertices, descending
+/// \param targets counts, all of faces or all of vertices, descending; 0 is as far as possible
 /// \return a level per target, in their order; fewer if no pair is left to contract, or if the run is cancelled. The
 ///        last level has the reason for the stop, and the time of all
 /// \throw as `simplify`; std::invalid_argument for other targets, for a target that the mesh has reached, and for
