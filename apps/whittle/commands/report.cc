@@ -109,7 +109,8 @@ OptionRows report_rows(ReportCommand& options) {
   const auto set_view = [&options](std::string_view text) { options.view = parse_page_settings(text); };
   const auto none = [] { return OptionValue{}; };
   OptionRows rows{
-      meshes_argument(options.files, options.files_options),
+      meshes_argument(options.files, options.files_options,
+                      "several are the original and results of it, of which one may be a recording"),
       {.names = "-o,--output",
        .access = text(options.output, "OUT"),
        .help = "the page: an .html file, replaced if it exists, or '-' for standard output"},
