@@ -252,8 +252,7 @@ void write_files(LodCommand& options, const Talk& talk, const Stopwatch& since_s
     }
   }
   run.write_seconds = writing.seconds();
-  commit_with_report(files, options.common,
-                     options.common.json ? to_text(lod_json(options, run, since_start.seconds())) : std::string());
+  commit_with_report(files, options.common, [&] { return lod_json(options, run, since_start.seconds()); });
 }
 
 /// \throw UsageError for one file of levels, if its nodes have levels already

@@ -86,9 +86,7 @@ ExitCode run_report(const Given& /*given*/, ReportCommand options) {
   if (options.png) write(*options.png, draw_png(options, made.shown, talk, facts));
   if (options.output) write(*options.output, page);
   write_frames(files, options.frames, made.shown, {options.view, options.png_size, options.common.threads}, talk);
-  commit_with_report(
-      files, options.common,
-      options.common.json ? to_text(report_json(options, facts, page.size(), watch.seconds())) : std::string());
+  commit_with_report(files, options.common, [&] { return report_json(options, facts, page.size(), watch.seconds()); });
   constexpr double per_megabyte = 1e6;
   constexpr double decimals = 10;
   const std::string size =

@@ -67,19 +67,6 @@ bool is_better(const IndexedMesh& input, const Simplification& other, const Simp
   return is_nearer(input, other.mesh, result.mesh);
 }
 
-/// The attributes are fitted where positions are.
-void fit_attributes_of(const IndexedMesh& input, const SimplifyOptions& settled, Simplification& result) {
-  const bool is_cancelled = result.result.stop == StopReason::cancelled || result.polish.cancelled;
-  if (is_cancelled || settled.polish_passes == 0U) return;
-  const Stopwatch watch;
-  const AttributeFitReport report =
-      fit_attributes(input, wedge_map(input, result.vertex_map, result.face_origins), result.mesh,
-                     {settled.decimate.normals == Normals::keep, settled.decimate.threads});
-  result.n_folded_texture_faces = report.n_folded_faces;
-  result.steps.fits_attributes = true;
-  result.polish_seconds += watch.seconds();
-}
-
 void finish_attributes_of(const IndexedMesh& input, const SimplifyOptions& settled, Simplification& result) {
   fit_attributes_of(input, settled, result);
   break_normals_of(input, settled, result);
@@ -109,6 +96,18 @@ PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOption
   const PolishResult result = DecimationPolisher(original).polish(options, decimation);
   break_normals_of(original, options, decimation);
   return result;
+}
+
+void fit_attributes_of(const IndexedMesh& original, const SimplifyOptions& options, Simplification& result) {
+  const bool is_cancelled = result.result.stop == StopReason::cancelled || result.polish.cancelled;
+  if (is_cancelled || options.polish_passes == 0U) return;
+  const Stopwatch watch;
+  const AttributeFitReport report =
+      fit_attributes(original, wedge_map(original, result.vertex_map, result.face_origins), result.mesh,
+                     {options.decimate.normals == Normals::keep, options.decimate.threads});
+  result.n_folded_texture_faces = report.n_folded_faces;
+  result.steps.fits_attributes = true;
+  result.polish_seconds += watch.seconds();
 }
 
 Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, Effort effort,

@@ -70,6 +70,10 @@ struct Simplification : Decimation {
 /// The second half of `simplify`: polishes a decimation of `original`. \pre `options` come from `with_effort`
 PolishResult polish_decimation(const IndexedMesh& original, const SimplifyOptions& options, Decimation& decimation);
 
+/// Fits the attributes of a result of `original` to those of `original` (`fit_attributes`), unless it has no polish or
+/// is cancelled. \pre `options` come from `with_effort`
+void fit_attributes_of(const IndexedMesh& original, const SimplifyOptions& options, Simplification& result);
+
 /// Simplifies `mesh`. With polish, attributes are fitted to those of `mesh` in the end (`fit_attributes`), including
 /// normals with `Normals::keep`. A run cancelled while contracting is not polished. \throw as `decimate`
 Simplification simplify(const IndexedMesh& mesh, const DecimateTarget& target, Effort effort = Effort::normal,
